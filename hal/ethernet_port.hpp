@@ -1,0 +1,39 @@
+// The seam to an Ethernet controller: whole frames in, whole frames out, nothing blocks.
+//
+// A frame is destination, source, type and payload, without preamble and without FCS.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace iog::hal {
+
+// What a port has seen and lost since it was opened. Every counter wraps.
+struct PortCounters {
+  std::uint32_t received = 0;        // good frames handed to the caller
+  std::uint32_t receive_errors = 0;  // frames the controller marked bad: CRC, length, overrun
+  std::uint32_t oversized = 0;       // frames longer than one receive buffer, dropped
+  std::uint32_t sent = 0;            // frames committed for sending
+  std::uint32_t send_refused = 0;    // acquire() found the transmit ring full
+};
+
+// receive():  the oldest frame that has arrived, empty if there is none. The view stays valid and
+//             the same frame is returned until release().
+// release():  gives that frame's buffer back to the controller. Only after a non-empty receive().
+// acquire():  a free transmit buffer of at least 1514 bytes, empty when the ring is full (counted).
+//             Calling it again before commit() returns the same buffer.
+// commit(n):  queues the first n bytes of the acquired buffer, 14 <= n <= 1514.
+// pump():     hands a bounded number of queued frames to the controller. Once per pass of the loop.
+template <typename Port>
+concept EthernetPort = requires(Port& port, const Port& view, std::size_t frame_bytes) {
+  { port.receive() } -> std::same_as<std::span<const std::byte>>;
+  { port.release() } -> std::same_as<void>;
+  { port.acquire() } -> std::same_as<std::span<std::byte>>;
+  { port.commit(frame_bytes) } -> std::same_as<void>;
+  { port.pump() } -> std::same_as<void>;
+  { view.counters() } -> std::convertible_to<PortCounters>;
+};
+
+}  // namespace iog::hal
