@@ -1,0 +1,34 @@
+// The occupancy index: one small integer that stands for the occupancy probability of a cell.
+//
+// Contract section 2, thesis section 3.3. Index n stands for the probability p_n of the recursive
+// set (index/recursive_set.hpp); 0 is unknown, negative is likely free, positive likely occupied.
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+namespace iog::index {
+
+// The index as it is stored in a grid. -128 never occurs, so that the range is symmetric.
+using OccupancyIndex = std::int8_t;
+
+// The range of an index in a cell of type Cell. Smaller epsilon needs a wider cell: same code.
+template <std::signed_integral Cell>
+inline constexpr Cell kIndexMax = std::numeric_limits<Cell>::max();
+template <std::signed_integral Cell>
+inline constexpr Cell kIndexMin = -kIndexMax<Cell>;
+
+inline constexpr OccupancyIndex kUnknown = 0;
+
+// Fusion of two indexes (contract section 2): their sum, saturated at +-127 for int8.
+// Both arguments lie in [kIndexMin, kIndexMax]; the sum of two fits 64 bits for cells up to int32.
+template <std::signed_integral Cell>
+  requires(sizeof(Cell) <= 4)
+constexpr Cell sat_add(Cell a, Cell b) {
+  using Wide = std::conditional_t<(sizeof(Cell) < 4), std::int32_t, std::int64_t>;
+  return static_cast<Cell>(std::clamp<Wide>(Wide{a} + Wide{b}, kIndexMin<Cell>, kIndexMax<Cell>));
+}
+
+}  // namespace iog::index

@@ -1,0 +1,22 @@
+// Integer division with the rounding said in the name.
+#pragma once
+
+#include <concepts>
+
+namespace iog::numeric {
+
+// The largest integer q with q * divisor <= dividend. divisor > 0.
+template <std::signed_integral T>
+constexpr T div_floor(T dividend, T divisor) {
+  const T quotient = dividend / divisor;
+  return (dividend % divisor != 0 && dividend < 0) ? quotient - 1 : quotient;
+}
+
+// The nearest integer to dividend / divisor, a tie goes towards plus infinity. divisor > 0,
+// |dividend| + divisor / 2 must fit T.
+template <std::signed_integral T>
+constexpr T div_nearest(T dividend, T divisor) {
+  return div_floor<T>(dividend + divisor / 2, divisor);
+}
+
+}  // namespace iog::numeric

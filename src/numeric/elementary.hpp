@@ -1,0 +1,93 @@
+// exp, log, sin and cos for the tables that the compiler computes.
+//
+// The target's code reaches them only from consteval functions (that no floating-point instruction
+// is left in the image is checked when it is linked); the PC's references call them at run time too.
+// Only +, -, * and / of IEEE doubles are used, each correctly rounded, so that every compiler
+// computes the same table. Relative error below 1e-14 in the ranges stated (checked against the C
+// library in tests/host/numeric/).
+#pragma once
+
+namespace iog::numeric {
+
+inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kLn2 = 0.69314718055994530942;
+
+// e^x for -700 < x < 700: x = n ln 2 + f with |f| <= ln 2 / 2, then the Taylor series of e^f.
+constexpr double exp(double x) {
+  const double scaled = x / kLn2;
+  const int n = static_cast<int>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+  const double f = x - n * kLn2;
+  double term = 1;
+  double sum = 1;
+  for (int i = 1; i <= 18; ++i) {
+    term *= f / i;
+    sum += term;
+  }
+  for (int i = 0; i < n; ++i) {
+    sum *= 2;
+  }
+  for (int i = 0; i > n; --i) {
+    sum /= 2;
+  }
+  return sum;
+}
+
+// The natural logarithm of 1e-300 < x < 1e300: x = m 2^n with m near 1, then the series of
+// atanh((m - 1) / (m + 1)).
+constexpr double log(double x) {
+  int n = 0;
+  while (x > 1.5) {
+    x /= 2;
+    ++n;
+  }
+  while (x < 0.75) {
+    x *= 2;
+    --n;
+  }
+  const double y = (x - 1) / (x + 1);
+  double power = y;
+  double sum = 0;
+  for (int i = 1; i < 48; i += 2) {
+    sum += power / i;
+    power *= y * y;
+  }
+  return 2 * sum + n * kLn2;
+}
+
+// The Taylor series sum of (-1)^i x^(2i + first) / (2i + first)!, |x| <= pi / 4.
+constexpr double alternating_series(double x, int first) {
+  double term = first == 0 ? 1 : x;
+  double sum = term;
+  for (int i = first + 1; i < 24; i += 2) {
+    term *= -x * x / (i * (i + 1));
+    sum += term;
+  }
+  return sum;
+}
+
+// sine and cosine of an angle in the first quadrant, 0 <= x <= pi / 2.
+constexpr double sin_first_quadrant(double x) {
+  return x <= kPi / 4 ? alternating_series(x, 1) : alternating_series(kPi / 2 - x, 0);
+}
+
+// sine of any |x| < 1000.
+constexpr double sin(double x) {
+  while (x < 0) {
+    x += 2 * kPi;
+  }
+  while (x >= 2 * kPi) {
+    x -= 2 * kPi;
+  }
+  const double folded = x > kPi ? x - kPi : x;
+  const double value = sin_first_quadrant(folded > kPi / 2 ? kPi - folded : folded);
+  return x > kPi ? -value : value;
+}
+
+constexpr double cos(double x) { return sin(x + kPi / 2); }
+
+// The nearest integer, a tie goes away from zero; |x| < 2^62.
+constexpr long long round(double x) {
+  return static_cast<long long>(x < 0 ? x - 0.5 : x + 0.5);
+}
+
+}  // namespace iog::numeric

@@ -1,0 +1,65 @@
+// sine and cosine of an integer angle, as exact table look-ups.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "numeric/elementary.hpp"
+
+namespace iog::numeric {
+
+// Sine and cosine are given in units of 2^-30.
+inline constexpr int kSineFractionBits = 30;
+
+// The first quadrant of the sine, kTicksPerTurn / 4 + 1 values, each rounded to the nearest 2^-30.
+template <std::int32_t kTicksPerTurn>
+consteval auto make_sine_quadrant() {
+  static_assert(kTicksPerTurn > 0 && kTicksPerTurn % 4 == 0);
+  std::array<std::int32_t, kTicksPerTurn / 4 + 1> quadrant{};
+  for (std::int32_t tick = 0; tick <= kTicksPerTurn / 4; ++tick) {
+    quadrant[static_cast<std::size_t>(tick)] = static_cast<std::int32_t>(
+        round(sin_first_quadrant(2 * kPi * tick / kTicksPerTurn) * (1 << kSineFractionBits)));
+  }
+  return quadrant;
+}
+
+template <std::int32_t kTicksPerTurn>
+inline constexpr auto kSineQuadrant = make_sine_quadrant<kTicksPerTurn>();
+
+// A view of one quadrant that answers for the whole turn.
+class SineTable {
+ public:
+  constexpr SineTable() = default;
+  explicit constexpr SineTable(std::span<const std::int32_t> quadrant) : quadrant_(quadrant) {}
+
+  [[nodiscard]] constexpr std::uint32_t ticks_per_turn() const {
+    return static_cast<std::uint32_t>(quadrant_.size() - 1) * 4;
+  }
+
+  // ticks: 0 ... ticks_per_turn() - 1.
+  [[nodiscard]] constexpr std::int32_t sine(std::uint32_t ticks) const {
+    const std::uint32_t quarter = ticks_per_turn() / 4;
+    if (ticks <= quarter) {
+      return quadrant_[ticks];
+    }
+    if (ticks <= 2 * quarter) {
+      return quadrant_[2 * quarter - ticks];
+    }
+    return ticks <= 3 * quarter ? -quadrant_[ticks - 2 * quarter]
+                                : -quadrant_[4 * quarter - ticks];
+  }
+
+  [[nodiscard]] constexpr std::int32_t cosine(std::uint32_t ticks) const {
+    const std::uint32_t quarter = ticks_per_turn() / 4;
+    return sine(ticks < 3 * quarter ? ticks + quarter : ticks - 3 * quarter);
+  }
+
+ private:
+  std::span<const std::int32_t> quadrant_{};
+};
+
+template <std::int32_t kTicksPerTurn>
+inline constexpr SineTable kSineTable{kSineQuadrant<kTicksPerTurn>};
+
+}  // namespace iog::numeric

@@ -1,0 +1,62 @@
+// The inverse sensor model of a single-target range sensor: Theorem 6 of the thesis (page 91).
+//
+//   P(o_i | z) = ( sum_{h<i} p(z|d_h) 2^-h  +  p(z|d_i) 2^-(i-1) ) / alpha
+//   alpha      =   sum_h p(z|d_h) 2^-(h-1)
+//
+// with p(z|d) a Gaussian of standard deviation sigma around d, with the usual factor 1/2 in the
+// exponent (contract section 4: equation 4.1 prints it without, Table 4.3 needs it). Distances are
+// those of cell centres and z is the centre of its own cell k, so that only i - k, and the ratio of
+// cell length to sigma matter, as long as k is not within a few cells of either end of the grid.
+#pragma once
+
+#include "numeric/elementary.hpp"
+
+namespace iog::sensor_model {
+
+struct SingleTarget {
+  double sigma_m;        // standard deviation of the range, > 0
+  double cell_length_m;  // length of a 1D cell, > 0, not above 4 sigma
+
+  // P(o_(k + offset) | z in cell k). |offset| <= 32.
+  [[nodiscard]] constexpr double probability(int offset) const {
+    double before = 0;
+    double alpha = 0;
+    for (int h = -reach(); h <= reach(); ++h) {
+      // 2^-(h-1) relative to cell k; the common factor cancels in the quotient.
+      const double weighted = likelihood(h) * power_of_two(-h);
+      alpha += weighted;
+      if (h < offset) {
+        before += weighted / 2;
+      }
+    }
+    return (before + likelihood(offset) * power_of_two(-offset)) / alpha;
+  }
+
+ private:
+  // Beyond 12 sigma plus the shift that the powers of two bring (sigma^2 ln 2 / cell^2 cells) a term
+  // is below 1e-30 of the largest.
+  [[nodiscard]] constexpr int reach() const {
+    const double ratio = sigma_m / cell_length_m;
+    return 40 + static_cast<int>(14 * ratio + ratio * ratio);
+  }
+
+  // p(z|d) of the cell at this offset, up to a constant factor that cancels.
+  [[nodiscard]] constexpr double likelihood(int offset) const {
+    const double distance = offset * cell_length_m / sigma_m;
+    const double exponent = -0.5 * distance * distance;
+    return exponent < -690 ? 0 : numeric::exp(exponent);
+  }
+
+  static constexpr double power_of_two(int n) {
+    double value = 1;
+    for (int i = 0; i < n; ++i) {
+      value *= 2;
+    }
+    for (int i = 0; i > n; --i) {
+      value /= 2;
+    }
+    return value;
+  }
+};
+
+}  // namespace iog::sensor_model

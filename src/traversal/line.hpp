@@ -1,0 +1,221 @@
+// The line of a beam on the grid, in integers: where it crosses cell borders, and how many it has
+// crossed after any share of its length.
+//
+// Contract section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the thesis's
+// traversal resolution). A line runs from its start S to its end E, both in subcells, and is folded
+// into the first quadrant: x and y are counted in its own direction of travel.
+//
+// Position. The cells of a line are numbered by how many column borders (x) and row borders (y) have
+// been crossed to get there; their sum, `crossed`, grows along the line. A line through a corner
+// crosses both borders at once and enters neither of the two other cells, so `crossed` then grows by
+// two. Every position that a function here returns is one that the line really takes.
+//
+// Ranges, with w = |E - S| per axis in subcells: (w_x + w_y) * r < 2^31 (asserted for the longest
+// beam of a vehicle description), which bounds the walk's error term; S and E within +-2^29.
+//   * through/before: the share of the line is num / den with 0 <= num, 0 < den and
+//     f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
+//   * all divisions are of non-negative numbers, rounding is always down.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "numeric/division.hpp"
+#include "numeric/reciprocal.hpp"
+
+namespace iog::traversal {
+
+// A point in subcells.
+struct SubcellPoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+};
+
+// A cell by column and row; may lie outside any grid.
+struct Cell {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  friend constexpr bool operator==(const Cell&, const Cell&) = default;
+};
+
+// Borders crossed since the start cell.
+struct Position {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  [[nodiscard]] constexpr std::uint32_t crossed() const { return x + y; }
+  friend constexpr bool operator==(const Position&, const Position&) = default;
+};
+
+// A share of a line's length, numerator / denominator.
+struct Share {
+  std::uint64_t numerator = 0;
+  std::uint64_t denominator = 1;
+};
+
+// The length that a beam's line stands for, in millimetres, with its reciprocal. 1 ... 2^18 - 1.
+class LineLength {
+ public:
+  constexpr LineLength() = default;
+  explicit constexpr LineLength(std::uint32_t length_mm)
+      : length_mm_(length_mm), reciprocal_(length_mm) {}
+  [[nodiscard]] constexpr std::uint32_t mm() const { return length_mm_; }
+  [[nodiscard]] constexpr const numeric::Reciprocal& reciprocal() const { return reciprocal_; }
+
+ private:
+  std::uint32_t length_mm_ = 1;
+  numeric::Reciprocal reciprocal_{1};
+};
+
+// One axis of a line, folded so that it runs towards plus.
+template <std::int32_t kResolution>
+class Axis {
+  static_assert(kResolution >= 1);
+  static constexpr auto kSide = static_cast<std::uint32_t>(kResolution);
+
+ public:
+  constexpr Axis(std::int32_t start, std::int32_t end)
+      : step_(end < start ? -1 : 1),
+        start_cell_(numeric::div_floor(start, kResolution)),
+        // Mirrored, a start on a border lies at the far end of its cell: offset r, not 0.
+        offset_(end < start
+                    ? static_cast<std::uint32_t>((start_cell_ + 1) * kResolution - start)
+                    : static_cast<std::uint32_t>(start - start_cell_ * kResolution)),
+        length_(static_cast<std::uint32_t>(end < start ? start - end : end - start)) {}
+
+  [[nodiscard]] constexpr std::int32_t step() const { return step_; }
+  [[nodiscard]] constexpr std::int32_t start_cell() const { return start_cell_; }
+  [[nodiscard]] constexpr std::uint32_t offset() const { return offset_; }  // 0 ... r
+  [[nodiscard]] constexpr std::uint32_t length() const { return length_; }
+  [[nodiscard]] constexpr std::int32_t cell(std::uint32_t crossed) const {
+    return start_cell_ + step_ * static_cast<std::int32_t>(crossed);
+  }
+
+  // Borders crossed up to and including this share of the line.
+  [[nodiscard]] constexpr std::uint32_t through(Share share) const {
+    return static_cast<std::uint32_t>(scaled(share) / (share.denominator * kSide));
+  }
+
+  // Borders crossed strictly before this share of the line.
+  [[nodiscard]] constexpr std::uint32_t before(Share share) const {
+    const std::uint64_t reached = scaled(share);
+    return reached == 0 ? 0
+                        : static_cast<std::uint32_t>((reached - 1) / (share.denominator * kSide));
+  }
+
+  // The same two for distance / length, distance < 2^20 mm, without a division.
+  // The dividend by r is at most length + distance * w / r < 2^31 for lines up to 2,000 cells.
+  [[nodiscard]] constexpr std::uint32_t through(std::uint32_t distance_mm,
+                                                const LineLength& length) const {
+    const std::uint64_t reached =
+        std::uint64_t{offset_} * length.mm() + std::uint64_t{distance_mm} * length_;
+    return length.reciprocal().divide(static_cast<std::uint32_t>(reached / kSide));
+  }
+
+  // The share of the line at which border number n (1, 2, ...) is crossed. length() > 0 and
+  // n * r >= offset().
+  [[nodiscard]] constexpr Share crossing(std::uint32_t n) const {
+    return {std::uint64_t{n} * kSide - offset_, length_};
+  }
+
+  // Distance to the next border from the near border's side, after n crossings: (n + 1) r - offset.
+  [[nodiscard]] constexpr std::int64_t to_border(std::uint32_t n) const {
+    return (std::int64_t{n} + 1) * kResolution - offset_;
+  }
+
+ private:
+  [[nodiscard]] constexpr std::uint64_t scaled(Share share) const {
+    return offset_ * share.denominator + share.numerator * length_;
+  }
+
+  std::int32_t step_;
+  std::int32_t start_cell_;
+  std::uint32_t offset_;
+  std::uint32_t length_;
+};
+
+// Cells [0, width) x [0, height).
+struct CellArea {
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  [[nodiscard]] constexpr bool contains(Cell cell) const {
+    return cell.x >= 0 && cell.x < width && cell.y >= 0 && cell.y < height;
+  }
+};
+
+// The part of a line that lies in an area: the first position in it, and `crossed` of the last.
+struct Stretch {
+  Position first;
+  std::uint32_t last_crossed = 0;
+};
+
+template <std::int32_t kResolution>
+class Line {
+ public:
+  constexpr Line(SubcellPoint start, SubcellPoint end) : x_(start.x, end.x), y_(start.y, end.y) {}
+
+  [[nodiscard]] constexpr const Axis<kResolution>& x() const { return x_; }
+  [[nodiscard]] constexpr const Axis<kResolution>& y() const { return y_; }
+  [[nodiscard]] constexpr Cell cell(Position at) const { return {x_.cell(at.x), y_.cell(at.y)}; }
+
+  // The cell that holds the point at this share of the line; on a border the later cell.
+  [[nodiscard]] constexpr Position through(Share share) const {
+    return {x_.through(share), y_.through(share)};
+  }
+  [[nodiscard]] constexpr Position through(std::uint32_t distance_mm,
+                                           const LineLength& length) const {
+    return {x_.through(distance_mm, length), y_.through(distance_mm, length)};
+  }
+
+  // The last cell whose interior the line has entered before this share of its length.
+  [[nodiscard]] constexpr Position before(Share share) const {
+    return {x_.before(share), y_.before(share)};
+  }
+
+  // The walk's error term at a position: on which side of the line the next corner lies. Negative:
+  // the column border comes first, positive: the row border, zero: the corner itself.
+  [[nodiscard]] constexpr std::int32_t error(Position at) const {
+    return static_cast<std::int32_t>(x_.to_border(at.x) * std::int64_t{y_.length()} -
+                                     y_.to_border(at.y) * std::int64_t{x_.length()});
+  }
+
+  // What lies inside the area, as if the line went on for ever. Empty if it never enters.
+  [[nodiscard]] constexpr std::optional<Stretch> clip(CellArea area) const {
+    Stretch stretch{{}, std::numeric_limits<std::uint32_t>::max()};
+    const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
+                      clip_axis(y_, x_, area.height, stretch, true);
+    return hits && stretch.first.crossed() <= stretch.last_crossed ? std::optional(stretch)
+                                                                   : std::nullopt;
+  }
+
+ private:
+  // Narrows the stretch to where `axis` is inside [0, cells); `other` is the other axis, and
+  // `swapped` says that axis is y. False if it never is.
+  static constexpr bool clip_axis(const Axis<kResolution>& axis, const Axis<kResolution>& other,
+                                  std::int32_t cells, Stretch& stretch, bool swapped) {
+    const std::int32_t to_low = axis.step() > 0 ? -axis.start_cell() : axis.start_cell() - cells + 1;
+    const std::int32_t to_high = to_low + cells - 1;
+    if (to_high < 0 || (axis.length() == 0 && to_low > 0)) {
+      return false;
+    }
+    if (to_low > 0) {
+      const auto n = static_cast<std::uint32_t>(to_low);
+      const std::uint32_t m = other.through(axis.crossing(n));
+      if (n + m > stretch.first.crossed()) {
+        stretch.first = swapped ? Position{m, n} : Position{n, m};
+      }
+    }
+    if (axis.length() > 0) {
+      const auto n = static_cast<std::uint32_t>(to_high);
+      const std::uint32_t last = n + other.before(axis.crossing(n + 1));
+      stretch.last_crossed = std::min(stretch.last_crossed, last);
+    }
+    return true;
+  }
+
+  Axis<kResolution> x_;
+  Axis<kResolution> y_;
+};
+
+}  // namespace iog::traversal
