@@ -1,6 +1,5 @@
 // Is the test image really on the processor that the project is for?
 #include <arm_neon.h>
-
 #include <bit>
 #include <cstdint>
 

@@ -5,7 +5,9 @@
 
 namespace {
 
-void say_start() { std::puts("iogrid test image: start"); }
+void say_start() {
+  std::puts("iogrid test image: start");
+}
 
 }  // namespace
 
