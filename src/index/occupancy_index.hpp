@@ -25,8 +25,7 @@ inline constexpr OccupancyIndex kUnknown = 0;
 // Fusion of two indexes (contract section 2): their sum, saturated at +-127 for int8.
 // Both arguments lie in [kIndexMin, kIndexMax]; the sum of two fits 64 bits for cells up to int32.
 template <std::signed_integral Cell>
-  requires(sizeof(Cell) <= 4)
-constexpr Cell sat_add(Cell a, Cell b) {
+requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
   using Wide = std::conditional_t<(sizeof(Cell) < 4), std::int32_t, std::int64_t>;
   return static_cast<Cell>(std::clamp<Wide>(Wide{a} + Wide{b}, kIndexMin<Cell>, kIndexMax<Cell>));
 }

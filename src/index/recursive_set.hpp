@@ -43,10 +43,10 @@ class RecursiveSet {
   }
 
  private:
-  // The n with p_n <= probability < p_(n+1): an estimate from the log-odds, put right by comparison.
+  // The n with p_n <= probability < p_(n+1): an estimate from the log-odds, put right by
+  // comparison.
   [[nodiscard]] constexpr std::int32_t floor_index(double probability) const {
-    const double estimate =
-        numeric::log(probability / (1 - probability)) / -numeric::log(ratio_);
+    const double estimate = numeric::log(probability / (1 - probability)) / -numeric::log(ratio_);
     auto n = static_cast<std::int32_t>(estimate);
     while (this->probability(n) > probability) {
       --n;

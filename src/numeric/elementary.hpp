@@ -1,8 +1,8 @@
 // exp, log, sin and cos for the tables that the compiler computes.
 //
 // The target's code reaches them only from consteval functions (that no floating-point instruction
-// is left in the image is checked when it is linked); the PC's references call them at run time too.
-// Only +, -, * and / of IEEE doubles are used, each correctly rounded, so that every compiler
+// is left in the image is checked when it is linked); the PC's references call them at run time
+// too. Only +, -, * and / of IEEE doubles are used, each correctly rounded, so that every compiler
 // computes the same table. Relative error below 1e-14 in the ranges stated (checked against the C
 // library in tests/host/numeric/).
 #pragma once
@@ -83,7 +83,9 @@ constexpr double sin(double x) {
   return x > kPi ? -value : value;
 }
 
-constexpr double cos(double x) { return sin(x + kPi / 2); }
+constexpr double cos(double x) {
+  return sin(x + kPi / 2);
+}
 
 // The nearest integer, a tie goes away from zero; |x| < 2^62.
 constexpr long long round(double x) {

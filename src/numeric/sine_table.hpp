@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -16,7 +17,8 @@ inline constexpr int kSineFractionBits = 30;
 template <std::int32_t kTicksPerTurn>
 consteval auto make_sine_quadrant() {
   static_assert(kTicksPerTurn > 0 && kTicksPerTurn % 4 == 0);
-  std::array<std::int32_t, kTicksPerTurn / 4 + 1> quadrant{};
+  constexpr auto kSize = static_cast<std::size_t>(kTicksPerTurn / 4 + 1);
+  std::array<std::int32_t, kSize> quadrant{};
   for (std::int32_t tick = 0; tick <= kTicksPerTurn / 4; ++tick) {
     quadrant[static_cast<std::size_t>(tick)] = static_cast<std::int32_t>(
         round(sin_first_quadrant(2 * kPi * tick / kTicksPerTurn) * (1 << kSineFractionBits)));
@@ -46,8 +48,7 @@ class SineTable {
     if (ticks <= 2 * quarter) {
       return quadrant_[2 * quarter - ticks];
     }
-    return ticks <= 3 * quarter ? -quadrant_[ticks - 2 * quarter]
-                                : -quadrant_[4 * quarter - ticks];
+    return ticks <= 3 * quarter ? -quadrant_[ticks - 2 * quarter] : -quadrant_[4 * quarter - ticks];
   }
 
   [[nodiscard]] constexpr std::int32_t cosine(std::uint32_t ticks) const {

@@ -27,11 +27,11 @@ inline constexpr std::size_t kMaxNearCells = 8;
 
 template <typename Cell>
 struct BasicProfile {
-  Cell free = 0;                             // 1D cells before the near ones; below 0
-  std::uint8_t near_before_count = 0;        // how many of near_before are in use
+  Cell free = 0;                                  // 1D cells before the near ones; below 0
+  std::uint8_t near_before_count = 0;             // how many of near_before are in use
   std::array<Cell, kMaxNearCells> near_before{};  // [j]: 1D cell k - 1 - j; at most 0
-  Cell hit = 0;                              // 1D cell k; above 0
-  std::uint8_t near_after_count = 0;         // how many of near_after are in use
+  Cell hit = 0;                                   // 1D cell k; above 0
+  std::uint8_t near_after_count = 0;              // how many of near_after are in use
   std::array<Cell, kMaxNearCells> near_after{};   // [j]: 1D cell k + 1 + j; at least 0
 
   // The index of the 1D cell at this offset from k.
@@ -68,7 +68,7 @@ void the_profile_reaches_further_than_its_table();
 
 // Fails to compile where a near zone needs more than kMaxNearCells cells or an index its type.
 template <typename Cell = index::OccupancyIndex>
-consteval BasicProfile<Cell> make_profile(const ProfileConfig& config) {
+constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
   const SingleTarget model{config.sigma_m, config.cell_length_m};
   const index::RecursiveSet set(config.epsilon);
   const auto index_at = [&](int offset) {

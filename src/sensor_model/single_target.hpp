@@ -33,8 +33,8 @@ struct SingleTarget {
   }
 
  private:
-  // Beyond 12 sigma plus the shift that the powers of two bring (sigma^2 ln 2 / cell^2 cells) a term
-  // is below 1e-30 of the largest.
+  // Beyond 12 sigma plus the shift that the powers of two bring (sigma^2 ln 2 / cell^2 cells) a
+  // term is below 1e-30 of the largest.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;
     return 40 + static_cast<int>(14 * ratio + ratio * ratio);

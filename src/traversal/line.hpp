@@ -1,14 +1,14 @@
 // The line of a beam on the grid, in integers: where it crosses cell borders, and how many it has
 // crossed after any share of its length.
 //
-// Contract section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the thesis's
-// traversal resolution). A line runs from its start S to its end E, both in subcells, and is folded
-// into the first quadrant: x and y are counted in its own direction of travel.
+// Contract section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the
+// thesis's traversal resolution). A line runs from its start S to its end E, both in subcells, and
+// is folded into the first quadrant: x and y are counted in its own direction of travel.
 //
-// Position. The cells of a line are numbered by how many column borders (x) and row borders (y) have
-// been crossed to get there; their sum, `crossed`, grows along the line. A line through a corner
-// crosses both borders at once and enters neither of the two other cells, so `crossed` then grows by
-// two. Every position that a function here returns is one that the line really takes.
+// Position. The cells of a line are numbered by how many column borders (x) and row borders (y)
+// have been crossed to get there; their sum, `crossed`, grows along the line. A line through a
+// corner crosses both borders at once and enters neither of the two other cells, so `crossed` then
+// grows by two. Every position that a function here returns is one that the line really takes.
 //
 // Ranges, with w = |E - S| per axis in subcells: (w_x + w_y) * r < 2^31 (asserted for the longest
 // beam of a vehicle description), which bounds the walk's error term; S and E within +-2^29.
@@ -79,9 +79,8 @@ class Axis {
       : step_(end < start ? -1 : 1),
         start_cell_(numeric::div_floor(start, kResolution)),
         // Mirrored, a start on a border lies at the far end of its cell: offset r, not 0.
-        offset_(end < start
-                    ? static_cast<std::uint32_t>((start_cell_ + 1) * kResolution - start)
-                    : static_cast<std::uint32_t>(start - start_cell_ * kResolution)),
+        offset_(end < start ? static_cast<std::uint32_t>((start_cell_ + 1) * kResolution - start)
+                            : static_cast<std::uint32_t>(start - start_cell_ * kResolution)),
         length_(static_cast<std::uint32_t>(end < start ? start - end : end - start)) {}
 
   [[nodiscard]] constexpr std::int32_t step() const { return step_; }
@@ -194,7 +193,8 @@ class Line {
   // `swapped` says that axis is y. False if it never is.
   static constexpr bool clip_axis(const Axis<kResolution>& axis, const Axis<kResolution>& other,
                                   std::int32_t cells, Stretch& stretch, bool swapped) {
-    const std::int32_t to_low = axis.step() > 0 ? -axis.start_cell() : axis.start_cell() - cells + 1;
+    const std::int32_t to_low =
+        axis.step() > 0 ? -axis.start_cell() : axis.start_cell() - cells + 1;
     const std::int32_t to_high = to_low + cells - 1;
     if (to_high < 0 || (axis.length() == 0 && to_low > 0)) {
       return false;

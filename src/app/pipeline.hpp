@@ -1,0 +1,142 @@
+// The pipeline: the walk of the data, from a datagram to the last message of its frame.
+//
+// Everything outside comes through one seam, so that the target and the PC run this very file.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "app/frame_engine.hpp"
+#include "require/require.hpp"
+#include "stream/tile.hpp"
+
+namespace iog::app {
+
+// begin_message():  room for one message, at least kMaxMessageBytes, or empty when none can go out.
+// send_message(n):  sends the first n bytes of that room.
+// ticks(), ticks_hz(): a stopwatch, as hal::Stopwatch.
+// fill_vitals(end): link counters and stack depth of the machine.
+template <typename T>
+concept Outside = requires(T& outside, std::size_t bytes, stream::FrameEnd& end) {
+  { outside.begin_message() } -> std::same_as<std::span<std::byte>>;
+  { outside.send_message(bytes) } -> std::same_as<void>;
+  { outside.ticks() } -> std::same_as<std::uint32_t>;
+  { outside.ticks_hz() } -> std::same_as<std::uint32_t>;
+  { outside.fill_vitals(end) } -> std::same_as<void>;
+};
+
+template <Outside Out>
+class Pipeline {
+ public:
+  // vehicle and out outlive the pipeline. start_us: the time from which silence is counted.
+  Pipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, Out& out,
+           std::uint64_t start_us)
+      : engine_(vehicle, replayer_ipv4, start_us), out_(&out) {}
+
+  // One datagram. Closes the frame before it, after it, or not at all.
+  void take(const SensorDatagram& datagram, std::uint64_t now_us) {
+    if (fuse(datagram, now_us) == FrameEngine::Inspection::kNextFrame) {
+      close_frame(now_us);
+      static_cast<void>(fuse(datagram, now_us));
+    }
+    if (engine_.is_complete()) {
+      close_frame(now_us);
+    }
+  }
+
+  // Time has passed.
+  void tick(std::uint64_t now_us) {
+    if (engine_.is_overdue(now_us)) {
+      close_frame(now_us);
+    }
+  }
+
+  [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
+
+ private:
+  FrameEngine::Inspection fuse(const SensorDatagram& datagram, std::uint64_t now_us) {
+    const std::uint32_t start = out_->ticks();
+    const FrameEngine::Inspection inspection = engine_.inspect(datagram);
+    if (inspection == FrameEngine::Inspection::kThisFrame) {
+      engine_.fuse(now_us);
+    }
+    ticks_.fuse += out_->ticks() - start;
+    return inspection;
+  }
+
+  void close_frame(std::uint64_t now_us) {
+    const std::uint32_t start = out_->ticks();
+    engine_.finish();
+    const std::uint32_t marked = out_->ticks();
+
+    stream::Header header;
+    stream::FrameEnd end;
+    engine_.report(now_us, header, end);
+    publish_tiles(header, end);
+    end.ticks = {.fuse = ticks_.fuse, .mark = marked - start, .publish = ticks_.publish};
+    end.stopwatch_hz = out_->ticks_hz();
+    out_->fill_vitals(end);
+    publish_end(header, end);
+
+    engine_.start_next(now_us);
+    ticks_ = {.fuse = 0, .mark = 0, .publish = out_->ticks() - marked};
+  }
+
+  // Sends every tile in which something is known, and sets it back to unknown.
+  void publish_tiles(stream::Header& header, stream::FrameEnd& end) {
+    const auto cells = engine_.fusion().cells();
+    stream::GridHash hash;
+    for (std::size_t y = 0; y < stream::kTilesPerSide; ++y) {
+      for (std::size_t x = 0; x < stream::kTilesPerSide; ++x) {
+        if (stream::is_known(cells, x, y)) {
+          publish_tile(header, x, y, hash, end);
+          stream::clear_tile(cells, x, y);
+        }
+      }
+    }
+    end.grid_crc = hash.value();
+  }
+
+  void publish_tile(stream::Header& header, std::size_t x, std::size_t y, stream::GridHash& hash,
+                    stream::FrameEnd& end) {
+    std::array<std::byte, stream::kTileBytes> tile;
+    stream::copy_tile(engine_.fusion().cells(), x, y, tile);
+    hash.add(x, y, tile);
+    const std::span<std::byte> room = out_->begin_message();
+    if (room.empty()) {
+      ++end.tiles_lost;
+      return;
+    }
+    header.type = stream::MessageType::kTile;
+    header.sequence = sequence_++;
+    std::size_t bytes = stream::write_header(header, room);
+    bytes += stream::write_tile_header(stream::raw_tile_header(x, y), room.subspan(bytes));
+    std::ranges::copy(tile, room.subspan(bytes).begin());
+    out_->send_message(bytes + tile.size());
+    ++end.tiles_sent;
+  }
+
+  void publish_end(stream::Header& header, const stream::FrameEnd& end) {
+    const std::span<std::byte> room = out_->begin_message();
+    if (room.empty()) {
+      return;  // the missing sequence number and the next frame's number show it
+    }
+    header.type = stream::MessageType::kFrameEnd;
+    header.sequence = sequence_++;
+    const std::size_t head = stream::write_header(header, room);
+    const std::size_t body = stream::write_frame_end(end, header.sensor_count, room.subspan(head));
+    require(body > 0);
+    out_->send_message(head + body);
+  }
+
+  FrameEngine engine_;
+  Out* out_;
+  std::uint32_t sequence_ = 0;
+  stream::StageTicks ticks_;
+};
+
+}  // namespace iog::app

@@ -1,0 +1,69 @@
+#include "app/scan_tracker.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace iog::app {
+
+bool ScanTracker::is_known(std::uint64_t fingerprint) const {
+  const auto known = std::span(fingerprints_).first(fingerprint_count_);
+  return std::ranges::find(known, fingerprint) != known.end();
+}
+
+// The bins whose first tick the sector has swept: sectors that follow one another share none.
+ScanTracker::Bins ScanTracker::bins_of(const lidar::Sector& sector) const {
+  const auto ceiling = [this](std::uint32_t ticks) {
+    return (ticks + ticks_per_bin_ - 1) / ticks_per_bin_;
+  };
+  Bins bins;
+  const std::uint32_t end = ceiling(std::uint32_t{sector.first_ticks} + sector.width_ticks);
+  for (std::uint32_t bin = ceiling(sector.first_ticks); bin < end; ++bin) {
+    bins.set(bin % kBins);
+  }
+  return bins;
+}
+
+ScanTracker::Verdict ScanTracker::judge(const lidar::PacketInfo& packet) const {
+  if (is_known(packet.fingerprint)) {
+    return Verdict::kDuplicate;
+  }
+  if (!was_ever_seen()) {
+    return Verdict::kPartOfFrame;
+  }
+  // Scan numbers are 16 bits on the wire and wrap.
+  const auto behind = static_cast<std::uint16_t>(scan_number_ - packet.scan_number);
+  const bool is_numbered = packet.scan_number != 0 || scan_number_ != 0;
+  if (is_numbered && behind != 0) {
+    if (behind <= kLateScans) {
+      return Verdict::kLate;
+    }
+    return packets_ > 0 ? Verdict::kNextScan : Verdict::kPartOfFrame;
+  }
+  if (is_numbered) {
+    return packets_ > 0 ? Verdict::kPartOfFrame : Verdict::kLate;
+  }
+  // Without numbers the next turn shows by sweeping only what has been swept.
+  const Bins swept = bins_of(packet.sector);
+  const bool sweeps_again = packets_ > 0 && swept.any() && (swept & ~bins_covered_).none();
+  return sweeps_again ? Verdict::kNextScan : Verdict::kPartOfFrame;
+}
+
+void ScanTracker::accept(const lidar::PacketInfo& packet) {
+  bins_covered_ |= bins_of(packet.sector);
+  scan_number_ = packet.scan_number;
+  points_ += packet.point_count;
+  packets_ = packets_ < 0xFFFF ? static_cast<std::uint16_t>(packets_ + 1) : packets_;
+  fingerprints_[fingerprint_next_] = packet.fingerprint;
+  fingerprint_next_ = (fingerprint_next_ + 1) % kRemembered;
+  fingerprint_count_ = std::min(fingerprint_count_ + 1, kRemembered);
+  age_frames_ = 0;
+}
+
+void ScanTracker::start_frame() {
+  bins_covered_.reset();
+  packets_ = 0;
+  points_ = 0;
+  age_frames_ = age_frames_ < 0xFFFF ? static_cast<std::uint16_t>(age_frames_ + 1) : age_frames_;
+}
+
+}  // namespace iog::app

@@ -1,0 +1,206 @@
+#include "grid/frame_fusion.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "require/require.hpp"
+
+namespace iog::grid {
+namespace {
+
+using traversal::Position;
+using traversal::Share;
+using traversal::Stretch;
+using vehicle::Beam;
+using vehicle::BeamLine;
+using vehicle::Sensor;
+
+constexpr Share kWholeLine{1, 1};
+
+// Where a walk begins, and the number of crossed borders at which it ends.
+struct WalkRange {
+  Position first;
+  std::uint32_t end = 0;
+};
+
+// The cells of a line that lie in the grid, from its start to before `end`. Most lines have both
+// ends in the grid; then so is everything between them, and there is nothing to divide.
+std::optional<WalkRange> inside_grid(const BeamLine& line, Position last) {
+  if (vehicle::kGridArea.contains(line.cell({})) && vehicle::kGridArea.contains(line.cell(last))) {
+    return WalkRange{{}, last.crossed() + 1};
+  }
+  const std::optional<Stretch> stretch = line.clip(vehicle::kGridArea);
+  if (!stretch) {
+    return std::nullopt;
+  }
+  return WalkRange{stretch->first, std::min(last.crossed(), stretch->last_crossed) + 1};
+}
+
+// Narrows a range to the part of the beam that is inside the height band. False if nothing is left.
+bool narrow_to_band(const vehicle::Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
+                    std::uint32_t reach_mm, WalkRange& range) {
+  const vehicle::BandPart part = vehicle::part_in_band(vehicle, sensor, beam, reach_mm);
+  if (part.is_whole) {
+    return true;
+  }
+  if (part.is_empty) {
+    return false;
+  }
+  if (part.from.numerator > 0) {
+    const Position first = beam.line.through(part.from);
+    if (first.crossed() > range.first.crossed()) {
+      range.first = first;
+    }
+  }
+  range.end = std::min(range.end, beam.line.before(part.to).crossed() + 1);
+  return range.first.crossed() < range.end;
+}
+
+// Position as far as the walk's count goes: borders crossed at this distance along the beam.
+std::uint32_t crossed_at(const BeamLine& line, const Sensor& sensor, std::uint32_t distance_mm) {
+  return line.through(distance_mm, sensor.range).crossed();
+}
+
+}  // namespace
+
+bool FrameFusion::fits(const Sensor& sensor, std::uint32_t points) const {
+  const std::uint64_t needed = std::uint64_t{points} * max_marks_per_point(sensor);
+  return needed <= kMaxMarks - mark_count_;
+}
+
+vehicle::Fate FrameFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
+  const Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
+  const vehicle::Judgement judgement = vehicle::judge(*vehicle_, sensor, beam, point);
+  if (judgement.carves) {
+    if (point.range_mm == 0) {
+      carve_free(sensor, beam, sensor.no_return_clears_mm);
+    } else {
+      carve_to_hit(sensor, beam, point.range_mm);
+    }
+  }
+  if (judgement.marks) {
+    mark(sensor, beam.line, point.range_mm);
+  }
+  return judgement.fate;
+}
+
+// Cells before the scan point take the index of the 1D cell in which the line leaves them. The line
+// leaves a cell within 1D cell j or earlier exactly if its border there is crossed at (j + 1) Delta
+// or before: `through` counts those crossings, and so says where each zone of the profile ends.
+void FrameFusion::carve_to_hit(const Sensor& sensor, const Beam& beam, std::uint32_t range_mm) {
+  const bool in_range = range_mm <= sensor.range.mm();
+  const Position hit = in_range ? beam.line.through(range_mm, sensor.range) : Position{};
+  if (in_range && hit.crossed() == 0) {
+    return;  // the scan point lies in the sensor's own cell: nothing is before it
+  }
+  const Position last = in_range ? hit : beam.line.before(kWholeLine);
+  std::optional<WalkRange> range = inside_grid(beam.line, last);
+  const std::uint32_t reach_mm = std::min(range_mm, sensor.range.mm());
+  if (!range || !narrow_to_band(*vehicle_, sensor, beam, reach_mm, *range)) {
+    return;
+  }
+  if (in_range) {
+    range->end = std::min(range->end, hit.crossed());
+  }
+  traversal::Walk walk(beam.line, range->first, kStride);
+  const auto carve_until = [&](std::uint32_t end, OccupancyIndex free) {
+    const std::uint32_t stop = std::min(end, range->end);
+    if (free == 0) {
+      walk.skip_until(stop);
+    } else {
+      walk.until(
+          stop, [&](std::size_t offset) { cells_[offset] = index::sat_add(cells_[offset], free); });
+    }
+  };
+
+  const sensor_model::Profile& profile = sensor.profile;
+  const std::uint32_t k = sensor.precision.divide(range_mm);
+  for (std::uint32_t back = profile.near_before_count; back > 0; --back) {
+    // 1D cells before k - back, which end at (k - back) Delta.
+    if (k >= back) {
+      const OccupancyIndex index =
+          back == profile.near_before_count ? profile.free : profile.near_before[back];
+      carve_until(crossed_at(beam.line, sensor, (k - back) * sensor.precision_mm), index);
+    }
+  }
+  carve_until(range->end, profile.near_before_count > 0 ? profile.near_before[0] : profile.free);
+}
+
+// A beam without an echo: every cell that it crosses up to reach_mm is free, as the sensor's
+// description says.
+void FrameFusion::carve_free(const Sensor& sensor, const Beam& beam, std::uint32_t reach_mm) {
+  const Position last = beam.line.before({reach_mm, sensor.range.mm()});
+  std::optional<WalkRange> range = inside_grid(beam.line, last);
+  if (!range || !narrow_to_band(*vehicle_, sensor, beam, reach_mm, *range)) {
+    return;
+  }
+  traversal::Walk walk(beam.line, range->first, kStride);
+  walk.until(range->end, [&](std::size_t offset) {
+    cells_[offset] = index::sat_add(cells_[offset], sensor.profile.free);
+  });
+}
+
+// One hit marks one cell: the one that holds the scan point.
+void FrameFusion::mark(const Sensor& sensor, const BeamLine& line, std::uint32_t range_mm) {
+  const Position hit = line.through(range_mm, sensor.range);
+  const traversal::Cell cell = line.cell(hit);
+  if (vehicle::kGridArea.contains(cell)) {
+    remember(static_cast<std::size_t>(cell.y * kStride + cell.x), sensor.profile.hit);
+  }
+  if (sensor.profile.near_after_count > 0) {
+    const std::optional<Stretch> inside = line.clip(vehicle::kGridArea);
+    if (inside) {
+      mark_behind(sensor, line, *inside, hit, range_mm);
+    }
+  }
+}
+
+// Cells behind the scan point take the index of the 1D cell in which the line enters them, at least
+// k + 1. The line enters a cell within 1D cell j or earlier exactly if its border there is crossed
+// before (j + 1) Delta: `before` counts those crossings.
+void FrameFusion::mark_behind(const Sensor& sensor, const BeamLine& line, const Stretch& inside,
+                              Position hit, std::uint32_t range_mm) {
+  const std::uint32_t k = sensor.precision.divide(range_mm);
+  const std::uint32_t line_end =
+      std::min(line.before(kWholeLine).crossed(), inside.last_crossed) + 1;
+  const bool from_hit = hit.crossed() >= inside.first.crossed();
+  traversal::Walk walk(line, from_hit ? hit : inside.first, kStride);
+  if (from_hit) {
+    walk.skip_until(std::min(hit.crossed() + 1, line_end));
+  }
+  for (std::uint32_t j = 0; j < sensor.profile.near_after_count; ++j) {
+    const Share far_end{std::uint64_t{k + 2 + j} * sensor.precision_mm, sensor.range.mm()};
+    const std::uint32_t end = std::min(line.before(far_end).crossed() + 1, line_end);
+    const OccupancyIndex index = sensor.profile.near_after[j];
+    if (index == 0) {
+      walk.skip_until(end);
+    } else {
+      walk.until(end, [&](std::size_t offset) { remember(offset, index); });
+    }
+  }
+}
+
+void FrameFusion::remember(std::size_t offset, OccupancyIndex index) {
+  require(mark_count_ < kMaxMarks);
+  marks_[mark_count_] = {static_cast<std::uint32_t>(offset) & 0xFFFFFFU, index};
+  ++mark_count_;
+}
+
+// hits_win: evidence for a cell is its marks alone where it has any, so the first mark erases what
+// was carved: max(cell, 0) + index. bayes: the marks are added to it.
+void FrameFusion::finish() {
+  const bool hits_win = vehicle_->rule == vehicle::FusionRule::kHitsWin;
+  for (const Mark& mark : std::span(marks_).first(mark_count_)) {
+    OccupancyIndex& cell = cells_[mark.offset];
+    const OccupancyIndex before = hits_win ? std::max(cell, index::kUnknown) : cell;
+    cell = index::sat_add(before, static_cast<OccupancyIndex>(mark.index));
+  }
+  mark_count_ = 0;
+}
+
+void FrameFusion::clear() {
+  cells_.fill(index::kUnknown);
+  mark_count_ = 0;
+}
+
+}  // namespace iog::grid

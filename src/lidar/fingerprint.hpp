@@ -1,0 +1,24 @@
+// A short name for a packet, by which a duplicate is known.
+//
+// FNV-1a, 64 bits (Fowler, Noll, Vo; RFC draft-eastlake-fnv): a few dozen bytes per packet, chosen
+// by its format so that two packets of one sensor differ in them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace iog::lidar {
+
+inline constexpr std::uint64_t kFingerprintStart = 0xCBF29CE484222325U;
+
+constexpr std::uint64_t fingerprint(std::span<const std::byte> bytes,
+                                    std::uint64_t start = kFingerprintStart) {
+  std::uint64_t hash = start;
+  for (const std::byte byte : bytes) {
+    hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x00000100000001B3U;
+  }
+  return hash;
+}
+
+}  // namespace iog::lidar

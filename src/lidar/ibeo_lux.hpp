@@ -1,0 +1,75 @@
+// ibeo LUX scan messages, data type 0x2202: wire bytes to scan points.
+//
+// One datagram is one whole message: a big-endian header of 24 bytes, then a little-endian body of
+// 44 bytes and 10 bytes per point (docs/spec.md; SICK "Ethernet data protocol LD-MRS"). A scan may
+// come as several messages with the same scan number, each with the sector that it covers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "lidar/scan_point.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::lidar {
+
+class IbeoLux {
+ public:
+  static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
+  static constexpr std::array<double, 4> kElevationsDeg{-1.2, -0.4, 0.4, 1.2};
+  static constexpr std::uint32_t kMagic = 0xAFFEC0C2;
+  static constexpr std::uint16_t kDataType = 0x2202;
+  static constexpr std::size_t kHeaderBytes = 24;
+  static constexpr std::size_t kScanBytes = 44;
+  static constexpr std::size_t kPointBytes = 10;
+  static constexpr std::uint8_t kMaxEchoes = 3;
+
+  // Checks the whole message, every point included, and keeps a view of it. The view lives as long
+  // as the datagram. kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.
+  [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
+
+  [[nodiscard]] const PacketInfo& info() const { return info_; }
+
+  // Calls visit(const ScanPoint&) for each point, in wire order. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_point(Visit&& visit) const {
+    for (auto rest = points_; rest.size() >= kPointBytes; rest = rest.subspan(kPointBytes)) {
+      visit(point(rest.first<kPointBytes>()));
+    }
+  }
+
+ private:
+  using PointBytes = std::span<const std::byte, kPointBytes>;
+
+  static ScanPoint point(PointBytes bytes) {
+    constexpr std::uint8_t kRain = 0x02;
+    constexpr std::uint8_t kGround = 0x04;
+    constexpr std::uint8_t kDirt = 0x08;
+    constexpr std::uint32_t kMillimetresPerUnit = 10;
+    const std::uint8_t layer_and_echo = wire::load_u8(bytes.first<1>());
+    const std::uint8_t flags = wire::load_u8(bytes.subspan<1, 1>());
+    const std::int32_t angle = signed_angle(bytes);
+    return {
+        .range_mm = wire::load_le16(bytes.subspan<4, 2>()) * kMillimetresPerUnit,
+        .azimuth_ticks = static_cast<std::uint16_t>(angle < 0 ? angle + kTicksPerTurn : angle),
+        .layer = static_cast<std::uint8_t>(layer_and_echo & 0x0F),
+        .echo = static_cast<std::uint8_t>(layer_and_echo >> 4),
+        .is_ground = (flags & kGround) != 0,
+        .is_dirt = (flags & kDirt) != 0,
+        .is_rain = (flags & kRain) != 0,
+    };
+  }
+
+  static std::int32_t signed_angle(PointBytes bytes) {
+    return static_cast<std::int16_t>(wire::load_le16(bytes.subspan<2, 2>()));
+  }
+
+  [[nodiscard]] DecodeStatus check_points(std::int32_t right, std::int32_t left) const;
+
+  PacketInfo info_;
+  std::span<const std::byte> points_;
+};
+
+}  // namespace iog::lidar

@@ -1,0 +1,144 @@
+// The messages that carry a grid: one datagram each, big endian, documented byte by byte in
+// docs/spec.md.
+//
+// Every message begins with the same header, which says how long it is and what follows. A receiver
+// skips header bytes beyond those it knows, drops message types, encodings and storages that it
+// does not know, and refuses another version; so fields, compression and protection can be added.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "vehicle/beam.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::stream {
+
+inline constexpr std::uint32_t kMagic = 0x494F4752;  // "IOGR"
+inline constexpr std::uint8_t kVersion = 1;
+inline constexpr std::size_t kHeaderBytes = 48;
+inline constexpr std::size_t kTileHeaderBytes = 24;
+inline constexpr std::size_t kMaxMessageBytes = 1392;  // stays below every usual MTU
+
+enum class MessageType : std::uint8_t { kTile = 1, kFrameEnd = 2 };
+enum class Encoding : std::uint8_t { kRaw = 0 };
+enum class Storage : std::uint8_t { kOccupancyIndex = 0 };
+
+// Bits of Header::flags.
+inline constexpr std::uint8_t kFlagTimedOut = 0x01;  // closed by time, not by its sensors
+inline constexpr std::uint8_t kFlagBayes = 0x02;     // fused by the rule bayes, not hits_win
+
+struct Header {
+  MessageType type = MessageType::kTile;
+  std::uint32_t sequence = 0;      // of messages of any type, wraps
+  std::uint32_t frame_number = 0;  // wraps
+  std::uint64_t closed_us = 0;     // when the frame closed, by the target's clock
+  std::uint32_t vehicle_id = 0;    // CRC-32 of the vehicle description's name
+  std::uint8_t sensor_count = 0;
+  std::uint8_t complete_sensors = 0;  // bit i: sensor i has delivered its whole scan
+  std::uint8_t partial_sensors = 0;   // bit i: sensor i has delivered a part of it
+  std::uint8_t flags = 0;
+  std::uint32_t points_used = 0;      // scan points of this frame that carved and marked
+  std::uint32_t points_other = 0;     // scan points of this frame with any other fate
+  std::uint32_t packets_fused = 0;    // of this frame
+  std::uint32_t packets_dropped = 0;  // datagrams dropped since start, whatever the cause
+
+  // Whether any sensor took part.
+  [[nodiscard]] constexpr bool has_evidence() const {
+    return (complete_sensors | partial_sensors) != 0;
+  }
+};
+
+struct TileHeader {
+  std::uint16_t tile_x = 0;    // in tiles, from the lowest x
+  std::uint16_t tile_y = 0;    // in tiles, from the lowest y
+  std::uint8_t side_log2 = 0;  // a tile is 2^side_log2 cells wide and high
+  Encoding encoding = Encoding::kRaw;
+  Storage storage = Storage::kOccupancyIndex;
+  std::uint16_t grid_width = 0;   // cells
+  std::uint16_t grid_height = 0;  // cells
+  std::uint16_t cell_mm = 0;
+  std::uint16_t payload_bytes = 0;
+  std::int32_t origin_x_mm = 0;  // the grid's corner of lowest x and y in the vehicle frame
+  std::int32_t origin_y_mm = 0;
+};
+
+// Why a datagram was dropped before any of its points was seen. The values are on the wire.
+enum class PacketDrop : std::uint8_t {
+  kStranger,  // no sensor of this vehicle sends from there to this port
+  kWrongLength,
+  kWrongType,
+  kWrongAngle,
+  kWrongPoint,
+  kDuplicate,   // this very packet was fused before
+  kLate,        // of a scan whose frame is closed
+  kOverBudget,  // more points than the sensor's description allows in one scan
+};
+inline constexpr std::size_t kPacketDropCount = 8;
+
+enum class SensorState : std::uint8_t {
+  kNeverSeen,  // since start
+  kSilent,     // nothing in this frame
+  kPartial,    // some packets of its scan
+  kComplete,   // its whole scan
+};
+
+struct SensorReport {
+  SensorState state = SensorState::kNeverSeen;
+  std::uint16_t age_frames = 0xFFFF;  // frames since it last took part, 0xFFFF: never or longer
+  std::uint16_t packets = 0;          // fused in this frame
+  std::uint32_t points = 0;           // in those packets
+  std::uint32_t scan_number = 0;      // of its last scan
+};
+
+// Time on the target, in ticks of a stopwatch whose rate is in the message.
+struct StageTicks {
+  std::uint32_t fuse = 0;     // decode, to beams, carve, remember marks: sum over the packets
+  std::uint32_t mark = 0;     // apply the marks
+  std::uint32_t publish = 0;  // find the known tiles, encode, hash, send, clear
+};
+inline constexpr std::size_t kStageCount = 3;
+
+inline constexpr std::size_t kMaxLinkCounters = 40;
+
+// The last message of a frame.
+struct FrameEnd {
+  std::uint32_t tiles_sent = 0;
+  std::uint32_t tiles_lost = 0;  // known, but the network took no message
+  std::uint32_t grid_crc = 0;    // of all known tiles, sent or not (stream/tile.hpp)
+  std::uint64_t opened_us = 0;   // when the frame opened
+  std::uint32_t stopwatch_hz = 0;
+  StageTicks ticks;                                            // publish: that of the frame before
+  std::uint32_t stack_used_bytes = 0;                          // deepest so far
+  std::array<std::uint32_t, vehicle::kFateCount> fates{};      // scan points of this frame
+  std::array<std::uint32_t, kPacketDropCount> packet_drops{};  // since start
+  std::uint8_t link_counter_count = 0;
+  std::array<std::uint32_t, kMaxLinkCounters> link_counters{};  // since start, as docs/spec.md
+  std::array<SensorReport, vehicle::kMaxSensors> sensors{};     // Header::sensor_count of them
+};
+
+// Why a message could not be read.
+enum class ReadStatus : std::uint8_t { kOk, kTooShort, kNotOurs, kOtherVersion, kInconsistent };
+
+// Each writes one part and returns the bytes written, 0 if the buffer is too small.
+std::size_t write_header(const Header& header, std::span<std::byte> buffer);
+std::size_t write_tile_header(const TileHeader& tile, std::span<std::byte> buffer);
+std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
+                            std::span<std::byte> buffer);
+
+// Reads the header; `body` becomes what follows it. kOk, kTooShort, kNotOurs, kOtherVersion.
+[[nodiscard]] ReadStatus read_header(std::span<const std::byte> message, Header& header,
+                                     std::span<const std::byte>& body);
+
+// Reads a tile's header; `payload` becomes its bytes. kOk, kTooShort, or kInconsistent where the
+// tile lies outside its own grid or is not as long as it says.
+[[nodiscard]] ReadStatus read_tile(std::span<const std::byte> body, TileHeader& tile,
+                                   std::span<const std::byte>& payload);
+
+// kOk, kTooShort, or kInconsistent where it counts more than can be.
+[[nodiscard]] ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_count,
+                                        FrameEnd& end);
+
+}  // namespace iog::stream

@@ -1,0 +1,59 @@
+// From a scan point to the beam it is evidence of: its fate, its line on the grid, and which part
+// of the line counts (contract sections 5 and 6).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "lidar/scan_point.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::vehicle {
+
+// What became of a scan point. Each has exactly one fate; where several would do, the one that
+// stands first in this order of tests: no return, flagged dirt or rain, too near, flagged ground,
+// too far, outside the height band, later echo, used. The values are on the wire (docs/spec.md).
+enum class Fate : std::uint8_t {
+  kUsed,               // carves and marks
+  kNoReturn,           // no evidence, or carves up to the sensor's no_return_clears_mm
+  kTooNear,            // below the sensor's minimum or on the car itself: dropped
+  kTooFar,             // beyond the model's range: carves up to it
+  kOutsideHeightBand,  // carves where the beam is inside the band
+  kFlagged,            // ground: carves; dirt, rain: dropped
+  kLaterEcho,          // marks
+  kMalformed,          // dropped with its packet
+};
+inline constexpr std::size_t kFateCount = 8;
+
+// The part of a line between two shares of its length, both counted from its start. `to` is not
+// above 1 unless the whole line counts.
+struct BandPart {
+  bool is_whole = true;
+  bool is_empty = false;
+  traversal::Share from;
+  traversal::Share to;
+};
+
+struct Beam {
+  BeamLine line;
+  std::int32_t end_z;  // height of the line's end in subcells
+};
+
+struct Judgement {
+  Fate fate;
+  bool carves;
+  bool marks;
+};
+
+// The line of the beam in this direction. layer < sensor.layer_count, azimuth_ticks < one turn.
+[[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
+
+[[nodiscard]] Judgement judge(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
+                              const lidar::ScanPoint& point);
+
+// Which part of the beam between its origin and reach_mm <= L is inside the height band. Heights at
+// the band's ends are inside.
+[[nodiscard]] BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
+                                    std::uint32_t reach_mm);
+
+}  // namespace iog::vehicle

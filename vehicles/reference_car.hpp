@@ -1,0 +1,45 @@
+// The reference car (contract section 8; thesis section 4.1): a Renault ZOE with four ibeo LUX,
+// three on the front bumper and one on the rear bumper.
+//
+// The thesis gives the sensors but not their mounts; position and yaw below are those of a car 4.08
+// m long and 1.73 m wide whose front scanners overlap by a third.
+#pragma once
+
+#include "vehicle/compile.hpp"
+
+namespace iog::vehicles::reference_car {
+
+// A LUX as the contract's section 8 uses it: 0.5 degrees and four layers over 100 degrees, 50 m.
+constexpr vehicle::SensorConfig lux(std::string_view name, std::uint32_t source_ipv4,
+                                    std::uint16_t udp_port, vehicle::MountConfig mount) {
+  return {.name = name,
+          .format = lidar::Format::kIbeoLux,
+          .source_ipv4 = source_ipv4,
+          .udp_port = udp_port,
+          .mount = mount,
+          .range_min_mm = 300,
+          .range_max_mm = 50'000,
+          .precision_mm = 100,
+          .sigma_m = 0.10,
+          .scan_width_ticks = 3200,
+          .max_points_per_scan = 4 * 201 * 3};
+}
+
+inline constexpr std::array kSensorConfigs{
+    lux("front_left", 0x0A000265, 12002, {.x_m = 1.95, .y_m = 0.60, .z_m = 0.42, .yaw_deg = 40}),
+    lux("front_centre", 0x0A000266, 12003, {.x_m = 2.05, .y_m = 0.00, .z_m = 0.42}),
+    lux("front_right", 0x0A000267, 12004, {.x_m = 1.95, .y_m = -0.60, .z_m = 0.42, .yaw_deg = -40}),
+    lux("rear_centre", 0x0A000268, 12005, {.x_m = -2.05, .y_m = 0.00, .z_m = 0.42, .yaw_deg = 180}),
+};
+
+inline constexpr vehicle::Description kDescription{
+    .name = "reference_car",
+    .footprint = {.x_min_m = -2.04, .x_max_m = 2.04, .y_min_m = -0.87, .y_max_m = 0.87},
+    .z_min_m = 0.20,
+    .z_max_m = 2.20,
+};
+
+inline constexpr auto kSensors = vehicle::compile_sensors(kSensorConfigs, kDescription);
+inline constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+
+}  // namespace iog::vehicles::reference_car
