@@ -26,13 +26,12 @@ inline constexpr std::array kSensorConfigs{
     lux("front_right", 0x0A000266, 12003, {.x_m = 2.98, .y_m = -0.28, .z_m = 0.17, .yaw_deg = -27}),
 };
 
-// The recording's origin is the middle of the rear axle, and its heights are not those above the
-// road: ground echoes lie between -0.9 and +0.2 m, so the band begins there and the scanners' own
-// ground label does the rest.
+// The recording's origin is the middle of the rear axle, near the road. Its scanners label ground
+// echoes themselves; what they do not label lies between -0.15 and 1.2 m, so the band keeps it all.
 inline constexpr vehicle::Description kDescription{
     .name = "two_lux_parking",
     .footprint = {.x_min_m = -0.90, .x_max_m = 2.95, .y_min_m = -0.90, .y_max_m = 0.90},
-    .z_min_m = -1.00,
+    .z_min_m = -0.20,
     .z_max_m = 2.00,
 };
 
