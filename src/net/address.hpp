@@ -1,0 +1,69 @@
+// The two kinds of address in a frame, as values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace iog::net {
+
+// A 48-bit Ethernet address in the order of the wire.
+struct MacAddress {
+  std::array<std::uint8_t, 6> octets{};
+
+  friend constexpr bool operator==(const MacAddress&, const MacAddress&) = default;
+
+  // The lowest bit of the first octet marks a group of stations; all zero marks nobody.
+  [[nodiscard]] constexpr bool is_unicast() const {
+    return (octets[0] & 1U) == 0 && *this != MacAddress{};
+  }
+};
+
+inline constexpr MacAddress kBroadcastMac{{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}};
+
+// An IPv4 address as a number: 10.0.2.15 is 0x0A00020F, whatever the byte order of the machine.
+struct Ipv4Address {
+  std::uint32_t value = 0;
+
+  friend constexpr bool operator==(Ipv4Address, Ipv4Address) = default;
+};
+
+[[nodiscard]] constexpr Ipv4Address ipv4(std::uint8_t a, std::uint8_t b, std::uint8_t c,
+                                         std::uint8_t d) {
+  return {std::uint32_t{a} << 24 | std::uint32_t{b} << 16 | std::uint32_t{c} << 8 | d};
+}
+
+inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
+
+// Bits that name a host within a subnet; prefix_bits is 1 to 32.
+[[nodiscard]] constexpr std::uint32_t host_mask(std::uint8_t prefix_bits) {
+  return (std::uint32_t{1} << (32 - prefix_bits)) - 1;
+}
+
+[[nodiscard]] constexpr bool same_subnet(Ipv4Address left, Ipv4Address right,
+                                         std::uint8_t prefix_bits) {
+  return ((left.value ^ right.value) & ~host_mask(prefix_bits)) == 0;
+}
+
+// The address of every host in the subnet of `address`, such as 10.0.2.255 (RFC 919).
+[[nodiscard]] constexpr Ipv4Address directed_broadcast(Ipv4Address address,
+                                                       std::uint8_t prefix_bits) {
+  return {address.value | host_mask(prefix_bits)};
+}
+
+// True for an address that one host on a network can have: not 0/8 ("this network"), not 127/8
+// (loopback), not multicast, reserved or limited broadcast (224/3). RFC 1122, section 3.2.1.3.
+[[nodiscard]] constexpr bool is_host_address(Ipv4Address address) {
+  const std::uint32_t network = address.value >> 24;
+  return network != 0 && network != 127 && network < 224;
+}
+
+// True if `address` can belong to a host of the subnet that `member` is in: a host address, and
+// neither the subnet's own name nor its broadcast.
+[[nodiscard]] constexpr bool is_host_in_subnet(Ipv4Address address, Ipv4Address member,
+                                               std::uint8_t prefix_bits) {
+  const std::uint32_t host = address.value & host_mask(prefix_bits);
+  return is_host_address(address) && same_subnet(address, member, prefix_bits) && host != 0 &&
+         host != host_mask(prefix_bits);
+}
+
+}  // namespace iog::net

@@ -1,0 +1,39 @@
+// Who we are on the network and whom we talk to. One aggregate, fixed when the firmware is built.
+#pragma once
+
+#include <cstdint>
+
+#include "net/address.hpp"
+
+namespace iog::net {
+
+struct Config {
+  // Our Ethernet address: unicast, unique on the segment.
+  MacAddress mac;
+
+  // Our IPv4 address: a host of its subnet.
+  Ipv4Address address;
+
+  // Leading bits that name the subnet, 8 to 30. There is no router: what is not in it is not there.
+  std::uint8_t prefix_bits;
+
+  // The only host that messages and ping replies are ever sent to: another host of the subnet.
+  Ipv4Address peer;
+
+  // UDP port of the peer that receives the messages, 1 to 65535.
+  std::uint16_t peer_port;
+
+  // UDP port that the messages come from, 1 to 65535.
+  std::uint16_t source_port;
+};
+
+// What Host relies on. Meant for a static_assert beside the configuration.
+[[nodiscard]] constexpr bool is_valid(const Config& config) {
+  // The prefix comes first: the other checks shift by it.
+  return config.prefix_bits >= 8 && config.prefix_bits <= 30 && config.mac.is_unicast() &&
+         is_host_in_subnet(config.address, config.address, config.prefix_bits) &&
+         is_host_in_subnet(config.peer, config.address, config.prefix_bits) &&
+         config.peer != config.address && config.peer_port != 0 && config.source_port != 0;
+}
+
+}  // namespace iog::net

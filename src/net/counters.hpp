@@ -1,0 +1,75 @@
+// What became of every frame that arrived and of every message that was to be sent.
+//
+// Two laws hold at any moment, modulo 2^32 (every counter wraps):
+//   received = delivered + arp_answered + arp_learned + ping_answered + the sum of drops
+//   calls of begin_message() and send_message() that failed = the sum of refusals
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace iog::net {
+
+// Why a received frame went nowhere, each frame under the first cause that applies. The numbers are
+// positions in the streamed counters: new causes are appended, old ones keep their place.
+enum class Drop : std::uint8_t {
+  kShort,            // less than an Ethernet header
+  kNotForUsMac,      // destination neither our Ethernet address nor broadcast
+  kVlanTagged,       // 802.1Q or 802.1ad tag; the sensors' network is untagged
+  kNotIpv4OrArp,     // another EtherType, or an 802.3 length
+  kBadIpHeader,      // version, header length or total length contradict the frame
+  kBadIpChecksum,    // header checksum wrong
+  kFragment,         // part of a datagram; ours all fit into one frame, so nothing is reassembled
+  kNotForUsIp,       // destination neither our address nor a broadcast that reaches us
+  kBadSource,        // source that no other host can have: 0/8, 127/8, 224/3, broadcast, our own
+  kNotUdpOrIcmp,     // another protocol
+  kBadUdpLength,     // UDP length less than its header or more than the datagram
+  kBadUdpChecksum,   // UDP checksum present and wrong
+  kBadIcmp,          // ICMP message too short or checksum wrong
+  kPingIgnored,      // echo request from another than the peer, to a broadcast, or peer unresolved
+  kIcmpIgnored,      // ICMP message that is not an echo request
+  kBadArp,           // ARP packet short, or not for Ethernet and IPv4
+  kArpIgnored,       // ARP packet that neither asks for us nor comes from the peer
+  kAddressConflict,  // another station claims our address in its ARP packet
+  kReplyRingFull,    // an ARP or ping reply was due, but the transmit ring was full
+};
+inline constexpr std::size_t kDropCauses = 19;
+
+// Why a message was not sent. Streamed by position like Drop.
+enum class Refusal : std::uint8_t {
+  kUnresolved,  // begin_message(): the peer's Ethernet address is not known yet
+  kRingFull,    // begin_message(): no transmit buffer is free
+  kMisuse,      // send_message(): no message begun since the last poll(), or payload too long
+};
+inline constexpr std::size_t kRefusalCauses = 3;
+
+struct Counters {
+  std::uint32_t received = 0;       // frames taken from the port
+  std::uint32_t delivered = 0;      // datagrams returned by poll()
+  std::uint32_t arp_answered = 0;   // requests for our address answered
+  std::uint32_t arp_learned = 0;    // other ARP packets that told the peer's Ethernet address
+  std::uint32_t ping_answered = 0;  // echo requests of the peer answered
+  std::uint32_t sent = 0;           // messages committed to the port
+  std::uint32_t arp_requested = 0;  // ARP requests for the peer committed to the port
+  std::array<std::uint32_t, kDropCauses> drops{};
+  std::array<std::uint32_t, kRefusalCauses> refusals{};
+
+  [[nodiscard]] constexpr std::uint32_t& of(Drop cause) {
+    return drops[static_cast<std::size_t>(cause)];
+  }
+  [[nodiscard]] constexpr std::uint32_t of(Drop cause) const {
+    return drops[static_cast<std::size_t>(cause)];
+  }
+  [[nodiscard]] constexpr std::uint32_t& of(Refusal cause) {
+    return refusals[static_cast<std::size_t>(cause)];
+  }
+  [[nodiscard]] constexpr std::uint32_t of(Refusal cause) const {
+    return refusals[static_cast<std::size_t>(cause)];
+  }
+};
+
+static_assert(static_cast<std::size_t>(Drop::kReplyRingFull) + 1 == kDropCauses);
+static_assert(static_cast<std::size_t>(Refusal::kMisuse) + 1 == kRefusalCauses);
+
+}  // namespace iog::net

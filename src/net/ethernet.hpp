@@ -1,0 +1,44 @@
+// Ethernet II framing: destination, source, type, payload; no preamble and no FCS.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "net/address.hpp"
+#include "wire/byte_reader.hpp"
+#include "wire/byte_writer.hpp"
+
+namespace iog::net {
+
+inline constexpr std::size_t kEthernetHeaderBytes = 14;
+inline constexpr std::size_t kMtuBytes = 1500;
+inline constexpr std::size_t kMaxFrameBytes = kEthernetHeaderBytes + kMtuBytes;
+inline constexpr std::size_t kMinFrameBytes = 60;  // IEEE 802.3: 64 with the FCS
+
+inline constexpr std::uint16_t kEtherTypeIpv4 = 0x0800;
+inline constexpr std::uint16_t kEtherTypeArp = 0x0806;
+inline constexpr std::uint16_t kEtherTypeVlan = 0x8100;         // IEEE 802.1Q
+inline constexpr std::uint16_t kEtherTypeServiceVlan = 0x88A8;  // IEEE 802.1ad
+
+struct EthernetFrame {
+  MacAddress destination;
+  MacAddress source;
+  std::uint16_t type;
+  std::span<const std::byte> payload;  // may end in padding
+};
+
+// Nothing if `frame` is shorter than a header. A frame below kMinFrameBytes is accepted: some
+// virtual links do not pad.
+[[nodiscard]] std::optional<EthernetFrame> parse_ethernet(std::span<const std::byte> frame);
+
+void write_ethernet_header(wire::ByteWriter& writer, const MacAddress& destination,
+                           const MacAddress& source, std::uint16_t type);
+
+// All zero if the reader has run out.
+[[nodiscard]] MacAddress read_mac(wire::ByteReader& reader);
+
+void write_mac(wire::ByteWriter& writer, const MacAddress& mac);
+
+}  // namespace iog::net

@@ -1,0 +1,123 @@
+#include "net/inbound.hpp"
+
+#include "net/ethernet.hpp"
+#include "net/icmp.hpp"
+#include "net/ipv4.hpp"
+
+namespace iog::net {
+namespace {
+
+Inbound dropped(Drop cause) {
+  return {.kind = InboundKind::kDropped, .drop = cause};
+}
+
+bool is_vlan(std::uint16_t type) {
+  return type == kEtherTypeVlan || type == kEtherTypeServiceVlan;
+}
+
+// Lidars commonly broadcast, to the limited address or to that of the subnet.
+bool reaches_us(Ipv4Address destination, const Config& config) {
+  return destination == config.address || destination == kLimitedBroadcast ||
+         destination == directed_broadcast(config.address, config.prefix_bits);
+}
+
+bool can_be_source(Ipv4Address source, const Config& config) {
+  return is_host_address(source) && source != config.address &&
+         source != directed_broadcast(config.address, config.prefix_bits);
+}
+
+Inbound sort_udp(const Ipv4Packet& packet) {
+  const UdpResult result = parse_udp(packet);
+  switch (result.status) {
+    case UdpStatus::kOk:
+      return {.kind = InboundKind::kDatagram, .datagram = result.datagram};
+    case UdpStatus::kBadChecksum:
+      return dropped(Drop::kBadUdpChecksum);
+    case UdpStatus::kBadLength:
+      break;
+  }
+  return dropped(Drop::kBadUdpLength);
+}
+
+// Pings of others and to broadcasts (RFC 1122, section 3.2.2.6) are not answered, and what could
+// not be sent back in one frame cannot have come in one.
+Inbound sort_icmp(const Ipv4Packet& packet, const Config& config) {
+  switch (classify_icmp(packet.payload)) {
+    case IcmpStatus::kEchoRequest:
+      if (packet.source != config.peer || packet.destination != config.address ||
+          packet.payload.size() > kMaxIpv4PayloadBytes) {
+        return dropped(Drop::kPingIgnored);
+      }
+      return {.kind = InboundKind::kEchoRequest, .echo_request = packet.payload};
+    case IcmpStatus::kOther:
+      return dropped(Drop::kIcmpIgnored);
+    case IcmpStatus::kBad:
+      break;
+  }
+  return dropped(Drop::kBadIcmp);
+}
+
+Inbound sort_packet(const Ipv4Packet& packet, const Config& config) {
+  if (!reaches_us(packet.destination, config)) {
+    return dropped(Drop::kNotForUsIp);
+  }
+  if (!can_be_source(packet.source, config)) {
+    return dropped(Drop::kBadSource);
+  }
+  switch (packet.protocol) {
+    case kProtocolUdp:
+      return sort_udp(packet);
+    case kProtocolIcmp:
+      return sort_icmp(packet, config);
+    default:
+      return dropped(Drop::kNotUdpOrIcmp);
+  }
+}
+
+Inbound sort_ipv4(std::span<const std::byte> payload, const Config& config) {
+  const Ipv4Result result = parse_ipv4(payload);
+  switch (result.status) {
+    case Ipv4Status::kOk:
+      return sort_packet(result.packet, config);
+    case Ipv4Status::kBadChecksum:
+      return dropped(Drop::kBadIpChecksum);
+    case Ipv4Status::kFragment:
+      return dropped(Drop::kFragment);
+    case Ipv4Status::kBadHeader:
+      break;
+  }
+  return dropped(Drop::kBadIpHeader);
+}
+
+Inbound sort_arp(std::span<const std::byte> payload) {
+  const std::optional<ArpPacket> packet = parse_arp(payload);
+  if (!packet) {
+    return dropped(Drop::kBadArp);
+  }
+  return {.kind = InboundKind::kArp, .arp = *packet};
+}
+
+}  // namespace
+
+Inbound sort_frame(std::span<const std::byte> frame, const Config& config) {
+  const std::optional<EthernetFrame> ethernet = parse_ethernet(frame);
+  if (!ethernet) {
+    return dropped(Drop::kShort);
+  }
+  if (ethernet->destination != config.mac && ethernet->destination != kBroadcastMac) {
+    return dropped(Drop::kNotForUsMac);
+  }
+  if (is_vlan(ethernet->type)) {
+    return dropped(Drop::kVlanTagged);
+  }
+  switch (ethernet->type) {
+    case kEtherTypeIpv4:
+      return sort_ipv4(ethernet->payload, config);
+    case kEtherTypeArp:
+      return sort_arp(ethernet->payload);
+    default:
+      return dropped(Drop::kNotIpv4OrArp);
+  }
+}
+
+}  // namespace iog::net

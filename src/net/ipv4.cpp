@@ -1,0 +1,66 @@
+#include "net/ipv4.hpp"
+
+#include "net/checksum.hpp"
+#include "wire/byte_order.hpp"
+#include "wire/byte_reader.hpp"
+#include "wire/byte_writer.hpp"
+
+namespace iog::net {
+namespace {
+
+constexpr std::uint8_t kVersion = 4;
+constexpr std::size_t kHeaderWordBytes = 4;
+constexpr std::uint8_t kTimeToLive = 64;
+constexpr std::uint16_t kDontFragment = 0x4000;
+constexpr std::uint16_t kFragmentMask = 0x3FFF;  // More Fragments and the fragment offset
+constexpr std::size_t kChecksumOffset = 10;
+
+}  // namespace
+
+Ipv4Result parse_ipv4(std::span<const std::byte> bytes) {
+  wire::ByteReader reader{bytes};
+  const std::uint8_t version_and_words = reader.u8();
+  reader.skip(1);  // type of service
+  const std::size_t total_bytes = reader.u16_be();
+  reader.skip(2);  // identification
+  const std::uint16_t fragment = reader.u16_be();
+  reader.skip(1);  // time to live: a host takes what has arrived (RFC 1122, section 3.2.1.7)
+  const std::uint8_t protocol = reader.u8();
+  reader.skip(2);  // checksum, summed with the rest of the header below
+  const Ipv4Address source{reader.u32_be()};
+  const Ipv4Address destination{reader.u32_be()};
+
+  const std::size_t header_bytes = (version_and_words & 0x0FU) * kHeaderWordBytes;
+  if (!reader.ok() || version_and_words >> 4 != kVersion || header_bytes < kIpv4HeaderBytes ||
+      total_bytes < header_bytes || total_bytes > bytes.size()) {
+    return {.status = Ipv4Status::kBadHeader};
+  }
+  if (internet_checksum(bytes.first(header_bytes)) != 0) {
+    return {.status = Ipv4Status::kBadChecksum};
+  }
+  if ((fragment & kFragmentMask) != 0) {
+    return {.status = Ipv4Status::kFragment};
+  }
+  const auto payload = bytes.first(total_bytes).subspan(header_bytes);
+  return {
+      .status = Ipv4Status::kOk,
+      .packet = {
+          .source = source, .destination = destination, .protocol = protocol, .payload = payload}};
+}
+
+void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header) {
+  wire::ByteWriter writer{target};
+  writer.u8(kVersion << 4 | kIpv4HeaderBytes / kHeaderWordBytes);
+  writer.u8(0);  // type of service: routine
+  writer.u16_be(static_cast<std::uint16_t>(kIpv4HeaderBytes + header.payload_bytes));
+  writer.u16_be(header.identification);
+  writer.u16_be(kDontFragment);
+  writer.u8(kTimeToLive);
+  writer.u8(header.protocol);
+  writer.u16_be(0);
+  writer.u32_be(header.source.value);
+  writer.u32_be(header.destination.value);
+  wire::store_be16(target.subspan<kChecksumOffset, 2>(), internet_checksum(target));
+}
+
+}  // namespace iog::net

@@ -1,0 +1,49 @@
+// The IPv4 header (RFC 791), without options on the way out and without fragments on both ways.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "net/address.hpp"
+#include "net/ethernet.hpp"
+
+namespace iog::net {
+
+inline constexpr std::size_t kIpv4HeaderBytes = 20;
+inline constexpr std::size_t kMaxIpv4PayloadBytes = kMtuBytes - kIpv4HeaderBytes;
+
+inline constexpr std::uint8_t kProtocolIcmp = 1;
+inline constexpr std::uint8_t kProtocolUdp = 17;
+
+enum class Ipv4Status : std::uint8_t { kOk, kBadHeader, kBadChecksum, kFragment };
+
+struct Ipv4Packet {
+  Ipv4Address source{};
+  Ipv4Address destination{};
+  std::uint8_t protocol = 0;
+  std::span<const std::byte> payload{};  // as long as the header says, options and padding removed
+};
+
+struct [[nodiscard]] Ipv4Result {
+  Ipv4Status status = Ipv4Status::kBadHeader;
+  Ipv4Packet packet{};  // meaningful only with kOk
+};
+
+// kBadHeader: version, header length or total length contradict each other or the bytes there are.
+// kBadChecksum: the header's checksum is wrong. kFragment: the packet is not a whole datagram.
+Ipv4Result parse_ipv4(std::span<const std::byte> bytes);
+
+// What the header of one of our packets says; the rest is the same in all of them.
+struct Ipv4Header {
+  Ipv4Address source{};
+  Ipv4Address destination{};
+  std::uint8_t protocol = 0;
+  std::uint16_t identification = 0;
+  std::size_t payload_bytes = 0;  // at most kMaxIpv4PayloadBytes
+};
+
+// Don't Fragment set, time to live 64 (RFC 1700), checksum computed.
+void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header);
+
+}  // namespace iog::net

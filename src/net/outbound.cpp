@@ -1,0 +1,80 @@
+#include "net/outbound.hpp"
+
+#include "net/icmp.hpp"
+#include "wire/byte_writer.hpp"
+
+namespace iog::net {
+namespace {
+
+constexpr std::size_t kIpv4Offset = kEthernetHeaderBytes;
+constexpr std::size_t kIpv4PayloadOffset = kIpv4Offset + kIpv4HeaderBytes;
+
+// A transmit buffer is used again and again; zeros keep old messages out of the padding.
+std::size_t padded(FrameBuffer frame, std::size_t frame_bytes) {
+  if (frame_bytes >= kMinFrameBytes) {
+    return frame_bytes;
+  }
+  wire::ByteWriter{frame.subspan(frame_bytes)}.zeros(kMinFrameBytes - frame_bytes);
+  return kMinFrameBytes;
+}
+
+std::size_t build_arp(FrameBuffer frame, const MacAddress& destination, const ArpPacket& packet) {
+  wire::ByteWriter writer{frame};
+  write_ethernet_header(writer, destination, packet.sender_mac, kEtherTypeArp);
+  write_arp(writer, packet);
+  return padded(frame, writer.written().size());
+}
+
+// The payload is in place already. Everything of IPv4 that we send goes to the peer.
+std::size_t wrap_ipv4(FrameBuffer frame, const Config& config, const MacAddress& peer_mac,
+                      std::uint8_t protocol, std::uint16_t identification,
+                      std::size_t payload_bytes) {
+  wire::ByteWriter writer{frame};
+  write_ethernet_header(writer, peer_mac, config.mac, kEtherTypeIpv4);
+  write_ipv4_header(frame.subspan<kIpv4Offset, kIpv4HeaderBytes>(),
+                    {.source = config.address,
+                     .destination = config.peer,
+                     .protocol = protocol,
+                     .identification = identification,
+                     .payload_bytes = payload_bytes});
+  return padded(frame, kIpv4PayloadOffset + payload_bytes);
+}
+
+}  // namespace
+
+std::size_t build_arp_request(FrameBuffer frame, const Config& config) {
+  return build_arp(frame, kBroadcastMac,
+                   {.operation = ArpOperation::kRequest,
+                    .sender_mac = config.mac,
+                    .sender_address = config.address,
+                    .target_mac = {},
+                    .target_address = config.peer});
+}
+
+std::size_t build_arp_reply(FrameBuffer frame, const Config& config, const ArpPacket& request) {
+  return build_arp(frame, request.sender_mac,
+                   {.operation = ArpOperation::kReply,
+                    .sender_mac = config.mac,
+                    .sender_address = config.address,
+                    .target_mac = request.sender_mac,
+                    .target_address = request.sender_address});
+}
+
+std::size_t build_echo_reply(FrameBuffer frame, const Config& config, const MacAddress& peer_mac,
+                             std::uint16_t identification, std::span<const std::byte> request) {
+  write_echo_reply(frame.subspan(kIpv4PayloadOffset, request.size()), request);
+  return wrap_ipv4(frame, config, peer_mac, kProtocolIcmp, identification, request.size());
+}
+
+std::size_t build_message(FrameBuffer frame, const Config& config, const MacAddress& peer_mac,
+                          std::uint16_t identification, std::size_t payload_bytes) {
+  const std::size_t datagram_bytes = kUdpHeaderBytes + payload_bytes;
+  write_udp_header(frame.subspan(kIpv4PayloadOffset, datagram_bytes),
+                   {.source = config.address,
+                    .destination = config.peer,
+                    .source_port = config.source_port,
+                    .destination_port = config.peer_port});
+  return wrap_ipv4(frame, config, peer_mac, kProtocolUdp, identification, datagram_bytes);
+}
+
+}  // namespace iog::net

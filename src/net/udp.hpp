@@ -1,0 +1,45 @@
+// The UDP header (RFC 768) and its checksum.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "net/ipv4.hpp"
+
+namespace iog::net {
+
+inline constexpr std::size_t kUdpHeaderBytes = 8;
+inline constexpr std::size_t kMaxUdpPayloadBytes = kMaxIpv4PayloadBytes - kUdpHeaderBytes;
+
+// A UDP datagram that has been addressed to us. The payload is a view of the received frame.
+struct Datagram {
+  Ipv4Address source{};
+  std::uint16_t source_port = 0;
+  std::uint16_t destination_port = 0;
+  std::span<const std::byte> payload{};
+};
+
+enum class UdpStatus : std::uint8_t { kOk, kBadLength, kBadChecksum };
+
+struct [[nodiscard]] UdpResult {
+  UdpStatus status = UdpStatus::kBadLength;
+  Datagram datagram{};  // meaningful only with kOk
+};
+
+// kBadLength: the UDP length is below its header or above the packet's payload; bytes of the packet
+// behind the UDP length are ignored. kBadChecksum: a checksum is there (not 0) and wrong.
+UdpResult parse_udp(const Ipv4Packet& packet);
+
+struct UdpHeader {
+  Ipv4Address source{};
+  Ipv4Address destination{};
+  std::uint16_t source_port = 0;
+  std::uint16_t destination_port = 0;
+};
+
+// `datagram` is the header's 8 bytes, written here, with the payload, already in place, behind
+// them: kUdpHeaderBytes to kMaxIpv4PayloadBytes. The checksum is always computed, never 0.
+void write_udp_header(std::span<std::byte> datagram, const UdpHeader& header);
+
+}  // namespace iog::net

@@ -1,0 +1,77 @@
+// Reads wire bytes in order and never past their end.
+//
+// A read that does not fit returns 0 (or an empty span), and so does every read after it; ok() is
+// false from then on. A decoder may therefore read a whole header and ask ok() once, as long as it
+// believes none of the values before it has asked.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "wire/byte_order.hpp"
+
+namespace iog::wire {
+
+class ByteReader {
+  // These stand before their callers so that clang 14 can read at compile time, too.
+  // Emptying the rest is what makes the failure sticky, at no cost to the reads that succeed.
+  constexpr void fail() {
+    rest_ = {};
+    ok_ = false;
+  }
+
+  template <typename Value, std::size_t kBytes>
+  constexpr Value take(Value (*load)(std::span<const std::byte, kBytes>)) {
+    if (rest_.size() < kBytes) {
+      fail();
+      return 0;
+    }
+    const Value value = load(rest_.template first<kBytes>());
+    rest_ = rest_.subspan(kBytes);
+    return value;
+  }
+
+ public:
+  constexpr explicit ByteReader(std::span<const std::byte> bytes) : rest_{bytes} {}
+
+  [[nodiscard]] constexpr std::uint8_t u8() { return take(load_u8); }
+  [[nodiscard]] constexpr std::uint16_t u16_be() { return take(load_be16); }
+  [[nodiscard]] constexpr std::uint16_t u16_le() { return take(load_le16); }
+  [[nodiscard]] constexpr std::uint32_t u32_be() { return take(load_be32); }
+  [[nodiscard]] constexpr std::uint32_t u32_le() { return take(load_le32); }
+  [[nodiscard]] constexpr std::uint64_t u64_be() { return take(load_be64); }
+  [[nodiscard]] constexpr std::uint64_t u64_le() { return take(load_le64); }
+
+  // Two's complement, as every signed field on our wires is.
+  [[nodiscard]] constexpr std::int8_t i8() { return static_cast<std::int8_t>(u8()); }
+  [[nodiscard]] constexpr std::int16_t i16_be() { return static_cast<std::int16_t>(u16_be()); }
+  [[nodiscard]] constexpr std::int16_t i16_le() { return static_cast<std::int16_t>(u16_le()); }
+  [[nodiscard]] constexpr std::int32_t i32_be() { return static_cast<std::int32_t>(u32_be()); }
+  [[nodiscard]] constexpr std::int32_t i32_le() { return static_cast<std::int32_t>(u32_le()); }
+
+  // The next `count` bytes as a view of the input, empty if there are fewer.
+  [[nodiscard]] constexpr std::span<const std::byte> bytes(std::size_t count) {
+    if (count > rest_.size()) {
+      fail();
+      return {};
+    }
+    const auto taken = rest_.first(count);
+    rest_ = rest_.subspan(count);
+    return taken;
+  }
+
+  constexpr void skip(std::size_t count) { static_cast<void>(bytes(count)); }
+
+  // Bytes not read yet; 0 once a read has failed.
+  [[nodiscard]] constexpr std::size_t remaining() const { return rest_.size(); }
+
+  // True as long as every read so far has fitted.
+  [[nodiscard]] constexpr bool ok() const { return ok_; }
+
+ private:
+  std::span<const std::byte> rest_;
+  bool ok_ = true;
+};
+
+}  // namespace iog::wire

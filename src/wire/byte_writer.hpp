@@ -1,0 +1,96 @@
+// Writes wire bytes in order and never past the end of their buffer.
+//
+// A write that does not fit writes nothing, and so does every write after it, even a shorter one;
+// ok() is false from then on. An encoder may write a whole message and ask ok() once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "wire/byte_order.hpp"
+
+namespace iog::wire {
+
+class ByteWriter {
+  // These stand before their callers so that clang 14 can write at compile time, too.
+  // Ending the buffer here is what makes the failure sticky, at no cost to the writes that succeed.
+  constexpr void fail() {
+    buffer_ = written();
+    ok_ = false;
+  }
+
+  constexpr std::span<std::byte> claim(std::size_t count) {
+    if (count > remaining()) {
+      fail();
+      return {};
+    }
+    const auto claimed = buffer_.subspan(position_, count);
+    position_ += count;
+    return claimed;
+  }
+
+  template <typename Value, std::size_t kBytes>
+  constexpr void put(void (*store)(std::span<std::byte, kBytes>, Value),
+                     std::type_identity_t<Value> value) {
+    if (remaining() < kBytes) {
+      fail();
+      return;
+    }
+    store(buffer_.subspan(position_).template first<kBytes>(), value);
+    position_ += kBytes;
+  }
+
+ public:
+  constexpr explicit ByteWriter(std::span<std::byte> buffer) : buffer_{buffer} {}
+
+  constexpr void u8(std::uint8_t value) { put(store_u8, value); }
+  constexpr void u16_be(std::uint16_t value) { put(store_be16, value); }
+  constexpr void u16_le(std::uint16_t value) { put(store_le16, value); }
+  constexpr void u32_be(std::uint32_t value) { put(store_be32, value); }
+  constexpr void u32_le(std::uint32_t value) { put(store_le32, value); }
+  constexpr void u64_be(std::uint64_t value) { put(store_be64, value); }
+  constexpr void u64_le(std::uint64_t value) { put(store_le64, value); }
+
+  // Two's complement, as every signed field on our wires is.
+  constexpr void i8(std::int8_t value) { u8(static_cast<std::uint8_t>(value)); }
+  constexpr void i16_be(std::int16_t value) { u16_be(static_cast<std::uint16_t>(value)); }
+  constexpr void i16_le(std::int16_t value) { u16_le(static_cast<std::uint16_t>(value)); }
+  constexpr void i32_be(std::int32_t value) { u32_be(static_cast<std::uint32_t>(value)); }
+  constexpr void i32_le(std::int32_t value) { u32_le(static_cast<std::uint32_t>(value)); }
+
+  // All of `source`, which must not overlap the buffer, or nothing.
+  constexpr void bytes(std::span<const std::byte> source) {
+    const auto target = claim(source.size());
+    for (std::size_t i = 0; i < target.size(); ++i) {
+      target[i] = source[i];
+    }
+  }
+
+  // `count` zero bytes, for reserved fields and padding.
+  constexpr void zeros(std::size_t count) {
+    for (std::byte& target : claim(count)) {
+      target = std::byte{0};
+    }
+  }
+
+  // Leaves `count` bytes as they are, for a field that is filled in later.
+  constexpr void skip(std::size_t count) { static_cast<void>(claim(count)); }
+
+  // What has been written so far, skipped bytes included.
+  [[nodiscard]] constexpr std::span<std::byte> written() const { return buffer_.first(position_); }
+
+  // Bytes that can still be written; 0 once a write has failed.
+  [[nodiscard]] constexpr std::size_t remaining() const { return buffer_.size() - position_; }
+
+  // True as long as every write so far has fitted.
+  [[nodiscard]] constexpr bool ok() const { return ok_; }
+
+ private:
+  std::span<std::byte> buffer_;
+  std::size_t position_ = 0;
+  bool ok_ = true;
+};
+
+}  // namespace iog::wire

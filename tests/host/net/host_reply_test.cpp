@@ -1,0 +1,242 @@
+// What Host answers on its own: ARP to the subnet, ping to the peer. And whom it learns from.
+#include <cstddef>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <span>
+
+#include "net/ethernet.hpp"
+#include "net/frames.hpp"
+#include "net/host.hpp"
+#include "net/station.hpp"
+
+namespace iog::net::testing {
+namespace {
+
+constexpr std::uint64_t kSecondUs = 1'000'000;
+
+// Offsets of RFC 826 behind the Ethernet header.
+constexpr std::size_t kArpSenderMac = 22;
+constexpr std::size_t kArpSenderAddress = 28;
+constexpr std::size_t kArpTargetAddress = 38;
+
+void put_address(Frame& frame, std::size_t offset, Ipv4Address address) {
+  put_be16(frame, offset, address.value >> 16);
+  put_be16(frame, offset + 2, address.value & 0xFFFF);
+}
+
+Frame arp_from(Ipv4Address sender) {
+  Frame frame = linux_arp_request();
+  put_address(frame, kArpSenderAddress, sender);
+  return frame;
+}
+
+Frame ping_from(Ipv4Address source) {
+  Frame frame = linux_ping();
+  put_address(frame, kIpOffset + 12, source);
+  fix_ip_checksum(frame);
+  return frame;
+}
+
+TEST(HostArp, AnswersTheSubnetWithAUnicastToTheAsker) {
+  Station station;
+  station.resolve();
+  Frame request = arp_from(ipv4(10, 0, 2, 77));
+  request[kArpSenderMac + 5] = std::byte{0x77};
+  static_cast<void>(station.take(request));
+  const auto sent = station.port.take_sent();
+  ASSERT_EQ(sent.size(), 1U);
+  Frame expected = from_hex(
+      "020000000077 02000000000f 0806 0001 0800 06 04 0002"
+      "02000000000f 0a00020f 020000000077 0a00024d");
+  expected.resize(kMinFrameBytes);
+  EXPECT_EQ(sent[0], expected);
+  EXPECT_EQ(station.host.counters().arp_answered, 1U);
+  EXPECT_TRUE(station.conserved());
+}
+
+// RFC 5227, section 2.1.1: who wants our address asks with the sender 0.0.0.0.
+TEST(HostArp, DefendsItsAddressAgainstAProbe) {
+  Station station;
+  station.resolve();
+  static_cast<void>(station.take(arp_from(ipv4(0, 0, 0, 0))));
+  EXPECT_EQ(station.port.take_sent().size(), 1U);
+  EXPECT_EQ(station.host.counters().arp_answered, 1U);
+}
+
+TEST(HostArp, IgnoresWhatDoesNotAskForUs) {
+  Station station;
+  station.resolve();
+  Frame other_target = arp_from(ipv4(10, 0, 2, 77));
+  put_address(other_target, kArpTargetAddress, ipv4(10, 0, 2, 16));
+  static_cast<void>(station.take(other_target));
+  static_cast<void>(station.take(arp_from(ipv4(10, 0, 3, 77))));
+  static_cast<void>(station.take(arp_from(ipv4(10, 0, 2, 255))));
+  Frame group_sender = arp_from(ipv4(10, 0, 2, 77));
+  group_sender[kArpSenderMac] = std::byte{0x01};
+  static_cast<void>(station.take(group_sender));
+  Frame nobody = linux_arp_request();
+  for (std::size_t i = 0; i < 6; ++i) {
+    nobody[kArpSenderMac + i] = std::byte{0};
+  }
+  static_cast<void>(station.take(nobody));
+  EXPECT_EQ(station.dropped(Drop::kArpIgnored), 5U);
+  Frame strange = linux_arp_request();
+  strange[kIpOffset + 1] = std::byte{6};
+  static_cast<void>(station.take(strange));
+  EXPECT_EQ(station.dropped(Drop::kBadArp), 1U);
+  EXPECT_TRUE(station.port.take_sent().empty());
+  EXPECT_TRUE(station.conserved());
+}
+
+TEST(HostArp, CountsAnotherStationWithOurAddressAndDoesNotAnswerIt) {
+  Station station;
+  station.resolve();
+  static_cast<void>(station.take(arp_from(kConfig.address)));
+  EXPECT_EQ(station.dropped(Drop::kAddressConflict), 1U);
+  EXPECT_TRUE(station.port.take_sent().empty());
+  // Our own announcement, reflected by a hub, is no conflict.
+  Frame reflected = arp_from(kConfig.address);
+  reflected[kArpSenderMac + 5] = std::byte{0x0F};
+  static_cast<void>(station.take(reflected));
+  EXPECT_EQ(station.dropped(Drop::kAddressConflict), 1U);
+  EXPECT_EQ(station.dropped(Drop::kArpIgnored), 1U);
+}
+
+TEST(HostArp, AsksForThePeerAtTheFirstPollThenOnceASecond) {
+  Station station;
+  EXPECT_FALSE(station.poll(0));
+  const auto sent = station.port.take_sent();
+  ASSERT_EQ(sent.size(), 1U);
+  Frame expected = from_hex(
+      "ffffffffffff 02000000000f 0806 0001 0800 06 04 0001"
+      "02000000000f 0a00020f 000000000000 0a000202");
+  expected.resize(kMinFrameBytes);
+  EXPECT_EQ(sent[0], expected);
+  for (std::uint64_t now_us = 0; now_us <= 10 * kSecondUs; now_us += 10'000) {
+    static_cast<void>(station.poll(now_us));
+  }
+  EXPECT_EQ(station.port.take_sent().size(), 10U);
+  EXPECT_EQ(station.host.counters().arp_requested, 11U);
+}
+
+TEST(HostArp, AsksAgain30SecondsAfterItHasHeardFromThePeer) {
+  Station station;
+  station.resolve();
+  static_cast<void>(station.poll(29 * kSecondUs));
+  EXPECT_TRUE(station.port.take_sent().empty());
+  static_cast<void>(station.poll(30 * kSecondUs));
+  EXPECT_EQ(station.port.take_sent().size(), 1U);
+  EXPECT_TRUE(station.host.peer_known());
+}
+
+TEST(HostArp, LearnsFromThePeersAnswerAndFromItsQuestion) {
+  Station by_reply;
+  EXPECT_FALSE(by_reply.host.peer_known());
+  static_cast<void>(by_reply.take(linux_arp_reply()));
+  EXPECT_TRUE(by_reply.host.peer_known());
+  EXPECT_EQ(by_reply.host.counters().arp_learned, 1U);
+  Station by_request;
+  static_cast<void>(by_request.take(linux_arp_request()));
+  EXPECT_TRUE(by_request.host.peer_known());
+  EXPECT_EQ(by_request.host.counters().arp_answered, 1U);
+  EXPECT_TRUE(by_reply.conserved() && by_request.conserved());
+}
+
+TEST(HostArp, LearnsFromNobodyElse) {
+  Station station;
+  static_cast<void>(station.take(arp_from(ipv4(10, 0, 2, 3))));
+  Frame group = linux_arp_reply();
+  group[kArpSenderMac] = std::byte{0x03};
+  static_cast<void>(station.take(group));
+  Frame ourselves = linux_arp_reply();
+  ourselves[kArpSenderMac + 5] = std::byte{0x0F};
+  static_cast<void>(station.take(ourselves));
+  static_cast<void>(station.take(linux_udp_even()));
+  EXPECT_FALSE(station.host.peer_known());
+  EXPECT_TRUE(station.conserved());
+}
+
+// Our IPv4 identification and Don't Fragment are our own; all else is what Linux answers.
+TEST(HostPing, AnswersThePeer) {
+  Station station;
+  station.resolve();
+  static_cast<void>(station.take(linux_ping()));
+  const auto sent = station.port.take_sent();
+  ASSERT_EQ(sent.size(), 1U);
+  Frame expected = from_hex(
+      "020000000002 02000000000f 0800"
+      "4500 003c 0000 4000 4001 0000 0a00020f 0a000202"
+      "0000 b144 a416 0001 6162636465666768696a6b6c6d6e6f7071727374757677616263646566676869");
+  fix_ip_checksum(expected);
+  EXPECT_EQ(sent[0], expected);
+  EXPECT_EQ(station.host.counters().ping_answered, 1U);
+  EXPECT_TRUE(station.conserved());
+}
+
+TEST(HostPing, AnswersEveryLengthThatFitsAFrame) {
+  Station station;
+  station.resolve();
+  for (std::size_t data = 0; data <= kMaxIpv4PayloadBytes - 8; ++data) {
+    Frame ping = linux_ping();
+    ping.resize(kUdpOffset + 8 + data, std::byte{0x5A});
+    put_be16(ping, kIpOffset + 2, static_cast<unsigned>(28 + data));
+    fix_ip_checksum(ping);
+    put_be16(ping, kUdpOffset + 2, 0);
+    put_be16(ping, kUdpOffset + 2, reference_checksum(std::span{ping}.subspan(kUdpOffset)));
+    static_cast<void>(station.take(ping));
+    station.port.pump();
+    const auto sent = station.port.take_sent();
+    ASSERT_EQ(sent.size(), 1U) << data;
+    ASSERT_EQ(sent[0].size(), std::max(ping.size(), kMinFrameBytes));
+    EXPECT_EQ(reference_checksum(std::span{sent[0]}.subspan(kUdpOffset, 8 + data)), 0);
+  }
+}
+
+TEST(HostPing, IgnoresOthersBroadcastsAndAnUnresolvedPeer) {
+  Station station;
+  static_cast<void>(station.take(linux_ping()));
+  EXPECT_EQ(station.dropped(Drop::kPingIgnored), 1U) << "unresolved";
+  station.resolve();
+  static_cast<void>(station.take(ping_from(ipv4(10, 0, 2, 3))));
+  EXPECT_EQ(station.dropped(Drop::kPingIgnored), 2U);
+  Frame broadcast = linux_ping();
+  put_address(broadcast, kIpOffset + 16, ipv4(10, 0, 2, 255));
+  fix_ip_checksum(broadcast);
+  static_cast<void>(station.take(broadcast));
+  EXPECT_EQ(station.dropped(Drop::kPingIgnored), 3U);
+  Frame reply = linux_ping();
+  put_be16(reply, kUdpOffset, 0x0000);
+  put_be16(reply, kUdpOffset + 2, 0xB144);
+  static_cast<void>(station.take(reply));
+  EXPECT_EQ(station.dropped(Drop::kIcmpIgnored), 1U);
+  EXPECT_TRUE(station.port.take_sent().empty());
+  EXPECT_TRUE(station.conserved());
+}
+
+// The reply goes to the station that ARP named, whatever source the ping's frame claims.
+TEST(HostPing, RepliesOnlyToTheLearntAddress) {
+  Station station;
+  station.resolve();
+  Frame ping = linux_ping();
+  ping[11] = std::byte{0x66};
+  static_cast<void>(station.take(ping));
+  const auto sent = station.port.take_sent();
+  ASSERT_EQ(sent.size(), 1U);
+  const auto ethernet = parse_ethernet(sent[0]);
+  ASSERT_TRUE(ethernet);
+  EXPECT_EQ(ethernet->destination, kPeerMac);
+}
+
+TEST(HostReply, CountsAFullRing) {
+  Station station;
+  station.resolve();
+  station.port.set_ring_slots(0);
+  static_cast<void>(station.take(linux_ping()));
+  static_cast<void>(station.take(linux_arp_request()));
+  EXPECT_EQ(station.dropped(Drop::kReplyRingFull), 2U);
+  EXPECT_TRUE(station.port.take_sent().empty());
+  EXPECT_TRUE(station.conserved());
+}
+
+}  // namespace
+}  // namespace iog::net::testing
