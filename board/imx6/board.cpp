@@ -1,0 +1,83 @@
+#include "board.hpp"
+
+#include "clocks.hpp"
+#include "gic.hpp"
+#include "memory.hpp"
+#include "peripherals.hpp"
+#include "pins.hpp"
+#include "text_line.hpp"
+#include "version.hpp"
+
+namespace iog::imx6 {
+namespace {
+
+std::string_view name(BootReason reason) {
+  switch (reason) {
+    case BootReason::kColdStart:
+      return "cold start";
+    case BootReason::kAfterLastWord:
+      return "reset after a last word";
+    case BootReason::kWithoutAWord:
+      return "reset without a word";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+Board::Board(const MacAddress& address)
+    : clock_(gpt),
+      stopwatch_(global_timer),
+      console_(uart2),
+      watchdog_(wdog1),
+      tick_(epit1),
+      l2_cache_(pl310),
+      ethernet_(enet, enet_memory.receive_descriptors, enet_memory.receive_buffers,
+                enet_memory.transmit_descriptors, enet_memory.transmit_buffers, l2_cache_, clock_) {
+  // The watchdog first, so that no later step can hang for good.
+  watchdog_.start();
+  reset_status_ = src.srsr.read();
+  boot_ = open_boot_record(boot_record);
+  start_clocks(ccm);
+  start_console_pins(iomuxc);
+  console_.start();
+  clock_.start();
+  stopwatch_.start(clock_);
+  start_ethernet_pins(iomuxc, gpio3, gpio6, clock_);
+  ethernet_.start(address);
+  tick_.start();
+  start_gic(gic_distributor, gic_cpu);
+}
+
+void Board::idle() {
+  machine::wait_for_interrupt();
+  tick_.clear();
+  ethernet_.clear_event();
+  // The flags are down before anything is polled; a device takes a store when it likes.
+  machine::barrier();
+}
+
+std::uint32_t Board::stack_used_bytes() const {
+  return main_stack_used_bytes();
+}
+std::uint32_t Board::stack_bytes() const {
+  return main_stack_bytes();
+}
+
+void Board::print_banner() {
+  TextLine line;
+  line.text("iogrid ").text(kVersion).text(" on i.MX6Q, boot ").decimal(boot_.number);
+  line.text(": ").text(name(boot_.reason)).text(", SRSR ").hex(reset_status_).text("\n");
+  console_.write(line.view());
+  line = {};
+  line.text("clock 1 MHz, stopwatch ").decimal(stopwatch_.ticks_hz() / 1'000'000);
+  line.text(" MHz, PHY ").hex(ethernet_.phy_id()).text("\n");
+  console_.write(line.view());
+  if (boot_.reason == BootReason::kAfterLastWord) {
+    console_.write("previous run: LAST WORD ");
+    console_.write(boot_.last_word_text());
+    console_.write("\n");
+  }
+}
+
+}  // namespace iog::imx6

@@ -1,0 +1,60 @@
+// The SABRE Lite as the application sees it: one object of each seam of hal/, all started.
+#pragma once
+
+#include <cstdint>
+
+#include "boot_record.hpp"
+#include "ethernet/enet_port.hpp"
+#include "gpt_clock.hpp"
+#include "l2_cache.hpp"
+#include "stopwatch.hpp"
+#include "tick.hpp"
+#include "uart.hpp"
+#include "watchdog.hpp"
+
+// What startup.S calls when memory is up. In freestanding C++ main() is a function like any other, so it
+// needs a declaration and the name that the assembler knows. It must not return.
+extern "C" int main();
+
+namespace iog::imx6 {
+
+class Board {
+ public:
+  // Starts everything, in the order in which the parts need each other. Takes some 15 ms, most of
+  // it the reset of the PHY. The watchdog runs from here on.
+  explicit Board(const MacAddress& address);
+
+  GptClock& clock() { return clock_; }
+  Stopwatch& stopwatch() { return stopwatch_; }
+  Uart& console() { return console_; }
+  Watchdog& watchdog() { return watchdog_; }
+  EnetPort& ethernet() { return ethernet_; }
+
+  // What the boot record said, and SRC_SRSR as this boot found it (QEMU always says 1, power-on).
+  const Boot& boot() const { return boot_; }
+  std::uint32_t reset_status() const { return reset_status_; }
+
+  // Sleeps until a frame has arrived or the tick has passed, at most 1 ms. Before it returns, the
+  // event flags are cleared; so poll every device after it and before the next call.
+  void idle();
+
+  // The deepest the main stack has been since start, and how deep it may be.
+  std::uint32_t stack_used_bytes() const;
+  std::uint32_t stack_bytes() const;
+
+  // Version, clock rates, why this boot, and the previous run's last word if it left one.
+  void print_banner();
+
+ private:
+  GptClock clock_;
+  Stopwatch stopwatch_;
+  Uart console_;
+  Watchdog watchdog_;
+  Tick tick_;
+  L2Cache l2_cache_;
+  EnetPort ethernet_;
+  Boot boot_;
+  std::uint32_t reset_status_ = 0;
+};
+
+}  // namespace iog::imx6

@@ -1,0 +1,113 @@
+// Moving frames. Bringing the controller up is in enet_start.cpp.
+#include "ethernet/enet_port.hpp"
+
+#include "panic.hpp"
+
+namespace iog::imx6 {
+
+static_assert(hal::EthernetPort<EnetPort>);
+
+namespace {
+
+using R = EnetRegisters;
+
+constexpr std::size_t kFcsBytes = 4;
+
+}  // namespace
+
+std::span<const std::byte> EnetPort::receive() {
+  // Bad frames are dropped until a good one or none is left. A controller that only ever receives
+  // bad frames faster than we drop them must not hold the loop: at most one ring of them per call.
+  for (std::size_t dropped = 0; frame_.empty() && dropped < EnetMemory::kReceiveFrames; ++dropped) {
+    if (!receive_ring_.filled()) {
+      break;
+    }
+    if (!accept()) {
+      receive_ring_.recycle();
+    }
+  }
+  return frame_;
+}
+
+// Looks at the next filled buffer; true if it holds a good frame, which is then frame_.
+bool EnetPort::accept() {
+  const std::uint16_t flags = receive_ring_.flags();
+  const std::size_t bytes = receive_ring_.length();
+  const bool last = (flags & receive_flag::kLast) != 0;
+  if (in_long_frame_) {
+    in_long_frame_ = !last;  // counted at its first buffer
+    return false;
+  }
+  if (!last || (flags & (receive_flag::kTooLong | receive_flag::kTruncated)) != 0) {
+    in_long_frame_ = !last;
+    ++counters_.oversized;
+    return false;
+  }
+  constexpr std::uint16_t kBad =
+      receive_flag::kNonOctet | receive_flag::kBadCrc | receive_flag::kOverrun;
+  // The length of the last buffer is the frame's, with its FCS. It is believed only within the
+  // bounds of a frame, whatever the controller wrote.
+  if ((flags & kBad) != 0 || bytes < kMinFrameBytes + kFcsBytes ||
+      bytes > kMaxFrameBytes + kFcsBytes) {
+    ++counters_.receive_errors;
+    return false;
+  }
+  ++counters_.received;
+  frame_ = receive_ring_.buffer().first(bytes - kFcsBytes);
+  return true;
+}
+
+void EnetPort::release() {
+  require(!frame_.empty(), PanicId::kReleaseWithoutFrame);
+  frame_ = {};
+  receive_ring_.recycle();
+  // The controller stops looking when it finds no empty buffer; this makes it look again.
+  cache_.drain_stores();
+  registers_.rdar.write(R::kRdarActive);
+}
+
+std::span<std::byte> EnetPort::acquire() {
+  if (!acquired_.empty()) {
+    return acquired_;
+  }
+  transmit_ring_.reclaim();
+  if (transmit_ring_.full()) {
+    ++counters_.send_refused;
+    return {};
+  }
+  acquired_ = transmit_ring_.buffer();
+  return acquired_;
+}
+
+void EnetPort::commit(std::size_t frame_bytes) {
+  require(!acquired_.empty(), PanicId::kCommitWithoutBuffer);
+  require(frame_bytes >= kMinFrameBytes && frame_bytes <= kMaxFrameBytes, PanicId::kCommitLength);
+  acquired_ = {};
+  transmit_ring_.commit(frame_bytes);
+  ++counters_.sent;
+}
+
+void EnetPort::pump() {
+  const std::uint64_t now_us = clock_.now_us();
+  if (const std::optional<Link> changed = link_monitor_.poll(now_us)) {
+    apply(*changed);
+  }
+  transmit_ring_.reclaim();
+  const std::size_t handed = transmit_ring_.hand_over_queued(shaper_.allowed(now_us));
+  shaper_.spend(handed);
+  if (handed != 0 || transmit_ring_.in_flight() != 0) {
+    kick_transmitter();
+  }
+}
+
+// Erratum ERR006358: a write to TDAR is lost if it meets the controller clearing it, and ready
+// frames would stay. So as long as frames are in flight, every pass looks whether TDAR is still
+// set.
+void EnetPort::kick_transmitter() {
+  cache_.drain_stores();
+  if ((registers_.tdar.read() & R::kTdarActive) == 0) {
+    registers_.tdar.write(R::kTdarActive);
+  }
+}
+
+}  // namespace iog::imx6

@@ -1,0 +1,104 @@
+// The Ethernet controller as a hal::EthernetPort, with its own memory and its own idea of how fast
+// frames may leave (transmit_shaper.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "ethernet/link_monitor.hpp"
+#include "ethernet/mdio.hpp"
+#include "ethernet/receive_ring.hpp"
+#include "ethernet/transmit_ring.hpp"
+#include "ethernet/transmit_shaper.hpp"
+#include "gpt_clock.hpp"
+#include "hal/ethernet_port.hpp"
+#include "l2_cache.hpp"
+#include "registers/enet.hpp"
+
+namespace iog::imx6 {
+
+using MacAddress = std::array<std::uint8_t, 6>;
+
+// Everything the controller's DMA touches. One of these, in the uncached region (linker/imx6.ld).
+//
+// Receive: 256 frames. Four LUX at 25 Hz send some 1000 frames of 1500 bytes a second and a
+// Velodyne 1500, so this is 100 ms of both together, longer than the slowest pass of the loop.
+// Transmit: a complete grid without waiting: 1024 tiles, 64 frames of other kinds that may fall
+// into the same moment (status, ARP, echo replies), and 64 that may still be in flight from before.
+struct EnetMemory {
+  static constexpr std::size_t kReceiveFrames = 256;
+  static constexpr std::size_t kTransmitFrames = 1024 + 64 + 64;
+  static constexpr std::size_t kBudgetBytes = 3u << 20;
+
+  alignas(64) std::array<Descriptor, kReceiveFrames> receive_descriptors;
+  alignas(64) std::array<Descriptor, kTransmitFrames> transmit_descriptors;
+  alignas(64) std::array<std::byte, kReceiveFrames * ReceiveRing::kBufferBytes> receive_buffers;
+  alignas(64) std::array<std::byte, kTransmitFrames * TransmitRing::kBufferBytes> transmit_buffers;
+};
+static_assert(EnetMemory::kTransmitFrames == 1152);
+static_assert(sizeof(EnetMemory) <= EnetMemory::kBudgetBytes,
+              "fits three sections of the DMA region");
+
+// The memory of the firmware's one controller.
+extern EnetMemory enet_memory;
+
+class EnetPort {
+ public:
+  static constexpr std::size_t kMinFrameBytes = 14;
+  static constexpr std::size_t kMaxFrameBytes = 1514;
+
+  EnetPort(EnetRegisters& registers, std::span<Descriptor> receive_descriptors,
+           std::span<std::byte> receive_buffers, std::span<Descriptor> transmit_descriptors,
+           std::span<std::byte> transmit_buffers, L2Cache& cache, GptClock& clock)
+      : registers_(registers),
+        cache_(cache),
+        clock_(clock),
+        receive_ring_(receive_descriptors, receive_buffers, cache),
+        transmit_ring_(transmit_descriptors, transmit_buffers, cache) {}
+
+  EnetPort(const EnetPort&) = delete;  // the rings refer to each other's memory
+  EnetPort& operator=(const EnetPort&) = delete;
+
+  // Resets the controller, finds the PHY, starts receiving. Pads and clocks must be up already.
+  void start(const MacAddress& address);
+
+  // hal::EthernetPort; see there.
+  std::span<const std::byte> receive();
+  void release();
+  std::span<std::byte> acquire();
+  void commit(std::size_t frame_bytes);
+  void pump();
+  hal::PortCounters counters() const { return counters_; }
+
+  // Withdraws the wake-up request of the frames received so far. The rings are polled afterwards.
+  void clear_event() { registers_.eir.clear(EnetRegisters::kEirReceivedFrame); }
+
+  const Link& link() const { return link_monitor_.link(); }
+  std::uint32_t phy_id() const { return phy_id_; }
+
+ private:
+  void reset();
+  void set_address(const MacAddress& address);
+  void set_frame_limits();
+  void apply(const Link& link);
+  bool accept();
+  void kick_transmitter();
+
+  EnetRegisters& registers_;
+  L2Cache& cache_;
+  GptClock& clock_;
+  ReceiveRing receive_ring_;
+  TransmitRing transmit_ring_;
+  TransmitShaper shaper_;
+  Mdio mdio_{registers_};
+  LinkMonitor link_monitor_{mdio_};
+  hal::PortCounters counters_;
+  std::span<const std::byte> frame_;  // what receive() returned and release() has not taken back
+  std::span<std::byte> acquired_;     // what acquire() returned and commit() has not queued
+  bool in_long_frame_ = false;        // the buffers up to the next "last" belong to a dropped frame
+  std::uint32_t phy_id_ = 0;
+};
+
+}  // namespace iog::imx6

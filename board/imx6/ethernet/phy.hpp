@@ -1,0 +1,54 @@
+// What a PHY is asked and told: IEEE 802.3 clause 22, and the board's Micrel KSZ9021.
+#pragma once
+
+#include <cstdint>
+
+#include "ethernet/mdio.hpp"
+
+namespace iog::imx6 {
+
+struct Link {
+  enum class Speed : std::uint8_t { k10, k100, k1000 };
+  bool up = false;
+  Speed speed = Speed::k100;
+  bool full_duplex = true;
+
+  friend bool operator==(const Link&, const Link&) = default;
+};
+
+namespace phy {
+
+// Registers of clause 22.
+inline constexpr unsigned kBasicStatus = 1;
+inline constexpr unsigned kIdHigh = 2;
+inline constexpr unsigned kIdLow = 3;
+inline constexpr unsigned kAdvertised = 4;
+inline constexpr unsigned kPartnerAbility = 5;
+inline constexpr unsigned kGigabitControl = 9;
+inline constexpr unsigned kGigabitStatus = 10;
+
+inline constexpr std::uint16_t kStatusLinkUp = 1u << 2;
+inline constexpr std::uint16_t kStatusNegotiated = 1u << 5;
+
+// What both ends can do, as the four registers say it, best first (802.3 annex 28B.3). A partner
+// that does not negotiate leaves nothing in common: 10 Mbit/s half duplex.
+constexpr Link resolve(std::uint16_t advertised, std::uint16_t partner,
+                       std::uint16_t gigabit_control, std::uint16_t gigabit_status) {
+  // The partner's gigabit bits stand two places above our own.
+  const unsigned gigabit = gigabit_control & (static_cast<unsigned>(gigabit_status) >> 2);
+  const unsigned common = advertised & partner;
+  const auto link = [](Link::Speed speed, bool full) { return Link{true, speed, full}; };
+  if ((gigabit & 1u << 9) != 0) return link(Link::Speed::k1000, true);
+  if ((gigabit & 1u << 8) != 0) return link(Link::Speed::k1000, false);
+  if ((common & 1u << 8) != 0) return link(Link::Speed::k100, true);
+  if ((common & 1u << 7) != 0) return link(Link::Speed::k100, false);
+  if ((common & 1u << 6) != 0) return link(Link::Speed::k10, true);
+  return link(Link::Speed::k10, false);
+}
+
+// Identifies the PHY and, if it is the KSZ9021, sets its RGMII delays. Returns the 32-bit
+// identifier, 0xffffffff if nobody answers.
+std::uint32_t start(Mdio& mdio);
+
+}  // namespace phy
+}  // namespace iog::imx6

@@ -1,0 +1,68 @@
+// Runs when everything else has ended, so it trusts little: no driver object, only registers and
+// the uncached record, and each step can be reached once.
+#include "fault.hpp"
+
+#include "boot_record.hpp"
+#include "memory.hpp"
+#include "panic.hpp"
+#include "peripherals.hpp"
+#include "uart.hpp"
+#include "watchdog.hpp"
+
+namespace iog::imx6 {
+namespace {
+
+constinit bool ending = false;
+
+FaultStatus read_status(FaultKind kind) {
+  FaultStatus fault;
+  if (kind == FaultKind::kDataAbort) {
+    __asm__ volatile("mrc p15, 0, %0, c5, c0, 0" : "=r"(fault.status));
+    __asm__ volatile("mrc p15, 0, %0, c6, c0, 0" : "=r"(fault.address));
+  }
+  if (kind == FaultKind::kPrefetchAbort) {
+    __asm__ volatile("mrc p15, 0, %0, c5, c0, 1" : "=r"(fault.status));
+    __asm__ volatile("mrc p15, 0, %0, c6, c0, 2" : "=r"(fault.address));
+  }
+  return fault;
+}
+
+[[noreturn]] void wait_for_reset() {
+  for (;;) {
+    machine::wait_for_interrupt();
+  }
+}
+
+}  // namespace
+
+void end_with_last_word(std::string_view text) {
+  // A fault while reporting a fault says nothing more: the first word is the one that counts.
+  if (ending) {
+    wait_for_reset();
+  }
+  ending = true;
+  // Recorded before it is printed, because recording cannot block.
+  write_last_word(boot_record, text);
+  // If the end came before Board started the watchdog, somebody has to.
+  Watchdog(wdog1).start();
+  Uart console(uart2);
+  console.write("\nLAST WORD ");
+  console.write(text);
+  console.write("\n");
+  console.flush();
+  wait_for_reset();
+}
+
+void report_fault(const FaultFrame* frame) {
+  const TextLine line = describe(*frame, read_status(frame->kind), memory_map());
+  end_with_last_word(line.view());
+}
+
+void panic(PanicId id, std::source_location where) {
+  TextLine line;
+  line.text("panic ").decimal(static_cast<std::uint32_t>(id)).text(" at ");
+  line.text(where.file_name()).text(":").decimal(where.line());
+  end_with_last_word(line.view());
+}
+
+}  // namespace iog::imx6

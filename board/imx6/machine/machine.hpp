@@ -1,0 +1,39 @@
+// The only door to the machine: one load or store of a device register or a DMA descriptor, the
+// barriers, and sleep. Tests on the PC are built against another file of this name
+// (tests/host/fakes/machine.hpp), which records the same calls; CMake chooses.
+#pragma once
+
+#include <cstdint>
+
+namespace iog::imx6::machine {
+
+// One access of exactly the width of T, never merged, split or dropped by the compiler.
+template <typename T>
+inline T load(const T& location) {
+  return *static_cast<const volatile T*>(&location);
+}
+
+template <typename T>
+inline void store(T& location, T value) {
+  *static_cast<volatile T*>(&location) = value;
+}
+
+// Everything this core has stored is visible to every DMA engine before anything after this line
+// happens. A DSB rather than a DMB: what follows is mostly a store to a device that starts the
+// engine.
+inline void barrier() {
+  __asm__ volatile("dsb sy" ::: "memory");
+}
+
+// Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
+inline void wait_for_interrupt() {
+  __asm__ volatile("dsb sy\n\twfi" ::: "memory");
+}
+
+// The address as the bus sees it: memory is mapped one to one, so it is the pointer.
+template <typename T>
+inline std::uint32_t bus_address(const T& object) {
+  return reinterpret_cast<std::uint32_t>(&object);
+}
+
+}  // namespace iog::imx6::machine

@@ -1,0 +1,20 @@
+// Memory as the running firmware sees it: the map that linker/imx6.ld laid out, and the start of
+// MMU and caches.
+#pragma once
+
+#include "mmu.hpp"
+
+namespace iog::imx6 {
+
+// The map of this image, addresses taken from the linker.
+const mmu::MemoryMap& memory_map();
+
+// Bytes of the main stack that were ever used, by the paint startup.S left on the rest.
+std::uint32_t main_stack_used_bytes();
+std::uint32_t main_stack_bytes();
+
+// Called once by startup.S, before main(): everything off in, MMU, L1, L2 and branch prediction on
+// out.
+extern "C" void start_memory();
+
+}  // namespace iog::imx6

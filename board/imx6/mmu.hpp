@@ -1,0 +1,113 @@
+// Translation tables as values: what every address may be used for, decided here and nowhere else.
+//
+// Addresses are mapped one to one. The grain is a section of 1 MiB, except for the stacks, whose
+// section has a second-level table of 4 KiB pages so that the page below each stack can be missing.
+// Whatever is not named is a fault: null pointers, the boot ROM, the other peripherals, DDR past
+// the end.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace iog::imx6::mmu {
+
+inline constexpr std::uint32_t kSectionBytes = 1u << 20;
+inline constexpr std::uint32_t kPageBytes = 1u << 12;
+inline constexpr std::uint32_t kFault = 0;
+
+enum class Memory : std::uint8_t {
+  kCode,      // cached, read-only, executable
+  kData,      // cached, read and write, never executed
+  kUncached,  // normal memory without caches, for DMA and for the boot record; never executed
+  kDevice,    // strongly ordered, never executed
+};
+
+// The short descriptors of ARM ARM B3.5 for domain 0, privileged access only. Addresses are cut to
+// the grain.
+constexpr std::uint32_t section(std::uint32_t address, Memory memory);
+constexpr std::uint32_t small_page(std::uint32_t address, Memory memory);
+constexpr std::uint32_t page_table(std::uint32_t table_address);
+
+// Addresses from begin up to, not including, end.
+struct Range {
+  std::uint32_t begin;
+  std::uint32_t end;
+
+  constexpr bool contains(std::uint32_t address) const { return begin <= address && address < end; }
+};
+
+// What linker/imx6.ld laid out. All ranges but the stacks begin and end on sections; the stacks
+// begin and end on pages and lie in the one section at stack_section.
+struct MemoryMap {
+  Range code;
+  Range data;
+  Range dma;
+  Range boot_record;
+  std::uint32_t stack_section;
+  std::span<const Range> stacks;
+  std::span<const Range> devices;
+};
+
+struct Tables {
+  alignas(16 * 1024) std::array<std::uint32_t, 4096> sections;
+  alignas(1024) std::array<std::uint32_t, 256> stack_pages;
+};
+
+// Fills the tables. stack_pages_address is where the hardware finds tables.stack_pages.
+void build(Tables& tables, const MemoryMap& map, std::uint32_t stack_pages_address);
+
+// Is this the address of a guard page: in the section of the stacks, but of no stack?
+bool in_stack_guard(const MemoryMap& map, std::uint32_t address);
+
+// --- the descriptors, bit by bit ---
+
+namespace detail {
+
+// TEX, C and B say the type of memory (ARM ARM table B3-10, TEX remap off); S makes it shareable,
+// which the Cortex-A9 wants of cached memory once ACTLR.SMP is set. AP[2:0]: 0b001 privileged read
+// and write, 0b101 privileged read only.
+struct Attributes {
+  std::uint32_t tex;
+  std::uint32_t c;
+  std::uint32_t b;
+  std::uint32_t s;
+  std::uint32_t ap2;
+  std::uint32_t xn;
+};
+
+constexpr Attributes attributes(Memory memory) {
+  switch (memory) {
+    case Memory::kCode:
+      return {.tex = 1, .c = 1, .b = 1, .s = 1, .ap2 = 1, .xn = 0};
+    case Memory::kData:
+      return {.tex = 1, .c = 1, .b = 1, .s = 1, .ap2 = 0, .xn = 1};
+    case Memory::kUncached:
+      return {.tex = 1, .c = 0, .b = 0, .s = 1, .ap2 = 0, .xn = 1};
+    case Memory::kDevice:
+      break;
+  }
+  return {.tex = 0, .c = 0, .b = 0, .s = 0, .ap2 = 0, .xn = 1};
+}
+
+inline constexpr std::uint32_t kAp10Privileged = 0b01;
+
+}  // namespace detail
+
+constexpr std::uint32_t section(std::uint32_t address, Memory memory) {
+  const detail::Attributes a = detail::attributes(memory);
+  return (address & ~(kSectionBytes - 1)) | a.s << 16 | a.ap2 << 15 | a.tex << 12 |
+         detail::kAp10Privileged << 10 | a.xn << 4 | a.c << 3 | a.b << 2 | 0b10;
+}
+
+constexpr std::uint32_t small_page(std::uint32_t address, Memory memory) {
+  const detail::Attributes a = detail::attributes(memory);
+  return (address & ~(kPageBytes - 1)) | a.s << 10 | a.ap2 << 9 | a.tex << 6 |
+         detail::kAp10Privileged << 4 | a.c << 3 | a.b << 2 | 0b10 | a.xn;
+}
+
+constexpr std::uint32_t page_table(std::uint32_t table_address) {
+  return (table_address & ~0x3ffu) | 0b01;
+}
+
+}  // namespace iog::imx6::mmu

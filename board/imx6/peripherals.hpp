@@ -1,0 +1,36 @@
+// The peripherals of this chip. linker/peripherals.ld gives each symbol its address and its
+// chapter.
+#pragma once
+
+#include "registers/ccm.hpp"
+#include "registers/enet.hpp"
+#include "registers/epit.hpp"
+#include "registers/gic.hpp"
+#include "registers/gpt.hpp"
+#include "registers/iomuxc.hpp"
+#include "registers/mpcore.hpp"
+#include "registers/pl310.hpp"
+#include "registers/uart.hpp"
+#include "registers/watchdog.hpp"
+
+namespace iog::imx6 {
+
+extern "C" {
+extern ScuRegisters scu;
+extern GicCpuRegisters gic_cpu;
+extern GlobalTimerRegisters global_timer;
+extern GicDistributorRegisters gic_distributor;
+extern Pl310Registers pl310;
+extern GptRegisters gpt;
+extern GpioRegisters gpio3;
+extern GpioRegisters gpio6;
+extern WatchdogRegisters wdog1;
+extern CcmRegisters ccm;
+extern EpitRegisters epit1;
+extern SrcRegisters src;
+extern IomuxcRegisters iomuxc;
+extern EnetRegisters enet;
+extern UartRegisters uart2;
+}
+
+}  // namespace iog::imx6

@@ -1,0 +1,16 @@
+// The pads of the SABRE Lite that this firmware uses, and the hardware reset of its PHY.
+#pragma once
+
+#include "gpt_clock.hpp"
+#include "registers/iomuxc.hpp"
+
+namespace iog::imx6 {
+
+// Pads EIM_D26 and EIM_D27 become UART2.
+void start_console_pins(IomuxcRegisters& iomuxc);
+
+// Resets the KSZ9021 with its strapping pins held, then connects MDIO and RGMII. Takes 10.1 ms.
+void start_ethernet_pins(IomuxcRegisters& iomuxc, GpioRegisters& gpio3, GpioRegisters& gpio6,
+                         GptClock& clock);
+
+}  // namespace iog::imx6

@@ -1,0 +1,241 @@
+// From the loader's last instruction to main().
+//
+// The machine may come out of reset (QEMU -kernel: caches and MMU off) or out of U-Boot (MMU, both
+// caches, perhaps the L2 on, SCTLR 0x00c5187d). Nothing is assumed; every step says what it needs.
+// Until the stacks are set, only registers hold data: while the data cache is being turned off, memory
+// shows neither the cached nor the uncached truth.
+//
+// Names follow CMSIS startup_ARMCA9.c: Vectors, Reset_Handler, one handler for each exception.
+
+        .syntax unified
+        .arm
+
+        .set  kModeFiq,        0x11
+        .set  kModeIrq,        0x12
+        .set  kModeSupervisor, 0x13
+        .set  kModeAbort,      0x17
+        .set  kModeUndefined,  0x1b
+
+        .set  kSctlrMmu,       1 << 0
+        .set  kSctlrAlignment, 1 << 1
+        .set  kSctlrDataCache, 1 << 2
+        .set  kSctlrBranches,  1 << 11
+        .set  kSctlrInstructionCache, 1 << 12
+        .set  kSctlrHighVectors, 1 << 13
+        .set  kSctlrBigEndianExceptions, 1 << 25
+        .set  kSctlrTexRemap,  1 << 28
+        .set  kSctlrAccessFlag, 1 << 29
+        .set  kSctlrThumbExceptions, 1 << 30
+
+        // PL310 (ARM DDI 0246): offsets, and how often a busy flag is read before giving up. Cleaning
+        // 32768 dirty lines takes a few milliseconds; a million reads of a device take at least 50 ms.
+        .set  kPl310Control,   0x100
+        .set  kPl310Sync,      0x730
+        .set  kPl310CleanInvalidateWays, 0x7fc
+        .set  kPl310Polls,     1000000
+
+        // What an untouched word of a stack looks like (stack_used_bytes() in board.cpp looks for it).
+        .set  kStackPaint,     0x5ac4ed01
+
+        .section .vectors, "ax", %progbits
+        .balign 32
+        .global Vectors
+        .type   Vectors, %function
+Vectors:
+        b     Reset_Handler
+        b     Undefined_Handler
+        b     SVC_Handler
+        b     PrefetchAbort_Handler
+        b     DataAbort_Handler
+        b     .                         // reserved: Hyp mode does not exist on a Cortex-A9
+        b     IRQ_Handler
+        b     FIQ_Handler
+        .size Vectors, . - Vectors
+
+        .text
+        .global Reset_Handler
+        .type   Reset_Handler, %function
+Reset_Handler:
+        // Supervisor mode; interrupts, fast interrupts and asynchronous aborts masked, for ever.
+        cpsid aif, #kModeSupervisor
+
+        // One core does all the work. Another one that comes here sleeps.
+        mrc   p15, 0, r0, c0, c0, 5     // MPIDR
+        ands  r0, r0, #3
+        bne   park
+
+        // Stop allocating into the data cache, leave the MMU as it is. What the loader stored (this
+        // image!) may be dirty in the cache, so it is cleaned; if the cache was off, its lines are
+        // whatever the power-up left in the RAMs and must be thrown away instead.
+        mrc   p15, 0, r10, c1, c0, 0    // SCTLR as we were given it, kept in r10
+        bic   r0, r10, #kSctlrDataCache
+        mcr   p15, 0, r0, c1, c0, 0
+        dsb
+        isb
+
+        // Level 1 data cache by set and way: 32-byte lines, 4 ways, so the operand is
+        // way << 30 | set << 5. The number of sets comes from CCSIDR.
+        mov   r0, #0
+        mcr   p15, 2, r0, c0, c0, 0     // CSSELR: level 1, data
+        isb
+        mrc   p15, 1, r1, c0, c0, 0     // CCSIDR
+        ubfx  r1, r1, #13, #15          // highest set
+1:      mov   r2, #3                    // highest way
+2:      mov   r3, r2, lsl #30
+        orr   r3, r3, r1, lsl #5
+        tst   r10, #kSctlrDataCache
+        mcrne p15, 0, r3, c7, c14, 2    // DCCISW: clean and invalidate
+        mcreq p15, 0, r3, c7, c6, 2     // DCISW: invalidate
+        subs  r2, r2, #1
+        bge   2b
+        subs  r1, r1, #1
+        bge   1b
+        dsb
+
+        // Level 2: with the MMU off, reads go past the PL310 to DDR, so dirty lines must get there
+        // first. Cleaned and switched off only if it is on; a busy flag that never falls is given up,
+        // because nobody could be told yet. start_memory() switches it on again.
+        movw  r4, #:lower16:pl310
+        movt  r4, #:upper16:pl310
+        ldr   r0, [r4, #kPl310Control]
+        tst   r0, #1
+        beq   4f
+        movw  r0, #0xffff               // all 16 ways
+        str   r0, [r4, #kPl310CleanInvalidateWays]
+        movw  r1, #(kPl310Polls & 0xffff)
+        movt  r1, #(kPl310Polls >> 16)
+3:      ldr   r0, [r4, #kPl310CleanInvalidateWays]
+        cmp   r0, #0
+        subsne r1, r1, #1
+        bne   3b
+        str   r0, [r4, #kPl310Sync]
+        dsb
+        mov   r0, #0
+        str   r0, [r4, #kPl310Control]
+        dsb
+4:
+        // MMU, instruction cache and branch prediction off; exceptions little-endian, in ARM state,
+        // through VBAR; short descriptors mean what the ARM ARM calls TEX remap and access flag off.
+        bic   r0, r10, #(kSctlrMmu | kSctlrAlignment | kSctlrDataCache)
+        bic   r0, r0, #(kSctlrInstructionCache | kSctlrBranches)
+        bic   r0, r0, #kSctlrHighVectors
+        bic   r0, r0, #kSctlrBigEndianExceptions
+        bic   r0, r0, #(kSctlrTexRemap | kSctlrAccessFlag | kSctlrThumbExceptions)
+        mcr   p15, 0, r0, c1, c0, 0
+        isb
+        mov   r0, #0
+        mcr   p15, 0, r0, c8, c7, 0     // TLBIALL
+        mcr   p15, 0, r0, c7, c5, 0     // ICIALLU
+        mcr   p15, 0, r0, c7, c5, 6     // BPIALL
+        dsb
+        isb
+
+        // Erratum 743622 of Cortex-A9 r2: hazard checks in the store buffer may fail and corrupt data
+        // unless bit 6 of the diagnostic register is set. The i.MX6Q has r2p10.
+        mrc   p15, 0, r0, c15, c0, 1
+        orr   r0, r0, #(1 << 6)
+        mcr   p15, 0, r0, c15, c0, 1
+
+        ldr   r0, =Vectors
+        mcr   p15, 0, r0, c12, c0, 0    // VBAR
+        isb
+
+        // A stack for every mode that an exception can enter.
+        cps   #kModeFiq
+        ldr   sp, =fiq_stack_top
+        cps   #kModeIrq
+        ldr   sp, =irq_stack_top
+        cps   #kModeAbort
+        ldr   sp, =abort_stack_top
+        cps   #kModeUndefined
+        ldr   sp, =undefined_stack_top
+        cps   #kModeSupervisor
+        ldr   sp, =main_stack_top
+
+        // NEON: access to coprocessors 10 and 11 for privileged and user code, all 32 registers, on.
+        mrc   p15, 0, r0, c1, c0, 2     // CPACR
+        orr   r0, r0, #(0xf << 20)
+        bic   r0, r0, #(3 << 30)        // ASEDIS, D32DIS
+        mcr   p15, 0, r0, c1, c0, 2
+        isb
+        mov   r0, #(1 << 30)
+        vmsr  fpexc, r0
+
+        // Zeroed data. The linker script keeps both ends on 16 bytes.
+        ldr   r0, =bss_begin
+        ldr   r1, =bss_end
+        mov   r2, #0
+        mov   r3, #0
+        mov   r4, #0
+        mov   r5, #0
+5:      cmp   r0, r1
+        stmialo r0!, {r2-r5}
+        blo   5b
+
+        // The main stack, painted: how deep it was ever used is read off later.
+        ldr   r0, =main_stack_bottom
+        ldr   r1, =main_stack_top
+        ldr   r2, =kStackPaint
+        mov   r3, r2
+        mov   r4, r2
+        mov   r5, r2
+6:      cmp   r0, r1
+        stmialo r0!, {r2-r5}
+        blo   6b
+
+        bl    start_memory              // MMU and caches: memory.cpp
+        bl    main
+        // main() of a firmware does not return. If it does, the watchdog speaks.
+park:   wfi
+        b     park
+        .size Reset_Handler, . - Reset_Handler
+
+// Exceptions. No exception is expected, none returns: each one ends in report_fault() (fault.cpp), which
+// prints, records and waits for the watchdog. The numbers are those of FaultKind in fault.hpp.
+// r0 = kind, r1 = address of the instruction at fault: the link register minus what the ARM ARM,
+// table B1-7, says the processor added.
+
+        .type Undefined_Handler, %function
+Undefined_Handler:
+        mov   r0, #1
+        sub   r1, lr, #4
+        b     report
+        .type SVC_Handler, %function
+SVC_Handler:
+        mov   r0, #2
+        sub   r1, lr, #4
+        b     report
+        .type PrefetchAbort_Handler, %function
+PrefetchAbort_Handler:
+        mov   r0, #3
+        sub   r1, lr, #4
+        b     report
+        .type DataAbort_Handler, %function
+DataAbort_Handler:
+        mov   r0, #4
+        sub   r1, lr, #8
+        b     report
+        .type IRQ_Handler, %function
+IRQ_Handler:
+        mov   r0, #5
+        sub   r1, lr, #4
+        b     report
+        .type FIQ_Handler, %function
+FIQ_Handler:
+        mov   r0, #6
+        sub   r1, lr, #4
+
+// Collects struct FaultFrame {kind, pc, spsr, lr, sp} on the stack of the mode we are in. lr and sp are
+// those of Supervisor mode, because everything that can fault runs there (after an SVC its lr is lost).
+report:
+        mrs   r2, spsr
+        mrs   r5, cpsr
+        cps   #kModeSupervisor
+        mov   r3, lr
+        mov   r4, sp
+        msr   cpsr_c, r5
+        sub   sp, sp, #4                // five words and this one keep the stack aligned to eight bytes
+        push  {r0-r4}
+        mov   r0, sp
+        bl    report_fault
+        b     park

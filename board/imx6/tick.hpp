@@ -1,0 +1,23 @@
+// A periodic interrupt request that is never taken: it ends the sleep of the loop (see gic.hpp).
+#pragma once
+
+#include "registers/epit.hpp"
+
+namespace iog::imx6 {
+
+class Tick {
+ public:
+  static constexpr std::uint32_t kPeriodUs = 1000;
+
+  explicit Tick(EpitRegisters& registers) : registers_(registers) {}
+
+  void start();
+
+  // Withdraws the request until the next period ends.
+  void clear() { registers_.sr.clear(EpitRegisters::kSrCompare); }
+
+ private:
+  EpitRegisters& registers_;
+};
+
+}  // namespace iog::imx6

@@ -1,0 +1,61 @@
+// The console: UART2, 115200 baud, eight bits, no parity. Satisfies hal::Console.
+//
+// On the SABRE Lite UART2 is the connector that U-Boot talks on; QEMU shows it as its second
+// -serial.
+#pragma once
+
+#include <string_view>
+
+#include "registers/uart.hpp"
+
+namespace iog::imx6 {
+
+// Fractional divider of the UART: baud = clock / 16 * (UBIR + 1) / (UBMR + 1).
+struct BaudDivider {
+  std::uint32_t ubir;
+  std::uint32_t ubmr;
+};
+
+// The exact divider, or the zero divider if none fits the 16-bit registers.
+consteval BaudDivider exact_baud_divider(std::uint64_t clock_hz, std::uint64_t baud) {
+  std::uint64_t numerator = 16 * baud;
+  std::uint64_t denominator = clock_hz;
+  std::uint64_t a = numerator;
+  std::uint64_t b = denominator;
+  while (b != 0) {
+    const std::uint64_t remainder = a % b;
+    a = b;
+    b = remainder;
+  }
+  numerator /= a;
+  denominator /= a;
+  const bool fits = numerator <= 0x10000 && denominator <= 0x10000;
+  return fits ? BaudDivider{static_cast<std::uint32_t>(numerator - 1),
+                            static_cast<std::uint32_t>(denominator - 1)}
+              : BaudDivider{0, 0};
+}
+
+class Uart {
+ public:
+  static constexpr std::uint32_t kClockHz = 80'000'000;  // PLL3 / 6, clocks.cpp sees to the divider
+  static constexpr std::uint32_t kBaud = 115'200;
+
+  explicit Uart(UartRegisters& registers) : registers_(registers) {}
+
+  // Sets the UART up, whatever a boot loader left in it.
+  void start();
+
+  // Sends the text, "\n" as "\r\n". Waits for the transmitter as long as it makes progress; if it
+  // does not, the rest of the text is dropped.
+  void write(std::string_view text);
+
+  // Waits until the last bit has left, bounded like write(). For the moment before a reset.
+  void flush();
+
+ private:
+  bool put(char character);
+
+  UartRegisters& registers_;
+};
+
+}  // namespace iog::imx6

@@ -1,0 +1,26 @@
+// The watchdog that resets the whole chip when the loop stops. Satisfies hal::Watchdog.
+#pragma once
+
+#include "registers/watchdog.hpp"
+
+namespace iog::imx6 {
+
+class Watchdog {
+ public:
+  // Long enough for the slowest pass of the loop by two orders of magnitude, short for a person.
+  static constexpr unsigned kTimeoutMs = 2000;
+
+  explicit Watchdog(WatchdogRegisters& registers) : registers_(registers) {}
+
+  // Starts counting; from here on only service() or a reset stops it. Calling it again does
+  // nothing.
+  void start();
+
+  // Begins a new period.
+  void service();
+
+ private:
+  WatchdogRegisters& registers_;
+};
+
+}  // namespace iog::imx6
