@@ -12,8 +12,8 @@
 #include "uart.hpp"
 #include "watchdog.hpp"
 
-// What startup.S calls when memory is up. In freestanding C++ main() is a function like any other, so it
-// needs a declaration and the name that the assembler knows. It must not return.
+// What startup.S calls when memory is up. In freestanding C++ main() is a function like any other,
+// so it needs a declaration and the name that the assembler knows. It must not return.
 extern "C" int main();
 
 namespace iog::imx6 {

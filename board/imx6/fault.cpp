@@ -4,8 +4,8 @@
 
 #include "boot_record.hpp"
 #include "memory.hpp"
-#include "panic.hpp"
 #include "peripherals.hpp"
+#include "require/require.hpp"
 #include "uart.hpp"
 #include "watchdog.hpp"
 
@@ -28,6 +28,8 @@ FaultStatus read_status(FaultKind kind) {
 }
 
 [[noreturn]] void wait_for_reset() {
+  // A pending line would turn the sleep into a busy wait.
+  gic_cpu.ctlr.write(0);
   for (;;) {
     machine::wait_for_interrupt();
   }
@@ -58,11 +60,12 @@ void report_fault(const FaultFrame* frame) {
   end_with_last_word(line.view());
 }
 
-void panic(PanicId id, std::source_location where) {
-  TextLine line;
-  line.text("panic ").decimal(static_cast<std::uint32_t>(id)).text(" at ");
-  line.text(where.file_name()).text(":").decimal(where.line());
-  end_with_last_word(line.view());
-}
-
 }  // namespace iog::imx6
+
+// What a broken requirement of the core or of a driver does on the board (src/require/).
+void iog::programmer_error(const char* file, int line) {
+  imx6::TextLine text;
+  text.text("requirement broken at ").text(file).text(":");
+  text.decimal(static_cast<std::uint32_t>(line));
+  imx6::end_with_last_word(text.view());
+}

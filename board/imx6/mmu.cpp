@@ -1,16 +1,15 @@
 #include "mmu.hpp"
 
-#include "panic.hpp"
+#include "require/require.hpp"
 
 namespace iog::imx6::mmu {
 namespace {
 
 void map_sections(Tables& tables, const Range& range, Memory memory) {
-  require(range.begin % kSectionBytes == 0 && range.end % kSectionBytes == 0,
-          PanicId::kRegionOverlap);
+  require(range.begin % kSectionBytes == 0 && range.end % kSectionBytes == 0);
   for (std::uint32_t address = range.begin; address != range.end; address += kSectionBytes) {
     std::uint32_t& entry = tables.sections[address / kSectionBytes];
-    require(entry == kFault, PanicId::kRegionOverlap);
+    require(entry == kFault);
     entry = section(address, memory);
   }
 }
@@ -28,7 +27,7 @@ void build(Tables& tables, const MemoryMap& map, std::uint32_t stack_pages_addre
     map_sections(tables, range, Memory::kDevice);
   }
   std::uint32_t& entry = tables.sections[map.stack_section / kSectionBytes];
-  require(entry == kFault, PanicId::kRegionOverlap);
+  require(entry == kFault);
   entry = page_table(stack_pages_address);
   for (const Range& stack : map.stacks) {
     for (std::uint32_t page = stack.begin; page != stack.end; page += kPageBytes) {

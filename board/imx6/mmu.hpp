@@ -23,45 +23,6 @@ enum class Memory : std::uint8_t {
   kDevice,    // strongly ordered, never executed
 };
 
-// The short descriptors of ARM ARM B3.5 for domain 0, privileged access only. Addresses are cut to
-// the grain.
-constexpr std::uint32_t section(std::uint32_t address, Memory memory);
-constexpr std::uint32_t small_page(std::uint32_t address, Memory memory);
-constexpr std::uint32_t page_table(std::uint32_t table_address);
-
-// Addresses from begin up to, not including, end.
-struct Range {
-  std::uint32_t begin;
-  std::uint32_t end;
-
-  constexpr bool contains(std::uint32_t address) const { return begin <= address && address < end; }
-};
-
-// What linker/imx6.ld laid out. All ranges but the stacks begin and end on sections; the stacks
-// begin and end on pages and lie in the one section at stack_section.
-struct MemoryMap {
-  Range code;
-  Range data;
-  Range dma;
-  Range boot_record;
-  std::uint32_t stack_section;
-  std::span<const Range> stacks;
-  std::span<const Range> devices;
-};
-
-struct Tables {
-  alignas(16 * 1024) std::array<std::uint32_t, 4096> sections;
-  alignas(1024) std::array<std::uint32_t, 256> stack_pages;
-};
-
-// Fills the tables. stack_pages_address is where the hardware finds tables.stack_pages.
-void build(Tables& tables, const MemoryMap& map, std::uint32_t stack_pages_address);
-
-// Is this the address of a guard page: in the section of the stacks, but of no stack?
-bool in_stack_guard(const MemoryMap& map, std::uint32_t address);
-
-// --- the descriptors, bit by bit ---
-
 namespace detail {
 
 // TEX, C and B say the type of memory (ARM ARM table B3-10, TEX remap off); S makes it shareable,
@@ -94,6 +55,8 @@ inline constexpr std::uint32_t kAp10Privileged = 0b01;
 
 }  // namespace detail
 
+// The short descriptors of ARM ARM B3.5 for domain 0, privileged access only. Addresses are cut to
+// the grain.
 constexpr std::uint32_t section(std::uint32_t address, Memory memory) {
   const detail::Attributes a = detail::attributes(memory);
   return (address & ~(kSectionBytes - 1)) | a.s << 16 | a.ap2 << 15 | a.tex << 12 |
@@ -109,5 +72,36 @@ constexpr std::uint32_t small_page(std::uint32_t address, Memory memory) {
 constexpr std::uint32_t page_table(std::uint32_t table_address) {
   return (table_address & ~0x3ffu) | 0b01;
 }
+
+// Addresses from begin up to, not including, end.
+struct Range {
+  std::uint32_t begin;
+  std::uint32_t end;
+
+  constexpr bool contains(std::uint32_t address) const { return begin <= address && address < end; }
+};
+
+// What linker/imx6.ld laid out. All ranges but the stacks begin and end on sections; the stacks
+// begin and end on pages and lie in the one section at stack_section.
+struct MemoryMap {
+  Range code;
+  Range data;
+  Range dma;
+  Range boot_record;
+  std::uint32_t stack_section;
+  std::span<const Range> stacks;
+  std::span<const Range> devices;
+};
+
+struct Tables {
+  alignas(16 * 1024) std::array<std::uint32_t, 4096> sections;
+  alignas(1024) std::array<std::uint32_t, 256> stack_pages;
+};
+
+// Fills the tables. stack_pages_address is where the hardware finds tables.stack_pages.
+void build(Tables& tables, const MemoryMap& map, std::uint32_t stack_pages_address);
+
+// Is this the address of a guard page: in the section of the stacks, but of no stack?
+bool in_stack_guard(const MemoryMap& map, std::uint32_t address);
 
 }  // namespace iog::imx6::mmu

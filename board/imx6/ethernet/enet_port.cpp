@@ -1,7 +1,7 @@
 // Moving frames. Bringing the controller up is in enet_start.cpp.
 #include "ethernet/enet_port.hpp"
 
-#include "panic.hpp"
+#include "require/require.hpp"
 
 namespace iog::imx6 {
 
@@ -58,7 +58,7 @@ bool EnetPort::accept() {
 }
 
 void EnetPort::release() {
-  require(!frame_.empty(), PanicId::kReleaseWithoutFrame);
+  require(!frame_.empty());
   frame_ = {};
   receive_ring_.recycle();
   // The controller stops looking when it finds no empty buffer; this makes it look again.
@@ -80,8 +80,8 @@ std::span<std::byte> EnetPort::acquire() {
 }
 
 void EnetPort::commit(std::size_t frame_bytes) {
-  require(!acquired_.empty(), PanicId::kCommitWithoutBuffer);
-  require(frame_bytes >= kMinFrameBytes && frame_bytes <= kMaxFrameBytes, PanicId::kCommitLength);
+  require(!acquired_.empty());
+  require(frame_bytes >= kMinFrameBytes && frame_bytes <= kMaxFrameBytes);
   acquired_ = {};
   transmit_ring_.commit(frame_bytes);
   ++counters_.sent;

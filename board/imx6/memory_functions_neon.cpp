@@ -4,19 +4,19 @@
 //
 // Copies go 16 bytes at a time through a NEON register. The element size of these loads and stores
 // is one byte, so no address is ever unaligned, on uncached memory neither.
+#include <arm_neon.h>
 #include <cstddef>
 #include <cstdint>
 
 namespace {
 
-using Block = std::uint8_t __attribute__((vector_size(16), aligned(1), may_alias));
-constexpr std::size_t kBlock = sizeof(Block);
+constexpr std::size_t kBlock = 16;
 
-Block load(const unsigned char* from) {
-  return *reinterpret_cast<const Block*>(from);
+uint8x16_t load(const unsigned char* from) {
+  return vld1q_u8(from);
 }
-void store(unsigned char* to, const Block& block) {
-  *reinterpret_cast<Block*>(to) = block;
+void store(unsigned char* to, uint8x16_t block) {
+  vst1q_u8(to, block);
 }
 
 }  // namespace
@@ -33,10 +33,10 @@ void* memcpy(void* __restrict destination, const void* __restrict source, std::s
   auto* to = static_cast<unsigned char*>(destination);
   const auto* from = static_cast<const unsigned char*>(source);
   for (; bytes >= 4 * kBlock; bytes -= 4 * kBlock, to += 4 * kBlock, from += 4 * kBlock) {
-    const Block first = load(from);
-    const Block second = load(from + kBlock);
-    const Block third = load(from + 2 * kBlock);
-    const Block fourth = load(from + 3 * kBlock);
+    const uint8x16_t first = load(from);
+    const uint8x16_t second = load(from + kBlock);
+    const uint8x16_t third = load(from + 2 * kBlock);
+    const uint8x16_t fourth = load(from + 3 * kBlock);
     store(to, first);
     store(to + kBlock, second);
     store(to + 2 * kBlock, third);
@@ -77,7 +77,7 @@ void* memmove(void* destination, const void* source, std::size_t bytes) {
 void* memset(void* destination, int value, std::size_t bytes) {
   auto* to = static_cast<unsigned char*>(destination);
   const auto byte = static_cast<unsigned char>(value);
-  const Block block = Block{} + byte;
+  const uint8x16_t block = vdupq_n_u8(byte);
   for (; bytes >= kBlock; bytes -= kBlock, to += kBlock) {
     store(to, block);
   }

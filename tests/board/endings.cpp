@@ -1,0 +1,96 @@
+// An image that ends in every way a firmware can end, a different one each boot.
+//
+// The boot record counts the boots, so one run of the machine sees all of them: each boot prints
+// the last word of the boot before it, then ends in its own way, and the watchdog starts the next.
+#include <array>
+#include <cstdint>
+
+#include "board.hpp"
+#include "require/require.hpp"
+#include "text_line.hpp"
+
+namespace {
+
+using iog::imx6::Board;
+
+// The compiler must believe every address: what is behind it is the MMU's business here.
+std::uintptr_t anywhere(std::uintptr_t address) {
+  __asm__ volatile("" : "+r"(address));
+  return address;
+}
+
+std::uint32_t read(std::uintptr_t address) {
+  return *reinterpret_cast<const volatile std::uint32_t*>(anywhere(address));
+}
+
+void write(std::uintptr_t address) {
+  *reinterpret_cast<volatile std::uint32_t*>(anywhere(address)) = 0;
+}
+
+// Deeper than any stack: 1 KiB a step, and each step needs the one below it.
+std::uint32_t overflow(std::uint32_t depth) {
+  std::array<volatile std::uint32_t, 256> frame{};
+  frame[depth % frame.size()] = depth;
+  return depth == anywhere(0) ? 0 : overflow(depth + 1) + frame[depth % frame.size()];
+}
+
+alignas(64) constinit std::array<std::uint32_t, 16> no_code{};
+
+void end_of_boot(std::uint32_t number, Board& board) {
+  switch (number) {
+    case 1:
+      read(0);  // null is not mapped
+      return;
+    case 2:
+      overflow(1);
+      return;
+    case 3:
+      __asm__ volatile("udf #0");
+      return;
+    case 4:
+      __asm__ volatile("svc #0");
+      return;
+    case 5:
+      reinterpret_cast<void (*)()>(anywhere(reinterpret_cast<std::uintptr_t>(&no_code)))();
+      return;
+    case 6:
+      write(reinterpret_cast<std::uintptr_t>(&end_of_boot));
+      return;
+    case 7:
+      board.clock().wait_us(2000);  // the tick is pending by now
+      __asm__ volatile("cpsie i");
+      return;
+    case 8:
+      iog::require(anywhere(0) != 0);
+      return;
+    case 9:
+      board.ethernet().commit(60);  // without acquire()
+      return;
+    case 10:
+      board.console().write("silence\n");
+      for (;;) {
+        board.idle();
+      }
+    default:
+      board.console().write("all endings seen\n");
+      for (;;) {
+        board.watchdog().service();
+        board.idle();
+      }
+  }
+}
+
+}  // namespace
+
+int main() {
+  Board board({0x02, 0, 0, 0, 0, 1});
+  board.print_banner();
+  const bool painted = board.stack_used_bytes() > 0 && board.stack_used_bytes() < 8192;
+  board.console().write(painted ? "stack measured\n" : "stack not measured\n");
+  end_of_boot(board.boot().number, board);
+  board.console().write("the end did not come\n");
+  for (;;) {
+    board.watchdog().service();
+    board.idle();
+  }
+}
