@@ -83,13 +83,9 @@ constexpr double sin(double x) {
   return x > kPi ? -value : value;
 }
 
-constexpr double cos(double x) {
-  return sin(x + kPi / 2);
-}
+constexpr double cos(double x) { return sin(x + kPi / 2); }
 
 // The nearest integer, a tie goes away from zero; |x| < 2^62.
-constexpr long long round(double x) {
-  return static_cast<long long>(x < 0 ? x - 0.5 : x + 0.5);
-}
+constexpr long long round(double x) { return static_cast<long long>(x < 0 ? x - 0.5 : x + 0.5); }
 
 }  // namespace iog::numeric

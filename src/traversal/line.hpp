@@ -181,7 +181,7 @@ class Line {
 
   // What lies inside the area, as if the line went on for ever. Empty if it never enters.
   [[nodiscard]] constexpr std::optional<Stretch> clip(CellArea area) const {
-    Stretch stretch{{}, std::numeric_limits<std::uint32_t>::max()};
+    Stretch stretch{{}, kNoLimit};
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
                       clip_axis(y_, x_, area.height, stretch, true);
     return hits && stretch.first.crossed() <= stretch.last_crossed ? std::optional(stretch)
@@ -213,6 +213,9 @@ class Line {
     }
     return true;
   }
+
+  // More than any line crosses, and one more still fits.
+  static constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max() / 2;
 
   Axis<kResolution> x_;
   Axis<kResolution> y_;

@@ -30,9 +30,7 @@ struct Rotation {
   std::array<double, 3> up;
 };
 
-constexpr double radians(double degrees) {
-  return degrees * numeric::kPi / 180;
-}
+constexpr double radians(double degrees) { return degrees * numeric::kPi / 180; }
 
 constexpr Rotation rotation_of(const MountConfig& mount) {
   const double cy = numeric::cos(radians(mount.yaw_deg));

@@ -1,0 +1,305 @@
+// The whole walk, from datagrams to messages, on a fake outside.
+#include "app/pipeline.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/fake_outside.hpp"
+#include "fakes/lux_message.hpp"
+#include "fakes/random.hpp"
+#include "fakes/test_vehicles.hpp"
+
+namespace iog::app {
+namespace {
+
+using stream::PacketDrop;
+using stream::SensorState;
+using tests::FakeOutside;
+using tests::LuxMessage;
+using tests::ThreeLux;
+
+constexpr std::uint32_t kReplayer = 0x0A000202;
+
+struct Datagram {
+  std::uint16_t port = 0;
+  std::vector<std::byte> bytes;
+  std::uint32_t source = kReplayer;
+};
+
+struct Bench {
+  FakeOutside outside;
+  std::unique_ptr<Pipeline<FakeOutside>> pipeline = std::make_unique<Pipeline<FakeOutside>>(
+      ThreeLux::kVehicle, kReplayer, outside, std::uint64_t{0});
+
+  void take(const Datagram& datagram, std::uint64_t now_us) {
+    pipeline->take({datagram.source, datagram.port, datagram.bytes}, now_us);
+  }
+};
+
+// One scan in `parts` messages: their sectors cover 100 degrees, each with some points.
+std::vector<Datagram> scan(std::uint16_t port, int number, int parts, tests::Random& random) {
+  std::vector<Datagram> datagrams;
+  for (int part = 0; part < parts; ++part) {
+    const int left = 1600 - 3200 * part / parts;
+    const int right = 1600 - 3200 * (part + 1) / parts;
+    LuxMessage message{
+        .scan_number = number, .start_ticks = left, .end_ticks = right, .points = {}};
+    for (int i = 0; i < 40; ++i) {
+      message.points.push_back({.layer = random.between(0, 3),
+                                .echo = random.one_in(10) ? 1 : 0,
+                                .flags = random.one_in(20) ? 4 : 0,
+                                .angle_ticks = random.between(right, left),
+                                .range_cm = random.between(0, 5200)});
+    }
+    datagrams.push_back({port, message.bytes()});
+  }
+  return datagrams;
+}
+
+std::vector<Datagram> frame_of_three(int number, int parts, tests::Random& random) {
+  std::vector<Datagram> frame;
+  for (const std::uint16_t port : {100, 101, 102}) {
+    std::ranges::move(scan(port, number, parts, random), std::back_inserter(frame));
+  }
+  return frame;
+}
+
+TEST(Pipeline, AFrameClosesWhenEverySensorHasDelivered) {
+  tests::Random random(71);
+  Bench bench;
+  const auto frame = frame_of_three(9, 2, random);
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    EXPECT_TRUE(bench.outside.frames.empty());
+    bench.take(frame[i], 1000 + i);
+  }
+  ASSERT_EQ(bench.outside.frames.size(), 1U);
+  const auto& received = bench.outside.frames[0];
+  EXPECT_EQ(received.header.complete_sensors, 0b111);
+  EXPECT_EQ(received.header.partial_sensors, 0);
+  EXPECT_EQ(received.header.flags, 0);
+  EXPECT_EQ(received.header.packets_fused, 6U);
+  EXPECT_EQ(received.header.points_used + received.header.points_other, 240U);
+  EXPECT_EQ(received.end.opened_us, 1000U);
+  EXPECT_EQ(received.header.closed_us, 1005U);
+  EXPECT_EQ(received.end.stack_used_bytes, 4711U);
+  EXPECT_EQ(received.end.sensors[2].scan_number, 9U);
+  EXPECT_EQ(bench.outside.unreadable(), 0);
+}
+
+// What arrives is what was fused, and its CRC is that of the grid.
+TEST(Pipeline, TheTilesCarryTheGrid) {
+  tests::Random random(72);
+  Bench bench;
+  auto direct = std::make_unique<grid::FrameFusion>(ThreeLux::kVehicle);
+  for (const Datagram& datagram : frame_of_three(1, 1, random)) {
+    lidar::IbeoLux lux;
+    ASSERT_EQ(lux.decode(datagram.bytes), lidar::DecodeStatus::kOk);
+    lux.for_each_point([&](const lidar::ScanPoint& point) {
+      direct->add(ThreeLux::kVehicle.sensors[datagram.port - 100U], point);
+    });
+    bench.take(datagram, 1);
+  }
+  direct->finish();
+  ASSERT_EQ(bench.outside.frames.size(), 1U);
+  const auto& received = bench.outside.frames[0];
+  EXPECT_TRUE(std::ranges::equal(received.cells, direct->cells()));
+  stream::GridHash hash;
+  std::uint32_t tiles = 0;
+  for (std::size_t y = 0; y < stream::kTilesPerSide; ++y) {
+    for (std::size_t x = 0; x < stream::kTilesPerSide; ++x) {
+      if (stream::is_known(direct->cells(), x, y)) {
+        std::array<std::byte, stream::kTileBytes> tile;
+        stream::copy_tile(direct->cells(), x, y, tile);
+        hash.add(x, y, tile);
+        ++tiles;
+      }
+    }
+  }
+  EXPECT_EQ(received.end.grid_crc, hash.value());
+  EXPECT_EQ(received.end.tiles_sent, tiles);
+}
+
+// House rule: every permutation of sensors and packets of a frame gives the same grid.
+TEST(Pipeline, EveryPermutationOfSensorsAndPacketsGivesTheSameGrid) {
+  tests::Random random(73);
+  auto frame = frame_of_three(4, 2, random);
+  std::vector<std::size_t> order{0, 1, 2, 3, 4, 5};
+  std::uint32_t crc = 0;
+  int permutation = 0;
+  do {
+    if (permutation % tests::effort(1, 48) == 0) {
+      Bench bench;
+      for (const std::size_t i : order) {
+        bench.take(frame[i], 5);
+      }
+      ASSERT_EQ(bench.outside.frames.size(), 1U);
+      crc = permutation == 0 ? bench.outside.frames[0].end.grid_crc : crc;
+      ASSERT_EQ(bench.outside.frames[0].end.grid_crc, crc);
+    }
+    ++permutation;
+  } while (std::ranges::next_permutation(order).found);
+  EXPECT_EQ(permutation, 720);
+}
+
+TEST(Pipeline, AFrameIsOverAfterItsPeriodAndSaysWhoIsMissing) {
+  tests::Random random(74);
+  Bench bench;
+  bench.take(scan(100, 1, 1, random)[0], 10'000);
+  bench.take(scan(101, 1, 2, random)[0], 20'000);
+  bench.pipeline->tick(49'999);
+  EXPECT_TRUE(bench.outside.frames.empty());
+  bench.pipeline->tick(50'000);
+  ASSERT_EQ(bench.outside.frames.size(), 1U);
+  const auto& received = bench.outside.frames[0];
+  EXPECT_EQ(received.header.flags, stream::kFlagTimedOut);
+  EXPECT_EQ(received.header.complete_sensors, 0b001);
+  EXPECT_EQ(received.header.partial_sensors, 0b010);
+  EXPECT_EQ(received.end.sensors[0].state, SensorState::kComplete);
+  EXPECT_EQ(received.end.sensors[1].state, SensorState::kPartial);
+  EXPECT_EQ(received.end.sensors[2].state, SensorState::kNeverSeen);
+}
+
+TEST(Pipeline, ASensorsNextScanClosesTheFrameBeforeIt) {
+  tests::Random random(75);
+  Bench bench;
+  bench.take(scan(100, 1, 1, random)[0], 1000);
+  bench.take(scan(100, 2, 1, random)[0], 2000);
+  ASSERT_EQ(bench.outside.frames.size(), 1U);
+  EXPECT_EQ(bench.outside.frames[0].header.packets_fused, 1U);
+  bench.pipeline->tick(42'000);
+  ASSERT_EQ(bench.outside.frames.size(), 2U);
+  EXPECT_EQ(bench.outside.frames[1].end.sensors[0].scan_number, 2U);
+  EXPECT_EQ(bench.outside.frames[1].header.frame_number, 1U);
+}
+
+// Silence is reported, and is not evidence: an empty grid has no tiles.
+TEST(Pipeline, SilenceIsReportedEveryTwoPeriods) {
+  tests::Random random(76);
+  Bench bench;
+  for (const Datagram& datagram : frame_of_three(1, 1, random)) {
+    bench.take(datagram, 1000);
+  }
+  for (std::uint64_t now = 1000; now <= 241'000; now += 1000) {
+    bench.pipeline->tick(now);
+  }
+  ASSERT_EQ(bench.outside.frames.size(), 4U);
+  const auto& silent = bench.outside.frames[2];
+  EXPECT_EQ(silent.end.tiles_sent, 0U);
+  EXPECT_EQ(silent.end.grid_crc, 0U);
+  EXPECT_FALSE(silent.header.has_evidence());
+  EXPECT_EQ(silent.end.sensors[0].state, SensorState::kSilent);
+  EXPECT_EQ(silent.end.sensors[0].age_frames, 2);
+}
+
+std::uint32_t drops(const Bench& bench, PacketDrop cause) {
+  return bench.outside.frames.back().end.packet_drops[static_cast<std::size_t>(cause)];
+}
+
+TEST(Pipeline, EveryBadDatagramIsCountedByItsCauseAndCostsNothingElse) {
+  tests::Random random(77);
+  Bench clean;
+  Bench hostile;
+  const auto frame = frame_of_three(1, 2, random);
+  auto too_short = frame[0];
+  too_short.bytes.pop_back();
+  auto wrong_type = frame[0];
+  wrong_type.bytes[0] = std::byte{0};
+  auto wrong_point = frame[0];
+  wrong_point.bytes[68] = std::byte{0x0F};  // layer 15
+  auto wrong_angle = frame[0];
+  wrong_angle.bytes[24 + 23] = std::byte{0};  // ticks per turn
+  const std::vector<Datagram> bad{
+      too_short,
+      wrong_type,
+      wrong_point,
+      wrong_angle,
+      {999, frame[0].bytes},              // a port that no sensor sends to
+      {100, frame[0].bytes, 0x0A0000AA},  // from an address that is no sensor's
+      {100, {}}};
+  for (const Datagram& datagram : frame) {
+    for (const Datagram& garbage : bad) {
+      hostile.take(garbage, 10);
+    }
+    clean.take(datagram, 10);
+    hostile.take(datagram, 10);
+    if (&datagram != &frame.back()) {
+      hostile.take(datagram, 10);  // a duplicate
+    }
+  }
+  ASSERT_EQ(hostile.outside.frames.size(), 1U);
+  EXPECT_EQ(hostile.outside.frames[0].cells, clean.outside.frames[0].cells);
+  EXPECT_EQ(drops(hostile, PacketDrop::kWrongLength), 12U);
+  EXPECT_EQ(drops(hostile, PacketDrop::kWrongType), 6U);
+  EXPECT_EQ(drops(hostile, PacketDrop::kWrongPoint), 6U);
+  EXPECT_EQ(drops(hostile, PacketDrop::kWrongAngle), 6U);
+  EXPECT_EQ(drops(hostile, PacketDrop::kStranger), 12U);
+  EXPECT_EQ(drops(hostile, PacketDrop::kDuplicate), 5U);
+  EXPECT_EQ(hostile.outside.frames[0].header.packets_dropped, 12U + 6 + 6 + 6 + 12 + 5);
+}
+
+TEST(Pipeline, ASensorMaySendFromItsOwnAddress) {
+  tests::Random random(78);
+  Bench bench;
+  auto datagram = scan(100, 1, 1, random)[0];
+  datagram.source = ThreeLux::kConfigs[0].source_ipv4;
+  bench.take(datagram, 0);
+  bench.pipeline->tick(40'000);
+  ASSERT_EQ(bench.outside.frames.size(), 1U);
+  EXPECT_EQ(bench.outside.frames[0].header.packets_fused, 1U);
+}
+
+TEST(Pipeline, APartOfAClosedScanIsLate) {
+  tests::Random random(79);
+  Bench bench;
+  const auto parts = scan(100, 1, 2, random);
+  bench.take(parts[0], 0);
+  bench.pipeline->tick(40'000);
+  bench.take(parts[1], 41'000);
+  bench.pipeline->tick(200'000);
+  EXPECT_EQ(drops(bench, PacketDrop::kLate), 1U);
+}
+
+// A sensor that sends more points than its description allows cannot overrun the frame.
+TEST(Pipeline, AFloodOfPointsIsRefused) {
+  Bench bench;
+  for (int i = 0; i < 40; ++i) {
+    LuxMessage message{.start_ticks = 10, .end_ticks = 0, .points = {}};
+    message.points.assign(100, {.angle_ticks = 5, .range_cm = 1000 + i});
+    bench.take({100, message.bytes()}, 0);
+  }
+  bench.pipeline->tick(40'000);
+  ASSERT_EQ(bench.outside.frames.size(), 1U);
+  EXPECT_EQ(bench.outside.frames[0].end.sensors[0].points, 2400U);
+  EXPECT_EQ(drops(bench, PacketDrop::kOverBudget), 16U);
+  EXPECT_EQ(bench.outside.frames[0].end.fates[static_cast<std::size_t>(vehicle::Fate::kMalformed)],
+            1600U);
+}
+
+// When the network takes no more, tiles are lost and counted; the grid's CRC still names all of it,
+// and the next frame is whole.
+TEST(Pipeline, LostTilesAreCountedAndLeaveNoTrace) {
+  tests::Random random(80);
+  const auto frame = frame_of_three(1, 1, random);
+  Bench whole;
+  Bench stuck;
+  stuck.outside.allow_messages(3);
+  for (const Datagram& datagram : frame) {
+    whole.take(datagram, 0);
+    stuck.take(datagram, 0);
+  }
+  EXPECT_TRUE(stuck.outside.frames.empty());
+  stuck.outside.allow_messages(5000);
+  for (const Datagram& datagram : frame_of_three(2, 1, random)) {
+    stuck.take(datagram, 50'000);
+    whole.take(datagram, 50'000);
+  }
+  ASSERT_EQ(stuck.outside.frames.size(), 1U);
+  EXPECT_EQ(stuck.outside.frames[0].end.grid_crc, whole.outside.frames[1].end.grid_crc);
+  EXPECT_EQ(stuck.outside.sequences().size() - 3, stuck.outside.frames[0].end.tiles_sent + 1);
+}
+
+}  // namespace
+}  // namespace iog::app

@@ -1,0 +1,92 @@
+// Vehicles for tests, chosen so that what must happen can be worked out by hand.
+#pragma once
+
+#include "vehicle/compile.hpp"
+
+namespace iog::tests {
+
+constexpr vehicle::SensorConfig test_lux(std::uint16_t port, vehicle::MountConfig mount) {
+  return {.name = "lux",
+          .source_ipv4 = 0x0A000200U + port,
+          .udp_port = port,
+          .mount = mount,
+          .range_min_mm = 300,
+          .range_max_mm = 50'000,
+          .precision_mm = 100,
+          .sigma_m = 0.10,
+          .scan_width_ticks = 3200,
+          .max_points_per_scan = 2412};
+}
+
+// One LUX in the middle of the grid, on a cell's corner, with a height band that everything is in.
+struct OneLux {
+  static constexpr std::array kConfigs{test_lux(100, {})};
+  static constexpr vehicle::Description kDescription{
+      .name = "one_lux", .z_min_m = -100, .z_max_m = 100};
+  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, kDescription);
+  static constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+};
+
+// One LUX on a cell's corner, pitched so that its layer 2 runs level: 1D cells and the 2D cells
+// ahead share their borders exactly.
+struct LevelLux {
+  static constexpr std::array kConfigs{test_lux(100, {.pitch_deg = 0.4})};
+  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, OneLux::kDescription);
+  static constexpr vehicle::Vehicle kVehicle =
+      vehicle::compile_vehicle(OneLux::kDescription, kSensors);
+};
+
+// One LUX in the middle of a cell.
+struct MidCellLux {
+  static constexpr std::array kConfigs{test_lux(100, {.x_m = 0.05, .y_m = 0.05})};
+  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, OneLux::kDescription);
+  static constexpr vehicle::Vehicle kVehicle =
+      vehicle::compile_vehicle(OneLux::kDescription, kSensors);
+};
+
+// OneLux with the other quantisation, in which the cell behind a hit is occupied too.
+struct OneLuxNearest {
+  static constexpr vehicle::Description kDescription{.name = "one_lux_nearest",
+                                                     .z_min_m = -100,
+                                                     .z_max_m = 100,
+                                                     .quantisation = index::Quantisation::kNearest};
+  static constexpr auto kSensors = vehicle::compile_sensors(OneLux::kConfigs, kDescription);
+  static constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+};
+
+// One LUX off every border, turned, tilted and rolled, on a car with a footprint; it stands 0.5 m
+// high and believes what lies between 0.2 and 1.5 m. A missing return clears 20 m.
+struct TiltedLux {
+  static constexpr std::array kConfigs{[] {
+    auto config = test_lux(100, {.x_m = 1.234,
+                                 .y_m = -0.777,
+                                 .z_m = 0.5,
+                                 .yaw_deg = 23.7,
+                                 .pitch_deg = 1.9,
+                                 .roll_deg = -2.3});
+    config.no_return_clears_mm = 20'000;
+    return config;
+  }()};
+  static constexpr vehicle::Description kDescription{
+      .name = "tilted_lux",
+      .footprint = {.x_min_m = -1, .x_max_m = 1, .y_min_m = -1, .y_max_m = 1},
+      .z_min_m = 0.2,
+      .z_max_m = 1.5};
+  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, kDescription);
+  static constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+};
+
+// Three LUX: two looking at the same place, one standing outside the grid and looking in.
+struct ThreeLux {
+  static constexpr std::array kConfigs{
+      test_lux(100, {.x_m = 2.03, .y_m = 0.51, .z_m = 0.5, .yaw_deg = -5}),
+      test_lux(101, {.x_m = 1.97, .y_m = -0.49, .z_m = 0.5, .yaw_deg = 7}),
+      test_lux(102, {.x_m = 70.1, .y_m = 3.3, .z_m = 0.5, .yaw_deg = 180}),
+  };
+  static constexpr vehicle::Description kDescription{
+      .name = "three_lux", .z_min_m = -2, .z_max_m = 3};
+  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, kDescription);
+  static constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+};
+
+}  // namespace iog::tests

@@ -1,0 +1,196 @@
+// The fusion of a frame (contract section 3): what one hit and many passing beams are worth, and
+// that no order shows.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/random.hpp"
+#include "fakes/test_vehicles.hpp"
+#include "grid/frame_fusion.hpp"
+
+namespace iog::grid {
+namespace {
+
+using lidar::ScanPoint;
+using tests::LevelLux;
+using tests::ThreeLux;
+using tests::TiltedLux;
+using vehicle::Vehicle;
+
+struct Evidence {
+  std::size_t sensor = 0;
+  ScanPoint point;
+};
+
+std::vector<OccupancyIndex> fuse(const Vehicle& vehicle, const std::vector<Evidence>& frame) {
+  const auto fusion = std::make_unique<FrameFusion>(vehicle);
+  for (const Evidence& evidence : frame) {
+    fusion->add(vehicle.sensors[evidence.sensor], evidence.point);
+  }
+  fusion->finish();
+  return {fusion->cells().begin(), fusion->cells().end()};
+}
+
+int ahead(const std::vector<OccupancyIndex>& cells, int x) {
+  return cells[static_cast<std::size_t>(512 * kStride + 512 + x)];
+}
+
+Vehicle with_rule(Vehicle vehicle, vehicle::FusionRule rule) {
+  vehicle.rule = rule;
+  return vehicle;
+}
+
+Evidence level(std::uint32_t range_mm) { return {0, {.range_mm = range_mm, .layer = 2}}; }
+
+// A hit at 5 m, and a beam that passes over it to 10 m: +2 and -14 in one cell.
+TEST(Fusion, AHitSurvivesABeamThatPassesOverItIfHitsWin) {
+  const std::vector<Evidence> frame{level(5'050), level(10'050)};
+  EXPECT_EQ(ahead(fuse(LevelLux::kVehicle, frame), 50), 2);
+  EXPECT_EQ(ahead(fuse(with_rule(LevelLux::kVehicle, vehicle::FusionRule::kBayes), frame), 50),
+            -12);
+}
+
+TEST(Fusion, HitsAddUpAndSaturateAt127) {
+  EXPECT_EQ(ahead(fuse(LevelLux::kVehicle, {3, level(5'050)}), 50), 6);
+  EXPECT_EQ(ahead(fuse(LevelLux::kVehicle, {64, level(5'050)}), 50), 127);
+}
+
+TEST(Fusion, CarvingSaturatesAtMinus127) {
+  EXPECT_EQ(ahead(fuse(LevelLux::kVehicle, {9, level(10'050)}), 50), -126);
+  EXPECT_EQ(ahead(fuse(LevelLux::kVehicle, {10, level(10'050)}), 50), -127);
+  EXPECT_EQ(ahead(fuse(LevelLux::kVehicle, {11, level(10'050)}), 50), -127);
+}
+
+// bayes: sat(sat(0 + -140) + 2) = -125: the marks are added to the saturated carving.
+TEST(Fusion, BayesSaturatesTheCarvingBeforeTheMarks) {
+  std::vector<Evidence> frame(10, level(10'050));
+  frame.push_back(level(5'050));
+  EXPECT_EQ(ahead(fuse(with_rule(LevelLux::kVehicle, vehicle::FusionRule::kBayes), frame), 50),
+            -125);
+}
+
+TEST(Fusion, ALaterEchoMarksAndCarvesNothing) {
+  const auto cells =
+      fuse(LevelLux::kVehicle, {level(5'050), {0, {.range_mm = 10'050, .layer = 2, .echo = 1}}});
+  EXPECT_EQ(ahead(cells, 50), 2);
+  EXPECT_EQ(ahead(cells, 100), 2);
+  EXPECT_EQ(ahead(cells, 75), 0);
+  EXPECT_EQ(ahead(cells, 20), -14);
+}
+
+TEST(Fusion, GroundCarvesAndDoesNotMark) {
+  const auto cells =
+      fuse(LevelLux::kVehicle, {{0, {.range_mm = 5'050, .layer = 2, .is_ground = true}}});
+  EXPECT_EQ(ahead(cells, 20), -14);
+  EXPECT_EQ(ahead(cells, 48), -7);
+  EXPECT_EQ(ahead(cells, 50), 0);
+}
+
+// Beyond the model's range: free up to it. The scan point is so far off that every cell is before
+// k - 2, and at 50.05 m the last cells are as near to it as the profile says.
+TEST(Fusion, AFarPointCarvesUpToTheRange) {
+  const auto far = fuse(LevelLux::kVehicle, {level(90'000)});
+  EXPECT_EQ(ahead(far, 0), -14);
+  EXPECT_EQ(ahead(far, 499), -14);
+  EXPECT_EQ(ahead(far, 500), 0);
+  const auto near = fuse(LevelLux::kVehicle, {level(50'050)});
+  EXPECT_EQ(ahead(near, 497), -14);
+  EXPECT_EQ(ahead(near, 498), -7);
+  EXPECT_EQ(ahead(near, 499), 0);
+  EXPECT_EQ(ahead(near, 500), 0);
+}
+
+TEST(Fusion, APointAtTheRangeItselfIsUsed) {
+  const auto cells = fuse(LevelLux::kVehicle, {level(50'000)});
+  EXPECT_EQ(ahead(cells, 500), 2);
+  EXPECT_EQ(ahead(cells, 498), -7);
+}
+
+// A missing return is no evidence, unless the description says that it clears: TiltedLux clears 20
+// m where its beam is inside the height band.
+TEST(Fusion, AMissingReturnClearsOnlyWhereTheDescriptionSaysSo) {
+  const auto count = [](const std::vector<OccupancyIndex>& cells) {
+    return std::ranges::count_if(cells, [](OccupancyIndex index) { return index != 0; });
+  };
+  EXPECT_EQ(count(fuse(LevelLux::kVehicle, {level(0)})), 0);
+  const auto cleared = fuse(TiltedLux::kVehicle, {{0, {.range_mm = 0, .layer = 3}}});
+  EXPECT_GT(count(cleared), 200);
+  EXPECT_TRUE(std::ranges::all_of(cleared, [](OccupancyIndex i) { return i == 0 || i == -14; }));
+}
+
+// Layer 0 of TiltedLux leaves its band 5.5 m ahead; a point at 30 m carves no further.
+TEST(Fusion, ABeamCarvesOnlyInsideTheHeightBand) {
+  const auto cells = fuse(TiltedLux::kVehicle, {{0, {.range_mm = 30'000}}});
+  double farthest_m = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i] != 0) {
+      EXPECT_EQ(int{cells[i]}, -14);
+      const double x = (static_cast<double>(i % kStride) - 511.5) / 10 - 1.234;
+      const double y = (static_cast<double>(i / kStride) - 511.5) / 10 + 0.777;
+      farthest_m = std::max(farthest_m, std::hypot(x, y));
+    }
+  }
+  EXPECT_NEAR(farthest_m, 5.54, 0.15);
+}
+
+// A sensor outside the grid sees what lies inside it, as if the grid went on.
+TEST(Fusion, ASensorOutsideTheGridCarvesInside) {
+  const auto cells = fuse(ThreeLux::kVehicle, {{2, {.range_mm = 30'000, .layer = 2}}});
+  const auto marked = std::ranges::count_if(cells, [](OccupancyIndex i) { return i > 0; });
+  const auto carved = std::ranges::count_if(cells, [](OccupancyIndex i) { return i < 0; });
+  EXPECT_EQ(marked, 1);
+  EXPECT_NEAR(static_cast<double>(carved), 300 - 189, 4);  // from x = 51.2 m to 40.1 m
+}
+
+std::vector<Evidence> random_frame(tests::Random& random, int points) {
+  std::vector<Evidence> frame;
+  for (int i = 0; i < points; ++i) {
+    Evidence evidence;
+    evidence.sensor = static_cast<std::size_t>(random.between(0, 2));
+    // Close together, so that carving, marks and saturation meet in the same cells.
+    const int azimuth = random.between(-300, 300);
+    evidence.point = {
+        .range_mm =
+            static_cast<std::uint32_t>(random.one_in(30) ? 0 : random.between(20, 5200) * 10),
+        .azimuth_ticks = static_cast<std::uint16_t>(azimuth < 0 ? azimuth + 11520 : azimuth),
+        .layer = static_cast<std::uint8_t>(random.between(0, 3)),
+        .echo = static_cast<std::uint8_t>(random.one_in(8) ? 1 : 0),
+        .is_ground = random.one_in(20)};
+    frame.push_back(evidence);
+  }
+  return frame;
+}
+
+TEST(Fusion, NoOrderOfTheScanPointsShowsInTheGrid) {
+  tests::Random random(41);
+  for (const auto rule : {vehicle::FusionRule::kHitsWin, vehicle::FusionRule::kBayes}) {
+    const Vehicle vehicle = with_rule(ThreeLux::kVehicle, rule);
+    std::vector<Evidence> frame = random_frame(random, tests::effort(3000, 300));
+    const auto expected = fuse(vehicle, frame);
+    for (int shuffle = 0; shuffle < tests::effort(20, 3); ++shuffle) {
+      for (std::size_t i = frame.size(); i > 1; --i) {
+        std::swap(frame[i - 1], frame[random.next() % i]);
+      }
+      ASSERT_EQ(fuse(vehicle, frame), expected);
+    }
+  }
+}
+
+TEST(Fusion, TellsWhenItsMarksRunOut) {
+  const auto fusion = std::make_unique<FrameFusion>(LevelLux::kVehicle);
+  const vehicle::Sensor& sensor = LevelLux::kVehicle.sensors[0];
+  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks));
+  EXPECT_FALSE(fusion->fits(sensor, kMaxMarks + 1));
+  fusion->add(sensor, level(5'050).point);
+  EXPECT_FALSE(fusion->fits(sensor, kMaxMarks));
+  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks - 1));
+  fusion->clear();
+  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks));
+}
+
+}  // namespace
+}  // namespace iog::grid

@@ -1,0 +1,200 @@
+// The sampling rule of contract section 5, against the rule itself: every cell that the line
+// crosses, its exact shares of entering and leaving as rational numbers, and the 1D cell they fall
+// in.
+#include <algorithm>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+
+#include "fakes/effort.hpp"
+#include "fakes/exact_line.hpp"
+#include "fakes/random.hpp"
+#include "fakes/test_vehicles.hpp"
+#include "grid/frame_fusion.hpp"
+
+namespace iog::grid {
+namespace {
+
+using tests::OneLux;
+using tests::OneLuxNearest;
+using tests::Rational;
+using tests::TiltedLux;
+using traversal::Cell;
+using traversal::SubcellPoint;
+using vehicle::kResolution;
+using vehicle::Sensor;
+using vehicle::Vehicle;
+
+int index_at(const FrameFusion& fusion, Cell cell) {
+  return fusion.cells()[static_cast<std::size_t>(cell.y * kStride + cell.x)];
+}
+
+std::unique_ptr<FrameFusion> fuse_one(const Vehicle& vehicle, const lidar::ScanPoint& point) {
+  auto fusion = std::make_unique<FrameFusion>(vehicle);
+  fusion->add(vehicle.sensors[0], point);
+  fusion->finish();
+  return fusion;
+}
+
+// The row of cells ahead of the sensor after one scan point straight ahead in layer 2.
+std::string row_ahead(const Vehicle& vehicle, std::uint32_t range_mm, int first, int last) {
+  const auto fusion = fuse_one(vehicle, {.range_mm = range_mm, .layer = 2});
+  std::string row;
+  for (int x = first; x <= last; ++x) {
+    row += std::to_string(index_at(*fusion, {512 + x, 512})) + " ";
+  }
+  return row;
+}
+
+// Where 1D cells and 2D cells share their borders, each 2D cell carries its 1D cell's index.
+TEST(Sampling, ALevelBeamFromACornerCarriesTable43) {
+  EXPECT_EQ(row_ahead(tests::LevelLux::kVehicle, 10'050, 95, 103), "-14 -14 -14 -7 0 2 0 0 0 ");
+  EXPECT_EQ(row_ahead(tests::LevelLux::kVehicle, 10'000, 95, 103), "-14 -14 -14 -7 0 2 0 0 0 ");
+  EXPECT_EQ(row_ahead(tests::LevelLux::kVehicle, 10'050, -2, 2), "0 0 -14 -14 -14 ");
+}
+
+TEST(Sampling, ABeamFromTheMiddleOfACellCarriesTable43) {
+  EXPECT_EQ(row_ahead(tests::MidCellLux::kVehicle, 10'000, 95, 103), "-14 -14 -14 -7 0 2 0 0 0 ");
+}
+
+// Rising by 0.4 degrees, the beam leaves each 2D cell a fraction of a millimetre late, in the next
+// 1D cell: the zones before the hit grow by one cell, which overstates nothing.
+TEST(Sampling, ATiltedBeamFromACornerCarvesOneCellLess) {
+  EXPECT_EQ(row_ahead(OneLux::kVehicle, 10'050, 95, 103), "-14 -14 -7 0 0 2 0 0 0 ");
+  EXPECT_EQ(row_ahead(OneLuxNearest::kVehicle, 10'050, 95, 103), "-15 -15 -7 0 0 2 1 0 0 ");
+}
+
+SubcellPoint end_of(const Sensor& sensor, const vehicle::BeamLine& line) {
+  return {sensor.origin.x + line.x().step() * static_cast<std::int32_t>(line.x().length()),
+          sensor.origin.y + line.y().step() * static_cast<std::int32_t>(line.y().length())};
+}
+
+// Floor division of the point at distance z of L, on a border the cell that the line goes on to.
+std::int32_t cell_of_point(std::int32_t start, std::int32_t end, std::int64_t z, std::int64_t l) {
+  const std::int64_t at = start * l + (std::int64_t{end} - start) * z;
+  const std::int64_t side = kResolution * l;
+  return static_cast<std::int32_t>(end < start ? -numeric::div_floor(-at, side) - 1
+                                               : numeric::div_floor(at, side));
+}
+
+// The cell that holds the scan point receives the index of cell k in every direction.
+TEST(Sampling, TheCellThatHoldsTheScanPointIsMarkedInEveryDirection) {
+  const Vehicle& vehicle = TiltedLux::kVehicle;
+  const Sensor& sensor = vehicle.sensors[0];
+  auto fusion = std::make_unique<FrameFusion>(vehicle);
+  tests::Random random(21);
+  int marked = 0;
+  for (int tick = 0; tick < 11520; tick += tests::effort(1, 40)) {
+    for (int i = 0; i < 6; ++i) {
+      const auto range = static_cast<std::uint32_t>(random.between(30, 5'000) * 10);
+      const auto layer = static_cast<std::uint8_t>(random.between(0, 3));
+      const lidar::ScanPoint point{
+          .range_mm = range, .azimuth_ticks = static_cast<std::uint16_t>(tick), .layer = layer};
+      const vehicle::Fate fate = fusion->add(sensor, point);
+      fusion->finish();
+      const auto line = vehicle::aim(sensor, layer, point.azimuth_ticks).line;
+      const SubcellPoint end = end_of(sensor, line);
+      const Cell cell{cell_of_point(sensor.origin.x, end.x, range, 50'000),
+                      cell_of_point(sensor.origin.y, end.y, range, 50'000)};
+      if (fate == vehicle::Fate::kUsed && vehicle::kGridArea.contains(cell)) {
+        ASSERT_EQ(index_at(*fusion, cell), 2) << "tick " << tick << ", " << range << " mm";
+        // Only this cell is occupied: empty the one, and nothing above 0 is left around it.
+        for (int dy = -1; dy <= 1; ++dy) {
+          for (int dx = -1; dx <= 1; ++dx) {
+            const Cell near{cell.x + dx, cell.y + dy};
+            if (vehicle::kGridArea.contains(near) && (dx != 0 || dy != 0)) {
+              ASSERT_LE(index_at(*fusion, near), 0);
+            }
+          }
+        }
+        ++marked;
+      }
+      fusion->clear();
+    }
+  }
+  EXPECT_GT(marked, tests::effort(20'000, 400));
+}
+
+// ceil(share * L / Delta) - 1: the 1D cell in which the line still is when it leaves.
+std::int64_t leaving_cell(Rational share, std::int64_t cells_per_line) {
+  const std::int64_t n = share.numerator * cells_per_line;
+  return -numeric::div_floor(-n, share.denominator) - 1;
+}
+
+// floor(share * L / Delta): the 1D cell in which the line is as soon as it has entered.
+std::int64_t entering_cell(Rational share, std::int64_t cells_per_line) {
+  return numeric::div_floor(share.numerator * cells_per_line, share.denominator);
+}
+
+// What contract section 5 says of one cell and one scan point at distance z in 1D cell k.
+int expected_index(const Sensor& sensor, SubcellPoint end, Cell cell, std::int64_t range_mm) {
+  constexpr std::int64_t kCellsPerLine = 500;
+  const std::int64_t k = range_mm / 100;
+  const sensor_model::Profile& profile = sensor.profile;
+  const Cell hit{cell_of_point(sensor.origin.x, end.x, range_mm, 50'000),
+                 cell_of_point(sensor.origin.y, end.y, range_mm, 50'000)};
+  if (cell == hit) {
+    return profile.hit;
+  }
+  const Cell start{numeric::div_floor(sensor.origin.x, kResolution),
+                   numeric::div_floor(sensor.origin.y, kResolution)};
+  const auto crossing = tests::cross(sensor.origin, end, cell, kResolution);
+  if (cell == start && (!crossing || crossing->leave <= Rational{0, 1})) {
+    return profile.free;  // the start cell counts even where the line only touches it
+  }
+  if (!crossing || Rational{1, 1} <= crossing->enter || crossing->leave <= Rational{0, 1}) {
+    return 0;
+  }
+  const Rational at{range_mm, 50'000};
+  if (crossing->leave <= at) {
+    const std::int64_t j = std::min(leaving_cell(crossing->leave, kCellsPerLine), k - 1);
+    return profile.at(static_cast<int>(j - k));
+  }
+  const std::int64_t j = std::max(entering_cell(crossing->enter, kCellsPerLine), k + 1);
+  return profile.at(static_cast<int>(j - k));
+}
+
+void expect_every_cell_as_the_rule_says(const Vehicle& vehicle, std::uint64_t seed, int beams) {
+  const Sensor& sensor = vehicle.sensors[0];
+  auto fusion = std::make_unique<FrameFusion>(vehicle);
+  tests::Random random(seed);
+  for (int i = 0; i < beams; ++i) {
+    lidar::ScanPoint point;
+    point.azimuth_ticks = static_cast<std::uint16_t>(random.one_in(6) ? random.between(0, 7) * 1440
+                                                                      : random.between(0, 11519));
+    point.range_mm = static_cast<std::uint32_t>(random.one_in(3) ? random.between(1, 400) * 100
+                                                                 : random.between(300, 50'000));
+    point.layer = static_cast<std::uint8_t>(random.between(0, 3));
+    const vehicle::Fate fate = fusion->add(sensor, point);
+    fusion->finish();
+    if (fate == vehicle::Fate::kUsed) {
+      const auto line = vehicle::aim(sensor, point.layer, point.azimuth_ticks).line;
+      const SubcellPoint end = end_of(sensor, line);
+      // All cells of the rectangle around the line, a border of two included.
+      const Cell last = line.cell(line.before({1, 1}));
+      const Cell first = line.cell({});
+      for (int y = std::min(first.y, last.y) - 2; y <= std::max(first.y, last.y) + 2; ++y) {
+        for (int x = std::min(first.x, last.x) - 2; x <= std::max(first.x, last.x) + 2; ++x) {
+          if (vehicle::kGridArea.contains({x, y})) {
+            ASSERT_EQ(index_at(*fusion, {x, y}),
+                      expected_index(sensor, end, {x, y}, point.range_mm))
+                << "cell " << x << ", " << y << ", range " << point.range_mm << ", tick "
+                << point.azimuth_ticks << ", layer " << int{point.layer};
+          }
+        }
+      }
+    }
+    fusion->clear();
+  }
+}
+
+TEST(Sampling, EveryCellIsAsTheRuleSaysBlurring) {
+  expect_every_cell_as_the_rule_says(OneLux::kVehicle, 31, tests::effort(300, 4));
+}
+TEST(Sampling, EveryCellIsAsTheRuleSaysNearest) {
+  expect_every_cell_as_the_rule_says(OneLuxNearest::kVehicle, 32, tests::effort(300, 4));
+}
+
+}  // namespace
+}  // namespace iog::grid

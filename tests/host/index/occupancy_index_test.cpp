@@ -1,0 +1,55 @@
+// Saturating addition: all 65,536 pairs, and the laws that make a frame independent of order.
+#include "index/occupancy_index.hpp"
+
+#include <gtest/gtest.h>
+
+namespace iog::index {
+namespace {
+
+TEST(SaturatingAddition, EveryPairIsTheSumClampedTo127) {
+  for (int a = -128; a <= 127; ++a) {
+    for (int b = -128; b <= 127; ++b) {
+      const int sum = a + b;
+      const int clamped = sum > 127 ? 127 : (sum < -127 ? -127 : sum);
+      ASSERT_EQ(int{sat_add(static_cast<OccupancyIndex>(a), static_cast<OccupancyIndex>(b))},
+                clamped)
+          << a << " + " << b;
+    }
+  }
+}
+
+// Contract section 3: additions of one sign commute under saturation, in any grouping.
+TEST(SaturatingAddition, IndexesOfOneSignGroupFreely) {
+  for (int sign = -1; sign <= 1; sign += 2) {
+    for (int a = 0; a <= 127; a += 3) {
+      for (int b = 0; b <= 127; b += 2) {
+        for (int c = 0; c <= 127; c += 5) {
+          const auto x = static_cast<OccupancyIndex>(sign * a);
+          const auto y = static_cast<OccupancyIndex>(sign * b);
+          const auto z = static_cast<OccupancyIndex>(sign * c);
+          ASSERT_EQ(sat_add(sat_add(x, y), z), sat_add(x, sat_add(y, z)));
+          ASSERT_EQ(sat_add(x, y), sat_add(y, x));
+        }
+      }
+    }
+  }
+}
+
+// And why the contract needs that: with mixed signs the grouping shows.
+TEST(SaturatingAddition, MixedSignsDoNotGroupFreely) {
+  const OccupancyIndex a = 100;
+  const OccupancyIndex b = 100;
+  const OccupancyIndex c = -100;
+  EXPECT_EQ(int{sat_add(sat_add(a, b), c)}, 27);
+  EXPECT_EQ(int{sat_add(a, sat_add(b, c))}, 100);
+}
+
+TEST(SaturatingAddition, WiderCellsAreTheSameCode) {
+  EXPECT_EQ(sat_add<std::int16_t>(32'000, 32'000), 32'767);
+  EXPECT_EQ(sat_add<std::int16_t>(-32'000, -32'000), -32'767);
+  EXPECT_EQ(sat_add<std::int32_t>(2'000'000'000, 2'000'000'000), 2'147'483'647);
+  EXPECT_EQ(sat_add<std::int32_t>(-2'000'000'000, -2'000'000'000), -2'147'483'647);
+}
+
+}  // namespace
+}  // namespace iog::index

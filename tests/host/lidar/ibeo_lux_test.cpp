@@ -1,0 +1,150 @@
+#include "lidar/ibeo_lux.hpp"
+
+#include <array>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/lux_message.hpp"
+#include "fakes/random.hpp"
+
+namespace iog::lidar {
+namespace {
+
+using tests::LuxMessage;
+using tests::LuxPoint;
+
+// The head of a real message: LUX device 1 of the recording two_lux_parking (PolySync transcoder,
+// MIT), scan 42692; only its two length fields are changed, to those of three points.
+constexpr std::array<std::uint8_t, 24 + 44> kRealHead{
+    0xAF, 0xFE, 0xC0, 0xC2, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x4A, 0x00, 0x01,
+    0x22, 0x02, 0xDA, 0xF4, 0x97, 0x29, 0xF8, 0xCD, 0x0F, 0xE9, 0xC4, 0xA6, 0x1B, 0x23,
+    0x00, 0x00, 0xB2, 0x2A, 0xC2, 0x29, 0x2A, 0x97, 0xF4, 0xDA, 0x58, 0x56, 0x9A, 0x2C,
+    0x2A, 0x97, 0xF4, 0xDA, 0x00, 0x2D, 0x40, 0x06, 0xC0, 0xF9, 0x03, 0x00, 0xC0, 0x03,
+    0x00, 0x00, 0x00, 0x00, 0x34, 0x01, 0x1C, 0x00, 0x11, 0x00, 0x03, 0x00};
+
+std::vector<ScanPoint> points_of(const IbeoLux& lux) {
+  std::vector<ScanPoint> points;
+  lux.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
+  return points;
+}
+
+DecodeStatus decode(const std::vector<std::byte>& bytes) {
+  IbeoLux lux;
+  return lux.decode(bytes);
+}
+
+TEST(IbeoLux, ReadsARealHead) {
+  std::vector<std::byte> bytes;
+  for (const std::uint8_t byte : kRealHead) {
+    bytes.push_back(std::byte{byte});
+  }
+  bytes.resize(bytes.size() + 30);  // three points: layer 0, straight ahead, no range
+  IbeoLux lux;
+  ASSERT_EQ(lux.decode(bytes), DecodeStatus::kOk);
+  EXPECT_EQ(lux.info().scan_number, 42'692U);
+  EXPECT_EQ(lux.info().point_count, 3U);
+  EXPECT_EQ(lux.info().sector.first_ticks, 11520 - 1600);
+  EXPECT_EQ(lux.info().sector.width_ticks, 3200);
+}
+
+TEST(IbeoLux, TurnsTicksAndCentimetresIntoAPoint) {
+  const LuxMessage message{
+      .points = {{.layer = 2, .angle_ticks = -32, .range_cm = 1234},
+                 {.layer = 3, .echo = 2, .flags = 0x54, .angle_ticks = 1600, .range_cm = 65535},
+                 {.flags = 0x02},
+                 {.flags = 0x08}}};
+  IbeoLux lux;
+  ASSERT_EQ(lux.decode(message.bytes()), DecodeStatus::kOk);
+  const std::vector<ScanPoint> points = points_of(lux);
+  ASSERT_EQ(points.size(), 4U);
+  EXPECT_EQ(points[0].range_mm, 12'340U);
+  EXPECT_EQ(points[0].azimuth_ticks, 11520 - 32);
+  EXPECT_EQ(points[0].layer, 2);
+  EXPECT_EQ(points[0].echo, 0);
+  EXPECT_FALSE(points[0].is_ground || points[0].is_dirt || points[0].is_rain);
+  EXPECT_EQ(points[1].range_mm, 655'350U);
+  EXPECT_EQ(points[1].azimuth_ticks, 1600);
+  EXPECT_EQ(points[1].echo, 2);
+  EXPECT_TRUE(points[1].is_ground);  // 0x04; the reserved 0x50 is ignored
+  EXPECT_TRUE(points[2].is_rain);
+  EXPECT_TRUE(points[3].is_dirt);
+}
+
+TEST(IbeoLux, RefusesWhatIsNotItsFormat) {
+  const LuxMessage good{.points = {{.range_cm = 100}}};
+  auto bytes = good.bytes();
+  bytes[0] = std::byte{0};
+  EXPECT_EQ(decode(bytes), DecodeStatus::kWrongType);
+  bytes = good.bytes();
+  bytes[15] = std::byte{0x05};  // 0x2205
+  EXPECT_EQ(decode(bytes), DecodeStatus::kWrongType);
+  bytes = good.bytes();
+  bytes[24 + 23] = std::byte{0};  // ticks per rotation
+  EXPECT_EQ(decode(bytes), DecodeStatus::kWrongAngle);
+  EXPECT_EQ(decode(LuxMessage{.start_ticks = 5761}.bytes()), DecodeStatus::kWrongAngle);
+}
+
+TEST(IbeoLux, RefusesImpossiblePoints) {
+  EXPECT_EQ(decode(LuxMessage{.points = {{.layer = 4}}}.bytes()), DecodeStatus::kWrongPoint);
+  EXPECT_EQ(decode(LuxMessage{.points = {{.echo = 3}}}.bytes()), DecodeStatus::kWrongPoint);
+  EXPECT_EQ(decode(LuxMessage{.points = {{.angle_ticks = 1601}}}.bytes()),
+            DecodeStatus::kWrongPoint);
+  EXPECT_EQ(decode(LuxMessage{.points = {{.angle_ticks = -1601}}}.bytes()),
+            DecodeStatus::kWrongPoint);
+  EXPECT_EQ(decode(LuxMessage{.points = {{.angle_ticks = -1600}}}.bytes()), DecodeStatus::kOk);
+}
+
+TEST(IbeoLux, BelievesNoLengthButItsOwn) {
+  const auto bytes = LuxMessage{.points = std::vector<LuxPoint>(5)}.bytes();
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_EQ(decode({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}),
+              DecodeStatus::kWrongLength);
+  }
+  auto longer = bytes;
+  longer.push_back(std::byte{0});
+  EXPECT_EQ(decode(longer), DecodeStatus::kWrongLength);
+  auto boastful = bytes;
+  boastful[24 + 28] = std::byte{6};  // one point more than there is
+  EXPECT_EQ(decode(boastful), DecodeStatus::kWrongLength);
+}
+
+TEST(IbeoLux, KnowsAPacketByItsFingerprint) {
+  LuxMessage message{.points = {{.range_cm = 100}, {.range_cm = 200}}};
+  IbeoLux one;
+  IbeoLux same;
+  IbeoLux other;
+  ASSERT_EQ(one.decode(message.bytes()), DecodeStatus::kOk);
+  ASSERT_EQ(same.decode(message.bytes()), DecodeStatus::kOk);
+  message.points[1].range_cm = 201;
+  ASSERT_EQ(other.decode(message.bytes()), DecodeStatus::kOk);
+  EXPECT_EQ(one.info().fingerprint, same.info().fingerprint);
+  EXPECT_NE(one.info().fingerprint, other.info().fingerprint);
+}
+
+// Total on garbage: any flipped byte is either still a message or a status, never a crash, and a
+// message never yields a point outside the format.
+TEST(IbeoLux, IsTotalOnDamagedMessages) {
+  tests::Random random(11);
+  const auto good = LuxMessage{.points = std::vector<LuxPoint>(20)}.bytes();
+  for (int i = 0; i < tests::effort(100'000, 2'000); ++i) {
+    auto bytes = good;
+    for (int flips = random.between(1, 4); flips > 0; --flips) {
+      const auto at =
+          static_cast<std::size_t>(random.between(0, static_cast<std::int32_t>(bytes.size()) - 1));
+      bytes[at] = static_cast<std::byte>(random.next());
+    }
+    IbeoLux lux;
+    if (lux.decode(bytes) == DecodeStatus::kOk) {
+      lux.for_each_point([](const ScanPoint& point) {
+        ASSERT_LT(point.layer, 4);
+        ASSERT_LT(point.echo, 3);
+        ASSERT_LT(point.azimuth_ticks, 11520);
+      });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace iog::lidar

@@ -1,0 +1,132 @@
+#include "lidar/velodyne_vlp16.hpp"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/random.hpp"
+#include "fakes/vlp16_packet.hpp"
+
+namespace iog::lidar {
+namespace {
+
+using tests::Vlp16Packet;
+
+std::vector<ScanPoint> points_of(const std::vector<std::byte>& bytes) {
+  VelodyneVlp16 packet;
+  EXPECT_EQ(packet.decode(bytes), DecodeStatus::kOk);
+  std::vector<ScanPoint> points;
+  packet.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
+  return points;
+}
+
+DecodeStatus decode(const std::vector<std::byte>& bytes) {
+  VelodyneVlp16 packet;
+  return packet.decode(bytes);
+}
+
+TEST(VelodyneVlp16, TurnsUnitsIntoPoints) {
+  Vlp16Packet packet{.first_azimuth = 9000};
+  packet.ranges[0][0] = 5000;
+  packet.ranges[11][31] = 1;
+  const auto points = points_of(packet.bytes());
+  ASSERT_EQ(points.size(), 384U);
+  EXPECT_EQ(points[0].range_mm, 10'000U);
+  EXPECT_EQ(points[0].layer, 0);
+  // 90 degrees clockwise from forward is to the right: 270 degrees counter-clockwise.
+  EXPECT_EQ(points[0].azimuth_ticks, 27'000);
+  EXPECT_EQ(points[383].range_mm, 2U);
+  EXPECT_EQ(points[383].layer, 15);
+}
+
+// User manual, section 9.5: laser j of firing s fires 55.296 s + 2.304 j us after the block's
+// azimuth was taken, and a block lasts 110.592 us.
+TEST(VelodyneVlp16, TheHeadTurnsWhileTheLasersFire) {
+  const auto points = points_of(Vlp16Packet{.first_azimuth = 100, .step = 240}.bytes());
+  for (std::size_t channel = 0; channel < 32; ++channel) {
+    const double us =
+        55.296 * static_cast<double>(channel / 16) + 2.304 * static_cast<double>(channel % 16);
+    const double clockwise = 100 + 240 * us / 110.592;
+    EXPECT_NEAR(36'000 - points[channel].azimuth_ticks, clockwise, 0.51) << channel;
+  }
+}
+
+TEST(VelodyneVlp16, SweepsClockwiseSoItsSectorEndsWhereItBegan) {
+  VelodyneVlp16 packet;
+  ASSERT_EQ(packet.decode(Vlp16Packet{.first_azimuth = 35'900, .step = 40}.bytes()),
+            DecodeStatus::kOk);
+  // From 359.00 to 363.80 degrees clockwise.
+  EXPECT_EQ(packet.info().sector.width_ticks, 480);
+  EXPECT_EQ(packet.info().sector.first_ticks, 36'000 - 380);
+}
+
+TEST(VelodyneVlp16, AzimuthsOf36000MeanZero) {
+  const auto points = points_of(Vlp16Packet{.first_azimuth = 35'960, .step = 40}.bytes());
+  EXPECT_EQ(points[32].azimuth_ticks, 0);
+}
+
+// Dual return: the nearer of a pair is the first echo, whichever block it stands in; a beam with
+// one return is not seen twice.
+TEST(VelodyneVlp16, DualReturnsAreEchoesOfOneBeam) {
+  Vlp16Packet packet{.mode = 0x39};
+  packet.ranges[0][0] = 3000;  // last
+  packet.ranges[1][0] = 2000;  // strongest
+  packet.ranges[0][1] = 1500;
+  packet.ranges[1][1] = 1500;
+  packet.ranges[0][2] = 700;
+  packet.ranges[1][2] = 0;
+  const auto points = points_of(packet.bytes());
+  const auto at = [&](std::size_t block, std::size_t channel) {
+    return points[block * 32 + channel];
+  };
+  EXPECT_EQ(at(0, 0).range_mm, 4'000U);
+  EXPECT_EQ(at(0, 0).echo, 0);
+  EXPECT_EQ(at(1, 0).range_mm, 6'000U);
+  EXPECT_EQ(at(1, 0).echo, 1);
+  EXPECT_EQ(at(0, 1).range_mm, 3'000U);
+  EXPECT_EQ(at(1, 1).range_mm, 0U);
+  EXPECT_EQ(at(0, 2).range_mm, 1'400U);
+  EXPECT_EQ(at(1, 2).range_mm, 0U);
+  EXPECT_EQ(at(0, 0).azimuth_ticks, at(1, 0).azimuth_ticks);
+}
+
+TEST(VelodyneVlp16, RefusesWhatIsNotItsFormat) {
+  const auto good = Vlp16Packet{}.bytes();
+  EXPECT_EQ(decode(good), DecodeStatus::kOk);
+  for (const std::size_t size : {0U, 42U, 1205U, 1207U, 1212U}) {
+    auto bytes = good;
+    bytes.resize(size);
+    EXPECT_EQ(decode(bytes), DecodeStatus::kWrongLength);
+  }
+  EXPECT_EQ(decode(Vlp16Packet{.mode = 0x36}.bytes()), DecodeStatus::kWrongType);
+  EXPECT_EQ(decode(Vlp16Packet{.product = 0x28}.bytes()), DecodeStatus::kWrongType);
+  EXPECT_EQ(decode(Vlp16Packet{.product = 0x21}.bytes()), DecodeStatus::kOk);
+  auto bytes = good;
+  bytes[500] = std::byte{0};  // the flag of block 5
+  EXPECT_EQ(decode(bytes), DecodeStatus::kWrongType);
+  bytes = good;
+  bytes[303] = std::byte{0xFF};  // azimuth of block 3
+  EXPECT_EQ(decode(bytes), DecodeStatus::kWrongAngle);
+  EXPECT_EQ(decode(Vlp16Packet{.step = 301}.bytes()), DecodeStatus::kWrongAngle);
+}
+
+TEST(VelodyneVlp16, IsTotalOnDamagedPackets) {
+  tests::Random random(12);
+  for (int i = 0; i < tests::effort(30'000, 300); ++i) {
+    auto bytes = Vlp16Packet{.mode = 0x37 + random.between(0, 2)}.bytes();
+    for (int flips = random.between(1, 4); flips > 0; --flips) {
+      bytes[static_cast<std::size_t>(random.between(0, 1205))] =
+          static_cast<std::byte>(random.next());
+    }
+    VelodyneVlp16 packet;
+    if (packet.decode(bytes) == DecodeStatus::kOk) {
+      packet.for_each_point([](const ScanPoint& point) {
+        ASSERT_LT(point.layer, 16);
+        ASSERT_LT(point.azimuth_ticks, 36'000);
+      });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace iog::lidar

@@ -1,0 +1,145 @@
+// Directions against floating-point trigonometry, fates against the table of contract section 6.
+#include "vehicle/beam.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "fakes/effort.hpp"
+#include "fakes/test_vehicles.hpp"
+
+namespace iog::vehicle {
+namespace {
+
+using tests::OneLux;
+using tests::TiltedLux;
+
+struct Vector {
+  double x;
+  double y;
+  double z;
+};
+
+Vector about_z(Vector v, double angle) {
+  return {v.x * std::cos(angle) - v.y * std::sin(angle),
+          v.x * std::sin(angle) + v.y * std::cos(angle), v.z};
+}
+Vector about_y(Vector v, double angle) {
+  return {v.x * std::cos(angle) + v.z * std::sin(angle), v.y,
+          -v.x * std::sin(angle) + v.z * std::cos(angle)};
+}
+Vector about_x(Vector v, double angle) {
+  return {v.x, v.y * std::cos(angle) - v.z * std::sin(angle),
+          v.y * std::sin(angle) + v.z * std::cos(angle)};
+}
+
+// The end of a beam by one rotation after the other: roll first, yaw last.
+Vector end_of(const MountConfig& mount, double azimuth, double elevation, double length_m) {
+  const double degree = std::acos(-1.0) / 180;
+  Vector v{std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+           std::sin(elevation)};
+  v = about_z(about_y(about_x(v, mount.roll_deg * degree), mount.pitch_deg * degree),
+              mount.yaw_deg * degree);
+  return {mount.x_m + length_m * v.x, mount.y_m + length_m * v.y, mount.z_m + length_m * v.z};
+}
+
+template <typename Car>
+void expect_every_direction_right() {
+  const double degree = std::acos(-1.0) / 180;
+  const Sensor& sensor = Car::kVehicle.sensors[0];
+  for (std::uint8_t layer = 0; layer < 4; ++layer) {
+    const double elevation = lidar::IbeoLux::kElevationsDeg[layer] * degree;
+    for (int tick = 0; tick < 11520; tick += tests::effort(1, 7)) {
+      const Beam beam = aim(sensor, layer, static_cast<std::uint16_t>(tick));
+      const Vector end = end_of(Car::kConfigs[0].mount, tick * degree / 32, elevation, 50);
+      const auto& x = beam.line.x();
+      const auto& y = beam.line.y();
+      const std::int32_t end_x = sensor.origin.x + x.step() * static_cast<std::int32_t>(x.length());
+      const std::int32_t end_y = sensor.origin.y + y.step() * static_cast<std::int32_t>(y.length());
+      // Half a subcell of rounding and 0.002 of the coefficients' own.
+      ASSERT_NEAR(end_x, (end.x + 51.2) * kSubcellsPerMetre, 0.503) << tick;
+      ASSERT_NEAR(end_y, (end.y + 51.2) * kSubcellsPerMetre, 0.503) << tick;
+      ASSERT_NEAR(beam.end_z, end.z * kSubcellsPerMetre, 0.503) << tick;
+    }
+  }
+}
+
+TEST(Beam, EndsWhereTrigonometrySaysStraight) { expect_every_direction_right<OneLux>(); }
+TEST(Beam, EndsWhereTrigonometrySaysTilted) { expect_every_direction_right<TiltedLux>(); }
+
+Judgement fate_of(const lidar::ScanPoint& point) {
+  const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
+  const Beam beam = aim(sensor, point.layer, point.azimuth_ticks);
+  return judge(TiltedLux::kVehicle, sensor, beam, point);
+}
+
+void expect_fate(const lidar::ScanPoint& point, Fate fate, bool carves, bool marks) {
+  const Judgement judgement = fate_of(point);
+  EXPECT_EQ(static_cast<int>(judgement.fate), static_cast<int>(fate));
+  EXPECT_EQ(judgement.carves, carves);
+  EXPECT_EQ(judgement.marks, marks);
+}
+
+TEST(Fate, EachPointHasExactlyOne) {
+  expect_fate({.range_mm = 5'000, .layer = 2}, Fate::kUsed, true, true);
+  expect_fate({.range_mm = 0, .layer = 2}, Fate::kNoReturn, true, false);
+  expect_fate({.range_mm = 0, .layer = 2, .echo = 1}, Fate::kNoReturn, false, false);
+  expect_fate({.range_mm = 299, .layer = 2}, Fate::kTooNear, false, false);
+  expect_fate({.range_mm = 300, .layer = 2}, Fate::kUsed, true, true);
+  expect_fate({.range_mm = 5'000, .layer = 2, .echo = 1}, Fate::kLaterEcho, false, true);
+  expect_fate({.range_mm = 50'001, .layer = 2}, Fate::kTooFar, true, false);
+  expect_fate({.range_mm = 50'001, .layer = 2, .echo = 2}, Fate::kTooFar, false, false);
+  expect_fate({.range_mm = 5'000, .layer = 2, .is_ground = true}, Fate::kFlagged, true, false);
+  expect_fate({.range_mm = 5'000, .layer = 2, .echo = 1, .is_ground = true}, Fate::kFlagged, false,
+              false);
+  expect_fate({.range_mm = 5'000, .layer = 2, .is_dirt = true}, Fate::kFlagged, false, false);
+  expect_fate({.range_mm = 5'000, .layer = 2, .is_rain = true}, Fate::kFlagged, false, false);
+}
+
+// Pitched down by 1.9 degrees, layer 0 (-1.2 degrees) falls from 0.5 m to below 0.2 m after
+// 0.3 / tan 3.1 degrees = 5.54 m.
+TEST(Fate, AnEndBelowTheBandOnlyCarves) {
+  expect_fate({.range_mm = 5'400, .layer = 0}, Fate::kUsed, true, true);
+  expect_fate({.range_mm = 5'700, .layer = 0}, Fate::kOutsideHeightBand, true, false);
+  expect_fate({.range_mm = 5'700, .layer = 0, .echo = 1}, Fate::kOutsideHeightBand, false, false);
+}
+
+// The sensor stands 0.23 m in front of the car's front at x = 1. Turned by 23.7 degrees, it looks
+// straight back at 156.3 degrees: 1 m ends on the car, 9 m behind it.
+TEST(Fate, APointOnTheCarItselfIsDropped) {
+  expect_fate({.range_mm = 1'000, .azimuth_ticks = 5002, .layer = 2}, Fate::kTooNear, false, false);
+  expect_fate({.range_mm = 9'000, .azimuth_ticks = 5002, .layer = 2}, Fate::kUsed, true, true);
+}
+
+TEST(HeightBand, IsWholeWhereBothEndsAreInside) {
+  const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
+  const Beam beam = aim(sensor, 0, 0);
+  EXPECT_TRUE(part_in_band(TiltedLux::kVehicle, sensor, beam, 5'000).is_whole);
+}
+
+TEST(HeightBand, EndsWhereTheBeamLeavesIt) {
+  const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
+  const Beam beam = aim(sensor, 0, 0);
+  const BandPart part = part_in_band(TiltedLux::kVehicle, sensor, beam, 50'000);
+  ASSERT_FALSE(part.is_whole || part.is_empty);
+  EXPECT_EQ(part.from.numerator, 0U);
+  const double leaves_m =
+      50.0 * static_cast<double>(part.to.numerator) / static_cast<double>(part.to.denominator);
+  EXPECT_NEAR(leaves_m, 5.54, 0.02);
+}
+
+TEST(HeightBand, ASensorOutsideTheBandSeesOnlyWhereItsBeamEnters) {
+  Vehicle high = TiltedLux::kVehicle;
+  high.z_min = static_cast<std::int32_t>(-2 * kSubcellsPerMetre);
+  high.z_max = static_cast<std::int32_t>(0.2 * kSubcellsPerMetre);
+  const Sensor& sensor = high.sensors[0];
+  const BandPart down = part_in_band(high, sensor, aim(sensor, 0, 0), 50'000);
+  ASSERT_FALSE(down.is_whole || down.is_empty);
+  EXPECT_NEAR(
+      50.0 * static_cast<double>(down.from.numerator) / static_cast<double>(down.from.denominator),
+      5.54, 0.02);
+  const BandPart up = part_in_band(high, sensor, aim(sensor, 3, 5760), 50'000);
+  EXPECT_TRUE(up.is_empty);
+}
+
+}  // namespace
+}  // namespace iog::vehicle
