@@ -25,12 +25,12 @@ class TransmitShaper {
   // How many frames may leave now. now_us must not go back.
   std::size_t allowed(std::uint64_t now_us) {
     const std::uint64_t elapsed_us = now_us - window_began_us_;
-    if (elapsed_us >= kFullUs) {
+    if (elapsed_us >= kForgetUs) {
       credit_ = kBurstFrames;
       window_began_us_ = now_us;
       return credit_;
     }
-    // Below 2^32, so the division is one by a constant.
+    // Less than kForgetUs, so the division is one of 32 bits.
     const std::uint32_t windows = static_cast<std::uint32_t>(elapsed_us) / kWindowUs;
     window_began_us_ += windows * kWindowUs;
     credit_ += windows * kFramesPerWindow;
@@ -42,8 +42,9 @@ class TransmitShaper {
   void spend(std::size_t frames) { credit_ -= static_cast<std::uint32_t>(frames); }
 
  private:
-  // After this long the credit is full, whatever was spent.
-  static constexpr std::uint32_t kFullUs = kBurstFrames / kFramesPerWindow * kWindowUs;
+  // After this long the credit is full, whatever was spent, and nothing is lost by starting anew.
+  // Not sooner: a loop that comes every 999 us must not lose the 249 us that made no window yet.
+  static constexpr std::uint32_t kForgetUs = 2 * kBurstFrames / kFramesPerWindow * kWindowUs;
 
   std::uint64_t window_began_us_ = 0;
   std::uint32_t credit_ = kBurstFrames;

@@ -1,0 +1,227 @@
+// The Ethernet port against a controller made of RAM: hal/ethernet_port.hpp, the drops, the start.
+#include "ethernet/enet_port.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "trace.hpp"
+
+namespace iog::imx6 {
+namespace {
+
+using machine::last_write;
+using machine::peek;
+using machine::poke;
+using machine::recorder;
+using machine::Write;
+
+constexpr std::size_t kReceive = 4;
+constexpr std::size_t kTransmit = 40;  // more than one burst of the shaper
+constexpr MacAddress kAddress = {0x02, 0x11, 0x22, 0x33, 0x44, 0x55};
+
+class Port : public testing::Test {
+ protected:
+  Port() {
+    recorder.reset();
+    recorder.on_store = [this](const void* address, std::uint32_t value) {
+      if (address == &registers_.ecr && (value & EnetRegisters::kEcrReset) != 0) {
+        poke(registers_.ecr, 0u);
+      }
+      if (address == &registers_.mmfr) {
+        poke(registers_.eir, EnetRegisters::kEirMii);
+      }
+    };
+    port_.start(kAddress);
+  }
+
+  // What the controller does with a frame: the bytes, the length with FCS, E cleared.
+  void arrive(std::size_t bytes_with_fcs, std::uint16_t flags = receive_flag::kLast) {
+    Descriptor& descriptor = receive_[arrived_ % kReceive];
+    ASSERT_NE(descriptor.flags & receive_flag::kEmpty, 0) << "the controller has no buffer";
+    receive_bytes_[arrived_ % kReceive * ReceiveRing::kBufferBytes] = std::byte{arrived_};
+    descriptor.length = static_cast<std::uint16_t>(bytes_with_fcs);
+    descriptor.flags = static_cast<std::uint16_t>((descriptor.flags & receive_flag::kWrap) | flags);
+    ++arrived_;
+  }
+
+  // The controller sends what it owns; returns how many frames.
+  std::size_t send_all() {
+    std::size_t sent = 0;
+    for (Descriptor& descriptor : transmit_) {
+      if ((descriptor.flags & transmit_flag::kReady) != 0) {
+        descriptor.flags &= static_cast<std::uint16_t>(~transmit_flag::kReady);
+        ++sent;
+      }
+    }
+    poke(registers_.tdar, 0u);
+    return sent;
+  }
+
+  void queue(std::size_t frames) {
+    for (std::size_t count = 0; count < frames; ++count) {
+      ASSERT_FALSE(port_.acquire().empty());
+      port_.commit(60);
+    }
+  }
+
+  void pump_at(std::uint32_t now_us) {
+    poke(gpt_.cnt, now_us);
+    port_.pump();
+  }
+
+  EnetRegisters registers_{};
+  GptRegisters gpt_{};
+  Pl310Registers pl310_{};
+  GptClock clock_{gpt_};
+  L2Cache cache_{pl310_};
+  std::array<Descriptor, kReceive> receive_{};
+  std::array<Descriptor, kTransmit> transmit_{};
+  std::vector<std::byte> receive_bytes_{kReceive * ReceiveRing::kBufferBytes};
+  std::vector<std::byte> transmit_bytes_{kTransmit * TransmitRing::kBufferBytes};
+  EnetPort port_{registers_, receive_, receive_bytes_, transmit_, transmit_bytes_, cache_, clock_};
+  std::uint8_t arrived_ = 0;
+};
+
+TEST_F(Port, StartsByTheManualWithEtherenNearTheEnd) {
+  const std::vector<Write> writes = machine::writes_to(registers_);
+  EXPECT_EQ(writes.front(), (Write{0x024, 1})) << "reset first";
+  EXPECT_EQ(last_write(registers_, 0x0e4), 0x0211'2233u);
+  EXPECT_EQ(last_write(registers_, 0x0e8), 0x4455'8808u);
+  EXPECT_EQ(last_write(registers_, 0x084),
+            0x05ee'0044u);                           // MAX_FL 1518, RGMII, MII; promiscuous off
+  EXPECT_EQ(last_write(registers_, 0x0c4), 0x4u);    // full duplex
+  EXPECT_EQ(last_write(registers_, 0x144), 0x100u);  // store and forward
+  EXPECT_EQ(last_write(registers_, 0x188), 2032u);
+  EXPECT_EQ(last_write(registers_, 0x1b0), 2032u);
+  EXPECT_EQ(last_write(registers_, 0x180), machine::bus_address(receive_[0]));
+  EXPECT_EQ(last_write(registers_, 0x184), machine::bus_address(transmit_[0]));
+  const std::vector<Write> end(writes.end() - 3, writes.end());
+  const std::vector<Write> expected = {
+      {0x024, 0x102},        // ECR: DBSWP, ETHEREN
+      {0x010, 0x0100'0000},  // RDAR
+      {0x008, 0x0200'0000},  // EIMR: a received frame wakes
+  };
+  EXPECT_EQ(end, expected);
+}
+
+TEST_F(Port, ShowsTheOldestFrameUntilItIsReleased) {
+  EXPECT_TRUE(port_.receive().empty());
+  arrive(64);
+  arrive(100);
+  EXPECT_EQ(port_.receive().size(), 60u) << "without FCS";
+  EXPECT_EQ(port_.receive().size(), 60u);
+  EXPECT_EQ(port_.receive()[0], std::byte{0});
+  recorder.reset();
+  port_.release();
+  EXPECT_EQ(last_write(registers_, 0x010), 0x0100'0000u)
+      << "the controller looks for buffers again";
+  EXPECT_EQ(port_.receive().size(), 96u);
+  port_.release();
+  EXPECT_TRUE(port_.receive().empty());
+  EXPECT_EQ(port_.counters().received, 2u);
+}
+
+TEST_F(Port, TheRingTurnsForEver) {
+  for (int count = 0; count < 1000; ++count) {
+    arrive(64);
+    ASSERT_EQ(port_.receive().size(), 60u);
+    ASSERT_EQ(port_.receive()[0], std::byte{static_cast<std::uint8_t>(count)});
+    port_.release();
+  }
+}
+
+TEST_F(Port, FramesMarkedBadAreCountedAndDropped) {
+  constexpr std::uint16_t kLast = receive_flag::kLast;
+  for (const std::uint16_t bad :
+       {receive_flag::kBadCrc, receive_flag::kNonOctet, receive_flag::kOverrun}) {
+    arrive(64, static_cast<std::uint16_t>(kLast | bad));
+    EXPECT_TRUE(port_.receive().empty());
+  }
+  arrive(17);  // shorter than header and FCS
+  EXPECT_TRUE(port_.receive().empty());
+  arrive(1519);  // not marked, and yet too long
+  EXPECT_TRUE(port_.receive().empty());
+  arrive(64);
+  EXPECT_EQ(port_.receive().size(), 60u);
+  EXPECT_EQ(port_.counters().receive_errors, 5u);
+  EXPECT_EQ(port_.counters().received, 1u);
+}
+
+TEST_F(Port, AFrameInSeveralBuffersCountsOnce) {
+  arrive(2032, 0);
+  arrive(4064, 0);
+  arrive(4100, receive_flag::kLast | receive_flag::kTooLong);
+  arrive(64);
+  EXPECT_EQ(port_.receive().size(), 60u);
+  EXPECT_EQ(port_.counters().oversized, 1u);
+  port_.release();
+  arrive(1600, receive_flag::kLast | receive_flag::kTooLong);
+  EXPECT_TRUE(port_.receive().empty());
+  EXPECT_EQ(port_.counters().oversized, 2u);
+  EXPECT_EQ(port_.counters().receive_errors, 0u);
+}
+
+TEST_F(Port, AcquireGivesTheSameBufferUntilCommit) {
+  const std::span<std::byte> first = port_.acquire();
+  EXPECT_GE(first.size(), 1514u);
+  EXPECT_EQ(port_.acquire().data(), first.data());
+  port_.commit(14);
+  EXPECT_NE(port_.acquire().data(), first.data());
+}
+
+TEST_F(Port, OnlyPumpHandsOverAndAtMostABurst) {
+  queue(kTransmit);
+  EXPECT_EQ(send_all(), 0u) << "committed is not sent";
+  pump_at(0);
+  EXPECT_EQ(send_all(), TransmitShaper::kBurstFrames);
+  pump_at(100);
+  EXPECT_EQ(send_all(), 0u);
+  pump_at(260);
+  EXPECT_EQ(send_all(), kTransmit - TransmitShaper::kBurstFrames);
+  EXPECT_EQ(port_.counters().sent, kTransmit);
+}
+
+TEST_F(Port, AFullRingIsRefusedAndCountedUntilFramesAreSent) {
+  queue(kTransmit);
+  EXPECT_TRUE(port_.acquire().empty());
+  EXPECT_TRUE(port_.acquire().empty());
+  EXPECT_EQ(port_.counters().send_refused, 2u);
+  pump_at(0);
+  EXPECT_TRUE(port_.acquire().empty()) << "in flight is not free";
+  send_all();
+  EXPECT_FALSE(port_.acquire().empty());
+  EXPECT_EQ(port_.counters().send_refused, 3u);
+}
+
+// Erratum ERR006358: TDAR may lose the write, so it is written again while frames are on the way.
+TEST_F(Port, AWakeUpThatWasLostIsRepeated) {
+  queue(1);
+  pump_at(0);
+  EXPECT_EQ(peek<std::uint32_t>(registers_.tdar), 0x0100'0000u);
+  poke(registers_.tdar, 0u);  // lost, the frame still ready
+  pump_at(1);
+  EXPECT_EQ(peek<std::uint32_t>(registers_.tdar), 0x0100'0000u);
+  send_all();
+  pump_at(2);
+  EXPECT_EQ(peek<std::uint32_t>(registers_.tdar), 0u) << "nothing is on the way any more";
+}
+
+TEST_F(Port, ClearingTheEventTouchesNoOtherFlag) {
+  recorder.reset();
+  port_.clear_event();
+  EXPECT_EQ(machine::writes_to(registers_), (std::vector<Write>{{0x004, 0x0200'0000}}));
+}
+
+using PortDeathTest = Port;
+
+TEST_F(PortDeathTest, BrokenContractsStop) {
+  EXPECT_DEATH(port_.release(), "");
+  EXPECT_DEATH(port_.commit(60), "");
+  port_.acquire();
+  EXPECT_DEATH(port_.commit(13), "");
+  EXPECT_DEATH(port_.commit(1515), "");
+}
+
+}  // namespace
+}  // namespace iog::imx6

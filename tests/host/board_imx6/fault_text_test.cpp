@@ -1,0 +1,48 @@
+// The last word, read by a person.
+#include <array>
+#include <gtest/gtest.h>
+
+#include "fault.hpp"
+
+namespace iog::imx6 {
+namespace {
+
+constexpr std::array<mmu::Range, 1> kStacks{{{0x1030'1000, 0x1034'1000}}};
+const mmu::MemoryMap kMap{.code = {},
+                          .data = {},
+                          .dma = {},
+                          .boot_record = {},
+                          .stack_section = 0x1030'0000,
+                          .stacks = kStacks,
+                          .devices = {}};
+constexpr FaultFrame frame(FaultKind kind) {
+  return {
+      .kind = kind, .pc = 0x1010'0abc, .spsr = 0x6000'01d3, .lr = 0x1010'0def, .sp = 0x1034'0ff0};
+}
+
+TEST(LastWord, OfADataAbortNamesTheAddress) {
+  EXPECT_EQ(
+      describe(frame(FaultKind::kDataAbort), {.status = 0x805, .address = 4}, kMap).view(),
+      "data abort pc=10100abc lr=10100def sp=10340ff0 spsr=600001d3 fsr=00000805 far=00000004");
+}
+
+TEST(LastWord, OfAStackOverflowSaysSo) {
+  const TextLine line =
+      describe(frame(FaultKind::kDataAbort), {.status = 0x807, .address = 0x1030'0ffc}, kMap);
+  EXPECT_TRUE(line.view().ends_with("far=10300ffc (stack guard)"));
+}
+
+TEST(LastWord, HasNoFaultAddressWhereThereIsNone) {
+  EXPECT_EQ(describe(frame(FaultKind::kInterrupt), {}, kMap).view(),
+            "interrupt taken pc=10100abc lr=10100def sp=10340ff0 spsr=600001d3");
+}
+
+TEST(LastWord, FitsTheBootRecord) {
+  const TextLine line =
+      describe(frame(FaultKind::kPrefetchAbort), {.status = 0x7, .address = 0x1030'0000}, kMap);
+  EXPECT_LE(line.view().size(), 240u);
+  EXPECT_TRUE(line.view().starts_with("prefetch abort"));
+}
+
+}  // namespace
+}  // namespace iog::imx6
