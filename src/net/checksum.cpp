@@ -1,7 +1,7 @@
 // Ranges: a piece is summed as 32-bit words into 64 bits, so 2^32 words fit; a frame has 379.
-// 2^16 = 1 modulo 2^16 - 1, so folding the upper half onto the lower keeps the one's complement
-// sum. Two folds bring 32 bits below 2^16: the first leaves at most 2 * (2^16 - 1) = 2^17 - 2, the
-// second at most 2^16 - 1.
+// 2^16 = 1 modulo 2^16 - 1, and so is 2^32: folding the upper half onto the lower keeps the sum.
+// Two folds bring 2n bits into n: the first leaves at most 2 * (2^n - 1), that is a carry of 1 and
+// a lower half of at most 2^n - 2, so that the second leaves at most 2^n - 1.
 #include "net/checksum.hpp"
 
 #include "wire/byte_order.hpp"
@@ -41,17 +41,11 @@ void Checksum::add(std::span<const std::byte> bytes) {
   add_sum(ones_complement_sum(bytes), bytes.size());
 }
 
-void Checksum::add_u16(std::uint16_t word) {
-  add_sum(word, 2);
-}
+void Checksum::add_u16(std::uint16_t word) { add_sum(word, 2); }
 
-void Checksum::add_u32(std::uint32_t words) {
-  add_sum(fold(words), 4);
-}
+void Checksum::add_u32(std::uint32_t words) { add_sum(fold(words), 4); }
 
-std::uint16_t Checksum::value() const {
-  return static_cast<std::uint16_t>(~sum_);
-}
+std::uint16_t Checksum::value() const { return static_cast<std::uint16_t>(~sum_); }
 
 // Behind an odd number of bytes each byte of the piece sits in the other half of its word, and the
 // sum of swapped words is the swapped sum.

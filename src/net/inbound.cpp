@@ -7,13 +7,9 @@
 namespace iog::net {
 namespace {
 
-Inbound dropped(Drop cause) {
-  return {.kind = InboundKind::kDropped, .drop = cause};
-}
+Inbound dropped(Drop cause) { return {.kind = InboundKind::kDropped, .drop = cause}; }
 
-bool is_vlan(std::uint16_t type) {
-  return type == kEtherTypeVlan || type == kEtherTypeServiceVlan;
-}
+bool is_vlan(std::uint16_t type) { return type == kEtherTypeVlan || type == kEtherTypeServiceVlan; }
 
 // Lidars commonly broadcast, to the limited address or to that of the subnet.
 bool reaches_us(Ipv4Address destination, const Config& config) {

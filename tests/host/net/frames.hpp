@@ -59,9 +59,14 @@ inline std::uint16_t reference_checksum(std::span<const std::byte> bytes) {
   return static_cast<std::uint16_t>(~sum);
 }
 
-inline void put_be16(Frame& frame, std::size_t offset, unsigned value) {
+inline void put_be16(Frame& frame, std::size_t offset, std::size_t value) {
   frame[offset] = static_cast<std::byte>(value >> 8);
   frame[offset + 1] = static_cast<std::byte>(value);
+}
+
+inline unsigned be16(const Frame& frame, std::size_t offset) {
+  return std::to_integer<unsigned>(frame[offset]) << 8 |
+         std::to_integer<unsigned>(frame[offset + 1]);
 }
 
 inline constexpr std::size_t kIpOffset = 14;

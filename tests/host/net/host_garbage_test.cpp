@@ -1,10 +1,12 @@
 // The wire is hostile. Whatever arrives, poll() survives it, every frame is counted exactly once,
 // and a frame that is not intact is not delivered.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "net/frames.hpp"

@@ -13,18 +13,13 @@
 namespace iog::net::testing {
 namespace {
 
-unsigned be16(const Frame& frame, std::size_t offset) {
-  return std::to_integer<unsigned>(frame[offset]) << 8 |
-         std::to_integer<unsigned>(frame[offset + 1]);
-}
-
 // RFC 768: the checksum is over the addresses, 0, 17, the UDP length and the datagram.
 bool has_right_udp_checksum(const Frame& frame) {
   const std::size_t length = be16(frame, kUdpOffset + 4);
   Frame summed(frame.begin() + kIpOffset + 12, frame.begin() + kUdpOffset);
   summed.resize(12);
   put_be16(summed, 8, 17);
-  put_be16(summed, 10, static_cast<unsigned>(length));
+  put_be16(summed, 10, length);
   const auto datagram = std::span{frame}.subspan(kUdpOffset, length);
   summed.insert(summed.end(), datagram.begin(), datagram.end());
   return reference_checksum(summed) == 0;

@@ -2,7 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "net/frames.hpp"
 #include "net/host.hpp"

@@ -1,4 +1,5 @@
 // What Host answers on its own: ARP to the subnet, ping to the peer. And whom it learns from.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -173,23 +174,39 @@ TEST(HostPing, AnswersThePeer) {
   EXPECT_TRUE(station.conserved());
 }
 
+// A ping with this many bytes of data behind the ICMP header.
+Frame ping_with(std::size_t data_bytes) {
+  Frame ping = linux_ping();
+  ping.resize(kUdpOffset + 8 + data_bytes, std::byte{0x5A});
+  put_be16(ping, kIpOffset + 2, 28 + data_bytes);
+  fix_ip_checksum(ping);
+  put_be16(ping, kUdpOffset + 2, 0);
+  put_be16(ping, kUdpOffset + 2, reference_checksum(std::span{ping}.subspan(kUdpOffset)));
+  return ping;
+}
+
 TEST(HostPing, AnswersEveryLengthThatFitsAFrame) {
   Station station;
   station.resolve();
   for (std::size_t data = 0; data <= kMaxIpv4PayloadBytes - 8; ++data) {
-    Frame ping = linux_ping();
-    ping.resize(kUdpOffset + 8 + data, std::byte{0x5A});
-    put_be16(ping, kIpOffset + 2, static_cast<unsigned>(28 + data));
-    fix_ip_checksum(ping);
-    put_be16(ping, kUdpOffset + 2, 0);
-    put_be16(ping, kUdpOffset + 2, reference_checksum(std::span{ping}.subspan(kUdpOffset)));
+    const Frame ping = ping_with(data);
     static_cast<void>(station.take(ping));
     station.port.pump();
     const auto sent = station.port.take_sent();
     ASSERT_EQ(sent.size(), 1U) << data;
     ASSERT_EQ(sent[0].size(), std::max(ping.size(), kMinFrameBytes));
     EXPECT_EQ(reference_checksum(std::span{sent[0]}.subspan(kUdpOffset, 8 + data)), 0);
+    EXPECT_EQ(be16(sent[0], kIpOffset + 4), data) << "identification counts packets";
   }
+}
+
+// A port may have larger receive buffers than transmit buffers.
+TEST(HostPing, IgnoresWhatItCouldNotSendBack) {
+  Station station;
+  station.resolve();
+  static_cast<void>(station.take(ping_with(kMaxIpv4PayloadBytes - 8 + 1)));
+  EXPECT_EQ(station.dropped(Drop::kPingIgnored), 1U);
+  EXPECT_TRUE(station.port.take_sent().empty());
 }
 
 TEST(HostPing, IgnoresOthersBroadcastsAndAnUnresolvedPeer) {

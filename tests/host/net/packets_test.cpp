@@ -40,13 +40,9 @@ Frame padded(Frame frame) {
   return frame;
 }
 
-std::span<const std::byte> ip_of(const Frame& frame) {
-  return std::span{frame}.subspan(kIpOffset);
-}
+std::span<const std::byte> ip_of(const Frame& frame) { return std::span{frame}.subspan(kIpOffset); }
 
-Ipv4Status status_of(const Frame& frame) {
-  return parse_ipv4(ip_of(frame)).status;
-}
+Ipv4Status status_of(const Frame& frame) { return parse_ipv4(ip_of(frame)).status; }
 
 TEST(Ethernet, TakesTheHeaderApart) {
   const Frame frame = linux_arp_request();
@@ -84,7 +80,7 @@ TEST(Ipv4, SkipsOptions) {
     const std::size_t option_bytes = (words - 5) * std::size_t{4};
     frame.insert(frame.begin() + kUdpOffset, option_bytes, std::byte{1});  // no operation
     frame[kIpOffset] = static_cast<std::byte>(0x40 | words);
-    put_be16(frame, kIpOffset + 2, static_cast<unsigned>(34 + option_bytes));
+    put_be16(frame, kIpOffset + 2, 34 + option_bytes);
     put_be16(frame, kIpChecksumOffset, 0);
     const auto header = std::span{frame}.subspan(kIpOffset, 20 + option_bytes);
     put_be16(frame, kIpChecksumOffset, reference_checksum(header));
@@ -125,9 +121,7 @@ TEST(Ipv4, RefusesFragmentsButNotTheFlagsOfWholeDatagrams) {
   EXPECT_EQ(status_with_flags(0x0000), Ipv4Status::kOk);
 }
 
-UdpResult udp_of(const Frame& frame) {
-  return parse_udp(parse_ipv4(ip_of(frame)).packet);
-}
+UdpResult udp_of(const Frame& frame) { return parse_udp(parse_ipv4(ip_of(frame)).packet); }
 
 TEST(Udp, TakesTheDatagramsOfOthersApart) {
   const Frame even = linux_udp_even();
@@ -207,6 +201,7 @@ TEST(Icmp, KnowsAnEchoRequestByTypeCodeAndChecksum) {
   EXPECT_EQ(classify_icmp(message), IcmpStatus::kEchoRequest);
   EXPECT_EQ(classify_icmp(message.first(7)), IcmpStatus::kBad);
   EXPECT_EQ(classify_icmp(message.first(message.size() - 2)), IcmpStatus::kBad) << "checksum";
+  EXPECT_EQ(classify_icmp(from_hex("0800f7ff0000")), IcmpStatus::kBad) << "short, sum right";
   // Types and codes with a right checksum: 0000 ffff is an echo reply, 0301 an unreachable host.
   EXPECT_EQ(classify_icmp(from_hex("0000ffff00000000")), IcmpStatus::kOther);
   EXPECT_EQ(classify_icmp(from_hex("0301fcfe00000000")), IcmpStatus::kOther);

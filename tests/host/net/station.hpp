@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "fakes/fake_ethernet_port.hpp"
 #include "net/frames.hpp"
