@@ -19,14 +19,16 @@ namespace iog::app {
 // begin_message():  room for one message, at least kMaxMessageBytes, or empty when none can go out.
 // send_message(n):  sends the first n bytes of that room.
 // ticks(), ticks_hz(): a stopwatch, as hal::Stopwatch.
-// fill_vitals(end): link counters and stack depth of the machine.
+// fill_vitals(header, end): link counters and stack depth of the machine; adds the datagrams that
+//                   the link itself has dropped to the header's count.
 template <typename T>
-concept Outside = requires(T& outside, std::size_t bytes, stream::FrameEnd& end) {
+concept Outside = requires(T& outside, std::size_t bytes, stream::Header& header,
+                           stream::FrameEnd& end) {
   { outside.begin_message() } -> std::same_as<std::span<std::byte>>;
   { outside.send_message(bytes) } -> std::same_as<void>;
   { outside.ticks() } -> std::same_as<std::uint32_t>;
   { outside.ticks_hz() } -> std::same_as<std::uint32_t>;
-  { outside.fill_vitals(end) } -> std::same_as<void>;
+  { outside.fill_vitals(header, end) } -> std::same_as<void>;
 };
 
 template <Outside Out>
@@ -76,10 +78,10 @@ class Pipeline {
     stream::Header header;
     stream::FrameEnd end;
     engine_.report(now_us, header, end);
+    out_->fill_vitals(header, end);
     publish_tiles(header, end);
     end.ticks = {.fuse = ticks_.fuse, .mark = marked - start, .publish = ticks_.publish};
     end.stopwatch_hz = out_->ticks_hz();
-    out_->fill_vitals(end);
     publish_end(header, end);
 
     engine_.start_next(now_us);

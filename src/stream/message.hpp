@@ -110,7 +110,7 @@ struct FrameEnd {
   std::uint32_t grid_crc = 0;    // of all known tiles, sent or not (stream/tile.hpp)
   std::uint64_t opened_us = 0;   // when the frame opened
   std::uint32_t stopwatch_hz = 0;
-  StageTicks ticks;                                            // publish: that of the frame before
+  StageTicks ticks{};                                          // publish: that of the frame before
   std::uint32_t stack_used_bytes = 0;                          // deepest so far
   std::array<std::uint32_t, vehicle::kFateCount> fates{};      // scan points of this frame
   std::array<std::uint32_t, kPacketDropCount> packet_drops{};  // since start

@@ -31,7 +31,7 @@ struct SensorConfig {
   lidar::Format format = lidar::Format::kIbeoLux;
   std::uint32_t source_ipv4 = 0;  // the sensor's address, 0: any
   std::uint16_t udp_port = 0;     // where its packets arrive; one port for each sensor
-  MountConfig mount;
+  MountConfig mount{};
   std::uint32_t range_min_mm = 0;         // nearer points are dropped
   std::uint32_t range_max_mm = 50'000;    // L: the length of the local 1D grid, < 2^18
   std::uint32_t precision_mm = 100;       // Delta: the length of a 1D cell
@@ -54,8 +54,8 @@ enum class FusionRule : std::uint8_t { kHitsWin, kBayes };
 
 struct Description {
   std::string_view name;
-  FootprintConfig footprint;  // points inside are the car's own
-  double z_min_m = 0.0;       // the height band: only this part of a beam is evidence
+  FootprintConfig footprint{};  // points inside are the car's own
+  double z_min_m = 0.0;         // the height band: only this part of a beam is evidence
   double z_max_m = 2.0;
   double epsilon = 0.05;  // of the recursive set
   index::Quantisation quantisation = index::Quantisation::kBlurring;

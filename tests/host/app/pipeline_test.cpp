@@ -61,8 +61,9 @@ std::vector<Datagram> scan(std::uint16_t port, int number, int parts, tests::Ran
 
 std::vector<Datagram> frame_of_three(int number, int parts, tests::Random& random) {
   std::vector<Datagram> frame;
-  for (const std::uint16_t port : {100, 101, 102}) {
-    std::ranges::move(scan(port, number, parts, random), std::back_inserter(frame));
+  for (const int port : {100, 101, 102}) {
+    std::ranges::move(scan(static_cast<std::uint16_t>(port), number, parts, random),
+                      std::back_inserter(frame));
   }
   return frame;
 }

@@ -54,7 +54,12 @@ class FakeOutside {
 
   std::uint32_t ticks() { return ++ticks_; }
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1000; }
-  void fill_vitals(stream::FrameEnd& end) const { end.stack_used_bytes = 4711; }
+  void fill_vitals(stream::Header& header, stream::FrameEnd& end) const {
+    header.packets_dropped += link_drops;
+    end.stack_used_bytes = 4711;
+  }
+
+  std::uint32_t link_drops = 0;
 
   void allow_messages(int count) { room_left_ = count; }
   [[nodiscard]] int unreadable() const { return unreadable_; }

@@ -20,7 +20,7 @@ struct LuxMessage {
   int scan_number = 1;
   int start_ticks = 1600;
   int end_ticks = -1600;
-  std::vector<LuxPoint> points;
+  std::vector<LuxPoint> points{};
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
     std::vector<std::byte> out;

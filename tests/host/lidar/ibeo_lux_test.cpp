@@ -75,15 +75,16 @@ TEST(IbeoLux, TurnsTicksAndCentimetresIntoAPoint) {
 TEST(IbeoLux, RefusesWhatIsNotItsFormat) {
   const LuxMessage good{.points = {{.range_cm = 100}}};
   auto bytes = good.bytes();
-  bytes[0] = std::byte{0};
+  bytes.at(0) = std::byte{0};
   EXPECT_EQ(decode(bytes), DecodeStatus::kWrongType);
   bytes = good.bytes();
-  bytes[15] = std::byte{0x05};  // 0x2205
+  bytes.at(15) = std::byte{0x05};  // 0x2205
   EXPECT_EQ(decode(bytes), DecodeStatus::kWrongType);
   bytes = good.bytes();
-  bytes[24 + 23] = std::byte{0};  // ticks per rotation
+  bytes.at(24 + 23) = std::byte{0};  // ticks per rotation
   EXPECT_EQ(decode(bytes), DecodeStatus::kWrongAngle);
-  EXPECT_EQ(decode(LuxMessage{.start_ticks = 5761}.bytes()), DecodeStatus::kWrongAngle);
+  EXPECT_EQ(decode(LuxMessage{.start_ticks = 5761, .points = {}}.bytes()),
+            DecodeStatus::kWrongAngle);
 }
 
 TEST(IbeoLux, RefusesImpossiblePoints) {
@@ -106,7 +107,7 @@ TEST(IbeoLux, BelievesNoLengthButItsOwn) {
   longer.push_back(std::byte{0});
   EXPECT_EQ(decode(longer), DecodeStatus::kWrongLength);
   auto boastful = bytes;
-  boastful[24 + 28] = std::byte{6};  // one point more than there is
+  boastful.at(24 + 28) = std::byte{6};  // one point more than there is
   EXPECT_EQ(decode(boastful), DecodeStatus::kWrongLength);
 }
 
@@ -133,7 +134,7 @@ TEST(IbeoLux, IsTotalOnDamagedMessages) {
     for (int flips = random.between(1, 4); flips > 0; --flips) {
       const auto at =
           static_cast<std::size_t>(random.between(0, static_cast<std::int32_t>(bytes.size()) - 1));
-      bytes[at] = static_cast<std::byte>(random.next());
+      bytes.at(at) = static_cast<std::byte>(random.next());
     }
     IbeoLux lux;
     if (lux.decode(bytes) == DecodeStatus::kOk) {

@@ -102,10 +102,10 @@ TEST(VelodyneVlp16, RefusesWhatIsNotItsFormat) {
   EXPECT_EQ(decode(Vlp16Packet{.product = 0x28}.bytes()), DecodeStatus::kWrongType);
   EXPECT_EQ(decode(Vlp16Packet{.product = 0x21}.bytes()), DecodeStatus::kOk);
   auto bytes = good;
-  bytes[500] = std::byte{0};  // the flag of block 5
+  bytes.at(500) = std::byte{0};  // the flag of block 5
   EXPECT_EQ(decode(bytes), DecodeStatus::kWrongType);
   bytes = good;
-  bytes[303] = std::byte{0xFF};  // azimuth of block 3
+  bytes.at(303) = std::byte{0xFF};  // azimuth of block 3
   EXPECT_EQ(decode(bytes), DecodeStatus::kWrongAngle);
   EXPECT_EQ(decode(Vlp16Packet{.step = 301}.bytes()), DecodeStatus::kWrongAngle);
 }
@@ -115,7 +115,7 @@ TEST(VelodyneVlp16, IsTotalOnDamagedPackets) {
   for (int i = 0; i < tests::effort(30'000, 300); ++i) {
     auto bytes = Vlp16Packet{.mode = 0x37 + random.between(0, 2)}.bytes();
     for (int flips = random.between(1, 4); flips > 0; --flips) {
-      bytes[static_cast<std::size_t>(random.between(0, 1205))] =
+      bytes.at(static_cast<std::size_t>(random.between(0, 1205))) =
           static_cast<std::byte>(random.next());
     }
     VelodyneVlp16 packet;

@@ -58,7 +58,7 @@ TEST(Message, TheHeaderIsAsTheSpecificationSays) {
 
 TEST(Message, ALongerHeaderOfALaterDayIsSkipped) {
   auto wire = kHeaderWire;
-  wire[7] = std::byte{52};
+  wire.at(7) = std::byte{52};
   wire.insert(wire.end(), {std::byte{9}, std::byte{9}, std::byte{9}, std::byte{9}, std::byte{42}});
   Header read;
   std::span<const std::byte> body;
@@ -71,13 +71,13 @@ TEST(Message, StrangersAndOtherVersionsAreRefused) {
   Header read;
   std::span<const std::byte> body;
   auto wire = kHeaderWire;
-  wire[0] = std::byte{0};
+  wire.at(0) = std::byte{0};
   EXPECT_EQ(read_header(wire, read, body), ReadStatus::kNotOurs);
   wire = kHeaderWire;
-  wire[4] = std::byte{2};
+  wire.at(4) = std::byte{2};
   EXPECT_EQ(read_header(wire, read, body), ReadStatus::kOtherVersion);
   wire = kHeaderWire;
-  wire[7] = std::byte{47};
+  wire.at(7) = std::byte{47};
   EXPECT_EQ(read_header(wire, read, body), ReadStatus::kTooShort);
   for (std::size_t size = 0; size < kHeaderBytes; ++size) {
     EXPECT_EQ(read_header(std::span(kHeaderWire).first(size), read, body), ReadStatus::kTooShort);
@@ -120,7 +120,7 @@ TEST(Message, ATileThatLiesOutsideItsGridOrIsNotAsLongAsItSaysIsRefused) {
   std::span<const std::byte> payload;
   const auto status_with = [&](std::size_t at, int value) {
     auto wire = tile_wire();
-    wire[at] = static_cast<std::byte>(value);
+    wire.at(at) = static_cast<std::byte>(value);
     return read_tile(wire, read, payload);
   };
   EXPECT_EQ(status_with(1, 31), ReadStatus::kOk);
@@ -185,7 +185,7 @@ TEST(Message, ReadingIsTotalOnGarbage) {
   tests::Random random(61);
   for (int i = 0; i < tests::effort(200'000, 3'000); ++i) {
     std::vector<std::byte> wire = kHeaderWire;
-    wire[5] = static_cast<std::byte>(random.between(0, 3));
+    wire.at(5) = static_cast<std::byte>(random.between(0, 3));
     const int length = random.between(0, 300);
     for (int j = 0; j < length; ++j) {
       wire.push_back(static_cast<std::byte>(random.next()));

@@ -119,7 +119,7 @@ void expect_crossed_cells_and_no_other(SubcellPoint start, SubcellPoint end) {
   for (int x = floor_of(std::min(start.x, end.x)); x <= floor_of(std::max(start.x, end.x)); ++x) {
     for (int y = floor_of(std::min(start.y, end.y)); y <= floor_of(std::max(start.y, end.y)); ++y) {
       const bool crosses = tests::segment_crosses(start, end, {x, y}, kResolution);
-      crossed += crosses || Cell{x, y} == start_cell ? 1 : 0;
+      crossed += crosses || Cell{x, y} == start_cell ? 1U : 0U;
     }
   }
   ASSERT_EQ(cells.size(), crossed) << place();
