@@ -142,8 +142,9 @@ inline Frame linux_ping_reply() {
       "0000 4321 1234 0007 6162636465666768696a6b6c6d6e6f7071727374757677616263646566676869");
 }
 
-// The front of the first packet of a public Velodyne recording, broadcast by 192.168.1.200 with
-// the UDP checksum 0; the 1206 bytes of the payload are zeros here, as nothing sums them.
+// The front of the first packet of a public VLP-16 recording (vlp16_street_1rev.pcap of
+// jerry73204/rust-lidar-utils), broadcast by 192.168.1.200 with the UDP checksum 0; the 1206 bytes
+// of the payload are zeros here, as nothing sums them.
 inline Frame velodyne_broadcast() {
   Frame frame = from_hex(
       "ffffffffffff 607688000000 0800"
