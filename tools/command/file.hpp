@@ -1,0 +1,41 @@
+// Whole files and folders, with one plain sentence when they cannot be read or written.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace iog::tools {
+
+// UsageError if the file cannot be read.
+[[nodiscard]] std::vector<std::byte> read_file(const std::string& path);
+[[nodiscard]] std::vector<std::string> read_lines(const std::string& path);
+
+// Makes the folder and those above it. UsageError if that is not possible.
+void make_folder(const std::string& path);
+
+// `folder`/`stem`_000123`suffix`
+[[nodiscard]] std::string numbered(const std::string& folder, std::string_view stem,
+                                   std::uint64_t number, std::string_view suffix);
+
+class OutputFile {
+ public:
+  // UsageError if the file cannot be written.
+  explicit OutputFile(const std::string& path);
+
+  void write(std::span<const std::byte> bytes);
+  void write(std::string_view text);
+
+  // UsageError if not all has been written. Once, at the end.
+  void finish();
+
+ private:
+  std::string path_;
+  std::ofstream stream_;
+};
+
+}  // namespace iog::tools

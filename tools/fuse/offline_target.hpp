@@ -1,0 +1,79 @@
+// The target without the target: the same pipeline, fed by a capture and its clock.
+//
+// A capture stands for what its replayer sends: the sensors' real addresses are not compared, only
+// their ports. Time is that of the capture, except that a pause is shortened to one second, so that
+// a strange capture does not make millions of empty frames.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "app/pipeline.hpp"
+#include "stream/message.hpp"
+#include "tools/capture/datagram.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::tools {
+
+using MessageHandler = std::function<void(std::span<const std::byte>)>;
+
+// What the pipeline meets on a PC instead of a network and a stopwatch (app::Outside).
+class OfflineOutside {
+ public:
+  explicit OfflineOutside(MessageHandler on_message) : on_message_(std::move(on_message)) {}
+
+  [[nodiscard]] std::span<std::byte> begin_message() { return room_; }
+  void send_message(std::size_t bytes);
+  [[nodiscard]] std::uint32_t ticks() const;
+  [[nodiscard]] std::uint32_t ticks_hz() const { return 1'000'000; }
+  void fill_vitals(stream::Header& /*header*/, stream::FrameEnd& end) const {
+    end.link_counter_count = 0;
+  }
+
+  // Frames with evidence that have left since the last call.
+  [[nodiscard]] unsigned take_evidence_frames() { return std::exchange(evidence_frames_, 0U); }
+
+ private:
+  MessageHandler on_message_;
+  std::array<std::byte, stream::kMaxMessageBytes> room_{};
+  unsigned evidence_frames_ = 0;
+};
+
+class OfflineTarget {
+ public:
+  // Frames with evidence that one datagram has closed.
+  struct Closed {
+    unsigned before = 0;  // they hold the datagrams before this one
+    unsigned after = 0;   // they hold this one, too
+  };
+
+  // vehicle outlives the target. on_message is called for each message that it would send.
+  OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message);
+  OfflineTarget(const OfflineTarget&) = delete;
+  OfflineTarget& operator=(const OfflineTarget&) = delete;
+
+  // The next datagram of the capture. Lets the frames that are over by its time close first.
+  Closed take(const CapturedDatagram& datagram);
+
+  // The capture is over: lets its last frame time out.
+  void finish();
+
+ private:
+  void move_clock_to(std::uint64_t capture_us);
+
+  static constexpr std::uint32_t kReplayer = 0x0A000202;
+  static constexpr std::uint64_t kLongestPauseUs = 1'000'000;
+
+  const vehicle::Vehicle* vehicle_;
+  OfflineOutside outside_;
+  bool has_started_ = false;
+  std::uint64_t last_capture_us_ = 0;
+  std::uint64_t now_us_ = 0;  // starts at 0, as a target's clock does
+  app::Pipeline<OfflineOutside> pipeline_;
+};
+
+}  // namespace iog::tools

@@ -1,0 +1,19 @@
+// A grid as a picture for people: the car in the middle, its x axis (forward) pointing up, its y
+// axis to the left.
+#pragma once
+
+#include <cstdint>
+
+#include "tools/assembly/grid_frame.hpp"
+#include "tools/picture/canvas.hpp"
+
+namespace iog::tools {
+
+struct PictureScale {
+  int pixels_per_cell = 1;
+  int radius_m = 51;  // from the car to the edges; 51: the whole grid
+};
+
+[[nodiscard]] Canvas picture_of(const GridFrame& frame, const PictureScale& scale);
+
+}  // namespace iog::tools

@@ -1,0 +1,31 @@
+// A grid as a map of ROS map_server (trinary mode): a PGM and the YAML that names it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "index/occupancy_index.hpp"
+
+namespace iog::tools {
+
+// A square of cells, row by row from the lowest y.
+struct RosMap {
+  std::span<const index::OccupancyIndex> cells;
+  std::size_t side = 0;
+  double cell_m = 0.1;
+  double origin_m = -51.2;  // x and y of the corner of the first cell
+};
+
+// 0 occupied (index above 0), 254 free (below), 205 unknown; x to the right, the row of highest y
+// on top. map_server's own thresholds give back the three classes.
+[[nodiscard]] std::vector<std::uint8_t> ros_map_pixels(const RosMap& map);
+
+[[nodiscard]] std::string ros_map_yaml(const std::string& image, const RosMap& map);
+
+// `base`.pgm and `base`.yaml in the folder. UsageError if they cannot be written.
+void write_ros_map(const std::string& folder, const std::string& base, const RosMap& map);
+
+}  // namespace iog::tools

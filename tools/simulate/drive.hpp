@@ -1,0 +1,52 @@
+// A simulated drive, frame by frame: the world at the end of each scan, and what the scanners send.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tools/capture/datagram.hpp"
+#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/simulate/city.hpp"
+#include "tools/simulate/lux_scanner.hpp"
+#include "tools/simulate/traffic.hpp"
+
+namespace iog::tools {
+
+class Drive {
+ public:
+  static constexpr std::uint32_t kFramesPerSecond = 25;
+  static constexpr std::uint32_t kMaxSeconds = 600;
+
+  // car outlives the drive. UsageError if one of its sensors is not a LUX. The same seed and car
+  // make the same drive, and a longer one begins like a shorter one's world but with other traffic.
+  Drive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds);
+
+  [[nodiscard]] std::uint32_t frame_count() const { return frame_count_; }
+
+  // Moves the world to the end of that frame's scan.
+  void move_to(std::uint32_t frame);
+
+  // The frame's datagrams, in the order of their times: one burst of all sensors, one after
+  // another, which begins at the end of their scans.
+  [[nodiscard]] std::vector<CapturedDatagram> datagrams();
+
+  [[nodiscard]] const EgoPose& ego() const { return ego_; }
+  [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
+
+ private:
+  [[nodiscard]] LuxScan scan_of(std::size_t sensor);
+
+  const CatalogueEntry* car_;
+  std::uint64_t seed_;
+  std::uint32_t frame_count_;
+  City city_;
+  Traffic traffic_;
+  std::vector<LuxScanner> scanners_;
+
+  std::uint32_t frame_ = 0;
+  std::uint64_t scan_end_us_ = 0;
+  EgoPose ego_;
+  std::vector<Solid> solids_;
+};
+
+}  // namespace iog::tools

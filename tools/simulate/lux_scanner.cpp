@@ -1,0 +1,225 @@
+#include "tools/simulate/lux_scanner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lidar/ibeo_lux.hpp"
+#include "numeric/elementary.hpp"
+#include "tools/simulate/echo_model.hpp"
+#include "vehicle/compile.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr double kHalfBeam = 0.04 * numeric::kPi / 180;  // radians; the LUX's beam is 0.08 degrees
+constexpr double kInFront = 0.05;                        // metres ahead of the sensor
+constexpr double kSeparation = 0.9;  // echoes nearer to one another than this are one
+constexpr double kFoliagePass = 0.45;
+
+Vector3 combined(const Vector3& x_axis, const Vector3& y_axis, const Vector3& z_axis,
+                 const Vector3& v) {
+  return {x_axis.x * v.x + y_axis.x * v.y + z_axis.x * v.z,
+          x_axis.y * v.x + y_axis.y * v.y + z_axis.y * v.z,
+          x_axis.z * v.x + y_axis.z * v.y + z_axis.z * v.z};
+}
+
+double angle_of(std::size_t column) {
+  const auto ticks = kLuxEdgeTicks - static_cast<std::int32_t>(column) * kLuxStepTicks;
+  return ticks * 2 * numeric::kPi / lidar::IbeoLux::kTicksPerTurn;
+}
+
+// The outline of a solid, seen from the sensor in a plane: how near it comes, and between which
+// tangents y / x of direction it lies.
+struct Outline {
+  double nearest = 0;
+  double low = 0;
+  double high = 0;
+  bool is_in_front = false;
+};
+
+Outline outline_of(double x, double y, double reach_x, double reach_y, double reach) {
+  Outline outline;
+  outline.nearest = std::sqrt(x * x + y * y) - reach;
+  outline.is_in_front = x + reach_x > kInFront;
+  if (x - reach_x <= kInFront) {
+    outline.low = -kNoHit;
+    outline.high = kNoHit;
+    return outline;
+  }
+  const double right = y - reach_y;
+  const double left = y + reach_y;
+  outline.low = right / (right > 0 ? x + reach_x : x - reach_x);
+  outline.high = left / (left > 0 ? x - reach_x : x + reach_x);
+  return outline;
+}
+
+}  // namespace
+
+LuxScanner::LuxScanner(const vehicle::SensorConfig& config) : config_(config) {
+  const auto turn = vehicle::compile_detail::rotation_of(config.mount);
+  mount_ = {.origin = {config.mount.x_m, config.mount.y_m, config.mount.z_m},
+            .forward = {turn.forward[0], turn.forward[1], turn.forward[2]},
+            .left = {turn.left[0], turn.left[1], turn.left[2]},
+            .up = {turn.up[0], turn.up[1], turn.up[2]}};
+  for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
+    const double angle = angle_of(column);
+    tangents_[column] = -numeric::sin(angle) / numeric::cos(angle);  // ascending to the right
+    for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
+      const double elevation = lidar::IbeoLux::kElevationsDeg[layer] * numeric::kPi / 180;
+      for (std::size_t edge = 0; edge < 2; ++edge) {
+        const double azimuth = edge == 0 ? angle - kHalfBeam : angle + kHalfBeam;
+        edges_[column][layer][edge] = {numeric::cos(elevation) * numeric::cos(azimuth),
+                                       numeric::cos(elevation) * numeric::sin(azimuth),
+                                       numeric::sin(elevation)};
+      }
+    }
+  }
+}
+
+std::array<std::int16_t, 6> LuxScanner::mounting() const {
+  const auto ticks = [](double degrees) {
+    return static_cast<std::int16_t>(
+        numeric::round(degrees * lidar::IbeoLux::kTicksPerTurn / 360.0));
+  };
+  const auto centimetres = [](double metres) {
+    return static_cast<std::int16_t>(numeric::round(metres * 100));
+  };
+  const vehicle::MountConfig& mount = config_.mount;
+  return {ticks(mount.yaw_deg),   ticks(mount.pitch_deg), ticks(mount.roll_deg),
+          centimetres(mount.x_m), centimetres(mount.y_m), centimetres(mount.z_m)};
+}
+
+LuxScanner::Frame LuxScanner::frame_of(const EgoPose& ego) const {
+  const Placement& at = ego.at;
+  const Vector3 forward{at.cos * ego.pitch_cos, at.sin * ego.pitch_cos, -ego.pitch_sin};
+  const Vector3 left{-at.sin, at.cos, 0};
+  const Vector3 up{at.cos * ego.pitch_sin, at.sin * ego.pitch_sin, ego.pitch_cos};
+  const Vector3 offset = combined(forward, left, up, mount_.origin);
+  return {.origin = {at.x + offset.x, at.y + offset.y, offset.z},
+          .forward = combined(forward, left, up, mount_.forward),
+          .left = combined(forward, left, up, mount_.left),
+          .up = combined(forward, left, up, mount_.up)};
+}
+
+// Sorts the solids by the columns of beams that may meet them, so that a beam asks only few. A
+// column of margin on both sides covers the beam's width and the pitch's effect on azimuth.
+void LuxScanner::sort_into_columns(const Frame& frame, std::span<const Solid> solids) {
+  for (auto& column : columns_) {
+    column.clear();
+  }
+  const double norm =
+      std::sqrt(frame.forward.x * frame.forward.x + frame.forward.y * frame.forward.y);
+  const Placement sensor{.x = frame.origin.x,
+                         .y = frame.origin.y,
+                         .cos = frame.forward.x / norm,
+                         .sin = frame.forward.y / norm};
+  for (const Solid& solid : solids) {
+    const double dx = solid.at.x - sensor.x;
+    const double dy = solid.at.y - sensor.y;
+    const double turn_cos = std::abs(solid.at.cos * sensor.cos + solid.at.sin * sensor.sin);
+    const double turn_sin = std::abs(solid.at.sin * sensor.cos - solid.at.cos * sensor.sin);
+    const bool is_box = solid.form == Solid::Form::kBox;
+    const double length = solid.half_length;
+    const double width = solid.half_width;
+    const Outline outline =
+        outline_of(dx * sensor.cos + dy * sensor.sin, dy * sensor.cos - dx * sensor.sin,
+                   is_box ? length * turn_cos + width * turn_sin : length,
+                   is_box ? length * turn_sin + width * turn_cos : length,
+                   is_box ? std::sqrt(length * length + width * width) : length);
+    if (!outline.is_in_front || outline.nearest > kLuxFarthest) {
+      continue;
+    }
+    const auto first = std::ranges::lower_bound(tangents_, -outline.high) - tangents_.begin();
+    const auto last = std::ranges::upper_bound(tangents_, -outline.low) - tangents_.begin();
+    const auto end = std::min<std::ptrdiff_t>(last + 1, kLuxAzimuths);
+    for (auto column = std::max<std::ptrdiff_t>(first - 1, 0); column < end; ++column) {
+      columns_[static_cast<std::size_t>(column)].push_back({outline.nearest, &solid});
+    }
+  }
+  for (auto& column : columns_) {
+    std::ranges::stable_sort(column, {}, &Candidate::nearest);
+  }
+}
+
+// Distances along a beam and in the plan differ by less than a thousandth here; the margin below
+// covers it.
+LuxScanner::Hit LuxScanner::first_hit(const Ray& ray, std::size_t column, double beyond) const {
+  Hit hit;
+  if (ray.along.z < 0) {
+    hit.distance = ray.from.z / -ray.along.z;
+  }
+  for (const Candidate& candidate : columns_[column]) {
+    if (candidate.nearest > hit.distance) {
+      break;
+    }
+    const double distance = distance_to(*candidate.solid, ray);
+    if (distance > beyond && distance < hit.distance) {
+      hit = {distance, candidate.solid->material};
+    }
+  }
+  return hit;
+}
+
+// Finds the echoes of one beam, nearest first and apart from one another.
+void LuxScanner::follow(const Frame& frame, std::size_t column, std::size_t layer, Random& random) {
+  echoes_.clear();
+  std::array<Hit, 2> hits;
+  for (std::size_t edge = 0; edge < 2; ++edge) {
+    const Vector3 along =
+        combined(frame.forward, frame.left, frame.up, edges_[column][layer][edge]);
+    const Ray ray{frame.origin, along};
+    hits[edge] = first_hit(ray, column, 0);
+    if (hits[edge].material == Material::kFoliage && random.chance(kFoliagePass)) {
+      const double beyond = hits[edge].distance + random.between(0.2, 1.5);
+      const Hit behind = first_hit(ray, column, beyond);
+      echoes_.push_back({behind.distance, 0.3, behind.material});
+    }
+  }
+  const double gap = std::abs(hits[0].distance - hits[1].distance);
+  if (gap < 0.3 + 0.05 * std::min(hits[0].distance, hits[1].distance)) {
+    const double middle = (hits[0].distance + hits[1].distance) / 2;
+    echoes_.push_back({middle, 1.0, hits[0].material});
+  } else {
+    echoes_.push_back({hits[0].distance, 0.5, hits[0].material});
+    echoes_.push_back({hits[1].distance, 0.5, hits[1].material});
+  }
+  std::ranges::stable_sort(echoes_, {}, &Echo::distance);
+}
+
+void LuxScanner::add_points(std::size_t column, std::size_t layer, Random& random,
+                            std::vector<LuxPoint>& points) {
+  const auto ticks = kLuxEdgeTicks - static_cast<std::int32_t>(column) * kLuxStepTicks;
+  LuxPoint point{.layer = static_cast<std::uint8_t>(layer),
+                 .angle_ticks = static_cast<std::int16_t>(ticks)};
+  if (add_clutter(random, point)) {
+    points.push_back(point);
+    ++point.echo;
+  }
+  double last = -kSeparation;
+  for (const Echo& echo : echoes_) {
+    if (echo.distance - last < kSeparation || point.echo >= lidar::IbeoLux::kMaxEchoes ||
+        !comes_back(echo.material, echo.distance, echo.strength, random)) {
+      continue;
+    }
+    last = echo.distance;
+    measure(echo.material, echo.distance, echo.strength, random, point);
+    points.push_back(point);
+    ++point.echo;
+  }
+}
+
+std::vector<LuxPoint> LuxScanner::scan(const EgoPose& ego, std::span<const Solid> solids,
+                                       Random& random) {
+  const Frame frame = frame_of(ego);
+  sort_into_columns(frame, solids);
+  std::vector<LuxPoint> points;
+  for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
+    for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
+      follow(frame, column, layer, random);
+      add_points(column, layer, random, points);
+    }
+  }
+  return points;
+}
+
+}  // namespace iog::tools

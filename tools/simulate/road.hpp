@@ -1,0 +1,36 @@
+// The centre line of the simulated street: a gentle curve without end, measured by its station, the
+// way along it in metres.
+#pragma once
+
+#include <vector>
+
+#include "tools/simulate/solid.hpp"
+
+namespace iog::tools {
+
+class Road {
+ public:
+  // A road that is known from first_m to last_m.
+  Road(double first_m, double last_m);
+
+  // `left` metres to the left of the centre line, pointing along the road. station: within the
+  // road's length.
+  [[nodiscard]] Placement at(double station, double left) const;
+
+ private:
+  struct Point {
+    double x;
+    double y;
+  };
+
+  double first_;
+  std::vector<Point> points_;  // every half metre
+};
+
+// `by`: cosine and sine of a further turn to the left.
+[[nodiscard]] Placement turned_by(const Placement& placement, double cos, double sin);
+
+// The placement moved by that much along its own heading and to its own left.
+[[nodiscard]] Placement moved(const Placement& placement, double forward, double left);
+
+}  // namespace iog::tools
