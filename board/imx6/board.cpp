@@ -57,12 +57,8 @@ void Board::idle() {
   machine::barrier();
 }
 
-std::uint32_t Board::stack_used_bytes() const {
-  return main_stack_used_bytes();
-}
-std::uint32_t Board::stack_bytes() const {
-  return main_stack_bytes();
-}
+std::uint32_t Board::stack_used_bytes() const { return main_stack_used_bytes(); }
+std::uint32_t Board::stack_bytes() const { return main_stack_bytes(); }
 
 void Board::print_banner() {
   TextLine line;

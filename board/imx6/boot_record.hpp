@@ -26,8 +26,8 @@ struct BootRecord {
   std::array<char, kLastWordBytes> last_word;
 };
 
-// The one at linker/imx6.ld's address.
-extern "C" BootRecord boot_record;
+// The one at linker/imx6.ld's address. Nobody initialises it: that is its purpose.
+extern "C" BootRecord boot_record;  // NOLINT(bugprone-dynamic-static-initializers)
 
 // What a boot finds out about the run before it.
 struct Boot {

@@ -12,16 +12,14 @@ namespace {
 
 // Only the addresses of these mean something (linker/imx6.ld).
 extern "C" {
-extern const std::uint32_t code_begin, code_end, data_begin, data_end, dma_begin, dma_end;
-extern const std::uint32_t boot_record_section, stacks_begin;
-extern const std::uint32_t main_stack_bottom, main_stack_top, undefined_stack_bottom;
-extern const std::uint32_t undefined_stack_top, abort_stack_bottom, abort_stack_top;
-extern const std::uint32_t irq_stack_bottom, irq_stack_top, fiq_stack_bottom, fiq_stack_top;
+extern std::uint32_t code_begin, code_end, data_begin, data_end, dma_begin, dma_end;
+extern std::uint32_t boot_record_section, stacks_begin;
+extern std::uint32_t main_stack_bottom, main_stack_top, undefined_stack_bottom;
+extern std::uint32_t undefined_stack_top, abort_stack_bottom, abort_stack_top;
+extern std::uint32_t irq_stack_bottom, irq_stack_top, fiq_stack_bottom, fiq_stack_top;
 }
 
-std::uint32_t address_of(const std::uint32_t& symbol) {
-  return machine::bus_address(symbol);
-}
+std::uint32_t address_of(const std::uint32_t& symbol) { return machine::bus_address(symbol); }
 
 [[gnu::section(".page_tables")]] constinit mmu::Tables tables{};
 
@@ -91,9 +89,7 @@ void start_mmu_and_l1() {
 
 }  // namespace
 
-const mmu::MemoryMap& memory_map() {
-  return map;
-}
+const mmu::MemoryMap& memory_map() { return map; }
 
 std::uint32_t main_stack_bytes() {
   return address_of(main_stack_top) - address_of(main_stack_bottom);

@@ -12,12 +12,8 @@ namespace {
 
 constexpr std::size_t kBlock = 16;
 
-uint8x16_t load(const unsigned char* from) {
-  return vld1q_u8(from);
-}
-void store(unsigned char* to, uint8x16_t block) {
-  vst1q_u8(to, block);
-}
+uint8x16_t load(const unsigned char* from) { return vld1q_u8(from); }
+void store(unsigned char* to, uint8x16_t block) { vst1q_u8(to, block); }
 
 }  // namespace
 

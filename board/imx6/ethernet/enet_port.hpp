@@ -41,8 +41,8 @@ static_assert(EnetMemory::kTransmitFrames == 1152);
 static_assert(sizeof(EnetMemory) <= EnetMemory::kBudgetBytes,
               "fits three sections of the DMA region");
 
-// The memory of the firmware's one controller.
-extern EnetMemory enet_memory;
+// The memory of the firmware's one controller, constinit where it is defined.
+extern EnetMemory enet_memory;  // NOLINT(bugprone-dynamic-static-initializers)
 
 class EnetPort {
  public:

@@ -18,9 +18,7 @@ constexpr unsigned kMaxPolls = 10'000;
 
 }  // namespace
 
-void Mdio::start() {
-  registers_.mscr.write(kMiiSpeed << 1);
-}
+void Mdio::start() { registers_.mscr.write(kMiiSpeed << 1); }
 
 std::optional<std::uint16_t> Mdio::read(unsigned phy_register) {
   begin_read(phy_register);
@@ -35,9 +33,7 @@ bool Mdio::write(unsigned phy_register, std::uint16_t value) {
   return wait();
 }
 
-void Mdio::begin_read(unsigned phy_register) {
-  begin(R::kMmfrRead, phy_register, 0);
-}
+void Mdio::begin_read(unsigned phy_register) { begin(R::kMmfrRead, phy_register, 0); }
 
 void Mdio::begin(std::uint32_t operation, unsigned phy_register, std::uint16_t value) {
   // The flag of the previous access, or the end of this one could not be told.

@@ -37,13 +37,13 @@ constexpr Link resolve(std::uint16_t advertised, std::uint16_t partner,
   // The partner's gigabit bits stand two places above our own.
   const unsigned gigabit = gigabit_control & (static_cast<unsigned>(gigabit_status) >> 2);
   const unsigned common = advertised & partner;
-  const auto link = [](Link::Speed speed, bool full) { return Link{true, speed, full}; };
-  if ((gigabit & 1u << 9) != 0) return link(Link::Speed::k1000, true);
-  if ((gigabit & 1u << 8) != 0) return link(Link::Speed::k1000, false);
-  if ((common & 1u << 8) != 0) return link(Link::Speed::k100, true);
-  if ((common & 1u << 7) != 0) return link(Link::Speed::k100, false);
-  if ((common & 1u << 6) != 0) return link(Link::Speed::k10, true);
-  return link(Link::Speed::k10, false);
+  if ((gigabit & (1u << 9 | 1u << 8)) != 0) {
+    return {.up = true, .speed = Link::Speed::k1000, .full_duplex = (gigabit & 1u << 9) != 0};
+  }
+  if ((common & (1u << 8 | 1u << 7)) != 0) {
+    return {.up = true, .speed = Link::Speed::k100, .full_duplex = (common & 1u << 8) != 0};
+  }
+  return {.up = true, .speed = Link::Speed::k10, .full_duplex = (common & 1u << 6) != 0};
 }
 
 // Identifies the PHY and, if it is the KSZ9021, sets its RGMII delays. Returns the 32-bit

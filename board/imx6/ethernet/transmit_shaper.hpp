@@ -32,7 +32,7 @@ class TransmitShaper {
     }
     // Less than kForgetUs, so the division is one of 32 bits.
     const std::uint32_t windows = static_cast<std::uint32_t>(elapsed_us) / kWindowUs;
-    window_began_us_ += windows * kWindowUs;
+    window_began_us_ += std::uint64_t{windows} * kWindowUs;
     credit_ += windows * kFramesPerWindow;
     credit_ = credit_ > kBurstFrames ? kBurstFrames : credit_;
     return credit_;

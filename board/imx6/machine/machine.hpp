@@ -21,14 +21,10 @@ inline void store(T& location, T value) {
 // Everything this core has stored is visible to every DMA engine before anything after this line
 // happens. A DSB rather than a DMB: what follows is mostly a store to a device that starts the
 // engine.
-inline void barrier() {
-  __asm__ volatile("dsb sy" ::: "memory");
-}
+inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
 
 // Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
-inline void wait_for_interrupt() {
-  __asm__ volatile("dsb sy\n\twfi" ::: "memory");
-}
+inline void wait_for_interrupt() { __asm__ volatile("dsb sy\n\twfi" ::: "memory"); }
 
 // The address as the bus sees it: memory is mapped one to one, so it is the pointer.
 template <typename T>

@@ -32,15 +32,15 @@ class Console : public testing::Test {
 
 // baud = 80 MHz / 16 * (UBIR + 1) / (UBMR + 1), manual, "Binary Rate Multiplier".
 TEST(BaudDivider, Gives115200From80MhzExactly) {
-  constexpr BaudDivider divider = exact_baud_divider(80'000'000, 115'200);
-  EXPECT_EQ(divider.ubir, 71u);
-  EXPECT_EQ(divider.ubmr, 3124u);
+  constexpr BaudDivider kDivider = exact_baud_divider(80'000'000, 115'200);
+  EXPECT_EQ(kDivider.ubir, 71u);
+  EXPECT_EQ(kDivider.ubmr, 3124u);
 }
 
 TEST(BaudDivider, SaysWhenNoDividerIsExact) {
-  constexpr BaudDivider divider = exact_baud_divider(79'999'999, 115'200);
-  EXPECT_EQ(divider.ubir, 0u);
-  EXPECT_EQ(divider.ubmr, 0u);
+  constexpr BaudDivider kDivider = exact_baud_divider(79'999'999, 115'200);
+  EXPECT_EQ(kDivider.ubir, 0u);
+  EXPECT_EQ(kDivider.ubmr, 0u);
 }
 
 TEST_F(Console, StartsInTheOrderOfTheManual) {
