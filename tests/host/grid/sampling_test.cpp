@@ -58,13 +58,6 @@ TEST(Sampling, ABeamFromTheMiddleOfACellCarriesTable43) {
   EXPECT_EQ(row_ahead(tests::MidCellLux::kVehicle, 10'000, 95, 103), "-14 -14 -14 -7 0 2 0 0 0 ");
 }
 
-// Rising by 0.4 degrees, the beam leaves each 2D cell a fraction of a millimetre late, in the next
-// 1D cell: the zones before the hit grow by one cell, which overstates nothing.
-TEST(Sampling, ATiltedBeamFromACornerCarvesOneCellLess) {
-  EXPECT_EQ(row_ahead(OneLux::kVehicle, 10'050, 95, 103), "-14 -14 -7 0 0 2 0 0 0 ");
-  EXPECT_EQ(row_ahead(OneLuxNearest::kVehicle, 10'050, 95, 103), "-15 -15 -7 0 0 2 1 0 0 ");
-}
-
 SubcellPoint end_of(const Sensor& sensor, const vehicle::BeamLine& line) {
   return {sensor.origin.x + line.x().step() * static_cast<std::int32_t>(line.x().length()),
           sensor.origin.y + line.y().step() * static_cast<std::int32_t>(line.y().length())};
