@@ -1,8 +1,8 @@
 # Cross toolchain for the Cortex-A9 of the i.MX6Q.
 #
 # Only what every object file must agree on stands here: the instruction set and the calling
-# convention. The same objects serve the firmware, which has no C library, and the test images, which
-# have newlib; what only the firmware may use is in freestanding.cmake.
+# convention. The same objects serve the firmware, which has no C library, and the test images,
+# which have newlib; what only the firmware may use is in freestanding.cmake.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 
@@ -14,14 +14,21 @@ set(CMAKE_OBJDUMP arm-none-eabi-objdump)
 set(CMAKE_NM arm-none-eabi-nm)
 set(CMAKE_SIZE arm-none-eabi-size)
 
-# ARM state: the inner loops are short and the 1 MiB L2 holds all code. Hard-float calling convention:
-# the core computes in integers, but NEON registers are where its vectors live.
+# ARM state: the inner loops are short and the 1 MiB L2 holds all code. Hard-float calling
+# convention: the core computes in integers, but NEON registers are where its vectors live.
 set(iog_cortex_a9 "-mcpu=cortex-a9 -mfpu=neon -mfloat-abi=hard -marm")
+
+# The place of a broken requirement is printed relative to the root of the project, so that an image
+# is the same wherever it was built.
+get_filename_component(iog_root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
+string(APPEND iog_cortex_a9 " -fmacro-prefix-map=${iog_root}/=")
+
 set(CMAKE_C_FLAGS_INIT "${iog_cortex_a9} -ffunction-sections -fdata-sections")
 set(CMAKE_CXX_FLAGS_INIT "${iog_cortex_a9} -ffunction-sections -fdata-sections")
 set(CMAKE_ASM_FLAGS_INIT "${iog_cortex_a9}")
 
-# Nothing can be linked without choosing a board or newlib first, so CMake's probes stop at archives.
+# Nothing can be linked without choosing a board or newlib first, so CMake's probes stop at
+# archives.
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

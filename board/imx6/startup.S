@@ -2,8 +2,8 @@
 //
 // The machine may come out of reset (QEMU -kernel: caches and MMU off) or out of U-Boot (MMU, both
 // caches, perhaps the L2 on, SCTLR 0x00c5187d). Nothing is assumed; every step says what it needs.
-// Until the stacks are set, only registers hold data: while the data cache is being turned off, memory
-// shows neither the cached nor the uncached truth.
+// Until the stacks are set, only registers hold data: while the data cache is being turned off,
+// memory shows neither the cached nor the uncached truth.
 //
 // Names follow CMSIS startup_ARMCA9.c: Vectors, Reset_Handler, one handler for each exception.
 
@@ -27,14 +27,15 @@
         .set  kSctlrAccessFlag, 1 << 29
         .set  kSctlrThumbExceptions, 1 << 30
 
-        // PL310 (ARM DDI 0246): offsets, and how often a busy flag is read before giving up. Cleaning
-        // 32768 dirty lines takes a few milliseconds; a million reads of a device take at least 50 ms.
+        // PL310 (ARM DDI 0246): offsets, and how often a busy flag is read before giving up.
+        // Cleaning 32768 dirty lines takes a few milliseconds; a million reads of a device take at
+        // least 50 ms.
         .set  kPl310Control,   0x100
         .set  kPl310Sync,      0x730
         .set  kPl310CleanInvalidateWays, 0x7fc
         .set  kPl310Polls,     1000000
 
-        // What an untouched word of a stack looks like (stack_used_bytes() in board.cpp looks for it).
+        // What an untouched word of a stack looks like (memory.cpp looks for it).
         .set  kStackPaint,     0x5ac4ed01
 
         .section .vectors, "ax", %progbits
@@ -93,8 +94,8 @@ Reset_Handler:
         dsb
 
         // Level 2: with the MMU off, reads go past the PL310 to DDR, so dirty lines must get there
-        // first. Cleaned and switched off only if it is on; a busy flag that never falls is given up,
-        // because nobody could be told yet. start_memory() switches it on again.
+        // first. Cleaned and switched off only if it is on; a busy flag that never falls is given
+        // up, because nobody could be told yet. start_memory() switches it on again.
         movw  r4, #:lower16:pl310
         movt  r4, #:upper16:pl310
         ldr   r0, [r4, #kPl310Control]
@@ -115,7 +116,8 @@ Reset_Handler:
         dsb
 4:
         // MMU, instruction cache and branch prediction off; exceptions little-endian, in ARM state,
-        // through VBAR; short descriptors mean what the ARM ARM calls TEX remap and access flag off.
+        // through VBAR; short descriptors mean what the ARM ARM says with TEX remap and access
+        // flag off.
         bic   r0, r10, #(kSctlrMmu | kSctlrAlignment | kSctlrDataCache)
         bic   r0, r0, #(kSctlrInstructionCache | kSctlrBranches)
         bic   r0, r0, #kSctlrHighVectors
@@ -130,8 +132,8 @@ Reset_Handler:
         dsb
         isb
 
-        // Erratum 743622 of Cortex-A9 r2: hazard checks in the store buffer may fail and corrupt data
-        // unless bit 6 of the diagnostic register is set. The i.MX6Q has r2p10.
+        // Erratum 743622 of Cortex-A9 r2: hazard checks in the store buffer may fail and corrupt
+        // data unless bit 6 of the diagnostic register is set. The i.MX6Q has r2p10.
         mrc   p15, 0, r0, c15, c0, 1
         orr   r0, r0, #(1 << 6)
         mcr   p15, 0, r0, c15, c0, 1
@@ -152,7 +154,7 @@ Reset_Handler:
         cps   #kModeSupervisor
         ldr   sp, =main_stack_top
 
-        // NEON: access to coprocessors 10 and 11 for privileged and user code, all 32 registers, on.
+        // NEON: access to coprocessors 10 and 11 for privileged and user code, all 32 registers.
         mrc   p15, 0, r0, c1, c0, 2     // CPACR
         orr   r0, r0, #(0xf << 20)
         bic   r0, r0, #(3 << 30)        // ASEDIS, D32DIS
@@ -190,10 +192,10 @@ park:   wfi
         b     park
         .size Reset_Handler, . - Reset_Handler
 
-// Exceptions. No exception is expected, none returns: each one ends in report_fault() (fault.cpp), which
-// prints, records and waits for the watchdog. The numbers are those of FaultKind in fault.hpp.
-// r0 = kind, r1 = address of the instruction at fault: the link register minus what the ARM ARM,
-// table B1-7, says the processor added.
+// Exceptions. No exception is expected, none returns: each one ends in report_fault() (fault.cpp),
+// which prints, records and waits for the watchdog. The numbers are those of FaultKind in
+// fault.hpp. r0 = kind, r1 = address of the instruction at fault: the link register minus what the
+// ARM ARM, table B1-7, says the processor added.
 
         .type Undefined_Handler, %function
 Undefined_Handler:
@@ -225,8 +227,9 @@ FIQ_Handler:
         mov   r0, #6
         sub   r1, lr, #4
 
-// Collects struct FaultFrame {kind, pc, spsr, lr, sp} on the stack of the mode we are in. lr and sp are
-// those of Supervisor mode, because everything that can fault runs there (after an SVC its lr is lost).
+// Collects struct FaultFrame {kind, pc, spsr, lr, sp} on the stack of the mode we are in. lr and sp
+// are those of Supervisor mode, because everything that can fault runs there (after an SVC its lr
+// is lost).
 report:
         mrs   r2, spsr
         mrs   r5, cpsr
@@ -234,7 +237,7 @@ report:
         mov   r3, lr
         mov   r4, sp
         msr   cpsr_c, r5
-        sub   sp, sp, #4                // five words and this one keep the stack aligned to eight bytes
+        sub   sp, sp, #4                // with five words: the stack stays aligned to eight bytes
         push  {r0-r4}
         mov   r0, sp
         bl    report_fault
