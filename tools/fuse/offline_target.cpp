@@ -1,6 +1,5 @@
 #include "tools/fuse/offline_target.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -11,28 +10,20 @@ OfflineTarget::OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_
       outside_(std::move(on_message)),
       pipeline_(vehicle, kReplayer, outside_, 0) {}
 
-void OfflineTarget::move_clock_to(std::uint64_t capture_us) {
-  if (has_started_ && capture_us > last_capture_us_) {
-    now_us_ += std::min(capture_us - last_capture_us_, kLongestPauseUs);
-  }
-  has_started_ = true;
-  last_capture_us_ = std::max(last_capture_us_, capture_us);
-}
-
 OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   Closed closed;
-  move_clock_to(datagram.time_us);
-  while (pipeline_.deadline_us() <= now_us_) {
+  const std::uint64_t now_us = clock_.move_to(datagram.time_us);
+  while (pipeline_.deadline_us() <= now_us) {
     pipeline_.tick(pipeline_.deadline_us());
   }
   closed.before = outside_.take_evidence_frames();
   pipeline_.take({.source_ipv4 = kReplayer,
                   .destination_port = datagram.destination.port,
                   .payload = datagram.payload},
-                 now_us_);
+                 now_us);
   // A frame that is open and one period old at most has begun with this datagram, so the frame that
   // was closed just now had been closed before it. Otherwise the datagram completed it.
-  const bool has_opened = pipeline_.deadline_us() == now_us_ + vehicle_->frame_period_us;
+  const bool has_opened = pipeline_.deadline_us() == now_us + vehicle_->frame_period_us;
   const unsigned by_datagram = outside_.take_evidence_frames();
   const bool began_next = by_datagram == 2 || (by_datagram == 1 && has_opened);
   closed.before += began_next ? 1U : 0U;
@@ -40,10 +31,7 @@ OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   return closed;
 }
 
-void OfflineTarget::finish() {
-  now_us_ = std::max(now_us_, pipeline_.deadline_us());
-  pipeline_.tick(now_us_);
-}
+void OfflineTarget::finish() { pipeline_.tick(pipeline_.deadline_us()); }
 
 void OfflineOutside::send_message(std::size_t bytes) {
   const auto message = std::span<const std::byte>(room_).first(bytes);

@@ -1,8 +1,7 @@
 // The target without the target: the same pipeline, fed by a capture and its clock.
 //
 // A capture stands for what its replayer sends: the sensors' real addresses are not compared, only
-// their ports. Time is that of the capture, except that a pause is shortened to one second, so that
-// a strange capture does not make millions of empty frames.
+// their ports. Time is that of CaptureClock.
 #pragma once
 
 #include <array>
@@ -14,6 +13,7 @@
 
 #include "app/pipeline.hpp"
 #include "stream/message.hpp"
+#include "tools/capture/capture_clock.hpp"
 #include "tools/capture/datagram.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -63,16 +63,11 @@ class OfflineTarget {
   void finish();
 
  private:
-  void move_clock_to(std::uint64_t capture_us);
-
   static constexpr std::uint32_t kReplayer = 0x0A000202;
-  static constexpr std::uint64_t kLongestPauseUs = 1'000'000;
 
   const vehicle::Vehicle* vehicle_;
   OfflineOutside outside_;
-  bool has_started_ = false;
-  std::uint64_t last_capture_us_ = 0;
-  std::uint64_t now_us_ = 0;  // starts at 0, as a target's clock does
+  CaptureClock clock_;
   app::Pipeline<OfflineOutside> pipeline_;
 };
 

@@ -15,8 +15,8 @@ namespace {
 constexpr Colour kUnknown{30, 33, 38};
 constexpr Colour kFreeWeak{74, 96, 118};
 constexpr Colour kFreeStrong{206, 224, 236};
-constexpr Colour kOccupiedWeak{240, 150, 50};
-constexpr Colour kOccupiedStrong{190, 30, 10};
+constexpr Colour kOccupiedWeak{238, 120, 20};
+constexpr Colour kOccupiedStrong{178, 12, 0};
 constexpr Colour kInk{235, 235, 230};
 constexpr Colour kRing{150, 160, 170};
 constexpr Colour kCar{250, 250, 250};
@@ -108,18 +108,25 @@ class Painter {
 
   [[nodiscard]] int letter_scale() const { return canvas_.width() >= 700 ? 2 : 1; }
 
+  // Words on a dark ground, readable on whatever is below them.
+  void put_text(int column, int row, const std::string& words, Colour colour) {
+    const int scale = letter_scale();
+    canvas_.fill(column - scale, row - scale, Canvas::text_width(words, scale) + scale,
+                 (kGlyphRows + 2) * scale, kUnknown, 0.75);
+    canvas_.text(column, row, words, colour, scale);
+  }
+
   void paint_texts() {
     const int scale = letter_scale();
     const int line = (kGlyphRows + 4) * scale;
     const CatalogueEntry* const car = find_vehicle(frame_->header.vehicle_id);
-    canvas_.text(10, 10,
-                 "frame " + std::to_string(frame_->evidence_number) +
-                     (car != nullptr ? "  " + std::string(car->vehicle->name) : ""),
-                 kInk, scale);
-    canvas_.text(10, 10 + line, time_text() + "  " + sensors_text(), kRing, scale);
-    canvas_.text(10, 10 + 2 * line, std::to_string(frame_->header.points_used) + " points used",
-                 kRing, scale);
-    int row = canvas_.height() - 10 - 3 * line;
+    put_text(10, 10,
+             "frame " + std::to_string(frame_->evidence_number) +
+                 (car != nullptr ? "  " + std::string(car->vehicle->name) : ""),
+             kInk);
+    put_text(10, 10 + line, time_text() + "  " + sensors_text(), kRing);
+    put_text(10, 10 + 2 * line, std::to_string(frame_->header.points_used) + " points used", kRing);
+    const int row = canvas_.height() - 10 - 3 * line;
     paint_key("occupied", {2, 6, 10}, row, scale);
     paint_key("free", {-7, -28, -56}, row + line, scale);
     paint_key("unknown", {0, 0, 0}, row + 2 * line, scale);
@@ -128,11 +135,12 @@ class Painter {
   void paint_key(const std::string& words, std::initializer_list<int> indexes, int row, int scale) {
     const int side = kGlyphRows * scale;
     int column = 10;
+    canvas_.fill(column - 1, row - 1, 3 * side + 2, side + 2, kRing, 0.5);
     for (const int index : indexes) {
       canvas_.fill(column, row, side, side, colour_of(static_cast<index::OccupancyIndex>(index)));
       column += side;
     }
-    canvas_.text(column + 4 * scale, row, words, kInk, scale);
+    put_text(column + 4 * scale, row, words, kInk);
   }
 
   [[nodiscard]] std::string time_text() const {

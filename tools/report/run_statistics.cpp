@@ -69,19 +69,30 @@ void RunStatistics::add(const GridFrame& frame) {
     stack_used_bytes_ = std::max(stack_used_bytes_, frame.end.stack_used_bytes);
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);
+    add_states(frame);
   }
   if (!frame.header.has_evidence()) {
     return;
-  }
-  for (std::size_t i = 0; frame.has_end && i < sensor_count_; ++i) {
-    const auto state = static_cast<std::size_t>(frame.end.sensors[i].state);
-    sensor_frames_[i][std::min(state, kStateNames.size() - 1)] += 1;
   }
   const FrameRecord record = record_of(frame);
   timed_out_ += record.is_timed_out ? 1U : 0U;
   damaged_ += frame.is_whole() && record.grid_crc != frame.end.grid_crc ? 1U : 0U;
   records_.push_back(record);
   hash_.add(record);
+}
+
+// States count in frames with evidence; before the first of these, in reports of silence.
+void RunStatistics::add_states(const GridFrame& frame) {
+  if (!frame.header.has_evidence() && !records_.empty()) {
+    return;
+  }
+  if (frame.header.has_evidence() && records_.empty()) {
+    sensor_frames_ = {};
+  }
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const auto state = static_cast<std::size_t>(frame.end.sensors[i].state);
+    sensor_frames_[i][std::min(state, kStateNames.size() - 1)] += 1;
+  }
 }
 
 // The time to publish a frame is known only when it is over: the next frame tells it.

@@ -48,6 +48,7 @@ class RunStatistics {
 
  private:
   void add_times(const GridFrame& frame);
+  void add_states(const GridFrame& frame);
   void append_sensors(std::string& text) const;
 
   std::uint64_t frames_ = 0;

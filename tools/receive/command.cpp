@@ -1,0 +1,221 @@
+// iog receive: the grids of a target, put together, checked, counted and drawn.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/assembly/frame_assembler.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/interrupt.hpp"
+#include "tools/command/progress.hpp"
+#include "tools/command/subcommands.hpp"
+#include "tools/picture/frame_writer.hpp"
+#include "tools/receive/udp_receiver.hpp"
+#include "tools/report/run_statistics.hpp"
+
+namespace iog::tools {
+namespace {
+
+struct Options {
+  std::uint16_t port = 0;
+  std::string bind = "127.0.0.1";
+  PictureOptions pictures;
+  std::uint64_t frames = 0;
+  double idle_timeout_s = 0;
+  bool notify = false;
+  bool strict = false;
+  std::string hashes;
+  std::string summary;
+  std::string expect;
+};
+
+using Clock = std::chrono::steady_clock;
+
+class Reception {
+ public:
+  explicit Reception(const Options& options)
+      : options_(&options),
+        pictures_(options.pictures),
+        assembler_([this](GridFrame&& frame) { take(std::move(frame)); }),
+        frames_wanted_(options.frames),
+        progress_("frames", options.frames) {
+    if (!options.expect.empty()) {
+      expected_ = read_records(options.expect);
+      frames_wanted_ = frames_wanted_ > 0 ? frames_wanted_ : expected_.size();
+    }
+  }
+
+  // Until enough frames have come, or none for too long, or somebody interrupts.
+  void run() {
+    UdpReceiver receiver(options_->bind, options_->port);
+    last_evidence_ = Clock::now();
+    while (!is_done() && !was_interrupted() && !is_idle()) {
+      for (const std::vector<std::byte>& message : receiver.take(std::chrono::milliseconds(100))) {
+        assembler_.take(message);
+      }
+    }
+    assembler_.finish();
+    overflow_ = receiver.overflow();
+  }
+
+  void write_results() {
+    if (last_) {
+      pictures_.write_last(*last_);
+    }
+    if (!options_->hashes.empty()) {
+      write_records(options_->hashes, statistics_.records());
+    }
+    if (!options_->summary.empty()) {
+      RunStatistics::Facts facts = statistics_.facts();
+      for (auto& [name, count] : link_counts()) {
+        facts.emplace_back(name, std::to_string(count));
+      }
+      write_facts(options_->summary, facts);
+    }
+    print_table();
+  }
+
+  void check() {
+    if (statistics_.damaged() > 0) {
+      throw CheckFailed(std::to_string(statistics_.damaged()) +
+                        " frames arrived whole and are not the grid that the target has hashed");
+    }
+    const std::uint64_t lost = assembler_.messages_lost() + statistics_.incomplete();
+    if (options_->strict && (lost > 0 || overflow_ > 0)) {
+      throw CheckFailed("messages were lost: " + std::to_string(assembler_.messages_lost()) +
+                        " missing, " + std::to_string(statistics_.incomplete()) +
+                        " frames incomplete");
+    }
+    if (options_->expect.empty()) {
+      return;
+    }
+    if (options_->frames > 0 && options_->frames < expected_.size()) {
+      expected_.resize(options_->frames);
+    }
+    if (const auto difference = first_difference(statistics_.records(), expected_)) {
+      throw CheckFailed(*difference);
+    }
+    table() << row("expected", "all " + std::to_string(expected_.size()) + " frames are equal");
+  }
+
+ private:
+  [[nodiscard]] bool is_done() const {
+    return frames_wanted_ > 0 && statistics_.records().size() >= frames_wanted_;
+  }
+
+  [[nodiscard]] bool is_idle() const {
+    const std::chrono::duration<double> silent = Clock::now() - last_evidence_;
+    return options_->idle_timeout_s > 0 && silent.count() > options_->idle_timeout_s;
+  }
+
+  void take(GridFrame&& frame) {
+    if (is_done()) {
+      return;
+    }
+    statistics_.add(frame);
+    if (!frame.header.has_evidence()) {
+      return;
+    }
+    if (options_->notify) {
+      std::cout << "frame " << frame.evidence_number << std::endl;
+    }
+    last_evidence_ = Clock::now();
+    progress_.show(frame.evidence_number + 1);
+    pictures_.offer(frame);
+    last_ = std::move(frame);
+  }
+
+  [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> link_counts() const {
+    const MessageCounts& counts = assembler_.counts();
+    return {{"messages", counts.messages},
+            {"message_bytes", counts.bytes},
+            {"messages_lost", assembler_.messages_lost()},
+            {"frames_lost", assembler_.frames_lost()},
+            {"messages_late", counts.late},
+            {"messages_repeated", counts.repeated},
+            {"messages_too_late", counts.too_late},
+            {"messages_malformed", counts.malformed},
+            {"messages_not_ours", counts.not_ours},
+            {"messages_other_version", counts.other_version},
+            {"messages_not_understood", counts.not_understood},
+            {"messages_overflow", overflow_},
+            {"target_restarts", counts.restarts}};
+  }
+
+  // With --notify standard output belongs to whoever reads the notes, such as `iog replay --step`.
+  [[nodiscard]] std::ostream& table() const { return options_->notify ? std::cerr : std::cout; }
+
+  void print_table() const {
+    table() << statistics_.table(true);
+    for (const auto& [name, count] : link_counts()) {
+      const bool is_always_shown =
+          name == "messages" || name == "message_bytes" || name == "messages_lost";
+      if (count > 0 || is_always_shown) {
+        std::string words = name;
+        std::ranges::replace(words, '_', ' ');
+        table() << row(words, std::to_string(count));
+      }
+    }
+  }
+
+  const Options* options_;
+  RunStatistics statistics_;
+  FrameWriter pictures_;
+  FrameAssembler assembler_;
+  std::vector<FrameRecord> expected_;
+  std::uint64_t frames_wanted_;
+  Progress progress_;
+  std::optional<GridFrame> last_;
+  Clock::time_point last_evidence_;
+  std::uint64_t overflow_ = 0;
+};
+
+}  // namespace
+
+void add_receive(CLI::App& program) {
+  auto* const command =
+      program.add_subcommand("receive", "Receive the grids of a target, check and draw them");
+  const auto options = std::make_shared<Options>();
+  command->add_option("--port", options->port, "UDP port to receive on")
+      ->required()
+      ->check(CLI::Range(1, 65'535));
+  command->add_option("--bind", options->bind, "IPv4 address to receive on")->capture_default_str();
+  add_picture_options(*command, options->pictures);
+  command->add_option(
+      "--frames", options->frames,
+      "End after so many frames with evidence; default: those of --expect, or none");
+  command
+      ->add_option("--idle-timeout", options->idle_timeout_s,
+                   "End after so many seconds without such a frame")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--notify", options->notify,
+                    "Write `frame N` on standard output as soon as a frame with evidence is there; "
+                    "the table goes to standard error");
+  command->add_option("--hashes", options->hashes,
+                      "Write one line per frame with evidence, as `iog fuse --hashes` does");
+  command->add_option("--expect", options->expect,
+                      "Compare with such a file, frame by frame; exit status 1 if they differ");
+  command->add_flag("--strict", options->strict, "Exit status 1 also if a message was lost");
+  command->add_option("--summary", options->summary,
+                      "Write the numbers of the table as key=value lines");
+  command->footer(
+      "Ctrl-C ends it, too; the table is printed all the same. Reports of silence are frames "
+      "without\n"
+      "evidence: they are counted, not numbered.\n" +
+      std::string(kPictureFooter));
+  command->callback([options] {
+    catch_interrupts();
+    Reception reception(*options);
+    reception.run();
+    reception.write_results();
+    reception.check();
+  });
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,45 @@
+// Receives datagrams on a thread that does nothing else, so that none is lost while another thread
+// draws pictures.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace iog::tools {
+
+class UdpReceiver {
+ public:
+  using Messages = std::vector<std::vector<std::byte>>;
+
+  // UsageError if that address and port cannot be bound.
+  UdpReceiver(const std::string& address, std::uint16_t port);
+  ~UdpReceiver();
+  UdpReceiver(const UdpReceiver&) = delete;
+  UdpReceiver& operator=(const UdpReceiver&) = delete;
+
+  // What has come since the last call, in its order; waits for it, but no longer than that.
+  [[nodiscard]] Messages take(std::chrono::milliseconds longest);
+
+  // Messages that were dropped here because nobody took them.
+  [[nodiscard]] std::uint64_t overflow() const { return overflow_; }
+
+ private:
+  void receive();
+
+  int socket_ = -1;
+  std::atomic<bool> is_closing_ = false;
+  std::atomic<std::uint64_t> overflow_ = 0;
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  Messages queue_;
+  std::thread thread_;
+};
+
+}  // namespace iog::tools

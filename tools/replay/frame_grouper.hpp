@@ -1,0 +1,33 @@
+// Cuts the datagrams of a capture into frames, by running the target's own pipeline on them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "tools/capture/datagram.hpp"
+#include "tools/fuse/offline_target.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::tools {
+
+class FrameGrouper {
+ public:
+  using Source = std::function<std::optional<CapturedDatagram>()>;
+
+  // source: the datagrams for the vehicle's sensors, in their order. vehicle outlives the grouper.
+  FrameGrouper(const vehicle::Vehicle& vehicle, Source source);
+
+  // The datagrams of the next frame with evidence; with them those that are dropped on the way to
+  // it. Empty at the end.
+  [[nodiscard]] std::vector<CapturedDatagram> next();
+
+ private:
+  Source source_;
+  std::unique_ptr<OfflineTarget> target_;
+  std::vector<CapturedDatagram> begun_;  // of the frame that is open
+  bool is_begun_over_ = false;
+};
+
+}  // namespace iog::tools
