@@ -16,6 +16,8 @@ int main(int argc, char** argv) {
   tools::add_fuse(program);
   tools::add_replay(program);
   tools::add_receive(program);
+  tools::add_convert(program);
+  tools::add_info(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -3,8 +3,8 @@
 
 namespace iog::tools {
 
-// From now on SIGINT and SIGTERM are only remembered, and interrupt waiting system calls. A reader of
-// our output who has gone away does not end us either.
+// From now on SIGINT and SIGTERM are only remembered, and interrupt waiting system calls. A reader
+// of our output who has gone away does not end us either.
 void catch_interrupts();
 
 [[nodiscard]] bool was_interrupted();
