@@ -99,7 +99,7 @@ void FrameAssembler::finish() {
 bool FrameAssembler::is_restart(const stream::Header& header) const {
   const bool is_first = header.sequence == 0 && header.frame_number == 0;
   const bool has_run = counts_.messages > 0;
-  return has_run && ((is_first && sequences_.expected() > kMaxWaiting) ||
+  return has_run && ((is_first && sequences_.expected() > kLateMessages) ||
                      header.frame_number + kRestartFrames < newest_frame_);
 }
 

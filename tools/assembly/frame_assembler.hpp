@@ -48,7 +48,9 @@ class FrameAssembler {
  private:
   // A frame that waits for messages is given up when this many newer ones have begun.
   static constexpr std::size_t kMaxWaiting = 3;
-  // A message so many frames in the past comes from a target that has started over.
+  // The first message behind more than so many others, or one so many frames in the past, is not
+  // late but comes from a target that has started over.
+  static constexpr std::uint32_t kLateMessages = 256;
   static constexpr std::uint32_t kRestartFrames = 16;
 
   [[nodiscard]] bool is_restart(const stream::Header& header) const;

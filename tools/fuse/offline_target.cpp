@@ -28,10 +28,16 @@ OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   const bool began_next = by_datagram == 2 || (by_datagram == 1 && has_opened);
   closed.before += began_next ? 1U : 0U;
   closed.after = by_datagram - (began_next ? 1U : 0U);
+  is_open_ = closed.after == 0;
   return closed;
 }
 
-void OfflineTarget::finish() { pipeline_.tick(pipeline_.deadline_us()); }
+void OfflineTarget::finish() {
+  if (is_open_) {
+    pipeline_.tick(pipeline_.deadline_us());
+    is_open_ = false;
+  }
+}
 
 void OfflineOutside::send_message(std::size_t bytes) {
   const auto message = std::span<const std::byte>(room_).first(bytes);

@@ -59,7 +59,7 @@ class OfflineTarget {
   // The next datagram of the capture. Lets the frames that are over by its time close first.
   Closed take(const CapturedDatagram& datagram);
 
-  // The capture is over: lets its last frame time out.
+  // The capture is over: lets its last frame time out, if one is open or has drops to report.
   void finish();
 
  private:
@@ -68,6 +68,7 @@ class OfflineTarget {
   const vehicle::Vehicle* vehicle_;
   OfflineOutside outside_;
   CaptureClock clock_;
+  bool is_open_ = false;
   app::Pipeline<OfflineOutside> pipeline_;
 };
 

@@ -42,8 +42,10 @@ void add_tree(double x, double y, Random& random, std::vector<Solid>& solids) {
 }
 
 void add_bush(double x, double y, Random& random, std::vector<Solid>& solids) {
-  solids.push_back(
-      cylinder(Material::kFoliage, x, y, random.between(0.4, 1.1), 0, random.between(0.6, 1.8)));
+  // One statement for each draw: compilers evaluate arguments in different orders.
+  const double radius = random.between(0.4, 1.1);
+  const double height = random.between(0.6, 1.8);
+  solids.push_back(cylinder(Material::kFoliage, x, y, radius, 0, height));
 }
 
 }  // namespace iog::tools

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "drive_sample.hpp"
+#include "tools/assembly/frame_assembler.hpp"
+#include "tools/assembly/frame_record.hpp"
+#include "tools/assembly/sequence_watch.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/simulate/random.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::size_t kFrames = 4;
+
+const Messages& sample() {
+  static const Messages messages = [] {
+    const CatalogueEntry& car = find_vehicle("reference_car");
+    return messages_of(car, sample_drive(car, 1, kFrames));
+  }();
+  return messages;
+}
+
+struct Outcome {
+  std::vector<FrameRecord> records;
+  std::vector<bool> whole;
+  MessageCounts counts;
+  std::uint64_t lost = 0;
+};
+
+Outcome assemble(const Messages& messages) {
+  Outcome outcome;
+  FrameAssembler assembler([&](const GridFrame& frame) {
+    outcome.records.push_back(record_of(frame));
+    outcome.whole.push_back(frame.is_whole() && grid_crc_of(frame) == frame.end.grid_crc);
+  });
+  for (const auto& message : messages) {
+    assembler.take(message);
+  }
+  assembler.finish();
+  outcome.counts = assembler.counts();
+  outcome.lost = assembler.messages_lost();
+  return outcome;
+}
+
+std::vector<FrameRecord> undisturbed() { return assemble(sample()).records; }
+
+TEST(FrameAssembler, PutsFramesTogether) {
+  const Outcome outcome = assemble(sample());
+  ASSERT_EQ(outcome.records.size(), kFrames);
+  EXPECT_EQ(std::ranges::count(outcome.whole, true), kFrames);
+  EXPECT_EQ(outcome.counts.messages, sample().size());
+  EXPECT_EQ(outcome.lost, 0U);
+  EXPECT_EQ(outcome.counts.late + outcome.counts.repeated + outcome.counts.malformed, 0U);
+}
+
+TEST(FrameAssembler, ALostTileIsMissedInItsFrameOnly) {
+  Messages messages = sample();
+  messages.erase(messages.begin() + 5);
+  const Outcome outcome = assemble(messages);
+  ASSERT_EQ(outcome.records.size(), kFrames);
+  EXPECT_EQ(outcome.lost, 1U);
+  EXPECT_EQ(outcome.whole, (std::vector<bool>{false, true, true, true}));
+  EXPECT_EQ(outcome.records[0].tiles + 1, undisturbed()[0].tiles);
+  EXPECT_EQ(first_difference(outcome.records, undisturbed())->find("frame 0: same packets"), 0U);
+}
+
+TEST(FrameAssembler, ALostFrameEndStillLeavesItsTiles) {
+  Messages messages = sample();
+  const std::size_t first_end = undisturbed()[0].tiles;
+  messages.erase(messages.begin() + static_cast<std::ptrdiff_t>(first_end));
+  const Outcome outcome = assemble(messages);
+  ASSERT_EQ(outcome.records.size(), kFrames);
+  EXPECT_FALSE(outcome.whole[0]);
+  EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
+}
+
+TEST(FrameAssembler, RepeatedMessagesChangeNothing) {
+  Messages messages;
+  for (const auto& message : sample()) {
+    messages.insert(messages.end(), 2, message);
+  }
+  const Outcome outcome = assemble(messages);
+  EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
+  EXPECT_EQ(outcome.counts.repeated, sample().size());
+}
+
+TEST(FrameAssembler, OrderWithinReachChangesNothing) {
+  Messages messages = sample();
+  Random random(99);
+  // The first one tells where the stream begins, and stays.
+  for (std::size_t i = 2; i < messages.size(); ++i) {
+    std::swap(messages[i], messages[i - random.below(std::min<std::size_t>(i, 20))]);
+  }
+  const Outcome outcome = assemble(messages);
+  EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
+  EXPECT_EQ(outcome.lost, 0U);
+  EXPECT_GT(outcome.counts.late, 100U);
+}
+
+TEST(FrameAssembler, GarbageIsCountedAndChangesNothing) {
+  Messages messages;
+  Random random(5);
+  std::uint64_t garbage = 0;
+  for (const auto& message : sample()) {
+    messages.push_back(message);
+    std::vector<std::byte> cut(message.begin(), message.begin() + 40);
+    std::vector<std::byte> other_version = message;
+    other_version[4] = std::byte{2};
+    std::vector<std::byte> noise(random.below(1400));
+    for (std::byte& byte : noise) {
+      byte = static_cast<std::byte>(random.next());
+    }
+    messages.insert(messages.end(), {cut, other_version, noise});
+    garbage += 3;
+  }
+  const Outcome outcome = assemble(messages);
+  EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
+  EXPECT_EQ(outcome.counts.other_version, sample().size());
+  EXPECT_EQ(outcome.counts.malformed + outcome.counts.not_ours + outcome.counts.other_version,
+            garbage);
+}
+
+TEST(FrameAssembler, ATileThatContradictsItselfIsNotBelieved) {
+  Messages messages = sample();
+  messages[3][stream::kHeaderBytes] = std::byte{0xFF};   // tile x beyond the grid
+  messages[4][stream::kHeaderBytes + 5] = std::byte{9};  // an encoding of the future
+  const Outcome outcome = assemble(messages);
+  EXPECT_EQ(outcome.counts.malformed, 1U);
+  EXPECT_EQ(outcome.counts.not_understood, 1U);
+  EXPECT_FALSE(outcome.whole[0]);
+}
+
+TEST(FrameAssembler, ATargetThatStartsOverIsNoticed) {
+  Messages messages = sample();
+  messages.insert(messages.end(), sample().begin(), sample().end());
+  const Outcome outcome = assemble(messages);
+  EXPECT_EQ(outcome.counts.restarts, 1U);
+  ASSERT_EQ(outcome.records.size(), 2 * kFrames);
+  EXPECT_EQ(std::ranges::count(outcome.whole, true), 2 * kFrames);
+  EXPECT_EQ(outcome.records[kFrames].number, kFrames);
+  EXPECT_EQ(outcome.lost, 0U);
+}
+
+TEST(SequenceWatch, CountsGapsAndForgivesTheLate) {
+  SequenceWatch watch;
+  using Arrival = SequenceWatch::Arrival;
+  EXPECT_EQ(watch.arrive(0xFFFFFFFE), Arrival::kInOrder);
+  EXPECT_EQ(watch.arrive(1), Arrival::kInOrder);  // 0xFFFFFFFF and 0 are missing
+  EXPECT_EQ(watch.lost(), 2U);
+  EXPECT_EQ(watch.arrive(0), Arrival::kLate);
+  EXPECT_EQ(watch.arrive(0), Arrival::kRepeated);
+  EXPECT_EQ(watch.arrive(1), Arrival::kRepeated);
+  EXPECT_EQ(watch.lost(), 1U);
+}
+
+TEST(FrameRecord, LinesAreReadBack) {
+  const std::string path = testing::TempDir() + "iog_assembly_test_hashes";
+  write_records(path, undisturbed());
+  EXPECT_FALSE(first_difference(read_records(path), undisturbed()).has_value());
+  EXPECT_EQ(line_of({.number = 17,
+                     .complete_sensors = 0xF,
+                     .partial_sensors = 0,
+                     .points_used = 2871,
+                     .tiles = 433,
+                     .grid_crc = 0x9AC01B,
+                     .is_timed_out = false}),
+            "17 f 0 2871 433 009ac01b");
+  EXPECT_THROW(static_cast<void>(read_records(path + "_missing")), UsageError);
+}
+
+TEST(FrameRecord, ADifferenceSaysWhetherItIsParticipation) {
+  auto received = undisturbed();
+  received[2].complete_sensors = 0x7;
+  received[2].partial_sensors = 0x8;
+  received[2].is_timed_out = true;
+  const std::string text = first_difference(received, undisturbed()).value();
+  EXPECT_EQ(text.find("frame 2: closed by time on the target; was the host stalled?"), 0U);
+  received.resize(2);
+  EXPECT_EQ(first_difference(received, undisturbed()).value(),
+            "2 frames with evidence received, 4 expected; the common ones are equal");
+}
+
+// Any tool can compute it: zlib's crc32 over the CRCs, each four bytes big endian.
+TEST(RunHash, IsTheCrcOfTheGridCrcs) {
+  RunHash hash;
+  hash.add({.grid_crc = 0x31323334});
+  hash.add({.grid_crc = 0x35363738});
+  EXPECT_EQ(hex(hash.value()), "9ae0daaf");  // CRC-32 of "12345678"
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,145 @@
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "tools/capture/capture_clock.hpp"
+#include "tools/capture/pcap_reader.hpp"
+#include "tools/capture/pcap_writer.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/file.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::tools {
+namespace {
+
+std::string temporary(const std::string& name) {
+  return testing::TempDir() + "iog_capture_test_" + name;
+}
+
+CapturedDatagram datagram_of(std::uint64_t time_us, std::size_t bytes) {
+  CapturedDatagram datagram{.time_us = time_us,
+                            .source = {.ipv4 = 0x0A000265, .port = 12000},
+                            .destination = {.ipv4 = 0x0A00020F, .port = 12003},
+                            .payload = {}};
+  for (std::size_t i = 0; i < bytes; ++i) {
+    datagram.payload.push_back(static_cast<std::byte>(i * 7 + bytes));
+  }
+  return datagram;
+}
+
+void write_capture(const std::string& path, const std::vector<CapturedDatagram>& datagrams) {
+  PcapWriter writer(path);
+  for (const CapturedDatagram& datagram : datagrams) {
+    writer.write(datagram);
+  }
+  writer.finish();
+}
+
+std::vector<CapturedDatagram> read_capture(PcapReader& reader) {
+  std::vector<CapturedDatagram> datagrams;
+  while (auto datagram = reader.next()) {
+    datagrams.push_back(std::move(*datagram));
+  }
+  return datagrams;
+}
+
+void write_bytes(const std::string& path, const std::vector<std::byte>& bytes) {
+  OutputFile file(path);
+  file.write(bytes);
+  file.finish();
+}
+
+// The file's header, then per packet 16 bytes, Ethernet 14, IPv4 20, UDP 8.
+constexpr std::size_t kFileHeaderBytes = 24;
+constexpr std::size_t kFirstFrame = kFileHeaderBytes + 16;
+
+TEST(Capture, WhatIsWrittenIsReadBack) {
+  const std::string path = temporary("round_trip.pcap");
+  std::vector<CapturedDatagram> sent;
+  for (const std::size_t bytes : {0U, 1U, 17U, 18U, 19U, 1206U, 1400U, 1472U}) {
+    sent.push_back(datagram_of(1'714'564'800'999'990U + bytes, bytes));
+  }
+  write_capture(path, sent);
+  PcapReader reader(path);
+  const auto received = read_capture(reader);
+  ASSERT_EQ(received.size(), sent.size());
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    EXPECT_EQ(received[i].time_us, sent[i].time_us);
+    EXPECT_EQ(received[i].source.ipv4, sent[i].source.ipv4);
+    EXPECT_EQ(received[i].source.port, sent[i].source.port);
+    EXPECT_EQ(received[i].destination.ipv4, sent[i].destination.ipv4);
+    EXPECT_EQ(received[i].destination.port, sent[i].destination.port);
+    EXPECT_EQ(received[i].payload, sent[i].payload);
+  }
+  EXPECT_EQ(reader.counts().skipped(), 0U);
+  EXPECT_EQ(describe_skipped(reader.counts()), "");
+}
+
+TEST(Capture, VlanTagsAreSkipped) {
+  const std::string path = temporary("vlan.pcap");
+  write_capture(path, {datagram_of(1, 100)});
+  auto bytes = read_file(path);
+  const std::vector<std::byte> tag{std::byte{0x81}, std::byte{0x00}, std::byte{0x00},
+                                   std::byte{0x05}};
+  bytes.insert(bytes.begin() + kFirstFrame + 12, tag.begin(), tag.end());
+  for (const std::size_t length : {kFileHeaderBytes + 8, kFileHeaderBytes + 12}) {
+    bytes[length] = static_cast<std::byte>(std::to_integer<unsigned>(bytes[length]) + tag.size());
+  }
+  write_bytes(path, bytes);
+  PcapReader reader(path);
+  const auto received = read_capture(reader);
+  ASSERT_EQ(received.size(), 1U);
+  EXPECT_EQ(received[0].payload, datagram_of(1, 100).payload);
+}
+
+// One packet, with one byte of it changed.
+CaptureCounts counts_with(std::size_t offset_in_frame, std::uint8_t value) {
+  const std::string path = temporary("changed.pcap");
+  write_capture(path, {datagram_of(1, 100)});
+  auto bytes = read_file(path);
+  bytes[kFirstFrame + offset_in_frame] = std::byte{value};
+  write_bytes(path, bytes);
+  PcapReader reader(path);
+  static_cast<void>(read_capture(reader));
+  return reader.counts();
+}
+
+TEST(Capture, WhatIsNoWholeUdpDatagramIsCountedByCause) {
+  EXPECT_EQ(counts_with(12, 0x86).not_udp, 1U);        // Ethernet type
+  EXPECT_EQ(counts_with(14 + 8, 1).bad_checksum, 1U);  // time to live
+  EXPECT_EQ(counts_with(14, 0x44).malformed, 1U);      // IPv4 header length
+  EXPECT_EQ(counts_with(60, 0xEE).bad_checksum, 1U);   // payload
+  EXPECT_EQ(counts_with(0, 0xEE).datagrams, 1U);       // an address of Ethernet does not matter
+}
+
+TEST(Capture, AFileThatBreaksOffEndsThere) {
+  const std::string path = temporary("cut.pcap");
+  write_capture(path, {datagram_of(1, 100), datagram_of(2, 100)});
+  auto bytes = read_file(path);
+  bytes.resize(bytes.size() - 10);
+  write_bytes(path, bytes);
+  PcapReader reader(path);
+  EXPECT_EQ(read_capture(reader).size(), 1U);
+  EXPECT_TRUE(reader.is_cut_off());
+}
+
+TEST(Capture, WhatIsNoCaptureIsRefused) {
+  const std::string path = temporary("text.pcap");
+  write_bytes(path, std::vector<std::byte>(100, std::byte{'x'}));
+  EXPECT_THROW(PcapReader{path}, UsageError);
+  EXPECT_THROW(PcapReader{temporary("missing.pcap")}, UsageError);
+}
+
+TEST(CaptureClock, NeverRunsBackAndShortensPauses) {
+  CaptureClock clock;
+  EXPECT_EQ(clock.move_to(5'000'000), 0U);
+  EXPECT_EQ(clock.move_to(5'040'000), 40'000U);
+  EXPECT_EQ(clock.move_to(5'030'000), 40'000U);
+  EXPECT_EQ(clock.move_to(5'041'000), 41'000U);
+  EXPECT_EQ(clock.move_to(99'000'000'000), 1'041'000U);
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,81 @@
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "tools/command/file.hpp"
+#include "tools/picture/grid_picture.hpp"
+#include "tools/picture/ros_map.hpp"
+
+namespace iog::tools {
+namespace {
+
+std::string text_of(const std::string& path) {
+  const auto bytes = read_file(path);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// ROS map_server: row 0 is the row of highest y; 0 occupied, 254 free, 205 unknown.
+TEST(RosMap, FilesAreExact) {
+  constexpr std::array<index::OccupancyIndex, 9> kCells{-127, -1,  0,  // lowest y
+                                                        1,    127, 0, 0, 0, 2};
+  const std::string folder = testing::TempDir();
+  const RosMap map{.cells = kCells, .side = 3, .cell_m = 0.1, .origin_m = -51.2};
+  write_ros_map(folder, "iog_map", map);
+  const std::string pgm = text_of(folder + "/iog_map.pgm");
+  EXPECT_EQ(pgm, std::string("P5\n3 3\n255\n") + "\xCD\xCD" + std::string(2, '\0') +
+                     std::string(1, '\0') + "\xCD" + "\xFE\xFE\xCD");
+  EXPECT_EQ(text_of(folder + "/iog_map.yaml"),
+            "image: iog_map.pgm\n"
+            "mode: trinary\n"
+            "resolution: 0.1\n"
+            "origin: [-51.2, -51.2, 0.0]\n"
+            "negate: 0\n"
+            "occupied_thresh: 0.65\n"
+            "free_thresh: 0.196\n");
+}
+
+// map_server computes p = (255 - pixel) / 255 and compares with its two thresholds.
+TEST(RosMap, ThresholdsGiveBackTheClasses) {
+  for (int index = -127; index <= 127; ++index) {
+    const std::array cells{static_cast<index::OccupancyIndex>(index)};
+    const double p = (255 - ros_map_pixels({.cells = cells, .side = 1})[0]) / 255.0;
+    EXPECT_EQ(p > 0.65, index > 0);
+    EXPECT_EQ(p < 0.196, index < 0);
+  }
+}
+
+TEST(GridPicture, ForwardIsUpAndLeftIsLeft) {
+  GridFrame frame;
+  const Canvas empty = picture_of(frame, {});
+  ASSERT_EQ(empty.width(), 1024);
+  const auto drawn_at = [&](std::size_t cell_x, std::size_t cell_y, int column, int row) {
+    frame.cells.assign(grid::kCellCount, index::kUnknown);
+    frame.cells[cell_y * grid::kStride + cell_x] = 127;
+    const Canvas picture = picture_of(frame, {});
+    return !(picture.at(column, row) == empty.at(column, row));
+  };
+  EXPECT_TRUE(drawn_at(800, 512, 511, 223));  // ahead
+  EXPECT_TRUE(drawn_at(512, 800, 223, 511));  // to the left
+  EXPECT_TRUE(drawn_at(200, 300, 723, 823));  // behind, to the right
+}
+
+TEST(GridPicture, CanBeCroppedAndEnlarged) {
+  const Canvas picture = picture_of(GridFrame{}, {.pixels_per_cell = 3, .radius_m = 20});
+  EXPECT_EQ(picture.width(), 1200);
+  EXPECT_EQ(picture.height(), 1200);
+}
+
+TEST(Canvas, IgnoresWhatLiesOutside) {
+  Canvas canvas(10, 10, {});
+  canvas.line(-100, -100, 100, 100, {255, 255, 255});
+  canvas.circle(5, 5, 50, {255, 0, 0});
+  canvas.text(-3, 8, "edge", {0, 255, 0});
+  canvas.fill(8, 8, 100, 100, {1, 2, 3});
+  EXPECT_EQ(canvas.at(9, 9), (Colour{1, 2, 3}));
+}
+
+}  // namespace
+}  // namespace iog::tools
