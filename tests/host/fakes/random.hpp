@@ -1,6 +1,7 @@
 // Random numbers that are the same everywhere: SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace iog::tests {
@@ -21,6 +22,11 @@ class Random {
   constexpr std::int32_t between(std::int32_t low, std::int32_t high) {
     const auto span = static_cast<std::uint64_t>(std::int64_t{high} - low) + 1;
     return static_cast<std::int32_t>(low + static_cast<std::int64_t>(next() % span));
+  }
+
+  // 0 ... count - 1, to pick one of `count` things.
+  constexpr std::size_t below(std::size_t count) {
+    return static_cast<std::uint32_t>(next() >> 32) % count;
   }
 
   constexpr bool one_in(int n) { return next() % static_cast<std::uint64_t>(n) == 0; }

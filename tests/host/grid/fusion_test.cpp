@@ -189,7 +189,7 @@ TEST(Fusion, NoOrderOfTheScanPointsShowsInTheGrid) {
     const auto expected = fuse(vehicle, frame);
     for (int shuffle = 0; shuffle < tests::effort(20, 3); ++shuffle) {
       for (std::size_t i = frame.size(); i > 1; --i) {
-        std::swap(frame[i - 1], frame[static_cast<std::size_t>(random.next() % i)]);
+        std::swap(frame[i - 1], frame[random.below(i)]);
       }
       ASSERT_EQ(fuse(vehicle, frame), expected);
     }
