@@ -1,4 +1,5 @@
-// The seam to a line of text for a person. Never blocks for longer than the bytes take to shift out.
+// The seam to a line of text for a person. Never blocks for longer than the bytes take to shift
+// out.
 #pragma once
 
 #include <concepts>
