@@ -5,9 +5,7 @@
 
 namespace {
 
-void say_start() {
-  std::puts("iogrid test image: start");
-}
+void say_start() { std::puts("iogrid test image: start"); }
 
 }  // namespace
 

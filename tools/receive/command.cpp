@@ -54,6 +54,9 @@ class Reception {
   // Until enough frames have come, or none for too long, or somebody interrupts.
   void run() {
     UdpReceiver receiver(options_->bind, options_->port);
+    if (options_->notify) {
+      std::cout << "listening" << std::endl;
+    }
     last_evidence_ = Clock::now();
     while (!is_done() && !was_interrupted() && !is_idle()) {
       for (const std::vector<std::byte>& message : receiver.take(std::chrono::milliseconds(100))) {
@@ -93,6 +96,10 @@ class Reception {
                         " frames incomplete");
     }
     if (options_->expect.empty()) {
+      if (!is_done() && frames_wanted_ > 0) {
+        throw CheckFailed("only " + std::to_string(statistics_.records().size()) + " of " +
+                          std::to_string(frames_wanted_) + " frames came");
+      }
       return;
     }
     if (options_->frames > 0 && options_->frames < expected_.size()) {
@@ -195,7 +202,8 @@ void add_receive(CLI::App& program) {
                    "End after so many seconds without such a frame")
       ->check(CLI::PositiveNumber);
   command->add_flag("--notify", options->notify,
-                    "Write `frame N` on standard output as soon as a frame with evidence is there; "
+                    "Write `listening`, then `frame N` on standard output as soon as a frame with "
+                    "evidence is there; "
                     "the table goes to standard error");
   command->add_option("--hashes", options->hashes,
                       "Write one line per frame with evidence, as `iog fuse --hashes` does");
