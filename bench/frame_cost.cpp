@@ -1,0 +1,122 @@
+// frame_cost: what a frame costs the Cortex-A9, in instructions, by stage. Runs in QEMU with
+// instruction counting (bench/run_frame_cost); prints one line of key=value pairs.
+//
+// The core is the firmware's own, object by object, and so is the memcpy() beneath it. What is not
+// here are the driver of the Ethernet controller, the loop around the pipeline, and caches, which
+// QEMU does not have.
+#include <cstdint>
+#include <cstdio>
+
+#include "capture.hpp"
+#include "ethernet/enet_port.hpp"
+#include "instruction_counter.hpp"
+#include "operation_pass.hpp"
+#include "playback.hpp"
+#include "selected_vehicle.hpp"
+#include "stack_paint.hpp"
+#include "stage_pass.hpp"
+
+namespace iog::bench {
+namespace {
+
+void print(const char* key, std::uint64_t value, const char* suffix = "") {
+  // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
+  std::printf(" %s%s=%llu", key, suffix, value);
+}
+
+void print_stage(const char* name, const Spread& spread, std::uint64_t frames) {
+  print(name, spread.sum, "_sum");
+  print(name, (spread.sum + frames / 2) / frames, "_mean");
+  print(name, spread.smallest, "_min");
+  print(name, spread.largest, "_max");
+}
+
+void print_stages(const StagePass& pass) {
+  print("frame_period_us", vehicles::kVehicle.frame_period_us);
+  print("frames", pass.frames());
+  print("packets", pass.packets());
+  print("points", pass.points());
+  print("points_used", pass.points_used());
+  print("messages", pass.outside().messages());
+  print("sent_bytes", pass.outside().sent_bytes());
+  print_stage("receive", pass.receive(), pass.frames());
+  print_stage("fuse", pass.fuse(), pass.frames());
+  print_stage("mark", pass.mark(), pass.frames());
+  print_stage("publish", pass.publish(), pass.frames());
+  print_stage("frame", pass.whole(), pass.frames());
+}
+
+void print_operations(const OperationCost& cost) {
+  print("inspect_sum", cost.inspect);
+  print("decode_sum", cost.decode);
+  print("points_sum", cost.fuse);
+  print("aim_sum", cost.aim);
+  print("judge_sum", cost.judge);
+  print("cells", cost.cells);
+  print("find_sum", cost.find);
+  print("hash_sum", cost.hash);
+  print("clear_sum", cost.clear);
+  print("tiles", cost.tiles);
+}
+
+void print_sizes() {
+  print("tiles_per_grid", stream::kTileCount);
+  print("pipeline_bytes", sizeof(StagePass::Pipeline));
+  print("grid_bytes", std::uint64_t{sizeof(grid::OccupancyIndex)} * grid::kCellCount);
+  print("marks_bytes", std::uint64_t{sizeof(grid::Mark)} * grid::kMaxMarks);
+  print("receive_descriptor_bytes", sizeof(imx6::EnetMemory::receive_descriptors));
+  print("receive_buffer_bytes", sizeof(imx6::EnetMemory::receive_buffers));
+  print("transmit_descriptor_bytes", sizeof(imx6::EnetMemory::transmit_descriptors));
+  print("transmit_buffer_bytes", sizeof(imx6::EnetMemory::transmit_buffers));
+}
+
+// Both passes are static: each holds a grid.
+int run(const char* path) {
+  static InstructionCounter counter;
+  static Capture capture;
+  static StagePass stages(vehicles::kVehicle, counter);
+  static OperationPass operations(vehicles::kVehicle, counter);
+  counter.start();
+  if (!counter.is_exact()) {
+    std::puts("frame_cost: instructions are not counted; is this -icount shift=4,sleep=off?");
+    return 1;
+  }
+  if (!capture.open(path)) {
+    std::printf("frame_cost: %s cannot be read as a pcap of Ethernet frames\n", path);
+    return 1;
+  }
+  StackPaint stack;
+  stack.apply();
+  play(capture, vehicles::kVehicle, counter, stages);
+  const std::uint32_t stack_bytes = stack.used_bytes();
+  // An empty frame more: it says what publishing the last one cost.
+  stages.tick(stages.deadline_us());
+  if (stages.frames() == 0 || !capture.open(path)) {
+    std::printf("frame_cost: no frame has evidence; is %s the vehicle of the capture?\n",
+                vehicles::kVehicle.name.data());
+    return 1;
+  }
+  play(capture, vehicles::kVehicle, counter, operations);
+
+  // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned int
+  std::printf("frame_cost vehicle=%s run_hash=%08lx", vehicles::kVehicle.name.data(),
+              stages.run_hash());
+  print_stages(stages);
+  print_operations(operations.cost());
+  print_sizes();
+  print("stack_bytes", stack_bytes);
+  print("counter_instructions", counter.of_nothing());
+  std::puts("");
+  return 0;
+}
+
+}  // namespace
+}  // namespace iog::bench
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::puts("frame_cost: expected one argument, a capture");
+    return 2;
+  }
+  return iog::bench::run(argv[1]);
+}

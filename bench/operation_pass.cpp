@@ -1,0 +1,118 @@
+#include "operation_pass.hpp"
+
+#include <array>
+
+#include "traversal/walk.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::bench {
+
+template <typename Work>
+auto OperationPass::measured(std::uint64_t& sum, Work&& work) {
+  const std::uint32_t start = counter_.now();
+  auto result = work();
+  sum += counter_.now() - start - counter_.of_nothing();
+  return result;
+}
+
+void OperationPass::take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
+                         std::uint32_t /*received*/, std::uint64_t now_us) {
+  using Inspection = app::FrameEngine::Inspection;
+  const auto inspect = [&] {
+    return measured(cost_.inspect, [&] { return engine_.inspect(datagram); });
+  };
+  Inspection inspection = inspect();
+  if (inspection == Inspection::kNextFrame) {
+    close_frame(now_us);
+    inspection = inspect();
+  }
+  if (inspection == Inspection::kThisFrame) {
+    measured(cost_.fuse, [&] {
+      engine_.fuse(now_us);
+      return true;
+    });
+    take_apart(sensor, datagram.payload);
+  }
+  if (engine_.is_complete()) {
+    close_frame(now_us);
+  }
+}
+
+void OperationPass::tick(std::uint64_t now_us) {
+  if (engine_.is_overdue(now_us)) {
+    close_frame(now_us);
+  }
+}
+
+void OperationPass::close_frame(std::uint64_t now_us) {
+  engine_.finish();
+  stream::GridHash hash;
+  for (std::size_t y = 0; y < stream::kTilesPerSide; ++y) {
+    for (std::size_t x = 0; x < stream::kTilesPerSide; ++x) {
+      take_tile_apart(x, y, hash);
+    }
+  }
+  engine_.start_next(now_us);
+}
+
+void OperationPass::take_tile_apart(std::size_t x, std::size_t y, stream::GridHash& hash) {
+  const stream::GridCells cells = engine_.fusion().cells();
+  if (!measured(cost_.find, [&] { return stream::is_known(cells, x, y); })) {
+    return;
+  }
+  std::array<std::byte, stream::kTileBytes> tile;
+  measured(cost_.hash, [&] {
+    stream::copy_tile(cells, x, y, tile);
+    hash.add(x, y, tile);
+    return true;
+  });
+  measured(cost_.clear, [&] {
+    stream::clear_tile(cells, x, y);
+    return true;
+  });
+  ++cost_.tiles;
+}
+
+void OperationPass::take_apart(const vehicle::Sensor& sensor, std::span<const std::byte> payload) {
+  const auto each = [&](const lidar::ScanPoint& point) { take_apart(sensor, point); };
+  if (sensor.format == lidar::Format::kIbeoLux) {
+    static_cast<void>(measured(cost_.decode, [&] { return lux_.decode(payload); }));
+    lux_.for_each_point(each);
+  } else {
+    static_cast<void>(measured(cost_.decode, [&] { return vlp16_.decode(payload); }));
+    vlp16_.for_each_point(each);
+  }
+}
+
+void OperationPass::take_apart(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
+  const vehicle::Beam beam =
+      measured(cost_.aim, [&] { return vehicle::aim(sensor, point.layer, point.azimuth_ticks); });
+  static_cast<void>(
+      measured(cost_.judge, [&] { return vehicle::judge(vehicle_, sensor, beam, point); }));
+  ++cost_.points;
+  cost_.cells += carved_cells(sensor, beam, point);
+}
+
+// Fuses the point alone into a grid of zeros, then looks along its line for cells that are not zero
+// and sets them back. Its marks wait in a list that nobody applies.
+std::uint32_t OperationPass::carved_cells(const vehicle::Sensor& sensor, const vehicle::Beam& beam,
+                                          const lidar::ScanPoint& point) {
+  if (!single_.fits(sensor, 1)) {
+    single_.clear();
+  }
+  static_cast<void>(single_.add(sensor, point));
+  const auto inside = beam.line.clip(vehicle::kGridArea);
+  if (!inside) {
+    return 0;
+  }
+  std::uint32_t carved = 0;
+  const auto cells = single_.cells();
+  traversal::Walk walk(beam.line, inside->first, grid::kStride);
+  walk.until(inside->last_crossed + 1, [&](std::size_t offset) {
+    carved += cells[offset] != index::kUnknown ? 1U : 0U;
+    cells[offset] = index::kUnknown;
+  });
+  return carved;
+}
+
+}  // namespace iog::bench
