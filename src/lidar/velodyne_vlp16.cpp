@@ -81,6 +81,7 @@ DecodeStatus VelodyneVlp16::read_azimuths() {
     swept += block % stride == 0 ? std::uint32_t{steps_[block]} : 0U;
   }
   // Clockwise on the wire: the sweep ends where, counter-clockwise, its sector begins.
+  swept += kSeamTicks;
   const std::uint32_t last = (azimuths_[0] + swept) % kTurn;
   info_.sector.first_ticks = static_cast<std::uint16_t>((kTurn - last) % kTurn);
   info_.sector.width_ticks = static_cast<std::uint16_t>(swept);

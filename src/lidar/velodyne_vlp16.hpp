@@ -30,6 +30,9 @@ class VelodyneVlp16 {
   // A block lasts 110.592 us: 0.8 degrees at the fastest rotation, 20 Hz. Beyond 3 degrees between
   // two neighbours the packet is not one sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
+  // How far the head turns in the last block is not on the wire, and its speed wavers by a tenth. A
+  // packet's sector is given this much more, so that neighbours overlap instead of leaving a gap.
+  static constexpr std::uint32_t kSeamTicks = 10;
 
   // Checks the whole packet and keeps a view of it. The view lives as long as the datagram.
   // kOk, kWrongLength, kWrongType or kWrongAngle.

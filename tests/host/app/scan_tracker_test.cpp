@@ -1,6 +1,10 @@
 #include "app/scan_tracker.hpp"
 
+#include <array>
 #include <gtest/gtest.h>
+
+#include "fakes/vlp16_packet.hpp"
+#include "lidar/velodyne_vlp16.hpp"
 
 namespace iog::app {
 namespace {
@@ -89,6 +93,29 @@ TEST(ScanTracker, ATurnIsCompleteWhereverItBegan) {
       ++packets;
     }
     EXPECT_EQ(packets, 75);
+  }
+}
+
+// The packets of a real turn (MRPT's recording on a desk, 2016): the head's speed wavers, so that a
+// packet cannot tell exactly where the next one begins.
+TEST(ScanTracker, ATurnIsCompleteThoughTheHeadsSpeedWavers) {
+  for (int begin = 0; begin < 36'000; begin += 7) {
+    ScanTracker tracker = turn_tracker();
+    int azimuth = begin;
+    int packets = 0;
+    while (azimuth < begin + 36'000) {
+      // Within the packet each block turns 0.38 degrees, to the next packet it is 0.42.
+      tests::Vlp16Packet packet{.first_azimuth = azimuth % 36'000,
+                                .step = 38,
+                                .time_us = static_cast<std::uint32_t>(packets)};
+      lidar::VelodyneVlp16 decoder;
+      ASSERT_EQ(decoder.decode(packet.bytes()), lidar::DecodeStatus::kOk);
+      ASSERT_EQ(tracker.judge(decoder.info()), Verdict::kPartOfFrame);
+      tracker.accept(decoder.info());
+      azimuth += 11 * 38 + 42;
+      ++packets;
+    }
+    ASSERT_TRUE(tracker.is_complete()) << "from " << begin;
   }
 }
 

@@ -55,9 +55,9 @@ TEST(VelodyneVlp16, SweepsClockwiseSoItsSectorEndsWhereItBegan) {
   VelodyneVlp16 packet;
   ASSERT_EQ(packet.decode(Vlp16Packet{.first_azimuth = 35'900, .step = 40}.bytes()),
             DecodeStatus::kOk);
-  // From 359.00 to 363.80 degrees clockwise.
-  EXPECT_EQ(packet.info().sector.width_ticks, 480);
-  EXPECT_EQ(packet.info().sector.first_ticks, 36'000 - 380);
+  // From 359.00 to 363.80 degrees clockwise, and the seam.
+  EXPECT_EQ(packet.info().sector.width_ticks, 480 + VelodyneVlp16::kSeamTicks);
+  EXPECT_EQ(packet.info().sector.first_ticks, 36'000 - 380 - VelodyneVlp16::kSeamTicks);
 }
 
 TEST(VelodyneVlp16, AzimuthsOf36000MeanZero) {
