@@ -67,7 +67,8 @@ std::vector<FrameRecord> read_records(const std::string& path) {
     }
     const std::optional<FrameRecord> record = parsed(line);
     if (!record || record->number != records.size()) {
-      throw UsageError(path + ": not written by --hashes: '" + line + "'");
+      throw UsageError(path + ": line for frame " + std::to_string(records.size()) +
+                       " expected; give a file that --hashes has written");
     }
     records.push_back(*record);
   }

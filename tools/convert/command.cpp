@@ -78,14 +78,18 @@ void add_convert(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   command
       ->add_option("--raw", options->raw,
-                   "FILE:SENSOR, the sensor by name or number; once for each file. For a LUX: "
-                   "ibeo 0x2202 messages back to back; for a VLP-16: payloads of 1206 bytes "
-                   "back to back")
+                   "A recording and its sensor, by name or number; once for each")
+      ->option_text("FILE:SENSOR  (required)")
       ->required()
       ->take_all();
-  command->add_option("--vehicle", options->vehicle, vehicle_option_help())->capture_default_str();
-  command->add_option("--out", options->out, "The capture to write (.pcap)")->required();
+  command->add_option("--vehicle", options->vehicle, vehicle_option_help())
+      ->option_text("NAME  (default reference_car)");
+  command->add_option("--out", options->out, "The capture to write (.pcap)")
+      ->option_text("FILE  (required)")
+      ->required();
   command->footer(
+      "A recording is, back to back, ibeo 0x2202 messages of a LUX or VLP-16 payloads of 1206 "
+      "bytes.\n"
       "Packets are put in order of the sensors' own times. A LUX message that is longer than a\n"
       "datagram of 1400 bytes becomes several of the same scan number, each with its own sector.");
   command->callback([options] { convert(*options); });

@@ -130,25 +130,30 @@ void add_fuse(CLI::App& program) {
   auto* const command =
       program.add_subcommand("fuse", "Fuse a capture on this PC, with the target's own code");
   const auto options = std::make_shared<Options>();
-  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")->required();
-  command->add_option("--vehicle", options->vehicle, vehicle_option_help())->capture_default_str();
-  command->add_option("--frame", options->frame,
-                      "The frame to write, counted from 0 among those with evidence; default: the "
-                      "last");
-  command->add_option("--out-raw", options->out_raw,
-                      "Write its 1024 x 1024 occupancy indexes, one int8 each, row by row from the "
-                      "lowest y");
+  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")
+      ->option_text("FILE  (required)")
+      ->required();
+  command->add_option("--vehicle", options->vehicle, vehicle_option_help())
+      ->option_text("NAME  (default reference_car)");
+  command
+      ->add_option("--frame", options->frame,
+                   "The frame to write, from 0 among those with evidence; else the last")
+      ->option_text("N");
+  command->add_option("--out-raw", options->out_raw, "Write its occupancy indexes as bytes")
+      ->option_text("FILE");
   add_picture_options(*command, options->pictures);
   command->add_option("--rule", options->rule, "Fusion rule, instead of the vehicle's own")
+      ->option_text("hits_win | bayes")
       ->check(CLI::IsMember({"hits_win", "bayes"}));
-  command->add_option("--hashes", options->hashes,
-                      "Write one line per frame with evidence: number, sensors complete and "
-                      "partial (hex), points used, tiles, grid CRC");
+  command->add_option("--hashes", options->hashes, "Write one line per frame with evidence")
+      ->option_text("FILE");
   command->footer(
       "The capture stands for its replay: sensors are told apart by destination port, their "
       "source\n"
       "addresses are not compared. Time is that of the capture; a pause counts as 1 s at most.\n"
-      "The run hash is the CRC-32 of all grid CRCs of frames with evidence.\n" +
+      "--out-raw: 1024 x 1024 int8, row by row from the lowest y. --hashes: number, complete and\n"
+      "partial sensors (hex), points used, tiles, grid CRC; the run hash is the CRC-32 of these "
+      "CRCs.\n" +
       std::string(kPictureFooter));
   command->callback([options] { fuse(*options); });
 }

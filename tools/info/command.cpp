@@ -36,7 +36,9 @@ void add_info(CLI::App& program) {
   auto* const command =
       program.add_subcommand("info", "Say what is in a capture: ports, formats, scans, rates");
   const auto path = std::make_shared<std::string>();
-  command->add_option("--pcap", *path, "The capture to read (pcap or pcapng)")->required();
+  command->add_option("--pcap", *path, "The capture to read (pcap or pcapng)")
+      ->option_text("FILE  (required)")
+      ->required();
   command->callback([path] { show(*path); });
 }
 

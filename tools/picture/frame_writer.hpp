@@ -45,6 +45,8 @@ inline constexpr const char* kPictureFooter =
     "Pictures show the vehicle from above: x (forward) points up, y to the left, rings every 10 "
     "m;\n"
     "pale blue is free, orange to red is occupied, dark is unknown; the stronger the index, the\n"
-    "stronger the colour. map.pgm and map.yaml are for ROS map_server: x to the right, y up.\n";
+    "stronger the colour. map.pgm and map.yaml are the last frame for ROS map_server: x to the "
+    "right,\n"
+    "y up.\n";
 
 }  // namespace iog::tools

@@ -67,7 +67,8 @@ class Painter {
     const int first = (vehicle::kCellsPerSide - cells_) / 2;
     for (int up = 0; up < cells_; ++up) {
       for (int left = 0; left < cells_; ++left) {
-        const auto place = static_cast<std::size_t>((first + left) * grid::kStride + first + up);
+        const auto place = static_cast<std::size_t>(first + left) * grid::kStride +
+                           static_cast<std::size_t>(first + up);
         if (frame_->cells[place] != index::kUnknown) {
           canvas_.fill((cells_ - 1 - left) * scale_, (cells_ - 1 - up) * scale_, scale_, scale_,
                        colour_of(frame_->cells[place]));

@@ -190,32 +190,39 @@ void add_receive(CLI::App& program) {
       program.add_subcommand("receive", "Receive the grids of a target, check and draw them");
   const auto options = std::make_shared<Options>();
   command->add_option("--port", options->port, "UDP port to receive on")
+      ->option_text("PORT  (required)")
       ->required()
       ->check(CLI::Range(1, 65'535));
-  command->add_option("--bind", options->bind, "IPv4 address to receive on")->capture_default_str();
+  command->add_option("--bind", options->bind, "IPv4 address to receive on")
+      ->option_text("ADDRESS  (default 127.0.0.1)");
   add_picture_options(*command, options->pictures);
-  command->add_option(
-      "--frames", options->frames,
-      "End after so many frames with evidence; default: those of --expect, or none");
+  command
+      ->add_option("--frames", options->frames,
+                   "End after so many frames with evidence; else those of --expect")
+      ->option_text("N");
   command
       ->add_option("--idle-timeout", options->idle_timeout_s,
                    "End after so many seconds without such a frame")
+      ->option_text("SECONDS")
       ->check(CLI::PositiveNumber);
   command->add_flag("--notify", options->notify,
-                    "Write `listening`, then `frame N` on standard output as soon as a frame with "
-                    "evidence is there; "
-                    "the table goes to standard error");
-  command->add_option("--hashes", options->hashes,
-                      "Write one line per frame with evidence, as `iog fuse --hashes` does");
-  command->add_option("--expect", options->expect,
-                      "Compare with such a file, frame by frame; exit status 1 if they differ");
+                    "Say `listening`, then `frame N` for each frame, on standard output");
+  command
+      ->add_option("--hashes", options->hashes,
+                   "Write one line per frame, as `iog fuse --hashes` does")
+      ->option_text("FILE");
+  command
+      ->add_option("--expect", options->expect,
+                   "Compare with such a file; exit status 1 if they differ")
+      ->option_text("FILE");
   command->add_flag("--strict", options->strict, "Exit status 1 also if a message was lost");
-  command->add_option("--summary", options->summary,
-                      "Write the numbers of the table as key=value lines");
+  command
+      ->add_option("--summary", options->summary,
+                   "Write the numbers of the table as key=value lines")
+      ->option_text("FILE");
   command->footer(
-      "Ctrl-C ends it, too; the table is printed all the same. Reports of silence are frames "
-      "without\n"
-      "evidence: they are counted, not numbered.\n" +
+      "Ctrl-C ends it, too; the table is printed all the same, with --notify on standard error.\n"
+      "Reports of silence are frames without evidence: they are counted, not numbered.\n" +
       std::string(kPictureFooter));
   command->callback([options] {
     catch_interrupts();

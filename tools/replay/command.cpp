@@ -115,12 +115,22 @@ class Replay {
       }
       ++frames_;
       frame = grouper.next();
-      std::string line;
-      if ((options_->loop || !frame.empty()) && !std::getline(std::cin, line)) {
+      if ((options_->loop || !frame.empty()) && !wait_for_line()) {
         has_stopped_ = true;
         return;
       }
     }
+  }
+
+  // False: there will be no more. That the receiver listens is no notice of a frame.
+  static bool wait_for_line() {
+    std::string line;
+    do {
+      if (!std::getline(std::cin, line)) {
+        return false;
+      }
+    } while (line == "listening");
+    return true;
   }
 
   // Another round begins one frame after the last one's end.
@@ -152,26 +162,30 @@ void add_replay(CLI::App& program) {
   auto* const command =
       program.add_subcommand("replay", "Send the packets of a capture to a target");
   const auto options = std::make_shared<Options>();
-  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")->required();
-  command->add_option("--vehicle", options->vehicle, vehicle_option_help())->capture_default_str();
+  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")
+      ->option_text("FILE  (required)")
+      ->required();
+  command->add_option("--vehicle", options->vehicle, vehicle_option_help())
+      ->option_text("NAME  (default reference_car)");
   command->add_option("--target", options->target, "IPv4 address to send to")
-      ->capture_default_str();
+      ->option_text("ADDRESS  (default 127.0.0.1)");
   command
       ->add_option("--port-base", options->port_base,
-                   "Sensor 0 of the vehicle is sent to this UDP port, sensor 1 to the next, ...")
+                   "UDP port of the vehicle's sensor 0, its next sensor's is the next")
+      ->option_text("PORT  (required)")
       ->required()
       ->check(CLI::Range(1, 65'535));
   command
       ->add_option("--speed", options->speed,
-                   "1: as recorded (default), 2: twice as fast, 0: as fast as it goes (default "
-                   "with --step)")
+                   "1: as recorded, 2: twice as fast, 0: as fast as it goes")
+      ->option_text("X")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--step", options->step,
-                    "After each frame wait for a line on standard input: press Enter, or let "
-                    "`iog receive --notify` write there");
+  command->add_flag("--step", options->step, "After each frame wait for a line on standard input");
   command->add_flag("--loop", options->loop, "Begin again at the end, until interrupted");
   command->footer(
-      "A pause of the capture lasts 1 s at most. With --loop a capture should be longer than 10\n"
+      "--speed is 1, with --step 0. For --step press Enter, or let `iog receive --notify` write "
+      "there.\n"
+      "A pause of the capture lasts 1 s at most. With --loop a capture should be longer than 30\n"
       "frames: a target takes a repeated packet for a duplicate and drops it.");
   command->callback([options] {
     catch_interrupts();

@@ -33,7 +33,7 @@ std::string fixed(double value) {
 }
 
 std::string times(const TimeStatistics& statistics) {
-  return fixed(statistics.mean()) + " mean, " + fixed(statistics.max()) + " max";
+  return fixed(statistics.mean()) + " us mean, " + fixed(statistics.max()) + " us max";
 }
 
 // "2871 used, 17 too far", without what is 0; "none" if all are.
@@ -169,10 +169,10 @@ std::string RunStatistics::table(bool has_target) const {
   if (tiles_not_sent_ > 0) {
     text += row("tiles not sent", std::to_string(tiles_not_sent_));
   }
-  const std::string where = has_target ? "us on target, " : "us, ";
-  text += row(where + "fuse", times(fuse_us_));
-  text += row(where + "mark", times(mark_us_));
-  text += row(where + "publish", times(publish_us_));
+  const std::string where = has_target ? " on target" : " here";
+  text += row("fuse" + where, times(fuse_us_));
+  text += row("mark" + where, times(mark_us_));
+  text += row("publish" + where, times(publish_us_));
   if (has_target) {
     text += row("deepest stack", std::to_string(stack_used_bytes_) + " bytes");
   }
@@ -182,7 +182,9 @@ std::string RunStatistics::table(bool has_target) const {
 void write_facts(const std::string& path, const RunStatistics::Facts& facts) {
   OutputFile file(path);
   for (const auto& [key, value] : facts) {
-    file.write(key + "=" + value + "\n");
+    std::string line = key;
+    line.append("=").append(value).append("\n");
+    file.write(line);
   }
   file.finish();
 }

@@ -38,7 +38,7 @@ class Builder {
       const Placement cross = turned_by(middle, 0, side);
       for (const double bank : kSides) {
         const double left = bank * kParkingCentre;
-        for (double out = 20; out < kCrossStreet - 10; out += kSlot) {
+        for (const double out : stations(20, kCrossStreet - 10, kSlot)) {
           if (random_.chance(0.6)) {
             add_car(some_car(random_), moved(cross, out, left), fresh_);
           }
@@ -66,7 +66,7 @@ class Builder {
   }
 
   void add_kerb(double from, double to, double side) {
-    for (double station = from; station < to; station += kKerbPiece) {
+    for (const double station : stations(from, to, kKerbPiece)) {
       fresh_.push_back(box(Material::kKerb, road_->at(station + kKerbPiece / 2, side * kKerb),
                            kKerbPiece, 0.15, 0, 0.12));
       keep(station);
@@ -75,7 +75,7 @@ class Builder {
 
   void add_parked_cars(double from, double to, double side) {
     const double share = random_.between(0.4, 0.9);
-    for (double station = from + kSlot / 2; station < to - kSlot / 2; station += kSlot) {
+    for (const double station : stations(from + kSlot / 2, to - kSlot / 2, kSlot)) {
       if (!random_.chance(share)) {
         continue;
       }
@@ -90,7 +90,7 @@ class Builder {
 
   // Lamp posts and trees along the kerb, a few people who stand and talk.
   void add_pavement(double from, double to, double side) {
-    for (double station = from + 4; station < to - 4; station += 13) {
+    for (const double station : stations(from + 4, to - 4, 13)) {
       const Placement at = road_->at(station + random_.between(-2, 2), side * (kKerb + 0.7));
       if (random_.chance(0.5)) {
         fresh_.push_back(cylinder(Material::kPole, at.x, at.y, 0.08, 0, 6));
@@ -120,7 +120,8 @@ class Builder {
   }
 
   void add_park(double from, double to, double side) {
-    for (double station = from + 2; station < to - 2; station += random_.between(2, 6)) {
+    double station = from + 2;
+    while (station < to - 2) {
       const Placement at = road_->at(station, side * random_.between(10, 26));
       if (random_.chance(0.35)) {
         add_tree(at.x, at.y, random_, fresh_);
@@ -128,6 +129,7 @@ class Builder {
         add_bush(at.x, at.y, random_, fresh_);
       }
       keep(station);
+      station += random_.between(2, 6);
     }
   }
 

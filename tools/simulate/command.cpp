@@ -60,20 +60,26 @@ void add_simulate(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "simulate", "Make up a city drive and write what the car's scanners send as a capture");
   const auto options = std::make_shared<Options>();
-  command->add_option("--out", options->out, "The capture to write (.pcap)")->required();
-  command->add_option("--seed", options->seed, "Another seed, another city")->capture_default_str();
+  command->add_option("--out", options->out, "The capture to write (.pcap)")
+      ->option_text("FILE  (required)")
+      ->required();
+  command->add_option("--seed", options->seed, "Another seed, another city")
+      ->option_text("N  (default 1)");
   command->add_option("--seconds", options->seconds, "Length of the drive, 25 frames a second")
-      ->check(CLI::Range(1U, Drive::kMaxSeconds))
-      ->capture_default_str();
-  command->add_option("--vehicle", options->vehicle, vehicle_option_help())->capture_default_str();
-  command->add_option("--truth", options->truth,
-                      "Folder for the true occupancy: truth_NNNNNN.pgm, 1024 x 1024 cells of 0.1 m "
-                      "around the car, x to the right, y up; 0: the cell's centre is covered by "
-                      "something within the height band, 255: it is not");
+      ->option_text("N  (1 to 600, default 10)")
+      ->check(CLI::Range(1U, Drive::kMaxSeconds));
+  command->add_option("--vehicle", options->vehicle, vehicle_option_help())
+      ->option_text("NAME  (default reference_car)");
+  command
+      ->add_option("--truth", options->truth, "Write the true occupancy there, as truth_NNNNNN.pgm")
+      ->option_text("FOLDER");
   command->add_option("--truth-every", options->truth_every, "Write it for every Nth frame")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->option_text("N  (default 25)")
+      ->check(CLI::PositiveNumber);
   command->footer(
+      "The true occupancy has 1024 x 1024 cells of 0.1 m around the car, x to the right, y up: 0 "
+      "where\n"
+      "the cell's centre is covered by something within the vehicle's height band, 255 elsewhere.\n"
       "The same seed, length and vehicle give the same bytes on every machine.\n"
       "Only ibeo LUX scanners are simulated.");
   command->callback([options] { simulate(*options); });

@@ -18,9 +18,17 @@ double heading_at(double station) {
 
 }  // namespace
 
+std::vector<double> stations(double first_m, double end_m, double step_m) {
+  std::vector<double> stations;
+  for (int i = 0; first_m + i * step_m < end_m; ++i) {
+    stations.push_back(first_m + i * step_m);
+  }
+  return stations;
+}
+
 Road::Road(double first_m, double last_m) : first_(first_m) {
   Point point{0, 0};
-  for (double station = first_m; station <= last_m + kStep; station += kStep) {
+  for (const double station : stations(first_m, last_m + 2 * kStep, kStep)) {
     points_.push_back(point);
     const double heading = heading_at(station + kStep / 2);
     point.x += kStep * numeric::cos(heading);

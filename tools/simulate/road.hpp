@@ -8,6 +8,9 @@
 
 namespace iog::tools {
 
+// first_m, first_m + step_m, ... as long as they are below end_m.
+[[nodiscard]] std::vector<double> stations(double first_m, double end_m, double step_m);
+
 class Road {
  public:
   // A road that is known from first_m to last_m.

@@ -49,16 +49,20 @@ Traffic::Traffic(const City& city, std::uint64_t seed, double drive_s) : city_(&
   leader_ = some_car(random);
   follower_ = some_car(random);
   const double drive_m = ego_station(drive_s);
-  for (double station = -kSight; station < drive_m + kSight; station += random.between(6, 18)) {
+  double station = -kSight;
+  while (station < drive_m + kSight) {
     const double side = random.chance(0.5) ? 1 : -1;
     const double pace = random.between(0.9, 1.6);
     walkers_.push_back({.station = station,
                         .left = side * (kPavementCentre + random.between(-0.9, 1.2)),
                         .speed = random.chance(0.5) ? pace : -pace});
+    station += random.between(6, 18);
   }
   const double last_oncomer = drive_m + kSight + kOncomingSpeed * drive_s;
-  for (double station = 30; station < last_oncomer; station += random.between(25, 95)) {
+  station = 30;
+  while (station < last_oncomer) {
     oncomers_.push_back({.station = station, .shape = some_car(random)});
+    station += random.between(25, 95);
   }
   for (const double junction : city.junctions()) {
     // The crossing car passes while the junction is still well ahead.

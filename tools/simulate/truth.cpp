@@ -41,7 +41,7 @@ void draw(const Solid& solid, std::vector<bool>& occupied) {
   for (std::int32_t y = cell_of(solid.at.y - reach); y <= cell_of(solid.at.y + reach); ++y) {
     for (std::int32_t x = cell_of(solid.at.x - reach); x <= cell_of(solid.at.x + reach); ++x) {
       if (covers(solid, centre_of(x), centre_of(y))) {
-        occupied[static_cast<std::size_t>(y * kSide + x)] = true;
+        occupied[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)] = true;
       }
     }
   }
