@@ -43,7 +43,7 @@ const CatalogueEntry& find_vehicle(std::string_view name) {
   return *found;
 }
 
-const CatalogueEntry* find_vehicle(std::uint32_t vehicle_id) {
+const CatalogueEntry* vehicle_of_id(std::uint32_t vehicle_id) {
   const auto* const found = std::ranges::find_if(kCatalogue, [&](const CatalogueEntry& entry) {
     stream::Crc32 crc;
     crc.update(std::as_bytes(std::span(entry.vehicle->name)));

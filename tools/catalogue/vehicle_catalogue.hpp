@@ -22,7 +22,7 @@ struct CatalogueEntry {
 [[nodiscard]] const CatalogueEntry& find_vehicle(std::string_view name);
 
 // The vehicle whose name has this CRC-32 (stream::Header::vehicle_id); nullptr: an unknown one.
-[[nodiscard]] const CatalogueEntry* find_vehicle(std::uint32_t vehicle_id);
+[[nodiscard]] const CatalogueEntry* vehicle_of_id(std::uint32_t vehicle_id);
 
 // The sensor of that UDP port, or of that name or number; sensors.size() if there is none.
 [[nodiscard]] std::size_t sensor_of_port(const CatalogueEntry& entry, std::uint16_t udp_port);

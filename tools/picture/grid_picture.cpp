@@ -51,7 +51,7 @@ class Painter {
   Canvas paint() {
     paint_cells();
     paint_rings();
-    if (const CatalogueEntry* const car = find_vehicle(frame_->header.vehicle_id)) {
+    if (const CatalogueEntry* const car = vehicle_of_id(frame_->header.vehicle_id)) {
       paint_car(*car);
     }
     paint_texts();
@@ -120,7 +120,7 @@ class Painter {
   void paint_texts() {
     const int scale = letter_scale();
     const int line = (kGlyphRows + 4) * scale;
-    const CatalogueEntry* const car = find_vehicle(frame_->header.vehicle_id);
+    const CatalogueEntry* const car = vehicle_of_id(frame_->header.vehicle_id);
     put_text(10, 10,
              "frame " + std::to_string(frame_->evidence_number) +
                  (car != nullptr ? "  " + std::string(car->vehicle->name) : ""),

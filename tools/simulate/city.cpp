@@ -17,7 +17,7 @@ constexpr std::array kSides{1.0, -1.0};
 // Builds piece by piece and remembers at which station each piece stands.
 class Builder {
  public:
-  Builder(const Road& road, Random random) : road_(&road), random_(random) {}
+  Builder(const Road& road, std::uint64_t seed) : road_(&road), random_(seed, 2) {}
 
   void add_block(double from, double to) {
     for (const double side : kSides) {
@@ -143,7 +143,7 @@ class Builder {
 
 City::City(std::uint64_t seed, double drive_m) : road_(-kSight - 60, drive_m + kSight + 300) {
   Random random(seed, 1);
-  Builder builder(road_, Random(seed, 2));
+  Builder builder(road_, seed);
   double station = -kSight;
   while (station < drive_m + kSight) {
     // The first block ends 45 m ahead of the start: every drive meets a junction early.
