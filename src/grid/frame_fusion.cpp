@@ -108,8 +108,9 @@ void FrameFusion::carve_to_hit(const Sensor& sensor, const Beam& beam, std::uint
     if (free == 0) {
       walk.skip_until(stop);
     } else {
-      walk.until(
-          stop, [&](std::size_t offset) { cells_[offset] = index::sat_add(cells_[offset], free); });
+      walk.until(stop, [&](std::size_t offset) {
+        cells_[offset] = index::sat_lower(cells_[offset], free);
+      });
     }
   };
 
@@ -136,7 +137,7 @@ void FrameFusion::carve_free(const Sensor& sensor, const Beam& beam, std::uint32
   }
   traversal::Walk walk(beam.line, range->first, kStride);
   walk.until(range->end, [&](std::size_t offset) {
-    cells_[offset] = index::sat_add(cells_[offset], sensor.profile.free);
+    cells_[offset] = index::sat_lower(cells_[offset], sensor.profile.free);
   });
 }
 
@@ -145,7 +146,8 @@ void FrameFusion::mark(const Sensor& sensor, const BeamLine& line, std::uint32_t
   const Position hit = line.through(range_mm, sensor.range);
   const traversal::Cell cell = line.cell(hit);
   if (vehicle::kGridArea.contains(cell)) {
-    remember(static_cast<std::size_t>(cell.y * kStride + cell.x), sensor.profile.hit);
+    const std::int32_t offset = cell.y * kStride + cell.x;
+    remember(static_cast<std::size_t>(offset), sensor.profile.hit);
   }
   if (sensor.profile.near_after_count > 0) {
     const std::optional<Stretch> inside = line.clip(vehicle::kGridArea);

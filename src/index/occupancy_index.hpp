@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace iog::index {
 
@@ -28,6 +29,13 @@ template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
   using Wide = std::conditional_t<(sizeof(Cell) < 4), std::int32_t, std::int64_t>;
   return static_cast<Cell>(std::clamp<Wide>(Wide{a} + Wide{b}, kIndexMin<Cell>, kIndexMax<Cell>));
+}
+
+// The same sum where the second index is known not to be positive, as in carving: it can only
+// saturate at the lower end, which saves the other comparison in the innermost loop.
+template <std::signed_integral Cell>
+requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, Cell not_positive) {
+  return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
 }
 
 }  // namespace iog::index

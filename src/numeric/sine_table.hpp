@@ -17,7 +17,7 @@ inline constexpr int kSineFractionBits = 30;
 template <std::int32_t kTicksPerTurn>
 consteval auto make_sine_quadrant() {
   static_assert(kTicksPerTurn > 0 && kTicksPerTurn % 4 == 0);
-  constexpr auto kSize = static_cast<std::size_t>(kTicksPerTurn / 4 + 1);
+  constexpr auto kSize = static_cast<std::size_t>(kTicksPerTurn) / 4 + 1;
   std::array<std::int32_t, kSize> quadrant{};
   for (std::int32_t tick = 0; tick <= kTicksPerTurn / 4; ++tick) {
     quadrant[static_cast<std::size_t>(tick)] = static_cast<std::int32_t>(

@@ -16,15 +16,17 @@ namespace iog::stream {
 class Crc32 {
  public:
   constexpr void update(std::span<const std::byte> bytes) {
+    std::uint32_t state = state_;  // in a register: bytes may alias the member
     while (bytes.size() >= 4) {
-      const std::uint32_t word = state_ ^ wire::load_le32(bytes.first<4>());
-      state_ = kTables[3][word & 0xFFU] ^ kTables[2][(word >> 8) & 0xFFU] ^
-               kTables[1][(word >> 16) & 0xFFU] ^ kTables[0][word >> 24];
+      const std::uint32_t word = state ^ wire::load_le32(bytes.first<4>());
+      state = kTables[3][word & 0xFFU] ^ kTables[2][(word >> 8) & 0xFFU] ^
+              kTables[1][(word >> 16) & 0xFFU] ^ kTables[0][word >> 24];
       bytes = bytes.subspan(4);
     }
     for (const std::byte byte : bytes) {
-      state_ = (state_ >> 8) ^ kTables[0][(state_ ^ std::to_integer<std::uint32_t>(byte)) & 0xFFU];
+      state = (state >> 8) ^ kTables[0][(state ^ std::to_integer<std::uint32_t>(byte)) & 0xFFU];
     }
+    state_ = state;
   }
 
   // Of all bytes so far; more may follow.

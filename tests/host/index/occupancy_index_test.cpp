@@ -18,6 +18,16 @@ TEST(SaturatingAddition, EveryPairIsTheSumClampedTo127) {
   }
 }
 
+TEST(SaturatingAddition, LoweringIsTheSameSum) {
+  for (int a = -127; a <= 127; ++a) {
+    for (int b = -127; b <= 0; ++b) {
+      const auto x = static_cast<OccupancyIndex>(a);
+      const auto y = static_cast<OccupancyIndex>(b);
+      ASSERT_EQ(sat_lower(x, y), sat_add(x, y)) << a << " + " << b;
+    }
+  }
+}
+
 // Contract section 3: additions of one sign commute under saturation, in any grouping.
 TEST(SaturatingAddition, IndexesOfOneSignGroupFreely) {
   for (int sign = -1; sign <= 1; sign += 2) {
