@@ -138,7 +138,8 @@ void add_fuse(CLI::App& program) {
   command
       ->add_option("--frame", options->frame,
                    "The frame to write, from 0 among those with evidence; else the last")
-      ->option_text("N");
+      ->option_text("N")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--out-raw", options->out_raw, "Write its occupancy indexes as bytes")
       ->option_text("FILE");
   add_picture_options(*command, options->pictures);

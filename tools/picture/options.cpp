@@ -8,7 +8,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_option("--out", options.folder, "Write frame_NNNNNN.png, map.pgm and map.yaml there")
       ->option_text("FOLDER");
   command.add_option("--every", options.every, "Draw every Nth frame, not only the last")
-      ->option_text("N");
+      ->option_text("N")
+      ->check(CLI::NonNegativeNumber);
   command
       .add_option("--scale", options.scale.pixels_per_cell, "Pixels of a picture per cell of 0.1 m")
       ->option_text("N  (1 to 8, default 1)")

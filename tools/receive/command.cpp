@@ -199,7 +199,8 @@ void add_receive(CLI::App& program) {
   command
       ->add_option("--frames", options->frames,
                    "End after so many frames with evidence; else those of --expect")
-      ->option_text("N");
+      ->option_text("N")
+      ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--idle-timeout", options->idle_timeout_s,
                    "End after so many seconds without such a frame")

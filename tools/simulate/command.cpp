@@ -64,7 +64,8 @@ void add_simulate(CLI::App& program) {
       ->option_text("FILE  (required)")
       ->required();
   command->add_option("--seed", options->seed, "Another seed, another city")
-      ->option_text("N  (default 1)");
+      ->option_text("N  (default 1)")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--seconds", options->seconds, "Length of the drive, 25 frames a second")
       ->option_text("N  (1 to 600, default 10)")
       ->check(CLI::Range(1U, Drive::kMaxSeconds));

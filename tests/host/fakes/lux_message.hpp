@@ -51,7 +51,9 @@ struct LuxMessage {
     little(start_ticks, 2);
     little(end_ticks, 2);
     little(static_cast<std::int64_t>(points.size()), 2);
-    little(0, 12);  // mounting, six fields
+    for (int field = 0; field < 6; ++field) {
+      little(0, 2);  // mounting: yaw, pitch, roll, x, y, z
+    }
     little(2, 2);   // flags
     for (const LuxPoint& point : points) {
       little(point.layer | point.echo << 4, 1);
