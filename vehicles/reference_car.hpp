@@ -6,30 +6,20 @@
 #pragma once
 
 #include "vehicle/compile.hpp"
+#include "vehicle/scanners.hpp"
 
 namespace iog::vehicles::reference_car {
 
-// A LUX as the contract's section 8 uses it: 0.5 degrees and four layers over 100 degrees, 50 m.
-constexpr vehicle::SensorConfig lux(std::string_view name, std::uint32_t source_ipv4,
-                                    std::uint16_t udp_port, vehicle::MountConfig mount) {
-  return {.name = name,
-          .format = lidar::Format::kIbeoLux,
-          .source_ipv4 = source_ipv4,
-          .udp_port = udp_port,
-          .mount = mount,
-          .range_min_mm = 300,
-          .range_max_mm = 50'000,
-          .precision_mm = 100,
-          .sigma_m = 0.10,
-          .scan_width_ticks = 3200,
-          .max_points_per_scan = 4 * 201 * 3};
-}
-
+// 0.5 degrees: 201 directions in each of the four layers. Sources 10.0.2.101 to 104.
 inline constexpr std::array kSensorConfigs{
-    lux("front_left", 0x0A000265, 12002, {.x_m = 1.95, .y_m = 0.60, .z_m = 0.42, .yaw_deg = 40}),
-    lux("front_centre", 0x0A000266, 12003, {.x_m = 2.05, .y_m = 0.00, .z_m = 0.42}),
-    lux("front_right", 0x0A000267, 12004, {.x_m = 1.95, .y_m = -0.60, .z_m = 0.42, .yaw_deg = -40}),
-    lux("rear_centre", 0x0A000268, 12005, {.x_m = -2.05, .y_m = 0.00, .z_m = 0.42, .yaw_deg = 180}),
+    vehicle::ibeo_lux("front_left", 0x0A000265, 12002,
+                      {.x_m = 1.95, .y_m = 0.60, .z_m = 0.42, .yaw_deg = 40}, 201),
+    vehicle::ibeo_lux("front_centre", 0x0A000266, 12003, {.x_m = 2.05, .y_m = 0.00, .z_m = 0.42},
+                      201),
+    vehicle::ibeo_lux("front_right", 0x0A000267, 12004,
+                      {.x_m = 1.95, .y_m = -0.60, .z_m = 0.42, .yaw_deg = -40}, 201),
+    vehicle::ibeo_lux("rear_centre", 0x0A000268, 12005,
+                      {.x_m = -2.05, .y_m = 0.00, .z_m = 0.42, .yaw_deg = 180}, 201),
 };
 
 inline constexpr vehicle::Description kDescription{

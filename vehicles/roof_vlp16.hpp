@@ -3,24 +3,14 @@
 #pragma once
 
 #include "vehicle/compile.hpp"
+#include "vehicle/scanners.hpp"
 
 namespace iog::vehicles::roof_vlp16 {
 
-// VLP-16 User Manual 63-9243: accuracy +-3 cm, range up to 100 m. The grid ends 51 m away, and 72 m
-// in its corners: nothing beyond can be seen on it.
-inline constexpr std::array kSensorConfigs{vehicle::SensorConfig{
-    .name = "roof",
-    .format = lidar::Format::kVelodyneVlp16,
-    .source_ipv4 = 0,
-    .udp_port = 2368,
-    .mount = {.x_m = 0, .y_m = 0, .z_m = 1.50},
-    .range_min_mm = 1'000,
-    .range_max_mm = 73'000,
-    .precision_mm = 30,
-    .sigma_m = 0.03,
-    .scan_width_ticks = 36'000,
-    .max_points_per_scan = 160 * 384,  // one turn at 10 Hz in dual return mode: 151 packets
-}};
+// From any address: the device broadcasts from whichever it was given.
+inline constexpr std::array kSensorConfigs{
+    vehicle::velodyne_vlp16("roof", 0, 2368, {.x_m = 0, .y_m = 0, .z_m = 1.50}),
+};
 
 inline constexpr vehicle::Description kDescription{
     .name = "roof_vlp16",

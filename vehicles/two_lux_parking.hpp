@@ -3,27 +3,16 @@
 #pragma once
 
 #include "vehicle/compile.hpp"
+#include "vehicle/scanners.hpp"
 
 namespace iog::vehicles::two_lux_parking {
 
-constexpr vehicle::SensorConfig lux(std::string_view name, std::uint32_t source_ipv4,
-                                    std::uint16_t udp_port, vehicle::MountConfig mount) {
-  return {.name = name,
-          .format = lidar::Format::kIbeoLux,
-          .source_ipv4 = source_ipv4,
-          .udp_port = udp_port,
-          .mount = mount,
-          .range_min_mm = 300,
-          .range_max_mm = 50'000,
-          .precision_mm = 100,
-          .sigma_m = 0.10,
-          .scan_width_ticks = 3200,
-          .max_points_per_scan = 4 * 401 * 3};
-}
-
+// 0.25 degrees: 401 directions in each of the four layers. Sources 10.0.2.101 and 102.
 inline constexpr std::array kSensorConfigs{
-    lux("front_left", 0x0A000265, 12002, {.x_m = 3.08, .y_m = 0.28, .z_m = 0.17, .yaw_deg = 30}),
-    lux("front_right", 0x0A000266, 12003, {.x_m = 2.98, .y_m = -0.28, .z_m = 0.17, .yaw_deg = -27}),
+    vehicle::ibeo_lux("front_left", 0x0A000265, 12002,
+                      {.x_m = 3.08, .y_m = 0.28, .z_m = 0.17, .yaw_deg = 30}, 401),
+    vehicle::ibeo_lux("front_right", 0x0A000266, 12003,
+                      {.x_m = 2.98, .y_m = -0.28, .z_m = 0.17, .yaw_deg = -27}, 401),
 };
 
 // The recording's origin is the middle of the rear axle, near the road. Its scanners label ground

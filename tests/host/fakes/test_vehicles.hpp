@@ -2,20 +2,12 @@
 #pragma once
 
 #include "vehicle/compile.hpp"
+#include "vehicle/scanners.hpp"
 
 namespace iog::tests {
 
 constexpr vehicle::SensorConfig test_lux(std::uint16_t port, vehicle::MountConfig mount) {
-  return {.name = "lux",
-          .source_ipv4 = 0x0A000200U + port,
-          .udp_port = port,
-          .mount = mount,
-          .range_min_mm = 300,
-          .range_max_mm = 50'000,
-          .precision_mm = 100,
-          .sigma_m = 0.10,
-          .scan_width_ticks = 3200,
-          .max_points_per_scan = 2412};
+  return vehicle::ibeo_lux("lux", 0x0A000200U + port, port, mount, 201);
 }
 
 // One LUX in the middle of the grid, on a cell's corner, with a height band that everything is in.
