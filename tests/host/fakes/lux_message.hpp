@@ -54,7 +54,7 @@ struct LuxMessage {
     for (int field = 0; field < 6; ++field) {
       little(0, 2);  // mounting: yaw, pitch, roll, x, y, z
     }
-    little(2, 2);   // flags
+    little(2, 2);  // flags
     for (const LuxPoint& point : points) {
       little(point.layer | point.echo << 4, 1);
       little(point.flags, 1);

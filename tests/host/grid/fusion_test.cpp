@@ -36,7 +36,8 @@ std::vector<OccupancyIndex> fuse(const Vehicle& vehicle, const std::vector<Evide
 }
 
 int ahead(const std::vector<OccupancyIndex>& cells, int x) {
-  return cells[static_cast<std::size_t>(512 * kStride + 512 + x)];
+  const int offset = 512 * kStride + 512 + x;
+  return cells[static_cast<std::size_t>(offset)];
 }
 
 Vehicle with_rule(Vehicle vehicle, vehicle::FusionRule rule) {
@@ -145,8 +146,10 @@ TEST(Fusion, ABeamCarvesOnlyInsideTheHeightBand) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != 0) {
       EXPECT_EQ(int{cells[i]}, -14);
-      const double x = (static_cast<double>(i % kStride) - 511.5) / 10 - 1.234;
-      const double y = (static_cast<double>(i / kStride) - 511.5) / 10 + 0.777;
+      const std::size_t column = i % kStride;
+      const std::size_t row = i / kStride;
+      const double x = (static_cast<double>(column) - 511.5) / 10 - 1.234;
+      const double y = (static_cast<double>(row) - 511.5) / 10 + 0.777;
       farthest_m = std::max(farthest_m, std::hypot(x, y));
     }
   }

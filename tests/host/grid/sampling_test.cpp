@@ -27,7 +27,8 @@ using vehicle::Sensor;
 using vehicle::Vehicle;
 
 int index_at(const FrameFusion& fusion, Cell cell) {
-  return fusion.cells()[static_cast<std::size_t>(cell.y * kStride + cell.x)];
+  const std::int32_t offset = cell.y * kStride + cell.x;
+  return fusion.cells()[static_cast<std::size_t>(offset)];
 }
 
 std::unique_ptr<FrameFusion> fuse_one(const Vehicle& vehicle, const lidar::ScanPoint& point) {

@@ -1,5 +1,6 @@
 #include "lidar/ibeo_lux.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -36,11 +37,10 @@ DecodeStatus decode(const std::vector<std::byte>& bytes) {
 }
 
 TEST(IbeoLux, ReadsARealHead) {
-  std::vector<std::byte> bytes;
-  for (const std::uint8_t byte : kRealHead) {
-    bytes.push_back(std::byte{byte});
-  }
-  bytes.resize(bytes.size() + 30);  // three points: layer 0, straight ahead, no range
+  // Three points follow: layer 0, straight ahead, no range.
+  std::vector<std::byte> bytes(kRealHead.size() + 30);
+  std::ranges::transform(kRealHead, bytes.begin(),
+                         [](std::uint8_t byte) { return std::byte{byte}; });
   IbeoLux lux;
   ASSERT_EQ(lux.decode(bytes), DecodeStatus::kOk);
   EXPECT_EQ(lux.info().scan_number, 42'692U);
@@ -56,7 +56,8 @@ TEST(IbeoLux, TurnsTicksAndCentimetresIntoAPoint) {
                  {.flags = 0x02},
                  {.flags = 0x08}}};
   IbeoLux lux;
-  ASSERT_EQ(lux.decode(message.bytes()), DecodeStatus::kOk);
+  const std::vector<std::byte> bytes = message.bytes();
+  ASSERT_EQ(lux.decode(bytes), DecodeStatus::kOk);
   const std::vector<ScanPoint> points = points_of(lux);
   ASSERT_EQ(points.size(), 4U);
   EXPECT_EQ(points[0].range_mm, 12'340U);

@@ -44,8 +44,9 @@ TEST(VelodyneVlp16, TurnsUnitsIntoPoints) {
 TEST(VelodyneVlp16, TheHeadTurnsWhileTheLasersFire) {
   const auto points = points_of(Vlp16Packet{.first_azimuth = 100, .step = 240}.bytes());
   for (std::size_t channel = 0; channel < 32; ++channel) {
-    const double us =
-        55.296 * static_cast<double>(channel / 16) + 2.304 * static_cast<double>(channel % 16);
+    const std::size_t firing = channel / 16;
+    const std::size_t laser = channel % 16;
+    const double us = 55.296 * static_cast<double>(firing) + 2.304 * static_cast<double>(laser);
     const double clockwise = 100 + 240 * us / 110.592;
     EXPECT_NEAR(36'000 - points[channel].azimuth_ticks, clockwise, 0.51) << channel;
   }

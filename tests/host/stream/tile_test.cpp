@@ -37,7 +37,7 @@ TEST(Tile, CarriesItsCellsRowByRowFromTheLowestY) {
   std::array<std::byte, kTileBytes> tile{};
   copy_tile(*grid, 31, 31, tile);
   EXPECT_EQ(tile[31], std::byte{5});
-  EXPECT_EQ(tile[31 * 32], std::byte{0xF9});
+  EXPECT_EQ(tile[kTileSide * 31], std::byte{0xF9});
   EXPECT_EQ(std::ranges::count(tile, std::byte{0}), 1022);
 }
 
