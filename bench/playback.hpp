@@ -12,31 +12,13 @@
 #include "net/ethernet.hpp"
 #include "net/ipv4.hpp"
 #include "net/udp.hpp"
+#include "tools/capture/capture_clock.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::bench {
 
 // A sender that may speak for every sensor, because a capture stands for its replay.
 inline constexpr std::uint32_t kReplayer = 0x0A000202;
-
-// The capture's time, from 0 and with no pause above a second.
-class CaptureClock {
- public:
-  std::uint64_t move_to(std::uint64_t capture_us) {
-    if (has_started_ && capture_us > last_us_) {
-      now_us_ += std::min(capture_us - last_us_, kLongestPauseUs);
-    }
-    has_started_ = true;
-    last_us_ = std::max(last_us_, capture_us);
-    return now_us_;
-  }
-
- private:
-  static constexpr std::uint64_t kLongestPauseUs = 1'000'000;
-  bool has_started_ = false;
-  std::uint64_t last_us_ = 0;
-  std::uint64_t now_us_ = 0;
-};
 
 // From the wire to a datagram, as net::Host does it; addresses are not compared.
 inline std::optional<net::Datagram> datagram_in(std::span<const std::byte> bytes) {
@@ -62,7 +44,7 @@ inline const vehicle::Sensor* sensor_of_port(const vehicle::Vehicle& vehicle, st
 template <typename Target>
 void play(Capture& capture, const vehicle::Vehicle& vehicle, InstructionCounter& counter,
           Target& target) {
-  CaptureClock clock;
+  tools::CaptureClock clock;
   while (const auto frame = capture.next()) {
     const std::uint32_t start = counter.now();
     const auto datagram = datagram_in(frame->bytes);
