@@ -29,11 +29,12 @@ DecodeStatus IbeoLux::decode(std::span<const std::byte> datagram) {
   const std::int32_t ticks_per_turn = scan.u16_le();
   const std::int32_t start = scan.i16_le();
   const std::int32_t end = scan.i16_le();
-  info_.point_count = scan.u16_le();
+  const std::uint32_t point_count = scan.u16_le();
   if (body_bytes != body.size() ||
-      body.size() != kScanBytes + kPointBytes * std::size_t{info_.point_count}) {
+      body.size() != kScanBytes + kPointBytes * std::size_t{point_count}) {
     return DecodeStatus::kWrongLength;
   }
+  info_.point_count = point_count;  // the bytes are there; before, it was only a claim
 
   // The mirror may turn either way; the sector is kept counter-clockwise, from right to left.
   const auto [right, left] = std::minmax(start, end);

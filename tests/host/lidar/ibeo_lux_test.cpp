@@ -125,6 +125,15 @@ TEST(IbeoLux, KnowsAPacketByItsFingerprint) {
   EXPECT_NE(one.info().fingerprint, other.info().fingerprint);
 }
 
+// A lie about the number of points is not so many points dropped.
+TEST(IbeoLux, CountsNoPointsThatAreNotThere) {
+  auto boastful = LuxMessage{.points = std::vector<LuxPoint>(5)}.bytes();
+  boastful.at(24 + 29) = std::byte{0xFF};
+  IbeoLux lux;
+  ASSERT_EQ(lux.decode(boastful), DecodeStatus::kWrongLength);
+  EXPECT_EQ(lux.info().point_count, 0U);
+}
+
 // Total on garbage: any flipped byte is either still a message or a status, never a crash, and a
 // message never yields a point outside the format.
 TEST(IbeoLux, IsTotalOnDamagedMessages) {
