@@ -1,0 +1,1 @@
+#include "tools/evidence/frame_points.hpp"

@@ -1,0 +1,50 @@
+// A section of the results: what one table or figure of the papers claims, and what is found here.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/picture/canvas.hpp"
+#include "tools/tables/markdown.hpp"
+#include "tools/tables/plot.hpp"
+
+namespace iog::tools {
+
+// How a claim of the papers fares here. Found by comparing numbers, not chosen by hand.
+enum class Verdict : std::uint8_t { kEquals, kBeats, kFallsShort, kDeparts, kWaits };
+
+// One line of the overview.
+struct Claim {
+  std::string place;  // "table 4.2"
+  std::string what;   // "cells found at r = 100"
+  std::string paper;
+  std::string ours;
+  Verdict verdict = Verdict::kEquals;
+  std::string reason;  // of a difference; may be empty for kEquals
+};
+
+struct Section {
+  std::vector<Claim> claims;
+  Markdown body;
+};
+
+// A recording that the reader of the results has and the project does not ship.
+struct Recording {
+  std::string pcap;
+  std::string vehicle;
+};
+
+struct TablesInput {
+  std::uint64_t seed = 1;     // of the simulated drive
+  std::uint32_t seconds = 2;  // 25 frames a second
+  std::vector<Recording> recordings;
+  std::string figures;  // the folder for plots and pictures; empty: none are drawn
+};
+
+// Draws if pictures are wanted, and says how the text names the file: "<folder's name>/<name>".
+[[nodiscard]] std::string draw(const TablesInput& input, const std::string& name, const Plot& plot);
+[[nodiscard]] std::string draw(const TablesInput& input, const std::string& name,
+                               const Canvas& canvas);
+
+}  // namespace iog::tools
