@@ -9,9 +9,11 @@
 namespace iog::tools {
 
 struct Series {
+  // kSteps: a point's value holds up to the next point's x. kBars: a point's bar stands at its x,
+  // beside those of the plot's other bars.
   enum class Style : std::uint8_t { kLine, kPoints, kLineAndPoints, kSteps, kBars };
 
-  std::string name;
+  std::string name;  // empty: not in the legend
   std::vector<std::pair<double, double>> points;
   Style style = Style::kLine;
 };
@@ -23,6 +25,7 @@ struct Plot {
   bool has_log_x = false;
   bool has_log_y = false;
   std::vector<Series> series;  // colours that the colour-blind can tell apart, in this order
+  std::vector<std::pair<double, std::string>> x_names = {};  // at these x, instead of numbers
 };
 
 // The same bytes for the same plot. UsageError if gnuplot is missing or the file cannot be written.

@@ -1,4 +1,13 @@
 // A section of the results: what one table or figure of the papers claims, and what is found here.
+//
+// tests/e2e/results makes the page again, without recordings, and compares it with docs/results.md.
+// So that it can tell what must be the same, a section keeps three rules:
+// - What comes from a recording stands below a subheading that has the word "recording" in it, and
+//   only if there are recordings. Such a claim has the word in `place` or `what`. Nothing else of
+//   the section changes with the recordings.
+// - A paragraph, an item of a list or a row of a table with a number that was timed or is peculiar
+//   to the machine says "on this PC" in its words.
+// - The file that a plot or picture of a recording is drawn to has "recording" in its name.
 #pragma once
 
 #include <cstdint>
@@ -41,6 +50,9 @@ struct TablesInput {
   std::vector<Recording> recordings;
   std::string figures;  // the folder for plots and pictures; empty: none are drawn
 };
+
+// The folder's name if none is given: what the text says when nothing is drawn.
+inline constexpr const char* kFiguresFolder = "results";
 
 // Draws if pictures are wanted, and says how the text names the file: "<folder's name>/<name>".
 [[nodiscard]] std::string draw(const TablesInput& input, const std::string& name, const Plot& plot);
