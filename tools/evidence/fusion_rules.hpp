@@ -29,6 +29,11 @@ enum class ProbabilityRule : std::uint8_t {
   kMaximum,            // equation 2.49; a cell's first measurement replaces the 1/2
 };
 
+// A value this near to 1/2 says nothing of its cell, which some scan point hides: the linear
+// opinion pool and the maximum do not take it for a measurement. (For the other two rules 1/2 is
+// neutral.)
+inline constexpr double kSaysNothing = 1e-3;
+
 // One probability per cell of the grid, 1/2 where nothing is known.
 [[nodiscard]] std::vector<double> fuse_probabilities(const FrameEvidence& evidence,
                                                      const ByStep<double>& values,

@@ -16,11 +16,13 @@ enum class Path : std::uint8_t {
   kBresenham,  // one cell per step of the longer axis, from the sensor's cell to the line's end
 };
 
+// All three are exact, in integers. On Bresenham's path the line is taken to enter and leave a cell
+// where it crosses the borders of the longer axis, and the hit's cell is that of the same step.
 enum class Sampling : std::uint8_t {
-  kContract,  // the hit's cell takes 1D cell k, those before it what they are left in, at most k -
-              // 1, those behind it what they are entered in, at least k + 1
-  kCentre,  // the 1D cell that the cell's centre projects to (thesis figure 4.8, as prototyped)
-  kEntry,   // the 1D cell in which the line enters
+  kContract,  // the hit's cell takes 1D cell k, those before it what they are left in, at most
+              // k - 1, those behind it what they are entered in, at least k + 1
+  kCentre,    // the 1D cell that the cell's centre projects to (thesis figure 4.8, as prototyped)
+  kEntry,     // the 1D cell in which the line enters
 };
 
 struct Geometry {
@@ -28,13 +30,14 @@ struct Geometry {
   Sampling sampling = Sampling::kContract;
 };
 
-// 1D cells further than this from the scan point's take the free index, or none.
+// 1D cells at least this far before the scan point's take the free index; those further than this
+// behind it are not in the evidence, as nothing is known of them.
 inline constexpr int kFarSteps = 12;
 
 // What one beam says of one cell.
 struct CellEvidence {
   std::uint32_t cell;  // y * grid::kStride + x
-  std::int8_t step;    // 1D cell minus k, held to -kFarSteps ... kFarSteps
+  std::int8_t step;    // 1D cell minus k, not below -kFarSteps
 };
 
 // A frame's evidence in the order of arrival, beam after beam, each from the sensor outwards. What

@@ -1,0 +1,330 @@
+// Every choice of the geometry comes down to the same three things, which is why one loop does for
+// all of them: a path of cells; a reading of each cell that grows along the beam; and the readings
+// at which each step of the local 1D grid ends. Positions and readings are linear in the cell's
+// column and row, and all of them are exact integers.
+//
+// Ranges, with |S|, |E| < 2^21 subcells, L < 2^18 mm and scan points nearer than 2^20 mm: the
+// largest reading is that of a cell's centre, 2^22 * 2^21 * L < 2^61, and the largest end of a step
+// 2 * 2^20 mm * |E - S|^2 < 2^62 (beams of 100 m are 2^20 subcells long).
+
+#include "tools/evidence/projection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+#include "grid/frame_fusion.hpp"
+#include "traversal/walk.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::tools {
+namespace {
+
+using traversal::Cell;
+using traversal::Position;
+using traversal::Share;
+using vehicle::BeamLine;
+using vehicle::Sensor;
+
+constexpr Share kWholeLine{1, 1};
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+constexpr auto kSlots = 2 * std::size_t{kFarSteps} + 1;
+
+// A number that does not fall along a beam.
+struct Reading {
+  std::int64_t base = 0;
+  std::int64_t per_column = 0;
+  std::int64_t per_row = 0;
+
+  [[nodiscard]] std::int64_t of(std::int64_t column, std::int64_t row) const {
+    return base + column * per_column + row * per_row;
+  }
+};
+
+// What one point says of the cells on its path.
+struct Plan {
+  Reading place;              // how far along its path a cell is: 0, 1, ...
+  std::int64_t path_end = 0;  // the path's last place and one more
+  std::int64_t carve_first = 0;
+  std::int64_t carve_end = 0;
+  bool marks = false;
+  Reading reading;
+  std::array<std::int64_t, kSlots> step_end{};  // by step + kFarSteps: readings below are that step
+};
+
+// The places of a path: borders crossed, or steps of the longer axis.
+class Places {
+ public:
+  Places(const BeamLine& line, Path path) : line_(&line), path_(path) {
+    const Position end = line.through(kWholeLine);
+    is_steep_ = end.y > end.x;
+  }
+
+  [[nodiscard]] std::int64_t of(Position at) const {
+    if (path_ == Path::kCrossed) {
+      return at.crossed();
+    }
+    return is_steep_ ? at.y : at.x;
+  }
+  [[nodiscard]] std::int64_t through(Share share) const { return of(line_->through(share)); }
+  // One more than the place before this share: what is entered before it.
+  [[nodiscard]] std::int64_t end_before(Share share) const { return of(line_->before(share)) + 1; }
+
+  [[nodiscard]] Reading reading() const {
+    Reading place;
+    if (path_ == Path::kCrossed || !is_steep_) {
+      place.per_column = line_->x().step();
+      place.base -= std::int64_t{line_->x().start_cell()} * place.per_column;
+    }
+    if (path_ == Path::kCrossed || is_steep_) {
+      place.per_row = line_->y().step();
+      place.base -= std::int64_t{line_->y().start_cell()} * place.per_row;
+    }
+    return place;
+  }
+  [[nodiscard]] bool is_steep() const { return is_steep_; }
+
+ private:
+  const BeamLine* line_;
+  Path path_;
+  bool is_steep_;
+};
+
+// Where a cell's centre projects to on the line, in units of 1 mm / (2 |E - S|^2).
+Reading centre_reading(const Sensor& sensor, const BeamLine& line) {
+  constexpr std::int64_t kSide = vehicle::kResolution;
+  const std::int64_t length_mm = sensor.range.mm();
+  const std::int64_t x = line.x().step() * std::int64_t{line.x().length()};
+  const std::int64_t y = line.y().step() * std::int64_t{line.y().length()};
+  return {.base = length_mm * ((kSide - 2 * std::int64_t{sensor.origin.x}) * x +
+                               (kSide - 2 * std::int64_t{sensor.origin.y}) * y),
+          .per_column = length_mm * 2 * kSide * x,
+          .per_row = length_mm * 2 * kSide * y};
+}
+
+// 1D cells up to and including k + step, counted from the sensor; may be negative.
+std::int64_t cells_to(std::uint32_t k, int step) { return std::int64_t{k} + step + 1; }
+
+// Where the last of so many 1D cells ends.
+Share end_of(const Sensor& sensor, std::int64_t cells) {
+  return {static_cast<std::uint64_t>(cells) * sensor.precision_mm, sensor.range.mm()};
+}
+
+void read_centres(const Sensor& sensor, const BeamLine& line, std::uint32_t k, Plan& plan) {
+  plan.reading = centre_reading(sensor, line);
+  const std::int64_t x = line.x().length();
+  const std::int64_t y = line.y().length();
+  for (int step = -kFarSteps; step <= kFarSteps; ++step) {
+    plan.step_end[static_cast<std::size_t>(step + kFarSteps)] =
+        cells_to(k, step) * sensor.precision_mm * 2 * (x * x + y * y);
+  }
+}
+
+// A place is entered within 1D cell j or earlier exactly if it is entered before (j + 1) Delta.
+void read_entries(const Sensor& sensor, const Places& places, std::uint32_t k, Plan& plan) {
+  plan.reading = plan.place;
+  for (int step = -kFarSteps; step <= kFarSteps; ++step) {
+    const std::int64_t cells = cells_to(k, step);
+    plan.step_end[static_cast<std::size_t>(step + kFarSteps)] =
+        cells <= 0 ? 0 : places.end_before(end_of(sensor, cells));
+  }
+}
+
+// It is left within 1D cell j or earlier exactly if the border there is crossed at (j + 1) Delta or
+// before. Beyond the range there is no scan point to end the steps before it.
+void read_as_contract(const Sensor& sensor, const Places& places, std::uint32_t range_mm,
+                      std::uint32_t k, Plan& plan) {
+  read_entries(sensor, places, k, plan);
+  for (int step = -kFarSteps; step < -1; ++step) {
+    const std::int64_t cells = cells_to(k, step);
+    plan.step_end[static_cast<std::size_t>(step + kFarSteps)] =
+        cells < 0 ? 0 : places.through(end_of(sensor, cells));
+  }
+  const bool in_range = range_mm <= sensor.range.mm();
+  const std::int64_t hit = in_range ? places.through({range_mm, sensor.range.mm()}) : kNever - 1;
+  plan.step_end[kFarSteps - 1] = hit;
+  plan.step_end[kFarSteps] = hit + 1;
+}
+
+// The places that a beam may carve: up to its reach, inside the height band.
+void limit_carving(const vehicle::Vehicle& vehicle, const Sensor& sensor, const vehicle::Beam& beam,
+                   const Places& places, std::uint32_t reach_mm, Plan& plan) {
+  const vehicle::BandPart part = vehicle::part_in_band(vehicle, sensor, beam, reach_mm);
+  plan.carve_end = part.is_empty ? 0 : plan.path_end;
+  if (!part.is_whole && !part.is_empty) {
+    plan.carve_first = part.from.numerator > 0 ? places.through(part.from) : 0;
+    plan.carve_end = std::min(plan.carve_end, places.end_before(part.to));
+  }
+}
+
+// No step of a scan point here lies further behind it than this.
+std::uint64_t far_mm(const Sensor& sensor, std::uint32_t range_mm) {
+  return range_mm + std::uint64_t{kFarSteps + 2} * sensor.precision_mm + 2 * vehicle::kCellMm;
+}
+
+Plan plan_of_point(const Sensor& sensor, const BeamLine& line, const Places& places,
+                   std::uint32_t range_mm, Sampling sampling) {
+  const std::uint32_t length_mm = sensor.range.mm();
+  const std::uint32_t k = sensor.precision.divide(range_mm);
+  Plan plan;
+  plan.place = places.reading();
+  plan.path_end = places.end_before(kWholeLine);
+  if (far_mm(sensor, range_mm) < length_mm) {
+    plan.path_end = places.end_before({far_mm(sensor, range_mm), length_mm});
+  }
+  switch (sampling) {
+    case Sampling::kContract:
+      read_as_contract(sensor, places, range_mm, k, plan);
+      break;
+    case Sampling::kCentre:
+      read_centres(sensor, line, k, plan);
+      break;
+    case Sampling::kEntry:
+      read_entries(sensor, places, k, plan);
+      break;
+  }
+  return plan;
+}
+
+// A missing return that clears: as far before a scan point as can be, all the way.
+Plan plan_of_missing_return(const Sensor& sensor, const Places& places) {
+  Plan plan;
+  plan.place = places.reading();
+  plan.path_end = places.end_before({sensor.no_return_clears_mm, sensor.range.mm()});
+  plan.step_end.fill(kNever);
+  return plan;
+}
+
+// Reads the cells of one path, in order.
+class Reader {
+ public:
+  Reader(const Plan& plan, std::vector<CellEvidence>& cells) : plan_(plan), cells_(cells) {}
+
+  void visit(std::uint32_t offset) {
+    const std::int64_t column = offset % grid::kStride;
+    const std::int64_t row = offset / grid::kStride;
+    const std::int64_t reading = plan_.reading.of(column, row);
+    while (slot_ < kSlots && reading >= plan_.step_end[slot_]) {
+      ++slot_;
+    }
+    if (slot_ == kSlots) {
+      return;
+    }
+    const int step = static_cast<int>(slot_) - kFarSteps;
+    const std::int64_t place = plan_.place.of(column, row);
+    const bool counts =
+        step < 0 ? plan_.carve_first <= place && place < plan_.carve_end : plan_.marks;
+    if (counts) {
+      cells_.push_back({offset, static_cast<std::int8_t>(step)});
+    }
+  }
+
+ private:
+  const Plan& plan_;
+  std::vector<CellEvidence>& cells_;
+  std::size_t slot_ = 0;
+};
+
+void walk_crossed(const BeamLine& line, const Plan& plan, Reader& reader) {
+  const auto inside = line.clip(vehicle::kGridArea);
+  if (!inside) {
+    return;
+  }
+  const auto end = static_cast<std::uint32_t>(
+      std::min<std::int64_t>(plan.path_end, std::int64_t{inside->last_crossed} + 1));
+  traversal::Walk walk(line, inside->first, grid::kStride);
+  walk.until(end, [&](std::size_t offset) { reader.visit(static_cast<std::uint32_t>(offset)); });
+}
+
+// Step i of n along the longer axis, i m / n along the other, rounded to the nearest cell, a tie
+// onwards.
+void walk_bresenham(const BeamLine& line, bool is_steep, const Plan& plan, Reader& reader) {
+  const Position end = line.through(kWholeLine);
+  const std::uint32_t n = std::max(end.x, end.y);
+  const std::uint32_t m = std::min(end.x, end.y);
+  std::uint32_t other = 0;
+  std::uint32_t remainder = n;
+  for (std::uint32_t i = 0; i <= n && i < plan.path_end; ++i) {
+    const Cell cell = line.cell(is_steep ? Position{other, i} : Position{i, other});
+    if (vehicle::kGridArea.contains(cell)) {
+      reader.visit(static_cast<std::uint32_t>(cell.y * grid::kStride + cell.x));
+    }
+    remainder += 2 * m;
+    if (remainder >= 2 * n) {
+      remainder -= 2 * n;
+      ++other;
+    }
+  }
+}
+
+class Projector {
+ public:
+  Projector(const vehicle::Vehicle& vehicle, Geometry geometry)
+      : vehicle_(&vehicle), geometry_(geometry) {}
+
+  void add(const SensorPoint& seen) {
+    const Sensor& sensor = vehicle_->sensors[seen.sensor];
+    const lidar::ScanPoint& point = seen.point;
+    const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
+    const vehicle::Judgement judgement = vehicle::judge(*vehicle_, sensor, beam, point);
+    if (!judgement.carves && !judgement.marks) {
+      return;
+    }
+    const Places places(beam.line, geometry_.path);
+    const bool is_missing = point.range_mm == 0;
+    Plan plan = is_missing
+                    ? plan_of_missing_return(sensor, places)
+                    : plan_of_point(sensor, beam.line, places, point.range_mm, geometry_.sampling);
+    if (judgement.carves) {
+      const std::uint32_t reach_mm = is_missing ? sensor.no_return_clears_mm : point.range_mm;
+      limit_carving(*vehicle_, sensor, beam, places, std::min(reach_mm, sensor.range.mm()), plan);
+    }
+    if (judgement.marks) {
+      plan.marks = true;
+      remember_hit(sensor, beam.line, places, point.range_mm, plan);
+    }
+    walk(beam.line, places, plan);
+  }
+
+  [[nodiscard]] FrameEvidence take() { return std::move(evidence_); }
+
+ private:
+  // A scan point at the line's very end may lie on a border: then its cell is one behind the path.
+  void remember_hit(const Sensor& sensor, const BeamLine& line, const Places& places,
+                    std::uint32_t range_mm, Plan& plan) {
+    const Position hit = line.through({range_mm, sensor.range.mm()});
+    plan.path_end = std::max(plan.path_end, places.of(hit) + 1);
+    const Cell cell = line.cell(hit);
+    if (vehicle::kGridArea.contains(cell)) {
+      evidence_.hits.push_back(static_cast<std::uint32_t>(cell.y * grid::kStride + cell.x));
+    }
+  }
+
+  void walk(const BeamLine& line, const Places& places, const Plan& plan) {
+    Reader reader(plan, evidence_.cells);
+    if (geometry_.path == Path::kCrossed) {
+      walk_crossed(line, plan, reader);
+    } else {
+      walk_bresenham(line, places.is_steep(), plan, reader);
+    }
+  }
+
+  const vehicle::Vehicle* vehicle_;
+  Geometry geometry_;
+  FrameEvidence evidence_;
+};
+
+}  // namespace
+
+FrameEvidence project(const vehicle::Vehicle& vehicle, const FramePoints& points,
+                      Geometry geometry) {
+  Projector projector(vehicle, geometry);
+  for (const SensorPoint& point : points) {
+    projector.add(point);
+  }
+  return projector.take();
+}
+
+}  // namespace iog::tools
