@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   tools::add_receive(program);
   tools::add_convert(program);
   tools::add_info(program);
+  tools::add_tables(program);
   tools::add_vehicles(program);
   try {
     program.parse(argc, argv);

@@ -13,6 +13,7 @@ void add_replay(CLI::App& program);
 void add_receive(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_info(CLI::App& program);
+void add_tables(CLI::App& program);
 void add_vehicles(CLI::App& program);
 
 }  // namespace iog::tools

@@ -1,0 +1,75 @@
+#include "tools/tables/overview.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace iog::tools {
+namespace {
+
+constexpr std::array kVerdicts{Verdict::kEquals, Verdict::kBeats, Verdict::kFallsShort,
+                               Verdict::kDeparts, Verdict::kWaits};
+
+// "Of 30 claims 20 are equal, 4 better, ..."
+std::string counts_of(const std::vector<Claim>& claims) {
+  std::string text;
+  for (const Verdict verdict : kVerdicts) {
+    const auto count = std::count_if(claims.begin(), claims.end(), [verdict](const Claim& claim) {
+      return claim.verdict == verdict;
+    });
+    text.append(text.empty() ? "" : ", ").append(std::to_string(count)).append(" \"");
+    text.append(word_of(verdict)).append("\"");
+  }
+  return std::to_string(claims.size()) + " claims, those about recordings included: " + text + ".";
+}
+
+}  // namespace
+
+std::string_view word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kEquals:
+      return "equal";
+    case Verdict::kBeats:
+      return "better";
+    case Verdict::kFallsShort:
+      return "short of it";
+    case Verdict::kDeparts:
+      return "departs";
+    case Verdict::kWaits:
+      break;
+  }
+  return "waits";
+}
+
+std::vector<Claim> waiting_claims() {
+  const std::string reason = "the quadtree is not built yet";
+  const auto waits = [&reason](const char* place, const char* what, const char* paper) {
+    return Claim{place, what, paper, "–", Verdict::kWaits, reason};
+  };
+  return {
+      waits("table 4.7", "cells for each node of a quadtree, at least", "2.80"),
+      waits("table 4.7", "cells for each leaf of a quadtree, at least", "3.73"),
+      waits("section 4.3.2.2", "memory of a quadtree, 8-bit indexes", "3.15 MB"),
+      waits("section 4.3.2.2", "grids a second in a quadtree", "5 Hz"),
+  };
+}
+
+void add_overview(Markdown& page, const std::vector<Claim>& claims) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Claim& claim : claims) {
+    if (claim.verdict != Verdict::kEquals && claim.reason.empty()) {
+      throw std::invalid_argument("no reason is given for " + claim.place + ", " + claim.what);
+    }
+    rows.push_back({claim.place, claim.what, claim.paper, claim.ours,
+                    std::string(word_of(claim.verdict)), claim.reason});
+  }
+  page.heading("Overview");
+  page.paragraph(
+      "**equal**: the same, or within what the paper's own digits tell. **better**: on the side "
+      "that the paper itself calls better. **short of it**: on the other side. **departs**: this "
+      "project does something else, on purpose. **waits**: not built yet.");
+  page.table({"place", "what", "paper", "here", "verdict", "reason"}, rows);
+  page.paragraph(counts_of(claims));
+}
+
+}  // namespace iog::tools
