@@ -1,0 +1,18 @@
+// What a cell is, in truth or by the word of a grid.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace iog::tools {
+
+enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
+
+// Below 0 free, above occupied.
+[[nodiscard]] std::vector<CellState> states_of(std::span<const std::int32_t> indexes);
+
+// Below 1/2 free, above occupied.
+[[nodiscard]] std::vector<CellState> states_of(std::span<const double> probabilities);
+
+}  // namespace iog::tools
