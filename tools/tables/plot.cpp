@@ -209,7 +209,7 @@ class NamelessFile {
   int file_;
 };
 
-// The status that gnuplot ends with; 127 if there is none.
+// The status that gnuplot ends with; 127 if there is none. What it complains of is for stderr.
 int run_gnuplot(const NamelessFile& script, const std::string& path) {
   constexpr int kMissing = 127;
   std::array<std::string, 3> arguments{"gnuplot", "--default-settings", "-"};
