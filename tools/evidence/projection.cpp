@@ -5,17 +5,17 @@
 //
 // Ranges, with |S|, |E| < 2^21 subcells, L < 2^18 mm and scan points nearer than 2^20 mm: the
 // largest reading is that of a cell's centre, 2^22 * 2^21 * L < 2^61, and the largest end of a step
-// 2 * 2^20 mm * |E - S|^2 < 2^62 (beams of 100 m are 2^20 subcells long).
+// 2 * 2^20 mm * |E - S|^2 < 2^62 (beams of 130 m are 2^20.4 subcells long).
 
 #include "tools/evidence/projection.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
-#include <optional>
+#include <utility>
 
 #include "grid/frame_fusion.hpp"
+#include "tools/reference/traversal.hpp"
 #include "traversal/walk.hpp"
 #include "vehicle/beam.hpp"
 
@@ -84,7 +84,6 @@ class Places {
     }
     return place;
   }
-  [[nodiscard]] bool is_steep() const { return is_steep_; }
 
  private:
   const BeamLine* line_;
@@ -197,72 +196,60 @@ Plan plan_of_missing_return(const Sensor& sensor, const Places& places) {
   return plan;
 }
 
-// Reads the cells of one path, in order.
-class Reader {
- public:
-  Reader(const Plan& plan, std::vector<CellEvidence>& cells) : plan_(plan), cells_(cells) {}
+// The path's cells that lie in the grid, in order, as offsets.
+using Cells = std::vector<std::uint32_t>;
 
-  void visit(std::uint32_t offset) {
-    const std::int64_t column = offset % grid::kStride;
-    const std::int64_t row = offset / grid::kStride;
-    const std::int64_t reading = plan_.reading.of(column, row);
-    while (slot_ < kSlots && reading >= plan_.step_end[slot_]) {
-      ++slot_;
-    }
-    if (slot_ == kSlots) {
-      return;
-    }
-    const int step = static_cast<int>(slot_) - kFarSteps;
-    const std::int64_t place = plan_.place.of(column, row);
-    const bool counts =
-        step < 0 ? plan_.carve_first <= place && place < plan_.carve_end : plan_.marks;
-    if (counts) {
-      cells_.push_back({offset, static_cast<std::int8_t>(step)});
-    }
-  }
-
- private:
-  const Plan& plan_;
-  std::vector<CellEvidence>& cells_;
-  std::size_t slot_ = 0;
-};
-
-void walk_crossed(const BeamLine& line, const Plan& plan, Reader& reader) {
+void walk_crossed(const BeamLine& line, std::int64_t path_end, Cells& path) {
   const auto inside = line.clip(vehicle::kGridArea);
   if (!inside) {
     return;
   }
   const auto end = static_cast<std::uint32_t>(
-      std::min<std::int64_t>(plan.path_end, std::int64_t{inside->last_crossed} + 1));
+      std::min<std::int64_t>(path_end, std::int64_t{inside->last_crossed} + 1));
   traversal::Walk walk(line, inside->first, grid::kStride);
-  walk.until(end, [&](std::size_t offset) { reader.visit(static_cast<std::uint32_t>(offset)); });
+  walk.until(end, [&](std::size_t offset) { path.push_back(static_cast<std::uint32_t>(offset)); });
 }
 
-// Step i of n along the longer axis, i m / n along the other, rounded to the nearest cell, a tie
-// onwards.
-void walk_bresenham(const BeamLine& line, bool is_steep, const Plan& plan, Reader& reader) {
-  const Position end = line.through(kWholeLine);
-  const std::uint32_t n = std::max(end.x, end.y);
-  const std::uint32_t m = std::min(end.x, end.y);
-  std::uint32_t other = 0;
-  std::uint32_t remainder = n;
-  for (std::uint32_t i = 0; i <= n && i < plan.path_end; ++i) {
-    const Cell cell = line.cell(is_steep ? Position{other, i} : Position{i, other});
-    if (vehicle::kGridArea.contains(cell)) {
-      reader.visit(static_cast<std::uint32_t>(cell.y * grid::kStride + cell.x));
+void walk_bresenham(const BeamLine& line, std::int64_t path_end, Cells& path) {
+  std::int64_t place = 0;
+  reference::walk_bresenham(line.cell({}), line.cell(line.through(kWholeLine)), [&](Cell cell) {
+    if (place < path_end && vehicle::kGridArea.contains(cell)) {
+      path.push_back(static_cast<std::uint32_t>(cell.y * grid::kStride + cell.x));
     }
-    remainder += 2 * m;
-    if (remainder >= 2 * n) {
-      remainder -= 2 * n;
-      ++other;
+    ++place;
+  });
+}
+
+// Readings do not fall along a path, so that no step is looked for twice.
+void read_path(const Cells& path, const Plan& plan, std::vector<CellEvidence>& evidence) {
+  std::size_t slot = 0;
+  for (const std::uint32_t offset : path) {
+    const std::int64_t column = offset % grid::kStride;
+    const std::int64_t row = offset / grid::kStride;
+    const std::int64_t reading = plan.reading.of(column, row);
+    while (slot < kSlots && reading >= plan.step_end[slot]) {
+      ++slot;
+    }
+    if (slot == kSlots) {
+      return;
+    }
+    const int step = static_cast<int>(slot) - kFarSteps;
+    const std::int64_t place = plan.place.of(column, row);
+    const bool carves = plan.carve_first <= place && place < plan.carve_end;
+    if (step < 0 ? carves : plan.marks) {
+      evidence.push_back({offset, static_cast<std::int8_t>(step)});
     }
   }
 }
 
 class Projector {
+  static constexpr std::size_t kCellsPerPoint = 256;  // more than most frames need
+
  public:
-  Projector(const vehicle::Vehicle& vehicle, Geometry geometry)
-      : vehicle_(&vehicle), geometry_(geometry) {}
+  Projector(const vehicle::Vehicle& vehicle, Geometry geometry, std::size_t points)
+      : vehicle_(&vehicle), geometry_(geometry) {
+    evidence_.cells.reserve(points * kCellsPerPoint);
+  }
 
   void add(const SensorPoint& seen) {
     const Sensor& sensor = vehicle_->sensors[seen.sensor];
@@ -285,7 +272,13 @@ class Projector {
       plan.marks = true;
       remember_hit(sensor, beam.line, places, point.range_mm, plan);
     }
-    walk(beam.line, places, plan);
+    path_.clear();
+    if (geometry_.path == Path::kCrossed) {
+      walk_crossed(beam.line, plan.path_end, path_);
+    } else {
+      walk_bresenham(beam.line, plan.path_end, path_);
+    }
+    read_path(path_, plan, evidence_.cells);
   }
 
   [[nodiscard]] FrameEvidence take() { return std::move(evidence_); }
@@ -302,17 +295,9 @@ class Projector {
     }
   }
 
-  void walk(const BeamLine& line, const Places& places, const Plan& plan) {
-    Reader reader(plan, evidence_.cells);
-    if (geometry_.path == Path::kCrossed) {
-      walk_crossed(line, plan, reader);
-    } else {
-      walk_bresenham(line, places.is_steep(), plan, reader);
-    }
-  }
-
   const vehicle::Vehicle* vehicle_;
   Geometry geometry_;
+  Cells path_;  // of the point at hand
   FrameEvidence evidence_;
 };
 
@@ -320,7 +305,7 @@ class Projector {
 
 FrameEvidence project(const vehicle::Vehicle& vehicle, const FramePoints& points,
                       Geometry geometry) {
-  Projector projector(vehicle, geometry);
+  Projector projector(vehicle, geometry, points.size());
   for (const SensorPoint& point : points) {
     projector.add(point);
   }
