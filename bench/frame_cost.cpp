@@ -1,11 +1,17 @@
 // frame_cost: what a frame costs the Cortex-A9, in instructions, by stage. Runs in QEMU with
-// instruction counting (bench/run_frame_cost); prints one line of key=value pairs.
+// instruction counting (bench/run_image); prints one line of key=value pairs.
+//
+//   frame_cost <capture> [<number of sensors: the first ones of the description>]
 //
 // The core is the firmware's own, object by object, and so is the memcpy() beneath it. What is not
 // here are the driver of the Ethernet controller, the loop around the pipeline, and caches, which
 // QEMU does not have.
+#include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
+#include <system_error>
 
 #include "capture.hpp"
 #include "ethernet/enet_port.hpp"
@@ -70,12 +76,20 @@ void print_sizes() {
   print("transmit_buffer_bytes", sizeof(imx6::EnetMemory::transmit_buffers));
 }
 
+// The selected vehicle with its first sensors only.
+vehicle::Vehicle with_sensors(std::size_t count) {
+  vehicle::Vehicle vehicle = vehicles::kVehicle;
+  vehicle.sensors = vehicle.sensors.first(count);
+  return vehicle;
+}
+
 // Both passes are static: each holds a grid.
-int run(const char* path) {
+int run(const char* path, std::size_t sensor_count) {
+  static const vehicle::Vehicle vehicle = with_sensors(sensor_count);
   static InstructionCounter counter;
   static Capture capture;
-  static StagePass stages(vehicles::kVehicle, counter);
-  static OperationPass operations(vehicles::kVehicle, counter);
+  static StagePass stages(vehicle, counter);
+  static OperationPass operations(vehicle, counter);
   counter.start();
   if (!counter.is_exact()) {
     std::puts("frame_cost: instructions are not counted; is this -icount shift=4,sleep=off?");
@@ -87,19 +101,19 @@ int run(const char* path) {
   }
   StackPaint stack;
   stack.apply();
-  play(capture, vehicles::kVehicle, counter, stages);
+  play(capture, vehicle, counter, stages);
   const std::uint32_t stack_bytes = stack.used_bytes();
   // An empty frame more: it says what publishing the last one cost.
   stages.tick(stages.deadline_us());
   if (stages.frames() == 0 || !capture.open(path)) {
     std::printf("frame_cost: no frame has evidence; is %s the vehicle of the capture?\n",
-                vehicles::kVehicle.name.data());
+                vehicle.name.data());
     return 1;
   }
-  play(capture, vehicles::kVehicle, counter, operations);
+  play(capture, vehicle, counter, operations);
 
   // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned int
-  std::printf("frame_cost vehicle=%s run_hash=%08lx", vehicles::kVehicle.name.data(),
+  std::printf("frame_cost sensors=%u vehicle=%s run_hash=%08lx", sensor_count, vehicle.name.data(),
               stages.run_hash());
   print_stages(stages);
   print_operations(operations.cost());
@@ -110,13 +124,24 @@ int run(const char* path) {
   return 0;
 }
 
+// Of the last argument; 0 if it is none.
+std::size_t sensors_in(const char* argument) {
+  std::size_t count = 0;
+  const char* const end = argument + std::strlen(argument);
+  const auto [rest, fault] = std::from_chars(argument, end, count);
+  return fault == std::errc{} && rest == end && count <= vehicles::kVehicle.sensors.size() ? count
+                                                                                           : 0;
+}
+
 }  // namespace
 }  // namespace iog::bench
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::puts("frame_cost: expected one argument, a capture");
+  const std::size_t all = iog::vehicles::kVehicle.sensors.size();
+  const std::size_t sensors = argc == 3 ? iog::bench::sensors_in(argv[2]) : all;
+  if (argc < 2 || argc > 3 || sensors == 0) {
+    std::printf("frame_cost: expected a capture, and 1 to %u for so many of the sensors\n", all);
     return 2;
   }
-  return iog::bench::run(argv[1]);
+  return iog::bench::run(argv[1], sensors);
 }

@@ -1,0 +1,109 @@
+#include "tools/tables/cortex_a9.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "gtest/gtest.h"
+
+#include "tools/assembly/frame_assembler.hpp"
+#include "tools/assembly/frame_record.hpp"
+#include "tools/fuse/offline_target.hpp"
+#include "tools/simulate/drive.hpp"
+
+namespace iog::tools {
+namespace {
+
+std::string frame_cost(std::size_t sensors) {
+  return "frame_cost sensors=" + std::to_string(sensors);
+}
+
+// The PC's own account of the fixed drive, fused by a car that has only its first scanners.
+struct Account {
+  RunHash hash;
+  double frames = 0;
+  double points_used = 0;
+};
+
+Account account_of(std::size_t sensors) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  vehicle::Vehicle vehicle = *car.vehicle;
+  vehicle.sensors = vehicle.sensors.first(sensors);
+  Account account;
+  FrameAssembler assembler([&](const GridFrame& frame) {
+    if (!frame.header.has_evidence()) {
+      return;  // it says that the other scanners' packets were dropped
+    }
+    account.hash.add(record_of(frame));
+    ++account.frames;
+    account.points_used += frame.header.points_used;
+  });
+  OfflineTarget target(vehicle,
+                       [&](std::span<const std::byte> message) { assembler.take(message); });
+  Drive drive(car, 1, 2);
+  for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
+    drive.move_to(frame);
+    for (const CapturedDatagram& datagram : drive.datagrams()) {
+      target.take(datagram);
+    }
+  }
+  target.finish();
+  assembler.finish();
+  return account;
+}
+
+// What was measured there is what is computed here: the same frames, the same points, and the same
+// grids to the byte.
+class CortexA9Drive : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(CortexA9Drive, FusedTheGridsThatThePcFuses) {
+  const Account account = account_of(GetParam());
+  EXPECT_EQ(measured_on_a9(frame_cost(GetParam()), "frames"), account.frames);
+  EXPECT_EQ(measured_on_a9(frame_cost(GetParam()), "points_used"), account.points_used);
+  EXPECT_EQ(word_from_a9(frame_cost(GetParam()), "run_hash"), hex(account.hash.value()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sensors, CortexA9Drive, testing::Values(2U, 3U, 4U));
+
+TEST(CortexA9, AFrameCostsWhatItsStagesCost) {
+  for (const std::size_t sensors : {2U, 3U, 4U}) {
+    const auto sum = [&](const char* stage) {
+      return measured_on_a9(frame_cost(sensors), std::string(stage) + "_sum");
+    };
+    EXPECT_EQ(sum("frame"), sum("receive") + sum("fuse") + sum("mark") + sum("publish"));
+  }
+}
+
+// A cell's border is crossed at another place for another r, but a walk takes the same steps.
+TEST(CortexA9, TheResolutionDoesNotChangeWhatACellCosts) {
+  const auto per_cell = [](const char* walk) {
+    const std::string run = std::string("traversal_cost walk=") + walk;
+    return measured_on_a9(run, "instructions") / measured_on_a9(run, "cells");
+  };
+  for (const char* const walk : {"discrete r=20", "discrete r=100", "discrete r=200"}) {
+    EXPECT_NEAR(per_cell(walk), per_cell("discrete r=1024"), 0.001) << walk;
+  }
+}
+
+// A run's name ends where its line goes on with a blank: r=20 is not the beginning of r=200.
+TEST(CortexA9, NamesAreWhole) {
+  EXPECT_NE(measured_on_a9("traversal_cost walk=discrete r=20", "cells"),
+            measured_on_a9("traversal_cost walk=discrete r=200", "cells"));
+  EXPECT_THROW(static_cast<void>(measured_on_a9("traversal_cost walk=discrete r=2", "cells")),
+               std::out_of_range);
+  EXPECT_THROW(static_cast<void>(measured_on_a9("traversal_cost walk=bresenham", "cell")),
+               std::out_of_range);
+}
+
+TEST(CortexA9, WordsAreNotNumbers) {
+  EXPECT_EQ(word_from_a9(frame_cost(4), "vehicle"), "reference_car");
+  EXPECT_THROW(static_cast<void>(measured_on_a9(frame_cost(4), "vehicle")), std::out_of_range);
+}
+
+TEST(CortexA9, TheHeadSaysWhatCounted) {
+  EXPECT_EQ(a9_made_with("counting"), "-icount shift=4,sleep=off");
+  EXPECT_NE(a9_made_with("compiler").find("arm-none-eabi"), std::string_view::npos);
+  EXPECT_THROW(static_cast<void>(a9_made_with("weather")), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace iog::tools
