@@ -48,7 +48,7 @@ struct FoldedAxis {
       borders = cell - static_cast<std::int32_t>(std::floor(end));
       to_border = start - low;
     } else {
-      borders = std::max(static_cast<std::int32_t>(std::ceil(end)) - 1 - cell, 0);
+      borders = std::max<std::int32_t>(static_cast<std::int32_t>(std::ceil(end)) - 1 - cell, 0);
       to_border = low + 1 - start;
     }
   }

@@ -1,0 +1,227 @@
+#include "tools/reference/many_core.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/elementary.hpp"
+#include "tools/reference/fusion.hpp"
+
+namespace iog::tools::reference {
+namespace {
+
+constexpr double kUnknown = 0.5;
+constexpr double kRadiansPerDegree = numeric::kPi / 180;
+
+Direction towards(double angle_rad) { return {numeric::cos(angle_rad), numeric::sin(angle_rad)}; }
+
+// Cells along one axis of the grid, in metres from where a beam starts.
+struct Ruler {
+  double edge_m;  // of the grid
+  double cell_m;
+  std::int32_t cells;
+  double origin_m;  // of the beam
+
+  // As cell_by_cell() computes it, to the bit.
+  [[nodiscard]] double centre_m(std::int32_t cell) const {
+    return edge_m + (cell + 0.5) * cell_m - origin_m;
+  }
+  // The first cell whose centre is not before this, within a rounding; 0 ... cells.
+  [[nodiscard]] std::int32_t near(double m) const {
+    const double cell = std::ceil((m + origin_m - edge_m) / cell_m - 0.5);
+    return static_cast<std::int32_t>(std::clamp(cell, 0.0, static_cast<double>(cells)));
+  }
+};
+
+// Follows one beam through the grid, along the axis it is nearer to: line after line of cells
+// across that axis, and in each those whose centres the beam sees.
+class BeamCast {
+ public:
+  BeamCast(const PlaneGrid& grid, const Fan& fan, std::size_t beam)
+      : fan_(fan),
+        beam_(beam),
+        is_along_x_(std::abs(fan.direction(beam).x) >= std::abs(fan.direction(beam).y)),
+        columns_{grid.x_min_m, grid.cell_m, grid.columns, fan.x_m()},
+        rows_{grid.y_min_m, grid.cell_m, grid.rows, fan.y_m()} {}
+
+  // Calls visit(cell, distance) for the cells whose centre is at most reach_m away. Returns how
+  // many lines of cells were searched.
+  template <typename Visit>
+  std::uint64_t follow(double reach_m, Visit&& visit) const {
+    const Ruler& along = is_along_x_ ? columns_ : rows_;
+    const Direction ahead = fan_.direction(beam_);
+    const bool is_upwards = (is_along_x_ ? ahead.x : ahead.y) > 0;
+    const std::int32_t step = is_upwards ? 1 : -1;
+    std::uint64_t searched = 0;
+    for (std::int32_t line = is_upwards ? along.near(0) : along.near(0) - 1;
+         line >= 0 && line < along.cells && std::abs(along.centre_m(line)) <= reach_m;
+         line += step) {
+      ++searched;
+      search(line, along.centre_m(line), reach_m, visit);
+    }
+    return searched;
+  }
+
+ private:
+  template <typename Visit>
+  void search(std::int32_t line, double along_m, double reach_m, Visit&& visit) const {
+    const Ruler& across = is_along_x_ ? rows_ : columns_;
+    const double right_m = border_m(beam_, along_m);
+    const double left_m = border_m(beam_ + 1, along_m);
+    // Quotients are rounded, so that a cell more is asked on either side: which beam sees a centre
+    // on a border is decided where cell_by_cell() decides it.
+    std::int32_t cell = std::max<std::int32_t>(across.near(std::min(right_m, left_m)) - 1, 0);
+    const std::int32_t end = std::min(across.near(std::max(right_m, left_m)) + 1, across.cells);
+    for (; cell < end; ++cell) {
+      const double across_m = across.centre_m(cell);
+      const double distance_m = std::sqrt(along_m * along_m + across_m * across_m);
+      if (distance_m <= reach_m && is_seen(along_m, across_m)) {
+        visit(is_along_x_ ? offset(line, cell) : offset(cell, line), distance_m);
+      }
+    }
+  }
+
+  // Where a border of the field of view crosses a line of cells.
+  [[nodiscard]] double border_m(std::size_t bisector, double along_m) const {
+    const Direction border = fan_.bisector(bisector);
+    return is_along_x_ ? along_m * border.y / border.x : along_m * border.x / border.y;
+  }
+
+  [[nodiscard]] bool is_seen(double along_m, double across_m) const {
+    return is_along_x_ ? fan_.sees(beam_, along_m, across_m) : fan_.sees(beam_, across_m, along_m);
+  }
+
+  [[nodiscard]] std::size_t offset(std::int32_t column, std::int32_t row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_.cells) +
+           static_cast<std::size_t>(column);
+  }
+
+  const Fan& fan_;
+  std::size_t beam_;
+  bool is_along_x_;
+  Ruler columns_;
+  Ruler rows_;
+};
+
+}  // namespace
+
+Fan::Fan(double x_m, double y_m, double middle_rad, double step_rad, std::size_t beams)
+    : x_m_(x_m), y_m_(y_m), step_rad_(step_rad), beams_(beams), middle_(towards(middle_rad)) {
+  const double half = static_cast<double>(beams) / 2;
+  const double right_rad = middle_rad - half * step_rad;
+  for (std::size_t i = 0; i <= beams; ++i) {
+    const auto steps = static_cast<double>(i);
+    bisectors_[i] = towards(right_rad + steps * step_rad);
+    if (i < beams) {
+      directions_[i] = towards(right_rad + (steps + 0.5) * step_rad);
+    }
+  }
+}
+
+// The arc tangent says which beam within its rounding; the borders themselves decide.
+std::optional<std::size_t> Fan::beam_of(double dx_m, double dy_m) const {
+  const double ahead_m = middle_.x * dx_m + middle_.y * dy_m;
+  const double left_m = middle_.x * dy_m - middle_.y * dx_m;
+  const auto last = static_cast<double>(beams_ - 1);
+  const double place =
+      std::floor(std::atan2(left_m, ahead_m) / step_rad_ + static_cast<double>(beams_) / 2);
+  if (place < -1 || place > last + 1) {
+    return std::nullopt;
+  }
+  auto beam = static_cast<std::size_t>(std::clamp(place, 0.0, last));
+  if (beam > 0 && !is_left_of(bisectors_[beam], dx_m, dy_m)) {
+    --beam;
+  } else if (beam + 1 < beams_ && is_left_of(bisectors_[beam + 1], dx_m, dy_m)) {
+    ++beam;
+  }
+  return sees(beam, dx_m, dy_m) ? std::optional(beam) : std::nullopt;
+}
+
+Operations cell_by_cell(const PlaneGrid& grid, std::span<const PlaneScan> scans,
+                        const AnalyticModel& model, std::span<double> probabilities) {
+  Operations operations;
+  std::size_t cell = 0;
+  for (std::int32_t row = 0; row < grid.rows; ++row) {
+    for (std::int32_t column = 0; column < grid.columns; ++column) {
+      double probability = kUnknown;
+      for (const PlaneScan& scan : scans) {
+        const double dx_m = grid.centre_x_m(column) - scan.fan->x_m();
+        const double dy_m = grid.centre_y_m(row) - scan.fan->y_m();
+        ++operations.searches;
+        const std::optional<std::size_t> beam = scan.fan->beam_of(dx_m, dy_m);
+        if (beam && scan.ranges_m[*beam] > 0) {
+          const double distance_m = std::sqrt(dx_m * dx_m + dy_m * dy_m);
+          const double said = model.probability(distance_m, scan.ranges_m[*beam]);
+          probability = fuse_bayes(probability, said);
+          ++operations.models;
+          ++operations.fusions;
+        }
+      }
+      probabilities[cell++] = probability;
+      ++operations.accesses;
+    }
+  }
+  return operations;
+}
+
+Operations beam_by_beam(const PlaneGrid& grid, std::span<const PlaneScan> scans,
+                        const AnalyticModel& model, double stop_behind_m,
+                        std::span<double> probabilities) {
+  Operations operations;
+  std::ranges::fill(probabilities, kUnknown);
+  for (const PlaneScan& scan : scans) {
+    for (std::size_t beam = 0; beam < scan.fan->beams(); ++beam) {
+      const double range_m = scan.ranges_m[beam];
+      if (range_m <= 0) {
+        continue;
+      }
+      const BeamCast cast(grid, *scan.fan, beam);
+      operations.searches +=
+          cast.follow(range_m + stop_behind_m, [&](std::size_t cell, double distance_m) {
+            const double said = model.probability(distance_m, range_m);
+            probabilities[cell] = fuse_bayes(probabilities[cell], said);
+            ++operations.models;
+            ++operations.fusions;
+            operations.accesses += 2;
+          });
+    }
+  }
+  return operations;
+}
+
+LuxScans::LuxScans(const vehicle::MountConfig& mount)
+    : fan_(mount.x_m, mount.y_m, mount.yaw_deg * kRadiansPerDegree, 0.5 * kRadiansPerDegree,
+           kBeams) {}
+
+void LuxScans::add(const lidar::ScanPoint& point) {
+  constexpr std::int32_t kTicksPerBeam = lidar::IbeoLux::kTicksPerTurn / 720;
+  constexpr std::int32_t kMiddle = kBeams / 2;
+  const std::int32_t turn = point.azimuth_ticks > lidar::IbeoLux::kTicksPerTurn / 2
+                                ? point.azimuth_ticks - lidar::IbeoLux::kTicksPerTurn
+                                : point.azimuth_ticks;
+  const std::int32_t beam = turn / kTicksPerBeam + kMiddle;
+  if (point.echo > 0 || point.is_dirt || point.is_rain || beam < 0 ||
+      beam >= static_cast<std::int32_t>(kBeams)) {
+    return;
+  }
+  const double elevation_rad = lidar::IbeoLux::kElevationsDeg[point.layer] * kRadiansPerDegree;
+  ranges_m_[point.layer][static_cast<std::size_t>(beam)] =
+      point.range_mm * 0.001 * numeric::cos(elevation_rad);
+}
+
+std::array<PlaneScan, LuxScans::kLayers> LuxScans::scans() const {
+  std::array<PlaneScan, kLayers> scans;
+  for (std::size_t layer = 0; layer < kLayers; ++layer) {
+    scans[layer] = {.fan = &fan_, .ranges_m = ranges_m_[layer]};
+  }
+  return scans;
+}
+
+AnalyticModel lux_model() {
+  constexpr double kReachM = 50;
+  const auto share = [](double d_m) { return std::min(d_m / kReachM, 1.0); };
+  return {.lambda = [share](double d_m) { return 0.9 - 0.2 * share(d_m); },
+          .sigma_m = [](double) { return 0.10; },
+          .free = [share](double d_m, double) { return 0.05 + 0.2 * share(d_m); }};
+}
+
+}  // namespace iog::tools::reference
