@@ -129,13 +129,22 @@ std::vector<Column> columns_of(const Row& head, const std::vector<Row>& rows) {
     }
     columns[i].is_right = has_number && !has_words;
   }
+  // What is wider than a line is not made wider still by blanks behind its last words.
+  std::size_t line = 1;
+  for (const Column& column : columns) {
+    line += column.width + 3;
+  }
+  if (line > kLineCharacters && !columns.back().is_right) {
+    columns.back().width = width_of(head.back());
+  }
   return columns;
 }
 
 std::string table_line(const Row& cells, const std::vector<Column>& columns) {
   std::string line = "|";
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string padding(columns[i].width - width_of(cells[i]), ' ');
+    const std::size_t width = width_of(cells[i]);
+    const std::string padding(std::max(columns[i].width, width) - width, ' ');
     line.append(" ");
     line.append(columns[i].is_right ? padding + cells[i] : cells[i] + padding).append(" |");
   }
@@ -236,8 +245,7 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string scientific(double value, int decimals) {
-  const std::string text =
-      without_negative_zero(printed(value, std::chars_format::scientific, decimals));
+  std::string text = without_negative_zero(printed(value, std::chars_format::scientific, decimals));
   const std::size_t e = text.find('e');
   if (e == std::string::npos) {
     return text;  // not finite

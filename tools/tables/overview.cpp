@@ -23,6 +23,12 @@ std::string counts_of(const std::vector<Claim>& claims) {
   return std::to_string(claims.size()) + " claims, those about recordings included: " + text + ".";
 }
 
+// Set off if there is something to read about it.
+std::string verdict_of(const Claim& claim) {
+  const std::string word(word_of(claim.verdict));
+  return claim.verdict == Verdict::kEquals ? word : "**" + word + "**";
+}
+
 }  // namespace
 
 std::string_view word_of(Verdict verdict) {
@@ -60,14 +66,15 @@ void add_overview(Markdown& page, const std::vector<Claim>& claims) {
     if (claim.verdict != Verdict::kEquals && claim.reason.empty()) {
       throw std::invalid_argument("no reason is given for " + claim.place + ", " + claim.what);
     }
-    rows.push_back({claim.place, claim.what, claim.paper, claim.ours,
-                    std::string(word_of(claim.verdict)), claim.reason});
+    rows.push_back(
+        {claim.place, claim.what, claim.paper, claim.ours, verdict_of(claim), claim.reason});
   }
   page.heading("Overview");
   page.paragraph(
       "**equal**: the same, or within what the paper's own digits tell. **better**: on the side "
-      "that the paper itself calls better. **short of it**: on the other side. **departs**: this "
-      "project does something else, on purpose. **waits**: not built yet.");
+      "that "
+      "the paper itself calls better. **short of it**: on the other side. **departs**: something "
+      "else, on purpose or because the paper cannot be right. **waits**: not built yet.");
   page.table({"place", "what", "paper", "here", "verdict", "reason"}, rows);
   page.paragraph(counts_of(claims));
 }

@@ -17,7 +17,11 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::array<NamedSection, 0> kSections{};
+constexpr std::array<NamedSection, 3> kSections{{
+    {"recursive_sets", recursive_sets},
+    {"inverse_sensor_model", inverse_sensor_model},
+    {"profiles", profiles},
+}};
 
 std::string command_of(const TablesInput& input) {
   return "iog tables --seed " + std::to_string(input.seed) + " --seconds " +

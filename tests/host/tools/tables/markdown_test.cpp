@@ -97,6 +97,18 @@ TEST(Markdown, NoCellCanBreakItsTable) {
             "| ε̄ = 0.05 | z    |\n");
 }
 
+// A terminal of 100 columns breaks such a row where its words end, not where blanks would.
+TEST(Markdown, ATableWiderThanALineEndsWithItsWords) {
+  Markdown text;
+  text.table({"a", "reason"}, {{"b", ""}, {"c", std::string(100, 'x')}});
+  EXPECT_EQ(text.text(),
+            "| a   | reason |\n"
+            "|-----|--------|\n"
+            "| b   |        |\n"
+            "| c   | " +
+                std::string(100, 'x') + " |\n");
+}
+
 TEST(Markdown, ARowOfAnotherLengthIsRefused) {
   Markdown text;
   EXPECT_THROW(text.table({"a", "b"}, {{"only one"}}), std::invalid_argument);

@@ -77,7 +77,7 @@ TEST(Page, HoldsEveryClaimAndEverySectionOnce) {
   const std::string page = page_of(input, compute(kSections, input, kSilent));
   std::size_t at = 0;
   for (const char* part : {"# Results\n", "--seed 7", "## Overview", "| slowness ", "| quickness ",
-                           "| waits ", "## Slow", "## Quick", "## Made with"}) {
+                           "| **waits** ", "## Slow", "## Quick", "## Made with"}) {
     const std::size_t found = page.find(part, at);
     EXPECT_NE(found, std::string::npos) << part;
     at = found == std::string::npos ? at : found;
