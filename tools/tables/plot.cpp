@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 7> kColours{"#0072B2", "#D55E00", "#009E7
 // What tells the series apart in black and white: dashes, markers, hatching.
 constexpr std::array<std::string_view, 7> kDashes{"1",          "(8,4)",      "(2,3)", "(8,3,2,3)",
                                                   "(14,4,3,4)", "(14,4,8,4)", "(4,2)"};
-constexpr std::array<std::string_view, 7> kMarkers{"7", "4", "9", "12", "5", "6", "8"};
+constexpr std::array<std::string_view, 7> kMarkers{"7", "4", "2", "9", "12", "5", "6"};
 constexpr std::array<std::string_view, 7> kHatchings{"3", "4", "5", "1", "2", "6", "7"};
 
 std::string quoted(std::string_view words) {
@@ -109,7 +109,7 @@ std::string data_of(const Plot& plot) {
 std::string how(Series::Style style, std::size_t place) {
   const std::string colour = "lc rgb '" + std::string(kColours[place % kColours.size()]) + "'";
   const std::string line = "lw 2 dt " + std::string(kDashes[place % kDashes.size()]);
-  const std::string marker = "ps 0.8 pt " + std::string(kMarkers[place % kMarkers.size()]);
+  const std::string marker = "ps 1 pt " + std::string(kMarkers[place % kMarkers.size()]);
   switch (style) {
     case Series::Style::kLine:
       return "using 1:2 with lines " + colour + " " + line;
