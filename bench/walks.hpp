@@ -5,7 +5,9 @@
 //
 // The product's walk and its line serve every direction. The others are set up for beams to the
 // north-east alone, which makes their set-up cheaper than it would be; their steps are variables
-// nevertheless, so that going from cell to cell costs what it costs in any direction.
+// nevertheless, so that going from cell to cell costs what it costs in any direction. They visit
+// the cells that the walks of tools/reference/traversal.hpp visit, which are written to be read and
+// not to be timed.
 #pragma once
 
 #include <algorithm>
@@ -144,7 +146,8 @@ class RealErrorWalk {
   Real error_;
 };
 
-// Bresenham's line between the cells that hold start and end: one cell per step of the longer axis.
+// Bresenham's line between the cells that hold start and end: one cell per step of the longer axis,
+// of two equally near ones the further one.
 class BresenhamWalk {
  public:
   using End = traversal::Cell;
@@ -157,7 +160,7 @@ class BresenhamWalk {
         shorter_(std::min(end.x, end.y)),
         along_(end.x >= end.y ? 1 : kFanStride),
         aside_(end.x >= end.y ? kFanStride : 1),
-        error_(longer_ / 2) {}
+        error_((longer_ - 1) / 2) {}
 
   template <typename Visit>
   void run(Visit&& visit) {
