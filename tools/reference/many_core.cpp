@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/division.hpp"
 #include "numeric/elementary.hpp"
 #include "tools/reference/fusion.hpp"
 
@@ -188,19 +189,19 @@ Operations beam_by_beam(const PlaneGrid& grid, std::span<const PlaneScan> scans,
   return operations;
 }
 
-LuxScans::LuxScans(const vehicle::MountConfig& mount)
-    : fan_(mount.x_m, mount.y_m, mount.yaw_deg * kRadiansPerDegree, 0.5 * kRadiansPerDegree,
-           kBeams) {}
+LuxScans::LuxScans(const vehicle::MountConfig& mount, std::int32_t step_ticks)
+    : step_ticks_(step_ticks),
+      fan_(mount.x_m, mount.y_m, mount.yaw_deg * kRadiansPerDegree,
+           step_ticks * 2 * numeric::kPi / lidar::IbeoLux::kTicksPerTurn,
+           static_cast<std::size_t>(2 * kEdgeTicks / step_ticks + 1)) {}
 
 void LuxScans::add(const lidar::ScanPoint& point) {
-  constexpr std::int32_t kTicksPerBeam = lidar::IbeoLux::kTicksPerTurn / 720;
-  constexpr std::int32_t kMiddle = kBeams / 2;
-  const std::int32_t turn = point.azimuth_ticks > lidar::IbeoLux::kTicksPerTurn / 2
-                                ? point.azimuth_ticks - lidar::IbeoLux::kTicksPerTurn
-                                : point.azimuth_ticks;
-  const std::int32_t beam = turn / kTicksPerBeam + kMiddle;
+  constexpr std::int32_t kTurn = lidar::IbeoLux::kTicksPerTurn;
+  const std::int32_t to_left =
+      point.azimuth_ticks > kTurn / 2 ? point.azimuth_ticks - kTurn : point.azimuth_ticks;
+  const std::int32_t beam = numeric::div_nearest(to_left + kEdgeTicks, step_ticks_);
   if (point.echo > 0 || point.is_dirt || point.is_rain || beam < 0 ||
-      beam >= static_cast<std::int32_t>(kBeams)) {
+      beam >= static_cast<std::int32_t>(fan_.beams())) {
     return;
   }
   const double elevation_rad = lidar::IbeoLux::kElevationsDeg[point.layer] * kRadiansPerDegree;
@@ -211,7 +212,7 @@ void LuxScans::add(const lidar::ScanPoint& point) {
 std::array<PlaneScan, LuxScans::kLayers> LuxScans::scans() const {
   std::array<PlaneScan, kLayers> scans;
   for (std::size_t layer = 0; layer < kLayers; ++layer) {
-    scans[layer] = {.fan = &fan_, .ranges_m = ranges_m_[layer]};
+    scans[layer] = {.fan = &fan_, .ranges_m = std::span(ranges_m_[layer]).first(fan_.beams())};
   }
   return scans;
 }

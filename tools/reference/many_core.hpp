@@ -46,7 +46,7 @@ struct Direction {
 // to the left.
 class Fan {
  public:
-  static constexpr std::size_t kMaxBeams = 256;
+  static constexpr std::size_t kMaxBeams = 401;
 
   // The middle of the fan looks towards middle_rad. 1 ... kMaxBeams beams, step_rad > 0; the fan is
   // less than half a turn wide.
@@ -115,9 +115,11 @@ Operations beam_by_beam(const PlaneGrid& grid, std::span<const PlaneScan> scans,
 class LuxScans {
  public:
   static constexpr std::size_t kLayers = lidar::IbeoLux::kElevationsDeg.size();
-  static constexpr std::size_t kBeams = 201;  // -50 ... +50 degrees in steps of 0.5
+  static constexpr std::int32_t kEdgeTicks = 1600;  // 50 degrees to either side
+  static constexpr std::int32_t kHalfDegree = lidar::IbeoLux::kTicksPerTurn / 720;
 
-  explicit LuxScans(const vehicle::MountConfig& mount);
+  // step_ticks between two directions: kHalfDegree or half of it.
+  explicit LuxScans(const vehicle::MountConfig& mount, std::int32_t step_ticks = kHalfDegree);
 
   // The first echo of a beam counts, unless the sensor calls it dirt or rain.
   void add(const lidar::ScanPoint& point);
@@ -127,8 +129,9 @@ class LuxScans {
   [[nodiscard]] std::array<PlaneScan, kLayers> scans() const;
 
  private:
+  std::int32_t step_ticks_;
   Fan fan_;
-  std::array<std::array<double, kBeams>, kLayers> ranges_m_{};
+  std::array<std::array<double, Fan::kMaxBeams>, kLayers> ranges_m_{};
 };
 
 // Equation 4 for a LUX. The paper gives the form and no numbers; these are ours: sigma as in the

@@ -225,5 +225,16 @@ TEST(LuxScans, TakesFirstEchoesByAzimuthAndLayer) {
   EXPECT_EQ(lux.scans()[3].ranges_m[200], 0);
 }
 
+TEST(LuxScans, TakesAFinerStep) {
+  LuxScans lux({}, LuxScans::kHalfDegree / 2);
+  lux.add({.range_mm = 10'000, .azimuth_ticks = 1600, .layer = 1});
+  lux.add({.range_mm = 20'000, .azimuth_ticks = 11'520 - 8, .layer = 1});
+  const auto scans = lux.scans();
+  EXPECT_EQ(scans[1].fan->beams(), 401U);
+  EXPECT_EQ(scans[1].ranges_m.size(), 401U);
+  EXPECT_NEAR(scans[1].ranges_m[400], 10, 1e-3);
+  EXPECT_NEAR(scans[1].ranges_m[199], 20, 1e-3);
+}
+
 }  // namespace
 }  // namespace iog::tools::reference
