@@ -25,8 +25,8 @@ long double likelihood_of(std::uint32_t configuration, const Likelihoods& likeli
 }  // namespace
 
 long double RangeSensor::likelihood(double z_m, double d_m) const {
-  const long double sigma = sigma_m;
-  const long double deviations = (static_cast<long double>(z_m) - d_m) / sigma;
+  const auto sigma = static_cast<long double>(sigma_m);
+  const auto deviations = static_cast<long double>(z_m - d_m) / sigma;
   const long double factor = exponent == Exponent::kHalved ? 0.5L : 1.0L;
   const long double root = std::sqrt(2 * std::numbers::pi_v<long double>);
   return std::exp(-factor * deviations * deviations) / (root * sigma);

@@ -13,9 +13,9 @@ namespace {
 using index::Quantisation;
 using reference::Exponent;
 
-constexpr double kSigma_m = 0.10;
+constexpr double kSigmaM = 0.10;
 constexpr double kEpsilon = 0.05;
-constexpr std::array kCellLengths_m{0.5, 0.1, 0.025};  // figures 4.6b, 4.6c, 4.6d
+constexpr std::array kCellLengthsM{0.5, 0.1, 0.025};  // figures 4.6b, 4.6c, 4.6d
 
 // A cell's ISM, where the cell lies by its distance from the centre of cell k.
 struct CellModel {
@@ -32,7 +32,7 @@ std::vector<CellModel> models_around_z(double cell_length_m, Exponent exponent) 
   const reference::LocalGrid grid{.cells = cells_in(50), .cell_length_m = cell_length_m};
   const int k = cells_in(25) + 1;
   const int reach = cells_in(1.5);
-  const auto seen = reference::likelihoods({kSigma_m, exponent}, grid, grid.distance_m(k));
+  const auto seen = reference::likelihoods({kSigmaM, exponent}, grid, grid.distance_m(k));
   std::vector<CellModel> models;
   for (int offset = -reach; offset <= reach; ++offset) {
     models.push_back({.from_z_m = offset * cell_length_m,
@@ -68,7 +68,7 @@ Plot figure_4_6_a() {
     Series series{.name = is_halved ? "usual exponent" : "equation 4.1 as printed", .points = {}};
     for (int i = -100; i <= 100; ++i) {
       const double z_m = 25 + 0.005 * i;
-      const reference::RangeSensor sensor{kSigma_m, exponent};
+      const reference::RangeSensor sensor{kSigmaM, exponent};
       series.points.emplace_back(z_m, static_cast<double>(sensor.likelihood(z_m, 25)));
     }
     plot.series.push_back(series);
@@ -94,7 +94,7 @@ Plot figure_4_6_b_to_d() {
             .x_label = "distance from z, m",
             .y_label = "P(o_i|z)",
             .series = {}};
-  for (const double cell_length_m : kCellLengths_m) {
+  for (const double cell_length_m : kCellLengthsM) {
     plot.series.push_back(profile_of(cell_length_m));
   }
   return plot;
@@ -102,7 +102,7 @@ Plot figure_4_6_b_to_d() {
 
 void print_peaks(Markdown& body) {
   std::vector<std::vector<std::string>> rows;
-  for (const double cell_length_m : kCellLengths_m) {
+  for (const double cell_length_m : kCellLengthsM) {
     const double usual = peak_of(cell_length_m, Exponent::kHalved);
     const double printed = peak_of(cell_length_m, Exponent::kAsPrinted);
     const index::RecursiveSet set(kEpsilon);
@@ -133,7 +133,7 @@ std::vector<Claim> claims_on_peaks() {
 }
 
 void describe_short_cells(Markdown& body) {
-  const double shortest_m = kCellLengths_m.back();
+  const double shortest_m = kCellLengthsM.back();
   body.paragraph(
       "With cells of a quarter of sigma the thesis says that the maximum does not even "
       "overtake 1/2. It does, by " +

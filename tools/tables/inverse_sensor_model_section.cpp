@@ -17,8 +17,8 @@ using reference::LocalGrid;
 
 constexpr int kLargestN = 18;
 constexpr double kAllowed = 1e-12;
-constexpr std::array kSigmas_m{0.02, 0.10, 0.30};
-constexpr std::array kCellLengths_m{0.025, 0.10, 0.50};
+constexpr std::array kSigmasM{0.02, 0.10, 0.30};
+constexpr std::array kCellLengthsM{0.025, 0.10, 0.50};
 
 // Where z lies: in the first cell, in the middle one, on the far border of the last.
 std::array<double, 3> measurements_of(const LocalGrid& grid) {
@@ -46,8 +46,8 @@ void compare(const Likelihoods& seen, Comparison& found) {
 
 Comparison compare_grids(int cells) {
   Comparison found;
-  for (const double sigma_m : kSigmas_m) {
-    for (const double cell_length_m : kCellLengths_m) {
+  for (const double sigma_m : kSigmasM) {
+    for (const double cell_length_m : kCellLengthsM) {
       const LocalGrid grid{.cells = cells, .cell_length_m = cell_length_m};
       for (const double z_m : measurements_of(grid)) {
         compare(reference::likelihoods({sigma_m}, grid, z_m), found);

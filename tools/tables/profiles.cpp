@@ -15,7 +15,7 @@ using index::Quantisation;
 using sensor_model::make_profile;
 using sensor_model::Profile;
 
-constexpr double kSigma_m = 0.10;
+constexpr double kSigmaM = 0.10;
 constexpr double kEpsilon = 0.05;
 constexpr double kFloor = 0.05;
 
@@ -23,10 +23,10 @@ constexpr Profile kBlurring = make_profile({});
 constexpr Profile kNearest = make_profile({.quantisation = Quantisation::kNearest});
 
 // Equation 4.1 lacks the 1/2 in its exponent: a Gaussian of sigma / sqrt(2).
-constexpr double kPrintedSigma_m = kSigma_m / 1.41421356237309504880;
-constexpr Profile kPrintedBlurring = make_profile({.sigma_m = kPrintedSigma_m});
+constexpr double kPrintedSigmaM = kSigmaM / 1.41421356237309504880;
+constexpr Profile kPrintedBlurring = make_profile({.sigma_m = kPrintedSigmaM});
 constexpr Profile kPrintedNearest =
-    make_profile({.sigma_m = kPrintedSigma_m, .quantisation = Quantisation::kNearest});
+    make_profile({.sigma_m = kPrintedSigmaM, .quantisation = Quantisation::kNearest});
 
 // A column of table 4.3, as the thesis prints it.
 struct PaperColumn {
@@ -80,10 +80,10 @@ void print_table_4_3(Markdown& body) {
   std::vector<std::vector<std::string>> rows;
   for (const PaperColumn& column : kTable43) {
     const int offset = column.offset;
-    rows.push_back({column.cell, fixed(column.ism, 2), fixed(ism(kSigma_m, offset), 4),
+    rows.push_back({column.cell, fixed(column.ism, 2), fixed(ism(kSigmaM, offset), 4),
                     std::to_string(column.blurring), std::to_string(kBlurring.at(offset)),
                     std::to_string(column.nearest), std::to_string(kNearest.at(offset)),
-                    fixed(ism(kPrintedSigma_m, offset), 4),
+                    fixed(ism(kPrintedSigmaM, offset), 4),
                     std::to_string(kPrintedBlurring.at(offset)),
                     std::to_string(kPrintedNearest.at(offset))});
   }
@@ -102,7 +102,7 @@ Plot figure_4_14() {
   Series nearest{.name = "nearest", .points = {}, .style = Series::Style::kPoints};
   const index::RecursiveSet set(kEpsilon);
   for (int offset = -6; offset <= 5; ++offset) {
-    model.points.emplace_back(offset, ism(kSigma_m, offset));
+    model.points.emplace_back(offset, ism(kSigmaM, offset));
     blurring.points.emplace_back(offset, set.probability(kBlurring.at(offset)));
     nearest.points.emplace_back(offset, set.probability(kNearest.at(offset)));
     const std::string sign = offset > 0 ? "+" : "";
@@ -128,7 +128,7 @@ Claim claim_on_indexes(const std::string& policy, const Profile& profile,
 Claim claim_on_probabilities() {
   double largest = 0;
   for (const PaperColumn& column : kTable43) {
-    largest = std::max(largest, std::fabs(ism(kSigma_m, column.offset) - column.ism));
+    largest = std::max(largest, std::fabs(ism(kSigmaM, column.offset) - column.ism));
   }
   return {.place = "table 4.3",
           .what = "ISM of the six columns",
@@ -157,7 +157,7 @@ void describe_table(Markdown& body) {
   print_table_4_3(body);
   body.paragraph(
       "Equation 4.1 prints the Gaussian without the factor 1/2 in its exponent, as if sigma were " +
-      fixed(kPrintedSigma_m, 4) +
+      fixed(kPrintedSigmaM, 4) +
       " m. The last three columns show what Theorem 6 makes of that: neither the ISM nor the "
       "indexes of table 4.3. With the factor all come out, so it is the equation that lost it, "
       "not the thesis's program. (As printed it is no density either: its integral over z is " +

@@ -39,7 +39,7 @@ class IndexFusion : public testing::Test {
 
 struct CellName {
   template <typename Cell>
-  static std::string GetName(int) {
+  static std::string GetName(int) {  // NOLINT(readability-identifier-naming): gtest's word
     return "Int" + std::to_string(8 * sizeof(Cell));
   }
 };
