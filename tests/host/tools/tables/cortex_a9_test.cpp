@@ -1,13 +1,18 @@
 #include "tools/tables/cortex_a9.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "gtest/gtest.h"
 
+#include "lidar/ibeo_lux.hpp"
 #include "tools/assembly/frame_assembler.hpp"
 #include "tools/assembly/frame_record.hpp"
 #include "tools/fuse/offline_target.hpp"
+#include "tools/reference/many_core.hpp"
 #include "tools/simulate/drive.hpp"
 
 namespace iog::tools {
@@ -63,6 +68,50 @@ TEST_P(CortexA9Drive, FusedTheGridsThatThePcFuses) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sensors, CortexA9Drive, testing::Values(2U, 3U, 4U));
+
+// The first frame of the drive as the two front corners' LUX see it.
+void measure_first_frame(reference::LuxScans& left, reference::LuxScans& right) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  Drive drive(car, 1, 2);
+  drive.move_to(0);
+  for (const CapturedDatagram& datagram : drive.datagrams()) {
+    const std::size_t sensor = sensor_of_port(car, datagram.destination.port);
+    if (sensor == sensor_of_name(car, "front_centre") ||
+        sensor == sensor_of_name(car, "rear_centre")) {
+      continue;
+    }
+    lidar::IbeoLux lux;
+    ASSERT_EQ(lux.decode(datagram.payload), lidar::DecodeStatus::kOk);
+    lux.for_each_point([&](const lidar::ScanPoint& point) {
+      (sensor == sensor_of_name(car, "front_left") ? left : right).add(point);
+    });
+  }
+}
+
+// The many-core paper's approaches did there what they do here.
+TEST(CortexA9, DidTheWorkThatThePcDoes) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  reference::LuxScans left(car.sensors[sensor_of_name(car, "front_left")].mount);
+  reference::LuxScans right(car.sensors[sensor_of_name(car, "front_right")].mount);
+  measure_first_frame(left, right);
+  std::vector<reference::PlaneScan> scans;
+  for (const reference::LuxScans* lux : {&left, &right}) {
+    std::ranges::copy(lux->scans(), std::back_inserter(scans));
+  }
+  const reference::PlaneGrid grid{
+      .x_min_m = 0, .y_min_m = -15, .cell_m = 0.2, .columns = 250, .rows = 150};
+  std::vector<double> cells(grid.cells());
+  const auto expect_same = [](const char* run, const reference::Operations& operations) {
+    EXPECT_EQ(measured_on_a9(run, "searches"), static_cast<double>(operations.searches)) << run;
+    EXPECT_EQ(measured_on_a9(run, "models"), static_cast<double>(operations.models)) << run;
+    EXPECT_EQ(measured_on_a9(run, "fusions"), static_cast<double>(operations.fusions)) << run;
+  };
+  const reference::AnalyticModel model = reference::lux_model();
+  expect_same("many_core approach=cbc cell_mm=200",
+              reference::cell_by_cell(grid, scans, model, cells));
+  expect_same("many_core approach=bbb cell_mm=200",
+              reference::beam_by_beam(grid, scans, model, reference::kLuxStopBehindM, cells));
+}
 
 TEST(CortexA9, AFrameCostsWhatItsStagesCost) {
   for (const std::size_t sensors : {2U, 3U, 4U}) {
