@@ -16,21 +16,45 @@ constexpr double kRadiansPerDegree = numeric::kPi / 180;
 Direction towards(double angle_rad) { return {numeric::cos(angle_rad), numeric::sin(angle_rad)}; }
 
 // Cells along one axis of the grid, in metres from where a beam starts.
-struct Ruler {
-  double edge_m;  // of the grid
-  double cell_m;
-  std::int32_t cells;
-  double origin_m;  // of the beam
+class Ruler {
+ public:
+  Ruler(double edge_m, double cell_m, std::int32_t cells, double origin_m)
+      : edge_m_(edge_m),
+        cell_m_(cell_m),
+        cells_(cells),
+        origin_m_(origin_m),
+        per_m_(1 / cell_m),
+        half_before_((origin_m - edge_m) * per_m_ - 0.5) {}
+
+  [[nodiscard]] std::int32_t cells() const { return cells_; }
 
   // As cell_by_cell() computes it, to the bit.
   [[nodiscard]] double centre_m(std::int32_t cell) const {
-    return edge_m + (cell + 0.5) * cell_m - origin_m;
+    return edge_m_ + (cell + 0.5) * cell_m_ - origin_m_;
   }
-  // The first cell whose centre is not before this, within a rounding; 0 ... cells.
-  [[nodiscard]] std::int32_t near(double m) const {
-    const double cell = std::ceil((m + origin_m - edge_m) / cell_m - 0.5);
-    return static_cast<std::int32_t>(std::clamp(cell, 0.0, static_cast<double>(cells)));
+
+  // The first cell whose centre is not before this, and the one after the last whose centre is not
+  // behind it; 0 ... cells. What is within rounding of a centre counts as on it.
+  [[nodiscard]] std::int32_t first_from(double m) const {
+    return limited(std::ceil(m * per_m_ + half_before_ - kRounding));
   }
+  [[nodiscard]] std::int32_t end_at(double m) const {
+    return limited(std::floor(m * per_m_ + half_before_ + kRounding) + 1);
+  }
+
+ private:
+  static constexpr double kRounding = 1e-6;  // cells
+
+  [[nodiscard]] std::int32_t limited(double cell) const {
+    return static_cast<std::int32_t>(std::clamp(cell, 0.0, static_cast<double>(cells_)));
+  }
+
+  double edge_m_;
+  double cell_m_;
+  std::int32_t cells_;
+  double origin_m_;
+  double per_m_;
+  double half_before_;  // cells from the first one's centre to the origin
 };
 
 // Follows one beam through the grid, along the axis it is nearer to: line after line of cells
@@ -40,21 +64,26 @@ class BeamCast {
   BeamCast(const PlaneGrid& grid, const Fan& fan, std::size_t beam)
       : fan_(fan),
         beam_(beam),
-        is_along_x_(std::abs(fan.direction(beam).x) >= std::abs(fan.direction(beam).y)),
-        columns_{grid.x_min_m, grid.cell_m, grid.columns, fan.x_m()},
-        rows_{grid.y_min_m, grid.cell_m, grid.rows, fan.y_m()} {}
+        columns_(grid.x_min_m, grid.cell_m, grid.columns, fan.x_m()),
+        rows_(grid.y_min_m, grid.cell_m, grid.rows, fan.y_m()) {
+    const Direction ahead = fan.direction(beam);
+    is_along_x_ = std::abs(ahead.x) >= std::abs(ahead.y);
+    is_upwards_ = (is_along_x_ ? ahead.x : ahead.y) > 0;
+    const double right = slope(fan.bisector(beam));
+    const double left = slope(fan.bisector(beam + 1));
+    low_ = is_upwards_ ? std::min(right, left) : std::max(right, left);
+    high_ = is_upwards_ ? std::max(right, left) : std::min(right, left);
+  }
 
   // Calls visit(cell, distance) for the cells whose centre is at most reach_m away. Returns how
   // many lines of cells were searched.
   template <typename Visit>
   std::uint64_t follow(double reach_m, Visit&& visit) const {
     const Ruler& along = is_along_x_ ? columns_ : rows_;
-    const Direction ahead = fan_.direction(beam_);
-    const bool is_upwards = (is_along_x_ ? ahead.x : ahead.y) > 0;
-    const std::int32_t step = is_upwards ? 1 : -1;
+    const std::int32_t step = is_upwards_ ? 1 : -1;
     std::uint64_t searched = 0;
-    for (std::int32_t line = is_upwards ? along.near(0) : along.near(0) - 1;
-         line >= 0 && line < along.cells && std::abs(along.centre_m(line)) <= reach_m;
+    for (std::int32_t line = is_upwards_ ? along.first_from(0) : along.end_at(0) - 1;
+         line >= 0 && line < along.cells() && std::abs(along.centre_m(line)) <= reach_m;
          line += step) {
       ++searched;
       search(line, along.centre_m(line), reach_m, visit);
@@ -63,28 +92,24 @@ class BeamCast {
   }
 
  private:
+  // What lies between the borders of the field of view, within rounding. Which beam sees a centre
+  // on a border is decided where cell_by_cell() decides it.
   template <typename Visit>
   void search(std::int32_t line, double along_m, double reach_m, Visit&& visit) const {
     const Ruler& across = is_along_x_ ? rows_ : columns_;
-    const double right_m = border_m(beam_, along_m);
-    const double left_m = border_m(beam_ + 1, along_m);
-    // Quotients are rounded, so that a cell more is asked on either side: which beam sees a centre
-    // on a border is decided where cell_by_cell() decides it.
-    std::int32_t cell = std::max<std::int32_t>(across.near(std::min(right_m, left_m)) - 1, 0);
-    const std::int32_t end = std::min(across.near(std::max(right_m, left_m)) + 1, across.cells);
-    for (; cell < end; ++cell) {
+    const std::int32_t end = across.end_at(high_ * along_m);
+    for (std::int32_t cell = across.first_from(low_ * along_m); cell < end; ++cell) {
       const double across_m = across.centre_m(cell);
       const double distance_m = std::sqrt(along_m * along_m + across_m * across_m);
-      if (distance_m <= reach_m && is_seen(along_m, across_m)) {
+      if (is_seen(along_m, across_m) && distance_m <= reach_m) {
         visit(is_along_x_ ? offset(line, cell) : offset(cell, line), distance_m);
       }
     }
   }
 
-  // Where a border of the field of view crosses a line of cells.
-  [[nodiscard]] double border_m(std::size_t bisector, double along_m) const {
-    const Direction border = fan_.bisector(bisector);
-    return is_along_x_ ? along_m * border.y / border.x : along_m * border.x / border.y;
+  // How far a border of the field of view moves across while it moves on by 1.
+  [[nodiscard]] double slope(Direction border) const {
+    return is_along_x_ ? border.y / border.x : border.x / border.y;
   }
 
   [[nodiscard]] bool is_seen(double along_m, double across_m) const {
@@ -92,15 +117,18 @@ class BeamCast {
   }
 
   [[nodiscard]] std::size_t offset(std::int32_t column, std::int32_t row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_.cells) +
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_.cells()) +
            static_cast<std::size_t>(column);
   }
 
   const Fan& fan_;
   std::size_t beam_;
-  bool is_along_x_;
   Ruler columns_;
   Ruler rows_;
+  bool is_along_x_ = true;
+  bool is_upwards_ = true;
+  double low_ = 0;  // slopes of the field of view's borders
+  double high_ = 0;
 };
 
 }  // namespace
