@@ -47,8 +47,8 @@ TEST(Theorem6, EqualsTheEnumerationOfAllConfigurations) {
 }
 
 // Figure 4.6: a cell much longer than sigma is certainly occupied, one of a quarter of it stays at
-// 1/2. (The thesis prints the exponent without its factor 1/2 and finds a maximum below 1/2; with
-// the factor it is 0.5002, far from p_1 = 0.55 all the same.)
+// 1/2. (The thesis says that it does not even get there; by its own theorem no cell from k on is
+// below 1/2. The maximum is 0.5002, far from p_1 = 0.55 all the same.)
 TEST(Theorem6, TheCellSizeDecidesHowSureAHitIs) {
   EXPECT_GT((SingleTarget{0.1, 0.5}.probability(0)), 0.99);
   EXPECT_NEAR((SingleTarget{0.1, 0.025}.probability(0)), 0.5, 0.001);
