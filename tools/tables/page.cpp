@@ -17,10 +17,13 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::array<NamedSection, 3> kSections{{
+constexpr std::array<NamedSection, 6> kSections{{
     {"recursive_sets", recursive_sets},
     {"inverse_sensor_model", inverse_sensor_model},
     {"profiles", profiles},
+    {"output_rates", output_rates},
+    {"numerical_quality", numerical_quality},
+    {"order_of_fusion", order_of_fusion},
 }};
 
 std::string command_of(const TablesInput& input) {
