@@ -1,0 +1,35 @@
+// How a program says to the model which part of it is to be reported: two DBG hints in a row, which
+// are no operation on the processor and in QEMU, and which no compiler emits.
+//
+// The first carries bits 7 to 4 of a code, the second bits 3 to 0. Bit 7 is 0 at the beginning of a
+// region and 1 at its end; the rest is its id. The model neither counts nor times the hints.
+// Regions of different ids may nest or overlap.
+#pragma once
+
+#include <cstdint>
+
+namespace iog::a9_model {
+
+inline constexpr std::uint8_t kMarkerEnd = 0x80;
+inline constexpr unsigned kRegionIds = 0x80;
+
+#if defined(__arm__)
+template <unsigned kCode>
+[[gnu::always_inline]] inline void mark() {
+  __asm__ volatile("dbg %0\n\tdbg %1" ::"i"(kCode >> 4), "i"(kCode & 0xf) : "memory");
+}
+
+template <unsigned kId>
+[[gnu::always_inline]] inline void begin_region() {
+  static_assert(kId < kRegionIds);
+  mark<kId>();
+}
+
+template <unsigned kId>
+[[gnu::always_inline]] inline void end_region() {
+  static_assert(kId < kRegionIds);
+  mark<kId | kMarkerEnd>();
+}
+#endif
+
+}  // namespace iog::a9_model

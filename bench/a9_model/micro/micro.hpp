@@ -1,0 +1,29 @@
+// Programs with known answers: each is a region of its own for the model (marker.hpp) and says how
+// many units its cycles are to be divided by.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+
+#include "bench/a9_model/marker.hpp"
+
+namespace iog::a9_model::micro {
+
+// Runs a program once to warm caches and predictors, then within region kId, and prints its line.
+// The program returns the number of units.
+template <unsigned kId, typename Program>
+void measure(const char* name, Program program) {
+  program();
+  begin_region<kId>();
+  const std::uint32_t units = program();
+  end_region<kId>();
+  std::printf("micro region=%u name=%s units=%lu\n", kId, name, units);
+}
+
+// Regions 0 to 39, 40 to 79, 80 to 99 and 100 to 119.
+void measure_core();
+void measure_memory();
+void measure_branches();
+void measure_vectors();
+
+}  // namespace iog::a9_model::micro

@@ -1,0 +1,70 @@
+// From the events of an emulator to the pipeline, and what it costs by region.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "counters.hpp"
+#include "pipeline.hpp"
+
+namespace iog::a9_model {
+
+// A function that is to be reported: from its entry to its return, whatever it calls included.
+struct Function {
+  std::string name;
+  std::uint32_t entry;
+};
+
+class Recorder {
+ public:
+  Recorder(const Constants& constants, std::span<const Function> functions);
+
+  // An instruction begins; it stays valid until the next one begins. Accesses that follow are its
+  // own, in ascending order.
+  void begin(const ProgramInstruction& instruction);
+  void access(std::uint32_t address, std::uint8_t bytes) {
+    if (access_count_ < accesses_.size()) {
+      accesses_[access_count_++] = {.address = address, .bytes = bytes};
+    }
+  }
+  // An instruction that is not A32.
+  void skip_unsupported() { ++unsupported_; }
+
+  // Executes the last instruction and writes a line for the whole run, one for each region that
+  // was entered and one for each function: key=value pairs after `heading`.
+  void report(std::ostream& out, std::string_view heading);
+
+ private:
+  struct Region {
+    Counters sum;
+    Counters begin;
+    std::uint64_t entries = 0;
+    std::uint32_t open = 0;
+    std::size_t depth = 0;  // of the call stack at entry, for functions
+  };
+
+  void finish_last(std::uint32_t next);
+  void note_marker(std::uint8_t half);
+  void follow_calls(const ProgramInstruction& from, std::uint32_t to);
+  void open(Region& region);
+  void close(Region& region);
+
+  Pipeline pipeline_;
+  const ProgramInstruction* last_ = nullptr;
+  std::array<MemoryAccess, 64> accesses_{};
+  std::size_t access_count_ = 0;
+  std::uint64_t unsupported_ = 0;
+
+  int marker_ = -1;  // the upper half of a code, once it has been seen
+  std::vector<Region> marked_;
+  std::vector<Function> functions_;
+  std::vector<Region> called_;          // parallel to functions_
+  std::vector<std::uint32_t> returns_;  // where the calls under way will return to
+};
+
+}  // namespace iog::a9_model
