@@ -1,169 +1,87 @@
 #include "tools/simulate/city.hpp"
 
-#include <algorithm>
-#include <array>
+#include <span>
+#include <utility>
 
+#include "tools/simulate/city_street.hpp"
 #include "tools/simulate/random.hpp"
-#include "tools/simulate/street_furniture.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr double kSlot = 6.3;          // length of road for one parked car
-constexpr double kKerbPiece = 4.0;     // short enough to follow the curve
-constexpr double kCrossStreet = 75.0;  // how far it is known from the centre line
-constexpr std::array kSides{1.0, -1.0};
+// The sharpest curve is that of 95 m radius: 0.25 * 2 pi / 310 + 0.15 * 2 pi / 173.
+constexpr Course kCourse{
+    .swings = {{{.radians = 0.25, .wavelength = 310}, {.radians = 0.15, .wavelength = 173}}}};
 
-// Builds piece by piece and remembers at which station each piece stands.
-class Builder {
- public:
-  Builder(const Road& road, std::uint64_t seed) : road_(&road), random_(seed, 2) {}
+// Between 6.5 and 11.5 m/s.
+constexpr Cruise kCruise{
+    .mean_speed = 9.0, .speed_swing = 2.5, .swing_period = 41.0, .left = -kCityLane};
 
-  void add_block(double from, double to) {
-    for (const double side : kSides) {
-      add_kerb(from, to, side);
-      add_parked_cars(from + 3, to - 3, side);
-      add_pavement(from, to, side);
-      if (random_.chance(0.75)) {
-        add_buildings(from, to, side);
-      } else {
-        add_park(from, to, side);
-      }
+constexpr double kOncomingSpeed = 9.0;
+constexpr double kCrossingSpeed = 7.0;
+
+// A car ahead and one behind in the lane of the car itself.
+void add_companions(Random& random, Traffic& traffic) {
+  traffic.companions.push_back(
+      {.ahead = 24, .swing = 7, .swing_period = 23, .left = -kCityLane, .shape = some_car(random)});
+  traffic.companions.push_back({.ahead = -15,
+                                .swing = -4,
+                                .swing_period = 31,
+                                .left = -kCityLane,
+                                .shape = some_car(random)});
+}
+
+void add_walkers(double drive_m, Random& random, Traffic& traffic) {
+  double station = -kSight;
+  while (station < drive_m + kSight) {
+    const double side = random.chance(0.5) ? 1 : -1;
+    const double pace = random.between(0.9, 1.6);
+    traffic.walkers.push_back({.station = station,
+                               .left = side * (kPavementCentre + random.between(-0.9, 1.2)),
+                               .speed = random.chance(0.5) ? pace : -pace});
+    station += random.between(6, 18);
+  }
+}
+
+void add_oncomers(double drive_m, double drive_s, Random& random, Traffic& traffic) {
+  const double last = drive_m + kSight + kOncomingSpeed * drive_s;
+  double station = 30;
+  while (station < last) {
+    traffic.cars.push_back({.station = station,
+                            .left = kCityLane,
+                            .speed = -kOncomingSpeed,
+                            .shape = some_car(random)});
+    station += random.between(25, 95);
+  }
+}
+
+void add_crossers(std::span<const double> junctions, Random& random, Traffic& traffic) {
+  for (const double junction : junctions) {
+    // The crossing car passes while the junction is still well ahead.
+    if (junction > 40) {
+      traffic.crossers.push_back({.junction = junction,
+                                  .passes_s = kCruise.time_at(junction - 40),
+                                  .left = -kCityLane,
+                                  .speed = kCrossingSpeed,
+                                  .side = random.chance(0.5) ? 1.0 : -1.0,
+                                  .shape = some_car(random)});
     }
   }
-
-  void add_junction(double station) {
-    for (const double side : kSides) {
-      const Placement middle = road_->at(station, 0);
-      const Placement cross = turned_by(middle, 0, side);
-      for (const double bank : kSides) {
-        const double left = bank * kParkingCentre;
-        for (const double out : stations(20, kCrossStreet - 10, kSlot)) {
-          if (random_.chance(0.6)) {
-            add_car(some_car(random_), moved(cross, out, left), fresh_);
-          }
-        }
-        fresh_.push_back(cylinder(Material::kPole, moved(cross, kKerb + 0.6, bank * 7.2).x,
-                                  moved(cross, kKerb + 0.6, bank * 7.2).y, 0.09, 0, 4.5));
-      }
-      const double front = random_.between(0.6, 1.0) * kCrossStreet;
-      fresh_.push_back(box(Material::kWall, moved(cross, front + 5, 0), 10, 26, 0, 12));
-      keep(station);
-    }
-  }
-
-  [[nodiscard]] std::vector<std::pair<double, Solid>> take() {
-    std::ranges::stable_sort(built_, {}, &std::pair<double, Solid>::first);
-    return std::move(built_);
-  }
-
- private:
-  void keep(double station) {
-    for (const Solid& solid : fresh_) {
-      built_.emplace_back(station, solid);
-    }
-    fresh_.clear();
-  }
-
-  void add_kerb(double from, double to, double side) {
-    for (const double station : stations(from, to, kKerbPiece)) {
-      fresh_.push_back(box(Material::kKerb, road_->at(station + kKerbPiece / 2, side * kKerb),
-                           kKerbPiece, 0.15, 0, 0.12));
-      keep(station);
-    }
-  }
-
-  void add_parked_cars(double from, double to, double side) {
-    const double share = random_.between(0.4, 0.9);
-    for (const double station : stations(from + kSlot / 2, to - kSlot / 2, kSlot)) {
-      if (!random_.chance(share)) {
-        continue;
-      }
-      const double shift = random_.between(-0.4, 0.4);
-      const double left = side * kParkingCentre + random_.between(-0.15, 0.15);
-      const double askew = random_.between(-0.03, 0.03);
-      const Placement at = road_->at(station + shift, left);
-      add_car(some_car(random_), turned_by(at, side > 0 ? -1 : 1, askew), fresh_);
-      keep(station);
-    }
-  }
-
-  // Lamp posts and trees along the kerb, a few people who stand and talk.
-  void add_pavement(double from, double to, double side) {
-    for (const double station : stations(from + 4, to - 4, 13)) {
-      const Placement at = road_->at(station + random_.between(-2, 2), side * (kKerb + 0.7));
-      if (random_.chance(0.5)) {
-        fresh_.push_back(cylinder(Material::kPole, at.x, at.y, 0.08, 0, 6));
-      } else if (random_.chance(0.5)) {
-        add_tree(at.x, at.y, random_, fresh_);
-      }
-      if (random_.chance(0.15)) {
-        const Placement person = moved(at, 1.5, side * random_.between(0.5, 2.0));
-        add_person(person.x, person.y, fresh_);
-        add_person(person.x + 0.6, person.y + 0.3, fresh_);
-      }
-      keep(station);
-    }
-  }
-
-  void add_buildings(double from, double to, double side) {
-    double station = from;
-    while (station < to - 6) {
-      const double length = std::min(random_.between(10, 24), to - station);
-      const double depth = random_.between(12, 30);
-      const double front = random_.between(9.4, 11.5);
-      const Placement at = road_->at(station + length / 2, side * (front + depth / 2));
-      fresh_.push_back(box(Material::kWall, at, length, depth, 0, random_.between(6, 18)));
-      keep(station);
-      station += length + (random_.chance(0.3) ? random_.between(3, 6) : 0.0);
-    }
-  }
-
-  void add_park(double from, double to, double side) {
-    double station = from + 2;
-    while (station < to - 2) {
-      const Placement at = road_->at(station, side * random_.between(10, 26));
-      if (random_.chance(0.35)) {
-        add_tree(at.x, at.y, random_, fresh_);
-      } else {
-        add_bush(at.x, at.y, random_, fresh_);
-      }
-      keep(station);
-      station += random_.between(2, 6);
-    }
-  }
-
-  const Road* road_;
-  Random random_;
-  std::vector<Solid> fresh_;  // of which the station is not noted yet
-  std::vector<std::pair<double, Solid>> built_;
-};
+}
 
 }  // namespace
 
-City::City(std::uint64_t seed, double drive_m) : road_(-kSight - 60, drive_m + kSight + 300) {
-  Random random(seed, 1);
-  Builder builder(road_, seed);
-  double station = -kSight;
-  while (station < drive_m + kSight) {
-    // The first block ends 45 m ahead of the start: every drive meets a junction early.
-    const double length = junctions_.empty() ? kSight + 45 : random.between(80, 150);
-    builder.add_block(station, station + length);
-    const double junction = station + length + kHalfJunction;
-    builder.add_junction(junction);
-    junctions_.push_back(junction);
-    station = junction + kHalfJunction;
-  }
-  solids_ = builder.take();
-}
-
-void City::append_seen_from(double station, std::vector<Solid>& solids) const {
-  constexpr auto kStation = &std::pair<double, Solid>::first;
-  const auto first = std::ranges::lower_bound(solids_, station - kSight, {}, kStation);
-  const auto last = std::ranges::upper_bound(solids_, station + kSight, {}, kStation);
-  for (auto it = first; it != last; ++it) {
-    solids.push_back(it->second);
-  }
+Scene make_city(std::uint64_t seed, double drive_s) {
+  const double drive_m = kCruise.station_at(drive_s);
+  const Road road(kCourse, -kSight - 60, drive_m + kSight + 300);
+  CityStreet street = make_city_street(road, seed, drive_m);
+  Random random(seed, 3);
+  Traffic traffic;
+  add_companions(random, traffic);
+  add_walkers(drive_m, random, traffic);
+  add_oncomers(drive_m, drive_s, random, traffic);
+  add_crossers(street.junctions, random, traffic);
+  return {road, kCruise, std::move(street.landscape), std::move(traffic)};
 }
 
 }  // namespace iog::tools

@@ -24,11 +24,12 @@ struct Options {
   std::string truth;
   std::uint32_t truth_every = 25;
   std::string vehicle = kDefaultVehicle;
+  std::string scene = kDefaultScene;
 };
 
 void simulate(const Options& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
-  Drive drive(car, options.seed, options.seconds);
+  Drive drive(car, options.seed, options.seconds, find_scene(options.scene));
   PcapWriter capture(options.out);
   if (!options.truth.empty()) {
     make_folder(options.truth);
@@ -58,17 +59,19 @@ void simulate(const Options& options) {
 
 void add_simulate(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "simulate", "Make up a city drive and write what the car's scanners send as a capture");
+      "simulate", "Make up a drive and write what the car's scanners send as a capture");
   const auto options = std::make_shared<Options>();
   command->add_option("--out", options->out, "The capture to write (.pcap)")
       ->option_text("FILE  (required)")
       ->required();
-  command->add_option("--seed", options->seed, "Another seed, another city")
+  command->add_option("--seed", options->seed, "Another seed, another world")
       ->option_text("N  (default 1)")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--seconds", options->seconds, "Length of the drive, 25 frames a second")
       ->option_text("N  (1 to 600, default 10)")
       ->check(CLI::Range(1U, Drive::kMaxSeconds));
+  command->add_option("--scene", options->scene, scene_option_help())
+      ->option_text("NAME  (default city)");
   command->add_option("--vehicle", options->vehicle, vehicle_option_help())
       ->option_text("NAME  (default reference_car)");
   command
@@ -81,7 +84,7 @@ void add_simulate(CLI::App& program) {
       "The true occupancy has 1024 x 1024 cells of 0.1 m around the car, x to the right, y up: 0 "
       "where\n"
       "the cell's centre is covered by something within the vehicle's height band, 255 elsewhere.\n"
-      "The same seed, length and vehicle give the same bytes on every machine.\n"
+      "The same scene, seed, length and vehicle give the same bytes on every machine.\n"
       "Only ibeo LUX scanners are simulated.");
   command->callback([options] { simulate(*options); });
 }

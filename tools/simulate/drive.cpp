@@ -32,12 +32,12 @@ std::uint64_t stream_of(std::uint32_t frame, std::size_t sensor) {
 
 }  // namespace
 
-Drive::Drive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds)
+Drive::Drive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds,
+             const SceneEntry& scene)
     : car_(&car),
       seed_(seed),
       frame_count_(seconds * kFramesPerSecond),
-      city_(seed, ego_station(seconds)),
-      traffic_(city_, seed, seconds) {
+      scene_(scene.make(seed, seconds)) {
   for (const vehicle::SensorConfig& sensor : car.sensors) {
     if (sensor.format != lidar::Format::kIbeoLux) {
       throw UsageError("only ibeo LUX scanners are simulated, and " +
@@ -51,10 +51,9 @@ void Drive::move_to(std::uint32_t frame) {
   frame_ = frame;
   scan_end_us_ = kStartUs + (frame + 1) * kFramePeriodUs;
   const double time_s = static_cast<double>(frame) / kFramesPerSecond;
-  ego_ = traffic_.ego(time_s);
+  ego_ = scene_.ego_at(time_s);
   solids_.clear();
-  city_.append_seen_from(ego_.station, solids_);
-  traffic_.append_at(time_s, solids_);
+  scene_.append_seen_at(time_s, solids_);
 }
 
 LuxScan Drive::scan_of(std::size_t sensor) {

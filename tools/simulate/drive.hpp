@@ -6,9 +6,8 @@
 
 #include "tools/capture/datagram.hpp"
 #include "tools/catalogue/vehicle_catalogue.hpp"
-#include "tools/simulate/city.hpp"
 #include "tools/simulate/lux_scanner.hpp"
-#include "tools/simulate/traffic.hpp"
+#include "tools/simulate/scene_catalogue.hpp"
 
 namespace iog::tools {
 
@@ -17,9 +16,11 @@ class Drive {
   static constexpr std::uint32_t kFramesPerSecond = 25;
   static constexpr std::uint32_t kMaxSeconds = 600;
 
-  // car outlives the drive. UsageError if one of its sensors is not a LUX. The same seed and car
-  // make the same drive, and a longer one begins like a shorter one's world but with other traffic.
-  Drive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds);
+  // car outlives the drive. UsageError if one of its sensors is not a LUX. The same seed, car and
+  // scene make the same drive, and a longer one begins like a shorter one's world but with other
+  // traffic.
+  Drive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds,
+        const SceneEntry& scene = find_scene(kDefaultScene));
 
   [[nodiscard]] std::uint32_t frame_count() const { return frame_count_; }
 
@@ -39,8 +40,7 @@ class Drive {
   const CatalogueEntry* car_;
   std::uint64_t seed_;
   std::uint32_t frame_count_;
-  City city_;
-  Traffic traffic_;
+  Scene scene_;
   std::vector<LuxScanner> scanners_;
 
   std::uint32_t frame_ = 0;

@@ -21,6 +21,8 @@ double reach_of(Material material) {
     case Material::kCar:
       return 90;
     case Material::kPole:
+    case Material::kRail:
+    case Material::kBank:
       return 60;
     case Material::kPerson:
     case Material::kFoliage:

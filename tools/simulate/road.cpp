@@ -10,13 +10,16 @@ namespace {
 
 constexpr double kStep = 0.5;
 
-// Radians. The sharpest curve is that of 95 m radius: 0.25 * 2 pi / 310 + 0.15 * 2 pi / 173.
-double heading_at(double station) {
-  const double turn = 2 * numeric::kPi;
-  return 0.25 * numeric::sin(turn * station / 310) + 0.15 * numeric::sin(turn * station / 173);
-}
-
 }  // namespace
+
+double Course::heading_at(double station) const {
+  const double turn = 2 * numeric::kPi;
+  double heading = radians_per_metre * station;
+  for (const Swing& swing : swings) {
+    heading += swing.radians * numeric::sin(turn * station / swing.wavelength);
+  }
+  return heading;
+}
 
 std::vector<double> stations(double first_m, double end_m, double step_m) {
   std::vector<double> stations;
@@ -26,11 +29,11 @@ std::vector<double> stations(double first_m, double end_m, double step_m) {
   return stations;
 }
 
-Road::Road(double first_m, double last_m) : first_(first_m) {
+Road::Road(const Course& course, double first_m, double last_m) : course_(course), first_(first_m) {
   Point point{0, 0};
   for (const double station : stations(first_m, last_m + 2 * kStep, kStep)) {
     points_.push_back(point);
-    const double heading = heading_at(station + kStep / 2);
+    const double heading = course_.heading_at(station + kStep / 2);
     point.x += kStep * numeric::cos(heading);
     point.y += kStep * numeric::sin(heading);
   }
@@ -42,7 +45,7 @@ Placement Road::at(double station, double left) const {
   const double share = position - static_cast<double>(before);
   const Point& a = points_[before];
   const Point& b = points_[before + 1];
-  const double heading = heading_at(station);
+  const double heading = course_.heading_at(station);
   const Placement centre{.x = a.x + (b.x - a.x) * share,
                          .y = a.y + (b.y - a.y) * share,
                          .cos = numeric::cos(heading),

@@ -9,7 +9,17 @@
 namespace iog::tools {
 
 // What it is made of decides how far it is seen and what an echo of it looks like.
-enum class Material : std::uint8_t { kGround, kWall, kCar, kPole, kKerb, kPerson, kFoliage };
+enum class Material : std::uint8_t {
+  kGround,
+  kWall,
+  kCar,
+  kPole,
+  kKerb,
+  kPerson,
+  kFoliage,
+  kRail,
+  kBank
+};
 
 // Where something stands and which way it points.
 struct Placement {

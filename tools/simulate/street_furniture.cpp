@@ -24,7 +24,7 @@ CarShape some_car(Random& random) {
 
 void add_car(const CarShape& shape, const Placement& at, std::vector<Solid>& solids) {
   solids.push_back(
-      box(Material::kCar, at, shape.length, shape.width, kCarClearance, shape.bonnet_height));
+      box(Material::kCar, at, shape.length, shape.width, shape.clearance, shape.bonnet_height));
   if (shape.cabin_share > 0) {
     solids.push_back(box(Material::kCar, moved(at, -0.08 * shape.length, 0),
                          shape.cabin_share * shape.length, 0.9 * shape.width, shape.bonnet_height,

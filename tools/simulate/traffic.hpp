@@ -1,10 +1,11 @@
-// Everything in the simulated city that moves: the car itself, other cars, people on the pavement.
+// Everything in a simulated world that moves: the car itself, other cars, people on the pavement.
+//
+// Stations and `left` are those of the road, speeds are metres per second along it.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "tools/simulate/city.hpp"
+#include "tools/simulate/road.hpp"
 #include "tools/simulate/street_furniture.hpp"
 
 namespace iog::tools {
@@ -17,46 +18,62 @@ struct EgoPose {
   double station = 0;
 };
 
-// The way that the car has gone after so many seconds, in metres.
-[[nodiscard]] double ego_station(double time_s);
+// How the car itself drives: in one lane, in which it weaves, at a speed that swings about its
+// mean.
+struct Cruise {
+  double mean_speed;
+  double speed_swing;   // less than the mean
+  double swing_period;  // seconds
+  double left;          // the lane's middle
 
-class Traffic {
- public:
-  // city outlives the traffic.
-  Traffic(const City& city, std::uint64_t seed, double drive_s);
+  // The way that the car has gone after so many seconds.
+  [[nodiscard]] double station_at(double time_s) const;
 
-  [[nodiscard]] EgoPose ego(double time_s) const;
+  // When it comes to a station, at most 800 s after the start.
+  [[nodiscard]] double time_at(double station) const;
 
-  // Appends everything that moves and may be seen from the car at that time.
-  void append_at(double time_s, std::vector<Solid>& solids) const;
+  [[nodiscard]] EgoPose pose_at(const Road& road, double time_s) const;
+};
 
- private:
+struct Traffic {
+  // A car that stays by: ahead of the car itself, or behind it if that is negative.
+  struct Companion {
+    double ahead;
+    double swing;         // of that distance
+    double swing_period;  // seconds
+    double left;
+    CarShape shape;
+  };
+  // A car that drives on at its speed; against the road's direction if that is negative.
+  struct Car {
+    double station;  // at time 0
+    double left;
+    double speed;
+    CarShape shape;
+  };
+  // A car on a street that crosses the road.
+  struct Crosser {
+    double junction;  // station of its middle
+    double passes_s;  // when it is there
+    double left;      // of the middle of its own street
+    double speed;
+    double side;  // 1: from right to left, -1: from left to right
+    CarShape shape;
+  };
   struct Walker {
     double station;  // at time 0
     double left;
-    double speed;  // metres per second along the road
-  };
-  struct Oncomer {
-    double station;  // at time 0
-    CarShape shape;
-  };
-  struct Crosser {
-    double junction;
-    double passes_s;  // when it is in the middle of the junction
-    double side;      // 1: from right to left
-    CarShape shape;
+    double speed;
   };
 
-  void append_followers(double time_s, std::vector<Solid>& solids) const;
-  void append_crossers(double time_s, std::vector<Solid>& solids) const;
-  [[nodiscard]] bool is_seen(double station, double time_s) const;
+  std::vector<Companion> companions;
+  std::vector<Crosser> crossers;
+  std::vector<Car> cars;
+  std::vector<Walker> walkers;
 
-  const City* city_;
-  CarShape leader_;
-  CarShape follower_;
-  std::vector<Walker> walkers_;
-  std::vector<Oncomer> oncomers_;
-  std::vector<Crosser> crossers_;
+  // Appends everything that may be seen from that station at that time.
+  void append_seen_from(double station, const Road& road, double time_s,
+                        std::vector<Solid>& solids) const;
 };
 
 }  // namespace iog::tools

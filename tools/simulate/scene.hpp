@@ -1,0 +1,28 @@
+// A scene of the simulator: a road, what stands along it, and how everything on it moves. Each
+// scene has files of its own that make it (city.hpp, ring_road.hpp); the simulator knows no more of
+// it.
+#pragma once
+
+#include "tools/simulate/landscape.hpp"
+#include "tools/simulate/road.hpp"
+#include "tools/simulate/traffic.hpp"
+
+namespace iog::tools {
+
+struct Scene {
+  Road road;
+  Cruise cruise;
+  Landscape landscape;
+  Traffic traffic;
+
+  [[nodiscard]] EgoPose ego_at(double time_s) const { return cruise.pose_at(road, time_s); }
+
+  // Appends everything that may be seen from the car at that time.
+  void append_seen_at(double time_s, std::vector<Solid>& solids) const {
+    const double station = cruise.station_at(time_s);
+    landscape.append_seen_from(station, solids);
+    traffic.append_seen_from(station, road, time_s, solids);
+  }
+};
+
+}  // namespace iog::tools
