@@ -51,6 +51,7 @@ std::vector<Cell> cells_like_mrpt(Cell from, Cell to) {
     return extent < 0 ? -rounded : rounded;
   };
   std::vector<Cell> cells;
+  cells.reserve(static_cast<std::size_t>(count) + 1);
   for (std::int32_t i = 0; i < count; ++i) {
     cells.push_back({from.x + numeric::div_floor(i * step(to.x - from.x), kOne),
                      from.y + numeric::div_floor(i * step(to.y - from.y), kOne)});
@@ -63,9 +64,10 @@ std::vector<Cell> cells_like_mrpt(Cell from, Cell to) {
 // is ordered to run to the right and mirrored to run upwards: the centres' mirror images are
 // centres. At the border of a column it has risen height * (border - left) / width.
 std::vector<Cell> cells_like_cartographer(CellPoint<double> start, CellPoint<double> end) {
-  constexpr std::int64_t kCell = 2000;
+  constexpr std::int64_t kThousandths = 1000;
+  constexpr std::int64_t kCell = 2 * kThousandths;
   const auto centre = [](double cells) {
-    return 2 * static_cast<std::int64_t>(std::floor(cells * (kCell / 2))) + 1;
+    return 2 * static_cast<std::int64_t>(std::floor(cells * kThousandths)) + 1;
   };
   if (end.x < start.x) {
     std::swap(start, end);

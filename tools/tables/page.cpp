@@ -17,12 +17,14 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::array<NamedSection, 6> kSections{{
+constexpr std::array<NamedSection, 8> kSections{{
     {"recursive_sets", recursive_sets},
     {"inverse_sensor_model", inverse_sensor_model},
     {"profiles", profiles},
+    {"traversal_accuracy", traversal_accuracy},
     {"output_rates", output_rates},
     {"numerical_quality", numerical_quality},
+    {"many_core", many_core},
     {"order_of_fusion", order_of_fusion},
 }};
 

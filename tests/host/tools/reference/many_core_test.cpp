@@ -75,9 +75,10 @@ Scene random_scene(tests::Random& random) {
 // 'o' likely occupied, '.' likely empty, ' ' unknown; the highest y first.
 std::string map_of(const PlaneGrid& grid, const std::vector<double>& probabilities) {
   std::string map;
-  for (std::int32_t row = grid.rows - 1; row >= 0; --row) {
-    for (std::int32_t column = 0; column < grid.columns; ++column) {
-      const double p = probabilities[static_cast<std::size_t>(row * grid.columns + column)];
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  for (auto row = static_cast<std::size_t>(grid.rows); row-- > 0;) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const double p = probabilities[row * columns + column];
       map += p > 0.5 ? 'o' : p < 0.5 ? '.' : ' ';
     }
     map += '\n';
