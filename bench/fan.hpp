@@ -28,8 +28,8 @@ struct BeamEnd {
   constexpr numeric::SineTable kHalfDegrees = numeric::kSineTable<720>;
   std::array<BeamEnd, kBeamCount> fan{};
   for (std::uint32_t beam = 0; beam < kBeamCount; ++beam) {
-    fan[beam] = {std::int64_t{kReachCells} * kHalfDegrees.cosine(beam),
-                 std::int64_t{kReachCells} * kHalfDegrees.sine(beam)};
+    fan[beam].x = std::int64_t{kReachCells} * kHalfDegrees.cosine(beam);
+    fan[beam].y = std::int64_t{kReachCells} * kHalfDegrees.sine(beam);
   }
   return fan;
 }

@@ -140,6 +140,7 @@ int main(int argc, char** argv) {
   const std::size_t all = iog::vehicles::kVehicle.sensors.size();
   const std::size_t sensors = argc == 3 ? iog::bench::sensors_in(argv[2]) : all;
   if (argc < 2 || argc > 3 || sensors == 0) {
+    // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
     std::printf("frame_cost: expected a capture, and 1 to %u for so many of the sensors\n", all);
     return 2;
   }

@@ -46,12 +46,12 @@ constexpr vehicle::Vehicle kVehicle = two_lux();
 constexpr std::size_t kLayers = reference::LuxScans::kLayers;
 constexpr std::size_t kMaxCells = 500 * 300;
 
-constexpr reference::PlaneGrid plane(double cell_m) {
+constexpr reference::PlaneGrid plane(std::int32_t cell_mm) {
   return {.x_min_m = 0,
           .y_min_m = -15,
-          .cell_m = cell_m,
-          .columns = static_cast<std::int32_t>(50 / cell_m + 0.5),
-          .rows = static_cast<std::int32_t>(30 / cell_m + 0.5)};
+          .cell_m = cell_mm / 1000.0,
+          .columns = 50'000 / cell_mm,
+          .rows = 30'000 / cell_mm};
 }
 
 // The scans of both sensors.
@@ -79,15 +79,16 @@ void print(const char* key, std::uint64_t value) {
 }
 
 template <typename Approach>
-void measure_approach(InstructionCounter& counter, const char* name, double cell_m,
+void measure_approach(InstructionCounter& counter, const char* name, std::int32_t cell_mm,
                       Approach&& approach) {
   static std::array<double, kMaxCells> probabilities;
-  const reference::PlaneGrid grid = plane(cell_m);
+  const reference::PlaneGrid grid = plane(cell_mm);
   const std::span cells = std::span(probabilities).first(grid.cells());
   const std::uint32_t start = counter.now();
   const reference::Operations operations = approach(grid, cells);
   const std::uint32_t instructions = counter.now() - start - counter.of_nothing();
-  std::printf("many_core approach=%s cell_mm=%d", name, static_cast<int>(cell_m * 1000 + 0.5));
+  std::printf("many_core approach=%s", name);
+  print("cell_mm", static_cast<std::uint64_t>(cell_mm));
   print("cells", grid.cells());
   print("searches", operations.searches);
   print("models", operations.models);
@@ -106,7 +107,8 @@ void measure_product(InstructionCounter& counter, std::span<const SensorPoint> p
   }
   fusion.finish();
   const std::uint32_t instructions = counter.now() - start - counter.of_nothing();
-  std::printf("many_core approach=integer cell_mm=%d", static_cast<int>(vehicle::kCellMm));
+  std::printf("many_core approach=integer");
+  print("cell_mm", vehicle::kCellMm);
   print("cells", grid::kCellCount);
   print("points", points.size());
   print("points_used", used);
@@ -130,11 +132,11 @@ int run(const char* path) {
   play(capture, kVehicle, counter, frame);
   static const Scans scans(frame.points());
   static const reference::AnalyticModel model = reference::lux_model();
-  for (const double cell_m : {0.1, 0.2}) {
-    measure_approach(counter, "cbc", cell_m, [&](const auto& grid, std::span<double> cells) {
+  for (const std::int32_t cell_mm : {100, 200}) {
+    measure_approach(counter, "cbc", cell_mm, [&](const auto& grid, std::span<double> cells) {
       return reference::cell_by_cell(grid, scans.all(), model, cells);
     });
-    measure_approach(counter, "bbb", cell_m, [&](const auto& grid, std::span<double> cells) {
+    measure_approach(counter, "bbb", cell_mm, [&](const auto& grid, std::span<double> cells) {
       return reference::beam_by_beam(grid, scans.all(), model, reference::kLuxStopBehindM, cells);
     });
   }

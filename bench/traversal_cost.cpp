@@ -7,8 +7,10 @@
 #include "instruction_counter.hpp"
 #include "walk_cost.hpp"
 
-int main() {
-  using namespace iog::bench;
+namespace iog::bench {
+namespace {
+
+int run() {
   static InstructionCounter counter;
   counter.start();
   if (!counter.is_exact()) {
@@ -23,3 +25,8 @@ int main() {
   }
   return 0;
 }
+
+}  // namespace
+}  // namespace iog::bench
+
+int main() { return iog::bench::run(); }

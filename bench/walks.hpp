@@ -89,8 +89,9 @@ class ContinuousWalk {
 
  private:
   [[nodiscard]] std::size_t offset() const {
-    return static_cast<std::size_t>(static_cast<std::int32_t>(y_) * kFanStride +
-                                    static_cast<std::int32_t>(x_));
+    const std::int32_t place =
+        static_cast<std::int32_t>(y_) * kFanStride + static_cast<std::int32_t>(x_);
+    return static_cast<std::size_t>(place);
   }
 
   Real x_ = 0;

@@ -65,11 +65,7 @@ Frame frame_of(const PaperRate& paper) {
 }
 
 std::vector<Frame> frames_of_table_4_4() {
-  std::vector<Frame> frames;
-  for (const PaperRate& paper : kTable44) {
-    frames.push_back(frame_of(paper));
-  }
-  return frames;
+  return {frame_of(kTable44[0]), frame_of(kTable44[1]), frame_of(kTable44[2])};
 }
 
 double hz(double instructions, double per_cycle) { return kClockHz * per_cycle / instructions; }
@@ -128,6 +124,7 @@ std::vector<Claim> claims_on_metric(const Frame& frame) {
 
 void print_instructions(const std::vector<Frame>& frames, Markdown& body) {
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(frames.size());
   for (const Frame& frame : frames) {
     rows.push_back({std::to_string(frame.sensors), grouped(frame.points),
                     grouped(frame.points_used), grouped(frame.cells), grouped(frame.fused),
