@@ -44,7 +44,7 @@ class PointReader {
 class FrameCutter {
  public:
   explicit FrameCutter(const CatalogueEntry& car)
-      : car_(&car), engine_(*car.vehicle, kReplayer, 0), reader_(*car.vehicle) {}
+      : engine_(*car.vehicle, kReplayer, 0), car_(&car), reader_(*car.vehicle) {}
 
   void take(const CapturedDatagram& datagram) {
     using Inspection = app::FrameEngine::Inspection;
@@ -88,13 +88,13 @@ class FrameCutter {
     engine_.start_next(now_us);
   }
 
-  const CatalogueEntry* car_;
   app::FrameEngine engine_;
+  const CatalogueEntry* car_;
   PointReader reader_;
   CaptureClock clock_;
-  bool has_evidence_ = false;
   FramePoints points_;
   std::vector<FramePoints> frames_;
+  bool has_evidence_ = false;
 };
 
 }  // namespace

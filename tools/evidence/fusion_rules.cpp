@@ -11,7 +11,7 @@ namespace {
 
 template <typename Value>
 Value at(const ByStep<Value>& values, std::int8_t step) {
-  return values[static_cast<std::size_t>(step + kFarSteps)];
+  return values[slot_of(step)];
 }
 
 std::vector<std::int32_t> fuse_in_order(const FrameEvidence& evidence,

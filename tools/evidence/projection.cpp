@@ -30,7 +30,6 @@ using vehicle::Sensor;
 
 constexpr Share kWholeLine{1, 1};
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-constexpr auto kSlots = 2 * std::size_t{kFarSteps} + 1;
 
 // A number that does not fall along a beam.
 struct Reading {
@@ -51,7 +50,8 @@ struct Plan {
   std::int64_t carve_end = 0;
   bool marks = false;
   Reading reading;
-  std::array<std::int64_t, kSlots> step_end{};  // by step + kFarSteps: readings below are that step
+  std::array<std::int64_t, kStepCount>
+      step_end{};  // by slot_of(step): readings below are that step
 };
 
 // The places of a path: borders crossed, or steps of the longer axis.
@@ -116,8 +116,7 @@ void read_centres(const Sensor& sensor, const BeamLine& line, std::uint32_t k, P
   const std::int64_t x = line.x().length();
   const std::int64_t y = line.y().length();
   for (int step = -kFarSteps; step <= kFarSteps; ++step) {
-    plan.step_end[static_cast<std::size_t>(step + kFarSteps)] =
-        cells_to(k, step) * sensor.precision_mm * 2 * (x * x + y * y);
+    plan.step_end[slot_of(step)] = cells_to(k, step) * sensor.precision_mm * 2 * (x * x + y * y);
   }
 }
 
@@ -126,8 +125,7 @@ void read_entries(const Sensor& sensor, const Places& places, std::uint32_t k, P
   plan.reading = plan.place;
   for (int step = -kFarSteps; step <= kFarSteps; ++step) {
     const std::int64_t cells = cells_to(k, step);
-    plan.step_end[static_cast<std::size_t>(step + kFarSteps)] =
-        cells <= 0 ? 0 : places.end_before(end_of(sensor, cells));
+    plan.step_end[slot_of(step)] = cells <= 0 ? 0 : places.end_before(end_of(sensor, cells));
   }
 }
 
@@ -138,13 +136,12 @@ void read_as_contract(const Sensor& sensor, const Places& places, std::uint32_t 
   read_entries(sensor, places, k, plan);
   for (int step = -kFarSteps; step < -1; ++step) {
     const std::int64_t cells = cells_to(k, step);
-    plan.step_end[static_cast<std::size_t>(step + kFarSteps)] =
-        cells < 0 ? 0 : places.through(end_of(sensor, cells));
+    plan.step_end[slot_of(step)] = cells < 0 ? 0 : places.through(end_of(sensor, cells));
   }
   const bool in_range = range_mm <= sensor.range.mm();
   const std::int64_t hit = in_range ? places.through({range_mm, sensor.range.mm()}) : kNever - 1;
-  plan.step_end[kFarSteps - 1] = hit;
-  plan.step_end[kFarSteps] = hit + 1;
+  plan.step_end[slot_of(-1)] = hit;
+  plan.step_end[slot_of(0)] = hit + 1;
 }
 
 // The places that a beam may carve: up to its reach, inside the height band.
@@ -160,7 +157,8 @@ void limit_carving(const vehicle::Vehicle& vehicle, const Sensor& sensor, const 
 
 // No step of a scan point here lies further behind it than this.
 std::uint64_t far_mm(const Sensor& sensor, std::uint32_t range_mm) {
-  return range_mm + std::uint64_t{kFarSteps + 2} * sensor.precision_mm + 2 * vehicle::kCellMm;
+  return range_mm + std::uint64_t{kFarSteps + 2} * sensor.precision_mm +
+         std::uint64_t{2} * vehicle::kCellMm;
 }
 
 Plan plan_of_point(const Sensor& sensor, const BeamLine& line, const Places& places,
@@ -227,10 +225,10 @@ void read_path(const Cells& path, const Plan& plan, std::vector<CellEvidence>& e
     const std::int64_t column = offset % grid::kStride;
     const std::int64_t row = offset / grid::kStride;
     const std::int64_t reading = plan.reading.of(column, row);
-    while (slot < kSlots && reading >= plan.step_end[slot]) {
+    while (slot < kStepCount && reading >= plan.step_end[slot]) {
       ++slot;
     }
-    if (slot == kSlots) {
+    if (slot == kStepCount) {
       return;
     }
     const int step = static_cast<int>(slot) - kFarSteps;

@@ -34,6 +34,12 @@ struct Geometry {
 // behind it are not in the evidence, as nothing is known of them.
 inline constexpr int kFarSteps = 12;
 
+// What belongs to steps is kept in their order, from -kFarSteps on.
+inline constexpr std::size_t kStepCount = 2 * std::size_t{kFarSteps} + 1;
+[[nodiscard]] constexpr std::size_t slot_of(int step) {
+  return static_cast<std::size_t>(std::ptrdiff_t{step} + kFarSteps);
+}
+
 // What one beam says of one cell.
 struct CellEvidence {
   std::uint32_t cell;  // y * grid::kStride + x

@@ -19,7 +19,7 @@ ByStep<double> probabilities(const ModelConfig& config) {
   ByStep<double> values{};
   for (int step = -kFarSteps; step <= kFarSteps; ++step) {
     const double probability = reference::theorem_6(likelihoods, k + step).probability;
-    values[static_cast<std::size_t>(step + kFarSteps)] = std::max(probability, config.floor);
+    values[slot_of(step)] = std::max(probability, config.floor);
   }
   return values;
 }

@@ -11,9 +11,9 @@
 
 namespace iog::tools {
 
-// By step + kFarSteps.
+// By slot_of(step).
 template <typename Value>
-using ByStep = std::array<Value, 2 * std::size_t{kFarSteps} + 1>;
+using ByStep = std::array<Value, kStepCount>;
 
 struct ModelConfig {
   double sigma_m = 0.10;

@@ -59,7 +59,7 @@ QuantisedModel::QuantisedModel(const ByStep<double>& model, double of_epsilon,
       log_odds_step(2 * std::atanh(2 * of_epsilon)) {}
 
 double QuantisedModel::error_at(const ByStep<double>& model, int step) const {
-  const auto slot = static_cast<std::size_t>(step + kFarSteps);
+  const std::size_t slot = slot_of(step);
   return std::abs(reference::probability_of_log_odds(values[slot] * log_odds_step) - model[slot]);
 }
 

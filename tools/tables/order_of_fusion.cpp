@@ -93,7 +93,7 @@ struct Drives {
 void count_signs(const FrameEvidence& evidence, Outcome& outcome) {
   std::vector<std::uint8_t> signs(grid::kCellCount);
   for (const CellEvidence& seen : evidence.cells) {
-    const std::int32_t value = outcome.values[static_cast<std::size_t>(seen.step + kFarSteps)];
+    const std::int32_t value = outcome.values[slot_of(seen.step)];
     const unsigned sign = value < 0 ? 1U : 2U;
     signs[seen.cell] |= static_cast<std::uint8_t>(value == 0 ? 0U : sign);
   }

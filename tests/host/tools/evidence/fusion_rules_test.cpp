@@ -19,7 +19,7 @@ constexpr std::int8_t kFree = -kFarSteps;
 ByStep<std::int32_t> table_4_3() {
   ByStep<std::int32_t> values{};
   for (int step = -kFarSteps; step <= -3; ++step) {
-    values[static_cast<std::size_t>(step + kFarSteps)] = -14;
+    values[slot_of(step)] = -14;
   }
   values[kFarSteps - 2] = -7;
   values[kFarSteps] = 2;

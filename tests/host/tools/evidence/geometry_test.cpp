@@ -99,14 +99,13 @@ std::vector<Cell> crossed_cells(const Shot& shot) {
   return cells;
 }
 
-// floor(d L / Delta) of the projection d of the cell's centre on the line, counted in 1D cells up
-// and down from 0 until the centre lies in it.
+// floor(d L / Delta) of the share d of the line at which the cell's centre projects on it.
 std::int64_t cell_1d_of_centre(const Shot& shot, Cell cell) {
   const std::int64_t wx = std::int64_t{shot.end.x} - shot.sensor.origin.x;
   const std::int64_t wy = std::int64_t{shot.end.y} - shot.sensor.origin.y;
   const std::int64_t along =
-      (2 * std::int64_t{cell.x} * kResolution + kResolution - 2 * shot.sensor.origin.x) * wx +
-      (2 * std::int64_t{cell.y} * kResolution + kResolution - 2 * shot.sensor.origin.y) * wy;
+      ((2 * std::int64_t{cell.x} + 1) * kResolution - std::int64_t{2} * shot.sensor.origin.x) * wx +
+      ((2 * std::int64_t{cell.y} + 1) * kResolution - std::int64_t{2} * shot.sensor.origin.y) * wy;
   return numeric::div_floor(along * kCellsPerLine, 2 * (wx * wx + wy * wy));
 }
 
@@ -120,6 +119,7 @@ TEST(Geometry, CrossedCellsAreReadAtTheirCentres) {
   for (const Shot& shot : shots(tests::MidCellLux::kVehicle, 11, 25)) {
     const std::vector<Cell> path = crossed_cells(shot);
     std::vector<std::int64_t> cells_1d;
+    cells_1d.reserve(path.size());
     for (const Cell cell : path) {
       cells_1d.push_back(cell_1d_of_centre(shot, cell));
     }
@@ -131,6 +131,7 @@ TEST(Geometry, CrossedCellsAreReadWhereTheLineEnters) {
   for (const Shot& shot : shots(tests::MidCellLux::kVehicle, 12, 25)) {
     const std::vector<Cell> path = crossed_cells(shot);
     std::vector<std::int64_t> cells_1d;
+    cells_1d.reserve(path.size());
     for (const Cell cell : path) {
       cells_1d.push_back(
           cell_1d_of_share(tests::cross(shot.sensor.origin, shot.end, cell, kResolution)->enter));
@@ -166,6 +167,7 @@ TEST(Geometry, BresenhamsCellsAreReadAtTheirCentres) {
   for (const Shot& shot : shots(tests::MidCellLux::kVehicle, 13, 200)) {
     const Bresenham bresenham(shot);
     std::vector<std::int64_t> cells_1d;
+    cells_1d.reserve(bresenham.path.size());
     for (const Cell cell : bresenham.path) {
       cells_1d.push_back(cell_1d_of_centre(shot, cell));
     }
@@ -187,6 +189,7 @@ TEST(Geometry, BresenhamsCellsAreEnteredAtTheBordersOfTheLongerAxis) {
   for (const Shot& shot : shots(tests::MidCellLux::kVehicle, 14, 200)) {
     const Bresenham bresenham(shot);
     std::vector<std::int64_t> cells_1d;
+    cells_1d.reserve(bresenham.path.size());
     for (std::size_t i = 0; i < bresenham.path.size(); ++i) {
       cells_1d.push_back(
           cell_1d_of_share(border(shot, bresenham.is_steep, static_cast<std::int64_t>(i))));
@@ -202,6 +205,7 @@ TEST(Geometry, UnderTheContractOneCellOfBresenhamsIsMarked) {
     const Bresenham bresenham(shot);
     const Rational hit{shot.point.range_mm, 50'000};
     std::vector<std::int64_t> cells_1d;
+    cells_1d.reserve(bresenham.path.size());
     for (std::size_t i = 0; i < bresenham.path.size(); ++i) {
       const auto n = static_cast<std::int64_t>(i);
       const Rational enter = border(shot, bresenham.is_steep, n);

@@ -12,7 +12,7 @@ namespace {
 
 template <typename Value>
 Value at(const ByStep<Value>& values, int step) {
-  return values[static_cast<std::size_t>(step + kFarSteps)];
+  return values[slot_of(step)];
 }
 
 // Table 4.3, and below k - 2 the floor of section 4.3.1.1.
