@@ -17,7 +17,7 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::array<NamedSection, 8> kSections{{
+constexpr auto kSections = std::to_array<NamedSection>({
     {"recursive_sets", recursive_sets},
     {"inverse_sensor_model", inverse_sensor_model},
     {"profiles", profiles},
@@ -26,7 +26,7 @@ constexpr std::array<NamedSection, 8> kSections{{
     {"numerical_quality", numerical_quality},
     {"many_core", many_core},
     {"order_of_fusion", order_of_fusion},
-}};
+});
 
 std::string command_of(const TablesInput& input) {
   return "iog tables --seed " + std::to_string(input.seed) + " --seconds " +
