@@ -105,7 +105,7 @@ TEST(IndexRules, WithoutSaturationSequentialIsBayes) {
 // of bayes, which has exchanged them all, gives the most. And no order shows in the two rules.
 TEST(IndexRules, BayesIsTheMostThatAnyOrderGives) {
   tests::Random random(4);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 8; ++round) {
     FrameEvidence evidence;
     for (int i = 0; i < 2'000; ++i) {
       evidence.cells.push_back({static_cast<std::uint32_t>(random.between(0, 9)),
