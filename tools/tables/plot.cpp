@@ -148,7 +148,8 @@ std::string axes_of(const Plot& plot) {
   std::string text = "set xlabel " + quoted(plot.x_label) + " noenhanced\nset ylabel " +
                      quoted(plot.y_label) + " noenhanced\n";
   if (plot.has_log_x) {
-    text += log_axis(plot, 'x');
+    // Not on to the next power of ten, where no data are.
+    text += log_axis(plot, 'x') + "set autoscale xfix\n";
   }
   if (plot.has_log_y) {
     text += log_axis(plot, 'y');
