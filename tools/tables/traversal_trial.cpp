@@ -91,19 +91,14 @@ Cells walk_subcells(Beam beam, Rounding rounding) {
 }
 
 // The resolution is a constant of the walk's code: one instance for each.
+using SubcellWalk = Cells (*)(Beam, Rounding);
+
 template <std::size_t... kIndex>
-CellWalk discrete_walk_of(int resolution, Rounding rounding, std::index_sequence<kIndex...>) {
-  CellWalk walk;
-  const auto take = [&]<std::int32_t kResolution>() {
-    if (resolution == kResolution) {
-      walk = [rounding](CellPoint start, CellPoint end) {
-        return walk_subcells<kResolution>({start, end}, rounding);
-      };
-    }
-  };
-  (take.template operator()<kResolutions[kIndex]>(), ...);
-  return walk;
+constexpr std::array<SubcellWalk, sizeof...(kIndex)> walks_of(std::index_sequence<kIndex...>) {
+  return {walk_subcells<kResolutions[kIndex]>...};
 }
+
+constexpr auto kWalks = walks_of(std::make_index_sequence<kResolutions.size()>{});
 
 }  // namespace
 
@@ -126,7 +121,11 @@ Coverage cover(const CellWalk& walk, Stand stand, Beams beams) {
 }
 
 CellWalk discrete_walk(int resolution, Rounding rounding) {
-  return discrete_walk_of(resolution, rounding, std::make_index_sequence<kResolutions.size()>{});
+  const auto place = std::ranges::find(kResolutions, resolution) - kResolutions.begin();
+  return [walk = kWalks.at(static_cast<std::size_t>(place)), rounding](CellPoint start,
+                                                                       CellPoint end) {
+    return walk({start, end}, rounding);
+  };
 }
 
 // The error across a beam is a U - b V, where a and b are the larger and the smaller of |cosine|
