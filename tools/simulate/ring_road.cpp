@@ -26,7 +26,7 @@ constexpr Cruise kCruise{
 // From the fast lane to the slow one.
 constexpr std::array kLaneSpeeds{33.0, 29.0, 25.0};
 constexpr double kNearest = 90;  // between two cars of one lane
-constexpr double kFarthest = 270;
+constexpr double kFarthest = 250;
 
 CarShape some_vehicle(std::size_t lane, Random& random) {
   return lane == kSlowLane && random.chance(0.4) ? kLorry : some_car(random);
