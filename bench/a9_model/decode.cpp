@@ -1,11 +1,11 @@
 #include "decode.hpp"
 
-#include "decode_core.hpp"
+#include "decode_spaces.hpp"
 
 namespace iog::a9_model {
 namespace {
 
-using namespace core;  // NOLINT(google-build-using-namespace): this file is the core's top
+using namespace spaces;  // NOLINT(google-build-using-namespace): they are this file's own
 
 constexpr std::uint32_t kAlways = 0xe;
 constexpr std::uint32_t kUnconditional = 0xf;
@@ -18,12 +18,12 @@ Instruction miscellaneous(std::uint32_t word) {
       Instruction result = of(Kind::kSystem);
       if (!bit(word, 21)) {  // MRS
         result.kind = Kind::kMove;
-        result.reads = register_bit(kFlags);
+        result.reads = core_bit(kFlags);
         result.writes = field(word, 12);
       } else if (bits(word, 17, 16) == 0 && opcode == 1) {  // MSR of the flags alone
         result.kind = Kind::kMove;
         result.reads = field(word, 0);
-        result.writes = register_bit(kFlags);
+        result.writes = core_bit(kFlags);
       }
       return result;
     }
@@ -42,7 +42,7 @@ Instruction miscellaneous(std::uint32_t word) {
     case 3: {  // BLX to a register
       Instruction result = of(opcode == 1 ? Kind::kBranch : Kind::kUnknown);
       result.reads = field(word, 0);
-      result.writes = register_bit(kLinkRegister);
+      result.writes = core_bit(kLinkRegister);
       result.flow = Flow::kIndirectCall;
       return result;
     }
@@ -91,7 +91,7 @@ Instruction decode_immediate(std::uint32_t word) {
       }
     } else if (op == 0x12 && bits(word, 17, 16) == 0) {
       result.kind = Kind::kMove;
-      result.writes = register_bit(kFlags);
+      result.writes = core_bit(kFlags);
     }
     return result;
   }
@@ -101,7 +101,7 @@ Instruction decode_immediate(std::uint32_t word) {
 Instruction decode_branch(std::uint32_t word) {
   Instruction result = of(Kind::kBranch);
   result.flow = bit(word, 24) ? Flow::kCall : Flow::kJump;
-  result.writes = bit(word, 24) ? register_bit(kLinkRegister) : 0;
+  result.writes = bit(word, 24) ? core_bit(kLinkRegister) : 0;
   return result;
 }
 
@@ -140,7 +140,7 @@ Instruction decode(std::uint32_t word) {
   }
   Instruction result;
   if (in_vector_space) {
-    result = decode_vector(word);
+    result = condition == kUnconditional ? simd(word) : vfp(word);
   } else {
     switch (bits(word, 27, 25)) {
       case 0:
@@ -169,9 +169,10 @@ Instruction decode(std::uint32_t word) {
   result.conditional = condition < kAlways;
   if (result.conditional) {
     // What is not executed leaves the old value, which is therefore an operand.
-    result.reads |= register_bit(kFlags);
+    result.reads |= core_bit(kFlags);
     const bool is_memory = result.kind >= Kind::kLoad && result.kind <= Kind::kVectorStore;
-    result.reads |= is_memory ? 0 : result.writes & ~register_bit(kProgramCounter);
+    result.reads |= is_memory ? 0 : result.writes & ~core_bit(kProgramCounter);
+    result.vector_reads |= is_memory ? 0 : result.vector_writes;
   }
   return result;
 }

@@ -13,9 +13,6 @@ namespace iog::a9_model {
 
 Instruction decode(std::uint32_t word);
 
-// The part of decode() for coprocessors 10 and 11 and the Advanced SIMD space.
-Instruction decode_vector(std::uint32_t word);
-
 constexpr std::uint32_t bits(std::uint32_t word, unsigned high, unsigned low) {
   return (word >> low) & ((2u << (high - low)) - 1);
 }

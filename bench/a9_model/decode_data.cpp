@@ -1,14 +1,14 @@
 // Data processing, multiplication and media instructions of the core.
-#include "decode_core.hpp"
+#include "decode_spaces.hpp"
 
-namespace iog::a9_model::core {
+namespace iog::a9_model::spaces {
 
 // ARM ARM A5.2.1 to A5.2.3: AND, EOR, SUB, ... MVN.
 Instruction data_processing(std::uint32_t word) {
   const std::uint32_t opcode = bits(word, 24, 21);
   const bool immediate = bit(word, 25);
   const bool by_register = !immediate && bit(word, 4);
-  const bool shifted = !immediate && (by_register || !bits(word, 11, 5) == 0);
+  const bool shifted = !immediate && (by_register || bits(word, 11, 5) != 0);
   const bool is_move = opcode == 13;
   const bool only_flags = (opcode & 0xc) == 8;
   const bool uses_carry = opcode >= 5 && opcode <= 7;
@@ -25,11 +25,11 @@ Instruction data_processing(std::uint32_t word) {
     result.reads |= field(word, 16);
   }
   if (uses_carry) {
-    result.reads |= register_bit(kFlags);
+    result.reads |= core_bit(kFlags);
   }
   result.writes = only_flags ? 0 : field(word, 12);
   if (bit(word, 20)) {
-    result.writes |= register_bit(kFlags);
+    result.writes |= core_bit(kFlags);
   }
   note_jump(result, is_move && !shifted && bits(word, 3, 0) == kLinkRegister);
   return result;
@@ -50,7 +50,7 @@ Instruction multiply(std::uint32_t word) {
     result.reads |= field(word, 12);
   }
   if (opcode != 4 && opcode != 6 && bit(word, 20)) {
-    result.writes |= register_bit(kFlags);
+    result.writes |= core_bit(kFlags);
   }
   return result;
 }
@@ -67,7 +67,7 @@ Instruction halfword_multiply(std::uint32_t word) {
     result.reads |= field(word, 12) | field(word, 16);
   } else if (!only_product) {
     result.reads |= field(word, 12);
-    result.writes |= register_bit(kFlags);  // Q
+    result.writes |= core_bit(kFlags);  // Q
   }
   return result;
 }
@@ -81,7 +81,7 @@ Instruction parallel(std::uint32_t word) {
   result.reads = field(word, 0) | field(word, 16);
   result.writes = field(word, 12);
   if (bits(word, 21, 20) == 1) {
-    result.writes |= register_bit(kFlags);  // GE
+    result.writes |= core_bit(kFlags);  // GE
   }
   return result;
 }
@@ -108,7 +108,7 @@ Instruction pack_saturate_reverse(std::uint32_t word) {
     result.fast_forward = true;
   } else if (op2 == 5 && op1 == 0) {  // SEL
     result.kind = Kind::kAlu;
-    result.reads |= field(word, 16) | register_bit(kFlags);
+    result.reads |= field(word, 16) | core_bit(kFlags);
   } else if ((op2 == 1 || op2 == 5) && (op1 & 2) != 0) {  // REV, REV16, RBIT, REVSH
     result.kind = Kind::kMove;
   } else {
@@ -166,4 +166,4 @@ Instruction media(std::uint32_t word) {
   return result;
 }
 
-}  // namespace iog::a9_model::core
+}  // namespace iog::a9_model::spaces

@@ -1,7 +1,7 @@
 // Loads and stores of the core registers.
-#include "decode_core.hpp"
+#include "decode_spaces.hpp"
 
-namespace iog::a9_model::core {
+namespace iog::a9_model::spaces {
 namespace {
 
 void set_base(Instruction& result, std::uint32_t word, bool writes_back) {
@@ -32,7 +32,7 @@ Instruction extra_load_store(std::uint32_t word) {
   const bool is_double = !bit(word, 20) && op2 >= 2;
   const bool loads = bit(word, 20) || op2 == 2;
   Instruction result;
-  const RegisterSet data = field(word, 12) | (is_double ? field(word, 12) << 1 : 0);
+  const CoreSet data = field(word, 12) | (is_double ? field(word, 12) << 1 : 0);
   if (loads) {
     result.kind = is_double ? Kind::kLoadMultiple : Kind::kLoadNarrow;
     result.writes = data;
@@ -74,7 +74,7 @@ Instruction load_store(std::uint32_t word) {
 // A5.5 where bit 25 is 0: LDM and STM. One that loads the program counter from the stack returns.
 Instruction load_store_multiple(std::uint32_t word) {
   Instruction result;
-  const RegisterSet list = bits(word, 15, 0);
+  const CoreSet list = bits(word, 15, 0);
   if (bit(word, 20)) {
     result.kind = Kind::kLoadMultiple;
     result.writes = list;
@@ -87,4 +87,4 @@ Instruction load_store_multiple(std::uint32_t word) {
   return result;
 }
 
-}  // namespace iog::a9_model::core
+}  // namespace iog::a9_model::spaces

@@ -72,22 +72,46 @@ enum class Kind : std::uint8_t {
 
 enum class Flow : std::uint8_t { kNone, kJump, kCall, kIndirect, kIndirectCall, kReturn };
 
-// Registers are bits of one word: r0 to r15, the flags of the core, those of FPSCR, d0 to d31.
-using RegisterSet = std::uint64_t;
-inline constexpr unsigned kFlags = 16;
-inline constexpr unsigned kVectorFlags = 17;
-inline constexpr unsigned kFirstVector = 32;
-inline constexpr unsigned kRegisters = 64;
+// Registers of the core are bits of one word: r0 to r15 and the flags. Those of the vectors are
+// bits of another: s0 to s31, where d0 to d15 are pairs of them, d16 to d31, the flags of FPSCR.
+using CoreSet = std::uint32_t;
+using VectorSet = std::uint64_t;
+
 inline constexpr unsigned kLinkRegister = 14;
 inline constexpr unsigned kProgramCounter = 15;
+inline constexpr unsigned kFlags = 16;
+inline constexpr unsigned kCoreRegisters = 17;
 
-constexpr RegisterSet register_bit(unsigned index) { return RegisterSet{1} << index; }
+inline constexpr unsigned kSingles = 32;
+inline constexpr unsigned kVectorFlags = 48;
+inline constexpr unsigned kVectorRegisters = 49;
+
+constexpr CoreSet core_bit(unsigned index) { return CoreSet{1} << index; }
+constexpr VectorSet vector_bit(unsigned index) { return VectorSet{1} << index; }
+
+// s registers, and d registers, in a row from one on; those past the last are ignored.
+constexpr VectorSet singles(unsigned first, unsigned count) {
+  VectorSet set = 0;
+  for (unsigned index = first; index < first + count && index < kSingles; ++index) {
+    set |= vector_bit(index);
+  }
+  return set;
+}
+constexpr VectorSet doubles(unsigned first, unsigned count) {
+  VectorSet set = 0;
+  for (unsigned index = first; index < first + count && index < 32; ++index) {
+    set |= index < 16 ? singles(2 * index, 2) : vector_bit(kSingles + index - 16);
+  }
+  return set;
+}
 
 struct Instruction {
-  RegisterSet reads = 0;          // operands; what a store stores
-  RegisterSet address_reads = 0;  // base and index of a memory access
-  RegisterSet writes = 0;         // results, loaded registers
-  RegisterSet base_writes = 0;    // the base register where it is written back
+  CoreSet reads = 0;          // operands; what a store stores
+  CoreSet address_reads = 0;  // base and index of a memory access
+  CoreSet writes = 0;         // results, loaded registers
+  CoreSet base_writes = 0;    // the base register where it is written back
+  VectorSet vector_reads = 0;
+  VectorSet vector_writes = 0;
   Kind kind = Kind::kUnknown;
   Flow flow = Flow::kNone;
   bool conditional = false;

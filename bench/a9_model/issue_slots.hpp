@@ -24,35 +24,32 @@ class IssueSlots {
       }
     }
     for (std::uint32_t done = 0; done < cycles; ++done) {
-      ++at(start + done).taken;
+      ++at(start + done);
     }
     return start;
   }
 
  private:
   // Far more than instructions in a window can be apart: a miss takes hundreds of cycles.
-  static constexpr std::size_t kCycles = 4096;
+  static constexpr std::size_t kCycles = 1024;
+  static constexpr unsigned kTakenBits = 3;
 
-  struct Entry {
-    Cycle cycle = 0;
-    std::uint32_t taken = 0;
-  };
-
-  [[nodiscard]] std::uint32_t taken(Cycle cycle) const {
-    const Entry& entry = entries_[cycle % kCycles];
-    return entry.cycle == cycle ? entry.taken : 0;
+  // The pipelines taken in a cycle, below the number of that cycle.
+  [[nodiscard]] std::uint64_t taken(Cycle cycle) const {
+    const std::uint64_t entry = entries_[cycle % kCycles];
+    return entry >> kTakenBits == cycle ? entry & ((1u << kTakenBits) - 1) : 0;
   }
 
-  Entry& at(Cycle cycle) {
-    Entry& entry = entries_[cycle % kCycles];
-    if (entry.cycle != cycle) {
-      entry = {.cycle = cycle, .taken = 0};
+  std::uint64_t& at(Cycle cycle) {
+    std::uint64_t& entry = entries_[cycle % kCycles];
+    if (entry >> kTakenBits != cycle) {
+      entry = cycle << kTakenBits;
     }
     return entry;
   }
 
-  std::uint32_t pipelines_;
-  std::array<Entry, kCycles> entries_{};
+  std::uint32_t pipelines_;  // below 8
+  std::array<std::uint64_t, kCycles> entries_{};
 };
 
 }  // namespace iog::a9_model

@@ -6,8 +6,6 @@
 namespace iog::a9_model {
 namespace {
 
-constexpr RegisterSet kVectorRegisters = ~RegisterSet{0} << kFirstVector;
-
 bool is_store(Kind kind) {
   return kind == Kind::kStore || kind == Kind::kStoreNarrow || kind == Kind::kStoreMultiple ||
          kind == Kind::kVectorStore;
@@ -95,33 +93,47 @@ Cycle Pipeline::dispatch(const ProgramInstruction& what) {
   return when;
 }
 
-Cycle Pipeline::operands_ready(RegisterSet reads, bool fast_forward,
-                               std::uint32_t read_stage) const {
+Cycle Pipeline::core_ready(CoreSet reads, bool fast_forward) const {
   Cycle ready = 0;
-  for (RegisterSet left = reads; left != 0; left &= left - 1) {
+  for (CoreSet left = reads; left != 0; left &= left - 1) {
     const auto index = static_cast<unsigned>(std::countr_zero(left));
     Cycle of_this = ready_[index];
-    if (fast_forward && (forwarded_ & register_bit(index)) != 0) {
+    if (fast_forward && (forwarded_ & core_bit(index)) != 0) {
       of_this -= constants_.load_to_use - constants_.load_to_alu;
     }
     ready = std::max(ready, of_this);
+  }
+  return ready;
+}
+
+// When an instruction can begin that reads these in one of its stages, the first being 1.
+Cycle Pipeline::vector_ready(VectorSet reads, std::uint32_t read_stage) const {
+  Cycle ready = 0;
+  for (VectorSet left = reads; left != 0; left &= left - 1) {
+    ready = std::max(ready, vector_ready_[static_cast<unsigned>(std::countr_zero(left))]);
   }
   return ready >= read_stage ? ready - (read_stage - 1) : 0;
 }
 
 // The second of two results comes later by some cycles.
-void Pipeline::write(RegisterSet results, Cycle ready, Cycle later_by) {
+void Pipeline::write(CoreSet results, Cycle ready, Cycle later_by) {
   forwarded_ &= ~results;
-  for (RegisterSet left = results; left != 0; left &= left - 1) {
+  for (CoreSet left = results; left != 0; left &= left - 1) {
     ready_[static_cast<unsigned>(std::countr_zero(left))] = ready;
     ready += later_by;
   }
 }
 
+void Pipeline::write_vector(VectorSet results, Cycle ready) {
+  for (VectorSet left = results; left != 0; left &= left - 1) {
+    vector_ready_[static_cast<unsigned>(std::countr_zero(left))] = ready;
+  }
+}
+
 Cycle Pipeline::execute_alu(const ProgramInstruction& what, Cycle dispatched) {
   const Timing& timing = what.timing;
-  Cycle start = std::max(dispatched,
-                         operands_ready(what.instruction.reads, what.instruction.fast_forward, 1));
+  Cycle start =
+      std::max(dispatched, core_ready(what.instruction.reads, what.instruction.fast_forward));
   if (timing.unit == Unit::kAlu) {
     start = alu_slots_.take(start, timing.occupies);
   } else if (timing.unit == Unit::kMultiplier) {
@@ -141,14 +153,14 @@ Cycle Pipeline::execute_vector(const ProgramInstruction& what, Cycle dispatched)
   if (constants_.shares_load_port != 0) {
     dispatched = port_slots_.take(dispatched);
   }
-  const Cycle core = operands_ready(instruction.reads & ~kVectorRegisters, false, 1);
-  const Cycle vector =
-      operands_ready(instruction.reads & kVectorRegisters, false, timing.read_stage);
+  const Cycle core = core_ready(instruction.reads, false);
+  const Cycle vector = vector_ready(instruction.vector_reads, timing.read_stage);
   const Cycle start = std::max({dispatched + constants_.vector_skew, vector_free_, core, vector});
   vector_free_ = start + timing.occupies;
   vector_times_[vector_count_ % kRing] = start;
   ++vector_count_;
   write(instruction.writes, start + timing.latency, 0);
+  write_vector(instruction.vector_writes, start + timing.latency);
   return instruction.kind == Kind::kVectorToCore ? start + timing.latency : dispatched + 1;
 }
 
@@ -157,11 +169,11 @@ Cycle Pipeline::execute_memory(const ProgramInstruction& what,
                                std::span<const MemoryAccess> accesses, Cycle dispatched) {
   const Instruction& instruction = what.instruction;
   const bool stores = is_store(instruction.kind);
-  const RegisterSet condition = instruction.conditional ? register_bit(kFlags) : RegisterSet{0};
-  Cycle start = std::max({dispatched, address_order_,
-                          operands_ready(instruction.address_reads | condition, false, 1)});
+  const CoreSet condition = instruction.conditional ? core_bit(kFlags) : CoreSet{0};
+  Cycle start = std::max(
+      {dispatched, address_order_, core_ready(instruction.address_reads | condition, false)});
   if (stores && constants_.stores_wait_for_data != 0) {
-    start = std::max(start, operands_ready(instruction.reads, false, 1));
+    start = std::max(start, data_ready(instruction));
   }
   const Cycle issued = reserve_port(what, accesses, start);
   address_order_ = issued;
@@ -192,7 +204,7 @@ Cycle Pipeline::load(const ProgramInstruction& what, std::span<const MemoryAcces
   Cycle ready = 0;
   Cycle at = issued;
   std::uint32_t doubleword = accesses.front().address / 8;
-  RegisterSet left = instruction.writes;
+  CoreSet left = instruction.writes;
   for (const MemoryAccess& access : accesses) {
     at += access.address / 8 != doubleword ? 1 : 0;
     doubleword = access.address / 8;
@@ -206,26 +218,28 @@ Cycle Pipeline::load(const ProgramInstruction& what, std::span<const MemoryAcces
     }
     ready = std::max(ready, hit + constants_.load_to_use + (narrow ? constants_.narrow_extra : 0) +
                                 (instruction.scaled_index ? 1 : 0));
-    if (left != 0 && accesses.size() > 1 && (instruction.writes & kVectorRegisters) == 0) {
-      const RegisterSet lowest = left & (~left + 1);
+    if (left != 0 && accesses.size() > 1) {
+      const CoreSet lowest = left & (~left + 1);
       write(lowest, ready, 0);
       left &= left - 1;
     }
   }
-  if (left != 0) {
-    write(left, ready, 0);
-  }
+  write(left, ready, 0);
+  write_vector(instruction.vector_writes, ready);
   if (!instruction.conditional && !instruction.late_result) {
-    forwarded_ |= instruction.writes & ~kVectorRegisters;
+    forwarded_ |= instruction.writes;
   }
   return ready;
+}
+
+Cycle Pipeline::data_ready(const Instruction& store) const {
+  return std::max(core_ready(store.reads, false), vector_ready(store.vector_reads, 1));
 }
 
 // A store goes to the store buffer when everything before it has been done.
 Cycle Pipeline::store(const ProgramInstruction& what, std::span<const MemoryAccess> accesses,
                       Cycle issued) {
-  const Cycle data = operands_ready(what.instruction.reads, false, 1);
-  Cycle when = std::max({issued + 1, data, retired_});
+  Cycle when = std::max({issued + 1, data_ready(what.instruction), retired_});
   for (const MemoryAccess& access : accesses) {
     const std::uint32_t in_first = std::min<std::uint32_t>(access.bytes, 8 - access.address % 8);
     when = memory_.store(access.address, in_first, when);

@@ -43,8 +43,11 @@ class Pipeline {
   static constexpr std::size_t kRing = 64;
 
   Cycle dispatch(const ProgramInstruction& what);
-  Cycle operands_ready(RegisterSet reads, bool fast_forward, std::uint32_t read_stage) const;
-  void write(RegisterSet results, Cycle ready, Cycle later_by);
+  [[nodiscard]] Cycle core_ready(CoreSet reads, bool fast_forward) const;
+  [[nodiscard]] Cycle vector_ready(VectorSet reads, std::uint32_t read_stage) const;
+  [[nodiscard]] Cycle data_ready(const Instruction& store) const;
+  void write(CoreSet results, Cycle ready, Cycle later_by);
+  void write_vector(VectorSet results, Cycle ready);
 
   // When it has left the pipelines.
   Cycle execute_alu(const ProgramInstruction& what, Cycle dispatched);
@@ -73,8 +76,9 @@ class Pipeline {
   std::array<Cycle, kRing> vector_times_{};
   std::uint64_t vector_count_ = 0;
 
-  std::array<Cycle, kRegisters> ready_{};
-  RegisterSet forwarded_ = 0;  // loaded registers that the ALUs can have a cycle earlier
+  std::array<Cycle, kCoreRegisters> ready_{};
+  std::array<Cycle, kVectorRegisters> vector_ready_{};
+  CoreSet forwarded_ = 0;  // loaded registers that the ALUs can have a cycle earlier
   IssueSlots alu_slots_;
   IssueSlots port_slots_;
   Cycle multiplier_free_ = 0;

@@ -73,7 +73,7 @@ void measure_branches() {
   measure<80>("loop", count_down);
   measure<81>("coin", flip_coins);
   measure<82>("alternating", alternate);
-  measure<83>("calls_8_deep", call<7>);
+  measure<83>("calls_8_deep", call<8>);
   measure<84>("calls_12_deep", call<12>);
   measure<85>("two_targets", jump_in_turn);
 }
