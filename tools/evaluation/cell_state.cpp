@@ -6,13 +6,13 @@ namespace iog::tools {
 namespace {
 
 template <typename Value>
-std::vector<CellState> compared(std::span<const Value> values, Value unknown) {
+std::vector<CellState> compared(std::span<const Value> values, Value low, Value high) {
   std::vector<CellState> states(values.size(), CellState::kUnknown);
-  std::ranges::transform(values, states.begin(), [unknown](Value value) {
-    if (value == unknown) {
-      return CellState::kUnknown;
+  std::transform(values.begin(), values.end(), states.begin(), [low, high](Value value) {
+    if (value < low) {
+      return CellState::kFree;
     }
-    return value < unknown ? CellState::kFree : CellState::kOccupied;
+    return value > high ? CellState::kOccupied : CellState::kUnknown;
   });
   return states;
 }
@@ -20,11 +20,11 @@ std::vector<CellState> compared(std::span<const Value> values, Value unknown) {
 }  // namespace
 
 std::vector<CellState> states_of(std::span<const std::int32_t> indexes) {
-  return compared(indexes, 0);
+  return compared(indexes, 0, 0);
 }
 
-std::vector<CellState> states_of(std::span<const double> probabilities) {
-  return compared(probabilities, 0.5);
+std::vector<CellState> states_of(std::span<const double> probabilities, double margin) {
+  return compared(probabilities, 0.5 - margin, 0.5 + margin);
 }
 
 }  // namespace iog::tools

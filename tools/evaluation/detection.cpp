@@ -61,6 +61,16 @@ Detection& Detection::operator+=(const Detection& other) {
   return *this;
 }
 
+double Detection::miss_rate() const { return share(missed, occupied.visible); }
+double Detection::miss_rate_near() const { return share(missed_near, occupied.visible); }
+
+double Detection::known_of_occupied() const {
+  return share(occupied.found + missed, occupied.visible);
+}
+double Detection::known_of_free() const {
+  return share(free.found + occupied.called - occupied.right, free.visible);
+}
+
 Detection compare(std::span<const CellState> truth, std::span<const CellState> grid,
                   std::size_t stride) {
   const Field truth_field(truth, stride);
@@ -93,6 +103,7 @@ Detection compare(std::span<const CellState> truth, std::span<const CellState> g
 }
 
 double EndedCells::lost() const { return share(free, all()); }
+double EndedCells::left_unknown() const { return share(unknown, all()); }
 
 EndedCells& EndedCells::operator+=(const EndedCells& other) {
   occupied += other.occupied;
@@ -103,9 +114,8 @@ EndedCells& EndedCells::operator+=(const EndedCells& other) {
 
 EndedCells look_up(std::span<const std::uint32_t> hits, std::span<const CellState> grid) {
   std::vector<std::uint32_t> cells(hits.begin(), hits.end());
-  std::ranges::sort(cells);
-  const auto repeated = std::ranges::unique(cells);
-  cells.erase(repeated.begin(), repeated.end());
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   EndedCells ended;
   for (const std::uint32_t cell : cells) {
     ended.occupied += grid[cell] == CellState::kOccupied ? 1U : 0U;

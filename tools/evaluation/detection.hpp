@@ -36,6 +36,14 @@ struct Detection {
   std::uint64_t missed = 0;       // visibly occupied cells that the grid calls free
   std::uint64_t missed_near = 0;  // of these, those without a neighbour that it calls occupied
 
+  // Shares of the visibly occupied cells.
+  [[nodiscard]] double miss_rate() const;
+  [[nodiscard]] double miss_rate_near() const;
+
+  // Of the visibly occupied and of the visibly free cells, the share that the grid knows at all.
+  [[nodiscard]] double known_of_occupied() const;
+  [[nodiscard]] double known_of_free() const;
+
   Detection& operator+=(const Detection& other);
 };
 
@@ -50,7 +58,9 @@ struct EndedCells {
   std::uint64_t unknown = 0;
 
   [[nodiscard]] std::uint64_t all() const { return occupied + free + unknown; }
-  [[nodiscard]] double lost() const;  // share of them that came out free
+  // Shares of them that came out free and unknown.
+  [[nodiscard]] double lost() const;
+  [[nodiscard]] double left_unknown() const;
 
   EndedCells& operator+=(const EndedCells& other);
 };

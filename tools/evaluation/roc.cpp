@@ -65,6 +65,11 @@ double Roc::area() const {
          (2 * static_cast<double>(all.free) * static_cast<double>(all.occupied));
 }
 
+std::pair<double, double> Roc::share_of(const Counts& part, const Counts& all) {
+  return {static_cast<double>(part.free) / static_cast<double>(all.free),
+          static_cast<double>(part.occupied) / static_cast<double>(all.occupied)};
+}
+
 std::vector<std::pair<double, double>> Roc::curve() const {
   const Counts all = total();
   Counts above;
@@ -72,10 +77,30 @@ std::vector<std::pair<double, double>> Roc::curve() const {
   for (const auto& [score, counts] : by_score_) {
     above.free += counts.free;
     above.occupied += counts.occupied;
-    points.emplace_back(static_cast<double>(above.free) / static_cast<double>(all.free),
-                        static_cast<double>(above.occupied) / static_cast<double>(all.occupied));
+    points.push_back(share_of(above, all));
   }
   return points;
+}
+
+std::pair<double, double> Roc::at_least(double score) const {
+  Counts above;
+  for (const auto& [each, counts] : by_score_) {
+    if (each >= score) {
+      above.free += counts.free;
+      above.occupied += counts.occupied;
+    }
+  }
+  return share_of(above, total());
+}
+
+double Roc::recall_within(double free_share) const {
+  double recall = 0;
+  for (const auto& [free, occupied] : curve()) {
+    if (free <= free_share) {
+      recall = occupied;
+    }
+  }
+  return recall;
 }
 
 }  // namespace iog::tools

@@ -29,6 +29,13 @@ class Roc {
   // score from the highest, from (0, 0) to (1, 1). Some of each class must have been added.
   [[nodiscard]] std::vector<std::pair<double, double>> curve() const;
 
+  // The same for one threshold.
+  [[nodiscard]] std::pair<double, double> at_least(double score) const;
+
+  // The largest share of the occupied cells at any threshold that takes in at most this share of
+  // the free ones.
+  [[nodiscard]] double recall_within(double free_share) const;
+
  private:
   struct Counts {
     std::uint64_t free = 0;
@@ -37,6 +44,7 @@ class Roc {
 
   void add_sorted(std::span<const std::pair<double, bool>> scores);
   [[nodiscard]] Counts total() const;
+  [[nodiscard]] static std::pair<double, double> share_of(const Counts& part, const Counts& all);
 
   std::map<double, Counts, std::greater<>> by_score_;
 };

@@ -25,19 +25,6 @@ constexpr Colour kSensor{20, 170, 150};
 constexpr int kWholeGridM = vehicle::kCellsPerSide * vehicle::kCellMm / 2000;
 constexpr int kCellsPerMetre = 1000 / vehicle::kCellMm;
 
-Colour colour_of(index::OccupancyIndex index) {
-  // A beam is worth -14 and a hit +2: these indexes give half and full strength of colour.
-  constexpr double kFull = 56;
-  constexpr double kFullHit = 10;
-  if (index == index::kUnknown) {
-    return kUnknown;
-  }
-  if (index < 0) {
-    return mixed(kFreeWeak, kFreeStrong, std::sqrt(std::min(1.0, -index / kFull)));
-  }
-  return mixed(kOccupiedWeak, kOccupiedStrong, std::min(1.0, index / kFullHit));
-}
-
 // From metres in the vehicle frame to pixels.
 class Painter {
  public:
@@ -71,7 +58,7 @@ class Painter {
                            static_cast<std::size_t>(first + up);
         if (frame_->cells[place] != index::kUnknown) {
           canvas_.fill((cells_ - 1 - left) * scale_, (cells_ - 1 - up) * scale_, scale_, scale_,
-                       colour_of(frame_->cells[place]));
+                       colour_of_index(frame_->cells[place]));
         }
       }
     }
@@ -138,7 +125,7 @@ class Painter {
     int column = 10;
     canvas_.fill(column - 1, row - 1, 3 * side + 2, side + 2, kRing, 0.5);
     for (const int index : indexes) {
-      canvas_.fill(column, row, side, side, colour_of(static_cast<index::OccupancyIndex>(index)));
+      canvas_.fill(column, row, side, side, colour_of_index(index));
       column += side;
     }
     put_text(column + 4 * scale, row, words, kInk);
@@ -171,6 +158,19 @@ class Painter {
 };
 
 }  // namespace
+
+Colour colour_of_index(double index) {
+  // A beam is worth -14 and a hit +2: these indexes give half and full strength of colour.
+  constexpr double kFull = 56;
+  constexpr double kFullHit = 10;
+  if (index == index::kUnknown) {
+    return kUnknown;
+  }
+  if (index < 0) {
+    return mixed(kFreeWeak, kFreeStrong, std::sqrt(std::min(1.0, -index / kFull)));
+  }
+  return mixed(kOccupiedWeak, kOccupiedStrong, std::min(1.0, index / kFullHit));
+}
 
 Canvas picture_of(const GridFrame& frame, const PictureScale& scale) {
   return Painter(frame, scale).paint();

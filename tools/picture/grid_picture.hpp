@@ -14,6 +14,9 @@ struct PictureScale {
   int radius_m = 51;  // from the car to the edges; 51: the whole grid
 };
 
+// The colour of a cell. An index between two whole ones is that of a probability between theirs.
+[[nodiscard]] Colour colour_of_index(double index);
+
 [[nodiscard]] Canvas picture_of(const GridFrame& frame, const PictureScale& scale);
 
 }  // namespace iog::tools

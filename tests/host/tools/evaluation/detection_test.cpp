@@ -17,7 +17,8 @@ TEST(CellStates, AreTheSideOfUnknown) {
   const std::vector<CellState> expected{CellState::kFree, CellState::kUnknown,
                                         CellState::kOccupied};
   EXPECT_EQ(states_of(kIndexes), expected);
-  EXPECT_EQ(states_of(kProbabilities), expected);
+  EXPECT_EQ(states_of(kProbabilities, 0.001), expected);
+  EXPECT_EQ(states_of(kProbabilities, 0.02), std::vector<CellState>(3, CellState::kUnknown));
 }
 
 TEST(Compare, TheTruthItselfIsPerfect) {
@@ -71,7 +72,8 @@ TEST(Compare, APillarThatIsCarvedAwayIsMissed) {
                            "..."});
   const Detection detection = compare(truth, grid, 3);
   EXPECT_EQ(detection.missed, 1U);
-  EXPECT_EQ(detection.missed_near, 1U);
+  EXPECT_EQ(detection.miss_rate(), 1);
+  EXPECT_EQ(detection.miss_rate_near(), 1);
   EXPECT_EQ(detection.occupied.recall_near(), 0);
   EXPECT_EQ(detection.occupied.precision(), 0);  // of nothing
   EXPECT_DOUBLE_EQ(detection.free.precision(), 8.0 / 9.0);
@@ -89,13 +91,19 @@ TEST(Compare, NeighboursStayInTheGrid) {
   EXPECT_EQ(detection.missed_near, 1U);
 }
 
+TEST(Compare, WhatIsKnownCanBeWrong) {
+  const Detection detection = compare(drawn({"....##"}), drawn({"#.  . "}), 6);
+  EXPECT_EQ(detection.known_of_free(), 0.5);
+  EXPECT_EQ(detection.known_of_occupied(), 0.5);
+}
+
 TEST(Compare, FramesAddUp) {
   const auto truth = drawn({".#"});
   Detection sum = compare(truth, drawn({".#"}), 2);
   sum += compare(truth, drawn({".."}), 2);
   EXPECT_EQ(sum.occupied.recall(), 0.5);
   EXPECT_EQ(sum.free.recall(), 1);
-  EXPECT_EQ(sum.missed, 1U);
+  EXPECT_EQ(sum.miss_rate(), 0.5);
 }
 
 TEST(EndedCells, CountACellOnce) {
@@ -106,6 +114,7 @@ TEST(EndedCells, CountACellOnce) {
   EXPECT_EQ(ended.free, 2U);
   EXPECT_EQ(ended.unknown, 1U);
   EXPECT_EQ(ended.lost(), 0.5);
+  EXPECT_EQ(ended.left_unknown(), 0.25);
   ended += look_up({}, grid);
   EXPECT_EQ(ended.all(), 4U);
 }

@@ -71,6 +71,19 @@ TEST(Roc, PoolsFramesAndTakesProbabilities) {
   EXPECT_EQ(same.area(), roc.area());
 }
 
+// Occupied: 2, 4; free: -14, 2, 0.
+TEST(Roc, KnowsEveryThreshold) {
+  Roc roc;
+  roc.add(kTwoAndThree, Scores{2, -14, 2, 4, 0});
+  EXPECT_EQ(roc.at_least(5), std::pair(0.0, 0.0));
+  EXPECT_EQ(roc.at_least(3), std::pair(0.0, 0.5));
+  EXPECT_EQ(roc.at_least(2), std::pair(1.0 / 3, 1.0));
+  EXPECT_EQ(roc.at_least(-127), std::pair(1.0, 1.0));
+  EXPECT_EQ(roc.recall_within(0), 0.5);
+  EXPECT_EQ(roc.recall_within(0.3), 0.5);
+  EXPECT_EQ(roc.recall_within(0.4), 1);
+}
+
 // The area is that below the curve, by trapezia.
 TEST(Roc, CurveRisesFromNothingToEverythingAboveItsArea) {
   Roc roc;
