@@ -157,10 +157,10 @@ void describe_gaps(const TablesInput& input, Section& section) {
       "and a range that comes out short lies in the gap. In the mean of the widths that is " +
       narrowing_of(gaps, kHitsWinPlace) + " under hits_win, " + narrowing_of(gaps, kNearestPlace) +
       " with nearest, " + narrowing_of(gaps, kBayesPlace) +
-      " under the sum: less than one cell of 10 cm, at most some two, whatever the gap's width. It "
-      "decides nothing for a car, which needs 2 m; whoever steers a robot through a door should "
-      "know it. At 30 m the beams of one scanner are 26 cm apart, and what is missing is unknown "
-      "rather than occupied.");
+      " under the sum: about a cell of 10 cm or less, whatever the gap's width. It decides nothing "
+      "for a car, which needs 2 m; whoever steers a robot through a door should know it. At 30 m "
+      "the beams of one scanner are 26 cm apart, and what is missing is unknown rather than "
+      "occupied.");
   const auto at_20_m = [&gaps](std::size_t fusion) { return gaps[1][2][fusion].share_of_free(); };
   section.claims.push_back(
       {.place = "equation 4.4",
