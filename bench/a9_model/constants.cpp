@@ -13,12 +13,12 @@ constexpr Certainty kAssumed = Certainty::kAssumed;
 // name, member, nominal, optimistic, pessimistic, certainty, source
 constexpr std::array kTable{
     Constant{"dispatch_width", &C::dispatch_width, 2, 2, 2, kManual,
-             "TRM 1.1 and figure 1-1: two instructions a cycle from decoding to renaming"},
+             "GCC: \"a dual issue pipeline\"; LLVM: issue width 2"},
     Constant{"fetch_queue", &C::fetch_queue, 8, 16, 4, kAssumed,
              "instructions fetched ahead of dispatch; the TRM names a queue and no size"},
     Constant{"window", &C::window, 20, 40, 8, kAssumed,
-             "instructions in flight; TRM 7.1 allows 56 renamed registers, which bounds it from "
-             "above by 40 results beside the 16 of the program"},
+             "instructions in flight; 7-cpu: 56 physical registers, which bounds it from above by "
+             "40 results beside the 16 registers of the program"},
     Constant{"taken_branch_bubble", &C::taken_branch_bubble, 1, 0, 1, kAssumed,
              "the target of a predicted branch is fetched in the next cycle but one; the TRM says "
              "only that loops below 64 bytes need no instruction cache"},
@@ -28,7 +28,8 @@ constexpr std::array kTable{
     Constant{"history_bits", &C::history_bits, 10, 12, 6, kAssumed,
              "branches that index the global history buffer; 10 in the Cortex-A8, not stated for "
              "the A9"},
-    Constant{"alus", &C::alus, 2, 2, 2, kManual, "TRM figure 1-1: two ALU pipelines, one with MUL"},
+    Constant{"alus", &C::alus, 2, 2, 2, kManual,
+             "GCC: two pipelines for data processing, the multiplier in one of them"},
     Constant{"shift_occupies", &C::shift_occupies, 0, 0, 1, kAssumed,
              "1: an operation of n cycles in table B-1 keeps its ALU for n (LLVM itineraries); 0: "
              "for one (GCC, and LLVM's newer model)"},
@@ -58,8 +59,8 @@ constexpr std::array kTable{
     Constant{"cross_doubleword_extra", &C::cross_doubleword_extra, 6, 6, 6, kPublished,
              "7-cpu: crossing of 8 bytes"},
     Constant{"fill_buffers", &C::fill_buffers, 2, 4, 2, kManual,
-             "TRM 7.1: two 32-byte line fill buffers; optimistic, because r2 may have four data "
-             "cache line requests"},
+             "TRM 7.1: two 32-byte line fill buffers, and 7-cpu's 68 ns a line of random reads are "
+             "half the latency; optimistic: TRM 7.1.1, up to four outstanding misses"},
     Constant{"store_buffer", &C::store_buffer, 4, 4, 4, kManual,
              "TRM 7.1: four 64-bit slots that merge"},
     Constant{"store_forward_cycles", &C::store_forward_cycles, 4, 3, 8, kAssumed,
@@ -73,8 +74,8 @@ constexpr std::array kTable{
              "after so many whole lines in a row stores are not allocated in L1, nor read from "
              "DDR; 7-cpu: sequential writes reach 1600 MB/s, reads 1010 MB/s; pessimistic: never"},
     Constant{"random_replacement", &C::random_replacement, 1, 0, 1, kManual,
-             "TRM 7.1 and PL310 (ARM DDI 0246): pseudo-random or round robin; 0: least recently "
-             "used, which neither has"},
+             "TRM 7.1.1: the data cache is pseudo-random; assumed of the other two; 0: least "
+             "recently used, which is none's policy"},
     Constant{"l2_extra", &C::l2_extra, 19, 16, 26, kPublished,
              "7-cpu: 23 cycles a step in L2, 4 of them L1; pessimistic: PL310 with the RAM "
              "latencies 1-3-2 of this board and a SCU at the same clock"},
@@ -96,10 +97,11 @@ constexpr std::array kTable{
     Constant{"device_extra", &C::device_extra, 40, 20, 80, kAssumed,
              "reading a register beside L1, such as a timer; no source"},
     Constant{"micro_tlb", &C::micro_tlb, 32, 32, 8, kManual,
-             "TRM 6.2: 32 entries; 8 in the first revisions"},
+             "TRM 6.1: 32 entries; 7-cpu: perhaps 8 in the first revision"},
     Constant{"main_tlb_extra", &C::main_tlb_extra, 7, 7, 7, kPublished, "7-cpu: 7 cycles"},
-    Constant{"walk_extra", &C::walk_extra, 25, 14, 60, kAssumed,
-             "a walk reads one or two descriptors, from L1 or L2; 7-cpu: 7 cycles more at least"},
+    Constant{
+        "walk_extra", &C::walk_extra, 25, 14, 60, kAssumed,
+        "a walk looks up one or two descriptors in L1 (TRM 6.1) or behind it; 7-cpu: at least 7"},
     Constant{"page_kb", &C::page_kb, 1024, 1024, 4, kManual,
              "board/imx6/mmu.hpp: sections; pessimistic: pages of an operating system"},
 };

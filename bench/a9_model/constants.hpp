@@ -6,7 +6,8 @@
 // the number is not in doubt or its effect is known to be none.
 //
 // Sources by short name:
-//   TRM       Cortex-A9 Technical Reference Manual r4p1, ARM DDI 0388I
+//   TRM       Cortex-A9 Technical Reference Manual r4p1, ARM DDI 0388I; its table B-1 by way of
+//             OTAWA's module xilinx_A9
 //   MPE       Cortex-A9 NEON Media Processing Engine TRM r4p1, ARM DDI 0409I, by way of the
 //             pipeline description that Arm gave to GCC, gcc/config/arm/cortex-a9-neon.md
 //   GCC       the same for core and VFP, gcc/config/arm/cortex-a9.md

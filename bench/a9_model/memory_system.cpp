@@ -6,10 +6,10 @@
 namespace iog::a9_model {
 namespace {
 
-constexpr std::uint32_t kL1Bytes = 32 * 1024;        // i.MX 6Dual/6Quad RM, table 4-1
-constexpr std::uint32_t kL1Ways = 4;                 // TRM 7.1
-constexpr std::uint32_t kL2Bytes = 1024 * 1024;      // i.MX 6Dual/6Quad RM, table 4-1
-constexpr std::uint32_t kL2Ways = 16;                // PL310 TRM, 1 MB with 64 KB ways
+constexpr std::uint32_t kL1Bytes = 32 * 1024;        // i.MX 6Dual/6Quad data sheet, IMX6DQCEC
+constexpr std::uint32_t kL1Ways = 4;                 // TRM 7.1.1
+constexpr std::uint32_t kL2Bytes = 1024 * 1024;      // the same
+constexpr std::uint32_t kL2Ways = 16;                // board/imx6/registers/pl310.hpp
 constexpr std::uint32_t kMemoryBegin = 0x1000'0000;  // below it are registers, which no cache holds
 constexpr std::uint32_t kWholeLine = 0xffff'ffff;
 

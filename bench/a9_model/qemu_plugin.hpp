@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 
 struct qemu_plugin_tb;
@@ -58,3 +59,4 @@ unsigned qemu_plugin_mem_size_shift(qemu_plugin_meminfo_t info);
 void qemu_plugin_register_atexit_cb(qemu_plugin_id_t id, void (*callback)(qemu_plugin_id_t, void*),
                                     void* data);
 }
+// NOLINTEND(readability-identifier-naming)

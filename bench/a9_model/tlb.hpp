@@ -15,7 +15,7 @@ struct TlbCounts {
   std::uint64_t walks = 0;
 };
 
-// The main TLB: 2 x 64 entries (TRM 6.2.2), least recently used.
+// The main TLB: 2 x 64 entries, one of the sizes of TRM 6.1 and that of 7-cpu; least recently used.
 class MainTlb {
  public:
   bool find_or_insert(std::uint32_t page);

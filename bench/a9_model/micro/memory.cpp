@@ -45,6 +45,21 @@ std::uint32_t walk(std::uint32_t steps) {
   return steps;
 }
 
+// Reads lines at random places that a linear congruential generator names, so that none waits for
+// another; the upper kBits of it are an offset.
+template <unsigned kBits>
+std::uint32_t read_at_random(std::uint32_t reads) {
+  std::uint32_t left = reads / 4;
+  std::uint32_t random = 1;
+  __asm__ volatile(
+      "1:\n\t.rept 4\n\tmla %1, %1, %3, %4\n\tlsr r2, %1, %5\n\tldrb r2, [%2, r2]\n\t.endr\n\t"
+      "subs %0, %0, #1\n\tbne 1b"
+      : "+r"(left), "+r"(random)
+      : "r"(memory.data()), "r"(1664525u), "r"(1013904223u), "i"(32 - kBits)
+      : "r2", "cc", "memory");
+  return reads;
+}
+
 // Reads a word of every line.
 std::uint32_t read_lines(std::size_t lines) {
   const std::uint32_t* at = memory.data();
@@ -116,11 +131,13 @@ std::uint32_t copy_lines(std::size_t lines) {
 void measure_memory() {
   make_list(kL2Lines);
   measure<40>("l2_chain", [] { return walk(kL2Lines * 4); });
+  measure<50>("l2_random_lines", [] { return read_at_random<19>(kL2Lines * 8); });
   measure<41>("l2_read_lines", [] { return read_lines(kL2Lines); });
   measure<42>("l2_touch_lines", [] { return touch_lines(kL2Lines); });
   measure<43>("l2_write_lines", [] { return write_lines(kL2Lines); });
   make_list(kDdrLines);
   measure<44>("ddr_chain", [] { return walk(kDdrLines); });
+  measure<51>("ddr_random_lines", [] { return read_at_random<24>(kDdrLines); });
   measure<45>("ddr_read_lines", [] { return read_lines(kDdrLines); });
   measure<46>("ddr_touch_lines", [] { return touch_lines(kDdrLines); });
   measure<47>("ddr_write_lines", [] { return write_lines(kDdrLines); });

@@ -22,7 +22,9 @@ void measure(const char* name, Program program) {
   begin_region<kId>();
   const std::uint32_t units = run(program);
   end_region<kId>();
-  std::printf("micro region=%u name=%s units=%lu\n", kId, name, units);
+  // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
+  std::printf("micro region=%llu name=%s units=%llu\n", std::uint64_t{kId}, name,
+              std::uint64_t{units});
 }
 
 // Regions 0 to 39, 40 to 79, 80 to 99 and 100 to 119.

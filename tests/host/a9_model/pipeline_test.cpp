@@ -142,7 +142,7 @@ TEST(Pipeline, AMispredictionCostsItsPenaltyAndAFalseConditionOneSlot) {
     }
   }
   const std::uint64_t surprises = surprised.counters().mispredicts;
-  EXPECT_NEAR(static_cast<double>(surprises), kTimes / 2, kTimes / 20);
+  EXPECT_NEAR(static_cast<double>(surprises), 0.5 * kTimes, 0.05 * kTimes);
   const double extra = static_cast<double>(surprised.counters().cycles) -
                        static_cast<double>(foreseen.counters().cycles);
   EXPECT_NEAR(extra / static_cast<double>(surprises), constants.mispredict_penalty, 1.5);
