@@ -17,7 +17,7 @@ constexpr std::uint32_t kPerTurn = 64;
         "mov r0, %1\n\tmov r1, #1\n\tmov r2, #0\n\tmov r3, #3\n\t"                     \
         "mov r4, #4\n\tmov r5, #5\n\tmov r6, #6\n\tmov r7, #7\n\tmov r8, r0\n\t"       \
         "str r0, [r0]\n\tstr r2, [r0, #8]\n"                                           \
-        "1:\n\t.rept " #times "\n\t" body                                              \
+        ".p2align 3\n1:\n\t.rept " #times "\n\t" body                                  \
         "\n\t.endr\n\t"                                                                \
         "subs %0, %0, #1\n\tbne 1b"                                                    \
         : "+r"(turns)                                                                  \

@@ -13,7 +13,7 @@ constexpr std::uint32_t kPerTurn = 64;
     __asm__ volatile(                                                                  \
         "vmov.i32 q0, #0\n\tvmov.i32 q1, #0\n\tvmov.i32 q2, #0\n\tvmov.i32 q3, #0\n\t" \
         "vmov.i32 q4, #0\n\tvmov.f32 s0, #1.0\n\tvmov.f32 s1, #1.0\n"                  \
-        "1:\n\t.rept " #times "\n\t" body                                              \
+        ".p2align 3\n1:\n\t.rept " #times "\n\t" body                                  \
         "\n\t.endr\n\t"                                                                \
         "subs %0, %0, #1\n\tbne 1b"                                                    \
         : "+r"(turns)                                                                  \
