@@ -75,8 +75,8 @@ void add_overview(Markdown& page, const std::vector<Claim>& claims) {
       "that "
       "the paper itself calls better. **short of it**: on the other side. **departs**: something "
       "else, on purpose or because the paper cannot be right. **waits**: not built yet.");
-  page.table({"place", "what", "paper", "here", "verdict", "reason"}, rows);
   page.paragraph(counts_of(claims));
+  page.table({"place", "what", "paper", "here", "verdict", "reason"}, rows);
 }
 
 }  // namespace iog::tools
