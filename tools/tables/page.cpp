@@ -48,12 +48,16 @@ void add_introduction(Markdown& page, const TablesInput& input) {
       "figures and sections without a name are the thesis's. *By the paper* is what it prints, "
       "*measured* what was counted or computed here, *modelled* what follows from a measured "
       "number by a stated assumption.");
-  page.paragraph("The simulated drive is that of `iog simulate --seed " +
-                 std::to_string(input.seed) + " --seconds " + std::to_string(input.seconds) +
-                 "`: the reference car with four LUX in a city, " +
-                 std::to_string(25 * input.seconds) + " frames.");
+  page.paragraph(
+      "The simulated drive is that of `iog simulate --seed " + std::to_string(input.seed) +
+      " --seconds " + std::to_string(input.seconds) +
+      "`: the reference car with four LUX in a city, " + std::to_string(25 * input.seconds) +
+      " frames. Instructions of the Cortex-A9 were counted before by `bench/measure_a9` and are "
+      "compiled in.");
   if (!input.recordings.empty()) {
-    page.paragraph("Recordings, which are not part of this project, added with `--recording`:");
+    page.paragraph(
+        "Recordings, which are not part of this project, added with `--recording`; `bench/results "
+        "--help` says where those of docs/results.md are from:");
     for (const Recording& recording : input.recordings) {
       page.item("recording `" + std::filesystem::path(recording.pcap).filename().string() +
                 "`, vehicle `" + recording.vehicle + "`");
