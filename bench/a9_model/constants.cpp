@@ -17,8 +17,8 @@ constexpr std::array kTable{
     Constant{"fetch_queue", &C::fetch_queue, 8, 16, 4, kAssumed,
              "instructions fetched ahead of dispatch; the TRM names a queue and no size"},
     Constant{"window", &C::window, 20, 40, 8, kAssumed,
-             "instructions in flight; 7-cpu: 56 physical registers, which bounds it from above by "
-             "40 results beside the 16 registers of the program"},
+             "instructions in flight; 7-cpu: 56 physical registers, of which the architecture's 33 "
+             "are taken, so 23 results at most; optimistic: if only the 16 of one mode are"},
     Constant{"taken_branch_bubble", &C::taken_branch_bubble, 1, 0, 1, kAssumed,
              "the target of a predicted branch is fetched in the next cycle but one; the TRM says "
              "only that loops below 64 bytes need no instruction cache"},
@@ -73,9 +73,9 @@ constexpr std::array kTable{
     Constant{"write_streaming_lines", &C::write_streaming_lines, 2, 1, 1000000000, kPublished,
              "after so many whole lines in a row stores are not allocated in L1, nor read from "
              "DDR; 7-cpu: sequential writes reach 1600 MB/s, reads 1010 MB/s; pessimistic: never"},
-    Constant{"random_replacement", &C::random_replacement, 1, 0, 1, kManual,
+    Constant{"random_replacement", &C::random_replacement, 1, 1, 1, kManual,
              "TRM 7.1.1: the data cache is pseudo-random; assumed of the other two; 0: least "
-             "recently used, which is none's policy"},
+             "recently used"},
     Constant{"l2_extra", &C::l2_extra, 19, 16, 26, kPublished,
              "7-cpu: 23 cycles a step in L2, 4 of them L1; pessimistic: PL310 with the RAM "
              "latencies 1-3-2 of this board and a SCU at the same clock"},
