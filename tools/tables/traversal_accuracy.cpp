@@ -70,9 +70,7 @@ Claim claim_at_1(const Trial& trial) {
           .what = "crossed cells found at r = 1",
           .paper = "85 %",
           .ours = percent(ours, 1),
-          .verdict = ours >= 0.845 && ours < 0.855 ? Verdict::kEquals
-                     : ours > 0.85                 ? Verdict::kBeats
-                                                   : Verdict::kFallsShort,
+          .verdict = ours >= 0.845 && ours < 0.855 ? Verdict::kEquals : Verdict::kDeparts,
           .reason = "rounded down " + percent(trial.down.share_found(), 1) +
                     ", from the centre of a cell " +
                     percent(trial.nearest_from_centre.share_found(), 1) + " and " +
