@@ -4,6 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -14,22 +15,27 @@
 #include "tools/fuse/offline_target.hpp"
 #include "tools/reference/many_core.hpp"
 #include "tools/simulate/drive.hpp"
+#include "tools/tables/a9_frame.hpp"
 
 namespace iog::tools {
 namespace {
 
-std::string frame_cost(std::size_t sensors) {
-  return "frame_cost sensors=" + std::to_string(sensors);
+constexpr const char* kCity = "city";
+constexpr const char* kRingRoad = "ring_road";
+
+std::string frame_cost(const std::string& scene, std::size_t sensors) {
+  const std::string named = scene == kCity ? "" : "scene=" + scene + " ";
+  return "frame_cost " + named + "sensors=" + std::to_string(sensors);
 }
 
-// The PC's own account of the fixed drive, fused by a car that has only its first scanners.
+// The PC's own account of a fixed drive, fused by a car that has only its first scanners.
 struct Account {
   RunHash hash;
   double frames = 0;
   double points_used = 0;
 };
 
-Account account_of(std::size_t sensors) {
+Account account_of(const char* scene, std::size_t sensors) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   vehicle::Vehicle vehicle = *car.vehicle;
   vehicle.sensors = vehicle.sensors.first(sensors);
@@ -44,7 +50,7 @@ Account account_of(std::size_t sensors) {
   });
   OfflineTarget target(vehicle,
                        [&](std::span<const std::byte> message) { assembler.take(message); });
-  Drive drive(car, 1, 2);
+  Drive drive(car, kA9Seed, kA9Seconds, find_scene(scene));
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
     drive.move_to(frame);
     for (const CapturedDatagram& datagram : drive.datagrams()) {
@@ -58,21 +64,25 @@ Account account_of(std::size_t sensors) {
 
 // What was measured there is what is computed here: the same frames, the same points, and the same
 // grids to the byte.
-class CortexA9Drive : public testing::TestWithParam<std::size_t> {};
+class CortexA9Drive : public testing::TestWithParam<std::tuple<const char*, std::size_t>> {};
 
 TEST_P(CortexA9Drive, FusedTheGridsThatThePcFuses) {
-  const Account account = account_of(GetParam());
-  EXPECT_EQ(measured_on_a9(frame_cost(GetParam()), "frames"), account.frames);
-  EXPECT_EQ(measured_on_a9(frame_cost(GetParam()), "points_used"), account.points_used);
-  EXPECT_EQ(word_from_a9(frame_cost(GetParam()), "run_hash"), hex(account.hash.value()));
+  const auto [scene, sensors] = GetParam();
+  const std::string run = frame_cost(scene, sensors);
+  const Account account = account_of(scene, sensors);
+  EXPECT_EQ(measured_on_a9(run, "frames"), account.frames);
+  EXPECT_EQ(measured_on_a9(run, "points_used"), account.points_used);
+  EXPECT_EQ(word_from_a9(run, "run_hash"), hex(account.hash.value()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Sensors, CortexA9Drive, testing::Values(2U, 3U, 4U));
+INSTANTIATE_TEST_SUITE_P(ScenesAndSensors, CortexA9Drive,
+                         testing::Combine(testing::Values(kCity, kRingRoad),
+                                          testing::Values(2U, 3U, 4U)));
 
 // The first frame of the drive as the two front corners' LUX see it.
 void measure_first_frame(reference::LuxScans& left, reference::LuxScans& right) {
   const CatalogueEntry& car = find_vehicle("reference_car");
-  Drive drive(car, 1, 2);
+  Drive drive(car, kA9Seed, kA9Seconds);
   drive.move_to(0);
   for (const CapturedDatagram& datagram : drive.datagrams()) {
     const std::size_t sensor = sensor_of_port(car, datagram.destination.port);
@@ -114,12 +124,37 @@ TEST(CortexA9, DidTheWorkThatThePcDoes) {
 }
 
 TEST(CortexA9, AFrameCostsWhatItsStagesCost) {
-  for (const std::size_t sensors : {2U, 3U, 4U}) {
-    const auto sum = [&](const char* stage) {
-      return measured_on_a9(frame_cost(sensors), std::string(stage) + "_sum");
-    };
-    EXPECT_EQ(sum("frame"), sum("receive") + sum("fuse") + sum("mark") + sum("publish"));
+  for (const char* const scene : {kCity, kRingRoad}) {
+    for (const std::size_t sensors : {2U, 3U, 4U}) {
+      const auto sum = [&](const char* stage) {
+        return measured_on_a9(frame_cost(scene, sensors), std::string(stage) + "_sum");
+      };
+      EXPECT_EQ(sum("frame"), sum("receive") + sum("fuse") + sum("mark") + sum("publish"));
+    }
   }
+}
+
+TEST(CortexA9, AFrameIsTheMeanOfItsScenesRun) {
+  for (const char* const scene : {kCity, kRingRoad}) {
+    const A9Frame frame = a9_frame(scene, 4);
+    EXPECT_EQ(frame.sensors, 4);
+    EXPECT_NEAR(frame.whole, measured_on_a9(frame_cost(scene, 4), "frame_mean"), 0.5) << scene;
+    EXPECT_LT(frame.fused, frame.whole) << scene;
+    EXPECT_GT(frame.largest, frame.whole) << scene;
+  }
+  EXPECT_THROW(static_cast<void>(a9_frame(kCity, 5)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(a9_frame("moon", 4)), std::out_of_range);
+}
+
+// 1 GHz is a cycle a nanosecond: 20 million instructions, one in two cycles, are 40 ms.
+TEST(CortexA9, RatesAreThoseOfOneGigahertz) {
+  EXPECT_DOUBLE_EQ(modelled_hz(20e6, 0.5), 25);
+  EXPECT_DOUBLE_EQ(modelled_hz(20e6, 1.0), 50);
+}
+
+TEST(CortexA9, TheWorseAssumptionDecides) {
+  EXPECT_EQ(verdict_on(28, 27.9), Verdict::kFallsShort);
+  EXPECT_EQ(verdict_on(28, 28.1), Verdict::kBeats);
 }
 
 // A cell's border is crossed at another place for another r, but a walk takes the same steps.
@@ -144,8 +179,16 @@ TEST(CortexA9, NamesAreWhole) {
 }
 
 TEST(CortexA9, WordsAreNotNumbers) {
-  EXPECT_EQ(word_from_a9(frame_cost(4), "vehicle"), "reference_car");
-  EXPECT_THROW(static_cast<void>(measured_on_a9(frame_cost(4), "vehicle")), std::out_of_range);
+  EXPECT_EQ(word_from_a9(frame_cost(kCity, 4), "vehicle"), "reference_car");
+  EXPECT_THROW(static_cast<void>(measured_on_a9(frame_cost(kCity, 4), "vehicle")),
+               std::out_of_range);
+}
+
+TEST(CortexA9, TheHeadSaysWhatWasDriven) {
+  const std::string drive = "iog simulate --vehicle reference_car --seed " +
+                            std::to_string(kA9Seed) + " --seconds " + std::to_string(kA9Seconds);
+  EXPECT_EQ(a9_made_with("capture"), drive);
+  EXPECT_EQ(a9_made_with("capture scene=ring_road"), drive + " --scene ring_road");
 }
 
 TEST(CortexA9, TheHeadSaysWhatCounted) {
