@@ -8,6 +8,7 @@ class App;
 namespace iog::tools {
 
 void add_simulate(CLI::App& program);
+void add_worst(CLI::App& program);
 void add_fuse(CLI::App& program);
 void add_replay(CLI::App& program);
 void add_receive(CLI::App& program);

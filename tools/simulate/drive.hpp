@@ -6,6 +6,7 @@
 
 #include "tools/capture/datagram.hpp"
 #include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/lux/lux_burst.hpp"
 #include "tools/simulate/lux_scanner.hpp"
 #include "tools/simulate/scene_catalogue.hpp"
 
@@ -13,7 +14,7 @@ namespace iog::tools {
 
 class Drive {
  public:
-  static constexpr std::uint32_t kFramesPerSecond = 25;
+  static constexpr std::uint32_t kFramesPerSecond = kLuxFramesPerSecond;
   static constexpr std::uint32_t kMaxSeconds = 600;
 
   // car outlives the drive. UsageError if one of its sensors is not a LUX. The same seed, car and
@@ -27,16 +28,13 @@ class Drive {
   // Moves the world to the end of that frame's scan.
   void move_to(std::uint32_t frame);
 
-  // The frame's datagrams, in the order of their times: one burst of all sensors, one after
-  // another, which begins at the end of their scans.
+  // The frame's datagrams, in the order of their times.
   [[nodiscard]] std::vector<CapturedDatagram> datagrams();
 
   [[nodiscard]] const EgoPose& ego() const { return ego_; }
   [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
 
  private:
-  [[nodiscard]] LuxScan scan_of(std::size_t sensor);
-
   const CatalogueEntry* car_;
   std::uint64_t seed_;
   std::uint32_t frame_count_;
@@ -44,7 +42,6 @@ class Drive {
   std::vector<LuxScanner> scanners_;
 
   std::uint32_t frame_ = 0;
-  std::uint64_t scan_end_us_ = 0;
   EgoPose ego_;
   std::vector<Solid> solids_;
 };

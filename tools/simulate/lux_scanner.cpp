@@ -55,7 +55,7 @@ Outline outline_of(double x, double y, double reach_x, double reach_y, double re
 
 }  // namespace
 
-LuxScanner::LuxScanner(const vehicle::SensorConfig& config) : config_(config) {
+LuxScanner::LuxScanner(const vehicle::SensorConfig& config) {
   const auto turn = vehicle::compile_detail::rotation_of(config.mount);
   mount_ = {.origin = {config.mount.x_m, config.mount.y_m, config.mount.z_m},
             .forward = {turn.forward[0], turn.forward[1], turn.forward[2]},
@@ -74,19 +74,6 @@ LuxScanner::LuxScanner(const vehicle::SensorConfig& config) : config_(config) {
       }
     }
   }
-}
-
-std::array<std::int16_t, 6> LuxScanner::mounting() const {
-  const auto ticks = [](double degrees) {
-    return static_cast<std::int16_t>(
-        numeric::round(degrees * lidar::IbeoLux::kTicksPerTurn / 360.0));
-  };
-  const auto centimetres = [](double metres) {
-    return static_cast<std::int16_t>(numeric::round(metres * 100));
-  };
-  const vehicle::MountConfig& mount = config_.mount;
-  return {ticks(mount.yaw_deg),   ticks(mount.pitch_deg), ticks(mount.roll_deg),
-          centimetres(mount.x_m), centimetres(mount.y_m), centimetres(mount.z_m)};
 }
 
 LuxScanner::Frame LuxScanner::frame_of(const EgoPose& ego) const {

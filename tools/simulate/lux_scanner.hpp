@@ -32,9 +32,6 @@ class LuxScanner {
   [[nodiscard]] std::vector<LuxPoint> scan(const EgoPose& ego, std::span<const Solid> solids,
                                            Random& random);
 
-  // Yaw, pitch and roll in ticks, then x, y and z in centimetres.
-  [[nodiscard]] std::array<std::int16_t, 6> mounting() const;
-
  private:
   // The sensor's axes and place in the world.
   struct Frame {
@@ -66,7 +63,6 @@ class LuxScanner {
   void add_points(std::size_t column, std::size_t layer, Random& random,
                   std::vector<LuxPoint>& points);
 
-  vehicle::SensorConfig config_;
   Frame mount_;  // in the vehicle
   std::array<double, kLuxAzimuths> tangents_{};
   // Directions in the sensor frame of the right and the left edge of every beam.

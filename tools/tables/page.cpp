@@ -23,6 +23,7 @@ constexpr auto kSections = std::to_array<NamedSection>({
     {"profiles", profiles},
     {"traversal_accuracy", traversal_accuracy},
     {"output_rates", output_rates},
+    {"worst_frames", worst_frames},
     {"numerical_quality", numerical_quality},
     {"many_core", many_core},
     {"order_of_fusion", order_of_fusion},

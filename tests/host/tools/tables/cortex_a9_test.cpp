@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -16,6 +18,7 @@
 #include "tools/reference/many_core.hpp"
 #include "tools/simulate/drive.hpp"
 #include "tools/tables/a9_frame.hpp"
+#include "tools/worst/worst_frames.hpp"
 
 namespace iog::tools {
 namespace {
@@ -28,38 +31,75 @@ std::string frame_cost(const std::string& scene, std::size_t sensors) {
   return "frame_cost " + named + "sensors=" + std::to_string(sensors);
 }
 
-// The PC's own account of a fixed drive, fused by a car that has only its first scanners.
+// The PC's own account of a run.
 struct Account {
   RunHash hash;
   double frames = 0;
   double points_used = 0;
 };
 
+class Accountant {
+ public:
+  // vehicle outlives the accountant.
+  explicit Accountant(const vehicle::Vehicle& vehicle)
+      : assembler_([this](const GridFrame& frame) { add(frame); }),
+        target_(std::make_unique<OfflineTarget>(
+            vehicle, [this](std::span<const std::byte> message) { assembler_.take(message); })) {}
+
+  void take(const std::vector<CapturedDatagram>& frame) {
+    for (const CapturedDatagram& datagram : frame) {
+      static_cast<void>(target_->take(datagram));
+    }
+  }
+
+  Account finish() {
+    target_->finish();
+    assembler_.finish();
+    return account_;
+  }
+
+ private:
+  void add(const GridFrame& frame) {
+    if (!frame.header.has_evidence()) {
+      return;  // it says that the other scanners' packets were dropped
+    }
+    account_.hash.add(record_of(frame));
+    ++account_.frames;
+    account_.points_used += frame.header.points_used;
+  }
+
+  Account account_;
+  FrameAssembler assembler_;
+  std::unique_ptr<OfflineTarget> target_;
+};
+
+// Of a fixed drive, fused by a car that has only its first scanners.
 Account account_of(const char* scene, std::size_t sensors) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   vehicle::Vehicle vehicle = *car.vehicle;
   vehicle.sensors = vehicle.sensors.first(sensors);
-  Account account;
-  FrameAssembler assembler([&](const GridFrame& frame) {
-    if (!frame.header.has_evidence()) {
-      return;  // it says that the other scanners' packets were dropped
-    }
-    account.hash.add(record_of(frame));
-    ++account.frames;
-    account.points_used += frame.header.points_used;
-  });
-  OfflineTarget target(vehicle,
-                       [&](std::span<const std::byte> message) { assembler.take(message); });
+  Accountant accountant(vehicle);
   Drive drive(car, kA9Seed, kA9Seconds, find_scene(scene));
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
     drive.move_to(frame);
-    for (const CapturedDatagram& datagram : drive.datagrams()) {
-      target.take(datagram);
-    }
+    accountant.take(drive.datagrams());
   }
-  target.finish();
-  assembler.finish();
-  return account;
+  return accountant.finish();
+}
+
+// Of the worst frames of one kind.
+Account account_of(const WorstFrame& worst, double frames) {
+  Accountant accountant(*find_vehicle("reference_car").vehicle);
+  for (std::uint32_t frame = 0; frame < frames; ++frame) {
+    accountant.take(worst_datagrams(worst, kA9Seed, frame));
+  }
+  return accountant.finish();
+}
+
+void expect_measured(const std::string& run, const Account& account) {
+  EXPECT_EQ(measured_on_a9(run, "frames"), account.frames);
+  EXPECT_EQ(measured_on_a9(run, "points_used"), account.points_used);
+  EXPECT_EQ(word_from_a9(run, "run_hash"), hex(account.hash.value()));
 }
 
 // What was measured there is what is computed here: the same frames, the same points, and the same
@@ -68,16 +108,23 @@ class CortexA9Drive : public testing::TestWithParam<std::tuple<const char*, std:
 
 TEST_P(CortexA9Drive, FusedTheGridsThatThePcFuses) {
   const auto [scene, sensors] = GetParam();
-  const std::string run = frame_cost(scene, sensors);
-  const Account account = account_of(scene, sensors);
-  EXPECT_EQ(measured_on_a9(run, "frames"), account.frames);
-  EXPECT_EQ(measured_on_a9(run, "points_used"), account.points_used);
-  EXPECT_EQ(word_from_a9(run, "run_hash"), hex(account.hash.value()));
+  expect_measured(frame_cost(scene, sensors), account_of(scene, sensors));
 }
 
 INSTANTIATE_TEST_SUITE_P(ScenesAndSensors, CortexA9Drive,
                          testing::Combine(testing::Values(kCity, kRingRoad),
                                           testing::Values(2U, 3U, 4U)));
+
+class CortexA9Worst : public testing::TestWithParam<WorstFrame> {};
+
+TEST_P(CortexA9Worst, FusedTheGridsThatThePcFuses) {
+  const std::string run = "frame_cost worst=" + std::string(GetParam().name);
+  expect_measured(run, account_of(GetParam(), measured_on_a9(run, "frames")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Frames, CortexA9Worst,
+                         testing::ValuesIn(all_worst_frames().begin(), all_worst_frames().end()),
+                         [](const auto& frame) { return std::string(frame.param.name); });
 
 // The first frame of the drive as the two front corners' LUX see it.
 void measure_first_frame(reference::LuxScans& left, reference::LuxScans& right) {
