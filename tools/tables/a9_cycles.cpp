@@ -23,16 +23,16 @@ Modelled modelled_on_a9(const std::string& run, const std::string& key) {
           .pessimistic = measured_on_a9(run + kPessimistic, key)};
 }
 
-StageCost stage_of(const std::string& run, const std::string& stage) {
-  const double frames = measured_on_a9(run + kNominal, "frames");
+// From the keys that begin with `stage`, sums over so many frames.
+StageCost stage_of(const std::string& run, const std::string& stage, double frames) {
   const auto mean = [&](const char* key) {
     return measured_on_a9(run + kNominal, stage + key) / frames;
   };
-  return {.cycles = modelled_on_a9(run, stage + "_cycles") * (1 / frames),
-          .instructions = mean("_instructions"),
-          .l1d_refills = mean("_l1d_refills"),
-          .l2_misses = mean("_l2_misses"),
-          .mispredicts = mean("_mispredicts")};
+  return {.cycles = modelled_on_a9(run, stage + "cycles") * (1 / frames),
+          .instructions = mean("instructions"),
+          .l1d_refills = mean("l1d_refills"),
+          .l2_misses = mean("l2_misses"),
+          .mispredicts = mean("mispredicts")};
 }
 
 StageCost sum_of(std::initializer_list<StageCost> stages) {
@@ -58,21 +58,22 @@ A9Cycles a9_cycles(std::string_view scene, int sensors) {
     run.append("scene=").append(scene).append(" ");
   }
   run.append("sensors=").append(std::to_string(sensors));
-  A9Cycles cycles{.frames = measured_on_a9(run + kNominal, "frames"),
-                  .receive = stage_of(run, "receive"),
-                  .decode = stage_of(run, "decode"),
-                  .fuse = stage_of(run, "fuse"),
-                  .mark = stage_of(run, "mark"),
-                  .clear = stage_of(run, "clear"),
-                  .publish = stage_of(run, "publish"),
+  const double frames = measured_on_a9(run + kNominal, "frames");
+  A9Cycles cycles{.frames = frames,
+                  .receive = stage_of(run, "receive_", frames),
+                  .decode = stage_of(run, "decode_", frames),
+                  .fuse = stage_of(run, "fuse_", frames),
+                  .mark = stage_of(run, "mark_", frames),
+                  .clear = stage_of(run, "clear_", frames),
+                  .publish = stage_of(run, "publish_", frames),
                   .fused = {},
-                  .whole = stage_of(run, "frame")};
+                  .whole = stage_of(run, "frame_", frames)};
   cycles.fused = sum_of({cycles.decode, cycles.fuse, cycles.mark, cycles.clear});
   return cycles;
 }
 
-Modelled a9_walk_cycles(const std::string& walk) {
-  return modelled_on_a9("model traversal_cost walk=" + walk, "cycles");
+StageCost a9_walk(const std::string& walk) {
+  return stage_of("model traversal_cost walk=" + walk, "", 1);
 }
 
 Modelled cycles_of(double instructions, const StageCost& stage) {

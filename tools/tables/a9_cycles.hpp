@@ -20,7 +20,7 @@ struct Modelled {
   }
 };
 
-// A stage of a mean frame; misses by the nominal variant.
+// What a stage of a mean frame takes; misses by the nominal variant.
 struct StageCost {
   Modelled cycles;
   double instructions = 0;
@@ -45,8 +45,8 @@ struct A9Cycles {
 // std::out_of_range if bench/cortex_a9.txt has no such run.
 [[nodiscard]] A9Cycles a9_cycles(std::string_view scene, int sensors);
 
-// Of one of the walks of traversal_cost, e.g. "discrete r=20": cycles for all its cells.
-[[nodiscard]] Modelled a9_walk_cycles(const std::string& walk);
+// One of the walks of traversal_cost, e.g. "discrete r=20", over all its cells.
+[[nodiscard]] StageCost a9_walk(const std::string& walk);
 
 // What so many instructions take at the rate of that stage.
 [[nodiscard]] Modelled cycles_of(double instructions, const StageCost& stage);

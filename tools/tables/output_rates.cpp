@@ -196,11 +196,12 @@ std::vector<std::string> stage_row(const std::string& name, const StageCost& sta
 void describe_stages(const Rate& four, Markdown& body) {
   const A9Cycles& cycles = four.cycles;
   body.subheading("Where the cycles go");
-  body.paragraph("A mean frame of four LUX on the ring road, the first " + grouped(cycles.frames) +
-                 " frames, modelled; misses and the quotient are those of the nominal variant. "
-                 "*Decode* checks the sensors' messages; *fuse* turns points to beams and lowers "
-                 "the cells along them; *mark* adds what they hit; *publish* finds the known "
-                 "tiles, hashes, wraps and clears them, and reads the stopwatch of all stages:");
+  body.paragraph(
+      "A mean frame of four LUX on the ring road, the first " + grouped(cycles.frames) +
+      " frames, modelled; all but the bounds of the cycles are those of the nominal variant. "
+      "*Decode* finds and checks the sensors' messages; *fuse* turns points to beams and lowers "
+      "the cells along them; *mark* adds what they hit; *publish* finds the known "
+      "tiles, hashes, wraps and clears them, and reads the stopwatch of all stages:");
   body.table({"stage", "instructions", "cycles", "instructions a cycle", "L1D refills", "L2 misses",
               "mispredictions"},
              {stage_row("receive", cycles.receive), stage_row("decode", cycles.decode),
@@ -268,8 +269,9 @@ void describe_growth(const std::vector<Rate>& rates, Markdown& body) {
       " ms in the first two, " + fixed(1000 / 47.0 - 1000 / 66.0, 1) + " ms as the third and " +
       fixed(1000 / 28.0 - 1000 / 47.0, 1) +
       " ms as the fourth, for which it gives no reason. On the ring road the third adds " +
-      growth(1) + " and the fourth " + growth(2) + "; in the thesis they add " +
-      percent(66.0 / 47.0 - 1, 0) + " and " + percent(47.0 / 28.0 - 1, 0) + ".");
+      growth(1) + " of the nominal cycles and the fourth " + growth(2) +
+      "; in the thesis they add " + percent(66.0 / 47.0 - 1, 0) + " and " +
+      percent(47.0 / 28.0 - 1, 0) + ".");
 }
 
 void describe_rates(const TablesInput& input, const Scenes& scenes, Markdown& body) {
@@ -304,7 +306,8 @@ void describe_rates(const TablesInput& input, const Scenes& scenes, Markdown& bo
                "Grids a second by the number of LUX");
   body.paragraph("The nominal variant decides, for the whole mean frame on the ring road: " +
                  verdicts_in_words(scenes.matched.rates) +
-                 ". The thesis timed how its scan points become a grid that starts from 0; it does "
+                 ". Where another variant would decide otherwise, it says so. The thesis timed how "
+                 "its scan points become a grid that starts from 0; it does "
                  "not say whether setting the grid to 0 or sending it is in its rates. Fuse + mark "
                  "+ clear is what compares with it at all events, the whole frame is what a "
                  "receiver waits for and the stricter of the two. Decoding and checking the "

@@ -13,7 +13,7 @@ struct Cost {
   std::string name;
   double cells = 0;
   double instructions = 0;
-  Modelled cycles;
+  StageCost modelled;
 
   [[nodiscard]] double per_cell() const { return instructions / cells; }
 };
@@ -21,7 +21,7 @@ struct Cost {
 Cost cost_of(const std::string& walk, const std::string& name) {
   const std::string run = "traversal_cost walk=" + walk;
   return {walk, name, measured_on_a9(run, "cells"), measured_on_a9(run, "instructions"),
-          a9_walk_cycles(walk)};
+          a9_walk(walk)};
 }
 
 std::vector<Cost> costs_of_walks() {
@@ -43,8 +43,8 @@ constexpr double kPaperSpeedUp = 2.8;
 
 // Each variant against itself.
 Modelled speed_up(const std::vector<Cost>& costs) {
-  const Modelled& slow = cost_named(costs, "continuous_float").cycles;
-  const Modelled& quick = cost_named(costs, "discrete r=1024").cycles;
+  const Modelled& slow = cost_named(costs, "continuous_float").modelled.cycles;
+  const Modelled& quick = cost_named(costs, "discrete r=1024").modelled.cycles;
   return {.nominal = slow.nominal / quick.nominal,
           .optimistic = slow.optimistic / quick.optimistic,
           .pessimistic = slow.pessimistic / quick.pessimistic};
@@ -62,7 +62,8 @@ Claim claim_on_speed_up(const std::vector<Cost>& costs) {
           .paper = fixed(kPaperSpeedUp, 1) + " times the time",
           .ours = banded(ours, 2) + " times the cycles, modelled",
           .verdict = verdict_by_nominal(kPaperSpeedUp, ours),
-          .reason = fixed(instruction_ratio(costs), 2) +
+          .reason = (is_in_band(kPaperSpeedUp, ours) ? "not by all variants of the model; " : "") +
+                    fixed(instruction_ratio(costs), 2) +
                     " times the instructions, measured; what code the thesis compared is not "
                     "known"};
 }
@@ -103,7 +104,7 @@ void describe_ratio(const std::vector<Cost>& costs, Markdown& body) {
       "pipeline one, and then for the flags of the comparison to be moved to the integer side "
       "before it can branch on them. Once only the error term is a real number, the factor is " +
       fixed(float_error.per_cell() / product.per_cell(), 2) + " in instructions and " +
-      fixed(float_error.cycles.nominal / product.cycles.nominal, 2) +
+      fixed(float_error.modelled.cycles.nominal / product.modelled.cycles.nominal, 2) +
       " in cycles, nominal: most of the difference is the location's. What code the thesis "
       "compared is not known.");
 }
@@ -112,7 +113,7 @@ void describe_costs(const std::vector<Cost>& costs, Markdown& body) {
   body.subheading("Instructions and cycles on the Cortex-A9");
   const Cost& product = cost_named(costs, "discrete r=1024");
   const double ours = product.per_cell();
-  const double cycles = product.cycles.nominal / product.cells;
+  const double cycles = product.modelled.cycles.nominal / product.cells;
   std::vector<std::vector<std::string>> rows;
   for (const Cost& cost : costs) {
     const bool is_paper_discrete =
@@ -122,8 +123,10 @@ void describe_costs(const std::vector<Cost>& costs, Markdown& body) {
                     : cost.walk == "continuous_float" ? "20 ms"
                                                       : "",
                     grouped(cost.cells), grouped(cost.instructions), fixed(cost.per_cell(), 2),
-                    fixed(cost.per_cell() / ours, 2), banded(cost.cycles * (1 / cost.cells), 1),
-                    fixed(cost.cycles.nominal / cost.cells / cycles, 2)});
+                    fixed(cost.per_cell() / ours, 2),
+                    banded(cost.modelled.cycles * (1 / cost.cells), 1),
+                    fixed(cost.modelled.cycles.nominal / cost.cells / cycles, 2),
+                    grouped(cost.modelled.l1d_refills), grouped(cost.modelled.l2_misses)});
   }
   body.paragraph(
       "The same 181 beams on the emulated Cortex-A9 (`bench/cortex_a9.txt`), measured in "
@@ -134,7 +137,7 @@ void describe_costs(const std::vector<Cost>& costs, Markdown& body) {
       "**modelled** ([a9_model.md](a9_model.md)): nominal (optimistic to pessimistic), the grid in "
       "memory and not yet in a cache.");
   body.table({"walk", "paper", "cells visited", "instructions", "a cell", "ratio", "cycles a cell",
-              "ratio"},
+              "ratio", "L1D refills", "L2 misses"},
              rows);
   describe_ratio(costs, body);
 }

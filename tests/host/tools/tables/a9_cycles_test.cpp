@@ -84,19 +84,20 @@ TEST(A9Cycles, OfAWalkAreOfTheInstructionsThatQemuCounts) {
        {"discrete r=20", "discrete r=100", "discrete r=200", "discrete r=1024", "continuous_float",
         "continuous_double", "float_error", "bresenham"}) {
     const std::string run = std::string("traversal_cost walk=") + walk;
-    EXPECT_NEAR(measured_on_a9("model " + run + " variant=nominal", "instructions"),
-                measured_on_a9(run, "instructions"), 25)
-        << walk;
-    const Modelled cycles = a9_walk_cycles(walk);
-    EXPECT_LT(cycles.optimistic, cycles.nominal) << walk;
-    EXPECT_LT(cycles.nominal, cycles.pessimistic) << walk;
+    const StageCost cost = a9_walk(walk);
+    EXPECT_NEAR(cost.instructions, measured_on_a9(run, "instructions"), 25) << walk;
+    EXPECT_LT(cost.cycles.optimistic, cost.cycles.nominal) << walk;
+    EXPECT_LT(cost.cycles.nominal, cost.cycles.pessimistic) << walk;
+    // At most two instructions a cycle, and at most one refill for each cell.
+    EXPECT_GE(cost.cycles.optimistic, 0.5 * cost.instructions) << walk;
+    EXPECT_LE(cost.l1d_refills, measured_on_a9(run, "cells")) << walk;
   }
 }
 
 TEST(A9Cycles, OnlyOfWhatWasModelled) {
   EXPECT_THROW(static_cast<void>(a9_cycles("moon", 4)), std::out_of_range);
   EXPECT_THROW(static_cast<void>(a9_cycles("city", 5)), std::out_of_range);
-  EXPECT_THROW(static_cast<void>(a9_walk_cycles("moonwalk")), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(a9_walk("moonwalk")), std::out_of_range);
 }
 
 // 1 GHz: 20 million cycles are 20 ms.
