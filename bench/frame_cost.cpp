@@ -189,11 +189,9 @@ int main(int argc, char** argv) {
   const std::size_t sensors = argc >= 3 ? iog::bench::number_in(argv[2], all) : all;
   const std::size_t frames = argc >= 4 ? iog::bench::number_in(argv[3], kMostFrames) : 0;
   if (argc < 2 || argc > 4 || sensors == 0 || (argc == 4 && frames == 0)) {
-    std::printf(
-        "frame_cost: expected a capture, 1 to %u for so many of the sensors, and a number of "
-        "frames\n",
-        // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
-        all);
+    // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
+    std::printf("frame_cost: expected a capture, 1 to %u for the sensors, and a number of frames\n",
+                all);
     return 2;
   }
   return iog::bench::run(argv[1], sensors, frames);
