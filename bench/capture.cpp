@@ -15,16 +15,17 @@ constexpr std::uint32_t kLinkTypeEthernet = 1;
 
 }  // namespace
 
-Capture::~Capture() {
+Capture::~Capture() { close(); }
+
+void Capture::close() {
   if (file_ != nullptr) {
     std::fclose(file_);
+    file_ = nullptr;
   }
 }
 
 bool Capture::open(const char* path) {
-  if (file_ != nullptr) {
-    std::fclose(file_);
-  }
+  close();
   file_ = std::fopen(path, "rb");
   std::array<std::byte, kFileHeaderBytes> header{};
   if (file_ == nullptr || !read(header)) {

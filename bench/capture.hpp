@@ -28,6 +28,9 @@ class Capture {
   // The next frame that was captured whole, valid until the next call; nothing at the file's end.
   [[nodiscard]] std::optional<CapturedFrame> next();
 
+  // Nothing comes any more until it is opened again.
+  void close();
+
  private:
   [[nodiscard]] bool read(std::span<std::byte> target);
 

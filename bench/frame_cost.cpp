@@ -1,7 +1,10 @@
 // frame_cost: what a frame costs the Cortex-A9, in instructions, by stage. Runs in QEMU with
 // instruction counting (bench/run_image); prints one line of key=value pairs.
 //
-//   frame_cost <capture> [<number of sensors: the first ones of the description>]
+//   frame_cost <capture> [<number of sensors: the first ones of the description> [<frames>]]
+//
+// With a number of frames only the firmware's own pipeline runs, over so many: what
+// bench/a9_model/lines needs for the cost model of the Cortex-A9, which takes its time.
 //
 // The core is the firmware's own, object by object, and so is the memcpy() beneath it. What is not
 // here are the driver of the Ethernet controller, the loop around the pipeline, and caches, which
@@ -83,8 +86,50 @@ vehicle::Vehicle with_sensors(std::size_t count) {
   return vehicle;
 }
 
-// Both passes are static: each holds a grid.
-int run(const char* path, std::size_t sensor_count) {
+// A target of play() that ends the capture once so many frames are complete.
+class FirstFrames {
+ public:
+  FirstFrames(StagePass& stages, Capture& capture, std::size_t frames)
+      : stages_(stages), capture_(capture), frames_(frames) {}
+
+  void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
+            std::uint32_t received, std::uint64_t now_us) {
+    stages_.take(sensor, datagram, received, now_us);
+    stop_if_over();
+  }
+  void tick(std::uint64_t now_us) {
+    if (!is_over()) {
+      stages_.tick(now_us);
+      stop_if_over();
+    }
+  }
+  [[nodiscard]] std::uint64_t deadline_us() const { return stages_.deadline_us(); }
+  [[nodiscard]] bool is_over() const { return stages_.frames() >= frames_; }
+
+ private:
+  void stop_if_over() {
+    if (is_over()) {
+      capture_.close();
+    }
+  }
+
+  StagePass& stages_;
+  Capture& capture_;
+  std::size_t frames_;
+};
+
+// Only the first pass, and only of the first frames.
+int run_first(Capture& capture, const vehicle::Vehicle& vehicle, InstructionCounter& counter,
+              StagePass& stages, std::size_t frames) {
+  FirstFrames first(stages, capture, frames);
+  play(capture, vehicle, counter, first);
+  // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
+  std::printf("frame_cost frames=%u complete=%u\n", frames, first.is_over() ? 1U : 0U);
+  return first.is_over() ? 0 : 1;
+}
+
+// Both passes are static: each holds a grid. No number of frames means all, in both passes.
+int run(const char* path, std::size_t sensor_count, std::size_t frames) {
   static const vehicle::Vehicle vehicle = with_sensors(sensor_count);
   static InstructionCounter counter;
   static Capture capture;
@@ -98,6 +143,9 @@ int run(const char* path, std::size_t sensor_count) {
   if (!capture.open(path)) {
     std::printf("frame_cost: %s cannot be read as a pcap of Ethernet frames\n", path);
     return 1;
+  }
+  if (frames > 0) {
+    return run_first(capture, vehicle, counter, stages, frames);
   }
   StackPaint stack;
   stack.apply();
@@ -124,25 +172,27 @@ int run(const char* path, std::size_t sensor_count) {
   return 0;
 }
 
-// Of the last argument; 0 if it is none.
-std::size_t sensors_in(const char* argument) {
-  std::size_t count = 0;
+// 0 if the argument is no number, or one above the most.
+std::size_t number_in(const char* argument, std::size_t most) {
+  std::size_t number = 0;
   const char* const end = argument + std::strlen(argument);
-  const auto [rest, fault] = std::from_chars(argument, end, count);
-  return fault == std::errc{} && rest == end && count <= vehicles::kVehicle.sensors.size() ? count
-                                                                                           : 0;
+  const auto [rest, fault] = std::from_chars(argument, end, number);
+  return fault == std::errc{} && rest == end && number <= most ? number : 0;
 }
 
 }  // namespace
 }  // namespace iog::bench
 
 int main(int argc, char** argv) {
+  constexpr std::size_t kMostFrames = 100'000;
   const std::size_t all = iog::vehicles::kVehicle.sensors.size();
-  const std::size_t sensors = argc == 3 ? iog::bench::sensors_in(argv[2]) : all;
-  if (argc < 2 || argc > 3 || sensors == 0) {
+  const std::size_t sensors = argc >= 3 ? iog::bench::number_in(argv[2], all) : all;
+  const std::size_t frames = argc >= 4 ? iog::bench::number_in(argv[3], kMostFrames) : 0;
+  if (argc < 2 || argc > 4 || sensors == 0 || (argc == 4 && frames == 0)) {
     // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
-    std::printf("frame_cost: expected a capture, and 1 to %u for so many of the sensors\n", all);
+    std::printf("frame_cost: expected a capture, 1 to %u for the sensors, and a number of frames\n",
+                all);
     return 2;
   }
-  return iog::bench::run(argv[1], sensors);
+  return iog::bench::run(argv[1], sensors, frames);
 }

@@ -53,8 +53,8 @@ void add_introduction(Markdown& page, const TablesInput& input) {
       "The simulated drive is that of `iog simulate --seed " + std::to_string(input.seed) +
       " --seconds " + std::to_string(input.seconds) +
       "`: the reference car with four LUX in a city, " + std::to_string(25 * input.seconds) +
-      " frames. Instructions of the Cortex-A9 were counted before by `bench/measure_a9` and are "
-      "compiled in.");
+      " frames. Instructions of the Cortex-A9 were counted, and cycles modelled, before by "
+      "`bench/measure_a9`; they are compiled in.");
   if (!input.recordings.empty()) {
     page.paragraph(
         "Recordings, which are not part of this project, added with `--recording`; `bench/results "

@@ -21,48 +21,52 @@ constexpr double kUnit = kPaperPoints * kPaperCells * kPaperHz / kPaperMetric;
 // points cells Hz, in the thesis's unit. Our grid has as many cells as the thesis's.
 double metric(double points, double frames_hz) { return points * kPaperCells * frames_hz / kUnit; }
 
-double whole_metric(const A9Frame& frame, double per_cycle) {
-  return metric(frame.points, modelled_hz(frame.whole, per_cycle));
-}
+Modelled metric(double points, const Modelled& frames_hz) { return frames_hz * metric(points, 1); }
 
-void add_claims(const A9Frame& frame, Section& section) {
-  const double slow = whole_metric(frame, kSlow);
-  const double quick = whole_metric(frame, kQuick);
-  const std::string reason = "as table 4.4, with " + grouped(frame.points) +
+// A frame of ours: what was counted, and how often a second it comes.
+struct Ours {
+  A9Frame frame;
+  Modelled fused_hz;
+  Modelled whole_hz;
+
+  [[nodiscard]] Modelled whole_metric() const { return metric(frame.points, whole_hz); }
+};
+
+void add_claims(const Ours& ours, Section& section) {
+  const Modelled whole = ours.whole_metric();
+  const Modelled per_watt = whole * kHommWatts;
+  const std::string reason = "as table 4.4, with " + grouped(ours.frame.points) +
                              " points a frame; the unit counts " + grouped(kPaperPoints) +
                              " for the thesis, the most that four LUX send";
   section.claims.push_back({.place = "table 4.5",
                             .what = "points cells Hz, a GPU being 1",
                             .paper = fixed(kPaperMetric, 0),
-                            .ours = range(slow, quick, 1) + ", modelled",
-                            .verdict = verdict_on(kPaperMetric, slow),
+                            .ours = banded(whole, 1) + ", modelled",
+                            .verdict = verdict_by_nominal(kPaperMetric, whole),
                             .reason = reason});
   section.claims.push_back({.place = "table 4.5",
                             .what = "the same per watt, a GPU being 1",
                             .paper = grouped(kPaperMetricPerWatt),
-                            .ours = grouped(slow * kHommWatts) + " to " +
-                                    grouped(quick * kHommWatts) + " at the thesis's 1 W, modelled",
-                            .verdict = verdict_on(kPaperMetricPerWatt, slow * kHommWatts),
+                            .ours = banded(per_watt, 0) + " at the thesis's 1 W, modelled",
+                            .verdict = verdict_by_nominal(kPaperMetricPerWatt, per_watt),
                             .reason = reason + "; no power was measured"});
 }
 
-void print_metric(const A9Frame& frame, Markdown& body) {
-  const double slow = whole_metric(frame, kSlow);
-  const double quick = whole_metric(frame, kQuick);
+void print_metric(const Ours& ours, Markdown& body) {
+  const Modelled whole = ours.whole_metric();
   body.table(
-      {"", "Homm 2010", "Nuss 2015", "thesis", "ours at 0.5", "ours at 1.0"},
-      {{"hardware", "GeForce 268GTX", "desktop", "one ARM A9", "one ARM A9", "one ARM A9"},
-       {"power", "204 W", "about 80 W", "1 W", "1 W, by the thesis", "1 W, by the thesis"},
-       {"layers", "2", "4", "16", "16", "16"},
-       {"cells", "512 x 512", "533 x 533", "1000 x 1000", "as the thesis", "as the thesis"},
+      {"", "Homm 2010", "Nuss 2015", "thesis", "ours"},
+      {{"hardware", "GeForce 268GTX", "desktop", "one ARM A9", "one ARM A9"},
+       {"power", "204 W", "about 80 W", "1 W", "1 W, by the thesis"},
+       {"layers", "2", "4", "16", "16"},
+       {"cells", "512 x 512", "533 x 533", "1000 x 1000", "as the thesis"},
        {"points a frame", "not in the text", "not in the text", grouped(kPaperPoints),
-        grouped(frame.points), grouped(frame.points)},
+        grouped(ours.frame.points)},
        {"frames a second", "not in the text", "not in the text", fixed(kPaperHz, 0),
-        fixed(modelled_hz(frame.whole, kSlow), 1), fixed(modelled_hz(frame.whole, kQuick), 1)},
-       {"points cells Hz", "1", fixed(kNussMetric, 1), fixed(kPaperMetric, 0), fixed(slow, 1),
-        fixed(quick, 1)},
+        banded(ours.whole_hz, 1)},
+       {"points cells Hz", "1", fixed(kNussMetric, 1), fixed(kPaperMetric, 0), banded(whole, 1)},
        {"points cells Hz / W", "1", "about 1", grouped(kPaperMetricPerWatt),
-        grouped(slow * kHommWatts), grouped(quick * kHommWatts)}});
+        banded(whole * kHommWatts, 0)}});
 }
 
 void describe_formula(Markdown& body) {
@@ -78,18 +82,16 @@ void describe_formula(Markdown& body) {
       fixed(kPaperMetricPerWatt / kHommWatts, 2) + " before it was rounded.");
 }
 
-void describe_rows(const A9Frame& frame, Markdown& body) {
-  const double same_points_hz = modelled_hz(frame.whole, kSlow) / kPaperHz;
+void describe_rows(const Ours& ours, Markdown& body) {
   body.paragraph(
       "Ours is the whole mean frame of four LUX on the ring road, modelled; fuse + mark + clear "
       "alone is " +
-      range(metric(frame.points, modelled_hz(frame.fused, kSlow)),
-            metric(frame.points, modelled_hz(frame.fused, kQuick)), 1) +
+      banded(metric(ours.frame.points, ours.fused_hz), 1) +
       ". The thesis's points are the most that its scanners can send, ours are those that came: "
       "many beams of a wide road meet nothing, walk nowhere and are not counted. Had the thesis's "
       "frames as many points as ours, its row would stay " +
       fixed(kPaperMetric, 0) + " and ours would be " +
-      range(kPaperMetric * same_points_hz, kPaperMetric * same_points_hz * kQuick / kSlow, 1) +
+      banded(ours.whole_hz * (kPaperMetric / kPaperHz), 1) +
       ". The grid has 1024 x 1024 cells in the thesis's text and here, and is counted as 1000 x "
       "1000 for both. The power is the thesis's figure for the same processor, not a measurement.");
   body.paragraph(
@@ -100,19 +102,20 @@ void describe_rows(const A9Frame& frame, Markdown& body) {
       "; whether they did, the text does not say. Nor is the metric fair to them: it counts cells "
       "that nobody visits, so that a larger empty grid is a better one. Cells carved a second are "
       "not so easily had: " +
-      range(frame.cells * modelled_hz(frame.whole, kSlow) / 1e6,
-            frame.cells * modelled_hz(frame.whole, kQuick) / 1e6, 0) +
-      " million here, modelled.");
+      banded(ours.whole_hz * (ours.frame.cells / 1e6), 0) + " million here, modelled.");
 }
 
 }  // namespace
 
-void add_points_cells_hz(const A9Frame& frame, Section& section) {
-  add_claims(frame, section);
+void add_points_cells_hz(const A9Frame& frame, const A9Cycles& cycles, Section& section) {
+  const Ours ours{.frame = frame,
+                  .fused_hz = hz_of(cycles_of(frame.fused, cycles.fused)),
+                  .whole_hz = hz_of(cycles_of(frame.whole, cycles.whole))};
+  add_claims(ours, section);
   section.body.subheading("Points cells Hz: table 4.5");
   describe_formula(section.body);
-  print_metric(frame, section.body);
-  describe_rows(frame, section.body);
+  print_metric(ours, section.body);
+  describe_rows(ours, section.body);
 }
 
 }  // namespace iog::tools
