@@ -101,6 +101,7 @@ std::uint32_t OperationPass::carved_cells(const vehicle::Sensor& sensor, const v
     single_.clear();
   }
   static_cast<void>(single_.add(sensor, point));
+  single_.carve_waiting();
   const auto inside = beam.line.clip(vehicle::kGridArea);
   if (!inside) {
     return 0;

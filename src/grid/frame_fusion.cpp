@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "require/require.hpp"
+#include "traversal/steady_walk.hpp"
+#include "traversal/walk.hpp"
 
 namespace iog::grid {
 namespace {
@@ -56,11 +58,6 @@ bool narrow_to_band(const vehicle::Vehicle& vehicle, const Sensor& sensor, const
   return range.first.crossed() < range.end;
 }
 
-// Position as far as the walk's count goes: borders crossed at this distance along the beam.
-std::uint32_t crossed_at(const BeamLine& line, const Sensor& sensor, std::uint32_t distance_mm) {
-  return line.through(distance_mm, sensor.range).crossed();
-}
-
 }  // namespace
 
 bool FrameFusion::fits(const Sensor& sensor, std::uint32_t points) const {
@@ -69,48 +66,64 @@ bool FrameFusion::fits(const Sensor& sensor, std::uint32_t points) const {
 }
 
 vehicle::Fate FrameFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
-  const Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-  const vehicle::Judgement judgement = vehicle::judge(*vehicle_, sensor, beam, point);
+  OpenLine& open = open_line(sensor, point);
+  const vehicle::Judgement judgement = vehicle::judge(*vehicle_, sensor, open.beam, point);
   if (judgement.carves) {
     if (point.range_mm == 0) {
-      carve_free(sensor, beam, sensor.no_return_clears_mm);
+      carve_free(sensor, open, sensor.no_return_clears_mm);
     } else {
-      carve_to_hit(sensor, beam, point.range_mm);
+      carve_to_hit(sensor, open, point.range_mm);
     }
   }
   if (judgement.marks) {
-    mark(sensor, beam.line, point.range_mm);
+    mark(sensor, open, point.range_mm);
   }
   return judgement.fate;
+}
+
+// The place of a line is that of its layer: what waits there for another azimuth is carved now.
+OpenLine& FrameFusion::open_line(const Sensor& sensor, const lidar::ScanPoint& point) {
+  const vehicle::Layer& layer = sensor.layers[point.layer];
+  OpenLine& open = open_lines_[layer.line];
+  if (!open.is_of(sensor, point.azimuth_ticks)) {
+    carve(open);
+    open.aim(sensor, layer, point.azimuth_ticks);
+  } else if (!open.steps.has_room()) {
+    carve(open);
+  }
+  open.beam.end_z = vehicle::end_height_of(layer, open.direction);
+  return open;
 }
 
 // Cells before the scan point take the index of the 1D cell in which the line leaves them. The line
 // leaves a cell within 1D cell j or earlier exactly if its border there is crossed at (j + 1) Delta
 // or before: `through` counts those crossings, and so says where each zone of the profile ends.
-void FrameFusion::carve_to_hit(const Sensor& sensor, const Beam& beam, std::uint32_t range_mm) {
+void FrameFusion::carve_to_hit(const Sensor& sensor, OpenLine& open, std::uint32_t range_mm) {
+  const BeamLine& line = open.beam.line;
   const bool in_range = range_mm <= sensor.range.mm();
-  const Position hit = in_range ? beam.line.through(range_mm, sensor.range) : Position{};
+  const Position hit = in_range ? open.through(range_mm) : Position{};
   if (in_range && hit.crossed() == 0) {
     return;  // the scan point lies in the sensor's own cell: nothing is before it
   }
-  const Position last = in_range ? hit : beam.line.before(kWholeLine);
-  std::optional<WalkRange> range = inside_grid(beam.line, last);
+  const Position last = in_range ? hit : line.before(kWholeLine);
+  std::optional<WalkRange> range = inside_grid(line, last);
   const std::uint32_t reach_mm = std::min(range_mm, sensor.range.mm());
-  if (!range || !narrow_to_band(*vehicle_, sensor, beam, reach_mm, *range)) {
+  if (!range || !narrow_to_band(*vehicle_, sensor, open.beam, reach_mm, *range)) {
     return;
   }
   if (in_range) {
     range->end = std::min(range->end, hit.crossed());
   }
-  traversal::Walk walk(beam.line, range->first, kStride);
-  const auto carve_until = [&](std::uint32_t end, OccupancyIndex free) {
+  open.steps.begin(range->first);
+  std::uint32_t at = range->first.crossed();
+  std::int32_t free_before = 0;
+  const auto carve_until = [&](std::uint32_t end, OccupancyIndex index) {
     const std::uint32_t stop = std::min(end, range->end);
-    if (free == 0) {
-      walk.skip_until(stop);
-    } else {
-      walk.until(stop, [&](std::size_t offset) {
-        cells_[offset] = index::sat_lower(cells_[offset], free);
-      });
+    if (at < stop) {
+      const std::int32_t free = -index;
+      open.steps.add({at, free - free_before});
+      free_before = free;
+      at = stop;
     }
   };
 
@@ -121,29 +134,63 @@ void FrameFusion::carve_to_hit(const Sensor& sensor, const Beam& beam, std::uint
     if (k >= back) {
       const OccupancyIndex index =
           back == profile.near_before_count ? profile.free : profile.near_before[back];
-      carve_until(crossed_at(beam.line, sensor, (k - back) * sensor.precision_mm), index);
+      carve_until(open.through((k - back) * sensor.precision_mm).crossed(), index);
     }
   }
   carve_until(range->end, profile.near_before_count > 0 ? profile.near_before[0] : profile.free);
+  open.steps.add({at, -free_before});
 }
 
 // A beam without an echo: every cell that it crosses up to reach_mm is free, as the sensor's
 // description says.
-void FrameFusion::carve_free(const Sensor& sensor, const Beam& beam, std::uint32_t reach_mm) {
-  const Position last = beam.line.before({reach_mm, sensor.range.mm()});
-  std::optional<WalkRange> range = inside_grid(beam.line, last);
-  if (!range || !narrow_to_band(*vehicle_, sensor, beam, reach_mm, *range)) {
+void FrameFusion::carve_free(const Sensor& sensor, OpenLine& open, std::uint32_t reach_mm) {
+  const Position last = open.beam.line.before({reach_mm, sensor.range.mm()});
+  std::optional<WalkRange> range = inside_grid(open.beam.line, last);
+  if (!range || !narrow_to_band(*vehicle_, sensor, open.beam, reach_mm, *range)) {
     return;
   }
-  traversal::Walk walk(beam.line, range->first, kStride);
-  walk.until(range->end, [&](std::size_t offset) {
-    cells_[offset] = index::sat_lower(cells_[offset], sensor.profile.free);
-  });
+  open.steps.begin(range->first);
+  open.steps.add({range->first.crossed(), -sensor.profile.free});
+  open.steps.add({range->end, sensor.profile.free});
+}
+
+void FrameFusion::carve_waiting() {
+  for (OpenLine& open : open_lines_) {
+    carve(open);
+    open.sensor = nullptr;
+  }
+}
+
+void FrameFusion::carve(OpenLine& open) {
+  if (open.steps.empty()) {
+    return;
+  }
+  const BeamLine& line = open.beam.line;
+  const Position first = open.steps.first();
+  std::int32_t index = 0;
+  const auto carve_cell = [&](OccupancyIndex& cell) { cell = index::sat_lower(cell, index); };
+  if (traversal::may_meet_corner(line)) {
+    traversal::Walk walk(line, first, kStride);
+    for (const FreeSteps::Change& change : open.steps.changes()) {
+      walk.until(change.crossed, [&](std::size_t offset) { carve_cell(cells_[offset]); });
+      index -= change.freer;
+    }
+  } else {
+    traversal::SteadyWalk walk(line, first, cells_.data(), kStride);
+    std::uint32_t at = first.crossed();
+    for (const FreeSteps::Change& change : open.steps.changes()) {
+      walk.visit(change.crossed - at, carve_cell);
+      at = change.crossed;
+      index -= change.freer;
+    }
+  }
+  open.steps.clear();
 }
 
 // One hit marks one cell: the one that holds the scan point.
-void FrameFusion::mark(const Sensor& sensor, const BeamLine& line, std::uint32_t range_mm) {
-  const Position hit = line.through(range_mm, sensor.range);
+void FrameFusion::mark(const Sensor& sensor, const OpenLine& open, std::uint32_t range_mm) {
+  const BeamLine& line = open.beam.line;
+  const Position hit = open.through(range_mm);
   const traversal::Cell cell = line.cell(hit);
   if (vehicle::kGridArea.contains(cell)) {
     const std::int32_t offset = cell.y * kStride + cell.x;
@@ -191,6 +238,7 @@ void FrameFusion::remember(std::size_t offset, OccupancyIndex index) {
 // hits_win: evidence for a cell is its marks alone where it has any, so the first mark erases what
 // was carved: max(cell, 0) + index. bayes: the marks are added to it.
 void FrameFusion::finish() {
+  carve_waiting();
   const bool hits_win = vehicle_->rule == vehicle::FusionRule::kHitsWin;
   for (const Mark& mark : std::span(marks_).first(mark_count_)) {
     OccupancyIndex& cell = cells_[mark.offset];
@@ -201,6 +249,9 @@ void FrameFusion::finish() {
 }
 
 void FrameFusion::clear() {
+  for (OpenLine& open : open_lines_) {
+    open.steps.clear();
+  }
   cells_.fill(index::kUnknown);
   mark_count_ = 0;
 }

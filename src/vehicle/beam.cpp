@@ -7,10 +7,11 @@ namespace iog::vehicle {
 namespace {
 
 // The end of a beam along one axis, rounded to the nearest subcell, a tie towards plus infinity.
-std::int32_t end_of(const EndCoordinate& axis, std::int32_t cosine, std::int32_t sine) {
+std::int32_t end_of(const EndCoordinate& axis, Direction direction) {
   constexpr int kFractionBits = kAxisFractionBits + numeric::kSineFractionBits;
   const std::int64_t end = axis.base * (std::int64_t{1} << numeric::kSineFractionBits) +
-                           std::int64_t{axis.forward} * cosine + std::int64_t{axis.left} * sine;
+                           std::int64_t{axis.forward} * direction.cosine +
+                           std::int64_t{axis.left} * direction.sine;
   return static_cast<std::int32_t>((end + (std::int64_t{1} << (kFractionBits - 1))) >>
                                    kFractionBits);
 }
@@ -43,12 +44,22 @@ bool is_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
 
 }  // namespace
 
+Direction direction_of(const Sensor& sensor, std::uint16_t azimuth_ticks) {
+  return {.cosine = sensor.sines.cosine(azimuth_ticks), .sine = sensor.sines.sine(azimuth_ticks)};
+}
+
+BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction) {
+  return {sensor.origin, {end_of(layer.x, direction), end_of(layer.y, direction)}};
+}
+
+std::int32_t end_height_of(const Layer& layer, Direction direction) {
+  return end_of(layer.z, direction);
+}
+
 Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks) {
+  const Direction direction = direction_of(sensor, azimuth_ticks);
   const Layer& axes = sensor.layers[layer];
-  const std::int32_t cosine = sensor.sines.cosine(azimuth_ticks);
-  const std::int32_t sine = sensor.sines.sine(azimuth_ticks);
-  const traversal::SubcellPoint end{end_of(axes.x, cosine, sine), end_of(axes.y, cosine, sine)};
-  return {BeamLine(sensor.origin, end), end_of(axes.z, cosine, sine)};
+  return {line_of(sensor, axes, direction), end_height_of(axes, direction)};
 }
 
 Judgement judge(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,

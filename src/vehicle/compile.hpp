@@ -4,6 +4,7 @@
 // was reached.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -76,6 +77,11 @@ constexpr void compile_layers(const SensorConfig& config, std::span<const double
     sensor.layers[i] = {.x = along(grid_metres(config.mount.x_m), 0),
                         .y = along(grid_metres(config.mount.y_m), 1),
                         .z = along(config.mount.z_m, 2)};
+    const auto same_line = [&](const Layer& layer) {
+      return layer.x == sensor.layers[i].x && layer.y == sensor.layers[i].y;
+    };
+    const auto first = std::ranges::find_if(sensor.layers, same_line);
+    sensor.layers[i].line = static_cast<std::uint8_t>(first - sensor.layers.begin());
   }
 }
 

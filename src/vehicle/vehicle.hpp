@@ -31,12 +31,16 @@ struct EndCoordinate {
   std::int64_t base = 0;
   std::int32_t forward = 0;
   std::int32_t left = 0;
+  friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
 struct Layer {
   EndCoordinate x;
   EndCoordinate y;
   EndCoordinate z;
+  // The first layer whose beams have the same lines on the grid. Of a level sensor it is the same
+  // for two layers of opposite elevations.
+  std::uint8_t line = 0;
 };
 
 struct Sensor {
