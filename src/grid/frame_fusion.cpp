@@ -19,16 +19,11 @@ using vehicle::Sensor;
 
 constexpr Share kWholeLine{1, 1};
 
-// Where a walk begins, and the number of crossed borders at which it ends.
-struct WalkRange {
-  Position first;
-  std::uint32_t end = 0;
-};
-
-// The cells of a line that lie in the grid, from its start to before `end`. Most lines have both
-// ends in the grid; then so is everything between them, and there is nothing to divide.
-std::optional<WalkRange> inside_grid(const BeamLine& line, Position last) {
-  if (vehicle::kGridArea.contains(line.cell({})) && vehicle::kGridArea.contains(line.cell(last))) {
+// The cells of a line that lie in the grid, from its start to `last`. Most lines have both ends in
+// the grid; then so is everything between them, and there is nothing to divide.
+std::optional<WalkRange> inside_grid(const OpenLine& open, Position last) {
+  const BeamLine& line = open.beam.line;
+  if (open.starts_in_grid && vehicle::kGridArea.contains(line.cell(last))) {
     return WalkRange{{}, last.crossed() + 1};
   }
   const std::optional<Stretch> stretch = line.clip(vehicle::kGridArea);
@@ -67,16 +62,16 @@ bool FrameFusion::fits(const Sensor& sensor, std::uint32_t points) const {
 
 vehicle::Fate FrameFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
   OpenLine& open = open_line(sensor, point);
-  const vehicle::Judgement judgement = vehicle::judge(*vehicle_, sensor, open.beam, point);
+  const vehicle::Judgement judgement = vehicle::judge(sensor, open.beam, point);
+  const bool has_point = 0 < point.range_mm && point.range_mm <= sensor.range.mm();
+  const Position hit = has_point ? open.through(point.range_mm) : Position{};
   if (judgement.carves) {
-    if (point.range_mm == 0) {
-      carve_free(sensor, open, sensor.no_return_clears_mm);
-    } else {
-      carve_to_hit(sensor, open, point.range_mm);
+    if (const std::optional<WalkRange> range = range_to_carve(open, point, judgement, hit)) {
+      carve_later(open, *range, point.range_mm);
     }
   }
   if (judgement.marks) {
-    mark(sensor, open, point.range_mm);
+    mark(open, hit, point.range_mm);
   }
   return judgement.fate;
 }
@@ -95,63 +90,63 @@ OpenLine& FrameFusion::open_line(const Sensor& sensor, const lidar::ScanPoint& p
   return open;
 }
 
+// Where a beam carves: before its scan point, or the whole line where that is too far. A beam
+// without an echo carves up to where the sensor's description says.
+std::optional<WalkRange> FrameFusion::range_to_carve(const OpenLine& open,
+                                                     const lidar::ScanPoint& point,
+                                                     const vehicle::Judgement& judgement,
+                                                     Position hit) const {
+  const BeamLine& line = open.beam.line;
+  const std::uint32_t length_mm = open.sensor->range.mm();
+  const bool has_echo = point.range_mm > 0;
+  const std::uint32_t reach_mm =
+      has_echo ? std::min(point.range_mm, length_mm) : open.sensor->no_return_clears_mm;
+  const bool ends_at_hit = has_echo && point.range_mm <= length_mm;
+  const Position last = ends_at_hit ? hit : line.before({reach_mm, length_mm});
+  std::optional<WalkRange> range = inside_grid(open, last);
+  if (!range) {
+    return std::nullopt;
+  }
+  if (!judgement.is_whole_in_band &&
+      !narrow_to_band(*vehicle_, *open.sensor, open.beam, reach_mm, *range)) {
+    return std::nullopt;
+  }
+  if (ends_at_hit) {
+    range->end = std::min(range->end, hit.crossed());
+  }
+  return range->first.crossed() < range->end ? range : std::nullopt;
+}
+
 // Cells before the scan point take the index of the 1D cell in which the line leaves them. The line
 // leaves a cell within 1D cell j or earlier exactly if its border there is crossed at (j + 1) Delta
 // or before: `through` counts those crossings, and so says where each zone of the profile ends.
-void FrameFusion::carve_to_hit(const Sensor& sensor, OpenLine& open, std::uint32_t range_mm) {
-  const BeamLine& line = open.beam.line;
-  const bool in_range = range_mm <= sensor.range.mm();
-  const Position hit = in_range ? open.through(range_mm) : Position{};
-  if (in_range && hit.crossed() == 0) {
-    return;  // the scan point lies in the sensor's own cell: nothing is before it
-  }
-  const Position last = in_range ? hit : line.before(kWholeLine);
-  std::optional<WalkRange> range = inside_grid(line, last);
-  const std::uint32_t reach_mm = std::min(range_mm, sensor.range.mm());
-  if (!range || !narrow_to_band(*vehicle_, sensor, open.beam, reach_mm, *range)) {
-    return;
-  }
-  if (in_range) {
-    range->end = std::min(range->end, hit.crossed());
-  }
-  open.steps.begin(range->first);
-  std::uint32_t at = range->first.crossed();
+void FrameFusion::carve_later(OpenLine& open, const WalkRange& range, std::uint32_t range_mm) {
+  const sensor_model::Profile& profile = open.sensor->profile;
+  std::uint32_t at = range.first.crossed();
   std::int32_t free_before = 0;
   const auto carve_until = [&](std::uint32_t end, OccupancyIndex index) {
-    const std::uint32_t stop = std::min(end, range->end);
+    const std::uint32_t stop = std::min(end, range.end);
     if (at < stop) {
-      const std::int32_t free = -index;
-      open.steps.add({at, free - free_before});
-      free_before = free;
+      open.steps.add({at, -index - free_before});
+      free_before = -index;
       at = stop;
     }
   };
 
-  const sensor_model::Profile& profile = sensor.profile;
-  const std::uint32_t k = sensor.precision.divide(range_mm);
-  for (std::uint32_t back = profile.near_before_count; back > 0; --back) {
+  open.steps.begin(range.first);
+  const std::uint32_t k = open.sensor->precision.divide(range_mm);
+  const bool has_echo = range_mm > 0;
+  for (std::uint32_t back = has_echo ? profile.near_before_count : 0; back > 0; --back) {
     // 1D cells before k - back, which end at (k - back) Delta.
     if (k >= back) {
       const OccupancyIndex index =
           back == profile.near_before_count ? profile.free : profile.near_before[back];
-      carve_until(open.through((k - back) * sensor.precision_mm).crossed(), index);
+      carve_until(open.through((k - back) * open.sensor->precision_mm).crossed(), index);
     }
   }
-  carve_until(range->end, profile.near_before_count > 0 ? profile.near_before[0] : profile.free);
+  const bool ends_near = has_echo && profile.near_before_count > 0;
+  carve_until(range.end, ends_near ? profile.near_before[0] : profile.free);
   open.steps.add({at, -free_before});
-}
-
-// A beam without an echo: every cell that it crosses up to reach_mm is free, as the sensor's
-// description says.
-void FrameFusion::carve_free(const Sensor& sensor, OpenLine& open, std::uint32_t reach_mm) {
-  const Position last = open.beam.line.before({reach_mm, sensor.range.mm()});
-  std::optional<WalkRange> range = inside_grid(open.beam.line, last);
-  if (!range || !narrow_to_band(*vehicle_, sensor, open.beam, reach_mm, *range)) {
-    return;
-  }
-  open.steps.begin(range->first);
-  open.steps.add({range->first.crossed(), -sensor.profile.free});
-  open.steps.add({range->end, sensor.profile.free});
 }
 
 void FrameFusion::carve_waiting() {
@@ -188,18 +183,18 @@ void FrameFusion::carve(OpenLine& open) {
 }
 
 // One hit marks one cell: the one that holds the scan point.
-void FrameFusion::mark(const Sensor& sensor, const OpenLine& open, std::uint32_t range_mm) {
+void FrameFusion::mark(const OpenLine& open, Position hit, std::uint32_t range_mm) {
+  const sensor_model::Profile& profile = open.sensor->profile;
   const BeamLine& line = open.beam.line;
-  const Position hit = open.through(range_mm);
   const traversal::Cell cell = line.cell(hit);
   if (vehicle::kGridArea.contains(cell)) {
     const std::int32_t offset = cell.y * kStride + cell.x;
-    remember(static_cast<std::size_t>(offset), sensor.profile.hit);
+    remember(static_cast<std::size_t>(offset), profile.hit);
   }
-  if (sensor.profile.near_after_count > 0) {
+  if (profile.near_after_count > 0) {
     const std::optional<Stretch> inside = line.clip(vehicle::kGridArea);
     if (inside) {
-      mark_behind(sensor, line, *inside, hit, range_mm);
+      mark_behind(*open.sensor, line, *inside, hit, range_mm);
     }
   }
 }

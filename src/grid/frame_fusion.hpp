@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "grid/open_line.hpp"
@@ -35,6 +36,12 @@ static_assert(kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 4);
 // The most marks of one frame: 256 KiB of them, enough for a dual-return VLP-16 turn (57,600
 // points). fits() tells before a packet is fused whether its points still find room.
 inline constexpr std::size_t kMaxMarks = 65'536;
+
+// Where a walk begins, and the number of crossed borders at which it ends.
+struct WalkRange {
+  traversal::Position first;
+  std::uint32_t end = 0;
+};
 
 class FrameFusion {
  public:
@@ -66,10 +73,13 @@ class FrameFusion {
 
  private:
   OpenLine& open_line(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
-  void carve_to_hit(const vehicle::Sensor& sensor, OpenLine& open, std::uint32_t range_mm);
-  void carve_free(const vehicle::Sensor& sensor, OpenLine& open, std::uint32_t reach_mm);
+  [[nodiscard]] std::optional<WalkRange> range_to_carve(const OpenLine& open,
+                                                        const lidar::ScanPoint& point,
+                                                        const vehicle::Judgement& judgement,
+                                                        traversal::Position hit) const;
+  static void carve_later(OpenLine& open, const WalkRange& range, std::uint32_t range_mm);
   void carve(OpenLine& open);
-  void mark(const vehicle::Sensor& sensor, const OpenLine& open, std::uint32_t range_mm);
+  void mark(const OpenLine& open, traversal::Position hit, std::uint32_t range_mm);
   void mark_behind(const vehicle::Sensor& sensor, const vehicle::BeamLine& line,
                    const traversal::Stretch& inside, traversal::Position hit,
                    std::uint32_t range_mm);

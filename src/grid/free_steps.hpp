@@ -38,9 +38,13 @@ class FreeSteps {
     }
   }
 
-  // Only if has_room() said so before the beam. Changes mostly come in order, and often where
-  // another beam has one.
+  // Only if has_room() said so before the beam. Most beams begin together, and their further
+  // changes mostly come in order.
   void add(Change change) {
+    if (count_ > 0 && changes_[0].crossed == change.crossed) {
+      changes_[0].freer += change.freer;
+      return;
+    }
     std::size_t place = count_;
     while (place > 0 && changes_[place - 1].crossed > change.crossed) {
       --place;

@@ -18,6 +18,7 @@ struct OpenLine {
   vehicle::Direction direction;
   vehicle::Beam beam{vehicle::BeamLine({}, {}), 0};
   traversal::Ruler<vehicle::kResolution> ruler{beam.line, {}};
+  bool starts_in_grid = false;
   FreeSteps steps;
 
   [[nodiscard]] bool is_of(const vehicle::Sensor& other, std::uint16_t ticks) const {
@@ -30,6 +31,7 @@ struct OpenLine {
     direction = vehicle::direction_of(new_sensor, ticks);
     beam.line = vehicle::line_of(new_sensor, layer, direction);
     ruler = {beam.line, new_sensor.range};
+    starts_in_grid = vehicle::kGridArea.contains(beam.line.cell({}));
   }
 
   [[nodiscard]] traversal::Position through(std::uint32_t distance_mm) const {

@@ -3,6 +3,8 @@
 
 #include "vehicle/beam.hpp"
 
+#include <algorithm>
+
 namespace iog::vehicle {
 namespace {
 
@@ -24,16 +26,13 @@ bool lies_between(std::int32_t low, std::int32_t start, std::int64_t extent, std
   return low * length <= at && at <= high * length;
 }
 
-bool is_on_the_car(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
-                   std::uint32_t range_mm) {
-  const auto& x = beam.line.x();
-  const auto& y = beam.line.y();
-  const std::int64_t extent_x = x.step() * std::int64_t{x.length()};
-  const std::int64_t extent_y = y.step() * std::int64_t{y.length()};
-  const Footprint& car = vehicle.footprint;
-  return lies_between(car.x_min, sensor.origin.x, extent_x, range_mm, sensor.range.mm(),
-                      car.x_max) &&
-         lies_between(car.y_min, sensor.origin.y, extent_y, range_mm, sensor.range.mm(), car.y_max);
+std::int32_t extent(const traversal::Axis<kResolution>& axis) {
+  return axis.step() * static_cast<std::int32_t>(axis.length());
+}
+
+bool is_on_the_car(const Sensor& sensor, const Beam& beam, std::uint32_t range_mm) {
+  return sensor.on_car_x.contain(extent(beam.line.x()), range_mm) &&
+         sensor.on_car_y.contain(extent(beam.line.y()), range_mm);
 }
 
 bool is_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
@@ -62,8 +61,7 @@ Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks) 
   return {line_of(sensor, axes, direction), end_height_of(axes, direction)};
 }
 
-Judgement judge(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
-                const lidar::ScanPoint& point) {
+Judgement judge(const Sensor& sensor, const Beam& beam, const lidar::ScanPoint& point) {
   const bool is_first = point.echo == 0;
   if (point.range_mm == 0) {
     return {Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0, false};
@@ -71,20 +69,24 @@ Judgement judge(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
   if (point.is_dirt || point.is_rain) {
     return {Fate::kFlagged, false, false};
   }
-  if (point.range_mm < sensor.range_min_mm ||
-      is_on_the_car(vehicle, sensor, beam, point.range_mm)) {
+  if (point.range_mm < sensor.range_min_mm || is_on_the_car(sensor, beam, point.range_mm)) {
     return {Fate::kTooNear, false, false};
   }
+  // A beam is straight: with both ends in the band all of it is.
+  const std::uint32_t reach_mm = std::min(point.range_mm, sensor.range.mm());
+  const bool ends_in_band = sensor.in_band.contain(beam.end_z - sensor.origin_z, reach_mm);
+  const bool is_whole = ends_in_band && sensor.in_band.contain(0, 0);
   if (point.is_ground) {
-    return {Fate::kFlagged, is_first, false};
+    return {Fate::kFlagged, is_first, false, is_whole};
   }
   if (point.range_mm > sensor.range.mm()) {
-    return {Fate::kTooFar, is_first, false};
+    return {Fate::kTooFar, is_first, false, is_whole};
   }
-  if (!is_in_band(vehicle, sensor, beam, point.range_mm)) {
+  if (!ends_in_band) {
     return {Fate::kOutsideHeightBand, is_first, false};
   }
-  return is_first ? Judgement{Fate::kUsed, true, true} : Judgement{Fate::kLaterEcho, false, true};
+  return is_first ? Judgement{Fate::kUsed, true, true, is_whole}
+                  : Judgement{Fate::kLaterEcho, false, true};
 }
 
 BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,

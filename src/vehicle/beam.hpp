@@ -49,6 +49,7 @@ struct Judgement {
   Fate fate;
   bool carves;
   bool marks;
+  bool is_whole_in_band = false;  // nothing of the beam up to its point or L is outside the band
 };
 
 // azimuth_ticks < one turn.
@@ -61,7 +62,7 @@ struct Judgement {
 // Both together. layer < sensor.layer_count, azimuth_ticks < one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-[[nodiscard]] Judgement judge(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
+[[nodiscard]] Judgement judge(const Sensor& sensor, const Beam& beam,
                               const lidar::ScanPoint& point);
 
 // Which part of the beam between its origin and reach_mm <= L is inside the height band. Heights at

@@ -103,6 +103,23 @@ constexpr void check(const SensorConfig& config) {
   }
 }
 
+constexpr RangeProducts range_products(double low_m, double high_m, std::int32_t origin,
+                                       std::uint32_t length_mm) {
+  return {.low = (std::int64_t{subcells(low_m)} - origin) * length_mm,
+          .high = (std::int64_t{subcells(high_m)} - origin) * length_mm};
+}
+
+constexpr void compile_limits(const Description& description, Sensor& sensor) {
+  const FootprintConfig& car = description.footprint;
+  const std::uint32_t length_mm = sensor.range.mm();
+  sensor.on_car_x = range_products(grid_metres(car.x_min_m), grid_metres(car.x_max_m),
+                                   sensor.origin.x, length_mm);
+  sensor.on_car_y = range_products(grid_metres(car.y_min_m), grid_metres(car.y_max_m),
+                                   sensor.origin.y, length_mm);
+  sensor.in_band =
+      range_products(description.z_min_m, description.z_max_m, sensor.origin_z, length_mm);
+}
+
 constexpr Sensor compile_sensor(const SensorConfig& config, const Description& description) {
   check(config);
   Sensor sensor;
@@ -127,6 +144,7 @@ constexpr Sensor compile_sensor(const SensorConfig& config, const Description& d
   if (!sensor.profile.is_valid()) {
     this_sensor_cannot_mark_its_cells_are_too_short_for_its_precision();
   }
+  compile_limits(description, sensor);
   switch (config.format) {
     case lidar::Format::kIbeoLux:
       sensor.sines = numeric::kSineTable<lidar::IbeoLux::kTicksPerTurn>;

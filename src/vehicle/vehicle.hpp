@@ -43,6 +43,17 @@ struct Layer {
   std::uint8_t line = 0;
 };
 
+// Between which products of a beam's extent along one axis, in subcells, and a range in millimetres
+// the point at that range lies in a part of space: both ends included, so nothing is divided.
+struct RangeProducts {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  [[nodiscard]] constexpr bool contain(std::int32_t extent, std::uint32_t range_mm) const {
+    const std::int64_t product = std::int64_t{extent} * static_cast<std::int32_t>(range_mm);
+    return low <= product && product <= high;
+  }
+};
+
 struct Sensor {
   std::string_view name;
   lidar::Format format = lidar::Format::kIbeoLux;
@@ -61,6 +72,9 @@ struct Sensor {
   std::uint16_t scan_width_ticks = 0;
   std::uint32_t max_points_per_scan = 0;
   sensor_model::Profile profile;
+  RangeProducts on_car_x;  // together: within the vehicle's footprint
+  RangeProducts on_car_y;
+  RangeProducts in_band;  // within its height band
 };
 
 // A rectangle in subcells, both ends included.
