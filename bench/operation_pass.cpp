@@ -87,8 +87,7 @@ void OperationPass::take_apart(const vehicle::Sensor& sensor, std::span<const st
 void OperationPass::take_apart(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
   const vehicle::Beam beam =
       measured(cost_.aim, [&] { return vehicle::aim(sensor, point.layer, point.azimuth_ticks); });
-  static_cast<void>(
-      measured(cost_.judge, [&] { return vehicle::judge(vehicle_, sensor, beam, point); }));
+  static_cast<void>(measured(cost_.judge, [&] { return vehicle::judge(sensor, beam, point); }));
   ++cost_.points;
   cost_.cells += carved_cells(sensor, beam, point);
 }
@@ -101,6 +100,7 @@ std::uint32_t OperationPass::carved_cells(const vehicle::Sensor& sensor, const v
     single_.clear();
   }
   static_cast<void>(single_.add(sensor, point));
+  single_.carve_waiting();
   const auto inside = beam.line.clip(vehicle::kGridArea);
   if (!inside) {
     return 0;

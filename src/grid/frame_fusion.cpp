@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "require/require.hpp"
+#include "traversal/steady_walk.hpp"
+#include "traversal/walk.hpp"
 
 namespace iog::grid {
 namespace {
@@ -17,16 +19,11 @@ using vehicle::Sensor;
 
 constexpr Share kWholeLine{1, 1};
 
-// Where a walk begins, and the number of crossed borders at which it ends.
-struct WalkRange {
-  Position first;
-  std::uint32_t end = 0;
-};
-
-// The cells of a line that lie in the grid, from its start to before `end`. Most lines have both
-// ends in the grid; then so is everything between them, and there is nothing to divide.
-std::optional<WalkRange> inside_grid(const BeamLine& line, Position last) {
-  if (vehicle::kGridArea.contains(line.cell({})) && vehicle::kGridArea.contains(line.cell(last))) {
+// The cells of a line that lie in the grid, from its start to `last`. Most lines have both ends in
+// the grid; then so is everything between them, and there is nothing to divide.
+std::optional<WalkRange> inside_grid(const OpenLine& open, Position last) {
+  const BeamLine& line = open.beam.line;
+  if (open.starts_in_grid && vehicle::kGridArea.contains(line.cell(last))) {
     return WalkRange{{}, last.crossed() + 1};
   }
   const std::optional<Stretch> stretch = line.clip(vehicle::kGridArea);
@@ -56,11 +53,6 @@ bool narrow_to_band(const vehicle::Vehicle& vehicle, const Sensor& sensor, const
   return range.first.crossed() < range.end;
 }
 
-// Position as far as the walk's count goes: borders crossed at this distance along the beam.
-std::uint32_t crossed_at(const BeamLine& line, const Sensor& sensor, std::uint32_t distance_mm) {
-  return line.through(distance_mm, sensor.range).crossed();
-}
-
 }  // namespace
 
 bool FrameFusion::fits(const Sensor& sensor, std::uint32_t points) const {
@@ -69,90 +61,140 @@ bool FrameFusion::fits(const Sensor& sensor, std::uint32_t points) const {
 }
 
 vehicle::Fate FrameFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
-  const Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-  const vehicle::Judgement judgement = vehicle::judge(*vehicle_, sensor, beam, point);
+  OpenLine& open = open_line(sensor, point);
+  const vehicle::Judgement judgement = vehicle::judge(sensor, open.beam, point);
+  const bool has_point = 0 < point.range_mm && point.range_mm <= sensor.range.mm();
+  const Position hit = has_point ? open.through(point.range_mm) : Position{};
   if (judgement.carves) {
-    if (point.range_mm == 0) {
-      carve_free(sensor, beam, sensor.no_return_clears_mm);
-    } else {
-      carve_to_hit(sensor, beam, point.range_mm);
+    if (const std::optional<WalkRange> range = range_to_carve(open, point, judgement, hit)) {
+      carve_later(open, *range, point.range_mm);
     }
   }
   if (judgement.marks) {
-    mark(sensor, beam.line, point.range_mm);
+    mark(open, hit, point.range_mm);
   }
   return judgement.fate;
+}
+
+// The place of a line is that of its layer: what waits there for another azimuth is carved now.
+OpenLine& FrameFusion::open_line(const Sensor& sensor, const lidar::ScanPoint& point) {
+  const vehicle::Layer& layer = sensor.layers[point.layer];
+  OpenLine& open = open_lines_[layer.line];
+  if (!open.is_of(sensor, point.azimuth_ticks)) {
+    carve(open);
+    open.aim(sensor, layer, point.azimuth_ticks);
+  } else if (!open.steps.has_room()) {
+    carve(open);
+  }
+  open.beam.end_z = vehicle::end_height_of(layer, open.direction);
+  return open;
+}
+
+// Where a beam carves: before its scan point, or the whole line where that is too far. A beam
+// without an echo carves up to where the sensor's description says.
+std::optional<WalkRange> FrameFusion::range_to_carve(const OpenLine& open,
+                                                     const lidar::ScanPoint& point,
+                                                     const vehicle::Judgement& judgement,
+                                                     Position hit) const {
+  const BeamLine& line = open.beam.line;
+  const std::uint32_t length_mm = open.sensor->range.mm();
+  const bool has_echo = point.range_mm > 0;
+  const std::uint32_t reach_mm =
+      has_echo ? std::min(point.range_mm, length_mm) : open.sensor->no_return_clears_mm;
+  const bool ends_at_hit = has_echo && point.range_mm <= length_mm;
+  const Position last = ends_at_hit ? hit : line.before({reach_mm, length_mm});
+  std::optional<WalkRange> range = inside_grid(open, last);
+  if (!range) {
+    return std::nullopt;
+  }
+  if (!judgement.is_whole_in_band &&
+      !narrow_to_band(*vehicle_, *open.sensor, open.beam, reach_mm, *range)) {
+    return std::nullopt;
+  }
+  if (ends_at_hit) {
+    range->end = std::min(range->end, hit.crossed());
+  }
+  return range->first.crossed() < range->end ? range : std::nullopt;
 }
 
 // Cells before the scan point take the index of the 1D cell in which the line leaves them. The line
 // leaves a cell within 1D cell j or earlier exactly if its border there is crossed at (j + 1) Delta
 // or before: `through` counts those crossings, and so says where each zone of the profile ends.
-void FrameFusion::carve_to_hit(const Sensor& sensor, const Beam& beam, std::uint32_t range_mm) {
-  const bool in_range = range_mm <= sensor.range.mm();
-  const Position hit = in_range ? beam.line.through(range_mm, sensor.range) : Position{};
-  if (in_range && hit.crossed() == 0) {
-    return;  // the scan point lies in the sensor's own cell: nothing is before it
-  }
-  const Position last = in_range ? hit : beam.line.before(kWholeLine);
-  std::optional<WalkRange> range = inside_grid(beam.line, last);
-  const std::uint32_t reach_mm = std::min(range_mm, sensor.range.mm());
-  if (!range || !narrow_to_band(*vehicle_, sensor, beam, reach_mm, *range)) {
-    return;
-  }
-  if (in_range) {
-    range->end = std::min(range->end, hit.crossed());
-  }
-  traversal::Walk walk(beam.line, range->first, kStride);
-  const auto carve_until = [&](std::uint32_t end, OccupancyIndex free) {
-    const std::uint32_t stop = std::min(end, range->end);
-    if (free == 0) {
-      walk.skip_until(stop);
-    } else {
-      walk.until(stop, [&](std::size_t offset) {
-        cells_[offset] = index::sat_lower(cells_[offset], free);
-      });
+void FrameFusion::carve_later(OpenLine& open, const WalkRange& range, std::uint32_t range_mm) {
+  const sensor_model::Profile& profile = open.sensor->profile;
+  std::uint32_t at = range.first.crossed();
+  std::int32_t free_before = 0;
+  const auto carve_until = [&](std::uint32_t end, OccupancyIndex index) {
+    const std::uint32_t stop = std::min(end, range.end);
+    if (at < stop) {
+      open.steps.add({at, -index - free_before});
+      free_before = -index;
+      at = stop;
     }
   };
 
-  const sensor_model::Profile& profile = sensor.profile;
-  const std::uint32_t k = sensor.precision.divide(range_mm);
-  for (std::uint32_t back = profile.near_before_count; back > 0; --back) {
+  open.steps.begin(range.first);
+  const std::uint32_t k = open.sensor->precision.divide(range_mm);
+  const bool has_echo = range_mm > 0;
+  for (std::uint32_t back = has_echo ? profile.near_before_count : 0; back > 0; --back) {
     // 1D cells before k - back, which end at (k - back) Delta.
     if (k >= back) {
       const OccupancyIndex index =
           back == profile.near_before_count ? profile.free : profile.near_before[back];
-      carve_until(crossed_at(beam.line, sensor, (k - back) * sensor.precision_mm), index);
+      carve_until(open.through((k - back) * open.sensor->precision_mm).crossed(), index);
     }
   }
-  carve_until(range->end, profile.near_before_count > 0 ? profile.near_before[0] : profile.free);
+  const bool ends_near = has_echo && profile.near_before_count > 0;
+  carve_until(range.end, ends_near ? profile.near_before[0] : profile.free);
+  open.steps.add({at, -free_before});
 }
 
-// A beam without an echo: every cell that it crosses up to reach_mm is free, as the sensor's
-// description says.
-void FrameFusion::carve_free(const Sensor& sensor, const Beam& beam, std::uint32_t reach_mm) {
-  const Position last = beam.line.before({reach_mm, sensor.range.mm()});
-  std::optional<WalkRange> range = inside_grid(beam.line, last);
-  if (!range || !narrow_to_band(*vehicle_, sensor, beam, reach_mm, *range)) {
+void FrameFusion::carve_waiting() {
+  for (OpenLine& open : open_lines_) {
+    carve(open);
+    open.sensor = nullptr;
+  }
+}
+
+void FrameFusion::carve(OpenLine& open) {
+  if (open.steps.empty()) {
     return;
   }
-  traversal::Walk walk(beam.line, range->first, kStride);
-  walk.until(range->end, [&](std::size_t offset) {
-    cells_[offset] = index::sat_lower(cells_[offset], sensor.profile.free);
-  });
+  const BeamLine& line = open.beam.line;
+  const Position first = open.steps.first();
+  std::int32_t index = 0;
+  const auto carve_cell = [&](OccupancyIndex& cell) { cell = index::sat_lower(cell, index); };
+  if (traversal::may_meet_corner(line)) {
+    traversal::Walk walk(line, first, kStride);
+    for (const FreeSteps::Change& change : open.steps.changes()) {
+      walk.until(change.crossed, [&](std::size_t offset) { carve_cell(cells_[offset]); });
+      index -= change.freer;
+    }
+  } else {
+    traversal::SteadyWalk walk(line, first, cells_.data(), kStride);
+    std::uint32_t at = first.crossed();
+    for (const FreeSteps::Change& change : open.steps.changes()) {
+      walk.visit(change.crossed - at, carve_cell);
+      at = change.crossed;
+      index -= change.freer;
+    }
+  }
+  open.steps.clear();
 }
 
 // One hit marks one cell: the one that holds the scan point.
-void FrameFusion::mark(const Sensor& sensor, const BeamLine& line, std::uint32_t range_mm) {
-  const Position hit = line.through(range_mm, sensor.range);
+void FrameFusion::mark(const OpenLine& open, Position hit, std::uint32_t range_mm) {
+  const sensor_model::Profile& profile = open.sensor->profile;
+  const BeamLine& line = open.beam.line;
   const traversal::Cell cell = line.cell(hit);
   if (vehicle::kGridArea.contains(cell)) {
     const std::int32_t offset = cell.y * kStride + cell.x;
-    remember(static_cast<std::size_t>(offset), sensor.profile.hit);
+    remember(static_cast<std::size_t>(offset), profile.hit);
   }
-  if (sensor.profile.near_after_count > 0) {
+  if (profile.near_after_count > 0) {
     const std::optional<Stretch> inside = line.clip(vehicle::kGridArea);
     if (inside) {
-      mark_behind(sensor, line, *inside, hit, range_mm);
+      mark_behind(*open.sensor, line, *inside, hit, range_mm);
     }
   }
 }
@@ -191,6 +233,7 @@ void FrameFusion::remember(std::size_t offset, OccupancyIndex index) {
 // hits_win: evidence for a cell is its marks alone where it has any, so the first mark erases what
 // was carved: max(cell, 0) + index. bayes: the marks are added to it.
 void FrameFusion::finish() {
+  carve_waiting();
   const bool hits_win = vehicle_->rule == vehicle::FusionRule::kHitsWin;
   for (const Mark& mark : std::span(marks_).first(mark_count_)) {
     OccupancyIndex& cell = cells_[mark.offset];
@@ -201,6 +244,9 @@ void FrameFusion::finish() {
 }
 
 void FrameFusion::clear() {
+  for (OpenLine& open : open_lines_) {
+    open.steps.clear();
+  }
   cells_.fill(index::kUnknown);
   mark_count_ = 0;
 }

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -63,9 +64,17 @@ class LineLength {
   [[nodiscard]] constexpr std::uint32_t mm() const { return length_mm_; }
   [[nodiscard]] constexpr const numeric::Reciprocal& reciprocal() const { return reciprocal_; }
 
+  // floor(2^(32 + exponent) / mm), but below 2^32, and its exponent: mm / 2 < 2^exponent <= mm.
+  [[nodiscard]] constexpr std::uint32_t inverse() const { return inverse_; }
+  [[nodiscard]] constexpr int exponent() const { return exponent_; }
+
  private:
   std::uint32_t length_mm_ = 1;
   numeric::Reciprocal reciprocal_{1};
+  int exponent_ = static_cast<int>(std::bit_width(length_mm_)) - 1;
+  std::uint32_t inverse_ = static_cast<std::uint32_t>(
+      std::min<std::uint64_t>((std::uint64_t{1} << (32 + exponent_)) / length_mm_,
+                              std::numeric_limits<std::uint32_t>::max()));
 };
 
 // One axis of a line, folded so that it runs towards plus.

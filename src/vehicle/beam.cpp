@@ -3,14 +3,17 @@
 
 #include "vehicle/beam.hpp"
 
+#include <algorithm>
+
 namespace iog::vehicle {
 namespace {
 
 // The end of a beam along one axis, rounded to the nearest subcell, a tie towards plus infinity.
-std::int32_t end_of(const EndCoordinate& axis, std::int32_t cosine, std::int32_t sine) {
+std::int32_t end_of(const EndCoordinate& axis, Direction direction) {
   constexpr int kFractionBits = kAxisFractionBits + numeric::kSineFractionBits;
   const std::int64_t end = axis.base * (std::int64_t{1} << numeric::kSineFractionBits) +
-                           std::int64_t{axis.forward} * cosine + std::int64_t{axis.left} * sine;
+                           std::int64_t{axis.forward} * direction.cosine +
+                           std::int64_t{axis.left} * direction.sine;
   return static_cast<std::int32_t>((end + (std::int64_t{1} << (kFractionBits - 1))) >>
                                    kFractionBits);
 }
@@ -23,16 +26,13 @@ bool lies_between(std::int32_t low, std::int32_t start, std::int64_t extent, std
   return low * length <= at && at <= high * length;
 }
 
-bool is_on_the_car(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
-                   std::uint32_t range_mm) {
-  const auto& x = beam.line.x();
-  const auto& y = beam.line.y();
-  const std::int64_t extent_x = x.step() * std::int64_t{x.length()};
-  const std::int64_t extent_y = y.step() * std::int64_t{y.length()};
-  const Footprint& car = vehicle.footprint;
-  return lies_between(car.x_min, sensor.origin.x, extent_x, range_mm, sensor.range.mm(),
-                      car.x_max) &&
-         lies_between(car.y_min, sensor.origin.y, extent_y, range_mm, sensor.range.mm(), car.y_max);
+std::int32_t extent(const traversal::Axis<kResolution>& axis) {
+  return axis.step() * static_cast<std::int32_t>(axis.length());
+}
+
+bool is_on_the_car(const Sensor& sensor, const Beam& beam, std::uint32_t range_mm) {
+  return sensor.on_car_x.contain(extent(beam.line.x()), range_mm) &&
+         sensor.on_car_y.contain(extent(beam.line.y()), range_mm);
 }
 
 bool is_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
@@ -43,16 +43,25 @@ bool is_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
 
 }  // namespace
 
-Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks) {
-  const Layer& axes = sensor.layers[layer];
-  const std::int32_t cosine = sensor.sines.cosine(azimuth_ticks);
-  const std::int32_t sine = sensor.sines.sine(azimuth_ticks);
-  const traversal::SubcellPoint end{end_of(axes.x, cosine, sine), end_of(axes.y, cosine, sine)};
-  return {BeamLine(sensor.origin, end), end_of(axes.z, cosine, sine)};
+Direction direction_of(const Sensor& sensor, std::uint16_t azimuth_ticks) {
+  return {.cosine = sensor.sines.cosine(azimuth_ticks), .sine = sensor.sines.sine(azimuth_ticks)};
 }
 
-Judgement judge(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
-                const lidar::ScanPoint& point) {
+BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction) {
+  return {sensor.origin, {end_of(layer.x, direction), end_of(layer.y, direction)}};
+}
+
+std::int32_t end_height_of(const Layer& layer, Direction direction) {
+  return end_of(layer.z, direction);
+}
+
+Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks) {
+  const Direction direction = direction_of(sensor, azimuth_ticks);
+  const Layer& axes = sensor.layers[layer];
+  return {line_of(sensor, axes, direction), end_height_of(axes, direction)};
+}
+
+Judgement judge(const Sensor& sensor, const Beam& beam, const lidar::ScanPoint& point) {
   const bool is_first = point.echo == 0;
   if (point.range_mm == 0) {
     return {Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0, false};
@@ -60,20 +69,24 @@ Judgement judge(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
   if (point.is_dirt || point.is_rain) {
     return {Fate::kFlagged, false, false};
   }
-  if (point.range_mm < sensor.range_min_mm ||
-      is_on_the_car(vehicle, sensor, beam, point.range_mm)) {
+  if (point.range_mm < sensor.range_min_mm || is_on_the_car(sensor, beam, point.range_mm)) {
     return {Fate::kTooNear, false, false};
   }
+  // A beam is straight: with both ends in the band all of it is.
+  const std::uint32_t reach_mm = std::min(point.range_mm, sensor.range.mm());
+  const bool ends_in_band = sensor.in_band.contain(beam.end_z - sensor.origin_z, reach_mm);
+  const bool is_whole = ends_in_band && sensor.in_band.contain(0, 0);
   if (point.is_ground) {
-    return {Fate::kFlagged, is_first, false};
+    return {Fate::kFlagged, is_first, false, is_whole};
   }
   if (point.range_mm > sensor.range.mm()) {
-    return {Fate::kTooFar, is_first, false};
+    return {Fate::kTooFar, is_first, false, is_whole};
   }
-  if (!is_in_band(vehicle, sensor, beam, point.range_mm)) {
+  if (!ends_in_band) {
     return {Fate::kOutsideHeightBand, is_first, false};
   }
-  return is_first ? Judgement{Fate::kUsed, true, true} : Judgement{Fate::kLaterEcho, false, true};
+  return is_first ? Judgement{Fate::kUsed, true, true, is_whole}
+                  : Judgement{Fate::kLaterEcho, false, true};
 }
 
 BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,

@@ -34,6 +34,12 @@ struct BandPart {
   traversal::Share to;
 };
 
+// Cosine and sine of an azimuth, in units of 2^-30.
+struct Direction {
+  std::int32_t cosine = 0;
+  std::int32_t sine = 0;
+};
+
 struct Beam {
   BeamLine line;
   std::int32_t end_z;  // height of the line's end in subcells
@@ -43,12 +49,20 @@ struct Judgement {
   Fate fate;
   bool carves;
   bool marks;
+  bool is_whole_in_band = false;  // nothing of the beam up to its point or L is outside the band
 };
 
-// The line of the beam in this direction. layer < sensor.layer_count, azimuth_ticks < one turn.
+// azimuth_ticks < one turn.
+[[nodiscard]] Direction direction_of(const Sensor& sensor, std::uint16_t azimuth_ticks);
+
+// The line on the grid and the height of its end, in subcells, of a layer's beam in this direction.
+[[nodiscard]] BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction);
+[[nodiscard]] std::int32_t end_height_of(const Layer& layer, Direction direction);
+
+// Both together. layer < sensor.layer_count, azimuth_ticks < one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-[[nodiscard]] Judgement judge(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
+[[nodiscard]] Judgement judge(const Sensor& sensor, const Beam& beam,
                               const lidar::ScanPoint& point);
 
 // Which part of the beam between its origin and reach_mm <= L is inside the height band. Heights at

@@ -4,6 +4,7 @@
 // was reached.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -76,6 +77,11 @@ constexpr void compile_layers(const SensorConfig& config, std::span<const double
     sensor.layers[i] = {.x = along(grid_metres(config.mount.x_m), 0),
                         .y = along(grid_metres(config.mount.y_m), 1),
                         .z = along(config.mount.z_m, 2)};
+    const auto same_line = [&](const Layer& layer) {
+      return layer.x == sensor.layers[i].x && layer.y == sensor.layers[i].y;
+    };
+    const auto first = std::ranges::find_if(sensor.layers, same_line);
+    sensor.layers[i].line = static_cast<std::uint8_t>(first - sensor.layers.begin());
   }
 }
 
@@ -95,6 +101,23 @@ constexpr void check(const SensorConfig& config) {
   if (span * kResolution >= 2147483648.0) {
     the_longest_beam_overflows_the_error_term_of_the_walk();
   }
+}
+
+constexpr RangeProducts range_products(double low_m, double high_m, std::int32_t origin,
+                                       std::uint32_t length_mm) {
+  return {.low = (std::int64_t{subcells(low_m)} - origin) * length_mm,
+          .high = (std::int64_t{subcells(high_m)} - origin) * length_mm};
+}
+
+constexpr void compile_limits(const Description& description, Sensor& sensor) {
+  const FootprintConfig& car = description.footprint;
+  const std::uint32_t length_mm = sensor.range.mm();
+  sensor.on_car_x = range_products(grid_metres(car.x_min_m), grid_metres(car.x_max_m),
+                                   sensor.origin.x, length_mm);
+  sensor.on_car_y = range_products(grid_metres(car.y_min_m), grid_metres(car.y_max_m),
+                                   sensor.origin.y, length_mm);
+  sensor.in_band =
+      range_products(description.z_min_m, description.z_max_m, sensor.origin_z, length_mm);
 }
 
 constexpr Sensor compile_sensor(const SensorConfig& config, const Description& description) {
@@ -121,6 +144,7 @@ constexpr Sensor compile_sensor(const SensorConfig& config, const Description& d
   if (!sensor.profile.is_valid()) {
     this_sensor_cannot_mark_its_cells_are_too_short_for_its_precision();
   }
+  compile_limits(description, sensor);
   switch (config.format) {
     case lidar::Format::kIbeoLux:
       sensor.sines = numeric::kSineTable<lidar::IbeoLux::kTicksPerTurn>;

@@ -31,12 +31,27 @@ struct EndCoordinate {
   std::int64_t base = 0;
   std::int32_t forward = 0;
   std::int32_t left = 0;
+  friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
 struct Layer {
   EndCoordinate x;
   EndCoordinate y;
   EndCoordinate z;
+  // The first layer whose beams have the same lines on the grid. Of a level sensor it is the same
+  // for two layers of opposite elevations.
+  std::uint8_t line = 0;
+};
+
+// Between which products of a beam's extent along one axis, in subcells, and a range in millimetres
+// the point at that range lies in a part of space: both ends included, so nothing is divided.
+struct RangeProducts {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  [[nodiscard]] constexpr bool contain(std::int32_t extent, std::uint32_t range_mm) const {
+    const std::int64_t product = std::int64_t{extent} * static_cast<std::int32_t>(range_mm);
+    return low <= product && product <= high;
+  }
 };
 
 struct Sensor {
@@ -57,6 +72,9 @@ struct Sensor {
   std::uint16_t scan_width_ticks = 0;
   std::uint32_t max_points_per_scan = 0;
   sensor_model::Profile profile;
+  RangeProducts on_car_x;  // together: within the vehicle's footprint
+  RangeProducts on_car_y;
+  RangeProducts in_band;  // within its height band
 };
 
 // A rectangle in subcells, both ends included.

@@ -253,7 +253,7 @@ class Projector {
     const Sensor& sensor = vehicle_->sensors[seen.sensor];
     const lidar::ScanPoint& point = seen.point;
     const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-    const vehicle::Judgement judgement = vehicle::judge(*vehicle_, sensor, beam, point);
+    const vehicle::Judgement judgement = vehicle::judge(sensor, beam, point);
     if (!judgement.carves && !judgement.marks) {
       return;
     }

@@ -199,6 +199,24 @@ TEST(Fusion, NoOrderOfTheScanPointsShowsInTheGrid) {
   }
 }
 
+// Beams of one line wait for one another, but what each carves is the same: here, carved at once.
+TEST(Fusion, BeamsThatWaitCarveAsIfTheyHadNot) {
+  tests::Random random(42);
+  for (const Vehicle& vehicle : {LevelLux::kVehicle, ThreeLux::kVehicle, TiltedLux::kVehicle}) {
+    std::vector<Evidence> frame = random_frame(random, tests::effort(2000, 200));
+    const auto at_once = std::make_unique<FrameFusion>(vehicle);
+    for (Evidence& evidence : frame) {
+      evidence.sensor %= vehicle.sensors.size();
+      // A few azimuths only, so that many beams share a line, some of them the whole of it.
+      evidence.point.azimuth_ticks = static_cast<std::uint16_t>(evidence.point.azimuth_ticks / 64);
+      at_once->add(vehicle.sensors[evidence.sensor], evidence.point);
+      at_once->carve_waiting();
+    }
+    at_once->finish();
+    ASSERT_TRUE(std::ranges::equal(fuse(vehicle, frame), at_once->cells()));
+  }
+}
+
 TEST(Fusion, TellsWhenItsMarksRunOut) {
   const auto fusion = std::make_unique<FrameFusion>(LevelLux::kVehicle);
   const vehicle::Sensor& sensor = LevelLux::kVehicle.sensors[0];

@@ -69,7 +69,7 @@ TEST(Beam, EndsWhereTrigonometrySaysTilted) { expect_every_direction_right<Tilte
 Judgement fate_of(const lidar::ScanPoint& point) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
   const Beam beam = aim(sensor, point.layer, point.azimuth_ticks);
-  return judge(TiltedLux::kVehicle, sensor, beam, point);
+  return judge(sensor, beam, point);
 }
 
 void expect_fate(const lidar::ScanPoint& point, Fate fate, bool carves, bool marks) {

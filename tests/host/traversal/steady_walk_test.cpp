@@ -1,0 +1,160 @@
+// The faster twin of the walk visits the same cells in the same order, wherever it may be used; and
+// it may be used nearly everywhere.
+#include "traversal/steady_walk.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/random.hpp"
+#include "traversal/walk.hpp"
+
+namespace iog::traversal {
+namespace {
+
+// Cells that know nothing but their own place; (0, 0) lies in their middle.
+constexpr std::int32_t kReachCells = 64;
+constexpr std::int32_t kStride = 2 * kReachCells + 40;
+struct Place {};
+
+std::vector<Place>& places() {
+  static std::vector<Place> all(static_cast<std::size_t>(kStride) * kStride);
+  return all;
+}
+
+Place* middle() { return places().data() + (kStride / 2) * kStride + kStride / 2; }
+
+template <std::int32_t kResolution>
+std::vector<std::ptrdiff_t> visited_by_walk(const Line<kResolution>& line, Position from,
+                                            std::uint32_t end) {
+  std::vector<std::ptrdiff_t> offsets;
+  Walk walk(line, from, kStride);
+  walk.until(end, [&](std::size_t offset) {
+    offsets.push_back(static_cast<std::int32_t>(static_cast<std::uint32_t>(offset)));
+  });
+  return offsets;
+}
+
+// In two parts, as the zones of a beam are.
+template <std::int32_t kResolution>
+std::vector<std::ptrdiff_t> visited_by_steady_walk(const Line<kResolution>& line, Position from,
+                                                   std::uint32_t end) {
+  std::vector<std::ptrdiff_t> offsets;
+  const auto visit = [&](const Place& place) { offsets.push_back(&place - middle()); };
+  const std::uint32_t steps = end - from.crossed();
+  SteadyWalk walk(line, from, middle(), kStride);
+  walk.visit(steps / 3, visit);
+  walk.visit(steps - steps / 3, visit);
+  return offsets;
+}
+
+template <std::int32_t kResolution>
+struct RandomLine {
+  explicit RandomLine(tests::Random& random)
+      : start{coordinate(random), coordinate(random)},
+        end{random.one_in(8) ? start.x : coordinate(random),
+            random.one_in(8) ? start.y : coordinate(random)} {}
+
+  // Often on a border, half or a quarter of a cell away from it.
+  static std::int32_t coordinate(tests::Random& random) {
+    constexpr std::int32_t kReach = kReachCells * kResolution;
+    const std::int32_t any = random.between(-kReach, kReach);
+    const std::int32_t part = std::max(kResolution >> random.between(0, 2), 1);
+    return random.one_in(2) ? any / part * part : any;
+  }
+
+  SubcellPoint start;
+  SubcellPoint end;
+};
+
+template <std::int32_t kResolution>
+void expect_the_same_cells(int count) {
+  tests::Random random(kResolution + 1);
+  int steady = 0;
+  for (int i = 0; i < count; ++i) {
+    const RandomLine<kResolution> ends(random);
+    const Line<kResolution> line(ends.start, ends.end);
+    if (may_meet_corner(line)) {
+      continue;
+    }
+    ++steady;
+    const auto from = line.through(Share{random.below(40), 50});
+    const std::uint32_t end = line.before({1, 1}).crossed() + 1;
+    if (from.crossed() < end) {
+      ASSERT_EQ(visited_by_steady_walk(line, from, end), visited_by_walk(line, from, end))
+          << "r " << kResolution << ", (" << ends.start.x << ", " << ends.start.y << ") to ("
+          << ends.end.x << ", " << ends.end.y << ")";
+    }
+  }
+  EXPECT_GT(steady, count / 4);
+}
+
+TEST(SteadyWalk, VisitsTheCellsOfTheWalk) {
+  const int count = tests::effort(20'000, 300);
+  expect_the_same_cells<20>(count);
+  expect_the_same_cells<100>(count);
+  expect_the_same_cells<200>(count);
+  expect_the_same_cells<1024>(count);
+}
+
+// Whether the line crosses a corner, found column by column. A start on a corner is one that is
+// crossed only where the line leaves it towards the cell below and to the left.
+template <std::int32_t kResolution>
+bool crosses_corner(const RandomLine<kResolution>& ends) {
+  const std::int64_t dx = ends.end.x - ends.start.x;
+  const std::int64_t dy = ends.end.y - ends.start.y;
+  if (dx == 0 || dy == 0) {
+    return false;
+  }
+  for (std::int64_t x = -kReachCells; x <= kReachCells; ++x) {
+    const std::int64_t to_x = x * kResolution - ends.start.x;
+    const bool is_on_line = dx < 0 ? dx <= to_x && to_x <= 0 : 0 <= to_x && to_x <= dx;
+    const bool is_corner =
+        to_x * dy % dx == 0 && (ends.start.y + to_x * dy / dx) % kResolution == 0;
+    if (is_on_line && is_corner && (to_x != 0 || (dx < 0 && dy < 0))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// No corner is missed: only a line without one may be walked steadily.
+template <std::int32_t kResolution>
+void expect_no_corner_is_missed(int count) {
+  tests::Random random(kResolution + 2);
+  int corners = 0;
+  for (int i = 0; i < count; ++i) {
+    const RandomLine<kResolution> ends(random);
+    if (crosses_corner(ends)) {
+      ++corners;
+      ASSERT_TRUE(may_meet_corner(Line<kResolution>(ends.start, ends.end)));
+    }
+  }
+  EXPECT_GT(corners, count / 200);
+}
+
+TEST(SteadyWalk, IsNotForLinesThatMeetACorner) {
+  const int count = tests::effort(60'000, 1'000);
+  expect_no_corner_is_missed<1>(count);
+  expect_no_corner_is_missed<20>(count);
+  expect_no_corner_is_missed<100>(count);
+  expect_no_corner_is_missed<1024>(count);
+  EXPECT_TRUE(may_meet_corner(Line<10>({5, 5}, {35, 35})));
+  EXPECT_TRUE(may_meet_corner(Line<10>({20, 20}, {5, 5})));
+  EXPECT_TRUE(may_meet_corner(Line<10>({5, 5}, {75, 35})));
+}
+
+// From an odd place every corner needs a common divisor with a resolution of many.
+TEST(SteadyWalk, IsForNearlyAllLines) {
+  int corners = 0;
+  for (std::int32_t y = -40'000; y <= 40'000; y += 100) {
+    corners += may_meet_corner(Line<1024>({19'968, 6'144}, {500'017, y})) ? 1 : 0;
+    corners += may_meet_corner(Line<1024>({19'973, 6'147}, {500'017, y})) ? 1 : 0;
+  }
+  EXPECT_LT(corners, 1602 / 100);
+}
+
+}  // namespace
+}  // namespace iog::traversal
