@@ -81,7 +81,7 @@ PrintedFusion::PrintedFusion(const vehicle::Vehicle& vehicle, Extent extent)
 
 void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
   const Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-  const vehicle::Judgement judgement = vehicle::judge(*vehicle_, sensor, beam, point);
+  const vehicle::Judgement judgement = vehicle::judge(sensor, beam, point);
   if (!judgement.carves && !judgement.marks) {
     return;
   }

@@ -28,7 +28,7 @@ void append(const tools::SensorPoint& seen, PeerFrame& frame, PeerFrames& result
   const vehicle::Vehicle& car = *result.vehicle;
   const vehicle::Sensor& sensor = car.sensors[seen.sensor];
   const vehicle::Beam beam = vehicle::aim(sensor, seen.point.layer, seen.point.azimuth_ticks);
-  const vehicle::Judgement judgement = vehicle::judge(car, sensor, beam, seen.point);
+  const vehicle::Judgement judgement = vehicle::judge(sensor, beam, seen.point);
   if (!judgement.carves) {
     result.later_echoes += judgement.marks ? 1U : 0U;
     return;

@@ -47,10 +47,12 @@ template <std::int32_t kResolution>
 template <typename Cell>
 class SteadyWalk {
  public:
-  // cells: of cell (0, 0). The walk may end, but never visits, outside of what they hold.
+  // cells: the first is cell (0, 0). The walk may end, but never visits, outside of them: which is
+  // why its place is an offset, that may be any number, and not a pointer.
   template <std::int32_t kResolution>
   SteadyWalk(const Line<kResolution>& line, Position from, Cell* cells, std::int32_t stride)
-      : cell_(cells + line.cell(from).y * stride + line.cell(from).x),
+      : cells_(cells),
+        offset_(line.cell(from).y * stride + line.cell(from).x),
         gain_(kResolution * static_cast<std::int32_t>(line.y().length())),
         period_(kResolution * static_cast<std::int32_t>(line.x().length() + line.y().length())),
         state_(line.error(from) - gain_),
@@ -65,12 +67,12 @@ class SteadyWalk {
         *this;  // in registers: a visit may store where the compiler suspects a member
     for (; steps >= kAtOnce; steps -= kAtOnce) {
       for (std::uint32_t i = 0; i < kAtOnce; ++i) {
-        visit(*here.cell_);
+        visit(here.cells_[here.offset_]);
         here.step();
       }
     }
     for (; steps > 0; --steps) {
-      visit(*here.cell_);
+      visit(here.cells_[here.offset_]);
       here.step();
     }
     *this = here;
@@ -80,15 +82,16 @@ class SteadyWalk {
   static constexpr std::uint32_t kAtOnce = 4;
 
   void step() {
-    cell_ += column_step_;
+    offset_ += column_step_;
     state_ += gain_;
     if (state_ >= 0) {
       state_ -= period_;
-      cell_ += row_instead_;
+      offset_ += row_instead_;
     }
   }
 
-  Cell* cell_;
+  Cell* cells_;
+  std::ptrdiff_t offset_;
   std::int32_t gain_;
   std::int32_t period_;
   std::int32_t state_;

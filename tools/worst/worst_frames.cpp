@@ -33,12 +33,11 @@ std::int16_t raster_ticks(std::size_t column) {
 std::uint16_t whole_cm(double range_cm) { return static_cast<std::uint16_t>(range_cm); }
 
 bool is_used(const Sensor& sensor, const LuxPoint& point) {
-  const vehicle::Vehicle& car = *find_vehicle(kDefaultVehicle).vehicle;
   const auto azimuth = static_cast<std::uint16_t>((point.angle_ticks + kTurnTicks) % kTurnTicks);
   const lidar::ScanPoint scan_point{
       .range_mm = point.range_cm * 10U, .azimuth_ticks = azimuth, .layer = point.layer};
   const vehicle::Beam beam = vehicle::aim(sensor, point.layer, azimuth);
-  return vehicle::judge(car, sensor, beam, scan_point).fate == vehicle::Fate::kUsed;
+  return vehicle::judge(sensor, beam, scan_point).fate == vehicle::Fate::kUsed;
 }
 
 // The furthest range, up to 49 m, at which an echo of this beam is inside the height band.

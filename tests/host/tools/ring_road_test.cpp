@@ -40,7 +40,8 @@ class CarvedCells {
     if (!fusion_->fits(sensor, 1)) {
       fusion_->clear();
     }
-    fusion_->add(sensor, point);  // its mark waits for a finish() that never comes
+    fusion_->add(sensor, point);
+    fusion_->carve_waiting();  // its mark waits for a finish() that never comes
     const auto line = vehicle::aim(sensor, point.layer, point.azimuth_ticks).line;
     const auto inside = line.clip(vehicle::kGridArea);
     std::size_t carved = 0;
