@@ -298,8 +298,10 @@ void describe_rates(const TablesInput& input, const Scenes& scenes, Markdown& bo
       banded(per_cycle, 2) + " instructions a cycle; at an assumed " + fixed(kSlow, 1) + " or " +
       fixed(kQuick, 1) + " it would be " +
       range(modelled_hz(four.frame.whole, kSlow), modelled_hz(four.frame.whole, kQuick), 1) +
-      " Hz. What the model leaves out would take cycles and save none, so that the rates are more "
-      "likely too high than too low. The largest frame is taken to run at the rate of the mean "
+      " Hz. What the model leaves out, the library's 64-bit divisions among it, would take cycles "
+      "and "
+      "save none, so that the rates are more likely too high than too low. The largest frame is "
+      "taken to run at the rate of the mean "
       "one. L1D refills and L2 misses are those of a whole mean frame:");
   print_rates(scenes, body);
   body.picture(draw(input, "output_rates.svg", plot_of(scenes)),

@@ -1,6 +1,7 @@
 // The worst frames that could be put together, beside those of a drive, and the bound above both.
 #include "tools/worst/worst_frames.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -143,8 +144,9 @@ void describe_frames(const std::vector<Row>& rows, Markdown& body) {
 }
 
 void describe_bound(const FrameBound& bound, const std::vector<Row>& rows, Markdown& body) {
-  const Row& flood = rows.back();
-  const double fused = flood.cost.fuse + flood.cost.mark;
+  const auto fused = [](const Row& row) { return row.cost.fuse + row.cost.mark; };
+  const Row& dearest = *std::ranges::max_element(rows, {}, fused);
+  const double of_its_points = bound.fuse_and_mark() * dearest.cost.points / bound.points;
   body.subheading("The bound");
   body.paragraph(
       "Counts times costs: what no frame of the reference car can exceed as long as no point, "
@@ -162,15 +164,17 @@ void describe_bound(const FrameBound& bound, const std::vector<Row>& rows, Markd
       fixed(bound.per_mark, 1) + " a mark, " + grouped(bound.per_tile) +
       " a known tile from finding to clearing it, and " + grouped(bound.receive) +
       " to receive the packets in which so many points come.");
-  body.paragraph("Fusing and marking are then at most " + grouped(bound.fuse_and_mark()) +
-                 " instructions; the dearest of the constructed frames, `" + flood.name +
-                 "`, takes " + grouped(fused) + ", " + percent(fused / bound.fuse_and_mark(), 1) +
-                 " of it. With every tile published a whole frame is at most " +
-                 grouped(bound.whole()) + ": " + modelled_ms(bound.whole(), kSlow) +
-                 " at 0.5 instructions a cycle, " + modelled_ms(bound.whole(), kQuick) +
-                 " at 1.0. The bound is on instructions: how many a cycle there are depends on "
-                 "the caches as well, and packets with few points or none are bounded by the "
-                 "Ethernet line, not by a scan.");
+  body.paragraph(
+      "Fusing and marking are then at most " + grouped(bound.fuse_and_mark()) +
+      " instructions. The dearest of the constructed frames, `" + dearest.name + "`, takes " +
+      grouped(fused(dearest)) + ", " + percent(fused(dearest) / of_its_points, 1) +
+      " of what the bound is for its points; where there are more, beams share lines, "
+      "which the bound does not count on. With every tile published a whole frame is at most " +
+      grouped(bound.whole()) + ": " + modelled_ms(bound.whole(), kSlow) +
+      " at 0.5 instructions a cycle, " + modelled_ms(bound.whole(), kQuick) +
+      " at 1.0. The bound is on instructions: how many a cycle there are depends on "
+      "the caches as well, and packets with few points or none are bounded by the "
+      "Ethernet line, not by a scan.");
 }
 
 // "a, b and c" of the frames for which this holds.
