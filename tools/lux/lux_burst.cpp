@@ -57,7 +57,8 @@ std::vector<CapturedDatagram> lux_burst(const CatalogueEntry& car, std::uint32_t
     scan.mounting = mounting_of(config.mount);
     scan.points = points_of(sensor);
     scan.flags = kGroundLabelled | kDirtDetected | kRainDetected;
-    for (std::vector<std::byte>& message : split_lux_scan(std::move(scan))) {
+    std::vector<std::vector<std::byte>> messages = split_lux_scan(std::move(scan));
+    for (std::vector<std::byte>& message : messages) {
       datagrams.push_back({.time_us = scan_end_us + datagrams.size() * kBurstGapUs,
                            .source = {config.source_ipv4, kScannerPort},
                            .destination = {kTarget.ipv4, config.udp_port},

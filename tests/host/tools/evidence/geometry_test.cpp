@@ -47,12 +47,12 @@ std::vector<Shot> shots(const vehicle::Vehicle& vehicle, std::uint64_t seed, int
   tests::Random random(seed);
   std::vector<Shot> result;
   while (result.size() < static_cast<std::size_t>(count)) {
-    const Shot shot(vehicle,
-                    {.range_mm = static_cast<std::uint32_t>(random.between(400, 48'000)),
-                     .azimuth_ticks = static_cast<std::uint16_t>(
-                         random.one_in(4) ? random.between(0, 7) * 1440 : random.between(0, 11519)),
-                     .layer = static_cast<std::uint8_t>(random.between(0, 3))});
-    result.push_back(shot);
+    const lidar::ScanPoint point{
+        .range_mm = static_cast<std::uint32_t>(random.between(400, 48'000)),
+        .azimuth_ticks = static_cast<std::uint16_t>(random.one_in(4) ? random.between(0, 7) * 1440
+                                                                     : random.between(0, 11519)),
+        .layer = static_cast<std::uint8_t>(random.between(0, 3))};
+    result.emplace_back(vehicle, point);
   }
   return result;
 }

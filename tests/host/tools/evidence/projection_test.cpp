@@ -153,10 +153,10 @@ TEST(Projection, NoGeometryGivesAPointMoreThanItsFateAllows) {
       for (const CellEvidence& seen : ground.cells) {
         EXPECT_LT(seen.step, 0);
       }
-      const auto echo = of({.range_mm = 20'000, .azimuth_ticks = 333, .echo = 1});
-      EXPECT_EQ(echo.hits.size(), 1U);
-      EXPECT_GT(echo.cells.size(), 5U);
-      for (const CellEvidence& seen : echo.cells) {
+      const auto later = of({.range_mm = 20'000, .azimuth_ticks = 333, .echo = 1});
+      EXPECT_EQ(later.hits.size(), 1U);
+      EXPECT_GT(later.cells.size(), 5U);
+      for (const CellEvidence& seen : later.cells) {
         EXPECT_GE(seen.step, 0);
       }
       const auto missing = of({.range_mm = 0, .azimuth_ticks = 333});
