@@ -24,7 +24,10 @@ std::vector<Place>& places() {
   return all;
 }
 
-Place* middle() { return places().data() + (kStride / 2) * kStride + kStride / 2; }
+Place* middle() {
+  constexpr std::ptrdiff_t kHalf = kStride / 2;
+  return places().data() + kHalf * kStride + kHalf;
+}
 
 template <std::int32_t kResolution>
 std::vector<std::ptrdiff_t> visited_by_walk(const Line<kResolution>& line, Position from,
