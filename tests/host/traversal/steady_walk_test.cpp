@@ -64,7 +64,7 @@ struct RandomLine {
   static std::int32_t coordinate(tests::Random& random) {
     constexpr std::int32_t kReach = kReachCells * kResolution;
     const std::int32_t any = random.between(-kReach, kReach);
-    const std::int32_t part = std::max(kResolution >> random.between(0, 2), 1);
+    const std::int32_t part = std::max<std::int32_t>(kResolution >> random.between(0, 2), 1);
     return random.one_in(2) ? any / part * part : any;
   }
 
