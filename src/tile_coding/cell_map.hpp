@@ -18,6 +18,16 @@ class CellMap {
   // The cells that differ from those of another tile.
   void mark_differences(TileCells cells, TileCells others);
 
+  // Calls `visit(position)` for each marked cell, in order.
+  template <typename Visit>
+  void for_each(Visit visit) const {
+    for (std::size_t row = 0; row < kTileSide; ++row) {
+      for (std::uint32_t bits = rows_[row]; bits != 0; bits &= bits - 1) {
+        visit(row * kRowBits + static_cast<std::size_t>(std::countr_zero(bits)));
+      }
+    }
+  }
+
   // The first marked cell at or after `position` <= kTileBytes; kTileBytes if there is none.
   [[nodiscard]] std::size_t next(std::size_t position) const {
     std::size_t row = position / kRowBits;

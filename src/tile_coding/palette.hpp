@@ -9,9 +9,14 @@
 
 namespace iog::tile_coding {
 
+// Bits of a number: 0 for 0.
+[[nodiscard]] constexpr unsigned bit_width(std::size_t number) {
+  return static_cast<unsigned>(32 - std::countl_zero(static_cast<std::uint32_t>(number)));
+}
+
 // Bits that tell `count` symbols apart: 0 for one symbol.
 [[nodiscard]] constexpr unsigned symbol_bits(std::size_t count) {
-  return count < 2 ? 0U : static_cast<unsigned>(std::bit_width(count - 1));
+  return count < 2 ? 0U : bit_width(count - 1);
 }
 
 // Numbers values in the order in which they are first asked for. At most 255 of them: a tile has no

@@ -49,14 +49,14 @@ class Quadtree {
     [[nodiscard]] bool any_child(std::size_t b) const {
       return ((words_[b / 8] >> (b % 8 * 4)) & 0xFU) != 0;
     }
-    [[nodiscard]] std::size_t count() const;
 
    private:
     std::array<std::uint32_t, kTileBytes / 4 / 32> words_{};
   };
 
-  void find_level_1(TileCells cells);
-  void find_level(std::size_t level, TileCells cells);
+  // Each returns the number of blocks that are split.
+  std::size_t find_level_1(TileCells cells);
+  std::size_t find_level(std::size_t level, TileCells cells);
 
   std::array<BlockMap, kLevels> split_;  // of level 1 ... 5
   std::array<std::size_t, kLevels> split_count_{};

@@ -3,55 +3,58 @@
 #include "tile_coding/runs.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "tile_coding/bit_stream.hpp"
 
 namespace iog::tile_coding {
 namespace {
 
-constexpr unsigned gamma_bits(std::size_t length) {
-  return 2 * static_cast<unsigned>(std::bit_width(length)) - 1;
-}
+constexpr unsigned gamma_bits(std::size_t length) { return 2 * bit_width(length) - 1; }
 static_assert(gamma_bits(1) == 1);
 static_assert(gamma_bits(kTileBytes) == 21);
 
 }  // namespace
 
-void Runs::clear(bool has_reference) {
-  palette_.clear();
-  count_ = 0;
-  length_bits_ = 0;
-  has_reference_ = has_reference;
-}
-
-void Runs::add(std::uint16_t symbol, std::size_t cells) {
-  list_[count_++] = {.symbol = symbol, .cells = static_cast<std::uint16_t>(cells)};
-  length_bits_ += gamma_bits(cells);
+void Runs::Builder::finish(Runs& runs, bool has_reference) const {
+  runs.count_ = count_;
+  runs.length_bits_ = 2 * width_sum_ - count_;  // the sum of gamma_bits()
+  runs.has_reference_ = has_reference;
 }
 
 void Runs::find(TileCells cells, const CellMap& changes) {
-  clear(false);
-  for (std::size_t begin = 0; begin < kTileBytes;) {
-    const std::size_t end = changes.next(begin + 1);
-    add(palette_.symbol_of(cells[begin]), end - begin);
+  palette_.clear();
+  Builder runs(*this);
+  std::size_t begin = 0;
+  changes.for_each([&](std::size_t end) {
+    runs.add(palette_.symbol_of(cells[begin]), end - begin);
     begin = end;
-  }
+  });
+  runs.add(palette_.symbol_of(cells[begin]), kTileBytes - begin);
+  runs.finish(*this, false);
 }
 
+// `change` is the first one behind `begin`, `difference` the first one not before it.
 void Runs::find(TileCells cells, const CellMap& changes, const CellMap& differences) {
-  clear(true);
+  palette_.clear();
+  Builder runs(*this);
+  std::size_t change = changes.next(1);
+  std::size_t difference = differences.next(0);
   for (std::size_t begin = 0; begin < kTileBytes;) {
-    const std::size_t change = changes.next(begin + 1);
-    const std::size_t difference = differences.next(begin);
     if (difference >= change) {
-      add(0, difference - begin);
+      runs.add(0, difference - begin);
       begin = difference;
     } else {
-      add(static_cast<std::uint16_t>(palette_.symbol_of(cells[begin]) + 1), change - begin);
+      runs.add(static_cast<std::uint16_t>(palette_.symbol_of(cells[begin]) + 1), change - begin);
       begin = change;
     }
+    if (change <= begin && begin < kTileBytes) {
+      change = changes.next(begin + 1);
+    }
+    if (difference < begin) {
+      difference = differences.next(begin);
+    }
   }
+  runs.finish(*this, true);
 }
 
 std::size_t Runs::coded_bytes() const {
@@ -70,14 +73,17 @@ std::size_t Runs::write(std::span<std::byte> buffer) const {
   buffer[0] = static_cast<std::byte>(values.size());
   std::ranges::copy(values, buffer.begin() + 1);
   BitWriter out(buffer.subspan(1 + values.size()));
-  unsigned bits = symbol_bits(symbol_count());
-  std::uint32_t before = 0xFFFF;  // above every symbol: nothing is excluded
-  for (const Run& run : std::span(list_).first(count_)) {
-    const std::uint32_t code = run.symbol - (run.symbol > before ? 1U : 0U);
-    const unsigned length = gamma_bits(run.cells);
-    out.put((code << length) | run.cells, bits + length);
+  const auto put = [&out](std::uint32_t code, unsigned bits, std::uint32_t cells) {
+    const unsigned length = gamma_bits(cells);
+    out.put((code << length) | cells, bits + length);
+  };
+  const auto list = std::span(list_).first(count_);
+  std::uint32_t before = list[0].symbol;
+  put(before, symbol_bits(symbol_count()), list[0].cells);
+  const unsigned bits = symbol_bits(symbol_count() - 1);
+  for (const Run& run : list.subspan(1)) {
+    put(run.symbol - (run.symbol > before ? 1U : 0U), bits, run.cells);
     before = run.symbol;
-    bits = symbol_bits(symbol_count() - 1);
   }
   return 1 + values.size() + out.finish();
 }

@@ -47,11 +47,26 @@ class Runs {
     std::uint16_t cells;
   };
 
+  // Fills the list. It lives in registers while the palette, whose bytes may alias anything, does
+  // not.
+  class Builder {
+   public:
+    explicit Builder(Runs& runs) : list_{runs.list_} {}
+    void add(std::uint16_t symbol, std::size_t cells) {
+      list_[count_++] = {.symbol = symbol, .cells = static_cast<std::uint16_t>(cells)};
+      width_sum_ += bit_width(cells);
+    }
+    void finish(Runs& runs, bool has_reference) const;
+
+   private:
+    std::span<Run, kTileBytes> list_;
+    std::size_t count_ = 0;
+    std::size_t width_sum_ = 0;
+  };
+
   [[nodiscard]] std::size_t symbol_count() const {
     return palette_.values().size() + (has_reference_ ? 1 : 0);
   }
-  void clear(bool has_reference);
-  void add(std::uint16_t symbol, std::size_t cells);
 
   Palette palette_;
   std::array<Run, kTileBytes> list_{};
