@@ -31,12 +31,33 @@ struct Leaf {
   friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 
+// The 16 low bits of a number at the even places of a word, and back: halves move apart, then
+// quarters, and so on.
+[[nodiscard]] constexpr std::uint32_t spread_bits(std::uint32_t bits) {
+  bits = (bits | bits << 8) & 0x00FF00FFU;
+  bits = (bits | bits << 4) & 0x0F0F0F0FU;
+  bits = (bits | bits << 2) & 0x33333333U;
+  return (bits | bits << 1) & 0x55555555U;
+}
+
+[[nodiscard]] constexpr std::uint32_t gather_bits(std::uint32_t bits) {
+  bits &= 0x55555555U;
+  bits = (bits | bits >> 1) & 0x33333333U;
+  bits = (bits | bits >> 2) & 0x0F0F0F0FU;
+  bits = (bits | bits >> 4) & 0x00FF00FFU;
+  return (bits | bits >> 8) & 0x0000FFFFU;
+}
+
 // The place of a cell in Morton order: the bits of its coordinates interleaved, those of x lowest.
-// The cells of a block follow one another, and so do those of its 2^d parts. Of each coordinate the
-// lowest `bits` count, d times which is at most 32.
+// The cells of a block follow one another, and so do those of its 2^d parts. Coordinates are below
+// 2^bits, and d * bits is at most 32. The plane, where trees are built every frame, has its own
+// way.
 template <std::size_t kDimension>
 [[nodiscard]] constexpr std::uint32_t morton_place(const Cell<kDimension>& cell,
                                                    std::uint32_t bits) {
+  if constexpr (kDimension == 2) {
+    return spread_bits(cell[0]) | spread_bits(cell[1]) << 1;
+  }
   std::uint32_t place = 0;
   for (std::uint32_t bit = bits; bit-- > 0;) {
     for (std::size_t axis = kDimension; axis-- > 0;) {
@@ -50,6 +71,9 @@ template <std::size_t kDimension>
 template <std::size_t kDimension>
 [[nodiscard]] constexpr Cell<kDimension> morton_cell(std::uint32_t place) {
   Cell<kDimension> cell{};
+  if constexpr (kDimension == 2) {
+    return {gather_bits(place), gather_bits(place >> 1)};
+  }
   for (std::uint32_t bit = 0; place != 0; ++bit) {
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
       cell[axis] |= (place & 1U) << bit;

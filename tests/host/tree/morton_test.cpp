@@ -20,6 +20,18 @@ TEST(Morton, ACellIsFoundAtItsPlace) {
   }
 }
 
+// Of the k-th bit of a place, k mod d says the axis and k div d the bit.
+TEST(Morton, EveryBitOfACoordinateHasItsPlace) {
+  for (std::uint32_t bit = 0; bit < 10; ++bit) {
+    EXPECT_EQ(morton_place<2>({1U << bit, 0}, 16), 1U << (2 * bit));
+    EXPECT_EQ(morton_place<2>({0, 1U << bit}, 16), 1U << (2 * bit + 1));
+    EXPECT_EQ(morton_place<3>({0, 1U << bit, 0}, 10), 1U << (3 * bit + 1));
+    EXPECT_EQ(morton_cell<2>(1U << (2 * bit + 1)), (Cell<2>{0, 1U << bit}));
+  }
+  EXPECT_EQ(morton_place<2>({0xFFFF, 0xFFFF}, 16), 0xFFFFFFFFU);
+  EXPECT_EQ(morton_cell<2>(0xFFFFFFFFU), (Cell<2>{0xFFFF, 0xFFFF}));
+}
+
 TEST(Morton, TheHighestCellIsTheLast) {
   EXPECT_EQ(morton_place<2>({1023, 1023}, 10), (1U << 20) - 1);
   EXPECT_EQ((morton_cell<2>((1U << 20) - 1)), (Cell<2>{1023, 1023}));
