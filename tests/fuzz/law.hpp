@@ -33,4 +33,5 @@ inline std::span<const std::byte> next_piece(wire::ByteReader& in) {
 }  // namespace iog::fuzz
 
 // What libFuzzer calls with each input; it wants 0.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer gives the name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -11,7 +11,12 @@
 namespace iog::fuzz {
 namespace {
 
-using namespace protection;
+using protection::Channel;
+using protection::CheckStatus;
+using protection::kProtectionBytes;
+using protection::Received;
+using protection::SomeIpStatus;
+using protection::Supervision;
 using Bytes = std::vector<std::byte>;
 
 constexpr Channel kChannel{
@@ -117,9 +122,9 @@ class Link {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   wire::ByteReader in_;
-  Sender sender_{kChannel};
-  Receiver receiver_{kChannel};
-  Supervisor supervisor_{kSupervision};
+  protection::Sender sender_{kChannel};
+  protection::Receiver receiver_{kChannel};
+  protection::Supervisor supervisor_{kSupervision};
   std::vector<Bytes> sent_;
   std::size_t last_ = kNone;
 };

@@ -73,12 +73,13 @@ void add_lidar_seeds(Seeds& seeds) {
 }
 
 void add_network_seeds(Seeds& seeds) {
-  using namespace net::testing;
+  namespace frames = net::testing;
   for (const std::byte flag : {std::byte{0}, std::byte{1}}) {
     Bytes all;
-    for (const Frame& frame :
-         {linux_arp_reply(), linux_udp_even(), linux_ping(), linux_ping_reply(),
-          velodyne_broadcast(), linux_last_fragment(), linux_arp_request()}) {
+    for (const frames::Frame& frame :
+         {frames::linux_arp_reply(), frames::linux_udp_even(), frames::linux_ping(),
+          frames::linux_ping_reply(), frames::velodyne_broadcast(), frames::linux_last_fragment(),
+          frames::linux_arp_request()}) {
       all = joined(joined(std::move(all), {flag}), piece_of(frame));
     }
     seeds.add("network_host", all);

@@ -9,7 +9,14 @@
 namespace iog::fuzz {
 namespace {
 
-using namespace tile_coding;
+using tile_coding::decode;
+using tile_coding::DecodeStatus;
+using tile_coding::EncodedTile;
+using tile_coding::Encoder;
+using tile_coding::Encoding;
+using tile_coding::kNoIndex;
+using tile_coding::kTileBytes;
+using tile_coding::Reference;
 using Tile = std::array<std::byte, kTileBytes>;
 
 // What the receiver has: anything that is not flat.
@@ -22,11 +29,11 @@ Tile reference_cells() {
 }
 
 void check(std::span<const std::byte> input) {
-  static const Tile kReference = reference_cells();
+  static const Tile receivers_tile = reference_cells();
   static Encoder encoder;
   wire::ByteReader in(input);
   const auto encoding = static_cast<Encoding>(in.u8());
-  const Reference reference{.cells = kReference, .frame_number = in.u8()};
+  const Reference reference{.cells = receivers_tile, .frame_number = in.u8()};
   const auto payload = in.bytes(in.remaining());
   Tile cells;
   cells.fill(std::byte{1});

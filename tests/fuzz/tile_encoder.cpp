@@ -10,7 +10,16 @@
 namespace iog::fuzz {
 namespace {
 
-using namespace tile_coding;
+using tile_coding::decode;
+using tile_coding::DecodeStatus;
+using tile_coding::EncodedTile;
+using tile_coding::Encoder;
+using tile_coding::Encoding;
+using tile_coding::kEncodingCount;
+using tile_coding::kNoIndex;
+using tile_coding::kTileBytes;
+using tile_coding::kTileSide;
+using tile_coding::Reference;
 using Tile = std::array<std::byte, kTileBytes>;
 
 std::byte index_of(std::uint8_t value) {

@@ -26,7 +26,8 @@ std::uint64_t digest(const Decoder& decoder) {
     law(point.azimuth_ticks < Decoder::kTicksPerTurn, "an azimuth is within a turn");
     law(point.layer < Decoder::kElevationsDeg.size(), "a layer has an elevation");
     law(point.echo < 2, "two returns at most");
-    sum = sum * 31 + point.range_mm * 7U + point.azimuth_ticks * 5U + point.layer + point.echo;
+    sum = sum * 31 + std::uint64_t{point.range_mm} * 7 + std::uint64_t{point.azimuth_ticks} * 5 +
+          point.layer + point.echo;
     ++count;
   });
   law(count == Decoder::kPointsPerPacket, "384 points");

@@ -117,6 +117,7 @@ TEST(ProtectedMessage, StrangersAreToldApart) {
 TEST(ProtectedMessage, TheReceiverSeesWhatTheLinkDid) {
   Sender sender(kChannel);
   std::vector<Bytes> messages;
+  messages.reserve(10);
   for (int i = 0; i < 10; ++i) {
     messages.push_back(sent(sender));
   }
