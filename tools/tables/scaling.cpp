@@ -77,7 +77,7 @@ Sweep range() {
               .file = "scaling_range.svg",
               .note =
                   "Up to 50 m on the default grid, 100 m on one of 2048 x 2048 cells, where the "
-                  "sensors are taken to see that far.",
+                  "sensors are taken to see that far: the last step is one of the grid, too.",
               .points = {}};
   for (const int range_cm : {625, 1250, 2500, 3750, 5000}) {
     A9Load load = kBase;
@@ -98,7 +98,7 @@ Sweep cells() {
               .note =
                   "Cells of 10 cm, the same beams of 25 m; 512 x 512 cells, 25.6 m to each side, "
                   "cut off the longest of them. What grows is the memory and the search for known "
-                  "tiles. A mark's 24 bits allow 4096 x 4096 cells, 16 MiB, and no more.",
+                  "tiles. 4096 x 4096 cells, 16 MiB, are the most that the core takes.",
               .points = {},
               .has_trend = false};
   for (const int side : {512, 1024, 2048, 4096}) {
