@@ -1,27 +1,40 @@
-// What the beams of one line say of its cells: how free, as a step function of crossed borders.
+// What the beams of one line say of its cells: how free, as a step function along it.
 //
 // Beams of one line carve prefixes of the same cells. Their evidence of one cell is negative, and
 // such evidence commutes under saturation (contract section 3): adding a, then b, each with a floor
 // at -127, is adding a + b with that floor. So their sum can be carved in one walk.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "grid/block_path.hpp"
 #include "sensor_model/profile.hpp"
 #include "traversal/line.hpp"
 
 namespace iog::grid {
 
+// A point on a line between two of its cells: before the one at this position, or just after it.
+struct Between {
+  traversal::Position at;
+  bool is_after = false;
+
+  // The cells of the line that lie before it have fewer borders crossed than this.
+  [[nodiscard]] constexpr std::uint32_t crossed() const {
+    return at.crossed() + (is_after ? 1U : 0U);
+  }
+};
+
 class FreeSteps {
  public:
-  // From this count of crossed borders on, cells are freer by so much; or less free, if below 0.
+  // From here on, cells are freer by so much; or less free, if below 0.
   struct Change {
-    std::uint32_t crossed = 0;
+    std::uint32_t crossed = 0;  // Between::crossed()
     std::int32_t freer = 0;
+    Place place;                // of the cell at the position
+    bool is_after = false;
   };
 
   // A beam's zones before its hit, where each begins, and the end of the last.
@@ -40,7 +53,7 @@ class FreeSteps {
 
   // Only if has_room() said so before the beam. Most beams begin together, and their further
   // changes mostly come in order.
-  void add(Change change) {
+  void add(const Change& change) {
     if (count_ > 0 && changes_[0].crossed == change.crossed) {
       changes_[0].freer += change.freer;
       return;

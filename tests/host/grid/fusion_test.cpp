@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
@@ -32,7 +33,7 @@ std::vector<OccupancyIndex> fuse(const Vehicle& vehicle, const std::vector<Evide
     fusion->add(vehicle.sensors[evidence.sensor], evidence.point);
   }
   fusion->finish();
-  return {fusion->cells().begin(), fusion->cells().end()};
+  return tests::cells_of(*fusion);
 }
 
 int ahead(const std::vector<OccupancyIndex>& cells, int x) {
@@ -213,7 +214,7 @@ TEST(Fusion, BeamsThatWaitCarveAsIfTheyHadNot) {
       at_once->carve_waiting();
     }
     at_once->finish();
-    ASSERT_TRUE(std::ranges::equal(fuse(vehicle, frame), at_once->cells()));
+    ASSERT_EQ(fuse(vehicle, frame), tests::cells_of(*at_once));
   }
 }
 
