@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "traversal/steady_walk.hpp"
+#include "traversal/corner.hpp"
 
 namespace iog::grid {
 
@@ -19,16 +19,14 @@ void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer,
   ruler_ = {line_, sensor.range};
   const Position last = line_.before({1, 1});
   const bool starts_in_grid = vehicle::kGridArea.contains(line_.cell({}));
-  if (starts_in_grid && vehicle::kGridArea.contains(line_.cell(last))) {
-    in_grid_ = {{}, last};
-    enters_grid_ = true;
-  } else {
-    const std::optional<Stretch> stretch = line_.clip(vehicle::kGridArea);
-    in_grid_ = stretch.value_or(Stretch{});
-    if (last.crossed() < in_grid_.last.crossed()) {
-      in_grid_.last = last;
+  in_grid_ = {{}, {last, true}};
+  if (!starts_in_grid || !vehicle::kGridArea.contains(line_.cell(last))) {
+    if (const std::optional<Stretch> stretch = line_.clip(vehicle::kGridArea)) {
+      in_grid_.begin_at(stretch->first);
+      in_grid_.end_at({stretch->last, true});
+    } else {
+      in_grid_.end = {};
     }
-    enters_grid_ = stretch && in_grid_.first.crossed() <= in_grid_.last.crossed();
   }
   has_path_ = starts_in_grid && !traversal::may_meet_corner(line_);
   if (has_path_) {
@@ -40,6 +38,7 @@ void KeptAzimuth::begin(const Sensor& sensor, std::uint16_t ticks) {
   sensor_ = &sensor;
   ticks_ = ticks;
   is_found_ = {};
+  beams_ = {};
   common_blocks_ = 0;
   compared_blocks_ = 0;
 }
@@ -77,7 +76,7 @@ BeamLines::BeamLines(std::span<const Sensor> sensors) : first_sensor_(sensors.da
 // places as long as there are enough of them.
 KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint16_t ticks) {
   const auto number = static_cast<std::uint32_t>(&sensor - first_sensor_);
-  const std::uint32_t place = (ticks / 8U ^ ticks / 2048U) % places_per_sensor_;
+  const std::uint32_t place = (ticks / 8U ^ ticks / 2048U) & (places_per_sensor_ - 1);
   KeptAzimuth& azimuth = azimuths_[number * places_per_sensor_ + place];
   if (!azimuth.is_of(sensor, ticks)) {
     azimuth.begin(sensor, ticks);

@@ -20,6 +20,24 @@
 
 namespace iog::grid {
 
+// A part of a line, from a cell up to a point between cells.
+struct LinePart {
+  traversal::Position first;
+  Between end;
+
+  [[nodiscard]] bool is_empty() const { return first.crossed() >= end.crossed(); }
+  void begin_at(traversal::Position position) {
+    if (position.crossed() > first.crossed()) {
+      first = position;
+    }
+  }
+  void end_at(Between point) {
+    if (point.crossed() < end.crossed()) {
+      end = point;
+    }
+  }
+};
+
 // The line of a sensor's beams at one azimuth, and what is known of it.
 class KeptLine {
  public:
@@ -35,9 +53,7 @@ class KeptLine {
   }
 
   // The part of the line that lies in the grid, up to its end at Sensor::range.
-  [[nodiscard]] bool enters_grid() const { return enters_grid_; }
-  [[nodiscard]] traversal::Position first_in_grid() const { return in_grid_.first; }
-  [[nodiscard]] Between end_in_grid() const { return {in_grid_.last, true}; }
+  [[nodiscard]] const LinePart& in_grid() const { return in_grid_; }
 
   // Whether the line has a path: it begins in the grid and meets no corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
@@ -47,16 +63,56 @@ class KeptLine {
  private:
   vehicle::BeamLine line_{{}, {}};
   traversal::Ruler<vehicle::kResolution> ruler_{line_, {}};
-  traversal::Stretch in_grid_;
-  bool enters_grid_ = false;
+  LinePart in_grid_;
   bool has_path_ = false;
   BlockPath path_;
 };
 
-// The lines of one sensor at one azimuth. Only the first two of them are kept: the LUX has no more,
-// and lidars with more layers turn freely.
+// What is known of the beams of one layer at one azimuth.
+class KeptBeam {
+ public:
+  [[nodiscard]] bool is_found() const { return is_found_; }
+  void find(std::int32_t end_z) {
+    is_found_ = true;
+    has_part_ = false;
+    end_z_ = end_z;
+  }
+
+  // Height of the line's end in subcells.
+  [[nodiscard]] std::int32_t end_z() const { return end_z_; }
+
+  // The part of the line in the grid and in the height band, if it was kept.
+  [[nodiscard]] bool has_part() const { return has_part_; }
+  [[nodiscard]] LinePart part() const {
+    return {{first_x_, first_y_}, {{end_x_, end_y_}, is_after_}};
+  }
+  // Keeps it if it fits: a sensor on the grid has no line that long.
+  void keep_part(const LinePart& part) {
+    constexpr std::uint32_t kMost = 0xFFFF;
+    has_part_ = part.first.crossed() <= kMost && part.end.crossed() <= kMost;
+    first_x_ = static_cast<std::uint16_t>(part.first.x);
+    first_y_ = static_cast<std::uint16_t>(part.first.y);
+    end_x_ = static_cast<std::uint16_t>(part.end.at.x);
+    end_y_ = static_cast<std::uint16_t>(part.end.at.y);
+    is_after_ = part.end.is_after;
+  }
+
+ private:
+  std::int32_t end_z_ = 0;
+  std::uint16_t first_x_ = 0;
+  std::uint16_t first_y_ = 0;
+  std::uint16_t end_x_ = 0;
+  std::uint16_t end_y_ = 0;
+  bool is_after_ = false;
+  bool has_part_ = false;
+  bool is_found_ = false;
+};
+
+// The beams of one sensor at one azimuth. Those of the first four layers and their first two lines
+// are kept: the LUX has no more, and lidars with more layers turn freely.
 class KeptAzimuth {
  public:
+  static constexpr std::size_t kMaxLayers = 4;
   static constexpr std::size_t kMaxLines = 2;
 
   [[nodiscard]] bool is_of(const vehicle::Sensor& sensor, std::uint16_t ticks) const {
@@ -69,6 +125,9 @@ class KeptAzimuth {
   KeptLine& line_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer,
                     vehicle::Direction direction);
 
+  // Number of the layer is below kMaxLayers. Empty until somebody fills it in.
+  KeptBeam& beam_of(std::uint8_t layer) { return beams_[layer]; }
+
   // Whether the second line goes through the cells of the first up to the end of this block. Both
   // were asked for, and have a path that reaches it. True is certain.
   [[nodiscard]] bool is_common(std::uint32_t block);
@@ -79,6 +138,7 @@ class KeptAzimuth {
   std::array<bool, kMaxLines> is_found_{};
   std::uint32_t common_blocks_ = 0;    // the lines agree on so many,
   std::uint32_t compared_blocks_ = 0;  // of so many
+  std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
 };
 

@@ -6,12 +6,11 @@
 
 namespace iog::grid {
 
-using traversal::Cell;
 using vehicle::BeamLine;
 
 void BlockPath::begin(const BeamLine& line) {
-  const Cell start = line.cell({});
-  require(vehicle::kGridArea.contains(start));
+  start_ = line.cell({});
+  require(vehicle::kGridArea.contains(start_));
   orientation_ = {.is_steep = line.y().length() > line.x().length(),
                   .x_is_negative = line.x().step() < 0,
                   .y_is_negative = line.y().step() < 0};
@@ -22,26 +21,28 @@ void BlockPath::begin(const BeamLine& line) {
   loss_ = orientation_.is_steep ? x_gain : y_gain;
   error_ = orientation_.is_steep ? -line.error({}) : line.error({});
   const std::int32_t y_stride = line.y().step() * kBlockStride;
-  u_stride_ = orientation_.is_steep ? y_stride : line.x().step();
-  v_stride_ = orientation_.is_steep ? line.x().step() : y_stride;
-  x_ = start_x_ = start.x / kBlockSide;
-  y_ = start_y_ = start.y / kBlockSide;
-  count_ = 0;
-  tile_count_ = 0;
-  note_tile();
-  find_first_block(start);
+  u_stride_ = static_cast<std::int16_t>(orientation_.is_steep ? y_stride : line.x().step());
+  v_stride_ = static_cast<std::int16_t>(orientation_.is_steep ? line.x().step() : y_stride);
+  const auto into_block = [](std::int32_t coordinate, bool is_negative) {
+    const auto inner = static_cast<std::uint32_t>(coordinate % kBlockSide);
+    return static_cast<std::uint8_t>(is_negative ? kBlockSide - 1 - inner : inner);
+  };
+  x_in_block_ = into_block(start_.x, orientation_.x_is_negative);
+  y_in_block_ = into_block(start_.y, orientation_.y_is_negative);
+  x_ = start_.x / kBlockSide;
+  y_ = start_.y / kBlockSide;
+  tile_along_x_ = static_cast<std::int8_t>(line.x().step());
+  tile_along_y_ = static_cast<std::int8_t>(line.y().step() * kTilesPerSide);
+  tile_entries_[0] = 0;
+  tile_entries_[1] = kNoTile;
+  tile_count_ = 1;
+  find_first_block();
 }
 
 // The line begins anywhere in its first block: cell by cell.
-void BlockPath::find_first_block(Cell start) {
-  const auto folded = [](std::int32_t coordinate, bool is_negative) {
-    const auto inner = static_cast<std::uint32_t>(coordinate % kBlockSide);
-    return is_negative ? kBlockSide - 1 - inner : inner;
-  };
-  const std::uint32_t along_x = folded(start.x, orientation_.x_is_negative);
-  const std::uint32_t along_y = folded(start.y, orientation_.y_is_negative);
-  std::uint32_t u = orientation_.is_steep ? along_y : along_x;
-  std::uint32_t v = orientation_.is_steep ? along_x : along_y;
+void BlockPath::find_first_block() {
+  std::uint32_t u = orientation_.is_steep ? y_in_block_ : x_in_block_;
+  std::uint32_t v = orientation_.is_steep ? x_in_block_ : y_in_block_;
   first_cells_ = {};
   while (u < kBlockSide && v < kBlockSide) {
     first_cells_.bytes[orientation_.inner(u, v)] = -1;
@@ -68,9 +69,9 @@ void BlockPath::find_up_to(std::uint32_t block) {
     const bool is_above = (codes_[count_ - 1] & 1U) != 0;
     const bool along_x = is_above == orientation_.is_steep;
     if (along_x) {
-      leave(x_, orientation_.x_is_negative ? -1 : 1);
+      leave(x_, orientation_.x_is_negative, false);
     } else {
-      leave(y_, orientation_.y_is_negative ? -1 : 1);
+      leave(y_, orientation_.y_is_negative, true);
     }
     std::int32_t error = error_;
     std::uint32_t bits = 0;
@@ -91,19 +92,15 @@ void BlockPath::find_up_to(std::uint32_t block) {
   }
 }
 
-// A tile begins where its first block does, seen from either side.
-void BlockPath::leave(std::int32_t& coordinate, std::int32_t step) {
+// The last block that was found lies beside the next one, along this coordinate.
+void BlockPath::leave(std::int32_t& coordinate, bool is_negative, bool is_y) {
   const std::int32_t from = coordinate;
-  coordinate += step;
+  coordinate += is_negative ? -1 : 1;
   if (from / kBlocksPerTile != coordinate / kBlocksPerTile) {
-    note_tile();
+    tile_entries_[tile_count_] = static_cast<TileEntry>(2 * count_ + (is_y ? 1U : 0U));
+    ++tile_count_;
+    tile_entries_[tile_count_] = kNoTile;
   }
-}
-
-void BlockPath::note_tile() {
-  const std::int32_t number = y_ / kBlocksPerTile * kTilesPerSide + x_ / kBlocksPerTile;
-  tiles_[tile_count_] = {static_cast<std::uint16_t>(count_), static_cast<std::uint16_t>(number)};
-  ++tile_count_;
 }
 
 std::uint32_t BlockPath::count_common(const BlockPath& other, std::uint32_t at_most) const {

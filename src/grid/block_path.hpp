@@ -15,10 +15,11 @@
 
 namespace iog::grid {
 
-// Where a cell of a line lies: its offset in the grid, and the number of its block.
+// A point on a line, before one of its cells or just after it: where that cell lies.
 struct Place {
-  std::uint32_t offset = 0;
-  std::uint32_t block = 0;
+  std::uint32_t offset = 0;  // of the cell, in the grid
+  std::uint16_t block = 0;   // number of its block
+  bool is_after = false;
 };
 
 // Blocks of a line one after the other: the next is u_stride or v_stride blocks (as stored) further,
@@ -32,14 +33,21 @@ struct BlockRun {
 
 class BlockPath {
  public:
-  // Of a line that begins in the grid and meets no corner (traversal/steady_walk.hpp).
+  // Of a line that begins in the grid and meets no corner (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // The place of a cell of the line that lies in the grid.
-  [[nodiscard]] Place place_of(traversal::Cell cell) const {
-    const auto distance = [](std::int32_t a, std::int32_t b) { return a < b ? b - a : a - b; };
-    return {offset_of(cell), static_cast<std::uint32_t>(distance(cell.x / kBlockSide, start_x_) +
-                                                        distance(cell.y / kBlockSide, start_y_))};
+  // The place before the cell at a position of the line, in the grid.
+  [[nodiscard]] Place place_before(traversal::Position at) const {
+    return {offset_of(cell_at(at)), static_cast<std::uint16_t>(block_at(at)), false};
+  }
+  // The place after it.
+  [[nodiscard]] Place place_after(traversal::Position at) const {
+    return {offset_of(cell_at(at)), static_cast<std::uint16_t>(block_at(at)), true};
+  }
+
+  // The number of the block in which a position lies: the block borders that were crossed.
+  [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
+    return (at.x + x_in_block_) / kBlockSide + (at.y + y_in_block_) / kBlockSide;
   }
 
   // Finds the blocks up to this one, which lies in the grid.
@@ -48,6 +56,9 @@ class BlockPath {
       find_up_to(block);
     }
   }
+
+  // Where the line begins.
+  [[nodiscard]] std::uint32_t start_offset() const { return offset_of(start_); }
 
   // The rest is about blocks that were found. The cells of the line in a block:
   [[nodiscard]] const LaneBytes& cells(std::uint32_t block) const {
@@ -66,47 +77,58 @@ class BlockPath {
   // Shows the tiles of the blocks up to this one to `visit`, by number.
   template <typename Visit>
   void for_each_tile(std::uint32_t last_block, Visit&& visit) const {
-    for (std::size_t i = 0; i < tile_count_ && tiles_[i].first_block <= last_block; ++i) {
-      visit(std::size_t{tiles_[i].number});
+    auto tile = static_cast<std::int32_t>(tile_of(start_));
+    const TileEntry* entry = tile_entries_.data();
+    for (; *entry / 2U <= last_block; ++entry) {
+      visit(static_cast<std::size_t>(tile));
+      tile += (entry[1] & 1U) != 0 ? tile_along_y_ : tile_along_x_;
     }
   }
 
  private:
-  struct Tile {
-    std::uint16_t first_block = 0;
-    std::uint16_t number = 0;
-  };
+  // Twice the block with which a line enters a tile, and 1 if it comes from a tile below or above.
+  using TileEntry = std::uint16_t;
+  static constexpr TileEntry kNoTile = 0xFFFF;
 
   // A line runs one way on each axis, so it enters at most as many blocks and tiles as both have.
   static constexpr std::size_t kMaxBlocks = 2 * kBlocksPerSide;
   static constexpr std::size_t kMaxTiles = 2 * kTilesPerSide;
+  static_assert(2 * kMaxBlocks < kNoTile);
 
-  void find_first_block(traversal::Cell start);
+  [[nodiscard]] traversal::Cell cell_at(traversal::Position at) const {
+    const auto x = static_cast<std::int32_t>(at.x);
+    const auto y = static_cast<std::int32_t>(at.y);
+    return {orientation_.x_is_negative ? start_.x - x : start_.x + x,
+            orientation_.y_is_negative ? start_.y - y : start_.y + y};
+  }
+
+  void find_first_block();
   void find_up_to(std::uint32_t block);
-  void leave(std::int32_t& coordinate, std::int32_t step);
-  void note_tile();
+  void leave(std::int32_t& coordinate, bool is_negative, bool is_y);
 
-  const ShapeMasks* masks_ = nullptr;
+  traversal::Cell start_;
+  std::uint8_t x_in_block_ = 0;  // how far into its block the line begins, in its own direction
+  std::uint8_t y_in_block_ = 0;
   Orientation orientation_;
-  std::int32_t start_x_ = 0;  // the first block
-  std::int32_t start_y_ = 0;
-  std::int32_t u_stride_ = 0;  // from a block to the next, in blocks as stored
-  std::int32_t v_stride_ = 0;
+  std::int8_t tile_along_x_ = 0;  // from a tile to the next, by number
+  std::int8_t tile_along_y_ = 0;
+  const ShapeMasks* masks_ = nullptr;
+  std::int16_t u_stride_ = 0;  // from a block to the next, in blocks as stored
+  std::int16_t v_stride_ = 0;
+  std::uint32_t count_ = 0;
   LaneBytes first_cells_;
+  std::array<BlockCode, kMaxBlocks> codes_{};
+  std::array<TileEntry, kMaxTiles + 1> tile_entries_{};
 
   // The way on from the last block that was found. The error term is that of traversal/walk.hpp,
   // with u for columns: a border of u comes next if it is below 0.
-  std::int32_t x_ = 0;
+  std::int32_t x_ = 0;  // that block
   std::int32_t y_ = 0;
   std::int32_t error_ = 0;
   std::int32_t gain_ = 0;
   std::int32_t loss_ = 0;
   BlockEntry entry_ = 0;
-  std::uint32_t count_ = 0;
   std::uint32_t tile_count_ = 0;
-
-  std::array<BlockCode, kMaxBlocks> codes_{};
-  std::array<Tile, kMaxTiles> tiles_{};
 };
 
 }  // namespace iog::grid

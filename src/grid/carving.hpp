@@ -13,7 +13,9 @@ namespace iog::grid {
 // grid. Touches the tiles of the path.
 void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps);
 
-// The same, cell by cell, for any line: the specification of the other.
-void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, const FreeSteps& steps);
+// The same, cell by cell, for any line: the specification of the other. first: the line's first
+// position in the grid.
+void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
+                 const FreeSteps& steps);
 
 }  // namespace iog::grid

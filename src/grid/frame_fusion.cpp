@@ -24,13 +24,14 @@ vehicle::Fate FrameFusion::add(const Sensor& sensor, const lidar::ScanPoint& poi
   turn_to(sensor, point.azimuth_ticks);
   OpenLine& open = open_line(layer);
   const KeptLine& line = *open.line;
-  const Beam beam{line.line(), vehicle::end_height_of(layer, direction_)};
-  const vehicle::Judgement judgement = vehicle::judge(sensor, beam, point);
+  KeptBeam& beam = beam_of(layer, point.layer);
+  const vehicle::Judgement judgement = vehicle::judge(sensor, line.line(), beam.end_z(), point);
   const bool has_point = 0 < point.range_mm && point.range_mm <= sensor.range.mm();
   const Position hit = has_point ? line.through(sensor, point.range_mm) : Position{};
   if (judgement.carves) {
-    if (const auto part = part_to_carve(line, beam, point, judgement, hit)) {
-      carve_later(open, *part, point.range_mm);
+    const LinePart part = part_to_carve(line, beam, point, judgement.is_whole_in_band, hit);
+    if (!part.is_empty()) {
+      carve_later(open, part, point.range_mm);
     }
   }
   if (judgement.marks) {
@@ -65,67 +66,64 @@ FrameFusion::OpenLine& FrameFusion::open_line(const vehicle::Layer& layer) {
   return open;
 }
 
+KeptBeam& FrameFusion::beam_of(const vehicle::Layer& layer, std::uint8_t number) {
+  const bool is_kept = number < KeptAzimuth::kMaxLayers && layer.line < KeptAzimuth::kMaxLines;
+  KeptBeam& beam = is_kept ? kept_->beam_of(number) : further_beam_;
+  if (!is_kept || !beam.is_found()) {
+    beam.find(vehicle::end_height_of(layer, direction_));
+  }
+  return beam;
+}
+
 // Where a beam carves: before its scan point, or the whole line where that is too far. A beam
 // without an echo carves up to where the sensor's description says.
-std::optional<LinePart> FrameFusion::part_to_carve(const KeptLine& line, const Beam& beam,
-                                                   const lidar::ScanPoint& point,
-                                                   const vehicle::Judgement& judgement,
-                                                   Position hit) const {
-  if (!line.enters_grid()) {
-    return std::nullopt;
+LinePart FrameFusion::part_to_carve(const KeptLine& line, KeptBeam& beam,
+                                    const lidar::ScanPoint& point, bool is_whole_in_band,
+                                    Position hit) const {
+  LinePart part = line.in_grid();
+  if (!is_whole_in_band) {
+    if (beam.has_part()) {
+      part = beam.part();
+    } else {
+      part = part_in_band(line, beam.end_z());
+      beam.keep_part(part);
+    }
   }
   const std::uint32_t length_mm = sensor_->range.mm();
-  const std::uint32_t wanted_mm =
-      point.range_mm > 0 ? point.range_mm : sensor_->no_return_clears_mm;
-  const std::uint32_t reach_mm = std::min(wanted_mm, length_mm);
-  LinePart part{line.first_in_grid(), line.end_in_grid()};
-  const auto end_at = [&part](Between end) {
-    if (end.crossed() < part.end.crossed()) {
-      part.end = end;
+  if (point.range_mm == 0) {
+    if (sensor_->no_return_clears_mm < length_mm) {
+      part.end_at({line.line().before({sensor_->no_return_clears_mm, length_mm}), true});
     }
-  };
-  if (0 < point.range_mm && point.range_mm <= length_mm) {
-    end_at({hit, false});
-  } else if (reach_mm < length_mm) {
-    end_at({line.line().before({reach_mm, length_mm}), true});
+  } else if (point.range_mm <= length_mm) {
+    part.end_at({hit, false});
   }
-  if (!judgement.is_whole_in_band && !narrow_to_band(beam, reach_mm, part)) {
-    return std::nullopt;
-  }
-  return part.first.crossed() < part.end.crossed() ? std::optional(part) : std::nullopt;
+  return part;
 }
 
-// Leaves of a part what is inside the height band. False if that is nothing.
-bool FrameFusion::narrow_to_band(const Beam& beam, std::uint32_t reach_mm, LinePart& part) const {
-  const vehicle::BandPart band = vehicle::part_in_band(*vehicle_, *sensor_, beam, reach_mm);
-  if (band.is_whole || band.is_empty) {
-    return band.is_whole;
-  }
-  if (band.from.numerator > 0) {
-    const Position first = beam.line.through(band.from);
-    if (first.crossed() > part.first.crossed()) {
-      part.first = first;
+// What of a line is in the grid and, as a beam that ends there, inside the height band. A beam is
+// straight: where a shorter one leaves the band, this one does.
+LinePart FrameFusion::part_in_band(const KeptLine& line, std::int32_t end_z) const {
+  const vehicle::BandPart band = vehicle::part_in_band(
+      *vehicle_, *sensor_, {line.line(), end_z}, sensor_->range.mm());
+  LinePart part = line.in_grid();
+  if (band.is_empty) {
+    part.end = {};
+  } else if (!band.is_whole) {
+    if (band.from.numerator > 0) {
+      part.begin_at(line.line().through(band.from));
     }
+    part.end_at({line.line().before(band.to), true});
   }
-  const Between end{beam.line.before(band.to), true};
-  if (end.crossed() < part.end.crossed()) {
-    part.end = end;
-  }
-  return true;
+  return part;
 }
 
-// Where a beam waits that ends there: with those of another line, if that goes through the same
+// Where a beam waits that ends there: with those of the first line, if it goes through the same
 // cells.
 FrameFusion::OpenLine& FrameFusion::place_to_wait(OpenLine& open, Between end) {
   OpenLine& first = open_lines_[0];
-  if (&open == &open_lines_[1] && (lines_in_use_ & 1U) != 0 && open.line->has_path() &&
-      first.line->has_path()) {
-    const Place last = open.line->path().place_of(open.line->line().cell(end.at));
-    if (kept_->is_common(last.block)) {
-      return first;
-    }
-  }
-  return open;
+  const bool may_share = &open == &open_lines_[1] && (lines_in_use_ & 1U) != 0 &&
+                         open.line->has_path() && first.line->has_path();
+  return may_share && kept_->is_common(open.line->path().block_at(end.at)) ? first : open;
 }
 
 // Cells before the scan point take the index of the 1D cell in which the line leaves them. The line
@@ -139,38 +137,43 @@ void FrameFusion::carve_later(OpenLine& open, const LinePart& part, std::uint32_
     carve(waiting);
   }
   FreeSteps& steps = waiting.steps;
-  Between at{part.first, false};
-  std::int32_t free_before = 0;
-  const auto change_to = [&](std::int32_t free) {
-    if (free != free_before) {
-      steps.add({.crossed = at.crossed(),
-                 .freer = free - free_before,
-                 .place = line.path().place_of(line.line().cell(at.at)),
-                 .is_after = at.is_after});
-      free_before = free;
-    }
-  };
-  const auto carve_until = [&](Between end, OccupancyIndex index) {
-    if (at.crossed() < end.crossed() && at.crossed() < part.end.crossed()) {
-      change_to(-index);
-      at = end.crossed() < part.end.crossed() ? end : part.end;
+  Position at = part.first;  // up to there, all is said
+  std::int32_t freer = 0;
+  const auto from_here_on = [&](OccupancyIndex index) {
+    const std::int32_t change = -index - freer;
+    freer = -index;
+    if (at == line.in_grid().first) {
+      steps.add_from_start(change);
+    } else if (change != 0) {
+      steps.add({at.crossed(), line.path().place_before(at), change});
     }
   };
 
-  steps.begin(part.first);
+  const std::uint32_t end = part.end.crossed();
   const std::uint32_t k = sensor_->precision.divide(range_mm);
-  const bool has_echo = range_mm > 0;
-  for (std::uint32_t back = has_echo ? profile.near_before_count : 0; back > 0; --back) {
+  const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
+  OccupancyIndex last = zones > 0 ? profile.near_before[0] : profile.free;
+  for (std::uint32_t back = zones; back > 0; --back) {
     // 1D cells before k - back, which end at (k - back) Delta.
     if (k >= back) {
-      const OccupancyIndex index =
-          back == profile.near_before_count ? profile.free : profile.near_before[back];
-      carve_until({line.through(*sensor_, (k - back) * sensor_->precision_mm), false}, index);
+      const OccupancyIndex index = back == zones ? profile.free : profile.near_before[back];
+      const Position zone_end = line.through(*sensor_, (k - back) * sensor_->precision_mm);
+      if (zone_end.crossed() >= end) {
+        last = index;
+        break;
+      }
+      if (at.crossed() < zone_end.crossed()) {
+        from_here_on(index);
+        at = zone_end;
+      }
     }
   }
-  const bool ends_near = has_echo && profile.near_before_count > 0;
-  carve_until(part.end, ends_near ? profile.near_before[0] : profile.free);
-  change_to(0);
+  from_here_on(last);
+  if (freer > 0) {
+    const Place place = part.end.is_after ? line.path().place_after(part.end.at)
+                                          : line.path().place_before(part.end.at);
+    steps.add({end, place, -freer});
+  }
 }
 
 void FrameFusion::carve_waiting() {
@@ -186,7 +189,7 @@ void FrameFusion::carve(OpenLine& open) {
   if (open.line->has_path()) {
     carve_blocks(grid_, open.line->path(), open.steps);
   } else {
-    carve_cells(grid_, open.line->line(), open.steps);
+    carve_cells(grid_, open.line->line(), open.line->in_grid().first, open.steps);
   }
   open.steps.clear();
 }
@@ -197,7 +200,7 @@ void FrameFusion::mark(const KeptLine& line, Position hit, std::uint32_t range_m
   if (vehicle::kGridArea.contains(cell)) {
     remember(cell, sensor_->profile.hit);
   }
-  if (sensor_->profile.near_after_count > 0 && line.enters_grid()) {
+  if (sensor_->profile.near_after_count > 0 && !line.in_grid().is_empty()) {
     mark_behind(line, hit, range_mm);
   }
 }
@@ -208,9 +211,10 @@ void FrameFusion::mark(const KeptLine& line, Position hit, std::uint32_t range_m
 void FrameFusion::mark_behind(const KeptLine& line, Position hit, std::uint32_t range_mm) {
   const sensor_model::Profile& profile = sensor_->profile;
   const std::uint32_t k = sensor_->precision.divide(range_mm);
-  const std::uint32_t line_end = line.end_in_grid().crossed();
-  const bool from_hit = hit.crossed() >= line.first_in_grid().crossed();
-  traversal::Walk walk(line.line(), from_hit ? hit : line.first_in_grid(), kStride);
+  const Position first = line.in_grid().first;
+  const std::uint32_t line_end = line.in_grid().end.crossed();
+  const bool from_hit = hit.crossed() >= first.crossed();
+  traversal::Walk walk(line.line(), from_hit ? hit : first, kStride);
   if (from_hit) {
     walk.skip_until(std::min(hit.crossed() + 1, line_end));
   }

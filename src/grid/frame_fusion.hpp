@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "grid/beam_lines.hpp"
@@ -33,12 +32,6 @@ static_assert(kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
 // The most marks of one frame: 256 KiB of them, enough for a dual-return VLP-16 turn (57,600
 // points). fits() tells before a packet is fused whether its points still find room.
 inline constexpr std::size_t kMaxMarks = 65'536;
-
-// A part of a line, from a cell up to a point between cells.
-struct LinePart {
-  traversal::Position first;
-  Between end;
-};
 
 class FrameFusion {
  public:
@@ -90,13 +83,10 @@ class FrameFusion {
 
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
   OpenLine& open_line(const vehicle::Layer& layer);
-  [[nodiscard]] std::optional<LinePart> part_to_carve(const KeptLine& line,
-                                                      const vehicle::Beam& beam,
-                                                      const lidar::ScanPoint& point,
-                                                      const vehicle::Judgement& judgement,
-                                                      traversal::Position hit) const;
-  [[nodiscard]] bool narrow_to_band(const vehicle::Beam& beam, std::uint32_t reach_mm,
-                                    LinePart& part) const;
+  KeptBeam& beam_of(const vehicle::Layer& layer, std::uint8_t number);
+  LinePart part_to_carve(const KeptLine& line, KeptBeam& beam, const lidar::ScanPoint& point,
+                         bool is_whole_in_band, traversal::Position hit) const;
+  [[nodiscard]] LinePart part_in_band(const KeptLine& line, std::int32_t end_z) const;
   OpenLine& place_to_wait(OpenLine& open, Between end);
   void carve_later(OpenLine& open, const LinePart& part, std::uint32_t range_mm);
   void carve(OpenLine& open);
@@ -114,6 +104,7 @@ class FrameFusion {
   std::uint32_t lines_in_use_ = 0;
   std::array<OpenLine, vehicle::kMaxLayers> open_lines_{};
   std::array<KeptLine, vehicle::kMaxLayers - KeptAzimuth::kMaxLines> further_lines_;
+  KeptBeam further_beam_;
 
   std::size_t mark_count_ = 0;
   std::array<Mark, kMaxMarks> marks_{};

@@ -91,10 +91,19 @@ class PlainLanes {
 
 class Lanes {
  public:
-  static Lanes load(const LaneBytes& from) { return Lanes(vld1q_s8(from.bytes.data())); }
+  // By way of memcpy the compiler knows of the alignment, which spares the core a cycle.
+  static Lanes load(const LaneBytes& from) {
+    int8x16_t lanes;
+    __builtin_memcpy(&lanes, __builtin_assume_aligned(&from, kLaneCount), kLaneCount);
+    return Lanes(lanes);
+  }
   static Lanes all(std::int8_t value) { return Lanes(vdupq_n_s8(value)); }
-  void store(LaneBytes& to) const { vst1q_s8(to.bytes.data(), lanes_); }
+  void store(LaneBytes& to) const {
+    __builtin_memcpy(__builtin_assume_aligned(&to, kLaneCount), &lanes_, kLaneCount);
+  }
   void store_bytes(std::int8_t* to) const { vst1q_s8(to, lanes_); }
+
+  [[nodiscard]] int8x16_t native() const { return lanes_; }
 
   [[nodiscard]] Lanes masked(Lanes mask) const { return Lanes(vandq_s8(lanes_, mask.lanes_)); }
   [[nodiscard]] Lanes without(Lanes mask) const { return Lanes(vbicq_s8(lanes_, mask.lanes_)); }
