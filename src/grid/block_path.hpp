@@ -22,8 +22,8 @@ struct Place {
   bool is_after = false;
 };
 
-// Blocks of a line one after the other: the next is u_stride or v_stride blocks (as stored) further,
-// as its code says, and the cells of the line in it are masks[code / 2].
+// Blocks of a line one after the other: the next is u_stride or v_stride blocks (as stored)
+// further, as its code says, and the cells of the line in it are masks[code / 2].
 struct BlockRun {
   const BlockCode* code;
   const LaneBytes* masks;

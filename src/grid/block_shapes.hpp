@@ -15,7 +15,8 @@
 
 namespace iog::grid {
 
-// A block's cell in which a line enters it: 0 ... 3 is (u, v) = (0, entry), 4 ... 6 is (entry - 3, 0).
+// A block's cell in which a line enters it: 0 ... 3 is (u, v) = (0, entry), 4 ... 6 is (entry - 3,
+// 0).
 using BlockEntry = std::uint32_t;
 
 [[nodiscard]] constexpr BlockEntry entered_from_the_left(std::uint32_t v) { return v; }
@@ -29,9 +30,9 @@ inline constexpr std::uint32_t kShapeCount = 128;
   return entry << 4 | bits;
 }
 
-// A block of a line: twice its shape, and 1 if the line leaves it through a border of v. Of the bits
-// only those of columns that the line enters in this block: two lines have the same code exactly if
-// they have the same cells and leave by the same border.
+// A block of a line: twice its shape, and 1 if the line leaves it through a border of v. Of the
+// bits only those of columns that the line enters in this block: two lines have the same code
+// exactly if they have the same cells and leave by the same border.
 using BlockCode = std::uint8_t;
 
 // What the line does in a block of this shape.
@@ -51,9 +52,7 @@ struct Orientation {
   [[nodiscard]] constexpr std::size_t quadrant() const {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U);
   }
-  [[nodiscard]] constexpr std::size_t number() const {
-    return quadrant() + (is_steep ? 4U : 0U);
-  }
+  [[nodiscard]] constexpr std::size_t number() const { return quadrant() + (is_steep ? 4U : 0U); }
   // Where the cell (u, v) of a block lies in it: 4 y + x.
   [[nodiscard]] constexpr std::uint32_t inner(std::uint32_t u, std::uint32_t v) const {
     const std::uint32_t along_x = is_steep ? v : u;

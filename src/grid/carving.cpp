@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "traversal/walk.hpp"
-#define PLDS ""
 
 namespace iog::grid {
 namespace {
@@ -19,15 +18,17 @@ void carve_block(LaneBytes& block, Lanes cells, Lanes amount) {
 
 // A way through blocks: where it is, the code of that block, and the codes of the next.
 struct Way {
-  const LaneBytes* masks;
-  std::ptrdiff_t u_stride;
-  std::ptrdiff_t v_stride;
+  BlockRun run;
   LaneBytes* block;
   std::uint32_t code;
   const BlockCode* next_codes;
 
+  // From this block to the next, in blocks as stored.
+  [[nodiscard]] std::ptrdiff_t stride() const {
+    return (code & 1U) != 0 ? run.v_stride : run.u_stride;
+  }
   void step() {
-    block += (code & 1U) != 0 ? v_stride : u_stride;
+    block += stride();
     code = *next_codes;
     ++next_codes;
   }
@@ -37,7 +38,7 @@ struct Way {
 void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
   for (; count > 0; --count) {
     way.step();
-    carve_block(*way.block, Lanes::load(way.masks[way.code / 2U]), amount);
+    carve_block(*way.block, Lanes::load(way.run.masks[way.code / 2U]), amount);
   }
 }
 
@@ -45,12 +46,12 @@ void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
 
 // The next four times `fours` blocks of the way, fours > 0: what carve_one_by_one() does to them.
 //
-// The compiler needs a third more instructions, because it runs out of registers. The codes of four
-// blocks are one word. A line never comes back to a block, so all four are loaded before the first
-// is stored. The line is nearly straight: what lies twice as far ahead as the four are long is
-// asked for in advance.
+// The codes of four blocks are one word. A line never comes back to a block, so all four are loaded
+// before the first is stored. Written by hand, because the compiler runs out of registers and needs
+// a third more instructions for it.
 void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
-  LaneBytes* a = way.block + ((way.code & 1U) != 0 ? way.v_stride : way.u_stride);
+  constexpr std::ptrdiff_t kBlockBytes = sizeof(LaneBytes);
+  LaneBytes* a = way.block + way.stride();
   LaneBytes* b = nullptr;
   LaneBytes* c = nullptr;
   LaneBytes* d = nullptr;
@@ -82,7 +83,6 @@ void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
       "  lsr   %[shape], %[word], #25\n"
       "  add   %[shape], %[masks], %[shape], lsl #4\n"
       "  vld1.64 {d22-d23}, [%[shape] :128]\n"
-      "  sub   %[shape], %[d], %[a]\n"
       "  vld1.64 {d24-d25}, [%[a] :128]\n"
       "  vand  q8, q8, %q[amount]\n"
       "  vld1.64 {d26-d27}, [%[b] :128]\n"
@@ -91,7 +91,6 @@ void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
       "  vand  q10, q10, %q[amount]\n"
       "  vld1.64 {d30-d31}, [%[d] :128]\n"
       "  vand  q11, q11, %q[amount]\n"
-      PLDS
       "  vqsub.s8 q12, q12, q8\n"
       "  vqsub.s8 q13, q13, q9\n"
       "  vqsub.s8 q14, q14, q10\n"
@@ -107,34 +106,28 @@ void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
       "  bne   1b\n"
       : [a] "+&r"(a), [b] "=&r"(b), [c] "=&r"(c), [d] "=&r"(d), [codes] "+&r"(codes),
         [word] "=&r"(word), [shape] "=&r"(shape)
-      : [end] "r"(end), [masks] "r"(way.masks), [u] "r"(way.u_stride * 16),
-        [v] "r"(way.v_stride * 16), [amount] "w"(amount.native())
+      : [end] "r"(end), [masks] "r"(way.run.masks), [u] "r"(way.run.u_stride * kBlockBytes),
+        [v] "r"(way.run.v_stride * kBlockBytes), [amount] "w"(amount.native())
       : "q8", "q9", "q10", "q11", "q12", "q13", "q14", "q15", "cc", "memory");
   way.block = d;
   way.code = word >> 24;
   way.next_codes = codes;
 }
 
-#else
-
-void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
-  carve_one_by_one(way, 4 * fours, amount);
-}
-
-#endif
-
-void carve_run(const BlockRun& run, LaneBytes* block, std::uint32_t count, Lanes amount) {
-  Way way{.masks = run.masks,
-          .u_stride = run.u_stride,
-          .v_stride = run.v_stride,
-          .block = block,
-          .code = *run.code,
-          .next_codes = run.code + 1};
+void carve_run(Way& way, std::uint32_t count, Lanes amount) {
   if (count >= 4) {
     carve_fours(way, count / 4, amount);
   }
   carve_one_by_one(way, count % 4, amount);
 }
+
+#else
+
+void carve_run(Way& way, std::uint32_t count, Lanes amount) {
+  carve_one_by_one(way, count, amount);
+}
+
+#endif
 
 }  // namespace
 
@@ -153,7 +146,9 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps) {
   Lanes amount = Lanes::all(amount_of(freer));
   const auto carve_run_to = [&](std::uint32_t block, LaneBytes* at, std::uint32_t end) {
     if (freer > 0 && block + 1 < end) {
-      carve_run(path.run_from(block), at, end - block - 1, amount);
+      const BlockRun run = path.run_from(block);
+      Way way{run, at, *run.code, run.code + 1};
+      carve_run(way, end - block - 1, amount);
     }
   };
   if (freer > 0 && changes.front().place.block > 0) {

@@ -103,8 +103,8 @@ LinePart FrameFusion::part_to_carve(const KeptLine& line, KeptBeam& beam,
 // What of a line is in the grid and, as a beam that ends there, inside the height band. A beam is
 // straight: where a shorter one leaves the band, this one does.
 LinePart FrameFusion::part_in_band(const KeptLine& line, std::int32_t end_z) const {
-  const vehicle::BandPart band = vehicle::part_in_band(
-      *vehicle_, *sensor_, {line.line(), end_z}, sensor_->range.mm());
+  const vehicle::BandPart band =
+      vehicle::part_in_band(*vehicle_, *sensor_, {line.line(), end_z}, sensor_->range.mm());
   LinePart part = line.in_grid();
   if (band.is_empty) {
     part.end = {};

@@ -2,9 +2,9 @@
 //
 // Contract section 3. The frame starts from a grid of zeros. Saturated sums of negative indexes
 // commute, so the order in which beams carve does not show, and beams of one azimuth wait for one
-// another: those of one line, or of lines through the same cells, are carved together. Marks wait in
-// a list until finish(), for the same reason: marks commute among themselves, but not with carving.
-// Whatever order the packets of a frame came in, the grid is the same to the byte.
+// another: those of one line, or of lines through the same cells, are carved together. Marks wait
+// in a list until finish(), for the same reason: marks commute among themselves, but not with
+// carving. Whatever order the packets of a frame came in, the grid is the same to the byte.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ namespace iog::grid {
 
 // One cell that a scan point marks.
 struct Mark {
-  std::uint32_t cell : 25;   // y * kStride + x
-  std::uint32_t index : 7;   // 1 ... 127
+  std::uint32_t cell : 25;  // y * kStride + x
+  std::uint32_t index : 7;  // 1 ... 127
 };
 static_assert(kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
 

@@ -1,7 +1,7 @@
 // Sixteen occupancy indexes at once: what the machine adds with saturation in one instruction.
 //
-// The same on every machine, bit for bit: NEON on the target, SSE2 on a PC, and plain C++ elsewhere,
-// which is the specification (tests/host/grid/lanes_test.cpp compares).
+// The same on every machine, bit for bit: NEON on the target, SSE2 on a PC, and plain C++
+// elsewhere, which is the specification (tests/host/grid/lanes_test.cpp compares).
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,9 @@ class PlainLanes {
     return PlainLanes(lanes);
   }
   void store(LaneBytes& to) const { to = lanes_; }
-  void store_bytes(std::int8_t* to) const { std::copy(lanes_.bytes.begin(), lanes_.bytes.end(), to); }
+  void store_bytes(std::int8_t* to) const {
+    std::copy(lanes_.bytes.begin(), lanes_.bytes.end(), to);
+  }
 
   [[nodiscard]] PlainLanes masked(PlainLanes mask) const {
     return each(mask, [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a & b); });
@@ -59,7 +61,8 @@ class PlainLanes {
     return each(least, [](std::int8_t a, std::int8_t b) { return a < b ? b : a; });
   }
   [[nodiscard]] PlainLanes united(PlainLanes other) const {
-    return each(other, [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
+    return each(other,
+                [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
 
@@ -67,7 +70,8 @@ class PlainLanes {
   static std::array<PlainLanes, 4> rows_of(const LaneBytes* four) {
     std::array<LaneBytes, 4> rows;
     for (std::size_t i = 0; i < 4 * kLaneCount; ++i) {
-      rows[i / 4 % 4].bytes[i / kLaneCount * 4 + i % 4] = four[i / kLaneCount].bytes[i % kLaneCount];
+      rows[i / 4 % 4].bytes[i / kLaneCount * 4 + i % 4] =
+          four[i / kLaneCount].bytes[i % kLaneCount];
     }
     return {PlainLanes(rows[0]), PlainLanes(rows[1]), PlainLanes(rows[2]), PlainLanes(rows[3])};
   }
@@ -141,9 +145,7 @@ class Lanes {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), lanes_);
   }
 
-  [[nodiscard]] Lanes masked(Lanes mask) const {
-    return Lanes(_mm_and_si128(lanes_, mask.lanes_));
-  }
+  [[nodiscard]] Lanes masked(Lanes mask) const { return Lanes(_mm_and_si128(lanes_, mask.lanes_)); }
   [[nodiscard]] Lanes without(Lanes mask) const {
     return Lanes(_mm_andnot_si128(mask.lanes_, lanes_));
   }

@@ -136,8 +136,8 @@ TEST(Carving, BlockByBlockIsCellByCell) {
         steps.add({positions[first].crossed(), path.place_before(positions[first]), freer});
       }
       const bool is_after = first == last || random.one_in(2);
-      const Place end = is_after ? path.place_after(positions[last])
-                                 : path.place_before(positions[last]);
+      const Place end =
+          is_after ? path.place_after(positions[last]) : path.place_before(positions[last]);
       steps.add({positions[last].crossed() + (is_after ? 1U : 0U), end, -freer});
     }
     carve_blocks(*by_blocks, path, steps);
