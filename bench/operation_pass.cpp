@@ -47,30 +47,31 @@ void OperationPass::tick(std::uint64_t now_us) {
 void OperationPass::close_frame(std::uint64_t now_us) {
   engine_.finish();
   stream::GridHash hash;
-  for (std::size_t y = 0; y < stream::kTilesPerSide; ++y) {
-    for (std::size_t x = 0; x < stream::kTilesPerSide; ++x) {
-      take_tile_apart(x, y, hash);
-    }
+  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+    take_tile_apart(tile, hash);
   }
   engine_.start_next(now_us);
 }
 
-void OperationPass::take_tile_apart(std::size_t x, std::size_t y, stream::GridHash& hash) {
-  const stream::GridCells cells = engine_.fusion().cells();
-  if (!measured(cost_.find, [&] { return stream::is_known(cells, x, y); })) {
+void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
+  grid::FrameFusion& fusion = engine_.fusion();
+  if (!measured(cost_.find, [&] { return fusion.is_touched(tile); })) {
     return;
   }
-  std::array<std::byte, stream::kTileBytes> tile;
-  measured(cost_.hash, [&] {
-    stream::copy_tile(cells, x, y, tile);
-    hash.add(x, y, tile);
-    return true;
+  std::array<grid::OccupancyIndex, stream::kTileBytes> cells;
+  const bool is_known = measured(cost_.hash, [&] {
+    const bool found = fusion.copy_tile(tile, cells);
+    if (found) {
+      hash.add(tile % stream::kTilesPerSide, tile / stream::kTilesPerSide,
+               std::as_bytes(std::span(cells)));
+    }
+    return found;
   });
   measured(cost_.clear, [&] {
-    stream::clear_tile(cells, x, y);
+    fusion.clear_tile(tile);
     return true;
   });
-  ++cost_.tiles;
+  cost_.tiles += is_known ? 1U : 0U;
 }
 
 void OperationPass::take_apart(const vehicle::Sensor& sensor, std::span<const std::byte> payload) {
@@ -106,12 +107,11 @@ std::uint32_t OperationPass::carved_cells(const vehicle::Sensor& sensor, const v
     return 0;
   }
   std::uint32_t carved = 0;
-  const auto cells = single_.cells();
   traversal::Walk walk(beam.line, inside->first, grid::kStride);
-  walk.until(inside->last_crossed + 1, [&](std::size_t offset) {
-    carved += cells[offset] != index::kUnknown ? 1U : 0U;
-    cells[offset] = index::kUnknown;
+  walk.until(inside->last.crossed() + 1, [&](std::size_t number) {
+    carved += single_.at(grid::cell_of(number)) != index::kUnknown ? 1U : 0U;
   });
+  single_.clear();
   return carved;
 }
 

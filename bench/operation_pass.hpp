@@ -49,7 +49,7 @@ class OperationPass {
   auto measured(std::uint64_t& sum, Work&& work);
 
   void close_frame(std::uint64_t now_us);
-  void take_tile_apart(std::size_t x, std::size_t y, stream::GridHash& hash);
+  void take_tile_apart(std::size_t tile, stream::GridHash& hash);
   void take_apart(const vehicle::Sensor& sensor, std::span<const std::byte> payload);
   void take_apart(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
   [[nodiscard]] std::uint32_t carved_cells(const vehicle::Sensor& sensor, const vehicle::Beam& beam,

@@ -53,6 +53,11 @@ Tile tile_of(const Grid& grid, std::size_t tile_x, std::size_t tile_y) {
   return tile;
 }
 
+void print(const char* key, std::uint64_t value) {
+  // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
+  std::printf(" %s=%llu", key, value);
+}
+
 template <typename Work>
 std::uint32_t instructions(Work work) {
   const std::uint32_t start = counter.now();
@@ -65,8 +70,12 @@ void measure_crc() {
   static Tile bytes;
   checksum::ReflectedCrc32<0xF4ACFB13, kSlices> crc;
   const std::uint32_t count = instructions([&] { crc.update(bytes); });
-  std::printf("stream_cost crc_slices=%u bytes=%u instructions=%lu value=%lu\n", kSlices,
-              bytes.size(), count, crc.value());
+  std::printf("stream_cost");
+  print("crc_slices", kSlices);
+  print("bytes", bytes.size());
+  print("instructions", count);
+  print("value", crc.value());
+  std::puts("");
 }
 
 // What a set of tiles took.
@@ -91,14 +100,19 @@ struct Cost {
     }
   }
 
-  void print() const {
-    std::printf("stream_cost encode=%s tiles=%lu bytes=%lu instructions=%lu most=%lu", name, tiles,
-                bytes, instructions, most);
-    constexpr std::array<const char*, tile_coding::kEncodingCount> kNames{
-        "raw", "run_length", "quadtree", "changed_since"};
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-      std::printf(" %s_tiles=%lu %s_bytes=%lu", kNames[i], chosen[i], kNames[i],
-                  bytes_by_encoding[i]);
+  void report() const {
+    constexpr std::array<const char*, tile_coding::kEncodingCount> kTiles{
+        "raw_tiles", "run_length_tiles", "quadtree_tiles", "changed_since_tiles"};
+    constexpr std::array<const char*, tile_coding::kEncodingCount> kBytes{
+        "raw_bytes", "run_length_bytes", "quadtree_bytes", "changed_since_bytes"};
+    std::printf("stream_cost encode=%s", name);
+    print("tiles", tiles);
+    print("bytes", bytes);
+    print("instructions", instructions);
+    print("most", most);
+    for (std::size_t i = 0; i < kTiles.size(); ++i) {
+      print(kTiles[i], chosen[i]);
+      print(kBytes[i], bytes_by_encoding[i]);
     }
     std::puts("");
   }
@@ -140,8 +154,8 @@ void encode_hard_tiles() {
     Cost alone{.name = values == 2 ? "two_values_alone" : "many_values_alone"};
     Cost since{.name = values == 2 ? "two_values_since" : "many_values_since"};
     encode_tile(restless(values, 0), restless(values, 1), alone, since);
-    alone.print();
-    since.print();
+    alone.report();
+    since.report();
   }
 }
 
@@ -167,8 +181,8 @@ int run(std::span<char*> grids) {
       encode_grid(alone, since);
     }
   }
-  alone.print();
-  since.print();
+  alone.report();
+  since.report();
   return 0;
 }
 

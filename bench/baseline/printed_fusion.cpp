@@ -118,7 +118,7 @@ std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(const Sensor& se
   const traversal::Share whole{1, 1};
   const traversal::Share end = has_echo ? whole : traversal::Share{reach_mm, sensor.range.mm()};
   traversal::Position first = stretch->first;
-  std::uint32_t last = std::min(stretch->last_crossed, line.before(end).crossed());
+  std::uint32_t last = std::min(stretch->last.crossed(), line.before(end).crossed());
   if (!part.is_whole) {
     const traversal::Position enters = line.through(part.from);
     first = enters.crossed() > first.crossed() ? enters : first;

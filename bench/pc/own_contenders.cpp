@@ -1,6 +1,8 @@
 // Ours, and the thesis's as printed. Both start from scan points, as their packets are decoded: the
 // direction of each beam and its fate are part of what is timed.
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "bench/baseline/printed_fusion.hpp"
 #include "bench/pc/contender.hpp"
@@ -28,7 +30,11 @@ class Ours final : public Contender {
     fusion_.finish();
   }
   void clear() override { fusion_.clear(); }
-  [[nodiscard]] CellCounts count() const override { return count_of(fusion_.cells()); }
+  [[nodiscard]] CellCounts count() const override {
+    std::vector<index::OccupancyIndex> cells(grid::kCellCount);
+    fusion_.copy_cells(std::span(cells).first<grid::kCellCount>());
+    return count_of(cells);
+  }
 
  private:
   static vehicle::Vehicle with_rule(vehicle::Vehicle vehicle, vehicle::FusionRule rule) {

@@ -90,24 +90,27 @@ class Pipeline {
 
   // Sends every tile in which something is known, and sets it back to unknown.
   void publish_tiles(stream::Header& header, stream::FrameEnd& end) {
-    const auto cells = engine_.fusion().cells();
+    grid::FrameFusion& fusion = engine_.fusion();
+    std::array<grid::OccupancyIndex, stream::kTileBytes> cells;
+    const auto bytes = std::as_bytes(std::span(cells));
     stream::GridHash hash;
-    for (std::size_t y = 0; y < stream::kTilesPerSide; ++y) {
-      for (std::size_t x = 0; x < stream::kTilesPerSide; ++x) {
-        if (stream::is_known(cells, x, y)) {
-          publish_tile(header, x, y, hash, end);
-          stream::clear_tile(cells, x, y);
-        }
+    for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+      if (!fusion.is_touched(tile)) {
+        continue;
       }
+      if (fusion.copy_tile(tile, cells)) {
+        const std::size_t x = tile % stream::kTilesPerSide;
+        const std::size_t y = tile / stream::kTilesPerSide;
+        hash.add(x, y, bytes);
+        publish_tile(header, x, y, bytes, end);
+      }
+      fusion.clear_tile(tile);
     }
     end.grid_crc = hash.value();
   }
 
-  void publish_tile(stream::Header& header, std::size_t x, std::size_t y, stream::GridHash& hash,
-                    stream::FrameEnd& end) {
-    std::array<std::byte, stream::kTileBytes> tile;
-    stream::copy_tile(engine_.fusion().cells(), x, y, tile);
-    hash.add(x, y, tile);
+  void publish_tile(stream::Header& header, std::size_t x, std::size_t y,
+                    std::span<const std::byte> tile, stream::FrameEnd& end) {
     const std::span<std::byte> room = out_->begin_message();
     if (room.empty()) {
       ++end.tiles_lost;

@@ -1,19 +1,20 @@
 // The fusion of one frame: beams in, a grid of occupancy indexes out.
 //
 // Contract section 3. The frame starts from a grid of zeros. Saturated sums of negative indexes
-// commute, so the order in which beams carve does not show, and beams of one line wait for one
-// another: neighbours in a scan often share it, and then it is walked once. Marks wait in a list
-// until finish(), for the same reason: marks commute among themselves, but not with carving.
-// Whatever order the packets of a frame came in, the grid is the same to the byte.
+// commute, so the order in which beams carve does not show, and beams of one azimuth wait for one
+// another: those of one line, or of lines through the same cells, are carved together. Marks wait
+// in a list until finish(), for the same reason: marks commute among themselves, but not with
+// carving. Whatever order the packets of a frame came in, the grid is the same to the byte.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
-#include "grid/open_line.hpp"
+#include "grid/beam_lines.hpp"
+#include "grid/block_grid.hpp"
+#include "grid/free_steps.hpp"
 #include "index/occupancy_index.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
@@ -21,38 +22,28 @@
 
 namespace iog::grid {
 
-using index::OccupancyIndex;
-
-inline constexpr std::int32_t kStride = vehicle::kCellsPerSide;
-inline constexpr std::size_t kCellCount = std::size_t{vehicle::kCellsPerSide} * kStride;
-
 // One cell that a scan point marks.
 struct Mark {
-  std::uint32_t offset : 24;  // cell y * kStride + x
-  std::int32_t index : 8;     // above 0
+  std::uint32_t cell : 25;  // y * kStride + x
+  std::uint32_t index : 7;  // 1 ... 127
 };
-static_assert(kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 4);
+static_assert(kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
 
 // The most marks of one frame: 256 KiB of them, enough for a dual-return VLP-16 turn (57,600
 // points). fits() tells before a packet is fused whether its points still find room.
 inline constexpr std::size_t kMaxMarks = 65'536;
 
-// Where a walk begins, and the number of crossed borders at which it ends.
-struct WalkRange {
-  traversal::Position first;
-  std::uint32_t end = 0;
-};
-
 class FrameFusion {
  public:
   // vehicle outlives the fusion.
-  explicit FrameFusion(const vehicle::Vehicle& vehicle) : vehicle_(&vehicle) {}
+  explicit FrameFusion(const vehicle::Vehicle& vehicle)
+      : vehicle_(&vehicle), lines_(vehicle.sensors) {}
 
   // Whether that many points of this sensor can still be marked in this frame.
   [[nodiscard]] bool fits(const vehicle::Sensor& sensor, std::uint32_t points) const;
 
-  // Carves the beam of this point, now or later, and remembers its mark. The point's layer and
-  // azimuth are those of the sensor's format. Only if fits() said so.
+  // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
+  // vehicle's; the point's layer and azimuth are those of its format. Only if fits() said so.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
 
   // Carves the beams that still wait.
@@ -62,34 +53,63 @@ class FrameFusion {
   // point.
   void finish();
 
-  // The grid, row by row from the lowest y, kStride cells a row. Complete after finish().
-  [[nodiscard]] std::span<const OccupancyIndex, kCellCount> cells() const { return cells_; }
+  // The grid, complete after finish(). A cell of the grid:
+  [[nodiscard]] OccupancyIndex at(traversal::Cell cell) const { return grid_.at(cell); }
 
-  // For whoever sends a part of the grid and sets it back to unknown on the way.
-  [[nodiscard]] std::span<OccupancyIndex, kCellCount> cells() { return cells_; }
+  // All cells, row by row from the lowest y, kStride cells a row.
+  void copy_cells(std::span<OccupancyIndex, kCellCount> to) const;
+
+  // For whoever sends it tile by tile. A tile in which something may be known; its cells, false if
+  // nothing is; and back to unknown.
+  [[nodiscard]] bool is_touched(std::size_t tile) const { return grid_.is_touched(tile); }
+  bool copy_tile(std::size_t tile, std::span<OccupancyIndex, kTileCells> to) const {
+    return grid_.copy_tile(tile, to);
+  }
+  void clear_tile(std::size_t tile) { grid_.clear_tile(tile); }
 
   // All cells back to unknown, no marks.
   void clear();
 
+  // Finds all lines again when they are next asked for, as after the start. For those who measure
+  // what it saves to keep them.
+  void forget_lines() { lines_.forget(); }
+
  private:
-  OpenLine& open_line(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
-  [[nodiscard]] std::optional<WalkRange> range_to_carve(const OpenLine& open,
-                                                        const lidar::ScanPoint& point,
-                                                        const vehicle::Judgement& judgement,
-                                                        traversal::Position hit) const;
-  static void carve_later(OpenLine& open, const WalkRange& range, std::uint32_t range_mm);
+  // A line of the azimuth at hand, and what of its beams waits to be carved.
+  struct OpenLine {
+    KeptLine* line = nullptr;
+    FreeSteps steps;
+  };
+
+  void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
+  OpenLine& open_line(const vehicle::Layer& layer);
+  KeptBeam& beam_of(const vehicle::Layer& layer, std::uint8_t number);
+  LinePart part_to_carve(const KeptLine& line, KeptBeam& beam, const lidar::ScanPoint& point,
+                         bool is_whole_in_band, traversal::Position hit) const;
+  [[nodiscard]] LinePart part_in_band(const KeptLine& line, std::int32_t end_z) const;
+  OpenLine& place_to_wait(OpenLine& open, Between end);
+  void carve_later(OpenLine& open, const LinePart& part, std::uint32_t range_mm);
   void carve(OpenLine& open);
-  void mark(const OpenLine& open, traversal::Position hit, std::uint32_t range_mm);
-  void mark_behind(const vehicle::Sensor& sensor, const vehicle::BeamLine& line,
-                   const traversal::Stretch& inside, traversal::Position hit,
-                   std::uint32_t range_mm);
-  void remember(std::size_t offset, OccupancyIndex index);
+  void mark(const KeptLine& line, traversal::Position hit, std::uint32_t range_mm);
+  void mark_behind(const KeptLine& line, traversal::Position hit, std::uint32_t range_mm);
+  void remember(traversal::Cell cell, OccupancyIndex index);
 
   const vehicle::Vehicle* vehicle_;
-  std::array<OpenLine, vehicle::kMaxLayers> open_lines_{};  // by Layer::line
+
+  // The azimuth at hand, and its lines by Layer::line; those in use, one bit each.
+  const vehicle::Sensor* sensor_ = nullptr;
+  std::uint16_t azimuth_ticks_ = 0;
+  vehicle::Direction direction_;
+  KeptAzimuth* kept_ = nullptr;
+  std::uint32_t lines_in_use_ = 0;
+  std::array<OpenLine, vehicle::kMaxLayers> open_lines_{};
+  std::array<KeptLine, vehicle::kMaxLayers - KeptAzimuth::kMaxLines> further_lines_;
+  KeptBeam further_beam_;
+
   std::size_t mark_count_ = 0;
   std::array<Mark, kMaxMarks> marks_{};
-  alignas(64) std::array<OccupancyIndex, kCellCount> cells_{};
+  BlockGrid grid_;
+  BeamLines lines_;
 };
 
 // The most cells that one point of this sensor can mark: its own, and behind it those that its near

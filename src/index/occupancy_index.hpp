@@ -39,4 +39,9 @@ requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_po
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
 }
 
+// A byte that was carved with the floor of bytes, -128, as an index: -128 is -127.
+constexpr OccupancyIndex raised(std::int8_t carved) {
+  return std::max<OccupancyIndex>(carved, kIndexMin<OccupancyIndex>);
+}
+
 }  // namespace iog::index

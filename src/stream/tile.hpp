@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "grid/frame_fusion.hpp"
+#include "grid/block_grid.hpp"
 #include "stream/crc32.hpp"
 #include "stream/message.hpp"
 
@@ -16,21 +16,8 @@ inline constexpr std::size_t kTileSide = std::size_t{1} << kTileSideLog2;
 inline constexpr std::size_t kTileBytes = kTileSide * kTileSide;
 inline constexpr std::size_t kTilesPerSide = vehicle::kCellsPerSide / kTileSide;
 inline constexpr std::size_t kTileCount = kTilesPerSide * kTilesPerSide;
+static_assert(kTileSide == grid::kTileSide && kTileCount == grid::kTileCount);
 static_assert(kHeaderBytes + kTileHeaderBytes + kTileBytes <= kMaxMessageBytes);
-
-using GridCells = std::span<index::OccupancyIndex, grid::kCellCount>;
-using TileBytes = std::span<std::byte, kTileBytes>;
-
-// Whether anything is known in tile (x, y).
-[[nodiscard]] bool is_known(std::span<const index::OccupancyIndex, grid::kCellCount> cells,
-                            std::size_t tile_x, std::size_t tile_y);
-
-// Copies a tile's cells, row by row from its lowest y, each int8 as one byte.
-void copy_tile(std::span<const index::OccupancyIndex, grid::kCellCount> cells, std::size_t tile_x,
-               std::size_t tile_y, TileBytes tile);
-
-// Sets a tile's cells back to unknown.
-void clear_tile(GridCells cells, std::size_t tile_x, std::size_t tile_y);
 
 // The name of a grid: CRC-32 over its known tiles in order of tile y, then tile x, each as u16 tile
 // x and u16 tile y, big endian, then its 1024 cells. A grid in which nothing is known has CRC 0.

@@ -4,6 +4,7 @@
 // its time has a bound, whatever they are.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

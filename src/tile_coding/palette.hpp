@@ -31,6 +31,9 @@ class Palette {
   [[nodiscard]] std::uint8_t symbol_of(std::byte value) {
     std::uint8_t& symbol = symbols_[std::to_integer<std::size_t>(value)];
     if (symbol == kNone) {
+      if (count_ == kNone) {
+        return 0;  // -128 after all: no symbol is left
+      }
       symbol = static_cast<std::uint8_t>(count_);
       values_[count_++] = value;
     }

@@ -25,6 +25,8 @@ namespace iog::tile_coding {
 
 class Quadtree {
  public:
+  static constexpr std::size_t kLevels = kTileSideLog2;
+
   // No cell is -128.
   void find(TileCells cells);
 
@@ -33,7 +35,6 @@ class Quadtree {
 
   // Writes the code of the cells that were found. `palette` has all their values and no other.
   // Returns the bytes written, or 0 if they do not fit.
-  static constexpr std::size_t kLevels = kTileSideLog2;
   std::size_t write(TileCells cells, Palette& palette, std::span<std::byte> buffer) const;
 
  private:

@@ -34,6 +34,7 @@ class Runs {
   // value; `differences` are those from the reference.
   void find(TileCells cells, const CellMap& changes, const CellMap& differences);
 
+  // Of what find() has found.
   [[nodiscard]] std::size_t coded_bytes() const;
 
   // Returns coded_bytes(), or 0 if the buffer is shorter.

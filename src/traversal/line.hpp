@@ -152,10 +152,10 @@ struct CellArea {
   }
 };
 
-// The part of a line that lies in an area: the first position in it, and `crossed` of the last.
+// The part of a line that lies in an area: the first position in it, and the last.
 struct Stretch {
   Position first;
-  std::uint32_t last_crossed = 0;
+  Position last;
 };
 
 template <std::int32_t kResolution>
@@ -190,10 +190,10 @@ class Line {
 
   // What lies inside the area, as if the line went on for ever. Empty if it never enters.
   [[nodiscard]] constexpr std::optional<Stretch> clip(CellArea area) const {
-    Stretch stretch{{}, kNoLimit};
+    Stretch stretch{{}, {kNoLimit, 0}};
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
                       clip_axis(y_, x_, area.height, stretch, true);
-    return hits && stretch.first.crossed() <= stretch.last_crossed ? std::optional(stretch)
+    return hits && stretch.first.crossed() <= stretch.last.crossed() ? std::optional(stretch)
                                                                    : std::nullopt;
   }
 
@@ -217,8 +217,10 @@ class Line {
     }
     if (axis.length() > 0) {
       const auto n = static_cast<std::uint32_t>(to_high);
-      const std::uint32_t last = n + other.before(axis.crossing(n + 1));
-      stretch.last_crossed = std::min(stretch.last_crossed, last);
+      const std::uint32_t m = other.before(axis.crossing(n + 1));
+      if (n + m < stretch.last.crossed()) {
+        stretch.last = swapped ? Position{m, n} : Position{n, m};
+      }
     }
     return true;
   }

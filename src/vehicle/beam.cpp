@@ -30,9 +30,9 @@ std::int32_t extent(const traversal::Axis<kResolution>& axis) {
   return axis.step() * static_cast<std::int32_t>(axis.length());
 }
 
-bool is_on_the_car(const Sensor& sensor, const Beam& beam, std::uint32_t range_mm) {
-  return sensor.on_car_x.contain(extent(beam.line.x()), range_mm) &&
-         sensor.on_car_y.contain(extent(beam.line.y()), range_mm);
+bool is_on_the_car(const Sensor& sensor, const BeamLine& line, std::uint32_t range_mm) {
+  return sensor.on_car_x.contain(extent(line.x()), range_mm) &&
+         sensor.on_car_y.contain(extent(line.y()), range_mm);
 }
 
 bool is_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
@@ -61,7 +61,8 @@ Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks) 
   return {line_of(sensor, axes, direction), end_height_of(axes, direction)};
 }
 
-Judgement judge(const Sensor& sensor, const Beam& beam, const lidar::ScanPoint& point) {
+Judgement judge(const Sensor& sensor, const BeamLine& line, std::int32_t end_z,
+                const lidar::ScanPoint& point) {
   const bool is_first = point.echo == 0;
   if (point.range_mm == 0) {
     return {Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0, false};
@@ -69,12 +70,12 @@ Judgement judge(const Sensor& sensor, const Beam& beam, const lidar::ScanPoint& 
   if (point.is_dirt || point.is_rain) {
     return {Fate::kFlagged, false, false};
   }
-  if (point.range_mm < sensor.range_min_mm || is_on_the_car(sensor, beam, point.range_mm)) {
+  if (point.range_mm < sensor.range_min_mm || is_on_the_car(sensor, line, point.range_mm)) {
     return {Fate::kTooNear, false, false};
   }
   // A beam is straight: with both ends in the band all of it is.
   const std::uint32_t reach_mm = std::min(point.range_mm, sensor.range.mm());
-  const bool ends_in_band = sensor.in_band.contain(beam.end_z - sensor.origin_z, reach_mm);
+  const bool ends_in_band = sensor.in_band.contain(end_z - sensor.origin_z, reach_mm);
   const bool is_whole = ends_in_band && sensor.in_band.contain(0, 0);
   if (point.is_ground) {
     return {Fate::kFlagged, is_first, false, is_whole};

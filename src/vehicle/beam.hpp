@@ -62,8 +62,13 @@ struct Judgement {
 // Both together. layer < sensor.layer_count, azimuth_ticks < one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-[[nodiscard]] Judgement judge(const Sensor& sensor, const Beam& beam,
+// line and end_z are those of its beam.
+[[nodiscard]] Judgement judge(const Sensor& sensor, const BeamLine& line, std::int32_t end_z,
                               const lidar::ScanPoint& point);
+[[nodiscard]] inline Judgement judge(const Sensor& sensor, const Beam& beam,
+                                     const lidar::ScanPoint& point) {
+  return judge(sensor, beam.line, beam.end_z, point);
+}
 
 // Which part of the beam between its origin and reach_mm <= L is inside the height band. Heights at
 // the band's ends are inside.

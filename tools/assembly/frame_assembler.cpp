@@ -15,11 +15,15 @@ bool is_understood(const stream::TileHeader& tile) {
          tile.grid_height == vehicle::kCellsPerSide;
 }
 
+// Number i of a tile's cells, row by row, as a number of the grid's.
+std::size_t cell_of_tile(std::size_t tile_x, std::size_t tile_y, std::size_t i) {
+  const std::size_t y = tile_y * stream::kTileSide + i / stream::kTileSide;
+  return y * grid::kStride + tile_x * stream::kTileSide + i % stream::kTileSide;
+}
+
 void paste(std::span<const std::byte> payload, const stream::TileHeader& tile, GridFrame& frame) {
-  const std::size_t first =
-      tile.tile_y * stream::kTileSide * grid::kStride + tile.tile_x * stream::kTileSide;
   for (std::size_t i = 0; i < stream::kTileBytes; ++i) {
-    frame.cells[first + i / stream::kTileSide * grid::kStride + i % stream::kTileSide] =
+    frame.cells[cell_of_tile(tile.tile_x, tile.tile_y, i)] =
         static_cast<index::OccupancyIndex>(payload[i]);
   }
 }
@@ -32,7 +36,9 @@ std::uint32_t grid_crc_of(const GridFrame& frame) {
     for (std::size_t x = 0; x < stream::kTilesPerSide; ++x) {
       if (frame.known_tiles.test(y * stream::kTilesPerSide + x)) {
         std::array<std::byte, stream::kTileBytes> tile{};
-        stream::copy_tile(frame.grid(), x, y, tile);
+        for (std::size_t i = 0; i < stream::kTileBytes; ++i) {
+          tile[i] = static_cast<std::byte>(frame.cells[cell_of_tile(x, y, i)]);
+        }
         hash.add(x, y, tile);
       }
     }

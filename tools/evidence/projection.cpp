@@ -203,7 +203,7 @@ void walk_crossed(const BeamLine& line, std::int64_t path_end, Cells& path) {
     return;
   }
   const auto end = static_cast<std::uint32_t>(
-      std::min<std::int64_t>(path_end, std::int64_t{inside->last_crossed} + 1));
+      std::min<std::int64_t>(path_end, std::int64_t{inside->last.crossed()} + 1));
   traversal::Walk walk(line, inside->first, grid::kStride);
   walk.until(end, [&](std::size_t offset) { path.push_back(static_cast<std::uint32_t>(offset)); });
 }

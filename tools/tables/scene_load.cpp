@@ -70,6 +70,8 @@ SceneLoad load_of(std::string_view scene, std::uint64_t seed, std::uint32_t seco
   vehicle.rule = vehicle::FusionRule::kBayes;
   const auto fusion = std::make_unique<grid::FrameFusion>(vehicle);  // too large for the stack
   Drive drive(car, seed, seconds, find_scene(scene));
+  std::vector<index::OccupancyIndex> storage(grid::kCellCount);
+  const auto cells = std::span(storage).first<grid::kCellCount>();
   Census census;
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
     drive.move_to(frame);
@@ -78,12 +80,13 @@ SceneLoad load_of(std::string_view scene, std::uint64_t seed, std::uint32_t seco
       fusion->add(vehicle.sensors[seen.sensor], seen.point);
     }
     fusion->finish();
-    census.add(fusion->cells());
+    fusion->copy_cells(cells);
+    census.add(cells);
   }
-  const double cells = static_cast<double>(grid::kCellCount) * census.frames;
+  const double all_cells = static_cast<double>(grid::kCellCount) * census.frames;
   return {.known_cells = census.known / census.frames,
-          .cells_per_leaf = cells / census.leaves,
-          .cells_per_node = cells / census.nodes};
+          .cells_per_leaf = all_cells / census.leaves,
+          .cells_per_node = all_cells / census.nodes};
 }
 
 }  // namespace iog::tools

@@ -26,10 +26,7 @@ using vehicle::kResolution;
 using vehicle::Sensor;
 using vehicle::Vehicle;
 
-int index_at(const FrameFusion& fusion, Cell cell) {
-  const std::int32_t offset = cell.y * kStride + cell.x;
-  return fusion.cells()[static_cast<std::size_t>(offset)];
-}
+int index_at(const FrameFusion& fusion, Cell cell) { return fusion.at(cell); }
 
 std::unique_ptr<FrameFusion> fuse_one(const Vehicle& vehicle, const lidar::ScanPoint& point) {
   auto fusion = std::make_unique<FrameFusion>(vehicle);

@@ -129,6 +129,20 @@ TEST(TileCoding, HardTilesComeBackAndAreNeverLongerThanRaw) {
   expect_all_encodings_to_return(flat_tile(0), flat_tile(1));
 }
 
+// -128 is no index. Where it comes nevertheless, nothing is written beside the payload, and what is
+// in it is refused or another tile; the sanitizers watch.
+TEST(TileCoding, ATileWithAllBytesThereAreIsHandled) {
+  Tile tile{};
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    tile.at(i) = static_cast<std::byte>(i / 2);
+  }
+  for (std::size_t i = 0; i < kEncodingCount; ++i) {
+    EXPECT_LE(coded(tile, static_cast<Encoding>(i), Reference{.cells = tile, .frame_number = 1})
+                  .payload.size(),
+              kTileBytes);
+  }
+}
+
 // An independent count: blocks are split as long as they have two values.
 struct Census {
   std::size_t nodes_with_bit = 0;

@@ -13,6 +13,7 @@
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
+#include "fakes/cells_of.hpp"
 #include "grid/frame_fusion.hpp"
 #include "traversal/walk.hpp"
 #include "vehicle/beam.hpp"
@@ -37,22 +38,18 @@ class CarvedCells {
       : fusion_(std::make_unique<grid::FrameFusion>(vehicle)) {}
 
   std::size_t of(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
-    if (!fusion_->fits(sensor, 1)) {
-      fusion_->clear();
-    }
     fusion_->add(sensor, point);
     fusion_->carve_waiting();  // its mark waits for a finish() that never comes
     const auto line = vehicle::aim(sensor, point.layer, point.azimuth_ticks).line;
     const auto inside = line.clip(vehicle::kGridArea);
     std::size_t carved = 0;
     if (inside) {
-      const auto cells = fusion_->cells();
       traversal::Walk walk(line, inside->first, grid::kStride);
-      walk.until(inside->last_crossed + 1, [&](std::size_t offset) {
-        carved += cells[offset] != index::kUnknown ? 1U : 0U;
-        cells[offset] = index::kUnknown;
+      walk.until(inside->last.crossed() + 1, [&](std::size_t number) {
+        carved += fusion_->at(grid::cell_of(number)) != index::kUnknown ? 1U : 0U;
       });
     }
+    fusion_->clear();
     return carved;
   }
 
@@ -99,7 +96,7 @@ Load load_of(std::string_view scene, std::uint64_t seed) {
       load.updates += static_cast<double>(carved.of(sensor, point));
     });
     fusion->finish();
-    const auto inner = static_cast<double>(count_inner_nodes(fusion->cells()));
+    const auto inner = static_cast<double>(count_inner_nodes(tests::cells_of(*fusion)));
     load.nodes += 4 * inner + 1;
     load.leaves += 3 * inner + 1;
     ++load.frames;

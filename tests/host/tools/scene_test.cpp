@@ -129,7 +129,7 @@ TEST_P(EveryScene, WhatIsFusedAsOccupiedIsThere) {
   std::size_t occupied = 0;
   std::size_t wrong = 0;
   for (std::size_t cell = 0; cell < grid::kCellCount; ++cell) {
-    if (fusion->cells()[cell] > 0) {
+    if (fusion->at(grid::cell_of(cell)) > 0) {
       ++occupied;
       wrong += there[cell] ? 0U : 1U;
     }

@@ -116,7 +116,7 @@ TEST(Line, ClippingKeepsExactlyTheCellsInside) {
     if (stretch) {
       ASSERT_TRUE(kArea.contains(line.cell(stretch->first)));
       Walk(line, stretch->first, kStride)
-          .until(std::min(end, stretch->last_crossed + 1),
+          .until(std::min(end, stretch->last.crossed() + 1),
                  [&](std::size_t offset) { visited.push_back(offset); });
     }
     ASSERT_EQ(visited, expected) << "(" << ends.start.x << ", " << ends.start.y << ") to ("

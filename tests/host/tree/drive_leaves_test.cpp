@@ -6,6 +6,7 @@
 #include <memory>
 #include <string_view>
 
+#include "fakes/cells_of.hpp"
 #include "grid/frame_fusion.hpp"
 #include "tools/catalogue/vehicle_catalogue.hpp"
 #include "tools/evidence/frame_points.hpp"
@@ -36,7 +37,7 @@ void for_each_grid(std::string_view scene, Use&& use) {
       fusion->add(car.vehicle->sensors[seen.sensor], seen.point);
     }
     fusion->finish();
-    const auto cells = fusion->cells();
+    const auto cells = tests::cells_of(*fusion);
     use(GridDrawing().fill(
         [&cells](std::size_t x, std::size_t y) { return cells[y * kGridSide + x]; }));
   }

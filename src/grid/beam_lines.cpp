@@ -1,0 +1,93 @@
+#include "grid/beam_lines.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "traversal/corner.hpp"
+
+namespace iog::grid {
+
+using traversal::Position;
+using traversal::Stretch;
+using vehicle::Sensor;
+
+// Most lines have both ends in the grid; then so is everything between them, and there is nothing
+// to divide.
+void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer,
+                    vehicle::Direction direction) {
+  line_ = vehicle::line_of(sensor, layer, direction);
+  ruler_ = {line_, sensor.range};
+  const Position last = line_.before({1, 1});
+  const bool starts_in_grid = vehicle::kGridArea.contains(line_.cell({}));
+  in_grid_ = {{}, {last, true}};
+  if (!starts_in_grid || !vehicle::kGridArea.contains(line_.cell(last))) {
+    if (const std::optional<Stretch> stretch = line_.clip(vehicle::kGridArea)) {
+      in_grid_.begin_at(stretch->first);
+      in_grid_.end_at({stretch->last, true});
+    } else {
+      in_grid_.end = {};
+    }
+  }
+  has_path_ = starts_in_grid && !traversal::may_meet_corner(line_);
+  if (has_path_) {
+    path_.begin(line_);
+  }
+}
+
+void KeptAzimuth::begin(const Sensor& sensor, std::uint16_t ticks) {
+  sensor_ = &sensor;
+  ticks_ = ticks;
+  is_found_ = {};
+  beams_ = {};
+  common_blocks_ = 0;
+  compared_blocks_ = 0;
+}
+
+KeptLine& KeptAzimuth::line_of(const Sensor& sensor, const vehicle::Layer& layer,
+                               vehicle::Direction direction) {
+  KeptLine& line = lines_[layer.line];
+  if (!is_found_[layer.line]) {
+    line.find(sensor, layer, direction);
+    is_found_[layer.line] = true;
+  }
+  return line;
+}
+
+bool KeptAzimuth::is_common(std::uint32_t block) {
+  if (block < common_blocks_) {
+    return true;
+  }
+  if (common_blocks_ < compared_blocks_) {
+    return false;
+  }
+  lines_[0].path().extend_to(block);
+  lines_[1].path().extend_to(block);
+  compared_blocks_ = block + 1;
+  common_blocks_ = lines_[0].path().count_common(lines_[1].path(), compared_blocks_);
+  return block < common_blocks_;
+}
+
+BeamLines::BeamLines(std::span<const Sensor> sensors) : first_sensor_(sensors.data()) {
+  places_per_sensor_ =
+      static_cast<std::uint32_t>(kPlaces / std::bit_ceil(std::max<std::size_t>(sensors.size(), 1)));
+}
+
+// Azimuths that differ by multiples of a quarter of a degree, as those of a LUX do, have different
+// places as long as there are enough of them.
+KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint16_t ticks) {
+  const auto number = static_cast<std::uint32_t>(&sensor - first_sensor_);
+  const std::uint32_t place = (ticks / 8U ^ ticks / 2048U) & (places_per_sensor_ - 1);
+  KeptAzimuth& azimuth = azimuths_[number * places_per_sensor_ + place];
+  if (!azimuth.is_of(sensor, ticks)) {
+    azimuth.begin(sensor, ticks);
+  }
+  return azimuth;
+}
+
+void BeamLines::forget() {
+  for (KeptAzimuth& azimuth : azimuths_) {
+    azimuth.forget();
+  }
+}
+
+}  // namespace iog::grid

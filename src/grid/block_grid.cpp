@@ -1,0 +1,55 @@
+#include "grid/block_grid.hpp"
+
+#include <algorithm>
+
+namespace iog::grid {
+namespace {
+
+constexpr std::size_t kBlocksAtOnce = 4;
+constexpr std::int32_t kHalves = kTileSide / static_cast<std::int32_t>(kLaneCount);
+
+// The tile's first block, by number as stored.
+constexpr std::size_t first_block(std::size_t tile) {
+  const std::size_t row = tile / kTilesPerSide * kBlocksPerTile;
+  return row * kBlockStride + tile % kTilesPerSide * kBlocksPerTile;
+}
+
+static_assert(kBlocksPerTile == kHalves * kBlocksAtOnce);
+
+}  // namespace
+
+bool BlockGrid::copy_tile(std::size_t tile, std::span<OccupancyIndex, kTileCells> to) const {
+  const Lanes least = Lanes::all(index::kIndexMin<OccupancyIndex>);
+  Lanes known = Lanes::all(index::kUnknown);
+  const LaneBytes* from = &blocks_[first_block(tile)];
+  OccupancyIndex* row_start = to.data();
+  for (std::int32_t row = 0; row < kBlocksPerTile; ++row) {
+    for (std::size_t half = 0; half < kHalves; ++half) {
+      const std::array<Lanes, kBlockSide> rows = Lanes::rows_of(from + half * kBlocksAtOnce);
+      OccupancyIndex* out = row_start + half * kLaneCount;
+      for (const Lanes& cells : rows) {
+        const Lanes raised = cells.raised_to(least);
+        known = known.united(raised);
+        raised.store_bytes(out);
+        out += kTileSide;
+      }
+    }
+    from += kBlockStride;
+    row_start += kTileSide * kBlockSide;
+  }
+  return !known.is_zero();
+}
+
+void BlockGrid::clear_tile(std::size_t tile) {
+  touched_[tile] = 0;
+  const Lanes unknown = Lanes::all(index::kUnknown);
+  LaneBytes* row = &blocks_[first_block(tile)];
+  for (std::int32_t y = 0; y < kBlocksPerTile; ++y) {
+    for (std::int32_t x = 0; x < kBlocksPerTile; ++x) {
+      unknown.store(row[x]);
+    }
+    row += kBlockStride;
+  }
+}
+
+}  // namespace iog::grid

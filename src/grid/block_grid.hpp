@@ -1,0 +1,92 @@
+// The grid of a frame as it lies in memory: blocks of 4 by 4 cells, sixteen bytes each.
+//
+// A line passes through four cells of a block on the mean, so a beam carves them with one saturated
+// addition (grid/lanes.hpp), and a cache line holds 8 by 4 cells instead of 32 by 1. Rows of blocks
+// are a cache line longer than they need to be: otherwise the blocks of a column would compete for
+// two of the 256 sets of a level 1 cache.
+//
+// Cells outside of this room are numbered row by row (kStride). A stored byte is an occupancy
+// index, or -128, which stands for -127: carving has its floor where bytes have theirs, and whoever
+// reads raises it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "grid/lanes.hpp"
+#include "index/occupancy_index.hpp"
+#include "vehicle/grid_geometry.hpp"
+
+namespace iog::grid {
+
+using index::OccupancyIndex;
+
+// The number of a cell, from the lowest y row by row: y * kStride + x.
+inline constexpr std::int32_t kStride = vehicle::kCellsPerSide;
+inline constexpr std::size_t kCellCount = std::size_t{vehicle::kCellsPerSide} * kStride;
+
+[[nodiscard]] constexpr traversal::Cell cell_of(std::size_t number) {
+  constexpr std::size_t kRow = kStride;
+  return {static_cast<std::int32_t>(number % kRow), static_cast<std::int32_t>(number / kRow)};
+}
+
+// Tiles of 32 by 32 cells: what is known to be touched, and what travels.
+inline constexpr std::int32_t kTileSide = 32;
+inline constexpr std::int32_t kTilesPerSide = vehicle::kCellsPerSide / kTileSide;
+inline constexpr std::size_t kTileCount = std::size_t{kTilesPerSide} * kTilesPerSide;
+inline constexpr std::size_t kTileCells = std::size_t{kTileSide} * kTileSide;
+
+inline constexpr std::int32_t kBlockSide = 4;
+inline constexpr std::int32_t kBlocksPerSide = vehicle::kCellsPerSide / kBlockSide;
+inline constexpr std::int32_t kBlocksPerTile = kTileSide / kBlockSide;
+static_assert(kLaneCount == kBlockSide * kBlockSide && vehicle::kCellsPerSide % kTileSide == 0);
+
+// Blocks in a row as stored, a cache line of two more than there are.
+inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
+
+// Where a cell lies, in bytes from the first. Its block begins at a multiple of 16.
+[[nodiscard]] constexpr std::uint32_t offset_of(traversal::Cell cell) {
+  constexpr std::int32_t kBlockBytes = kBlockSide * kBlockSide;
+  const std::int32_t block = (cell.y / kBlockSide) * kBlockStride + cell.x / kBlockSide;
+  const std::int32_t inner = (cell.y % kBlockSide) * kBlockSide + cell.x % kBlockSide;
+  return static_cast<std::uint32_t>(block * kBlockBytes + inner);
+}
+
+[[nodiscard]] constexpr std::size_t tile_of(traversal::Cell cell) {
+  return static_cast<std::size_t>((cell.y / kTileSide) * kTilesPerSide + cell.x / kTileSide);
+}
+
+class BlockGrid {
+ public:
+  // The block that holds the byte at this offset.
+  [[nodiscard]] LaneBytes* block_at(std::uint32_t offset) { return &blocks_[offset / kLaneCount]; }
+
+  // The byte at this offset, as stored.
+  [[nodiscard]] OccupancyIndex& cell_at(std::uint32_t offset) {
+    return blocks_[offset / kLaneCount].bytes[offset % kLaneCount];
+  }
+
+  // The index of a cell of the grid.
+  [[nodiscard]] OccupancyIndex at(traversal::Cell cell) const {
+    const std::uint32_t offset = offset_of(cell);
+    return index::raised(blocks_[offset / kLaneCount].bytes[offset % kLaneCount]);
+  }
+
+  // A tile in which a cell may have been changed since it was cleared last.
+  void touch(std::size_t tile) { touched_[tile] = 1; }
+  [[nodiscard]] bool is_touched(std::size_t tile) const { return touched_[tile] != 0; }
+
+  // The tile's cells, row by row from its lowest y. False if all of them are unknown.
+  bool copy_tile(std::size_t tile, std::span<OccupancyIndex, kTileCells> to) const;
+
+  // All cells of the tile back to unknown, and untouched.
+  void clear_tile(std::size_t tile);
+
+ private:
+  std::array<std::uint8_t, kTileCount> touched_{};
+  alignas(64) std::array<LaneBytes, std::size_t{kBlocksPerSide} * kBlockStride> blocks_{};
+};
+
+}  // namespace iog::grid

@@ -1,0 +1,134 @@
+// The blocks that a line goes through, in order: one byte each, found once and kept.
+//
+// Blocks of a line are numbered from 0, which holds its start. As the line meets no corner, each
+// block borders on the one before, and a block's number is the number of block borders that lie
+// between it and the first.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "grid/block_shapes.hpp"
+#include "vehicle/grid_geometry.hpp"
+
+namespace iog::grid {
+
+// A point on a line, before one of its cells or just after it: where that cell lies.
+struct Place {
+  std::uint32_t offset = 0;  // of the cell, in the grid
+  std::uint16_t block = 0;   // number of its block
+  bool is_after = false;
+};
+
+// Blocks of a line one after the other: the next is u_stride or v_stride blocks (as stored)
+// further, as its code says, and the cells of the line in it are masks[code / 2].
+struct BlockRun {
+  const BlockCode* code;
+  const LaneBytes* masks;
+  std::ptrdiff_t u_stride;
+  std::ptrdiff_t v_stride;
+};
+
+class BlockPath {
+ public:
+  // Of a line that begins in the grid and meets no corner (traversal/corner.hpp).
+  void begin(const vehicle::BeamLine& line);
+
+  // The place before the cell at a position of the line, in the grid.
+  [[nodiscard]] Place place_before(traversal::Position at) const {
+    return {offset_of(cell_at(at)), static_cast<std::uint16_t>(block_at(at)), false};
+  }
+  // The place after it.
+  [[nodiscard]] Place place_after(traversal::Position at) const {
+    return {offset_of(cell_at(at)), static_cast<std::uint16_t>(block_at(at)), true};
+  }
+
+  // The number of the block in which a position lies: the block borders that were crossed.
+  [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
+    return (at.x + x_in_block_) / kBlockSide + (at.y + y_in_block_) / kBlockSide;
+  }
+
+  // Finds the blocks up to this one, which lies in the grid.
+  void extend_to(std::uint32_t block) {
+    if (block >= count_) {
+      find_up_to(block);
+    }
+  }
+
+  // Where the line begins.
+  [[nodiscard]] std::uint32_t start_offset() const { return offset_of(start_); }
+
+  // The rest is about blocks that were found. The cells of the line in a block:
+  [[nodiscard]] const LaneBytes& cells(std::uint32_t block) const {
+    return block == 0 ? first_cells_ : (*masks_)[codes_[block] / 2U];
+  }
+  [[nodiscard]] const Orientation& orientation() const { return orientation_; }
+
+  // Two lines from one start that go through the same cells of their first blocks, so many.
+  [[nodiscard]] std::uint32_t count_common(const BlockPath& other, std::uint32_t at_most) const;
+
+  // The way through the blocks from this one on.
+  [[nodiscard]] BlockRun run_from(std::uint32_t block) const {
+    return {&codes_[block], masks_->data(), u_stride_, v_stride_};
+  }
+
+  // Shows the tiles of the blocks up to this one to `visit`, by number.
+  template <typename Visit>
+  void for_each_tile(std::uint32_t last_block, Visit&& visit) const {
+    auto tile = static_cast<std::int32_t>(tile_of(start_));
+    const TileEntry* entry = tile_entries_.data();
+    for (; *entry / 2U <= last_block; ++entry) {
+      visit(static_cast<std::size_t>(tile));
+      tile += (entry[1] & 1U) != 0 ? tile_along_y_ : tile_along_x_;
+    }
+  }
+
+ private:
+  // Twice the block with which a line enters a tile, and 1 if it comes from a tile below or above.
+  using TileEntry = std::uint16_t;
+  static constexpr TileEntry kNoTile = 0xFFFF;
+
+  // A line runs one way on each axis, so it enters at most as many blocks and tiles as both have.
+  static constexpr std::size_t kMaxBlocks = 2 * kBlocksPerSide;
+  static constexpr std::size_t kMaxTiles = 2 * kTilesPerSide;
+  static_assert(2 * kMaxBlocks < kNoTile);
+
+  [[nodiscard]] traversal::Cell cell_at(traversal::Position at) const {
+    const auto x = static_cast<std::int32_t>(at.x);
+    const auto y = static_cast<std::int32_t>(at.y);
+    return {orientation_.x_is_negative ? start_.x - x : start_.x + x,
+            orientation_.y_is_negative ? start_.y - y : start_.y + y};
+  }
+
+  void find_first_block();
+  void find_up_to(std::uint32_t block);
+  void leave(std::int32_t& coordinate, bool is_negative, bool is_y);
+
+  traversal::Cell start_;
+  std::uint8_t x_in_block_ = 0;  // how far into its block the line begins, in its own direction
+  std::uint8_t y_in_block_ = 0;
+  Orientation orientation_;
+  std::int8_t tile_along_x_ = 0;  // from a tile to the next, by number
+  std::int8_t tile_along_y_ = 0;
+  const ShapeMasks* masks_ = nullptr;
+  std::int16_t u_stride_ = 0;  // from a block to the next, in blocks as stored
+  std::int16_t v_stride_ = 0;
+  std::uint32_t count_ = 0;
+  LaneBytes first_cells_;
+  std::array<BlockCode, kMaxBlocks> codes_{};
+  std::array<TileEntry, kMaxTiles + 1> tile_entries_{};
+
+  // The way on from the last block that was found. The error term is that of traversal/walk.hpp,
+  // with u for columns: a border of u comes next if it is below 0.
+  std::int32_t x_ = 0;  // that block
+  std::int32_t y_ = 0;
+  std::int32_t error_ = 0;
+  std::int32_t gain_ = 0;
+  std::int32_t loss_ = 0;
+  BlockEntry entry_ = 0;
+  std::uint32_t tile_count_ = 0;
+};
+
+}  // namespace iog::grid

@@ -1,0 +1,89 @@
+#include "grid/block_shapes.hpp"
+
+namespace iog::grid {
+namespace {
+
+// Follows the line of a shape through its block, and shows `visit` each cell (u, v).
+template <typename Visit>
+constexpr BlockPassage follow(std::uint32_t shape, Visit&& visit) {
+  const BlockEntry entry = shape >> 4;
+  const std::uint32_t start_u = entry < 4 ? 0 : entry - 3;
+  std::uint32_t u = start_u;
+  std::uint32_t v = entry < 4 ? entry : 0;
+  std::uint32_t bits_used = 0;
+  BlockPassage passage;
+  for (; u < 4; ++u) {
+    visit(u, v);
+    const std::uint32_t bit = shape & 1U << (u - start_u);
+    if (bit != 0) {
+      bits_used |= bit;
+      ++passage.v_borders;
+      ++v;
+      if (v == 4) {
+        passage.next_entry = static_cast<std::uint8_t>(entered_from_below(u));
+        passage.code = static_cast<BlockCode>(2 * shape_of(entry, bits_used) + 1);
+        return passage;
+      }
+      visit(u, v);
+    }
+    ++passage.u_borders;
+  }
+  passage.next_entry = static_cast<std::uint8_t>(entered_from_the_left(v));
+  passage.code = static_cast<BlockCode>(2 * shape_of(entry, bits_used));
+  return passage;
+}
+
+constexpr std::array<BlockPassage, kShapeCount> make_passages() {
+  std::array<BlockPassage, kShapeCount> passages{};
+  for (std::uint32_t shape = 0; shape < kShapeCount; ++shape) {
+    passages[shape] = follow(shape, [](std::uint32_t, std::uint32_t) {});
+  }
+  return passages;
+}
+
+constexpr Orientation orientation_of(std::size_t number) {
+  return {.is_steep = (number & 4U) != 0,
+          .x_is_negative = (number & 1U) != 0,
+          .y_is_negative = (number & 2U) != 0};
+}
+
+constexpr std::array<ShapeMasks, 8> make_shape_masks() {
+  std::array<ShapeMasks, 8> masks{};
+  for (std::size_t number = 0; number < masks.size(); ++number) {
+    for (std::uint32_t shape = 0; shape < kShapeCount; ++shape) {
+      follow(shape, [&](std::uint32_t u, std::uint32_t v) {
+        masks[number][shape].bytes[orientation_of(number).inner(u, v)] = -1;
+      });
+    }
+  }
+  return masks;
+}
+
+// A line only ever runs towards plus u and plus v: what lies there of an inner cell is yet to come.
+constexpr std::array<InnerMasks, 4> make_inner_masks(bool with_itself) {
+  std::array<InnerMasks, 4> masks{};
+  for (std::size_t quadrant = 0; quadrant < masks.size(); ++quadrant) {
+    const Orientation orientation = orientation_of(quadrant);
+    for (std::uint32_t cell = 0; cell < kLaneCount; ++cell) {
+      const std::uint32_t u = cell % 4;
+      const std::uint32_t v = cell / 4;
+      LaneBytes& mask = masks[quadrant][orientation.inner(u, v)];
+      for (std::uint32_t later_u = u; later_u < 4; ++later_u) {
+        for (std::uint32_t later_v = v; later_v < 4; ++later_v) {
+          const bool is_itself = later_u == u && later_v == v;
+          mask.bytes[orientation.inner(later_u, later_v)] = is_itself && !with_itself ? 0 : -1;
+        }
+      }
+    }
+  }
+  return masks;
+}
+
+}  // namespace
+
+constexpr std::array<BlockPassage, kShapeCount> kPassages = make_passages();
+constexpr std::array<ShapeMasks, 8> kShapeMasks = make_shape_masks();
+constexpr std::array<InnerMasks, 4> kFromMasks = make_inner_masks(true);
+constexpr std::array<InnerMasks, 4> kAfterMasks = make_inner_masks(false);
+
+}  // namespace iog::grid

@@ -1,0 +1,21 @@
+// Carving: makes the cells of a line freer, as the steps of its beams say.
+#pragma once
+
+#include <cstdint>
+
+#include "grid/block_grid.hpp"
+#include "grid/block_path.hpp"
+#include "grid/free_steps.hpp"
+
+namespace iog::grid {
+
+// Block by block along the path, which is extended as far as the steps reach. All steps lie in the
+// grid. Touches the tiles of the path.
+void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps);
+
+// The same, cell by cell, for any line: the specification of the other. first: the line's first
+// position in the grid.
+void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
+                 const FreeSteps& steps);
+
+}  // namespace iog::grid

@@ -1,0 +1,17 @@
+// The grid of a fusion as one array, cell by cell.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "grid/frame_fusion.hpp"
+
+namespace iog::tests {
+
+inline std::vector<grid::OccupancyIndex> cells_of(const grid::FrameFusion& fusion) {
+  std::vector<grid::OccupancyIndex> cells(grid::kCellCount);
+  fusion.copy_cells(std::span(cells).first<grid::kCellCount>());
+  return cells;
+}
+
+}  // namespace iog::tests

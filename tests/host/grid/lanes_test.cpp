@@ -1,0 +1,86 @@
+// Sixteen bytes at once are what they are one by one, on every machine.
+#include "grid/lanes.hpp"
+
+#include <array>
+#include <gtest/gtest.h>
+
+namespace iog::grid {
+namespace {
+
+// Every pair of bytes, in all lanes: the lanes of the machine against the plain ones.
+template <typename Check>
+void for_each_pair(Check&& check) {
+  for (int a = -128; a < 128; ++a) {
+    for (int b = -128; b < 128; b += static_cast<int>(kLaneCount)) {
+      LaneBytes left;
+      LaneBytes right;
+      left.bytes.fill(static_cast<std::int8_t>(a));
+      for (std::size_t i = 0; i < kLaneCount; ++i) {
+        right.bytes[i] = static_cast<std::int8_t>(b + static_cast<int>(i));
+      }
+      check(left, right);
+    }
+  }
+}
+
+template <typename Operation>
+void expect_the_same(Operation&& operation) {
+  for_each_pair([&](const LaneBytes& a, const LaneBytes& b) {
+    LaneBytes found;
+    LaneBytes expected;
+    operation(Lanes::load(a), Lanes::load(b)).store(found);
+    operation(PlainLanes::load(a), PlainLanes::load(b)).store(expected);
+    ASSERT_EQ(found.bytes, expected.bytes) << int{a.bytes[0]} << " and from " << int{b.bytes[0]};
+  });
+}
+
+TEST(Lanes, AreThePlainOnes) {
+  expect_the_same([](auto a, auto b) { return a.masked(b); });
+  expect_the_same([](auto a, auto b) { return a.without(b); });
+  expect_the_same([](auto a, auto b) { return a.united(b); });
+  expect_the_same([](auto a, auto b) { return a.subtract(b); });
+  expect_the_same([](auto a, auto b) { return a.raised_to(b); });
+}
+
+// Contract section 3: what is carved saturates. A byte does at -128.
+TEST(Lanes, SubtractDownToTheLowestByte) {
+  EXPECT_EQ(int{subtract_saturated(-120, 8)}, -128);
+  EXPECT_EQ(int{subtract_saturated(-120, 9)}, -128);
+  EXPECT_EQ(int{subtract_saturated(0, 127)}, -127);
+  EXPECT_EQ(int{subtract_saturated(-128, 127)}, -128);
+  EXPECT_EQ(int{subtract_saturated(127, -128)}, 127);
+}
+
+TEST(Lanes, AreZeroIfAllAre) {
+  LaneBytes lanes;
+  EXPECT_TRUE(Lanes::load(lanes).is_zero());
+  EXPECT_TRUE(PlainLanes::load(lanes).is_zero());
+  for (std::int8_t& byte : lanes.bytes) {
+    byte = -128;
+    EXPECT_FALSE(Lanes::load(lanes).is_zero());
+    EXPECT_FALSE(PlainLanes::load(lanes).is_zero());
+    byte = 0;
+  }
+}
+
+TEST(Lanes, PutTheRowsOfFourBlocksBesideOneAnother) {
+  std::array<LaneBytes, 4> blocks;
+  for (std::size_t i = 0; i < 64; ++i) {
+    blocks[i / 16].bytes[i % 16] = static_cast<std::int8_t>(i);
+  }
+  const auto rows = Lanes::rows_of(blocks.data());
+  const auto plain = PlainLanes::rows_of(blocks.data());
+  for (std::size_t row = 0; row < 4; ++row) {
+    std::array<std::int8_t, kLaneCount> found{};
+    std::array<std::int8_t, kLaneCount> expected{};
+    rows[row].store_bytes(found.data());
+    plain[row].store_bytes(expected.data());
+    for (std::size_t x = 0; x < kLaneCount; ++x) {
+      ASSERT_EQ(static_cast<std::size_t>(found[x]), x / 4 * 16 + row * 4 + x % 4);
+    }
+    ASSERT_EQ(found, expected);
+  }
+}
+
+}  // namespace
+}  // namespace iog::grid
