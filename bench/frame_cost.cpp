@@ -1,10 +1,12 @@
 // frame_cost: what a frame costs the Cortex-A9, in instructions, by stage. Runs in QEMU with
 // instruction counting (bench/run_image); prints one line of key=value pairs.
 //
-//   frame_cost <capture> [<number of sensors: the first ones of the description> [<frames>]]
+//   frame_cost <capture> [<number of sensors: the first ones of the description> [<frames>
+//   <paths>]]
 //
-// With a number of frames only the firmware's own pipeline runs, over so many: what
-// bench/a9_model/lines needs for the cost model of the Cortex-A9, which takes its time.
+// With a number of frames only the firmware's own pipeline runs, over one frame to warm up and then
+// over so many: what the cost model of the Cortex-A9, which takes its time, is to see. Paths are
+// what the core keeps of a line from frame to frame: "kept", or "forgotten" after every frame.
 //
 // The core is the firmware's own, object by object, and so is the memcpy() beneath it. What is not
 // here are the driver of the Ethernet controller, the loop around the pipeline, and caches, which
@@ -16,6 +18,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "bench/a9_model/marker.hpp"
 #include "capture.hpp"
 #include "ethernet/enet_port.hpp"
 #include "instruction_counter.hpp"
@@ -86,28 +89,39 @@ vehicle::Vehicle with_sensors(std::size_t count) {
   return vehicle;
 }
 
-// A target of play() that ends the capture once so many frames are complete.
+// A target of play() that ends the capture once so many frames are complete. What the first of them
+// costs is not reported.
 class FirstFrames {
  public:
-  FirstFrames(StagePass& stages, Capture& capture, std::size_t frames)
-      : stages_(stages), capture_(capture), frames_(frames) {}
+  FirstFrames(StagePass& stages, Capture& capture, std::size_t frames, bool forgets)
+      : stages_(stages), capture_(capture), frames_(frames), forgets_(forgets) {}
 
   void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
             std::uint32_t received, std::uint64_t now_us) {
     stages_.take(sensor, datagram, received, now_us);
-    stop_if_over();
+    look_for_end();
   }
   void tick(std::uint64_t now_us) {
     if (!is_over()) {
       stages_.tick(now_us);
-      stop_if_over();
+      look_for_end();
     }
   }
   [[nodiscard]] std::uint64_t deadline_us() const { return stages_.deadline_us(); }
   [[nodiscard]] bool is_over() const { return stages_.frames() >= frames_; }
 
  private:
-  void stop_if_over() {
+  void look_for_end() {
+    if (stages_.frames() == seen_) {
+      return;
+    }
+    seen_ = stages_.frames();
+    if (forgets_) {
+      stages_.forget_lines();
+    }
+    if (seen_ == 1) {
+      a9_model::forget_so_far();
+    }
     if (is_over()) {
       capture_.close();
     }
@@ -116,21 +130,40 @@ class FirstFrames {
   StagePass& stages_;
   Capture& capture_;
   std::size_t frames_;
+  bool forgets_;
+  std::uint64_t seen_ = 0;
+};
+
+// What the command line asks for.
+struct Request {
+  const char* capture = nullptr;
+  std::size_t sensors = 0;
+  std::size_t frames = 0;  // 0: all, in both passes
+  bool forgets = false;
 };
 
 // Only the first pass, and only of the first frames.
 int run_first(Capture& capture, const vehicle::Vehicle& vehicle, InstructionCounter& counter,
-              StagePass& stages, std::size_t frames) {
-  FirstFrames first(stages, capture, frames);
+              StagePass& stages, const Request& request) {
+  if (request.forgets && !StagePass::kKeepsPaths) {
+    std::puts("frame_cost paths=none");
+    return 0;
+  }
+  FirstFrames first(stages, capture, 1 + request.frames, request.forgets);
   play(capture, vehicle, counter, first);
+  if (!first.is_over()) {
+    std::puts("frame_cost: the capture has not so many frames");
+    return 1;
+  }
   // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
-  std::printf("frame_cost frames=%u complete=%u\n", frames, first.is_over() ? 1U : 0U);
-  return first.is_over() ? 0 : 1;
+  std::printf("frame_cost frames=%u paths=%s\n", request.frames,
+              request.forgets ? "forgotten" : "kept");
+  return 0;
 }
 
-// Both passes are static: each holds a grid. No number of frames means all, in both passes.
-int run(const char* path, std::size_t sensor_count, std::size_t frames) {
-  static const vehicle::Vehicle vehicle = with_sensors(sensor_count);
+// Both passes are static: each holds a grid.
+int run(const Request& request) {
+  static const vehicle::Vehicle vehicle = with_sensors(request.sensors);
   static InstructionCounter counter;
   static Capture capture;
   static StagePass stages(vehicle, counter);
@@ -140,12 +173,12 @@ int run(const char* path, std::size_t sensor_count, std::size_t frames) {
     std::puts("frame_cost: instructions are not counted; is this -icount shift=4,sleep=off?");
     return 1;
   }
-  if (!capture.open(path)) {
-    std::printf("frame_cost: %s cannot be read as a pcap of Ethernet frames\n", path);
+  if (!capture.open(request.capture)) {
+    std::printf("frame_cost: %s cannot be read as a pcap of Ethernet frames\n", request.capture);
     return 1;
   }
-  if (frames > 0) {
-    return run_first(capture, vehicle, counter, stages, frames);
+  if (request.frames > 0) {
+    return run_first(capture, vehicle, counter, stages, request);
   }
   StackPaint stack;
   stack.apply();
@@ -153,7 +186,7 @@ int run(const char* path, std::size_t sensor_count, std::size_t frames) {
   const std::uint32_t stack_bytes = stack.used_bytes();
   // An empty frame more: it says what publishing the last one cost.
   stages.tick(stages.deadline_us());
-  if (stages.frames() == 0 || !capture.open(path)) {
+  if (stages.frames() == 0 || !capture.open(request.capture)) {
     std::printf("frame_cost: no frame has evidence; is %s the vehicle of the capture?\n",
                 vehicle.name.data());
     return 1;
@@ -161,8 +194,8 @@ int run(const char* path, std::size_t sensor_count, std::size_t frames) {
   play(capture, vehicle, counter, operations);
 
   // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned int
-  std::printf("frame_cost sensors=%u vehicle=%s run_hash=%08lx", sensor_count, vehicle.name.data(),
-              stages.run_hash());
+  std::printf("frame_cost sensors=%u vehicle=%s run_hash=%08lx", request.sensors,
+              vehicle.name.data(), stages.run_hash());
   print_stages(stages);
   print_operations(operations.cost());
   print_sizes();
@@ -186,13 +219,24 @@ std::size_t number_in(const char* argument, std::size_t most) {
 int main(int argc, char** argv) {
   constexpr std::size_t kMostFrames = 100'000;
   const std::size_t all = iog::vehicles::kVehicle.sensors.size();
-  const std::size_t sensors = argc >= 3 ? iog::bench::number_in(argv[2], all) : all;
-  const std::size_t frames = argc >= 4 ? iog::bench::number_in(argv[3], kMostFrames) : 0;
-  if (argc < 2 || argc > 4 || sensors == 0 || (argc == 4 && frames == 0)) {
+  iog::bench::Request request{.capture = argv[1], .sensors = all};
+  bool is_right = argc == 2 || argc == 3 || argc == 5;
+  if (is_right && argc >= 3) {
+    request.sensors = iog::bench::number_in(argv[2], all);
+    is_right = request.sensors > 0;
+  }
+  if (is_right && argc == 5) {
+    request.frames = iog::bench::number_in(argv[3], kMostFrames);
+    request.forgets = std::strcmp(argv[4], "forgotten") == 0;
+    is_right = request.frames > 0 && (request.forgets || std::strcmp(argv[4], "kept") == 0);
+  }
+  if (!is_right) {
     // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
-    std::printf("frame_cost: expected a capture, 1 to %u for the sensors, and a number of frames\n",
-                all);
+    std::printf(
+        "frame_cost: expected a capture, 1 to %u for the sensors, and a number of frames "
+        "with what becomes of paths\n",
+        all);
     return 2;
   }
-  return iog::bench::run(argv[1], sensors, frames);
+  return iog::bench::run(request);
 }

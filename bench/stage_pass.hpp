@@ -50,7 +50,21 @@ class StagePass {
 
   using Pipeline = app::Pipeline<MeasuredOutside>;
 
+  // Whether the core keeps anything of a line from one frame to the next; if so, it can be made to
+  // forget it. Between two frames only.
+  static constexpr bool kKeepsPaths = []<typename P>(P*) {
+    return requires(P & p) { p.forget_lines(); };
+  }(static_cast<Pipeline*>(nullptr));
+  void forget_lines() { forget_lines_of(pipeline_); }
+
  private:
+  template <typename P>
+  static void forget_lines_of(P& pipeline) {
+    if constexpr (kKeepsPaths) {
+      pipeline.forget_lines();
+    }
+  }
+
   // What is known of a frame before its publishing is.
   struct OpenCost {
     bool has_evidence = false;
@@ -60,7 +74,8 @@ class StagePass {
   };
 
   void collect();
-  void add_end(std::span<const std::byte> message);
+  // Bookkeeping of the benchmark alone: a stage of its own for the model.
+  [[gnu::noinline]] void add_end(std::span<const std::byte> message);
 
   MeasuredOutside outside_;
   std::uint64_t frames_ = 0;

@@ -13,6 +13,10 @@ namespace iog::a9_model {
 inline constexpr std::uint8_t kMarkerEnd = 0x80;
 inline constexpr unsigned kRegionIds = 0x80;
 
+// The end of region 127, which nobody may begin: what came before is not reported. A program that
+// repeats itself has warmed up by then.
+inline constexpr std::uint8_t kMarkerForget = kMarkerEnd | 0x7F;
+
 #if defined(__arm__)
 template <unsigned kCode>
 [[gnu::always_inline]] inline void mark() {
@@ -21,15 +25,17 @@ template <unsigned kCode>
 
 template <unsigned kId>
 [[gnu::always_inline]] inline void begin_region() {
-  static_assert(kId < kRegionIds);
+  static_assert(kId < kRegionIds - 1);
   mark<kId>();
 }
 
 template <unsigned kId>
 [[gnu::always_inline]] inline void end_region() {
-  static_assert(kId < kRegionIds);
+  static_assert(kId < kRegionIds - 1);
   mark<kId | kMarkerEnd>();
 }
+
+[[gnu::always_inline]] inline void forget_so_far() { mark<kMarkerForget>(); }
 #endif
 
 }  // namespace iog::a9_model

@@ -10,8 +10,8 @@ namespace iog::a9_model {
 namespace {
 
 void print(std::ostream& out, std::string_view heading, std::string_view region,
-           std::uint64_t entries, const Counters& counters) {
-  out << heading << " region=" << region << " entries=" << entries;
+           std::uint64_t entries, const Counters& counters, std::string_view key = "region") {
+  out << heading << ' ' << key << '=' << region << " entries=" << entries;
   for (const Counter& counter : kCounters) {
     out << ' ' << counter.name << '=' << counters.*counter.member;
   }
@@ -58,6 +58,10 @@ void Recorder::note_marker(std::uint8_t half) {
   }
   const auto code = static_cast<std::uint8_t>(marker_ << 4 | half);
   marker_ = -1;
+  if (code == kMarkerForget) {
+    forget();
+    return;
+  }
   Region& region = marked_[code % kRegionIds];
   if ((code & kMarkerEnd) == 0) {
     open(region);
@@ -77,16 +81,18 @@ void Recorder::follow_calls(const ProgramInstruction& from, std::uint32_t to) {
   } else if (const auto found = std::find(returns_.rbegin(), returns_.rend(), to);
              flow != Flow::kJump && found != returns_.rend()) {
     returns_.erase(std::prev(found.base()), returns_.end());
-    for (Region& region : called_) {
-      if (region.open > 0 && returns_.size() < region.depth) {
-        close(region);
-      }
+    while (!open_.empty() && returns_.size() < called_[open_.back()].depth) {
+      charge_innermost();
+      close(called_[open_.back()]);
+      open_.pop_back();
     }
   }
   for (std::size_t index = 0; index < functions_.size(); ++index) {
     if (functions_[index].entry == to && called_[index].open == 0) {
+      charge_innermost();
       called_[index].depth = returns_.size();
       open(called_[index]);
+      open_.push_back(index);
     }
   }
 }
@@ -104,11 +110,34 @@ void Recorder::close(Region& region) {
   }
 }
 
+// The innermost of the functions under way is what has cost something since the last call.
+void Recorder::charge_innermost() {
+  const Counters now = pipeline_.counters();
+  if (!open_.empty()) {
+    add_difference(called_[open_.back()].self, charged_, now);
+  }
+  charged_ = now;
+}
+
+void Recorder::forget() {
+  forgotten_ = pipeline_.counters();
+  charged_ = forgotten_;
+  for (std::vector<Region>* const regions : {&marked_, &called_}) {
+    for (Region& region : *regions) {
+      region.sum = {};
+      region.self = {};
+      region.begin = forgotten_;
+      region.entries = region.open > 0 ? 1 : 0;
+    }
+  }
+}
+
 void Recorder::report(std::ostream& out, std::string_view heading) {
   if (last_ != nullptr) {
     finish_last(last_->address + 4);
   }
-  const Counters all = pipeline_.counters();
+  Counters all;
+  add_difference(all, forgotten_, pipeline_.counters());
   print(out, heading, "all", 1, all);
   for (std::size_t id = 0; id < marked_.size(); ++id) {
     if (marked_[id].entries > 0) {
@@ -116,7 +145,9 @@ void Recorder::report(std::ostream& out, std::string_view heading) {
     }
   }
   for (std::size_t index = 0; index < functions_.size(); ++index) {
-    print(out, heading, functions_[index].name, called_[index].entries, called_[index].sum);
+    const Region& function = called_[index];
+    print(out, heading, functions_[index].name, function.entries, function.sum);
+    print(out, heading, functions_[index].name, function.entries, function.self, "self");
   }
   if (unsupported_ > 0) {
     out << heading << " unsupported=" << unsupported_ << " (not A32: neither counted nor timed)\n";

@@ -14,7 +14,9 @@
 
 namespace iog::a9_model {
 
-// A function that is to be reported: from its entry to its return, whatever it calls included.
+// A function that is to be reported: from its entry to its return, once with whatever it calls and
+// once on its own, without the reported functions that it calls. The latter add up to no more than
+// the whole run.
 struct Function {
   std::string name;
   std::uint32_t entry;
@@ -36,13 +38,15 @@ class Recorder {
   void skip_unsupported() { ++unsupported_; }
 
   // Executes the last instruction and writes a line for the whole run, one for each region that
-  // was entered and one for each function: key=value pairs after `heading`.
+  // was entered and two for each function, the second with self= for region=: key=value pairs after
+  // `heading`. What came before the program said kMarkerForget is left out.
   void report(std::ostream& out, std::string_view heading);
 
  private:
   struct Region {
     Counters sum;
     Counters begin;
+    Counters self;  // for functions
     std::uint64_t entries = 0;
     std::uint32_t open = 0;
     std::size_t depth = 0;  // of the call stack at entry, for functions
@@ -53,6 +57,8 @@ class Recorder {
   void follow_calls(const ProgramInstruction& from, std::uint32_t to);
   void open(Region& region);
   void close(Region& region);
+  void charge_innermost();
+  void forget();
 
   Pipeline pipeline_;
   const ProgramInstruction* last_ = nullptr;
@@ -65,6 +71,9 @@ class Recorder {
   std::vector<Function> functions_;
   std::vector<Region> called_;          // parallel to functions_
   std::vector<std::uint32_t> returns_;  // where the calls under way will return to
+  std::vector<std::size_t> open_;       // the functions under way, the innermost last
+  Counters charged_;                    // up to here, to whoever was the innermost
+  Counters forgotten_;
 };
 
 }  // namespace iog::a9_model

@@ -8,14 +8,12 @@
 
 namespace iog::vehicle {
 
-inline constexpr std::int32_t kCellsPerSide = 1024;
-inline constexpr std::int32_t kCellMm = 100;
 inline constexpr traversal::CellArea kGridArea{kCellsPerSide, kCellsPerSide};
 
 using BeamLine = traversal::Line<kResolution>;
 
-// The vehicle frame's origin: the corner in the middle of the grid. Cell (x, y) covers, in metres,
-// [(x - 512) / 10, (x - 511) / 10) and the same of y.
+// The vehicle frame's origin: the corner in the middle of the grid. Cell (x, y) of the default grid
+// covers, in metres, [(x - 512) / 10, (x - 511) / 10) and the same of y.
 inline constexpr std::int32_t kOriginCell = kCellsPerSide / 2;
 
 inline constexpr double kSubcellsPerMetre = 1000.0 / kCellMm * kResolution;

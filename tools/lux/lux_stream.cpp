@@ -16,7 +16,7 @@ std::span<const std::byte> message_at(std::span<const std::byte> bytes) {
   header.skip(4);
   const std::size_t body_bytes = header.u32_be();
   header.skip(IbeoLux::kHeaderBytes - 12);
-  if (magic != IbeoLux::kMagic || body_bytes > header.remaining()) {
+  if (!header.ok() || magic != IbeoLux::kMagic || body_bytes > header.remaining()) {
     return {};
   }
   return bytes.first(IbeoLux::kHeaderBytes + body_bytes);

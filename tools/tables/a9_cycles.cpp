@@ -16,11 +16,13 @@ constexpr const char* kNominal = " variant=nominal";
 constexpr const char* kOptimistic = " variant=optimistic";
 constexpr const char* kPessimistic = " variant=pessimistic";
 
-// The same key of the three lines of a run.
+// The same key of the three lines of a run. A run of one variant has it for all.
 Modelled modelled_on_a9(const std::string& run, const std::string& key) {
-  return {.nominal = measured_on_a9(run + kNominal, key),
-          .optimistic = measured_on_a9(run + kOptimistic, key),
-          .pessimistic = measured_on_a9(run + kPessimistic, key)};
+  const double nominal = measured_on_a9(run + kNominal, key);
+  const auto of = [&](const char* variant) {
+    return has_a9_run(run + variant) ? measured_on_a9(run + variant, key) : nominal;
+  };
+  return {.nominal = nominal, .optimistic = of(kOptimistic), .pessimistic = of(kPessimistic)};
 }
 
 // From the keys that begin with `stage`, sums over so many frames.
@@ -49,27 +51,86 @@ StageCost sum_of(std::initializer_list<StageCost> stages) {
   return sum;
 }
 
-}  // namespace
-
 // The runs of the default scene do not name it.
-A9Cycles a9_cycles(std::string_view scene, int sensors) {
-  std::string run("model frame_cost ");
-  if (scene != kDefaultScene) {
-    run.append("scene=").append(scene).append(" ");
-  }
-  run.append("sensors=").append(std::to_string(sensors));
+std::string naming(std::string_view scene) {
+  return scene == kDefaultScene ? "" : std::string(" scene=").append(scene);
+}
+
+A9Cycles cycles_of_run(const std::string& run) {
   const double frames = measured_on_a9(run + kNominal, "frames");
   A9Cycles cycles{.frames = frames,
                   .receive = stage_of(run, "receive_", frames),
                   .decode = stage_of(run, "decode_", frames),
-                  .fuse = stage_of(run, "fuse_", frames),
+                  .beams = stage_of(run, "beams_", frames),
+                  .carve = stage_of(run, "carve_", frames),
                   .mark = stage_of(run, "mark_", frames),
+                  .encode = stage_of(run, "encode_", frames),
+                  .send = stage_of(run, "send_", frames),
                   .clear = stage_of(run, "clear_", frames),
-                  .publish = stage_of(run, "publish_", frames),
+                  .fuse = {},
+                  .publish = {},
                   .fused = {},
                   .whole = stage_of(run, "frame_", frames)};
+  cycles.fuse = sum_of({cycles.beams, cycles.carve});
+  cycles.publish = sum_of({cycles.encode, cycles.send, cycles.clear});
   cycles.fused = sum_of({cycles.decode, cycles.fuse, cycles.mark, cycles.clear});
   return cycles;
+}
+
+A9Cycles cycles_of_run(const std::string& run, Paths paths) {
+  const std::string forgotten = run + " paths=forgotten";
+  const bool is_forgotten = paths == Paths::kForgotten && has_a9_run(forgotten + kNominal);
+  return cycles_of_run(is_forgotten ? forgotten : run);
+}
+
+A9Floor floor_of_run(const std::string& run) {
+  const double frames = measured_on_a9(run + kNominal, "frames");
+  return {.lines = measured_on_a9(run + kNominal, "lines") / frames,
+          .fuse = stage_of(run, "fuse_", frames),
+          .send = stage_of(run, "send_", frames),
+          .clear = stage_of(run, "clear_", frames)};
+}
+
+}  // namespace
+
+A9Cycles a9_cycles(std::string_view scene, int sensors, Paths paths) {
+  return cycles_of_run("model frame_cost" + naming(scene) + " sensors=" + std::to_string(sensors),
+                       paths);
+}
+
+A9Cycles a9_worst_cycles(std::string_view name, Paths paths) {
+  return cycles_of_run("model frame_cost worst=" + std::string(name) + " sensors=4", paths);
+}
+
+A9Cycles a9_long_run(std::string_view scene) {
+  return cycles_of_run("model long_run" + naming(scene) + " sensors=4");
+}
+
+double A9Floor::fused_cycles() const { return fuse.cycles.nominal + clear.cycles.nominal; }
+double A9Floor::whole_cycles() const { return fused_cycles() + send.cycles.nominal; }
+
+A9Floor a9_floor(std::string_view scene) { return floor_of_run("model floor" + naming(scene)); }
+
+A9Floor a9_worst_floor(std::string_view name) {
+  return floor_of_run("model floor worst=" + std::string(name));
+}
+
+A9Scaling a9_scaling(const A9Load& load) {
+  const auto pair = [](const char* key, int value) {
+    return std::string(" ").append(key).append("=").append(std::to_string(value));
+  };
+  const std::string run = "model scaling" + pair("cells_per_side", load.cells_per_side) +
+                          pair("cell_mm", load.cell_mm) + pair("sensors", load.sensors) +
+                          pair("azimuths", load.azimuths) + pair("range_cm", load.range_cm);
+  const double frames = measured_on_a9(run + kNominal, "frames");
+  const auto stage = [&](const char* name) { return stage_of(run, name, frames); };
+  const StageCost clear = stage("clear_");
+  return {
+      .points = measured_on_a9(run + kNominal, "points"),
+      .messages = measured_on_a9(run + kNominal, "messages"),
+      .fused = sum_of({stage("decode_"), stage("beams_"), stage("carve_"), stage("mark_"), clear}),
+      .publish = sum_of({stage("encode_"), stage("send_"), clear}),
+      .whole = stage("frame_")};
 }
 
 StageCost a9_walk(const std::string& walk) {

@@ -2,6 +2,7 @@
 // cycles, which at 1 GHz are nanoseconds, and misses. Modelled, in its three variants.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -29,21 +30,67 @@ struct StageCost {
   double mispredicts = 0;
 };
 
-// A frame of the drives of a9_frame(), over the first of them.
+// A frame, taken apart at functions of the core (bench/a9_runs.py): an instruction belongs to the
+// innermost of them that it is called from, so that the stages add up to the frame.
 struct A9Cycles {
   double frames = 0;
-  StageCost receive;
-  StageCost decode;
-  StageCost fuse;
-  StageCost mark;
+  StageCost receive;  // Ethernet, IP and UDP
+  StageCost decode;   // sensor messages, found and checked
+  StageCost beams;    // points to beams: fate, line, where which index ends
+  StageCost carve;    // lower the cells along the lines
+  StageCost mark;     // what the points hit
+  StageCost encode;   // known tiles found, copied, hashed, with their headers
+  StageCost send;     // wrapped into Ethernet frames
   StageCost clear;
-  StageCost publish;  // with clearing
+  StageCost fuse;     // beams + carve
+  StageCost publish;  // encode + send + clear
   StageCost fused;    // decode + fuse + mark + clear
-  StageCost whole;    // receive + decode + fuse + mark + publish
+  StageCost whole;    // all of it
 };
 
-// std::out_of_range if bench/cortex_a9.txt has no such run.
-[[nodiscard]] A9Cycles a9_cycles(std::string_view scene, int sensors);
+// What the core keeps of a line from one frame to the next, or what it costs without.
+enum class Paths : std::uint8_t { kKept, kForgotten };
+
+// The first frames, but one, of the drives of a9_frame(). kForgotten only with four sensors; if the
+// core keeps nothing, it is what kKept is. std::out_of_range if bench/cortex_a9.txt has no such
+// run.
+[[nodiscard]] A9Cycles a9_cycles(std::string_view scene, int sensors, Paths paths = Paths::kKept);
+
+// The same for one of the kinds of `iog worst`, four sensors.
+[[nodiscard]] A9Cycles a9_worst_cycles(std::string_view name, Paths paths = Paths::kKept);
+
+// The same over more frames; four sensors, nominal alone.
+[[nodiscard]] A9Cycles a9_long_run(std::string_view scene);
+
+// Each line of the grid of which a frame leaves something known read and written once, sent once
+// and cleared once, and nothing else (bench/floor.cpp), of a mean frame. Nominal.
+struct A9Floor {
+  double lines = 0;
+  StageCost fuse;
+  StageCost send;
+  StageCost clear;
+  [[nodiscard]] double fused_cycles() const;  // without sending
+  [[nodiscard]] double whole_cycles() const;
+};
+[[nodiscard]] A9Floor a9_floor(std::string_view scene);
+[[nodiscard]] A9Floor a9_worst_floor(std::string_view name);
+
+// A frame of the synthetic load (bench/scaling.cpp).
+struct A9Load {
+  int cells_per_side = 0;
+  int cell_mm = 0;
+  int sensors = 0;
+  int azimuths = 0;  // directions of a layer
+  int range_cm = 0;
+};
+struct A9Scaling {
+  double points = 0;
+  double messages = 0;
+  StageCost fused;  // decode + fuse + mark + clear
+  StageCost publish;
+  StageCost whole;  // without receiving; nominal alone
+};
+[[nodiscard]] A9Scaling a9_scaling(const A9Load& load);
 
 // One of the walks of traversal_cost, e.g. "discrete r=20", over all its cells.
 [[nodiscard]] StageCost a9_walk(const std::string& walk);

@@ -1,13 +1,12 @@
 #include "tools/tables/a9_frame.hpp"
 
+#include <string>
+
 #include "tools/simulate/scene_catalogue.hpp"
 #include "tools/tables/cortex_a9.hpp"
-#include "tools/tables/markdown.hpp"
 
 namespace iog::tools {
 namespace {
-
-constexpr double kClockHz = 1e9;
 
 // The runs of the default scene do not name it.
 std::string run_name(std::string_view scene, int sensors) {
@@ -44,18 +43,6 @@ A9Frame a9_frame(std::string_view scene, int sensors) {
 A9Frame a9_worst_frame(std::string_view name) {
   constexpr int kAllSensors = 4;
   return frame_of_run(std::string("frame_cost worst=").append(name), kAllSensors);
-}
-
-double modelled_hz(double instructions, double per_cycle) {
-  return kClockHz * per_cycle / instructions;
-}
-
-std::string range(double slow, double quick, int decimals) {
-  return fixed(slow, decimals) + " to " + fixed(quick, decimals);
-}
-
-Verdict verdict_on(double paper, double slow) {
-  return slow > paper ? Verdict::kBeats : Verdict::kFallsShort;
 }
 
 }  // namespace iog::tools

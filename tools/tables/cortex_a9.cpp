@@ -38,6 +38,8 @@ std::optional<std::string_view> line_of(std::string_view words, char separator) 
 
 }  // namespace
 
+bool has_a9_run(std::string_view run) { return line_of(run, ' ').has_value(); }
+
 std::string_view word_from_a9(std::string_view run, std::string_view key) {
   std::string_view pairs = line_of(run, ' ').value_or("");
   while (!pairs.empty()) {

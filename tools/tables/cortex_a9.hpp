@@ -8,6 +8,9 @@
 
 namespace iog::tools {
 
+// Whether a run begins with these words.
+[[nodiscard]] bool has_a9_run(std::string_view run);
+
 // The number of that key in the line of that run, e.g. ("frame_cost sensors=4", "frame_mean").
 // std::out_of_range if there is none.
 [[nodiscard]] double measured_on_a9(std::string_view run, std::string_view key);

@@ -12,7 +12,9 @@ namespace iog::tools {
 [[nodiscard]] Section profiles(const TablesInput& input);              // table 4.3, fig. 4.6, 4.14
 [[nodiscard]] Section traversal_accuracy(const TablesInput& input);    // table 4.2, figure 4.11
 [[nodiscard]] Section output_rates(const TablesInput& input);          // tables 4.4 and 4.5
+[[nodiscard]] Section goals(const TablesInput& input);                 // and the floor below them
 [[nodiscard]] Section worst_frames(const TablesInput& input);          // and the bound above them
+[[nodiscard]] Section scaling(const TablesInput& input);               // where real time ends
 [[nodiscard]] Section numerical_quality(const TablesInput& input);     // table 4.6
 [[nodiscard]] Section many_core(const TablesInput& input);             // many-core paper, table I
 [[nodiscard]] Section order_of_fusion(const TablesInput& input);       // sequential against ours

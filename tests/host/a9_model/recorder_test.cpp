@@ -35,13 +35,14 @@ class Session {
     at(address, kDebugHint | code >> 4);
     at(address + 4, kDebugHint | (code & 0xf));
   }
-  // The number of instructions that the line of a region reports; -1: there is no such line.
-  int instructions_of(const std::string& region) {
+  // The number of instructions that the line of a region reports; -1: there is no such line. Key
+  // self: without what other functions were reported for.
+  int instructions_of(const std::string& region, const std::string& key = "region") {
     std::ostringstream out;
     recorder_.report(out, "modelled");
     std::istringstream lines(out.str());
     for (std::string line; std::getline(lines, line);) {
-      if (line.find(" region=" + region + " ") != std::string::npos) {
+      if (line.find(" " + key + "=" + region + " ") != std::string::npos) {
         const std::size_t at = line.find(" instructions=");
         return std::stoi(line.substr(at + 14));
       }
@@ -97,6 +98,44 @@ TEST(Recorder, AFunctionEndsWhereItsCallerGoesOn) {
   EXPECT_EQ(run.instructions_of("f"), 2 * 10);
   EXPECT_EQ(run.instructions_of("g"), 2 * 5);
   EXPECT_EQ(run.instructions_of("never"), 0);
+}
+
+// main calls f, f calls g, g calls f: what an instruction belongs to is the innermost of them, but
+// a function that is under way is not entered again.
+TEST(Recorder, WhatAFunctionDoesItselfIsWithoutTheOthers) {
+  Session run({{"f", 0x1000'2000}, {"g", 0x1000'3000}});
+  run.at(0x1000'0000, kCall);
+  run.at(0x1000'2000, kAdd, 2);
+  run.at(0x1000'2008, kCall);
+  run.at(0x1000'3000, kAdd, 4);
+  run.at(0x1000'3010, kCall);
+  run.at(0x1000'2000, kAdd, 6);
+  run.at(0x1000'2018, kReturn);
+  run.at(0x1000'3014, kReturn);
+  run.at(0x1000'200c, kAdd, 1);
+  run.at(0x1000'2010, kReturn);
+  run.at(0x1000'0004, kAdd, 9);
+  EXPECT_EQ(run.instructions_of("g", "self"), 4 + 1 + 6 + 1 + 1);
+  EXPECT_EQ(run.instructions_of("f", "self"), 2 + 1 + 1 + 1);
+  EXPECT_EQ(run.instructions_of("f", "self") + run.instructions_of("g", "self"),
+            run.instructions_of("f"));
+}
+
+// A call and its function are under way while the program warms up.
+TEST(Recorder, WhatCameBeforeIsForgotten) {
+  Session run({{"f", 0x1000'2000}});
+  run.mark(0x1000'0000, 5);
+  run.at(0x1000'0008, kCall);
+  run.at(0x1000'2000, kAdd, 2);
+  run.mark(0x1000'2008, kMarkerForget);
+  run.at(0x1000'2010, kAdd, 4);
+  run.at(0x1000'2020, kReturn);
+  run.at(0x1000'000c, kAdd, 3);
+  run.mark(0x1000'0018, 5 | kMarkerEnd);
+  EXPECT_EQ(run.instructions_of("f"), 5);
+  EXPECT_EQ(run.instructions_of("f", "self"), 5);
+  EXPECT_EQ(run.instructions_of("5"), 8);
+  EXPECT_EQ(run.instructions_of("all"), 8);
 }
 
 TEST(Recorder, AJumpToAFunctionReturnsToTheCallersCaller) {

@@ -121,6 +121,17 @@ TEST(LuxStream, FindsScansBetweenOtherBytes) {
   EXPECT_EQ(stream.skipped_bytes, 55U);
 }
 
+TEST(LuxStream, ARecordingThatEndsAnywhereInAMessageIsSkippedFromThere) {
+  const std::vector<std::byte> scan = split_lux_scan(scan_of(0, 16), 100'000).at(0);
+  for (std::size_t size = 0; size < scan.size(); ++size) {
+    const std::vector<std::byte> cut(scan.begin(),
+                                     scan.begin() + static_cast<std::ptrdiff_t>(size));
+    const LuxStream stream = read_lux_stream(cut);
+    ASSERT_EQ(stream.skipped_bytes, size);
+    ASSERT_EQ(stream.scans.size() + stream.other_messages + stream.malformed, 0U);
+  }
+}
+
 TEST(LuxStream, AMessageThatContradictsItselfIsCounted) {
   auto message = split_lux_scan(scan_of(1, 16), 100'000)[0];
   message[lidar::IbeoLux::kHeaderBytes + 28] ^= std::byte{1};  // number of points

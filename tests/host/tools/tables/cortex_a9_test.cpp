@@ -193,17 +193,6 @@ TEST(CortexA9, AFrameIsTheMeanOfItsScenesRun) {
   EXPECT_THROW(static_cast<void>(a9_frame("moon", 4)), std::out_of_range);
 }
 
-// 1 GHz is a cycle a nanosecond: 20 million instructions, one in two cycles, are 40 ms.
-TEST(CortexA9, RatesAreThoseOfOneGigahertz) {
-  EXPECT_DOUBLE_EQ(modelled_hz(20e6, 0.5), 25);
-  EXPECT_DOUBLE_EQ(modelled_hz(20e6, 1.0), 50);
-}
-
-TEST(CortexA9, TheWorseAssumptionDecides) {
-  EXPECT_EQ(verdict_on(28, 27.9), Verdict::kFallsShort);
-  EXPECT_EQ(verdict_on(28, 28.1), Verdict::kBeats);
-}
-
 // A cell's border is crossed at another place for another r, but a walk takes the same steps.
 TEST(CortexA9, TheResolutionDoesNotChangeWhatACellCosts) {
   const auto per_cell = [](const char* walk) {

@@ -1,0 +1,180 @@
+// stream_cost: instructions for what the stream adds to a tile on the Cortex-A9: CRC-32/P4 by the
+// number of its slices, and the encodings. Runs in QEMU with instruction counting
+// (bench/run_image):
+//
+//   stream_cost <grid>...    grids of frames that follow each other, as `iog fuse --out-raw` writes
+//   them
+//
+// A tile is encoded alone and against the frame before; so are two that no drive has, as many runs
+// as there are cells. Prints a line of key=value pairs for each.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <span>
+
+#include "checksum/crc32.hpp"
+#include "instruction_counter.hpp"
+#include "tile_coding/encode.hpp"
+
+namespace iog::bench {
+namespace {
+
+using tile_coding::Encoding;
+using tile_coding::kTileBytes;
+using tile_coding::kTileSide;
+
+constexpr std::size_t kGridSide = 1024;
+constexpr std::size_t kTilesPerSide = kGridSide / kTileSide;
+
+using Grid = std::array<std::byte, kGridSide * kGridSide>;
+using Tile = std::array<std::byte, kTileBytes>;
+
+InstructionCounter counter;
+Grid current;
+Grid before;
+
+bool read(const char* name, Grid& grid) {
+  std::FILE* file = std::fopen(name, "rb");
+  if (file == nullptr) {
+    return false;
+  }
+  const bool is_whole = std::fread(grid.data(), 1, grid.size(), file) == grid.size();
+  return std::fclose(file) == 0 && is_whole;
+}
+
+Tile tile_of(const Grid& grid, std::size_t tile_x, std::size_t tile_y) {
+  Tile tile;
+  for (std::size_t y = 0; y < kTileSide; ++y) {
+    const std::size_t row = (tile_y * kTileSide + y) * kGridSide + tile_x * kTileSide;
+    std::ranges::copy(std::span(grid).subspan(row, kTileSide),
+                      tile.begin() + static_cast<std::ptrdiff_t>(y * kTileSide));
+  }
+  return tile;
+}
+
+template <typename Work>
+std::uint32_t instructions(Work work) {
+  const std::uint32_t start = counter.now();
+  work();
+  return counter.now() - start - counter.of_nothing();
+}
+
+template <std::size_t kSlices>
+void measure_crc() {
+  static Tile bytes;
+  checksum::ReflectedCrc32<0xF4ACFB13, kSlices> crc;
+  const std::uint32_t count = instructions([&] { crc.update(bytes); });
+  std::printf("stream_cost crc_slices=%u bytes=%u instructions=%lu value=%lu\n", kSlices,
+              bytes.size(), count, crc.value());
+}
+
+// What a set of tiles took.
+struct Cost {
+  const char* name;
+  std::uint32_t tiles = 0;
+  std::uint32_t instructions = 0;
+  std::uint32_t most = 0;
+  std::uint32_t bytes = 0;
+  std::array<std::uint32_t, tile_coding::kEncodingCount> chosen{};
+  std::array<std::uint32_t, tile_coding::kEncodingCount> bytes_by_encoding{};
+
+  void add(const tile_coding::EncodedTile& tile, std::uint32_t count,
+           const tile_coding::Encoder::Sizes& sizes) {
+    ++tiles;
+    instructions += count;
+    most = std::max(most, count);
+    bytes += tile.bytes;
+    ++chosen[static_cast<std::size_t>(tile.encoding)];
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      bytes_by_encoding[i] += std::min(sizes[i], kTileBytes);
+    }
+  }
+
+  void print() const {
+    std::printf("stream_cost encode=%s tiles=%lu bytes=%lu instructions=%lu most=%lu", name, tiles,
+                bytes, instructions, most);
+    constexpr std::array<const char*, tile_coding::kEncodingCount> kNames{
+        "raw", "run_length", "quadtree", "changed_since"};
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      std::printf(" %s_tiles=%lu %s_bytes=%lu", kNames[i], chosen[i], kNames[i],
+                  bytes_by_encoding[i]);
+    }
+    std::puts("");
+  }
+};
+
+void encode_tile(const Tile& tile, const Tile& old, Cost& alone, Cost& since) {
+  static tile_coding::Encoder encoder;
+  static Tile payload;
+  const auto encode = [&](const std::optional<tile_coding::Reference>& reference, Cost& cost) {
+    tile_coding::EncodedTile result{};
+    const std::uint32_t count =
+        instructions([&] { result = encoder.encode(tile, reference, payload); });
+    cost.add(result, count, encoder.sizes());
+  };
+  encode(std::nullopt, alone);
+  encode(tile_coding::Reference{.cells = old, .frame_number = 1}, since);
+}
+
+void encode_grid(Cost& alone, Cost& since) {
+  for (std::size_t i = 0; i < kTilesPerSide * kTilesPerSide; ++i) {
+    const Tile tile = tile_of(current, i % kTilesPerSide, i / kTilesPerSide);
+    if (std::ranges::any_of(tile, [](std::byte cell) { return cell != std::byte{0}; })) {
+      encode_tile(tile, tile_of(before, i % kTilesPerSide, i / kTilesPerSide), alone, since);
+    }
+  }
+}
+
+// No two neighbours in a row are equal; `values` values in turn.
+Tile restless(std::size_t values, std::size_t first) {
+  Tile tile;
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    tile[i] = static_cast<std::byte>((i + first) % values + 1);
+  }
+  return tile;
+}
+
+void encode_hard_tiles() {
+  for (const std::size_t values : {2U, 127U}) {
+    Cost alone{.name = values == 2 ? "two_values_alone" : "many_values_alone"};
+    Cost since{.name = values == 2 ? "two_values_since" : "many_values_since"};
+    encode_tile(restless(values, 0), restless(values, 1), alone, since);
+    alone.print();
+    since.print();
+  }
+}
+
+int run(std::span<char*> grids) {
+  counter.start();
+  if (!counter.is_exact()) {
+    std::puts("stream_cost: instructions are not counted; is this -icount shift=4,sleep=off?");
+    return 1;
+  }
+  measure_crc<4>();
+  measure_crc<8>();
+  measure_crc<16>();
+  encode_hard_tiles();
+  Cost alone{.name = "alone"};
+  Cost since{.name = "since"};
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    before = current;
+    if (!read(grids[i], current)) {
+      std::printf("stream_cost: %s: no grid of 1024 x 1024 bytes\n", grids[i]);
+      return 1;
+    }
+    if (i > 0) {
+      encode_grid(alone, since);
+    }
+  }
+  alone.print();
+  since.print();
+  return 0;
+}
+
+}  // namespace
+}  // namespace iog::bench
+
+int main(int argc, char** argv) {
+  return iog::bench::run(std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
+}

@@ -1,0 +1,79 @@
+// A message as it travels: SOME/IP header, E2E header, content.
+//
+//    0  SOME/IP header, 16 bytes (protection/some_ip.hpp)
+//   16  E2E Profile 4 header, 12 bytes (protection/profile4.hpp)
+//   28  content
+//
+// As AUTOSAR puts the two together (PRS_SOMEIPProtocol: the E2E header stands behind the return
+// code, at an offset of 64 bits; PRS_E2EProtocol, the example with that offset), what is protected
+// begins behind the field length of the SOME/IP header. So the CRC covers bytes 8 to 23, that is
+// request id, versions, message type, return code, E2E length, counter and data id, and the content
+// from byte 28. It does not cover the message id and the SOME/IP length in bytes 0 to 7: they are
+// what the data id and the E2E length stand for. Both lengths count the same bytes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "protection/profile4.hpp"
+#include "protection/some_ip.hpp"
+
+namespace iog::protection {
+
+inline constexpr std::size_t kProtectionBytes = kSomeIpHeaderBytes + kProfile4HeaderBytes;
+
+// A whole message; so the payload of SOME/IP, in which automotive tools count the E2E header, stays
+// below 1392 bytes, the largest that SOME/IP's own segmentation (TP) puts into one datagram.
+inline constexpr std::size_t kMaxMessageBytes = 1392;
+inline constexpr std::size_t kMaxContentBytes = kMaxMessageBytes - kProtectionBytes;
+
+struct Channel {
+  Event event;
+  std::uint32_t data_id;
+  std::uint16_t
+      max_delta_counter;  // messages lost in a row, plus one, that do not alarm a receiver
+
+  [[nodiscard]] constexpr Profile4 profile() const {
+    return {.data_id = data_id,
+            .offset_bytes = kSomeIpHeaderBytes - kSomeIpLengthOffset,
+            .max_delta_counter = max_delta_counter};
+  }
+};
+
+class Sender {
+ public:
+  constexpr explicit Sender(const Channel& channel)
+      : event_{channel.event}, protector_{channel.profile()} {}
+
+  // The content stands behind kProtectionBytes; fills in what is before it.
+  // kProtectionBytes <= message.size() <= kMaxMessageBytes
+  void protect(std::span<std::byte> message);
+
+ private:
+  Event event_;
+  Profile4Protector protector_;
+  std::uint16_t session_id_ = 1;
+};
+
+struct Received {
+  SomeIpStatus header = SomeIpStatus::kTooShort;  // if not kOk, the rest says nothing
+  CheckStatus check = CheckStatus::kError;
+  std::uint16_t delta_counter = 0;  // how far it is ahead of the message before; 0 after an error
+  std::span<const std::byte> content{};  // empty unless the message is whole
+};
+
+class Receiver {
+ public:
+  constexpr explicit Receiver(const Channel& channel)
+      : event_{channel.event}, checker_{channel.profile()} {}
+
+  // Any datagram may come. One whose header is not ours leaves the state as it is.
+  [[nodiscard]] Received receive(std::span<const std::byte> datagram);
+
+ private:
+  Event event_;
+  Profile4Checker checker_;
+};
+
+}  // namespace iog::protection

@@ -1,0 +1,100 @@
+// Bits to and from bytes, the highest bit of a byte first; neither side passes the end of its
+// buffer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "wire/byte_order.hpp"
+
+namespace iog::tile_coding {
+
+// A write that does not fit writes nothing of its word; ok() is false from then on.
+class BitWriter {
+ public:
+  explicit constexpr BitWriter(std::span<std::byte> buffer) : buffer_{buffer} {}
+
+  // `value` < 2^count, 1 <= count <= 31.
+  constexpr void put(std::uint32_t value, unsigned count) {
+    if (count <= free_) {
+      free_ -= count;
+      word_ |= value << free_;
+      return;
+    }
+    const unsigned beyond = count - free_;  // 1 to 31: free_ is 32 only before the first write
+    word_ |= value >> beyond;
+    if (buffer_.size() - position_ < 4) {
+      ok_ = false;
+    } else {
+      wire::store_be32(buffer_.subspan(position_).first<4>(), word_);
+      position_ += 4;
+    }
+    free_ = 32 - beyond;
+    word_ = value << free_;
+  }
+
+  // Pads the last byte with zeros. The bytes written, of which nothing more may follow.
+  constexpr std::size_t finish() {
+    for (unsigned used = 32 - free_; used > 0; used -= used < 8 ? used : 8) {
+      if (position_ == buffer_.size()) {
+        ok_ = false;
+        break;
+      }
+      buffer_[position_++] = static_cast<std::byte>(word_ >> 24);
+      word_ <<= 8;
+    }
+    free_ = 32;
+    return position_;
+  }
+
+  [[nodiscard]] constexpr bool ok() const { return ok_; }
+
+ private:
+  std::span<std::byte> buffer_;
+  std::size_t position_ = 0;
+  std::uint32_t word_ = 0;  // bits that wait, from the top
+  unsigned free_ = 32;      // bits of word_ that do not
+  bool ok_ = true;
+};
+
+// A read beyond the end gives 0 bits; ok() is false from then on.
+class BitReader {
+ public:
+  explicit constexpr BitReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
+
+  [[nodiscard]] constexpr bool bit() {
+    if (position_ / 8 >= bytes_.size()) {
+      ok_ = false;
+      return false;
+    }
+    const auto byte = std::to_integer<std::uint32_t>(bytes_[position_ / 8]);
+    const bool value = ((byte >> (7 - position_ % 8)) & 1U) != 0;
+    ++position_;
+    return value;
+  }
+
+  // count <= 32
+  [[nodiscard]] constexpr std::uint32_t bits(unsigned count) {
+    std::uint32_t value = 0;
+    for (unsigned i = 0; i < count; ++i) {
+      value = (value << 1) | (bit() ? 1U : 0U);
+    }
+    return value;
+  }
+
+  // Whether all that is left is the padding of the last byte, zeros.
+  [[nodiscard]] constexpr bool ends_here() {
+    const std::size_t padding = bytes_.size() * 8 - position_;
+    return ok_ && padding < 8 && bits(static_cast<unsigned>(padding)) == 0;
+  }
+
+  [[nodiscard]] constexpr bool ok() const { return ok_; }
+
+ private:
+  std::span<const std::byte> bytes_;
+  std::size_t position_ = 0;  // bits
+  bool ok_ = true;
+};
+
+}  // namespace iog::tile_coding

@@ -1,0 +1,91 @@
+// Bits: a tile has at most 1024 runs, a symbol at most 8 bits and a length at most 21, so the sums
+// stay below 2^15 and one write below the 31 bits that BitWriter takes.
+#include "tile_coding/runs.hpp"
+
+#include <algorithm>
+
+#include "tile_coding/bit_stream.hpp"
+
+namespace iog::tile_coding {
+namespace {
+
+constexpr unsigned gamma_bits(std::size_t length) { return 2 * bit_width(length) - 1; }
+static_assert(gamma_bits(1) == 1);
+static_assert(gamma_bits(kTileBytes) == 21);
+
+}  // namespace
+
+void Runs::Builder::finish(Runs& runs, bool has_reference) const {
+  runs.count_ = count_;
+  runs.length_bits_ = 2 * width_sum_ - count_;  // the sum of gamma_bits()
+  runs.has_reference_ = has_reference;
+}
+
+void Runs::find(TileCells cells, const CellMap& changes) {
+  palette_.clear();
+  Builder runs(*this);
+  std::size_t begin = 0;
+  changes.for_each([&](std::size_t end) {
+    runs.add(palette_.symbol_of(cells[begin]), end - begin);
+    begin = end;
+  });
+  runs.add(palette_.symbol_of(cells[begin]), kTileBytes - begin);
+  runs.finish(*this, false);
+}
+
+// `change` is the first one behind `begin`, `difference` the first one not before it.
+void Runs::find(TileCells cells, const CellMap& changes, const CellMap& differences) {
+  palette_.clear();
+  Builder runs(*this);
+  std::size_t change = changes.next(1);
+  std::size_t difference = differences.next(0);
+  for (std::size_t begin = 0; begin < kTileBytes;) {
+    if (difference >= change) {
+      runs.add(0, difference - begin);
+      begin = difference;
+    } else {
+      runs.add(static_cast<std::uint16_t>(palette_.symbol_of(cells[begin]) + 1), change - begin);
+      begin = change;
+    }
+    if (change <= begin && begin < kTileBytes) {
+      change = changes.next(begin + 1);
+    }
+    if (difference < begin) {
+      difference = differences.next(begin);
+    }
+  }
+  runs.finish(*this, true);
+}
+
+std::size_t Runs::coded_bytes() const {
+  const std::size_t symbols = symbol_count();
+  const std::size_t bits =
+      symbol_bits(symbols) + (count_ - 1) * symbol_bits(symbols - 1) + length_bits_;
+  return 1 + palette_.values().size() + (bits + 7) / 8;
+}
+
+std::size_t Runs::write(std::span<std::byte> buffer) const {
+  const std::size_t bytes = coded_bytes();
+  if (buffer.size() < bytes) {
+    return 0;
+  }
+  const auto values = palette_.values();
+  buffer[0] = static_cast<std::byte>(values.size());
+  std::ranges::copy(values, buffer.begin() + 1);
+  BitWriter out(buffer.subspan(1 + values.size()));
+  const auto put = [&out](std::uint32_t code, unsigned bits, std::uint32_t cells) {
+    const unsigned length = gamma_bits(cells);
+    out.put((code << length) | cells, bits + length);
+  };
+  const auto list = std::span(list_).first(count_);
+  std::uint32_t before = list[0].symbol;
+  put(before, symbol_bits(symbol_count()), list[0].cells);
+  const unsigned bits = symbol_bits(symbol_count() - 1);
+  for (const Run& run : list.subspan(1)) {
+    put(run.symbol - (run.symbol > before ? 1U : 0U), bits, run.cells);
+    before = run.symbol;
+  }
+  return 1 + values.size() + out.finish();
+}
+
+}  // namespace iog::tile_coding

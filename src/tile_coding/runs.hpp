@@ -1,0 +1,78 @@
+// A tile as runs of cells, row by row: of one value each, or as they are in a reference tile.
+//
+// The code of a list of runs, n symbols being in use (the values of the palette; for a tile with a
+// reference also "as in the reference", symbol 0, and the values count from 1):
+//
+//   u8        number of values
+//   int8 ...  the values
+//   bits      for each run its symbol, then its length in Elias' gamma code: as many zeros as the
+//             length has bits behind its highest, then the length itself
+//   bits      zeros up to the next byte
+//
+// The first symbol has ceil(log2 n) bits. No run has the symbol of the run before it, so the others
+// have ceil(log2(n - 1)), and symbols above the run's before are written less one. The lengths add
+// up to the tile. Elias (1975): Universal codeword sets and representations of the integers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "tile_coding/cell_map.hpp"
+#include "tile_coding/palette.hpp"
+#include "tile_coding/tile_cells.hpp"
+
+namespace iog::tile_coding {
+
+class Runs {
+ public:
+  // `changes` are those of the cells. No cell is -128.
+  void find(TileCells cells, const CellMap& changes);
+
+  // With runs of cells that are as in a reference, where these are at least as long as those of one
+  // value; `differences` are those from the reference.
+  void find(TileCells cells, const CellMap& changes, const CellMap& differences);
+
+  [[nodiscard]] std::size_t coded_bytes() const;
+
+  // Returns coded_bytes(), or 0 if the buffer is shorter.
+  std::size_t write(std::span<std::byte> buffer) const;
+
+  [[nodiscard]] Palette& palette() { return palette_; }
+
+ private:
+  struct Run {
+    std::uint16_t symbol;
+    std::uint16_t cells;
+  };
+
+  // Fills the list. It lives in registers while the palette, whose bytes may alias anything, does
+  // not.
+  class Builder {
+   public:
+    explicit Builder(Runs& runs) : list_{runs.list_} {}
+    void add(std::uint16_t symbol, std::size_t cells) {
+      list_[count_++] = {.symbol = symbol, .cells = static_cast<std::uint16_t>(cells)};
+      width_sum_ += bit_width(cells);
+    }
+    void finish(Runs& runs, bool has_reference) const;
+
+   private:
+    std::span<Run, kTileBytes> list_;
+    std::size_t count_ = 0;
+    std::size_t width_sum_ = 0;
+  };
+
+  [[nodiscard]] std::size_t symbol_count() const {
+    return palette_.values().size() + (has_reference_ ? 1 : 0);
+  }
+
+  Palette palette_;
+  std::array<Run, kTileBytes> list_{};
+  std::size_t count_ = 0;
+  std::size_t length_bits_ = 0;  // of all gamma codes
+  bool has_reference_ = false;
+};
+
+}  // namespace iog::tile_coding

@@ -1,0 +1,66 @@
+// The decoder of tiles: an encoding, a frame number, then a payload for it.
+#include <algorithm>
+#include <array>
+
+#include "law.hpp"
+#include "tile_coding/decode.hpp"
+#include "tile_coding/encode.hpp"
+
+namespace iog::fuzz {
+namespace {
+
+using tile_coding::decode;
+using tile_coding::DecodeStatus;
+using tile_coding::EncodedTile;
+using tile_coding::Encoder;
+using tile_coding::Encoding;
+using tile_coding::kNoIndex;
+using tile_coding::kTileBytes;
+using tile_coding::Reference;
+using Tile = std::array<std::byte, kTileBytes>;
+
+// What the receiver has: anything that is not flat.
+Tile reference_cells() {
+  Tile tile{};
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    tile[i] = static_cast<std::byte>(i / 7 % 5 + i / 100);
+  }
+  return tile;
+}
+
+void check(std::span<const std::byte> input) {
+  static const Tile receivers_tile = reference_cells();
+  static Encoder encoder;
+  wire::ByteReader in(input);
+  const auto encoding = static_cast<Encoding>(in.u8());
+  const Reference reference{.cells = receivers_tile, .frame_number = in.u8()};
+  const auto payload = in.bytes(in.remaining());
+  Tile cells;
+  cells.fill(std::byte{1});
+  Tile others;
+  others.fill(std::byte{2});
+  const DecodeStatus status = decode(encoding, payload, reference, cells);
+  law(decode(encoding, payload, reference, others) == status, "the outcome is the payload's");
+  if (status != DecodeStatus::kOk) {
+    return;
+  }
+  law(cells == others, "every cell is the payload's");
+  law(std::ranges::find(cells, kNoIndex) == cells.end(), "every cell is an index");
+  Tile again{};
+  const EncodedTile shortest = encoder.encode(cells, reference, again);
+  // Of the runs against a reference there may be a shorter list than the encoder's.
+  law(encoding == Encoding::kChangedSince || shortest.bytes <= payload.size(),
+      "no code is shorter than the encoder's");
+  law(decode(shortest.encoding, std::span(again).first(shortest.bytes), reference, others) ==
+              DecodeStatus::kOk &&
+          cells == others,
+      "what was accepted can be encoded");
+}
+
+}  // namespace
+}  // namespace iog::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
+  return 0;
+}

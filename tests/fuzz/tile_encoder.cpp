@@ -1,0 +1,79 @@
+// Every tile comes back from every encoding. The input is the tile, as rectangles on a flat ground,
+// and what has changed since the reference.
+#include <algorithm>
+#include <array>
+
+#include "law.hpp"
+#include "tile_coding/decode.hpp"
+#include "tile_coding/encode.hpp"
+
+namespace iog::fuzz {
+namespace {
+
+using tile_coding::decode;
+using tile_coding::DecodeStatus;
+using tile_coding::EncodedTile;
+using tile_coding::Encoder;
+using tile_coding::Encoding;
+using tile_coding::kEncodingCount;
+using tile_coding::kNoIndex;
+using tile_coding::kTileBytes;
+using tile_coding::kTileSide;
+using tile_coding::Reference;
+using Tile = std::array<std::byte, kTileBytes>;
+
+std::byte index_of(std::uint8_t value) {
+  const auto byte = static_cast<std::byte>(value);
+  return byte == kNoIndex ? std::byte{0} : byte;
+}
+
+void draw(wire::ByteReader& in, Tile& tile) {
+  const std::size_t x = in.u8() % kTileSide;
+  const std::size_t y = in.u8() % kTileSide;
+  const std::uint8_t size = in.u8();
+  const std::byte value = index_of(in.u8());
+  const std::size_t width = std::min<std::size_t>(size % 16 + 1, kTileSide - x);
+  const std::size_t height = std::min<std::size_t>(size / 16 + 1, kTileSide - y);
+  for (std::size_t i = 0; i < width * height; ++i) {
+    tile.at((y + i / width) * kTileSide + x + i % width) = value;
+  }
+}
+
+void check_encoding(Encoding encoding, const Tile& tile, const Reference& reference) {
+  static Encoder encoder;
+  Tile payload{};
+  const EncodedTile result = encoder.encode_as(encoding, tile, reference, payload);
+  law(result.bytes <= kTileBytes, "no payload is longer than raw");
+  law(result.bytes == std::min(encoder.sizes().at(static_cast<std::size_t>(encoding)), kTileBytes),
+      "a payload is as long as was said");
+  Tile decoded{};
+  law(decode(result.encoding, std::span(payload).first(result.bytes), reference, decoded) ==
+          DecodeStatus::kOk,
+      "it is accepted");
+  law(decoded == tile, "and is the tile");
+}
+
+void check(std::span<const std::byte> input) {
+  wire::ByteReader in(input);
+  Tile before;
+  before.fill(index_of(in.u8()));
+  for (std::size_t count = in.u8() % 32U; count > 0; --count) {
+    draw(in, before);
+  }
+  Tile tile = before;
+  while (in.remaining() > 0) {
+    draw(in, tile);
+  }
+  const Reference reference{.cells = before, .frame_number = 0x01020304};
+  for (std::size_t i = 0; i < kEncodingCount; ++i) {
+    check_encoding(static_cast<Encoding>(i), tile, reference);
+  }
+}
+
+}  // namespace
+}  // namespace iog::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
+  return 0;
+}

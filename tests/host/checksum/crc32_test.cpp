@@ -1,0 +1,114 @@
+#include "checksum/crc32.hpp"
+
+#include <gtest/gtest.h>
+#include <string_view>
+#include <vector>
+
+#include "fakes/random.hpp"
+
+namespace iog::checksum {
+namespace {
+
+template <typename Crc>
+std::uint32_t crc_of(std::span<const std::byte> bytes) {
+  Crc crc;
+  crc.update(bytes);
+  return crc.value();
+}
+
+template <typename Crc>
+std::uint32_t crc_of(std::string_view text) {
+  return crc_of<Crc>(std::as_bytes(std::span(text)));
+}
+
+// Check values of CRC-32/ISO-HDLC in the catalogue of parametrised CRC algorithms (G. Cook), and of
+// zlib.crc32.
+TEST(Crc32, GivesThePublishedValues) {
+  EXPECT_EQ(crc_of<Crc32>(""), 0U);
+  EXPECT_EQ(crc_of<Crc32>("123456789"), 0xCBF43926U);
+  EXPECT_EQ(crc_of<Crc32>("a"), 0xE8B7BE43U);
+  EXPECT_EQ(crc_of<Crc32>("The quick brown fox jumps over the lazy dog"), 0x414FA339U);
+}
+
+struct Example {
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t crc;
+};
+
+// AUTOSAR SWS CRCLibrary, examples of CRC-32/P4 (polynomial 0xF4ACFB13), and its check value.
+TEST(Crc32P4, GivesThePublishedValues) {
+  const std::vector<Example> examples{
+      {{0x00, 0x00, 0x00, 0x00}, 0x6FB32240},
+      {{0xF2, 0x01, 0x83}, 0x4F721A25},
+      {{0x0F, 0xAA, 0x00, 0x55}, 0x20662DF8},
+      {{0x00, 0xFF, 0x55, 0x11}, 0x9BD7996E},
+      {{0x33, 0x22, 0x55, 0xAA, 0xBB, 0xCC, 0xDD, 0xEE, 0xFF}, 0xA65A343D},
+      {{0x92, 0x6B, 0x55}, 0xEE688A78},
+      {{0xFF, 0xFF, 0xFF, 0xFF}, 0xFFFFFFFF},
+  };
+  for (const Example& example : examples) {
+    EXPECT_EQ(crc_of<Crc32P4>(std::as_bytes(std::span(example.bytes))), example.crc);
+  }
+  EXPECT_EQ(crc_of<Crc32P4>("123456789"), 0x1697D06AU);
+}
+
+// Bit by bit, straight from the polynomial, given with its lowest power first.
+std::uint32_t slow_crc(const std::vector<std::byte>& bytes, std::uint32_t mirrored_polynomial) {
+  std::uint32_t state = 0xFFFFFFFF;
+  for (const std::byte byte : bytes) {
+    state ^= std::to_integer<std::uint32_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) {
+      state = (state & 1U) != 0 ? (state >> 1) ^ mirrored_polynomial : state >> 1;
+    }
+  }
+  return ~state;
+}
+
+template <typename Crc>
+void expect_the_sliced_to_equal_the_slow_one(std::uint32_t mirrored_polynomial) {
+  tests::Random random(51);
+  std::vector<std::byte> bytes;
+  for (int length = 0; length < 70; ++length) {
+    const std::uint32_t expected = slow_crc(bytes, mirrored_polynomial);
+    for (std::size_t split = 0; split <= bytes.size(); ++split) {
+      Crc crc;
+      crc.update(std::span(bytes).first(split));
+      crc.update(std::span(bytes).subspan(split));
+      ASSERT_EQ(crc.value(), expected);
+    }
+    bytes.push_back(static_cast<std::byte>(random.next()));
+  }
+}
+
+TEST(Crc32, SlicingEqualsBitByBitAtEveryLengthAndSplit) {
+  expect_the_sliced_to_equal_the_slow_one<ReflectedCrc32<0x04C11DB7, 4>>(0xEDB88320);
+  expect_the_sliced_to_equal_the_slow_one<ReflectedCrc32<0x04C11DB7, 8>>(0xEDB88320);
+  expect_the_sliced_to_equal_the_slow_one<ReflectedCrc32<0x04C11DB7, 16>>(0xEDB88320);
+}
+
+TEST(Crc32P4, SlicingEqualsBitByBitAtEveryLengthAndSplit) {
+  expect_the_sliced_to_equal_the_slow_one<ReflectedCrc32<0xF4ACFB13, 4>>(0xC8DF352F);
+  expect_the_sliced_to_equal_the_slow_one<ReflectedCrc32<0xF4ACFB13, 8>>(0xC8DF352F);
+  expect_the_sliced_to_equal_the_slow_one<ReflectedCrc32<0xF4ACFB13, 16>>(0xC8DF352F);
+}
+
+// What the polynomial is chosen for: five flipped bits never go unseen. A sample of them in a
+// message as long as ours.
+TEST(Crc32P4, SeesUpToFiveFlippedBits) {
+  tests::Random random(52);
+  std::vector<std::byte> message(1'100);
+  for (std::byte& byte : message) {
+    byte = static_cast<std::byte>(random.next());
+  }
+  const std::uint32_t whole = crc_of<Crc32P4>(message);
+  for (int trial = 0; trial < 500; ++trial) {
+    auto damaged = message;
+    for (int flips = random.between(1, 5); flips > 0; --flips) {
+      damaged.at(random.below(damaged.size())) ^= std::byte{1} << random.between(0, 7);
+    }
+    ASSERT_TRUE(damaged == message || crc_of<Crc32P4>(damaged) != whole);
+  }
+}
+
+}  // namespace
+}  // namespace iog::checksum
