@@ -32,7 +32,8 @@ namespace iog::bench {
 namespace {
 
 constexpr std::size_t kLineBytes = 32;  // TRM of the Cortex-A9 and of PL310
-constexpr std::size_t kLines = grid::kCellCount / kLineBytes;
+constexpr traversal::Cell kLastCell = grid::cell_of(grid::kCellCount - 1);
+constexpr std::size_t kLines = grid::offset_of(kLastCell) / kLineBytes + 1;
 constexpr std::size_t kLinesOfMessage = stream::kMaxMessageBytes / kLineBytes;
 using LineNumber = std::uint16_t;
 static_assert(kLines - 1 <= std::numeric_limits<LineNumber>::max());
@@ -93,15 +94,7 @@ class TouchedLines {
  private:
   void close_frame(std::uint64_t now_us) {
     engine_.finish();
-    const auto cells = std::as_bytes(engine_.fusion().cells());
-    bool is_empty = true;
-    for (std::size_t line = 0; line < kLines; ++line) {
-      constexpr std::array<std::byte, kLineBytes> kUnknown{};
-      if (std::memcmp(&cells[line * kLineBytes], kUnknown.data(), kLineBytes) != 0) {
-        list_.add(static_cast<LineNumber>(line));
-        is_empty = false;
-      }
-    }
+    const bool is_empty = !note_lines(engine_.fusion());
     engine_.fusion().clear();
     engine_.start_next(now_us);
     if (is_empty) {
@@ -111,6 +104,24 @@ class TouchedLines {
     if (list_.frames() == frames_) {
       capture_.close();
     }
+  }
+
+  // False if nothing is known.
+  bool note_lines(const grid::FrameFusion& fusion) {
+    static std::array<bool, kLines> known;
+    known.fill(false);
+    for (std::size_t number = 0; number < grid::kCellCount; ++number) {
+      const traversal::Cell cell = grid::cell_of(number);
+      if (fusion.at(cell) != index::kUnknown) {
+        known[grid::offset_of(cell) / kLineBytes] = true;
+      }
+    }
+    for (std::size_t line = 0; line < kLines; ++line) {
+      if (known[line]) {
+        list_.add(static_cast<LineNumber>(line));
+      }
+    }
+    return std::ranges::find(known, true) != known.end();
   }
 
   Capture& capture_;
@@ -160,7 +171,7 @@ class Passes {
 
   std::int8_t* at(LineNumber number) { return &lines_[std::size_t{number} * kLineBytes]; }
 
-  alignas(64) std::array<std::int8_t, grid::kCellCount> lines_{};
+  alignas(64) std::array<std::int8_t, kLines * kLineBytes> lines_{};
   alignas(64) std::array<std::int8_t, kLinesOfMessage * kLineBytes> message_{};
 };
 

@@ -117,7 +117,7 @@ class FirstFrames {
     }
     seen_ = stages_.frames();
     if (forgets_) {
-      stages_.forget_paths();
+      stages_.forget_lines();
     }
     if (seen_ == 1) {
       a9_model::forget_so_far();
@@ -145,10 +145,6 @@ struct Request {
 // Only the first pass, and only of the first frames.
 int run_first(Capture& capture, const vehicle::Vehicle& vehicle, InstructionCounter& counter,
               StagePass& stages, const Request& request) {
-  if (request.forgets && !StagePass::kKeepsPaths) {
-    std::puts("frame_cost paths=none");
-    return 0;
-  }
   FirstFrames first(stages, capture, 1 + request.frames, request.forgets);
   play(capture, vehicle, counter, first);
   if (!first.is_over()) {

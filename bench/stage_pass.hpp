@@ -50,21 +50,10 @@ class StagePass {
 
   using Pipeline = app::Pipeline<MeasuredOutside>;
 
-  // Whether the core keeps anything of a line from one frame to the next; if so, it can be made to
-  // forget it. Between two frames only.
-  static constexpr bool kKeepsPaths = []<typename P>(P*) {
-    return requires(P & p) { p.forget_paths(); };
-  }(static_cast<Pipeline*>(nullptr));
-  void forget_paths() { forget_paths_of(pipeline_); }
+  // Makes the core forget what it keeps of lines from one frame to the next. Between two frames.
+  void forget_lines() { pipeline_.forget_lines(); }
 
  private:
-  template <typename P>
-  static void forget_paths_of(P& pipeline) {
-    if constexpr (kKeepsPaths) {
-      pipeline.forget_paths();
-    }
-  }
-
   // What is known of a frame before its publishing is.
   struct OpenCost {
     bool has_evidence = false;

@@ -59,6 +59,9 @@ class Pipeline {
 
   [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
 
+  // Between two frames; see grid::FrameFusion.
+  void forget_lines() { engine_.fusion().forget_lines(); }
+
  private:
   FrameEngine::Inspection fuse(const SensorDatagram& datagram, std::uint64_t now_us) {
     const std::uint32_t start = out_->ticks();
