@@ -78,9 +78,7 @@ A9Cycles cycles_of_run(const std::string& run) {
 }
 
 A9Cycles cycles_of_run(const std::string& run, Paths paths) {
-  const std::string forgotten = run + " paths=forgotten";
-  const bool is_forgotten = paths == Paths::kForgotten && has_a9_run(forgotten + kNominal);
-  return cycles_of_run(is_forgotten ? forgotten : run);
+  return cycles_of_run(paths == Paths::kForgotten ? run + " paths=forgotten" : run);
 }
 
 A9Floor floor_of_run(const std::string& run) {

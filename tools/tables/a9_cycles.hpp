@@ -51,9 +51,8 @@ struct A9Cycles {
 // What the core keeps of a line from one frame to the next, or what it costs without.
 enum class Paths : std::uint8_t { kKept, kForgotten };
 
-// The first frames, but one, of the drives of a9_frame(). kForgotten only with four sensors; if the
-// core keeps nothing, it is what kKept is. std::out_of_range if bench/cortex_a9.txt has no such
-// run.
+// The first frames, but one, of the drives of a9_frame(). kForgotten only with four sensors.
+// std::out_of_range if bench/cortex_a9.txt has no such run.
 [[nodiscard]] A9Cycles a9_cycles(std::string_view scene, int sensors, Paths paths = Paths::kKept);
 
 // The same for one of the kinds of `iog worst`, four sensors.

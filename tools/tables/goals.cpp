@@ -20,15 +20,11 @@ constexpr double kPrintedInstructions = 29.2e6;  // the thesis's printed algorit
 
 // Why a goal is missed: said by whoever knows, printed where it is missed.
 struct Reasons {
-  const char* matched =
-      "the core of this measurement stores the grid row by row and walks each line "
-      "anew in every frame";
-  const char* city = matched;
-  const char* matched_without_paths = matched;
-  const char* worst = matched;
-  const char* whole =
-      "finding the known tiles reads the whole grid, and hashing takes a table "
-      "look-up for each byte";
+  const char* matched = "turning points to beams takes as much as carving, see where the cycles go";
+  const char* city = "turning points to beams takes more than carving, see where the cycles go";
+  const char* matched_without_paths = "a line that is not kept is found anew, block by block";
+  const char* worst = matched_without_paths;
+  const char* whole = "tiles are copied, hashed and wrapped byte by byte, see where the cycles go";
   const char* quadtree = "not measured yet";
   const char* instructions = matched;
   const char* peers = "see docs/peers.md";
