@@ -39,6 +39,7 @@ VARIANTS = ("nominal", "optimistic", "pessimistic")
 # measured, too: the long run is that of four LUX, nominal.
 MODELLED_FRAMES = 8
 LONG_FRAMES = 32
+FORGOTTEN_FRAMES = 3
 WORST_FRAMES = 2
 SCALING_FRAMES = 2
 FEW_FRAMES = 2
@@ -219,11 +220,11 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
                 runs.append(lambda n=name, v=variant, c=capture, s=sensors: frame(
                     place, n, v, c, s, MODELLED_FRAMES))
             runs.append(lambda n=name, v=variant, c=capture: frame(
-                place, n, v, c, 4, MODELLED_FRAMES, "forgotten"))
+                place, n, v, c, 4, FORGOTTEN_FRAMES, "forgotten"))
         for kind in worst:
-            for paths in ("kept", "forgotten"):
-                runs.append(lambda k=kind, v=variant, p=paths: frame(
-                    place, f"model frame_cost worst={k}", v, f"worst_{k}.pcap", 4, WORST_FRAMES, p))
+            for paths, frames in (("kept", WORST_FRAMES), ("forgotten", 1)):
+                runs.append(lambda k=kind, v=variant, n=frames, p=paths: frame(
+                    place, f"model frame_cost worst={k}", v, f"worst_{k}.pcap", 4, n, p))
         runs.append(lambda v=variant: walks(place, v))
     for kind in worst:
         runs.append(lambda k=kind: floor(
