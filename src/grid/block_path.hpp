@@ -77,8 +77,8 @@ class BlockPath {
   static constexpr TileEntry kNoTile = 0xFFFF;
 
   // A line runs one way on each axis, so it enters at most as many blocks and tiles as both have.
-  static constexpr std::size_t kMaxBlocks = 2 * kBlocksPerSide;
-  static constexpr std::size_t kMaxTiles = 2 * kTilesPerSide;
+  static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
+  static constexpr std::size_t kMaxTiles = std::size_t{2} * kTilesPerSide;
   static_assert(2 * kMaxBlocks < kNoTile);
 
   [[nodiscard]] traversal::Cell cell_at(traversal::Position at) const {
@@ -112,7 +112,8 @@ class BlockPath {
   std::int32_t gain_ = 0;
   std::int32_t loss_ = 0;
   BlockEntry entry_ = 0;
-  std::uint32_t blocks_to_tile_u_ = 0;  // blocks until the line enters another tile, that one included
+  std::uint32_t blocks_to_tile_u_ =
+      0;  // blocks until the line enters another tile, that one included
   std::uint32_t blocks_to_tile_v_ = 0;
   std::uint32_t tile_count_ = 0;
 };

@@ -149,8 +149,8 @@ void FrameFusion::carve_later(OpenLine& open, const LinePart& part, std::uint32_
     const std::uint32_t k = sensor_->precision.divide(range_mm);
     for (std::uint32_t back = profile.near_before_count; back > 0; --back) {
       // 1D cells from k - back on, which begin at (k - back) Delta.
-      const Position zone = k < back ? part.first
-                                     : line.through(*sensor_, (k - back) * sensor_->precision_mm);
+      const Position zone =
+          k < back ? part.first : line.through(*sensor_, (k - back) * sensor_->precision_mm);
       if (zone.crossed() >= end) {
         break;
       }

@@ -202,7 +202,7 @@ class Line {
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
                       clip_axis(y_, x_, area.height, stretch, true);
     return hits && stretch.first.crossed() <= stretch.last.crossed() ? std::optional(stretch)
-                                                                   : std::nullopt;
+                                                                     : std::nullopt;
   }
 
  private:
