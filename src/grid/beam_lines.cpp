@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "traversal/corner.hpp"
+#include "traversal/same_cells.hpp"
 
 namespace iog::grid {
 
@@ -17,7 +18,7 @@ void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer,
                     vehicle::Direction direction) {
   line_ = vehicle::line_of(sensor, layer, direction);
   ruler_ = {line_, sensor.range};
-  const Position last = line_.before({1, 1});
+  const Position last = line_.before_end();
   const bool starts_in_grid = vehicle::kGridArea.contains(line_.cell({}));
   in_grid_ = {{}, {last, true}};
   if (!starts_in_grid || !vehicle::kGridArea.contains(line_.cell(last))) {
@@ -29,9 +30,7 @@ void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer,
     }
   }
   has_path_ = starts_in_grid && !traversal::may_meet_corner(line_);
-  if (has_path_) {
-    path_.begin(line_);
-  }
+  path_begun_ = false;
 }
 
 void KeptAzimuth::begin(const Sensor& sensor, std::uint16_t ticks) {
@@ -39,8 +38,8 @@ void KeptAzimuth::begin(const Sensor& sensor, std::uint16_t ticks) {
   ticks_ = ticks;
   is_found_ = {};
   beams_ = {};
-  common_blocks_ = 0;
-  compared_blocks_ = 0;
+  common_ = 0;
+  different_ = kNotKnown;
 }
 
 KeptLine& KeptAzimuth::line_of(const Sensor& sensor, const vehicle::Layer& layer,
@@ -53,18 +52,13 @@ KeptLine& KeptAzimuth::line_of(const Sensor& sensor, const vehicle::Layer& layer
   return line;
 }
 
-bool KeptAzimuth::is_common(std::uint32_t block) {
-  if (block < common_blocks_) {
-    return true;
+bool KeptAzimuth::is_common(Position last) {
+  const std::uint32_t cells = last.crossed() + 1;
+  if (common_ < cells && cells < different_) {
+    const bool is_so = traversal::same_cells(lines_[0].line(), lines_[1].line(), cells);
+    (is_so ? common_ : different_) = cells;
   }
-  if (common_blocks_ < compared_blocks_) {
-    return false;
-  }
-  lines_[0].path().extend_to(block);
-  lines_[1].path().extend_to(block);
-  compared_blocks_ = block + 1;
-  common_blocks_ = lines_[0].path().count_common(lines_[1].path(), compared_blocks_);
-  return block < common_blocks_;
+  return cells <= common_;
 }
 
 BeamLines::BeamLines(std::span<const Sensor> sensors) : first_sensor_(sensors.data()) {

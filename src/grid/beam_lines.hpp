@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "grid/block_path.hpp"
@@ -57,14 +58,20 @@ class KeptLine {
 
   // Whether the line has a path: it begins in the grid and meets no corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
-  [[nodiscard]] BlockPath& path() { return path_; }
-  [[nodiscard]] const BlockPath& path() const { return path_; }
+  BlockPath& path() {
+    if (!path_begun_) {
+      path_.begin(line_);
+      path_begun_ = true;
+    }
+    return path_;
+  }
 
  private:
   vehicle::BeamLine line_{{}, {}};
   traversal::Ruler<vehicle::kResolution> ruler_{line_, {}};
   LinePart in_grid_;
   bool has_path_ = false;
+  bool path_begun_ = false;
   BlockPath path_;
 };
 
@@ -128,16 +135,18 @@ class KeptAzimuth {
   // Number of the layer is below kMaxLayers. Empty until somebody fills it in.
   KeptBeam& beam_of(std::uint8_t layer) { return beams_[layer]; }
 
-  // Whether the second line goes through the cells of the first up to the end of this block. Both
-  // were asked for, and have a path that reaches it. True is certain.
-  [[nodiscard]] bool is_common(std::uint32_t block);
+  // Whether the second line goes through the cells of the first up to this position, that one
+  // included. Both were asked for, and the first has a path. True is certain.
+  [[nodiscard]] bool is_common(traversal::Position last);
 
  private:
+  static constexpr std::uint32_t kNotKnown = std::numeric_limits<std::uint32_t>::max();
+
   const vehicle::Sensor* sensor_ = nullptr;
   std::uint16_t ticks_ = 0;
   std::array<bool, kMaxLines> is_found_{};
-  std::uint32_t common_blocks_ = 0;    // the lines agree on so many,
-  std::uint32_t compared_blocks_ = 0;  // of so many
+  std::uint32_t common_ = 0;             // the lines have so many cells in common,
+  std::uint32_t different_ = kNotKnown;  // but may not have so many
   std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
 };

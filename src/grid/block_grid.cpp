@@ -35,7 +35,7 @@ bool BlockGrid::copy_tile(std::size_t tile, std::span<OccupancyIndex, kTileCells
       }
     }
     from += kBlockStride;
-    row_start += kTileSide * kBlockSide;
+    row_start += std::ptrdiff_t{kTileSide} * kBlockSide;
   }
   return !known.is_zero();
 }

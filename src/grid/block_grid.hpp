@@ -41,21 +41,25 @@ inline constexpr std::size_t kTileCells = std::size_t{kTileSide} * kTileSide;
 inline constexpr std::int32_t kBlockSide = 4;
 inline constexpr std::int32_t kBlocksPerSide = vehicle::kCellsPerSide / kBlockSide;
 inline constexpr std::int32_t kBlocksPerTile = kTileSide / kBlockSide;
-static_assert(kLaneCount == kBlockSide * kBlockSide && vehicle::kCellsPerSide % kTileSide == 0);
+static_assert(kLaneCount == std::size_t{kBlockSide} * kBlockSide &&
+              vehicle::kCellsPerSide % kTileSide == 0);
 
 // Blocks in a row as stored, a cache line of two more than there are.
 inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
 
-// Where a cell lies, in bytes from the first. Its block begins at a multiple of 16.
+// Where a cell of the grid lies, in bytes from the first. Its block begins at a multiple of 16.
 [[nodiscard]] constexpr std::uint32_t offset_of(traversal::Cell cell) {
-  constexpr std::int32_t kBlockBytes = kBlockSide * kBlockSide;
-  const std::int32_t block = (cell.y / kBlockSide) * kBlockStride + cell.x / kBlockSide;
-  const std::int32_t inner = (cell.y % kBlockSide) * kBlockSide + cell.x % kBlockSide;
-  return static_cast<std::uint32_t>(block * kBlockBytes + inner);
+  constexpr std::uint32_t kSide = kBlockSide;
+  const auto x = static_cast<std::uint32_t>(cell.x);
+  const auto y = static_cast<std::uint32_t>(cell.y);
+  const std::uint32_t block = y / kSide * kBlockStride + x / kSide;
+  return block * kSide * kSide + y % kSide * kSide + x % kSide;
 }
 
 [[nodiscard]] constexpr std::size_t tile_of(traversal::Cell cell) {
-  return static_cast<std::size_t>((cell.y / kTileSide) * kTilesPerSide + cell.x / kTileSide);
+  constexpr std::uint32_t kSide = kTileSide;
+  const std::uint32_t tile_x = static_cast<std::uint32_t>(cell.x) / kSide;
+  return static_cast<std::uint32_t>(cell.y) / kSide * kTilesPerSide + tile_x;
 }
 
 class BlockGrid {

@@ -1,7 +1,5 @@
 #include "grid/block_path.hpp"
 
-#include <algorithm>
-
 #include "require/require.hpp"
 
 namespace iog::grid {
@@ -29,10 +27,16 @@ void BlockPath::begin(const BeamLine& line) {
   };
   x_in_block_ = into_block(start_.x, orientation_.x_is_negative);
   y_in_block_ = into_block(start_.y, orientation_.y_is_negative);
-  x_ = start_.x / kBlockSide;
-  y_ = start_.y / kBlockSide;
-  tile_along_x_ = static_cast<std::int8_t>(line.x().step());
-  tile_along_y_ = static_cast<std::int8_t>(line.y().step() * kTilesPerSide);
+  const auto to_tile = [](std::int32_t coordinate, bool is_negative) {
+    const std::int32_t in_tile = coordinate / kBlockSide % kBlocksPerTile;
+    return static_cast<std::uint32_t>(is_negative ? in_tile + 1 : kBlocksPerTile - in_tile);
+  };
+  const std::uint32_t to_tile_x = to_tile(start_.x, orientation_.x_is_negative);
+  const std::uint32_t to_tile_y = to_tile(start_.y, orientation_.y_is_negative);
+  blocks_to_tile_u_ = orientation_.is_steep ? to_tile_y : to_tile_x;
+  blocks_to_tile_v_ = orientation_.is_steep ? to_tile_x : to_tile_y;
+  tile_along_x_ = static_cast<std::int16_t>(line.x().step());
+  tile_along_y_ = static_cast<std::int16_t>(line.y().step() * kTilesPerSide);
   tile_entries_[0] = 0;
   tile_entries_[1] = kNoTile;
   tile_count_ = 1;
@@ -62,54 +66,53 @@ void BlockPath::find_first_block() {
 
 // What the bits of a block say beyond the border by which the line leaves it is about the next one,
 // and its passage does not look at them. The term at the end fits its range, what it is summed up
-// from need not.
+// from need not. Members are held in registers, as a code may be stored where the compiler suspects
+// one of them.
 void BlockPath::find_up_to(std::uint32_t block) {
   require(block < kMaxBlocks);
-  while (count_ <= block) {
-    const bool is_above = (codes_[count_ - 1] & 1U) != 0;
-    const bool along_x = is_above == orientation_.is_steep;
-    if (along_x) {
-      leave(x_, orientation_.x_is_negative, false);
-    } else {
-      leave(y_, orientation_.y_is_negative, true);
+  const std::int32_t gain = gain_;
+  const std::int32_t loss = loss_;
+  std::int32_t error = error_;
+  BlockEntry entry = entry_;
+  std::uint32_t to_tile_u = blocks_to_tile_u_;
+  std::uint32_t to_tile_v = blocks_to_tile_v_;
+  BlockCode code = codes_[count_ - 1];
+  for (std::uint32_t number = count_; number <= block; ++number) {
+    const bool leaves_by_v = (code & 1U) != 0;
+    std::uint32_t& to_tile = leaves_by_v ? to_tile_v : to_tile_u;
+    --to_tile;
+    if (to_tile == 0) {
+      to_tile = kBlocksPerTile;
+      note_tile(number, leaves_by_v != orientation_.is_steep);
     }
-    std::int32_t error = error_;
+    std::int32_t ahead = error;
     std::uint32_t bits = 0;
-    for (std::uint32_t column = 0; column < 4; ++column) {
-      if (error > 0) {
+    for (std::uint32_t column = 0; column < kBlockSide; ++column) {
+      if (ahead > 0) {
         bits |= 1U << column;
-        error -= loss_;
+        ahead -= loss;
       }
-      error += gain_;
+      ahead += gain;
     }
-    const BlockPassage& passage = kPassages[shape_of(entry_, bits)];
-    codes_[count_] = passage.code;
-    error_ = static_cast<std::int32_t>(static_cast<std::uint32_t>(error_) +
-                                       passage.u_borders * static_cast<std::uint32_t>(gain_) -
-                                       passage.v_borders * static_cast<std::uint32_t>(loss_));
-    entry_ = passage.next_entry;
-    ++count_;
+    const BlockPassage passage = kPassages[shape_of(entry, bits)];
+    code = passage.code;
+    codes_[number] = code;
+    entry = passage.next_entry;
+    error = static_cast<std::int32_t>(static_cast<std::uint32_t>(error) +
+                                      passage.u_borders * static_cast<std::uint32_t>(gain) -
+                                      passage.v_borders * static_cast<std::uint32_t>(loss));
   }
+  error_ = error;
+  entry_ = entry;
+  blocks_to_tile_u_ = to_tile_u;
+  blocks_to_tile_v_ = to_tile_v;
+  count_ = block + 1;
 }
 
-// The last block that was found lies beside the next one, along this coordinate.
-void BlockPath::leave(std::int32_t& coordinate, bool is_negative, bool is_y) {
-  const std::int32_t from = coordinate;
-  coordinate += is_negative ? -1 : 1;
-  if (from / kBlocksPerTile != coordinate / kBlocksPerTile) {
-    tile_entries_[tile_count_] = static_cast<TileEntry>(2 * count_ + (is_y ? 1U : 0U));
-    ++tile_count_;
-    tile_entries_[tile_count_] = kNoTile;
-  }
-}
-
-std::uint32_t BlockPath::count_common(const BlockPath& other, std::uint32_t at_most) const {
-  if (first_cells_ != other.first_cells_ || codes_[0] != other.codes_[0] ||
-      masks_ != other.masks_) {
-    return 0;
-  }
-  const auto mine = std::span(codes_).first(at_most);
-  return static_cast<std::uint32_t>(std::ranges::mismatch(mine, other.codes_).in1 - mine.begin());
+void BlockPath::note_tile(std::uint32_t first_block, bool along_y) {
+  tile_entries_[tile_count_] = static_cast<TileEntry>(2 * first_block + (along_y ? 1U : 0U));
+  ++tile_count_;
+  tile_entries_[tile_count_] = kNoTile;
 }
 
 }  // namespace iog::grid

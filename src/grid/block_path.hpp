@@ -15,13 +15,6 @@
 
 namespace iog::grid {
 
-// A point on a line, before one of its cells or just after it: where that cell lies.
-struct Place {
-  std::uint32_t offset = 0;  // of the cell, in the grid
-  std::uint16_t block = 0;   // number of its block
-  bool is_after = false;
-};
-
 // Blocks of a line one after the other: the next is u_stride or v_stride blocks (as stored)
 // further, as its code says, and the cells of the line in it are masks[code / 2].
 struct BlockRun {
@@ -36,13 +29,9 @@ class BlockPath {
   // Of a line that begins in the grid and meets no corner (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // The place before the cell at a position of the line, in the grid.
-  [[nodiscard]] Place place_before(traversal::Position at) const {
-    return {offset_of(cell_at(at)), static_cast<std::uint16_t>(block_at(at)), false};
-  }
-  // The place after it.
-  [[nodiscard]] Place place_after(traversal::Position at) const {
-    return {offset_of(cell_at(at)), static_cast<std::uint16_t>(block_at(at)), true};
+  // Where in the grid the cell at a position of the line lies.
+  [[nodiscard]] std::uint32_t offset_at(traversal::Position at) const {
+    return offset_of(cell_at(at));
   }
 
   // The number of the block in which a position lies: the block borders that were crossed.
@@ -66,9 +55,6 @@ class BlockPath {
   }
   [[nodiscard]] const Orientation& orientation() const { return orientation_; }
 
-  // Two lines from one start that go through the same cells of their first blocks, so many.
-  [[nodiscard]] std::uint32_t count_common(const BlockPath& other, std::uint32_t at_most) const;
-
   // The way through the blocks from this one on.
   [[nodiscard]] BlockRun run_from(std::uint32_t block) const {
     return {&codes_[block], masks_->data(), u_stride_, v_stride_};
@@ -91,8 +77,8 @@ class BlockPath {
   static constexpr TileEntry kNoTile = 0xFFFF;
 
   // A line runs one way on each axis, so it enters at most as many blocks and tiles as both have.
-  static constexpr std::size_t kMaxBlocks = 2 * kBlocksPerSide;
-  static constexpr std::size_t kMaxTiles = 2 * kTilesPerSide;
+  static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
+  static constexpr std::size_t kMaxTiles = std::size_t{2} * kTilesPerSide;
   static_assert(2 * kMaxBlocks < kNoTile);
 
   [[nodiscard]] traversal::Cell cell_at(traversal::Position at) const {
@@ -104,14 +90,14 @@ class BlockPath {
 
   void find_first_block();
   void find_up_to(std::uint32_t block);
-  void leave(std::int32_t& coordinate, bool is_negative, bool is_y);
+  void note_tile(std::uint32_t first_block, bool along_y);
 
   traversal::Cell start_;
   std::uint8_t x_in_block_ = 0;  // how far into its block the line begins, in its own direction
   std::uint8_t y_in_block_ = 0;
   Orientation orientation_;
-  std::int8_t tile_along_x_ = 0;  // from a tile to the next, by number
-  std::int8_t tile_along_y_ = 0;
+  std::int16_t tile_along_x_ = 0;  // from a tile to the next, by number
+  std::int16_t tile_along_y_ = 0;
   const ShapeMasks* masks_ = nullptr;
   std::int16_t u_stride_ = 0;  // from a block to the next, in blocks as stored
   std::int16_t v_stride_ = 0;
@@ -122,12 +108,13 @@ class BlockPath {
 
   // The way on from the last block that was found. The error term is that of traversal/walk.hpp,
   // with u for columns: a border of u comes next if it is below 0.
-  std::int32_t x_ = 0;  // that block
-  std::int32_t y_ = 0;
   std::int32_t error_ = 0;
   std::int32_t gain_ = 0;
   std::int32_t loss_ = 0;
   BlockEntry entry_ = 0;
+  std::uint32_t blocks_to_tile_u_ =
+      0;  // blocks until the line enters another tile, that one included
+  std::uint32_t blocks_to_tile_v_ = 0;
   std::uint32_t tile_count_ = 0;
 };
 

@@ -135,7 +135,7 @@ void carve_run(Way& way, std::uint32_t count, Lanes amount) {
 // from each change on with what holds then.
 void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps) {
   const std::span<const FreeSteps::Change> changes = steps.changes();
-  const std::uint32_t last_block = changes.back().place.block;
+  const std::uint32_t last_block = path.block_at(changes.back().at);
   path.extend_to(last_block);
   path.for_each_tile(last_block, [&](std::size_t tile) { grid.touch(tile); });
 
@@ -151,28 +151,32 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps) {
       carve_run(way, end - block - 1, amount);
     }
   };
-  if (freer > 0 && changes.front().place.block > 0) {
+  std::uint32_t number = path.block_at(changes.front().at);
+  if (freer > 0 && number > 0) {
     LaneBytes* const first = grid.block_at(path.start_offset());
     carve_block(*first, Lanes::load(path.cells(0)), amount);
-    carve_run_to(0, first, changes.front().place.block);
+    carve_run_to(0, first, number);
   }
   const FreeSteps::Change* change = changes.data();
   const FreeSteps::Change* const end = change + changes.size();
   while (change != end) {
-    const std::uint32_t number = change->place.block;
-    LaneBytes* const block = grid.block_at(change->place.offset);
+    const std::uint32_t this_block = number;
+    std::uint32_t offset = 0;
     Lanes in_block = amount;
     do {
+      offset = path.offset_at(change->at);
       freer += change->freer;
       amount = Lanes::all(amount_of(freer));
-      const InnerMasks& masks = change->place.is_after ? after : from;
-      const Lanes rest = Lanes::load(masks[change->place.offset % kLaneCount]);
+      const InnerMasks& masks = change->crossed > change->at.crossed() ? after : from;
+      const Lanes rest = Lanes::load(masks[offset % kLaneCount]);
       in_block = in_block.without(rest).united(amount.masked(rest));
       ++change;
-    } while (change != end && change->place.block == number);
-    carve_block(*block, Lanes::load(path.cells(number)), in_block);
+      number = change != end ? path.block_at(change->at) : 0;
+    } while (change != end && number == this_block);
+    LaneBytes* const block = grid.block_at(offset);
+    carve_block(*block, Lanes::load(path.cells(this_block)), in_block);
     if (change != end) {
-      carve_run_to(number, block, change->place.block);
+      carve_run_to(this_block, block, number);
     }
   }
 }

@@ -121,14 +121,14 @@ LinePart FrameFusion::part_in_band(const KeptLine& line, std::int32_t end_z) con
 // cells.
 FrameFusion::OpenLine& FrameFusion::place_to_wait(OpenLine& open, Between end) {
   OpenLine& first = open_lines_[0];
-  const bool may_share = &open == &open_lines_[1] && (lines_in_use_ & 1U) != 0 &&
-                         open.line->has_path() && first.line->has_path();
-  return may_share && kept_->is_common(open.line->path().block_at(end.at)) ? first : open;
+  const bool may_share =
+      &open == &open_lines_[1] && (lines_in_use_ & 1U) != 0 && first.line->has_path();
+  return may_share && kept_->is_common(end.at) ? first : open;
 }
 
 // Cells before the scan point take the index of the 1D cell in which the line leaves them. The line
 // leaves a cell within 1D cell j or earlier exactly if its border there is crossed at (j + 1) Delta
-// or before: `through` counts those crossings, and so says where each zone of the profile ends.
+// or before: `through` counts those crossings, and so says where each zone of the profile begins.
 void FrameFusion::carve_later(OpenLine& open, const LinePart& part, std::uint32_t range_mm) {
   const KeptLine& line = *open.line;
   const sensor_model::Profile& profile = sensor_->profile;
@@ -137,42 +137,30 @@ void FrameFusion::carve_later(OpenLine& open, const LinePart& part, std::uint32_
     carve(waiting);
   }
   FreeSteps& steps = waiting.steps;
-  Position at = part.first;  // up to there, all is said
-  std::int32_t freer = 0;
-  const auto from_here_on = [&](OccupancyIndex index) {
-    const std::int32_t change = -index - freer;
-    freer = -index;
-    if (at == line.in_grid().first) {
-      steps.add_from_start(change);
-    } else if (change != 0) {
-      steps.add({at.crossed(), line.path().place_before(at), change});
-    }
-  };
-
-  const std::uint32_t end = part.end.crossed();
-  const std::uint32_t k = sensor_->precision.divide(range_mm);
-  const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
-  OccupancyIndex last = zones > 0 ? profile.near_before[0] : profile.free;
-  for (std::uint32_t back = zones; back > 0; --back) {
-    // 1D cells before k - back, which end at (k - back) Delta.
-    if (k >= back) {
-      const OccupancyIndex index = back == zones ? profile.free : profile.near_before[back];
-      const Position zone_end = line.through(*sensor_, (k - back) * sensor_->precision_mm);
-      if (zone_end.crossed() >= end) {
-        last = index;
+  if (part.first == line.in_grid().first) {
+    steps.add_from_start(-profile.free);
+  } else {
+    steps.add({part.first, false}, -profile.free);
+  }
+  std::int32_t freer = -profile.free;
+  if (range_mm > 0) {
+    const std::uint32_t first = part.first.crossed();
+    const std::uint32_t end = part.end.crossed();
+    const std::uint32_t k = sensor_->precision.divide(range_mm);
+    for (std::uint32_t back = profile.near_before_count; back > 0; --back) {
+      // 1D cells from k - back on, which begin at (k - back) Delta.
+      const Position zone =
+          k < back ? part.first : line.through(*sensor_, (k - back) * sensor_->precision_mm);
+      if (zone.crossed() >= end) {
         break;
       }
-      if (at.crossed() < zone_end.crossed()) {
-        from_here_on(index);
-        at = zone_end;
-      }
+      const std::int32_t in_zone = -profile.near_before[back - 1];
+      steps.add({zone.crossed() > first ? zone : part.first, false}, in_zone - freer);
+      freer = in_zone;
     }
   }
-  from_here_on(last);
   if (freer > 0) {
-    const Place place = part.end.is_after ? line.path().place_after(part.end.at)
-                                          : line.path().place_before(part.end.at);
-    steps.add({end, place, -freer});
+    steps.add(part.end, -freer);
   }
 }
 

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <span>
 
-#include "grid/block_path.hpp"
 #include "sensor_model/profile.hpp"
 #include "traversal/line.hpp"
 
@@ -32,7 +31,7 @@ class FreeSteps {
   // From here on, cells are freer by so much; or less free, if below 0.
   struct Change {
     std::uint32_t crossed = 0;  // Between::crossed()
-    Place place;                // of the cell at the position
+    traversal::Position at;     // Between::at; after it if more borders are crossed than there
     std::int32_t freer = 0;
   };
 
@@ -50,18 +49,19 @@ class FreeSteps {
   void add_from_start(std::int32_t freer) { from_start_ += freer; }
 
   // Only if has_room() said so before the beam. A beam's further changes mostly come in order.
-  void add(const Change& change) {
+  void add(Between from, std::int32_t freer) {
+    const std::uint32_t crossed = from.crossed();
     Change* place = &changes_[count_];
-    for (; place != changes_.data() && place[-1].crossed > change.crossed; --place) {
-    }
-    if (place != changes_.data() && place[-1].crossed == change.crossed) {
-      place[-1].freer += change.freer;
-      return;
+    for (; place != changes_.data() && place[-1].crossed >= crossed; --place) {
+      if (place[-1].crossed == crossed) {
+        place[-1].freer += freer;
+        return;
+      }
     }
     for (Change* last = &changes_[count_]; last != place; --last) {
       last[0] = last[-1];
     }
-    *place = change;
+    *place = {crossed, from.at, freer};
     ++count_;
   }
 

@@ -112,7 +112,13 @@ class Axis {
                         : static_cast<std::uint32_t>((reached - 1) / (share.denominator * kSide));
   }
 
-  // The same two for distance / length, distance < 2^20 mm, without a division.
+  // The same before the end of the line, without a division.
+  [[nodiscard]] constexpr std::uint32_t before_end() const {
+    const std::uint32_t reached = offset_ + length_;
+    return reached == 0 ? 0 : (reached - 1) / kSide;
+  }
+
+  // The first two for distance / length, distance < 2^20 mm, without a division.
   // The dividend by r is at most length + distance * w / r < 2^31 for lines up to 2,000 cells.
   [[nodiscard]] constexpr std::uint32_t through(std::uint32_t distance_mm,
                                                 const LineLength& length) const {
@@ -181,6 +187,8 @@ class Line {
     return {x_.before(share), y_.before(share)};
   }
 
+  [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }
+
   // The walk's error term at a position: on which side of the line the next corner lies. Negative:
   // the column border comes first, positive: the row border, zero: the corner itself.
   [[nodiscard]] constexpr std::int32_t error(Position at) const {
@@ -194,7 +202,7 @@ class Line {
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
                       clip_axis(y_, x_, area.height, stretch, true);
     return hits && stretch.first.crossed() <= stretch.last.crossed() ? std::optional(stretch)
-                                                                   : std::nullopt;
+                                                                     : std::nullopt;
   }
 
  private:

@@ -133,12 +133,9 @@ TEST(Carving, BlockByBlockIsCellByCell) {
       if (first == 0) {
         steps.add_from_start(freer);
       } else {
-        steps.add({positions[first].crossed(), path.place_before(positions[first]), freer});
+        steps.add({positions[first], false}, freer);
       }
-      const bool is_after = first == last || random.one_in(2);
-      const Place end =
-          is_after ? path.place_after(positions[last]) : path.place_before(positions[last]);
-      steps.add({positions[last].crossed() + (is_after ? 1U : 0U), end, -freer});
+      steps.add({positions[last], first == last || random.one_in(2)}, -freer);
     }
     carve_blocks(*by_blocks, path, steps);
     carve_cells(*by_cells, line, {}, steps);
