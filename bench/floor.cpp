@@ -10,19 +10,17 @@
 // One frame more goes before, to warm up. A pass reads a list of its lines, two bytes each.
 #include <arm_neon.h>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 #include <span>
-#include <system_error>
 
-#include "app/frame_engine.hpp"
 #include "bench/a9_model/marker.hpp"
 #include "capture.hpp"
+#include "fused_frames.hpp"
 #include "instruction_counter.hpp"
+#include "number_in.hpp"
 #include "playback.hpp"
 #include "require/require.hpp"
 #include "selected_vehicle.hpp"
@@ -61,43 +59,14 @@ class LineList {
   std::size_t frames_ = 0;
 };
 
-// A target of play() that looks at the grid, as it is stored, when a frame is complete.
+// Looks at the grid of each frame, as it is stored.
 class TouchedLines {
  public:
   TouchedLines(Capture& capture, LineList& list, std::size_t frames)
-      : capture_(capture),
-        list_(list),
-        frames_(frames),
-        engine_(vehicles::kVehicle, kReplayer, 0) {}
+      : capture_(capture), list_(list), frames_(frames) {}
 
-  void take(const vehicle::Sensor& /*sensor*/, const app::SensorDatagram& datagram,
-            std::uint32_t /*received*/, std::uint64_t now_us) {
-    auto inspection = engine_.inspect(datagram);
-    if (inspection == app::FrameEngine::Inspection::kNextFrame) {
-      close_frame(now_us);
-      inspection = engine_.inspect(datagram);
-    }
-    if (inspection == app::FrameEngine::Inspection::kThisFrame) {
-      engine_.fuse(now_us);
-    }
-    if (engine_.is_complete()) {
-      close_frame(now_us);
-    }
-  }
-  void tick(std::uint64_t now_us) {
-    if (engine_.is_overdue(now_us)) {
-      close_frame(now_us);
-    }
-  }
-  [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
-
- private:
-  void close_frame(std::uint64_t now_us) {
-    engine_.finish();
-    const bool is_empty = !note_lines(engine_.fusion());
-    engine_.fusion().clear();
-    engine_.start_next(now_us);
-    if (is_empty) {
+  void look_at(const grid::FrameFusion& fusion) {
+    if (!note_lines(fusion)) {
       return;
     }
     list_.end_frame();
@@ -106,6 +75,7 @@ class TouchedLines {
     }
   }
 
+ private:
   // False if nothing is known.
   bool note_lines(const grid::FrameFusion& fusion) {
     static std::array<bool, kLines> known;
@@ -127,7 +97,6 @@ class TouchedLines {
   Capture& capture_;
   LineList& list_;
   std::size_t frames_;
-  app::FrameEngine engine_;
 };
 
 class Passes {
@@ -201,7 +170,9 @@ int run(const char* path, std::size_t frames) {
     std::printf("floor: %s cannot be read as a pcap of Ethernet frames\n", path);
     return 1;
   }
-  play(capture, vehicles::kVehicle, counter, touched);
+  const auto look = [](const grid::FrameFusion& fusion) { touched.look_at(fusion); };
+  static FusedFrames fused(vehicles::kVehicle, look);
+  play(capture, vehicles::kVehicle, counter, fused);
   if (list.frames() < 1 + frames) {
     std::puts("floor: the capture has not so many frames");
     return 1;
@@ -217,12 +188,7 @@ int run(const char* path, std::size_t frames) {
 
 int main(int argc, char** argv) {
   constexpr std::size_t kMostFrames = 30;
-  std::size_t frames = 0;
-  if (argc == 3) {
-    const char* const end = argv[2] + std::strlen(argv[2]);
-    const auto [rest, fault] = std::from_chars(argv[2], end, frames);
-    frames = fault == std::errc{} && rest == end && frames <= kMostFrames ? frames : 0;
-  }
+  const std::size_t frames = argc == 3 ? iog::bench::number_in(argv[2], kMostFrames) : 0;
   if (frames == 0) {
     // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
     std::printf("floor: expected a capture and 1 to %u frames\n", kMostFrames);

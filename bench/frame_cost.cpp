@@ -12,17 +12,16 @@
 // The core is the firmware's own, object by object, and so is the memcpy() beneath it. What is not
 // here are the driver of the Ethernet controller, the loop around the pipeline, and caches, which
 // QEMU does not have.
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <system_error>
 
 #include "bench/a9_model/marker.hpp"
 #include "capture.hpp"
 #include "ethernet/enet_port.hpp"
 #include "instruction_counter.hpp"
+#include "number_in.hpp"
 #include "operation_pass.hpp"
 #include "playback.hpp"
 #include "selected_vehicle.hpp"
@@ -206,14 +205,6 @@ int run(const Request& request) {
   print("counter_instructions", counter.of_nothing());
   std::puts("");
   return 0;
-}
-
-// 0 if the argument is no number, or one above the most.
-std::size_t number_in(const char* argument, std::size_t most) {
-  std::size_t number = 0;
-  const char* const end = argument + std::strlen(argument);
-  const auto [rest, fault] = std::from_chars(argument, end, number);
-  return fault == std::errc{} && rest == end && number <= most ? number : 0;
 }
 
 }  // namespace

@@ -8,16 +8,14 @@
 // One frame more goes before, to warm up.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <string_view>
-#include <system_error>
 
 #include "bench/a9_model/marker.hpp"
 #include "instruction_counter.hpp"
+#include "number_in.hpp"
 #include "stage_pass.hpp"
 #include "synthetic_scan.hpp"
 #include "vehicle/compile.hpp"
@@ -126,14 +124,6 @@ int run(const Request& request) {
   print("messages", stages.outside().messages() / frames);
   std::puts("");
   return 0;
-}
-
-// 0 if the argument is no number, or one above the most.
-std::uint32_t number_in(const char* argument, std::uint32_t most) {
-  std::uint32_t number = 0;
-  const char* const end = argument + std::strlen(argument);
-  const auto [rest, fault] = std::from_chars(argument, end, number);
-  return fault == std::errc{} && rest == end && number <= most ? number : 0;
 }
 
 }  // namespace

@@ -6,18 +6,16 @@
 // build_tree() is what is measured: every touched tile is taken out of the grid and added, the tree
 // is finished. One frame more goes before, to warm up.
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <span>
-#include <system_error>
 
-#include "app/frame_engine.hpp"
 #include "bench/a9_model/marker.hpp"
 #include "capture.hpp"
+#include "fused_frames.hpp"
 #include "instruction_counter.hpp"
+#include "number_in.hpp"
 #include "playback.hpp"
 #include "require/require.hpp"
 #include "selected_vehicle.hpp"
@@ -38,42 +36,13 @@ namespace {
   builder.finish();
 }
 
-// A target of play() that builds a tree when a frame is complete.
+// Builds the tree of each frame, and adds up what they are, but for the first.
 class Trees {
  public:
-  Trees(Capture& capture, std::size_t frames)
-      : capture_(capture), frames_(frames), engine_(vehicles::kVehicle, kReplayer, 0) {}
+  Trees(Capture& capture, std::size_t frames) : capture_(capture), frames_(frames) {}
 
-  void take(const vehicle::Sensor& /*sensor*/, const app::SensorDatagram& datagram,
-            std::uint32_t /*received*/, std::uint64_t now_us) {
-    auto inspection = engine_.inspect(datagram);
-    if (inspection == app::FrameEngine::Inspection::kNextFrame) {
-      close_frame(now_us);
-      inspection = engine_.inspect(datagram);
-    }
-    if (inspection == app::FrameEngine::Inspection::kThisFrame) {
-      engine_.fuse(now_us);
-    }
-    if (engine_.is_complete()) {
-      close_frame(now_us);
-    }
-  }
-  void tick(std::uint64_t now_us) {
-    if (engine_.is_overdue(now_us)) {
-      close_frame(now_us);
-    }
-  }
-  [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
-
-  // Of all frames but the first.
-  [[nodiscard]] std::size_t frames() const { return built_ == 0 ? 0 : built_ - 1; }
-  [[nodiscard]] std::uint64_t leaves() const { return leaves_; }
-  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-
- private:
-  void close_frame(std::uint64_t now_us) {
-    engine_.finish();
-    build_tree(engine_.fusion(), builder_);
+  void build(const grid::FrameFusion& fusion) {
+    build_tree(fusion, builder_);
     ++built_;
     if (built_ == 1) {
       a9_model::forget_so_far();
@@ -81,16 +50,18 @@ class Trees {
       leaves_ += tree_.leaves();
       bytes_ += tree_.used_bytes();
     }
-    engine_.fusion().clear();
-    engine_.start_next(now_us);
     if (frames() == frames_) {
       capture_.close();
     }
   }
 
+  [[nodiscard]] std::size_t frames() const { return built_ == 0 ? 0 : built_ - 1; }
+  [[nodiscard]] std::uint64_t leaves() const { return leaves_; }
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+
+ private:
   Capture& capture_;
   std::size_t frames_;
-  app::FrameEngine engine_;
   std::array<std::byte, tree::kWorstLeafBytes> memory_{};
   tree::LinearQuadtree tree_{memory_};
   tree::QuadtreeBuilder builder_{tree_};
@@ -108,7 +79,9 @@ int run(const char* path, std::size_t frames) {
     std::printf("tree_cost: %s cannot be read as a pcap of Ethernet frames\n", path);
     return 1;
   }
-  play(capture, vehicles::kVehicle, counter, trees);
+  const auto build = [](const grid::FrameFusion& fusion) { trees.build(fusion); };
+  static FusedFrames fused(vehicles::kVehicle, build);
+  play(capture, vehicles::kVehicle, counter, fused);
   if (trees.frames() < frames) {
     std::puts("tree_cost: the capture has not so many frames");
     return 1;
@@ -124,12 +97,7 @@ int run(const char* path, std::size_t frames) {
 
 int main(int argc, char** argv) {
   constexpr std::size_t kMostFrames = 1000;
-  std::size_t frames = 0;
-  if (argc == 3) {
-    const char* const end = argv[2] + std::strlen(argv[2]);
-    const auto [rest, fault] = std::from_chars(argv[2], end, frames);
-    frames = fault == std::errc{} && rest == end && frames <= kMostFrames ? frames : 0;
-  }
+  const std::size_t frames = argc == 3 ? iog::bench::number_in(argv[2], kMostFrames) : 0;
   if (frames == 0) {
     std::puts("tree_cost: expected a capture and a number of frames");
     return 2;
