@@ -47,7 +47,8 @@ TEST(BlockGrid, ABlockIsASquareOfCells) {
 // A line of cells along y must not compete for a few sets of a cache of 256 sets of 32 bytes.
 TEST(BlockGrid, TheBlocksOfAColumnLieInDifferentSetsOfTheCache) {
   std::vector<std::uint32_t> sets;
-  for (std::int32_t y = 0; y < std::min(vehicle::kCellsPerSide, 1024); y += kBlockSide) {
+  for (std::int32_t y = 0; y < std::min<std::int32_t>(vehicle::kCellsPerSide, 1024);
+       y += kBlockSide) {
     sets.push_back(offset_of({512, y}) / 32 % 256);
   }
   std::ranges::sort(sets);

@@ -25,7 +25,7 @@ using vehicle::kResolution;
 BeamLine random_line(tests::Random& random) {
   constexpr std::int32_t kEnd = vehicle::kCellsPerSide * kResolution - 1;
   const auto near = [&](std::int32_t from, std::int32_t reach) {
-    return std::clamp(from + random.between(-reach, reach), 0, kEnd);
+    return std::clamp<std::int32_t>(from + random.between(-reach, reach), 0, kEnd);
   };
   const SubcellPoint start{random.between(0, kEnd), random.between(0, kEnd)};
   const std::int32_t reach = random.one_in(3) ? 8 * kResolution : 500 * kResolution;
