@@ -1,21 +1,32 @@
-// The two CRC-32 of this project, each in the way that is fast on the machine at hand.
+// The two CRC-32 of this project, each in the way that is fast on the machine: CMake chooses
+// between crc32_neon.cpp and crc32_slices.cpp.
 #pragma once
 
-#include <type_traits>
-
-#include "checksum/product_crc32.hpp"
-#include "checksum/products.hpp"
-#include "checksum/reflected_crc32.hpp"
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace iog::checksum {
 
+// Reflected, with start and final xor all ones. `kPolynomial` is written with the highest power
+// first and without x^32, as in the standards; there are the two below.
+template <std::uint32_t kPolynomial>
+class FastCrc32 {
+ public:
+  void update(std::span<const std::byte> bytes);
+
+  // Of all bytes so far; more may follow.
+  [[nodiscard]] std::uint32_t value() const { return ~state_; }
+
+ private:
+  std::uint32_t state_ = 0xFFFFFFFFU;
+};
+
 // CRC-32/ISO-HDLC, as in zlib: check value of "123456789" 0xCBF43926. It names grids and vehicles:
 // any tool can compute it.
-using Crc32 =
-    std::conditional_t<kHasProducts, ProductCrc32<0x04C11DB7>, ReflectedCrc32<0x04C11DB7, 8>>;
+using Crc32 = FastCrc32<0x04C11DB7>;
 
 // CRC-32/AUTOSAR: check value of "123456789" 0x1697D06A (AUTOSAR SWS CRCLibrary, CRC-32/P4).
-using Crc32P4 =
-    std::conditional_t<kHasProducts, ProductCrc32<0xF4ACFB13>, ReflectedCrc32<0xF4ACFB13, 8>>;
+using Crc32P4 = FastCrc32<0xF4ACFB13>;
 
 }  // namespace iog::checksum

@@ -20,7 +20,8 @@
 
 namespace iog::checksum {
 
-template <std::uint32_t kPolynomial, typename Sum = Products>
+// `Sum` is PlainProducts or a twin of it.
+template <std::uint32_t kPolynomial, typename Sum>
 class ProductCrc32 {
  public:
   void update(std::span<const std::byte> bytes) {
@@ -34,6 +35,10 @@ class ProductCrc32 {
 
   // Of all bytes so far; more may follow.
   [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
+
+  // As of ReflectedCrc32.
+  [[nodiscard]] std::uint32_t state() const { return rest_.state(); }
+  void set_state(std::uint32_t state) { rest_.set_state(state); }
 
  private:
   using Bytewise = ReflectedCrc32<kPolynomial, 1>;

@@ -1,17 +1,12 @@
 // Carry-less products of bytes, eight at a time: what the Cortex-A9 multiplies in one instruction.
 //
-// The same on every machine, bit for bit: NEON on the target and plain C++ elsewhere, which is the
-// specification (tests/host/checksum/products_test.cpp compares).
+// This is the specification; its twin for NEON is in checksum/crc32_neon.cpp.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-
-#if defined(__ARM_NEON)
-#include <arm_neon.h>
-#endif
 
 namespace iog::checksum {
 
@@ -50,55 +45,5 @@ class PlainProducts {
  private:
   std::uint64_t sum_ = 0;
 };
-
-#if defined(__ARM_NEON)
-
-inline constexpr bool kHasProducts = true;
-
-// One sum of 16 bits for each lane and byte of the factors; they are put together in the end.
-class Products {
- public:
-  void add(std::span<const std::byte, kProductLanes> bytes, const Factors& factors) {
-    const auto* const from = reinterpret_cast<const std::uint8_t*>(bytes.data());
-    const poly8x8_t left = vreinterpret_p8_u8(vld1_u8(from));
-    for (std::size_t i = 0; i < kFactorBytes; i += 2) {
-      const poly8x16_t right = vreinterpretq_p8_u8(vld1q_u8(factors.bytes[i].data()));
-      add_product(i, left, vget_low_p8(right));
-      add_product(i + 1, left, vget_high_p8(right));
-    }
-  }
-
-  // Columns of the four by four sums become rows, so that adding the rows adds the lanes.
-  [[nodiscard]] std::uint64_t sum() const {
-    const uint16x4x2_t low = vtrn_u16(lanes_added(0), lanes_added(1));
-    const uint16x4x2_t high = vtrn_u16(lanes_added(2), lanes_added(3));
-    const auto words = [](uint16x4_t row) { return vreinterpret_u32_u16(row); };
-    const uint32x2x2_t even = vtrn_u32(words(low.val[0]), words(high.val[0]));
-    const uint32x2x2_t odd = vtrn_u32(words(low.val[1]), words(high.val[1]));
-    const uint32x2_t all =
-        veor_u32(veor_u32(even.val[0], even.val[1]), veor_u32(odd.val[0], odd.val[1]));
-    const std::uint32_t lower = vget_lane_u32(all, 0);
-    const std::uint32_t upper = vget_lane_u32(all, 1);
-    return std::uint64_t{(lower & 0xFFFFU) ^ (lower >> 16 << 8)} ^
-           (std::uint64_t{(upper & 0xFFFFU) ^ (upper >> 16 << 8)} << 16);
-  }
-
- private:
-  void add_product(std::size_t i, poly8x8_t left, poly8x8_t right) {
-    sums_[i] = veorq_u16(sums_[i], vreinterpretq_u16_p16(vmull_p8(left, right)));
-  }
-  [[nodiscard]] uint16x4_t lanes_added(std::size_t i) const {
-    return veor_u16(vget_low_u16(sums_[i]), vget_high_u16(sums_[i]));
-  }
-
-  std::array<uint16x8_t, kFactorBytes> sums_{};
-};
-
-#else
-
-inline constexpr bool kHasProducts = false;
-using Products = PlainProducts;
-
-#endif
 
 }  // namespace iog::checksum
