@@ -12,7 +12,7 @@ void FastCrc32<kPolynomial>::update(std::span<const std::byte> bytes) {
   state_ = crc.state();
 }
 
-template void Crc32::update(std::span<const std::byte> bytes);
-template void Crc32P4::update(std::span<const std::byte> bytes);
+template class FastCrc32<0x04C11DB7>;
+template class FastCrc32<0xF4ACFB13>;
 
 }  // namespace iog::checksum
