@@ -35,8 +35,10 @@ PASSES = {name: [f"iog::bench::(anonymous namespace)::Passes::{name}("]
 COUNTERS = ("instructions", "cycles", "l1d_refills", "l2_misses", "mispredicts")
 VARIANTS = ("nominal", "optimistic", "pessimistic")
 
-# The model takes its time: so many frames, after one to warm up. What more of them would change is
-# measured, too: the long run is that of four LUX, nominal.
+# The model takes its time: so many frames, after some to warm up, in which most lines are found that
+# are kept from then on. What more of them would change is measured, too: the long run is that of
+# four LUX, nominal.
+WARM_UP = 6
 MODELLED_FRAMES = 8
 LONG_FRAMES = 32
 FORGOTTEN_FRAMES = 3
@@ -99,13 +101,14 @@ def with_whole(stages: dict[str, dict[str, int]], whole: str) -> dict[str, dict[
 
 
 def frame(place: Place, name: str, variant: str, capture: str, sensors: int, frames: int,
-          paths: str = "kept") -> str:
+          paths: str = "kept", before: int = 1) -> str:
     """A mean frame, stage by stage."""
     _, own = modelled(place, variant, STAGES | OUTSIDE,
-                            place.images / "frame_cost-reference_car", capture, sensors, frames,
-                            paths)
+                      place.images / "frame_cost-reference_car", capture, sensors, frames, paths,
+                      before)
     naming = "" if paths == "kept" else f" paths={paths}"
-    return line_of(f"{name} sensors={sensors}{naming} variant={variant} frames={frames}",
+    return line_of(f"{name} sensors={sensors}{naming} variant={variant} frames={frames} "
+                   f"before={before}",
                    with_whole({stage: own[stage] for stage in STAGES}, "frame"))
 
 
@@ -113,6 +116,16 @@ def floor(place: Place, name: str, capture: str, frames: int) -> str:
     head, own = modelled(place, "nominal", PASSES, place.images / "floor", capture, frames)
     lines = pairs_of(head)["lines"]
     return line_of(f"{name} variant=nominal frames={frames} lines={lines}", own)
+
+
+def tree(place: Place, name: str, variant: str, capture: str, frames: int) -> str:
+    """The linear quadtree of a mean frame."""
+    head, own = modelled(place, variant,
+                         {"tree": ["iog::bench::(anonymous namespace)::build_tree("]},
+                         place.images / "tree_cost", capture, frames)
+    counts = pairs_of(head)
+    return line_of(f"{name} variant={variant} frames={frames} leaves={counts['leaves']} "
+                   f"bytes={counts['bytes']}", own)
 
 
 WALKS = {"discrete r=20": "DiscreteWalk<20l>", "discrete r=100": "DiscreteWalk<100l>",
@@ -218,9 +231,11 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
             name = f"model frame_cost{names[scene]}"
             for sensors in (2, 3, 4):
                 runs.append(lambda n=name, v=variant, c=capture, s=sensors: frame(
-                    place, n, v, c, s, MODELLED_FRAMES))
+                    place, n, v, c, s, MODELLED_FRAMES, before=WARM_UP))
             runs.append(lambda n=name, v=variant, c=capture: frame(
                 place, n, v, c, 4, FORGOTTEN_FRAMES, "forgotten"))
+            runs.append(lambda n=names[scene], v=variant, c=capture: tree(
+                place, f"model tree{n}", v, c, MODELLED_FRAMES))
         for kind in worst:
             for paths, frames in (("kept", WORST_FRAMES), ("forgotten", 1)):
                 runs.append(lambda k=kind, v=variant, n=frames, p=paths: frame(
@@ -231,7 +246,7 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
             place, f"model floor worst={k}", f"worst_{k}.pcap", WORST_FRAMES))
     for scene, capture in scenes.items():
         runs.append(lambda n=names[scene], c=capture: frame(
-            place, f"model long_run{n}", "nominal", c, 4, LONG_FRAMES))
+            place, f"model long_run{n}", "nominal", c, 4, LONG_FRAMES, before=WARM_UP))
         runs.append(lambda n=names[scene], c=capture: floor(
             place, f"model floor{n}", c, MODELLED_FRAMES))
     runs.append(lambda: few_frames(place, scenes))

@@ -2,11 +2,12 @@
 // instruction counting (bench/run_image); prints one line of key=value pairs.
 //
 //   frame_cost <capture> [<number of sensors: the first ones of the description> [<frames>
-//   <paths>]]
+//   <paths> <frames before>]]
 //
-// With a number of frames only the firmware's own pipeline runs, over one frame to warm up and then
-// over so many: what the cost model of the Cortex-A9, which takes its time, is to see. Paths are
-// what the core keeps of a line from frame to frame: "kept", or "forgotten" after every frame.
+// With a number of frames only the firmware's own pipeline runs, over the frames before to warm up
+// and then over so many: what the cost model of the Cortex-A9, which takes its time, is to see.
+// Paths are what the core keeps of a line from frame to frame: "kept", or "forgotten" after every
+// frame.
 //
 // The core is the firmware's own, object by object, and so is the memcpy() beneath it. What is not
 // here are the driver of the Ethernet controller, the loop around the pipeline, and caches, which
@@ -89,12 +90,25 @@ vehicle::Vehicle with_sensors(std::size_t count) {
   return vehicle;
 }
 
-// A target of play() that ends the capture once so many frames are complete. What the first of them
-// costs is not reported.
+// What the command line asks for.
+struct Request {
+  const char* capture = nullptr;
+  std::size_t sensors = 0;
+  std::size_t frames = 0;  // 0: all, in both passes
+  std::size_t before = 0;
+  bool forgets = false;
+};
+
+// A target of play() that ends the capture once so many frames are complete. What the frames before
+// cost is not reported.
 class FirstFrames {
  public:
-  FirstFrames(StagePass& stages, Capture& capture, std::size_t frames, bool forgets)
-      : stages_(stages), capture_(capture), frames_(frames), forgets_(forgets) {}
+  FirstFrames(StagePass& stages, Capture& capture, const Request& request)
+      : stages_(stages),
+        capture_(capture),
+        before_(request.before),
+        frames_(request.before + request.frames),
+        forgets_(request.forgets) {}
 
   void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
             std::uint32_t received, std::uint64_t now_us) {
@@ -119,7 +133,7 @@ class FirstFrames {
     if (forgets_) {
       stages_.forget_lines();
     }
-    if (seen_ == 1) {
+    if (seen_ == before_) {
       a9_model::forget_so_far();
     }
     if (is_over()) {
@@ -129,23 +143,16 @@ class FirstFrames {
 
   StagePass& stages_;
   Capture& capture_;
+  std::size_t before_;
   std::size_t frames_;
   bool forgets_;
   std::uint64_t seen_ = 0;
 };
 
-// What the command line asks for.
-struct Request {
-  const char* capture = nullptr;
-  std::size_t sensors = 0;
-  std::size_t frames = 0;  // 0: all, in both passes
-  bool forgets = false;
-};
-
 // Only the first pass, and only of the first frames.
 int run_first(Capture& capture, const vehicle::Vehicle& vehicle, InstructionCounter& counter,
               StagePass& stages, const Request& request) {
-  FirstFrames first(stages, capture, 1 + request.frames, request.forgets);
+  FirstFrames first(stages, capture, request);
   play(capture, vehicle, counter, first);
   if (!first.is_over()) {
     std::puts("frame_cost: the capture has not so many frames");
@@ -216,21 +223,23 @@ int main(int argc, char** argv) {
   constexpr std::size_t kMostFrames = 100'000;
   const std::size_t all = iog::vehicles::kVehicle.sensors.size();
   iog::bench::Request request{.capture = argv[1], .sensors = all};
-  bool is_right = argc == 2 || argc == 3 || argc == 5;
+  bool is_right = argc == 2 || argc == 3 || argc == 6;
   if (is_right && argc >= 3) {
     request.sensors = iog::bench::number_in(argv[2], all);
     is_right = request.sensors > 0;
   }
-  if (is_right && argc == 5) {
+  if (is_right && argc == 6) {
     request.frames = iog::bench::number_in(argv[3], kMostFrames);
     request.forgets = std::strcmp(argv[4], "forgotten") == 0;
-    is_right = request.frames > 0 && (request.forgets || std::strcmp(argv[4], "kept") == 0);
+    request.before = iog::bench::number_in(argv[5], kMostFrames);
+    is_right = request.frames > 0 && request.before > 0 &&
+               (request.forgets || std::strcmp(argv[4], "kept") == 0);
   }
   if (!is_right) {
     // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
     std::printf(
         "frame_cost: expected a capture, 1 to %u for the sensors, and a number of frames "
-        "with what becomes of paths\n",
+        "with what becomes of paths and the frames before\n",
         all);
     return 2;
   }

@@ -37,20 +37,6 @@ StageCost stage_of(const std::string& run, const std::string& stage, double fram
           .mispredicts = mean("mispredicts")};
 }
 
-StageCost sum_of(std::initializer_list<StageCost> stages) {
-  StageCost sum;
-  for (const StageCost& stage : stages) {
-    sum.cycles.nominal += stage.cycles.nominal;
-    sum.cycles.optimistic += stage.cycles.optimistic;
-    sum.cycles.pessimistic += stage.cycles.pessimistic;
-    sum.instructions += stage.instructions;
-    sum.l1d_refills += stage.l1d_refills;
-    sum.l2_misses += stage.l2_misses;
-    sum.mispredicts += stage.mispredicts;
-  }
-  return sum;
-}
-
 // The runs of the default scene do not name it.
 std::string naming(std::string_view scene) {
   return scene == kDefaultScene ? "" : std::string(" scene=").append(scene);
@@ -59,6 +45,7 @@ std::string naming(std::string_view scene) {
 A9Cycles cycles_of_run(const std::string& run) {
   const double frames = measured_on_a9(run + kNominal, "frames");
   A9Cycles cycles{.frames = frames,
+                  .before = measured_on_a9(run + kNominal, "before"),
                   .receive = stage_of(run, "receive_", frames),
                   .decode = stage_of(run, "decode_", frames),
                   .beams = stage_of(run, "beams_", frames),
@@ -91,6 +78,20 @@ A9Floor floor_of_run(const std::string& run) {
 
 }  // namespace
 
+StageCost sum_of(std::initializer_list<StageCost> stages) {
+  StageCost sum;
+  for (const StageCost& stage : stages) {
+    sum.cycles.nominal += stage.cycles.nominal;
+    sum.cycles.optimistic += stage.cycles.optimistic;
+    sum.cycles.pessimistic += stage.cycles.pessimistic;
+    sum.instructions += stage.instructions;
+    sum.l1d_refills += stage.l1d_refills;
+    sum.l2_misses += stage.l2_misses;
+    sum.mispredicts += stage.mispredicts;
+  }
+  return sum;
+}
+
 A9Cycles a9_cycles(std::string_view scene, int sensors, Paths paths) {
   return cycles_of_run("model frame_cost" + naming(scene) + " sensors=" + std::to_string(sensors),
                        paths);
@@ -108,6 +109,14 @@ double A9Floor::fused_cycles() const { return fuse.cycles.nominal + clear.cycles
 double A9Floor::whole_cycles() const { return fused_cycles() + send.cycles.nominal; }
 
 A9Floor a9_floor(std::string_view scene) { return floor_of_run("model floor" + naming(scene)); }
+
+A9Tree a9_tree(std::string_view scene) {
+  const std::string run = "model tree" + naming(scene);
+  const double frames = measured_on_a9(run + kNominal, "frames");
+  return {.leaves = measured_on_a9(run + kNominal, "leaves") / frames,
+          .bytes = measured_on_a9(run + kNominal, "bytes") / frames,
+          .cost = stage_of(run, "tree_", frames)};
+}
 
 A9Floor a9_worst_floor(std::string_view name) {
   return floor_of_run("model floor worst=" + std::string(name));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,7 @@ struct StageCost {
 // innermost of them that it is called from, so that the stages add up to the frame.
 struct A9Cycles {
   double frames = 0;
+  double before = 0;  // frames to warm up, not looked at
   StageCost receive;  // Ethernet, IP and UDP
   StageCost decode;   // sensor messages, found and checked
   StageCost beams;    // points to beams: fate, line, where which index ends
@@ -51,7 +53,10 @@ struct A9Cycles {
 // What the core keeps of a line from one frame to the next, or what it costs without.
 enum class Paths : std::uint8_t { kKept, kForgotten };
 
-// The first frames, but one, of the drives of a9_frame(). kForgotten only with four sensors.
+// The first frames, but some to warm up, of the drives of a9_frame(). kForgotten only with four
+// sensors.
+[[nodiscard]] StageCost sum_of(std::initializer_list<StageCost> stages);
+
 // std::out_of_range if bench/cortex_a9.txt has no such run.
 [[nodiscard]] A9Cycles a9_cycles(std::string_view scene, int sensors, Paths paths = Paths::kKept);
 
@@ -73,6 +78,14 @@ struct A9Floor {
 };
 [[nodiscard]] A9Floor a9_floor(std::string_view scene);
 [[nodiscard]] A9Floor a9_worst_floor(std::string_view name);
+
+// The linear quadtree of a mean frame, from its tiles (bench/tree_cost.cpp).
+struct A9Tree {
+  double leaves = 0;
+  double bytes = 0;
+  StageCost cost;
+};
+[[nodiscard]] A9Tree a9_tree(std::string_view scene);
 
 // A frame of the synthetic load (bench/scaling.cpp).
 struct A9Load {

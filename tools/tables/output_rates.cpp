@@ -214,10 +214,11 @@ std::string change_over_long_run(const Scene& scene, const std::string& name) {
 
 void describe_stages(const Scenes& scenes, Markdown& body) {
   body.subheading("Where the cycles go");
-  const double frames = scenes.matched.rates.back().cycles.frames;
+  const A9Cycles& cycles = scenes.matched.rates.back().cycles;
   body.paragraph(
-      "A mean frame of four LUX, modelled: " + grouped(frames) +
-      " frames after one to warm up; all but the bounds of the cycles are those of the nominal "
+      "A mean frame of four LUX, modelled: " + grouped(cycles.frames) + " frames after " +
+      grouped(cycles.before) +
+      " to warm up; all but the bounds of the cycles are those of the nominal "
       "variant. An instruction belongs to the innermost of the functions named here that it is "
       "called from, so that the stages add up. *Receive* reads Ethernet, IP and UDP; *decode* "
       "finds and checks the sensors' messages (`FrameEngine::inspect`); *to beams* turns points "
@@ -231,7 +232,7 @@ void describe_stages(const Scenes& scenes, Markdown& body) {
     print_stages(scene->rates.back(), body);
   }
   body.paragraph("Over the " + grouped(a9_long_run("city").frames) +
-                 " frames after the first instead, the nominal cycles of a whole mean frame change "
+                 " frames after these instead, the nominal cycles of a whole mean frame change "
                  "by " +
                  change_over_long_run(scenes.matched, "ring_road") + " on the ring road and by " +
                  change_over_long_run(scenes.city, "city") + " in the city.");

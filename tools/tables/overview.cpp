@@ -48,7 +48,7 @@ std::string_view word_of(Verdict verdict) {
 }
 
 std::vector<Claim> waiting_claims() {
-  const std::string reason = "the quadtree is not built yet";
+  const std::string reason = "the quadtree is built (src/tree), its tables are not made yet";
   const auto waits = [&reason](const char* place, const char* what, const char* paper) {
     return Claim{place, what, paper, "–", Verdict::kWaits, reason};
   };
