@@ -19,15 +19,12 @@ class MeasuredOutside {
  public:
   explicit MeasuredOutside(InstructionCounter& counter) : counter_(counter) {}
 
-  [[nodiscard]] std::span<std::byte> begin_message() {
-    return net::message_payload(slots_[slot_].frame).first(stream::kMaxMessageBytes);
-  }
-
-  void send_message(std::size_t bytes) {
-    slots_[slot_].message_bytes = bytes;
+  [[nodiscard]] bool send_message(std::span<const std::byte> message) {
+    slots_[slot_].message_bytes = message.size();
     sent_bytes_ +=
-        net::build_message(slots_[slot_].frame, kNetwork, kPeer, identification_++, bytes);
+        net::build_message(slots_[slot_].frame, kNetwork, kPeer, identification_++, message);
     ++messages_;
+    return true;
   }
 
   [[nodiscard]] std::uint32_t ticks() { return counter_.now(); }

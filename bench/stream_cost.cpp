@@ -13,7 +13,7 @@
 #include <optional>
 #include <span>
 
-#include "checksum/crc32.hpp"
+#include "checksum/reflected_crc32.hpp"
 #include "instruction_counter.hpp"
 #include "tile_coding/encode.hpp"
 

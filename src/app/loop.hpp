@@ -49,11 +49,9 @@ class MachineOutside {
 
   [[nodiscard]] net::Host<Port>& host() { return host_; }
 
-  std::span<std::byte> begin_message() {
-    const std::span<std::byte> room = host_.begin_message();
-    return room.first(std::min(room.size(), stream::kMaxMessageBytes));
+  [[nodiscard]] bool send_message(std::span<const std::byte> message) {
+    return host_.send_message(message);
   }
-  void send_message(std::size_t bytes) { host_.send_message(bytes); }
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
 

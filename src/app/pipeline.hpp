@@ -3,7 +3,6 @@
 // Everything outside comes through one seam, so that the target and the PC run this very file.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -16,16 +15,14 @@
 
 namespace iog::app {
 
-// begin_message():  room for one message, at least kMaxMessageBytes, or empty when none can go out.
-// send_message(n):  sends the first n bytes of that room.
+// send_message(bytes): sends a copy, at most kMaxMessageBytes; false when none can go out.
 // ticks(), ticks_hz(): a stopwatch, as hal::Stopwatch.
 // fill_vitals(header, end): link counters and stack depth of the machine; adds the datagrams that
 //                   the link itself has dropped to the header's count.
 template <typename T>
-concept Outside = requires(T& outside, std::size_t bytes, stream::Header& header,
+concept Outside = requires(T& outside, std::span<const std::byte> message, stream::Header& header,
                            stream::FrameEnd& end) {
-  { outside.begin_message() } -> std::same_as<std::span<std::byte>>;
-  { outside.send_message(bytes) } -> std::same_as<void>;
+  { outside.send_message(message) } -> std::same_as<bool>;
   { outside.ticks() } -> std::same_as<std::uint32_t>;
   { outside.ticks_hz() } -> std::same_as<std::uint32_t>;
   { outside.fill_vitals(header, end) } -> std::same_as<void>;
@@ -92,53 +89,45 @@ class Pipeline {
   }
 
   // Sends every tile in which something is known, and sets it back to unknown.
-  void publish_tiles(stream::Header& header, stream::FrameEnd& end) {
+  void publish_tiles(const stream::Header& header, stream::FrameEnd& end) {
     grid::FrameFusion& fusion = engine_.fusion();
-    std::array<grid::OccupancyIndex, stream::kTileBytes> cells;
-    const auto bytes = std::as_bytes(std::span(cells));
+    stream::TileMessage message(header);
     stream::GridHash hash;
     for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
       if (!fusion.is_touched(tile)) {
         continue;
       }
-      if (fusion.copy_tile(tile, cells)) {
+      const bool is_known = fusion.copy_tile(tile, message.cells());
+      fusion.clear_tile(tile);
+      if (is_known) {
         const std::size_t x = tile % stream::kTilesPerSide;
         const std::size_t y = tile / stream::kTilesPerSide;
-        hash.add(x, y, bytes);
-        publish_tile(header, x, y, bytes, end);
+        hash.add(x, y, message.cell_bytes());
+        message.set_tile(x, y);
+        message.set_sequence(sequence_);
+        ++(send(message.bytes()) ? end.tiles_sent : end.tiles_lost);
       }
-      fusion.clear_tile(tile);
     }
     end.grid_crc = hash.value();
   }
 
-  void publish_tile(stream::Header& header, std::size_t x, std::size_t y,
-                    std::span<const std::byte> tile, stream::FrameEnd& end) {
-    const std::span<std::byte> room = out_->begin_message();
-    if (room.empty()) {
-      ++end.tiles_lost;
-      return;
-    }
-    header.type = stream::MessageType::kTile;
-    header.sequence = sequence_++;
-    std::size_t bytes = stream::write_header(header, room);
-    bytes += stream::write_tile_header(stream::raw_tile_header(x, y), room.subspan(bytes));
-    std::ranges::copy(tile, room.subspan(bytes).begin());
-    out_->send_message(bytes + tile.size());
-    ++end.tiles_sent;
+  // If it cannot go, the next frame's number shows it.
+  void publish_end(stream::Header& header, const stream::FrameEnd& end) {
+    std::array<std::byte, stream::kMaxMessageBytes> message;
+    header.type = stream::MessageType::kFrameEnd;
+    header.sequence = sequence_;
+    const std::size_t head = stream::write_header(header, message);
+    const std::size_t body =
+        stream::write_frame_end(end, header.sensor_count, std::span(message).subspan(head));
+    require(body > 0);
+    static_cast<void>(send(std::span(message).first(head + body)));
   }
 
-  void publish_end(stream::Header& header, const stream::FrameEnd& end) {
-    const std::span<std::byte> room = out_->begin_message();
-    if (room.empty()) {
-      return;  // the missing sequence number and the next frame's number show it
-    }
-    header.type = stream::MessageType::kFrameEnd;
-    header.sequence = sequence_++;
-    const std::size_t head = stream::write_header(header, room);
-    const std::size_t body = stream::write_frame_end(end, header.sensor_count, room.subspan(head));
-    require(body > 0);
-    out_->send_message(head + body);
+  // Only what has been sent is numbered.
+  [[nodiscard]] bool send(std::span<const std::byte> message) {
+    const bool is_sent = out_->send_message(message);
+    sequence_ += is_sent ? 1U : 0U;
+    return is_sent;
   }
 
   FrameEngine engine_;

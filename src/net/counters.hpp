@@ -2,7 +2,7 @@
 //
 // Two laws hold at any moment, modulo 2^32 (every counter wraps):
 //   received = delivered + arp_answered + arp_learned + ping_answered + the sum of drops
-//   calls of begin_message() and send_message() that failed = the sum of refusals
+//   calls of send_message() that failed = the sum of refusals
 #pragma once
 
 #include <array>
@@ -38,9 +38,9 @@ inline constexpr std::size_t kDropCauses = 19;
 
 // Why a message was not sent. Streamed by position like Drop.
 enum class Refusal : std::uint8_t {
-  kUnresolved,  // begin_message(): the peer's Ethernet address is not known yet
-  kRingFull,    // begin_message(): no transmit buffer is free
-  kMisuse,      // send_message(): no message begun since the last poll(), or payload too long
+  kUnresolved,  // the peer's Ethernet address is not known yet
+  kRingFull,    // no transmit buffer is free
+  kMisuse,      // the payload is longer than kMaxUdpPayloadBytes
 };
 inline constexpr std::size_t kRefusalCauses = 3;
 

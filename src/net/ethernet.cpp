@@ -15,8 +15,10 @@ std::optional<EthernetFrame> parse_ethernet(std::span<const std::byte> frame) {
   return parsed;
 }
 
-void write_ethernet_header(wire::ByteWriter& writer, const MacAddress& destination,
-                           const MacAddress& source, std::uint16_t type) {
+void write_ethernet_header(std::span<std::byte, kEthernetHeaderBytes> target,
+                           const MacAddress& destination, const MacAddress& source,
+                           std::uint16_t type) {
+  wire::ByteWriter writer{target};
   write_mac(writer, destination);
   write_mac(writer, source);
   writer.u16_be(type);

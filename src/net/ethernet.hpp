@@ -33,8 +33,9 @@ struct EthernetFrame {
 // virtual links do not pad.
 [[nodiscard]] std::optional<EthernetFrame> parse_ethernet(std::span<const std::byte> frame);
 
-void write_ethernet_header(wire::ByteWriter& writer, const MacAddress& destination,
-                           const MacAddress& source, std::uint16_t type);
+void write_ethernet_header(std::span<std::byte, kEthernetHeaderBytes> target,
+                           const MacAddress& destination, const MacAddress& source,
+                           std::uint16_t type);
 
 // All zero if the reader has run out.
 [[nodiscard]] MacAddress read_mac(wire::ByteReader& reader);

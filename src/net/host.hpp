@@ -2,10 +2,10 @@
 //
 // It answers ARP for its address to every host of its subnet, so that sensors can reach it, and
 // ping to the peer alone. It never sends a message or a ping reply to anybody but the peer. It has
-// no clock and no memory but the port's buffers: nothing is copied on the way in or out.
+// no clock and no memory but the port's buffers: nothing is copied on the way in, and on the way
+// out once, because the port's memory is uncached and a checksum had better not be read from there.
 //
-// The loop calls poll() until it returns nothing, composes its messages, and calls the port's
-// pump().
+// The loop calls poll() until it returns nothing, sends its messages, and calls the port's pump().
 #pragma once
 
 #include <cstddef>
@@ -35,20 +35,16 @@ class Host {
   Host& operator=(const Host&) = delete;
 
   // The next datagram addressed to us, valid until the next poll(); nothing if none has come, or if
-  // kMaxFramesPerPoll other frames were in front of it. Ends a message that was begun and not sent.
+  // kMaxFramesPerPoll other frames were in front of it.
   // `now_us` never goes backwards.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
   // True once the peer's Ethernet address has been learnt; stays true.
   [[nodiscard]] bool peer_known() const { return resolver_.known(); }
 
-  // Room for the payload of one message to the peer, kMaxUdpPayloadBytes long and valid until
-  // send_message() or poll(); empty if the peer is unresolved or the transmit ring full (counted).
-  [[nodiscard]] std::span<std::byte> begin_message();
-
-  // Sends the first `payload_bytes` of what begin_message() returned, 0 to kMaxUdpPayloadBytes.
-  // Without a message begun, or with a longer one, nothing is sent (counted).
-  void send_message(std::size_t payload_bytes);
+  // Sends the peer a copy of `payload`. False if nothing was sent, because the payload is longer
+  // than kMaxUdpPayloadBytes, the peer unresolved or the transmit ring full (each counted).
+  [[nodiscard]] bool send_message(std::span<const std::byte> payload);
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
 
@@ -66,15 +62,12 @@ class Host {
   Config config_;
   PeerResolver resolver_;
   Counters counters_;
-  std::optional<FrameBuffer> message_;  // begun and not sent yet
-  std::uint16_t identification_ = 0;    // of the next IPv4 packet
-  bool holds_frame_ = false;            // the datagram returned last is still in the port
+  std::uint16_t identification_ = 0;  // of the next IPv4 packet
+  bool holds_frame_ = false;          // the datagram returned last is still in the port
 };
 
 template <hal::EthernetPort Port>
 std::optional<Datagram> Host<Port>::poll(std::uint64_t now_us) {
-  // A reply would be written into the same buffer as a message half composed.
-  message_.reset();
   release_frame();
   request_peer(now_us);
   for (int frames = 0; frames < kMaxFramesPerPoll; ++frames) {
@@ -105,29 +98,23 @@ std::optional<Datagram> Host<Port>::poll(std::uint64_t now_us) {
 }
 
 template <hal::EthernetPort Port>
-std::span<std::byte> Host<Port>::begin_message() {
+bool Host<Port>::send_message(std::span<const std::byte> payload) {
+  if (payload.size() > kMaxUdpPayloadBytes) {
+    ++counters_.of(Refusal::kMisuse);
+    return false;
+  }
   if (!resolver_.known()) {
     ++counters_.of(Refusal::kUnresolved);
-    return {};
+    return false;
   }
-  message_ = acquire();
-  if (!message_) {
+  const auto buffer = acquire();
+  if (!buffer) {
     ++counters_.of(Refusal::kRingFull);
-    return {};
+    return false;
   }
-  return message_payload(*message_);
-}
-
-template <hal::EthernetPort Port>
-void Host<Port>::send_message(std::size_t payload_bytes) {
-  if (!message_ || payload_bytes > kMaxUdpPayloadBytes) {
-    ++counters_.of(Refusal::kMisuse);
-    return;
-  }
-  port_.commit(
-      build_message(*message_, config_, resolver_.mac(), identification_++, payload_bytes));
+  port_.commit(build_message(*buffer, config_, resolver_.mac(), identification_++, payload));
   ++counters_.sent;
-  message_.reset();
+  return true;
 }
 
 template <hal::EthernetPort Port>

@@ -1,7 +1,6 @@
 #include "net/ipv4.hpp"
 
 #include "net/checksum.hpp"
-#include "wire/byte_order.hpp"
 #include "wire/byte_reader.hpp"
 #include "wire/byte_writer.hpp"
 
@@ -13,7 +12,6 @@ constexpr std::size_t kHeaderWordBytes = 4;
 constexpr std::uint8_t kTimeToLive = 64;
 constexpr std::uint16_t kDontFragment = 0x4000;
 constexpr std::uint16_t kFragmentMask = 0x3FFF;  // More Fragments and the fragment offset
-constexpr std::size_t kChecksumOffset = 10;
 
 }  // namespace
 
@@ -48,19 +46,24 @@ Ipv4Result parse_ipv4(std::span<const std::byte> bytes) {
           .source = source, .destination = destination, .protocol = protocol, .payload = payload}};
 }
 
+// The words are summed as they are written, because the target may be uncached.
 void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header) {
+  constexpr std::uint16_t kVersionLengthAndService =
+      (kVersion << 4 | kIpv4HeaderBytes / kHeaderWordBytes) << 8;  // type of service: routine
+  const auto total_bytes = static_cast<std::uint16_t>(kIpv4HeaderBytes + header.payload_bytes);
+  const auto life_and_protocol = static_cast<std::uint16_t>(kTimeToLive << 8 | header.protocol);
+  Checksum sum;
   wire::ByteWriter writer{target};
-  writer.u8(kVersion << 4 | kIpv4HeaderBytes / kHeaderWordBytes);
-  writer.u8(0);  // type of service: routine
-  writer.u16_be(static_cast<std::uint16_t>(kIpv4HeaderBytes + header.payload_bytes));
-  writer.u16_be(header.identification);
-  writer.u16_be(kDontFragment);
-  writer.u8(kTimeToLive);
-  writer.u8(header.protocol);
-  writer.u16_be(0);
+  for (const std::uint16_t word : {kVersionLengthAndService, total_bytes, header.identification,
+                                   kDontFragment, life_and_protocol}) {
+    sum.add_u16(word);
+    writer.u16_be(word);
+  }
+  sum.add_u32(header.source.value);
+  sum.add_u32(header.destination.value);
+  writer.u16_be(sum.value());
   writer.u32_be(header.source.value);
   writer.u32_be(header.destination.value);
-  wire::store_be16(target.subspan<kChecksumOffset, 2>(), internet_checksum(target));
 }
 
 }  // namespace iog::net

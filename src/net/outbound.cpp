@@ -19,18 +19,18 @@ std::size_t padded(FrameBuffer frame, std::size_t frame_bytes) {
 }
 
 std::size_t build_arp(FrameBuffer frame, const MacAddress& destination, const ArpPacket& packet) {
-  wire::ByteWriter writer{frame};
-  write_ethernet_header(writer, destination, packet.sender_mac, kEtherTypeArp);
+  write_ethernet_header(frame.first<kEthernetHeaderBytes>(), destination, packet.sender_mac,
+                        kEtherTypeArp);
+  wire::ByteWriter writer{frame.subspan<kEthernetHeaderBytes>()};
   write_arp(writer, packet);
-  return padded(frame, writer.written().size());
+  return padded(frame, kEthernetHeaderBytes + writer.written().size());
 }
 
-// The payload is in place already. Everything of IPv4 that we send goes to the peer.
+// The IPv4 payload is in place already. Everything of IPv4 that we send goes to the peer.
 std::size_t wrap_ipv4(FrameBuffer frame, const Config& config, const MacAddress& peer_mac,
                       std::uint8_t protocol, std::uint16_t identification,
                       std::size_t payload_bytes) {
-  wire::ByteWriter writer{frame};
-  write_ethernet_header(writer, peer_mac, config.mac, kEtherTypeIpv4);
+  write_ethernet_header(frame.first<kEthernetHeaderBytes>(), peer_mac, config.mac, kEtherTypeIpv4);
   write_ipv4_header(frame.subspan<kIpv4Offset, kIpv4HeaderBytes>(),
                     {.source = config.address,
                      .destination = config.peer,
@@ -67,13 +67,13 @@ std::size_t build_echo_reply(FrameBuffer frame, const Config& config, const MacA
 }
 
 std::size_t build_message(FrameBuffer frame, const Config& config, const MacAddress& peer_mac,
-                          std::uint16_t identification, std::size_t payload_bytes) {
-  const std::size_t datagram_bytes = kUdpHeaderBytes + payload_bytes;
-  write_udp_header(frame.subspan(kIpv4PayloadOffset, datagram_bytes),
-                   {.source = config.address,
-                    .destination = config.peer,
-                    .source_port = config.source_port,
-                    .destination_port = config.peer_port});
+                          std::uint16_t identification, std::span<const std::byte> payload) {
+  const std::size_t datagram_bytes = write_udp(frame.subspan(kIpv4PayloadOffset),
+                                               {.source = config.address,
+                                                .destination = config.peer,
+                                                .source_port = config.source_port,
+                                                .destination_port = config.peer_port},
+                                               payload);
   return wrap_ipv4(frame, config, peer_mac, kProtocolUdp, identification, datagram_bytes);
 }
 

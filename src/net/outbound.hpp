@@ -17,14 +17,9 @@ namespace iog::net {
 
 using FrameBuffer = std::span<std::byte, kMaxFrameBytes>;
 
+// Where in its frame the payload of a message begins.
 inline constexpr std::size_t kMessageOffset =
     kEthernetHeaderBytes + kIpv4HeaderBytes + kUdpHeaderBytes;
-
-// Where in the frame a message's payload is written before build_message() wraps it.
-[[nodiscard]] constexpr std::span<std::byte, kMaxUdpPayloadBytes> message_payload(
-    FrameBuffer frame) {
-  return frame.subspan<kMessageOffset, kMaxUdpPayloadBytes>();
-}
 
 // Asks everyone for the peer's Ethernet address.
 [[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config);
@@ -38,9 +33,10 @@ inline constexpr std::size_t kMessageOffset =
                                            const MacAddress& peer_mac, std::uint16_t identification,
                                            std::span<const std::byte> request);
 
-// Wraps the first `payload_bytes`, at most kMaxUdpPayloadBytes, of message_payload(frame).
+// A datagram to the peer with a copy of the payload, which is at most kMaxUdpPayloadBytes long. The
+// frame is only written: on the target it lies in uncached memory.
 [[nodiscard]] std::size_t build_message(FrameBuffer frame, const Config& config,
                                         const MacAddress& peer_mac, std::uint16_t identification,
-                                        std::size_t payload_bytes);
+                                        std::span<const std::byte> payload);
 
 }  // namespace iog::net

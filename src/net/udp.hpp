@@ -38,8 +38,10 @@ struct UdpHeader {
   std::uint16_t destination_port = 0;
 };
 
-// `datagram` is the header's 8 bytes, written here, with the payload, already in place, behind
-// them: kUdpHeaderBytes to kMaxIpv4PayloadBytes. The checksum is always computed, never 0.
-void write_udp_header(std::span<std::byte> datagram, const UdpHeader& header);
+// Copies the payload, at most kMaxUdpPayloadBytes, behind a header into the front of `target`,
+// which has room for both and is never read. The checksum is always computed, never 0. Returns the
+// bytes written.
+std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,
+                      std::span<const std::byte> payload);
 
 }  // namespace iog::net

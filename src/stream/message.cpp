@@ -1,5 +1,6 @@
 #include "stream/message.hpp"
 
+#include "wire/byte_order.hpp"
 #include "wire/byte_reader.hpp"
 #include "wire/byte_writer.hpp"
 
@@ -9,6 +10,10 @@ namespace {
 // A list that may grow in later versions: how many entries, how long each.
 constexpr std::uint8_t kSensorRecordBytes = 16;
 constexpr std::size_t kMaxTileSideLog2 = 5;
+
+constexpr std::size_t kSequenceOffset = 8;
+constexpr std::size_t kTileXOffset = 0;
+constexpr std::size_t kTileYOffset = 2;
 
 std::size_t written_bytes(const wire::ByteWriter& out) {
   return out.ok() ? out.written().size() : 0;
@@ -126,6 +131,16 @@ std::size_t write_tile_header(const TileHeader& tile, std::span<std::byte> buffe
   out.i32_be(tile.origin_x_mm);
   out.i32_be(tile.origin_y_mm);
   return written_bytes(out);
+}
+
+void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t sequence) {
+  wire::store_be32(header.subspan<kSequenceOffset, 4>(), sequence);
+}
+
+void set_tile(std::span<std::byte, kTileHeaderBytes> header, std::size_t tile_x,
+              std::size_t tile_y) {
+  wire::store_be16(header.subspan<kTileXOffset, 2>(), static_cast<std::uint16_t>(tile_x));
+  wire::store_be16(header.subspan<kTileYOffset, 2>(), static_cast<std::uint16_t>(tile_y));
 }
 
 ReadStatus read_tile(std::span<const std::byte> body, TileHeader& tile,

@@ -128,6 +128,11 @@ std::size_t write_tile_header(const TileHeader& tile, std::span<std::byte> buffe
 std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
                             std::span<std::byte> buffer);
 
+// Each changes one thing in a header that has been written.
+void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t sequence);
+void set_tile(std::span<std::byte, kTileHeaderBytes> header, std::size_t tile_x,
+              std::size_t tile_y);
+
 // Reads the header; `body` becomes what follows it. kOk, kTooShort, kNotOurs, kOtherVersion.
 [[nodiscard]] ReadStatus read_header(std::span<const std::byte> message, Header& header,
                                      std::span<const std::byte>& body);

@@ -1,6 +1,7 @@
 // Tiles: the squares of 32 by 32 cells in which a grid travels.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -30,7 +31,38 @@ class GridHash {
   Crc32 crc_;
 };
 
-// A header for tile (x, y) of the grid, raw.
-[[nodiscard]] TileHeader raw_tile_header(std::size_t tile_x, std::size_t tile_y);
+// The message of one tile after the other, raw. What the tiles of a frame have in common is written
+// once, and the cells are copied from the grid to where they belong.
+class TileMessage {
+ public:
+  // header: of the frame; its type and sequence number do not matter.
+  explicit TileMessage(const Header& header);
+
+  void set_sequence(std::uint32_t sequence) { stream::set_sequence(header(), sequence); }
+  void set_tile(std::size_t tile_x, std::size_t tile_y);
+
+  // Where the tile's cells belong, row by row from its lowest y.
+  [[nodiscard]] std::span<index::OccupancyIndex, kTileBytes> cells() { return message_.cells; }
+  [[nodiscard]] std::span<const std::byte, kTileBytes> cell_bytes() const {
+    return std::as_bytes(std::span(message_.cells));
+  }
+
+  [[nodiscard]] std::span<const std::byte> bytes() const {
+    return std::as_bytes(std::span(&message_, 1));
+  }
+
+ private:
+  // Aligned as the machine likes to store rows of cells.
+  struct alignas(8) Message {
+    std::array<std::byte, kHeaderBytes> header{};
+    std::array<std::byte, kTileHeaderBytes> tile_header{};
+    std::array<index::OccupancyIndex, kTileBytes> cells;
+  };
+  static_assert(sizeof(Message) == kHeaderBytes + kTileHeaderBytes + kTileBytes);
+
+  [[nodiscard]] std::span<std::byte, kHeaderBytes> header() { return message_.header; }
+
+  Message message_;
+};
 
 }  // namespace iog::stream

@@ -9,7 +9,6 @@
 #include "net/udp.hpp"
 #include "require/require.hpp"
 #include "tools/command/exit_status.hpp"
-#include "wire/byte_writer.hpp"
 
 namespace iog::tools {
 namespace {
@@ -27,9 +26,9 @@ net::MacAddress mac_of(std::uint32_t address) {
 std::size_t build_frame(const CapturedDatagram& datagram, std::uint16_t identification,
                         std::span<std::byte> frame) {
   const std::size_t udp_bytes = net::kUdpHeaderBytes + datagram.payload.size();
-  wire::ByteWriter writer(frame);
-  net::write_ethernet_header(writer, mac_of(datagram.destination.ipv4),
-                             mac_of(datagram.source.ipv4), net::kEtherTypeIpv4);
+  net::write_ethernet_header(frame.first<net::kEthernetHeaderBytes>(),
+                             mac_of(datagram.destination.ipv4), mac_of(datagram.source.ipv4),
+                             net::kEtherTypeIpv4);
   const auto packet = frame.subspan(net::kEthernetHeaderBytes);
   net::write_ipv4_header(packet.first<net::kIpv4HeaderBytes>(),
                          {.source = {datagram.source.ipv4},
@@ -37,12 +36,12 @@ std::size_t build_frame(const CapturedDatagram& datagram, std::uint16_t identifi
                           .protocol = net::kProtocolUdp,
                           .identification = identification,
                           .payload_bytes = udp_bytes});
-  const auto udp = packet.subspan(net::kIpv4HeaderBytes, udp_bytes);
-  std::ranges::copy(datagram.payload, udp.subspan(net::kUdpHeaderBytes).begin());
-  net::write_udp_header(udp, {.source = {datagram.source.ipv4},
-                              .destination = {datagram.destination.ipv4},
-                              .source_port = datagram.source.port,
-                              .destination_port = datagram.destination.port});
+  net::write_udp(packet.subspan(net::kIpv4HeaderBytes),
+                 {.source = {datagram.source.ipv4},
+                  .destination = {datagram.destination.ipv4},
+                  .source_port = datagram.source.port,
+                  .destination_port = datagram.destination.port},
+                 datagram.payload);
   return std::max(net::kEthernetHeaderBytes + net::kIpv4HeaderBytes + udp_bytes,
                   net::kMinFrameBytes);
 }

@@ -39,8 +39,7 @@ void OfflineTarget::finish() {
   }
 }
 
-void OfflineOutside::send_message(std::size_t bytes) {
-  const auto message = std::span<const std::byte>(room_).first(bytes);
+bool OfflineOutside::send_message(std::span<const std::byte> message) {
   stream::Header header;
   std::span<const std::byte> body;
   if (stream::read_header(message, header, body) == stream::ReadStatus::kOk &&
@@ -48,6 +47,7 @@ void OfflineOutside::send_message(std::size_t bytes) {
     ++evidence_frames_;
   }
   on_message_(message);
+  return true;
 }
 
 std::uint32_t OfflineOutside::ticks() const {

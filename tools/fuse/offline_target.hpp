@@ -4,7 +4,6 @@
 // their ports. Time is that of CaptureClock.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -26,8 +25,7 @@ class OfflineOutside {
  public:
   explicit OfflineOutside(MessageHandler on_message) : on_message_(std::move(on_message)) {}
 
-  [[nodiscard]] std::span<std::byte> begin_message() { return room_; }
-  void send_message(std::size_t bytes);
+  [[nodiscard]] bool send_message(std::span<const std::byte> message);
   [[nodiscard]] std::uint32_t ticks() const;
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1'000'000; }
   void fill_vitals(stream::Header& /*header*/, stream::FrameEnd& end) const {
@@ -39,7 +37,6 @@ class OfflineOutside {
 
  private:
   MessageHandler on_message_;
-  std::array<std::byte, stream::kMaxMessageBytes> room_{};
   unsigned evidence_frames_ = 0;
 };
 

@@ -1,7 +1,6 @@
 // An Outside (app/pipeline.hpp) that keeps every message and can refuse them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,36 +19,13 @@ struct ReceivedFrame {
 
 class FakeOutside {
  public:
-  std::span<std::byte> begin_message() {
+  [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     if (room_left_ == 0) {
-      return {};
+      return false;
     }
     --room_left_;
-    return room_;
-  }
-
-  void send_message(std::size_t bytes) {
-    if (cells_.empty()) {
-      cells_.resize(grid::kCellCount);
-    }
-    stream::Header header;
-    std::span<const std::byte> body;
-    if (stream::read_header(std::span(room_).first(bytes), header, body) !=
-        stream::ReadStatus::kOk) {
-      ++unreadable_;
-      return;
-    }
-    sequences_.push_back(header.sequence);
-    if (header.type == stream::MessageType::kTile) {
-      take_tile(body);
-      return;
-    }
-    ReceivedFrame frame{.header = header, .end = {}, .cells = std::move(cells_)};
-    unreadable_ +=
-        stream::read_frame_end(body, header.sensor_count, frame.end) != stream::ReadStatus::kOk ? 1
-                                                                                                : 0;
-    frames.push_back(std::move(frame));
-    cells_ = {};
+    receive(message);
+    return true;
   }
 
   std::uint32_t ticks() { return ++ticks_; }
@@ -68,6 +44,29 @@ class FakeOutside {
   std::vector<ReceivedFrame> frames;
 
  private:
+  void receive(std::span<const std::byte> message) {
+    if (cells_.empty()) {
+      cells_.resize(grid::kCellCount);
+    }
+    stream::Header header;
+    std::span<const std::byte> body;
+    if (stream::read_header(message, header, body) != stream::ReadStatus::kOk) {
+      ++unreadable_;
+      return;
+    }
+    sequences_.push_back(header.sequence);
+    if (header.type == stream::MessageType::kTile) {
+      take_tile(body);
+      return;
+    }
+    ReceivedFrame frame{.header = header, .end = {}, .cells = std::move(cells_)};
+    unreadable_ +=
+        stream::read_frame_end(body, header.sensor_count, frame.end) != stream::ReadStatus::kOk ? 1
+                                                                                                : 0;
+    frames.push_back(std::move(frame));
+    cells_ = {};
+  }
+
   void take_tile(std::span<const std::byte> body) {
     stream::TileHeader tile;
     std::span<const std::byte> payload;
@@ -82,7 +81,6 @@ class FakeOutside {
     }
   }
 
-  std::array<std::byte, stream::kMaxMessageBytes> room_{};
   int room_left_ = 1 << 30;
   int unreadable_ = 0;
   std::uint32_t ticks_ = 0;

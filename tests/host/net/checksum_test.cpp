@@ -74,6 +74,25 @@ TEST(Checksum, DoesNotDependOnHowDataIsCut) {
   }
 }
 
+// What is copied is what was summed, at every length and alignment, and nothing beside it.
+TEST(Checksum, CopiesWhatItSums) {
+  std::mt19937 random{1624};
+  const Frame bytes = random_bytes(random, 80);
+  for (std::size_t start = 0; start < 4; ++start) {
+    for (std::size_t size = 0; start + size <= bytes.size(); ++size) {
+      const auto part = std::span{bytes}.subspan(start, size);
+      Frame copy(start + size + 3, std::byte{0xEE});
+      Checksum checksum;
+      checksum.add_copied(part, std::span{copy}.subspan(start));
+      ASSERT_EQ(checksum.value(), reference_checksum(part)) << start << ' ' << size;
+      Frame expected(start, std::byte{0xEE});
+      expected.insert(expected.end(), part.begin(), part.end());
+      expected.resize(copy.size(), std::byte{0xEE});
+      ASSERT_EQ(copy, expected);
+    }
+  }
+}
+
 TEST(Checksum, WordsAreBytesInNetworkOrder) {
   Checksum checksum;
   checksum.add_u16(0x0001);

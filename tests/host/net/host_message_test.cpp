@@ -26,10 +26,7 @@ bool has_right_udp_checksum(const Frame& frame) {
 }
 
 Frame send(Station& station, std::span<const std::byte> payload) {
-  const auto area = station.host.begin_message();
-  EXPECT_EQ(area.size(), kMaxUdpPayloadBytes);
-  std::copy(payload.begin(), payload.end(), area.begin());
-  station.host.send_message(payload.size());
+  EXPECT_TRUE(station.host.send_message(payload));
   station.port.pump();
   const auto sent = station.port.take_sent();
   EXPECT_EQ(sent.size(), 1U);
@@ -95,10 +92,8 @@ TEST(HostMessage, IsRefusedWhileThePeerIsUnresolved) {
   Station station;
   static_cast<void>(station.poll());
   static_cast<void>(station.port.take_sent());
-  EXPECT_TRUE(station.host.begin_message().empty());
-  station.host.send_message(10);
+  EXPECT_FALSE(station.host.send_message(Frame(10)));
   EXPECT_EQ(station.refused(Refusal::kUnresolved), 1U);
-  EXPECT_EQ(station.refused(Refusal::kMisuse), 1U);
   EXPECT_EQ(station.host.counters().sent, 0U);
   EXPECT_TRUE(station.port.take_sent().empty());
 }
@@ -109,39 +104,23 @@ TEST(HostMessage, IsRefusedWhileTheRingIsFull) {
   station.port.pump();
   station.port.set_ring_slots(2);
   for (int i = 0; i < 5; ++i) {
-    if (!station.host.begin_message().empty()) {
-      station.host.send_message(4);
-    }
+    EXPECT_EQ(station.host.send_message(Frame(4)), i < 2);
   }
   EXPECT_EQ(station.host.counters().sent, 2U);
   EXPECT_EQ(station.refused(Refusal::kRingFull), 3U);
   station.port.pump();
-  EXPECT_FALSE(station.host.begin_message().empty());
+  EXPECT_TRUE(station.host.send_message(Frame(4)));
   EXPECT_TRUE(station.conserved());
 }
 
 TEST(HostMessage, TooLongIsNotSent) {
   Station station;
   station.resolve();
-  EXPECT_FALSE(station.host.begin_message().empty());
-  station.host.send_message(kMaxUdpPayloadBytes + 1);
-  station.host.send_message(SIZE_MAX);
-  EXPECT_EQ(station.refused(Refusal::kMisuse), 2U);
-  EXPECT_TRUE(station.port.take_sent().empty());
-  station.host.send_message(kMaxUdpPayloadBytes);
-  EXPECT_EQ(station.port.take_sent().size(), 1U);
-}
-
-// A reply would overwrite a message that is being composed, so poll() ends it.
-TEST(HostMessage, EndsAtThePoll) {
-  Station station;
-  station.resolve();
-  EXPECT_FALSE(station.host.begin_message().empty());
-  static_cast<void>(station.take(linux_ping()));
-  station.host.send_message(4);
+  EXPECT_FALSE(station.host.send_message(Frame(kMaxUdpPayloadBytes + 1)));
   EXPECT_EQ(station.refused(Refusal::kMisuse), 1U);
-  EXPECT_EQ(station.port.take_sent().size(), 1U) << "the ping's reply alone";
-  EXPECT_TRUE(station.conserved());
+  EXPECT_TRUE(station.port.take_sent().empty());
+  EXPECT_TRUE(station.host.send_message(Frame(kMaxUdpPayloadBytes)));
+  EXPECT_EQ(station.port.take_sent().size(), 1U);
 }
 
 TEST(HostMessage, FollowsThePeerToItsNewAddress) {

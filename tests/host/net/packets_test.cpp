@@ -235,11 +235,8 @@ TEST(Outbound, AsksAndAnswersArpAsLinuxDoes) {
 TEST(Outbound, WrapsMessagesAsLinuxDoes) {
   const auto message = [](const Frame& expected, std::uint16_t identification) {
     return built([&](FrameBuffer frame) {
-      const std::size_t bytes = expected.size() - kPayloadOffset;
-      for (std::size_t i = 0; i < bytes; ++i) {
-        message_payload(frame)[i] = expected[kPayloadOffset + i];
-      }
-      return build_message(frame, kLinux, kConfig.mac, identification, bytes);
+      return build_message(frame, kLinux, kConfig.mac, identification,
+                           std::span(expected).subspan(kPayloadOffset));
     });
   };
   EXPECT_EQ(message(linux_udp_even(), 0x73E5), padded(linux_udp_even()));

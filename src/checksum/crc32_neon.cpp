@@ -1,0 +1,66 @@
+// The Cortex-A9 multiplies eight pairs of bytes without carry in one instruction. A tile of 1 KiB
+// is 1.6 cycles a byte, where look-ups take 2.4 (modelled by bench/a9_model).
+#include <arm_neon.h>
+#include <array>
+
+#include "checksum/crc32.hpp"
+#include "checksum/product_crc32.hpp"
+#include "checksum/products.hpp"
+
+namespace iog::checksum {
+namespace {
+
+// The twin of PlainProducts.
+// One sum of 16 bits for each lane and byte of the factors; they are put together in the end.
+class NeonProducts {
+ public:
+  void add(std::span<const std::byte, kProductLanes> bytes, const Factors& factors) {
+    const auto* const from = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    const poly8x8_t left = vreinterpret_p8_u8(vld1_u8(from));
+    for (std::size_t i = 0; i < kFactorBytes; i += 2) {
+      const poly8x16_t right = vreinterpretq_p8_u8(vld1q_u8(factors.bytes[i].data()));
+      add_product(i, left, vget_low_p8(right));
+      add_product(i + 1, left, vget_high_p8(right));
+    }
+  }
+
+  // Columns of the four by four sums become rows, so that adding the rows adds the lanes.
+  [[nodiscard]] std::uint64_t sum() const {
+    const uint16x4x2_t low = vtrn_u16(lanes_added(0), lanes_added(1));
+    const uint16x4x2_t high = vtrn_u16(lanes_added(2), lanes_added(3));
+    const auto words = [](uint16x4_t row) { return vreinterpret_u32_u16(row); };
+    const uint32x2x2_t even = vtrn_u32(words(low.val[0]), words(high.val[0]));
+    const uint32x2x2_t odd = vtrn_u32(words(low.val[1]), words(high.val[1]));
+    const uint32x2_t all =
+        veor_u32(veor_u32(even.val[0], even.val[1]), veor_u32(odd.val[0], odd.val[1]));
+    const std::uint32_t lower = vget_lane_u32(all, 0);
+    const std::uint32_t upper = vget_lane_u32(all, 1);
+    return std::uint64_t{(lower & 0xFFFFU) ^ (lower >> 16 << 8)} ^
+           (std::uint64_t{(upper & 0xFFFFU) ^ (upper >> 16 << 8)} << 16);
+  }
+
+ private:
+  void add_product(std::size_t i, poly8x8_t left, poly8x8_t right) {
+    sums_[i] = veorq_u16(sums_[i], vreinterpretq_u16_p16(vmull_p8(left, right)));
+  }
+  [[nodiscard]] uint16x4_t lanes_added(std::size_t i) const {
+    return veor_u16(vget_low_u16(sums_[i]), vget_high_u16(sums_[i]));
+  }
+
+  std::array<uint16x8_t, kFactorBytes> sums_{};
+};
+
+}  // namespace
+
+template <std::uint32_t kPolynomial>
+void FastCrc32<kPolynomial>::update(std::span<const std::byte> bytes) {
+  ProductCrc32<kPolynomial, NeonProducts> crc;
+  crc.set_state(state_);
+  crc.update(bytes);
+  state_ = crc.state();
+}
+
+template class FastCrc32<0x04C11DB7>;
+template class FastCrc32<0xF4ACFB13>;
+
+}  // namespace iog::checksum

@@ -1,0 +1,18 @@
+// Where nothing multiplies without carry: by look-ups.
+#include "checksum/crc32.hpp"
+#include "checksum/reflected_crc32.hpp"
+
+namespace iog::checksum {
+
+template <std::uint32_t kPolynomial>
+void FastCrc32<kPolynomial>::update(std::span<const std::byte> bytes) {
+  ReflectedCrc32<kPolynomial, 8> crc;
+  crc.set_state(state_);
+  crc.update(bytes);
+  state_ = crc.state();
+}
+
+template class FastCrc32<0x04C11DB7>;
+template class FastCrc32<0xF4ACFB13>;
+
+}  // namespace iog::checksum

@@ -1,0 +1,103 @@
+// The CRC-32 of checksum/crc32.hpp where the machine multiplies bytes without carry.
+//
+// A CRC is linear: a byte that is followed by d others adds its product with x^(32 + 8d), modulo
+// the polynomial, to the state. So the bytes of a block do not wait for each other, and only the
+// sum of their products is reduced. The two halves of a block share the factors: each is loaded
+// once.
+//
+// Reflected, a state has x^31 in bit 0 and a byte x^7; so a product of both has x^38 in bit 0.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "checksum/products.hpp"
+#include "checksum/reflected_crc32.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::checksum {
+
+// `Sum` is PlainProducts or a twin of it.
+template <std::uint32_t kPolynomial, typename Sum>
+class ProductCrc32 {
+ public:
+  void update(std::span<const std::byte> bytes) {
+    while (bytes.size() >= kLeastBlockBytes) {
+      const std::size_t block = std::min(bytes.size() & ~(2 * kProductLanes - 1), kMostBlockBytes);
+      rest_.set_state(after_block(rest_.state(), bytes.first(block)));
+      bytes = bytes.subspan(block);
+    }
+    rest_.update(bytes);
+  }
+
+  // Of all bytes so far; more may follow.
+  [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
+
+  // As of ReflectedCrc32.
+  [[nodiscard]] std::uint32_t state() const { return rest_.state(); }
+  void set_state(std::uint32_t state) { rest_.set_state(state); }
+
+ private:
+  using Bytewise = ReflectedCrc32<kPolynomial, 1>;
+
+  static constexpr std::size_t kMostBlockBytes = 1024;
+  static constexpr std::size_t kLeastBlockBytes = 32;  // below, adding up and reducing costs more
+  static constexpr std::size_t kGroups = kMostBlockBytes / (2 * kProductLanes);
+  using FactorsOfHalf = std::array<Factors, kGroups>;
+
+  static std::uint32_t after_block(std::uint32_t state, std::span<const std::byte> block) {
+    const std::span<const std::byte> first_half = block.first(block.size() / 2);
+    const std::span<const std::byte> second_half = block.last(block.size() / 2);
+    const auto factors = std::span(kFactors).last(first_half.size() / kProductLanes);
+    Sum first;
+    Sum second;
+    add_state(first, state, factors.front());
+    for (std::size_t group = 0; group < factors.size(); ++group) {
+      const std::size_t at = group * kProductLanes;
+      first.add(first_half.subspan(at).template first<kProductLanes>(), factors[group]);
+      second.add(second_half.subspan(at).template first<kProductLanes>(), factors[group]);
+    }
+    add_state(second, reduced(first.sum()), factors.front());
+    return reduced(second.sum());
+  }
+
+  // The state before a half acts as if it were added to the half's first four bytes.
+  static void add_state(Sum& sum, std::uint32_t state, const Factors& factors) {
+    std::array<std::byte, kProductLanes> bytes{};
+    wire::store_le32(std::span(bytes).template first<4>(), state);
+    sum.add(bytes, factors);
+  }
+
+  // Bits 0 to 6 are those of x^38 to x^32: the state's first byte, before a byte of zeros.
+  static std::uint32_t reduced(std::uint64_t sum) {
+    return Bytewise::after_byte(static_cast<std::uint32_t>(sum << 1) & 0xFFU) ^
+           static_cast<std::uint32_t>(sum >> 7);
+  }
+
+  // From x^32 for the last byte, eight powers more for each byte before it.
+  static constexpr FactorsOfHalf make_factors() {
+    FactorsOfHalf factors{};
+    std::uint32_t factor = 0x8000'0000U;  // 1
+    for (int byte = 0; byte < 4; ++byte) {
+      factor = Bytewise::times_x8(factor);
+    }
+    for (std::size_t i = kGroups * kProductLanes; i > 0; --i) {
+      factors[(i - 1) / kProductLanes].set((i - 1) % kProductLanes, factor);
+      factor = Bytewise::times_x8(factor);
+    }
+    return factors;
+  }
+
+  static const FactorsOfHalf kFactors;
+
+  Bytewise rest_;
+};
+
+template <std::uint32_t kPolynomial, typename Sum>
+inline constexpr typename ProductCrc32<kPolynomial, Sum>::FactorsOfHalf
+    ProductCrc32<kPolynomial, Sum>::kFactors = ProductCrc32<kPolynomial, Sum>::make_factors();
+
+}  // namespace iog::checksum
