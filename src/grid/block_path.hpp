@@ -51,7 +51,10 @@ class BlockPath {
 
   // The rest is about blocks that were found. The cells of the line in a block:
   [[nodiscard]] const LaneBytes& cells(std::uint32_t block) const {
-    return block == 0 ? first_cells_ : (*masks_)[codes_[block] / 2U];
+    if (block == 0) {
+      return first_cells_;
+    }
+    return (*masks_)[codes_[block] / 2U];
   }
   [[nodiscard]] const Orientation& orientation() const { return orientation_; }
 

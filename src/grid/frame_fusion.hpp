@@ -37,7 +37,7 @@ class FrameFusion {
  public:
   // vehicle outlives the fusion.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
-      : vehicle_(&vehicle), lines_(vehicle.sensors) {}
+      : lines_(vehicle.sensors), vehicle_(&vehicle) {}
 
   // Whether that many points of this sensor can still be marked in this frame.
   [[nodiscard]] bool fits(const vehicle::Sensor& sensor, std::uint32_t points) const;
@@ -94,22 +94,23 @@ class FrameFusion {
   void mark_behind(const KeptLine& line, traversal::Position hit, std::uint32_t range_mm);
   void remember(traversal::Cell cell, OccupancyIndex index);
 
+  // What is aligned to a cache line comes first.
+  BlockGrid grid_;
+  std::array<KeptLine, vehicle::kMaxLayers - KeptAzimuth::kMaxLines> further_lines_;
+  BeamLines lines_;
   const vehicle::Vehicle* vehicle_;
 
   // The azimuth at hand, and its lines by Layer::line; those in use, one bit each.
   const vehicle::Sensor* sensor_ = nullptr;
-  std::uint16_t azimuth_ticks_ = 0;
-  vehicle::Direction direction_;
   KeptAzimuth* kept_ = nullptr;
+  vehicle::Direction direction_;
   std::uint32_t lines_in_use_ = 0;
-  std::array<OpenLine, vehicle::kMaxLayers> open_lines_{};
-  std::array<KeptLine, vehicle::kMaxLayers - KeptAzimuth::kMaxLines> further_lines_;
+  std::uint16_t azimuth_ticks_ = 0;
   KeptBeam further_beam_;
+  std::array<OpenLine, vehicle::kMaxLayers> open_lines_{};
 
   std::size_t mark_count_ = 0;
   std::array<Mark, kMaxMarks> marks_{};
-  BlockGrid grid_;
-  BeamLines lines_;
 };
 
 // The most cells that one point of this sensor can mark: its own, and behind it those that its near

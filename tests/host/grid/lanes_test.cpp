@@ -4,6 +4,8 @@
 #include <array>
 #include <gtest/gtest.h>
 
+#include "grid/lanes_plain.hpp"
+
 namespace iog::grid {
 namespace {
 

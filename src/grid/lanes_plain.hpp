@@ -1,0 +1,70 @@
+// Sixteen indexes at once in plain C++: the specification, and for machines without more.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "grid/lane_bytes.hpp"
+
+namespace iog::grid {
+
+class PlainLanes {
+ public:
+  static PlainLanes load(const LaneBytes& from) { return PlainLanes(from); }
+  static PlainLanes all(std::int8_t value) {
+    LaneBytes lanes;
+    lanes.bytes.fill(value);
+    return PlainLanes(lanes);
+  }
+  void store(LaneBytes& to) const { to = lanes_; }
+  void store_bytes(std::int8_t* to) const {
+    std::copy(lanes_.bytes.begin(), lanes_.bytes.end(), to);
+  }
+
+  [[nodiscard]] PlainLanes masked(const PlainLanes& mask) const {
+    return each(mask, [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a & b); });
+  }
+  [[nodiscard]] PlainLanes without(const PlainLanes& mask) const {
+    return each(mask,
+                [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a & ~b); });
+  }
+  [[nodiscard]] PlainLanes subtract(const PlainLanes& amount) const {
+    return each(amount, subtract_saturated);
+  }
+  [[nodiscard]] PlainLanes raised_to(const PlainLanes& least) const {
+    return each(least, [](std::int8_t a, std::int8_t b) { return a < b ? b : a; });
+  }
+  [[nodiscard]] PlainLanes united(const PlainLanes& other) const {
+    return each(other,
+                [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
+  }
+  [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
+
+  // Quarter i of each of four, for i = 0 ... 3: the rows of four blocks beside one another.
+  static std::array<PlainLanes, 4> rows_of(const LaneBytes* four) {
+    std::array<LaneBytes, 4> rows;
+    for (std::size_t i = 0; i < 4 * kLaneCount; ++i) {
+      rows[i / 4 % 4].bytes[i / kLaneCount * 4 + i % 4] =
+          four[i / kLaneCount].bytes[i % kLaneCount];
+    }
+    return {PlainLanes(rows[0]), PlainLanes(rows[1]), PlainLanes(rows[2]), PlainLanes(rows[3])};
+  }
+
+ private:
+  explicit PlainLanes(const LaneBytes& lanes) : lanes_(lanes) {}
+
+  template <typename Operation>
+  [[nodiscard]] PlainLanes each(const PlainLanes& other, Operation&& operation) const {
+    LaneBytes result;
+    for (std::size_t i = 0; i < kLaneCount; ++i) {
+      result.bytes[i] = operation(lanes_.bytes[i], other.lanes_.bytes[i]);
+    }
+    return PlainLanes(result);
+  }
+
+  LaneBytes lanes_;
+};
+
+}  // namespace iog::grid
