@@ -22,12 +22,15 @@ struct Way {
   std::uint32_t code;
   const BlockCode* next_codes;
 
-  // From this block to the next, in blocks as stored.
-  [[nodiscard]] std::ptrdiff_t stride() const {
-    return (code & 1U) != 0 ? run.v_stride : run.u_stride;
+  // The block after this one. Both candidates first, so that nothing waits for the code but the
+  // choice.
+  [[nodiscard]] LaneBytes* next() const {
+    LaneBytes* const by_u = block + run.u_stride;
+    LaneBytes* const by_v = block + run.v_stride;
+    return (code & 1U) != 0 ? by_v : by_u;
   }
   void step() {
-    block += stride();
+    block = next();
     code = *next_codes;
     ++next_codes;
   }
@@ -35,10 +38,12 @@ struct Way {
 
 // The next `count` blocks of the way.
 inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
+  Way here = way;  // in registers: a block is stored where the compiler suspects a member
   for (; count > 0; --count) {
-    way.step();
-    carve_block(*way.block, Lanes::load(way.run.masks[way.code / 2U]), amount);
+    here.step();
+    carve_block(*here.block, Lanes::load(here.run.masks[here.code / 2U]), amount);
   }
+  way = here;
 }
 
 // The same: the machine's own, a file that CMake chooses.

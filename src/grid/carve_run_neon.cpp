@@ -10,7 +10,7 @@ namespace {
 // a third more instructions for it.
 void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
   constexpr std::ptrdiff_t kBlockBytes = sizeof(LaneBytes);
-  LaneBytes* a = way.block + way.stride();
+  LaneBytes* a = way.next();
   LaneBytes* b = nullptr;
   LaneBytes* c = nullptr;
   LaneBytes* d = nullptr;
