@@ -21,14 +21,13 @@ constexpr double kPrintedInstructions = 29.2e6;  // the thesis's printed algorit
 // Why a goal is missed: said by whoever knows, printed where it is missed.
 struct Reasons {
   const char* matched =
-      "turning points to beams takes nearly as much as carving, and carving waits for its caches a "
-      "third of the time, see where the cycles go";
+      "turning points to beams takes three quarters of what carving takes, see where the cycles go";
   const char* city = "turning points to beams takes more than carving, see where the cycles go";
   const char* matched_without_paths = "a line that is not kept is found anew, block by block";
   const char* worst = "no azimuth comes twice, so every line is found anew, block by block";
   const char* whole = "fusing takes two thirds of it; of the rest, half is hashing tiles";
   const char* quadtree = "of the cycles, two thirds are fusing";
-  const char* instructions = "half of them turn points to beams, see where the cycles go";
+  const char* instructions = "two in five of them turn points to beams, see where the cycles go";
   const char* peers = "see docs/peers.md";
 };
 constexpr Reasons kReasons;
