@@ -3,25 +3,18 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <initializer_list>
 #include <utility>
 #include <vector>
 
+#include "fakes/bytes_of.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 
 namespace iog::framing {
 namespace {
 
-using Bytes = std::vector<std::byte>;
-
-Bytes bytes_of(std::initializer_list<int> values) {
-  Bytes bytes;
-  for (const int value : values) {
-    bytes.push_back(static_cast<std::byte>(value));
-  }
-  return bytes;
-}
+using tests::Bytes;
+using tests::bytes_of;
 
 // first, first + 1 ... last, modulo 256
 Bytes counting(int first, int last) {

@@ -2,24 +2,16 @@
 #include "protection/profile4.hpp"
 
 #include <gtest/gtest.h>
-#include <initializer_list>
-#include <vector>
 
+#include "fakes/bytes_of.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 
 namespace iog::protection {
 namespace {
 
-using Bytes = std::vector<std::byte>;
-
-Bytes bytes_of(std::initializer_list<int> values) {
-  Bytes bytes;
-  for (const int value : values) {
-    bytes.push_back(static_cast<std::byte>(value));
-  }
-  return bytes;
-}
+using tests::Bytes;
+using tests::bytes_of;
 
 constexpr Profile4 kExample{.data_id = 0x0A0B0C0D, .offset_bytes = 0, .max_delta_counter = 1};
 constexpr Profile4 kExampleWithOffset{

@@ -1,9 +1,8 @@
 // The codes of small tiles by hand, and that every tile comes back.
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <initializer_list>
-#include <vector>
 
+#include "fakes/bytes_of.hpp"
 #include "fakes/effort.hpp"
 #include "tile_coding/decode.hpp"
 #include "tile_coding/encode.hpp"
@@ -12,15 +11,8 @@
 namespace iog::tile_coding {
 namespace {
 
-using Bytes = std::vector<std::byte>;
-
-Bytes bytes_of(std::initializer_list<int> values) {
-  Bytes bytes;
-  for (const int value : values) {
-    bytes.push_back(static_cast<std::byte>(value));
-  }
-  return bytes;
-}
+using tests::Bytes;
+using tests::bytes_of;
 
 struct Coded {
   Encoding encoding;

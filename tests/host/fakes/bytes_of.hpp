@@ -1,0 +1,20 @@
+// Bytes as they stand in a test.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <vector>
+
+namespace iog::tests {
+
+using Bytes = std::vector<std::byte>;
+
+inline Bytes bytes_of(std::initializer_list<int> values) {
+  Bytes bytes;
+  for (const int value : values) {
+    bytes.push_back(static_cast<std::byte>(value));
+  }
+  return bytes;
+}
+
+}  // namespace iog::tests
