@@ -3,22 +3,16 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <initializer_list>
 #include <vector>
 
+#include "fakes/bytes_of.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 
 namespace iog::stream {
 namespace {
 
-std::vector<std::byte> bytes_of(std::initializer_list<int> values) {
-  std::vector<std::byte> bytes;
-  for (const int value : values) {
-    bytes.push_back(static_cast<std::byte>(value));
-  }
-  return bytes;
-}
+using tests::bytes_of;
 
 const Header kHeader{.type = MessageType::kTile,
                      .sequence = 0x01020304,
