@@ -21,8 +21,7 @@ std::string_view take_until(char separator, std::string_view& text) {
 
 // What follows in the first line that begins with these words and a separator.
 std::optional<std::string_view> line_of(std::string_view words, char separator) {
-  for (std::string_view rest = kCortexA9Lines; !rest.empty();) {
-    const std::string_view line = take_until('\n', rest);
+  for (const std::string_view line : kCortexA9Lines) {
     if (line.starts_with(words) && line.substr(words.size()).starts_with(separator)) {
       return line.substr(words.size() + 1);
     }
