@@ -42,7 +42,8 @@ class Session {
     recorder_.report(out, "modelled");
     std::istringstream lines(out.str());
     for (std::string line; std::getline(lines, line);) {
-      if (line.find(" " + key + "=" + region + " ") != std::string::npos) {
+      if (line.find(std::string(" ").append(key).append("=").append(region).append(" ")) !=
+          std::string::npos) {
         const std::size_t at = line.find(" instructions=");
         return std::stoi(line.substr(at + 14));
       }

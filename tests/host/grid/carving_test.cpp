@@ -49,6 +49,7 @@ std::vector<Cell> cells_of_walk(const BeamLine& line, std::uint32_t end) {
 // The positions of a line that meets no corner, one a border.
 std::vector<Position> positions_of(const BeamLine& line, const std::vector<Cell>& cells) {
   std::vector<Position> positions;
+  positions.reserve(cells.size());
   const Cell start = line.cell({});
   for (const Cell& cell : cells) {
     positions.push_back({static_cast<std::uint32_t>((cell.x - start.x) * line.x().step()),
