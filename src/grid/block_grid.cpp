@@ -1,7 +1,5 @@
 #include "grid/block_grid.hpp"
 
-#include <algorithm>
-
 namespace iog::grid {
 namespace {
 

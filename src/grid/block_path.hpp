@@ -115,8 +115,8 @@ class BlockPath {
   std::int32_t gain_ = 0;
   std::int32_t loss_ = 0;
   BlockEntry entry_ = 0;
-  std::uint32_t blocks_to_tile_u_ =
-      0;  // blocks until the line enters another tile, that one included
+  // Block borders, along each axis, up to and including that of the tile.
+  std::uint32_t blocks_to_tile_u_ = 0;
   std::uint32_t blocks_to_tile_v_ = 0;
   std::uint32_t tile_count_ = 0;
 };

@@ -18,8 +18,7 @@ void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
   std::uint32_t shape = 0;
   const BlockCode* codes = way.next_codes;
   const BlockCode* const end = codes + 4 * fours;
-  asm volatile(
-      "1:\n"
+  asm("1:\n"
       "  ldr   %[word], [%[codes]], #4\n"
       "  tst   %[word], #0x1\n"
       "  ubfx  %[shape], %[word], #1, #7\n"

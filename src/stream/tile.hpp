@@ -12,12 +12,13 @@
 
 namespace iog::stream {
 
+// Those of the grid, in bytes and numbers of the wire.
 inline constexpr std::uint8_t kTileSideLog2 = 5;
-inline constexpr std::size_t kTileSide = std::size_t{1} << kTileSideLog2;
-inline constexpr std::size_t kTileBytes = kTileSide * kTileSide;
-inline constexpr std::size_t kTilesPerSide = vehicle::kCellsPerSide / kTileSide;
-inline constexpr std::size_t kTileCount = kTilesPerSide * kTilesPerSide;
-static_assert(kTileSide == grid::kTileSide && kTileCount == grid::kTileCount);
+inline constexpr std::size_t kTileSide = grid::kTileSide;
+inline constexpr std::size_t kTileBytes = grid::kTileCells;
+inline constexpr std::size_t kTilesPerSide = grid::kTilesPerSide;
+inline constexpr std::size_t kTileCount = grid::kTileCount;
+static_assert(kTileSide == std::size_t{1} << kTileSideLog2);
 static_assert(kHeaderBytes + kTileHeaderBytes + kTileBytes <= kMaxMessageBytes);
 
 // The name of a grid: CRC-32 over its known tiles in order of tile y, then tile x, each as u16 tile
