@@ -29,6 +29,7 @@ Board::Board(const MacAddress& address)
     : clock_(gpt),
       stopwatch_(global_timer),
       console_(uart2),
+      serial_(uart1),
       watchdog_(wdog1),
       tick_(epit1),
       l2_cache_(pl310),
@@ -41,6 +42,8 @@ Board::Board(const MacAddress& address)
   start_clocks(ccm);
   start_console_pins(iomuxc);
   console_.start();
+  start_serial_pins(iomuxc);
+  serial_.start();
   clock_.start();
   stopwatch_.start(clock_);
   start_ethernet_pins(iomuxc, gpio3, gpio6, clock_);

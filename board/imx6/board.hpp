@@ -7,6 +7,7 @@
 #include "ethernet/enet_port.hpp"
 #include "gpt_clock.hpp"
 #include "l2_cache.hpp"
+#include "serial_line.hpp"
 #include "stopwatch.hpp"
 #include "tick.hpp"
 #include "uart.hpp"
@@ -27,6 +28,7 @@ class Board {
   GptClock& clock() { return clock_; }
   Stopwatch& stopwatch() { return stopwatch_; }
   Uart& console() { return console_; }
+  SerialLine& serial() { return serial_; }
   Watchdog& watchdog() { return watchdog_; }
   EnetPort& ethernet() { return ethernet_; }
 
@@ -34,8 +36,9 @@ class Board {
   const Boot& boot() const { return boot_; }
   std::uint32_t reset_status() const { return reset_status_; }
 
-  // Sleeps until a frame has arrived or the tick has passed, at most 1 ms. Before it returns, the
-  // event flags are cleared; so poll every device after it and before the next call.
+  // Sleeps until a frame has arrived, the serial line wants bytes that it was given, or the tick
+  // has passed, at most 1 ms. Before it returns, the event flags are cleared; so poll every device
+  // after it and before the next call.
   void idle();
 
   // The deepest the main stack has been since start, and how deep it may be.
@@ -49,6 +52,7 @@ class Board {
   GptClock clock_;
   Stopwatch stopwatch_;
   Uart console_;
+  SerialLine serial_;
   Watchdog watchdog_;
   Tick tick_;
   L2Cache l2_cache_;

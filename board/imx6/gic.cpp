@@ -32,6 +32,7 @@ void start_gic(GicDistributorRegisters& distributor, GicCpuRegisters& cpu) {
   for (unsigned word = 2; word < GicDistributorRegisters::kInterrupts / 16; ++word) {
     distributor.icfgr[word].write(0);  // words 0 and 1 are the private interrupts, fixed
   }
+  let_through(distributor, kInterruptUart1);
   let_through(distributor, kInterruptEpit1);
   let_through(distributor, kInterruptEnet);
   // Enable alone: FIQEn (bit 3) would turn group 0 into fast interrupts.

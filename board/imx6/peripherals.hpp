@@ -32,6 +32,7 @@ extern EpitRegisters epit1;
 extern SrcRegisters src;
 extern IomuxcRegisters iomuxc;
 extern EnetRegisters enet;
+extern UartRegisters uart1;
 extern UartRegisters uart2;
 }
 // NOLINTEND(bugprone-dynamic-static-initializers)

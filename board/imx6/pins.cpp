@@ -1,5 +1,6 @@
 // IOMUXC by IMX6DQRM, chapter "IOMUX Controller (IOMUXC)". What is wired to what is the SABRE
-// Lite's schematic: console on EIM_D26/27, PHY reset on EIM_D23 (GPIO3_23), PHY on the RGMII pads.
+// Lite's schematic: console on EIM_D26/27, the other RS-232 driver on SD3_DAT7/6, PHY reset on
+// EIM_D23 (GPIO3_23), PHY on the RGMII pads.
 #include "pins.hpp"
 
 #include <array>
@@ -21,10 +22,16 @@ struct Pad {
 constexpr std::uint32_t kPadPullUp40Ohm = 1u << 16 | 2u << 14 | 1u << 13 | 1u << 12 | 6u << 3;
 constexpr std::uint32_t kPad100Mhz = 2u << 6;
 constexpr std::uint32_t kPadFastEdge = 1u << 0;
+constexpr std::uint32_t kUartPad = kPadPullUp40Ohm | kPad100Mhz | kPadFastEdge;
 
 constexpr std::array<Pad, 2> kConsole{{
     {0x0bc, 0x3d0, 4},            // EIM_D26: UART2_TX_DATA
     {0x0c0, 0x3d4, 4, 0x928, 1},  // EIM_D27: UART2_RX_DATA
+}};
+
+constexpr std::array<Pad, 2> kSerial{{
+    {0x2a8, 0x690, 1},            // SD3_DAT7: UART1_TX_DATA
+    {0x2ac, 0x694, 1, 0x920, 3},  // SD3_DAT6: UART1_RX_DATA
 }};
 
 constexpr std::array<Pad, 3> kManagement{{
@@ -77,9 +84,9 @@ void connect(IomuxcRegisters& iomuxc, std::span<const Pad> pads, std::uint32_t c
 
 }  // namespace
 
-void start_console_pins(IomuxcRegisters& iomuxc) {
-  connect(iomuxc, kConsole, kPadPullUp40Ohm | kPad100Mhz | kPadFastEdge);
-}
+void start_console_pins(IomuxcRegisters& iomuxc) { connect(iomuxc, kConsole, kUartPad); }
+
+void start_serial_pins(IomuxcRegisters& iomuxc) { connect(iomuxc, kSerial, kUartPad); }
 
 void start_ethernet_pins(IomuxcRegisters& iomuxc, GpioRegisters& gpio3, GpioRegisters& gpio6,
                          GptClock& clock) {

@@ -1,4 +1,4 @@
-// UART2 by IMX6DQRM, chapter "UART", section "Programming the UART in RS-232 mode".
+// UARTs by IMX6DQRM, chapter "UART", section "Programming the UART in RS-232 mode".
 #include "uart.hpp"
 
 #include "hal/console.hpp"
@@ -11,9 +11,8 @@ namespace {
 
 using R = UartRegisters;
 
-constexpr BaudDivider kDivider = exact_baud_divider(Uart::kClockHz, Uart::kBaud);
-static_assert(std::uint64_t{Uart::kClockHz} * (kDivider.ubir + 1) ==
-                  std::uint64_t{Uart::kBaud} * 16 * (kDivider.ubmr + 1),
+constexpr BaudDivider kDivider = exact_baud_divider(kUartClockHz, Uart::kBaud);
+static_assert(is_exact(kDivider, kUartClockHz, Uart::kBaud),
               "115200 baud is exact with the 80 MHz clock");
 
 // One character takes 87 us; a read of a device takes at least 50 ns. 100 000 reads are 5 ms or
@@ -23,31 +22,34 @@ constexpr unsigned kMaxPolls = 100'000;
 
 }  // namespace
 
-void Uart::start() {
+void start_uart(UartRegisters& registers, const BaudDivider& divider,
+                std::uint32_t transmit_trigger) {
   // Switched off first: a loader may be in the middle of a character, and the dividers must not
   // change under a running transmitter.
-  registers_.ucr1.write(0);
+  registers.ucr1.write(0);
   // SRST low empties both FIFOs and resets the state machines; it rises by itself after four
   // clocks.
-  registers_.ucr2.write(0);
+  registers.ucr2.write(0);
   for (unsigned polls = 0; polls < kMaxPolls; ++polls) {
-    if ((registers_.ucr2.read() & R::kUcr2NotReset) != 0) {
+    if ((registers.ucr2.read() & R::kUcr2NotReset) != 0) {
       break;
     }
   }
-  // RTS is ignored: the console has three wires.
-  registers_.ucr2.write(R::kUcr2IgnoreRts | R::kUcr2EightBits | R::kUcr2TxEn | R::kUcr2RxEn |
-                        R::kUcr2NotReset);
+  // RTS is ignored: both lines have three wires.
+  registers.ucr2.write(R::kUcr2IgnoreRts | R::kUcr2EightBits | R::kUcr2TxEn | R::kUcr2RxEn |
+                       R::kUcr2NotReset);
   // RXDMUXSEL: the manual wants it set in this chip, or the receiver is not connected to its pad.
-  registers_.ucr3.write(R::kUcr3RxdMuxSel);
-  registers_.ucr4.write(R::kUcr4CtsTrigger32);
+  registers.ucr3.write(R::kUcr3RxdMuxSel);
+  registers.ucr4.write(R::kUcr4CtsTrigger32);
   // RFDIV before the ratio: UBIR and UBMR divide what RFDIV leaves.
-  registers_.ufcr.write(R::kUfcrTxTrigger2 | R::kUfcrDivideBy1 | R::kUfcrRxTrigger1);
+  registers.ufcr.write(transmit_trigger | R::kUfcrDivideBy1 | R::kUfcrRxTrigger1);
   // UBIR before UBMR: writing UBMR is what makes both take effect.
-  registers_.ubir.write(kDivider.ubir);
-  registers_.ubmr.write(kDivider.ubmr);
-  registers_.ucr1.write(R::kUcr1UartEn);
+  registers.ubir.write(divider.ubir);
+  registers.ubmr.write(divider.ubmr);
+  registers.ucr1.write(R::kUcr1UartEn);
 }
+
+void Uart::start() { start_uart(registers_, kDivider, R::kUfcrTxTrigger2); }
 
 bool Uart::put(char character) {
   for (unsigned polls = 0; polls < kMaxPolls; ++polls) {

@@ -1,4 +1,5 @@
-// The console: UART2, 115200 baud, eight bits, no parity. Satisfies hal::Console.
+// What the UARTs of this board have in common, and the console: UART2, 115200 baud, eight bits, no
+// parity. Satisfies hal::Console. The grid's line is UART1, see serial_line.hpp.
 //
 // On the SABRE Lite UART2 is the connector that U-Boot talks on; QEMU shows it as its second
 // -serial.
@@ -9,6 +10,9 @@
 #include "registers/uart.hpp"
 
 namespace iog::imx6 {
+
+inline constexpr std::uint32_t kUartClockHz =
+    80'000'000;  // PLL3 / 6, clocks.cpp sees to the divider
 
 // Fractional divider of the UART: baud = clock / 16 * (UBIR + 1) / (UBMR + 1).
 struct BaudDivider {
@@ -35,14 +39,22 @@ consteval BaudDivider exact_baud_divider(std::uint64_t clock_hz, std::uint64_t b
               : BaudDivider{0, 0};
 }
 
+// Whether the line then runs at exactly this rate.
+consteval bool is_exact(BaudDivider divider, std::uint64_t clock_hz, std::uint64_t baud) {
+  return clock_hz * (divider.ubir + 1) == baud * 16 * (divider.ubmr + 1);
+}
+
+// Sets a UART up for eight bits without parity or handshake, whatever a boot loader left in it.
+// transmit_trigger: UFCR's bits of the fill below which the transmitter calls itself ready.
+void start_uart(UartRegisters& registers, const BaudDivider& divider,
+                std::uint32_t transmit_trigger);
+
 class Uart {
  public:
-  static constexpr std::uint32_t kClockHz = 80'000'000;  // PLL3 / 6, clocks.cpp sees to the divider
   static constexpr std::uint32_t kBaud = 115'200;
 
   explicit Uart(UartRegisters& registers) : registers_(registers) {}
 
-  // Sets the UART up, whatever a boot loader left in it.
   void start();
 
   // Sends the text, "\n" as "\r\n". Waits for the transmitter as long as it makes progress; if it

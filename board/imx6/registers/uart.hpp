@@ -1,4 +1,4 @@
-// UART, i.MX6DQRM chapter "Universal Asynchronous Receiver/Transmitter". Only the console's bits.
+// UART, i.MX6DQRM chapter "Universal Asynchronous Receiver/Transmitter". Only the bits in use.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,8 @@ struct UartRegisters {
   Rw32 ubmr;
 
   static constexpr std::uint32_t kUcr1UartEn = 1u << 0;
-  static constexpr std::uint32_t kUcr2NotReset = 1u << 0;  // SRST, active low
+  static constexpr std::uint32_t kUcr1TransmitReadyInterrupt = 1u << 13;  // TRDYEN
+  static constexpr std::uint32_t kUcr2NotReset = 1u << 0;                 // SRST, active low
   static constexpr std::uint32_t kUcr2RxEn = 1u << 1;
   static constexpr std::uint32_t kUcr2TxEn = 1u << 2;
   static constexpr std::uint32_t kUcr2EightBits = 1u << 5;   // WS
@@ -33,6 +34,7 @@ struct UartRegisters {
   static constexpr std::uint32_t kUfcrRxTrigger1 = 1u << 0;      // RXTL
   static constexpr std::uint32_t kUfcrDivideBy1 = 5u << 7;       // RFDIV
   static constexpr std::uint32_t kUfcrTxTrigger2 = 2u << 10;     // TXTL
+  static constexpr std::uint32_t kUfcrTxTrigger16 = 16u << 10;   // TXTL
   static constexpr std::uint32_t kUsr1TransmitReady = 1u << 13;  // TRDY
   static constexpr std::uint32_t kUsr2TransmitDone = 1u << 3;    // TXDC
 };

@@ -17,7 +17,7 @@ using machine::poke;
 using machine::recorder;
 using machine::Write;
 
-TEST(Gic, LetsExactlyTheTwoLinesThrough) {
+TEST(Gic, LetsExactlyTheThreeLinesThrough) {
   recorder.reset();
   GicDistributorRegisters distributor{};
   GicCpuRegisters cpu{};
@@ -28,8 +28,10 @@ TEST(Gic, LetsExactlyTheTwoLinesThrough) {
       enabled.push_back(write);
     }
   }
-  // EPIT1 is 88 = 2 * 32 + 24, ENET is 150 = 4 * 32 + 22 (IMX6DQRM, table "ARM domain interrupts").
-  EXPECT_EQ(enabled, (std::vector<Write>{{0x108, 1u << 24}, {0x110, 1u << 22}}));
+  // UART1 is 58 = 32 + 26, EPIT1 is 88 = 2 * 32 + 24, ENET is 150 = 4 * 32 + 22 (IMX6DQRM, table
+  // "ARM domain interrupts").
+  EXPECT_EQ(enabled, (std::vector<Write>{{0x104, 1u << 26}, {0x108, 1u << 24}, {0x110, 1u << 22}}));
+  EXPECT_EQ(last_write(distributor, 0x800 + 58), 1u);
   EXPECT_EQ(last_write(distributor, 0x800 + 88), 1u);
   EXPECT_EQ(last_write(distributor, 0x800 + 150), 1u);
 }
@@ -156,6 +158,13 @@ TEST_F(Pins, TheConsoleIsOnEimD26AndD27) {
   start_console_pins(*iomuxc_);
   const std::vector<Write> expected = {
       {0x0bc, 4}, {0x3d0, 0x1'b0b1}, {0x0c0, 4}, {0x3d4, 0x1'b0b1}, {0x928, 1}};
+  EXPECT_EQ(machine::writes_to(*iomuxc_), expected);
+}
+
+TEST_F(Pins, TheLineOfTheGridIsOnSd3Dat7AndDat6) {
+  start_serial_pins(*iomuxc_);
+  const std::vector<Write> expected = {
+      {0x2a8, 1}, {0x690, 0x1'b0b1}, {0x2ac, 1}, {0x694, 0x1'b0b1}, {0x920, 3}};
   EXPECT_EQ(machine::writes_to(*iomuxc_), expected);
 }
 

@@ -1,0 +1,50 @@
+// The line of the grid: UART1, 115200 baud, eight bits, no parity, transmit only. Satisfies
+// hal::SerialPort.
+//
+// On the SABRE Lite UART1 is the RS-232 connector beside the console's; QEMU shows it as its first
+// -serial.
+//
+// Bytes wait in a ring. The transmitter's FIFO holds 32 of them, 2.8 ms of the line, and asks for
+// more when fewer than 16 are left, which last for 1.3 ms. While bytes wait, that ends WFI
+// (gic.hpp), so a rate at which the FIFO does not last for a tick of the loop stays busy, too.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "registers/uart.hpp"
+
+namespace iog::imx6 {
+
+class SerialLine {
+ public:
+  static constexpr std::uint32_t kBaud = 115'200;
+  static constexpr std::size_t kRingBytes = 4096;
+
+  explicit SerialLine(UartRegisters& registers) : registers_(registers) {}
+
+  void start();
+
+  // Ten bits on the line for eight: start and stop.
+  std::uint32_t bytes_per_second() const { return kBaud / 10; }
+
+  std::size_t free_bytes() const { return kRingBytes - (queued_ - sent_); }
+  void write(std::span<const std::byte> bytes);
+
+  // Fills the FIFO, at most 16 bytes. One read of a register if there is nothing to do.
+  void pump();
+
+ private:
+  void wake_when_ready(bool is_on);
+
+  UartRegisters& registers_;
+  // Bytes since start. They wrap, and so does their place in the ring, a power of two long.
+  std::uint32_t queued_ = 0;
+  std::uint32_t sent_ = 0;
+  bool wakes_when_ready_ = false;
+  std::array<std::byte, kRingBytes> ring_{};
+};
+
+}  // namespace iog::imx6
