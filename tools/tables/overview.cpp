@@ -8,7 +8,7 @@ namespace iog::tools {
 namespace {
 
 constexpr std::array kVerdicts{Verdict::kEquals, Verdict::kBeats, Verdict::kFallsShort,
-                               Verdict::kDeparts, Verdict::kWaits};
+                               Verdict::kDeparts};
 
 // "Of 30 claims 20 are equal, 4 better, ..."
 std::string counts_of(const std::vector<Claim>& claims) {
@@ -40,24 +40,9 @@ std::string_view word_of(Verdict verdict) {
     case Verdict::kFallsShort:
       return "short of it";
     case Verdict::kDeparts:
-      return "departs";
-    case Verdict::kWaits:
       break;
   }
-  return "waits";
-}
-
-std::vector<Claim> waiting_claims() {
-  const std::string reason = "the quadtree is built (src/tree), its tables are not made yet";
-  const auto waits = [&reason](const char* place, const char* what, const char* paper) {
-    return Claim{place, what, paper, "–", Verdict::kWaits, reason};
-  };
-  return {
-      waits("table 4.7", "cells for each node of a quadtree, at least", "2.80"),
-      waits("table 4.7", "cells for each leaf of a quadtree, at least", "3.73"),
-      waits("section 4.3.2.2", "memory of a quadtree, 8-bit indexes", "3.15 MB"),
-      waits("section 4.3.2.2", "grids a second in a quadtree", "5 Hz"),
-  };
+  return "departs";
 }
 
 void add_overview(Markdown& page, const std::vector<Claim>& claims) {
@@ -74,7 +59,7 @@ void add_overview(Markdown& page, const std::vector<Claim>& claims) {
       "**equal**: the same, or within what the paper's own digits tell. **better**: on the side "
       "that "
       "the paper itself calls better. **short of it**: on the other side. **departs**: something "
-      "else, on purpose or because the paper cannot be right. **waits**: not built yet.");
+      "else, on purpose or because the paper cannot be right.");
   page.paragraph(counts_of(claims));
   page.table({"place", "what", "paper", "here", "verdict", "reason"}, rows);
 }

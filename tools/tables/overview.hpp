@@ -12,9 +12,6 @@ namespace iog::tools {
 
 [[nodiscard]] std::string_view word_of(Verdict verdict);
 
-// The claims of the papers that no section can check yet.
-[[nodiscard]] std::vector<Claim> waiting_claims();
-
 // How many claims fare how, and one table of them all. std::invalid_argument if a claim that is not
 // kEquals gives no reason.
 void add_overview(Markdown& page, const std::vector<Claim>& claims);

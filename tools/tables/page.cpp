@@ -27,6 +27,7 @@ constexpr auto kSections = std::to_array<NamedSection>({
     {"worst_frames", worst_frames},
     {"scaling", scaling},
     {"numerical_quality", numerical_quality},
+    {"quadtree", quadtree},
     {"many_core", many_core},
     {"order_of_fusion", order_of_fusion},
     {"detection_quality", detection_quality},
@@ -146,8 +147,6 @@ std::string page_of(const TablesInput& input, std::span<const Section> sections)
   for (const Section& section : sections) {
     claims.insert(claims.end(), section.claims.begin(), section.claims.end());
   }
-  const std::vector<Claim> waiting = waiting_claims();
-  claims.insert(claims.end(), waiting.begin(), waiting.end());
 
   Markdown page;
   add_introduction(page, input);

@@ -1,23 +1,20 @@
 #include "tools/tables/scene_load.hpp"
 
 #include <algorithm>
-#include <memory>
+#include <limits>
 #include <vector>
 
-#include "tools/catalogue/vehicle_catalogue.hpp"
-#include "tools/evidence/frame_points.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/tables/fused_drive.hpp"
 
 namespace iog::tools {
 namespace {
 
-using Cells = std::span<const index::OccupancyIndex, grid::kCellCount>;
-
-// The index of all cells of a block, or that there are several.
-using Block = std::int16_t;
-constexpr Block kMixed = 1000;
+// A block is the index of all its cells, or says that there are several.
+template <typename Block>
+constexpr Block kMixed = std::numeric_limits<Block>::min();
 
 // Blocks of twice the side, from a square of `side` times `side` blocks.
+template <typename Block>
 std::vector<Block> merge(const std::vector<Block>& blocks, std::size_t side) {
   std::vector<Block> larger;
   larger.reserve(blocks.size() / 4);
@@ -27,10 +24,22 @@ std::vector<Block> merge(const std::vector<Block>& blocks, std::size_t side) {
     for (std::size_t x = 0; x < side; x += 2) {
       const Block first = low[x];
       const bool is_one = first == low[x + 1] && first == high[x] && first == high[x + 1];
-      larger.push_back(is_one ? first : kMixed);
+      larger.push_back(is_one ? first : kMixed<Block>);
     }
   }
   return larger;
+}
+
+// The root is a leaf, and every mixed block has four parts in its place: three leaves more.
+template <typename Block>
+std::size_t leaves_of(std::span<const Block> cells) {
+  std::vector<Block> blocks(cells.begin(), cells.end());
+  std::size_t leaves = 1;
+  for (std::size_t side = vehicle::kCellsPerSide; side > 1; side /= 2) {
+    blocks = merge(blocks, side);
+    leaves += 3 * static_cast<std::size_t>(std::ranges::count(blocks, kMixed<Block>));
+  }
+  return leaves;
 }
 
 // Sums over frames.
@@ -40,7 +49,7 @@ struct Census {
   double leaves = 0;
   double nodes = 0;
 
-  void add(Cells cells) {
+  void add(GridCells cells) {
     const std::size_t leaves_here = count_leaves(cells);
     const std::size_t inner_here = (leaves_here - 1) / 3;
     ++frames;
@@ -53,36 +62,17 @@ struct Census {
 
 }  // namespace
 
-// The root is a leaf, and every mixed block has four parts in its place: three leaves more.
-std::size_t count_leaves(Cells cells) {
-  std::vector<Block> blocks(cells.begin(), cells.end());
-  std::size_t leaves = 1;
-  for (std::size_t side = vehicle::kCellsPerSide; side > 1; side /= 2) {
-    blocks = merge(blocks, side);
-    leaves += 3 * static_cast<std::size_t>(std::ranges::count(blocks, kMixed));
-  }
-  return leaves;
+// -128 never occurs (contract section 2).
+std::size_t count_leaves(GridCells cells) { return leaves_of<index::OccupancyIndex>(cells); }
+
+std::size_t count_leaves(std::span<const std::int32_t, grid::kCellCount> cells) {
+  return leaves_of<std::int32_t>(cells);
 }
 
 SceneLoad load_of(std::string_view scene, std::uint64_t seed, std::uint32_t seconds) {
-  const CatalogueEntry& car = find_vehicle("reference_car");
-  vehicle::Vehicle vehicle = *car.vehicle;
-  vehicle.rule = vehicle::FusionRule::kBayes;
-  const auto fusion = std::make_unique<grid::FrameFusion>(vehicle);  // too large for the stack
-  Drive drive(car, seed, seconds, find_scene(scene));
-  std::vector<index::OccupancyIndex> storage(grid::kCellCount);
-  const auto cells = std::span(storage).first<grid::kCellCount>();
   Census census;
-  for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    drive.move_to(frame);
-    fusion->clear();
-    for (const SensorPoint& seen : points_of(drive, car)) {
-      fusion->add(vehicle.sensors[seen.sensor], seen.point);
-    }
-    fusion->finish();
-    fusion->copy_cells(cells);
-    census.add(cells);
-  }
+  fuse_drive(scene, seed, seconds, vehicle::FusionRule::kBayes,
+             [&census](GridCells cells) { census.add(cells); });
   const double all_cells = static_cast<double>(grid::kCellCount) * census.frames;
   return {.known_cells = census.known / census.frames,
           .cells_per_leaf = all_cells / census.leaves,

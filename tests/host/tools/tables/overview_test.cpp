@@ -77,7 +77,7 @@ TEST(Page, HoldsEveryClaimAndEverySectionOnce) {
   const std::string page = page_of(input, compute(kSections, input, kSilent));
   std::size_t at = 0;
   for (const char* part : {"# Results\n", "--seed 7", "## Overview", "| slowness ", "| quickness ",
-                           "| **waits** ", "## Slow", "## Quick", "## Made with"}) {
+                           "## Slow", "## Quick", "## Made with"}) {
     const std::size_t found = page.find(part, at);
     EXPECT_NE(found, std::string::npos) << part;
     at = found == std::string::npos ? at : found;
@@ -100,8 +100,7 @@ TEST(Page, EachSectionHasItsOwnName) {
 }
 
 TEST(Overview, ADifferenceWithoutAReasonIsRefused) {
-  for (const Verdict verdict :
-       {Verdict::kBeats, Verdict::kFallsShort, Verdict::kDeparts, Verdict::kWaits}) {
+  for (const Verdict verdict : {Verdict::kBeats, Verdict::kFallsShort, Verdict::kDeparts}) {
     Markdown page;
     EXPECT_THROW(add_overview(page, {{"table 1", "size", "1", "2", verdict, ""}}),
                  std::invalid_argument);
@@ -116,13 +115,6 @@ TEST(Overview, VerdictsAreCounted) {
   EXPECT_NE(page.text().find("3 claims"), std::string::npos);
   EXPECT_NE(page.text().find("2 \"equal\""), std::string::npos);
   EXPECT_NE(page.text().find("1 \"short of it\""), std::string::npos);
-}
-
-TEST(Overview, WhatWaitsSaysWhy) {
-  for (const Claim& claim : waiting_claims()) {
-    EXPECT_EQ(claim.verdict, Verdict::kWaits);
-    EXPECT_FALSE(claim.reason.empty());
-  }
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "tools/tables/scene_load.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -65,6 +67,15 @@ TEST_F(LeavesTest, ACheckerboardHasNoBlocks) {
     }
   }
   EXPECT_EQ(leaves(), kSide * kSide);
+}
+
+// An index that takes four bytes is told from another by all of them.
+TEST_F(LeavesTest, OfWideIndexesAreTheSame) {
+  std::vector<std::int32_t> wide(kSide * kSide, -736'109);
+  const auto cells = std::span<const std::int32_t>(wide).first<grid::kCellCount>();
+  EXPECT_EQ(count_leaves(cells), 1U);
+  wide[3 * kSide + 700] += 256;
+  EXPECT_EQ(count_leaves(cells), 31U);
 }
 
 // Thesis table 4.7: 3.75 cells a leaf and 2.81 a node, on the drive that is compared with it.
