@@ -22,9 +22,9 @@
 #include "instruction_counter.hpp"
 #include "number_in.hpp"
 #include "playback.hpp"
+#include "protection/protected_message.hpp"
 #include "require/require.hpp"
 #include "selected_vehicle.hpp"
-#include "stream/message.hpp"
 
 namespace iog::bench {
 namespace {
@@ -32,7 +32,7 @@ namespace {
 constexpr std::size_t kLineBytes = 32;  // TRM of the Cortex-A9 and of PL310
 constexpr traversal::Cell kLastCell = grid::cell_of(grid::kCellCount - 1);
 constexpr std::size_t kLines = grid::offset_of(kLastCell) / kLineBytes + 1;
-constexpr std::size_t kLinesOfMessage = stream::kMaxMessageBytes / kLineBytes;
+constexpr std::size_t kLinesOfMessage = protection::kMaxMessageBytes / kLineBytes;
 using LineNumber = std::uint16_t;
 static_assert(kLines - 1 <= std::numeric_limits<LineNumber>::max());
 

@@ -12,7 +12,7 @@
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 #include "playback.hpp"
-#include "stream/tile.hpp"
+#include "stream/grid_hash.hpp"
 
 namespace iog::bench {
 

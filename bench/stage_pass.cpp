@@ -36,7 +36,8 @@ void StagePass::add_end(std::span<const std::byte> message) {
   stream::Header header;
   stream::FrameEnd end;
   std::span<const std::byte> body;
-  require(stream::read_header(message, header, body) == stream::ReadStatus::kOk);
+  require(stream::read_header(message.subspan(protection::kProtectionBytes), header, body) ==
+          stream::ReadStatus::kOk);
   require(header.type == stream::MessageType::kFrameEnd);
   require(stream::read_frame_end(body, header.sensor_count, end) == stream::ReadStatus::kOk);
   if (before_.has_evidence) {

@@ -9,11 +9,8 @@ namespace {
 
 // A list that may grow in later versions: how many entries, how long each.
 constexpr std::uint8_t kSensorRecordBytes = 16;
-constexpr std::size_t kMaxTileSideLog2 = 5;
 
-constexpr std::size_t kSequenceOffset = 8;
-constexpr std::size_t kTileXOffset = 0;
-constexpr std::size_t kTileYOffset = 2;
+constexpr std::size_t kSequenceOffset = 4;
 
 std::size_t written_bytes(const wire::ByteWriter& out) {
   return out.ok() ? out.written().size() : 0;
@@ -61,9 +58,8 @@ SensorReport read_sensor(wire::ByteReader& in) {
 
 std::size_t write_header(const Header& header, std::span<std::byte> buffer) {
   wire::ByteWriter out(buffer);
-  out.u32_be(kMagic);
-  out.u8(kVersion);
   out.u8(static_cast<std::uint8_t>(header.type));
+  out.u8(header.flags);
   out.u16_be(kHeaderBytes);
   out.u32_be(header.sequence);
   out.u32_be(header.frame_number);
@@ -72,7 +68,7 @@ std::size_t write_header(const Header& header, std::span<std::byte> buffer) {
   out.u8(header.sensor_count);
   out.u8(header.complete_sensors);
   out.u8(header.partial_sensors);
-  out.u8(header.flags);
+  out.u8(0);
   out.u32_be(header.points_used);
   out.u32_be(header.points_other);
   out.u32_be(header.packets_fused);
@@ -80,23 +76,16 @@ std::size_t write_header(const Header& header, std::span<std::byte> buffer) {
   return written_bytes(out);
 }
 
-ReadStatus read_header(std::span<const std::byte> message, Header& header,
+void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t sequence) {
+  wire::store_be32(header.subspan<kSequenceOffset, 4>(), sequence);
+}
+
+ReadStatus read_header(std::span<const std::byte> content, Header& header,
                        std::span<const std::byte>& body) {
-  wire::ByteReader in(message);
-  const std::uint32_t magic = in.u32_be();
-  const std::uint8_t version = in.u8();
-  const std::uint8_t type = in.u8();
+  wire::ByteReader in(content);
+  header.type = static_cast<MessageType>(in.u8());
+  header.flags = in.u8();
   const std::uint16_t header_bytes = in.u16_be();
-  if (!in.ok()) {
-    return ReadStatus::kTooShort;
-  }
-  if (magic != kMagic) {
-    return ReadStatus::kNotOurs;
-  }
-  if (version != kVersion) {
-    return ReadStatus::kOtherVersion;
-  }
-  header.type = static_cast<MessageType>(type);
   header.sequence = in.u32_be();
   header.frame_number = in.u32_be();
   header.closed_us = in.u64_be();
@@ -104,73 +93,15 @@ ReadStatus read_header(std::span<const std::byte> message, Header& header,
   header.sensor_count = in.u8();
   header.complete_sensors = in.u8();
   header.partial_sensors = in.u8();
-  header.flags = in.u8();
+  in.skip(1);
   header.points_used = in.u32_be();
   header.points_other = in.u32_be();
   header.packets_fused = in.u32_be();
   header.packets_dropped = in.u32_be();
-  if (!in.ok() || header_bytes < kHeaderBytes || header_bytes > message.size()) {
+  if (!in.ok() || header_bytes < kHeaderBytes || header_bytes > content.size()) {
     return ReadStatus::kTooShort;
   }
-  body = message.subspan(header_bytes);
-  return ReadStatus::kOk;
-}
-
-std::size_t write_tile_header(const TileHeader& tile, std::span<std::byte> buffer) {
-  wire::ByteWriter out(buffer);
-  out.u16_be(tile.tile_x);
-  out.u16_be(tile.tile_y);
-  out.u8(tile.side_log2);
-  out.u8(static_cast<std::uint8_t>(tile.encoding));
-  out.u8(static_cast<std::uint8_t>(tile.storage));
-  out.u8(0);
-  out.u16_be(tile.grid_width);
-  out.u16_be(tile.grid_height);
-  out.u16_be(tile.cell_mm);
-  out.u16_be(tile.payload_bytes);
-  out.i32_be(tile.origin_x_mm);
-  out.i32_be(tile.origin_y_mm);
-  return written_bytes(out);
-}
-
-void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t sequence) {
-  wire::store_be32(header.subspan<kSequenceOffset, 4>(), sequence);
-}
-
-void set_tile(std::span<std::byte, kTileHeaderBytes> header, std::size_t tile_x,
-              std::size_t tile_y) {
-  wire::store_be16(header.subspan<kTileXOffset, 2>(), static_cast<std::uint16_t>(tile_x));
-  wire::store_be16(header.subspan<kTileYOffset, 2>(), static_cast<std::uint16_t>(tile_y));
-}
-
-ReadStatus read_tile(std::span<const std::byte> body, TileHeader& tile,
-                     std::span<const std::byte>& payload) {
-  wire::ByteReader in(body);
-  tile.tile_x = in.u16_be();
-  tile.tile_y = in.u16_be();
-  tile.side_log2 = in.u8();
-  tile.encoding = static_cast<Encoding>(in.u8());
-  tile.storage = static_cast<Storage>(in.u8());
-  in.skip(1);
-  tile.grid_width = in.u16_be();
-  tile.grid_height = in.u16_be();
-  tile.cell_mm = in.u16_be();
-  tile.payload_bytes = in.u16_be();
-  tile.origin_x_mm = in.i32_be();
-  tile.origin_y_mm = in.i32_be();
-  if (!in.ok()) {
-    return ReadStatus::kTooShort;
-  }
-  const std::uint32_t side = 1U << (tile.side_log2 <= kMaxTileSideLog2 ? tile.side_log2 : 0U);
-  const bool lies_in_grid =
-      (tile.tile_x + 1U) * side <= tile.grid_width && (tile.tile_y + 1U) * side <= tile.grid_height;
-  const bool raw_fits =
-      tile.encoding != Encoding::kRaw || tile.payload_bytes == std::size_t{side} * side;
-  if (tile.side_log2 > kMaxTileSideLog2 || !lies_in_grid || !raw_fits ||
-      in.remaining() != tile.payload_bytes) {
-    return ReadStatus::kInconsistent;
-  }
-  payload = in.bytes(tile.payload_bytes);
+  body = content.subspan(header_bytes);
   return ReadStatus::kOk;
 }
 

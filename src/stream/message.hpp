@@ -1,9 +1,9 @@
-// The messages that carry a grid: one datagram each, big endian, documented byte by byte in
-// docs/spec.md.
+// The content of the messages that carry a grid, behind what protects them (stream/channel.hpp):
+// big endian, documented byte by byte in docs/spec.md.
 //
-// Every message begins with the same header, which says how long it is and what follows. A receiver
-// skips header bytes beyond those it knows, drops message types, encodings and storages that it
-// does not know, and refuses another version; so fields, compression and protection can be added.
+// Every content begins with the same header, which says how long it is and what follows. A receiver
+// skips header bytes beyond those it knows and drops message types, encodings and storages that it
+// does not know; so fields and encodings can be added. Tiles are in stream/tiles.hpp.
 #pragma once
 
 #include <array>
@@ -16,30 +16,24 @@
 
 namespace iog::stream {
 
-inline constexpr std::uint32_t kMagic = 0x494F4752;  // "IOGR"
-inline constexpr std::uint8_t kVersion = 1;
-inline constexpr std::size_t kHeaderBytes = 48;
-inline constexpr std::size_t kTileHeaderBytes = 24;
-inline constexpr std::size_t kMaxMessageBytes = 1392;  // stays below every usual MTU
+inline constexpr std::size_t kHeaderBytes = 44;
 
-enum class MessageType : std::uint8_t { kTile = 1, kFrameEnd = 2 };
-enum class Encoding : std::uint8_t { kRaw = 0 };
-enum class Storage : std::uint8_t { kOccupancyIndex = 0 };
+enum class MessageType : std::uint8_t { kTiles = 1, kFrameEnd = 2 };
 
 // Bits of Header::flags.
 inline constexpr std::uint8_t kFlagTimedOut = 0x01;  // closed by time, not by its sensors
 inline constexpr std::uint8_t kFlagBayes = 0x02;     // fused by the rule bayes, not hits_win
 
 struct Header {
-  MessageType type = MessageType::kTile;
-  std::uint32_t sequence = 0;      // of messages of any type, wraps
+  MessageType type = MessageType::kTiles;
+  std::uint8_t flags = 0;
+  std::uint32_t sequence = 0;      // of messages of any type, wraps; low half: the E2E counter
   std::uint32_t frame_number = 0;  // wraps
   std::uint64_t closed_us = 0;     // when the frame closed, by the target's clock
   std::uint32_t vehicle_id = 0;    // CRC-32 of the vehicle description's name
   std::uint8_t sensor_count = 0;
   std::uint8_t complete_sensors = 0;  // bit i: sensor i has delivered its whole scan
   std::uint8_t partial_sensors = 0;   // bit i: sensor i has delivered a part of it
-  std::uint8_t flags = 0;
   std::uint32_t points_used = 0;      // scan points of this frame that carved and marked
   std::uint32_t points_other = 0;     // scan points of this frame with any other fate
   std::uint32_t packets_fused = 0;    // of this frame
@@ -49,20 +43,6 @@ struct Header {
   [[nodiscard]] constexpr bool has_evidence() const {
     return (complete_sensors | partial_sensors) != 0;
   }
-};
-
-struct TileHeader {
-  std::uint16_t tile_x = 0;    // in tiles, from the lowest x
-  std::uint16_t tile_y = 0;    // in tiles, from the lowest y
-  std::uint8_t side_log2 = 0;  // a tile is 2^side_log2 cells wide and high
-  Encoding encoding = Encoding::kRaw;
-  Storage storage = Storage::kOccupancyIndex;
-  std::uint16_t grid_width = 0;   // cells
-  std::uint16_t grid_height = 0;  // cells
-  std::uint16_t cell_mm = 0;
-  std::uint16_t payload_bytes = 0;
-  std::int32_t origin_x_mm = 0;  // the grid's corner of lowest x and y in the vehicle frame
-  std::int32_t origin_y_mm = 0;
 };
 
 // Why a datagram was dropped before any of its points was seen. The values are on the wire.
@@ -107,7 +87,7 @@ inline constexpr std::size_t kMaxLinkCounters = 40;
 struct FrameEnd {
   std::uint32_t tiles_sent = 0;
   std::uint32_t tiles_lost = 0;  // known, but the network took no message
-  std::uint32_t grid_crc = 0;    // of all known tiles, sent or not (stream/tile.hpp)
+  std::uint32_t grid_crc = 0;    // of all known tiles, sent or not (stream/grid_hash.hpp)
   std::uint64_t opened_us = 0;   // when the frame opened
   std::uint32_t stopwatch_hz = 0;
   StageTicks ticks{};                                          // publish: that of the frame before
@@ -119,28 +99,20 @@ struct FrameEnd {
   std::array<SensorReport, vehicle::kMaxSensors> sensors{};     // Header::sensor_count of them
 };
 
-// Why a message could not be read.
-enum class ReadStatus : std::uint8_t { kOk, kTooShort, kNotOurs, kOtherVersion, kInconsistent };
+// Why a content could not be read.
+enum class ReadStatus : std::uint8_t { kOk, kTooShort, kInconsistent };
 
 // Each writes one part and returns the bytes written, 0 if the buffer is too small.
 std::size_t write_header(const Header& header, std::span<std::byte> buffer);
-std::size_t write_tile_header(const TileHeader& tile, std::span<std::byte> buffer);
 std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
                             std::span<std::byte> buffer);
 
-// Each changes one thing in a header that has been written.
+// Changes one thing in a header that has been written.
 void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t sequence);
-void set_tile(std::span<std::byte, kTileHeaderBytes> header, std::size_t tile_x,
-              std::size_t tile_y);
 
-// Reads the header; `body` becomes what follows it. kOk, kTooShort, kNotOurs, kOtherVersion.
-[[nodiscard]] ReadStatus read_header(std::span<const std::byte> message, Header& header,
+// Reads the header; `body` becomes what follows it. kOk or kTooShort.
+[[nodiscard]] ReadStatus read_header(std::span<const std::byte> content, Header& header,
                                      std::span<const std::byte>& body);
-
-// Reads a tile's header; `payload` becomes its bytes. kOk, kTooShort, or kInconsistent where the
-// tile lies outside its own grid or is not as long as it says.
-[[nodiscard]] ReadStatus read_tile(std::span<const std::byte> body, TileHeader& tile,
-                                   std::span<const std::byte>& payload);
 
 // kOk, kTooShort, or kInconsistent where it counts more than can be.
 [[nodiscard]] ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_count,

@@ -1,7 +1,12 @@
-// The assembler of frames on a series of messages.
+// The assembler of frames on a series of messages. A CRC keeps random bytes out; so the input's
+// messages are protected by a sender of ours, unless they say that they come as they are.
 #include "tools/assembly/frame_assembler.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "law.hpp"
+#include "tools/assembly/live_grid.hpp"
 
 namespace iog::fuzz {
 namespace {
@@ -9,26 +14,53 @@ namespace {
 // A frame holds a whole grid: more messages would only cost time.
 constexpr std::size_t kMaxMessages = 32;
 
+std::vector<std::byte> protected_message(protection::Sender& sender,
+                                         std::span<const std::byte> content) {
+  const std::size_t bytes = std::min(content.size(), protection::kMaxContentBytes);
+  std::vector<std::byte> message(protection::kProtectionBytes);
+  message.insert(message.end(), content.begin(),
+                 content.begin() + static_cast<std::ptrdiff_t>(bytes));
+  sender.protect(message);
+  return message;
+}
+
+void check_frame(const tools::GridFrame& frame) {
+  law((frame.known_tiles & ~frame.valid_tiles).none(), "what is known is valid");
+  law(frame.tiles == frame.known_tiles.count(), "tiles are counted");
+}
+
 void check(std::span<const std::byte> input) {
   std::uint64_t last = 0;
   bool has_frame = false;
   std::uint64_t restarts = 0;
+  tools::LiveGrid live;
   tools::FrameAssembler* running = nullptr;
   tools::FrameAssembler assembler([&](tools::GridFrame&& frame) {
     const bool is_same_run = running != nullptr && running->counts().restarts == restarts;
     law(!has_frame || !is_same_run || frame.header.frame_number > last || last > 0xFFFF0000U,
         "frames come in their order");
+    check_frame(frame);
+    live.take(frame);
     has_frame = true;
     last = frame.header.frame_number;
     restarts = running->counts().restarts;
   });
   running = &assembler;
+  protection::Sender sender(stream::kNetworkChannel);
   wire::ByteReader in(input);
   std::size_t messages = 0;
   while (in.remaining() > 0 && messages++ < kMaxMessages) {
-    assembler.take(next_piece(in));
+    const std::span<const std::byte> piece = next_piece(in);
+    if (!piece.empty() && piece.front() == std::byte{0xFF}) {
+      assembler.take(piece.subspan(1));
+    } else if (piece.size() == 1) {
+      assembler.note_silence();
+    } else {
+      assembler.take(protected_message(sender, piece));
+    }
   }
   assembler.finish();
+  law(live.stale_tiles() <= stream::kTileCount, "tiles have an age");
 }
 
 }  // namespace

@@ -8,7 +8,8 @@
 #include "fakes/lux_message.hpp"
 #include "fakes/vlp16_packet.hpp"
 #include "net/frames.hpp"
-#include "stream/message.hpp"
+#include "stream/tile.hpp"
+#include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
 #include "tools/capture/pcap_writer.hpp"
 
@@ -90,29 +91,40 @@ void add_network_seeds(Seeds& seeds) {
   writer.finish();
 }
 
-Bytes message_with(stream::MessageType type, const Bytes& body) {
-  Bytes message(stream::kHeaderBytes);
-  static_cast<void>(
-      stream::write_header({.type = type, .frame_number = 5, .sensor_count = 2}, message));
-  return joined(std::move(message), body);
-}
-
-void add_stream_seeds(Seeds& seeds) {
-  Bytes tile(stream::kTileHeaderBytes);
-  static_cast<void>(stream::write_tile_header({.side_log2 = 5,
-                                               .grid_width = 1024,
-                                               .grid_height = 1024,
-                                               .cell_mm = 100,
-                                               .payload_bytes = 1024},
-                                              tile));
-  tile.resize(tile.size() + 1024, std::byte{3});
+Bytes end_content(std::uint32_t frame_number) {
+  Bytes head(stream::kHeaderBytes);
+  static_cast<void>(stream::write_header({.type = stream::MessageType::kFrameEnd,
+                                          .sequence = 2 * frame_number + 1,
+                                          .frame_number = frame_number,
+                                          .closed_us = frame_number,
+                                          .sensor_count = 2},
+                                         head));
   Bytes end(400);
   end.resize(stream::write_frame_end({.tiles_sent = 1, .link_counter_count = 3}, 2, end));
-  const Bytes first = message_with(stream::MessageType::kTile, tile);
-  const Bytes last = message_with(stream::MessageType::kFrameEnd, end);
+  return joined(std::move(head), end);
+}
+
+Bytes tiles_content(std::uint32_t frame_number, tile_coding::Encoding encoding,
+                    const Bytes& payload) {
+  stream::TilesWriter writer;
+  writer.begin_grid({.frame_number = frame_number, .closed_us = frame_number},
+                    stream::geometry_of_level(0));
+  static_cast<void>(writer.append(3, encoding, payload));
+  const auto message = writer.finish(stream::kTileCount, 2 * frame_number);
+  return {message.begin() + protection::kProtectionBytes, message.end()};
+}
+
+// Two frames of one tile, the second against the first.
+void add_stream_seeds(Seeds& seeds) {
+  const Bytes raw(1024, std::byte{3});
+  Bytes since{std::byte{0}, std::byte{0}, std::byte{0}, std::byte{5}};
+  since.insert(since.end(), {std::byte{0}, std::byte{0x00}, std::byte{0x20}, std::byte{0x00}});
+  const Bytes first = tiles_content(5, tile_coding::Encoding::kRaw, raw);
+  const Bytes second = tiles_content(6, tile_coding::Encoding::kChangedSince, since);
   seeds.add("stream_message", first);
-  seeds.add("stream_message", last);
-  seeds.add("frame_assembler", joined(piece_of(first), piece_of(last)));
+  seeds.add("stream_message", end_content(5));
+  seeds.add("frame_assembler", joined(joined(piece_of(first), piece_of(end_content(5))),
+                                      joined(piece_of(second), piece_of(end_content(6)))));
 }
 
 void add_tile_seeds(Seeds& seeds) {

@@ -2,12 +2,12 @@
 #include <array>
 
 #include "law.hpp"
-#include "stream/message.hpp"
+#include "stream/tiles.hpp"
 
 namespace iog::fuzz {
 namespace {
 
-using Buffer = std::array<std::byte, stream::kMaxMessageBytes>;
+using Buffer = std::array<std::byte, protection::kMaxContentBytes>;
 
 // The fields that we know, written again and read again, are written the same once more.
 template <typename Part, typename Read, typename Write>
@@ -21,20 +21,32 @@ void check_again(const Part& part, Read read, Write write) {
   law(write(again, twice) == bytes && once == twice, "and is the same");
 }
 
-void check_message(std::span<const std::byte> message) {
+void check_tiles(std::span<const std::byte> body) {
+  stream::TilesHeader header;
+  stream::TileRecords records;
+  if (stream::read_tiles(body, header, records) != stream::ReadStatus::kOk) {
+    return;
+  }
+  std::size_t bytes = stream::kTilesHeaderBytes;
+  std::uint32_t lowest = header.first_tile;
+  std::uint32_t count = 0;
+  for (stream::TileRecord record; records.next(record); ++count) {
+    law(record.tile >= lowest && record.tile < header.end_tile, "tiles rise");
+    lowest = record.tile + 1U;
+    bytes += stream::kTileRecordBytes + record.payload.size();
+  }
+  law(bytes == body.size() && count == header.tile_count, "tiles are as long as they say");
+  law(header.end_tile <= header.geometry.tile_count(), "and lie in their grid");
+}
+
+void check_content(std::span<const std::byte> message) {
   stream::Header header;
   std::span<const std::byte> body;
   if (stream::read_header(message, header, body) != stream::ReadStatus::kOk) {
     return;
   }
   law(body.size() + stream::kHeaderBytes <= message.size(), "the body is behind the header");
-  stream::TileHeader tile;
-  std::span<const std::byte> payload;
-  if (stream::read_tile(body, tile, payload) == stream::ReadStatus::kOk) {
-    law(payload.size() == tile.payload_bytes &&
-            payload.size() + stream::kTileHeaderBytes == body.size(),
-        "a tile is as long as it says");
-  }
+  check_tiles(body);
   check_again(
       header,
       [](std::span<const std::byte> bytes, stream::Header& part) {
@@ -63,6 +75,6 @@ void check_message(std::span<const std::byte> message) {
 }  // namespace iog::fuzz
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check_message(iog::fuzz::input_bytes(data, size));
+  iog::fuzz::check_content(iog::fuzz::input_bytes(data, size));
   return 0;
 }

@@ -1,98 +1,96 @@
 #include "tools/assembly/frame_assembler.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
+
+#include "tile_coding/decode.hpp"
 
 namespace iog::tools {
 namespace {
 
-// The only grid that this receiver can show.
-bool is_understood(const stream::TileHeader& tile) {
-  return tile.encoding == stream::Encoding::kRaw &&
-         tile.storage == stream::Storage::kOccupancyIndex &&
-         tile.side_log2 == stream::kTileSideLog2 && tile.grid_width == vehicle::kCellsPerSide &&
-         tile.grid_height == vehicle::kCellsPerSide;
-}
+// Half of the last messages are enough to trust the channel; a third of them broken is too much.
+constexpr protection::Supervision kSupervision{.window = 30,
+                                               .init = {.min_ok = 15, .max_errors = 5},
+                                               .valid = {.min_ok = 10, .max_errors = 10},
+                                               .invalid = {.min_ok = 15, .max_errors = 5}};
+static_assert(kSupervision.is_valid());
 
-// Number i of a tile's cells, row by row, as a number of the grid's.
-std::size_t cell_of_tile(std::size_t tile_x, std::size_t tile_y, std::size_t i) {
-  const std::size_t y = tile_y * stream::kTileSide + i / stream::kTileSide;
-  return y * grid::kStride + tile_x * stream::kTileSide + i % stream::kTileSide;
-}
-
-void paste(std::span<const std::byte> payload, const stream::TileHeader& tile, GridFrame& frame) {
-  for (std::size_t i = 0; i < stream::kTileBytes; ++i) {
-    frame.cells[cell_of_tile(tile.tile_x, tile.tile_y, i)] =
-        static_cast<index::OccupancyIndex>(payload[i]);
-  }
+std::vector<std::byte> copy_of(std::span<const std::byte> bytes) {
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace
 
-std::uint32_t grid_crc_of(const GridFrame& frame) {
-  stream::GridHash hash;
-  for (std::size_t y = 0; y < stream::kTilesPerSide; ++y) {
-    for (std::size_t x = 0; x < stream::kTilesPerSide; ++x) {
-      if (frame.known_tiles.test(y * stream::kTilesPerSide + x)) {
-        std::array<std::byte, stream::kTileBytes> tile{};
-        for (std::size_t i = 0; i < stream::kTileBytes; ++i) {
-          tile[i] = static_cast<std::byte>(frame.cells[cell_of_tile(x, y, i)]);
-        }
-        hash.add(x, y, tile);
-      }
-    }
-  }
-  return hash.value();
-}
+FrameAssembler::FrameAssembler(FrameHandler on_frame)
+    : on_frame_(std::move(on_frame)),
+      supervisor_(kSupervision),
+      references_(std::make_unique<stream::References>()) {}
 
-FrameAssembler::FrameAssembler(FrameHandler on_frame) : on_frame_(std::move(on_frame)) {}
-
-void FrameAssembler::take(std::span<const std::byte> message) {
-  stream::Header header;
-  std::span<const std::byte> body;
-  switch (stream::read_header(message, header, body)) {
-    case stream::ReadStatus::kOk:
+void FrameAssembler::take(std::span<const std::byte> datagram) {
+  const protection::Received received = receiver_.receive(datagram);
+  using protection::SomeIpStatus;
+  switch (received.header) {
+    case SomeIpStatus::kOk:
       break;
-    case stream::ReadStatus::kNotOurs:
+    case SomeIpStatus::kNotOurs:
       ++counts_.not_ours;
       return;
-    case stream::ReadStatus::kOtherVersion:
+    case SomeIpStatus::kWrongVersion:
       ++counts_.other_version;
       return;
-    case stream::ReadStatus::kTooShort:
-    case stream::ReadStatus::kInconsistent:
-      ++counts_.malformed;
+    case SomeIpStatus::kTooShort:
+    case SomeIpStatus::kTooLong:
+    case SomeIpStatus::kWrongType:
+      ++counts_.corrupt;
       return;
   }
-  if (is_restart(header)) {
-    restart();
+  supervisor_.take(received.check);
+  if (received.check == protection::CheckStatus::kError) {
+    ++counts_.corrupt;
+    return;
   }
+  take_content(received.content, datagram.size());
+}
+
+void FrameAssembler::take_content(std::span<const std::byte> content, std::size_t datagram_bytes) {
+  stream::Header header;
+  std::span<const std::byte> body;
+  if (stream::read_header(content, header, body) != stream::ReadStatus::kOk) {
+    ++counts_.malformed;
+    return;
+  }
+  if (!is_of_this_run(header)) {
+    consider_restart(header, content);
+    return;
+  }
+  of_the_past_.clear();
   const SequenceWatch::Arrival arrival = sequences_.arrive(header.sequence);
   if (arrival == SequenceWatch::Arrival::kRepeated) {
     ++counts_.repeated;
     return;
   }
   ++counts_.messages;
-  counts_.bytes += message.size();
+  counts_.bytes += datagram_bytes;
   counts_.late += arrival == SequenceWatch::Arrival::kLate ? 1U : 0U;
-  GridFrame* const frame = frame_of(header);
-  if (frame == nullptr) {
-    ++counts_.too_late;
-    return;
-  }
-  if (header.type == stream::MessageType::kTile) {
-    take_tile(*frame, header, body);
+  WaitingFrame& waiting = frame_of(header);
+  if (header.type == stream::MessageType::kTiles) {
+    take_tiles(waiting, body);
   } else if (header.type == stream::MessageType::kFrameEnd) {
-    take_end(*frame, header, body);
+    take_end(waiting, header, body);
   } else {
     ++counts_.not_understood;
   }
   // The oldest frame goes first; newer ones wait behind it, but not for ever.
   while (!waiting_.empty() &&
-         (waiting_.begin()->second.is_whole() || waiting_.size() > kMaxWaiting)) {
+         (waiting_.begin()->second.is_complete() || waiting_.size() > kMaxWaiting)) {
     hand_over_first();
   }
+}
+
+void FrameAssembler::note_silence() {
+  supervisor_.take(protection::CheckStatus::kNoNewData);
+  finish();
+  references_->forget();
 }
 
 void FrameAssembler::finish() {
@@ -101,70 +99,127 @@ void FrameAssembler::finish() {
   }
 }
 
-// Frame numbers and sequence both begin at 0 when the target starts.
-bool FrameAssembler::is_restart(const stream::Header& header) const {
-  const bool is_first = header.sequence == 0 && header.frame_number == 0;
-  const bool has_run = counts_.messages > 0;
-  return has_run && ((is_first && sequences_.expected() > kLateMessages) ||
-                     header.frame_number + kRestartFrames < newest_frame_);
+// Frames that have been handed over are the past. A frame has one moment at which it was closed,
+// and the next ones are later: a number that fits while the time does not is one of another run.
+bool FrameAssembler::is_of_this_run(const stream::Header& header) const {
+  if (has_handed_over_ &&
+      (header.frame_number < next_frame_ || header.closed_us < last_closed_us_)) {
+    return false;
+  }
+  const auto waiting = waiting_.find(header.frame_number);
+  return waiting == waiting_.end() || waiting->second.frame.header.closed_us == header.closed_us;
 }
 
-void FrameAssembler::restart() {
+void FrameAssembler::consider_restart(const stream::Header& header,
+                                      std::span<const std::byte> content) {
+  ++counts_.too_late;
+  if (header.sequence <= past_sequence_) {
+    of_the_past_.clear();
+  }
+  past_sequence_ = header.sequence;
+  of_the_past_.push_back(copy_of(content));
+  if (of_the_past_.size() < kMessagesOfRestart) {
+    return;
+  }
+  start_over();
+  counts_.too_late -= kMessagesOfRestart;
+  for (const std::vector<std::byte>& first : std::exchange(of_the_past_, {})) {
+    take_content(first, protection::kProtectionBytes + first.size());
+  }
+}
+
+void FrameAssembler::start_over() {
   finish();
+  references_->forget();
   ++counts_.restarts;
   sequences_.restart();
   has_handed_over_ = false;
-  newest_frame_ = 0;
 }
 
-GridFrame* FrameAssembler::frame_of(const stream::Header& header) {
-  if (has_handed_over_ && header.frame_number < next_frame_) {
-    return nullptr;
-  }
-  newest_frame_ = std::max(newest_frame_, header.frame_number);
+FrameAssembler::WaitingFrame& FrameAssembler::frame_of(const stream::Header& header) {
   const auto [place, is_new] = waiting_.try_emplace(header.frame_number);
   if (is_new) {
-    place->second.header = header;
+    place->second.frame.header = header;
   }
-  return &place->second;
+  return place->second;
 }
 
-void FrameAssembler::take_tile(GridFrame& frame, const stream::Header& header,
-                               std::span<const std::byte> body) {
-  stream::TileHeader tile;
-  std::span<const std::byte> payload;
-  if (stream::read_tile(body, tile, payload) != stream::ReadStatus::kOk) {
+void FrameAssembler::take_tiles(WaitingFrame& waiting, std::span<const std::byte> body) {
+  stream::TilesHeader header;
+  stream::TileRecords records;
+  if (stream::read_tiles(body, header, records) != stream::ReadStatus::kOk ||
+      waiting.bodies.size() == kMaxBodies) {
     ++counts_.malformed;
     return;
   }
-  if (!is_understood(tile)) {
+  // The only grid that this receiver can show.
+  if (header.geometry != stream::geometry_of_level(0)) {
     ++counts_.not_understood;
     return;
   }
-  const std::size_t place = tile.tile_y * stream::kTilesPerSide + tile.tile_x;
-  if (frame.known_tiles.test(place)) {
-    ++counts_.repeated;
-    return;
+  for (std::size_t tile = header.first_tile; tile < header.end_tile; ++tile) {
+    waiting.spoken_of.set(tile);
   }
-  frame.known_tiles.set(place);
-  ++frame.tiles;
-  ++counts_.tiles;
-  if (!frame.has_end) {
-    frame.header = header;
-  }
-  paste(payload, tile, frame);
+  waiting.bodies.push_back(copy_of(body));
 }
 
-void FrameAssembler::take_end(GridFrame& frame, const stream::Header& header,
+void FrameAssembler::take_end(WaitingFrame& waiting, const stream::Header& header,
                               std::span<const std::byte> body) {
   stream::FrameEnd end;
   if (stream::read_frame_end(body, header.sensor_count, end) != stream::ReadStatus::kOk) {
     ++counts_.malformed;
     return;
   }
-  frame.header = header;
-  frame.end = end;
-  frame.has_end = true;
+  waiting.frame.header = header;
+  waiting.frame.end = end;
+  waiting.frame.has_end = true;
+}
+
+void FrameAssembler::decode_tiles(WaitingFrame& waiting) {
+  GridFrame& frame = waiting.frame;
+  TileSet broken;
+  for (const std::vector<std::byte>& body : waiting.bodies) {
+    stream::TilesHeader header;
+    stream::TileRecords records;
+    static_cast<void>(stream::read_tiles(body, header, records));  // it was sound when it came
+    for (stream::TileRecord record; records.next(record);) {
+      if (decode_tile(record, frame)) {
+        frame.known_tiles.set(record.tile);
+      } else {
+        broken.set(record.tile);
+      }
+    }
+  }
+  frame.valid_tiles = waiting.spoken_of & ~broken;
+  frame.known_tiles &= frame.valid_tiles;
+  frame.tiles = static_cast<std::uint32_t>(frame.known_tiles.count());
+  counts_.tiles += frame.tiles;
+}
+
+bool FrameAssembler::decode_tile(const stream::TileRecord& record, GridFrame& frame) {
+  std::array<std::byte, stream::kTileBytes> cells{};
+  using tile_coding::DecodeStatus;
+  switch (
+      tile_coding::decode(record.encoding, record.payload, references_->find(record.tile), cells)) {
+    case DecodeStatus::kOk:
+      break;
+    case DecodeStatus::kUnknownEncoding:
+      ++counts_.not_understood;
+      return false;
+    case DecodeStatus::kMalformed:
+      ++counts_.malformed;
+      return false;
+    case DecodeStatus::kUnknownReference:
+      ++counts_.without_reference;
+      return false;
+  }
+  if (stream::stands_by_itself(record.encoding)) {
+    references_->keep(record.tile, cells, frame.header.frame_number);
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    frame.cells[cell_of_tile(record.tile, i)] = static_cast<index::OccupancyIndex>(cells[i]);
+  }
+  return true;
 }
 
 void FrameAssembler::hand_over_first() {
@@ -174,11 +229,13 @@ void FrameAssembler::hand_over_first() {
   }
   has_handed_over_ = true;
   next_frame_ = node.key() + 1;
-  GridFrame& frame = node.mapped();
-  if (frame.header.has_evidence()) {
-    frame.evidence_number = evidence_frames_++;
+  WaitingFrame& waiting = node.mapped();
+  last_closed_us_ = waiting.frame.header.closed_us;
+  decode_tiles(waiting);
+  if (waiting.frame.header.has_evidence()) {
+    waiting.frame.evidence_number = evidence_frames_++;
   }
-  on_frame_(std::move(frame));
+  on_frame_(std::move(waiting.frame));
 }
 
 }  // namespace iog::tools

@@ -1,30 +1,43 @@
-// Puts frames together from the messages of one target, whatever the network did to their order.
-// It knows no socket and no clock.
+// Puts frames together from the messages of one target, whatever the network did to them. It knows
+// no socket and no clock.
+//
+// What is whole (its CRC is right) is judged by what it says itself: its frame, its number, the
+// tiles that it speaks of. So what comes late or twice is used once and in its place, or not at
+// all; what the E2E check says of the order is counted, as the health of the channel.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
+#include <vector>
 
+#include "protection/protected_message.hpp"
+#include "protection/supervision.hpp"
+#include "stream/channel.hpp"
+#include "stream/references.hpp"
+#include "stream/tiles.hpp"
 #include "tools/assembly/grid_frame.hpp"
 #include "tools/assembly/sequence_watch.hpp"
 
 namespace iog::tools {
 
 struct MessageCounts {
-  std::uint64_t messages = 0;  // ours and readable
+  std::uint64_t messages = 0;  // ours and whole, each once
   std::uint64_t bytes = 0;     // in them
   std::uint64_t tiles = 0;
   std::uint64_t late = 0;            // behind a message that was sent after it, still in time
   std::uint64_t repeated = 0;        // dropped
-  std::uint64_t too_late = 0;        // its frame was given up already
-  std::uint64_t malformed = 0;       // lengths or numbers that contradict each other
-  std::uint64_t not_ours = 0;        // another protocol
+  std::uint64_t too_late = 0;        // its frame was given up already, or of a run that is over
+  std::uint64_t corrupt = 0;         // of ours, but length, data id or CRC is wrong
+  std::uint64_t malformed = 0;       // whole, and yet numbers contradict each other
+  std::uint64_t not_ours = 0;        // another protocol, service or event
   std::uint64_t other_version = 0;   // of ours
   std::uint64_t not_understood = 0;  // a type, an encoding, a storage or a grid that is new to us
-  std::uint64_t restarts = 0;        // of the target
+  std::uint64_t without_reference = 0;  // tiles against a frame of which we do not have them
+  std::uint64_t restarts = 0;           // of the target
 };
 
 class FrameAssembler {
@@ -35,7 +48,11 @@ class FrameAssembler {
   explicit FrameAssembler(FrameHandler on_frame);
 
   // One datagram, of whatever bytes.
-  void take(std::span<const std::byte> message);
+  void take(std::span<const std::byte> datagram);
+
+  // Nothing has come for longer than a running target is ever silent: what comes next may be of
+  // another run. Hands over the frames that still wait, and forgets what tiles refer to.
+  void note_silence();
 
   // Nothing more comes: hands over the frames that still wait for messages.
   void finish();
@@ -44,29 +61,52 @@ class FrameAssembler {
   [[nodiscard]] std::uint64_t messages_lost() const { return sequences_.lost(); }
   // Frames of which not one message came.
   [[nodiscard]] std::uint64_t frames_lost() const { return frames_lost_; }
+  // The channel as AUTOSAR's state machine sees it.
+  [[nodiscard]] protection::ChannelState channel() const { return supervisor_.state(); }
 
  private:
   // A frame that waits for messages is given up when this many newer ones have begun.
   static constexpr std::size_t kMaxWaiting = 3;
-  // The first message behind more than so many others, or one so many frames in the past, is not
-  // late but comes from a target that has started over.
-  static constexpr std::uint32_t kLateMessages = 256;
-  static constexpr std::uint32_t kRestartFrames = 16;
+  // A target that starts over counts frames, messages and time from 0. One message of the past is
+  // an old one; so many in a row, in their order and none of the present among them, are a new run.
+  static constexpr std::size_t kMessagesOfRestart = 16;
+  // A frame has at most a message for each tile.
+  static constexpr std::size_t kMaxBodies = stream::kTileCount;
 
-  [[nodiscard]] bool is_restart(const stream::Header& header) const;
-  void restart();
-  void take_tile(GridFrame& frame, const stream::Header& header, std::span<const std::byte> body);
-  void take_end(GridFrame& frame, const stream::Header& header, std::span<const std::byte> body);
-  GridFrame* frame_of(const stream::Header& header);
+  // A frame as far as it has come. Tiles are decoded when it is handed over: frames are in order
+  // then, and so are the tiles that others refer to.
+  struct WaitingFrame {
+    GridFrame frame;
+    TileSet spoken_of;  // by the bodies
+    std::vector<std::vector<std::byte>> bodies;
+
+    [[nodiscard]] bool is_complete() const { return frame.has_end && spoken_of.all(); }
+  };
+
+  void take_content(std::span<const std::byte> content, std::size_t datagram_bytes);
+  [[nodiscard]] bool is_of_this_run(const stream::Header& header) const;
+  void consider_restart(const stream::Header& header, std::span<const std::byte> content);
+  void start_over();
+  void take_tiles(WaitingFrame& waiting, std::span<const std::byte> body);
+  void take_end(WaitingFrame& waiting, const stream::Header& header,
+                std::span<const std::byte> body);
+  WaitingFrame& frame_of(const stream::Header& header);
+  void decode_tiles(WaitingFrame& waiting);
+  [[nodiscard]] bool decode_tile(const stream::TileRecord& record, GridFrame& frame);
   void hand_over_first();
 
   FrameHandler on_frame_;
   MessageCounts counts_;
+  protection::Receiver receiver_{stream::kNetworkChannel};
+  protection::Supervisor supervisor_;
   SequenceWatch sequences_;
-  std::map<std::uint32_t, GridFrame> waiting_;  // by frame number
+  std::map<std::uint32_t, WaitingFrame> waiting_;  // by frame number
+  std::unique_ptr<stream::References> references_;
+  std::vector<std::vector<std::byte>> of_the_past_;  // contents that may be those of a new run
+  std::uint32_t past_sequence_ = 0;                  // of the last of them
   bool has_handed_over_ = false;
   std::uint32_t next_frame_ = 0;  // the lowest number that has not been handed over
-  std::uint32_t newest_frame_ = 0;
+  std::uint64_t last_closed_us_ = 0;
   std::uint64_t evidence_frames_ = 0;
   std::uint64_t frames_lost_ = 0;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,26 +13,36 @@
 
 namespace iog::tools {
 
+using TileSet = std::bitset<stream::kTileCount>;  // by y * kTilesPerSide + x
+
 struct GridFrame {
   // Among the frames with evidence, from 0; meaningless in a frame without.
   std::uint64_t evidence_number = 0;
-  stream::Header header;  // of its last message, or of a tile if that is lost
+  stream::Header header;  // of its last message, or of its tiles if that is lost
   stream::FrameEnd end;   // only if has_end
   bool has_end = false;
-  std::uint32_t tiles = 0;                      // that have arrived
-  std::bitset<stream::kTileCount> known_tiles;  // by y * kTilesPerSide + x
-  // Row by row from the lowest y; a cell of a tile that has not come is unknown.
+  TileSet valid_tiles;      // whose cells are those of this frame; all others are missing
+  TileSet known_tiles;      // of these, those in which something is known
+  std::uint32_t tiles = 0;  // how many these are
+  // Row by row from the lowest y; a cell of a missing tile is 0.
   std::vector<index::OccupancyIndex> cells =
       std::vector<index::OccupancyIndex>(grid::kCellCount, index::kUnknown);
 
   // Everything that the target knows has arrived.
   [[nodiscard]] bool is_whole() const {
-    return has_end && end.tiles_lost == 0 && tiles == end.tiles_sent;
+    return has_end && end.tiles_lost == 0 && valid_tiles.all() && tiles == end.tiles_sent;
   }
   [[nodiscard]] std::span<const index::OccupancyIndex, grid::kCellCount> grid() const {
     return std::span(cells).first<grid::kCellCount>();
   }
 };
+
+// Number i of a tile's cells, row by row, as a number of the grid's.
+[[nodiscard]] constexpr std::size_t cell_of_tile(std::size_t tile, std::size_t i) {
+  const std::size_t x = tile % stream::kTilesPerSide * stream::kTileSide + i % stream::kTileSide;
+  const std::size_t y = tile / stream::kTilesPerSide * stream::kTileSide + i / stream::kTileSide;
+  return y * grid::kStride + x;
+}
 
 // The name of the grid as it has arrived; that of the whole frame is end.grid_crc.
 [[nodiscard]] std::uint32_t grid_crc_of(const GridFrame& frame);

@@ -42,7 +42,8 @@ void OfflineTarget::finish() {
 bool OfflineOutside::send_message(std::span<const std::byte> message) {
   stream::Header header;
   std::span<const std::byte> body;
-  if (stream::read_header(message, header, body) == stream::ReadStatus::kOk &&
+  const std::span content = message.subspan(protection::kProtectionBytes);
+  if (stream::read_header(content, header, body) == stream::ReadStatus::kOk &&
       header.type == stream::MessageType::kFrameEnd && header.has_evidence()) {
     ++evidence_frames_;
   }

@@ -37,6 +37,9 @@ struct Options {
 
 using Clock = std::chrono::steady_clock;
 
+// A running target reports even silence every two frame periods.
+constexpr std::chrono::milliseconds kLongestSilence{500};
+
 class Reception {
  public:
   explicit Reception(const Options& options)
@@ -59,9 +62,11 @@ class Reception {
     }
     last_evidence_ = Clock::now();
     while (!is_done() && !was_interrupted() && !is_idle()) {
-      for (const std::vector<std::byte>& message : receiver.take(std::chrono::milliseconds(100))) {
+      const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
+      for (const std::vector<std::byte>& message : messages) {
         assembler_.take(message);
       }
+      note_arrival(!messages.empty());
     }
     assembler_.finish();
     overflow_ = receiver.overflow();
@@ -121,6 +126,16 @@ class Reception {
     return options_->idle_timeout_s > 0 && silent.count() > options_->idle_timeout_s;
   }
 
+  void note_arrival(bool has_arrived) {
+    const auto now = Clock::now();
+    if (has_arrived) {
+      last_arrival_ = now;
+    } else if (now - last_arrival_ > kLongestSilence) {
+      assembler_.note_silence();
+      last_arrival_ = now;
+    }
+  }
+
   void take(GridFrame&& frame) {
     if (is_done()) {
       return;
@@ -147,10 +162,12 @@ class Reception {
             {"messages_late", counts.late},
             {"messages_repeated", counts.repeated},
             {"messages_too_late", counts.too_late},
+            {"messages_corrupt", counts.corrupt},
             {"messages_malformed", counts.malformed},
             {"messages_not_ours", counts.not_ours},
             {"messages_other_version", counts.other_version},
             {"messages_not_understood", counts.not_understood},
+            {"tiles_without_reference", counts.without_reference},
             {"messages_overflow", overflow_},
             {"target_restarts", counts.restarts}};
   }
@@ -180,6 +197,7 @@ class Reception {
   Progress progress_;
   std::optional<GridFrame> last_;
   Clock::time_point last_evidence_;
+  Clock::time_point last_arrival_ = Clock::now();
   std::uint64_t overflow_ = 0;
 };
 

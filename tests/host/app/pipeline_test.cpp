@@ -12,6 +12,7 @@
 #include "fakes/lux_message.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
+#include "stream/grid_hash.hpp"
 
 namespace iog::app {
 namespace {
@@ -278,8 +279,7 @@ TEST(Pipeline, AFloodOfPointsIsRefused) {
             1600U);
 }
 
-// When the network takes no more, tiles are lost and counted; the grid's CRC still names all of it,
-// and the next frame is whole.
+// When the network takes no more, tiles are lost and counted; the grid's CRC still names all of it.
 TEST(Pipeline, LostTilesAreCountedAndLeaveNoTrace) {
   tests::Random random(80);
   const auto frame = frame_of_three(1, 1, random);
@@ -291,6 +291,8 @@ TEST(Pipeline, LostTilesAreCountedAndLeaveNoTrace) {
     stuck.take(datagram, 0);
   }
   EXPECT_TRUE(stuck.outside.frames.empty());
+  EXPECT_EQ(stuck.outside.tile_messages(), 3);
+  ASSERT_GT(whole.outside.tile_messages(), 3);
   stuck.outside.allow_messages(5000);
   for (const Datagram& datagram : frame_of_three(2, 1, random)) {
     stuck.take(datagram, 50'000);
@@ -298,7 +300,52 @@ TEST(Pipeline, LostTilesAreCountedAndLeaveNoTrace) {
   }
   ASSERT_EQ(stuck.outside.frames.size(), 1U);
   EXPECT_EQ(stuck.outside.frames[0].end.grid_crc, whole.outside.frames[1].end.grid_crc);
-  EXPECT_EQ(stuck.outside.sequences().size() - 3, stuck.outside.frames[0].end.tiles_sent + 1);
+  EXPECT_EQ(stuck.outside.frames[0].end.tiles_sent, whole.outside.frames[1].end.tiles_sent);
+}
+
+// A number is given to what could not be sent, too: so a receiver misses it.
+TEST(Pipeline, EveryMessageIsNumbered) {
+  tests::Random random(81);
+  Bench bench;
+  bench.outside.allow_messages(3);
+  for (const Datagram& datagram : frame_of_three(1, 1, random)) {
+    bench.take(datagram, 0);
+  }
+  bench.outside.allow_messages(5000);
+  for (const Datagram& datagram : frame_of_three(2, 1, random)) {
+    bench.take(datagram, 50'000);
+  }
+  const auto& sequences = bench.outside.sequences();
+  ASSERT_GT(sequences.size(), 4U);
+  EXPECT_EQ(sequences[2], 2U);
+  EXPECT_GT(sequences[3], 3U);
+  for (std::size_t i = 4; i < sequences.size(); ++i) {
+    ASSERT_EQ(sequences[i], sequences[i - 1] + 1);
+  }
+}
+
+// Raw or as short as can be, what arrives is the same.
+TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
+  tests::Random random(82);
+  Bench shortest;
+  FakeOutside outside;
+  const auto raw = std::make_unique<Pipeline<FakeOutside>>(ThreeLux::kVehicle, kReplayer, outside,
+                                                           std::uint64_t{0}, Coding::kRaw);
+  for (int number = 1; number <= 10; ++number) {
+    const auto now_us = static_cast<std::uint64_t>(number) * 40'000;
+    for (const Datagram& datagram : frame_of_three(number, 1, random)) {
+      shortest.take(datagram, now_us);
+      raw->take({datagram.source, datagram.port, datagram.bytes}, now_us);
+    }
+  }
+  ASSERT_EQ(outside.frames.size(), 10U);
+  ASSERT_EQ(shortest.outside.frames.size(), 10U);
+  for (std::size_t i = 0; i < outside.frames.size(); ++i) {
+    EXPECT_EQ(shortest.outside.frames[i].cells, outside.frames[i].cells);
+    EXPECT_EQ(shortest.outside.frames[i].end.grid_crc, outside.frames[i].end.grid_crc);
+  }
+  EXPECT_LT(2 * shortest.outside.tile_messages(), outside.tile_messages());
+  EXPECT_EQ(shortest.outside.unreadable() + outside.unreadable(), 0);
 }
 
 }  // namespace

@@ -1,13 +1,19 @@
 // An Outside (app/pipeline.hpp) that keeps every message and can refuse them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "protection/protected_message.hpp"
+#include "stream/channel.hpp"
 #include "stream/message.hpp"
-#include "stream/tile.hpp"
+#include "stream/references.hpp"
+#include "stream/tiles.hpp"
+#include "tile_coding/decode.hpp"
 
 namespace iog::tests {
 
@@ -39,6 +45,7 @@ class FakeOutside {
 
   void allow_messages(int count) { room_left_ = count; }
   [[nodiscard]] int unreadable() const { return unreadable_; }
+  [[nodiscard]] int tile_messages() const { return tile_messages_; }
   [[nodiscard]] const std::vector<std::uint32_t>& sequences() const { return sequences_; }
 
   std::vector<ReceivedFrame> frames;
@@ -48,15 +55,16 @@ class FakeOutside {
     if (cells_.empty()) {
       cells_.resize(grid::kCellCount);
     }
+    const protection::Received received = receiver_.receive(message);
     stream::Header header;
     std::span<const std::byte> body;
-    if (stream::read_header(message, header, body) != stream::ReadStatus::kOk) {
+    if (stream::read_header(received.content, header, body) != stream::ReadStatus::kOk) {
       ++unreadable_;
       return;
     }
     sequences_.push_back(header.sequence);
-    if (header.type == stream::MessageType::kTile) {
-      take_tile(body);
+    if (header.type == stream::MessageType::kTiles) {
+      take_tiles(header, body);
       return;
     }
     ReceivedFrame frame{.header = header, .end = {}, .cells = std::move(cells_)};
@@ -67,22 +75,43 @@ class FakeOutside {
     cells_ = {};
   }
 
-  void take_tile(std::span<const std::byte> body) {
-    stream::TileHeader tile;
-    std::span<const std::byte> payload;
-    if (stream::read_tile(body, tile, payload) != stream::ReadStatus::kOk) {
+  void take_tiles(const stream::Header& header, std::span<const std::byte> body) {
+    stream::TilesHeader tiles;
+    stream::TileRecords records;
+    if (stream::read_tiles(body, tiles, records) != stream::ReadStatus::kOk) {
       ++unreadable_;
       return;
     }
-    for (std::size_t i = 0; i < payload.size(); ++i) {
-      const std::size_t x = tile.tile_x * stream::kTileSide + i % stream::kTileSide;
-      const std::size_t y = tile.tile_y * stream::kTileSide + i / stream::kTileSide;
-      cells_[y * grid::kStride + x] = static_cast<index::OccupancyIndex>(payload[i]);
+    ++tile_messages_;
+    for (stream::TileRecord record; records.next(record);) {
+      std::array<std::byte, stream::kTileBytes> cells{};
+      if (tile_coding::decode(record.encoding, record.payload, references_->find(record.tile),
+                              cells) != tile_coding::DecodeStatus::kOk) {
+        ++unreadable_;
+        continue;
+      }
+      if (stream::stands_by_itself(record.encoding)) {
+        references_->keep(record.tile, cells, header.frame_number);
+      }
+      paste(record.tile, cells);
+    }
+  }
+
+  void paste(std::size_t tile, std::span<const std::byte, stream::kTileBytes> cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::size_t x =
+          tile % stream::kTilesPerSide * stream::kTileSide + i % stream::kTileSide;
+      const std::size_t y =
+          tile / stream::kTilesPerSide * stream::kTileSide + i / stream::kTileSide;
+      cells_[y * grid::kStride + x] = static_cast<index::OccupancyIndex>(cells[i]);
     }
   }
 
   int room_left_ = 1 << 30;
   int unreadable_ = 0;
+  int tile_messages_ = 0;
+  protection::Receiver receiver_{stream::kNetworkChannel};
+  std::unique_ptr<stream::References> references_ = std::make_unique<stream::References>();
   std::uint32_t ticks_ = 0;
   std::vector<std::uint32_t> sequences_;
   std::vector<index::OccupancyIndex> cells_;

@@ -30,6 +30,7 @@ struct Outcome {
   std::vector<bool> whole;
   MessageCounts counts;
   std::uint64_t lost = 0;
+  protection::ChannelState channel = protection::ChannelState::kNoData;
 };
 
 Outcome assemble(const Messages& messages) {
@@ -44,10 +45,27 @@ Outcome assemble(const Messages& messages) {
   assembler.finish();
   outcome.counts = assembler.counts();
   outcome.lost = assembler.messages_lost();
+  outcome.channel = assembler.channel();
   return outcome;
 }
 
 std::vector<FrameRecord> undisturbed() { return assemble(sample()).records; }
+
+// The message of tiles in which tile `number` of the sample's first frame would be missing.
+Messages without(std::size_t number) {
+  Messages messages = sample();
+  messages.erase(messages.begin() + static_cast<std::ptrdiff_t>(number));
+  return messages;
+}
+
+// Of the first frame: all but its end.
+std::size_t first_frame_end() {
+  const auto is_end = [](const std::vector<std::byte>& message) {
+    return message.at(protection::kProtectionBytes) ==
+           static_cast<std::byte>(stream::MessageType::kFrameEnd);
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(sample(), is_end) - sample().begin());
+}
 
 TEST(FrameAssembler, PutsFramesTogether) {
   const Outcome outcome = assemble(sample());
@@ -55,25 +73,24 @@ TEST(FrameAssembler, PutsFramesTogether) {
   EXPECT_EQ(std::ranges::count(outcome.whole, true), kFrames);
   EXPECT_EQ(outcome.counts.messages, sample().size());
   EXPECT_EQ(outcome.lost, 0U);
-  EXPECT_EQ(outcome.counts.late + outcome.counts.repeated + outcome.counts.malformed, 0U);
+  EXPECT_EQ(outcome.counts.late + outcome.counts.repeated + outcome.counts.malformed +
+                outcome.counts.too_late + outcome.counts.without_reference,
+            0U);
+  EXPECT_EQ(outcome.channel, protection::ChannelState::kValid);
 }
 
-TEST(FrameAssembler, ALostTileIsMissedInItsFrameOnly) {
-  Messages messages = sample();
-  messages.erase(messages.begin() + 5);
-  const Outcome outcome = assemble(messages);
+TEST(FrameAssembler, ALostMessageIsMissedInItsFrameAndWhereOthersReferToIt) {
+  const Outcome outcome = assemble(without(5));
   ASSERT_EQ(outcome.records.size(), kFrames);
   EXPECT_EQ(outcome.lost, 1U);
-  EXPECT_EQ(outcome.whole, (std::vector<bool>{false, true, true, true}));
-  EXPECT_EQ(outcome.records[0].tiles + 1, undisturbed()[0].tiles);
+  EXPECT_FALSE(outcome.whole[0]);
+  EXPECT_LT(outcome.records[0].tiles, undisturbed()[0].tiles);
   EXPECT_EQ(first_difference(outcome.records, undisturbed())->find("frame 0: same packets"), 0U);
+  EXPECT_GT(outcome.counts.without_reference, 0U);
 }
 
 TEST(FrameAssembler, ALostFrameEndStillLeavesItsTiles) {
-  Messages messages = sample();
-  const std::size_t first_end = undisturbed()[0].tiles;
-  messages.erase(messages.begin() + static_cast<std::ptrdiff_t>(first_end));
-  const Outcome outcome = assemble(messages);
+  const Outcome outcome = assemble(without(first_frame_end()));
   ASSERT_EQ(outcome.records.size(), kFrames);
   EXPECT_FALSE(outcome.whole[0]);
   EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
@@ -86,7 +103,9 @@ TEST(FrameAssembler, RepeatedMessagesChangeNothing) {
   }
   const Outcome outcome = assemble(messages);
   EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
-  EXPECT_EQ(outcome.counts.repeated, sample().size());
+  // The second end of a frame comes when the frame is over.
+  EXPECT_EQ(outcome.counts.repeated + outcome.counts.too_late, sample().size());
+  EXPECT_EQ(outcome.counts.too_late, kFrames);
 }
 
 TEST(FrameAssembler, OrderWithinReachChangesNothing) {
@@ -94,12 +113,12 @@ TEST(FrameAssembler, OrderWithinReachChangesNothing) {
   Random random(99);
   // The first one tells where the stream begins, and stays.
   for (std::size_t i = 2; i < messages.size(); ++i) {
-    std::swap(messages[i], messages[i - random.below(std::min<std::size_t>(i, 20))]);
+    std::swap(messages[i], messages[i - random.below(std::min<std::size_t>(i, 8))]);
   }
   const Outcome outcome = assemble(messages);
   EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
   EXPECT_EQ(outcome.lost, 0U);
-  EXPECT_GT(outcome.counts.late, 100U);
+  EXPECT_GT(outcome.counts.late, sample().size() / 4);
 }
 
 TEST(FrameAssembler, GarbageIsCountedAndChangesNothing) {
@@ -110,32 +129,54 @@ TEST(FrameAssembler, GarbageIsCountedAndChangesNothing) {
     messages.push_back(message);
     std::vector<std::byte> cut(message.begin(), message.begin() + 40);
     std::vector<std::byte> other_version = message;
-    other_version[4] = std::byte{2};
+    other_version[13] = std::byte{1};
+    std::vector<std::byte> flipped = message;
+    flipped[protection::kProtectionBytes + random.below(60)] ^= std::byte{0x10};
     std::vector<std::byte> noise(random.below(1400));
     for (std::byte& byte : noise) {
       byte = static_cast<std::byte>(random.next());
     }
-    messages.insert(messages.end(), {cut, other_version, noise});
-    garbage += 3;
+    messages.insert(messages.end(), {cut, other_version, flipped, noise});
+    garbage += 4;
   }
   const Outcome outcome = assemble(messages);
   EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
   EXPECT_EQ(outcome.counts.other_version, sample().size());
-  EXPECT_EQ(outcome.counts.malformed + outcome.counts.not_ours + outcome.counts.other_version,
+  EXPECT_EQ(outcome.counts.corrupt + outcome.counts.not_ours + outcome.counts.other_version,
             garbage);
+  EXPECT_EQ(outcome.channel, protection::ChannelState::kInvalid);
 }
 
-TEST(FrameAssembler, ATileThatContradictsItselfIsNotBelieved) {
+// Messages of a sender that protects well and writes nonsense.
+class Liar {
+ public:
+  [[nodiscard]] std::vector<std::byte> protect(std::vector<std::byte> message) {
+    sender_.protect(message);
+    return message;
+  }
+
+ private:
+  protection::Sender sender_{stream::kNetworkChannel};
+};
+
+TEST(FrameAssembler, AMessageThatContradictsItselfIsNotBelieved) {
   Messages messages = sample();
-  messages[3][stream::kHeaderBytes] = std::byte{0xFF};   // tile x beyond the grid
-  messages[4][stream::kHeaderBytes + 5] = std::byte{9};  // an encoding of the future
+  Liar liar;
+  constexpr std::size_t kBody = protection::kProtectionBytes + stream::kHeaderBytes;
+  messages[3][kBody] = std::byte{0xFF};  // speaks of no tile of the grid
+  messages[4][kBody + stream::kTilesHeaderBytes + 2] = std::byte{9};  // an encoding of the future
+  messages[5][kBody + 10] ^= std::byte{1};                            // another size of cells
+  for (auto& message : messages) {
+    message = liar.protect(message);
+  }
   const Outcome outcome = assemble(messages);
-  EXPECT_EQ(outcome.counts.malformed, 1U);
-  EXPECT_EQ(outcome.counts.not_understood, 1U);
+  EXPECT_GE(outcome.counts.malformed, 1U);
+  EXPECT_EQ(outcome.counts.not_understood, 2U);
+  EXPECT_EQ(outcome.counts.corrupt, 0U);
   EXPECT_FALSE(outcome.whole[0]);
 }
 
-TEST(FrameAssembler, ATargetThatStartsOverIsNoticed) {
+TEST(FrameAssembler, ATargetThatStartsOverIsNoticedAndNothingOfItIsLost) {
   Messages messages = sample();
   messages.insert(messages.end(), sample().begin(), sample().end());
   const Outcome outcome = assemble(messages);
@@ -144,6 +185,30 @@ TEST(FrameAssembler, ATargetThatStartsOverIsNoticed) {
   EXPECT_EQ(std::ranges::count(outcome.whole, true), 2 * kFrames);
   EXPECT_EQ(outcome.records[kFrames].number, kFrames);
   EXPECT_EQ(outcome.lost, 0U);
+  EXPECT_EQ(outcome.counts.too_late, 0U);
+}
+
+// One old message, or some, are no new run.
+TEST(FrameAssembler, OldMessagesAreDropped) {
+  Messages messages = sample();
+  messages.insert(messages.end(), sample().begin(), sample().begin() + 10);
+  const Outcome outcome = assemble(messages);
+  EXPECT_EQ(outcome.counts.restarts, 0U);
+  EXPECT_EQ(outcome.counts.too_late, 10U);
+  EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
+}
+
+// After a silence a frame of the same number may be one of another run.
+TEST(FrameAssembler, NothingRefersToWhatWasBeforeASilence) {
+  FrameAssembler assembler([](GridFrame&&) {});
+  const std::size_t end = first_frame_end();
+  for (std::size_t i = 0; i <= end; ++i) {
+    assembler.take(sample()[i]);
+  }
+  assembler.note_silence();
+  assembler.take(sample()[end + 1]);
+  assembler.finish();
+  EXPECT_GT(assembler.counts().without_reference, 0U);
 }
 
 TEST(SequenceWatch, CountsGapsAndForgivesTheLate) {

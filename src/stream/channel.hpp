@@ -1,0 +1,30 @@
+// The two channels on which a grid travels: what automotive tools know the messages by, and what
+// the CRC says that they are (docs/spec.md 3.1).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "protection/protected_message.hpp"
+
+namespace iog::stream {
+
+// Major version of the format: another one is refused.
+inline constexpr std::uint8_t kInterfaceVersion = 2;
+inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
+
+// A frame is up to some 480 messages if nothing can be compressed; a receiver is alarmed when more
+// than that are missing in a row.
+inline constexpr std::uint16_t kMaxDeltaCounter = 512;
+
+inline constexpr protection::Channel kNetworkChannel{
+    .event = {.service_id = kServiceId, .event_id = 0x8001, .interface_version = kInterfaceVersion},
+    .data_id = 0x494F4701,
+    .max_delta_counter = kMaxDeltaCounter};
+
+inline constexpr protection::Channel kSerialChannel{
+    .event = {.service_id = kServiceId, .event_id = 0x8002, .interface_version = kInterfaceVersion},
+    .data_id = 0x494F4702,
+    .max_delta_counter = kMaxDeltaCounter};
+
+}  // namespace iog::stream

@@ -1,0 +1,31 @@
+#include "stream/references.hpp"
+
+#include <algorithm>
+
+namespace iog::stream {
+
+void References::keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number) {
+  std::ranges::copy(cells, cells_[tile].begin());
+  frame_numbers_[tile] = frame_number;
+  is_kept_[tile] = true;
+}
+
+std::optional<tile_coding::Reference> References::find(std::size_t tile) const {
+  if (!is_kept_[tile]) {
+    return std::nullopt;
+  }
+  return tile_coding::Reference{.cells = cells_[tile], .frame_number = frame_numbers_[tile]};
+}
+
+std::optional<tile_coding::Reference> References::usable(std::size_t tile,
+                                                         std::uint32_t frame_number) const {
+  constexpr std::uint32_t kPeriod = kMaxReferenceAge + 1;
+  const auto number = static_cast<std::uint32_t>(tile);
+  const bool is_its_turn = (frame_number + number) % kPeriod == 0;
+  if (is_its_turn || frame_number - frame_numbers_[tile] > kMaxReferenceAge) {
+    return std::nullopt;
+  }
+  return find(tile);
+}
+
+}  // namespace iog::stream

@@ -1,0 +1,129 @@
+#include "stream/tiles.hpp"
+
+#include "require/require.hpp"
+#include "wire/byte_order.hpp"
+#include "wire/byte_writer.hpp"
+
+namespace iog::stream {
+namespace {
+
+constexpr std::size_t kFirstTileOffset = 0;
+constexpr std::size_t kEndTileOffset = 2;
+constexpr std::size_t kTileCountOffset = 4;
+
+void write_geometry(const Geometry& geometry, std::span<std::byte, kTilesHeaderBytes> header) {
+  wire::ByteWriter out(header);
+  out.zeros(kTileCountOffset + 2);
+  out.u8(geometry.tile_side_log2);
+  out.u8(static_cast<std::uint8_t>(geometry.storage));
+  out.u16_be(geometry.width);
+  out.u16_be(geometry.height);
+  out.u16_be(geometry.cell_mm);
+  out.u16_be(0);
+  out.i32_be(geometry.origin_x_mm);
+  out.i32_be(geometry.origin_y_mm);
+}
+
+bool is_a_grid(const Geometry& geometry) {
+  if (geometry.tile_side_log2 > tile_coding::kTileSideLog2) {
+    return false;
+  }
+  const std::uint32_t within_tile = (1U << geometry.tile_side_log2) - 1;
+  return ((geometry.width | geometry.height) & within_tile) == 0;
+}
+
+bool are_sound(const TilesHeader& header, TileRecords records, std::size_t bytes) {
+  const std::size_t raw_bytes = std::size_t{1} << (2 * header.geometry.tile_side_log2);
+  std::uint32_t lowest = header.first_tile;
+  std::uint32_t count = 0;
+  std::size_t read = 0;
+  for (TileRecord record; records.next(record); ++count) {
+    if (record.tile < lowest || record.tile >= header.end_tile ||
+        record.payload.size() > raw_bytes) {
+      return false;
+    }
+    lowest = record.tile + 1U;
+    read += kTileRecordBytes + record.payload.size();
+  }
+  return count == header.tile_count && read == bytes;
+}
+
+}  // namespace
+
+void TilesWriter::begin_grid(const Header& header, const Geometry& geometry) {
+  Header of_tiles = header;
+  of_tiles.type = MessageType::kTiles;
+  const std::span content = std::span(message_).subspan<kContent>();
+  write_header(of_tiles, content);
+  write_geometry(geometry, content.subspan<kHeaderBytes, kTilesHeaderBytes>());
+  begin_message(0);
+}
+
+void TilesWriter::begin_message(std::size_t first_tile) {
+  first_tile_ = static_cast<std::uint16_t>(first_tile);
+  tile_count_ = 0;
+  bytes_ = kRecords;
+}
+
+bool TilesWriter::append(std::size_t tile, Encoding encoding, std::span<const std::byte> payload) {
+  wire::ByteWriter out{std::span(message_).subspan(bytes_)};
+  out.u16_be(static_cast<std::uint16_t>(tile));
+  out.u8(static_cast<std::uint8_t>(encoding));
+  out.u16_be(static_cast<std::uint16_t>(payload.size()));
+  out.bytes(payload);
+  if (!out.ok()) {
+    require(tile_count_ > 0);
+    return false;
+  }
+  bytes_ += kTileRecordBytes + payload.size();
+  ++tile_count_;
+  return true;
+}
+
+std::span<std::byte> TilesWriter::finish(std::size_t end_tile, std::uint32_t sequence) {
+  const std::span message = std::span(message_).first(bytes_);
+  set_sequence(message.subspan<kContent, kHeaderBytes>(), sequence);
+  const std::span header = message.subspan<kContent + kHeaderBytes, kTilesHeaderBytes>();
+  wire::store_be16(header.subspan<kFirstTileOffset, 2>(), first_tile_);
+  wire::store_be16(header.subspan<kEndTileOffset, 2>(), static_cast<std::uint16_t>(end_tile));
+  wire::store_be16(header.subspan<kTileCountOffset, 2>(), tile_count_);
+  begin_message(end_tile);
+  return message;
+}
+
+bool TileRecords::next(TileRecord& record) {
+  if (in_.remaining() == 0) {
+    return false;
+  }
+  record.tile = in_.u16_be();
+  record.encoding = static_cast<Encoding>(in_.u8());
+  record.payload = in_.bytes(in_.u16_be());
+  return in_.ok();
+}
+
+ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header, TileRecords& records) {
+  wire::ByteReader in(body);
+  header.first_tile = in.u16_be();
+  header.end_tile = in.u16_be();
+  header.tile_count = in.u16_be();
+  header.geometry.tile_side_log2 = in.u8();
+  header.geometry.storage = static_cast<Storage>(in.u8());
+  header.geometry.width = in.u16_be();
+  header.geometry.height = in.u16_be();
+  header.geometry.cell_mm = in.u16_be();
+  in.skip(2);
+  header.geometry.origin_x_mm = in.i32_be();
+  header.geometry.origin_y_mm = in.i32_be();
+  if (!in.ok()) {
+    return ReadStatus::kTooShort;
+  }
+  records = TileRecords(body.subspan(kTilesHeaderBytes));
+  const bool speaks_of_its_grid = is_a_grid(header.geometry) &&
+                                  header.first_tile <= header.end_tile &&
+                                  header.end_tile <= header.geometry.tile_count();
+  return speaks_of_its_grid && are_sound(header, records, body.size() - kTilesHeaderBytes)
+             ? ReadStatus::kOk
+             : ReadStatus::kInconsistent;
+}
+
+}  // namespace iog::stream

@@ -1,0 +1,124 @@
+// The message of tiles: which of a grid's tiles it speaks of, and those of them in which something
+// is known (docs/spec.md 3.3). A tile that it speaks of and that is not in it is unknown; so the
+// messages of a frame that have arrived say what is known, what is not, and what is missing.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "protection/protected_message.hpp"
+#include "stream/message.hpp"
+#include "tile_coding/encode.hpp"
+#include "wire/byte_reader.hpp"
+
+namespace iog::stream {
+
+using tile_coding::Encoding;
+
+// The values are on the wire.
+enum class Storage : std::uint8_t {
+  kOccupancyIndex = 0,  // of a cell
+  kHighestIndex = 1,    // of the cells below a coarse cell
+};
+
+// A grid, as far as its tiles have to say it.
+struct Geometry {
+  std::uint8_t tile_side_log2 = 0;  // cells
+  Storage storage = Storage::kOccupancyIndex;
+  std::uint16_t width = 0;   // cells, a multiple of a tile's side
+  std::uint16_t height = 0;  // cells, a multiple of a tile's side
+  std::uint16_t cell_mm = 0;
+  std::int32_t origin_x_mm = 0;  // the corner of lowest x and y in the vehicle frame
+  std::int32_t origin_y_mm = 0;
+
+  [[nodiscard]] constexpr std::uint32_t tile_count() const {
+    return (std::uint32_t{width} >> tile_side_log2) * (std::uint32_t{height} >> tile_side_log2);
+  }
+
+  friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
+};
+
+// The grid of this firmware, in the quadtree's level 0 (its cells) to 5 (one coarse cell a tile).
+[[nodiscard]] constexpr Geometry geometry_of_level(unsigned level) {
+  constexpr std::int32_t kOriginMm = -vehicle::kOriginCell * vehicle::kCellMm;
+  constexpr auto kSide = static_cast<std::uint32_t>(vehicle::kCellsPerSide);
+  constexpr auto kCell = static_cast<std::uint32_t>(vehicle::kCellMm);
+  return {.tile_side_log2 = tile_coding::kTileSideLog2,
+          .storage = level == 0 ? Storage::kOccupancyIndex : Storage::kHighestIndex,
+          .width = static_cast<std::uint16_t>(kSide >> level),
+          .height = static_cast<std::uint16_t>(kSide >> level),
+          .cell_mm = static_cast<std::uint16_t>(kCell << level),
+          .origin_x_mm = kOriginMm,
+          .origin_y_mm = kOriginMm};
+}
+
+struct TilesHeader {
+  std::uint16_t first_tile = 0;  // that the message speaks of
+  std::uint16_t end_tile = 0;    // the one behind the last
+  std::uint16_t tile_count = 0;  // of them that follow
+  Geometry geometry;
+};
+inline constexpr std::size_t kTilesHeaderBytes = 24;
+inline constexpr std::size_t kTileRecordBytes = 5;  // before the payload
+static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + kTileRecordBytes +
+                  tile_coding::kTileBytes <=
+              protection::kMaxMessageBytes);
+
+// Composes one message of tiles after the other, with room in front for what protects them.
+class TilesWriter {
+ public:
+  // The next grid begins with tile 0. header: of the frame; type and sequence number do not matter.
+  void begin_grid(const Header& header, const Geometry& geometry);
+  // Or with another one.
+  void begin_message(std::size_t first_tile);
+
+  // Appends a tile, of a higher number than the one before. False if there is no room for it, and
+  // nothing is changed; there always is in a message without tiles, which has room for a raw one.
+  [[nodiscard]] bool append(std::size_t tile, Encoding encoding,
+                            std::span<const std::byte> payload);
+
+  // The message speaks of the tiles before `end_tile`. The next one begins there. The bytes are
+  // valid until the next call of append() or begin.
+  [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
+
+  // In the message that is being composed.
+  [[nodiscard]] std::uint16_t tile_count() const { return tile_count_; }
+
+ private:
+  static constexpr std::size_t kContent = protection::kProtectionBytes;
+  static constexpr std::size_t kRecords = kContent + kHeaderBytes + kTilesHeaderBytes;
+
+  alignas(8) std::array<std::byte, protection::kMaxMessageBytes> message_{};
+  std::size_t bytes_ = kRecords;
+  std::uint16_t first_tile_ = 0;
+  std::uint16_t tile_count_ = 0;
+};
+
+struct TileRecord {
+  std::uint16_t tile = 0;
+  Encoding encoding = Encoding::kRaw;  // any value may come
+  std::span<const std::byte> payload{};
+};
+
+// The tiles of a message that read_tiles() has found sound, one after the other.
+class TileRecords {
+ public:
+  TileRecords() = default;
+  explicit TileRecords(std::span<const std::byte> records) : in_{records} {}
+
+  // False behind the last one.
+  [[nodiscard]] bool next(TileRecord& record);
+
+ private:
+  wire::ByteReader in_{{}};
+};
+
+// Reads a body of tiles. kOk, kTooShort, or kInconsistent where the message speaks of tiles that
+// its grid does not have, or carries others than it speaks of, twice the same, longer than raw
+// ones, or not as many as it says.
+[[nodiscard]] ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header,
+                                    TileRecords& records);
+
+}  // namespace iog::stream

@@ -1,0 +1,20 @@
+#include "stream/grid_hash.hpp"
+
+#include <array>
+#include <gtest/gtest.h>
+
+namespace iog::stream {
+namespace {
+
+// python3: zlib.crc32(bytes([0, 4, 0, 5]) + bytes([3]) * 1024)
+TEST(GridHash, IsTheCrcOfPlaceAndCells) {
+  std::array<std::byte, kTileBytes> tile{};
+  tile.fill(std::byte{3});
+  GridHash hash;
+  EXPECT_EQ(hash.value(), 0U);
+  hash.add(4, 5, tile);
+  EXPECT_EQ(hash.value(), 0xAB6383F9U);
+}
+
+}  // namespace
+}  // namespace iog::stream

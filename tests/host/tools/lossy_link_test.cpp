@@ -1,0 +1,76 @@
+// What a link may do to the stream, and what a receiver makes of it: no wrong cell ever counts as
+// valid, what is stale is known to be stale, and all is complete again in the eighth frame that
+// comes through whole (docs/spec.md 3.4).
+#include "tools/lossy_link/lossy_link.hpp"
+
+#include <cstdint>
+
+#include "gtest/gtest.h"
+
+#include "drive_sample.hpp"
+#include "fakes/effort.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint32_t kFrames = 40;
+constexpr std::uint32_t kQuietFrom = 20;
+
+const SentStream& sent() {
+  static const SentStream stream = [] {
+    const CatalogueEntry& car = find_vehicle("reference_car");
+    return sent_stream(messages_of(car, sample_drive(car, 7, kFrames)));
+  }();
+  return stream;
+}
+
+class LossyLink : public testing::TestWithParam<Harm> {};
+
+TEST_P(LossyLink, NeverShowsAWrongCellAndIsCompleteAgainInTheEighthWholeFrame) {
+  const Harm& harm = GetParam();
+  const bool leaves_frames_whole = harm.drop + harm.corrupt + harm.delay == 0;
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(tests::effort(4, 1)); ++seed) {
+    const LinkTrial trial = try_link(sent(), harm, kQuietFrom, seed);
+    EXPECT_EQ(trial.wrong_tiles, 0U);
+    EXPECT_LE(trial.incomplete_after, 7U);
+    EXPECT_EQ(trial.restarts, 0U);
+    EXPECT_EQ(trial.malformed, 0U) << "what is damaged is found before it is read";
+    EXPECT_EQ(trial.whole_frames == kQuietFrom, leaves_frames_whole);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Links, LossyLink,
+                         testing::Values(Harm{.name = "Nothing"}, Harm{.name = "Drop1", .drop = 1},
+                                         Harm{.name = "Drop10", .drop = 10},
+                                         Harm{.name = "Drop30", .drop = 30},
+                                         Harm{.name = "Duplicate30", .duplicate = 30},
+                                         Harm{.name = "Corrupt30", .corrupt = 30},
+                                         Harm{.name = "Reorder30", .reorder = 30},
+                                         Harm{.name = "Delay30", .delay = 30},
+                                         Harm{.name = "All10",
+                                              .drop = 10,
+                                              .duplicate = 10,
+                                              .corrupt = 10,
+                                              .reorder = 10,
+                                              .delay = 10},
+                                         Harm{.name = "All30",
+                                              .drop = 30,
+                                              .duplicate = 30,
+                                              .corrupt = 30,
+                                              .reorder = 30,
+                                              .delay = 30},
+                                         Harm{.name = "AllIsLost", .drop = 100}),
+                         [](const auto& harm) { return harm.param.name; });
+
+// A receiver that joins a running stream is complete in its eighth frame at the latest, whichever
+// frame it comes to.
+TEST(LossyLink, WhoeverJoinsIsCompleteInTheEighthFrame) {
+  for (std::uint32_t first = 1; first <= 16; ++first) {
+    const LinkTrial trial = try_link(sent(), {.name = "late", .drop = 100}, first, 1);
+    EXPECT_LE(trial.incomplete_after, 7U);
+    EXPECT_EQ(trial.wrong_tiles, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace iog::tools
