@@ -14,6 +14,7 @@
 #include <span>
 
 #include "checksum/reflected_crc32.hpp"
+#include "grid_file.hpp"
 #include "instruction_counter.hpp"
 #include "tile_coding/encode.hpp"
 
@@ -22,36 +23,10 @@ namespace {
 
 using tile_coding::Encoding;
 using tile_coding::kTileBytes;
-using tile_coding::kTileSide;
-
-constexpr std::size_t kGridSide = 1024;
-constexpr std::size_t kTilesPerSide = kGridSide / kTileSide;
-
-using Grid = std::array<std::byte, kGridSide * kGridSide>;
-using Tile = std::array<std::byte, kTileBytes>;
 
 InstructionCounter counter;
 Grid current;
 Grid before;
-
-bool read(const char* name, Grid& grid) {
-  std::FILE* file = std::fopen(name, "rb");
-  if (file == nullptr) {
-    return false;
-  }
-  const bool is_whole = std::fread(grid.data(), 1, grid.size(), file) == grid.size();
-  return std::fclose(file) == 0 && is_whole;
-}
-
-Tile tile_of(const Grid& grid, std::size_t tile_x, std::size_t tile_y) {
-  Tile tile;
-  for (std::size_t y = 0; y < kTileSide; ++y) {
-    const std::size_t row = (tile_y * kTileSide + y) * kGridSide + tile_x * kTileSide;
-    std::ranges::copy(std::span(grid).subspan(row, kTileSide),
-                      tile.begin() + static_cast<std::ptrdiff_t>(y * kTileSide));
-  }
-  return tile;
-}
 
 void print(const char* key, std::uint64_t value) {
   // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
@@ -134,7 +109,7 @@ void encode_tile(const Tile& tile, const Tile& old, Cost& alone, Cost& since) {
 void encode_grid(Cost& alone, Cost& since) {
   for (std::size_t i = 0; i < kTilesPerSide * kTilesPerSide; ++i) {
     const Tile tile = tile_of(current, i % kTilesPerSide, i / kTilesPerSide);
-    if (std::ranges::any_of(tile, [](std::byte cell) { return cell != std::byte{0}; })) {
+    if (is_known(tile)) {
       encode_tile(tile, tile_of(before, i % kTilesPerSide, i / kTilesPerSide), alone, since);
     }
   }
@@ -174,7 +149,6 @@ int run(std::span<char*> grids) {
   for (std::size_t i = 0; i < grids.size(); ++i) {
     before = current;
     if (!read(grids[i], current)) {
-      std::printf("stream_cost: %s: no grid of 1024 x 1024 bytes\n", grids[i]);
       return 1;
     }
     if (i > 0) {

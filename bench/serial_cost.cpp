@@ -1,0 +1,191 @@
+// serial_cost: instructions that the serial line costs the Cortex-A9, and what the line carries.
+// Runs in QEMU with instruction counting (bench/run_image):
+//
+//   serial_cost <grid>...    grids of frames that follow each other, as `iog fuse --out-raw` writes
+//   them
+//
+// A frame comes every 40 ms and a pass of the loop every millisecond, for a minute; the grids come
+// one after the other, again and again. Prints lines of key=value pairs: what handing a frame over
+// and a pass took; and for each grid of the line (its cells in mm) its bytes and rounds.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <span>
+#include <vector>
+
+#include "grid_file.hpp"
+#include "instruction_counter.hpp"
+#include "serial/grid_sender.hpp"
+
+namespace iog::bench {
+namespace {
+
+constexpr std::uint32_t kFrames = 1500;
+constexpr std::uint32_t kPassesPerFrame = 40;
+constexpr std::uint64_t kPassUs = 1000;
+
+InstructionCounter counter;
+serial::GridSender sender;
+
+void print(const char* key, std::uint64_t value) {
+  // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
+  std::printf(" %s=%llu", key, value);
+}
+
+struct Cost {
+  std::uint64_t sum = 0;
+  std::uint32_t count = 0;
+  std::uint32_t most = 0;
+
+  template <typename Work>
+  void measure(Work work) {
+    const std::uint32_t start = counter.now();
+    work();
+    const std::uint32_t instructions = counter.now() - start - counter.of_nothing();
+    sum += instructions;
+    ++count;
+    most = std::max(most, instructions);
+  }
+  void print_as(const char* name) const {
+    std::printf("serial_cost %s", name);
+    print("count", count);
+    print("mean", sum / std::max<std::uint32_t>(count, 1));
+    print("most", most);
+    std::puts("");
+  }
+};
+
+// What of one grid went over the line.
+struct Told {
+  std::uint32_t cell_mm = 0;
+  std::uint32_t messages = 0;
+  std::uint32_t bytes = 0;
+  std::uint32_t tiles = 0;
+  std::uint32_t rounds = 0;  // whole ones
+  std::uint64_t first_round_us = 0;
+  std::uint64_t last_round_us = 0;
+};
+
+// The line's other end, which needs no more than what the messages are about.
+class Line {
+ public:
+  [[nodiscard]] std::uint32_t bytes_per_second() const { return 11'520; }
+  [[nodiscard]] std::size_t free_bytes() const { return 4096; }
+  void write(std::span<const std::byte> bytes) {
+    std::ranges::copy(bytes, written_.begin() + static_cast<std::ptrdiff_t>(written_bytes_));
+    written_bytes_ += bytes.size();
+  }
+  void pump() {}
+
+  // After each pass: what it has written.
+  void receive(std::uint64_t now_us) {
+    for (const std::byte byte : std::span(written_).first(written_bytes_)) {
+      if (const auto message = decoder_.take(byte)) {
+        take(*message, now_us);
+      }
+    }
+    written_bytes_ = 0;
+  }
+
+  void report() const {
+    for (const Told& told : told_) {
+      if (told.messages > 0) {
+        std::printf("serial_cost line");
+        print("cell_mm", told.cell_mm);
+        print("messages", told.messages);
+        print("bytes", told.bytes);
+        print("tiles", told.tiles);
+        print("rounds", told.rounds);
+        print("round_ms", (told.last_round_us - told.first_round_us) / 1000 /
+                              std::max<std::uint32_t>(told.rounds, 1));
+        std::puts("");
+      }
+    }
+  }
+
+ private:
+  void take(std::span<const std::byte> message, std::uint64_t now_us) {
+    stream::Header header;
+    std::span<const std::byte> body;
+    stream::TilesHeader tiles;
+    stream::TileRecords records;
+    const auto content = message.subspan(protection::kProtectionBytes);
+    if (stream::read_header(content, header, body) != stream::ReadStatus::kOk ||
+        stream::read_tiles(body, tiles, records) != stream::ReadStatus::kOk) {
+      return;
+    }
+    Told& told = *std::ranges::find_if(told_, [&](const Told& each) {
+      return each.messages == 0 || each.cell_mm == tiles.geometry.cell_mm;
+    });
+    if (tiles.first_tile == 0) {
+      told.rounds += told.messages > 0 ? 1 : 0;
+      told.first_round_us = told.messages > 0 ? told.first_round_us : now_us;
+      told.last_round_us = now_us;
+    }
+    told.cell_mm = tiles.geometry.cell_mm;
+    ++told.messages;
+    told.bytes += framing::max_framed_bytes(message.size());
+    told.tiles += tiles.tile_count;
+  }
+
+  std::array<std::byte, 2 * serial::LineBudget::kBurstBytes> written_{};
+  std::size_t written_bytes_ = 0;
+  std::array<std::byte, protection::kMaxMessageBytes> buffer_{};
+  framing::CobsDecoder decoder_{buffer_};
+  std::array<Told, 4> told_{};
+};
+
+Line line;
+
+void hand_over(std::uint32_t frame, const Grid& grid, Cost& cost) {
+  static std::array<Tile, kTilesPerSide * kTilesPerSide> tiles;
+  static std::array<bool, kTilesPerSide * kTilesPerSide> are_known;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    tiles[i] = tile_of(grid, i % kTilesPerSide, i / kTilesPerSide);
+    are_known[i] = is_known(tiles[i]);
+  }
+  cost.measure([&] {
+    sender.begin_frame({.frame_number = frame});
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      if (are_known[i]) {
+        sender.take_tile(i, tiles[i]);
+      }
+    }
+    sender.end_frame();
+  });
+}
+
+int run(std::span<char*> names) {
+  counter.start();
+  if (!counter.is_exact()) {
+    std::puts("serial_cost: instructions are not counted; is this -icount shift=4,sleep=off?");
+    return 1;
+  }
+  std::vector<Grid> grids(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!read(names[i], grids[i])) {
+      return 1;
+    }
+  }
+  Cost frame_cost;
+  Cost pass_cost;
+  for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+    hand_over(frame, grids[frame % grids.size()], frame_cost);
+    for (std::uint64_t pass = 0; pass < kPassesPerFrame; ++pass) {
+      const std::uint64_t now_us = (frame * std::uint64_t{kPassesPerFrame} + pass) * kPassUs;
+      pass_cost.measure([&] { sender.pump(now_us, line); });
+      line.receive(now_us);
+    }
+  }
+  frame_cost.print_as("frame");
+  pass_cost.print_as("pass");
+  line.report();
+  return 0;
+}
+
+}  // namespace
+}  // namespace iog::bench
+
+int main(int argc, char** argv) {
+  return iog::bench::run(std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
+}

@@ -1,0 +1,64 @@
+// Some tiles of a frame: the known ones from a given place on, as many as the line can carry before
+// the next frame comes. So a frame is handed over for the price of a few copies, however many tiles
+// it has.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "stream/tile.hpp"
+#include "tile_coding/tile_cells.hpp"
+
+namespace iog::serial {
+
+class DetailWindow {
+ public:
+  // A frame lasts 460 bytes of the line at 115200 baud; a known tile takes more than 14.
+  static constexpr std::size_t kTiles = 32;
+
+  // Forgets what it holds; tiles below this number are not wanted.
+  void begin(std::size_t first_tile) {
+    first_ = first_tile;
+    end_ = stream::kTileCount;
+    count_ = 0;
+  }
+
+  // The frame's known tiles, in rising order.
+  void take(std::size_t tile, tile_coding::TileCells cells) {
+    if (tile < first_ || tile >= end_) {
+      return;
+    }
+    if (count_ == kTiles) {
+      end_ = tile;
+      return;
+    }
+    numbers_[count_] = static_cast<std::uint16_t>(tile);
+    std::ranges::copy(cells, cells_[count_].begin());
+    ++count_;
+  }
+
+  // It knows the tiles from the first one to before this one: those that find() does not find there
+  // are unknown.
+  [[nodiscard]] std::size_t end() const { return end_; }
+
+  // The place of the first known tile at or behind `tile`; count() if there is none.
+  [[nodiscard]] std::size_t find(std::size_t tile) const {
+    const auto numbers = std::span(numbers_).first(count_);
+    return static_cast<std::size_t>(std::ranges::lower_bound(numbers, tile) - numbers.begin());
+  }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::size_t number(std::size_t place) const { return numbers_[place]; }
+  [[nodiscard]] tile_coding::TileCells cells(std::size_t place) const { return cells_[place]; }
+
+ private:
+  std::size_t first_ = 0;
+  std::size_t end_ = 0;
+  std::size_t count_ = 0;
+  std::array<std::uint16_t, kTiles> numbers_{};
+  alignas(8) std::array<std::array<std::byte, tile_coding::kTileBytes>, kTiles> cells_{};
+};
+
+}  // namespace iog::serial

@@ -1,0 +1,122 @@
+#include "serial/grid_sender.hpp"
+
+#include "require/require.hpp"
+
+namespace iog::serial {
+namespace {
+
+constexpr std::array<unsigned, 3> kLevels{CoarseLevels::kRoughLevel, CoarseLevels::kFineLevel, 0};
+constexpr std::array<std::size_t, 3> kTileCounts{1, CoarseLevels::kFineTileCount,
+                                                 stream::kTileCount};
+
+}  // namespace
+
+// What has been composed of the frame before stays true of it, and goes as it is.
+void GridSender::begin_frame(const stream::Header& header) {
+  if (is_composing_) {
+    finish_message(tile_);
+  }
+  header_ = header;
+  coarse_.clear();
+  window_.begin(rounds_[kCells].next);
+}
+
+void GridSender::take_tile(std::size_t tile, tile_coding::TileCells cells) {
+  coarse_.take(tile, cells);
+  window_.take(tile, cells);
+}
+
+void GridSender::end_frame() {
+  rounds_[kRough].left = kTileCounts[kRough];
+  rounds_[kFine].left = kTileCounts[kFine];
+  rounds_[kCells].left = window_.end() - rounds_[kCells].next;
+}
+
+void GridSender::compose() {
+  if (!message_.empty() || (!is_composing_ && !begin_message())) {
+    return;
+  }
+  for (std::size_t tiles = 0; tiles < kTilesPerPump && append_tile(); ++tiles) {
+  }
+}
+
+bool GridSender::begin_message() {
+  std::array<bool, kParties> wants{};
+  for (std::size_t party = 0; party < kParties; ++party) {
+    wants[party] = rounds_[party].left > 0;
+  }
+  const auto chosen = share_.next(wants);
+  if (!chosen) {
+    return false;
+  }
+  is_composing_ = true;
+  party_ = *chosen;
+  const Round& round = rounds_[party_];
+  tile_ = round.next;
+  end_tile_ = std::min(round.next + round.left, kTileCounts[party_]);
+  writer_.begin_grid(header_, stream::geometry_of_level(kLevels[party_]));
+  writer_.begin_message(tile_);
+  return true;
+}
+
+bool GridSender::append_tile() {
+  const std::size_t tile = find_known(tile_);
+  if (tile >= end_tile_) {
+    finish_message(end_tile_);
+    return false;
+  }
+  const tile_coding::EncodedTile encoded = encoder_.encode(cells_of(tile), {}, payload_);
+  if (!writer_.append(tile, encoded.encoding, std::span(payload_).first(encoded.bytes))) {
+    finish_message(tile);
+    return false;
+  }
+  tile_ = tile + 1;
+  return true;
+}
+
+void GridSender::finish_message(std::size_t end_tile) {
+  message_ = writer_.finish(end_tile, sequence_);
+  ++sequence_;
+  sender_.protect(message_);
+  share_.charge(party_, message_.size());
+  Round& round = rounds_[party_];
+  round.left -= end_tile - round.next;
+  round.next = end_tile % kTileCounts[party_];
+  is_composing_ = false;
+}
+
+void GridSender::frame_message() {
+  const std::size_t bytes = framing::encode_cobs(message_, frame_);
+  require(bytes > 0);
+  frame_left_ = std::span(frame_).first(bytes);
+  message_ = {};
+}
+
+// The first known tile from there on, of the party's grid; a number behind the grid if none is.
+std::size_t GridSender::find_known(std::size_t tile) const {
+  if (party_ == kCells) {
+    const std::size_t place = window_.find(tile);
+    return place < window_.count() ? window_.number(place) : stream::kTileCount;
+  }
+  if (party_ == kRough) {
+    return coarse_.is_rough_known() ? tile : kTileCounts[kRough];
+  }
+  while (tile < kTileCounts[kFine] && !coarse_.is_fine_known(tile)) {
+    ++tile;
+  }
+  return tile;
+}
+
+tile_coding::TileCells GridSender::cells_of(std::size_t tile) {
+  switch (party_) {
+    case kRough:
+      coarse_.copy_rough(rough_);
+      return rough_;
+    case kFine:
+      return coarse_.fine(tile);
+    default:
+      return window_.cells(window_.find(tile));
+  }
+}
+
+}  // namespace iog::serial
