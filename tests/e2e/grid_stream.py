@@ -4,7 +4,16 @@ import dataclasses
 import struct
 import zlib
 
+import protected_message
+import tile_coding
+
+TILES, FRAME_END = 1, 2
 CLOSED_BY_TIME = 0x01
+BAYES = 0x02
+HEADER_BYTES = 44
+TILES_ACROSS = 32
+TILE_COUNT = TILES_ACROSS * TILES_ACROSS
+OLDEST_REFERENCE = 7  # frames
 NEVER_SEEN, SILENT, PARTIAL, COMPLETE = range(4)
 NEVER = 0xFFFF  # the age of a sensor that was never seen
 
@@ -33,6 +42,53 @@ class Sensor:
 
 
 @dataclasses.dataclass(frozen=True)
+class Header:
+    kind: int
+    flags: int
+    sequence: int
+    frame: int
+    closed_us: int
+    complete: int
+    partial: int
+    points_used: int
+    points_other: int
+    packets_fused: int
+    packets_dropped: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Tile:
+    number: int
+    encoding: int
+    payload: bytes
+
+    @property
+    def reference(self) -> int | None:
+        return tile_coding.reference_of(self.encoding, self.payload)
+
+
+@dataclasses.dataclass(frozen=True)
+class Tiles:
+    """What a message of tiles says: of tiles `first` to `end` - 1 these, of the others that nothing
+    is known."""
+
+    first: int
+    end: int
+    tiles: list[Tile]
+
+
+@dataclasses.dataclass(frozen=True)
+class FrameEnd:
+    tiles_sent: int
+    tiles_lost: int
+    crc: int
+    opened_us: int
+    fates: tuple[int, ...]
+    counters: dict[str, int]
+    sensors: list[Sensor]
+
+
+@dataclasses.dataclass(frozen=True)
 class Frame:
     """One frame as it arrived. `crc` is what the target says, `crc_of_tiles` what its tiles say."""
 
@@ -48,6 +104,7 @@ class Frame:
     tiles_sent: int
     tiles_lost: int
     tiles_received: int
+    encodings: tuple[int, ...]  # how many tiles came in each encoding
     crc: int
     crc_of_tiles: int
     counters: dict[str, int]
@@ -67,56 +124,104 @@ class Frame:
                 f"{self.tiles_received} {self.crc_of_tiles:08x}")
 
 
+def read_header(content: bytes) -> Header:
+    kind, flags, size, sequence, frame, closed_us, vehicle, sensors, complete, partial, zero, used, \
+        other, fused, dropped = struct.unpack_from(">BBHIIQIBBBBIIII", content)
+    assert size == HEADER_BYTES and flags <= CLOSED_BY_TIME | BAYES and zero == 0
+    assert vehicle == zlib.crc32(b"reference_car") and sensors == 4
+    return Header(kind, flags, sequence, frame, closed_us, complete, partial, used, other, fused,
+                  dropped)
+
+
+def read_tiles(body: bytes) -> Tiles:
+    first, end, count, side_log2, storage, width, height, cell_mm, zero, x_mm, y_mm = \
+        struct.unpack_from(">HHHBBHHHHii", body)
+    assert (side_log2, storage, zero) == (5, 0, 0)
+    assert (width, height, cell_mm, x_mm, y_mm) == (1024, 1024, 100, -51200, -51200)
+    assert first < end <= TILE_COUNT, f"tiles {first} to {end - 1}"
+    tiles = []
+    at = 24
+    for _ in range(count):
+        number, encoding, size = struct.unpack_from(">HBH", body, at)
+        tiles.append(Tile(number, encoding, body[at + 5:at + 5 + size]))
+        at += 5 + size
+    assert at == len(body), f"{len(body) - at} bytes behind the last tile"
+    numbers = [tile.number for tile in tiles]
+    assert numbers == sorted(set(numbers)), "tiles out of order"
+    assert all(first <= number < end for number in numbers), "a tile of which nothing was said"
+    return Tiles(first, end, tiles)
+
+
+def read_frame_end(body: bytes) -> FrameEnd:
+    sent, lost, crc, _, opened_us, _ = struct.unpack_from(">IIIIQI", body)
+    stages, fates, causes, links = struct.unpack_from(">BBBB", body, 28)
+    assert (stages, fates) == (3, 8)
+    assert causes == len(PACKET_DROPS) and links in (0, len(LINK_COUNTERS)), "another spec.md"
+    counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
+    at = 32 + 4 * len(counts)
+    assert body[at:at + 4] == b"\x10\0\0\0", "a sensor record is 16 bytes"
+    assert len(body) == at + 4 + 4 * 16
+    sensors = [Sensor(*struct.unpack_from(">BxHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
+    return FrameEnd(sent, lost, crc, opened_us, counts[stages:stages + fates],
+                    dict(zip(PACKET_DROPS + LINK_COUNTERS, counts[stages + fates:])), sensors)
+
+
 class Assembler:
     """Takes every message in the order of arrival; a gap or a wrong byte is an AssertionError."""
 
     def __init__(self):
         self.messages = 0
-        self._tiles = 0
+        self._own: dict[int, tuple[int, bytes]] = {}  # of each tile the last one sent by itself
+        self._begin_frame()
+
+    def _begin_frame(self) -> None:
+        self._header: Header | None = None
+        self._spoken_of = 0
         self._crc = 0
-        self._last_place = (-1, -1)
+        self._encodings = [0, 0, 0, 0]
 
     def take(self, message: bytes) -> Frame | None:
         """The frame that this message ends, if it does."""
-        magic, version, kind, header_bytes, sequence = struct.unpack_from(">IBBHI", message)
-        assert (magic, version, header_bytes) == (0x494F4752, 1, 48), "not a message of version 1"
-        assert sequence == self.messages, f"message {sequence} where {self.messages} was due"
+        content = protected_message.content(message, self.messages)
+        header, body = read_header(content), content[HEADER_BYTES:]
+        assert header.sequence == self.messages, f"{header.sequence} where {self.messages} was due"
         self.messages += 1
-        if kind == 1:
-            self._take_tile(message)
+        common = dataclasses.replace(header, kind=0, sequence=0)
+        assert self._header in (None, common), "two messages of a frame disagree on it"
+        self._header = common
+        if header.kind == TILES:
+            self._take_tiles(header.frame, read_tiles(body))
             return None
-        assert kind == 2, f"message type {kind}"
-        frame = self._frame(message)
-        self._tiles, self._crc, self._last_place = 0, 0, (-1, -1)
+        assert header.kind == FRAME_END, f"message type {header.kind}"
+        frame = self._frame(header, read_frame_end(body))
+        self._begin_frame()
         return frame
 
-    def _take_tile(self, message: bytes) -> None:
-        x, y, side_log2, encoding, storage, zero, width, height, cell_mm, size, x_mm, y_mm = \
-            struct.unpack_from(">HHBBBBHHHHii", message, 48)
-        assert (side_log2, encoding, storage, zero, size) == (5, 0, 0, 0, 1024)
-        assert (width, height, cell_mm, x_mm, y_mm) == (1024, 1024, 100, -51200, -51200)
-        assert len(message) == 72 + 1024
-        assert x < 32 and (y, x) > self._last_place and y < 32, "a tile out of order"
-        assert any(message[72:]), "a tile in which nothing is known"
-        self._last_place = (y, x)
-        self._tiles += 1
-        self._crc = zlib.crc32(struct.pack(">HH", x, y) + message[72:], self._crc)
+    def _take_tiles(self, frame: int, message: Tiles) -> None:
+        assert message.first == self._spoken_of, f"{message.first} instead of {self._spoken_of}"
+        self._spoken_of = message.end
+        for tile in message.tiles:
+            cells = self._cells_of(frame, tile)
+            assert any(cells), "a tile in which nothing is known"
+            self._encodings[tile.encoding] += 1
+            place = struct.pack(">HH", tile.number % TILES_ACROSS, tile.number // TILES_ACROSS)
+            self._crc = zlib.crc32(place + cells, self._crc)
 
-    def _frame(self, message: bytes) -> Frame:
-        (number, closed_us, vehicle, sensor_count, complete, partial, flags, used, _, fused,
-         dropped) = struct.unpack_from(">IQIBBBBIIII", message, 12)
-        assert vehicle == zlib.crc32(b"reference_car") and sensor_count == 4
-        sent, lost, crc, _, opened_us, _ = struct.unpack_from(">IIIIQI", message, 48)
-        stages, fates, causes, links = struct.unpack_from(">BBBB", message, 76)
-        assert (stages, fates) == (3, 8)
-        assert causes == len(PACKET_DROPS) and links == len(LINK_COUNTERS), "another spec.md"
-        at = 80 + 4 * (stages + fates)
-        counts = struct.unpack_from(f">{causes + links}I", message, at)
-        at += 4 * len(counts)
-        assert message[at:at + 4] == b"\x10\0\0\0", "a sensor record is 16 bytes"
-        sensors = [Sensor(*struct.unpack_from(">BxHHxxII", message, at + 4 + 16 * i))
-                   for i in range(sensor_count)]
-        assert len(message) == at + 4 + 16 * sensor_count
-        return Frame(number, closed_us, opened_us, complete, partial, flags, used, fused, dropped,
-                     sent, lost, self._tiles, crc, self._crc,
-                     dict(zip(PACKET_DROPS + LINK_COUNTERS, counts)), sensors)
+    def _cells_of(self, frame: int, tile: Tile) -> bytes:
+        if tile.reference is None:
+            cells = tile_coding.decode(tile.encoding, tile.payload, None)
+            self._own[tile.number] = (frame, cells)
+            return cells
+        own_frame, own_cells = self._own[tile.number]
+        assert tile.reference == own_frame, "not the last one that was sent by itself"
+        assert frame - own_frame <= OLDEST_REFERENCE, f"frame {frame} refers to {own_frame}"
+        return tile_coding.decode(tile.encoding, tile.payload, own_cells)
+
+    def _frame(self, header: Header, end: FrameEnd) -> Frame:
+        assert self._spoken_of == TILE_COUNT, f"tile {self._spoken_of} has not been spoken of"
+        assert header.points_used == end.fates[0]
+        assert header.points_other == sum(end.fates[1:])
+        return Frame(header.frame, header.closed_us, end.opened_us, header.complete, header.partial,
+                     header.flags, header.points_used, header.packets_fused, header.packets_dropped,
+                     end.tiles_sent, end.tiles_lost, sum(self._encodings), tuple(self._encodings),
+                     end.crc, self._crc, end.counters, end.sensors)

@@ -51,16 +51,18 @@ class Sabrelite:
     """A machine for one `with`. A thread plays the peer: it answers ARP and sorts what arrives.
 
     What was received, by kind; anything that the firmware has no business to send is in `strays`.
+    Messages of the grid are kept as they are until a frame is asked for: to read them takes time,
+    which the thread would take from whoever is sending a frame.
     """
 
-    def __init__(self, image: str, folder: pathlib.Path):
+    def __init__(self, image: str, folder: pathlib.Path, record_to: pathlib.Path | None = None):
         self.frames_received = 0
         self.arp_requests = 0
         self.arp_replies: collections.Counter[tuple[bytes, bytes]] = collections.Counter()
         self.echo_replies: list[bytes] = []
         self.marks = 0  # of frame_from_now() that have come back
         self.strays: list[str] = []
-        self._grids: queue.Queue[grid_stream.Frame] = queue.Queue()
+        self._messages: queue.Queue[bytes] = queue.Queue()
         self._assembler = grid_stream.Assembler()
         self._console = folder / "console.txt"
         self._console.unlink(missing_ok=True)
@@ -74,13 +76,15 @@ class Sabrelite:
         self._socket.settimeout(PATIENCE_S)
         self._is_over = False
         self._thread = threading.Thread(target=self._play_peer)
+        recorder = [] if record_to is None else \
+            ["-object", f"filter-dump,id=recorder,netdev=wire,file={record_to}"]
         with open(folder / "qemu.txt", "wb") as log:
             self._qemu = subprocess.Popen(
                 ["qemu-system-arm", "-M", "sabrelite", "-display", "none", "-monitor", "none",
                  "-serial", "null", "-serial", f"file:{self._console}", "-kernel", image,
                  "-netdev", f"dgram,id=wire,local.type=unix,local.path={self._there},"
                             f"remote.type=unix,remote.path={self._here}",
-                 "-net", "nic,netdev=wire,model=imx.enet"],
+                 "-net", "nic,netdev=wire,model=imx.enet", *recorder],
                 stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
         self._thread.start()
 
@@ -96,10 +100,6 @@ class Sabrelite:
         self._thread.join()
         self._socket.close()
 
-    @property
-    def messages(self) -> int:
-        return self._assembler.messages
-
     def console(self) -> str:
         return self._console.read_text(encoding="ascii") if self._console.exists() else ""
 
@@ -113,11 +113,14 @@ class Sabrelite:
 
     def next_frame(self) -> grid_stream.Frame:
         """The next frame, with evidence or without."""
-        try:
-            return self._grids.get(timeout=PATIENCE_S)
-        except queue.Empty:
-            stray = f"; it sent {self.strays[0]}" if self.strays else ""
-            raise AssertionError(f"the firmware fell silent{stray}; it said:\n{self.console()}")
+        while True:
+            try:
+                message = self._messages.get(timeout=PATIENCE_S)
+            except queue.Empty:
+                stray = f"; it sent {self.strays[0]}" if self.strays else ""
+                raise AssertionError(f"the firmware fell silent{stray}; it said:\n{self.console()}")
+            if frame := self._assembler.take(message):
+                return frame
 
     def next_grid(self) -> grid_stream.Frame:
         """The next frame in which a sensor took part."""
@@ -136,8 +139,8 @@ class Sabrelite:
         while self.marks == marks:
             assert time.monotonic() < deadline, "the firmware does not answer its peer's ping"
             time.sleep(0.001)
-        while not self._grids.empty():
-            self._grids.get()
+        while not self._messages.empty():
+            self._assembler.take(self._messages.get())
         return self.next_frame()
 
     def assert_alive(self) -> None:
@@ -181,9 +184,7 @@ class Sabrelite:
         ports = struct.unpack_from(">HH", packet, 20)
         assert packet[9] == ethernet.UDP and ports == (GRID_SOURCE_PORT, GRID_PORT), "another port"
         assert ethernet.udp_checksum(IP, PEER_IP, packet[20:]) == 0, "a wrong UDP checksum"
-        grid = self._assembler.take(packet[28:])
-        if grid:
-            self._grids.put(grid)
+        self._messages.put(packet[28:])
 
     def _sort_arp(self, destination: bytes, packet: bytes) -> None:
         operation = struct.unpack_from(">H", packet, 6)[0]
