@@ -15,6 +15,7 @@
 #include "tools/command/progress.hpp"
 #include "tools/command/subcommands.hpp"
 #include "tools/fuse/offline_target.hpp"
+#include "tools/fuse/stream_recorder.hpp"
 #include "tools/picture/frame_writer.hpp"
 #include "tools/report/run_statistics.hpp"
 
@@ -28,6 +29,7 @@ struct Options {
   std::string out_raw;
   std::string hashes;
   std::string rule;
+  std::string stream;
   PictureOptions pictures;
 };
 
@@ -103,10 +105,22 @@ void fuse(const Options& options) {
     pictures.offer(frame);
     chosen.offer(std::move(frame));
   });
-  const auto target = std::make_unique<OfflineTarget>(
-      vehicle, [&](std::span<const std::byte> message) { assembler.take(message); });
+  std::optional<StreamRecorder> recorder;
+  if (!options.stream.empty()) {
+    recorder.emplace(options.stream);
+  }
+  const auto target =
+      std::make_unique<OfflineTarget>(vehicle, [&](std::span<const std::byte> message) {
+        assembler.take(message);
+        if (recorder) {
+          recorder->take(message);
+        }
+      });
   const std::uint64_t other_ports = feed(capture, car, *target);
   assembler.finish();
+  if (recorder) {
+    recorder->finish();
+  }
 
   print_input(capture, other_ports);
   std::cout << statistics.table(false);
@@ -147,6 +161,10 @@ void add_fuse(CLI::App& program) {
       ->option_text("hits_win | bayes")
       ->check(CLI::IsMember({"hits_win", "bayes"}));
   command->add_option("--hashes", options->hashes, "Write one line per frame with evidence")
+      ->option_text("FILE");
+  command
+      ->add_option("--stream", options->stream,
+                   "Write the messages that the target would send, as a capture")
       ->option_text("FILE");
   command->footer(
       "The capture stands for its replay: sensors are told apart by destination port, their "
