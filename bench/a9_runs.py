@@ -101,12 +101,13 @@ def with_whole(stages: dict[str, dict[str, int]], whole: str) -> dict[str, dict[
 
 
 def frame(place: Place, name: str, variant: str, capture: str, sensors: int, frames: int,
-          paths: str = "kept", before: int = 1) -> str:
+          paths: str = "kept", before: int = 1, coding: str = "raw") -> str:
     """A mean frame, stage by stage."""
     _, own = modelled(place, variant, STAGES | OUTSIDE,
                       place.images / "frame_cost-reference_car", capture, sensors, frames, paths,
-                      before)
+                      before, coding)
     naming = "" if paths == "kept" else f" paths={paths}"
+    naming += "" if coding == "raw" else f" coding={coding}"
     return line_of(f"{name} sensors={sensors}{naming} variant={variant} frames={frames} "
                    f"before={before}",
                    with_whole({stage: own[stage] for stage in STAGES}, "frame"))
@@ -234,6 +235,8 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
                     place, n, v, c, s, MODELLED_FRAMES, before=WARM_UP))
             runs.append(lambda n=name, v=variant, c=capture: frame(
                 place, n, v, c, 4, FORGOTTEN_FRAMES, "forgotten"))
+            runs.append(lambda n=name, v=variant, c=capture: frame(
+                place, n, v, c, 4, MODELLED_FRAMES, before=WARM_UP, coding="shortest"))
             runs.append(lambda n=names[scene], v=variant, c=capture: tree(
                 place, f"model tree{n}", v, c, MODELLED_FRAMES))
         for kind in worst:

@@ -100,7 +100,7 @@ int run(const Request& request) {
   static InstructionCounter counter;
   static vehicle::Vehicle vehicle = request.fan.range_cm * 10 <= kUsualMm ? kUsual : kLong;
   vehicle.sensors = vehicle.sensors.first(request.sensors);
-  static StagePass stages(vehicle, counter);
+  static StagePass stages(vehicle, counter, app::Coding::kRaw);
   counter.start();
   if (!counter.is_exact()) {
     std::puts("scaling: instructions are not counted; is this -icount shift=4,sleep=off?");

@@ -23,8 +23,8 @@ struct Spread {
 
 class StagePass {
  public:
-  StagePass(const vehicle::Vehicle& vehicle, InstructionCounter& counter)
-      : outside_(counter), pipeline_(vehicle, kReplayer, outside_, 0) {}
+  StagePass(const vehicle::Vehicle& vehicle, InstructionCounter& counter, app::Coding coding)
+      : outside_(counter), pipeline_(vehicle, kReplayer, outside_, 0, coding) {}
 
   void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
             std::uint32_t received, std::uint64_t now_us);

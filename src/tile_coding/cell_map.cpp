@@ -24,6 +24,20 @@ constexpr std::uint32_t bytes_that_are_not_zero(std::uint32_t word) {
 static_assert(bytes_that_are_not_zero(0x80000100) == 0b1010);
 static_assert(bytes_that_are_not_zero(0x00FF0001) == 0b0101);
 
+// Of a row from another one.
+std::uint32_t differences(TileCells cells, std::size_t row, TileCells others,
+                          std::size_t other_row) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < kRowWords; ++i) {
+    const std::uint32_t difference =
+        word_of(cells, row * kRowWords + i) ^ word_of(others, other_row * kRowWords + i);
+    if (difference != 0) {
+      bits |= bytes_that_are_not_zero(difference) << (kWordCells * i);
+    }
+  }
+  return bits;
+}
+
 }  // namespace
 
 void CellMap::mark_changes(TileCells cells) {
@@ -43,17 +57,17 @@ void CellMap::mark_changes(TileCells cells) {
   rows_[kTileSide] = 1;
 }
 
+void CellMap::mark_steps(TileCells cells) {
+  rows_[0] = 0;
+  for (std::size_t row = 1; row < kTileSide; ++row) {
+    rows_[row] = differences(cells, row, cells, row - 1);
+  }
+  rows_[kTileSide] = 1;
+}
+
 void CellMap::mark_differences(TileCells cells, TileCells others) {
   for (std::size_t row = 0; row < kTileSide; ++row) {
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < kRowWords; ++i) {
-      const std::size_t word = row * kRowWords + i;
-      const std::uint32_t difference = word_of(cells, word) ^ word_of(others, word);
-      if (difference != 0) {
-        bits |= bytes_that_are_not_zero(difference) << (kWordCells * i);
-      }
-    }
-    rows_[row] = bits;
+    rows_[row] = differences(cells, row, others, row);
   }
   rows_[kTileSide] = 1;
 }

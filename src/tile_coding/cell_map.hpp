@@ -15,6 +15,9 @@ class CellMap {
   // The cells that differ from the cell before them in the tile; the first cell does not.
   void mark_changes(TileCells cells);
 
+  // The cells that differ from the cell below them, in the row before; the first row does not.
+  void mark_steps(TileCells cells);
+
   // The cells that differ from those of another tile.
   void mark_differences(TileCells cells, TileCells others);
 
@@ -27,6 +30,9 @@ class CellMap {
       }
     }
   }
+
+  // Bit x: cell x of row y.
+  [[nodiscard]] std::uint32_t row(std::size_t y) const { return rows_[y]; }
 
   // The first marked cell at or after `position` <= kTileBytes; kTileBytes if there is none.
   [[nodiscard]] std::size_t next(std::size_t position) const {

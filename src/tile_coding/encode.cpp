@@ -33,7 +33,8 @@ EncodedTile Encoder::encode_as(Encoding encoding, TileCells cells,
 void Encoder::survey(TileCells cells, const std::optional<Reference>& reference) {
   changes_.mark_changes(cells);
   runs_.find(cells, changes_);
-  quadtree_.find(cells);
+  steps_.mark_steps(cells);
+  quadtree_.find(changes_, steps_);
   sizes_[index_of(Encoding::kRaw)] = kTileBytes;
   sizes_[index_of(Encoding::kRunLength)] = runs_.coded_bytes();
   sizes_[index_of(Encoding::kQuadtree)] = quadtree_.coded_bytes(runs_.palette().values().size());

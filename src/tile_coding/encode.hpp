@@ -63,6 +63,7 @@ class Encoder {
                                   MutableTileCells payload);
 
   CellMap changes_;
+  CellMap steps_;
   CellMap differences_;
   Runs runs_;
   Runs runs_since_;

@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "tile_coding/bit_stream.hpp"
-#include "wire/byte_order.hpp"
 
 namespace iog::tile_coding {
 namespace {
@@ -46,9 +45,18 @@ constexpr Halves make_halves() {
 }
 constexpr Halves kHalves = make_halves();
 
-std::uint32_t word_of(TileCells cells, std::size_t cell) {
-  return wire::load_le32(cells.subspan(cell).first<4>());
+// Bit x: a block of the level may begin at cell x of a row.
+constexpr std::array<std::uint32_t, Quadtree::kLevels> kLowestOfBlocks{
+    0x55555555, 0x11111111, 0x01010101, 0x00010001, 0x00000001};
+
+// Of bits that are two apart at least. The Cortex-A9 has no instruction for it.
+constexpr std::size_t count_of_ones(std::uint32_t bits) {
+  bits = (bits & 0x11111111U) + ((bits >> 2) & 0x11111111U);
+  bits = (bits + (bits >> 4)) & 0x0F0F0F0FU;
+  return (bits * 0x01010101U) >> 24;
 }
+static_assert(count_of_ones(0x55555555) == 16);
+static_assert(count_of_ones(0x40000001) == 2);
 
 }  // namespace
 
@@ -56,57 +64,29 @@ std::size_t cell_of_morton(std::size_t m) {
   return std::size_t{kHalves.lower[m % 32]} + kHalves.upper[m / 32];
 }
 
-void Quadtree::find(TileCells cells) {
-  split_count_[0] = find_level_1(cells);
-  for (std::size_t level = 2; level <= kLevels; ++level) {
-    split_count_[level - 1] = find_level(level, cells);
-  }
-}
-
-// A word of each of two rows holds two blocks, neighbours in the Morton order. Bytes 0 and 2 of a
-// row against 1 and 3, then the rows against each other.
-std::size_t Quadtree::find_level_1(TileCells cells) {
-  BlockMap& split = split_[0];
-  split.clear();
-  std::size_t count = 0;
-  for (std::size_t y = 0; y < kTileSide; y += 2) {
-    for (std::size_t x = 0; x < kTileSide; x += 4) {
-      const std::uint32_t lower = word_of(cells, y * kTileSide + x);
-      const std::uint32_t upper = word_of(cells, (y + 1) * kTileSide + x);
-      const std::uint32_t difference = (lower ^ upper) | ((lower ^ lower >> 8) & 0x00FF00FFU);
-      if (difference != 0) {
-        const std::uint32_t left = (difference & 0xFFFFU) != 0 ? 1U : 0U;
-        const std::uint32_t right = difference > 0xFFFFU ? 1U : 0U;
-        split.set(kSpread[x / 2] | static_cast<std::size_t>(kSpread[y / 2]) << 1,
-                  left | right << 1);
-        count += left + right;
+// A block has one value if its quarters have, and the same: the cells at their corners do not
+// differ from those before and below them.
+void Quadtree::find(const CellMap& changes, const CellMap& steps) {
+  for (std::size_t level = 1; level <= kLevels; ++level) {
+    const std::size_t side = std::size_t{1} << level;
+    const std::size_t half = side / 2;
+    std::size_t count = 0;
+    for (std::size_t block = 0; block < kTileSide / side; ++block) {
+      const std::size_t y = block * side;
+      std::uint32_t right = changes.row(y) | changes.row(y + half);
+      std::uint32_t left = steps.row(y + half);
+      if (level > 1) {
+        const BlockRows& quarters = split_[level - 2];
+        const std::uint32_t split = quarters[2 * block] | quarters[2 * block + 1];
+        right |= split;
+        left |= split;
       }
+      const std::uint32_t split = (left | right >> half) & kLowestOfBlocks[level - 1];
+      split_[level - 1][block] = split;
+      count += count_of_ones(split);
     }
+    split_count_[level - 1] = count;
   }
-  return count;
-}
-
-// A block has one value if its quarters have, and the same.
-std::size_t Quadtree::find_level(std::size_t level, TileCells cells) {
-  const BlockMap& quarters = split_[level - 2];
-  BlockMap& split = split_[level - 1];
-  split.clear();
-  std::size_t count = 0;
-  const std::size_t half = std::size_t{1} << (level - 1);
-  for (std::size_t block = 0; block < kTileBytes >> (2 * level); ++block) {
-    bool is_split = quarters.any_child(block);
-    if (!is_split) {
-      const std::size_t corner = cell_of_morton(block << (2 * level));
-      const std::byte value = cells[corner];
-      is_split = cells[corner + half] != value || cells[corner + half * kTileSide] != value ||
-                 cells[corner + half * (kTileSide + 1)] != value;
-    }
-    if (is_split) {
-      split.set(block, 1);
-      ++count;
-    }
-  }
-  return count;
 }
 
 // Every split block has four children; what is not split is a leaf, and single cells have no bit.
@@ -135,11 +115,11 @@ std::size_t Quadtree::write(TileCells cells, Palette& palette, std::span<std::by
   for (std::size_t m = 0; m < kTileBytes;) {
     std::size_t level = m == 0 ? kLevels : static_cast<std::size_t>(std::countr_zero(m)) / 2;
     unsigned ones = 0;
-    while (level > 0 && split_[level - 1].test(m >> (2 * level))) {
+    const std::size_t cell = cell_of_morton(m);
+    while (level > 0 && is_split(level, cell)) {
       --level;
       ++ones;
     }
-    const std::size_t cell = cell_of_morton(m);
     const std::uint32_t symbol = palette.symbol_of(cells[cell]);
     const std::uint32_t prefix = (1U << ones) - 1;
     if (level > 0) {

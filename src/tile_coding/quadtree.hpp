@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <span>
 
+#include "tile_coding/cell_map.hpp"
 #include "tile_coding/palette.hpp"
 #include "tile_coding/tile_cells.hpp"
 
@@ -27,8 +28,8 @@ class Quadtree {
  public:
   static constexpr std::size_t kLevels = kTileSideLog2;
 
-  // No cell is -128.
-  void find(TileCells cells);
+  // Of the tile with these changes and steps.
+  void find(const CellMap& changes, const CellMap& steps);
 
   // The bytes of the code if the tile has `value_count` values.
   [[nodiscard]] std::size_t coded_bytes(std::size_t value_count) const;
@@ -38,28 +39,17 @@ class Quadtree {
   std::size_t write(TileCells cells, Palette& palette, std::span<std::byte> buffer) const;
 
  private:
-  // Bit m of level k (from 1): block m, of 2^k by 2^k cells, has more than one value.
-  class BlockMap {
-   public:
-    void clear() { words_ = {}; }
-    void set(std::size_t block, std::uint32_t bits) { words_[block / 32] |= bits << (block % 32); }
-    [[nodiscard]] bool test(std::size_t block) const {
-      return ((words_[block / 32] >> (block % 32)) & 1U) != 0;
-    }
-    // Whether one of blocks 4 b ... 4 b + 3 is set.
-    [[nodiscard]] bool any_child(std::size_t b) const {
-      return ((words_[b / 8] >> (b % 8 * 4)) & 0xFU) != 0;
-    }
+  // Bit x of row y: the block of 2^level by 2^level cells whose lowest cell is x of row y 2^level
+  // has more than one value.
+  using BlockRows = std::array<std::uint32_t, kTileSide / 2>;
 
-   private:
-    std::array<std::uint32_t, kTileBytes / 4 / 32> words_{};
-  };
+  // `cell` is the lowest one of the block.
+  [[nodiscard]] bool is_split(std::size_t level, std::size_t cell) const {
+    const std::uint32_t row = split_[level - 1][cell / kTileSide >> level];
+    return ((row >> (cell % kTileSide)) & 1U) != 0;
+  }
 
-  // Each returns the number of blocks that are split.
-  std::size_t find_level_1(TileCells cells);
-  std::size_t find_level(std::size_t level, TileCells cells);
-
-  std::array<BlockMap, kLevels> split_;  // of level 1 ... 5
+  std::array<BlockRows, kLevels> split_{};  // of level 1 ... 5
   std::array<std::size_t, kLevels> split_count_{};
 };
 

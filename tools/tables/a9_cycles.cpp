@@ -97,6 +97,10 @@ A9Cycles a9_cycles(std::string_view scene, int sensors, Paths paths) {
                        paths);
 }
 
+A9Cycles a9_shortest(std::string_view scene) {
+  return cycles_of_run("model frame_cost" + naming(scene) + " sensors=4 coding=shortest");
+}
+
 A9Cycles a9_worst_cycles(std::string_view name, Paths paths) {
   return cycles_of_run("model frame_cost worst=" + std::string(name) + " sensors=4", paths);
 }

@@ -41,7 +41,7 @@ struct A9Cycles {
   StageCost beams;    // points to beams: fate, line, where which index ends
   StageCost carve;    // lower the cells along the lines
   StageCost mark;     // what the points hit
-  StageCost encode;   // known tiles found, copied, hashed, with their headers
+  StageCost encode;   // known tiles found, copied, hashed, encoded, put into protected messages
   StageCost send;     // wrapped into Ethernet frames
   StageCost clear;
   StageCost fuse;     // beams + carve
@@ -59,6 +59,9 @@ enum class Paths : std::uint8_t { kKept, kForgotten };
 
 // std::out_of_range if bench/cortex_a9.txt has no such run.
 [[nodiscard]] A9Cycles a9_cycles(std::string_view scene, int sensors, Paths paths = Paths::kKept);
+
+// Four sensors, and tiles sent in their shortest encoding; everywhere else they are sent raw.
+[[nodiscard]] A9Cycles a9_shortest(std::string_view scene);
 
 // The same for one of the kinds of `iog worst`, four sensors.
 [[nodiscard]] A9Cycles a9_worst_cycles(std::string_view name, Paths paths = Paths::kKept);

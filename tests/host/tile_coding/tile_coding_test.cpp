@@ -157,12 +157,39 @@ void count_blocks(const Tile& tile, std::size_t x, std::size_t y, std::size_t si
   }
 }
 
+// The same on every machine, however it compares cells.
+TEST(CellMap, MarksTheCellsThatDiffer) {
+  tests::Random random(95);
+  for (int i = 0; i < tests::effort(500, 20); ++i) {
+    const Tile tile = random.one_in(2) ? noise(random, 3) : rectangles(random);
+    const Tile other = random.one_in(2) ? noise(random, 3) : tile;
+    CellMap changes;
+    CellMap steps;
+    CellMap differences;
+    changes.mark_changes(tile);
+    steps.mark_steps(tile);
+    differences.mark_differences(tile, other);
+    for (std::size_t cell = 0; cell < kTileBytes; ++cell) {
+      const auto is_marked = [cell](const CellMap& map) {
+        return ((map.row(cell / kTileSide) >> (cell % kTileSide)) & 1U) != 0;
+      };
+      ASSERT_EQ(is_marked(changes), cell > 0 && tile[cell] != tile[cell - 1]);
+      ASSERT_EQ(is_marked(steps), cell >= kTileSide && tile[cell] != tile[cell - kTileSide]);
+      ASSERT_EQ(is_marked(differences), tile[cell] != other[cell]);
+    }
+  }
+}
+
 TEST(Quadtree, HasNoMoreBlocksThanItMust) {
   tests::Random random(94);
   for (int i = 0; i < tests::effort(500, 20); ++i) {
     const Tile tile = random.one_in(4) ? noise(random, 2) : rectangles(random);
+    CellMap changes;
+    CellMap steps;
+    changes.mark_changes(tile);
+    steps.mark_steps(tile);
     Quadtree tree;
-    tree.find(tile);
+    tree.find(changes, steps);
     Census census;
     count_blocks(tile, 0, 0, kTileSide, census);
     ASSERT_EQ(tree.coded_bytes(8), 1 + 8 + (census.nodes_with_bit + 3 * census.leaves + 7) / 8);
