@@ -24,7 +24,7 @@ using Outside = iog::app::MachineOutside<iog::imx6::Board>;
 }  // namespace
 
 int main() {
-  // Static: together they are 1.4 MB, and the stack is small.
+  // Static: together they are 6 MB, and the stack is small.
   static iog::imx6::Board board(kNetwork.mac.octets);
   static Outside outside(board, kNetwork);
   static iog::app::Pipeline<Outside> pipeline(iog::vehicles::kVehicle, kNetwork.peer.value, outside,

@@ -18,8 +18,10 @@
 #include "app/pipeline.hpp"
 #include "hal/clock.hpp"
 #include "hal/ethernet_port.hpp"
+#include "hal/serial_port.hpp"
 #include "hal/watchdog.hpp"
 #include "net/host.hpp"
+#include "serial/grid_sender.hpp"
 
 namespace iog::app {
 
@@ -30,6 +32,7 @@ concept Machine = requires(T& machine) {
   requires hal::Stopwatch<std::remove_reference_t<decltype(machine.stopwatch())>>;
   requires hal::Watchdog<std::remove_reference_t<decltype(machine.watchdog())>>;
   requires hal::EthernetPort<std::remove_reference_t<decltype(machine.ethernet())>>;
+  requires hal::SerialPort<std::remove_reference_t<decltype(machine.serial())>>;
   { machine.stack_used_bytes() } -> std::convertible_to<std::uint32_t>;
   { machine.idle() } -> std::same_as<void>;
 };
@@ -38,7 +41,8 @@ concept Machine = requires(T& machine) {
 // its watchdog: a frame of four LUX is 24, a full receive ring 256.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
-// The machine as the pipeline's outside.
+// The machine as the pipeline's outside: every frame to the network, and as much of the newest one
+// as the serial line can carry.
 template <Machine M>
 class MachineOutside {
  public:
@@ -49,9 +53,20 @@ class MachineOutside {
 
   [[nodiscard]] net::Host<Port>& host() { return host_; }
 
+  // The line's transmitter is looked after between two messages, too: there may be hundreds.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
+    machine_.serial().pump();
     return host_.send_message(message);
   }
+
+  // The frame for the line.
+  void begin_frame(const stream::Header& header) { grid_sender_.begin_frame(header); }
+  void take_tile(std::size_t tile, tile_coding::TileCells cells) {
+    grid_sender_.take_tile(tile, cells);
+  }
+  void end_frame() { grid_sender_.end_frame(); }
+  void pump_line(std::uint64_t now_us) { grid_sender_.pump(now_us, machine_.serial()); }
+
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
 
@@ -88,6 +103,7 @@ class MachineOutside {
 
   M& machine_;
   net::Host<Port> host_;
+  serial::GridSender grid_sender_;
 };
 
 // One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
@@ -100,9 +116,11 @@ bool pass(M& machine, MachineOutside<M>& outside, Pipeline<MachineOutside<M>>& p
       break;
     }
     pipeline.take({datagram->source.value, datagram->destination_port, datagram->payload}, now_us);
+    machine.serial().pump();
   }
   pipeline.tick(now_us);
   machine.ethernet().pump();
+  outside.pump_line(now_us);
   machine.watchdog().service();
   return !machine.ethernet().receive().empty();
 }

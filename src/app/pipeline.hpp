@@ -28,6 +28,16 @@ concept Outside = requires(T& outside, std::span<const std::byte> message, strea
   { outside.fill_vitals(header, end) } -> std::same_as<void>;
 };
 
+// An outside may look at each frame while it is published: begin_frame(header), take_tile(number,
+// cells) for each tile in which something is known, in rising order, end_frame().
+template <typename T>
+concept FrameWatcher = requires(T& watcher, const stream::Header& header, std::size_t tile,
+                                std::span<const std::byte, stream::kTileBytes> cells) {
+  { watcher.begin_frame(header) } -> std::same_as<void>;
+  { watcher.take_tile(tile, cells) } -> std::same_as<void>;
+  { watcher.end_frame() } -> std::same_as<void>;
+};
+
 template <Outside Out>
 class Pipeline {
  public:
@@ -82,13 +92,26 @@ class Pipeline {
     const auto send = [this](std::span<const std::byte> message) {
       return out_->send_message(message);
     };
-    publisher_.publish_tiles(engine_.fusion(), header, end, send);
+    publish_tiles(header, end, send);
     end.ticks = {.fuse = ticks_.fuse, .mark = marked - start, .publish = ticks_.publish};
     end.stopwatch_hz = out_->ticks_hz();
     publisher_.publish_end(header, end, send);
 
     engine_.start_next(now_us);
     ticks_ = {.fuse = 0, .mark = 0, .publish = out_->ticks() - marked};
+  }
+
+  template <typename Send>
+  void publish_tiles(const stream::Header& header, stream::FrameEnd& end, Send&& send) {
+    if constexpr (FrameWatcher<Out>) {
+      const auto show = [this](std::size_t tile, auto cells) { out_->take_tile(tile, cells); };
+      out_->begin_frame(header);
+      publisher_.publish_tiles(engine_.fusion(), header, end, send, show);
+      out_->end_frame();
+    } else {
+      const auto show = [](std::size_t /*tile*/, auto /*cells*/) {};
+      publisher_.publish_tiles(engine_.fusion(), header, end, send, show);
+    }
   }
 
   FrameEngine engine_;

@@ -29,10 +29,10 @@ class Publisher {
   explicit Publisher(Coding coding) : coding_{coding} {}
 
   // Sends every tile in which something is known, and sets it back to unknown. Counts what was sent
-  // and names it in `end`.
-  template <typename Send>
+  // and names it in `end`. show(tile, cells): looks at each of them.
+  template <typename Send, typename Show>
   void publish_tiles(grid::FrameFusion& fusion, const stream::Header& header, stream::FrameEnd& end,
-                     Send&& send) {
+                     Send&& send, Show&& show) {
     stream::GridHash hash;
     tiles_.begin_grid(header, stream::geometry_of_level(0));
     for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
@@ -43,6 +43,7 @@ class Publisher {
       fusion.clear_tile(tile);
       if (is_known) {
         hash.add(tile % stream::kTilesPerSide, tile / stream::kTilesPerSide, cell_bytes());
+        show(tile, cell_bytes());
         append(tile, header.frame_number, end, send);
       }
     }

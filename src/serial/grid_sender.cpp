@@ -3,6 +3,9 @@
 #include "require/require.hpp"
 
 namespace iog::serial {
+
+static_assert(sizeof(GridSender) < 66 * 1024);
+
 namespace {
 
 constexpr std::array<unsigned, 3> kLevels{CoarseLevels::kRoughLevel, CoarseLevels::kFineLevel, 0};
