@@ -18,6 +18,7 @@
 #include "tools/picture/frame_writer.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/report/run_statistics.hpp"
+#include "tools/serial/reception.hpp"
 
 namespace iog::tools {
 namespace {
@@ -33,6 +34,7 @@ struct Options {
   std::string hashes;
   std::string summary;
   std::string expect;
+  SerialOptions serial;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -201,6 +203,46 @@ class Reception {
   std::uint64_t overflow_ = 0;
 };
 
+void add_serial_options(CLI::App& command, SerialOptions& options) {
+  command
+      .add_option("--serial", options.path,
+                  "Instead of UDP: a terminal device, a Unix socket such as QEMU's, or a file")
+      ->option_text("PATH")
+      ->excludes("--port");
+  command.add_option("--baud", options.baud, "With --serial: the rate of a terminal device")
+      ->option_text("RATE  (default 115200)")
+      ->needs("--serial");
+  command
+      .add_option("--max-age", options.max_age_s,
+                  "With --serial: show cells that are older as the coarse grids have them")
+      ->option_text("SECONDS  (default 5)")
+      ->check(CLI::PositiveNumber)
+      ->needs("--serial");
+  command
+      .add_option("--tiles", options.tiles,
+                  "With --serial: write frame, number and cells' CRC of each tile that was told of")
+      ->option_text("FILE")
+      ->needs("--serial");
+}
+
+void receive(Options& options) {
+  if (!options.serial.path.empty()) {
+    options.serial.pictures = options.pictures;
+    options.serial.frames = options.frames;
+    options.serial.idle_timeout_s = options.idle_timeout_s;
+    options.serial.summary = options.summary;
+    receive_serial(options.serial);
+    return;
+  }
+  if (options.port == 0) {
+    throw UsageError("give --port PORT to receive over UDP, or --serial PATH");
+  }
+  Reception reception(options);
+  reception.run();
+  reception.write_results();
+  reception.check();
+}
+
 }  // namespace
 
 void add_receive(CLI::App& program) {
@@ -208,11 +250,11 @@ void add_receive(CLI::App& program) {
       program.add_subcommand("receive", "Receive the grids of a target, check and draw them");
   const auto options = std::make_shared<Options>();
   command->add_option("--port", options->port, "UDP port to receive on")
-      ->option_text("PORT  (required)")
-      ->required()
+      ->option_text("PORT  (this or --serial)")
       ->check(CLI::Range(1, 65'535));
   command->add_option("--bind", options->bind, "IPv4 address to receive on")
       ->option_text("ADDRESS  (default 127.0.0.1)");
+  add_serial_options(*command, options->serial);
   add_picture_options(*command, options->pictures);
   command
       ->add_option("--frames", options->frames,
@@ -241,14 +283,14 @@ void add_receive(CLI::App& program) {
       ->option_text("FILE");
   command->footer(
       "Ctrl-C ends it, too; the table is printed all the same, with --notify on standard error.\n"
-      "Reports of silence are frames without evidence: they are counted, not numbered.\n" +
+      "Reports of silence are frames without evidence: they are counted, not numbered.\n"
+      "--serial shows of each tile the newest cells, beneath them the coarse grids (docs/spec.md "
+      "3.8);\n"
+      "frames are then counted by their numbers.\n" +
       std::string(kPictureFooter));
   command->callback([options] {
     catch_interrupts();
-    Reception reception(*options);
-    reception.run();
-    reception.write_results();
-    reception.check();
+    receive(*options);
   });
 }
 
