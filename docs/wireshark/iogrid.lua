@@ -16,8 +16,7 @@ local INTERFACE_VERSION = 2
 local SOME_IP_PART_BYTES = 8  -- of the SOME/IP header, that both lengths count
 local TILES, FRAME_END = 1, 2
 local RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE = 0, 1, 2, 3
-local TILE_SIDE_LOG2 = 5
-local TILE_CELLS = 1024
+local TILE_SIDE_LOG2, TILE_CELLS = 5, 1024
 local CRC_STATUS = { [0] = "bad", [1] = "good", [2] = "not checked" }
 
 local iogrid = Proto("iogrid", "iogrid grid stream")
@@ -60,8 +59,7 @@ local experts = {
   contradiction = expert_of("contradiction", "The headers contradict each other",
                             expert.group.PROTOCOL, expert.severity.WARN),
   unknown = expert_of("unknown", "Not understood", expert.group.UNDECODED, expert.severity.WARN),
-  lost = expert_of("lost", "The network took no message for these tiles", expert.group.SEQUENCE,
-                   expert.severity.NOTE),
+  lost = expert_of("lost", "Lost", expert.group.SEQUENCE, expert.severity.NOTE),
 }
 iogrid.experts = experts
 
@@ -122,7 +120,7 @@ local function add_generated(tree, name, range, value)
   return tree:add(fields[name], range, value):set_generated(true)
 end
 
-local function add_counts(tree, range, values, name, count)
+local function add_counts(tree, range, name, values, count)
   add_generated(tree, "tile.values", range, values)
   add_generated(tree, "tile." .. name, range, count)
   tree:append_text(string.format(", values %d, %s %d", values, name, count))
@@ -134,19 +132,16 @@ local show_payload = {
     if range:len() ~= TILE_CELLS then codes.malformed("%d bytes of a raw tile", range:len()) end
   end,
   [RUN_LENGTH] = function(tree, range)
-    local values, runs = codes.count_runs(range:raw(), 0)
-    add_counts(tree, range, values, "runs", runs)
+    add_counts(tree, range, "runs", codes.count_runs(range:raw(), 0))
   end,
   [QUADTREE] = function(tree, range)
-    local values, leaves = codes.count_leaves(range:raw())
-    add_counts(tree, range, values, "leaves", leaves)
+    add_counts(tree, range, "leaves", codes.count_leaves(range:raw()))
   end,
   [CHANGED_SINCE] = function(tree, range)
     if range:len() < 4 then codes.malformed("the payload ends in its frame number") end
     tree:add(fields["tile.reference"], range:range(0, 4))
-    tree:append_text(" frame " .. range:range(0, 4):uint())
-    local values, runs = codes.count_runs(range:raw():sub(5), 1)
-    add_counts(tree, range, values, "runs", runs)
+    tree:append_text(string.format(" frame %d", range:range(0, 4):uint()))
+    add_counts(tree, range, "runs", codes.count_runs(range:raw():sub(5), 1))
   end,
 }
 
@@ -164,7 +159,7 @@ local function show_tile(tree, cursor, header, before)
     item:set_text(string.format("Tile %d (x %d, y %d)", number, x, y))
   end
   item:append_text(string.format(", %d bytes, %s", bytes,
-                                 layout.ENCODINGS[encoding] or "encoding " .. encoding))
+                                 layout.ENCODINGS[encoding] or "unknown encoding"))
   local payload = bytes > 0 and cursor.take(bytes, "a tile's payload")
   item:set_len(range:len() + bytes)
   if payload then item:add(fields["tile.payload"], payload) end
@@ -219,14 +214,14 @@ local function show_sensors(tree, cursor, count)
   if size < layout.bytes_of(part) then codes.malformed("a sensor record of %d bytes", size) end
   for i = 0, count - 1 do
     local range = cursor.take(size, "a sensor record")
-    local item = tree:add(range, "Sensor " .. i)
+    local item = tree:add(range, string.format("Sensor %d", i))
     local sensor, items = add_part(item, range, part)
     if sensor["sensor.age"] == 0xFFFF then
       items["sensor.age"]:append_text(" (never seen, or longer ago)")
     end
     local state = sensor["sensor.state"]
     item:append_text(string.format(": %s, packets %d, points %d",
-                                   layout.SENSOR_STATES[state] or "state " .. state,
+                                   layout.SENSOR_STATES[state] or "unknown state",
                                    sensor["sensor.packets"], sensor["sensor.points"]))
   end
 end
@@ -236,7 +231,7 @@ local function show_frame_end(tree, cursor, info, sensor_count)
   info(string.format(" end, %d tiles, grid %08x", frame_end.tiles_sent, frame_end.grid_crc))
   if frame_end.tiles_lost > 0 then
     info(string.format(", %d not sent", frame_end.tiles_lost))
-    items.tiles_lost:add_proto_expert_info(experts.lost)
+    items.tiles_lost:add_proto_expert_info(experts.lost, "the network took no message for them")
   end
   local ticks, tick_items = show_counters(item, cursor, frame_end.stages, layout.COUNTERS.stages)
   for i, tick_item in ipairs(tick_items) do
@@ -277,13 +272,13 @@ local function show_content(tree, cursor, info, counter)
   if header.sequence % 0x10000 ~= counter then
     items.sequence:add_proto_expert_info(experts.contradiction, "the E2E counter is another")
   end
-  info("frame " .. header.frame)
+  info(string.format("frame %d", header.frame))
   if header.type == TILES then
     show_tiles(tree, cursor, info)
   elseif header.type == FRAME_END then
     show_frame_end(tree, cursor, info, header.sensors)
   else
-    info(", message type " .. header.type)
+    info(string.format(", message type %d", header.type))
     items.type:add_proto_expert_info(experts.unknown, "a message type that is not known")
     return
   end
@@ -325,8 +320,35 @@ local function crc_status(tvb, crc)
   return codes.crc32_p4(before, tvb:raw(0, 8), behind) == crc and 1 or 0
 end
 
+-- The last counter of each sender; how far each message is ahead of the one before. They are found
+-- while the file is read for the first time, from its beginning.
+local last_counters, deltas
+
+function iogrid.init()
+  last_counters, deltas = {}, {}
+end
+
+local function delta_of(tvb, pinfo, e2e)
+  local message = string.format("%d:%d", pinfo.number, tvb:offset())
+  if not pinfo.visited then
+    local sender = string.format("%s:%d:%x", pinfo.src, pinfo.src_port, e2e["e2e.data_id"])
+    local counter, before = e2e["e2e.counter"], last_counters[sender]
+    deltas[message] = before and (counter - before) % 0x10000
+    last_counters[sender] = counter
+  end
+  return deltas[message] or 1
+end
+
+local function show_order(item, delta)
+  if delta == 1 then return end
+  local remark = string.format("messages missing before this one: %d", delta - 1)
+  if delta == 0 then remark = "the same counter once more" end
+  if delta >= 0x8000 then remark = "late, or its sender has started over" end
+  item:add_proto_expert_info(experts.lost, remark)
+end
+
 -- Returns the counter.
-local function show_e2e(tree, cursor, tvb)
+local function show_e2e(tree, cursor, tvb, pinfo, info)
   local range = cursor.take(layout.bytes_of(layout.PARTS.e2e), "the E2E header")
   local item = tree:add(range, "E2E Profile 4")
   local e2e, items = add_part(item, range, layout.PARTS.e2e)
@@ -339,7 +361,12 @@ local function show_e2e(tree, cursor, tvb)
   end
   local status = crc_status(tvb, e2e.crc)
   local status_item = add_generated(items.crc, "crc.status", range:range(8, 4), status)
-  if status == 0 then status_item:add_proto_expert_info(experts.bad_crc) end
+  if status == 0 then
+    info("wrong CRC: ")
+    status_item:add_proto_expert_info(experts.bad_crc)
+  else
+    show_order(items["e2e.counter"], delta_of(tvb, pinfo, e2e))
+  end
   items.crc:append_text(", " .. CRC_STATUS[status])
   item:append_text(string.format(", counter %d, CRC %s", e2e["e2e.counter"], CRC_STATUS[status]))
   return e2e["e2e.counter"]
@@ -350,19 +377,20 @@ function iogrid.dissector(tvb, pinfo, tree)
   local item = tree:add(iogrid, tvb())
   local version = last_value(interface_version)
   if version and version ~= INTERFACE_VERSION then
-    pinfo.cols.info = "grid stream of interface version " .. version
+    pinfo.cols.info = string.format("grid stream of interface version %d", version)
     item:add_proto_expert_info(experts.unknown, "another interface version is another format")
     return tvb:len()
   end
   local words = ""
-  local function info(more) words = words .. more end
+  local function info(more)
+    words = words .. more
+    pinfo.cols.info = words
+  end
   guarded(item, function()
     local cursor = cursor_of(tvb)
-    show_content(item, cursor, info, show_e2e(item, cursor, tvb))
+    show_content(item, cursor, info, show_e2e(item, cursor, tvb, pinfo, info))
   end)
-  if words == "" then words = "damaged" end
-  pinfo.cols.info = words
-  item:append_text(", " .. words)
+  item:append_text(words == "" and ", damaged" or ", " .. words)
   return tvb:len()
 end
 

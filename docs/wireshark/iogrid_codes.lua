@@ -41,7 +41,9 @@ end
 local BITS_OF_BYTE = {}
 for byte = 0, 255 do
   local digits = ""
-  for place = 7, 0, -1 do digits = digits .. bit.band(bit.rshift(byte, place), 1) end
+  for place = 7, 0, -1 do
+    digits = digits .. (bit.band(bit.rshift(byte, place), 1) == 1 and "1" or "0")
+  end
   BITS_OF_BYTE[string.char(byte)] = digits
 end
 
