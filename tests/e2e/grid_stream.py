@@ -133,12 +133,18 @@ def read_header(content: bytes) -> Header:
                   dropped)
 
 
-def read_tiles(body: bytes) -> Tiles:
+def level_of(body: bytes) -> int:
+    """Of the grid that the tiles are of: 0 cells, above it the coarse grids of the serial line."""
+    return (struct.unpack_from(">H", body, 12)[0] // 100).bit_length() - 1
+
+
+def read_tiles(body: bytes, level: int = 0) -> Tiles:
+    side = 1024 >> level
     first, end, count, side_log2, storage, width, height, cell_mm, zero, x_mm, y_mm = \
         struct.unpack_from(">HHHBBHHHHii", body)
-    assert (side_log2, storage, zero) == (5, 0, 0)
-    assert (width, height, cell_mm, x_mm, y_mm) == (1024, 1024, 100, -51200, -51200)
-    assert first < end <= TILE_COUNT, f"tiles {first} to {end - 1}"
+    assert (side_log2, storage, zero) == (5, int(level > 0), 0)
+    assert (width, height, cell_mm, x_mm, y_mm) == (side, side, 100 << level, -51200, -51200)
+    assert first < end <= TILE_COUNT >> 2 * level, f"tiles {first} to {end - 1}"
     tiles = []
     at = 24
     for _ in range(count):

@@ -55,7 +55,9 @@ class Sabrelite:
     which the thread would take from whoever is sending a frame.
     """
 
-    def __init__(self, image: str, folder: pathlib.Path, record_to: pathlib.Path | None = None):
+    def __init__(self, image: str, folder: pathlib.Path, record_to: pathlib.Path | None = None,
+                 line: str = "null"):
+        """line: what QEMU makes of UART1."""
         self.frames_received = 0
         self.arp_requests = 0
         self.arp_replies: collections.Counter[tuple[bytes, bytes]] = collections.Counter()
@@ -81,7 +83,7 @@ class Sabrelite:
         with open(folder / "qemu.txt", "wb") as log:
             self._qemu = subprocess.Popen(
                 ["qemu-system-arm", "-M", "sabrelite", "-display", "none", "-monitor", "none",
-                 "-serial", "null", "-serial", f"file:{self._console}", "-kernel", image,
+                 "-serial", line, "-serial", f"file:{self._console}", "-kernel", image,
                  "-netdev", f"dgram,id=wire,local.type=unix,local.path={self._there},"
                             f"remote.type=unix,remote.path={self._here}",
                  "-net", "nic,netdev=wire,model=imx.enet", *recorder],

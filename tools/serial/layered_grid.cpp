@@ -20,6 +20,11 @@ LayeredGrid::Layer& LayeredGrid::layer(unsigned level) {
 void LayeredGrid::take(unsigned level, std::size_t first,
                        std::span<const std::optional<ToldTile>> tiles,
                        const stream::Header& header) {
+  if (header.has_evidence()) {
+    before_silence_.reset();
+  } else if (newest_ && newest_->has_evidence()) {
+    before_silence_ = std::make_shared<const LayeredGrid>(*this);
+  }
   Layer& to = layer(level);
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     if (tiles[i]) {
@@ -34,6 +39,7 @@ void LayeredGrid::take(unsigned level, std::size_t first,
 void LayeredGrid::forget() {
   layers_.clear();
   newest_.reset();
+  before_silence_.reset();
 }
 
 const std::optional<ToldTile>& LayeredGrid::cells_of(std::size_t tile) const {

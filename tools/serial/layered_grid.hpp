@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,6 +36,11 @@ class LayeredGrid {
   // The header of the newest frame that was told of.
   [[nodiscard]] const std::optional<stream::Header>& newest() const { return newest_; }
 
+  // As it was when a sensor last took part; nothing while one does, and before the first time.
+  [[nodiscard]] const std::shared_ptr<const LayeredGrid>& before_silence() const {
+    return before_silence_;
+  }
+
   // A tile of cells; nothing if it was never told of.
   [[nodiscard]] const std::optional<ToldTile>& cells_of(std::size_t tile) const;
 
@@ -54,6 +60,7 @@ class LayeredGrid {
 
   std::map<unsigned, Layer> layers_;  // by level, the finest first
   std::optional<stream::Header> newest_;
+  std::shared_ptr<const LayeredGrid> before_silence_;
 };
 
 }  // namespace iog::tools

@@ -50,11 +50,8 @@ class SerialReception {
       : options_(&options),
         pictures_(options.pictures),
         log_(options.tiles.empty() ? nullptr : std::make_unique<TileLog>(options.tiles)),
-        link_([this](std::size_t tile, const ToldTile& told) {
-          if (log_) {
-            log_->add(tile, told);
-          }
-        }),
+        link_([this](std::size_t tile, const ToldTile& told) { note(tile, told); },
+              [this] { look_at_newest(); }),
         progress_("frames", options.frames) {}
 
   void run() {
@@ -66,7 +63,6 @@ class SerialReception {
         break;
       }
       link_.take(*bytes);
-      look_at_newest();
     }
   }
 
@@ -75,7 +71,8 @@ class SerialReception {
       log_->finish();
     }
     if (link_.grid().newest()) {
-      pictures_.write_last(composed());
+      const auto& before_silence = link_.grid().before_silence();
+      pictures_.write_last(before_silence ? composed(*before_silence) : composed(link_.grid()));
     }
     const RunStatistics::Facts facts = this->facts();
     if (!options_->summary.empty()) {
@@ -107,13 +104,19 @@ class SerialReception {
     return options_->idle_timeout_s > 0 && silent.count() > options_->idle_timeout_s;
   }
 
-  [[nodiscard]] GridFrame composed() const {
-    return link_.grid().composed(static_cast<std::uint64_t>(options_->max_age_s * 1e6));
+  [[nodiscard]] GridFrame composed(const LayeredGrid& grid) const {
+    return grid.composed(static_cast<std::uint64_t>(options_->max_age_s * 1e6));
+  }
+
+  void note(std::size_t tile, const ToldTile& told) {
+    if (log_) {
+      log_->add(tile, told);
+    }
   }
 
   void look_at_newest() {
     const auto& newest = link_.grid().newest();
-    if (!newest || newest->frame_number == last_frame_) {
+    if (newest->frame_number == last_frame_) {
       return;
     }
     last_frame_ = newest->frame_number;
@@ -127,7 +130,7 @@ class SerialReception {
     }
     progress_.show(frames());
     if (options_->pictures.every > 0) {
-      pictures_.offer(composed());
+      pictures_.offer(composed(link_.grid()));
     }
   }
 

@@ -124,6 +124,9 @@ void SerialLink::take_tiles(const stream::Header& header, std::span<const std::b
       on_tile_(tiles.first_tile + i, *told[i]);
     }
   }
+  if (on_message_) {
+    on_message_();
+  }
 }
 
 }  // namespace iog::tools

@@ -38,7 +38,11 @@ class SerialLink {
   // A tile of cells, as it was told.
   using TileHandler = std::function<void(std::size_t tile, const ToldTile& told)>;
 
-  explicit SerialLink(TileHandler on_tile = {}) : on_tile_{std::move(on_tile)} {}
+  // After each message of tiles.
+  using MessageHandler = std::function<void()>;
+
+  explicit SerialLink(TileHandler on_tile = {}, MessageHandler on_message = {})
+      : on_tile_{std::move(on_tile)}, on_message_{std::move(on_message)} {}
 
   void take(std::span<const std::byte> bytes);
 
@@ -52,6 +56,7 @@ class SerialLink {
   void take_tiles(const stream::Header& header, std::span<const std::byte> body);
 
   TileHandler on_tile_;
+  MessageHandler on_message_;
   SerialCounts counts_;
   std::array<std::byte, protection::kMaxMessageBytes> buffer_{};
   framing::CobsDecoder decoder_{buffer_};

@@ -197,6 +197,20 @@ TEST_F(Layers, AnUnknownTileHidesWhatIsBelow) {
   EXPECT_EQ(at(grid_.composed(kEver), kTileSide, 0), 7);
 }
 
+TEST_F(Layers, WhatWasThereBeforeTheSensorsFellSilentIsKeptAside) {
+  const std::array<std::optional<ToldTile>, 1> seen{told(1000, -3)};
+  const std::array<std::optional<ToldTile>, 1> nothing{ToldTile{.closed_us = 2000}};
+  grid_.take(0, 0, seen, {.closed_us = 1000, .complete_sensors = 1});
+  EXPECT_EQ(grid_.before_silence(), nullptr);
+  grid_.take(0, 0, nothing, {.closed_us = 2000});
+  grid_.take(0, 0, nothing, {.closed_us = 3000});
+  ASSERT_NE(grid_.before_silence(), nullptr);
+  EXPECT_EQ(at(grid_.before_silence()->composed(kEver), 0, 0), -3);
+  EXPECT_EQ(at(grid_.composed(kEver), 0, 0), 0);
+  grid_.take(0, 0, seen, {.closed_us = 4000, .complete_sensors = 1});
+  EXPECT_EQ(grid_.before_silence(), nullptr);
+}
+
 TEST_F(Layers, NothingIsUnknown) { expect_cells(grid_.composed(kEver), {}); }
 
 }  // namespace
