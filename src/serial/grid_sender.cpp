@@ -30,9 +30,10 @@ void GridSender::take_tile(std::size_t tile, tile_coding::TileCells cells) {
 }
 
 void GridSender::end_frame() {
+  const bool has_evidence = header_.has_evidence();
   rounds_[kRough].left = kTileCounts[kRough];
-  rounds_[kFine].left = kTileCounts[kFine];
-  rounds_[kCells].left = window_.end() - rounds_[kCells].next;
+  rounds_[kFine].left = has_evidence ? kTileCounts[kFine] : 0;
+  rounds_[kCells].left = has_evidence ? window_.end() - rounds_[kCells].next : 0;
 }
 
 void GridSender::compose() {

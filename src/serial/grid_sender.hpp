@@ -6,7 +6,8 @@
 // Three parties share the line: the rough grid of 3.2 m, the fine one of 0.8 m, and the cells, each
 // at most once a frame. Each goes round its tiles, from frame to frame where it stopped, and a
 // message says of each tile that it speaks of what its cells are or that all are unknown: so
-// nothing that a receiver has is older than a round.
+// nothing that a receiver has is older than a round. A frame in which no sensor took part says
+// nothing of any cell; of it goes an empty rough grid alone, as a sign of life.
 #pragma once
 
 #include <algorithm>

@@ -20,26 +20,23 @@ LayeredGrid::Layer& LayeredGrid::layer(unsigned level) {
 void LayeredGrid::take(unsigned level, std::size_t first,
                        std::span<const std::optional<ToldTile>> tiles,
                        const stream::Header& header) {
-  if (header.has_evidence()) {
-    before_silence_.reset();
-  } else if (newest_ && newest_->has_evidence()) {
-    before_silence_ = std::make_shared<const LayeredGrid>(*this);
+  newest_ = header;
+  if (!header.has_evidence()) {
+    return;
   }
+  newest_seen_ = header;
   Layer& to = layer(level);
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     if (tiles[i]) {
       to.at(first + i) = tiles[i];
     }
   }
-  if (!newest_ || newest_->closed_us <= header.closed_us) {
-    newest_ = header;
-  }
 }
 
 void LayeredGrid::forget() {
   layers_.clear();
   newest_.reset();
-  before_silence_.reset();
+  newest_seen_.reset();
 }
 
 const std::optional<ToldTile>& LayeredGrid::cells_of(std::size_t tile) const {
@@ -50,18 +47,18 @@ const std::optional<ToldTile>& LayeredGrid::cells_of(std::size_t tile) const {
 
 GridFrame LayeredGrid::composed(std::uint64_t max_age_us) const {
   GridFrame frame;
-  if (!newest_) {
+  if (!newest_seen_) {
     return frame;
   }
-  frame.header = *newest_;
-  frame.evidence_number = newest_->frame_number;
+  frame.header = *newest_seen_;
+  frame.evidence_number = newest_seen_->frame_number;
   // From the roughest to the finest, each over what is there.
   for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
     const unsigned level = layer->first;
     const std::size_t side = kTileSide << level;  // of a tile of this level, in cells of the grid
     for (std::size_t tile = 0; tile < layer->second.size(); ++tile) {
       const std::optional<ToldTile>& told = layer->second[tile];
-      if (!told || age_us(*told) > max_age_us) {
+      if (!told || newest_seen_->closed_us - told->closed_us > max_age_us) {
         continue;
       }
       const std::size_t corner_x = tile % tiles_per_side(level) * side;

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,13 +32,10 @@ class LayeredGrid {
   // The target runs anew: nothing that is known is of now.
   void forget();
 
-  // The header of the newest frame that was told of.
+  // The header of the newest frame that was told of, and of the newest in which a sensor took part:
+  // others say nothing of any cell.
   [[nodiscard]] const std::optional<stream::Header>& newest() const { return newest_; }
-
-  // As it was when a sensor last took part; nothing while one does, and before the first time.
-  [[nodiscard]] const std::shared_ptr<const LayeredGrid>& before_silence() const {
-    return before_silence_;
-  }
+  [[nodiscard]] const std::optional<stream::Header>& newest_seen() const { return newest_seen_; }
 
   // A tile of cells; nothing if it was never told of.
   [[nodiscard]] const std::optional<ToldTile>& cells_of(std::size_t tile) const;
@@ -49,8 +45,8 @@ class LayeredGrid {
     return newest_->closed_us - tile.closed_us;
   }
 
-  // The grid as far as it was told of not longer ago than that: cells where they are, else the
-  // finest coarse grid, else unknown. As a frame with the newest header, for those who draw it.
+  // The grid when a sensor last took part, as far as it had been told of not longer ago than that:
+  // cells where they are, else the finest coarse grid, else unknown. For those who draw frames.
   [[nodiscard]] GridFrame composed(std::uint64_t max_age_us) const;
 
  private:
@@ -60,7 +56,7 @@ class LayeredGrid {
 
   std::map<unsigned, Layer> layers_;  // by level, the finest first
   std::optional<stream::Header> newest_;
-  std::shared_ptr<const LayeredGrid> before_silence_;
+  std::optional<stream::Header> newest_seen_;
 };
 
 }  // namespace iog::tools

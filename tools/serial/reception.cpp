@@ -70,9 +70,8 @@ class SerialReception {
     if (log_) {
       log_->finish();
     }
-    if (link_.grid().newest()) {
-      const auto& before_silence = link_.grid().before_silence();
-      pictures_.write_last(before_silence ? composed(*before_silence) : composed(link_.grid()));
+    if (link_.grid().newest_seen()) {
+      pictures_.write_last(composed());
     }
     const RunStatistics::Facts facts = this->facts();
     if (!options_->summary.empty()) {
@@ -104,8 +103,8 @@ class SerialReception {
     return options_->idle_timeout_s > 0 && silent.count() > options_->idle_timeout_s;
   }
 
-  [[nodiscard]] GridFrame composed(const LayeredGrid& grid) const {
-    return grid.composed(static_cast<std::uint64_t>(options_->max_age_s * 1e6));
+  [[nodiscard]] GridFrame composed() const {
+    return link_.grid().composed(static_cast<std::uint64_t>(options_->max_age_s * 1e6));
   }
 
   void note(std::size_t tile, const ToldTile& told) {
@@ -129,8 +128,8 @@ class SerialReception {
       last_evidence_ = Clock::now();
     }
     progress_.show(frames());
-    if (options_->pictures.every > 0) {
-      pictures_.offer(composed(link_.grid()));
+    if (newest->has_evidence() && options_->pictures.every > 0) {
+      pictures_.offer(composed());
     }
   }
 

@@ -52,7 +52,8 @@ class GridSenderOnALine : public testing::Test {
  protected:
   // A frame whose known tiles are those of the grid, and 40 ms of passes, one a millisecond.
   void play(std::uint32_t number, const Grid& grid, int milliseconds = 40) {
-    sender_->begin_frame({.frame_number = number, .closed_us = now_us_});
+    sender_->begin_frame(
+        {.frame_number = number, .closed_us = now_us_, .complete_sensors = sensors_});
     for (const auto& [tile, cells] : grid) {
       sender_->take_tile(tile, cells);
     }
@@ -130,6 +131,7 @@ class GridSenderOnALine : public testing::Test {
 
   static inline std::optional<GridSender> sender_;
   FakePort port_;
+  std::uint8_t sensors_ = 1;  // that take part
   std::uint64_t now_us_ = 5000;
   std::array<std::byte, 1500> buffer_{};
   framing::CobsDecoder cobs_{buffer_};
@@ -233,6 +235,28 @@ TEST_F(GridSenderOnALine, TakesBackWhatIsNoLongerKnown) {
     }
   }
   EXPECT_EQ(std::ranges::count(is_taken_back, true), std::ssize(is_taken_back));
+}
+
+// docs/spec.md 3.2: the absence of a sensor says nothing about any cell.
+TEST_F(GridSenderOnALine, OnlyGivesASignOfLifeWhileNoSensorTakesPart) {
+  for (std::uint32_t frame = 0; frame < 50; ++frame) {
+    play(frame, street(2, 50));
+  }
+  static_cast<void>(messages());
+  sensors_ = 0;
+  for (std::uint32_t frame = 50; frame < 75; ++frame) {
+    play(frame, {});
+  }
+  int signs = 0;
+  for (const Message& message : messages()) {
+    if (!message.header.has_evidence()) {
+      EXPECT_EQ(message.tiles.geometry, stream::geometry_of_level(CoarseLevels::kRoughLevel));
+      EXPECT_TRUE(message.known.empty());
+      ++signs;
+    }
+  }
+  EXPECT_GE(signs, 20);
+  EXPECT_LE(signs, 25);
 }
 
 TEST_F(GridSenderOnALine, KeepsTheLineBusyAndGoesNoFaster) {

@@ -38,7 +38,7 @@ class Target {
   // Sends frames of these known tiles for a while, and returns the bytes on the line.
   std::vector<std::byte> send(const Grid& grid, int frames) {
     for (; frames > 0; --frames, ++frame_) {
-      sender_->begin_frame({.frame_number = frame_, .closed_us = now_us_});
+      sender_->begin_frame({.frame_number = frame_, .closed_us = now_us_, .complete_sensors = 1});
       for (const auto& [tile, cells] : grid) {
         sender_->take_tile(tile, cells);
       }
@@ -161,7 +161,7 @@ class Layers : public testing::Test {
  protected:
   void take(unsigned level, std::size_t tile, std::uint64_t closed_us, int value) {
     const std::array<std::optional<ToldTile>, 1> tiles{told(closed_us, value)};
-    grid_.take(level, tile, tiles, {.closed_us = closed_us});
+    grid_.take(level, tile, tiles, {.closed_us = closed_us, .complete_sensors = 1});
   }
   LayeredGrid grid_;
 };
@@ -192,23 +192,18 @@ TEST_F(Layers, AnUnknownTileHidesWhatIsBelow) {
   take(5, 0, 1000, 7);
   const std::array<std::optional<ToldTile>, 2> tiles{ToldTile{.frame_number = 1, .closed_us = 1000},
                                                      std::nullopt};
-  grid_.take(0, 0, tiles, {.closed_us = 1000});
+  grid_.take(0, 0, tiles, {.closed_us = 1000, .complete_sensors = 1});
   EXPECT_EQ(at(grid_.composed(kEver), 0, 0), 0);
   EXPECT_EQ(at(grid_.composed(kEver), kTileSide, 0), 7);
 }
 
-TEST_F(Layers, WhatWasThereBeforeTheSensorsFellSilentIsKeptAside) {
-  const std::array<std::optional<ToldTile>, 1> seen{told(1000, -3)};
-  const std::array<std::optional<ToldTile>, 1> nothing{ToldTile{.closed_us = 2000}};
-  grid_.take(0, 0, seen, {.closed_us = 1000, .complete_sensors = 1});
-  EXPECT_EQ(grid_.before_silence(), nullptr);
-  grid_.take(0, 0, nothing, {.closed_us = 2000});
-  grid_.take(0, 0, nothing, {.closed_us = 3000});
-  ASSERT_NE(grid_.before_silence(), nullptr);
-  EXPECT_EQ(at(grid_.before_silence()->composed(kEver), 0, 0), -3);
-  EXPECT_EQ(at(grid_.composed(kEver), 0, 0), 0);
-  grid_.take(0, 0, seen, {.closed_us = 4000, .complete_sensors = 1});
-  EXPECT_EQ(grid_.before_silence(), nullptr);
+TEST_F(Layers, AFrameInWhichNoSensorTookPartSaysNothingOfAnyCell) {
+  take(0, 0, 1000, -3);
+  const std::array<std::optional<ToldTile>, 1> nothing{ToldTile{.closed_us = 9000}};
+  grid_.take(5, 0, nothing, {.closed_us = 9000});
+  EXPECT_EQ(at(grid_.composed(0), 0, 0), -3);
+  EXPECT_EQ(grid_.newest_seen()->closed_us, 1000u);
+  EXPECT_EQ(grid_.age_us(*grid_.cells_of(0)), 8000u);
 }
 
 TEST_F(Layers, NothingIsUnknown) { expect_cells(grid_.composed(kEver), {}); }
