@@ -128,7 +128,7 @@ class Line {
     told.tiles += tiles.tile_count;
   }
 
-  std::array<std::byte, 2 * serial::LineBudget::kBurstBytes> written_{};
+  std::array<std::byte, 1024> written_{};
   std::size_t written_bytes_ = 0;
   std::array<std::byte, protection::kMaxMessageBytes> buffer_{};
   framing::CobsDecoder decoder_{buffer_};
@@ -145,7 +145,7 @@ void hand_over(std::uint32_t frame, const Grid& grid, Cost& cost) {
     are_known[i] = is_known(tiles[i]);
   }
   cost.measure([&] {
-    sender.begin_frame({.frame_number = frame});
+    sender.begin_frame({.frame_number = frame, .complete_sensors = 1});
     for (std::size_t i = 0; i < tiles.size(); ++i) {
       if (are_known[i]) {
         sender.take_tile(i, tiles[i]);

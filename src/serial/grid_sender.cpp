@@ -36,12 +36,13 @@ void GridSender::end_frame() {
   rounds_[kCells].left = has_evidence ? window_.end() - rounds_[kCells].next : 0;
 }
 
-void GridSender::compose() {
-  if (!message_.empty() || (!is_composing_ && !begin_message())) {
-    return;
+bool GridSender::compose() {
+  if (!is_composing_ && !begin_message()) {
+    return false;
   }
   for (std::size_t tiles = 0; tiles < kTilesPerPump && append_tile(); ++tiles) {
   }
+  return !is_composing_;
 }
 
 bool GridSender::begin_message() {
@@ -79,21 +80,17 @@ bool GridSender::append_tile() {
 }
 
 void GridSender::finish_message(std::size_t end_tile) {
-  message_ = writer_.finish(end_tile, sequence_);
+  const std::span<std::byte> message = writer_.finish(end_tile, sequence_);
   ++sequence_;
-  sender_.protect(message_);
-  share_.charge(party_, message_.size());
+  sender_.protect(message);
+  const std::size_t bytes = framing::encode_cobs(message, frame_);
+  require(bytes > 0);
+  frame_left_ = std::span(frame_).first(bytes);
+  share_.charge(party_, bytes);
   Round& round = rounds_[party_];
   round.left -= end_tile - round.next;
   round.next = end_tile % kTileCounts[party_];
   is_composing_ = false;
-}
-
-void GridSender::frame_message() {
-  const std::size_t bytes = framing::encode_cobs(message_, frame_);
-  require(bytes > 0);
-  frame_left_ = std::span(frame_).first(bytes);
-  message_ = {};
 }
 
 // The first known tile from there on, of the party's grid; a number behind the grid if none is.

@@ -42,17 +42,12 @@ class GridSender {
   void end_frame();
 
   // Once per pass of the loop. Besides the tiles it encodes, it protects and frames at most one
-  // message and hands over at most LineBudget::kBurstBytes. now_us must not go back.
+  // message and hands over 40 ms of the line at most. now_us must not go back.
   template <hal::SerialPort Port>
   void pump(std::uint64_t now_us, Port& port) {
-    const std::uint32_t bytes_per_second = port.bytes_per_second();
-    budget_.advance(now_us, bytes_per_second);
+    budget_.advance(now_us, port.bytes_per_second());
     write(port);
-    if (frame_left_.size() <= bytes_per_second / kHeadStartPerSecond) {
-      compose();
-    }
-    if (frame_left_.empty() && !message_.empty()) {
-      frame_message();
+    if (frame_left_.empty() && compose()) {
       write(port);
     }
     port.pump();
@@ -67,9 +62,6 @@ class GridSender {
   // Twelfths of the line. At 115200 baud each coarse grid then comes whole about four times a
   // second, and the rest is for the cells, of which there is always more than the line can carry.
   static constexpr std::array<std::uint32_t, kParties> kWeights{1, 3, 8};
-  // A message is composed when the one before has 40 ms of the line left: in time, and not long
-  // before it goes.
-  static constexpr std::uint32_t kHeadStartPerSecond = 25;
 
   // What of a party's grid is to be told of this frame.
   struct Round {
@@ -77,12 +69,13 @@ class GridSender {
     std::size_t left = 0;  // tiles from there on, around the end of the grid
   };
 
-  void compose();
+  // Goes on with a message, while the line still has some 40 ms of the one before. True when it is
+  // in frame_left_.
+  [[nodiscard]] bool compose();
   [[nodiscard]] bool begin_message();
   // False when the message is finished.
   [[nodiscard]] bool append_tile();
   void finish_message(std::size_t end_tile);
-  void frame_message();
   [[nodiscard]] std::size_t find_known(std::size_t tile) const;
   [[nodiscard]] tile_coding::TileCells cells_of(std::size_t tile);
 
@@ -112,8 +105,6 @@ class GridSender {
   alignas(8) std::array<std::byte, stream::kTileBytes> rough_{};
   alignas(8) std::array<std::byte, stream::kTileBytes> payload_{};
 
-  // The message that waits for the line; in writer_.
-  std::span<std::byte> message_;
   std::uint32_t sequence_ = 0;
   protection::Sender sender_{stream::kSerialChannel};
 

@@ -14,16 +14,22 @@ namespace iog::serial {
 
 class LineBudget {
  public:
-  // At most this far ahead of the line; 22 ms at 115200 baud, so a pass of the loop may last as
-  // long before the line runs dry.
-  static constexpr std::uint32_t kBurstBytes = 256;
+  // At most so far ahead of the line: a pass of the loop, or several of them that compose the next
+  // message, may last as long before the line runs dry.
+  static constexpr std::uint32_t kAheadUs = 40'000;
 
-  // Time has passed. now_us must not go back. bytes_per_second < 2^32 / 1000.
+  // What that is in bytes.
+  [[nodiscard]] static constexpr std::uint32_t burst_bytes(std::uint32_t bytes_per_second) {
+    return static_cast<std::uint32_t>(std::uint64_t{bytes_per_second} * kAheadUs / kByte);
+  }
+
+  // Time has passed. now_us must not go back. bytes_per_second < 10^5.
   void advance(std::uint64_t now_us, std::uint32_t bytes_per_second) {
-    const std::uint64_t elapsed_us = std::min(now_us - now_us_, kLongUs);
+    const auto elapsed_us = static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(now_us - now_us_, kAheadUs));  // after this the credit is full
     now_us_ = now_us;
-    credit_ = static_cast<std::uint32_t>(
-        std::min(credit_ + elapsed_us * bytes_per_second, std::uint64_t{kBurstBytes} * kByte));
+    const std::uint32_t most = kAheadUs * bytes_per_second;
+    credit_ += std::min(elapsed_us * bytes_per_second, most - credit_);
   }
 
   [[nodiscard]] std::size_t bytes() const { return credit_ / kByte; }
@@ -32,9 +38,7 @@ class LineBudget {
   void spend(std::size_t bytes) { credit_ -= static_cast<std::uint32_t>(bytes) * kByte; }
 
  private:
-  static constexpr std::uint32_t kByte = 1'000'000;     // of credit, which is in bytes times us
-  static constexpr std::uint64_t kLongUs = 10'000'000;  // after this the credit is full
-  static_assert(std::uint64_t{kBurstBytes} * kByte < std::uint64_t{1} << 32);
+  static constexpr std::uint32_t kByte = 1'000'000;  // of credit, which is in bytes times us
 
   std::uint64_t now_us_ = 0;
   std::uint32_t credit_ = 0;

@@ -263,7 +263,7 @@ TEST_F(GridSenderOnALine, KeepsTheLineBusyAndGoesNoFaster) {
   const Grid grid = street(4, 400);
   for (std::uint32_t frame = 0; frame < 100; ++frame) {
     play(frame, grid);
-    EXPECT_LE(port_.bytes.size(), (frame + 1) * kRate / 25 + LineBudget::kBurstBytes + 58);
+    EXPECT_LE(port_.bytes.size(), (frame + 1) * kRate / 25 + LineBudget::burst_bytes(kRate));
   }
   EXPECT_GE(port_.bytes.size(), std::size_t{100} * kRate / 25 * 99 / 100);
 }
@@ -285,7 +285,8 @@ TEST_F(GridSenderOnALine, GivesTheCellsTwoThirdsOfTheLine) {
 TEST_F(GridSenderOnALine, IsOfANewFrame) {
   for (std::uint32_t frame = 0; frame < 100; ++frame) {
     play(frame, street(4, 400));
-    // The longest message lasts for 121 ms; it was made 40 ms before, of a frame up to 40 ms old.
+    // The longest message lasts for 121 ms, and 40 ms of the one before it are left when it is
+    // made.
     for (const Message& message : messages()) {
       EXPECT_LE(frame - message.header.frame_number, 5u);
     }

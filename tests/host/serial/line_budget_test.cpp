@@ -17,22 +17,27 @@ TEST(LineBudget, KeepsTheRateHoweverOftenItIsAsked) {
     std::uint64_t now_us = 0;
     for (; now_us < 2'000'000; now_us += step_us) {
       budget.advance(now_us, kRate);
-      ASSERT_LE(budget.bytes(), LineBudget::kBurstBytes);
+      ASSERT_LE(budget.bytes(), LineBudget::burst_bytes(kRate));
       sent += budget.bytes();
       budget.spend(budget.bytes());
     }
     const std::uint64_t carried = (now_us - step_us) * kRate / 1'000'000;
-    EXPECT_LE(sent, carried + LineBudget::kBurstBytes) << step_us;
+    EXPECT_LE(sent, carried + LineBudget::burst_bytes(kRate)) << step_us;
     EXPECT_GE(sent + 1, carried) << step_us;
   }
 }
 
+// 40 ms of 115200 baud, ten bits a byte.
+TEST(LineBudget, IsAFramePeriodAheadOfTheLineAtMost) {
+  EXPECT_EQ(LineBudget::burst_bytes(kRate), 460u);
+}
+
 TEST(LineBudget, ALongSilenceBuysOneBurstNotMore) {
-  for (const std::uint32_t rate : std::array<std::uint32_t, 2>{kRate, 400'000}) {
+  for (const std::uint32_t rate : std::array<std::uint32_t, 2>{kRate, 92'160}) {
     LineBudget budget;
     budget.advance(1'000'000'000'000, rate);
-    EXPECT_EQ(budget.bytes(), LineBudget::kBurstBytes);
-    budget.spend(LineBudget::kBurstBytes);
+    EXPECT_EQ(budget.bytes(), LineBudget::burst_bytes(rate));
+    budget.spend(budget.bytes());
     budget.advance(1'000'000'000'000, rate);
     EXPECT_EQ(budget.bytes(), 0u);
   }
