@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   tools::add_info(program);
   tools::add_tables(program);
   tools::add_vehicles(program);
+  tools::add_view(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -16,5 +16,6 @@ void add_convert(CLI::App& program);
 void add_info(CLI::App& program);
 void add_tables(CLI::App& program);
 void add_vehicles(CLI::App& program);
+void add_view(CLI::App& program);
 
 }  // namespace iog::tools

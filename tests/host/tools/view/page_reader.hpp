@@ -1,0 +1,100 @@
+// Reads the messages of a scene as the page does (docs/view.md), for the tests of tools/view.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "stream/tile.hpp"
+#include "tile_coding/decode.hpp"
+#include "tools/assembly/grid_frame.hpp"
+#include "tools/view/scene.hpp"
+
+namespace iog::tools::view {
+
+class PageReader {
+ public:
+  // Catches up with the scene; false if there is no news.
+  bool catch_up(const Scene& scene) {
+    const std::string message = scene.message_since(place_);
+    if (message.empty()) {
+      return false;
+    }
+    read(message);
+    return true;
+  }
+
+  bool has_frame = false;  // of the last message
+  bool is_key = false;
+  bool has_truth = false;
+  std::size_t tile_records = 0;
+  std::size_t points = 0;
+  std::string words;
+  std::vector<std::uint8_t> ages;
+  std::vector<std::int8_t> cells = std::vector<std::int8_t>(grid::kCellCount, 0);
+  std::vector<std::int8_t> truth = std::vector<std::int8_t>(grid::kCellCount, 0);
+
+ private:
+  static std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t count) {
+    std::uint32_t value = 0;
+    for (std::size_t i = count; i-- > 0;) {
+      value = value << 8U | static_cast<std::uint8_t>(bytes.at(at + i));
+    }
+    return value;
+  }
+
+  void read(std::string_view bytes) {
+    const std::uint32_t flags = number(bytes, 0, 4);
+    has_frame = (flags & 1U) != 0;
+    is_key = (flags & 2U) != 0;
+    has_truth = (flags & 4U) != 0;
+    tile_records = 0;
+    std::size_t at = 8 + number(bytes, 4, 4);
+    words = bytes.substr(8, at - 8);
+    if (!has_frame && !is_key) {
+      return;
+    }
+    if (is_key) {
+      cells.assign(cells.size(), 0);
+      truth.assign(truth.size(), 0);
+    }
+    ages.assign(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                bytes.begin() + static_cast<std::ptrdiff_t>(at + stream::kTileCount));
+    at += stream::kTileCount;
+    points = number(bytes, at, 4);
+    at += 4 + points * 5;
+    while (at < bytes.size()) {
+      at += read_tile(bytes, at);
+      ++tile_records;
+    }
+  }
+
+  std::size_t read_tile(std::string_view bytes, std::size_t at) {
+    auto& layer = number(bytes, at, 1) == 0 ? cells : truth;
+    const auto encoding = static_cast<tile_coding::Encoding>(number(bytes, at + 1, 1));
+    const std::size_t tile = number(bytes, at + 2, 2);
+    const std::size_t size = number(bytes, at + 4, 2);
+    std::array<std::byte, tile_coding::kTileBytes> decoded{};
+    if (size > 0) {
+      const auto payload = std::as_bytes(std::span(bytes.substr(at + 6, size)));
+      if (tile_coding::decode(encoding, payload, std::nullopt, decoded) !=
+          tile_coding::DecodeStatus::kOk) {
+        malformed = true;
+      }
+    }
+    for (std::size_t i = 0; i < decoded.size(); ++i) {
+      layer.at(cell_of_tile(tile, i)) = static_cast<std::int8_t>(decoded.at(i));
+    }
+    return 6 + size;
+  }
+
+  Scene::Place place_;
+
+ public:
+  bool malformed = false;
+};
+
+}  // namespace iog::tools::view

@@ -1,0 +1,64 @@
+#include "tools/view/recorder.hpp"
+
+#include <filesystem>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "tools/capture/pcap_reader.hpp"
+#include "tools/command/exit_status.hpp"
+
+namespace iog::tools::view {
+namespace {
+
+class RecorderTest : public testing::Test {
+ protected:
+  RecorderTest() { std::filesystem::remove_all(folder_); }
+  ~RecorderTest() override { std::filesystem::remove_all(folder_); }
+
+  std::string folder_ = testing::TempDir() + "iog_view_records";
+};
+
+TEST_F(RecorderTest, KeepsEveryMessageAsItWas) {
+  Recorder recorder(folder_, 15000);
+  recorder.take(std::vector<std::byte>(10));  // not recorded: nobody has asked
+  recorder.start();
+  std::vector<std::vector<std::byte>> messages;
+  for (std::size_t size : {1U, 100U, 1392U}) {
+    messages.emplace_back(size, static_cast<std::byte>(size));
+    recorder.take(messages.back());
+  }
+  recorder.take(std::vector<std::byte>(2000));  // longer than any message of ours
+  EXPECT_EQ(recorder.messages(), 3U);
+  EXPECT_EQ(recorder.bytes(), 1493U);
+  recorder.stop();
+  PcapReader capture(recorder.path());
+  for (const auto& message : messages) {
+    const auto datagram = capture.next();
+    ASSERT_TRUE(datagram);
+    EXPECT_EQ(datagram->payload, message);
+    EXPECT_EQ(datagram->destination.port, 15000);
+  }
+  EXPECT_FALSE(capture.next());
+}
+
+TEST_F(RecorderTest, ARecordingNeverReplacesAnother) {
+  Recorder recorder(folder_, 15000);
+  recorder.start();
+  const std::string first = recorder.path();
+  recorder.start();  // already
+  EXPECT_EQ(recorder.path(), first);
+  recorder.stop();
+  recorder.start();
+  EXPECT_NE(recorder.path(), first);
+  recorder.stop();
+}
+
+TEST_F(RecorderTest, WhereNothingCanBeWrittenItSaysSo) {
+  Recorder recorder("/dev/null/nowhere", 15000);
+  EXPECT_THROW(recorder.start(), UsageError);
+  EXPECT_FALSE(recorder.is_open());
+}
+
+}  // namespace
+}  // namespace iog::tools::view

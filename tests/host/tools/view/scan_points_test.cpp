@@ -1,0 +1,64 @@
+#include "tools/view/scan_points.hpp"
+
+#include <cmath>
+
+#include "gtest/gtest.h"
+
+#include "../drive_sample.hpp"
+#include "tools/lux/lux_scan.hpp"
+
+namespace iog::tools::view {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// A packet of one point at that angle, in degrees to the left, of the layer at +0.4 degrees.
+CapturedDatagram packet(std::uint16_t port, double angle_deg, double range_m) {
+  LuxScan scan;
+  scan.points.push_back({.layer = 2,
+                         .angle_ticks = static_cast<std::int16_t>(std::lround(angle_deg * 32)),
+                         .range_cm = static_cast<std::uint16_t>(std::lround(range_m * 100))});
+  CapturedDatagram datagram;
+  datagram.destination.port = port;
+  datagram.payload = split_lux_scan(scan).front();
+  return datagram;
+}
+
+// The mount's yaw and the point's angle add up; the rest is a right-angled triangle.
+TEST(ScanPoints, LieWhereMountAndAngleSay) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  const double flat_m = 20 * std::cos(0.4 * kPi / 180);
+  for (const double angle_deg : {-40.0, 0.0, 25.0}) {
+    std::vector<SeenPoint> points;
+    append_points(car, packet(12002, angle_deg, 20), points);  // front left, yaw 40
+    ASSERT_EQ(points.size(), 1U);
+    const double direction = (40 + angle_deg) * kPi / 180;
+    EXPECT_NEAR(points[0].x_cm, 195 + 100 * flat_m * std::cos(direction), 0.51);
+    EXPECT_NEAR(points[0].y_cm, 60 + 100 * flat_m * std::sin(direction), 0.51);
+    EXPECT_EQ(points[0].fate, vehicle::Fate::kUsed);
+  }
+}
+
+TEST(ScanPoints, CarryTheirFate) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  std::vector<SeenPoint> points;
+  append_points(car, packet(12003, 0, 60), points);
+  append_points(car, packet(12003, 0, 0.2), points);
+  append_points(car, packet(12003, 0, 0), points);  // no return: nowhere
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].fate, vehicle::Fate::kTooFar);
+  EXPECT_EQ(points[1].fate, vehicle::Fate::kTooNear);
+}
+
+TEST(ScanPoints, WhatIsNoPacketOfASensorHasNone) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  std::vector<SeenPoint> points;
+  append_points(car, packet(9999, 0, 10), points);
+  CapturedDatagram cut = packet(12003, 0, 10);
+  cut.payload.pop_back();
+  append_points(car, cut, points);
+  EXPECT_TRUE(points.empty());
+}
+
+}  // namespace
+}  // namespace iog::tools::view

@@ -1,0 +1,117 @@
+// The frames of the last minute, as they came: messages, most of which hold only the tiles that have
+// changed. A key among them is whole in itself, so any frame is at most a second of tiles away.
+
+import { LAYER_CELLS, LAYER_TRUTH, TILE_COUNT, decodeTile, forEachTile } from "./messages.js";
+
+const KEPT_MS = 60000;
+const KEPT_BYTES = 192 * 1024 * 1024;
+
+export class History {
+  constructor() {
+    this.frames = []; // {message, timeMs, status, number}: number counts all frames that came
+    this.bytes = 0;
+    this.count = 0;
+  }
+
+  add(message, timeMs) {
+    if (!message.isKey && this.frames.length === 0) {
+      return;
+    }
+    this.frames.push({ message, timeMs, status: message.status, number: this.count });
+    this.count += 1;
+    this.bytes += message.buffer.byteLength;
+    this.forget(timeMs);
+  }
+
+  // The oldest go, up to the next key, once that is old enough itself.
+  forget(nowMs) {
+    for (;;) {
+      const next = this.frames.findIndex((frame, i) => i > 0 && frame.message.isKey);
+      if (next < 0) {
+        return;
+      }
+      const isOld = nowMs - this.frames[next].timeMs > KEPT_MS;
+      if (!isOld && this.bytes < KEPT_BYTES) {
+        return;
+      }
+      for (const frame of this.frames.splice(0, next)) {
+        this.bytes -= frame.message.buffer.byteLength;
+      }
+    }
+  }
+
+  clear() {
+    this.frames = [];
+    this.bytes = 0;
+  }
+
+  get first() {
+    return this.frames.length > 0 ? this.frames[0].number : 0;
+  }
+
+  get last() {
+    return this.count - 1;
+  }
+
+  at(number) {
+    return this.frames[number - this.first];
+  }
+}
+
+// The grid of one frame: its cells, and what is drawn with them.
+export class ShownGrid {
+  constructor(side) {
+    this.cells = new Int8Array(side * side);
+    this.truth = new Int8Array(side * side);
+    this.hasTruth = false;
+    this.ages = new Uint8Array(TILE_COUNT).fill(255);
+    this.points = null;
+    this.number = -1;
+    this.frame = null;
+    this.changed = new Uint8Array(TILE_COUNT); // tiles to draw anew
+    this.version = 0; // another one: something has changed
+  }
+
+  // Shows frame `number` of the history: by the tiles that have come since the one that is shown, or
+  // from the last key.
+  show(history, number) {
+    const frame = history.at(number);
+    if (!frame || number === this.number) {
+      return;
+    }
+    const { first } = history;
+    const isAhead = this.number >= first && this.number < number;
+    const stop = isAhead ? this.number - first : -1;
+    let begin = number - first;
+    while (begin > 0 && begin - 1 > stop && !history.frames[begin].message.isKey) {
+      begin -= 1;
+    }
+    if (history.frames[begin].message.isKey) {
+      this.cells.fill(0);
+      this.truth.fill(0);
+      this.changed.fill(1);
+    }
+    this.apply(history.frames.slice(begin, number - first + 1));
+    this.hasTruth = frame.message.hasTruth;
+    this.ages = frame.message.ages;
+    this.points = frame.message.points;
+    this.number = number;
+    this.frame = frame;
+    this.version += 1;
+  }
+
+  // Newest first, each tile once.
+  apply(frames) {
+    const seen = [new Uint8Array(TILE_COUNT), new Uint8Array(TILE_COUNT)];
+    for (let i = frames.length - 1; i >= 0; --i) {
+      forEachTile(frames[i].message, (layer, tile, encoding, payload) => {
+        if (layer > LAYER_TRUTH || seen[layer][tile] !== 0) {
+          return;
+        }
+        seen[layer][tile] = 1;
+        this.changed[tile] = 1;
+        decodeTile(tile, encoding, payload, layer === LAYER_CELLS ? this.cells : this.truth);
+      });
+    }
+  }
+}

@@ -1,0 +1,118 @@
+// Colours of the grid and of all that is drawn on it. Free is blue-grey and occupied orange to red
+// (dark theme: on near black; light theme: on grey), told apart with every kind of colour vision,
+// and in grey by their lightness.
+
+const THEMES = {
+  dark: {
+    unknown: [27, 31, 37],
+    freeWeak: [62, 84, 106],
+    freeStrong: [188, 212, 228],
+    occupiedWeak: [255, 140, 30],
+    occupiedStrong: [214, 26, 8],
+    outside: "#14171b",
+    gridEdge: "#39424c",
+    ring: "rgba(128, 150, 172, 0.38)",
+    ringText: "#9fb0c0",
+    mark: "#ff9a3c",
+    carBody: "#f6f7f8",
+    carLine: "#20262d",
+    sensor: "#12b5a0",
+    view: "rgba(18, 181, 160, 0.10)",
+    viewEdge: "rgba(18, 181, 160, 0.75)",
+    truth: "#ffe14d",
+    missed: [255, 225, 77],
+    invented: [232, 83, 196],
+    agreed: [255, 255, 255],
+    leaf: "rgba(140, 160, 180, 0.32)",
+    stale: "rgba(238, 214, 120, 0.85)",
+    age: [238, 214, 120],
+    ink: "#e8ecef",
+    shade: "rgba(20, 23, 27, 0.72)",
+  },
+  light: {
+    unknown: [187, 191, 196],
+    freeWeak: [206, 217, 226],
+    freeStrong: [250, 252, 254],
+    occupiedWeak: [226, 105, 0],
+    occupiedStrong: [150, 8, 0],
+    outside: "#d8dbde",
+    gridEdge: "#8d959d",
+    ring: "rgba(60, 80, 100, 0.34)",
+    ringText: "#46535f",
+    mark: "#c44e00",
+    carBody: "#22303c",
+    carLine: "#f4f6f7",
+    sensor: "#00796b",
+    view: "rgba(0, 121, 107, 0.10)",
+    viewEdge: "rgba(0, 121, 107, 0.8)",
+    truth: "#5b3cc4",
+    missed: [91, 60, 196],
+    invented: [214, 0, 140],
+    agreed: [30, 30, 30],
+    leaf: "rgba(50, 70, 90, 0.30)",
+    stale: "rgba(112, 84, 0, 0.75)",
+    age: [150, 112, 0],
+    ink: "#15191d",
+    shade: "rgba(240, 242, 244, 0.8)",
+  },
+};
+
+// Of the fates of scan points, in the order of docs/spec.md 1.3.
+export const FATES = [
+  { name: "used", colour: { dark: "#4fd1ff", light: "#0072b2" } },
+  { name: "no return", colour: { dark: "#59636e", light: "#9aa3ab" } },
+  { name: "too near", colour: { dark: "#f0e442", light: "#a89700" } },
+  { name: "too far", colour: { dark: "#9d8cff", light: "#6a51c8" } },
+  { name: "outside band", colour: { dark: "#8ea3b5", light: "#6c7f90" } },
+  { name: "flagged", colour: { dark: "#cc79a7", light: "#b04a86" } },
+  { name: "later echo", colour: { dark: "#35d6a4", light: "#009e73" } },
+  { name: "malformed", colour: { dark: "#ff5a36", light: "#d55e00" } },
+];
+
+// Of the target's stages and of everything else that charts draw.
+export const SERIES = {
+  fuse: { dark: "#56b4e9", light: "#0072b2" },
+  mark: { dark: "#f0a030", light: "#c46a00" },
+  publish: { dark: "#35d6a4", light: "#009e73" },
+  bytes: { dark: "#8fb8d8", light: "#386f98" },
+  loss: { dark: "#ff5a36", light: "#c8321a" },
+  state: {
+    dark: ["#3a424b", "#ff5a36", "#f0c040", "#2fb59b"],
+    light: ["#aab1b8", "#c8321a", "#c99700", "#00866f"],
+  },
+};
+
+export const paletteOf = (theme) => THEMES[theme];
+
+const mixed = (a, b, t) => a.map((value, i) => Math.round(value + (b[i] - value) * t));
+
+// p_n of the recursive set.
+export const probabilityOf = (index, epsilon) =>
+  1 / (1 + ((0.5 - epsilon) / (0.5 + epsilon)) ** index);
+
+// A beam is worth -14 and a hit +2: in scale "index" colour grows with their number; in scale
+// "probability" it is that of p.
+export function colourOfIndex(theme, scale, epsilon, index) {
+  const palette = THEMES[theme];
+  if (index === 0) {
+    return palette.unknown;
+  }
+  let strength = index < 0 ? Math.sqrt(Math.min(1, -index / 56)) : Math.min(1, index / 10);
+  if (scale === "probability") {
+    strength = Math.abs(probabilityOf(index, epsilon) - 0.5) * 2;
+  }
+  return index < 0 ? mixed(palette.freeWeak, palette.freeStrong, strength)
+                   : mixed(palette.occupiedWeak, palette.occupiedStrong, strength);
+}
+
+// 256 pixels as ImageData holds them, by index as an unsigned byte.
+export function pixelTable(theme, scale, epsilon) {
+  const table = new Uint32Array(256);
+  for (let byte = 0; byte < 256; ++byte) {
+    const [red, green, blue] = colourOfIndex(theme, scale, epsilon, (byte << 24) >> 24);
+    table[byte] = (0xff000000 | (blue << 16) | (green << 8) | red) >>> 0;
+  }
+  return table;
+}
+
+export const css = ([red, green, blue], alpha = 1) => `rgba(${red}, ${green}, ${blue}, ${alpha})`;

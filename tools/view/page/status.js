@@ -1,0 +1,88 @@
+// The state of things in words: what the banner says, and what the pill says. A picture that is not
+// of now never looks as if it were.
+
+const SERVER_SILENT_MS = 2500;
+
+const seconds = (ms) => (ms < 10000 ? (ms / 1000).toFixed(1) : Math.round(ms / 1000)) + " s";
+
+// status: the newest from the server, or null. serverSilentMs: since its last message.
+export function describe(status, serverSilentMs, isConnected) {
+  if (!isConnected || serverSilentMs > SERVER_SILENT_MS) {
+    return { state: "gone", word: "no server", title: "iog view does not answer",
+             text: status ? "This is the last picture. The page tries to connect again."
+                          : "The page tries to connect." };
+  }
+  if (!status) {
+    return { state: "waiting", word: "connecting", title: "", text: "" };
+  }
+  switch (status.state) {
+    case "live":
+      return describeLive(status);
+    case "stale":
+      return { state: "stale", word: `stale for ${seconds(status.silent_ms)}`,
+               title: `Nothing has come for ${seconds(status.silent_ms)}`,
+               text: "This is the last picture, not the present one." };
+    case "incompatible":
+      return { state: "incompatible", word: "incompatible",
+               title: status.other_version ? "Another version of the stream"
+                                           : "A grid or encoding that is new to this program",
+               text: status.other_version
+                   ? `The sender does not speak version ${status.version}, which this page shows.`
+                   : "What comes cannot be shown." };
+    case "ended":
+      return { state: "ended", word: "end of recording", title: "", text: "" };
+    default:
+      return { state: "waiting", word: "waiting", title: "Waiting for a grid",
+               text: `on ${status.source}` };
+  }
+}
+
+function describeLive(status) {
+  const { frame } = status;
+  const live = { state: "live", word: "live", title: "", text: "" };
+  if (status.restarted) {
+    return { ...live, title: "The target has started anew", text: "" };
+  }
+  if (status.corrupt) {
+    return { ...live, state: "corrupt", word: "live, corrupt messages",
+             title: "Corrupt messages",
+             text: `${status.counts.corrupt + status.counts.malformed} so far; ` +
+                   "what they carried is missing here." };
+  }
+  if (status.other_version) {
+    return { ...live, state: "corrupt", word: "live, two senders?",
+             title: "Messages of another version come, too", text: "They are left out." };
+  }
+  if (frame && frame.damaged) {
+    return { ...live, state: "corrupt", word: "live, wrong grid",
+             title: "This grid is not the one that the target has hashed", text: "" };
+  }
+  if (frame && frame.complete === 0 && frame.partial === 0) {
+    return { ...live, state: "silent", word: "live, sensors silent",
+             title: "No sensor delivers", text: "The target runs and has nothing to fuse." };
+  }
+  if (frame && frame.missing_tiles > 0) {
+    return { ...live, word: "live, tiles missing" };
+  }
+  return live;
+}
+
+export function factsOf(status) {
+  const { counts, frame } = status;
+  const end = frame && frame.end;
+  const rows = [
+    ["grid CRC", end ? end.crc + (frame.whole ? (frame.damaged ? " WRONG" : " ok") : "") : "–"],
+    ["tiles known", frame ? `${frame.known_tiles} of 1024` : "–"],
+    ["tiles missing, stale", frame ? `${frame.missing_tiles}, ${frame.stale_tiles}` : "–"],
+    ["messages", counts.messages.toLocaleString("en")],
+    ["lost, late", `${counts.lost}, ${counts.late}`],
+    ["corrupt, malformed", `${counts.corrupt}, ${counts.malformed}`],
+    ["other version, not ours", `${counts.other_version}, ${counts.not_ours}`],
+    ["restarts of the target", String(counts.restarts)],
+    ["E2E channel", status.channel],
+  ];
+  if (end && end.stack_bytes > 0) {
+    rows.push(["deepest stack", `${end.stack_bytes.toLocaleString("en")} bytes`]);
+  }
+  return rows;
+}

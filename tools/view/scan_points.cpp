@@ -1,0 +1,84 @@
+#include "tools/view/scan_points.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "lidar/ibeo_lux.hpp"
+#include "lidar/velodyne_vlp16.hpp"
+#include "vehicle/compile.hpp"
+
+namespace iog::tools::view {
+namespace {
+
+constexpr double kReachM = 300;  // 16 bits of centimetres hold it
+
+class Placer {
+ public:
+  Placer(const CatalogueEntry& car, std::size_t sensor, std::vector<SeenPoint>& points)
+      : sensor_(&car.vehicle->sensors[sensor]),
+        mount_(car.sensors[sensor].mount),
+        turn_(vehicle::compile_detail::rotation_of(mount_)),
+        points_(&points) {}
+
+  template <typename Decoder>
+  void append(std::span<const std::byte> payload) {
+    Decoder decoder;
+    if (decoder.decode(payload) != lidar::DecodeStatus::kOk) {
+      return;
+    }
+    decoder.for_each_point([this](const lidar::ScanPoint& point) {
+      if (point.range_mm != 0) {
+        place(point, 2 * std::numbers::pi / Decoder::kTicksPerTurn,
+              Decoder::kElevationsDeg.at(point.layer) * std::numbers::pi / 180);
+      }
+    });
+  }
+
+ private:
+  void place(const lidar::ScanPoint& point, double tick_rad, double elevation_rad) {
+    const double azimuth_rad = point.azimuth_ticks * tick_rad;
+    const double range_m = point.range_mm / 1000.0;
+    const double forward = range_m * std::cos(elevation_rad) * std::cos(azimuth_rad);
+    const double left = range_m * std::cos(elevation_rad) * std::sin(azimuth_rad);
+    const double up = range_m * std::sin(elevation_rad);
+    const auto along = [&](double origin_m, std::size_t axis) {
+      return origin_m + forward * turn_.forward[axis] + left * turn_.left[axis] +
+             up * turn_.up[axis];
+    };
+    const double x_m = along(mount_.x_m, 0);
+    const double y_m = along(mount_.y_m, 1);
+    if (std::abs(x_m) > kReachM || std::abs(y_m) > kReachM) {
+      return;
+    }
+    const vehicle::Beam beam = vehicle::aim(*sensor_, point.layer, point.azimuth_ticks);
+    points_->push_back({.x_cm = static_cast<std::int16_t>(std::lround(x_m * 100)),
+                        .y_cm = static_cast<std::int16_t>(std::lround(y_m * 100)),
+                        .fate = vehicle::judge(*sensor_, beam, point).fate});
+  }
+
+  const vehicle::Sensor* sensor_;
+  vehicle::MountConfig mount_;
+  vehicle::compile_detail::Rotation turn_;
+  std::vector<SeenPoint>* points_;
+};
+
+}  // namespace
+
+void append_points(const CatalogueEntry& car, const CapturedDatagram& packet,
+                   std::vector<SeenPoint>& points) {
+  const std::size_t sensor = sensor_of_port(car, packet.destination.port);
+  if (sensor == car.sensors.size()) {
+    return;
+  }
+  Placer placer(car, sensor, points);
+  switch (car.sensors[sensor].format) {
+    case lidar::Format::kIbeoLux:
+      placer.append<lidar::IbeoLux>(packet.payload);
+      break;
+    case lidar::Format::kVelodyneVlp16:
+      placer.append<lidar::VelodyneVlp16>(packet.payload);
+      break;
+  }
+}
+
+}  // namespace iog::tools::view

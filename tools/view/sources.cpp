@@ -1,0 +1,201 @@
+#include "tools/view/sources.hpp"
+
+#include <chrono>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "tools/capture/capture_clock.hpp"
+#include "tools/capture/pcap_reader.hpp"
+#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/interrupt.hpp"
+#include "tools/receive/udp_receiver.hpp"
+#include "tools/replay/pace.hpp"
+#include "tools/replay/udp_sender.hpp"
+#include "tools/simulate/drive.hpp"
+#include "tools/simulate/truth.hpp"
+#include "tools/view/sensor_target.hpp"
+
+namespace iog::tools::view {
+namespace {
+
+constexpr std::chrono::milliseconds kTendEvery{50};
+
+class StreamSource : public Source {
+ public:
+  StreamSource(const std::string& address, std::uint16_t port, std::uint16_t forward_port)
+      : receiver_(address, port) {
+    if (forward_port != 0) {
+      forward_.emplace("127.0.0.1", forward_port);
+    }
+  }
+
+  void run(Viewer& viewer) override {
+    Clock::time_point last_arrival = Clock::now();
+    while (!was_interrupted()) {
+      const bool has_arrived = take(viewer);
+      const Clock::time_point now = Clock::now();
+      if (has_arrived) {
+        last_arrival = now;
+      } else if (now - last_arrival > std::chrono::milliseconds(StreamHealth::kStaleAfterMs)) {
+        viewer.note_silence();
+        last_arrival = now;
+      }
+      viewer.tend(receiver_.overflow());
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool take(Viewer& viewer) {
+    const UdpReceiver::Messages messages = receiver_.take(kTendEvery);
+    for (const std::vector<std::byte>& message : messages) {
+      if (forward_) {
+        static_cast<void>(forward_->send(0, message));
+      }
+      viewer.take(message);
+    }
+    return !messages.empty();
+  }
+
+  UdpReceiver receiver_;
+  std::optional<UdpSender> forward_;
+};
+
+class CaptureSource : public Source {
+ public:
+  explicit CaptureSource(const CaptureOptions& options)
+      : options_(options), car_(&find_vehicle(options.vehicle)), pace_(options.speed) {
+    PcapReader capture(options_.path);
+    if (!next(capture)) {
+      throw UsageError(options_.path + ": no packet for a sensor of " + options_.vehicle +
+                       ", and no grid to port " + std::to_string(options_.port));
+    }
+  }
+
+  void run(Viewer& viewer) override {
+    do {
+      play(viewer);
+    } while (options_.loops && !was_interrupted());
+    if (target_) {
+      target_->finish();
+    }
+    // The last picture stays, and says that it is the last one.
+    viewer.note_end();
+    while (!was_interrupted()) {
+      viewer.tend();
+      std::this_thread::sleep_for(kTendEvery);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_of_sensor(const CapturedDatagram& datagram) const {
+    return sensor_of_port(*car_, datagram.destination.port) < car_->sensors.size();
+  }
+
+  // The next datagram that can be shown.
+  [[nodiscard]] std::optional<CapturedDatagram> next(PcapReader& capture) const {
+    while (std::optional<CapturedDatagram> datagram = capture.next()) {
+      if (is_of_sensor(*datagram) || datagram->destination.port == options_.port) {
+        return datagram;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void play(Viewer& viewer) {
+    PcapReader capture(options_.path);
+    CaptureClock clock;
+    std::optional<CapturedDatagram> datagram = next(capture);
+    while (datagram && !was_interrupted()) {
+      now_us_ = round_start_us_ + clock.move_to(datagram->time_us);
+      datagram->time_us = now_us_;
+      pace_.wait_for(now_us_);
+      show(*datagram, viewer);
+      viewer.tend();
+      datagram = next(capture);
+    }
+    // Another round begins one frame after the last one's end.
+    round_start_us_ = now_us_ + car_->vehicle->frame_period_us;
+  }
+
+  void show(const CapturedDatagram& datagram, Viewer& viewer) {
+    if (!is_of_sensor(datagram)) {
+      viewer.take(datagram.payload);
+      return;
+    }
+    if (!target_) {
+      target_ = std::make_unique<SensorTarget>(*car_, viewer);
+    }
+    target_->take(datagram, {});
+  }
+
+  CaptureOptions options_;
+  const CatalogueEntry* car_;
+  Pace pace_;
+  std::unique_ptr<SensorTarget> target_;
+  std::uint64_t round_start_us_ = 0;
+  std::uint64_t now_us_ = 0;
+};
+
+class DriveSource : public Source {
+ public:
+  DriveSource(const std::string& scene, const std::string& vehicle, std::uint64_t seed)
+      : car_(&find_vehicle(vehicle)), scene_(&find_scene(scene)), seed_(seed), drive_(next()) {}
+
+  void run(Viewer& viewer) override {
+    const auto target = std::make_unique<SensorTarget>(*car_, viewer);  // too large for the stack
+    Pace pace(1);
+    for (std::uint64_t frame = 0; !was_interrupted(); ++frame) {
+      if (frame - first_frame_ == drive_.frame_count()) {
+        drive_ = next();
+        first_frame_ = frame;
+      }
+      pace.wait_for(frame * kFrameUs);
+      play(static_cast<std::uint32_t>(frame - first_frame_), *target);
+      viewer.tend();
+    }
+  }
+
+ private:
+  static constexpr std::uint64_t kFrameUs = 1'000'000 / Drive::kFramesPerSecond;
+
+  // Another drive, as long as one can be, with another seed.
+  [[nodiscard]] Drive next() { return {*car_, seed_++, Drive::kMaxSeconds, *scene_}; }
+
+  void play(std::uint32_t frame, SensorTarget& target) {
+    drive_.move_to(frame);
+    const std::vector<bool> truth =
+        true_occupancy(drive_.ego(), drive_.solids(), *car_->description);
+    for (CapturedDatagram& packet : drive_.datagrams()) {
+      packet.time_us += first_frame_ * kFrameUs;
+      target.take(packet, truth);
+    }
+  }
+
+  const CatalogueEntry* car_;
+  const SceneEntry* scene_;
+  std::uint64_t seed_;
+  Drive drive_;
+  std::uint64_t first_frame_ = 0;  // of this drive
+};
+
+}  // namespace
+
+std::unique_ptr<Source> make_stream_source(const std::string& address, std::uint16_t port,
+                                           std::uint16_t forward_port) {
+  return std::make_unique<StreamSource>(address, port, forward_port);
+}
+
+std::unique_ptr<Source> make_capture_source(const CaptureOptions& options) {
+  return std::make_unique<CaptureSource>(options);
+}
+
+std::unique_ptr<Source> make_drive_source(const std::string& scene, const std::string& vehicle,
+                                          std::uint64_t seed) {
+  return std::make_unique<DriveSource>(scene, vehicle, seed);
+}
+
+}  // namespace iog::tools::view

@@ -1,0 +1,50 @@
+// What the page shows in words and charts, as JSON.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tools/assembly/frame_assembler.hpp"
+#include "tools/assembly/live_grid.hpp"
+#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/view/recorder.hpp"
+#include "tools/view/stream_health.hpp"
+
+namespace iog::tools::view {
+
+// Of the frame that is shown.
+struct FrameFacts {
+  std::uint32_t number = 0;
+  std::uint64_t message_bytes = 0;  // that came since the frame before was complete
+  bool is_whole = false;
+  bool is_damaged = false;  // whole, and not the grid that the target has hashed
+  std::size_t missing_tiles = 0;
+  std::size_t stale_tiles = 0;
+  std::size_t known_tiles = 0;
+  stream::Header header{};
+  std::optional<stream::FrameEnd> end{};
+};
+
+[[nodiscard]] FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid,
+                                  std::uint64_t message_bytes);
+
+// What there is to say at one moment. Whatever it refers to lives that long.
+struct StatusParts {
+  const StreamHealth* health;
+  const FrameAssembler* assembler;
+  const Recorder* recorder;
+  const std::optional<FrameFacts>* frame;
+  std::string source;          // such as "UDP 127.0.0.1:15000"
+  std::string kind;            // "stream", "capture" or "drive"
+  std::string problem;         // of the last request of the page; empty: none
+  std::uint64_t overflow = 0;  // messages that this PC dropped
+  std::int64_t now_ms = 0;
+};
+
+[[nodiscard]] std::string status_json(const StatusParts& parts);
+
+// Mounts, fields of view, footprint. nullptr: {"name": "unknown", ...} with nothing in it.
+[[nodiscard]] std::string vehicle_json(const CatalogueEntry* car);
+
+}  // namespace iog::tools::view

@@ -1,0 +1,62 @@
+// Whether the picture is of now, and if not, why. Knows no clock: times are given, in milliseconds
+// of any steady clock.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "tools/assembly/frame_assembler.hpp"
+
+namespace iog::tools::view {
+
+enum class StreamState : std::uint8_t {
+  kWaiting,       // nothing that could be shown has ever come
+  kLive,          // the newest frame is of now
+  kStale,         // there was a picture, and nothing comes any more
+  kIncompatible,  // what comes cannot be read: another version, or another grid
+  kEnded,         // the recording is over
+};
+
+[[nodiscard]] std::string_view name_of(StreamState state);
+
+class StreamHealth {
+ public:
+  // A running target reports even silence every two frame periods, which are 110 ms at most.
+  static constexpr std::int64_t kStaleAfterMs = 500;
+  // So long something that has happened once is worth saying.
+  static constexpr std::int64_t kRecentMs = 3000;
+
+  void note_frame(std::int64_t now_ms) { last_frame_ms_ = now_ms; }
+  void note_counts(const MessageCounts& counts, std::int64_t now_ms);
+  void note_end() { has_ended_ = true; }
+
+  [[nodiscard]] StreamState state(std::int64_t now_ms) const;
+  // Since the last frame; 0 if there was none.
+  [[nodiscard]] std::int64_t silent_ms(std::int64_t now_ms) const;
+
+  [[nodiscard]] bool has_restarted_lately(std::int64_t now_ms) const;
+  [[nodiscard]] bool is_corrupt_lately(std::int64_t now_ms) const;
+  // Messages of another version, or of another grid, come or have just come.
+  [[nodiscard]] bool has_other_version_lately(std::int64_t now_ms) const;
+  [[nodiscard]] bool has_strange_grid_lately(std::int64_t now_ms) const;
+
+ private:
+  // A count, and when it grew last.
+  struct Watch {
+    std::uint64_t count = 0;
+    std::optional<std::int64_t> grown_ms{};
+
+    void note(std::uint64_t now_count, std::int64_t now_ms);
+    [[nodiscard]] bool is_recent(std::int64_t now_ms) const;
+  };
+
+  std::optional<std::int64_t> last_frame_ms_;
+  bool has_ended_ = false;
+  Watch restarts_;
+  Watch corrupt_;
+  Watch other_version_;
+  Watch not_understood_;
+};
+
+}  // namespace iog::tools::view

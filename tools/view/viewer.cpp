@@ -1,0 +1,103 @@
+#include "tools/view/viewer.hpp"
+
+#include <utility>
+
+#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/command/exit_status.hpp"
+
+namespace iog::tools::view {
+
+Viewer::Viewer(Scene& scene, Origin origin, Recorder recorder)
+    : scene_(&scene),
+      origin_(std::move(origin)),
+      recorder_(std::move(recorder)),
+      assembler_([this](GridFrame&& frame) {
+        if (is_holding_) {
+          held_.push_back(std::move(frame));
+        } else {
+          show(frame, {});
+        }
+      }) {
+  scene_->publish_status(status());
+}
+
+std::int64_t Viewer::now_ms() const {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start_).count();
+}
+
+void Viewer::take(std::span<const std::byte> datagram) {
+  recorder_.take(datagram);
+  assembler_.take(datagram);
+}
+
+void Viewer::show_next(const Surroundings& surroundings) {
+  const GridFrame frame = std::move(held_.front());
+  held_.erase(held_.begin());
+  show(frame, surroundings);
+}
+
+void Viewer::show(const GridFrame& frame, const Surroundings& surroundings) {
+  const MessageCounts& counts = assembler_.counts();
+  if (counts.restarts != restarts_) {
+    grid_.forget();
+    restarts_ = counts.restarts;
+  }
+  grid_.take(frame);
+  frame_ = facts_of(frame, grid_, counts.bytes - bytes_before_);
+  bytes_before_ = counts.bytes;
+  if (vehicle_id_ != frame.header.vehicle_id) {
+    vehicle_id_ = frame.header.vehicle_id;
+    scene_->set_vehicle(vehicle_json(vehicle_of_id(*vehicle_id_)));
+  }
+  const std::int64_t now = now_ms();
+  health_.note_frame(now);
+  health_.note_counts(counts, now);
+  last_status_ms_ = now;
+  scene_->publish_frame(grid_, surroundings, status());
+}
+
+void Viewer::obey(const std::string& request) {
+  try {
+    problem_.clear();
+    if (request == "record") {
+      recorder_.start();
+    } else if (request == "stop") {
+      recorder_.stop();
+    }
+  } catch (const UsageError& error) {
+    problem_ = error.what();
+  }
+}
+
+void Viewer::tend(std::uint64_t overflow) {
+  overflow_ = overflow;
+  const std::vector<std::string> requests = scene_->take_requests();
+  for (const std::string& request : requests) {
+    obey(request);
+  }
+  const std::int64_t now = now_ms();
+  health_.note_counts(assembler_.counts(), now);
+  if (!requests.empty() || now - last_status_ms_ >= kStatusEveryMs) {
+    last_status_ms_ = now;
+    scene_->publish_status(status());
+  }
+}
+
+void Viewer::note_end() {
+  health_.note_end();
+  scene_->publish_status(status());
+}
+
+std::string Viewer::status() const {
+  return status_json({.health = &health_,
+                      .assembler = &assembler_,
+                      .recorder = &recorder_,
+                      .frame = &frame_,
+                      .source = origin_.words,
+                      .kind = origin_.kind,
+                      .problem = problem_,
+                      .overflow = overflow_,
+                      .now_ms = now_ms()});
+}
+
+}  // namespace iog::tools::view

@@ -1,0 +1,80 @@
+// From the messages of a target to a scene: puts frames together, keeps what is known of the grid,
+// judges whether it is of now, and records when a page asks for it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/assembly/frame_assembler.hpp"
+#include "tools/assembly/live_grid.hpp"
+#include "tools/view/recorder.hpp"
+#include "tools/view/scene.hpp"
+#include "tools/view/status.hpp"
+#include "tools/view/stream_health.hpp"
+
+namespace iog::tools::view {
+
+// Where the messages come from, for the eye.
+struct Origin {
+  std::string kind;  // "stream", "capture" or "drive"
+  std::string words;
+};
+
+class Viewer {
+ public:
+  // The scene outlives the viewer.
+  Viewer(Scene& scene, Origin origin, Recorder recorder);
+
+  // One datagram of the stream, of whatever bytes. Its frame is shown as soon as it is complete,
+  // unless frames are being held back.
+  void take(std::span<const std::byte> datagram);
+
+  // From now on frames wait until they are shown with what surrounds them.
+  void hold_frames() { is_holding_ = true; }
+  [[nodiscard]] std::size_t held_frames() const { return held_.size(); }
+  void show_next(const Surroundings& surroundings);
+
+  // From time to time, at least ten times a second: does what pages have asked for and says how
+  // things stand while nothing comes. overflow: messages that this PC had to drop so far.
+  void tend(std::uint64_t overflow = 0);
+
+  // Nothing has come for longer than a running target is silent.
+  void note_silence() { assembler_.note_silence(); }
+  // The recording is over.
+  void note_end();
+
+  // Ends a recording in good order. UsageError if that is not possible.
+  void finish() { recorder_.stop(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::int64_t kStatusEveryMs = 200;
+
+  [[nodiscard]] std::int64_t now_ms() const;
+  void show(const GridFrame& frame, const Surroundings& surroundings);
+  void obey(const std::string& request);
+  [[nodiscard]] std::string status() const;
+
+  Scene* scene_;
+  Origin origin_;
+  Recorder recorder_;
+  FrameAssembler assembler_;
+  LiveGrid grid_;
+  StreamHealth health_;
+  std::optional<FrameFacts> frame_;
+  std::vector<GridFrame> held_;
+  bool is_holding_ = false;
+  std::optional<std::uint32_t> vehicle_id_;
+  std::string problem_;
+  std::uint64_t restarts_ = 0;
+  std::uint64_t bytes_before_ = 0;
+  std::uint64_t overflow_ = 0;
+  std::int64_t last_status_ms_ = 0;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace iog::tools::view
