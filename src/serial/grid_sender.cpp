@@ -4,7 +4,7 @@
 
 namespace iog::serial {
 
-static_assert(sizeof(GridSender) < 66 * 1024);
+static_assert(sizeof(GridSender) < 66'000);
 
 namespace {
 

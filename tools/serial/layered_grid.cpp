@@ -39,10 +39,9 @@ void LayeredGrid::forget() {
   newest_seen_.reset();
 }
 
-const std::optional<ToldTile>& LayeredGrid::cells_of(std::size_t tile) const {
-  static const std::optional<ToldTile> kNothing;
+std::optional<ToldTile> LayeredGrid::cells_of(std::size_t tile) const {
   const auto cells = layers_.find(0);
-  return cells == layers_.end() ? kNothing : cells->second.at(tile);
+  return cells == layers_.end() ? std::nullopt : cells->second.at(tile);
 }
 
 GridFrame LayeredGrid::composed(std::uint64_t max_age_us) const {

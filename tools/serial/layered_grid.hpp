@@ -38,7 +38,7 @@ class LayeredGrid {
   [[nodiscard]] const std::optional<stream::Header>& newest_seen() const { return newest_seen_; }
 
   // A tile of cells; nothing if it was never told of.
-  [[nodiscard]] const std::optional<ToldTile>& cells_of(std::size_t tile) const;
+  [[nodiscard]] std::optional<ToldTile> cells_of(std::size_t tile) const;
 
   // How much older than the newest frame it is.
   [[nodiscard]] std::uint64_t age_us(const ToldTile& tile) const {

@@ -139,7 +139,7 @@ class SerialReception {
     TimeStatistics ages;
     std::size_t known = 0;
     for (std::size_t tile = 0; tile < stream::kTileCount && link_.grid().newest(); ++tile) {
-      const auto& told = link_.grid().cells_of(tile);
+      const auto told = link_.grid().cells_of(tile);
       if (told && told->cells) {
         ++known;
         ages.add(static_cast<double>(link_.grid().age_us(*told)) / 1000);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
+#include <vector>
 
 #include "fakes/random.hpp"
 
@@ -55,14 +56,8 @@ class CoarseLevelsOf : public testing::Test {
     return tile;
   }
 
-  // Static: the images of the Cortex-A9 have small stacks.
-  static inline CoarseLevels levels_;
-  static inline std::array<Tile, stream::kTileCount> tiles_;
-
-  CoarseLevelsOf() {
-    levels_.clear();
-    tiles_ = {};
-  }
+  CoarseLevels levels_;
+  std::vector<Tile> tiles_ = std::vector<Tile>(stream::kTileCount);
 };
 
 TEST_F(CoarseLevelsOf, AnyGridAreTheHighestIndexesBelow) {

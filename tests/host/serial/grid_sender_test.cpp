@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <map>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "fakes/random.hpp"
@@ -129,15 +129,13 @@ class GridSenderOnALine : public testing::Test {
     return grid;
   }
 
-  static inline std::optional<GridSender> sender_;
+  std::unique_ptr<GridSender> sender_ = std::make_unique<GridSender>();
   FakePort port_;
   std::uint8_t sensors_ = 1;  // that take part
   std::uint64_t now_us_ = 5000;
   std::array<std::byte, 1500> buffer_{};
   framing::CobsDecoder cobs_{buffer_};
   protection::Receiver receiver_{stream::kSerialChannel};
-
-  GridSenderOnALine() { sender_.emplace(); }
 };
 
 TEST_F(GridSenderOnALine, IsSilentBeforeTheFirstFrame) {
