@@ -8,6 +8,8 @@ import select
 import subprocess
 import time
 
+import png
+
 FLAGS = ["--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-gpu",
          "--hide-scrollbars", "--mute-audio", "--disable-background-networking",
          "--disable-component-update", "--disable-default-apps", "--disable-extensions",
@@ -69,11 +71,12 @@ class Browser:
                 return answer["result"]
             self._events.append(answer)
 
-    def events(self) -> list[dict]:
-        """What has been reported since the last call, without being asked for."""
+    def events(self, session: str) -> list[dict]:
+        """What a page has reported since the last call, without being asked for."""
         while (event := self._next(time.monotonic())) is not None:
             self._events.append(event)
-        events, self._events = self._events, []
+        events = [event for event in self._events if event.get("sessionId") == session]
+        self._events = [event for event in self._events if event.get("sessionId") != session]
         return events
 
     def _next(self, deadline: float) -> dict | None:
@@ -89,7 +92,7 @@ class Browser:
     def open(self, address: str, width: int = 1366, height: int = 768, dark: bool = True) -> "Page":
         target = self.ask("Target.createTarget", url="about:blank")["targetId"]
         session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        page = Page(self, session)
+        page = Page(self, session, target)
         page.ask("Page.enable")
         page.ask("Runtime.enable")
         page.ask("Log.enable")
@@ -104,13 +107,17 @@ class Browser:
 class Page:
     """A tab of the browser."""
 
-    def __init__(self, browser: Browser, session: str):
+    def __init__(self, browser: Browser, session: str, target: str):
         self._browser = browser
         self._session = session
+        self._target = target
         self._complaints: list[str] = []
 
     def ask(self, method: str, **parameters) -> dict:
         return self._browser.ask(method, self._session, **parameters)
+
+    def close(self) -> None:
+        self._browser.ask("Target.closeTarget", targetId=self._target)
 
     def value(self, expression: str):
         """Of a JavaScript expression, which may be a promise."""
@@ -128,7 +135,7 @@ class Page:
 
     def complaints(self) -> list[str]:
         """Errors and warnings of the console, and exceptions that nobody caught."""
-        for event in self._browser.events():
+        for event in self._browser.events(self._session):
             details = event.get("params", {})
             match event.get("method"):
                 case "Runtime.exceptionThrown":
@@ -155,5 +162,14 @@ class Page:
                      clickCount=1)
 
     def screenshot(self, path: pathlib.Path) -> None:
-        answer = self.ask("Page.captureScreenshot", format="png")
-        path.write_bytes(base64.b64decode(answer["data"]))
+        path.write_bytes(self._picture())
+
+    def pixel(self, column: float, row: float) -> tuple[int, int, int]:
+        """The colour of a place on the page, as it is seen."""
+        data = self._picture(clip={"x": int(column), "y": int(row), "width": 1, "height": 1,
+                                   "scale": 1})
+        return png.Picture(data).at(0, 0)
+
+    def _picture(self, **parameters) -> bytes:
+        answer = self.ask("Page.captureScreenshot", format="png", **parameters)
+        return base64.b64decode(answer["data"])

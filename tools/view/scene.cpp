@@ -134,8 +134,7 @@ std::string Scene::message_since(Place& place) const {
     return {};
   }
   const bool has_frame = frame_update_ > place.update;
-  const bool is_key =
-      place.update == 0 || (has_frame && place.frames_since_key + 1 >= kFramesPerKey);
+  const bool is_key = has_frame && place.frames_to_key == 0;
   const std::string words =
       R"({"status":)" + status_ + (is_key ? R"(,"vehicle":)" + vehicle_ : "") + "}";
   std::string message;
@@ -144,7 +143,7 @@ std::string Scene::message_since(Place& place) const {
   append(message, flags);
   append(message, static_cast<std::uint32_t>(words.size()));
   message += words;
-  if (has_frame || is_key) {
+  if (has_frame) {
     append_bytes(message, std::as_bytes(std::span(ages_)));
     append_points(message, points_);
     append_tiles(cells_, kCellLayer, place, is_key, message);
@@ -152,7 +151,9 @@ std::string Scene::message_since(Place& place) const {
       append_tiles(truth_, kTruthLayer, place, is_key, message);
     }
   }
-  place.frames_since_key = is_key ? 0 : place.frames_since_key + (has_frame ? 1 : 0);
+  if (has_frame) {
+    place.frames_to_key = (is_key ? kFramesPerKey : place.frames_to_key) - 1;
+  }
   place.update = update_;
   return message;
 }

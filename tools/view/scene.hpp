@@ -32,7 +32,7 @@ class Scene {
   // What a page has seen. A new page begins with the default.
   struct Place {
     std::uint64_t update = 0;
-    std::uint32_t frames_since_key = 0;
+    std::uint32_t frames_to_key = 0;
   };
 
   // Called after each publication, by the thread that publishes.

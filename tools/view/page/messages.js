@@ -37,7 +37,7 @@ export function readMessage(buffer) {
     tilesAt: buffer.byteLength,
   };
   let at = 8 + wordBytes;
-  if (result.hasFrame || result.isKey) {
+  if (result.hasFrame) {
     result.ages = new Uint8Array(buffer, at, TILE_COUNT);
     at += TILE_COUNT;
     const count = view.getUint32(at, true);

@@ -54,7 +54,7 @@ class PageReader {
     tile_records = 0;
     std::size_t at = 8 + number(bytes, 4, 4);
     words = bytes.substr(8, at - 8);
-    if (!has_frame && !is_key) {
+    if (!has_frame) {
       return;
     }
     if (is_key) {

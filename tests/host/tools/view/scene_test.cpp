@@ -78,6 +78,16 @@ TEST_F(SceneTest, WordsAloneBringNeitherFrameNorTiles) {
   EXPECT_TRUE(shows_the_grid(page));
 }
 
+TEST_F(SceneTest, TheFirstFrameThatAPageSeesIsWholeWhateverWordsCameBefore) {
+  PageReader page;
+  scene_->publish_status("{}");
+  page.catch_up(*scene_);
+  EXPECT_FALSE(page.has_frame);
+  next_frame();
+  page.catch_up(*scene_);
+  EXPECT_TRUE(page.has_frame && page.is_key);
+}
+
 TEST_F(SceneTest, AFrameThatAPageHasNotSeenComesWithLaterWords) {
   PageReader page;
   next_frame();

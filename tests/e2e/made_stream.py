@@ -1,0 +1,105 @@
+"""A target that is made by hand: whatever grid is wanted, sent as docs/spec.md section 3 says."""
+
+import socket
+import struct
+import zlib
+
+import grid_stream
+import protected_message
+
+SIDE = 1024
+TILE = 32
+FRAME_US = 40_000
+
+
+class Grid:
+    """Occupancy indexes by cell; what is not set is unknown."""
+
+    def __init__(self):
+        self.tiles: dict[int, bytearray] = {}
+
+    def set(self, x: int, y: int, index: int) -> None:
+        tile = self.tiles.setdefault(y // TILE * (SIDE // TILE) + x // TILE, bytearray(TILE * TILE))
+        tile[y % TILE * TILE + x % TILE] = index & 0xFF
+
+    def fill(self, xs: range, ys: range, index: int) -> None:
+        for y in ys:
+            for x in xs:
+                self.set(x, y, index)
+
+    @property
+    def crc(self) -> int:
+        crc = 0
+        for number, cells in sorted(self.tiles.items()):
+            if any(cells):
+                place = struct.pack(">HH", number % (SIDE // TILE), number // (SIDE // TILE))
+                crc = zlib.crc32(place + cells, crc)
+        return crc
+
+
+class Target:
+    """Sends frames to a UDP port of this PC. A new one counts everything from 0, as after a reset."""
+
+    def __init__(self, port: int, vehicle: str = "reference_car"):
+        self._to = ("127.0.0.1", port)
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._vehicle = zlib.crc32(vehicle.encode())
+        self.messages = 0
+        self.frames = 0
+
+    def messages_of(self, grid: Grid, points_used: int = 0) -> list[bytes]:
+        """The next frame's."""
+        known = sorted(number for number, cells in grid.tiles.items() if any(cells))
+        bodies = []
+        first = 0
+        for i, number in enumerate(known):
+            end = known[i + 1] if i + 1 < len(known) else grid_stream.TILE_COUNT
+            record = struct.pack(">HBH", number, 0, TILE * TILE) + grid.tiles[number]
+            bodies.append((grid_stream.TILES, self._tiles_header(first, end, 1) + record))
+            first = end
+        if not known:
+            bodies.append((grid_stream.TILES, self._tiles_header(0, grid_stream.TILE_COUNT, 0)))
+        bodies.append((grid_stream.FRAME_END, self._end(len(known), grid.crc, points_used)))
+        messages = []
+        for kind, body in bodies:
+            content = self._header(kind, points_used) + body
+            messages.append(protected_message.protect(content, self.messages))
+            self.messages += 1
+        self.frames += 1
+        return messages
+
+    def send(self, grid: Grid, points_used: int = 0) -> None:
+        for message in self.messages_of(grid, points_used):
+            self.send_bytes(message)
+
+    def send_bytes(self, datagram: bytes) -> None:
+        self._socket.sendto(datagram, self._to)
+
+    @property
+    def _closed_us(self) -> int:
+        return (self.frames + 1) * FRAME_US
+
+    def _header(self, kind: int, points_used: int) -> bytes:
+        return struct.pack(">BBHIIQIBBBBIIII", kind, 0, grid_stream.HEADER_BYTES, self.messages,
+                           self.frames, self._closed_us, self._vehicle, 4, 0b1111, 0, 0,
+                           points_used, 0, 4, 0)
+
+    @staticmethod
+    def _tiles_header(first: int, end: int, count: int) -> bytes:
+        return struct.pack(">HHHBBHHHHii", first, end, count, 5, 0, SIDE, SIDE, 100, 0, -51200,
+                           -51200)
+
+    def _end(self, tiles: int, crc: int, points_used: int) -> bytes:
+        stages, fates, causes = (3, 8, 8)
+        head = struct.pack(">IIIIQIBBBB", tiles, 0, crc, 2048, self._closed_us - FRAME_US,
+                           1_000_000, stages, fates, causes, 0)
+        counts = struct.pack(">3I8I8I", 3000, 40, 1500, points_used, *([0] * 15))
+        sensor = struct.pack(">BxHHxxII", grid_stream.COMPLETE, 0, 1, points_used // 4, self.frames)
+        return head + counts + b"\x10\0\0\0" + sensor * 4
+
+
+def of_version(message: bytes, version: int) -> bytes:
+    """The same message as another version of the format would send it, with the right CRC."""
+    changed = message[:13] + bytes((version,)) + message[14:]
+    crc = protected_message.crc32_p4(protected_message.protected_part(changed))
+    return changed[:24] + struct.pack(">I", crc) + changed[28:]

@@ -1,0 +1,115 @@
+"""`iog view`, running, and what its page says."""
+
+import pathlib
+import re
+import socket
+import subprocess
+
+from browser import Page
+
+SIDE = 1024
+CELL_M = 0.1
+
+
+def free_port() -> int:
+    """A UDP port of this PC that nobody has right now."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Viewer:
+    """The process. Use it in a `with` statement, or it stays."""
+
+    def __init__(self, iog: str, *options: str):
+        self._process = subprocess.Popen([iog, "view", "--http", "0", *options],
+                                         stdout=subprocess.PIPE, text=True)
+        line = self._process.stdout.readline()
+        found = re.match(r"Look at (http://127\.0\.0\.1:(\d+)/)$", line)
+        assert found, f"iog view says {line!r}"
+        self.address = found.group(1)
+        self.port = int(found.group(2))
+
+    def __enter__(self) -> "Viewer":
+        return self
+
+    def __exit__(self, *_) -> None:
+        self.stop()
+
+    def stop(self) -> int:
+        self._process.terminate()
+        return self._process.wait(20)
+
+    @property
+    def memory_bytes(self) -> int:
+        return resident_bytes(self._process.pid)
+
+
+def resident_bytes(process: int) -> int:
+    status = pathlib.Path(f"/proc/{process}/status").read_text()
+    return int(re.search(r"^VmRSS:\s+(\d+) kB", status, re.M).group(1)) * 1024
+
+
+class GridPage:
+    """The page, in the words of somebody who looks at it."""
+
+    def __init__(self, page: Page):
+        self.page = page
+        page.wait_for("window.iogPage && iogPage.status")
+
+    def text(self, element: str) -> str:
+        """What can be read there; nothing where it is hidden."""
+        return self.page.value(f"document.getElementById('{element}').innerText")
+
+    @property
+    def banner(self) -> str:
+        return " ".join(self.text("banner").split())
+
+    @property
+    def state(self) -> str:
+        return self.text("state-word")
+
+    def wait_for_state(self, words: str) -> None:
+        self.page.wait_for(f"document.getElementById('state-word').textContent.includes('{words}')")
+
+    def wait_for_banner(self, words: str) -> None:
+        self.page.wait_for("!document.getElementById('banner').hidden && "
+                           f"document.getElementById('banner').textContent.includes('{words}')")
+
+    def wait_for_frame(self, number: int) -> None:
+        """Until this frame of the target is the one that is shown."""
+        self.page.wait_for("iogPage.grid.frame && "
+                           f"iogPage.grid.frame.status.frame.number === {number}")
+
+    def wait_for_fact(self, name: str, value: str) -> None:
+        self.page.wait_for("[...document.querySelectorAll('.facts dt')]"
+                           f".find((term) => term.textContent === '{name}')"
+                           f".nextSibling.textContent === '{value}'")
+
+    def place_of(self, x: int, y: int) -> tuple[float, float]:
+        """Where the middle of a cell is on the page: x of the car points up, y to the left."""
+        left, top, width, height = self.page.value(
+            "(({x, y, width, height}) => [x, y, width, height])"
+            "(document.getElementById('grid').getBoundingClientRect())")
+        scale, centre_x, centre_y = self.page.value(
+            "[iogPage.view.pixelsPerMetre, iogPage.view.centre.x, iogPage.view.centre.y]")
+        x_m = (x + 0.5 - SIDE / 2) * CELL_M
+        y_m = (y + 0.5 - SIDE / 2) * CELL_M
+        return (left + width / 2 - (y_m - centre_y) * scale,
+                top + height / 2 - (x_m - centre_x) * scale)
+
+    def hover(self, x: int, y: int) -> str:
+        """What is said of that cell."""
+        self.page.move_to(*self.place_of(x, y))
+        self.page.wait_for(f"document.getElementById('hover').dataset.cell === '{x},{y}'")
+        return " ".join(self.text("hover").split())
+
+    def index_at(self, x: int, y: int) -> int:
+        return int(re.search(r"index (-?\d+)", self.hover(x, y)).group(1))
+
+    def colour_at(self, x: int, y: int) -> tuple[int, int, int]:
+        return self.page.pixel(*self.place_of(x, y))
+
+    def switch_overlays_off(self) -> None:
+        for name in self.page.value("[...iogPage.view.overlays]"):
+            self.page.click(f'[data-overlay="{name}"]')
