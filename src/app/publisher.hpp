@@ -81,7 +81,7 @@ class Publisher {
     const auto encoded =
         encoder_.encode(cell_bytes(), references_.usable(tile, frame_number), payload_);
     if (stream::stands_by_itself(encoded.encoding)) {
-      references_.keep(tile, cell_bytes(), frame_number);
+      references_.keep(tile, cell_bytes(), frame_number, encoded.bytes);
     }
     append_or_send(tile, encoded.encoding, std::span(payload_).first(encoded.bytes), end, send);
   }

@@ -4,9 +4,11 @@
 
 namespace iog::stream {
 
-void References::keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number) {
+void References::keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
+                      std::size_t payload_bytes) {
   std::ranges::copy(cells, cells_[tile].begin());
   frame_numbers_[tile] = frame_number;
+  payload_bytes_[tile] = static_cast<std::uint16_t>(payload_bytes);
   is_kept_[tile] = true;
 }
 
@@ -14,7 +16,8 @@ std::optional<tile_coding::Reference> References::find(std::size_t tile) const {
   if (!is_kept_[tile]) {
     return std::nullopt;
   }
-  return tile_coding::Reference{.cells = cells_[tile], .frame_number = frame_numbers_[tile]};
+  return tile_coding::Reference{
+      .cells = cells_[tile], .frame_number = frame_numbers_[tile], .bytes = payload_bytes_[tile]};
 }
 
 std::optional<tile_coding::Reference> References::usable(std::size_t tile,

@@ -24,7 +24,9 @@ inline constexpr std::uint32_t kMaxReferenceAge = 7;  // frames
 
 class References {
  public:
-  void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number);
+  // payload_bytes: in which it was sent.
+  void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
+            std::size_t payload_bytes);
 
   // What is kept of a tile, if anything.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
@@ -40,6 +42,7 @@ class References {
  private:
   std::array<std::array<std::byte, kTileBytes>, kTileCount> cells_{};
   std::array<std::uint32_t, kTileCount> frame_numbers_{};
+  std::array<std::uint16_t, kTileCount> payload_bytes_{};
   std::bitset<kTileCount> is_kept_;
 };
 

@@ -15,35 +15,43 @@ constexpr std::size_t index_of(Encoding encoding) { return static_cast<std::size
 
 EncodedTile Encoder::encode(TileCells cells, const std::optional<Reference>& reference,
                             MutableTileCells payload) {
-  survey(cells, reference);
-  const auto shortest = std::ranges::min_element(sizes_) - sizes_.begin();
-  const auto encoding = static_cast<Encoding>(shortest);
+  survey_since(cells, reference);
+  Encoding encoding = Encoding::kChangedSince;
+  if (!reference || sizes_[index_of(encoding)] > reference->bytes) {
+    survey_alone(cells);
+    encoding = static_cast<Encoding>(std::ranges::min_element(sizes_) - sizes_.begin());
+  }
   return {.encoding = encoding, .bytes = write(encoding, cells, reference, payload)};
 }
 
 EncodedTile Encoder::encode_as(Encoding encoding, TileCells cells,
                                const std::optional<Reference>& reference,
                                MutableTileCells payload) {
-  survey(cells, reference);
+  survey_since(cells, reference);
+  survey_alone(cells);
   const bool is_shorter = sizes_[index_of(encoding)] < kTileBytes;
   const Encoding chosen = is_shorter ? encoding : Encoding::kRaw;
   return {.encoding = chosen, .bytes = write(chosen, cells, reference, payload)};
 }
 
-void Encoder::survey(TileCells cells, const std::optional<Reference>& reference) {
+// Both need the changes; this one comes first.
+void Encoder::survey_since(TileCells cells, const std::optional<Reference>& reference) {
   changes_.mark_changes(cells);
-  runs_.find(cells, changes_);
-  steps_.mark_steps(cells);
-  quadtree_.find(changes_, steps_);
-  sizes_[index_of(Encoding::kRaw)] = kTileBytes;
-  sizes_[index_of(Encoding::kRunLength)] = runs_.coded_bytes();
-  sizes_[index_of(Encoding::kQuadtree)] = quadtree_.coded_bytes(runs_.palette().values().size());
   sizes_[index_of(Encoding::kChangedSince)] = kTileBytes;
   if (reference) {
     differences_.mark_differences(cells, reference->cells);
     runs_since_.find(cells, changes_, differences_);
     sizes_[index_of(Encoding::kChangedSince)] = kFrameNumberBytes + runs_since_.coded_bytes();
   }
+}
+
+void Encoder::survey_alone(TileCells cells) {
+  steps_.mark_steps(cells);
+  runs_.find(cells, changes_);
+  quadtree_.find(changes_, steps_);
+  sizes_[index_of(Encoding::kRaw)] = kTileBytes;
+  sizes_[index_of(Encoding::kRunLength)] = runs_.coded_bytes();
+  sizes_[index_of(Encoding::kQuadtree)] = quadtree_.coded_bytes(runs_.palette().values().size());
 }
 
 std::size_t Encoder::write(Encoding encoding, TileCells cells,

@@ -30,6 +30,7 @@ inline constexpr std::size_t kEncodingCount = 4;
 struct Reference {
   TileCells cells;
   std::uint32_t frame_number;
+  std::size_t bytes = 0;  // of its payload, when it was sent
 };
 
 struct EncodedTile {
@@ -42,7 +43,10 @@ class Encoder {
  public:
   using Sizes = std::array<std::size_t, kEncodingCount>;
 
-  // Writes the shortest encoding, the first of equally short ones. No cell is -128.
+  // Writes the shortest encoding, the first of equally short ones. No cell is -128. What has
+  // changed since the reference is taken at once if it is not longer than the reference's own
+  // payload was: what the tile would take by itself now is hardly less, and finding it takes half
+  // of the time.
   [[nodiscard]] EncodedTile encode(TileCells cells, const std::optional<Reference>& reference,
                                    MutableTileCells payload);
 
@@ -52,12 +56,13 @@ class Encoder {
                                       const std::optional<Reference>& reference,
                                       MutableTileCells payload);
 
-  // What each encoding of the last tile took or would have taken; without a reference the last one
-  // is that of a raw tile.
+  // What each encoding of the last tile took or would have taken, if it was not taken at once;
+  // without a reference the last one is that of a raw tile.
   [[nodiscard]] const Sizes& sizes() const { return sizes_; }
 
  private:
-  void survey(TileCells cells, const std::optional<Reference>& reference);
+  void survey_since(TileCells cells, const std::optional<Reference>& reference);
+  void survey_alone(TileCells cells);
   [[nodiscard]] std::size_t write(Encoding encoding, TileCells cells,
                                   const std::optional<Reference>& reference,
                                   MutableTileCells payload);

@@ -214,7 +214,7 @@ bool FrameAssembler::decode_tile(const stream::TileRecord& record, GridFrame& fr
       return false;
   }
   if (stream::stands_by_itself(record.encoding)) {
-    references_->keep(record.tile, cells, frame.header.frame_number);
+    references_->keep(record.tile, cells, frame.header.frame_number, record.payload.size());
   }
   for (std::size_t i = 0; i < cells.size(); ++i) {
     frame.cells[cell_of_tile(record.tile, i)] = static_cast<index::OccupancyIndex>(cells[i]);

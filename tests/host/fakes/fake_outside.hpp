@@ -91,7 +91,7 @@ class FakeOutside {
         continue;
       }
       if (stream::stands_by_itself(record.encoding)) {
-        references_->keep(record.tile, cells, header.frame_number);
+        references_->keep(record.tile, cells, header.frame_number, record.payload.size());
       }
       paste(record.tile, cells);
     }

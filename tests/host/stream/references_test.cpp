@@ -17,12 +17,13 @@ std::array<std::byte, kTileBytes> tile_of(int value) {
 TEST(References, KeepTheLastOfEachTile) {
   const auto references = std::make_unique<References>();
   EXPECT_FALSE(references->find(3).has_value());
-  references->keep(3, tile_of(1), 10);
-  references->keep(4, tile_of(2), 11);
-  references->keep(3, tile_of(5), 12);
+  references->keep(3, tile_of(1), 10, 5);
+  references->keep(4, tile_of(2), 11, 6);
+  references->keep(3, tile_of(5), 12, 7);
   const auto kept = references->find(3);
   ASSERT_TRUE(kept.has_value());
   EXPECT_EQ(kept->frame_number, 12U);
+  EXPECT_EQ(kept->bytes, 7U);
   EXPECT_TRUE(std::ranges::equal(kept->cells, tile_of(5)));
   references->forget();
   EXPECT_FALSE(references->find(3).has_value());
@@ -34,7 +35,7 @@ TEST(References, NoneIsUsableThatIsOlderThanSevenFrames) {
   for (const std::uint32_t first : {100U, 0xFFFFFFFCU}) {
     for (std::size_t tile = 0; tile < 16; ++tile) {
       const auto references = std::make_unique<References>();
-      references->keep(tile, tile_of(1), first);
+      references->keep(tile, tile_of(1), first, 5);
       for (std::uint32_t age = 0; age < 20; ++age) {
         if (references->usable(tile, first + age)) {
           ASSERT_LE(age, 7U);
@@ -49,7 +50,7 @@ TEST(References, TilesTakeTurnsToStandByThemselves) {
   const auto references = std::make_unique<References>();
   for (std::uint32_t frame = 50; frame < 58; ++frame) {
     for (std::size_t tile = 0; tile < kTileCount; ++tile) {
-      references->keep(tile, tile_of(1), frame - 1);
+      references->keep(tile, tile_of(1), frame - 1, 5);
     }
     std::size_t alone = 0;
     for (std::size_t tile = 0; tile < kTileCount; ++tile) {

@@ -73,6 +73,25 @@ TEST(Quadtree, ASingleCellIsAPathOfSplitBlocks) {
                       0b0'00'00'000}));
 }
 
+// As long as what has changed takes no more than the reference did, nothing else is tried.
+TEST(ChangedSince, IsTakenAtOnceUpToTheBytesOfItsReference) {
+  tests::Random random(96);
+  const auto encoder = std::make_unique<Encoder>();
+  const Tile before = noise(random, 3);
+  Tile tile = flat_tile(5);
+  tile.at(17) = std::byte{6};
+  std::array<std::byte, kTileBytes> payload{};
+  Reference reference{.cells = before, .frame_number = 7};
+  EXPECT_NE(encoder->encode(tile, reference, payload).encoding, Encoding::kChangedSince);
+  const std::size_t bytes = encoder->sizes().at(3);
+  reference.bytes = bytes - 1;
+  EXPECT_NE(encoder->encode(tile, reference, payload).encoding, Encoding::kChangedSince);
+  reference.bytes = bytes;
+  const EncodedTile encoded = encoder->encode(tile, reference, payload);
+  EXPECT_EQ(encoded.encoding, Encoding::kChangedSince);
+  EXPECT_EQ(encoded.bytes, bytes);
+}
+
 TEST(ChangedSince, AnUnchangedTileIsOneRun) {
   const Tile tile = checkerboard(1, 2);
   const Reference reference{.cells = tile, .frame_number = 0x01020304};
