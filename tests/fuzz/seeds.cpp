@@ -123,6 +123,8 @@ void add_stream_seeds(Seeds& seeds) {
   const Bytes second = tiles_content(6, tile_coding::Encoding::kChangedSince, since);
   seeds.add("stream_message", first);
   seeds.add("stream_message", end_content(5));
+  seeds.add("serial_line",
+            joined(piece_of(first), piece_of(tiles_content(6, tile_coding::Encoding::kRaw, raw))));
   seeds.add("frame_assembler", joined(joined(piece_of(first), piece_of(end_content(5))),
                                       joined(piece_of(second), piece_of(end_content(6)))));
 }
