@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   tools::add_fuse(program);
   tools::add_replay(program);
   tools::add_receive(program);
+  tools::add_record(program);
   tools::add_convert(program);
   tools::add_info(program);
   tools::add_tables(program);

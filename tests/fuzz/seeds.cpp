@@ -12,6 +12,7 @@
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
 #include "tools/capture/pcap_writer.hpp"
+#include "tools/mcap/writer.hpp"
 
 namespace iog::fuzz {
 namespace {
@@ -91,6 +92,19 @@ void add_network_seeds(Seeds& seeds) {
   writer.finish();
 }
 
+void add_mcap_seeds(Seeds& seeds) {
+  using tools::mcap::Compression;
+  for (const Compression compression : {Compression::kNone, Compression::kZstd}) {
+    tools::mcap::Writer writer(seeds.next_path("mcap_file"), "ros2", compression);
+    const std::uint16_t schema = writer.add_schema({"a/msg/B", "ros2msg", "uint8 c"});
+    const std::uint16_t channel = writer.add_channel({schema, "/d", "cdr", {{"e", "f"}}});
+    for (std::uint64_t second = 1; second < 4; ++second) {
+      writer.write(channel, {.log_ns = second * 1'000'000'000}, Bytes(10));
+    }
+    writer.finish("g", {{"h", "i"}});
+  }
+}
+
 Bytes end_content(std::uint32_t frame_number) {
   Bytes head(stream::kHeaderBytes);
   static_cast<void>(stream::write_header({.type = stream::MessageType::kFrameEnd,
@@ -166,6 +180,7 @@ int main(int argc, char** argv) {
   iog::fuzz::Seeds seeds(argv[1]);
   iog::fuzz::add_lidar_seeds(seeds);
   iog::fuzz::add_network_seeds(seeds);
+  iog::fuzz::add_mcap_seeds(seeds);
   iog::fuzz::add_stream_seeds(seeds);
   iog::fuzz::add_tile_seeds(seeds);
   return 0;

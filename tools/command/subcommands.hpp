@@ -12,6 +12,7 @@ void add_worst(CLI::App& program);
 void add_fuse(CLI::App& program);
 void add_replay(CLI::App& program);
 void add_receive(CLI::App& program);
+void add_record(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_info(CLI::App& program);
 void add_tables(CLI::App& program);

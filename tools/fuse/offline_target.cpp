@@ -5,9 +5,10 @@
 
 namespace iog::tools {
 
-OfflineTarget::OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message)
+OfflineTarget::OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message,
+                             Stopwatch stopwatch)
     : vehicle_(&vehicle),
-      outside_(std::move(on_message)),
+      outside_(std::move(on_message), stopwatch),
       pipeline_(vehicle, kReplayer, outside_, 0) {}
 
 OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
@@ -53,6 +54,9 @@ bool OfflineOutside::send_message(std::span<const std::byte> message) {
 
 std::uint32_t OfflineOutside::ticks() const {
   using std::chrono::microseconds;
+  if (stopwatch_ == Stopwatch::kStands) {
+    return 0;
+  }
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return static_cast<std::uint32_t>(std::chrono::duration_cast<microseconds>(now).count());
 }

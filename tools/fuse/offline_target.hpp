@@ -20,10 +20,15 @@ namespace iog::tools {
 
 using MessageHandler = std::function<void(std::span<const std::byte>)>;
 
+// Whether the times in the messages are measured here, or all 0: the same capture gives the same
+// messages then.
+enum class Stopwatch : std::uint8_t { kRuns, kStands };
+
 // What the pipeline meets on a PC instead of a network and a stopwatch (app::Outside).
 class OfflineOutside {
  public:
-  explicit OfflineOutside(MessageHandler on_message) : on_message_(std::move(on_message)) {}
+  OfflineOutside(MessageHandler on_message, Stopwatch stopwatch)
+      : on_message_(std::move(on_message)), stopwatch_(stopwatch) {}
 
   [[nodiscard]] bool send_message(std::span<const std::byte> message);
   [[nodiscard]] std::uint32_t ticks() const;
@@ -37,6 +42,7 @@ class OfflineOutside {
 
  private:
   MessageHandler on_message_;
+  Stopwatch stopwatch_;
   unsigned evidence_frames_ = 0;
 };
 
@@ -49,7 +55,8 @@ class OfflineTarget {
   };
 
   // vehicle outlives the target. on_message is called for each message that it would send.
-  OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message);
+  OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message,
+                Stopwatch stopwatch = Stopwatch::kRuns);
   OfflineTarget(const OfflineTarget&) = delete;
   OfflineTarget& operator=(const OfflineTarget&) = delete;
 

@@ -1,0 +1,237 @@
+// Reads an MCAP file by Foxglove's own packages and says what is in it, as JSON on standard output;
+// fails where the file is not what the specification, ROS 2 and Foxglove want.
+//
+//   node read_recording.mjs <file>           by its index, then from beginning to end
+//   node read_recording.mjs --cut <file>     one without its end: from the beginning as far as it goes
+
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import zlib from "node:zlib";
+
+import { parse } from "@foxglove/rosmsg";
+import { MessageReader } from "@foxglove/rosmsg2-serialization";
+import zstd from "@foxglove/wasm-zstd";
+import { McapIndexedReader, McapStreamReader } from "@mcap/core";
+
+const require = createRequire(import.meta.url);
+const { ros2jazzy } = require("@foxglove/rosmsg-msgs-common");
+const foxglove = require("@foxglove/schemas/internal");
+
+const SIDE = 1024;
+const TILE = 32;
+const NEVER_ARRIVED = 255;
+const decompressHandlers = { zstd: (bytes, size) => zstd.decompress(bytes, Number(size)) };
+
+// Table of CRC-32 as in zlib, which node offers from version 20.15 only.
+const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let crc = byte;
+  for (let bit = 0; bit < 8; ++bit) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
+  return crc >>> 0;
+});
+function crc32(bytes, crc = 0) {
+  if (zlib.crc32) return zlib.crc32(bytes, crc);
+  let state = ~crc >>> 0;
+  for (const byte of bytes) state = TABLE[(state ^ byte) & 0xff] ^ (state >>> 8);
+  return ~state >>> 0;
+}
+
+// docs/spec.md 3.6, "The name of a grid", over cells that are `stride` bytes apart.
+function nameOfGrid(data, stride) {
+  let crc = 0;
+  const tile = new Uint8Array(4 + TILE * TILE);
+  for (let y = 0; y < SIDE / TILE; ++y) {
+    for (let x = 0; x < SIDE / TILE; ++x) {
+      let known = 0;
+      tile.set([x >> 8, x & 0xff, y >> 8, y & 0xff]);
+      for (let i = 0; i < TILE * TILE; ++i) {
+        const cell = (y * TILE + Math.floor(i / TILE)) * SIDE + x * TILE + (i % TILE);
+        known |= tile[4 + i] = data[cell * stride];
+      }
+      if (known) crc = crc32(tile, crc);
+    }
+  }
+  return crc.toString(16).padStart(8, "0");
+}
+
+// Names and types of the fields, as parsed: what is only said in two ways is made one.
+function fields(definition) {
+  return definition.definitions
+    .filter((field) => !field.isConstant)
+    .map(({ name, type, isArray }) => ({
+      name,
+      type: type.replace("builtin_interfaces/Time", "time").replace("/msg/", "/"),
+      isArray: Boolean(isArray),
+    }));
+}
+
+// The definition in the file is the published one.
+function checkDefinition(schema) {
+  const [main] = parse(new TextDecoder().decode(schema.data), { ros2: true });
+  const name = schema.name.replace("/msg/", "/");
+  if (name in ros2jazzy) {
+    assert.deepEqual(fields(main), fields(ros2jazzy[name]), schema.name);
+    return;
+  }
+  assert.equal(schema.name, "foxglove_msgs/msg/Grid");
+  const official = foxglove.generateRosMsgMergedSchema(foxglove.foxgloveMessageSchemas.Grid, {
+    rosVersion: 2,
+  });
+  const ours = parse(new TextDecoder().decode(schema.data), { ros2: true });
+  const theirs = parse(official, { ros2: true });
+  const byName = (all) => {
+    const types = Object.fromEntries(all.map((each) => [each.name ?? "", fields(each)]));
+    delete types["builtin_interfaces/Time"]; // which ROS 2 writes out and Foxglove does not
+    return types;
+  };
+  assert.deepEqual(byName(ours), byName(theirs), schema.name);
+}
+
+// The frame as JSON; /grid is held against the indexes of the same frame.
+function checkFrame(occupancy, cells) {
+  assert.deepEqual(cells.fields, [
+    { name: "index", offset: 0, type: 2 },
+    { name: "probability_percent", offset: 1, type: 1 },
+    { name: "age_frames", offset: 2, type: 1 },
+  ]);
+  assert.deepEqual([cells.column_count, cells.cell_stride, cells.row_stride], [SIDE, 3, 3 * SIDE]);
+  assert.deepEqual(cells.cell_size, { x: 0.1, y: 0.1 });
+  assert.equal(cells.data.length, 3 * SIDE * SIDE);
+  const { info, header } = occupancy;
+  assert.deepEqual([info.width, info.height], [SIDE, SIDE]);
+  assert.equal(info.resolution, Math.fround(0.1));
+  for (const pose of [info.origin, cells.pose]) {
+    assert.deepEqual(pose.position, { x: -51.2, y: -51.2, z: 0 });
+    assert.deepEqual(pose.orientation, { x: 0, y: 0, z: 0, w: 1 });
+  }
+  assert.equal(header.frame_id, cells.frame_id);
+  assert.deepEqual(header.stamp, cells.timestamp);
+  const indexes = new Int8Array(cells.data.buffer, cells.data.byteOffset, cells.data.length);
+  const ages = new Set();
+  for (let cell = 0; cell < SIDE * SIDE; ++cell) {
+    const index = indexes[3 * cell];
+    const age = cells.data[3 * cell + 2];
+    // The recursive set of epsilon = 0.05.
+    const percent = Math.floor(100 / (1 + (0.45 / 0.55) ** index) + 0.5);
+    assert.equal(cells.data[3 * cell + 1], percent);
+    assert.equal(occupancy.data[cell], index === 0 || age > 0 ? -1 : percent);
+    ages.add(age);
+  }
+  return {
+    stamp: header.stamp,
+    crc: nameOfGrid(cells.data, 3),
+    oldest: Math.max(0, ...[...ages].filter((age) => age !== NEVER_ARRIVED)),
+    has_gaps: ages.has(NEVER_ARRIVED),
+  };
+}
+
+class Contents {
+  #readers = new Map();
+  #topics = new Map();
+  #occupancy;
+  frames = [];
+  counts = {};
+  messages = { count: 0, crc: 0 };
+
+  addChannel(channel, schema) {
+    assert.equal(channel.messageEncoding, "cdr");
+    assert.equal(schema.encoding, "ros2msg");
+    assert.ok(channel.metadata.has("offered_qos_profiles"));
+    checkDefinition(schema);
+    const definition = parse(new TextDecoder().decode(schema.data), { ros2: true });
+    this.#readers.set(channel.id, new MessageReader(definition));
+    this.#topics.set(channel.id, channel.topic);
+  }
+
+  addMessage(record) {
+    const topic = this.#topics.get(record.channelId);
+    const message = this.#readers.get(record.channelId).readMessage(record.data);
+    this.counts[topic] = (this.counts[topic] ?? 0) + 1;
+    if (topic === "/grid") this.#occupancy = message;
+    if (topic === "/iogrid/grid") {
+      const frame = checkFrame(this.#occupancy, message);
+      this.frames.push({ ...frame, log_ns: String(record.logTime) });
+    }
+    if (topic === "/iogrid/messages") {
+      this.messages.count += 1;
+      this.messages.crc = crc32(message.data, this.messages.crc);
+    }
+  }
+}
+
+async function readByIndex(bytes) {
+  const readable = {
+    size: async () => BigInt(bytes.length),
+    read: async (offset, size) =>
+      new Uint8Array(bytes.subarray(Number(offset), Number(offset + size))),
+  };
+  const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
+  assert.equal(reader.header.profile, "ros2");
+  const contents = new Contents();
+  for (const channel of reader.channelsById.values()) {
+    contents.addChannel(channel, reader.schemasById.get(channel.schemaId));
+  }
+  let last = 0n;
+  for await (const message of reader.readMessages()) {
+    assert.ok(message.logTime >= last);
+    last = message.logTime;
+    contents.addMessage(message);
+  }
+  checkStatistics(reader, contents, last);
+  const metadata = [];
+  for await (const each of reader.readMetadata()) metadata.push(Object.fromEntries(each.metadata));
+  const dataSection = bytes.subarray(0, Number(reader.dataEndOffset));
+  assert.equal(reader.dataSectionCrc, crc32(dataSection));
+  return { contents, metadata };
+}
+
+function checkStatistics(reader, contents, last) {
+  const { statistics } = reader;
+  assert.equal(statistics.channelCount, reader.channelsById.size);
+  assert.equal(statistics.schemaCount, reader.schemasById.size);
+  assert.equal(statistics.chunkCount, reader.chunkIndexes.length);
+  assert.equal(statistics.metadataCount, reader.metadataIndexes.length);
+  assert.equal(statistics.messageEndTime, last);
+  let sum = 0n;
+  for (const [id, count] of statistics.channelMessageCounts) {
+    assert.equal(Number(count), contents.counts[reader.channelsById.get(id).topic] ?? 0);
+    sum += count;
+  }
+  assert.equal(statistics.messageCount, sum);
+  for (const chunk of reader.chunkIndexes) {
+    assert.ok(chunk.messageIndexOffsets.size > 0);
+    assert.ok(chunk.messageStartTime <= chunk.messageEndTime);
+  }
+}
+
+function readFromBeginning(bytes) {
+  const reader = new McapStreamReader({ decompressHandlers });
+  reader.append(bytes);
+  const contents = new Contents();
+  const schemas = new Map();
+  const known = new Set();
+  for (let record; (record = reader.nextRecord()); ) {
+    if (record.type === "Schema") schemas.set(record.id, record);
+    if (record.type === "Channel" && !known.has(record.id)) {
+      known.add(record.id);
+      contents.addChannel(record, schemas.get(record.schemaId));
+    }
+    if (record.type === "Message") contents.addMessage(record);
+  }
+  return { contents, isDone: reader.done() };
+}
+
+await zstd.isLoaded;
+const isCut = process.argv[2] === "--cut";
+const bytes = fs.readFileSync(process.argv[isCut ? 3 : 2]);
+const { contents, isDone } = readFromBeginning(bytes);
+assert.equal(isDone, !isCut);
+let metadata = [];
+if (!isCut) {
+  const indexed = await readByIndex(bytes);
+  assert.deepEqual(indexed.contents.frames, contents.frames);
+  assert.deepEqual(indexed.contents.messages, contents.messages);
+  metadata = indexed.metadata;
+}
+const { frames, counts, messages } = contents;
+console.log(JSON.stringify({ frames, counts, messages, metadata }));

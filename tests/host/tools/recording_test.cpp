@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "drive_sample.hpp"
+#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/record/recorder.hpp"
+#include "tools/ros/grid_messages.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::tools {
+namespace {
+
+// What a recording has been given.
+struct Given {
+  std::vector<std::vector<std::byte>> datagrams;
+  std::vector<std::uint32_t> grid_crcs;
+  std::vector<std::size_t> stale_tiles;
+  std::vector<std::size_t> unknown_tiles;  // that have never arrived
+  int finished = 0;
+};
+
+class KeepingRecording : public Recording {
+ public:
+  explicit KeepingRecording(Given& given) : given_(&given) {}
+
+  void take_datagram(const CapturedDatagram& datagram) override {
+    given_->datagrams.push_back(datagram.payload);
+  }
+  void take_frame(const RecordedFrame& recorded) override {
+    given_->grid_crcs.push_back(grid_crc_of(*recorded.frame));
+    given_->stale_tiles.push_back(recorded.live->stale_tiles());
+    std::size_t unknown = 0;
+    for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+      unknown += recorded.live->age_of(tile) ? 0U : 1U;
+    }
+    given_->unknown_tiles.push_back(unknown);
+  }
+  void finish(const RunStatistics::Facts& /*facts*/) override { ++given_->finished; }
+
+ private:
+  Given* given_;
+};
+
+Recorder::Recordings keeping(Given& given) {
+  Recorder::Recordings recordings;
+  recordings.push_back(std::make_unique<KeepingRecording>(given));
+  return recordings;
+}
+
+CapturedDatagram datagram_of(const std::vector<std::byte>& message) {
+  return {.time_us = 1, .source = {}, .destination = {}, .payload = message};
+}
+
+Messages sample_stream() {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  return messages_of(car, sample_drive(car, 1, 6));
+}
+
+TEST(Recorder, EveryDatagramAndEveryFrameIsRecorded) {
+  const Messages messages = sample_stream();
+  Given given;
+  Recorder recorder(keeping(given));
+  for (const auto& message : messages) {
+    recorder.take(datagram_of(message));
+  }
+  recorder.finish();
+  EXPECT_EQ(given.datagrams, messages);
+  EXPECT_EQ(given.finished, 1);
+  ASSERT_EQ(given.grid_crcs.size(), 6U);
+  const auto& records = recorder.census().statistics().records();
+  for (std::size_t frame = 0; frame < records.size(); ++frame) {
+    EXPECT_EQ(given.grid_crcs[frame], records[frame].grid_crc);
+    EXPECT_EQ(given.stale_tiles[frame], 0U);
+  }
+}
+
+TEST(Recorder, WhatIsNoMessageIsRecordedToo) {
+  Given given;
+  Recorder recorder(keeping(given));
+  recorder.take(datagram_of({}));
+  recorder.take(datagram_of(std::vector<std::byte>(1472)));
+  recorder.take(datagram_of(std::vector<std::byte>(1473)));  // longer than a datagram on Ethernet
+  recorder.finish();
+  EXPECT_EQ(given.datagrams.size(), 2U);
+  EXPECT_EQ(recorder.too_long(), 1U);
+  EXPECT_TRUE(given.grid_crcs.empty());
+}
+
+std::uint32_t frame_of(const std::vector<std::byte>& message) {
+  stream::Header header;
+  std::span<const std::byte> body;
+  EXPECT_EQ(
+      stream::read_header(std::span(message).subspan(protection::kProtectionBytes), header, body),
+      stream::ReadStatus::kOk);
+  return header.frame_number;
+}
+
+// Frames 0 to 3, perhaps a silence, and the first message of frame 4.
+std::size_t unknown_tiles_after(bool is_silent) {
+  Given given;
+  Recorder recorder(keeping(given));
+  for (const auto& message : sample_stream()) {
+    const bool is_next = frame_of(message) == 4;
+    if (is_next && is_silent) {
+      recorder.note_silence(2);
+    }
+    recorder.take(datagram_of(message));
+    if (is_next) {
+      break;
+    }
+  }
+  recorder.finish();
+  return given.unknown_tiles.back();
+}
+
+TEST(Recorder, AfterASilenceOldTilesAreNotPassedOffAsKnown) {
+  EXPECT_EQ(unknown_tiles_after(false), 0U) << "those that are missing are older";
+  EXPECT_GT(unknown_tiles_after(true), 0U);
+}
+
+TEST(StreamCensus, TellsMessagesByServiceAndEvent) {
+  std::vector<std::byte> message = sample_stream().front();
+  EXPECT_TRUE(StreamCensus::is_message(message));
+  message[1] ^= std::byte{1};
+  EXPECT_FALSE(StreamCensus::is_message(message));
+  EXPECT_FALSE(StreamCensus::is_message({}));
+}
+
+}  // namespace
+
+namespace ros {
+namespace {
+
+// Table 4.3 of the thesis and the contract's figures: p of -14 is 0.057, of -7 0.197, of 2 0.599.
+TEST(Percents, AreProbabilitiesOfTheRecursiveSet) {
+  const Percents percents(0.05);
+  EXPECT_EQ(percents[-14], 6);
+  EXPECT_EQ(percents[-7], 20);
+  EXPECT_EQ(percents[0], 50);
+  EXPECT_EQ(percents[2], 60);
+  EXPECT_EQ(percents[127], 100);
+  EXPECT_EQ(percents[-127], 0);
+  for (int index = 1; index <= 127; ++index) {
+    EXPECT_EQ(percents[static_cast<index::OccupancyIndex>(index)] +
+                  percents[static_cast<index::OccupancyIndex>(-index)],
+              100)
+        << index;
+  }
+}
+
+// Offsets by hand from the definition: stamp 8, length and "base_link\0" 14, 2 to align, load time
+// 8, resolution, width and height 12, 4 to align, pose 56, length 4; behind 4 of the encapsulation.
+TEST(OccupancyGrid, IsSerialisedAsRos2Does) {
+  GridFrame frame;
+  frame.header.closed_us = 7'000'002;
+  frame.cells[0] = -14;
+  frame.cells[1] = 2;
+  frame.cells[1024] = 127;
+  const std::vector<std::byte> message = occupancy_grid(frame, Percents(0.05));
+  ASSERT_EQ(message.size(), 4U + 108U + 1024U * 1024U);
+  const auto u32_at = [&](std::size_t at) {
+    return wire::load_le32(std::span(message).subspan(4 + at).first<4>());
+  };
+  EXPECT_EQ(wire::load_be32(std::span(message).first<4>()), 0x00010000U) << "CDR, little endian";
+  EXPECT_EQ(u32_at(0), 7U);
+  EXPECT_EQ(u32_at(4), 2000U);
+  EXPECT_EQ(u32_at(8), 10U);
+  EXPECT_EQ(u32_at(32), 0x3DCCCCCDU) << "0.1 in single precision";
+  EXPECT_EQ(u32_at(36), 1024U);
+  EXPECT_EQ(u32_at(40), 1024U);
+  EXPECT_EQ(u32_at(104), 1024U * 1024U);
+  const std::span<const std::byte> cells = std::span(message).subspan(4 + 108);
+  EXPECT_EQ(cells[0], std::byte{6});
+  EXPECT_EQ(cells[1], std::byte{60});
+  EXPECT_EQ(cells[2], std::byte{0xFF}) << "-1 where nothing is known";
+  EXPECT_EQ(cells[1024], std::byte{100});
+}
+
+TEST(FoxgloveGrid, SaysHowOldEachCellIs) {
+  constexpr std::size_t kCellBytes = 3;
+  LiveGrid live;
+  GridFrame frame;
+  frame.header.frame_number = 10;
+  frame.valid_tiles.set(0);
+  frame.known_tiles.set(0);
+  frame.cells[0] = -7;
+  live.take(frame);
+  GridFrame next;
+  next.header.frame_number = 310;
+  next.valid_tiles.set(1);
+  live.take(next);
+  const std::vector<std::byte> message = foxglove_grid(live, next.header, Percents(0.05));
+  const auto cells = std::span(message).last(kCellBytes * 1024 * 1024);
+  const auto cell = [&](std::size_t number) {
+    return std::vector(cells.begin() + static_cast<std::ptrdiff_t>(number * kCellBytes),
+                       cells.begin() + static_cast<std::ptrdiff_t>((number + 1) * kCellBytes));
+  };
+  const auto bytes = [](std::int8_t index, std::uint8_t percent, std::uint8_t age) {
+    return std::vector{static_cast<std::byte>(index), std::byte{percent}, std::byte{age}};
+  };
+  EXPECT_EQ(cell(0), bytes(-7, 20, 254)) << "300 frames are more than can be said";
+  EXPECT_EQ(cell(32), bytes(0, 50, 0)) << "arrived, and nothing is known";
+  EXPECT_EQ(cell(64), bytes(0, 50, 255)) << "never arrived";
+}
+
+TEST(Uint8MultiArray, CarriesAnyBytes) {
+  for (const std::size_t size : {0U, 1U, 3U, 1392U}) {
+    const std::vector<std::byte> bytes(size, std::byte{0xA5});
+    const std::vector<std::byte> message = uint8_multi_array(bytes);
+    EXPECT_EQ(message.size(), 4U + 12U + size);
+    const auto read = bytes_of_uint8_multi_array(message);
+    ASSERT_TRUE(read.has_value());
+    EXPECT_TRUE(std::ranges::equal(*read, bytes));
+    EXPECT_FALSE(bytes_of_uint8_multi_array(std::span(message).first(15)).has_value());
+  }
+}
+
+TEST(Uint8MultiArray, OneWithALayoutOrTheOtherByteOrderIsNotRead) {
+  std::vector<std::byte> message = uint8_multi_array(std::vector<std::byte>(5));
+  message[4] = std::byte{1};
+  EXPECT_FALSE(bytes_of_uint8_multi_array(message).has_value());
+  message[4] = std::byte{0};
+  message[1] = std::byte{0};
+  EXPECT_FALSE(bytes_of_uint8_multi_array(message).has_value());
+}
+
+}  // namespace
+}  // namespace ros
+}  // namespace iog::tools

@@ -1,0 +1,199 @@
+#include "tools/info/file_summary.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "tools/capture/pcap_reader.hpp"
+#include "tools/command/progress.hpp"
+#include "tools/info/capture_census.hpp"
+#include "tools/info/stream_census.hpp"
+#include "tools/mcap/reader.hpp"
+#include "tools/record/mcap_recording.hpp"
+#include "tools/record/stream_file.hpp"
+
+namespace iog::tools {
+namespace {
+
+// A stream takes some megabytes of memory. A car has one.
+constexpr std::size_t kMaxStreams = 8;
+
+struct TopicCensus {
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;
+};
+
+// What a file says goes to a terminal: nothing in it may command one.
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](char letter) { return letter < ' ' || letter == 0x7F; }, '?');
+  return text;
+}
+
+std::string count_row(const std::string& name, std::uint64_t count, const std::string& what) {
+  return count > 0 ? row(name, std::to_string(count) + what) : std::string();
+}
+
+std::string topics_of(const mcap::Reader& file, const std::map<std::uint16_t, TopicCensus>& census,
+                      double duration_s) {
+  std::ostringstream text;
+  for (const auto& [id, channel] : file.channels()) {
+    const auto schema = file.schemas().find(channel.schema_id);
+    const auto found = census.find(id);
+    const TopicCensus topic = found != census.end() ? found->second : TopicCensus{};
+    text << "  " << std::left << std::setw(20) << printable(channel.topic) << ' ' << topic.messages
+         << " messages, " << topic.bytes << " bytes";
+    if (topic.messages > 1 && duration_s > 0) {
+      text << ", " << std::fixed << std::setprecision(1)
+           << static_cast<double>(topic.messages - 1) / duration_s << " Hz";
+    }
+    text << ", " << (schema != file.schemas().end() ? printable(schema->second.name) : "no schema")
+         << ", " << printable(channel.message_encoding) << '\n';
+  }
+  return text.str();
+}
+
+// What an MCAP file holds.
+struct McapCensus {
+  std::map<std::uint16_t, TopicCensus> topics;
+  StreamCensus stream;
+  std::uint64_t first_ns = UINT64_MAX;
+  std::uint64_t last_ns = 0;
+
+  void add(const mcap::Message& message, bool is_of_stream) {
+    TopicCensus& topic = topics[message.channel_id];
+    ++topic.messages;
+    topic.bytes += message.data.size();
+    first_ns = std::min(first_ns, message.log_ns);
+    last_ns = std::max(last_ns, message.log_ns);
+    if (const auto datagram =
+            is_of_stream ? ros::bytes_of_uint8_multi_array(message.data) : std::nullopt) {
+      stream.take(*datagram);
+    }
+  }
+
+  [[nodiscard]] std::uint64_t duration_us() const {
+    return topics.empty() ? 0 : (last_ns - first_ns) / 1000;
+  }
+};
+
+// By the messages themselves; where they are not in the file, by what the recorder says of them.
+std::string stream_of(const mcap::Reader& file, const McapCensus& census) {
+  if (census.stream.assembler().counts().messages > 0) {
+    return row("\nstream on", std::string(kMessagesTopic)) + census.stream.table();
+  }
+  const auto run = file.metadata().find(std::string(kRunMetadata));
+  if (run == file.metadata().end()) {
+    return {};
+  }
+  std::string text = "\nwithout the messages themselves; their recorder says:\n";
+  for (const auto& [name, value] : run->second) {
+    text += row(printable(name), printable(value));
+  }
+  return text;
+}
+
+// How the file ends, and what of it is damaged.
+std::string condition_of(const mcap::Reader& file) {
+  const mcap::ReadCounts& counts = file.counts();
+  std::string text = row(
+      "condition", file.is_finished() ? "whole, with an index" : "breaks off: no index at its end");
+  if (file.is_finished() && counts.chunk_index_entries != counts.chunks) {
+    text += row("index", std::to_string(counts.chunk_index_entries) + " chunks of " +
+                             std::to_string(counts.chunks));
+  }
+  if (file.promised_messages().value_or(counts.messages) != counts.messages) {
+    text += row("missing", "the file speaks of " + std::to_string(*file.promised_messages()) +
+                               " messages, " + std::to_string(counts.messages) + " can be read");
+  }
+  return text + count_row("broken chunks", counts.broken_chunks, "") +
+         count_row("unreadable chunks", counts.unreadable_chunks,
+                   ", compressed otherwise than by zstd, or too large") +
+         count_row("malformed records", counts.malformed, "");
+}
+
+}  // namespace
+
+std::string seconds(std::uint64_t micros) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << static_cast<double>(micros) / 1e6 << " s";
+  return text.str();
+}
+
+std::string summary_of_file(const std::string& path) {
+  if (std::filesystem::is_directory(path)) {
+    return summary_of_folder(path);
+  }
+  if (is_mcap_file(path)) {
+    return summary_of_mcap(path);
+  }
+  char magic[2] = {};
+  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+  if (magic[0] == 'P' && magic[1] == '5') {
+    return summary_of_pgm(path);
+  }
+  const std::string suffix = std::filesystem::path(path).extension();
+  return suffix == ".yaml" || suffix == ".yml" ? summary_of_map(path) : summary_of_capture(path);
+}
+
+std::string summary_of_capture(const std::string& path) {
+  PcapReader capture(path);
+  CaptureCensus census;
+  std::map<std::uint16_t, StreamCensus> streams;  // by port
+  std::optional<std::uint64_t> first_us;
+  std::uint64_t last_us = 0;
+  Progress progress("packets");
+  while (const std::optional<CapturedDatagram> datagram = capture.next()) {
+    census.add(*datagram);
+    const bool is_looked_into =
+        streams.size() < kMaxStreams || streams.contains(datagram->destination.port);
+    if (is_looked_into && StreamCensus::is_message(datagram->payload)) {
+      streams[datagram->destination.port].take(datagram->payload);
+    }
+    first_us = first_us.value_or(datagram->time_us);
+    last_us = std::max(last_us, datagram->time_us);
+    progress.show(capture.counts().datagrams);
+  }
+  std::string text = row("kind", "capture, " + seconds(last_us - first_us.value_or(last_us)));
+  text += census.table();
+  if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {
+    text += skipped + "\n";
+  }
+  if (capture.is_cut_off()) {
+    text += "the file breaks off in a packet\n";
+  }
+  for (auto& [port, stream] : streams) {
+    stream.finish();
+    text += row("\nstream to port", std::to_string(port)) + stream.table();
+  }
+  return text;
+}
+
+std::string summary_of_mcap(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  mcap::Reader file(stream);
+  const auto census = std::make_unique<McapCensus>();
+  Progress progress("messages");
+  while (const std::optional<mcap::Message> message = file.next()) {
+    census->add(*message, file.channels().at(message->channel_id).topic == kMessagesTopic);
+    progress.show(file.counts().messages);
+  }
+  census->stream.finish();
+  const std::uint64_t duration_us = census->duration_us();
+  const std::string compression =
+      file.compression().empty() ? "none" : printable(file.compression());
+  return row("kind", "MCAP, " + seconds(duration_us)) +
+         row("written by", printable(file.library())) + row("profile", printable(file.profile())) +
+         row("chunks", std::to_string(file.counts().chunks) + ", compression " + compression) +
+         condition_of(file) + row("topics", std::to_string(file.channels().size())) +
+         topics_of(file, census->topics, static_cast<double>(duration_us) / 1e6) +
+         stream_of(file, *census);
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,37 @@
+#include "tools/record/picture_recording.hpp"
+
+#include <filesystem>
+
+#include "tools/command/file.hpp"
+#include "tools/picture/ros_map.hpp"
+
+namespace iog::tools {
+
+PictureRecording::PictureRecording(const PictureOptions& options, bool with_maps)
+    : options_(options), with_maps_(with_maps), pictures_(options) {}
+
+void PictureRecording::take_frame(const RecordedFrame& recorded) {
+  const GridFrame& frame = *recorded.frame;
+  if (!frame.header.has_evidence()) {
+    return;
+  }
+  pictures_.offer(frame);
+  if (with_maps_ && frame.evidence_number % options_.every == 0) {
+    const std::string base =
+        std::filesystem::path(numbered("", "map", frame.evidence_number, "")).filename();
+    write_ros_map(options_.folder, base,
+                  {.cells = frame.cells,
+                   .side = vehicle::kCellsPerSide,
+                   .cell_m = vehicle::kCellMm / 1000.0,
+                   .origin_m = -vehicle::kOriginCell * vehicle::kCellMm / 1000.0});
+  }
+  last_ = frame;
+}
+
+void PictureRecording::finish(const RunStatistics::Facts& /*facts*/) {
+  if (last_) {
+    pictures_.write_last(*last_);
+  }
+}
+
+}  // namespace iog::tools

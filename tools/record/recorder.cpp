@@ -1,0 +1,50 @@
+#include "tools/record/recorder.hpp"
+
+#include <utility>
+
+#include "net/udp.hpp"
+
+namespace iog::tools {
+
+Recorder::Recorder(Recordings recordings)
+    : recordings_(std::move(recordings)),
+      census_([this](const GridFrame& frame) { take_frame(frame); }) {}
+
+void Recorder::take(const CapturedDatagram& datagram) {
+  now_us_ = datagram.time_us;
+  if (datagram.payload.size() > net::kMaxUdpPayloadBytes) {
+    ++too_long_;
+    return;
+  }
+  ++datagrams_;
+  for (const std::unique_ptr<Recording>& recording : recordings_) {
+    recording->take_datagram(datagram);
+  }
+  census_.take(datagram.payload);
+}
+
+void Recorder::note_silence(std::uint64_t now_us) {
+  now_us_ = now_us;
+  census_.note_silence();
+  live_.forget();
+}
+
+void Recorder::finish() {
+  census_.finish();
+  for (const std::unique_ptr<Recording>& recording : recordings_) {
+    recording->finish(census_.facts());
+  }
+}
+
+void Recorder::take_frame(const GridFrame& frame) {
+  if (const std::uint64_t restarts = census_.assembler().counts().restarts; restarts != restarts_) {
+    restarts_ = restarts;
+    live_.forget();
+  }
+  live_.take(frame);
+  for (const std::unique_ptr<Recording>& recording : recordings_) {
+    recording->take_frame({.frame = &frame, .live = &live_, .time_us = now_us_});
+  }
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,46 @@
+// Puts the frames of a stream together and gives datagrams and frames to every recording.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tools/assembly/live_grid.hpp"
+#include "tools/capture/datagram.hpp"
+#include "tools/info/stream_census.hpp"
+#include "tools/record/recording.hpp"
+
+namespace iog::tools {
+
+class Recorder {
+ public:
+  using Recordings = std::vector<std::unique_ptr<Recording>>;
+
+  explicit Recorder(Recordings recordings);
+
+  // The next datagram. One that is too long for a message of any target is counted, and dropped.
+  void take(const CapturedDatagram& datagram);
+
+  // Nothing has come for longer than a running target is ever silent.
+  void note_silence(std::uint64_t now_us);
+
+  // Hands over the frames that still wait, and finishes the recordings.
+  void finish();
+
+  [[nodiscard]] const StreamCensus& census() const { return census_; }
+  [[nodiscard]] std::uint64_t too_long() const { return too_long_; }
+  [[nodiscard]] std::uint64_t datagrams() const { return datagrams_; }
+
+ private:
+  void take_frame(const GridFrame& frame);
+
+  Recordings recordings_;
+  LiveGrid live_;
+  StreamCensus census_;
+  std::uint64_t now_us_ = 0;
+  std::uint64_t restarts_ = 0;  // that the live grid knows of
+  std::uint64_t datagrams_ = 0;
+  std::uint64_t too_long_ = 0;
+};
+
+}  // namespace iog::tools

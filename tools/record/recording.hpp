@@ -1,0 +1,36 @@
+// Something that a stream is recorded in: a file or a folder.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tools/assembly/grid_frame.hpp"
+#include "tools/assembly/live_grid.hpp"
+#include "tools/capture/datagram.hpp"
+#include "tools/report/run_statistics.hpp"
+
+namespace iog::tools {
+
+// A frame and what was known when it had been put together.
+struct RecordedFrame {
+  const GridFrame* frame;
+  const LiveGrid* live;       // with the older states of tiles that are missing in it
+  std::uint64_t time_us = 0;  // since 1970, by the recorder's clock or the capture's
+};
+
+class Recording {
+ public:
+  Recording() = default;
+  virtual ~Recording() = default;
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+
+  // Every datagram, as it came.
+  virtual void take_datagram(const CapturedDatagram& datagram) = 0;
+  // Every frame, in order, after its last datagram.
+  virtual void take_frame(const RecordedFrame& frame) = 0;
+  // Once, at the end. facts: of the whole run. UsageError if not all has been written, as above.
+  virtual void finish(const RunStatistics::Facts& facts) = 0;
+};
+
+}  // namespace iog::tools

@@ -1,0 +1,166 @@
+#include "tools/record/sources.hpp"
+
+#include <arpa/inet.h>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "tools/capture/pcap_reader.hpp"
+#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/interrupt.hpp"
+#include "tools/command/progress.hpp"
+#include "tools/fuse/offline_target.hpp"
+#include "tools/receive/udp_receiver.hpp"
+#include "tools/record/stream_file.hpp"
+
+namespace iog::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A running target reports even silence every two frame periods.
+constexpr std::chrono::milliseconds kLongestSilence{500};
+constexpr std::chrono::milliseconds kLongestWait{100};
+
+std::uint64_t now_us() {
+  using std::chrono::microseconds;
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(std::chrono::duration_cast<microseconds>(now).count());
+}
+
+Endpoint endpoint_of(const LiveSource& source) {
+  in_addr address{};
+  inet_pton(AF_INET, source.bind.c_str(), &address);
+  return {.ipv4 = ntohl(address.s_addr), .port = source.port};
+}
+
+class LiveRecording {
+ public:
+  LiveRecording(const LiveSource& source, Recorder& recorder)
+      : source_(&source),
+        recorder_(&recorder),
+        receiver_(source.bind, source.port),
+        destination_(endpoint_of(source)),
+        progress_("frames", source.frames) {}
+
+  void run() {
+    if (source_->notify) {
+      std::cout << "listening" << std::endl;
+    }
+    while (!is_done() && !was_interrupted() && !is_idle()) {
+      UdpReceiver::Messages messages = receiver_.take(kLongestWait);
+      const std::uint64_t time_us = now_us();
+      const bool has_arrived = !messages.empty();
+      for (std::vector<std::byte>& message : messages) {
+        if (!is_done()) {
+          recorder_->take({.time_us = time_us,
+                           .source = kStreamSource,
+                           .destination = destination_,
+                           .payload = std::move(message)});
+          note_frames();
+        }
+      }
+      note_arrival(has_arrived, time_us);
+    }
+  }
+
+  [[nodiscard]] std::uint64_t overflow() const { return receiver_.overflow(); }
+
+ private:
+  [[nodiscard]] bool is_done() const { return source_->frames > 0 && frames_ >= source_->frames; }
+
+  [[nodiscard]] bool is_idle() const {
+    const std::chrono::duration<double> silent = Clock::now() - last_frame_;
+    return source_->idle_timeout_s > 0 && silent.count() > source_->idle_timeout_s;
+  }
+
+  void note_frames() {
+    for (; frames_ < recorder_->census().statistics().records().size(); ++frames_) {
+      last_frame_ = Clock::now();
+      if (source_->notify) {
+        std::cout << "frame " << frames_ << std::endl;
+      }
+    }
+    progress_.show(frames_);
+  }
+
+  void note_arrival(bool has_arrived, std::uint64_t time_us) {
+    const auto now = Clock::now();
+    if (has_arrived) {
+      last_arrival_ = now;
+    } else if (now - last_arrival_ > kLongestSilence) {
+      recorder_->note_silence(time_us);
+      note_frames();
+      last_arrival_ = now;
+    }
+  }
+
+  const LiveSource* source_;
+  Recorder* recorder_;
+  UdpReceiver receiver_;
+  Endpoint destination_;
+  Progress progress_;
+  std::size_t frames_ = 0;  // with evidence
+  Clock::time_point last_frame_ = Clock::now();
+  Clock::time_point last_arrival_ = Clock::now();
+};
+
+}  // namespace
+
+std::uint64_t record_live(const LiveSource& source, Recorder& recorder) {
+  LiveRecording recording(source, recorder);
+  recording.run();
+  return recording.overflow();
+}
+
+void record_capture(const std::string& path, const std::string& vehicle, Recorder& recorder) {
+  const CatalogueEntry& car = find_vehicle(vehicle);
+  PcapReader capture(path);
+  std::uint64_t time_us = 0;
+  const auto target = std::make_unique<OfflineTarget>(
+      *car.vehicle,
+      [&](std::span<const std::byte> message) {
+        recorder.take({.time_us = time_us,
+                       .source = kStreamSource,
+                       .destination = kStreamDestination,
+                       .payload = {message.begin(), message.end()}});
+      },
+      Stopwatch::kStands);
+  Progress progress("packets");
+  std::optional<CapturedDatagram> datagram;
+  while (!was_interrupted() && (datagram = capture.next())) {
+    time_us = datagram->time_us;
+    if (sensor_of_port(car, datagram->destination.port) < car.sensors.size()) {
+      static_cast<void>(target->take(*datagram));
+    }
+    progress.show(capture.counts().datagrams);
+  }
+  target->finish();
+  if (capture.is_cut_off()) {
+    std::cerr << "iog: " << path << ": breaks off in a packet; recorded as far as it goes\n";
+  }
+  if (recorder.census().statistics().records().empty()) {
+    throw UsageError(path + ": no frame has evidence; is this the vehicle of the capture?");
+  }
+}
+
+void record_stream(const std::string& path, Recorder& recorder) {
+  StreamFile file(path);
+  Progress progress("messages");
+  std::optional<CapturedDatagram> datagram;
+  while (!was_interrupted() && (datagram = file.next())) {
+    recorder.take(*datagram);
+    progress.show(recorder.datagrams());
+  }
+  if (recorder.datagrams() == 0) {
+    throw UsageError(path + ": no message of a target in it");
+  }
+  if (!was_interrupted() && file.is_damaged()) {
+    std::cerr << "iog: " << path << ": breaks off or is damaged; recorded what is left\n";
+  }
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,32 @@
+// Where a stream comes from, until it ends or somebody interrupts: a target on the network, a
+// capture of its sensors, which is fused here, or a recording of the stream.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "tools/record/recorder.hpp"
+
+namespace iog::tools {
+
+struct LiveSource {
+  std::uint16_t port = 0;
+  std::string bind = "127.0.0.1";
+  std::uint64_t frames = 0;   // end after so many with evidence; 0: do not
+  double idle_timeout_s = 0;  // end after so long without one; 0: do not
+  bool notify = false;        // say `listening`, and `frame N` for each
+};
+
+// UsageError if that address and port cannot be bound. The number of datagrams that were dropped
+// here because the recordings were too slow.
+[[nodiscard]] std::uint64_t record_live(const LiveSource& source, Recorder& recorder);
+
+// UsageError if the capture cannot be read. The same capture gives the same datagrams, at the times
+// of the capture.
+void record_capture(const std::string& path, const std::string& vehicle, Recorder& recorder);
+
+// UsageError if the file is no recording, or has no stream in it.
+void record_stream(const std::string& path, Recorder& recorder);
+
+}  // namespace iog::tools

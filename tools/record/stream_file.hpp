@@ -1,0 +1,44 @@
+// The datagrams of a recorded stream, out of a capture or an MCAP file of `iog record`.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "tools/capture/datagram.hpp"
+#include "tools/capture/pcap_reader.hpp"
+#include "tools/mcap/reader.hpp"
+
+namespace iog::tools {
+
+class StreamFile {
+ public:
+  // UsageError if the file is neither.
+  explicit StreamFile(const std::string& path);
+
+  // The next datagram of the stream; nothing at the end. Other datagrams of a capture are passed
+  // over.
+  [[nodiscard]] std::optional<CapturedDatagram> next();
+
+  // It breaks off, or a part of it is damaged. Known when all has been read.
+  [[nodiscard]] bool is_damaged() const;
+
+ private:
+  [[nodiscard]] std::optional<CapturedDatagram> next_of_mcap();
+
+  std::unique_ptr<PcapReader> capture_;
+  std::ifstream file_;
+  std::unique_ptr<mcap::Reader> mcap_;
+};
+
+// Where a stream comes from and goes to when a recording does not say it: as the reference board
+// sends to its peer (board/imx6/main.cpp).
+inline constexpr Endpoint kStreamSource{.ipv4 = 0x0A00020F, .port = 15001};
+inline constexpr Endpoint kStreamDestination{.ipv4 = 0x0A000202, .port = 15000};
+
+// Whether the file begins as an MCAP file does.
+[[nodiscard]] bool is_mcap_file(const std::string& path);
+
+}  // namespace iog::tools
