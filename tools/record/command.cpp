@@ -20,14 +20,18 @@
 namespace iog::tools {
 namespace {
 
+std::vector<std::string> all_topics() {
+  return {std::string(kOccupancyTopic), std::string(kImageTopic), std::string(kCellsTopic),
+          std::string(kMessagesTopic)};
+}
+
 struct Options {
   LiveSource live;
   std::string pcap;
   std::string vehicle = kDefaultVehicle;
   std::string stream;
   std::vector<std::string> out;
-  std::vector<std::string> topics{std::string(kOccupancyTopic), std::string(kCellsTopic),
-                                  std::string(kMessagesTopic)};
+  std::vector<std::string> topics = all_topics();
   bool is_uncompressed = false;
   PictureOptions pictures{.folder = {}, .every = 1, .scale = {}};
   bool with_maps = false;
@@ -131,10 +135,9 @@ void add_destinations(CLI::App& command, Options& options) {
       ->option_text("FILE | FOLDER  (required)")
       ->required();
   command.add_option("--topics", options.topics, "What an MCAP file is to hold")
-      ->option_text("/grid,/iogrid/grid,/iogrid/messages  (default all)")
+      ->option_text("/grid,/iogrid/image,/iogrid/grid,/iogrid/messages  (default all)")
       ->delimiter(',')
-      ->check(CLI::IsMember(
-          {std::string(kOccupancyTopic), std::string(kCellsTopic), std::string(kMessagesTopic)}));
+      ->check(CLI::IsMember(all_topics()));
   command.add_flag("--uncompressed", options.is_uncompressed, "Do not compress MCAP files (zstd)");
   command.add_option("--every", options.pictures.every, "Draw every Nth frame")
       ->option_text("N  (default 1)")

@@ -36,6 +36,9 @@ McapRecording::McapRecording(const std::string& path, const std::vector<std::str
   if (is_wanted(kOccupancyTopic)) {
     add_topic(kOccupancyTopic, ros::kOccupancyGrid);
   }
+  if (is_wanted(kImageTopic)) {
+    add_topic(kImageTopic, ros::kImage);
+  }
   if (is_wanted(kCellsTopic)) {
     add_topic(kCellsTopic, ros::kFoxgloveGrid);
   }
@@ -70,6 +73,9 @@ void McapRecording::take_frame(const RecordedFrame& recorded) {
                                   .publish_ns = ns_of(header.closed_us)};
   if (const auto channel = channels_.find(kOccupancyTopic); channel != channels_.end()) {
     file_.write(channel->second, times, ros::occupancy_grid(*recorded.frame, percents));
+  }
+  if (const auto channel = channels_.find(kImageTopic); channel != channels_.end()) {
+    file_.write(channel->second, times, ros::image(*recorded.frame, percents));
   }
   if (const auto channel = channels_.find(kCellsTopic); channel != channels_.end()) {
     file_.write(channel->second, times, ros::foxglove_grid(*recorded.live, header, percents));

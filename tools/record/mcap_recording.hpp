@@ -14,6 +14,7 @@ namespace iog::tools {
 
 // What can be in it.
 inline constexpr std::string_view kOccupancyTopic = "/grid";
+inline constexpr std::string_view kImageTopic = "/iogrid/image";
 inline constexpr std::string_view kCellsTopic = "/iogrid/grid";
 inline constexpr std::string_view kMessagesTopic = "/iogrid/messages";
 inline constexpr std::string_view kRunMetadata = "iogrid";

@@ -67,6 +67,28 @@ std::vector<std::byte> occupancy_grid(const GridFrame& frame, const Percents& pe
   return out.take();
 }
 
+std::vector<std::byte> image(const GridFrame& frame, const Percents& percents) {
+  constexpr std::uint32_t kWhite = 255;
+  std::vector<std::byte> pixels;
+  pixels.reserve(grid::kCellCount);
+  for (std::size_t x = kSide; x-- > 0;) {
+    for (std::size_t y = kSide; y-- > 0;) {
+      const std::uint32_t free = 100U - percents[frame.cells[y * grid::kStride + x]];
+      pixels.push_back(static_cast<std::byte>((free * kWhite + 50) / 100));
+    }
+  }
+  CdrWriter out;
+  put_stamp(out, frame.header.closed_us);
+  out.put(kFrameId);
+  out.put(kSide);
+  out.put(kSide);
+  out.put(std::string_view("mono8"));
+  out.put(std::uint8_t{0});  // byte order
+  out.put(kSide);            // bytes of a row
+  out.put(pixels);
+  return out.take();
+}
+
 std::vector<std::byte> foxglove_grid(const LiveGrid& grid, const stream::Header& header,
                                      const Percents& percents) {
   std::vector<std::byte> cells(grid::kCellCount * kBytesPerCell);

@@ -22,6 +22,7 @@ struct MessageType {
   std::string_view definition;  // "ros2msg": with those of the types that it is made of
 };
 extern const MessageType kOccupancyGrid;    // nav_msgs/msg/OccupancyGrid
+extern const MessageType kImage;            // sensor_msgs/msg/Image
 extern const MessageType kFoxgloveGrid;     // foxglove_msgs/msg/Grid
 extern const MessageType kUint8MultiArray;  // std_msgs/msg/UInt8MultiArray
 
@@ -42,6 +43,10 @@ class Percents {
 // tile is missing.
 [[nodiscard]] std::vector<std::byte> occupancy_grid(const GridFrame& frame,
                                                     const Percents& percents);
+
+// sensor_msgs/msg/Image, mono8, a pixel a cell, seen from above with x (forward) up: white is free,
+// black is occupied, 128 is unknown or missing.
+[[nodiscard]] std::vector<std::byte> image(const GridFrame& frame, const Percents& percents);
 
 // foxglove_msgs/msg/Grid, three bytes a cell: `index`, int8; `probability_percent`, uint8;
 // `age_frames`, uint8: frames since the cell's tile arrived, 254 that many or more, 255 never.

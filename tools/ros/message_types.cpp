@@ -47,6 +47,25 @@ float64 z 0
 float64 w 1
 )"};
 
+const MessageType kImage{.name = "sensor_msgs/msg/Image", .definition = R"(std_msgs/Header header
+uint32 height
+uint32 width
+string encoding
+uint8 is_bigendian
+uint32 step
+uint8[] data
+
+================================================================================
+MSG: std_msgs/Header
+builtin_interfaces/Time stamp
+string frame_id
+
+================================================================================
+MSG: builtin_interfaces/Time
+int32 sec
+uint32 nanosec
+)"};
+
 const MessageType kFoxgloveGrid{.name = "foxglove_msgs/msg/Grid",
                                 .definition = R"(builtin_interfaces/Time timestamp
 string frame_id

@@ -125,6 +125,18 @@ function checkFrame(occupancy, cells) {
   };
 }
 
+// The picture shows the probabilities of /grid, x upwards and y to the left.
+function checkImage(occupancy, image) {
+  assert.deepEqual([image.width, image.height, image.step], [SIDE, SIDE, SIDE]);
+  assert.equal(image.encoding, "mono8");
+  for (let cell = 0; cell < SIDE * SIDE; ++cell) {
+    const [x, y] = [cell % SIDE, Math.floor(cell / SIDE)];
+    const percent = occupancy.data[cell] === -1 ? 50 : occupancy.data[cell];
+    const pixel = image.data[(SIDE - 1 - x) * SIDE + (SIDE - 1 - y)];
+    assert.equal(pixel, Math.floor(2.55 * (100 - percent) + 0.5 + 1e-9));
+  }
+}
+
 class Contents {
   #readers = new Map();
   #topics = new Map();
@@ -148,6 +160,7 @@ class Contents {
     const message = this.#readers.get(record.channelId).readMessage(record.data);
     this.counts[topic] = (this.counts[topic] ?? 0) + 1;
     if (topic === "/grid") this.#occupancy = message;
+    if (topic === "/iogrid/image") checkImage(this.#occupancy, message);
     if (topic === "/iogrid/grid") {
       const frame = checkFrame(this.#occupancy, message);
       this.frames.push({ ...frame, log_ns: String(record.logTime) });
