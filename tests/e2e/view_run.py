@@ -34,17 +34,19 @@ def check(iog: str, browser: Browser, seconds: int, is_long: bool) -> str:
         assert page.page.value("iogPage.errors") == 0
         assert not page.page.complaints(), page.page.complaints()
         page.page.close()
-    assert pictures / span > (MIN_RATE_HZ if is_long else 3), f"{pictures / span:.1f} pictures a second"
-    assert frames / span > (20 if is_long else 3), f"{frames / span:.1f} frames a second"
+    words = (f"{span:.0f} s: {pictures / span:.1f} pictures a second, {draw_ms / pictures:.1f} ms each; "
+             f"{frames / span:.1f} frames a second, {kept} kept in {kept_bytes / MIB:.0f} MiB; "
+             + (f"after {SETTLED_S} s page {settled[0] / MIB:.0f} MiB, server {settled[1] / MIB:.0f} "
+                "MiB; " if settled else "")
+             + f"at the end page {last[0] / MIB:.0f} MiB, server {last[1] / MIB:.0f} MiB")
+
     if settled:
         assert kept <= 61 * 25 + 50, f"{kept} frames are kept"
-        for name, before, now in zip(("page", "server"), settled, last):
-            assert now < before * GROWTH + 32 * MIB, f"{name}: {before / MIB:.0f}, {now / MIB:.0f} MiB"
-    return (f"{span:.0f} s: {pictures / span:.1f} pictures a second, {draw_ms / pictures:.1f} ms each; "
-            f"{frames / span:.1f} frames a second, {kept} kept in {kept_bytes / MIB:.0f} MiB; "
-            + (f"after {SETTLED_S} s page {settled[0] / MIB:.0f} MiB, server {settled[1] / MIB:.0f} "
-               "MiB; " if settled else "")
-            + f"at the end page {last[0] / MIB:.0f} MiB, server {last[1] / MIB:.0f} MiB")
+        for before, now in zip(settled, last):
+            assert now < before * GROWTH + 32 * MIB, words
+    assert pictures / span > (MIN_RATE_HZ if is_long else 3), words
+    assert frames / span > (20 if is_long else 3), words
+    return words
 
 
 def memory(browser: Browser, viewer: Viewer) -> tuple[int, int]:

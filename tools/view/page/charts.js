@@ -7,7 +7,8 @@ const SPAN_MS = 60000;
 const STAGES = ["fuse", "mark", "publish"];
 
 const compact = (value) =>
-  value >= 100 || value === 0 ? Math.round(value).toLocaleString("en") : value.toPrecision(2);
+  Number.isInteger(value) || value >= 100 ? Math.round(value).toLocaleString("en")
+                                          : value.toPrecision(2);
 
 // A chart is a name, a unit, and for each frame a list of values that are stacked.
 const CHARTS = [
@@ -213,6 +214,9 @@ function describeSensor({ state, age, points }) {
 }
 
 function niceAbove(value) {
+  if (value === 0) {
+    return 1;
+  }
   const unit = 10 ** Math.floor(Math.log10(Math.max(value, 1e-3)));
   return ([1, 1.5, 2, 3, 5, 7.5, 10].find((step) => step * unit >= value) ?? 10) * unit;
 }
