@@ -39,7 +39,6 @@ def check(iog: str, browser: Browser, seconds: int, is_long: bool) -> str:
              + (f"after {SETTLED_S} s page {settled[0] / MIB:.0f} MiB, server {settled[1] / MIB:.0f} "
                 "MiB; " if settled else "")
              + f"at the end page {last[0] / MIB:.0f} MiB, server {last[1] / MIB:.0f} MiB")
-
     if settled:
         assert kept <= 61 * 25 + 50, f"{kept} frames are kept"
         for before, now in zip(settled, last):

@@ -21,8 +21,8 @@ def free_port() -> int:
 class Viewer:
     """The process. Use it in a `with` statement, or it stays."""
 
-    def __init__(self, iog: str, *options: str):
-        self._process = subprocess.Popen([iog, "view", "--http", "0", *options],
+    def __init__(self, iog: str, *options: str, http_port: int = 0):
+        self._process = subprocess.Popen([iog, "view", "--http", str(http_port), *options],
                                          stdout=subprocess.PIPE, text=True)
         line = self._process.stdout.readline()
         found = re.match(r"Look at (http://127\.0\.0\.1:(\d+)/)$", line)
@@ -55,7 +55,7 @@ class GridPage:
 
     def __init__(self, page: Page):
         self.page = page
-        page.wait_for("window.iogPage && iogPage.status")
+        page.wait_for("window.iogPage && iogPage.status && iogPage.pictures > 0")
 
     def text(self, element: str) -> str:
         """What can be read there; nothing where it is hidden."""
@@ -73,8 +73,9 @@ class GridPage:
         self.page.wait_for(f"document.getElementById('state-word').textContent.includes('{words}')")
 
     def wait_for_banner(self, words: str) -> None:
-        self.page.wait_for("!document.getElementById('banner').hidden && "
-                           f"document.getElementById('banner').textContent.includes('{words}')")
+        self.page.wait_for("((banner) => banner && !banner.hidden && "
+                           f"banner.textContent.includes('{words}'))"
+                           "(document.getElementById('banner'))")
 
     def wait_for_frame(self, number: int) -> None:
         """Until this frame of the target is the one that is shown."""

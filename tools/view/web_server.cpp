@@ -213,7 +213,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   }
 
  private:
-  void serve(Request request) {
+  void serve(const Request& request) {
     if (!websocket::is_upgrade(request)) {
       write(complete(request, answer(request)));
       return;

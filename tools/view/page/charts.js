@@ -16,6 +16,7 @@ const CHARTS = [
     id: "times",
     title: (kind) => (kind === "stream" ? "Time on the target" : "Time on this PC"),
     unit: "ms",
+    share: 0.98, // of the columns fits; what a pause of the PC has made of the others sticks out
     series: STAGES.map((name) => ({ name, colour: SERIES[name] })),
     values: ({ status }) => {
       const end = status.frame && status.frame.end;
@@ -110,7 +111,6 @@ export class Charts {
   drawSeries(chart, frames, at, end, theme) {
     const { context, width, height } = this.prepare(chart);
     const columns = new Array(Math.max(1, Math.ceil(width)));
-    let highest = 0;
     frames.forEach((frame, i) => {
       const values = chart.values(frame, frames[i - 1]);
       const sum = values.reduce((a, b) => a + b, 0);
@@ -119,10 +119,8 @@ export class Charts {
         columns[column] = { sum, values };
       }
     });
-    for (const column of columns) {
-      highest = Math.max(highest, column ? column.sum : 0);
-    }
-    const top = niceAbove(highest);
+    const sums = columns.filter((column) => column).map(({ sum }) => sum).sort((a, b) => a - b);
+    const top = niceAbove(sums[Math.ceil((sums.length - 1) * (chart.share ?? 1))] ?? 0);
     drawBase(context, width, height, theme, `${compact(top)} ${chart.unit}`);
     columns.forEach((column, x) => {
       let base = height;

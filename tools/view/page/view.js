@@ -72,6 +72,8 @@ class Page {
   connect() {
     this.socket = new WebSocket(`ws://${location.host}/live`);
     this.socket.binaryType = "arraybuffer";
+    // Another server, or another run of it: what is known here is not of it.
+    this.socket.onopen = () => (this.lastMessageMs > 0 ? location.reload() : null);
     this.socket.onmessage = ({ data }) => this.take(data);
     this.socket.onclose = () => setTimeout(() => this.connect(), RETRY_MS);
   }
@@ -120,7 +122,8 @@ class Page {
 
   showFrame() {
     const { history, grid } = this;
-    if (history.frames.length === 0) {
+    const stays = this.isHeld && grid.number === this.wanted; // however old it is by now
+    if (history.frames.length === 0 || stays) {
       return;
     }
     const number = Math.min(history.last, Math.max(history.first, this.wanted));

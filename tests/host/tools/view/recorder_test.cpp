@@ -13,8 +13,8 @@ namespace {
 
 class RecorderTest : public testing::Test {
  protected:
-  RecorderTest() { std::filesystem::remove_all(folder_); }
-  ~RecorderTest() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   std::string folder_ = testing::TempDir() + "iog_view_records";
 };
