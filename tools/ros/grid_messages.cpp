@@ -1,6 +1,8 @@
 #include "tools/ros/grid_messages.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "index/recursive_set.hpp"
 #include "tools/ros/cdr_writer.hpp"
@@ -42,10 +44,10 @@ std::uint8_t age_of(const LiveGrid& grid, std::size_t tile) {
 
 Percents::Percents(double epsilon) {
   const index::RecursiveSet set(epsilon);
-  for (std::int32_t n = index::kIndexMin<index::OccupancyIndex>;
-       n <= index::kIndexMax<index::OccupancyIndex>; ++n) {
-    percents_[static_cast<std::size_t>(n + 128)] =
-        static_cast<std::uint8_t>(100 * set.probability(n) + 0.5);
+  constexpr std::int32_t kMax = std::numeric_limits<index::OccupancyIndex>::max();
+  for (std::int32_t n = -kMax; n <= kMax; ++n) {
+    percents_[static_cast<std::uint8_t>(n)] =
+        static_cast<std::uint8_t>(std::lround(100 * set.probability(n)));
   }
 }
 

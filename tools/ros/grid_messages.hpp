@@ -32,11 +32,11 @@ class Percents {
   // epsilon: of the recursive set, 0 < epsilon < 1/2.
   explicit Percents(double epsilon);
   [[nodiscard]] std::uint8_t operator[](index::OccupancyIndex index) const {
-    return percents_[static_cast<std::size_t>(index + 128)];
+    return percents_[static_cast<std::uint8_t>(index)];
   }
 
  private:
-  std::array<std::uint8_t, 256> percents_{};
+  std::array<std::uint8_t, 256> percents_{};  // by the index as a byte
 };
 
 // nav_msgs/msg/OccupancyGrid: 0 ... 100, the probability in percent; -1 where the index is 0 or the
