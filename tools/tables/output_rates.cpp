@@ -309,7 +309,8 @@ void describe_rates(const TablesInput& input, const Scenes& scenes, Markdown& bo
       "(`bench/cortex_a9.txt`, written by `bench/measure_a9`), mean of " +
       grouped(measured_on_a9("frame_cost scene=ring_road sensors=4", "frames")) +
       " frames, two, three or all four LUX of the reference car. *Whole frame* is receiving, "
-      "fusing, marking and publishing: finding, hashing, wrapping and clearing the known tiles. "
+      "fusing, marking and publishing: finding, hashing, protecting, wrapping and clearing the "
+      "known tiles, which are sent raw. "
       "L1D "
       "refills and L2 misses of the whole frame are modelled:");
   print_instructions(scenes, body);

@@ -28,6 +28,7 @@ constexpr auto kSections = std::to_array<NamedSection>({
     {"scaling", scaling},
     {"numerical_quality", numerical_quality},
     {"quadtree", quadtree},
+    {"stream", stream_of_tiles},
     {"many_core", many_core},
     {"order_of_fusion", order_of_fusion},
     {"detection_quality", detection_quality},

@@ -17,6 +17,7 @@ namespace iog::tools {
 [[nodiscard]] Section scaling(const TablesInput& input);               // where real time ends
 [[nodiscard]] Section numerical_quality(const TablesInput& input);     // table 4.6
 [[nodiscard]] Section quadtree(const TablesInput& input);              // table 4.7
+[[nodiscard]] Section stream_of_tiles(const TablesInput& input);       // bytes, cycles, bad links
 [[nodiscard]] Section many_core(const TablesInput& input);             // many-core paper, table I
 [[nodiscard]] Section order_of_fusion(const TablesInput& input);       // sequential against ours
 [[nodiscard]] Section detection_quality(const TablesInput& input);     // what the choices cost
