@@ -1,8 +1,7 @@
 #include "tools/info/stream_census.hpp"
 
-#include <algorithm>
-
 #include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/report/link_counts.hpp"
 #include "wire/byte_reader.hpp"
 
 namespace iog::tools {
@@ -27,7 +26,7 @@ bool StreamCensus::is_message(std::span<const std::byte> datagram) {
 RunStatistics::Facts StreamCensus::facts() const {
   RunStatistics::Facts facts = statistics_.facts();
   facts.emplace_back("vehicle", vehicle());
-  for (const auto& [name, count] : message_counts()) {
+  for (const auto& [name, count] : link_counts(assembler_)) {
     facts.emplace_back(name, std::to_string(count));
   }
   return facts;
@@ -39,13 +38,7 @@ std::string StreamCensus::table() const {
     text += row("vehicle", vehicle());
   }
   text += statistics_.table(true);
-  for (const auto& [name, count] : message_counts()) {
-    if (count > 0 || name == "messages" || name == "messages_lost") {
-      std::string words = name;
-      std::ranges::replace(words, '_', ' ');
-      text += row(words, std::to_string(count));
-    }
-  }
+  text += rows_of(link_counts(assembler_));
   return text;
 }
 
@@ -56,24 +49,6 @@ std::string StreamCensus::vehicle() const {
   const CatalogueEntry* const car = vehicle_of_id(last_->vehicle_id);
   return car != nullptr ? std::string(car->vehicle->name)
                         : "unknown (" + hex(last_->vehicle_id) + ")";
-}
-
-std::vector<std::pair<std::string, std::uint64_t>> StreamCensus::message_counts() const {
-  const MessageCounts& counts = assembler_.counts();
-  return {{"messages", counts.messages},
-          {"message_bytes", counts.bytes},
-          {"messages_lost", assembler_.messages_lost()},
-          {"frames_lost", assembler_.frames_lost()},
-          {"messages_late", counts.late},
-          {"messages_repeated", counts.repeated},
-          {"messages_too_late", counts.too_late},
-          {"messages_corrupt", counts.corrupt},
-          {"messages_malformed", counts.malformed},
-          {"messages_not_ours", counts.not_ours},
-          {"messages_other_version", counts.other_version},
-          {"messages_not_understood", counts.not_understood},
-          {"tiles_without_reference", counts.without_reference},
-          {"target_restarts", counts.restarts}};
 }
 
 }  // namespace iog::tools

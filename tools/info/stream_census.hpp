@@ -7,7 +7,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tools/assembly/frame_assembler.hpp"
@@ -44,8 +43,6 @@ class StreamCensus {
   [[nodiscard]] std::string vehicle() const;
 
  private:
-  [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> message_counts() const;
-
   FrameHandler on_frame_;
   RunStatistics statistics_;
   std::optional<stream::Header> last_;

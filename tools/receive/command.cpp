@@ -1,6 +1,5 @@
 // iog receive: the grids of a target, put together, checked, counted and drawn.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <iostream>
@@ -17,6 +16,7 @@
 #include "tools/command/subcommands.hpp"
 #include "tools/picture/frame_writer.hpp"
 #include "tools/receive/udp_receiver.hpp"
+#include "tools/report/link_counts.hpp"
 #include "tools/report/run_statistics.hpp"
 #include "tools/serial/reception.hpp"
 
@@ -83,7 +83,7 @@ class Reception {
     }
     if (!options_->summary.empty()) {
       RunStatistics::Facts facts = statistics_.facts();
-      for (auto& [name, count] : link_counts()) {
+      for (const auto& [name, count] : all_counts()) {
         facts.emplace_back(name, std::to_string(count));
       }
       write_facts(options_->summary, facts);
@@ -155,40 +155,16 @@ class Reception {
     last_ = std::move(frame);
   }
 
-  [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> link_counts() const {
-    const MessageCounts& counts = assembler_.counts();
-    return {{"messages", counts.messages},
-            {"message_bytes", counts.bytes},
-            {"messages_lost", assembler_.messages_lost()},
-            {"frames_lost", assembler_.frames_lost()},
-            {"messages_late", counts.late},
-            {"messages_repeated", counts.repeated},
-            {"messages_too_late", counts.too_late},
-            {"messages_corrupt", counts.corrupt},
-            {"messages_malformed", counts.malformed},
-            {"messages_not_ours", counts.not_ours},
-            {"messages_other_version", counts.other_version},
-            {"messages_not_understood", counts.not_understood},
-            {"tiles_without_reference", counts.without_reference},
-            {"messages_overflow", overflow_},
-            {"target_restarts", counts.restarts}};
+  [[nodiscard]] LinkCounts all_counts() const {
+    LinkCounts counts = link_counts(assembler_);
+    counts.emplace_back("messages_overflow", overflow_);
+    return counts;
   }
 
   // With --notify standard output belongs to whoever reads the notes, such as `iog replay --step`.
   [[nodiscard]] std::ostream& table() const { return options_->notify ? std::cerr : std::cout; }
 
-  void print_table() const {
-    table() << statistics_.table(true);
-    for (const auto& [name, count] : link_counts()) {
-      const bool is_always_shown =
-          name == "messages" || name == "message_bytes" || name == "messages_lost";
-      if (count > 0 || is_always_shown) {
-        std::string words = name;
-        std::ranges::replace(words, '_', ' ');
-        table() << row(words, std::to_string(count));
-      }
-    }
-  }
+  void print_table() const { table() << statistics_.table(true) << rows_of(all_counts()); }
 
   const Options* options_;
   RunStatistics statistics_;
