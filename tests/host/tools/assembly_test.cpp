@@ -6,6 +6,7 @@
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
+#include "fakes/temporary_folder.hpp"
 #include "tools/assembly/frame_assembler.hpp"
 #include "tools/assembly/frame_record.hpp"
 #include "tools/assembly/sequence_watch.hpp"
@@ -224,7 +225,8 @@ TEST(SequenceWatch, CountsGapsAndForgivesTheLate) {
 }
 
 TEST(FrameRecord, LinesAreReadBack) {
-  const std::string path = testing::TempDir() + "iog_assembly_test_hashes";
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "hashes";
   write_records(path, undisturbed());
   EXPECT_FALSE(first_difference(read_records(path), undisturbed()).has_value());
   EXPECT_EQ(line_of({.number = 17,

@@ -4,6 +4,7 @@
 
 #include "gtest/gtest.h"
 
+#include "fakes/temporary_folder.hpp"
 #include "tools/capture/capture_clock.hpp"
 #include "tools/capture/pcap_reader.hpp"
 #include "tools/capture/pcap_writer.hpp"
@@ -13,10 +14,6 @@
 
 namespace iog::tools {
 namespace {
-
-std::string temporary(const std::string& name) {
-  return testing::TempDir() + "iog_capture_test_" + name;
-}
 
 CapturedDatagram datagram_of(std::uint64_t time_us, std::size_t bytes) {
   CapturedDatagram datagram{.time_us = time_us,
@@ -56,7 +53,8 @@ constexpr std::size_t kFileHeaderBytes = 24;
 constexpr std::size_t kFirstFrame = kFileHeaderBytes + 16;
 
 TEST(Capture, WhatIsWrittenIsReadBack) {
-  const std::string path = temporary("round_trip.pcap");
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "round_trip.pcap";
   std::vector<CapturedDatagram> sent;
   for (const std::size_t bytes : {0U, 1U, 17U, 18U, 19U, 1206U, 1400U, 1472U}) {
     sent.push_back(datagram_of(1'714'564'800'999'990U + bytes, bytes));
@@ -78,7 +76,8 @@ TEST(Capture, WhatIsWrittenIsReadBack) {
 }
 
 TEST(Capture, VlanTagsAreSkipped) {
-  const std::string path = temporary("vlan.pcap");
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "vlan.pcap";
   write_capture(path, {datagram_of(1, 100)});
   auto bytes = read_file(path);
   const std::vector<std::byte> tag{std::byte{0x81}, std::byte{0x00}, std::byte{0x00},
@@ -96,7 +95,8 @@ TEST(Capture, VlanTagsAreSkipped) {
 
 // One packet, with one byte of it changed.
 CaptureCounts counts_with(std::size_t offset_in_frame, std::uint8_t value) {
-  const std::string path = temporary("changed.pcap");
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "changed.pcap";
   write_capture(path, {datagram_of(1, 100)});
   auto bytes = read_file(path);
   bytes[kFirstFrame + offset_in_frame] = std::byte{value};
@@ -115,7 +115,8 @@ TEST(Capture, WhatIsNoWholeUdpDatagramIsCountedByCause) {
 }
 
 TEST(Capture, AFileThatBreaksOffEndsThere) {
-  const std::string path = temporary("cut.pcap");
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "cut.pcap";
   write_capture(path, {datagram_of(1, 100), datagram_of(2, 100)});
   auto bytes = read_file(path);
   bytes.resize(bytes.size() - 10);
@@ -126,10 +127,11 @@ TEST(Capture, AFileThatBreaksOffEndsThere) {
 }
 
 TEST(Capture, WhatIsNoCaptureIsRefused) {
-  const std::string path = temporary("text.pcap");
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "text.pcap";
   write_bytes(path, std::vector<std::byte>(100, std::byte{'x'}));
   EXPECT_THROW(PcapReader{path}, UsageError);
-  EXPECT_THROW(PcapReader{temporary("missing.pcap")}, UsageError);
+  EXPECT_THROW(PcapReader{folder / "missing.pcap"}, UsageError);
 }
 
 TEST(CaptureClock, NeverRunsBackAndShortensPauses) {

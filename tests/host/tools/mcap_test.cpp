@@ -8,6 +8,7 @@
 
 #include "gtest/gtest.h"
 
+#include "fakes/temporary_folder.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/file.hpp"
 #include "tools/mcap/reader.hpp"
@@ -51,7 +52,8 @@ std::vector<Kept> sample_messages(std::uint32_t count) {
 }
 
 std::string file_of(const std::vector<Kept>& messages, Compression compression) {
-  const std::string path = testing::TempDir() + "iog_mcap_test.mcap";
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "messages.mcap";
   Writer writer(path, "ros2", compression);
   const std::uint16_t schema =
       writer.add_schema({.name = "a/msg/B", .encoding = "ros2msg", .text = "uint8 c"});

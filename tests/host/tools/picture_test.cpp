@@ -5,6 +5,7 @@
 
 #include "gtest/gtest.h"
 
+#include "fakes/temporary_folder.hpp"
 #include "tools/command/file.hpp"
 #include "tools/picture/grid_picture.hpp"
 #include "tools/picture/ros_map.hpp"
@@ -21,13 +22,13 @@ std::string text_of(const std::string& path) {
 TEST(RosMap, FilesAreExact) {
   constexpr std::array<index::OccupancyIndex, 9> kCells{-127, -1,  0,  // lowest y
                                                         1,    127, 0, 0, 0, 2};
-  const std::string folder = testing::TempDir();
+  const tests::TemporaryFolder folder;
   const RosMap map{.cells = kCells, .side = 3, .cell_m = 0.1, .origin_m = -51.2};
-  write_ros_map(folder, "iog_map", map);
-  const std::string pgm = text_of(folder + "/iog_map.pgm");
+  write_ros_map(folder.path(), "iog_map", map);
+  const std::string pgm = text_of(folder / "iog_map.pgm");
   EXPECT_EQ(pgm, std::string("P5\n3 3\n255\n") + "\xCD\xCD" + std::string(2, '\0') +
                      std::string(1, '\0') + "\xCD" + "\xFE\xFE\xCD");
-  EXPECT_EQ(text_of(folder + "/iog_map.yaml"),
+  EXPECT_EQ(text_of(folder / "iog_map.yaml"),
             "image: iog_map.pgm\n"
             "mode: trinary\n"
             "resolution: 0.1\n"

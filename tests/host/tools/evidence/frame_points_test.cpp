@@ -3,7 +3,6 @@
 #include "tools/evidence/frame_points.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "fakes/random.hpp"
+#include "fakes/temporary_folder.hpp"
 #include "fakes/vlp16_packet.hpp"
 #include "tools/assembly/frame_assembler.hpp"
 #include "tools/capture/pcap_writer.hpp"
@@ -25,10 +25,6 @@ namespace {
 
 using Grids = std::vector<std::vector<std::int32_t>>;
 using Datagrams = std::vector<CapturedDatagram>;
-
-std::string temporary(const std::string& name) {
-  return (std::filesystem::path(testing::TempDir()) / ("iog_evidence_" + name)).string();
-}
 
 // The frames with evidence of the target's own pipeline.
 Grids grids_of_target(const CatalogueEntry& car, const Datagrams& datagrams) {
@@ -50,17 +46,15 @@ Grids grids_of_target(const CatalogueEntry& car, const Datagrams& datagrams) {
   return grids;
 }
 
-std::vector<FramePoints> read_back(const CatalogueEntry& car, const Datagrams& datagrams,
-                                   const std::string& name) {
-  const std::string path = temporary(name);
+std::vector<FramePoints> read_back(const CatalogueEntry& car, const Datagrams& datagrams) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "points.pcap";
   PcapWriter writer(path);
   for (const CapturedDatagram& datagram : datagrams) {
     writer.write(datagram);
   }
   writer.finish();
-  auto frames = read_points(path, car);
-  std::filesystem::remove(path);
-  return frames;
+  return read_points(path, car);
 }
 
 Grids grids_of_points(const CatalogueEntry& car, const std::vector<FramePoints>& frames) {
@@ -88,7 +82,7 @@ Datagrams drive_of(const CatalogueEntry& car, std::uint32_t frames) {
 TEST(FramePoints, ADriveHasTheFramesOfTheTarget) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   const Datagrams datagrams = drive_of(car, 4);
-  const auto frames = read_back(car, datagrams, "drive.pcap");
+  const auto frames = read_back(car, datagrams);
   ASSERT_EQ(frames.size(), 4U);
   EXPECT_EQ(grids_of_points(car, frames), grids_of_target(car, datagrams));
 }
@@ -127,7 +121,7 @@ TEST(FramePoints, ADisturbedDriveHasTheFramesOfTheTarget) {
   const CatalogueEntry& car = find_vehicle("two_lux_parking");
   for (const std::uint64_t seed : {1U, 2U}) {
     const Datagrams datagrams = disturbed(drive_of(car, 8), seed);
-    const auto frames = read_back(car, datagrams, "disturbed.pcap");
+    const auto frames = read_back(car, datagrams);
     EXPECT_GT(frames.size(), 4U);
     EXPECT_EQ(grids_of_points(car, frames), grids_of_target(car, datagrams));
   }
@@ -151,7 +145,7 @@ TEST(FramePoints, ATurnOfAVlp16IsAFrame) {
                          .destination = {2, 2368},
                          .payload = packet.bytes()});
   }
-  const auto frames = read_back(car, datagrams, "vlp16.pcap");
+  const auto frames = read_back(car, datagrams);
   EXPECT_EQ(frames.size(), 3U);
   EXPECT_EQ(grids_of_points(car, frames), grids_of_target(car, datagrams));
 }
@@ -159,7 +153,7 @@ TEST(FramePoints, ATurnOfAVlp16IsAFrame) {
 // The simulator loses nothing on the way: what it sends is what is read back.
 TEST(FramePoints, ADriveNeedsNoCapture) {
   const CatalogueEntry& car = find_vehicle("reference_car");
-  const auto frames = read_back(car, drive_of(car, 3), "direct.pcap");
+  const auto frames = read_back(car, drive_of(car, 3));
   Drive drive(car, 3, 1);
   for (std::uint32_t frame = 0; frame < 3; ++frame) {
     drive.move_to(frame);
@@ -174,8 +168,9 @@ TEST(FramePoints, ADriveNeedsNoCapture) {
 }
 
 TEST(FramePoints, AMissingCaptureIsSaid) {
+  const tests::TemporaryFolder folder;
   EXPECT_THROW(
-      static_cast<void>(read_points(temporary("missing.pcap"), find_vehicle("reference_car"))),
+      static_cast<void>(read_points(folder / "missing.pcap", find_vehicle("reference_car"))),
       UsageError);
 }
 

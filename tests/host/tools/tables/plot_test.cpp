@@ -10,6 +10,7 @@
 
 #include "gtest/gtest.h"
 
+#include "fakes/temporary_folder.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/file.hpp"
 
@@ -17,8 +18,8 @@ namespace iog::tools {
 namespace {
 
 std::string svg_of(const Plot& plot) {
-  const std::string path = testing::TempDir() + "/" +
-                           testing::UnitTest::GetInstance()->current_test_info()->name() + ".svg";
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "plot.svg";
   write_svg(plot, path);
   const auto bytes = read_file(path);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -62,8 +63,8 @@ TEST(Plot, TheSamePlotHasTheSameBytes) {
 
 // Words are words: gnuplot's quotes, commands and back quotes, a shell's, and XML's.
 TEST(Plot, NoWordIsACommand) {
-  const std::string trap = testing::TempDir() + "/trap";
-  std::filesystem::remove(trap);
+  const tests::TemporaryFolder folder;
+  const std::string trap = folder / "trap";
   const std::string evil = "it's `touch " + trap + "` $(touch " + trap + ") '; system('touch " +
                            trap + "')\nset output '" + trap + "'\n# \\ \" <&>_{x}^2";
   Plot plot = plot_with(Series::Style::kLine, 1);
@@ -100,8 +101,9 @@ TEST(Plot, AFolderThatIsNotThereIsWrongUse) {
 TEST(Plot, AMissingGnuplotIsNamedWithItsPackage) {
   const std::string before = std::getenv("PATH");
   setenv("PATH", "/nowhere", 1);
+  const tests::TemporaryFolder folder;
   try {
-    write_svg(plot_with(Series::Style::kLine, 1), testing::TempDir() + "/missing.svg");
+    write_svg(plot_with(Series::Style::kLine, 1), folder / "missing.svg");
     ADD_FAILURE() << "a plot without gnuplot";
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos);

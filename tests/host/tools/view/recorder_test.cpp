@@ -1,10 +1,11 @@
 #include "tools/view/recorder.hpp"
 
-#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "gtest/gtest.h"
 
+#include "fakes/temporary_folder.hpp"
 #include "tools/capture/pcap_reader.hpp"
 #include "tools/command/exit_status.hpp"
 
@@ -13,10 +14,8 @@ namespace {
 
 class RecorderTest : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::remove_all(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string folder_ = testing::TempDir() + "iog_view_records";
+  tests::TemporaryFolder parent_;
+  std::string folder_ = parent_ / "records";  // the recorder makes it
 };
 
 TEST_F(RecorderTest, KeepsEveryMessageAsItWas) {
