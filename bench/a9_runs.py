@@ -104,8 +104,8 @@ def frame(place: Place, name: str, variant: str, capture: str, sensors: int, fra
           paths: str = "kept", before: int = 1, coding: str = "raw") -> str:
     """A mean frame, stage by stage."""
     _, own = modelled(place, variant, STAGES | OUTSIDE,
-                      place.images / "frame_cost-reference_car", capture, sensors, frames, paths,
-                      before, coding)
+                      place.images / "frame_cost-reference_car", capture, coding, sensors, frames,
+                      paths, before)
     naming = "" if paths == "kept" else f" paths={paths}"
     naming += "" if coding == "raw" else f" coding={coding}"
     return line_of(f"{name} sensors={sensors}{naming} variant={variant} frames={frames} "
@@ -183,16 +183,39 @@ def grid_folder(place: Place, grid: tuple[int, int]) -> pathlib.Path:
     return place.images if grid == (1024, 100) else place.work / f"grid_{cells}_{cell_mm}/bench"
 
 
+NAMES = {"city": "", "ring_road": " scene=ring_road"}
+# Grids that follow each other, for the serial line.
+SERIAL_FRAMES = range(40, 44)
+
+
+def frame_cost(place: Place, name: str, capture: str, coding: str, *sensors: int) -> str:
+    line = counted(place, "frame_cost-reference_car", capture, coding, *sensors)
+    return line.replace("frame_cost ", f"frame_cost{name} ", 1)
+
+
+def serial_cost(place: Place, scene: str, capture: str) -> str:
+    """What the serial line costs and carries of a scene."""
+    grids = []
+    for number in SERIAL_FRAMES:
+        grids.append(f"{scene}_{number}")
+        output_of(place.iog, "fuse", "--pcap", place.work / capture, "--frame", number,
+                  "--out-raw", place.work / grids[-1])
+    return counted(place, "serial_cost", *grids).replace(
+        "serial_cost ", f"serial_cost scene={scene} ")
+
+
 # What measures a line or some, without arguments.
 def counted_runs(place: Place, scenes: dict[str, str], ring_road_sensors=(2, 3, 4)) -> list:
-    frame_cost = "frame_cost-reference_car"
     runs = []
-    for sensors in (2, 3, 4):
-        runs.append(lambda n=sensors: counted(place, frame_cost, scenes["city"], n))
-    for sensors in ring_road_sensors:
-        runs.append(lambda n=sensors: re.sub(
-            "^frame_cost ", "frame_cost scene=ring_road ",
-            counted(place, frame_cost, scenes["ring_road"], n)))
+    for scene, numbers in (("city", (2, 3, 4)), ("ring_road", ring_road_sensors)):
+        for sensors in numbers:
+            runs.append(lambda s=scene, n=sensors: frame_cost(
+                place, NAMES[s], scenes[s], "raw", n))
+    for scene, capture in scenes.items():
+        runs.append(lambda s=scene, c=capture: frame_cost(
+            place, f"{NAMES[s]} coding=shortest", c, "shortest"))
+    runs += [lambda s=scene, c=capture: serial_cost(place, s, c)
+             for scene, capture in scenes.items()]
     runs.append(lambda: counted(place, "traversal_cost"))
     runs.append(lambda: counted(place, "many_core", scenes["city"]))
     return runs
@@ -211,9 +234,9 @@ def worst_capture(place: Place, name: str) -> str:
 def worst_run(place: Place, name: str) -> str:
     """Fails if a grid is not that of `iog fuse`."""
     capture = worst_capture(place, name)
-    line = counted(place, "frame_cost-reference_car", capture)
+    line = frame_cost(place, f" worst={name}", capture, "raw")
     check_grids(place, line, capture)
-    return line.replace("frame_cost ", f"frame_cost worst={name} ", 1)
+    return line
 
 
 def check_grids(place: Place, line: str, capture: str) -> None:
@@ -226,10 +249,9 @@ def check_grids(place: Place, line: str, capture: str) -> None:
 
 def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> list:
     runs = []
-    names = {"city": "", "ring_road": " scene=ring_road"}
     for variant in VARIANTS:
         for scene, capture in scenes.items():
-            name = f"model frame_cost{names[scene]}"
+            name = f"model frame_cost{NAMES[scene]}"
             for sensors in (2, 3, 4):
                 runs.append(lambda n=name, v=variant, c=capture, s=sensors: frame(
                     place, n, v, c, s, MODELLED_FRAMES, before=WARM_UP))
@@ -237,7 +259,7 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
                 place, n, v, c, 4, FORGOTTEN_FRAMES, "forgotten"))
             runs.append(lambda n=name, v=variant, c=capture: frame(
                 place, n, v, c, 4, MODELLED_FRAMES, before=WARM_UP, coding="shortest"))
-            runs.append(lambda n=names[scene], v=variant, c=capture: tree(
+            runs.append(lambda n=NAMES[scene], v=variant, c=capture: tree(
                 place, f"model tree{n}", v, c, MODELLED_FRAMES))
         for kind in worst:
             for paths, frames in (("kept", WORST_FRAMES), ("forgotten", 1)):
@@ -248,9 +270,9 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
         runs.append(lambda k=kind: floor(
             place, f"model floor worst={k}", f"worst_{k}.pcap", WORST_FRAMES))
     for scene, capture in scenes.items():
-        runs.append(lambda n=names[scene], c=capture: frame(
+        runs.append(lambda n=NAMES[scene], c=capture: frame(
             place, f"model long_run{n}", "nominal", c, 4, LONG_FRAMES, before=WARM_UP))
-        runs.append(lambda n=names[scene], c=capture: floor(
+        runs.append(lambda n=NAMES[scene], c=capture: floor(
             place, f"model floor{n}", c, MODELLED_FRAMES))
     runs.append(lambda: few_frames(place, scenes))
     for grid, points in SCALING_GRIDS.items():

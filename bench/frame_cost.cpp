@@ -1,13 +1,14 @@
 // frame_cost: what a frame costs the Cortex-A9, in instructions, by stage. Runs in QEMU with
 // instruction counting (bench/run_image); prints one line of key=value pairs.
 //
-//   frame_cost <capture> [<number of sensors: the first ones of the description> [<frames>
-//   <paths> <frames before> [<coding>]]]
+//   frame_cost <capture> [<coding> [<sensors> [<frames> <paths> <frames before>]]]
 //
+// The coding is how tiles are sent: "shortest", as the firmware does and as without it, or "raw".
+// Sensors are the number of them, the first ones of the description.
 // With a number of frames only the firmware's own pipeline runs, over the frames before to warm up
 // and then over so many: what the cost model of the Cortex-A9, which takes its time, is to see.
 // Paths are what the core keeps of a line from frame to frame: "kept", or "forgotten" after every
-// frame. The coding is how tiles are sent: "raw", as without it, or "shortest".
+// frame.
 //
 // The core is the firmware's own, object by object, and so is the memcpy() beneath it. What is not
 // here are the driver of the Ethernet controller, the loop around the pipeline, and caches, which
@@ -96,7 +97,7 @@ struct Request {
   std::size_t frames = 0;  // 0: all, in both passes
   std::size_t before = 0;
   bool forgets = false;
-  app::Coding coding = app::Coding::kRaw;
+  app::Coding coding = app::Coding::kShortest;
 };
 
 // A target of play() that ends the capture once so many frames are complete. What the frames before
@@ -215,28 +216,28 @@ int main(int argc, char** argv) {
   constexpr std::size_t kMostFrames = 100'000;
   const std::size_t all = iog::vehicles::kVehicle.sensors.size();
   iog::bench::Request request{.capture = argv[1], .sensors = all};
-  bool is_right = argc == 2 || argc == 3 || argc == 6 || argc == 7;
+  bool is_right = (argc >= 2 && argc <= 4) || argc == 7;
   if (is_right && argc >= 3) {
-    request.sensors = iog::bench::number_in(argv[2], all);
+    const bool is_raw = std::strcmp(argv[2], "raw") == 0;
+    request.coding = is_raw ? iog::app::Coding::kRaw : iog::app::Coding::kShortest;
+    is_right = is_raw || std::strcmp(argv[2], "shortest") == 0;
+  }
+  if (is_right && argc >= 4) {
+    request.sensors = iog::bench::number_in(argv[3], all);
     is_right = request.sensors > 0;
   }
-  if (is_right && argc >= 6) {
-    request.frames = iog::bench::number_in(argv[3], kMostFrames);
-    request.forgets = std::strcmp(argv[4], "forgotten") == 0;
-    request.before = iog::bench::number_in(argv[5], kMostFrames);
-    is_right = request.frames > 0 && request.before > 0 &&
-               (request.forgets || std::strcmp(argv[4], "kept") == 0);
-  }
   if (is_right && argc == 7) {
-    const bool is_shortest = std::strcmp(argv[6], "shortest") == 0;
-    request.coding = is_shortest ? iog::app::Coding::kShortest : iog::app::Coding::kRaw;
-    is_right = is_shortest || std::strcmp(argv[6], "raw") == 0;
+    request.frames = iog::bench::number_in(argv[4], kMostFrames);
+    request.forgets = std::strcmp(argv[5], "forgotten") == 0;
+    request.before = iog::bench::number_in(argv[6], kMostFrames);
+    is_right = request.frames > 0 && request.before > 0 &&
+               (request.forgets || std::strcmp(argv[5], "kept") == 0);
   }
   if (!is_right) {
     // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
     std::printf(
-        "frame_cost: expected a capture, 1 to %u for the sensors, and a number of frames "
-        "with what becomes of paths, the frames before and the coding\n",
+        "frame_cost: expected a capture, raw or shortest, 1 to %u for the sensors, and a number "
+        "of frames with what becomes of paths and the frames before\n",
         all);
     return 2;
   }

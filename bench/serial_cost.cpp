@@ -6,7 +6,8 @@
 //
 // A frame comes every 40 ms and a pass of the loop every millisecond, for a minute; the grids come
 // one after the other, again and again. Prints lines of key=value pairs: what handing a frame over
-// and a pass took; and for each grid of the line (its cells in mm) its bytes and rounds.
+// and a pass took, in instructions; and for each grid of the line (its cells in mm) its bytes and
+// rounds.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -47,10 +48,10 @@ struct Cost {
     most = std::max(most, instructions);
   }
   void print_as(const char* name) const {
-    std::printf("serial_cost %s", name);
+    std::printf("serial_cost of=%s", name);
     print("count", count);
-    print("mean", sum / std::max<std::uint32_t>(count, 1));
-    print("most", most);
+    print("instructions_mean", sum / std::max<std::uint32_t>(count, 1));
+    print("instructions_max", most);
     std::puts("");
   }
 };
@@ -90,7 +91,7 @@ class Line {
   void report() const {
     for (const Told& told : told_) {
       if (told.messages > 0) {
-        std::printf("serial_cost line");
+        std::printf("serial_cost of=line");
         print("cell_mm", told.cell_mm);
         print("messages", told.messages);
         print("bytes", told.bytes);
@@ -137,19 +138,27 @@ class Line {
 
 Line line;
 
-void hand_over(std::uint32_t frame, const Grid& grid, Cost& cost) {
-  static std::array<Tile, kTilesPerSide * kTilesPerSide> tiles;
-  static std::array<bool, kTilesPerSide * kTilesPerSide> are_known;
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    tiles[i] = tile_of(grid, i % kTilesPerSide, i / kTilesPerSide);
-    are_known[i] = is_known(tiles[i]);
+struct KnownTile {
+  std::size_t number;
+  Tile cells;
+};
+
+std::vector<KnownTile> known_tiles_of(const Grid& grid) {
+  std::vector<KnownTile> tiles;
+  for (std::size_t i = 0; i < kTilesPerSide * kTilesPerSide; ++i) {
+    const Tile tile = tile_of(grid, i % kTilesPerSide, i / kTilesPerSide);
+    if (is_known(tile)) {
+      tiles.push_back({.number = i, .cells = tile});
+    }
   }
+  return tiles;
+}
+
+void hand_over(std::uint32_t frame, const std::vector<KnownTile>& tiles, Cost& cost) {
   cost.measure([&] {
     sender.begin_frame({.frame_number = frame, .complete_sensors = 1});
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-      if (are_known[i]) {
-        sender.take_tile(i, tiles[i]);
-      }
+    for (const KnownTile& tile : tiles) {
+      sender.take_tile(tile.number, tile.cells);
     }
     sender.end_frame();
   });
@@ -161,11 +170,13 @@ int run(std::span<char*> names) {
     std::puts("serial_cost: instructions are not counted; is this -icount shift=4,sleep=off?");
     return 1;
   }
-  std::vector<Grid> grids(names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!read(names[i], grids[i])) {
+  static Grid grid;
+  std::vector<std::vector<KnownTile>> grids;
+  for (const char* const name : names) {
+    if (!read(name, grid)) {
       return 1;
     }
+    grids.push_back(known_tiles_of(grid));
   }
   Cost frame_cost;
   Cost pass_cost;

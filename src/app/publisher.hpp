@@ -19,7 +19,7 @@
 namespace iog::app {
 
 // How tiles are sent. The shortest encoding takes several times the instructions of a raw tile and
-// makes a fifth of the bytes or less.
+// makes a tenth of the bytes.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
 // send(message): sends a copy, at most protection::kMaxMessageBytes; false when none can go out.

@@ -13,8 +13,8 @@ namespace iog::stream {
 inline constexpr std::uint8_t kInterfaceVersion = 2;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
-// A frame is up to some 480 messages if nothing can be compressed; a receiver is alarmed when more
-// than that are missing in a row.
+// A receiver is alarmed when more messages than these are missing in a row. A frame of a wide road
+// is some 480 messages if its tiles are sent raw, and never more than 1025.
 inline constexpr std::uint16_t kMaxDeltaCounter = 512;
 
 inline constexpr protection::Channel kNetworkChannel{
