@@ -146,10 +146,18 @@ class Page:
                     self._complaints.append(json.dumps(details["entry"]))
         return self._complaints
 
-    def press(self, key: str) -> None:
-        text = {"text": key} if len(key) == 1 else {}
-        self.ask("Input.dispatchKeyEvent", type="keyDown", key=key, **text)
-        self.ask("Input.dispatchKeyEvent", type="keyUp", key=key)
+    def press(self, key: str, modifiers: int = 0) -> None:
+        details = {"key": key, "modifiers": modifiers}
+        if key == "Tab":  # moves the focus by its code, not by its name
+            details |= {"windowsVirtualKeyCode": 9, "code": "Tab"}
+        text = {"text": key} if len(key) == 1 and modifiers == 0 else {}
+        self.ask("Input.dispatchKeyEvent", type="keyDown", **details, **text)
+        self.ask("Input.dispatchKeyEvent", type="keyUp", **details)
+
+    def touch(self, kind: str, *places: tuple[float, float]) -> None:
+        """Fingers: touchStart and touchMove with all that are down, touchEnd with those that stay."""
+        self.ask("Input.dispatchTouchEvent", type=kind, touchPoints=[
+            {"x": column, "y": row, "id": finger} for finger, (column, row) in enumerate(places)])
 
     def move_to(self, column: float, row: float) -> None:
         self.ask("Input.dispatchMouseEvent", type="mouseMoved", x=column, y=row)

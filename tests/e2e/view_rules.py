@@ -5,6 +5,7 @@ import hashlib
 import http.client
 import os
 import pathlib
+import resource
 import socket
 import struct
 import subprocess
@@ -119,6 +120,62 @@ def check_many(viewer: Viewer) -> None:
         page.close()
 
 
+def check_siege(iog: str) -> None:
+    """Connections that ask nothing, more than there are file descriptors, cost no processor time, and
+    it serves again when they are gone."""
+    with Viewer(iog, "--port", str(free_port())) as viewer:
+        resource.prlimit(viewer.process, resource.RLIMIT_NOFILE, (40, 40))
+        idle = [socket.create_connection(("127.0.0.1", viewer.port), timeout=10) for _ in range(60)]
+        time.sleep(0.3)
+        before = viewer.processor_s
+        time.sleep(1)
+        assert viewer.processor_s - before < 0.3, viewer.processor_s - before
+        for one in idle:
+            one.close()
+        assert status_of(viewer.port, "GET", "/", f"127.0.0.1:{viewer.port}")[0] == 200
+
+
+def check_crowd(iog: str, browser: Browser) -> None:
+    """Pages that come and go leave nothing behind; one that is slow, one that never answers and one
+    that is hidden delay nobody. A hidden page still says in its title what has become of the stream."""
+    with Viewer(iog, "--simulate", "city") as viewer:
+        own = f"http://127.0.0.1:{viewer.port}"
+        first = GridPage(browser.open(viewer.address))
+        before, files = viewer.memory_bytes, viewer.files
+        for _ in range(100):
+            Socket(viewer.port, own).close()
+        for _ in range(5):
+            page = GridPage(browser.open(viewer.address))
+            page.page.wait_for("iogPage.history.count > 0")
+            assert not page.page.complaints(), page.page.complaints()
+            page.page.close()
+        silent = [Socket(viewer.port, own) for _ in range(4)]
+        slow = GridPage(browser.open(viewer.address))
+        slow.page.ask("Emulation.setCPUThrottlingRate", rate=20)
+        count = "iogPage.status.frame.number - iogPage.history.count"
+        skipped = first.page.value(count)
+        frames = first.page.value("iogPage.history.count")
+        time.sleep(3)
+        frames = first.page.value("iogPage.history.count") - frames
+        skipped = first.page.value(count) - skipped
+        assert frames > 20 and skipped <= frames, (frames, skipped)
+        assert viewer.memory_bytes < before + (16 << 20), (before, viewer.memory_bytes)
+        for one in silent:
+            one.close()
+        slow.page.close()
+        deadline = time.monotonic() + 10
+        while viewer.files > files + 8:  # the browser keeps some for its next request
+            assert time.monotonic() < deadline, (files, viewer.files)
+            time.sleep(0.1)
+        hidden, front = first, browser.open("about:blank")
+        assert hidden.page.value("document.hidden"), "the page is not in the background"
+        assert hidden.page.value("document.title") == "live – iogrid"
+        viewer.stop()
+        hidden.page.wait_for("document.title === 'no server – iogrid'")
+        front.close()
+        hidden.page.close()
+
+
 def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
     """Words from outside are words: a file's name and a vehicle that nobody knows."""
     name = '<img src=x onerror="document.title=1"><b>&amp;.pcap'
@@ -130,8 +187,8 @@ def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
         page.page.wait_for("document.getElementById('origin').textContent !== ''")
         assert name in page.page.value("document.getElementById('origin').textContent")
         assert page.page.value("document.querySelectorAll('img, b b, span b').length") == 1
-        assert page.page.value("document.title") == "iogrid"
         page.wait_for_state("end of recording")
+        assert page.page.value("document.title") == "end of recording – iogrid"
         assert not page.page.complaints(), page.page.complaints()
         page.page.close()
     port = free_port()
@@ -148,4 +205,6 @@ def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
         check_hosts(viewer)
         check_sockets(viewer)
         check_many(viewer)
+    check_siege(iog)
+    check_crowd(iog, browser)
     check_words(iog, folder, browser)

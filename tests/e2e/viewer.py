@@ -1,5 +1,6 @@
 """`iog view`, running, and what its page says."""
 
+import os
 import pathlib
 import re
 import socket
@@ -41,8 +42,23 @@ class Viewer:
         return self._process.wait(20)
 
     @property
+    def process(self) -> int:
+        return self._process.pid
+
+    @property
     def memory_bytes(self) -> int:
-        return resident_bytes(self._process.pid)
+        return resident_bytes(self.process)
+
+    @property
+    def files(self) -> int:
+        """That are open, connections among them."""
+        return len(os.listdir(f"/proc/{self.process}/fd"))
+
+    @property
+    def processor_s(self) -> float:
+        """Time that it has used so far."""
+        fields = pathlib.Path(f"/proc/{self.process}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def resident_bytes(process: int) -> int:

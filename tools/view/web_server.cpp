@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
@@ -30,9 +31,10 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using asio::ip::tcp;
 
-constexpr std::chrono::seconds kPatience{30};  // with a browser that asks nothing
-constexpr std::size_t kMaxPages = 16;          // open at the same time
-constexpr std::size_t kMaxRequestBytes = 64;   // what a page has to say is a word
+constexpr std::chrono::seconds kPatience{30};     // with a browser that asks nothing
+constexpr std::chrono::milliseconds kPause{100};  // when nobody can be let in
+constexpr std::size_t kMaxPages = 16;             // open at the same time
+constexpr std::size_t kMaxRequestBytes = 64;      // what a page has to say is a word
 constexpr int kMessagesUnderWay = 2;
 
 // Nothing but our own files, no frames, no forms; nothing is kept, so that a page and the program
@@ -285,11 +287,24 @@ class WebServer::Implementation {
  private:
   void accept() {
     acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
-      if (!error) {
-        socket.set_option(tcp::no_delay(true), error);
-        std::make_shared<Connection>(std::move(socket), *scene_, pages_)->read();
+      if (error) {
+        accept_later();
+        return;
       }
+      socket.set_option(tcp::no_delay(true), error);
+      std::make_shared<Connection>(std::move(socket), *scene_, pages_)->read();
       accept();
+    });
+  }
+
+  // The file descriptors are used up. Who waits at the door is still there, so to ask again at once
+  // would be a loop without rest.
+  void accept_later() {
+    pause_.expires_after(kPause);
+    pause_.async_wait([this](beast::error_code error) {
+      if (!error) {
+        accept();
+      }
     });
   }
 
@@ -297,6 +312,7 @@ class WebServer::Implementation {
   Pages pages_;
   asio::io_context context_{1};
   tcp::acceptor acceptor_;
+  asio::steady_timer pause_{context_};
   std::thread thread_;
 };
 

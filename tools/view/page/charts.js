@@ -4,11 +4,15 @@ import { FATES, SERIES } from "./palette.js";
 import { factsOf } from "./status.js";
 
 const SPAN_MS = 60000;
+const ROW = 19; // pixels for a sensor
 const STAGES = ["fuse", "mark", "publish"];
 
 const compact = (value) =>
   Number.isInteger(value) || value >= 100 ? Math.round(value).toLocaleString("en")
                                           : value.toPrecision(2);
+
+// So that the digits of what changes with each frame stay where they are.
+const exact = (value, unit) => (unit === "ms" ? value.toFixed(value < 9.995 ? 2 : 1) : compact(value));
 
 // A chart is a name, a unit, and for each frame a list of values that are stacked.
 const CHARTS = [
@@ -61,6 +65,9 @@ export class Charts {
   constructor(parent) {
     this.charts = CHARTS.map((chart) => this.addChart(parent, chart));
     this.sensors = this.addChart(parent, { id: "sensors", title: () => "Sensors", series: [] });
+    const span = make("div", "span number");
+    span.append(make("span", "", "−60 s"), make("span", "", "newest"));
+    parent.append(span);
     this.facts = make("dl", "facts number");
     parent.append(this.facts);
     this.theme = "dark";
@@ -137,16 +144,16 @@ export class Charts {
 
   showKeys(chart, values, theme) {
     const sum = values.reduce((a, b) => a + b, 0);
-    chart.value.textContent = values.length > 0 ? `${compact(sum)} ${chart.unit}` : "–";
+    chart.value.textContent = values.length > 0 ? `${exact(sum, chart.unit)} ${chart.unit}` : "–";
     const shown = chart.series.map((series, i) => ({ ...series, value: values[i] ?? 0 }))
         .filter(({ value }, i) => chart.series.length <= 3 || i === 0 || value > 0);
-    const words = theme + shown.map(({ name, value }) => `${name} ${compact(value)}`).join();
+    const words = theme + shown.map(({ name, value }) => `${name} ${exact(value, chart.unit)}`).join();
     if (words === chart.words || chart.series.length < 2) {
       return;
     }
     chart.words = words;
     chart.keys.replaceChildren(...shown.map(({ name, value, colour }) => {
-      const key = make("span", "key", `${name} ${compact(value)}`);
+      const key = make("span", "key", `${name} ${exact(value, chart.unit)}`);
       const spot = make("i", "");
       spot.style.background = colour[theme];
       key.prepend(spot);
@@ -158,19 +165,19 @@ export class Charts {
     const chart = this.sensors;
     const last = [...frames].reverse().find(({ status }) => status.frame && status.frame.end);
     const count = last ? last.status.frame.end.sensors.length : 0;
-    chart.canvas.style.height = `${Math.max(1, count) * 17}px`;
+    chart.canvas.style.height = `${Math.max(1, count) * ROW}px`;
     const { context, width, height } = this.prepare(chart);
     const shown = at && at.status.frame && at.status.frame.end ? at : last;
     let complete = 0;
     for (let i = 0; i < count; ++i) {
       const names = vehicle ? vehicle.sensors.map(({ name }) => name) : [];
-      const y = i * 17;
+      const y = i * ROW;
       for (const { status, timeMs } of frames) {
         const sensor = status.frame && status.frame.end && status.frame.end.sensors[i];
         const x = width - 1 - (end - timeMs) / SPAN_MS * width;
         if (sensor && x >= 0) {
           context.fillStyle = SERIES.state[theme][sensor.state] ?? "gray";
-          context.fillRect(x, y + 12, 1.6, 4);
+          context.fillRect(x, y + 14, 1.6, 3);
         }
       }
       const state = shown.status.frame.end.sensors[i];

@@ -1,4 +1,4 @@
-// Keys, buttons, mouse and touch: what each does is a method of the actions that are handed in.
+// Keys and buttons: what each does is a method of the actions that are handed in.
 
 import { OVERLAYS } from "./overlays.js";
 
@@ -20,24 +20,40 @@ const KEYS = [
   [["?", "h"], "help", "these keys"],
 ];
 
-const NAMES = { " ": "space", ArrowLeft: "←", ArrowRight: "→" };
+const NAMES = { " ": "space", ArrowLeft: "←", ArrowRight: "→", Home: "Home", End: "End" };
+const REPEATED = ["back", "step", "nearer", "farther"]; // while the key is held down
 
 export function listenToKeys(actions) {
   const byKey = new Map(KEYS.flatMap(([keys, action]) => keys.map((key) => [key, action])));
   const overlays = new Map(OVERLAYS.map(({ id, key }) => [key, id]));
   window.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) {
-      return;
-    }
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    if (byKey.has(key)) {
-      actions[byKey.get(key)]();
-    } else if (overlays.has(key)) {
-      actions.overlay(overlays.get(key));
-    } else {
+    const action = overlays.has(key) ? "overlay" : byKey.get(key);
+    if (!action || isOfBrowser(event, action)) {
       return;
     }
     event.preventDefault();
+    if (!event.repeat || REPEATED.includes(action)) {
+      actions[action](overlays.get(key));
+    }
+  });
+}
+
+// The browser's own shortcuts, the button that has the focus, and what belongs to an open dialog.
+function isOfBrowser(event, action) {
+  const isPress = event.key === " " && event.target instanceof HTMLButtonElement;
+  const isBehind = document.querySelector("dialog[open]") !== null && action !== "help";
+  return event.ctrlKey || event.metaKey || event.altKey || isPress || isBehind;
+}
+
+// A button that was clicked gives up the focus, so that space pauses again; one that was chosen by
+// Tab keeps it.
+export function onPress(button, action) {
+  button.addEventListener("click", (event) => {
+    action();
+    if (event.detail > 0) {
+      button.blur();
+    }
   });
 }
 
@@ -46,6 +62,8 @@ export function listKeys(list) {
     ...KEYS.map(([keys, , words]) => [keys.map((key) => NAMES[key] ?? key.toUpperCase()), words]),
     ...OVERLAYS.map(({ key, name }) => [[key.toUpperCase()], `overlay: ${name}`]),
     [["drag", "wheel"], "move, and nearer or farther"],
+    [["one finger", "two"], "the same by touch"],
+    [["double click"], "the car and its street again"],
   ];
   for (const [keys, words] of rows) {
     const term = document.createElement("dt");
@@ -65,48 +83,9 @@ export function addOverlaySwitches(parent, actions) {
     const words = Object.assign(document.createElement("span"), { textContent: name });
     const kbd = Object.assign(document.createElement("kbd"), { textContent: key.toUpperCase() });
     button.append(document.createElement("i"), words, kbd);
-    button.addEventListener("click", () => {
-      actions.overlay(id);
-      button.blur();
-    });
+    onPress(button, () => actions.overlay(id));
     parent.append(button);
     buttons.set(id, button);
   }
   return buttons;
-}
-
-// The mouse moves the grid, and tells where it is.
-export function listenToPointer(canvas, view, { changed, hovered }) {
-  let held = null;
-  const place = (event) => {
-    const box = canvas.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
-  canvas.addEventListener("pointerdown", (event) => {
-    held = place(event);
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    const at = place(event);
-    if (held) {
-      view.pan(at[0] - held[0], at[1] - held[1]);
-      held = at;
-      changed();
-    }
-    hovered(at);
-  });
-  canvas.addEventListener("pointerup", () => {
-    held = null;
-  });
-  canvas.addEventListener("pointerleave", () => hovered(null));
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    view.zoom(Math.exp(-event.deltaY * 0.0015), ...place(event));
-    hovered(place(event));
-    changed();
-  }, { passive: false });
-  canvas.addEventListener("dblclick", () => {
-    view.showStreet();
-    changed();
-  });
 }

@@ -46,9 +46,9 @@ export class GridCanvas {
     return paletteOf(this.theme);
   }
 
-  // After a change of theme, scale or vehicle.
+  // After a change of theme, scale, vehicle or state.
   restyle() {
-    this.table = pixelTable(this.theme, this.scale, this.epsilon);
+    this.table = pixelTable(this.theme, this.scale, this.epsilon, this.isStale);
     this.grid.changed.fill(1);
     this.drawn = -1;
   }
@@ -211,7 +211,7 @@ export class GridCanvas {
       return;
     }
     const { context } = this;
-    context.fillStyle = this.isStale ? css(this.palette.age) : this.palette.mark;
+    context.fillStyle = this.isStale ? css(this.palette.occupiedStale) : this.palette.mark;
     for (const cells of this.occupied) {
       for (const cell of cells || []) {
         const [column, row] = this.toScreen(((cell % SIDE) - SIDE / 2 + 0.5) * this.cellM,

@@ -35,8 +35,11 @@ export function draw(view) {
   if (on("points") && view.grid.points) {
     drawPoints(view);
   }
-  if (on("ages")) {
+  if (on("ages") && view.grid.number >= 0) {
     drawAges(view);
+  }
+  if (on("rings")) {
+    drawDistances(view);
   }
   drawCar(view, on("mounts"));
   drawScaleBar(view);
@@ -160,26 +163,37 @@ function drawLeaves(view) {
   context.stroke();
 }
 
+const ringStep = (view) => (view.pixelsPerMetre > 60 ? 1 : view.pixelsPerMetre > 24 ? 5 : 10);
+
 function drawRings(view) {
   const { context, palette } = view;
-  const step = view.pixelsPerMetre > 60 ? 1 : view.pixelsPerMetre > 24 ? 5 : 10;
+  const step = ringStep(view);
   const [column, row] = view.toScreen(0, 0);
   context.strokeStyle = palette.ring;
   context.lineWidth = 1;
-  context.font = FONT;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
   for (let radius = step; radius <= 50; radius += step) {
     context.beginPath();
     context.arc(column, row, radius * view.pixelsPerMetre, 0, 2 * Math.PI);
     context.stroke();
   }
+}
+
+// Above everything that may be there.
+function drawDistances(view) {
+  const { context, palette } = view;
+  const step = ringStep(view);
+  const [column, row] = view.toScreen(0, 0);
+  context.font = FONT;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
   for (let radius = step; radius <= 50; radius += step) {
     const at = row - radius * view.pixelsPerMetre;
     const words = `${radius} m`;
     const width = context.measureText(words).width + 8;
     context.fillStyle = palette.shade;
-    context.fillRect(column - width / 2, at - 8, width, 16);
+    context.beginPath();
+    context.roundRect(column - width / 2, at - 8, width, 16, 4);
+    context.fill();
     context.fillStyle = palette.ringText;
     context.fillText(words, column, at + 0.5);
   }
@@ -261,7 +275,7 @@ function drawAges(view) {
   const { context, grid, palette } = view;
   const side = TILE_SIDE * view.cellM;
   context.strokeStyle = palette.stale;
-  context.lineWidth = 1.2;
+  context.lineWidth = 1;
   for (let tile = 0; tile < grid.ages.length; ++tile) {
     const age = grid.ages[tile];
     if (age === 0) {
@@ -270,13 +284,25 @@ function drawAges(view) {
     const x = ((tile % TILES_PER_SIDE) - TILES_PER_SIDE / 2) * side;
     const y = (Math.floor(tile / TILES_PER_SIDE) - TILES_PER_SIDE / 2) * side;
     const [left, top] = view.toScreen(x + side, y + side);
-    hatch(context, left, top, side * view.pixelsPerMetre, age === 255 ? 1 : age < 5 ? 3 : 5);
+    const length = side * view.pixelsPerMetre;
+    context.beginPath();
+    if (age === 255) {
+      cross(context, left, top, length);
+    } else {
+      hatch(context, left, top, length, age < 5 ? 3 : 5);
+    }
+    context.stroke();
   }
 }
 
+function cross(context, left, top, side) {
+  context.moveTo(left, top);
+  context.lineTo(left + side, top + side);
+  context.moveTo(left, top + side);
+  context.lineTo(left + side, top);
+}
+
 function hatch(context, left, top, side, lines) {
-  context.strokeRect(left + 0.5, top + 0.5, side - 1, side - 1);
-  context.beginPath();
   for (let i = 1; i <= lines; ++i) {
     const at = side * i / lines;
     context.moveTo(left, top + at);
@@ -286,7 +312,6 @@ function hatch(context, left, top, side, lines) {
       context.lineTo(left + side, top + at);
     }
   }
-  context.stroke();
 }
 
 function drawScaleBar(view) {
@@ -296,7 +321,9 @@ function drawScaleBar(view) {
   const right = view.width - 18;
   const bottom = view.height - 20;
   context.fillStyle = palette.shade;
-  context.fillRect(right - length - 10, bottom - 24, length + 20, 34);
+  context.beginPath();
+  context.roundRect(right - length - 12, bottom - 26, length + 24, 34, 8);
+  context.fill();
   context.strokeStyle = palette.ink;
   context.lineWidth = 2;
   context.beginPath();

@@ -9,6 +9,8 @@ const THEMES = {
     freeStrong: [188, 212, 228],
     occupiedWeak: [255, 140, 30],
     occupiedStrong: [214, 26, 8],
+    freeStale: [112, 114, 116],
+    occupiedStale: [255, 255, 255],
     outside: "#14171b",
     gridEdge: "#39424c",
     ring: "rgba(128, 150, 172, 0.38)",
@@ -24,10 +26,9 @@ const THEMES = {
     invented: [232, 83, 196],
     agreed: [255, 255, 255],
     leaf: "rgba(140, 160, 180, 0.32)",
-    stale: "rgba(238, 214, 120, 0.85)",
-    age: [238, 214, 120],
+    stale: "rgba(238, 214, 120, 0.55)",
     ink: "#e8ecef",
-    shade: "rgba(20, 23, 27, 0.72)",
+    shade: "rgba(20, 23, 27, 0.86)",
   },
   light: {
     unknown: [187, 191, 196],
@@ -35,6 +36,8 @@ const THEMES = {
     freeStrong: [250, 252, 254],
     occupiedWeak: [226, 105, 0],
     occupiedStrong: [150, 8, 0],
+    freeStale: [240, 240, 240],
+    occupiedStale: [20, 20, 20],
     outside: "#d8dbde",
     gridEdge: "#8d959d",
     ring: "rgba(60, 80, 100, 0.34)",
@@ -50,10 +53,9 @@ const THEMES = {
     invented: [214, 0, 140],
     agreed: [30, 30, 30],
     leaf: "rgba(50, 70, 90, 0.30)",
-    stale: "rgba(112, 84, 0, 0.75)",
-    age: [150, 112, 0],
+    stale: "rgba(112, 84, 0, 0.55)",
     ink: "#15191d",
-    shade: "rgba(240, 242, 244, 0.8)",
+    shade: "rgba(240, 242, 244, 0.88)",
   },
 };
 
@@ -105,11 +107,19 @@ export function colourOfIndex(theme, scale, epsilon, index) {
                    : mixed(palette.occupiedWeak, palette.occupiedStrong, strength);
 }
 
+// Of a picture that is not of now: three greys, in which a hit is still told from free ground.
+function staleColour(theme, index) {
+  const { unknown, freeStale, occupiedStale } = THEMES[theme];
+  return index === 0 ? unknown : index < 0 ? freeStale : occupiedStale;
+}
+
 // 256 pixels as ImageData holds them, by index as an unsigned byte.
-export function pixelTable(theme, scale, epsilon) {
+export function pixelTable(theme, scale, epsilon, isStale) {
   const table = new Uint32Array(256);
   for (let byte = 0; byte < 256; ++byte) {
-    const [red, green, blue] = colourOfIndex(theme, scale, epsilon, (byte << 24) >> 24);
+    const index = (byte << 24) >> 24;
+    const [red, green, blue] = isStale ? staleColour(theme, index)
+                                       : colourOfIndex(theme, scale, epsilon, index);
     table[byte] = (0xff000000 | (blue << 16) | (green << 8) | red) >>> 0;
   }
   return table;

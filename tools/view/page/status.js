@@ -10,7 +10,7 @@ export function describe(status, serverSilentMs, isConnected) {
   if (!isConnected || serverSilentMs > SERVER_SILENT_MS) {
     return { state: "gone", word: "no server", title: "iog view does not answer",
              text: status ? "This is the last picture. The page tries to connect again."
-                          : "The page tries to connect." };
+                          : "The page tries to connect. No more than 16 pages are served." };
   }
   if (!status) {
     return { state: "waiting", word: "connecting", title: "", text: "" };
@@ -35,6 +35,12 @@ export function describe(status, serverSilentMs, isConnected) {
       return { state: "waiting", word: "waiting", title: "Waiting for a grid",
                text: `on ${status.source}` };
   }
+}
+
+// Of the tab, where the beginning is what can be read.
+export function titleOf(said, isHeld) {
+  const word = said.state === "stale" ? "stale" : said.word;
+  return `${isHeld ? "paused, " : ""}${word} – iogrid`;
 }
 
 function describeLive(status) {

@@ -3,15 +3,18 @@
 // What comes from the server is data: words are set as text, never as markup.
 
 import { Charts } from "./charts.js";
-import { addOverlaySwitches, listKeys, listenToKeys, listenToPointer } from "./controls.js";
+import { addOverlaySwitches, listKeys, listenToKeys, onPress } from "./controls.js";
 import { GridCanvas } from "./grid_canvas.js";
 import { History, ShownGrid } from "./history.js";
+import { elementsOf, linesOf, showScale } from "./legend.js";
 import { SIDE, TILES_PER_SIDE, TILE_SIDE, readMessage } from "./messages.js";
-import { OVERLAYS, quadtreeLeaves } from "./overlays.js";
-import { FATES, colourOfIndex, css, probabilityOf } from "./palette.js";
-import { describe } from "./status.js";
+import { OVERLAYS } from "./overlays.js";
+import { probabilityOf } from "./palette.js";
+import { listenToPointers } from "./pointers.js";
+import { describe, titleOf } from "./status.js";
 
 const CHARTS_EVERY_MS = 200;
+const HIDDEN_EVERY_MS = 1000;
 const RETRY_MS = 1000;
 
 const byId = (id) => document.getElementById(id);
@@ -20,6 +23,14 @@ const setText = (element, words) => {
     element.textContent = words;
   }
 };
+
+// No cell is certain.
+function probabilityWords(p) {
+  if (p < 0.0001 || p > 0.9999) {
+    return p < 0.5 ? "p < 0.0001" : "p > 0.9999";
+  }
+  return `p ${p.toFixed(4)}`;
+}
 
 class Page {
   constructor() {
@@ -48,16 +59,13 @@ class Page {
   listen() {
     listenToKeys(this);
     listKeys(byId("keys"));
-    for (const id of ["pause", "back", "step", "record", "scale", "theme", "live"]) {
-      byId(id).addEventListener("click", (event) => {
-        this[id]();
-        event.currentTarget.blur();
-      });
+    for (const id of ["pause", "back", "step", "record", "scale", "theme", "live", "follow"]) {
+      onPress(byId(id), () => this[id]());
     }
-    byId("help-open").addEventListener("click", () => this.help());
-    byId("help-close").addEventListener("click", () => this.help());
+    onPress(byId("help-open"), () => this.help());
+    onPress(byId("help-close"), () => this.help());
     byId("scrub").addEventListener("input", (event) => this.hold(Number(event.target.value)));
-    listenToPointer(byId("grid"), this.view, {
+    listenToPointers(byId("grid"), this.view, {
       changed: () => this.redraw(),
       hovered: (place) => {
         this.pointer = place;
@@ -67,6 +75,7 @@ class Page {
     new ResizeObserver(() => this.redraw()).observe(byId("stage"));
     matchMedia("(prefers-color-scheme: light)").addEventListener(
         "change", (event) => this.setTheme(event.matches ? "light" : "dark"));
+    setInterval(() => this.showStateIfHidden(), HIDDEN_EVERY_MS);
   }
 
   connect() {
@@ -98,7 +107,15 @@ class Page {
       this.errors += 1;
     }
     this.isDirty = true;
+    this.showStateIfHidden();
     this.socket.send("ready");
+  }
+
+  // Nothing is drawn then, but the tab's title is still seen.
+  showStateIfHidden() {
+    if (document.hidden) {
+      this.showState(performance.now());
+    }
   }
 
   // Once for each picture of the screen.
@@ -142,16 +159,20 @@ class Page {
     if (isOld !== this.view.isStale) {
       this.view.isStale = isOld;
       byId("stage").classList.toggle("stale", isOld && this.grid.number >= 0);
-      this.redraw();
+      this.restyle();
     }
     const state = this.isHeld && said.state === "live" ? "held" : said.state;
     byId("state").dataset.state = state;
     setText(byId("state-word"), this.isHeld ? `paused, ${said.word}` : said.word);
+    const title = titleOf(said, this.isHeld);
+    if (document.title !== title) {
+      document.title = title;
+    }
     byId("banner").hidden = said.title === "";
     byId("banner").dataset.state = said.state;
     setText(byId("banner-title"), said.title);
     setText(byId("banner-text"), said.text);
-    byId("follow-note").hidden = this.view.isFollowing;
+    byId("follow").hidden = this.view.isFollowing;
   }
 
   // What need not change with each picture.
@@ -172,11 +193,16 @@ class Page {
     this.showLegendMore();
   }
 
+  // Of the target's frames, those that this page has skipped among them.
   rate() {
-    const frames = this.history.frames.slice(-26);
-    const spanMs = frames.length > 1 ? frames[frames.length - 1].timeMs - frames[0].timeMs : 0;
-    const isLive = this.status && this.status.state === "live";
-    return isLive && spanMs > 0 ? `${((frames.length - 1) / spanMs * 1000).toFixed(1)} Hz` : "";
+    const frames = this.history.frames.slice(-51).filter(({ status }) => status.frame);
+    if (frames.length < 2 || !this.status || this.status.state !== "live") {
+      return "";
+    }
+    const [first, last] = [frames[0], frames[frames.length - 1]];
+    const hz = (last.status.frame.number - first.status.frame.number) /
+               (last.timeMs - first.timeMs) * 1000;
+    return hz > 0 && hz < 1000 ? `${hz.toFixed(1)} Hz` : ""; // a target that has started anew has none
   }
 
   showScrub() {
@@ -219,73 +245,25 @@ class Page {
     setText(byId("hover-place"), `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`);
     setText(byId("hover-cell"), `cell ${cell.x}, ${cell.y}`);
     setText(byId("hover-value"),
-            `index ${index}, p ${probabilityOf(index, epsilon).toFixed(4)}`);
+            `index ${index}, ${probabilityWords(probabilityOf(index, epsilon))}`);
     setText(byId("hover-age"), age === 0 ? "" : age === 255 ? "never received" : `${age} frames old`);
     byId("hover").dataset.index = String(index);
     byId("hover").dataset.cell = `${cell.x},${cell.y}`;
   }
 
   showLegend() {
-    const { theme, scale, epsilon } = this.view;
-    const canvas = byId("legend-scale");
-    const context = canvas.getContext("2d");
-    const [low, high] = [-56, 14];
-    for (let column = 0; column < canvas.width; ++column) {
-      // Half of the bar for each sign.
-      const t = column / (canvas.width - 1) * 2 - 1;
-      const index = Math.abs(t) < 0.06 ? 0 : Math.round(t < 0 ? -t * low : t * high) || Math.sign(t);
-      context.fillStyle = css(colourOfIndex(theme, scale, epsilon, index));
-      context.fillRect(column, 0, 1, canvas.height);
-    }
-    const ticks = scale === "index" ? ["−56", "−28", "0", "+7", "+14"]
-        : [-56, -28, 0, 7, 14].map((index) => probabilityOf(index, epsilon).toPrecision(2));
-    byId("legend-ticks").replaceChildren(...ticks.map(
-        (words) => Object.assign(document.createElement("span"), { textContent: words })));
+    showScale(this.view, { title: byId("legend-title"), bar: byId("legend-scale"),
+                           ticks: byId("legend-ticks") });
   }
 
   // What only some overlays need.
   showLegendMore() {
-    const { overlays, theme, palette } = this.view;
-    const lines = [];
-    if (overlays.has("points")) {
-      const kind = this.status ? this.status.kind : "stream";
-      if (kind === "stream" || !this.grid.points || this.grid.points.byteLength === 0) {
-        lines.push([null, "scan points: the stream has none; --pcap has"]);
-      } else {
-        lines.push(...FATES.filter((_, i) => i !== 1 && i !== 7)
-            .map(({ name, colour }) => [colour[theme], name]));
-      }
+    const lines = linesOf(this.view, this.status ? this.status.kind : "stream");
+    const words = this.view.theme + lines.join();
+    if (words !== this.legendWords) {
+      this.legendWords = words;
+      byId("legend-more").replaceChildren(...elementsOf(lines));
     }
-    if (overlays.has("truth") || overlays.has("difference")) {
-      if (!this.grid.hasTruth) {
-        lines.push([null, "truth: only a simulated drive has it"]);
-      } else if (overlays.has("difference")) {
-        lines.push([css(palette.agreed), "hit, and occupied in truth"],
-                   [css(palette.invented), "hit, free in truth"],
-                   [css(palette.missed), "free here, occupied in truth"],
-                   [css(palette.missed, 0.4), "occupied in truth, not seen"]);
-      } else {
-        lines.push([css(palette.missed), "occupied in truth"]);
-      }
-    }
-    if (overlays.has("leaves")) {
-      lines.push([null, `${(quadtreeLeaves(this.grid).length / 3).toLocaleString("en")} leaves`]);
-    }
-    const words = theme + lines.join();
-    if (words === this.legendWords) {
-      return;
-    }
-    this.legendWords = words;
-    byId("legend-more").replaceChildren(...lines.map(([colour, name]) => {
-      const line = Object.assign(document.createElement("span"), { className: "key" });
-      if (colour) {
-        const spot = document.createElement("i");
-        spot.style.background = colour;
-        line.append(spot);
-      }
-      line.append(name);
-      return line;
-    }));
   }
 
   redraw() {
@@ -344,7 +322,7 @@ class Page {
 
   scale() {
     this.view.scale = this.view.scale === "index" ? "probability" : "index";
-    setText(byId("scale"), this.view.scale === "index" ? "Index" : "Probability");
+    setText(byId("scale"), this.view.scale === "index" ? "Probability" : "Index");
     this.restyle();
   }
 
