@@ -176,6 +176,21 @@ def check_crowd(iog: str, browser: Browser) -> None:
         hidden.page.close()
 
 
+def check_recording(iog: str, folder: pathlib.Path, browser: Browser) -> None:
+    """A recording begins when somebody looks, is then over, and every frame of it can be shown."""
+    drive = folder / "drive.pcap"
+    subprocess.run([iog, "simulate", "--seconds", "1", "--out", drive], check=True,
+                   stdout=subprocess.DEVNULL)
+    with Viewer(iog, "--pcap", str(drive)) as viewer:
+        time.sleep(1.5)
+        page = GridPage(browser.open(viewer.address))
+        page.wait_for_state("end of recording")
+        assert page.page.value("iogPage.history.frames[0].status.frame.number") < 5
+        page.page.press("Home")
+        page.wait_for_state("paused")
+        page.page.close()
+
+
 def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
     """Words from outside are words: a file's name and a vehicle that nobody knows."""
     name = '<img src=x onerror="document.title=1"><b>&amp;.pcap'
@@ -207,4 +222,5 @@ def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
         check_many(viewer)
     check_siege(iog)
     check_crowd(iog, browser)
+    check_recording(iog, folder, browser)
     check_words(iog, folder, browser)

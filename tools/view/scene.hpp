@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -50,6 +51,10 @@ class Scene {
   // to any frame by reading at most so many.
   [[nodiscard]] std::string message_since(Place& place) const;
 
+  // A page has opened: from now on somebody is taken to look.
+  void note_page() { is_watched_ = true; }
+  [[nodiscard]] bool is_watched() const { return is_watched_; }
+
   // What pages ask for, in words; the oldest are forgotten if nobody takes them.
   void ask(std::string_view request);
   [[nodiscard]] std::vector<std::string> take_requests();
@@ -71,6 +76,7 @@ class Scene {
   void append_tiles(const Layer& layer, std::uint8_t number, const Place& place, bool is_key,
                     std::string& message) const;
 
+  std::atomic<bool> is_watched_ = false;
   std::function<void()> on_news_;
   mutable std::mutex mutex_;
   std::uint64_t update_ = 0;

@@ -76,6 +76,10 @@ class CaptureSource : public Source {
   }
 
   void run(Viewer& viewer) override {
+    // A short recording would be over before anybody has opened the page.
+    while (!viewer.is_watched() && !was_interrupted()) {
+      rest(viewer);
+    }
     do {
       play(viewer);
     } while (options_.loops && !was_interrupted());
@@ -85,12 +89,16 @@ class CaptureSource : public Source {
     // The last picture stays, and says that it is the last one.
     viewer.note_end();
     while (!was_interrupted()) {
-      viewer.tend();
-      std::this_thread::sleep_for(kTendEvery);
+      rest(viewer);
     }
   }
 
  private:
+  static void rest(Viewer& viewer) {
+    viewer.tend();
+    std::this_thread::sleep_for(kTendEvery);
+  }
+
   [[nodiscard]] bool is_of_sensor(const CapturedDatagram& datagram) const {
     return sensor_of_port(*car_, datagram.destination.port) < car_->sensors.size();
   }

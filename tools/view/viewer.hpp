@@ -42,6 +42,9 @@ class Viewer {
   // things stand while nothing comes. overflow: messages that this PC had to drop so far.
   void tend(std::uint64_t overflow = 0);
 
+  // Whether a page has been opened yet.
+  [[nodiscard]] bool is_watched() const { return scene_->is_watched(); }
+
   // Nothing has come for longer than a running target is silent.
   void note_silence() { assembler_.note_silence(); }
   // The recording is over.

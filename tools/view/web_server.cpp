@@ -111,6 +111,7 @@ class LivePage : public std::enable_shared_from_this<LivePage> {
     socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
       if (!error) {
         self->is_open_ = true;
+        self->scene_->note_page();
         self->read();
         self->send_news();
       }
