@@ -54,7 +54,6 @@ void CellMap::mark_changes(TileCells cells) {
     }
     rows_[row] = bits;
   }
-  rows_[kTileSide] = 1;
 }
 
 void CellMap::mark_steps(TileCells cells) {
@@ -62,14 +61,12 @@ void CellMap::mark_steps(TileCells cells) {
   for (std::size_t row = 1; row < kTileSide; ++row) {
     rows_[row] = differences(cells, row, cells, row - 1);
   }
-  rows_[kTileSide] = 1;
 }
 
 void CellMap::mark_differences(TileCells cells, TileCells others) {
   for (std::size_t row = 0; row < kTileSide; ++row) {
     rows_[row] = differences(cells, row, others, row);
   }
-  rows_[kTileSide] = 1;
 }
 
 }  // namespace iog::tile_coding

@@ -1,5 +1,6 @@
 // A row of cells is two registers. A comparison makes all ones or all zeros of each byte; one bit
-// of it is kept, another one in each of eight, and three pairwise additions bring the 32 together.
+// of it is kept, another one in each of eight, and three pairwise additions bring the 32 of a row
+// together, the last one those of two rows.
 #include <arm_neon.h>
 
 #include "tile_coding/cell_map.hpp"
@@ -17,6 +18,11 @@ Row row_of(TileCells cells, std::size_t y) {
   return {vld1q_u8(bytes), vld1q_u8(bytes + 16)};
 }
 
+// Of each cell of the row the one before it; `before` ends with that of the first.
+Row shifted(const Row& row, uint8x16_t before) {
+  return {vextq_u8(before, row.left, 15), vextq_u8(row.left, row.right, 15)};
+}
+
 uint8x8_t kept_bits(uint8x16_t a, uint8x16_t b) {
   constexpr std::uint64_t kOneOfEach = 0x8040201008040201;
   const uint8x16_t one_of_each = vreinterpretq_u8_u64(vdupq_n_u64(kOneOfEach));
@@ -24,40 +30,45 @@ uint8x8_t kept_bits(uint8x16_t a, uint8x16_t b) {
   return vpadd_u8(vget_low_u8(kept), vget_high_u8(kept));
 }
 
-void store_differences(const Row& a, const Row& b, std::uint32_t& bits) {
-  const uint8x8_t halves = vpadd_u8(kept_bits(a.left, b.left), kept_bits(a.right, b.right));
-  const uint8x8_t all = vpadd_u8(halves, halves);
-  vst1_lane_u32(&bits, vreinterpret_u32_u8(all), 0);
+// Four cells a byte.
+uint8x8_t differences(const Row& a, const Row& b) {
+  return vpadd_u8(kept_bits(a.left, b.left), kept_bits(a.right, b.right));
+}
+
+void store_rows(uint8x8_t first, uint8x8_t second, std::uint32_t* bits) {
+  vst1_u32(bits, vreinterpret_u32_u8(vpadd_u8(first, second)));
 }
 
 }  // namespace
 
 void CellMap::mark_changes(TileCells cells) {
   uint8x16_t before = vdupq_n_u8(std::to_integer<std::uint8_t>(cells[0]));
-  for (std::size_t y = 0; y < kTileSide; ++y) {
-    const Row row = row_of(cells, y);
-    store_differences(row, {vextq_u8(before, row.left, 15), vextq_u8(row.left, row.right, 15)},
-                      rows_[y]);
-    before = row.right;
+  for (std::size_t y = 0; y < kTileSide; y += 2) {
+    const Row first = row_of(cells, y);
+    const Row second = row_of(cells, y + 1);
+    store_rows(differences(first, shifted(first, before)),
+               differences(second, shifted(second, first.right)), &rows_[y]);
+    before = second.right;
   }
-  rows_[kTileSide] = 1;
 }
 
 void CellMap::mark_steps(TileCells cells) {
   Row below = row_of(cells, 0);
-  for (std::size_t y = 0; y < kTileSide; ++y) {
-    const Row row = row_of(cells, y);
-    store_differences(row, below, rows_[y]);
-    below = row;
+  for (std::size_t y = 0; y < kTileSide; y += 2) {
+    const Row first = row_of(cells, y);
+    const Row second = row_of(cells, y + 1);
+    store_rows(differences(first, below), differences(second, first), &rows_[y]);
+    below = second;
   }
-  rows_[kTileSide] = 1;
 }
 
+// Row by row, because the other tile is seldom in the cache: the next line of it is asked for while
+// one is awaited.
 void CellMap::mark_differences(TileCells cells, TileCells others) {
   for (std::size_t y = 0; y < kTileSide; ++y) {
-    store_differences(row_of(cells, y), row_of(others, y), rows_[y]);
+    const uint8x8_t fours = differences(row_of(cells, y), row_of(others, y));
+    vst1_lane_u32(&rows_[y], vreinterpret_u32_u8(vpadd_u8(fours, fours)), 0);
   }
-  rows_[kTileSide] = 1;
 }
 
 }  // namespace iog::tile_coding

@@ -9,9 +9,13 @@
 
 namespace iog::tile_coding {
 
+[[nodiscard]] constexpr unsigned leading_zeros(std::size_t number) {
+  return static_cast<unsigned>(std::countl_zero(static_cast<std::uint32_t>(number)));
+}
+
 // Bits of a number: 0 for 0.
 [[nodiscard]] constexpr unsigned bit_width(std::size_t number) {
-  return static_cast<unsigned>(32 - std::countl_zero(static_cast<std::uint32_t>(number)));
+  return 32 - leading_zeros(number);
 }
 
 // Bits that tell `count` symbols apart: 0 for one symbol.

@@ -1,23 +1,25 @@
 // Bits: a tile has at most 1024 runs, a symbol at most 8 bits and a length at most 21, so the sums
-// stay below 2^15 and one write below the 31 bits that BitWriter takes.
+// stay below 2^16 and one write below the 31 bits that BitWriter takes.
 #include "tile_coding/runs.hpp"
 
 #include <algorithm>
 
 #include "tile_coding/bit_stream.hpp"
+#include "tile_coding/run_ends.hpp"
 
 namespace iog::tile_coding {
 namespace {
 
-constexpr unsigned gamma_bits(std::size_t length) { return 2 * bit_width(length) - 1; }
+// The length's own bits, 32 less its leading zeros, and a zero for each of them but the highest.
+constexpr unsigned gamma_bits(std::size_t length) { return 63 - 2 * leading_zeros(length); }
 static_assert(gamma_bits(1) == 1);
 static_assert(gamma_bits(kTileBytes) == 21);
 
 }  // namespace
 
 void Runs::Builder::finish(Runs& runs, bool has_reference) const {
-  runs.count_ = count_;
-  runs.length_bits_ = 2 * width_sum_ - count_;  // the sum of gamma_bits()
+  runs.count_ = static_cast<std::size_t>(next_ - runs.list_.data());
+  runs.length_bits_ = 63 * runs.count_ - 2 * leading_zeros_;  // the sum of gamma_bits()
   runs.has_reference_ = has_reference;
 }
 
@@ -33,27 +35,21 @@ void Runs::find(TileCells cells, const CellMap& changes) {
   runs.finish(*this, false);
 }
 
-// `change` is the first one behind `begin`, `difference` the first one not before it.
 void Runs::find(TileCells cells, const CellMap& changes, const CellMap& differences) {
   palette_.clear();
   Builder runs(*this);
-  std::size_t change = changes.next(1);
-  std::size_t difference = differences.next(0);
-  for (std::size_t begin = 0; begin < kTileBytes;) {
-    if (difference >= change) {
-      runs.add(0, difference - begin);
-      begin = difference;
-    } else {
-      runs.add(static_cast<std::uint16_t>(palette_.symbol_of(cells[begin]) + 1), change - begin);
-      begin = change;
-    }
-    if (change <= begin && begin < kTileBytes) {
-      change = changes.next(begin + 1);
-    }
-    if (difference < begin) {
-      difference = differences.next(begin);
-    }
+  RunEnds run_ends;
+  std::size_t begin = 0;
+  const auto add = [&](bool is_value, std::size_t end) {
+    runs.add(is_value ? palette_.symbol_of(cells[begin]) + 1 : 0, end - begin);
+    begin = end;
+  };
+  for (std::size_t y = 0; y < kTileSide; ++y) {
+    const RunEnds::Row ends = run_ends.next(changes.row(y), differences.row(y));
+    for_each_bit(ends.of_values | ends.of_reference,
+                 [&](std::size_t x) { add((ends.of_values >> x & 1U) != 0, y * kTileSide + x); });
   }
+  add(run_ends.last_is_value(), kTileBytes);
   runs.finish(*this, true);
 }
 

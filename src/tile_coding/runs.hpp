@@ -52,17 +52,17 @@ class Runs {
   // not.
   class Builder {
    public:
-    explicit Builder(Runs& runs) : list_{runs.list_} {}
-    void add(std::uint16_t symbol, std::size_t cells) {
-      list_[count_++] = {.symbol = symbol, .cells = static_cast<std::uint16_t>(cells)};
-      width_sum_ += bit_width(cells);
+    explicit Builder(Runs& runs) : next_{runs.list_.data()} {}
+    void add(unsigned symbol, std::size_t cells) {
+      *next_++ = {.symbol = static_cast<std::uint16_t>(symbol),
+                  .cells = static_cast<std::uint16_t>(cells)};
+      leading_zeros_ += leading_zeros(cells);
     }
     void finish(Runs& runs, bool has_reference) const;
 
    private:
-    std::span<Run, kTileBytes> list_;
-    std::size_t count_ = 0;
-    std::size_t width_sum_ = 0;
+    Run* next_;
+    std::size_t leading_zeros_ = 0;  // of all lengths
   };
 
   [[nodiscard]] std::size_t symbol_count() const {
