@@ -138,7 +138,7 @@ export class Charts {
         base -= size;
       });
     });
-    drawCursor(context, width, height, at, end, theme);
+    drawCursor(context, width, 0, height, at, end, theme);
     this.showKeys(chart, at ? chart.values(at, null) : [], theme);
   }
 
@@ -180,6 +180,7 @@ export class Charts {
           context.fillRect(x, y + 14, 1.6, 3);
         }
       }
+      drawCursor(context, width, y + 13, 5, at, end, theme); // below the words
       const state = shown.status.frame.end.sensors[i];
       complete += state && state.state === 3 ? 1 : 0;
       context.fillStyle = theme === "dark" ? "#c6ced6" : "#2a333b";
@@ -190,7 +191,6 @@ export class Charts {
       context.fillText(state ? describeSensor(state) : "", width, y);
       context.textAlign = "left";
     }
-    drawCursor(context, width, height, at, end, theme);
     chart.value.textContent = count > 0 ? `${complete} of ${count} complete` : "–";
   }
 
@@ -235,10 +235,10 @@ function drawBase(context, width, height, theme, words) {
   context.fillText(words, 3, 2);
 }
 
-function drawCursor(context, width, height, at, end, theme) {
+function drawCursor(context, width, top, height, at, end, theme) {
   if (!at || at.timeMs === end) {
     return;
   }
   context.fillStyle = theme === "dark" ? "#ffffff" : "#000000";
-  context.fillRect(width - 1 - (end - at.timeMs) / SPAN_MS * width, 0, 1, height);
+  context.fillRect(width - 1 - (end - at.timeMs) / SPAN_MS * width, top, 1, height);
 }

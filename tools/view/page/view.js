@@ -193,7 +193,7 @@ class Page {
     this.showLegendMore();
   }
 
-  // Of the target's frames, those that this page has skipped among them.
+  // Of the target's frames, those that this page has skipped among them: a busy PC takes them in bursts.
   rate() {
     const frames = this.history.frames.slice(-51).filter(({ status }) => status.frame);
     if (frames.length < 2 || !this.status || this.status.state !== "live") {
@@ -201,7 +201,7 @@ class Page {
     }
     const [first, last] = [frames[0], frames[frames.length - 1]];
     const hz = (last.status.frame.number - first.status.frame.number) /
-               (last.timeMs - first.timeMs) * 1000;
+               (last.status.frame.closed_us - first.status.frame.closed_us) * 1e6;
     return hz > 0 && hz < 1000 ? `${hz.toFixed(1)} Hz` : ""; // a target that has started anew has none
   }
 
