@@ -1,5 +1,6 @@
 #include "tools/assembly/frame_assembler.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -60,21 +61,21 @@ void FrameAssembler::take_content(std::span<const std::byte> content, std::size_
     return;
   }
   if (!is_of_this_run(header)) {
-    consider_restart(header, content);
+    consider_restart(header, content, &MessageCounts::too_late);
     return;
   }
-  of_the_past_.clear();
   const SequenceWatch::Arrival arrival = sequences_.arrive(header.sequence);
   if (arrival == SequenceWatch::Arrival::kRepeated) {
-    ++counts_.repeated;
+    take_repeated(header, content);
     return;
   }
+  forget_the_past();
   ++counts_.messages;
   counts_.bytes += datagram_bytes;
   counts_.late += arrival == SequenceWatch::Arrival::kLate ? 1U : 0U;
   WaitingFrame& waiting = frame_of(header);
   if (header.type == stream::MessageType::kTiles) {
-    take_tiles(waiting, body);
+    take_tiles(waiting, header, body);
   } else if (header.type == stream::MessageType::kFrameEnd) {
     take_end(waiting, header, body);
   } else {
@@ -110,22 +111,52 @@ bool FrameAssembler::is_of_this_run(const stream::Header& header) const {
   return waiting == waiting_.end() || waiting->second.frame.header.closed_us == header.closed_us;
 }
 
-void FrameAssembler::consider_restart(const stream::Header& header,
-                                      std::span<const std::byte> content) {
-  ++counts_.too_late;
-  if (header.sequence <= past_sequence_) {
-    of_the_past_.clear();
-  }
-  past_sequence_ = header.sequence;
-  of_the_past_.push_back(copy_of(content));
-  if (of_the_past_.size() < kMessagesOfRestart) {
+// One frame cannot have been closed at two times.
+bool FrameAssembler::is_of_another_run(const stream::Header& header) const {
+  const auto past = past_frames_.find(header.frame_number);
+  const auto waiting = waiting_.find(header.frame_number);
+  return (past != past_frames_.end() && past->second.closed_us != header.closed_us) ||
+         (waiting != waiting_.end() && waiting->second.frame.header.closed_us != header.closed_us);
+}
+
+// Numbers of messages rise from frame to frame. So this one is of another run than whoever had the
+// number before, if its frame is a new one.
+void FrameAssembler::take_repeated(const stream::Header& header,
+                                   std::span<const std::byte> content) {
+  if (waiting_.contains(header.frame_number)) {
+    ++counts_.repeated;
     return;
   }
-  start_over();
-  counts_.too_late -= kMessagesOfRestart;
-  for (const std::vector<std::byte>& first : std::exchange(of_the_past_, {})) {
-    take_content(first, protection::kProtectionBytes + first.size());
+  if (waiting_.empty() || waiting_.rbegin()->first < header.frame_number) {
+    references_->forget();
   }
+  consider_restart(header, content, &MessageCounts::repeated);
+}
+
+// What is certainly of another run makes it doubtful whose frames the next ones will refer to.
+void FrameAssembler::consider_restart(const stream::Header& header,
+                                      std::span<const std::byte> content,
+                                      std::uint64_t MessageCounts::*fate) {
+  ++(counts_.*fate);
+  if (is_of_another_run(header)) {
+    references_->forget();
+  }
+  const auto [place, is_new] = of_the_past_[header.frame_number].try_emplace(header.sequence);
+  if (!is_new) {
+    return;
+  }
+  place->second = {.content = copy_of(content), .fate = fate};
+  ++past_messages_;
+  if (past_messages_ >= kMessagesOfRestart && of_the_past_.size() >= kFramesOfRestart) {
+    start_over();
+  } else if (past_messages_ == kFramesOfRestart * kMaxBodies) {
+    forget_the_past();  // more than there can be in so few frames
+  }
+}
+
+void FrameAssembler::forget_the_past() {
+  of_the_past_.clear();
+  past_messages_ = 0;
 }
 
 void FrameAssembler::start_over() {
@@ -134,6 +165,15 @@ void FrameAssembler::start_over() {
   ++counts_.restarts;
   sequences_.restart();
   has_handed_over_ = false;
+  past_frames_.clear();
+  const auto first_frames = std::exchange(of_the_past_, {});
+  past_messages_ = 0;
+  for (const auto& [frame, messages] : first_frames) {
+    for (const auto& [sequence, message] : messages) {
+      --(counts_.*message.fate);
+      take_content(message.content, protection::kProtectionBytes + message.content.size());
+    }
+  }
 }
 
 FrameAssembler::WaitingFrame& FrameAssembler::frame_of(const stream::Header& header) {
@@ -144,20 +184,41 @@ FrameAssembler::WaitingFrame& FrameAssembler::frame_of(const stream::Header& hea
   return place->second;
 }
 
-void FrameAssembler::take_tiles(WaitingFrame& waiting, std::span<const std::byte> body) {
-  stream::TilesHeader header;
+std::optional<std::uint32_t> FrameAssembler::end_sequence_of(std::uint32_t frame_number) const {
+  if (const auto waiting = waiting_.find(frame_number); waiting != waiting_.end()) {
+    const GridFrame& frame = waiting->second.frame;
+    return frame.has_end ? std::optional(frame.header.sequence) : std::nullopt;
+  }
+  const auto past = past_frames_.find(frame_number);
+  return past != past_frames_.end() ? past->second.end_sequence : std::nullopt;
+}
+
+// Of the message with a frame's first tile: between the end of the frame before and it there is
+// nothing that could be missing, unless that frame is of another run.
+bool FrameAssembler::follows_the_frame_before(const stream::Header& header) const {
+  const auto end = end_sequence_of(header.frame_number - 1);
+  return !end || (header.sequence > *end && !sequences_.is_missing(*end + 1, header.sequence)) ||
+         *end == 0xFFFFFFFF;
+}
+
+void FrameAssembler::take_tiles(WaitingFrame& waiting, const stream::Header& header,
+                                std::span<const std::byte> body) {
+  stream::TilesHeader tiles;
   stream::TileRecords records;
-  if (stream::read_tiles(body, header, records) != stream::ReadStatus::kOk ||
+  if (stream::read_tiles(body, tiles, records) != stream::ReadStatus::kOk ||
       waiting.bodies.size() == kMaxBodies) {
     ++counts_.malformed;
     return;
   }
   // The only grid that this receiver can show.
-  if (header.geometry != stream::geometry_of_level(0)) {
+  if (tiles.geometry != stream::geometry_of_level(0)) {
     ++counts_.not_understood;
     return;
   }
-  for (std::size_t tile = header.first_tile; tile < header.end_tile; ++tile) {
+  if (tiles.first_tile == 0 && !follows_the_frame_before(header)) {
+    references_->forget();
+  }
+  for (std::size_t tile = tiles.first_tile; tile < tiles.end_tile; ++tile) {
     waiting.spoken_of.set(tile);
   }
   waiting.bodies.push_back(copy_of(body));
@@ -199,8 +260,8 @@ void FrameAssembler::decode_tiles(WaitingFrame& waiting) {
 bool FrameAssembler::decode_tile(const stream::TileRecord& record, GridFrame& frame) {
   std::array<std::byte, stream::kTileBytes> cells{};
   using tile_coding::DecodeStatus;
-  switch (
-      tile_coding::decode(record.encoding, record.payload, references_->find(record.tile), cells)) {
+  switch (tile_coding::decode(record.encoding, record.payload,
+                              reference_of(record.tile, frame.header.frame_number), cells)) {
     case DecodeStatus::kOk:
       break;
     case DecodeStatus::kUnknownEncoding:
@@ -222,6 +283,36 @@ bool FrameAssembler::decode_tile(const stream::TileRecord& record, GridFrame& fr
   return true;
 }
 
+// No sender refers to an older frame; one of that number is of another run.
+std::optional<tile_coding::Reference> FrameAssembler::reference_of(
+    std::size_t tile, std::uint32_t frame_number) const {
+  const auto kept = references_->find(tile);
+  const bool is_too_old = kept && frame_number - kept->frame_number > stream::kMaxReferenceAge;
+  return is_too_old ? std::nullopt : kept;
+}
+
+// Every tile has been decoded, and yet some cell is wrong; nobody knows which.
+void FrameAssembler::take_back_if_damaged(GridFrame& frame) {
+  frame.is_damaged = frame.is_whole() && grid_crc_of(frame) != frame.end.grid_crc;
+  if (frame.is_damaged) {
+    references_->forget();
+    frame.valid_tiles.reset();
+    frame.known_tiles.reset();
+    frame.tiles = 0;
+    std::ranges::fill(frame.cells, index::kUnknown);
+  }
+}
+
+// As many as the next frame may refer to.
+void FrameAssembler::note_past(const GridFrame& frame) {
+  PastFrame& past = past_frames_[frame.header.frame_number];
+  past.closed_us = last_closed_us_ = frame.header.closed_us;
+  past.end_sequence = frame.has_end ? std::optional(frame.header.sequence) : std::nullopt;
+  if (past_frames_.size() > stream::kMaxReferenceAge) {
+    past_frames_.erase(past_frames_.begin());
+  }
+}
+
 void FrameAssembler::hand_over_first() {
   auto node = waiting_.extract(waiting_.begin());
   if (has_handed_over_) {
@@ -230,8 +321,9 @@ void FrameAssembler::hand_over_first() {
   has_handed_over_ = true;
   next_frame_ = node.key() + 1;
   WaitingFrame& waiting = node.mapped();
-  last_closed_us_ = waiting.frame.header.closed_us;
+  note_past(waiting.frame);
   decode_tiles(waiting);
+  take_back_if_damaged(waiting.frame);
   if (waiting.frame.header.has_evidence()) {
     waiting.frame.evidence_number = evidence_frames_++;
   }

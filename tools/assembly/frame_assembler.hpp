@@ -4,6 +4,10 @@
 // What is whole (its CRC is right) is judged by what it says itself: its frame, its number, the
 // tiles that it speaks of. So what comes late or twice is used once and in its place, or not at
 // all; what the E2E check says of the order is counted, as the health of the channel.
+//
+// No message says of which run of a target it is. Numbers and times tell, mostly; where they have
+// not, a frame may refer to tiles of another run, and then it is not the one whose CRC the target
+// has sent: nothing of it is valid.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,8 +73,10 @@ class FrameAssembler {
   // A frame that waits for messages is given up when this many newer ones have begun.
   static constexpr std::size_t kMaxWaiting = 3;
   // A target that starts over counts frames, messages and time from 0. One message of the past is
-  // an old one; so many in a row, in their order and none of the present among them, are a new run.
+  // an old one; so many of so many frames, and none of the present among them, are a new run. One
+  // frame would not do: a network may repeat it in one burst.
   static constexpr std::size_t kMessagesOfRestart = 16;
+  static constexpr std::size_t kFramesOfRestart = 3;
   // A frame has at most a message for each tile.
   static constexpr std::size_t kMaxBodies = stream::kTileCount;
 
@@ -83,16 +90,38 @@ class FrameAssembler {
     [[nodiscard]] bool is_complete() const { return frame.has_end && spoken_of.all(); }
   };
 
+  struct PastFrame {
+    std::uint64_t closed_us;
+    std::optional<std::uint32_t> end_sequence;  // of its last message
+  };
+
+  // One that may be of a new run, and how it has been counted unless it is.
+  struct PastMessage {
+    std::vector<std::byte> content;
+    std::uint64_t MessageCounts::*fate;
+  };
+
   void take_content(std::span<const std::byte> content, std::size_t datagram_bytes);
   [[nodiscard]] bool is_of_this_run(const stream::Header& header) const;
-  void consider_restart(const stream::Header& header, std::span<const std::byte> content);
+  [[nodiscard]] bool is_of_another_run(const stream::Header& header) const;
+  void take_repeated(const stream::Header& header, std::span<const std::byte> content);
+  void consider_restart(const stream::Header& header, std::span<const std::byte> content,
+                        std::uint64_t MessageCounts::*fate);
+  void forget_the_past();
   void start_over();
-  void take_tiles(WaitingFrame& waiting, std::span<const std::byte> body);
+  void take_tiles(WaitingFrame& waiting, const stream::Header& header,
+                  std::span<const std::byte> body);
+  [[nodiscard]] std::optional<std::uint32_t> end_sequence_of(std::uint32_t frame_number) const;
+  [[nodiscard]] bool follows_the_frame_before(const stream::Header& header) const;
   void take_end(WaitingFrame& waiting, const stream::Header& header,
                 std::span<const std::byte> body);
   WaitingFrame& frame_of(const stream::Header& header);
   void decode_tiles(WaitingFrame& waiting);
   [[nodiscard]] bool decode_tile(const stream::TileRecord& record, GridFrame& frame);
+  [[nodiscard]] std::optional<tile_coding::Reference> reference_of(
+      std::size_t tile, std::uint32_t frame_number) const;
+  void take_back_if_damaged(GridFrame& frame);
+  void note_past(const GridFrame& frame);
   void hand_over_first();
 
   FrameHandler on_frame_;
@@ -102,8 +131,10 @@ class FrameAssembler {
   SequenceWatch sequences_;
   std::map<std::uint32_t, WaitingFrame> waiting_;  // by frame number
   std::unique_ptr<stream::References> references_;
-  std::vector<std::vector<std::byte>> of_the_past_;  // contents that may be those of a new run
-  std::uint32_t past_sequence_ = 0;                  // of the last of them
+  std::map<std::uint32_t, PastFrame> past_frames_;  // the last that were handed over, by number
+  // By frame and sequence number.
+  std::map<std::uint32_t, std::map<std::uint32_t, PastMessage>> of_the_past_;
+  std::size_t past_messages_ = 0;
   bool has_handed_over_ = false;
   std::uint32_t next_frame_ = 0;  // the lowest number that has not been handed over
   std::uint64_t last_closed_us_ = 0;

@@ -21,6 +21,8 @@ struct GridFrame {
   stream::Header header;  // of its last message, or of its tiles if that is lost
   stream::FrameEnd end;   // only if has_end
   bool has_end = false;
+  // Everything has arrived and it is not the grid that the target has hashed: no tile is valid.
+  bool is_damaged = false;
   TileSet valid_tiles;      // whose cells are those of this frame; all others are missing
   TileSet known_tiles;      // of these, those in which something is known
   std::uint32_t tiles = 0;  // how many these are

@@ -28,6 +28,11 @@ SequenceWatch::Arrival SequenceWatch::arrive(std::uint32_t sequence) {
   return Arrival::kRepeated;
 }
 
+bool SequenceWatch::is_missing(std::uint32_t first, std::uint32_t end) const {
+  const auto next = missing_.lower_bound(first);
+  return next != missing_.end() && *next < end;
+}
+
 void SequenceWatch::restart() {
   has_started_ = false;
   missing_.clear();

@@ -17,6 +17,9 @@ class SequenceWatch {
   // The stream starts again; what has been counted is kept.
   void restart();
 
+  // Whether one of these numbers, the last one excluded, is still waited for.
+  [[nodiscard]] bool is_missing(std::uint32_t first, std::uint32_t end) const;
+
   [[nodiscard]] std::uint32_t expected() const { return expected_; }
   [[nodiscard]] std::uint64_t lost() const { return lost_; }  // a late one is lost until it comes
 

@@ -58,7 +58,8 @@ void TimeStatistics::add(double micros) {
 
 void RunStatistics::add(const GridFrame& frame) {
   ++frames_;
-  incomplete_ += frame.is_whole() ? 0U : 1U;
+  incomplete_ += frame.is_whole() || frame.is_damaged ? 0U : 1U;
+  damaged_ += frame.is_damaged ? 1U : 0U;
   tiles_ += frame.tiles;
   if (frame.has_end) {
     tiles_not_sent_ += frame.end.tiles_lost;
@@ -76,7 +77,6 @@ void RunStatistics::add(const GridFrame& frame) {
   }
   const FrameRecord record = record_of(frame);
   timed_out_ += record.is_timed_out ? 1U : 0U;
-  damaged_ += frame.is_whole() && record.grid_crc != frame.end.grid_crc ? 1U : 0U;
   records_.push_back(record);
   hash_.add(record);
 }

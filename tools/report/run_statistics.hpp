@@ -54,7 +54,7 @@ class RunStatistics {
   std::uint64_t frames_ = 0;
   std::uint64_t timed_out_ = 0;
   std::uint64_t incomplete_ = 0;  // a message of them is missing
-  std::uint64_t damaged_ = 0;     // whole, and not the grid that the target says
+  std::uint64_t damaged_ = 0;     // not the grid that the target says, though all has come
   std::uint64_t tiles_ = 0;
   std::uint64_t tiles_not_sent_ = 0;  // the target's network took no message
   std::array<std::uint64_t, vehicle::kFateCount> fates_{};

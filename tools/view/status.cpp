@@ -147,12 +147,12 @@ std::string sensor_json(const vehicle::SensorConfig& sensor) {
 FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t message_bytes) {
   FrameFacts facts{.number = frame.header.frame_number,
                    .message_bytes = message_bytes,
-                   .is_whole = frame.is_whole(),
+                   .is_whole = frame.is_whole() || frame.is_damaged,
+                   .is_damaged = frame.is_damaged,
                    .missing_tiles = stream::kTileCount - frame.valid_tiles.count(),
                    .stale_tiles = grid.stale_tiles(),
                    .known_tiles = frame.tiles,
                    .header = frame.header};
-  facts.is_damaged = facts.is_whole && grid_crc_of(frame) != frame.end.grid_crc;
   if (frame.has_end) {
     facts.end = frame.end;
   }

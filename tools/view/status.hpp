@@ -17,8 +17,8 @@ namespace iog::tools::view {
 struct FrameFacts {
   std::uint32_t number = 0;
   std::uint64_t message_bytes = 0;  // that came since the frame before was complete
-  bool is_whole = false;
-  bool is_damaged = false;  // whole, and not the grid that the target has hashed
+  bool is_whole = false;            // everything has arrived
+  bool is_damaged = false;          // and it is not the grid that the target has hashed
   std::size_t missing_tiles = 0;
   std::size_t stale_tiles = 0;
   std::size_t known_tiles = 0;

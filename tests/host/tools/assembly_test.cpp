@@ -218,6 +218,8 @@ TEST(SequenceWatch, CountsGapsAndForgivesTheLate) {
   EXPECT_EQ(watch.arrive(0xFFFFFFFE), Arrival::kInOrder);
   EXPECT_EQ(watch.arrive(1), Arrival::kInOrder);  // 0xFFFFFFFF and 0 are missing
   EXPECT_EQ(watch.lost(), 2U);
+  EXPECT_TRUE(watch.is_missing(0, 1));
+  EXPECT_FALSE(watch.is_missing(1, 100));
   EXPECT_EQ(watch.arrive(0), Arrival::kLate);
   EXPECT_EQ(watch.arrive(0), Arrival::kRepeated);
   EXPECT_EQ(watch.arrive(1), Arrival::kRepeated);
