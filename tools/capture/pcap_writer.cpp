@@ -72,6 +72,10 @@ void PcapWriter::write(const CapturedDatagram& datagram) {
   // libpcap's callbacks take their file as unsigned char*.
   pcap_dump(reinterpret_cast<unsigned char*>(file_.get()), &header,
             reinterpret_cast<const unsigned char*>(frame.data()));
+  // It says nothing itself. What is buffered fails later, with one of the next datagrams.
+  if (std::ferror(pcap_dump_file(file_.get())) != 0) {
+    throw UsageError(path_ + ": cannot be written any more; is the disk full?");
+  }
 }
 
 void PcapWriter::finish() {

@@ -19,7 +19,7 @@ class PcapWriter {
   // UsageError if the file cannot be written.
   explicit PcapWriter(const std::string& path);
 
-  // Payloads of at most net::kMaxUdpPayloadBytes, 1472.
+  // Payloads of at most net::kMaxUdpPayloadBytes, 1472. UsageError if the disk is full.
   void write(const CapturedDatagram& datagram);
 
   // UsageError if not all bytes have reached the file. Nothing may be written after it.

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <ctime>
 #include <filesystem>
+#include <utility>
 
 #include "net/udp.hpp"
+#include "tools/command/exit_status.hpp"
 #include "tools/command/file.hpp"
 
 namespace iog::tools::view {
@@ -40,9 +42,8 @@ void Recorder::start() {
 }
 
 void Recorder::stop() {
-  if (is_open()) {
-    file_->finish();
-    file_.reset();
+  if (auto file = std::exchange(file_, std::nullopt)) {
+    file->finish();
   }
 }
 
@@ -53,10 +54,15 @@ void Recorder::take(std::span<const std::byte> message) {
   using std::chrono::microseconds;
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto now_us = std::chrono::duration_cast<microseconds>(now).count();
-  file_->write({.time_us = static_cast<std::uint64_t>(now_us),
-                .source = {.ipv4 = kLoopback, .port = port_},
-                .destination = {.ipv4 = kLoopback, .port = port_},
-                .payload = {message.begin(), message.end()}});
+  try {
+    file_->write({.time_us = static_cast<std::uint64_t>(now_us),
+                  .source = {.ipv4 = kLoopback, .port = port_},
+                  .destination = {.ipv4 = kLoopback, .port = port_},
+                  .payload = {message.begin(), message.end()}});
+  } catch (const UsageError&) {
+    file_.reset();
+    throw;
+  }
   ++messages_;
   bytes_ += message.size();
 }

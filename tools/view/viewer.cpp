@@ -26,7 +26,11 @@ std::int64_t Viewer::now_ms() const {
 }
 
 void Viewer::take(std::span<const std::byte> datagram) {
-  recorder_.take(datagram);
+  try {
+    recorder_.take(datagram);
+  } catch (const UsageError& error) {
+    problem_ = error.what();  // what comes is shown all the same
+  }
   assembler_.take(datagram);
 }
 

@@ -1,6 +1,8 @@
 #include "tools/view/recorder.hpp"
 
+#include <csignal>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -57,6 +59,54 @@ TEST_F(RecorderTest, WhereNothingCanBeWrittenItSaysSo) {
   Recorder recorder("/dev/null/nowhere", 15000);
   EXPECT_THROW(recorder.start(), UsageError);
   EXPECT_FALSE(recorder.is_open());
+}
+
+// No file of this process may be longer; a write beyond fails, as on a full disk.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~SmallDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+TEST_F(RecorderTest, AFullDiskIsToldAtOnceAndEndsTheRecording) {
+  Recorder recorder(folder_, 15000);
+  recorder.start();
+  const SmallDisk disk(50'000);
+  const auto record_an_hour = [&] {
+    for (int i = 0; i < 1000; ++i) {
+      recorder.take(std::vector<std::byte>(1000));
+    }
+  };
+  EXPECT_THROW(record_an_hour(), UsageError);
+  EXPECT_FALSE(recorder.is_open());
+  EXPECT_LT(recorder.messages(), 100U);
+  EXPECT_NO_THROW(record_an_hour());
+}
+
+TEST_F(RecorderTest, ARecordingThatCannotBeEndedWellIsOverAllTheSame) {
+  Recorder recorder(folder_, 15000);
+  recorder.start();
+  recorder.take(std::vector<std::byte>(1000));
+  {
+    const SmallDisk disk(500);
+    EXPECT_THROW(recorder.stop(), UsageError);
+  }
+  EXPECT_FALSE(recorder.is_open());
+  EXPECT_NO_THROW(recorder.stop());
 }
 
 }  // namespace
