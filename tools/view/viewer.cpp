@@ -54,7 +54,10 @@ void Viewer::show(const GridFrame& frame, const Surroundings& surroundings) {
     scene_->set_vehicle(vehicle_json(vehicle_of_id(*vehicle_id_)));
   }
   const std::int64_t now = now_ms();
-  health_.note_frame(now);
+  // A frame of which no tile can be shown makes no picture of now.
+  if (frame.valid_tiles.any() || frame.is_damaged) {
+    health_.note_frame(now);
+  }
   health_.note_counts(counts, now);
   last_status_ms_ = now;
   scene_->publish_frame(grid_, surroundings, status());
@@ -87,7 +90,13 @@ void Viewer::tend(std::uint64_t overflow) {
   }
 }
 
+void Viewer::note_silence() {
+  assembler_.note_silence();
+  grid_.forget();
+}
+
 void Viewer::note_end() {
+  assembler_.finish();
   health_.note_end();
   scene_->publish_status(status());
 }

@@ -45,9 +45,10 @@ class Viewer {
   // Whether a page has been opened yet.
   [[nodiscard]] bool is_watched() const { return scene_->is_watched(); }
 
-  // Nothing has come for longer than a running target is silent.
-  void note_silence() { assembler_.note_silence(); }
-  // The recording is over.
+  // Nothing has come for longer than a running target is silent. The picture stays; the next one
+  // says nothing of tiles that are not in it.
+  void note_silence();
+  // The recording is over, perhaps in the middle of a frame.
   void note_end();
 
   // Ends a recording in good order. UsageError if that is not possible.

@@ -1,0 +1,90 @@
+// What a viewer says of a picture whose stream pauses, changes or ends.
+#include "tools/view/viewer.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "gtest/gtest.h"
+
+#include "../drive_sample.hpp"
+#include "page_reader.hpp"
+
+namespace iog::tools::view {
+namespace {
+
+constexpr std::size_t kContent = protection::kProtectionBytes;
+constexpr std::size_t kBody = kContent + stream::kHeaderBytes;
+constexpr std::uint8_t kNeverCame = 255;
+
+const Messages& sample() {
+  static const Messages messages = [] {
+    const CatalogueEntry& car = find_vehicle("reference_car");
+    return messages_of(car, sample_drive(car, 1, 4));
+  }();
+  return messages;
+}
+
+bool is_end(const std::vector<std::byte>& message) {
+  return message.at(kContent) == static_cast<std::byte>(stream::MessageType::kFrameEnd);
+}
+
+class ViewerTest : public testing::Test {
+ protected:
+  void take(std::span<const std::vector<std::byte>> messages) {
+    for (const auto& message : messages) {
+      viewer_.take(message);
+    }
+  }
+  [[nodiscard]] bool says(std::string_view words) {
+    page_.catch_up(*scene_);
+    return page_.words.find(words) != std::string::npos;
+  }
+
+  std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();
+  Viewer viewer_{*scene_, {.kind = "stream", .words = "test"}, Recorder("", 15000)};
+  PageReader page_;
+};
+
+// How long it was is not known: by frames they might look as if they were of a moment ago.
+TEST_F(ViewerTest, AfterASilenceOldTilesHaveNoAge) {
+  const auto second = std::ranges::find_if(sample(), is_end) + 1;
+  take({sample().begin(), second});
+  EXPECT_TRUE(says(R"("state":"live")"));
+  EXPECT_EQ(std::ranges::count(page_.ages, kNeverCame), 0);
+  viewer_.note_silence();
+  take({second, second + 1});
+  viewer_.note_silence();
+  ASSERT_TRUE(says(R"("state":"live")"));
+  ASSERT_TRUE(page_.has_frame);
+  EXPECT_GT(std::ranges::count(page_.ages, kNeverCame), 0);
+}
+
+// Frames end, and nothing that is in them can be shown: the picture is not of now.
+TEST_F(ViewerTest, AnotherGridIsIncompatibleThoughFramesEnd) {
+  Messages messages = sample();
+  protection::Sender sender(stream::kNetworkChannel);
+  for (auto& message : messages) {
+    if (!is_end(message)) {
+      message[kBody + 13] = std::byte{50};  // mm of a cell
+    }
+    sender.protect(message);
+  }
+  take(messages);
+  viewer_.note_silence();
+  viewer_.tend();
+  EXPECT_TRUE(says(R"("state":"incompatible")")) << page_.words;
+}
+
+TEST_F(ViewerTest, TheLastFrameOfARecordingIsShownThoughItBreaksOff) {
+  const auto second = std::ranges::find_if(sample(), is_end) + 1;
+  take({sample().begin(), second + 1});
+  ASSERT_TRUE(says(R"("number":0)"));
+  viewer_.note_end();
+  EXPECT_TRUE(says(R"("number":1)")) << page_.words;
+  EXPECT_TRUE(says(R"("state":"ended")"));
+}
+
+}  // namespace
+}  // namespace iog::tools::view
