@@ -1,6 +1,7 @@
 // A frame as a receiver has put it together from its messages.
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,10 @@ struct GridFrame {
   const std::size_t y = tile / stream::kTilesPerSide * stream::kTileSide + i / stream::kTileSide;
   return y * grid::kStride + x;
 }
+
+// The cells of a tile as they travel.
+[[nodiscard]] std::array<std::byte, stream::kTileBytes> cells_of_tile(const GridFrame& frame,
+                                                                      std::size_t tile);
 
 // The name of the grid as it has arrived; that of the whole frame is end.grid_crc.
 [[nodiscard]] std::uint32_t grid_crc_of(const GridFrame& frame);

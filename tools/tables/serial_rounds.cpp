@@ -73,11 +73,7 @@ void hand_over(const GridFrame& frame, serial::GridSender& sender) {
   sender.begin_frame(frame.header);
   for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
     if (frame.known_tiles.test(tile)) {
-      std::array<std::byte, stream::kTileBytes> cells{};
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        cells.at(i) = static_cast<std::byte>(frame.cells[cell_of_tile(tile, i)]);
-      }
-      sender.take_tile(tile, cells);
+      sender.take_tile(tile, cells_of_tile(frame, tile));
     }
   }
   sender.end_frame();

@@ -61,12 +61,9 @@ class Scale {
       if (!frame.known_tiles.test(tile)) {
         continue;
       }
-      std::array<std::byte, stream::kTileBytes> cells{};
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        cells.at(i) = static_cast<std::byte>(frame.cells[cell_of_tile(tile, i)]);
-      }
       ++bytes_.tiles;
-      bytes_.bytes_alone += encoder_->encode(cells, std::nullopt, payload_).bytes;
+      bytes_.bytes_alone +=
+          encoder_->encode(cells_of_tile(frame, tile), std::nullopt, payload_).bytes;
       for (std::size_t i = 0; i < bytes_.bytes_by.size(); ++i) {
         bytes_.bytes_by.at(i) += std::min(encoder_->sizes().at(i), stream::kTileBytes);
       }
