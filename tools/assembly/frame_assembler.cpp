@@ -70,16 +70,11 @@ void FrameAssembler::take_content(std::span<const std::byte> content, std::size_
     return;
   }
   forget_the_past();
-  ++counts_.messages;
-  counts_.bytes += datagram_bytes;
-  counts_.late += arrival == SequenceWatch::Arrival::kLate ? 1U : 0U;
-  WaitingFrame& waiting = frame_of(header);
-  if (header.type == stream::MessageType::kTiles) {
-    take_tiles(waiting, header, body);
-  } else if (header.type == stream::MessageType::kFrameEnd) {
-    take_end(waiting, header, body);
-  } else {
-    ++counts_.not_understood;
+  const Fate fate = take_body(header, body);
+  ++(counts_.*fate);
+  if (fate == &MessageCounts::messages) {
+    counts_.bytes += datagram_bytes;
+    counts_.late += arrival == SequenceWatch::Arrival::kLate ? 1U : 0U;
   }
   // The oldest frame goes first; newer ones wait behind it, but not for ever.
   while (!waiting_.empty() &&
@@ -135,8 +130,7 @@ void FrameAssembler::take_repeated(const stream::Header& header,
 
 // What is certainly of another run makes it doubtful whose frames the next ones will refer to.
 void FrameAssembler::consider_restart(const stream::Header& header,
-                                      std::span<const std::byte> content,
-                                      std::uint64_t MessageCounts::*fate) {
+                                      std::span<const std::byte> content, Fate fate) {
   ++(counts_.*fate);
   if (is_of_another_run(header)) {
     references_->forget();
@@ -184,6 +178,18 @@ FrameAssembler::WaitingFrame& FrameAssembler::frame_of(const stream::Header& hea
   return place->second;
 }
 
+FrameAssembler::Fate FrameAssembler::take_body(const stream::Header& header,
+                                               std::span<const std::byte> body) {
+  WaitingFrame& waiting = frame_of(header);
+  switch (header.type) {
+    case stream::MessageType::kTiles:
+      return take_tiles(waiting, header, body);
+    case stream::MessageType::kFrameEnd:
+      return take_end(waiting, header, body);
+  }
+  return &MessageCounts::not_understood;
+}
+
 std::optional<std::uint32_t> FrameAssembler::end_sequence_of(std::uint32_t frame_number) const {
   if (const auto waiting = waiting_.find(frame_number); waiting != waiting_.end()) {
     const GridFrame& frame = waiting->second.frame;
@@ -201,19 +207,17 @@ bool FrameAssembler::follows_the_frame_before(const stream::Header& header) cons
          *end == 0xFFFFFFFF;
 }
 
-void FrameAssembler::take_tiles(WaitingFrame& waiting, const stream::Header& header,
-                                std::span<const std::byte> body) {
+FrameAssembler::Fate FrameAssembler::take_tiles(WaitingFrame& waiting, const stream::Header& header,
+                                                std::span<const std::byte> body) {
   stream::TilesHeader tiles;
   stream::TileRecords records;
   if (stream::read_tiles(body, tiles, records) != stream::ReadStatus::kOk ||
       waiting.bodies.size() == kMaxBodies) {
-    ++counts_.malformed;
-    return;
+    return &MessageCounts::malformed;
   }
   // The only grid that this receiver can show.
   if (tiles.geometry != stream::geometry_of_level(0)) {
-    ++counts_.not_understood;
-    return;
+    return &MessageCounts::not_understood;
   }
   if (tiles.first_tile == 0 && !follows_the_frame_before(header)) {
     references_->forget();
@@ -222,18 +226,19 @@ void FrameAssembler::take_tiles(WaitingFrame& waiting, const stream::Header& hea
     waiting.spoken_of.set(tile);
   }
   waiting.bodies.push_back(copy_of(body));
+  return &MessageCounts::messages;
 }
 
-void FrameAssembler::take_end(WaitingFrame& waiting, const stream::Header& header,
-                              std::span<const std::byte> body) {
+FrameAssembler::Fate FrameAssembler::take_end(WaitingFrame& waiting, const stream::Header& header,
+                                              std::span<const std::byte> body) {
   stream::FrameEnd end;
   if (stream::read_frame_end(body, header.sensor_count, end) != stream::ReadStatus::kOk) {
-    ++counts_.malformed;
-    return;
+    return &MessageCounts::malformed;
   }
   waiting.frame.header = header;
   waiting.frame.end = end;
   waiting.frame.has_end = true;
+  return &MessageCounts::messages;
 }
 
 void FrameAssembler::decode_tiles(WaitingFrame& waiting) {
@@ -265,10 +270,10 @@ bool FrameAssembler::decode_tile(const stream::TileRecord& record, GridFrame& fr
     case DecodeStatus::kOk:
       break;
     case DecodeStatus::kUnknownEncoding:
-      ++counts_.not_understood;
+      ++counts_.tiles_not_understood;
       return false;
     case DecodeStatus::kMalformed:
-      ++counts_.malformed;
+      ++counts_.tiles_malformed;
       return false;
     case DecodeStatus::kUnknownReference:
       ++counts_.without_reference;

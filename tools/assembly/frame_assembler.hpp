@@ -30,19 +30,28 @@
 namespace iog::tools {
 
 struct MessageCounts {
-  std::uint64_t messages = 0;  // ours and whole, each once
-  std::uint64_t bytes = 0;     // in them
-  std::uint64_t tiles = 0;
-  std::uint64_t late = 0;            // behind a message that was sent after it, still in time
+  // Every datagram is counted in one of these.
+  std::uint64_t messages = 0;        // ours, whole and of use, each once
   std::uint64_t repeated = 0;        // dropped
   std::uint64_t too_late = 0;        // its frame was given up already, or of a run that is over
   std::uint64_t corrupt = 0;         // of ours, but length, data id or CRC is wrong
   std::uint64_t malformed = 0;       // whole, and yet numbers contradict each other
   std::uint64_t not_ours = 0;        // another protocol, service or event
   std::uint64_t other_version = 0;   // of ours
-  std::uint64_t not_understood = 0;  // a type, an encoding, a storage or a grid that is new to us
-  std::uint64_t without_reference = 0;  // tiles against a frame of which we do not have them
-  std::uint64_t restarts = 0;           // of the target
+  std::uint64_t not_understood = 0;  // a type, a storage or a grid that is new to us
+
+  std::uint64_t bytes = 0;            // in the messages
+  std::uint64_t late = 0;             // of these, behind one that was sent after it, still in time
+  std::uint64_t tiles = 0;            // that are known
+  std::uint64_t tiles_malformed = 0;  // in a sound message
+  std::uint64_t tiles_not_understood = 0;  // an encoding that is new to us
+  std::uint64_t without_reference = 0;     // tiles against a frame of which we do not have them
+  std::uint64_t restarts = 0;              // of the target
+
+  [[nodiscard]] std::uint64_t datagrams() const {
+    return messages + repeated + too_late + corrupt + malformed + not_ours + other_version +
+           not_understood;
+  }
 };
 
 class FrameAssembler {
@@ -95,10 +104,13 @@ class FrameAssembler {
     std::optional<std::uint32_t> end_sequence;  // of its last message
   };
 
+  // The count of a datagram.
+  using Fate = std::uint64_t MessageCounts::*;
+
   // One that may be of a new run, and how it has been counted unless it is.
   struct PastMessage {
     std::vector<std::byte> content;
-    std::uint64_t MessageCounts::*fate;
+    Fate fate;
   };
 
   void take_content(std::span<const std::byte> content, std::size_t datagram_bytes);
@@ -106,15 +118,16 @@ class FrameAssembler {
   [[nodiscard]] bool is_of_another_run(const stream::Header& header) const;
   void take_repeated(const stream::Header& header, std::span<const std::byte> content);
   void consider_restart(const stream::Header& header, std::span<const std::byte> content,
-                        std::uint64_t MessageCounts::*fate);
+                        Fate fate);
   void forget_the_past();
   void start_over();
-  void take_tiles(WaitingFrame& waiting, const stream::Header& header,
-                  std::span<const std::byte> body);
+  [[nodiscard]] Fate take_body(const stream::Header& header, std::span<const std::byte> body);
+  [[nodiscard]] Fate take_tiles(WaitingFrame& waiting, const stream::Header& header,
+                                std::span<const std::byte> body);
   [[nodiscard]] std::optional<std::uint32_t> end_sequence_of(std::uint32_t frame_number) const;
   [[nodiscard]] bool follows_the_frame_before(const stream::Header& header) const;
-  void take_end(WaitingFrame& waiting, const stream::Header& header,
-                std::span<const std::byte> body);
+  [[nodiscard]] Fate take_end(WaitingFrame& waiting, const stream::Header& header,
+                              std::span<const std::byte> body);
   WaitingFrame& frame_of(const stream::Header& header);
   void decode_tiles(WaitingFrame& waiting);
   [[nodiscard]] bool decode_tile(const stream::TileRecord& record, GridFrame& frame);

@@ -144,7 +144,7 @@ LinkTrial try_link(const SentStream& sent, const Harm& harm, std::uint32_t quiet
   trial.corrupt_found =
       assembler.counts().corrupt + assembler.counts().not_ours + assembler.counts().other_version;
   trial.restarts = assembler.counts().restarts;
-  trial.malformed = assembler.counts().malformed;
+  trial.malformed = assembler.counts().malformed + assembler.counts().tiles_malformed;
   return trial;
 }
 

@@ -20,6 +20,8 @@ LinkCounts link_counts(const FrameAssembler& assembler) {
           {"messages_not_ours", counts.not_ours},
           {"messages_other_version", counts.other_version},
           {"messages_not_understood", counts.not_understood},
+          {"tiles_malformed", counts.tiles_malformed},
+          {"tiles_not_understood", counts.tiles_not_understood},
           {"tiles_without_reference", counts.without_reference},
           {"target_restarts", counts.restarts}};
 }

@@ -145,6 +145,7 @@ TEST(FrameAssembler, GarbageIsCountedAndChangesNothing) {
   EXPECT_EQ(outcome.counts.other_version, sample().size());
   EXPECT_EQ(outcome.counts.corrupt + outcome.counts.not_ours + outcome.counts.other_version,
             garbage);
+  EXPECT_EQ(outcome.counts.datagrams(), messages.size()) << "each has one fate";
   EXPECT_EQ(outcome.channel, protection::ChannelState::kInvalid);
 }
 
@@ -171,8 +172,10 @@ TEST(FrameAssembler, AMessageThatContradictsItselfIsNotBelieved) {
     message = liar.protect(message);
   }
   const Outcome outcome = assemble(messages);
-  EXPECT_GE(outcome.counts.malformed, 1U);
-  EXPECT_EQ(outcome.counts.not_understood, 2U);
+  EXPECT_EQ(outcome.counts.malformed, 1U);
+  EXPECT_EQ(outcome.counts.tiles_not_understood, 1U);
+  EXPECT_EQ(outcome.counts.not_understood, 1U);
+  EXPECT_EQ(outcome.counts.datagrams(), sample().size()) << "each has one fate";
   EXPECT_EQ(outcome.counts.corrupt, 0U);
   EXPECT_FALSE(outcome.whole[0]);
 }
@@ -196,6 +199,7 @@ TEST(FrameAssembler, OldMessagesAreDropped) {
   const Outcome outcome = assemble(messages);
   EXPECT_EQ(outcome.counts.restarts, 0U);
   EXPECT_EQ(outcome.counts.too_late, 10U);
+  EXPECT_EQ(outcome.counts.datagrams(), messages.size());
   EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
 }
 

@@ -114,6 +114,7 @@ Shown show(const Messages& messages) {
   }
   assembler.finish();
   shown.counts = assembler.counts();
+  EXPECT_EQ(shown.counts.datagrams(), messages.size()) << "each has one fate";
   return shown;
 }
 
