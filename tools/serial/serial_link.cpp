@@ -82,7 +82,7 @@ void SerialLink::take_content(std::span<const std::byte> content) {
     ++counts_.malformed;
     return;
   }
-  follow(header.sequence);
+  follow(header);
   if (header.type != stream::MessageType::kTiles) {
     ++counts_.not_understood;
     return;
@@ -90,15 +90,19 @@ void SerialLink::take_content(std::span<const std::byte> content) {
   take_tiles(header, body);
 }
 
-void SerialLink::follow(std::uint32_t sequence) {
-  const std::uint32_t ahead = sequence - expected_.value_or(sequence);
-  if (ahead >= 1U << 31) {
+// A line changes no order, so numbers and time that go back are those of another run.
+void SerialLink::follow(const stream::Header& header) {
+  const std::uint32_t ahead = header.sequence - expected_.value_or(header.sequence);
+  const auto& newest = grid_.newest();
+  const bool is_older = newest && (header.closed_us < newest->closed_us ||
+                                   header.frame_number - newest->frame_number >= 1U << 31);
+  if (ahead >= 1U << 31 || is_older) {
     ++counts_.restarts;
     grid_.forget();
   } else {
     counts_.lost += ahead;
   }
-  expected_ = sequence + 1;
+  expected_ = header.sequence + 1;
 }
 
 void SerialLink::take_tiles(const stream::Header& header, std::span<const std::byte> body) {

@@ -52,7 +52,7 @@ class SerialLink {
  private:
   void take_message(std::span<const std::byte> message);
   void take_content(std::span<const std::byte> content);
-  void follow(std::uint32_t sequence);
+  void follow(const stream::Header& header);
   void take_tiles(const stream::Header& header, std::span<const std::byte> body);
 
   TileHandler on_tile_;

@@ -153,6 +153,21 @@ TEST(SerialLink, ForgetsATargetThatHasStartedOver) {
   expect_cells(link.grid().composed(kEver), {});
 }
 
+// The receiver was away while the new run sent more messages than the old one had.
+TEST(SerialLink, ForgetsATargetThatHasStartedOverUnheard) {
+  SerialLink link;
+  Target first;
+  link.take(first.send(street(60), 15));
+  Target second;
+  static_cast<void>(second.send({}, 9));  // many short messages, in less time
+  link.take(second.send({}, 1));
+  ASSERT_TRUE(link.grid().newest());
+  EXPECT_LT(link.grid().newest()->closed_us, 10 * kFrameUs);
+  EXPECT_GT(link.counts().messages, 5u);
+  EXPECT_EQ(link.counts().restarts, 1u);
+  expect_cells(link.grid().composed(kEver), {});
+}
+
 ToldTile told(std::uint64_t closed_us, int value) {
   return {.frame_number = 1, .closed_us = closed_us, .cells = filled(value)};
 }
