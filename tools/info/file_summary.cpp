@@ -29,13 +29,6 @@ struct TopicCensus {
   std::uint64_t bytes = 0;
 };
 
-// What a file says goes to a terminal: nothing in it may command one.
-std::string printable(std::string text) {
-  std::ranges::replace_if(
-      text, [](char letter) { return letter < ' ' || letter == 0x7F; }, '?');
-  return text;
-}
-
 std::string count_row(const std::string& name, std::uint64_t count, const std::string& what) {
   return count > 0 ? row(name, std::to_string(count) + what) : std::string();
 }
@@ -119,6 +112,12 @@ std::string condition_of(const mcap::Reader& file) {
 }
 
 }  // namespace
+
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](char letter) { return letter < ' ' || letter == 0x7F; }, '?');
+  return text;
+}
 
 std::string seconds(std::uint64_t micros) {
   std::ostringstream text;

@@ -17,6 +17,9 @@ namespace iog::tools {
 [[nodiscard]] std::string summary_of_pgm(const std::string& path);
 [[nodiscard]] std::string summary_of_folder(const std::string& path);
 
+// What a file says goes to a terminal: nothing in it may command one.
+[[nodiscard]] std::string printable(std::string text);
+
 // "12.345 s".
 [[nodiscard]] std::string seconds(std::uint64_t micros);
 

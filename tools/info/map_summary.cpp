@@ -48,7 +48,7 @@ std::map<std::string, std::string> read_yaml(const std::string& path) {
   for (const std::string& line : read_lines(path)) {
     const std::size_t colon = line.find(": ");
     if (colon != std::string::npos) {
-      entries.try_emplace(line.substr(0, colon), line.substr(colon + 2));
+      entries.try_emplace(line.substr(0, colon), printable(line.substr(colon + 2)));
     }
   }
   for (const char* const key : {"image", "resolution", "origin"}) {

@@ -11,6 +11,9 @@ namespace {
 
 // A chunk that says that it holds more is not unpacked. Writers make chunks of some megabytes.
 constexpr std::uint64_t kMaxChunkBytes = 256U << 20;
+// A record that is longer is passed over: it need not fit into memory. A chunk's own fields and
+// what does not compress are shorter than that.
+constexpr std::uint64_t kMaxRecordBytes = kMaxChunkBytes + (1U << 20);
 
 std::string string_of(wire::ByteReader& in) {
   const std::span<const std::byte> bytes = in.bytes(in.u32_le());
@@ -72,6 +75,13 @@ std::optional<Reader::Record> Reader::next_of_file() {
   if (bytes > remaining_) {
     remaining_ = 0;
     return std::nullopt;
+  }
+  if (bytes > kMaxRecordBytes) {
+    in_->seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
+    remaining_ -= bytes;
+    counts_.unreadable_chunks += code == OpCode::kChunk ? 1U : 0U;
+    counts_.malformed += code == OpCode::kMessage ? 1U : 0U;
+    return Record{};
   }
   record_.resize(bytes);
   in_->read(reinterpret_cast<char*>(record_.data()), static_cast<std::streamsize>(bytes));

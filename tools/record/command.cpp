@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,8 +57,16 @@ std::unique_ptr<Recording> recording_of(const std::string& path, const Options& 
   return std::make_unique<PictureRecording>(pictures, options.with_maps);
 }
 
-// What is being read is not written over.
+// What is being read is not written over, and nothing is written twice at once.
 void check_out(const Options& options) {
+  std::set<std::filesystem::path> places;
+  for (const std::string& path : options.out) {
+    std::error_code error;
+    if (!places.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path), error))
+             .second) {
+      throw UsageError("--out " + path + ": given twice");
+    }
+  }
   for (const std::string& source : {options.pcap, options.stream}) {
     for (const std::string& path : options.out) {
       std::error_code error;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -12,6 +13,7 @@
 #include "tools/command/exit_status.hpp"
 #include "tools/command/file.hpp"
 #include "tools/mcap/reader.hpp"
+#include "tools/mcap/record_bytes.hpp"
 #include "tools/mcap/writer.hpp"
 #include "wire/byte_order.hpp"
 
@@ -182,6 +184,35 @@ TEST(McapReader, WhatIsNoMcapFileIsRefused) {
 }
 
 // A length of 2^63 does not make the reader wait for so much or ask for so much memory.
+// A file may have more bytes than the PC has memory: this one has a hole.
+TEST(McapReader, ARecordOfHundredsOfMegabytesIsPassedOver) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "large.mcap";
+  {
+    std::ofstream out(path, std::ios::binary);
+    const auto put = [&](const RecordBytes& bytes) {
+      out.write(reinterpret_cast<const char*>(bytes.view().data()),
+                static_cast<std::streamsize>(bytes.size()));
+    };
+    constexpr std::uint64_t kBytes = 300U << 20;
+    RecordBytes head;
+    head.put(std::as_bytes(std::span(kMagic)));
+    head.put(static_cast<std::uint8_t>(OpCode::kChunk));
+    head.put(kBytes);
+    put(head);
+    out.seekp(static_cast<std::streamoff>(kBytes), std::ios::cur);
+    RecordBytes end;
+    end.put(OpCode::kFooter, std::vector<std::byte>(kFooterBytes));
+    end.put(std::as_bytes(std::span(kMagic)));
+    put(end);
+  }
+  std::ifstream file(path, std::ios::binary);
+  Reader reader(file);
+  EXPECT_FALSE(reader.next());
+  EXPECT_TRUE(reader.is_finished());
+  EXPECT_EQ(reader.counts().unreadable_chunks, 1U);
+}
+
 TEST(McapReader, ARecordLongerThanTheFileEndsIt) {
   std::string file(reinterpret_cast<const char*>(kMagic.data()), kMagic.size());
   file += std::string("\x01\0\0\0\0\0\0\0\x80", 9) + std::string(50, 'x');
