@@ -142,7 +142,7 @@ void record_capture(const std::string& path, const std::string& vehicle, Recorde
   if (capture.is_cut_off()) {
     std::cerr << "iog: " << path << ": breaks off in a packet; recorded as far as it goes\n";
   }
-  if (recorder.census().statistics().records().empty()) {
+  if (recorder.census().statistics().records().empty() && !was_interrupted()) {
     throw UsageError(path + ": no frame has evidence; is this the vehicle of the capture?");
   }
 }
@@ -155,7 +155,7 @@ void record_stream(const std::string& path, Recorder& recorder) {
     recorder.take(*datagram);
     progress.show(recorder.datagrams());
   }
-  if (recorder.datagrams() == 0) {
+  if (recorder.datagrams() == 0 && !was_interrupted()) {
     throw UsageError(path + ": no message of a target in it");
   }
   if (!was_interrupted() && file.is_damaged()) {
