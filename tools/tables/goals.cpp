@@ -27,7 +27,8 @@ struct Reasons {
   const char* worst = "no azimuth comes twice, so every line is found anew, block by block";
   const char* whole =
       "fusing takes half of it; of the rest, most is the CRCs of tiles and messages";
-  const char* whole_shortest = "finding the runs of cells and writing them takes more than fusing";
+  const char* whole_shortest =
+      "publishing takes more than fusing: finding runs of cells and writing them, and the CRCs";
   const char* quadtree = "of the cycles, two thirds are fusing";
   const char* instructions = "two in five of them turn points to beams, see where the cycles go";
   const char* peers = "see docs/peers.md";
