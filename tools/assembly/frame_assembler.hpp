@@ -10,6 +10,7 @@
 // has sent: nothing of it is valid.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -64,8 +65,10 @@ class FrameAssembler {
   // One datagram, of whatever bytes.
   void take(std::span<const std::byte> datagram);
 
-  // Nothing has come for longer than a running target is ever silent: what comes next may be of
-  // another run. Hands over the frames that still wait, and forgets what tiles refer to.
+  // A running target reports even silence every two frame periods, which are 110 ms at most.
+  static constexpr std::chrono::milliseconds kLongestSilence{500};
+  // Nothing has come for longer than that: what comes next may be of another run. Hands over the
+  // frames that still wait, and forgets what tiles refer to.
   void note_silence();
 
   // Nothing more comes: hands over the frames that still wait for messages.

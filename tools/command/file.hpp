@@ -21,6 +21,8 @@ void make_folder(const std::string& path);
 // `folder`/`stem`_000123`suffix`
 [[nodiscard]] std::string numbered(const std::string& folder, std::string_view stem,
                                    std::uint64_t number, std::string_view suffix);
+// Removes all of these from the folder: what an earlier run has left would look like this one's.
+void remove_numbered(const std::string& folder, std::string_view stem, std::string_view suffix);
 
 class OutputFile {
  public:

@@ -8,6 +8,7 @@ namespace iog::tools {
 FrameWriter::FrameWriter(const PictureOptions& options) : options_(options) {
   if (!options_.folder.empty()) {
     make_folder(options_.folder);
+    remove_numbered(options_.folder, "frame", ".png");
   }
 }
 

@@ -21,7 +21,7 @@ struct PictureOptions {
 
 class FrameWriter {
  public:
-  // Makes the folder, if there is to be one.
+  // Makes the folder, if there is to be one, and takes out of it the frames of an earlier run.
   explicit FrameWriter(const PictureOptions& options);
 
   // A frame with evidence is drawn if its turn has come.

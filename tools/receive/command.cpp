@@ -39,9 +39,6 @@ struct Options {
 
 using Clock = std::chrono::steady_clock;
 
-// A running target reports even silence every two frame periods.
-constexpr std::chrono::milliseconds kLongestSilence{500};
-
 class Reception {
  public:
   explicit Reception(const Options& options)
@@ -132,7 +129,7 @@ class Reception {
     const auto now = Clock::now();
     if (has_arrived) {
       last_arrival_ = now;
-    } else if (now - last_arrival_ > kLongestSilence) {
+    } else if (now - last_arrival_ > FrameAssembler::kLongestSilence) {
       assembler_.note_silence();
       last_arrival_ = now;
     }

@@ -179,7 +179,9 @@ void add_record(CLI::App& program) {
       "most.\n"
       "With --pcap and --stream the same input gives the same bytes. A folder gets "
       "frame_NNNNNN.png\n"
-      "for every frame with evidence, and the last one as map.pgm and map.yaml.\n");
+      "for every frame with evidence, and the last one as map.pgm and map.yaml; those of an "
+      "earlier\n"
+      "run go.\n");
   command->callback([options] {
     catch_interrupts();
     record(*options);

@@ -8,7 +8,11 @@
 namespace iog::tools {
 
 PictureRecording::PictureRecording(const PictureOptions& options, bool with_maps)
-    : options_(options), with_maps_(with_maps), pictures_(options) {}
+    : options_(options), with_maps_(with_maps), pictures_(options) {
+  for (const char* const suffix : {".pgm", ".yaml"}) {
+    remove_numbered(options_.folder, "map", suffix);
+  }
+}
 
 void PictureRecording::take_frame(const RecordedFrame& recorded) {
   const GridFrame& frame = *recorded.frame;

@@ -21,8 +21,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A running target reports even silence every two frame periods.
-constexpr std::chrono::milliseconds kLongestSilence{500};
 constexpr std::chrono::milliseconds kLongestWait{100};
 
 std::uint64_t now_us() {
@@ -91,7 +89,7 @@ class LiveRecording {
     const auto now = Clock::now();
     if (has_arrived) {
       last_arrival_ = now;
-    } else if (now - last_arrival_ > kLongestSilence) {
+    } else if (now - last_arrival_ > FrameAssembler::kLongestSilence) {
       recorder_->note_silence(time_us);
       note_frames();
       last_arrival_ = now;

@@ -38,7 +38,7 @@ class StreamSource : public Source {
       const Clock::time_point now = Clock::now();
       if (has_arrived) {
         last_arrival = now;
-      } else if (now - last_arrival > std::chrono::milliseconds(StreamHealth::kStaleAfterMs)) {
+      } else if (now - last_arrival > FrameAssembler::kLongestSilence) {
         viewer.note_silence();
         last_arrival = now;
       }

@@ -22,8 +22,7 @@ enum class StreamState : std::uint8_t {
 
 class StreamHealth {
  public:
-  // A running target reports even silence every two frame periods, which are 110 ms at most.
-  static constexpr std::int64_t kStaleAfterMs = 500;
+  static constexpr std::int64_t kStaleAfterMs = FrameAssembler::kLongestSilence.count();
   // So long something that has happened once is worth saying.
   static constexpr std::int64_t kRecentMs = 3000;
 

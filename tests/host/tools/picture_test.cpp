@@ -1,5 +1,6 @@
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "fakes/temporary_folder.hpp"
 #include "tools/command/file.hpp"
+#include "tools/picture/frame_writer.hpp"
 #include "tools/picture/grid_picture.hpp"
 #include "tools/picture/ros_map.hpp"
 
@@ -45,6 +47,40 @@ TEST(RosMap, ThresholdsGiveBackTheClasses) {
     const double p = (255 - ros_map_pixels({.cells = cells, .side = 1})[0]) / 255.0;
     EXPECT_EQ(p > 0.65, index > 0);
     EXPECT_EQ(p < 0.196, index < 0);
+  }
+}
+
+GridFrame numbered_frame(std::uint64_t number) {
+  GridFrame frame;
+  frame.header.complete_sensors = 1;  // evidence
+  frame.evidence_number = number;
+  return frame;
+}
+
+void write_pictures(const std::string& folder, std::uint64_t frames) {
+  FrameWriter writer({.folder = folder, .every = 1, .scale = {}});
+  for (std::uint64_t number = 0; number < frames; ++number) {
+    writer.offer(numbered_frame(number));
+  }
+  writer.write_last(numbered_frame(frames - 1));
+}
+
+// A film is made of frame_*.png: the end of a longer run before must not be its end, too.
+TEST(FrameWriter, AFolderHoldsThePicturesOfOneRun) {
+  const tests::TemporaryFolder folder;
+  const std::array<std::string, 3> others{"frame_1.png", "frame_000001.png.txt", "my_frame.png"};
+  for (const std::string& name : others) {
+    OutputFile file(folder / name);
+    file.write("mine");
+    file.finish();
+  }
+  write_pictures(folder.path(), 3);
+  EXPECT_TRUE(std::filesystem::exists(folder / "frame_000002.png"));
+  write_pictures(folder.path(), 2);
+  EXPECT_TRUE(std::filesystem::exists(folder / "frame_000001.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "frame_000002.png"));
+  for (const std::string& name : others) {
+    EXPECT_EQ(text_of(folder / name), "mine");
   }
 }
 
