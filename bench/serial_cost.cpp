@@ -1,4 +1,4 @@
-// serial_cost: instructions that the serial line costs the Cortex-A9, and what the line carries.
+// serial_cost: instructions that the serial line costs the Cortex-A9.
 // Runs in QEMU with instruction counting (bench/run_image):
 //
 //   serial_cost <grid>...    grids of frames that follow each other, as `iog fuse --out-raw` writes
@@ -6,12 +6,12 @@
 //
 // A frame comes every 40 ms and a pass of the loop every millisecond, for a minute; the grids come
 // one after the other, again and again. Prints lines of key=value pairs: what handing a frame over
-// and a pass took, in instructions; and for each grid of the line (its cells in mm) its bytes and
-// rounds.
+// and a pass took, in instructions, and how many bytes went over the line.
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "grid_file.hpp"
@@ -56,18 +56,8 @@ struct Cost {
   }
 };
 
-// What of one grid went over the line.
-struct Told {
-  std::uint32_t cell_mm = 0;
-  std::uint32_t messages = 0;
-  std::uint32_t bytes = 0;
-  std::uint32_t tiles = 0;
-  std::uint32_t rounds = 0;  // whole ones
-  std::uint64_t first_round_us = 0;
-  std::uint64_t last_round_us = 0;
-};
-
-// The line's other end, which needs no more than what the messages are about.
+// Takes what is written, and says how much it was. What the line carries of a grid is the same on a
+// PC (tools/tables/serial_rounds.hpp).
 class Line {
  public:
   [[nodiscard]] std::uint32_t bytes_per_second() const { return 11'520; }
@@ -78,62 +68,12 @@ class Line {
   }
   void pump() {}
 
-  // After each pass: what it has written.
-  void receive(std::uint64_t now_us) {
-    for (const std::byte byte : std::span(written_).first(written_bytes_)) {
-      if (const auto message = decoder_.take(byte)) {
-        take(*message, now_us);
-      }
-    }
-    written_bytes_ = 0;
-  }
-
-  void report() const {
-    for (const Told& told : told_) {
-      if (told.messages > 0) {
-        std::printf("serial_cost of=line");
-        print("cell_mm", told.cell_mm);
-        print("messages", told.messages);
-        print("bytes", told.bytes);
-        print("tiles", told.tiles);
-        print("rounds", told.rounds);
-        print("round_ms", (told.last_round_us - told.first_round_us) / 1000 /
-                              std::max<std::uint32_t>(told.rounds, 1));
-        std::puts("");
-      }
-    }
-  }
+  // After each pass: how many bytes it has written.
+  std::size_t take_written() { return std::exchange(written_bytes_, 0); }
 
  private:
-  void take(std::span<const std::byte> message, std::uint64_t now_us) {
-    stream::Header header;
-    std::span<const std::byte> body;
-    stream::TilesHeader tiles;
-    stream::TileRecords records;
-    const auto content = message.subspan(protection::kProtectionBytes);
-    if (stream::read_header(content, header, body) != stream::ReadStatus::kOk ||
-        stream::read_tiles(body, tiles, records) != stream::ReadStatus::kOk) {
-      return;
-    }
-    Told& told = *std::ranges::find_if(told_, [&](const Told& each) {
-      return each.messages == 0 || each.cell_mm == tiles.geometry.cell_mm;
-    });
-    if (tiles.first_tile == 0) {
-      told.rounds += told.messages > 0 ? 1 : 0;
-      told.first_round_us = told.messages > 0 ? told.first_round_us : now_us;
-      told.last_round_us = now_us;
-    }
-    told.cell_mm = tiles.geometry.cell_mm;
-    ++told.messages;
-    told.bytes += framing::max_framed_bytes(message.size());
-    told.tiles += tiles.tile_count;
-  }
-
   std::array<std::byte, 1024> written_{};
   std::size_t written_bytes_ = 0;
-  std::array<std::byte, protection::kMaxMessageBytes> buffer_{};
-  framing::CobsDecoder decoder_{buffer_};
-  std::array<Told, 4> told_{};
 };
 
 Line line;
@@ -180,17 +120,20 @@ int run(std::span<char*> names) {
   }
   Cost frame_cost;
   Cost pass_cost;
+  std::uint64_t line_bytes = 0;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
     hand_over(frame, grids[frame % grids.size()], frame_cost);
     for (std::uint64_t pass = 0; pass < kPassesPerFrame; ++pass) {
       const std::uint64_t now_us = (frame * std::uint64_t{kPassesPerFrame} + pass) * kPassUs;
       pass_cost.measure([&] { sender.pump(now_us, line); });
-      line.receive(now_us);
+      line_bytes += line.take_written();
     }
   }
   frame_cost.print_as("frame");
   pass_cost.print_as("pass");
-  line.report();
+  std::printf("serial_cost of=line");
+  print("bytes", line_bytes);
+  std::puts("");
   return 0;
 }
 

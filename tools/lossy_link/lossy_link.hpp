@@ -2,6 +2,7 @@
 // what a receiver behind it shows.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -23,6 +24,31 @@ struct Harm {
   unsigned corrupt = 0;    // one to four bytes are others
   unsigned reorder = 0;    // up to 20 messages late
   unsigned delay = 0;      // up to 300 messages late
+};
+
+// What the receiver is tried with: docs/results.md shows what is left, the tests that no cell is
+// wrong.
+inline constexpr std::array kHarms{
+    Harm{.name = "none"},
+    Harm{.name = "1 % lost", .drop = 1},
+    Harm{.name = "10 % lost", .drop = 10},
+    Harm{.name = "30 % lost", .drop = 30},
+    Harm{.name = "30 % twice", .duplicate = 30},
+    Harm{.name = "30 % damaged", .corrupt = 30},
+    Harm{.name = "30 % out of order", .reorder = 30},
+    Harm{.name = "30 % up to 300 messages late", .delay = 30},
+    Harm{.name = "10 % of each of the five",
+         .drop = 10,
+         .duplicate = 10,
+         .corrupt = 10,
+         .reorder = 10,
+         .delay = 10},
+    Harm{.name = "30 % of each of the five",
+         .drop = 30,
+         .duplicate = 30,
+         .corrupt = 30,
+         .reorder = 30,
+         .delay = 30},
 };
 
 // A stream as it was sent, and the frames in it.

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stream/references.hpp"
@@ -18,6 +19,9 @@ namespace iog::tools {
 namespace {
 
 using tile_coding::Encoding;
+
+// The drives, by the scenes of `iog simulate`, and their names on the page.
+constexpr std::array kDrives{std::pair("city", "city"), std::pair("ring_road", "ring road")};
 
 constexpr double kFramesASecond = 25;
 constexpr double kPeriodCycles = 1e9 / kFramesASecond;
@@ -81,9 +85,8 @@ void print_choices(const std::vector<Weighed>& all, Markdown& body) {
 std::vector<Weighed> weigh_drives(const TablesInput& input) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   std::vector<Weighed> all;
-  for (const char* scene : {"city", "ring_road"}) {
-    all.push_back({scene == std::string("city") ? "city" : "ring road",
-                   weigh_stream(car, feed_of_drive(car, scene, input.seed, input.seconds))});
+  for (const auto& [scene, name] : kDrives) {
+    all.push_back({name, weigh_stream(car, feed_of_drive(car, scene, input.seed, input.seconds))});
   }
   return all;
 }
@@ -94,8 +97,7 @@ void describe_bytes(const TablesInput& input, Markdown& body) {
   body.paragraph(
       "Mean frames of the simulated drives, by the firmware's code. Payloads of the known tiles if "
       "all were sent by one encoding, by the shortest that stands by itself, and **as sent**: by "
-      "the "
-      "shortest of all, with a reference at most " +
+      "the shortest of all, with a reference at most " +
       std::to_string(stream::kMaxReferenceAge) +
       " frames old (docs/spec.md 3.4). *Messages* are whole: SOME/IP, E2E protection, headers and "
       "the frame's end included; UDP, IP and Ethernet are not. A raw grid of all 1,024 tiles is "
@@ -119,12 +121,11 @@ void describe_cycles(Markdown& body) {
       "firmware as it is built sends the *shortest*. A CRC-32 over every cell names the grid, a "
       "second one over every message protects it.");
   std::vector<std::vector<std::string>> rows;
-  for (const char* scene : {"city", "ring_road"}) {
+  for (const auto& [scene, name] : kDrives) {
     const A9Cycles raw = a9_cycles(scene, 4);
     const A9Cycles shortest = a9_shortest(scene);
     for (const auto* cycles : {&raw, &shortest}) {
-      const std::string name = scene == std::string("city") ? "city" : "ring road";
-      rows.push_back({name + (cycles == &raw ? ", raw" : ", shortest"),
+      rows.push_back({std::string(name) + (cycles == &raw ? ", raw" : ", shortest"),
                       grouped(cycles->publish.instructions),
                       banded(cycles->publish.cycles * 1e-6, 2) + " ms",
                       banded(hz_of(cycles->whole.cycles), 0) + " Hz",
@@ -152,48 +153,21 @@ void describe_serial_line(const TablesInput& input, Markdown& body) {
   body.subheading("The serial line");
   body.paragraph(
       "115,200 baud carry " + grouped(kBytesPerSecond) +
-      " bytes a second, far fewer than the frames above have. The line sends three grids side "
-      "by "
+      " bytes a second, far fewer than the frames above have. The line sends three grids side by "
       "side, always of the newest frame (docs/spec.md 3.8): a rough one, of which each cell has "
-      "the "
-      "highest index of 32 by 32, a fine one, of 8 by 8, and the cells themselves. A *round* is "
-      "once "
-      "over the whole grid: nothing that a receiver has of it is older. The frames of the drive, "
-      "again and again for a minute:");
+      "the highest index of 32 by 32, a fine one, of 8 by 8, and the cells themselves. A *round* "
+      "is once over the whole grid: nothing that a receiver has of it is older. The frames of the "
+      "drive, again and again for a minute:");
   std::vector<std::vector<std::string>> rows;
-  for (const char* scene : {"city", "ring_road"}) {
-    const std::string name = scene == std::string("city") ? "city" : "ring road";
+  for (const auto& [scene, name] : kDrives) {
     for (const auto& [cell_mm, rounds] : serial_rounds(frames_of(input, scene), kBytesPerSecond)) {
-      rows.push_back({name + ", cells of " + fixed(cell_mm / 1000.0, 1) + " m",
+      rows.push_back({std::string(name) + ", cells of " + fixed(cell_mm / 1000.0, 1) + " m",
                       grouped(static_cast<double>(rounds.bytes) / rounds.rounds),
                       fixed(rounds.seconds_a_round(), 2)});
     }
   }
   body.table({"", "bytes a round", "seconds a round"}, rows);
 }
-
-constexpr std::array kHarms{
-    Harm{.name = "none"},
-    Harm{.name = "1 % lost", .drop = 1},
-    Harm{.name = "10 % lost", .drop = 10},
-    Harm{.name = "30 % lost", .drop = 30},
-    Harm{.name = "30 % twice", .duplicate = 30},
-    Harm{.name = "30 % damaged", .corrupt = 30},
-    Harm{.name = "30 % out of order", .reorder = 30},
-    Harm{.name = "30 % up to 300 messages late", .delay = 30},
-    Harm{.name = "10 % of each of the five",
-         .drop = 10,
-         .duplicate = 10,
-         .corrupt = 10,
-         .reorder = 10,
-         .delay = 10},
-    Harm{.name = "30 % of each of the five",
-         .drop = 30,
-         .duplicate = 30,
-         .corrupt = 30,
-         .reorder = 30,
-         .delay = 30},
-};
 
 std::vector<std::string> row_of(const Harm& harm, const SentStream& sent,
                                 std::uint32_t quiet_from) {
@@ -231,8 +205,7 @@ void describe_links(const TablesInput& input, Markdown& body) {
       "grid that is of the frame shown; the receiver knows how old each other tile is. *Wrong* are "
       "tiles shown that are not those of the frame that they are said to be of, of all frames. "
       "*Complete in* is the first undisturbed frame from which on all are whole, the worst of "
-      "three; "
-      "docs/spec.md promises the eighth.");
+      "three; docs/spec.md promises the eighth.");
   std::vector<std::vector<std::string>> rows;
   rows.reserve(kHarms.size());
   for (const Harm& harm : kHarms) {
