@@ -85,6 +85,7 @@ void print_choices(const std::vector<Weighed>& all, Markdown& body) {
 std::vector<Weighed> weigh_drives(const TablesInput& input) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   std::vector<Weighed> all;
+  all.reserve(kDrives.size());
   for (const auto& [scene, name] : kDrives) {
     all.push_back({name, weigh_stream(car, feed_of_drive(car, scene, input.seed, input.seconds))});
   }
