@@ -5,7 +5,7 @@
 // not wait for each other. The tables take kSlices KiB and are computed by the compiler. On the
 // Cortex-A9, which has better (checksum/product_crc32.hpp), a byte costs 4.2 to 4.3 instructions by
 // 4, 8 or 16 slices (measured); of a tile of 1 KiB that is 3.5, 2.5 or 2.7 cycles a byte (modelled
-// by bench/a9_model, other tiles being encoded between).
+// by lab/a9_model, other tiles being encoded between).
 #pragma once
 
 #include <array>

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "law.hpp"
-#include "tools/capture/pcap_reader.hpp"
-#include "tools/command/exit_status.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::fuzz {
 namespace {

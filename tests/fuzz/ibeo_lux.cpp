@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "law.hpp"
-#include "tools/command/exit_status.hpp"
-#include "tools/lux/lux_scan.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::fuzz {
 namespace {

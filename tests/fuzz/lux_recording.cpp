@@ -1,8 +1,8 @@
 // The reader of raw LUX recordings: whatever it finds goes to the wire and is accepted there.
 #include "law.hpp"
 #include "lidar/ibeo_lux.hpp"
-#include "tools/lux/lux_scan.hpp"
-#include "tools/lux/lux_stream.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
+#include "tools/formats/lux/lux_stream.hpp"
 
 namespace iog::fuzz {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "law.hpp"
 #include "stream/crc32.hpp"
-#include "tools/command/exit_status.hpp"
-#include "tools/mcap/reader.hpp"
+#include "tools/formats/mcap/reader.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::fuzz {
 namespace {

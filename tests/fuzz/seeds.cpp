@@ -11,8 +11,8 @@
 #include "stream/tile.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
-#include "tools/capture/pcap_writer.hpp"
-#include "tools/mcap/writer.hpp"
+#include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/formats/mcap/writer.hpp"
 
 namespace iog::fuzz {
 namespace {

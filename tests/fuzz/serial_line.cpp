@@ -7,7 +7,7 @@
 #include "framing/cobs.hpp"
 #include "law.hpp"
 #include "stream/channel.hpp"
-#include "tools/serial/serial_link.hpp"
+#include "tools/receive/serial/serial_link.hpp"
 
 namespace iog::fuzz {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "app/pipeline.hpp"
 #include "stream/message.hpp"
-#include "tools/capture/capture_clock.hpp"
-#include "tools/capture/datagram.hpp"
+#include "tools/formats/capture/capture_clock.hpp"
+#include "tools/formats/capture/datagram.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tools {

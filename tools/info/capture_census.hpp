@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "tools/capture/datagram.hpp"
+#include "tools/formats/capture/datagram.hpp"
 
 namespace iog::tools {
 

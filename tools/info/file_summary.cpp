@@ -10,11 +10,11 @@
 #include <optional>
 #include <sstream>
 
-#include "tools/capture/pcap_reader.hpp"
-#include "tools/command/progress.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/formats/mcap/reader.hpp"
 #include "tools/info/capture_census.hpp"
 #include "tools/info/stream_census.hpp"
-#include "tools/mcap/reader.hpp"
+#include "tools/program/progress.hpp"
 #include "tools/record/mcap_recording.hpp"
 #include "tools/record/stream_file.hpp"
 

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <vector>
 
-#include "tools/command/exit_status.hpp"
-#include "tools/command/file.hpp"
 #include "tools/info/file_summary.hpp"
-#include "tools/report/run_statistics.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "tools/receive/run_statistics.hpp"
 
 namespace iog::tools {
 namespace {

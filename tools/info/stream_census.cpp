@@ -1,7 +1,7 @@
 #include "tools/info/stream_census.hpp"
 
-#include "tools/catalogue/vehicle_catalogue.hpp"
-#include "tools/report/link_counts.hpp"
+#include "tools/receive/link_counts.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 #include "wire/byte_reader.hpp"
 
 namespace iog::tools {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/assembly/frame_assembler.hpp"
-#include "tools/report/run_statistics.hpp"
+#include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/run_statistics.hpp"
 
 namespace iog::tools {
 

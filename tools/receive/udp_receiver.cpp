@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "tools/command/exit_status.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 namespace {

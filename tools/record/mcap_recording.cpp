@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "protection/protected_message.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/mcap/writer.hpp"
+#include "tools/formats/mcap/writer.hpp"
+#include "tools/formats/ros/grid_messages.hpp"
 #include "tools/record/recording.hpp"
-#include "tools/ros/grid_messages.hpp"
 
 namespace iog::tools {
 

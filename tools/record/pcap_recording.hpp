@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tools/capture/pcap_writer.hpp"
+#include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/record/recording.hpp"
 
 namespace iog::tools {

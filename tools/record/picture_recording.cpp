@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "tools/command/file.hpp"
-#include "tools/picture/ros_map.hpp"
+#include "tools/formats/picture/ros_map.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "tools/picture/frame_writer.hpp"
+#include "tools/formats/picture/frame_writer.hpp"
 #include "tools/record/recording.hpp"
 
 namespace iog::tools {

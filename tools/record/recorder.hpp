@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "tools/assembly/live_grid.hpp"
-#include "tools/capture/datagram.hpp"
+#include "tools/formats/capture/datagram.hpp"
 #include "tools/info/stream_census.hpp"
+#include "tools/receive/live_grid.hpp"
 #include "tools/record/recording.hpp"
 
 namespace iog::tools {

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <string>
 
-#include "tools/assembly/grid_frame.hpp"
-#include "tools/assembly/live_grid.hpp"
-#include "tools/capture/datagram.hpp"
-#include "tools/report/run_statistics.hpp"
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/receive/grid_frame.hpp"
+#include "tools/receive/live_grid.hpp"
+#include "tools/receive/run_statistics.hpp"
 
 namespace iog::tools {
 

@@ -7,14 +7,14 @@
 #include <optional>
 #include <utility>
 
-#include "tools/capture/pcap_reader.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
-#include "tools/command/exit_status.hpp"
-#include "tools/command/interrupt.hpp"
-#include "tools/command/progress.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/fuse/offline_target.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/interrupt.hpp"
+#include "tools/program/progress.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/record/stream_file.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "tools/command/exit_status.hpp"
 #include "tools/info/stream_census.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/record/mcap_recording.hpp"
 
 namespace iog::tools {

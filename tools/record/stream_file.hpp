@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "tools/capture/datagram.hpp"
-#include "tools/capture/pcap_reader.hpp"
-#include "tools/mcap/reader.hpp"
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/formats/mcap/reader.hpp"
 
 namespace iog::tools {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "tools/capture/datagram.hpp"
+#include "tools/formats/capture/datagram.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "vehicle/vehicle.hpp"
 

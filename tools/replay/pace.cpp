@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <ctime>
 
-#include "tools/command/interrupt.hpp"
+#include "tools/program/interrupt.hpp"
 
 namespace iog::tools {
 namespace {

@@ -4,7 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "tools/command/exit_status.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 

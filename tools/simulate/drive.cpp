@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tools/command/exit_status.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::tools {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "tools/capture/datagram.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
-#include "tools/lux/lux_burst.hpp"
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/formats/lux/lux_burst.hpp"
 #include "tools/simulate/lux_scanner.hpp"
 #include "tools/simulate/scene_catalogue.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 

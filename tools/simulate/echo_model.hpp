@@ -2,7 +2,7 @@
 // wide it is measured, how it is flagged.
 #pragma once
 
-#include "tools/lux/lux_scan.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/solid.hpp"
 

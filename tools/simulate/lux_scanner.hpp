@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "tools/lux/lux_scan.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/solid.hpp"
 #include "tools/simulate/traffic.hpp"

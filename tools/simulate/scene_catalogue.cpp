@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "tools/command/exit_status.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/simulate/city.hpp"
 #include "tools/simulate/ring_road.hpp"
 

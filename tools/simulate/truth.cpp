@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/picture/pgm.hpp"
+#include "tools/formats/picture/pgm.hpp"
 #include "vehicle/grid_geometry.hpp"
 
 namespace iog::tools {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "net/udp.hpp"
-#include "tools/command/exit_status.hpp"
-#include "tools/command/file.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools::view {
 namespace {

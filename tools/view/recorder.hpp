@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "tools/capture/pcap_writer.hpp"
+#include "tools/formats/capture/pcap_writer.hpp"
 
 namespace iog::tools::view {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tools/capture/datagram.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::tools::view {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "tile_coding/encode.hpp"
-#include "tools/assembly/live_grid.hpp"
+#include "tools/receive/live_grid.hpp"
 #include "tools/view/scan_points.hpp"
 
 namespace iog::tools::view {

@@ -5,16 +5,16 @@
 #include <thread>
 #include <utility>
 
-#include "tools/capture/capture_clock.hpp"
-#include "tools/capture/pcap_reader.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
-#include "tools/command/exit_status.hpp"
-#include "tools/command/interrupt.hpp"
+#include "tools/formats/capture/capture_clock.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/interrupt.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
 #include "tools/simulate/drive.hpp"
 #include "tools/simulate/truth.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/view/sensor_target.hpp"
 
 namespace iog::tools::view {

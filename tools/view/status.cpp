@@ -4,7 +4,7 @@
 
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/velodyne_vlp16.hpp"
-#include "tools/assembly/frame_record.hpp"
+#include "tools/receive/frame_record.hpp"
 #include "tools/view/json_text.hpp"
 #include "vehicle/grid_geometry.hpp"
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "tools/assembly/frame_assembler.hpp"
-#include "tools/assembly/live_grid.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/live_grid.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/view/recorder.hpp"
 #include "tools/view/stream_health.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "tools/catalogue/vehicle_catalogue.hpp"
-#include "tools/command/exit_status.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools::view {
 

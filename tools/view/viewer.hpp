@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/assembly/frame_assembler.hpp"
-#include "tools/assembly/live_grid.hpp"
+#include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/live_grid.hpp"
 #include "tools/view/recorder.hpp"
 #include "tools/view/scene.hpp"
 #include "tools/view/status.hpp"

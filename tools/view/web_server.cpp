@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/command/exit_status.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/view/page_files.hpp"
 
 namespace iog::tools::view {

@@ -7,10 +7,10 @@
 
 #include "drive_sample.hpp"
 #include "fakes/temporary_folder.hpp"
-#include "tools/assembly/frame_assembler.hpp"
-#include "tools/assembly/frame_record.hpp"
-#include "tools/assembly/sequence_watch.hpp"
-#include "tools/command/exit_status.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/frame_record.hpp"
+#include "tools/receive/sequence_watch.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::tools {

@@ -5,11 +5,11 @@
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
-#include "tools/capture/capture_clock.hpp"
-#include "tools/capture/pcap_reader.hpp"
-#include "tools/capture/pcap_writer.hpp"
-#include "tools/command/exit_status.hpp"
-#include "tools/command/file.hpp"
+#include "tools/formats/capture/capture_clock.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "lidar/ibeo_lux.hpp"
-#include "tools/capture/datagram.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/formats/capture/datagram.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/simulate/drive.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 

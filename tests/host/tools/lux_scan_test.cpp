@@ -1,4 +1,4 @@
-#include "tools/lux/lux_scan.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,9 +8,9 @@
 #include "gtest/gtest.h"
 
 #include "lidar/ibeo_lux.hpp"
-#include "tools/command/exit_status.hpp"
-#include "tools/lux/lux_stream.hpp"
-#include "tools/lux/ntp_time.hpp"
+#include "tools/formats/lux/lux_stream.hpp"
+#include "tools/formats/lux/ntp_time.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 namespace {

@@ -10,11 +10,11 @@
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
-#include "tools/command/exit_status.hpp"
-#include "tools/command/file.hpp"
-#include "tools/mcap/reader.hpp"
-#include "tools/mcap/record_bytes.hpp"
-#include "tools/mcap/writer.hpp"
+#include "tools/formats/mcap/reader.hpp"
+#include "tools/formats/mcap/record_bytes.hpp"
+#include "tools/formats/mcap/writer.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools::mcap {

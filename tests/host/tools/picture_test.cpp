@@ -7,10 +7,10 @@
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
-#include "tools/command/file.hpp"
-#include "tools/picture/frame_writer.hpp"
-#include "tools/picture/grid_picture.hpp"
-#include "tools/picture/ros_map.hpp"
+#include "tools/formats/picture/frame_writer.hpp"
+#include "tools/formats/picture/grid_picture.hpp"
+#include "tools/formats/picture/ros_map.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools {
 namespace {

@@ -8,9 +8,9 @@
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
+#include "tools/formats/ros/grid_messages.hpp"
 #include "tools/record/recorder.hpp"
-#include "tools/ros/grid_messages.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {

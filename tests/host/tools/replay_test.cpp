@@ -4,8 +4,8 @@
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
-#include "tools/assembly/frame_assembler.hpp"
-#include "tools/assembly/frame_record.hpp"
+#include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/frame_record.hpp"
 #include "tools/replay/frame_grouper.hpp"
 
 namespace iog::tools {

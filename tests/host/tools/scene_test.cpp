@@ -13,7 +13,7 @@
 
 #include "drive_sample.hpp"
 #include "grid/frame_fusion.hpp"
-#include "tools/command/exit_status.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/simulate/scene_catalogue.hpp"
 #include "tools/simulate/truth.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "fakes/random.hpp"
 #include "serial/grid_sender.hpp"
-#include "tools/serial/serial_link.hpp"
+#include "tools/receive/serial/serial_link.hpp"
 
 namespace iog::tools {
 namespace {

@@ -1,5 +1,5 @@
-// The leaves of simulated drives, counted as tools/tables counts them for table 4.7, and the bytes
-// that they need beside the array's.
+// The leaves of simulated drives, counted as lab/experiments counts them for table 4.7, and the
+// bytes that they need beside the array's.
 #include <array>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 
 #include "fakes/cells_of.hpp"
 #include "grid/frame_fusion.hpp"
-#include "tools/catalogue/vehicle_catalogue.hpp"
-#include "tools/evidence/frame_points.hpp"
+#include "lab/evidence/frame_points.hpp"
+#include "lab/experiments/scene_load.hpp"
 #include "tools/simulate/drive.hpp"
-#include "tools/tables/scene_load.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tree/built_quadtree.hpp"
 #include "tree/grid_drawing.hpp"
 #include "tree/linear_quadtree.hpp"

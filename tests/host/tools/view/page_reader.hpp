@@ -10,7 +10,7 @@
 
 #include "stream/tile.hpp"
 #include "tile_coding/decode.hpp"
-#include "tools/assembly/grid_frame.hpp"
+#include "tools/receive/grid_frame.hpp"
 #include "tools/view/scene.hpp"
 
 namespace iog::tools::view {

@@ -8,8 +8,8 @@
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
-#include "tools/capture/pcap_reader.hpp"
-#include "tools/command/exit_status.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::tools::view {
 namespace {

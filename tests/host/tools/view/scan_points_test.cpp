@@ -5,7 +5,7 @@
 #include "gtest/gtest.h"
 
 #include "../drive_sample.hpp"
-#include "tools/lux/lux_scan.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
 
 namespace iog::tools::view {
 namespace {

@@ -1,0 +1,42 @@
+// The rules by which a frame's evidence becomes a grid: the contract's two, the thesis's own, and
+// those in double precision that the papers compare with.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lab/evidence/projection.hpp"
+#include "lab/evidence/values.hpp"
+
+namespace iog::lab {
+
+enum class IndexRule : std::uint8_t {
+  kHitsWin,     // contract section 3, the default
+  kBayes,       // contract section 3: all carving, then all marking
+  kSequential,  // the thesis's: one sum after the other as the points come (equation 4.4)
+};
+
+// One index per cell of the grid, 0 where nothing is known. Every stored sum saturates at +-limit:
+// 127 is the firmware's int8; a limit of 2^30 never saturates.
+[[nodiscard]] std::vector<std::int32_t> fuse_indexes(const FrameEvidence& evidence,
+                                                     const ByStep<std::int32_t>& values,
+                                                     IndexRule rule, std::int32_t limit);
+
+enum class ProbabilityRule : std::uint8_t {
+  kBayes,              // equation 3.2
+  kLogOdds,            // equation 2.46
+  kLinearOpinionPool,  // equation 2.48, every measurement of a cell with the same weight
+  kMaximum,            // equation 2.49; a cell's first measurement replaces the 1/2
+};
+
+// A value this near to 1/2 says nothing of its cell, which some scan point hides: the linear
+// opinion pool and the maximum do not take it for a measurement. (For the other two rules 1/2 is
+// neutral.)
+inline constexpr double kSaysNothing = 1e-3;
+
+// One probability per cell of the grid, 1/2 where nothing is known.
+[[nodiscard]] std::vector<double> fuse_probabilities(const FrameEvidence& evidence,
+                                                     const ByStep<double>& values,
+                                                     ProbabilityRule rule);
+
+}  // namespace iog::lab

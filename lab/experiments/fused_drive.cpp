@@ -1,0 +1,33 @@
+#include "lab/experiments/fused_drive.hpp"
+
+#include <memory>
+#include <vector>
+
+#include "lab/evidence/frame_points.hpp"
+#include "tools/simulate/drive.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::lab {
+
+void fuse_drive(std::string_view scene, std::uint64_t seed, std::uint32_t seconds,
+                vehicle::FusionRule rule, const std::function<void(GridCells)>& use) {
+  const tools::CatalogueEntry& car = tools::find_vehicle("reference_car");
+  vehicle::Vehicle vehicle = *car.vehicle;
+  vehicle.rule = rule;
+  const auto fusion = std::make_unique<grid::FrameFusion>(vehicle);  // too large for the stack
+  tools::Drive drive(car, seed, seconds, tools::find_scene(scene));
+  std::vector<index::OccupancyIndex> storage(grid::kCellCount);
+  const auto cells = std::span(storage).first<grid::kCellCount>();
+  for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
+    drive.move_to(frame);
+    fusion->clear();
+    for (const SensorPoint& seen : points_of(drive, car)) {
+      fusion->add(vehicle.sensors[seen.sensor], seen.point);
+    }
+    fusion->finish();
+    fusion->copy_cells(cells);
+    use(cells);
+  }
+}
+
+}  // namespace iog::lab

@@ -1,0 +1,23 @@
+// The grids of a simulated drive, fused by the firmware's code.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "grid/frame_fusion.hpp"
+#include "index/occupancy_index.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::lab {
+
+// A grid, row by row from the lowest y.
+using GridCells = std::span<const index::OccupancyIndex, grid::kCellCount>;
+
+// Calls use(cells) for each frame of the reference car's drive, by this rule and the car's own
+// profile. UsageError if there is no such scene.
+void fuse_drive(std::string_view scene, std::uint64_t seed, std::uint32_t seconds,
+                vehicle::FusionRule rule, const std::function<void(GridCells)>& use);
+
+}  // namespace iog::lab

@@ -1,0 +1,128 @@
+// experiments: repeats what the papers claim, and writes what it finds as CSV.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lab/experiments/side_by_side.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/program/file.hpp"
+#include "tools/program/program.hpp"
+#include "tools/program/progress.hpp"
+#include "tools/simulate/drive.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::lab {
+namespace {
+
+struct Options {
+  Input input;
+  std::vector<std::string> recordings;
+  std::vector<std::string> only;
+  std::string out;
+};
+
+std::string file_name_of(const Recording& recording) {
+  return std::filesystem::path(recording.pcap).filename().string();
+}
+
+// Everything that can be wrong with it is found here, before the work begins.
+Recording recording_of(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos) {
+    throw tools::UsageError("--recording " + text + ": give FILE:VEHICLE");
+  }
+  Recording recording{.pcap = text.substr(0, colon), .vehicle = text.substr(colon + 1)};
+  static_cast<void>(tools::find_vehicle(recording.vehicle));
+  static_cast<void>(tools::PcapReader(recording.pcap));
+  return recording;
+}
+
+std::vector<Recording> recordings_of(const std::vector<std::string>& texts) {
+  std::vector<Recording> recordings;
+  for (const std::string& text : texts) {
+    Recording recording = recording_of(text);
+    if (std::ranges::any_of(recordings, [&recording](const Recording& other) {
+          return file_name_of(other) == file_name_of(recording);
+        })) {
+      throw tools::UsageError("--recording " + text + ": two recordings have this name");
+    }
+    recordings.push_back(std::move(recording));
+  }
+  return recordings;
+}
+
+std::vector<Experiment> chosen(const std::vector<std::string>& names) {
+  std::vector<Experiment> experiments;
+  std::ranges::copy_if(
+      all_experiments(), std::back_inserter(experiments), [&names](const Experiment& experiment) {
+        return names.empty() || std::ranges::find(names, experiment.name) != names.end();
+      });
+  return experiments;
+}
+
+void write(const Table& table, const std::string& folder) {
+  tools::OutputFile file(folder + "/" + table.name() + ".csv");
+  file.write(table.text());
+  file.finish();
+}
+
+void run(const Options& options) {
+  Input input = options.input;
+  input.recordings = recordings_of(options.recordings);
+  tools::make_folder(options.out);
+  const std::vector<Experiment> experiments = chosen(options.only);
+  tools::Progress progress("experiments", experiments.size());
+  progress.show(0);
+  for (const Tables& tables : run_side_by_side(
+           experiments, input, [&progress](std::size_t done) { progress.show(done); })) {
+    for (const Table& table : tables) {
+      write(table, options.out);
+    }
+  }
+}
+
+void add_options(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  program.add_option("--out", options->out, "Write a CSV file for each table there")
+      ->option_text("FOLDER")
+      ->required();
+  program
+      .add_option("--recording", options->recordings,
+                  "A capture and its vehicle, for what only real scans show; may be repeated")
+      ->option_text("FILE:VEHICLE");
+  program.add_option("--seed", options->input.seed, "The simulated drive's seed")
+      ->option_text("N  (default 1)")
+      ->check(CLI::NonNegativeNumber);
+  program.add_option("--seconds", options->input.seconds, "Its length, 25 frames a second")
+      ->option_text("N  (1 to 600, default 2)")
+      ->check(CLI::Range(1U, tools::Drive::kMaxSeconds));
+  std::vector<std::string> names;
+  std::string list;
+  for (const Experiment& experiment : all_experiments()) {
+    names.emplace_back(experiment.name);
+    list.append(list.empty() ? "" : ", ").append(experiment.name);
+  }
+  program.add_option("--only", options->only, "One experiment alone; may be repeated")
+      ->option_text("NAME")
+      ->check(CLI::IsMember(names));
+  program.footer("Experiments: " + list +
+                 "\n"
+                 "The same seed, length and recordings give the same tables everywhere, but for "
+                 "*_on_this_pc.csv.\n"
+                 "lab/run runs all of them and writes the pages.");
+  program.callback([options] { run(*options); });
+}
+
+}  // namespace
+}  // namespace iog::lab
+
+int main(int argc, char** argv) {
+  CLI::App program("Repeat what the papers claim and write what is found as CSV", "experiments");
+  iog::lab::add_options(program);
+  return iog::tools::run_program(program, argc, argv);
+}

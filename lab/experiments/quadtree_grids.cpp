@@ -1,0 +1,58 @@
+#include "lab/experiments/quadtree_grids.hpp"
+
+#include <cstddef>
+
+#include "grid/frame_fusion.hpp"
+#include "lab/experiments/markdown.hpp"
+#include "tools/simulate/random.hpp"
+
+namespace iog::lab {
+namespace {
+
+using Cells = std::vector<index::OccupancyIndex>;
+
+// What a beam leaves of the cells that it passes, and of the one where it ends.
+constexpr index::OccupancyIndex kFree = -14;
+constexpr index::OccupancyIndex kHit = 2;
+
+constexpr std::size_t kSingleCells = 1000;
+
+template <typename Draw>
+Cells drawn(Draw&& draw) {
+  Cells cells(grid::kCellCount);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    cells[cell] = draw(cell % grid::kStride, cell / grid::kStride);
+  }
+  return cells;
+}
+
+Cells single_cells(std::uint64_t seed) {
+  Cells cells(grid::kCellCount);
+  tools::Random random(seed);
+  for (std::size_t count = 0; count < kSingleCells;) {
+    index::OccupancyIndex& cell = cells[random.below(cells.size())];
+    count += cell == kHit ? 0U : 1U;
+    cell = kHit;
+  }
+  return cells;
+}
+
+index::OccupancyIndex one_in_each_tile(std::size_t x, std::size_t y) {
+  return x % grid::kTileSide == 5 && y % grid::kTileSide == 7 ? kHit : index::kUnknown;
+}
+
+index::OccupancyIndex checkerboard(std::size_t x, std::size_t y) {
+  return (x + y) % 2 == 0 ? kFree : kHit;
+}
+
+}  // namespace
+
+std::vector<NamedGrid> drawn_grids(std::uint64_t seed) {
+  return {{"all unknown", Cells(grid::kCellCount)},
+          {"all free by one beam", Cells(grid::kCellCount, kFree)},
+          {grouped(kSingleCells) + " single cells at random", single_cells(seed)},
+          {"a single cell in each tile", drawn(one_in_each_tile)},
+          {"checkerboard", drawn(checkerboard)}};
+}
+
+}  // namespace iog::lab

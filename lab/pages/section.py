@@ -1,0 +1,61 @@
+"""A section of a page: what its module in pages/sections/ finds in the data, and what its template
+in pages/templates/ says of it.
+
+A module has one function, section(data) -> Section. Numbers and verdicts come from `data`; words
+stand in the template, which sees `found` and the functions of markdown.py. The sentences of a
+template follow from data on the same page, or begin with "Our reading:".
+"""
+
+import dataclasses
+import functools
+import pathlib
+import types
+
+import pandas
+
+from claims import Claim
+
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
+
+
+class Data:
+    """The tables of lab/data, by their file's name without ".csv"."""
+
+    def __init__(self, folder: pathlib.Path = DATA):
+        self.folder = folder
+
+    @functools.cache
+    def __getitem__(self, name: str) -> pandas.DataFrame:
+        return pandas.read_csv(self.folder / f"{name}.csv", keep_default_na=False,
+                               float_precision="round_trip")
+
+    def __contains__(self, name: str) -> bool:
+        return (self.folder / f"{name}.csv").exists()
+
+
+def one(table: pandas.DataFrame, column: str, **where):
+    """The value of a column in the one row that has these values in others."""
+    rows = select(table, **where)
+    assert len(rows) == 1, f"{len(rows)} rows have {where}"
+    return rows.iloc[0][column]
+
+
+def select(table: pandas.DataFrame, **where) -> pandas.DataFrame:
+    """The rows that have these values."""
+    for column, value in where.items():
+        table = table[table[column] == value]
+    return table
+
+
+@dataclasses.dataclass
+class Section:
+    """What a section has found: values for its template (namespaces, lists, numbers), claims for
+    the overview, and figures by the file name that the template gives them."""
+
+    found: dict = dataclasses.field(default_factory=dict)
+    claims: list[Claim] = dataclasses.field(default_factory=list)
+    figures: dict = dataclasses.field(default_factory=dict)
+
+    @property
+    def names(self) -> types.SimpleNamespace:
+        return types.SimpleNamespace(**self.found)

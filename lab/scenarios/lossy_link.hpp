@@ -1,0 +1,85 @@
+// A link that loses, doubles, damages and delays messages, always in the same way for one seed, and
+// what a receiver behind it shows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "tools/receive/grid_frame.hpp"
+#include "tools/simulate/random.hpp"
+
+namespace iog::lab {
+
+using Message = std::vector<std::byte>;
+
+// In percent of the messages.
+struct Harm {
+  const char* name;
+  unsigned drop = 0;
+  unsigned duplicate = 0;  // comes once more, up to 60 messages later
+  unsigned corrupt = 0;    // one to four bytes are others
+  unsigned reorder = 0;    // up to 20 messages late
+  unsigned delay = 0;      // up to 300 messages late
+};
+
+// What the receiver is tried with: docs/results.md shows what is left, the tests that no cell is
+// wrong.
+inline constexpr std::array kHarms{
+    Harm{.name = "none"},
+    Harm{.name = "1 % lost", .drop = 1},
+    Harm{.name = "10 % lost", .drop = 10},
+    Harm{.name = "30 % lost", .drop = 30},
+    Harm{.name = "30 % twice", .duplicate = 30},
+    Harm{.name = "30 % damaged", .corrupt = 30},
+    Harm{.name = "30 % out of order", .reorder = 30},
+    Harm{.name = "30 % up to 300 messages late", .delay = 30},
+    Harm{.name = "10 % of each of the five",
+         .drop = 10,
+         .duplicate = 10,
+         .corrupt = 10,
+         .reorder = 10,
+         .delay = 10},
+    Harm{.name = "30 % of each of the five",
+         .drop = 30,
+         .duplicate = 30,
+         .corrupt = 30,
+         .reorder = 30,
+         .delay = 30},
+};
+
+// A stream as it was sent, and the frames in it.
+struct SentStream {
+  std::vector<Message> messages;
+  std::vector<std::uint32_t> frame_of;  // each message's frame number
+  std::map<std::uint32_t, tools::GridFrame> frames;
+};
+
+// Of a stream from its first message on, over a link that does no harm.
+[[nodiscard]] SentStream sent_stream(std::vector<Message> messages);
+
+// What comes out at the other end if the link does harm to the frames before `quiet_from`.
+[[nodiscard]] std::vector<Message> carry(const SentStream& sent, const Harm& harm,
+                                         std::uint32_t quiet_from, std::uint64_t seed);
+
+struct LinkTrial {
+  // While the link does harm.
+  std::uint64_t frames = 0;        // sent
+  std::uint64_t whole_frames = 0;  // that arrived so, with the CRC that the target gave
+  std::uint64_t tiles = 0;         // shown: 1024 for each frame that was handed over
+  std::uint64_t fresh_tiles = 0;  // of these, those of that frame; the others are known to be stale
+  // All the time.
+  std::uint64_t wrong_tiles = 0;       // shown as those of a frame and not equal to it
+  std::uint32_t incomplete_after = 0;  // frames from `quiet_from` on until all are whole
+  std::uint64_t corrupt_found = 0;     // messages
+  std::uint64_t restarts = 0;
+  std::uint64_t malformed = 0;
+};
+
+[[nodiscard]] LinkTrial try_link(const SentStream& sent, const Harm& harm, std::uint32_t quiet_from,
+                                 std::uint64_t seed);
+
+}  // namespace iog::lab

@@ -1,0 +1,41 @@
+// Frames that cost the reference car as much as frames can: no scene looks like them. Their scans
+// are put together point by point, each frame hard on another part of the fusion.
+//
+// The decoder believes every point, and no scan has more of them than the car's description allows.
+// Some of the scans a LUX could send: four layers, directions half a degree apart, up to three
+// echoes a beam. The others are forged: the format allows them, so a bound has to cover them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
+#include "tools/simulate/random.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::lab {
+
+struct WorstFrame {
+  std::string_view name;
+  std::string_view strain;  // what it is hard on
+  bool is_forged;           // no LUX sends such a scan
+  std::vector<tools::LuxPoint> (*points)(const vehicle::Sensor& sensor, tools::Random& random);
+};
+
+[[nodiscard]] std::span<const WorstFrame> all_worst_frames();
+
+// UsageError with the known names if there is no such frame.
+[[nodiscard]] const WorstFrame& find_worst_frame(std::string_view name);
+
+// What the car's scanners send for frame 0, 1, ...: each of them drawn anew, the same for the same
+// seed.
+[[nodiscard]] std::vector<tools::CapturedDatagram> worst_datagrams(const WorstFrame& worst,
+                                                                   std::uint64_t seed,
+                                                                   std::uint32_t frame);
+
+}  // namespace iog::lab

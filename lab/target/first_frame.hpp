@@ -1,0 +1,76 @@
+// The scan points of a capture's first frame, cut as the firmware cuts frames, kept for whoever
+// wants to do something else with them than fuse them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "app/frame_engine.hpp"
+#include "lidar/ibeo_lux.hpp"
+#include "lidar/scan_point.hpp"
+#include "playback.hpp"
+#include "require/require.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::lab {
+
+struct SensorPoint {
+  const vehicle::Sensor* sensor;
+  lidar::ScanPoint point;
+};
+
+// A target of play(). All of the vehicle's sensors are LUX.
+class FirstFrame {
+ public:
+  explicit FirstFrame(const vehicle::Vehicle& vehicle) : engine_(vehicle, kReplayer, 0) {}
+
+  void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
+            std::uint32_t /*received*/, std::uint64_t now_us) {
+    if (is_over_) {
+      return;
+    }
+    const app::FrameEngine::Inspection inspection = engine_.inspect(datagram);
+    is_over_ = inspection == app::FrameEngine::Inspection::kNextFrame;
+    if (inspection == app::FrameEngine::Inspection::kThisFrame) {
+      engine_.fuse(now_us);
+      keep(sensor, datagram.payload);
+      is_over_ = engine_.is_complete();
+    }
+  }
+
+  // A frame that nothing has come in yet starts over.
+  void tick(std::uint64_t now_us) {
+    is_over_ = count_ > 0;
+    if (!is_over_) {
+      engine_.start_next(now_us);
+    }
+  }
+
+  [[nodiscard]] std::uint64_t deadline_us() const {
+    return is_over_ ? std::numeric_limits<std::uint64_t>::max() : engine_.deadline_us();
+  }
+
+  [[nodiscard]] std::span<const SensorPoint> points() const {
+    return std::span(points_).first(count_);
+  }
+
+ private:
+  void keep(const vehicle::Sensor& sensor, std::span<const std::byte> payload) {
+    require(lux_.decode(payload) == lidar::DecodeStatus::kOk);
+    lux_.for_each_point([&](const lidar::ScanPoint& point) {
+      require(count_ < points_.size());
+      points_[count_++] = {&sensor, point};
+    });
+  }
+
+  bool is_over_ = false;
+  std::size_t count_ = 0;
+  std::array<SensorPoint, 16'384> points_{};
+  lidar::IbeoLux lux_;
+  app::FrameEngine engine_;
+};
+
+}  // namespace iog::lab

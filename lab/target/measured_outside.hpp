@@ -1,0 +1,80 @@
+// What the pipeline meets in the benchmark (app::Outside): messages are wrapped into Ethernet
+// frames as on the target, in one static buffer, and go nowhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "instruction_counter.hpp"
+#include "net/config.hpp"
+#include "net/outbound.hpp"
+#include "stream/message.hpp"
+
+namespace iog::lab {
+
+class MeasuredOutside {
+ public:
+  explicit MeasuredOutside(InstructionCounter& counter) : counter_(counter) {}
+
+  [[nodiscard]] bool send_message(std::span<const std::byte> message) {
+    slots_[slot_].message_bytes = message.size();
+    sent_bytes_ +=
+        net::build_message(slots_[slot_].frame, kNetwork, kPeer, identification_++, message);
+    ++messages_;
+    return true;
+  }
+
+  [[nodiscard]] std::uint32_t ticks() { return counter_.now(); }
+  [[nodiscard]] std::uint32_t ticks_hz() const {
+    return InstructionCounter::kInstructionsPerSecond;
+  }
+
+  // Called once for each frame, before its first message: a good moment to change the buffer, so
+  // that the last message of a frame outlives the frame. One datagram closes two frames at most.
+  void fill_vitals(stream::Header& /*header*/, stream::FrameEnd& /*end*/) {
+    slot_ ^= 1U;
+    ++closed_;
+  }
+
+  // Calls visit(message) with the last message of each frame that has closed since the last call.
+  template <typename Visit>
+  void for_each_closed(Visit&& visit) {
+    for (unsigned count = std::exchange(closed_, 0U); count > 0; --count) {
+      const Slot& slot = slots_[(slot_ + count - 1) % slots_.size()];
+      visit(
+          std::span<const std::byte>(slot.frame).subspan(net::kMessageOffset, slot.message_bytes));
+    }
+  }
+
+  [[nodiscard]] std::uint64_t messages() const { return messages_; }
+  [[nodiscard]] std::uint64_t sent_bytes() const { return sent_bytes_; }  // whole Ethernet frames
+
+ private:
+  struct Slot {
+    std::array<std::byte, net::kMaxFrameBytes> frame{};
+    std::size_t message_bytes = 0;
+  };
+
+  // Addresses change no instruction count.
+  static constexpr net::Config kNetwork{.mac = {{0x02, 0, 0, 0, 0, 1}},
+                                        .address = net::ipv4(10, 0, 2, 15),
+                                        .prefix_bits = 24,
+                                        .peer = net::ipv4(10, 0, 2, 2),
+                                        .peer_port = 15'000,
+                                        .source_port = 15'001};
+  static_assert(net::is_valid(kNetwork));
+  static constexpr net::MacAddress kPeer{{0x02, 0, 0, 0, 0, 2}};
+
+  InstructionCounter& counter_;
+  std::array<Slot, 2> slots_{};
+  unsigned slot_ = 0;
+  unsigned closed_ = 0;
+  std::uint16_t identification_ = 0;
+  std::uint64_t messages_ = 0;
+  std::uint64_t sent_bytes_ = 0;
+};
+
+}  // namespace iog::lab

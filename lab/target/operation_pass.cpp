@@ -1,0 +1,118 @@
+#include "operation_pass.hpp"
+
+#include <array>
+
+#include "traversal/walk.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::lab {
+
+template <typename Work>
+auto OperationPass::measured(std::uint64_t& sum, Work&& work) {
+  const std::uint32_t start = counter_.now();
+  auto result = work();
+  sum += counter_.now() - start - counter_.of_nothing();
+  return result;
+}
+
+void OperationPass::take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
+                         std::uint32_t /*received*/, std::uint64_t now_us) {
+  using Inspection = app::FrameEngine::Inspection;
+  const auto inspect = [&] {
+    return measured(cost_.inspect, [&] { return engine_.inspect(datagram); });
+  };
+  Inspection inspection = inspect();
+  if (inspection == Inspection::kNextFrame) {
+    close_frame(now_us);
+    inspection = inspect();
+  }
+  if (inspection == Inspection::kThisFrame) {
+    measured(cost_.fuse, [&] {
+      engine_.fuse(now_us);
+      return true;
+    });
+    take_apart(sensor, datagram.payload);
+  }
+  if (engine_.is_complete()) {
+    close_frame(now_us);
+  }
+}
+
+void OperationPass::tick(std::uint64_t now_us) {
+  if (engine_.is_overdue(now_us)) {
+    close_frame(now_us);
+  }
+}
+
+void OperationPass::close_frame(std::uint64_t now_us) {
+  engine_.finish();
+  stream::GridHash hash;
+  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+    take_tile_apart(tile, hash);
+  }
+  engine_.start_next(now_us);
+}
+
+void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
+  grid::FrameFusion& fusion = engine_.fusion();
+  if (!measured(cost_.find, [&] { return fusion.is_touched(tile); })) {
+    return;
+  }
+  std::array<grid::OccupancyIndex, stream::kTileBytes> cells;
+  const bool is_known = measured(cost_.hash, [&] {
+    const bool found = fusion.copy_tile(tile, cells);
+    if (found) {
+      hash.add(tile % stream::kTilesPerSide, tile / stream::kTilesPerSide,
+               std::as_bytes(std::span(cells)));
+    }
+    return found;
+  });
+  measured(cost_.clear, [&] {
+    fusion.clear_tile(tile);
+    return true;
+  });
+  cost_.tiles += is_known ? 1U : 0U;
+}
+
+void OperationPass::take_apart(const vehicle::Sensor& sensor, std::span<const std::byte> payload) {
+  const auto each = [&](const lidar::ScanPoint& point) { take_apart(sensor, point); };
+  if (sensor.format == lidar::Format::kIbeoLux) {
+    static_cast<void>(measured(cost_.decode, [&] { return lux_.decode(payload); }));
+    lux_.for_each_point(each);
+  } else {
+    static_cast<void>(measured(cost_.decode, [&] { return vlp16_.decode(payload); }));
+    vlp16_.for_each_point(each);
+  }
+}
+
+void OperationPass::take_apart(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
+  const vehicle::Beam beam =
+      measured(cost_.aim, [&] { return vehicle::aim(sensor, point.layer, point.azimuth_ticks); });
+  static_cast<void>(measured(cost_.judge, [&] { return vehicle::judge(sensor, beam, point); }));
+  ++cost_.points;
+  cost_.cells += carved_cells(sensor, beam, point);
+}
+
+// Fuses the point alone into a grid of zeros, then looks along its line for cells that are not zero
+// and sets them back. Its marks wait in a list that nobody applies.
+std::uint32_t OperationPass::carved_cells(const vehicle::Sensor& sensor, const vehicle::Beam& beam,
+                                          const lidar::ScanPoint& point) {
+  if (!single_.fits(sensor, 1)) {
+    single_.clear();
+  }
+  static_cast<void>(single_.add(sensor, point));
+  single_.carve_waiting();
+  const auto inside = beam.line.clip(vehicle::kGridArea);
+  if (!inside) {
+    return 0;
+  }
+  std::uint32_t carved = 0;
+  traversal::Walk walk(beam.line, inside->first, grid::kStride);
+  walk.until(inside->last.crossed() + 1, [&](std::size_t number) {
+    carved += single_.at(grid::cell_of(number)) != index::kUnknown ? 1U : 0U;
+  });
+  single_.clear();
+  return carved;
+}
+
+}  // namespace iog::lab

@@ -1,0 +1,25 @@
+// iog info: what is in a file, whatever it is.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "tools/commands/subcommands.hpp"
+#include "tools/info/file_summary.hpp"
+
+namespace iog::tools {
+
+void add_info(CLI::App& program) {
+  auto* const command = program.add_subcommand(
+      "info", "Say what is in a capture, a recording, a map or a folder of them");
+  const auto path = std::make_shared<std::string>();
+  command->add_option("file,--pcap", *path, "The file or folder to read")
+      ->option_text("FILE  (required)")
+      ->required();
+  command->footer(
+      "Captures (pcap or pcapng) of sensors and of a target's stream, MCAP files, maps of ROS\n"
+      "map_server (their YAML or PGM), and folders that `iog record --out FOLDER` has written.\n");
+  command->callback([path] { std::cout << summary_of_file(*path); });
+}
+
+}  // namespace iog::tools

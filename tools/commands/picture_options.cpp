@@ -1,0 +1,24 @@
+#include <CLI/CLI.hpp>
+
+#include "tools/formats/picture/frame_writer.hpp"
+
+namespace iog::tools {
+
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+  command.add_option("--out", options.folder, "Write frame_NNNNNN.png, map.pgm and map.yaml there")
+      ->option_text("FOLDER");
+  command.add_option("--every", options.every, "Draw every Nth frame, not only the last")
+      ->option_text("N")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--scale", options.scale.pixels_per_cell, "Pixels of a picture per cell of 0.1 m")
+      ->option_text("N  (1 to 8, default 1)")
+      ->check(CLI::Range(1, 8));
+  command
+      .add_option("--radius", options.scale.radius_m,
+                  "Metres that a picture shows around the car; 51: the whole grid")
+      ->option_text("METRES  (5 to 51, default 51)")
+      ->check(CLI::Range(5, 51));
+}
+
+}  // namespace iog::tools

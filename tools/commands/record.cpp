@@ -1,0 +1,191 @@
+// iog record: a stream into files that other tools open.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tools/commands/subcommands.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/interrupt.hpp"
+#include "tools/record/mcap_recording.hpp"
+#include "tools/record/pcap_recording.hpp"
+#include "tools/record/picture_recording.hpp"
+#include "tools/record/sources.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+namespace {
+
+std::vector<std::string> all_topics() {
+  return {std::string(kOccupancyTopic), std::string(kImageTopic), std::string(kCellsTopic),
+          std::string(kMessagesTopic)};
+}
+
+struct Options {
+  LiveSource live;
+  std::string pcap;
+  std::string vehicle = kDefaultVehicle;
+  std::string stream;
+  std::vector<std::string> out;
+  std::vector<std::string> topics = all_topics();
+  bool is_uncompressed = false;
+  PictureOptions pictures{.folder = {}, .every = 1, .scale = {}};
+  bool with_maps = false;
+};
+
+// Of one that is not written yet by its name; of anything else that is not a folder, an error.
+std::unique_ptr<Recording> recording_of(const std::string& path, const Options& options) {
+  const std::string suffix = std::filesystem::path(path).extension();
+  if (suffix == ".mcap") {
+    return std::make_unique<McapRecording>(
+        path, options.topics,
+        options.is_uncompressed ? mcap::Compression::kNone : mcap::Compression::kZstd);
+  }
+  if (suffix == ".pcap") {
+    return std::make_unique<PcapRecording>(path);
+  }
+  if (!suffix.empty() && !std::filesystem::is_directory(path)) {
+    throw UsageError("--out " + path + ": give FILE.mcap, FILE.pcap or a folder");
+  }
+  PictureOptions pictures = options.pictures;
+  pictures.folder = path;
+  return std::make_unique<PictureRecording>(pictures, options.with_maps);
+}
+
+// What is being read is not written over, and nothing is written twice at once.
+void check_out(const Options& options) {
+  std::set<std::filesystem::path> places;
+  for (const std::string& path : options.out) {
+    std::error_code error;
+    if (!places.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path), error))
+             .second) {
+      throw UsageError("--out " + path + ": given twice");
+    }
+  }
+  for (const std::string& source : {options.pcap, options.stream}) {
+    for (const std::string& path : options.out) {
+      std::error_code error;
+      if (!source.empty() && std::filesystem::equivalent(source, path, error)) {
+        throw UsageError("--out " + path + ": this is the file that is read");
+      }
+    }
+  }
+}
+
+void record(const Options& options) {
+  check_out(options);
+  Recorder::Recordings recordings;
+  for (const std::string& path : options.out) {
+    recordings.push_back(recording_of(path, options));
+  }
+  Recorder recorder(std::move(recordings));
+  std::uint64_t overflow = 0;
+  if (!options.pcap.empty()) {
+    record_capture(options.pcap, options.vehicle, recorder);
+  } else if (!options.stream.empty()) {
+    record_stream(options.stream, recorder);
+  } else {
+    overflow = record_live(options.live, recorder);
+  }
+  recorder.finish();
+  // With --notify standard output belongs to whoever reads the notes.
+  std::ostream& table = options.live.notify ? std::cerr : std::cout;
+  table << recorder.census().table();
+  for (const auto& [name, count] :
+       {std::pair{"messages overflow", overflow}, {"datagrams too long", recorder.too_long()}}) {
+    if (count > 0) {
+      table << row(name, std::to_string(count));
+    }
+  }
+  for (const std::string& path : options.out) {
+    table << row("written", path);
+  }
+}
+
+void add_sources(CLI::App& command, Options& options) {
+  auto* const sources = command.add_option_group("source");
+  sources->add_option("--port", options.live.port, "Record what comes to this UDP port")
+      ->option_text("PORT")
+      ->check(CLI::Range(1, 65'535));
+  sources
+      ->add_option("--pcap", options.pcap,
+                   "Fuse this capture of sensors (pcap or pcapng), and record that")
+      ->option_text("FILE");
+  sources
+      ->add_option("--stream", options.stream,
+                   "Record what has been recorded as FILE.pcap or FILE.mcap")
+      ->option_text("FILE");
+  sources->require_option(1);
+  command.add_option("--vehicle", options.vehicle, vehicle_option_help())
+      ->option_text("NAME  (with --pcap; default reference_car)");
+  command.add_option("--bind", options.live.bind, "IPv4 address to receive on")
+      ->option_text("ADDRESS  (with --port; default 127.0.0.1)");
+  command.add_option("--frames", options.live.frames, "End after so many frames with evidence")
+      ->option_text("N  (with --port)")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--idle-timeout", options.live.idle_timeout_s,
+                  "End after so many seconds without such a frame")
+      ->option_text("SECONDS  (with --port)")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--notify", options.live.notify,
+                   "Say `listening`, then `frame N` for each frame, on standard output");
+}
+
+void add_destinations(CLI::App& command, Options& options) {
+  command
+      .add_option("--out", options.out,
+                  "What to write: FILE.mcap, FILE.pcap or a folder of pictures; may be repeated")
+      ->option_text("FILE | FOLDER  (required)")
+      ->required();
+  command.add_option("--topics", options.topics, "What an MCAP file is to hold")
+      ->option_text("/grid,/iogrid/image,/iogrid/grid,/iogrid/messages  (default all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(all_topics()));
+  command.add_flag("--uncompressed", options.is_uncompressed, "Do not compress MCAP files (zstd)");
+  command.add_option("--every", options.pictures.every, "Draw every Nth frame")
+      ->option_text("N  (default 1)")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--maps", options.with_maps,
+                   "Write map_NNNNNN.pgm and .yaml for each picture, too");
+  command
+      .add_option("--scale", options.pictures.scale.pixels_per_cell,
+                  "Pixels of a picture per cell of 0.1 m")
+      ->option_text("N  (1 to 8, default 1)")
+      ->check(CLI::Range(1, 8));
+  command
+      .add_option("--radius", options.pictures.scale.radius_m,
+                  "Metres that a picture shows around the car; 51: the whole grid")
+      ->option_text("METRES  (5 to 51, default 51)")
+      ->check(CLI::Range(5, 51));
+}
+
+}  // namespace
+
+void add_record(CLI::App& program) {
+  auto* const command = program.add_subcommand(
+      "record", "Record grids for other tools: MCAP, pictures and maps, or the stream itself");
+  const auto options = std::make_shared<Options>();
+  add_sources(*command, *options);
+  add_destinations(*command, *options);
+  command->footer(
+      "docs/recordings.md says what opens the files. Ctrl-C ends a recording in good order; an\n"
+      "MCAP file of a recorder that was killed can be read up to its last chunk, a second at "
+      "most.\n"
+      "With --pcap and --stream the same input gives the same bytes. A folder gets "
+      "frame_NNNNNN.png\n"
+      "for every frame with evidence, and the last one as map.pgm and map.yaml; those of an "
+      "earlier\n"
+      "run go.\n");
+  command->callback([options] {
+    catch_interrupts();
+    record(*options);
+  });
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,20 @@
+// The subcommands of `iog`. Each adds itself to the program and runs when it has been asked for.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace iog::tools {
+
+void add_simulate(CLI::App& program);
+void add_fuse(CLI::App& program);
+void add_replay(CLI::App& program);
+void add_receive(CLI::App& program);
+void add_record(CLI::App& program);
+void add_convert(CLI::App& program);
+void add_info(CLI::App& program);
+void add_vehicles(CLI::App& program);
+void add_view(CLI::App& program);
+
+}  // namespace iog::tools

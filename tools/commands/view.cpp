@@ -1,0 +1,169 @@
+// iog view: the grid in a browser, live.
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tools/commands/subcommands.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/interrupt.hpp"
+#include "tools/simulate/scene_catalogue.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+#include "tools/view/sources.hpp"
+#include "tools/view/web_server.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint16_t kUsualHttpPort = 8080;
+
+struct Options {
+  std::string bind = "127.0.0.1";
+  std::uint16_t port = 15'000;
+  std::uint16_t forward = 0;
+  std::string http_bind = "127.0.0.1";
+  std::optional<std::uint16_t> http;
+  bool open = false;
+  std::string pcap;
+  std::string simulate;
+  std::string vehicle = kDefaultVehicle;
+  std::uint64_t seed = 1;
+  double speed = 1;
+  bool loop = false;
+  std::string records = ".";
+};
+
+// The usual port, or where nobody has named one and it is taken, any free one.
+std::unique_ptr<view::WebServer> serve(const Options& options, view::Scene& scene) {
+  if (options.http) {
+    return std::make_unique<view::WebServer>(options.http_bind, *options.http, scene);
+  }
+  try {
+    return std::make_unique<view::WebServer>(options.http_bind, kUsualHttpPort, scene);
+  } catch (const UsageError&) {
+    return std::make_unique<view::WebServer>(options.http_bind, 0, scene);
+  }
+}
+
+// Whether it could be opened shows on the screen; the address has been printed in any case.
+void open_browser(const std::string& address) {
+  const pid_t child = fork();
+  if (child == 0) {
+    // A grandchild, so that no one has to wait for the browser.
+    if (fork() == 0) {
+      static_cast<void>(std::freopen("/dev/null", "w", stdout));
+      static_cast<void>(std::freopen("/dev/null", "w", stderr));
+      execlp("xdg-open", "xdg-open", address.c_str(), nullptr);
+    }
+    _exit(0);
+  }
+  if (child > 0) {
+    waitpid(child, nullptr, 0);
+  }
+}
+
+view::Origin origin_of(const Options& options) {
+  if (!options.pcap.empty()) {
+    return {.kind = "capture", .words = options.pcap};
+  }
+  if (!options.simulate.empty()) {
+    return {.kind = "drive", .words = options.simulate + ", seed " + std::to_string(options.seed)};
+  }
+  return {.kind = "stream", .words = "UDP " + options.bind + ":" + std::to_string(options.port)};
+}
+
+std::unique_ptr<view::Source> source_of(const Options& options) {
+  if (!options.pcap.empty()) {
+    return view::make_capture_source({.path = options.pcap,
+                                      .vehicle = options.vehicle,
+                                      .port = options.port,
+                                      .speed = options.speed,
+                                      .loops = options.loop});
+  }
+  if (!options.simulate.empty()) {
+    return view::make_drive_source(options.simulate, options.vehicle, options.seed);
+  }
+  return view::make_stream_source(options.bind, options.port, options.forward);
+}
+
+void view_grid(const Options& options) {
+  const std::unique_ptr<view::Source> source = source_of(options);
+  view::Scene scene;
+  view::Viewer viewer(scene, origin_of(options), view::Recorder(options.records, options.port));
+  const std::unique_ptr<view::WebServer> server = serve(options, scene);
+  const std::string host =
+      options.http_bind == "0.0.0.0" || options.http_bind == "::" ? "127.0.0.1" : options.http_bind;
+  const std::string address = "http://" +
+                              (host.find(':') == std::string::npos ? host : "[" + host + "]") +
+                              ":" + std::to_string(server->port()) + "/";
+  std::cout << "Look at " << address << std::endl;
+  if (options.open) {
+    open_browser(address);
+  }
+  source->run(viewer);
+  viewer.finish();
+}
+
+void add_sources(CLI::App& command, Options& options) {
+  command.add_option("--port", options.port, "UDP port to receive a target's grid on")
+      ->option_text("PORT  (default 15000)")
+      ->check(CLI::Range(1, 65'535));
+  command.add_option("--bind", options.bind, "IPv4 address to receive on")
+      ->option_text("ADDRESS  (default 127.0.0.1)");
+  command
+      .add_option("--forward", options.forward,
+                  "Hand each datagram on to this port of this PC, for `iog receive`")
+      ->option_text("PORT")
+      ->check(CLI::Range(1, 65'535));
+  auto* const pcap =
+      command
+          .add_option("--pcap", options.pcap, "Show a capture instead: of sensors, or of a grid")
+          ->option_text("FILE");
+  command
+      .add_option("--simulate", options.simulate,
+                  "Show a simulated drive instead, with its truth: " + scene_option_help())
+      ->option_text("SCENE")
+      ->excludes(pcap);
+  command.add_option("--vehicle", options.vehicle, vehicle_option_help())
+      ->option_text("NAME  (default reference_car)");
+  command.add_option("--seed", options.seed, "Of the simulated drive")
+      ->option_text("N  (default 1)")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--speed", options.speed, "Of the capture: 2 is twice as fast as recorded")
+      ->option_text("FACTOR  (default 1)")
+      ->check(CLI::Range(0.01, 100.0));
+  command.add_flag("--loop", options.loop, "The capture again and again");
+}
+
+}  // namespace
+
+void add_view(CLI::App& program) {
+  auto* const command = program.add_subcommand("view", "Show the grid in a browser, live");
+  const auto options = std::make_shared<Options>();
+  add_sources(*command, *options);
+  command->add_option("--http", options->http, "TCP port of the page, 0 for any free one")
+      ->option_text("PORT  (default 8080, or a free one)")
+      ->check(CLI::Range(0, 65'535));
+  command
+      ->add_option("--http-bind", options->http_bind,
+                   "IP address of the page; others than this PC see it only if it is not loopback")
+      ->option_text("ADDRESS  (default 127.0.0.1)");
+  command->add_flag("--open", options->open, "Open the page with xdg-open");
+  command
+      ->add_option("--records", options->records,
+                   "Where the page's record button puts view_DATE_TIME.pcap")
+      ->option_text("FOLDER  (default .)");
+  command->footer(
+      "Ctrl-C ends it. A capture of the sensors' packets is fused in this process, so that its "
+      "scan\n"
+      "points can be shown, too. docs/view.md explains what there is to see.");
+  command->callback([options] {
+    catch_interrupts();
+    view_grid(*options);
+  });
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,157 @@
+#include "tools/formats/capture/pcap_reader.hpp"
+
+#include <array>
+#include <pcap/pcap.h>
+#include <utility>
+
+#include "net/ethernet.hpp"
+#include "net/ipv4.hpp"
+#include "net/udp.hpp"
+#include "tools/program/exit_status.hpp"
+#include "wire/byte_reader.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::size_t kCookedHeaderBytes = 16;   // LINKTYPE_LINUX_SLL: protocol in its last two
+constexpr std::size_t kCooked2HeaderBytes = 20;  // LINKTYPE_LINUX_SLL2: protocol in its first two
+constexpr std::size_t kMaxVlanTags = 2;
+
+// The IPv4 packet in a frame; empty if there is another protocol in it.
+std::span<const std::byte> ipv4_in_ethernet(std::span<const std::byte> frame) {
+  wire::ByteReader reader(frame);
+  reader.skip(12);
+  std::uint16_t type = reader.u16_be();
+  for (std::size_t tag = 0; tag < kMaxVlanTags; ++tag) {
+    if (type == net::kEtherTypeVlan || type == net::kEtherTypeServiceVlan) {
+      reader.skip(2);
+      type = reader.u16_be();
+    }
+  }
+  return type == net::kEtherTypeIpv4 ? reader.bytes(reader.remaining())
+                                     : std::span<const std::byte>{};
+}
+
+std::span<const std::byte> ipv4_in_cooked(std::span<const std::byte> frame, std::size_t header,
+                                          std::size_t type_at) {
+  wire::ByteReader reader(frame);
+  reader.skip(type_at);
+  const std::uint16_t type = reader.u16_be();
+  reader.skip(header - type_at - 2);
+  return type == net::kEtherTypeIpv4 ? reader.bytes(reader.remaining())
+                                     : std::span<const std::byte>{};
+}
+
+std::span<const std::byte> ipv4_in(std::span<const std::byte> frame, int link_type) {
+  switch (link_type) {
+    case DLT_EN10MB:
+      return ipv4_in_ethernet(frame);
+    case DLT_LINUX_SLL:
+      return ipv4_in_cooked(frame, kCookedHeaderBytes, kCookedHeaderBytes - 2);
+    case DLT_LINUX_SLL2:
+      return ipv4_in_cooked(frame, kCooked2HeaderBytes, 0);
+    default:  // raw IP; version 6 is told apart by parse_ipv4
+      return frame;
+  }
+}
+
+bool is_known_link(int link_type) {
+  return link_type == DLT_EN10MB || link_type == DLT_LINUX_SLL || link_type == DLT_LINUX_SLL2 ||
+         link_type == DLT_RAW || link_type == DLT_IPV4;
+}
+
+std::uint64_t& counter_of(net::Ipv4Status status, CaptureCounts& counts) {
+  switch (status) {
+    case net::Ipv4Status::kBadChecksum:
+      return counts.bad_checksum;
+    case net::Ipv4Status::kFragment:
+      return counts.fragments;
+    default:
+      return counts.malformed;
+  }
+}
+
+}  // namespace
+
+void PcapReader::Closer::operator()(pcap* file) const { pcap_close(file); }
+
+PcapReader::PcapReader(const std::string& path) {
+  std::array<char, PCAP_ERRBUF_SIZE> error{};
+  file_.reset(pcap_open_offline(path.c_str(), error.data()));
+  if (!file_) {
+    const std::string reason = error.data();
+    throw UsageError(reason.find(path) != std::string::npos ? reason : path + ": " + reason);
+  }
+  link_type_ = pcap_datalink(file_.get());
+  if (!is_known_link(link_type_)) {
+    const char* const name = pcap_datalink_val_to_name(link_type_);
+    throw UsageError(path + ": link type " + (name != nullptr ? name : std::to_string(link_type_)) +
+                     "; record on Ethernet, or convert the capture to it");
+  }
+}
+
+std::optional<CapturedDatagram> PcapReader::next() {
+  pcap_pkthdr* header = nullptr;
+  const unsigned char* bytes = nullptr;
+  int status = 0;
+  while ((status = pcap_next_ex(file_.get(), &header, &bytes)) == 1) {
+    if (header->caplen < header->len) {
+      ++counts_.cut_short;
+      continue;
+    }
+    CapturedDatagram datagram;
+    datagram.time_us = static_cast<std::uint64_t>(header->ts.tv_sec) * 1'000'000U +
+                       static_cast<std::uint64_t>(header->ts.tv_usec);
+    if (extract(std::as_bytes(std::span(bytes, header->caplen)), datagram)) {
+      ++counts_.datagrams;
+      return datagram;
+    }
+  }
+  is_cut_off_ = status == PCAP_ERROR;
+  return std::nullopt;
+}
+
+bool PcapReader::extract(std::span<const std::byte> frame, CapturedDatagram& datagram) {
+  const std::span<const std::byte> packet = ipv4_in(frame, link_type_);
+  if (packet.empty() || std::to_integer<unsigned>(packet[0]) >> 4 != 4) {
+    ++counts_.not_udp;
+    return false;
+  }
+  const net::Ipv4Result ip = net::parse_ipv4(packet);
+  if (ip.status != net::Ipv4Status::kOk) {
+    ++counter_of(ip.status, counts_);
+    return false;
+  }
+  if (ip.packet.protocol != net::kProtocolUdp) {
+    ++counts_.not_udp;
+    return false;
+  }
+  const net::UdpResult udp = net::parse_udp(ip.packet);
+  if (udp.status != net::UdpStatus::kOk) {
+    ++(udp.status == net::UdpStatus::kBadChecksum ? counts_.bad_checksum : counts_.malformed);
+    return false;
+  }
+  datagram.source = {ip.packet.source.value, udp.datagram.source_port};
+  datagram.destination = {ip.packet.destination.value, udp.datagram.destination_port};
+  datagram.payload.assign(udp.datagram.payload.begin(), udp.datagram.payload.end());
+  return true;
+}
+
+std::string describe_skipped(const CaptureCounts& counts) {
+  const std::array<std::pair<std::uint64_t, const char*>, 5> causes{{
+      {counts.not_udp, "not UDP over IPv4"},
+      {counts.cut_short, "cut short by the capture"},
+      {counts.fragments, "fragments"},
+      {counts.malformed, "malformed"},
+      {counts.bad_checksum, "with a wrong checksum"},
+  }};
+  std::string text;
+  for (const auto& [count, cause] : causes) {
+    if (count > 0) {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + cause;
+    }
+  }
+  return text.empty() ? text : std::to_string(counts.skipped()) + " packets skipped: " + text;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,40 @@
+// Writes UDP datagrams as a standard capture file: pcap, Ethernet, microseconds, right checksums.
+//
+// The bytes depend on nothing but the datagrams.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "tools/formats/capture/datagram.hpp"
+
+struct pcap;
+struct pcap_dumper;
+
+namespace iog::tools {
+
+class PcapWriter {
+ public:
+  // UsageError if the file cannot be written.
+  explicit PcapWriter(const std::string& path);
+
+  // Payloads of at most net::kMaxUdpPayloadBytes, 1472. UsageError if the disk is full.
+  void write(const CapturedDatagram& datagram);
+
+  // UsageError if not all bytes have reached the file. Nothing may be written after it.
+  void finish();
+
+ private:
+  struct Closer {
+    void operator()(pcap* file) const;
+    void operator()(pcap_dumper* file) const;
+  };
+
+  std::string path_;
+  std::unique_ptr<pcap, Closer> link_;
+  std::unique_ptr<pcap_dumper, Closer> file_;
+  std::uint16_t identification_ = 0;
+};
+
+}  // namespace iog::tools

@@ -1,0 +1,84 @@
+#include "tools/formats/lux/raw_recording.hpp"
+
+#include <utility>
+
+#include "lidar/velodyne_vlp16.hpp"
+#include "tools/formats/lux/lux_stream.hpp"
+#include "tools/formats/lux/ntp_time.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint32_t kTargetIpv4 = 0x0A00020F;   // 10.0.2.15
+constexpr std::uint32_t kUnnamedIpv4 = 0x0A000264;  // of a sensor whose description takes any
+constexpr std::uint64_t kMessageGapUs = 70;         // between the messages of one scan
+constexpr std::uint64_t kHourStartUs = 1'714'564'800'000'000U;  // 2024-05-01 12:00 UTC
+constexpr std::uint64_t kHourUs = 3'600'000'000U;
+constexpr std::size_t kVlpTimeOffset = 1200;
+
+CapturedDatagram datagram_of(const vehicle::SensorConfig& sensor, std::uint64_t time_us,
+                             std::vector<std::byte> payload) {
+  const std::uint32_t source = sensor.source_ipv4 != 0 ? sensor.source_ipv4 : kUnnamedIpv4;
+  return {.time_us = time_us,
+          .source = {source, sensor.udp_port},
+          .destination = {kTargetIpv4, sensor.udp_port},
+          .payload = std::move(payload)};
+}
+
+RawRecording read_lux(const std::string& path, const vehicle::SensorConfig& sensor) {
+  LuxStream stream = read_lux_stream(read_file(path));
+  if (stream.scans.empty()) {
+    throw UsageError(path + ": no ibeo 0x2202 message in it");
+  }
+  RawRecording recording;
+  for (LuxScan& scan : stream.scans) {
+    std::uint64_t time_us = unix_us_of_ntp(scan.end_ntp);
+    for (std::vector<std::byte>& message : split_lux_scan(std::move(scan))) {
+      recording.datagrams.push_back(datagram_of(sensor, time_us, std::move(message)));
+      time_us += kMessageGapUs;
+    }
+  }
+  if (stream.other_messages + stream.malformed + stream.skipped_bytes > 0) {
+    recording.remark = std::to_string(stream.other_messages) + " messages of other types, " +
+                       std::to_string(stream.malformed) + " malformed scans, " +
+                       std::to_string(stream.skipped_bytes) + " bytes that are no message";
+  }
+  return recording;
+}
+
+RawRecording read_vlp16(const std::string& path, const vehicle::SensorConfig& sensor) {
+  constexpr std::size_t kBytes = lidar::VelodyneVlp16::kPacketBytes;
+  const std::vector<std::byte> bytes = read_file(path);
+  if (bytes.empty() || bytes.size() % kBytes != 0) {
+    throw UsageError(path + ": not a number of VLP-16 payloads of 1206 bytes");
+  }
+  RawRecording recording;
+  std::uint64_t hour_us = kHourStartUs;
+  std::uint64_t last_us = 0;
+  for (auto rest = std::span<const std::byte>(bytes); !rest.empty(); rest = rest.subspan(kBytes)) {
+    const auto payload = rest.first<kBytes>();
+    const std::uint64_t in_hour_us = wire::load_le32(payload.subspan<kVlpTimeOffset, 4>());
+    // The next hour has begun, unless two payloads are merely out of order.
+    if (in_hour_us + kHourUs / 2 < last_us) {
+      hour_us += kHourUs;
+    }
+    last_us = in_hour_us;
+    recording.datagrams.push_back(
+        datagram_of(sensor, hour_us + in_hour_us, {payload.begin(), payload.end()}));
+  }
+  return recording;
+}
+
+}  // namespace
+
+RawRecording read_raw_recording(const std::string& path, const CatalogueEntry& car,
+                                std::size_t sensor) {
+  const vehicle::SensorConfig& config = car.sensors[sensor];
+  return config.format == lidar::Format::kIbeoLux ? read_lux(path, config)
+                                                  : read_vlp16(path, config);
+}
+
+}  // namespace iog::tools

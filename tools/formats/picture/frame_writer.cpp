@@ -1,0 +1,45 @@
+#include "tools/formats/picture/frame_writer.hpp"
+
+#include "tools/formats/picture/ros_map.hpp"
+#include "tools/program/file.hpp"
+
+namespace iog::tools {
+
+FrameWriter::FrameWriter(const PictureOptions& options) : options_(options) {
+  if (!options_.folder.empty()) {
+    make_folder(options_.folder);
+    remove_numbered(options_.folder, "frame", ".png");
+  }
+}
+
+void FrameWriter::draw(const GridFrame& frame) {
+  const Canvas picture = picture_of(frame, options_.scale);
+  picture.write_png(numbered(options_.folder, "frame", frame.evidence_number, ".png"));
+  has_drawn_ = true;
+  last_drawn_ = frame.evidence_number;
+}
+
+void FrameWriter::offer(const GridFrame& frame) {
+  if (options_.folder.empty() || options_.every == 0 || !frame.header.has_evidence() ||
+      frame.evidence_number < next_) {
+    return;
+  }
+  next_ = (frame.evidence_number / options_.every + 1) * options_.every;
+  draw(frame);
+}
+
+void FrameWriter::write_last(const GridFrame& frame) {
+  if (options_.folder.empty()) {
+    return;
+  }
+  if (!has_drawn_ || last_drawn_ != frame.evidence_number) {
+    draw(frame);
+  }
+  write_ros_map(options_.folder, "map",
+                {.cells = frame.cells,
+                 .side = vehicle::kCellsPerSide,
+                 .cell_m = vehicle::kCellMm / 1000.0,
+                 .origin_m = -vehicle::kOriginCell * vehicle::kCellMm / 1000.0});
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,22 @@
+// A grid as a picture for people: the car in the middle, its x axis (forward) pointing up, its y
+// axis to the left.
+#pragma once
+
+#include <cstdint>
+
+#include "tools/formats/picture/canvas.hpp"
+#include "tools/receive/grid_frame.hpp"
+
+namespace iog::tools {
+
+struct PictureScale {
+  int pixels_per_cell = 1;
+  int radius_m = 51;  // from the car to the edges; 51: the whole grid
+};
+
+// The colour of a cell. An index between two whole ones is that of a probability between theirs.
+[[nodiscard]] Colour colour_of_index(double index);
+
+[[nodiscard]] Canvas picture_of(const GridFrame& frame, const PictureScale& scale);
+
+}  // namespace iog::tools

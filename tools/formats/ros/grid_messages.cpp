@@ -1,0 +1,147 @@
+#include "tools/formats/ros/grid_messages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "index/recursive_set.hpp"
+#include "tools/formats/ros/cdr_writer.hpp"
+#include "vehicle/grid_geometry.hpp"
+#include "wire/byte_reader.hpp"
+
+namespace iog::tools::ros {
+namespace {
+
+constexpr double kCellM = vehicle::kCellMm / 1000.0;
+constexpr double kOriginM = -vehicle::kOriginCell * vehicle::kCellMm / 1000.0;
+constexpr auto kSide = static_cast<std::uint32_t>(vehicle::kCellsPerSide);
+static_assert(std::size_t{kSide} * kSide == grid::kCellCount && kSide == grid::kStride);
+
+// Numbers of foxglove_msgs/PackedElementField.
+constexpr std::uint8_t kUint8 = 1;
+constexpr std::uint8_t kInt8 = 2;
+constexpr std::uint32_t kBytesPerCell = 3;
+
+// The target's clock, which counts from its start.
+void put_stamp(CdrWriter& out, std::uint64_t time_us) {
+  out.put(static_cast<std::int32_t>(time_us / 1'000'000));
+  out.put(static_cast<std::uint32_t>(time_us % 1'000'000 * 1000));
+}
+
+// The corner of lowest x and y in the vehicle frame, not turned.
+void put_corner(CdrWriter& out) {
+  for (const double value : {kOriginM, kOriginM, 0.0, 0.0, 0.0, 0.0, 1.0}) {
+    out.put(value);
+  }
+}
+
+std::uint8_t age_of(const LiveGrid& grid, std::size_t tile) {
+  const std::optional<std::uint32_t> age = grid.age_of(tile);
+  return age ? static_cast<std::uint8_t>(std::min<std::uint32_t>(*age, kOldestAge)) : kNeverArrived;
+}
+
+}  // namespace
+
+Percents::Percents(double epsilon) {
+  const index::RecursiveSet set(epsilon);
+  constexpr std::int32_t kMax = std::numeric_limits<index::OccupancyIndex>::max();
+  for (std::int32_t n = -kMax; n <= kMax; ++n) {
+    percents_[static_cast<std::uint8_t>(n)] =
+        static_cast<std::uint8_t>(std::lround(100 * set.probability(n)));
+  }
+}
+
+std::vector<std::byte> occupancy_grid(const GridFrame& frame, const Percents& percents) {
+  constexpr std::byte kUnknown{0xFF};  // -1
+  std::vector<std::byte> cells(grid::kCellCount);
+  std::ranges::transform(frame.cells, cells.begin(), [&](index::OccupancyIndex index) {
+    return index == index::kUnknown ? kUnknown : std::byte{percents[index]};
+  });
+  CdrWriter out;
+  put_stamp(out, frame.header.closed_us);
+  out.put(kFrameId);
+  put_stamp(out, frame.header.closed_us);
+  out.put(static_cast<float>(kCellM));
+  out.put(kSide);
+  out.put(kSide);
+  put_corner(out);
+  out.put(cells);
+  return out.take();
+}
+
+std::vector<std::byte> image(const GridFrame& frame, const Percents& percents) {
+  constexpr std::uint32_t kWhite = 255;
+  std::vector<std::byte> pixels;
+  pixels.reserve(grid::kCellCount);
+  for (std::size_t x = kSide; x-- > 0;) {
+    for (std::size_t y = kSide; y-- > 0;) {
+      const std::uint32_t free = 100U - percents[frame.cells[y * grid::kStride + x]];
+      pixels.push_back(static_cast<std::byte>((free * kWhite + 50) / 100));
+    }
+  }
+  CdrWriter out;
+  put_stamp(out, frame.header.closed_us);
+  out.put(kFrameId);
+  out.put(kSide);
+  out.put(kSide);
+  out.put(std::string_view("mono8"));
+  out.put(std::uint8_t{0});  // byte order
+  out.put(kSide);            // bytes of a row
+  out.put(pixels);
+  return out.take();
+}
+
+std::vector<std::byte> foxglove_grid(const LiveGrid& grid, const stream::Header& header,
+                                     const Percents& percents) {
+  std::vector<std::byte> cells(grid::kCellCount * kBytesPerCell);
+  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+    const std::byte age{age_of(grid, tile)};
+    for (std::size_t i = 0; i < stream::kTileBytes; ++i) {
+      const std::size_t cell = cell_of_tile(tile, i);
+      const index::OccupancyIndex index = grid.cells()[cell];
+      cells[cell * kBytesPerCell] = static_cast<std::byte>(index);
+      cells[cell * kBytesPerCell + 1] = std::byte{percents[index]};
+      cells[cell * kBytesPerCell + 2] = age;
+    }
+  }
+  CdrWriter out;
+  put_stamp(out, header.closed_us);
+  out.put(kFrameId);
+  put_corner(out);
+  out.put(kSide);
+  out.put(kCellM);
+  out.put(kCellM);
+  out.put(kSide * kBytesPerCell);
+  out.put(kBytesPerCell);
+  out.put(std::uint32_t{3});
+  std::uint32_t offset = 0;
+  for (const auto& [name, type] : {std::pair{std::string_view("index"), kInt8},
+                                   {std::string_view("probability_percent"), kUint8},
+                                   {std::string_view("age_frames"), kUint8}}) {
+    out.put(name);
+    out.put(offset++);
+    out.put(type);
+  }
+  out.put(cells);
+  return out.take();
+}
+
+std::vector<std::byte> uint8_multi_array(std::span<const std::byte> bytes) {
+  CdrWriter out;
+  out.put(std::uint32_t{0});  // dimensions
+  out.put(std::uint32_t{0});  // offset of the data
+  out.put(bytes);
+  return out.take();
+}
+
+std::optional<std::span<const std::byte>> bytes_of_uint8_multi_array(
+    std::span<const std::byte> message) {
+  wire::ByteReader in(message);
+  const bool is_little_endian = in.u16_be() == 1;
+  in.skip(2);
+  const bool has_no_layout = in.u32_le() == 0 && in.u32_le() == 0;
+  const std::span<const std::byte> bytes = in.bytes(in.u32_le());
+  return in.ok() && is_little_endian && has_no_layout ? std::optional(bytes) : std::nullopt;
+}
+
+}  // namespace iog::tools::ros

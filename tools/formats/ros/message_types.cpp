@@ -1,0 +1,149 @@
+// The definitions as ROS 2 and Foxglove publish them, without their comments. A reader checks the
+// names and types of the fields; those of the types that a message is made of follow behind a line
+// of 80 equals signs.
+#include <algorithm>
+#include <array>
+
+#include "tools/formats/ros/grid_messages.hpp"
+
+namespace iog::tools::ros {
+namespace {
+
+// Texts one behind the other, joined by the compiler.
+template <const std::string_view&... kParts>
+class Joined {
+  static constexpr auto make() {
+    std::array<char, (kParts.size() + ...)> letters{};
+    auto* end = letters.data();
+    ((end = std::ranges::copy(kParts, end).out), ...);
+    return letters;
+  }
+  static constexpr auto kLetters = make();
+
+ public:
+  static constexpr std::string_view kText{kLetters.data(), kLetters.size()};
+};
+
+constexpr std::string_view kTime = R"(
+================================================================================
+MSG: builtin_interfaces/Time
+int32 sec
+uint32 nanosec
+)";
+
+constexpr std::string_view kHeader = R"(
+================================================================================
+MSG: std_msgs/Header
+builtin_interfaces/Time stamp
+string frame_id
+)";
+
+constexpr std::string_view kPose = R"(
+================================================================================
+MSG: geometry_msgs/Pose
+Point position
+Quaternion orientation
+
+================================================================================
+MSG: geometry_msgs/Point
+float64 x
+float64 y
+float64 z
+
+================================================================================
+MSG: geometry_msgs/Quaternion
+float64 x 0
+float64 y 0
+float64 z 0
+float64 w 1
+)";
+
+constexpr std::string_view kOccupancyGridFields = R"(std_msgs/Header header
+MapMetaData info
+int8[] data
+)";
+
+constexpr std::string_view kMapMetaData = R"(
+================================================================================
+MSG: nav_msgs/MapMetaData
+builtin_interfaces/Time map_load_time
+float32 resolution
+uint32 width
+uint32 height
+geometry_msgs/Pose origin
+)";
+
+constexpr std::string_view kImageFields = R"(std_msgs/Header header
+uint32 height
+uint32 width
+string encoding
+uint8 is_bigendian
+uint32 step
+uint8[] data
+)";
+
+constexpr std::string_view kFoxgloveGridFields = R"(builtin_interfaces/Time timestamp
+string frame_id
+geometry_msgs/Pose pose
+uint32 column_count
+foxglove_msgs/Vector2 cell_size
+uint32 row_stride
+uint32 cell_stride
+foxglove_msgs/PackedElementField[] fields
+uint8[] data
+)";
+
+constexpr std::string_view kCellTypes = R"(
+================================================================================
+MSG: foxglove_msgs/Vector2
+float64 x
+float64 y
+
+================================================================================
+MSG: foxglove_msgs/PackedElementField
+uint8 UNKNOWN=0
+uint8 UINT8=1
+uint8 INT8=2
+uint8 UINT16=3
+uint8 INT16=4
+uint8 UINT32=5
+uint8 INT32=6
+uint8 FLOAT32=7
+uint8 FLOAT64=8
+string name
+uint32 offset
+uint8 type
+)";
+
+constexpr std::string_view kUint8MultiArrayText = R"(MultiArrayLayout layout
+uint8[] data
+
+================================================================================
+MSG: std_msgs/MultiArrayLayout
+MultiArrayDimension[] dim
+uint32 data_offset
+
+================================================================================
+MSG: std_msgs/MultiArrayDimension
+string label
+uint32 size
+uint32 stride
+)";
+
+}  // namespace
+
+const MessageType kOccupancyGrid{
+    .name = "nav_msgs/msg/OccupancyGrid",
+    .definition = Joined<kOccupancyGridFields, kHeader, kTime, kMapMetaData, kPose>::kText};
+
+const MessageType kImage{.name = "sensor_msgs/msg/Image",
+                         .definition = Joined<kImageFields, kHeader, kTime>::kText};
+
+const MessageType kFoxgloveGrid{
+    .name = "foxglove_msgs/msg/Grid",
+    .definition = Joined<kFoxgloveGridFields, kTime, kPose, kCellTypes>::kText};
+
+const MessageType kUint8MultiArray{.name = "std_msgs/msg/UInt8MultiArray",
+                                   .definition = kUint8MultiArrayText};
+
+}  // namespace iog::tools::ros

@@ -1,0 +1,29 @@
+// How a program of the PC ends: its command line read, its work done, its exit status said.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "tools/program/exit_status.hpp"
+
+namespace iog::tools {
+
+// Runs what the command line asks of the program; returns the status for main(). What went wrong is
+// on stderr behind the program's name.
+[[nodiscard]] inline int run_program(CLI::App& program, int argc, char** argv) {
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kDone : kWrongUse;
+  } catch (const CheckFailed& failure) {
+    std::cerr << program.get_name() << ": " << failure.what() << '\n';
+    return kCheckFailed;
+  } catch (const std::exception& error) {
+    std::cerr << program.get_name() << ": " << error.what() << '\n';
+    return kWrongUse;
+  }
+  return kDone;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,65 @@
+// A frame in one line of text, by which two runs on the same packets are compared.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stream/crc32.hpp"
+#include "tools/receive/grid_frame.hpp"
+
+namespace iog::tools {
+
+// Only frames with evidence have one.
+struct FrameRecord {
+  std::uint64_t number = 0;  // GridFrame::evidence_number
+  std::uint8_t complete_sensors = 0;
+  std::uint8_t partial_sensors = 0;
+  std::uint32_t points_used = 0;
+  std::uint32_t tiles = 0;
+  std::uint32_t grid_crc = 0;
+  bool is_timed_out = false;  // not in the line: a fact of the run, not of the packets
+
+  // The same sensors took part, with the same points.
+  [[nodiscard]] bool has_same_participation(const FrameRecord& other) const {
+    return complete_sensors == other.complete_sensors && partial_sensors == other.partial_sensors &&
+           points_used == other.points_used;
+  }
+  [[nodiscard]] bool has_same_grid(const FrameRecord& other) const {
+    return tiles == other.tiles && grid_crc == other.grid_crc;
+  }
+};
+
+[[nodiscard]] FrameRecord record_of(const GridFrame& frame);
+
+// What stands above the lines of a file of records.
+inline constexpr const char* kRecordHeading =
+    "# frame complete_sensors partial_sensors points_used tiles grid_crc";
+
+// "17 f 0 2871 433 9ac01b22"
+[[nodiscard]] std::string line_of(const FrameRecord& record);
+
+// Reads what --hashes has written. UsageError if the file is not such a one.
+[[nodiscard]] std::vector<FrameRecord> read_records(const std::string& path);
+void write_records(const std::string& path, const std::vector<FrameRecord>& records);
+
+// The name of a whole run: CRC-32 over the grid CRCs of its frames with evidence, each four bytes,
+// big endian.
+class RunHash {
+ public:
+  void add(const FrameRecord& record);
+  [[nodiscard]] std::uint32_t value() const { return crc_.value(); }
+
+ private:
+  stream::Crc32 crc_;
+};
+
+// Eight digits.
+[[nodiscard]] std::string hex(std::uint32_t value);
+
+// Compares two runs. Nothing if they are equal; otherwise one sentence on the first difference.
+[[nodiscard]] std::optional<std::string> first_difference(const std::vector<FrameRecord>& received,
+                                                          const std::vector<FrameRecord>& expected);
+
+}  // namespace iog::tools

@@ -1,0 +1,36 @@
+#include "tools/receive/live_grid.hpp"
+
+#include <algorithm>
+
+namespace iog::tools {
+
+void LiveGrid::take(const GridFrame& frame) {
+  newest_frame_ = frame.header.frame_number;
+  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+    if (!frame.valid_tiles.test(tile)) {
+      continue;
+    }
+    frame_of_.at(tile) = newest_frame_;
+    for (std::size_t row = 0; row < stream::kTileSide; ++row) {
+      const auto first = static_cast<std::ptrdiff_t>(cell_of_tile(tile, row * stream::kTileSide));
+      std::copy_n(frame.cells.begin() + first, stream::kTileSide, cells_.begin() + first);
+    }
+  }
+}
+
+void LiveGrid::forget() {
+  frame_of_.fill(std::nullopt);
+  std::ranges::fill(cells_, index::kUnknown);
+}
+
+std::optional<std::uint32_t> LiveGrid::age_of(std::size_t tile) const {
+  const auto frame = frame_of_.at(tile);
+  return frame ? std::optional(newest_frame_ - *frame) : std::nullopt;
+}
+
+std::size_t LiveGrid::stale_tiles() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      frame_of_, [this](const auto& frame) { return frame != newest_frame_; }));
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,41 @@
+// What a receiver knows of the grid at any moment: of each tile the last state that arrived, and
+// how old it is. A tile whose newest state was lost is stale, and is never passed off as fresh.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tools/receive/grid_frame.hpp"
+
+namespace iog::tools {
+
+class LiveGrid {
+ public:
+  // The next frame, in order, as FrameAssembler hands them over.
+  void take(const GridFrame& frame);
+
+  // The target runs anew or has been silent: nothing that is known is of now.
+  void forget();
+
+  // Frames between the newest one and that of which the tile's cells are; 0: they are fresh.
+  // Nothing if the tile has never arrived.
+  [[nodiscard]] std::optional<std::uint32_t> age_of(std::size_t tile) const;
+
+  [[nodiscard]] std::size_t stale_tiles() const;  // older than the newest frame, or never arrived
+  [[nodiscard]] std::uint32_t newest_frame() const { return newest_frame_; }
+
+  // Row by row from the lowest y; a cell of a tile that has never arrived is 0.
+  [[nodiscard]] std::span<const index::OccupancyIndex> cells() const { return cells_; }
+
+ private:
+  std::vector<index::OccupancyIndex> cells_ =
+      std::vector<index::OccupancyIndex>(grid::kCellCount, index::kUnknown);
+  std::array<std::optional<std::uint32_t>, stream::kTileCount> frame_of_{};
+  std::uint32_t newest_frame_ = 0;
+};
+
+}  // namespace iog::tools

@@ -1,0 +1,192 @@
+#include "tools/receive/run_statistics.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <string_view>
+
+#include "tools/program/file.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::array<std::string_view, vehicle::kFateCount> kFateNames{
+    "used",        "no return", "too near",   "too far",
+    "height band", "flagged",   "later echo", "malformed"};
+constexpr std::array<std::string_view, stream::kPacketDropCount> kDropNames{
+    "stranger",    "wrong length", "wrong type", "wrong angle",
+    "wrong point", "duplicate",    "late",       "over budget"};
+constexpr std::array<std::string_view, 4> kStateNames{"never seen", "silent", "partial",
+                                                      "complete"};
+
+// "too_far" for "too far".
+std::string key_of(std::string_view prefix, std::string_view name) {
+  std::string key = std::string(prefix) + std::string(name);
+  std::ranges::replace(key, ' ', '_');
+  return key;
+}
+
+std::string fixed(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << value;
+  return text.str();
+}
+
+std::string times(const TimeStatistics& statistics) {
+  return fixed(statistics.mean()) + " us mean, " + fixed(statistics.max()) + " us max";
+}
+
+// "2871 used, 17 too far", without what is 0; "none" if all are.
+template <typename Counts, typename Names>
+std::string list_of(const Counts& counts, const Names& names) {
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] > 0) {
+      text += (text.empty() ? "" : ", ") + std::to_string(counts[i]) + " " + std::string(names[i]);
+    }
+  }
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+void TimeStatistics::add(double micros) {
+  ++count_;
+  sum_ += micros;
+  max_ = std::max(max_, micros);
+}
+
+void RunStatistics::add(const GridFrame& frame) {
+  ++frames_;
+  incomplete_ += frame.is_whole() || frame.is_damaged ? 0U : 1U;
+  damaged_ += frame.is_damaged ? 1U : 0U;
+  tiles_ += frame.tiles;
+  if (frame.has_end) {
+    tiles_not_sent_ += frame.end.tiles_lost;
+    for (std::size_t i = 0; i < fates_.size(); ++i) {
+      fates_[i] += frame.end.fates[i];
+    }
+    packet_drops_ = frame.end.packet_drops;
+    stack_used_bytes_ = std::max(stack_used_bytes_, frame.end.stack_used_bytes);
+    sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
+    add_times(frame);
+    add_states(frame);
+  }
+  if (!frame.header.has_evidence()) {
+    return;
+  }
+  const FrameRecord record = record_of(frame);
+  timed_out_ += record.is_timed_out ? 1U : 0U;
+  records_.push_back(record);
+  hash_.add(record);
+}
+
+// States count in frames with evidence; before the first of these, in reports of silence.
+void RunStatistics::add_states(const GridFrame& frame) {
+  if (!frame.header.has_evidence() && !records_.empty()) {
+    return;
+  }
+  if (frame.header.has_evidence() && records_.empty()) {
+    sensor_frames_ = {};
+  }
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const auto state = static_cast<std::size_t>(frame.end.sensors[i].state);
+    sensor_frames_[i][std::min(state, kStateNames.size() - 1)] += 1;
+  }
+}
+
+// The time to publish a frame is known only when it is over: the next frame tells it.
+void RunStatistics::add_times(const GridFrame& frame) {
+  if (frame.end.stopwatch_hz > 0) {
+    const double us_per_tick = 1e6 / frame.end.stopwatch_hz;
+    if (frame.header.has_evidence()) {
+      fuse_us_.add(frame.end.ticks.fuse * us_per_tick);
+      mark_us_.add(frame.end.ticks.mark * us_per_tick);
+    }
+    if (was_evidence_ && frame.header.frame_number == last_number_ + 1) {
+      publish_us_.add(frame.end.ticks.publish * us_per_tick);
+    }
+  }
+  was_evidence_ = frame.header.has_evidence();
+  last_number_ = frame.header.frame_number;
+}
+
+std::uint64_t RunStatistics::points_used() const {
+  return fates_[static_cast<std::size_t>(vehicle::Fate::kUsed)];
+}
+
+RunStatistics::Facts RunStatistics::facts() const {
+  Facts facts{{"frames", std::to_string(frames_)},
+              {"frames_with_evidence", std::to_string(records_.size())},
+              {"frames_timed_out", std::to_string(timed_out_)},
+              {"frames_incomplete", std::to_string(incomplete_)},
+              {"frames_damaged", std::to_string(damaged_)},
+              {"tiles", std::to_string(tiles_)},
+              {"tiles_not_sent", std::to_string(tiles_not_sent_)}};
+  for (std::size_t i = 0; i < fates_.size(); ++i) {
+    facts.emplace_back(key_of("points_", kFateNames[i]), std::to_string(fates_[i]));
+  }
+  for (std::size_t i = 0; i < packet_drops_.size(); ++i) {
+    facts.emplace_back(key_of("packets_", kDropNames[i]), std::to_string(packet_drops_[i]));
+  }
+  const std::array stages{std::pair{"fuse", &fuse_us_}, std::pair{"mark", &mark_us_},
+                          std::pair{"publish", &publish_us_}};
+  for (const auto& [name, statistics] : stages) {
+    facts.emplace_back(std::string(name) + "_us_mean", fixed(statistics->mean()));
+    facts.emplace_back(std::string(name) + "_us_max", fixed(statistics->max()));
+  }
+  facts.emplace_back("stack_used_bytes", std::to_string(stack_used_bytes_));
+  facts.emplace_back("run_hash", hex(run_hash()));
+  return facts;
+}
+
+std::string row(const std::string& name, const std::string& value) {
+  constexpr std::size_t kNameWidth = 22;
+  std::string text = name;
+  text.append(kNameWidth - std::min(kNameWidth - 1, name.size()), ' ');
+  return text + value + "\n";
+}
+
+void RunStatistics::append_sensors(std::string& text) const {
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    text += row("sensor " + std::to_string(i), list_of(sensor_frames_[i], kStateNames));
+  }
+}
+
+std::string RunStatistics::table(bool has_target) const {
+  std::string text;
+  text +=
+      row("frames", std::to_string(frames_) + ", with evidence " + std::to_string(records_.size()) +
+                        ", of these closed by time " + std::to_string(timed_out_));
+  if (incomplete_ + damaged_ > 0) {
+    text += row("frames not whole", std::to_string(incomplete_) + " incomplete, " +
+                                        std::to_string(damaged_) + " damaged");
+  }
+  append_sensors(text);
+  text += row("scan points", list_of(fates_, kFateNames));
+  text += row("packets dropped", list_of(packet_drops_, kDropNames));
+  text += row("tiles", std::to_string(tiles_));
+  if (tiles_not_sent_ > 0) {
+    text += row("tiles not sent", std::to_string(tiles_not_sent_));
+  }
+  const std::string where = has_target ? " on target" : " here";
+  text += row("fuse" + where, times(fuse_us_));
+  text += row("mark" + where, times(mark_us_));
+  text += row("publish" + where, times(publish_us_));
+  if (has_target) {
+    text += row("deepest stack", std::to_string(stack_used_bytes_) + " bytes");
+  }
+  return text + row("run hash", hex(run_hash()));
+}
+
+void write_facts(const std::string& path, const RunStatistics::Facts& facts) {
+  OutputFile file(path);
+  for (const auto& [key, value] : facts) {
+    std::string line = key;
+    line.append("=").append(value).append("\n");
+    file.write(line);
+  }
+  file.finish();
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,80 @@
+// What a run amounts to: sums over its frames, and the table at its end.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/frame_record.hpp"
+#include "tools/receive/grid_frame.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::tools {
+
+// Mean and maximum of times in microseconds.
+class TimeStatistics {
+ public:
+  void add(double micros);
+  [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }
+  [[nodiscard]] double max() const { return max_; }
+
+ private:
+  std::uint64_t count_ = 0;
+  double sum_ = 0;
+  double max_ = 0;
+};
+
+class RunStatistics {
+ public:
+  // Frames in their order.
+  void add(const GridFrame& frame);
+
+  [[nodiscard]] const std::vector<FrameRecord>& records() const { return records_; }
+  [[nodiscard]] std::uint64_t frames() const { return frames_; }
+  [[nodiscard]] std::uint64_t incomplete() const { return incomplete_; }
+  [[nodiscard]] std::uint64_t damaged() const { return damaged_; }
+  [[nodiscard]] std::uint64_t points_used() const;
+  [[nodiscard]] std::uint32_t run_hash() const { return hash_.value(); }
+
+  // Names and values, for a script: "frames_with_evidence" and "250".
+  using Facts = std::vector<std::pair<std::string, std::string>>;
+  [[nodiscard]] Facts facts() const;
+
+  // The same for a person, aligned. has_target: with the rows that only a real target fills.
+  [[nodiscard]] std::string table(bool has_target) const;
+
+ private:
+  void add_times(const GridFrame& frame);
+  void add_states(const GridFrame& frame);
+  void append_sensors(std::string& text) const;
+
+  std::uint64_t frames_ = 0;
+  std::uint64_t timed_out_ = 0;
+  std::uint64_t incomplete_ = 0;  // a message of them is missing
+  std::uint64_t damaged_ = 0;     // not the grid that the target says, though all has come
+  std::uint64_t tiles_ = 0;
+  std::uint64_t tiles_not_sent_ = 0;  // the target's network took no message
+  std::array<std::uint64_t, vehicle::kFateCount> fates_{};
+  std::array<std::uint32_t, stream::kPacketDropCount> packet_drops_{};  // since the target's start
+  TimeStatistics fuse_us_;
+  TimeStatistics mark_us_;
+  TimeStatistics publish_us_;
+  bool was_evidence_ = false;  // of the frame before
+  std::uint32_t last_number_ = 0;
+  std::uint32_t stack_used_bytes_ = 0;
+  std::uint8_t sensor_count_ = 0;
+  std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state
+  std::vector<FrameRecord> records_;
+  RunHash hash_;
+};
+
+// One line of a table: the name padded, then the value.
+[[nodiscard]] std::string row(const std::string& name, const std::string& value);
+
+// "key=value" lines. UsageError if the file cannot be written.
+void write_facts(const std::string& path, const RunStatistics::Facts& facts);
+
+}  // namespace iog::tools

@@ -1,0 +1,136 @@
+#include "tools/receive/serial/serial_link.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+#include "stream/references.hpp"
+#include "tile_coding/decode.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr unsigned kLevels = std::countr_zero(stream::kTilesPerSide) + 1;
+
+// The level of this firmware's quadtree that the geometry is of.
+std::optional<unsigned> level_of(const stream::Geometry& geometry) {
+  for (unsigned level = 0; level < kLevels; ++level) {
+    if (geometry == stream::geometry_of_level(level)) {
+      return level;
+    }
+  }
+  return std::nullopt;
+}
+
+using Told = std::vector<std::optional<ToldTile>>;
+
+// What the message says of the tiles that it speaks of; nothing of one that cannot be read.
+Told told_by(const stream::Header& header, const stream::TilesHeader& tiles,
+             stream::TileRecords records) {
+  const ToldTile unknown{.frame_number = header.frame_number, .closed_us = header.closed_us};
+  Told told(static_cast<std::size_t>(tiles.end_tile - tiles.first_tile), unknown);
+  for (stream::TileRecord record; records.next(record);) {
+    auto& tile = told.at(static_cast<std::size_t>(record.tile - tiles.first_tile));
+    auto& cells = tile->cells.emplace();
+    if (!stream::stands_by_itself(record.encoding) ||
+        tile_coding::decode(record.encoding, record.payload, std::nullopt, cells) !=
+            tile_coding::DecodeStatus::kOk) {
+      tile.reset();
+    }
+  }
+  return told;
+}
+
+}  // namespace
+
+void SerialLink::take(std::span<const std::byte> bytes) {
+  counts_.bytes += bytes.size();
+  for (const std::byte byte : bytes) {
+    if (const auto message = decoder_.take(byte)) {
+      take_message(*message);
+    }
+  }
+}
+
+SerialCounts SerialLink::counts() const {
+  SerialCounts counts = counts_;
+  counts.damaged += decoder_.damaged();
+  return counts;
+}
+
+// Bytes come in their order or not at all, so a wrong sequence is a gap, a receiver that joins, or
+// a target that has started over; which of them, the sequence number tells.
+void SerialLink::take_message(std::span<const std::byte> message) {
+  using protection::CheckStatus;
+  using protection::SomeIpStatus;
+  const protection::Received received = receiver_.receive(message);
+  if (received.header == SomeIpStatus::kNotOurs || received.header == SomeIpStatus::kWrongVersion) {
+    ++counts_.not_ours;
+  } else if (received.header != SomeIpStatus::kOk || received.check == CheckStatus::kError) {
+    ++counts_.damaged;
+  } else if (received.check == CheckStatus::kRepeated) {
+    ++counts_.repeated;
+  } else {
+    take_content(received.content);
+  }
+}
+
+void SerialLink::take_content(std::span<const std::byte> content) {
+  stream::Header header;
+  std::span<const std::byte> body;
+  if (stream::read_header(content, header, body) != stream::ReadStatus::kOk) {
+    ++counts_.malformed;
+    return;
+  }
+  follow(header);
+  if (header.type != stream::MessageType::kTiles) {
+    ++counts_.not_understood;
+    return;
+  }
+  take_tiles(header, body);
+}
+
+// A line changes no order, so numbers and time that go back are those of another run.
+void SerialLink::follow(const stream::Header& header) {
+  const std::uint32_t ahead = header.sequence - expected_.value_or(header.sequence);
+  const auto& newest = grid_.newest();
+  const bool is_older = newest && (header.closed_us < newest->closed_us ||
+                                   header.frame_number - newest->frame_number >= 1U << 31);
+  if (ahead >= 1U << 31 || is_older) {
+    ++counts_.restarts;
+    grid_.forget();
+  } else {
+    counts_.lost += ahead;
+  }
+  expected_ = header.sequence + 1;
+}
+
+void SerialLink::take_tiles(const stream::Header& header, std::span<const std::byte> body) {
+  stream::TilesHeader tiles;
+  stream::TileRecords records;
+  if (stream::read_tiles(body, tiles, records) != stream::ReadStatus::kOk) {
+    ++counts_.malformed;
+    return;
+  }
+  const auto level = level_of(tiles.geometry);
+  if (!level) {
+    ++counts_.not_understood;
+    return;
+  }
+  const Told told = told_by(header, tiles, records);
+  ++counts_.messages;
+  (*level == 0 ? counts_.tiles : counts_.coarse_tiles) += tiles.tile_count;
+  counts_.unreadable_tiles += static_cast<std::uint64_t>(
+      std::ranges::count_if(told, [](const auto& tile) { return !tile; }));
+  grid_.take(*level, tiles.first_tile, told, header);
+  for (std::size_t i = 0; i < told.size() && *level == 0 && on_tile_; ++i) {
+    if (told[i]) {
+      on_tile_(tiles.first_tile + i, *told[i]);
+    }
+  }
+  if (on_message_) {
+    on_message_();
+  }
+}
+
+}  // namespace iog::tools
