@@ -1,0 +1,11 @@
+# Compiles through ccache where it is installed, so that what has been compiled once is not compiled
+# again: not after `git clean`, not in another clone. IOG_CCACHE=OFF for a compiler without it.
+option(IOG_CCACHE "Compile through ccache if it is there" ON)
+find_program(IOG_CCACHE_PROGRAM ccache)
+if(IOG_CCACHE AND IOG_CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # Paths below the clone become relative before they are compared; precompiled headers are told by
+  # what is in them, not by their time.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_SLOPPINESS=pch_defines,time_macros ${IOG_CCACHE_PROGRAM})
+endif()
