@@ -24,7 +24,7 @@ PointMetres point_at(double share, const vehicle::Sensor& sensor, const vehicle:
                    sensor.origin.y + share * line.y().step() * line.y().length());
 }
 
-void append(const tools::SensorPoint& seen, PeerFrame& frame, PeerFrames& result) {
+void append(const SensorPoint& seen, PeerFrame& frame, PeerFrames& result) {
   const vehicle::Vehicle& car = *result.vehicle;
   const vehicle::Sensor& sensor = car.sensors[seen.sensor];
   const vehicle::Beam beam = vehicle::aim(sensor, seen.point.layer, seen.point.azimuth_ticks);
@@ -62,7 +62,7 @@ PeerFrames frames_of(const tools::CatalogueEntry& car, std::string_view scene, s
   for (std::uint32_t number = 0; number < drive.frame_count(); number += step) {
     drive.move_to(number);
     PeerFrame frame;
-    for (const tools::SensorPoint& point : tools::points_of(drive, car)) {
+    for (const SensorPoint& point : points_of(drive, car)) {
       append(point, frame, result);
     }
     result.frames.push_back(std::move(frame));

@@ -16,12 +16,11 @@ namespace iog::lab {
 namespace {
 
 using reference::CellPoint;
-using tools::kFarSteps;
 
 // Behind the scan point Theorem 6 gives 0.5 from here on (Table 4.3).
 constexpr int kCellsBehind = 2;
 
-using Table = std::array<float, tools::kStepCount>;
+using Table = std::array<float, kStepCount>;
 
 // Lengths in cells of the grid.
 struct FloatBeam {
@@ -84,7 +83,7 @@ class Float final : public Contender {
         beams.push_back(prepare(*frames.vehicle, beam));
       }
     }
-    const tools::ByStep<double> model = tools::probabilities({});
+    const ByStep<double> model = probabilities({});
     carves_.fill(Rule::kUnknown);
     for (std::size_t i = 0; i < model.size(); ++i) {
       carves_and_marks_[i] = Rule::measured(model[i]);
@@ -104,7 +103,7 @@ class Float final : public Contender {
         const auto j = static_cast<std::int32_t>(std::floor(x * beam.along_x + y * beam.along_y));
         const std::int32_t step = std::clamp(j - beam.k, -kFarSteps, kFarSteps);
         float& stored = cells_[offset_of(cell)];
-        stored = Rule::fuse(stored, table[tools::slot_of(step)]);
+        stored = Rule::fuse(stored, table[slot_of(step)]);
       });
     }
   }

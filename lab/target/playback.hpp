@@ -44,7 +44,7 @@ inline const vehicle::Sensor* sensor_of_port(const vehicle::Vehicle& vehicle, st
 template <typename Target>
 void play(Capture& capture, const vehicle::Vehicle& vehicle, InstructionCounter& counter,
           Target& target) {
-  CaptureClock clock;
+  tools::CaptureClock clock;
   while (const auto frame = capture.next()) {
     const std::uint32_t start = counter.now();
     const auto datagram = datagram_in(frame->bytes);
