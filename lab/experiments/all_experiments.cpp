@@ -7,6 +7,10 @@ namespace {
 
 constexpr auto kExperiments = std::to_array<Experiment>({
     {"recursive_sets", recursive_sets},
+    {"inverse_sensor_model", inverse_sensor_model},
+    {"profiles", profiles},
+    {"traversal_accuracy", traversal_accuracy},
+    {"numerical_quality", numerical_quality},
 });
 
 }  // namespace

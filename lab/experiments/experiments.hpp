@@ -6,5 +6,9 @@
 namespace iog::lab {
 
 [[nodiscard]] Tables recursive_sets(const Input& input);  // thesis, figure 3.6, section 3.4.6.3
+[[nodiscard]] Tables inverse_sensor_model(const Input& input);  // thesis, table 4.1
+[[nodiscard]] Tables profiles(const Input& input);              // table 4.3, figures 4.6, 4.14
+[[nodiscard]] Tables traversal_accuracy(const Input& input);    // table 4.2, figure 4.11
+[[nodiscard]] Tables numerical_quality(const Input& input);     // table 4.6
 
 }  // namespace iog::lab

@@ -50,6 +50,10 @@ double Differences::standard_deviation() const {
   return std::sqrt(squares / static_cast<double>(cells) - mean() * mean());
 }
 
+double Differences::root_mean_square_of_known() const {
+  return std::sqrt(squares / static_cast<double>(known));
+}
+
 // The log-odds of p_1 = 1/2 + epsilon, without the cancellation in their quotient.
 QuantisedModel::QuantisedModel(const ByStep<double>& model, double of_epsilon,
                                index::Quantisation of_policy)

@@ -23,12 +23,10 @@ struct Differences {
   std::uint64_t above_bound = 0;  // larger than the cell's number of measurements times epsilon
   std::int64_t largest_index = 0;
 
-  [[nodiscard]] double share_known() const {
-    return static_cast<double>(known) / static_cast<double>(cells);
-  }
   [[nodiscard]] double mean() const { return sum / static_cast<double>(cells); }
   [[nodiscard]] double mean_of_known() const { return sum / static_cast<double>(known); }
   [[nodiscard]] double standard_deviation() const;
+  [[nodiscard]] double root_mean_square_of_known() const;
 };
 
 // One recursive set and one policy.

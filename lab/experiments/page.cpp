@@ -18,15 +18,10 @@ namespace iog::lab {
 namespace {
 
 constexpr auto kSections = std::to_array<NamedSection>({
-    {"recursive_sets", recursive_sets},
-    {"inverse_sensor_model", inverse_sensor_model},
-    {"profiles", profiles},
-    {"traversal_accuracy", traversal_accuracy},
     {"output_rates", output_rates},
     {"goals", goals},
     {"worst_frames", worst_frames},
     {"scaling", scaling},
-    {"numerical_quality", numerical_quality},
     {"quadtree", quadtree},
     {"stream", stream_of_tiles},
     {"many_core", many_core},

@@ -36,6 +36,7 @@ TEST(IndexDifferences, OneHitInOneCell) {
   EXPECT_EQ(found.known, 1U);
   EXPECT_NEAR(found.mean(), expected / kCells, 1e-18);
   EXPECT_NEAR(found.mean_of_known(), expected, 1e-12);
+  EXPECT_NEAR(found.root_mean_square_of_known(), expected, 1e-12);
   EXPECT_NEAR(found.standard_deviation(), expected * std::sqrt((1 - 1 / kCells) / kCells), 1e-12);
   EXPECT_NEAR(found.sum_near, found.sum, 1e-18);
   EXPECT_EQ(found.largest_index, 2);
