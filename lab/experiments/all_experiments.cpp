@@ -11,6 +11,9 @@ constexpr auto kExperiments = std::to_array<Experiment>({
     {"profiles", profiles},
     {"traversal_accuracy", traversal_accuracy},
     {"numerical_quality", numerical_quality},
+    {"order_of_fusion", order_of_fusion},
+    {"detection_quality", detection_quality},
+    {"price_of_hits_win", price_of_hits_win},
 });
 
 }  // namespace

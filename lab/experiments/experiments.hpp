@@ -10,5 +10,8 @@ namespace iog::lab {
 [[nodiscard]] Tables profiles(const Input& input);              // table 4.3, figures 4.6, 4.14
 [[nodiscard]] Tables traversal_accuracy(const Input& input);    // table 4.2, figure 4.11
 [[nodiscard]] Tables numerical_quality(const Input& input);     // table 4.6
+[[nodiscard]] Tables order_of_fusion(const Input& input);       // equation 4.4
+[[nodiscard]] Tables detection_quality(const Input& input);     // what the choices cost
+[[nodiscard]] Tables price_of_hits_win(const Input& input);     // rain, ghosts, thin gaps
 
 }  // namespace iog::lab

@@ -25,9 +25,6 @@ constexpr auto kSections = std::to_array<NamedSection>({
     {"quadtree", quadtree},
     {"stream", stream_of_tiles},
     {"many_core", many_core},
-    {"order_of_fusion", order_of_fusion},
-    {"detection_quality", detection_quality},
-    {"price_of_hits_win", price_of_hits_win},
 });
 
 std::string command_of(const TablesInput& input) {

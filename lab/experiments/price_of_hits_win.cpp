@@ -1,17 +1,10 @@
 // Where hits_win pays for losing no hit: false echoes that the sensor does not flag, ghosts, and
 // narrow gaps.
 #include "grid/frame_fusion.hpp"
-#include "lab/experiments/price_tables.hpp"
-#include "lab/experiments/sections.hpp"
+#include "lab/experiments/experiments.hpp"
+#include "lab/experiments/priced_fusions.hpp"
 
 namespace iog::lab {
-
-std::vector<std::string> columns_before_fusions(std::vector<std::string> columns) {
-  for (const IndexFusion& fusion : kPricedFusions) {
-    columns.push_back(name_of(fusion));
-  }
-  return columns;
-}
 
 std::vector<std::size_t> cells_within(double x_low, double x_high, double y_low, double y_high) {
   const auto cell_of = [](double metres) {
@@ -41,18 +34,8 @@ std::vector<std::int32_t> fused_cells(const FrameEvidence& evidence, const Index
   return some;
 }
 
-Section price_of_hits_win(const TablesInput& input) {
-  Section section;
-  section.body.heading("What hits_win pays");
-  section.body.paragraph(
-      "Under hits_win an echo outvotes every beam that passes through its cell. That is right of "
-      "an obstacle and wrong of an echo that nothing solid sent. Three such cases, measured, with "
-      "hits_win under both quantisations and the sum in both orders; each frame starts from "
-      "nothing.");
-  describe_rain(input, section);
-  describe_ghosts(input, section);
-  describe_gaps(input, section);
-  return section;
+Tables price_of_hits_win(const Input& input) {
+  return {price_of_rain(input), price_of_ghosts(input), price_of_gaps(input)};
 }
 
 }  // namespace iog::lab

@@ -1,8 +1,8 @@
 #include "lab/experiments/quality_choices.hpp"
 
 #include <algorithm>
-
-#include "lab/experiments/markdown.hpp"
+#include <array>
+#include <cstdio>
 
 namespace iog::lab {
 namespace {
@@ -27,9 +27,9 @@ std::string plain_name_of(IndexRule rule) {
 
 // "0.2", "0.005".
 std::string digits_of(double epsilon) {
-  std::string text = fixed(epsilon, 3);
-  text.erase(text.find_last_not_of('0') + 1);
-  return text;
+  std::array<char, 16> text{};
+  static_cast<void>(std::snprintf(text.data(), text.size(), "%.3g", epsilon));
+  return text.data();
 }
 
 Choice of(const IndexFusion& fusion) { return {.name = name_of(fusion), .fusion = fusion}; }
@@ -67,6 +67,8 @@ std::string name_of(IndexRule rule, Geometry geometry) {
   }
   return plain_name_of(rule);
 }
+
+std::string nearest_name() { return name_of(IndexFusion{.policy = index::Quantisation::kNearest}); }
 
 std::vector<Choice> rule_choices() {
   return {of({.rule = IndexRule::kHitsWin}),

@@ -9,7 +9,7 @@
 
 namespace iog::lab {
 
-// The names that the text takes numbers by.
+// The names that numbers are looked up by.
 inline constexpr const char* kHitsWinName = "hits_win (default)";
 inline constexpr const char* kBayesName = "bayes";
 inline constexpr const char* kSequentialName = "sequential";
@@ -24,6 +24,8 @@ inline constexpr std::array kWideSweep{0.01, 0.001};
 // changed; the rule's own name if nothing is.
 [[nodiscard]] std::string name_of(const IndexFusion& fusion);
 [[nodiscard]] std::string name_of(IndexRule rule, Geometry geometry);
+
+[[nodiscard]] std::string nearest_name();  // hits_win with nearest instead of blurring
 
 // One list for each table; hits_win and bayes as they are open all but the first.
 [[nodiscard]] std::vector<Choice> rule_choices();

@@ -14,8 +14,5 @@ namespace iog::lab {
 [[nodiscard]] Section quadtree(const TablesInput& input);              // table 4.7
 [[nodiscard]] Section stream_of_tiles(const TablesInput& input);       // bytes, cycles, bad links
 [[nodiscard]] Section many_core(const TablesInput& input);             // many-core paper, table I
-[[nodiscard]] Section order_of_fusion(const TablesInput& input);       // sequential against ours
-[[nodiscard]] Section detection_quality(const TablesInput& input);     // what the choices cost
-[[nodiscard]] Section price_of_hits_win(const TablesInput& input);     // rain, ghosts, thin gaps
 
 }  // namespace iog::lab

@@ -1,22 +1,21 @@
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gtest/gtest.h"
 
 #include "grid/frame_fusion.hpp"
 #include "index/recursive_set.hpp"
-#include "lab/experiments/choice_pictures.hpp"
+#include "lab/experiments/choice_maps.hpp"
 #include "lab/experiments/false_echoes.hpp"
 #include "lab/experiments/fusion_trial.hpp"
-#include "lab/experiments/price_tables.hpp"
+#include "lab/experiments/priced_fusions.hpp"
 #include "lab/experiments/quality_choices.hpp"
-#include "tools/formats/picture/grid_picture.hpp"
 
 namespace iog::lab {
 namespace {
@@ -43,7 +42,7 @@ const FramePoints kTwoBeams{seen_by(1, 20'000, 0, 0), seen_by(1, 22'000, 0, 1),
                             seen_by(1, 30'000, 0, 2), seen_by(1, 9'000, 16, 0)};
 
 TEST(Rain, NoneFallsAtRateZero) {
-  Random random(1);
+  tools::Random random(1);
   const Rained dry =
       with_rain(kTwoBeams, *reference_car().vehicle, 0, TrueEcho::kComesLater, random);
   EXPECT_EQ(dry.drops, 0U);
@@ -52,7 +51,7 @@ TEST(Rain, NoneFallsAtRateZero) {
 
 TEST(Rain, EveryBeamBeginsWithADropAtRateOne) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Random random(seed);
+    tools::Random random(seed);
     const Rained wet =
         with_rain(kTwoBeams, *reference_car().vehicle, 1, TrueEcho::kComesLater, random);
     EXPECT_EQ(wet.drops, 2U);
@@ -71,7 +70,7 @@ TEST(Rain, EveryBeamBeginsWithADropAtRateOne) {
 }
 
 TEST(Rain, TheTrueEchoesCanBeLost) {
-  Random random(3);
+  tools::Random random(3);
   const Rained wet = with_rain(kTwoBeams, *reference_car().vehicle, 1, TrueEcho::kIsLost, random);
   EXPECT_EQ(wet.points.size(), 2U);
 }
@@ -84,7 +83,7 @@ TEST(Ghost, HidesWhatItsSensorSeesBehindIt) {
                            seen_by(1, 3'000, 0, 0),                             // before it
                            seen_by(1, 20'000, 320, 0),  // 10 degrees aside: 1.05 m
                            seen_by(0, 20'000, 0, 0)};   // another sensor's
-  Random random(5);
+  tools::Random random(5);
   const FramePoints haunted = with_ghost(points, reference_car(), ghost, random);
   ASSERT_EQ(haunted.size(), 4U);
   EXPECT_NEAR(haunted[0].point.range_mm, 5950, 245);
@@ -96,7 +95,7 @@ TEST(StandingCar, SeesASceneMadeByHand) {
   const std::vector<tools::Solid> wall{
       box(tools::Material::kWall, {.x = 12.55, .y = 0}, 1, 40, 0, 3)};
   StandingCar car(reference_car());
-  Random random(1);
+  tools::Random random(1);
   std::vector<double> ahead;
   for (const SensorPoint& seen : car.look_at(wall, random)) {
     if (seen.sensor == 1 && seen.point.azimuth_ticks == 0 && !seen.point.is_rain) {
@@ -183,26 +182,29 @@ TEST(CellsWithin, AreThoseWhoseCentresAreInside) {
   EXPECT_EQ(cells, expected);
 }
 
-// Forward is up, left is left, as in the pictures of whole grids.
-TEST(ContactSheet, TurnsTheGridForPeople) {
-  const Crop crop{.first_x = 600, .first_y = 500, .cells = 40};
-  constexpr tools::Colour kMark{1, 2, 3};
-  constexpr std::size_t kMarked = std::size_t{500} * grid::kStride + 639;  // ahead, to the right
-  ContactSheet sheet(crop);
-  sheet.add("first", [](std::size_t) { return tools::Colour{}; });
-  sheet.add("second", [&](std::size_t cell) { return cell == kMarked ? kMark : tools::Colour{}; });
-  const tools::Canvas canvas = sheet.draw();
-  std::vector<std::array<int, 2>> marks;
-  for (int row = 0; row < canvas.height(); ++row) {
-    for (int column = 0; column < canvas.width(); ++column) {
-      if (canvas.at(column, row) == kMark) {
-        marks.push_back({column, row});
-      }
-    }
+// One hit is +2 and one beam -14 in the vehicle's int8; two of them are more.
+TEST(ChoiceMaps, HaveALetterForEachKindOfCell) {
+  std::string letters;
+  for (const double index : {4.0, 2.0, 0.0, -14.0, -28.0}) {
+    letters += letter_of(index);
   }
-  // The second panel's last column and first row: 8 + 40 + 8 + 39, 8 + 14.
-  ASSERT_EQ(marks.size(), 1U);
-  EXPECT_EQ(marks[0], (std::array{95, 22}));
+  EXPECT_EQ(letters, "Oo.fF");
+}
+
+std::string text_of(const Tables& tables, std::string_view name) {
+  const auto table = std::find_if(tables.begin(), tables.end(),
+                                  [name](const Table& each) { return each.name() == name; });
+  return table == tables.end() ? "" : table->text();
+}
+
+// A visibly occupied cell at x = 571, y = 437: the first row, the second letter. Row 447 has none.
+TEST(ChoiceMaps, BeginAtTheirFirstCell) {
+  KnownFrame frame{.car = &reference_car(), .points = {}, .truth = {}};
+  frame.truth.assign(grid::kCellCount, CellState::kUnknown);
+  frame.truth[std::size_t{437} * grid::kStride + 571] = CellState::kOccupied;
+  const std::string text = text_of(choice_maps(frame), "choice_map_truth");
+  EXPECT_NE(text.find("\ntruth,570,437,.O.."), std::string::npos);
+  EXPECT_NE(text.find("\ntruth,570,447," + std::string(150, '.') + "\n"), std::string::npos);
 }
 
 }  // namespace

@@ -4,27 +4,20 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "lab/experiments/experiment.hpp"
 #include "lab/experiments/quality_choices.hpp"
-#include "lab/experiments/section.hpp"
 
 namespace iog::lab {
 
-// Side by side in every table of the section.
+// Side by side in every table.
 inline const std::array kPricedFusions{
     IndexFusion{}, IndexFusion{.policy = index::Quantisation::kNearest},
     IndexFusion{.rule = IndexRule::kBayes}, IndexFusion{.rule = IndexRule::kSequential}};
-inline constexpr std::size_t kHitsWinPlace = 0;
-inline constexpr std::size_t kNearestPlace = 1;
-inline constexpr std::size_t kBayesPlace = 2;
 
 template <typename Value>
 using ByFusion = std::array<Value, 4>;
-
-// A table's head: these columns, then one for each fusion.
-[[nodiscard]] std::vector<std::string> columns_before_fusions(std::vector<std::string> columns);
 
 // The cells whose centres lie between these coordinates in the vehicle frame.
 [[nodiscard]] std::vector<std::size_t> cells_within(double x_low, double x_high, double y_low,
@@ -35,8 +28,8 @@ using ByFusion = std::array<Value, 4>;
                                                     const IndexFusion& fusion,
                                                     const std::vector<std::size_t>& cells);
 
-void describe_rain(const TablesInput& input, Section& section);
-void describe_ghosts(const TablesInput& input, Section& section);
-void describe_gaps(const TablesInput& input, Section& section);
+[[nodiscard]] Table price_of_rain(const Input& input);    // drops that the sensor does not flag
+[[nodiscard]] Table price_of_ghosts(const Input& input);  // what one of three sensors sees
+[[nodiscard]] Table price_of_gaps(const Input& input);    // between hits
 
 }  // namespace iog::lab
