@@ -300,9 +300,9 @@ def worst_run(place: Place, name: str) -> list[Row]:
     return rows
 
 
-def check_grids(place: Place, rows: list[Row], capture: str) -> None:
-    report = output_of(place.iog, "fuse", "--pcap", place.work / capture,
-                       "--vehicle", "reference_car")
+def check_grids(place: Place, rows: list[Row], capture: str,
+                vehicle: str = "reference_car") -> None:
+    report = output_of(place.iog, "fuse", "--pcap", place.work / capture, "--vehicle", vehicle)
     expected = re.search(r"^run hash +(\w+)$", report, re.M).group(1)
     found = next(row.value for row in rows if row.counter == "run_hash")
     if found != expected:
