@@ -1,22 +1,13 @@
 // Prints the constants of the model: as words for scripts, one constant a line (name, nominal,
-// optimistic, pessimistic), or with --markdown as the table of docs/a9_model.md.
+// optimistic, pessimistic), or with --csv as lab/data/a9_constants.csv, with where each is from.
 #include <iostream>
+#include <string>
 #include <string_view>
 
 #include "constants.hpp"
 
 namespace iog::a9_model {
 namespace {
-
-constexpr std::uint32_t kNever = 1'000'000'000;
-
-void print_value(std::uint32_t value, bool markdown) {
-  if (markdown && value == kNever) {
-    std::cout << "never";
-  } else {
-    std::cout << value;
-  }
-}
 
 std::string_view word_for(Certainty certainty) {
   switch (certainty) {
@@ -30,40 +21,44 @@ std::string_view word_for(Certainty certainty) {
   return "assumed";
 }
 
-void print(const Constant& constant, bool markdown) {
-  const std::string_view gap = markdown ? " | " : " ";
-  std::cout << (markdown ? "| `" : "") << constant.name << (markdown ? "`" : "") << gap;
-  print_value(constant.nominal, markdown);
-  std::cout << gap;
-  print_value(constant.optimistic, markdown);
-  std::cout << gap;
-  print_value(constant.pessimistic, markdown);
-  if (markdown) {
-    std::cout << gap << word_for(constant.certainty) << gap << constant.source << " |";
+// A field of RFC 4180.
+std::string quoted(std::string_view text) {
+  std::string field = "\"";
+  for (const char letter : text) {
+    field.append(letter == '"' ? 2 : 1, letter);
   }
-  std::cout << '\n';
+  return field + '"';
+}
+
+void print_words() {
+  for (const Constant& constant : constants()) {
+    std::cout << constant.name << ' ' << constant.nominal << ' ' << constant.optimistic << ' '
+              << constant.pessimistic << '\n';
+  }
+}
+
+void print_csv() {
+  std::cout << "constant,nominal,optimistic,pessimistic,certainty,source\n";
+  for (const Constant& constant : constants()) {
+    std::cout << constant.name << ',' << constant.nominal << ',' << constant.optimistic << ','
+              << constant.pessimistic << ',' << word_for(constant.certainty) << ','
+              << quoted(constant.source) << '\n';
+  }
 }
 
 }  // namespace
-
-static void print_all(bool markdown) {
-  if (markdown) {
-    std::cout << "| constant | nominal | optimistic | pessimistic | certainty | source |\n"
-                 "|---|--:|--:|--:|---|---|\n";
-  }
-  for (const Constant& constant : constants()) {
-    print(constant, markdown);
-  }
-}
-
 }  // namespace iog::a9_model
 
 int main(int argc, char** argv) {
-  const bool markdown = argc == 2 && std::string_view(argv[1]) == "--markdown";
-  if (argc != 1 && !markdown) {
-    std::cerr << "list_constants: expected no argument or --markdown\n";
+  const bool csv = argc == 2 && std::string_view(argv[1]) == "--csv";
+  if (argc != 1 && !csv) {
+    std::cerr << "a9_constants: expected no argument or --csv\n";
     return 2;
   }
-  iog::a9_model::print_all(markdown);
+  if (csv) {
+    iog::a9_model::print_csv();
+  } else {
+    iog::a9_model::print_words();
+  }
   return 0;
 }

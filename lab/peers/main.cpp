@@ -60,11 +60,11 @@ void run(benchmark::State& state, MakeContender make, const PeerFrames& frames) 
 std::size_t updates_of(const PeerFrames& frames) {
   std::size_t updates = 0;
   for (const PeerFrame& frame : frames.frames) {
-    tools::FramePoints points;
+    FramePoints points;
     for (const PeerBeam& beam : frame) {
       points.push_back({beam.sensor, beam.point});
     }
-    const tools::FrameEvidence evidence = tools::project(*frames.vehicle, points, {});
+    const FrameEvidence evidence = project(*frames.vehicle, points, {});
     updates += static_cast<std::size_t>(
         std::ranges::count_if(evidence.cells, [](const auto& seen) { return seen.step <= 0; }));
   }

@@ -1,8 +1,7 @@
-"""The runs of lab/target/cortex_a9.txt: which there are, and how each is measured.
+"""The runs of lab/data/cortex_a9.csv: which there are, and how each is measured.
 
-A run is one image of the benchmark in QEMU. It gives one or more lines of key=value pairs: of
-instructions, which QEMU counts, or of what the cost model of docs/a9_model.md says; those begin with
-"model". lab/target/measure_a9 makes all of them, tests/e2e/a9_figures some.
+A run is one image of the benchmark in QEMU. It gives rows: of instructions, which QEMU counts, or of
+what the cost model of docs/a9_model.md says. lab/target/measure_a9 makes all of them, lab/check some.
 """
 
 import concurrent.futures
@@ -10,6 +9,7 @@ import dataclasses
 import pathlib
 import re
 import subprocess
+import typing
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -47,6 +47,16 @@ SCALING_FRAMES = 2
 FEW_FRAMES = 2
 
 
+class Row(typing.NamedTuple):
+    """One value; lab/pages/cortex_a9.py says what the keys mean."""
+
+    run: str
+    stage: str
+    variant: str
+    counter: str
+    value: str
+
+
 @dataclasses.dataclass(frozen=True)
 class Place:
     """Where things are. The images see captures by a name in `work`, which has no blanks."""
@@ -66,17 +76,57 @@ def output_of(*words, cwd=None) -> str:
                           stdout=subprocess.PIPE).stdout
 
 
-def counted(place: Place, image: str, *arguments) -> str:
-    return output_of(HERE / "run_image", place.images / image, *arguments, cwd=place.work)
+def counted(place: Place, image: str, *arguments) -> list[str]:
+    """The lines that the image prints."""
+    return output_of(HERE / "run_image", place.images / image, *arguments,
+                     cwd=place.work).splitlines()
 
 
 def pairs_of(line: str) -> dict[str, str]:
     return dict(word.split("=", 1) for word in line.split() if "=" in word)
 
 
+# What an image prints to say which run its line is of.
+NAMING = {"frame_cost": ("sensors",), "traversal_cost": ("walk", "r"),
+          "many_core": ("approach", "cell_mm"),
+          "scaling": ("cells_per_side", "cell_mm", "sensors", "azimuths", "range_cm")}
+# fuse_sum, fuse_min, fuse_max: of a stage over its frames. A mean follows from the sum.
+OF_FRAMES = re.compile(r"(\w+)_(sum|min|max)")
+OF_STAGE = re.compile(r"(\w+)_instructions")
+
+
+def run_of(line: str) -> str:
+    """traversal_cost walk=discrete r=20"""
+    image = line.split(" ", 1)[0]
+    pairs = pairs_of(line)
+    return " ".join([image, *(f"{key}={pairs[key]}" for key in NAMING[image] if key in pairs)])
+
+
+def key_of(name: str) -> tuple[str, str]:
+    """The stage and the counter that an image calls by one word."""
+    if match := OF_FRAMES.fullmatch(name):
+        kind = "" if match[2] == "sum" else f"_{match[2]}"
+        return match[1], f"instructions{kind}"
+    if match := OF_STAGE.fullmatch(name):
+        return match[1], "instructions"
+    return "", name
+
+
+def counted_rows(line: str, run: str) -> list[Row]:
+    """Of a line that an image has printed."""
+    naming = NAMING[line.split(" ", 1)[0]]
+    rows = []
+    for name, value in pairs_of(line).items():
+        if name not in naming and not name.endswith("_mean"):
+            stage, counter = key_of(name)
+            rows.append(Row(run, stage, "counted", counter, value))
+    return rows
+
+
 def modelled(place: Place, variant: str, functions: dict[str, list[str]], image: pathlib.Path,
-             *arguments) -> tuple[str, dict[str, dict[str, int]]]:
-    """What the image printed, and what the model says of its functions without one another."""
+             *arguments) -> tuple[dict[str, str], dict[str, dict[str, int]]]:
+    """The pairs that the image printed, and what the model says of its functions without one
+    another."""
     first, *others = arguments or [""]
     options = [word for other in others for word in ("--argument", other)]
     options += [word for name, symbols in functions.items() for symbol in symbols
@@ -84,20 +134,22 @@ def modelled(place: Place, variant: str, functions: dict[str, list[str]], image:
     printed = output_of(HERE.parent / "a9_model/run", image, first, *options,
                         "--build", place.model, "--lines", variant, cwd=place.work)
     own = {name: dict.fromkeys(COUNTERS, 0) for name in functions}
-    head = []
+    head = {}
     for line in printed.splitlines():
         pairs = pairs_of(line)
         if not line.startswith("modelled "):
-            head.append(line)
+            head.update(pairs)
         elif "self" in pairs:
             for key in COUNTERS:
                 own[pairs["self"]][key] += int(pairs[key])
-    return "\n".join(head), own
+    return head, own
 
 
-def line_of(name: str, stages: dict[str, dict[str, int]]) -> str:
-    return " ".join([name, *(f"{stage}_{key}={sums[key]}"
-                             for key in COUNTERS for stage, sums in stages.items())]) + "\n"
+def modelled_rows(run: str, variant: str, counts: dict[str, typing.Any],
+                  stages: dict[str, dict[str, int]]) -> list[Row]:
+    return ([Row(run, "", variant, counter, str(value)) for counter, value in counts.items()] +
+            [Row(run, stage, variant, counter, str(sums[counter]))
+             for counter in COUNTERS for stage, sums in stages.items()])
 
 
 def with_whole(stages: dict[str, dict[str, int]], whole: str) -> dict[str, dict[str, int]]:
@@ -105,32 +157,30 @@ def with_whole(stages: dict[str, dict[str, int]], whole: str) -> dict[str, dict[
 
 
 def frame(place: Place, name: str, variant: str, capture: str, sensors: int, frames: int,
-          paths: str = "kept", before: int = 1, coding: str = "raw") -> str:
+          paths: str = "kept", before: int = 1, coding: str = "raw") -> list[Row]:
     """A mean frame, stage by stage."""
     _, own = modelled(place, variant, STAGES | OUTSIDE,
                       place.images / "frame_cost-reference_car", capture, coding, sensors, frames,
                       paths, before)
-    naming = "" if paths == "kept" else f" paths={paths}"
-    naming += "" if coding == "raw" else f" coding={coding}"
-    return line_of(f"{name} sensors={sensors}{naming} variant={variant} frames={frames} "
-                   f"before={before}",
-                   with_whole({stage: own[stage] for stage in STAGES}, "frame"))
+    run = f"{name} sensors={sensors}"
+    run += "" if paths == "kept" else f" paths={paths}"
+    run += "" if coding == "raw" else f" coding={coding}"
+    return modelled_rows(run, variant, {"frames": frames, "before": before},
+                         with_whole({stage: own[stage] for stage in STAGES}, "frame"))
 
 
-def floor(place: Place, name: str, capture: str, frames: int) -> str:
+def floor(place: Place, run: str, capture: str, frames: int) -> list[Row]:
     head, own = modelled(place, "nominal", PASSES, place.images / "floor", capture, frames)
-    lines = pairs_of(head)["lines"]
-    return line_of(f"{name} variant=nominal frames={frames} lines={lines}", own)
+    return modelled_rows(run, "nominal", {"frames": frames, "lines": head["lines"]}, own)
 
 
-def tree(place: Place, name: str, variant: str, capture: str, frames: int) -> str:
+def tree(place: Place, run: str, variant: str, capture: str, frames: int) -> list[Row]:
     """The linear quadtree of a mean frame."""
     head, own = modelled(place, variant,
                          {"tree": ["iog::lab::(anonymous namespace)::build_tree("]},
                          place.images / "tree_cost", capture, frames)
-    counts = pairs_of(head)
-    return line_of(f"{name} variant={variant} frames={frames} leaves={counts['leaves']} "
-                   f"bytes={counts['bytes']}", own)
+    return modelled_rows(run, variant, {"frames": frames, "leaves": head["leaves"],
+                                        "bytes": head["bytes"]}, own)
 
 
 WALKS = {"discrete r=20": "DiscreteWalk<20l>", "discrete r=100": "DiscreteWalk<100l>",
@@ -147,23 +197,23 @@ def symbol_of_walk(name: str) -> str:
             "(iog::lab::InstructionCounter&, char const*)::{lambda(unsigned int)#1}>")
 
 
-def walks(place: Place, variant: str) -> str:
+def walks(place: Place, variant: str) -> list[Row]:
     symbols = {walk.replace(" ", "_").replace("=", ""): [symbol_of_walk(name)]
                for walk, name in WALKS.items()}
     _, own = modelled(place, variant, symbols, place.images / "traversal_cost")
-    return "".join(
-        " ".join([f"model traversal_cost walk={walk} variant={variant}",
-                  *(f"{key}={sums[key]}" for key in COUNTERS)]) + "\n"
-        for walk, sums in zip(WALKS, own.values()))
+    return [row for walk, sums in zip(WALKS, own.values())
+            for row in modelled_rows(f"traversal_cost walk={walk}", variant, {}, {"": sums})]
 
 
-def scaling(place: Place, image: pathlib.Path, sensors: int, azimuths: int, range_cm: int) -> str:
+def scaling(place: Place, image: pathlib.Path, sensors: int, azimuths: int,
+            range_cm: int) -> list[Row]:
     stages = {stage: STAGES[stage] for stage in STAGES if stage != "receive"}
     head, own = modelled(place, "nominal", stages | OUTSIDE, image, sensors, azimuths, range_cm,
                          SCALING_FRAMES)
-    sums = {stage: own[stage] for stage in stages}
-    load, counts = re.fullmatch(r"(scaling .* range_cm=\d+) (.*)", head.strip()).groups()
-    return line_of(f"model {load} variant=nominal {counts}", with_whole(sums, "frame"))
+    naming = {key: head.pop(key) for key in NAMING["scaling"]}
+    run = " ".join(["scaling", *(f"{key}={value}" for key, value in naming.items())])
+    return modelled_rows(run, "nominal", head,
+                         with_whole({stage: own[stage] for stage in stages}, "frame"))
 
 
 # Base point of the scaling: four LUX of 201 directions that see something 25 m away, on the default
@@ -187,41 +237,48 @@ def grid_folder(place: Place, grid: tuple[int, int]) -> pathlib.Path:
     return place.images if grid == (1024, 100) else place.work / f"grid_{cells}_{cell_mm}/lab/target"
 
 
-NAMES = {"city": "", "ring_road": " scene=ring_road"}
 # Grids that follow each other, for the serial line.
 SERIAL_FRAMES = range(40, 44)
+ALL_SENSORS = 4
 
 
-def frame_cost(place: Place, name: str, capture: str, coding: str, *sensors: int) -> str:
-    line = counted(place, "frame_cost-reference_car", capture, coding, *sensors)
-    return line.replace("frame_cost ", f"frame_cost{name} ", 1)
+def frame_cost(place: Place, name: str, capture: str, coding: str, sensors: int) -> list[Row]:
+    line, = counted(place, "frame_cost-reference_car", capture, coding, sensors)
+    run = f"frame_cost {name} sensors={sensors}"
+    return counted_rows(line, run if coding == "raw" else f"{run} coding={coding}")
 
 
-def serial_cost(place: Place, scene: str, capture: str) -> str:
+def serial_cost(place: Place, scene: str, capture: str) -> list[Row]:
     """What the serial line costs and carries of a scene."""
     grids = []
     for number in SERIAL_FRAMES:
         grids.append(f"{scene}_{number}")
         output_of(place.iog, "fuse", "--pcap", place.work / capture, "--frame", number,
                   "--out-raw", place.work / grids[-1])
-    return counted(place, "serial_cost", *grids).replace(
-        "serial_cost ", f"serial_cost scene={scene} ")
+    return [Row(f"serial_cost scene={scene}", pairs["of"], "counted", counter, value)
+            for pairs in map(pairs_of, counted(place, "serial_cost", *grids))
+            for counter, value in pairs.items() if counter != "of"]
 
 
-# What measures a line or some, without arguments.
+def named_by_itself(place: Place, image: str, *arguments) -> list[Row]:
+    return [row for line in counted(place, image, *arguments)
+            for row in counted_rows(line, run_of(line))]
+
+
+# What measures rows, without arguments.
 def counted_runs(place: Place, scenes: dict[str, str], ring_road_sensors=(2, 3, 4)) -> list:
     runs = []
     for scene, numbers in (("city", (2, 3, 4)), ("ring_road", ring_road_sensors)):
         for sensors in numbers:
             runs.append(lambda s=scene, n=sensors: frame_cost(
-                place, NAMES[s], scenes[s], "raw", n))
+                place, f"scene={s}", scenes[s], "raw", n))
     for scene, capture in scenes.items():
         runs.append(lambda s=scene, c=capture: frame_cost(
-            place, f"{NAMES[s]} coding=shortest", c, "shortest"))
+            place, f"scene={s}", c, "shortest", ALL_SENSORS))
     runs += [lambda s=scene, c=capture: serial_cost(place, s, c)
              for scene, capture in scenes.items()]
-    runs.append(lambda: counted(place, "traversal_cost"))
-    runs.append(lambda: counted(place, "many_core", scenes["city"]))
+    runs.append(lambda: named_by_itself(place, "traversal_cost"))
+    runs.append(lambda: named_by_itself(place, "many_core", scenes["city"]))
     return runs
 
 
@@ -235,49 +292,41 @@ def worst_capture(place: Place, name: str) -> str:
     return capture
 
 
-def worst_run(place: Place, name: str) -> str:
+def worst_run(place: Place, name: str) -> list[Row]:
     """Fails if a grid is not that of `iog fuse`."""
     capture = worst_capture(place, name)
-    line = frame_cost(place, f" worst={name}", capture, "raw")
-    check_grids(place, line, capture)
-    return line
+    rows = frame_cost(place, f"worst={name}", capture, "raw", ALL_SENSORS)
+    check_grids(place, rows, capture)
+    return rows
 
 
-def check_grids(place: Place, line: str, capture: str) -> None:
-    report = output_of(place.iog, "fuse", "--pcap", place.work / capture,
-                       "--vehicle", "reference_car")
+def check_grids(place: Place, rows: list[Row], capture: str,
+                vehicle: str = "reference_car") -> None:
+    report = output_of(place.iog, "fuse", "--pcap", place.work / capture, "--vehicle", vehicle)
     expected = re.search(r"^run hash +(\w+)$", report, re.M).group(1)
-    found = pairs_of(line)["run_hash"]
-    assert found == expected, f"{capture}: its grids {found} are not those of iog fuse, {expected}"
+    found = next(row.value for row in rows if row.counter == "run_hash")
+    if found != expected:
+        raise SystemExit(f"{rows[0].run}: its grids {found} are not those of iog fuse, {expected}")
 
 
 def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> list:
     runs = []
     for variant in VARIANTS:
         for scene, capture in scenes.items():
-            name = f"model frame_cost{NAMES[scene]}"
-            for sensors in (2, 3, 4):
-                runs.append(lambda n=name, v=variant, c=capture, s=sensors: frame(
-                    place, n, v, c, s, MODELLED_FRAMES, before=WARM_UP))
-            runs.append(lambda n=name, v=variant, c=capture: frame(
-                place, n, v, c, 4, FORGOTTEN_FRAMES, "forgotten"))
-            runs.append(lambda n=name, v=variant, c=capture: frame(
-                place, n, v, c, 4, MODELLED_FRAMES, before=WARM_UP, coding="shortest"))
-            runs.append(lambda n=NAMES[scene], v=variant, c=capture: tree(
-                place, f"model tree{n}", v, c, MODELLED_FRAMES))
+            runs += runs_of_scene(place, variant, scene, capture)
         for kind in worst:
             for paths, frames in (("kept", WORST_FRAMES), ("forgotten", 1)):
                 runs.append(lambda k=kind, v=variant, n=frames, p=paths: frame(
-                    place, f"model frame_cost worst={k}", v, f"worst_{k}.pcap", 4, n, p))
+                    place, f"frame_cost worst={k}", v, f"worst_{k}.pcap", ALL_SENSORS, n, p))
         runs.append(lambda v=variant: walks(place, v))
     for kind in worst:
         runs.append(lambda k=kind: floor(
-            place, f"model floor worst={k}", f"worst_{k}.pcap", WORST_FRAMES))
+            place, f"floor worst={k}", f"worst_{k}.pcap", WORST_FRAMES))
     for scene, capture in scenes.items():
-        runs.append(lambda n=NAMES[scene], c=capture: frame(
-            place, f"model long_run{n}", "nominal", c, 4, LONG_FRAMES, before=WARM_UP))
-        runs.append(lambda n=NAMES[scene], c=capture: floor(
-            place, f"model floor{n}", c, MODELLED_FRAMES))
+        runs.append(lambda s=scene, c=capture: frame(
+            place, f"long_run scene={s}", "nominal", c, ALL_SENSORS, LONG_FRAMES, before=WARM_UP))
+        runs.append(lambda s=scene, c=capture: floor(
+            place, f"floor scene={s}", c, MODELLED_FRAMES))
     runs.append(lambda: few_frames(place, scenes))
     for grid, points in SCALING_GRIDS.items():
         for point in points:
@@ -286,13 +335,25 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
     return runs
 
 
-def few_frames(place: Place, scenes: dict[str, str]) -> str:
-    """What tests/e2e/a9_figures has the time to repeat."""
-    return frame(place, "model first_frames scene=ring_road", "nominal", scenes["ring_road"], 4,
+def runs_of_scene(place: Place, variant: str, scene: str, capture: str) -> list:
+    """A drive with two to four LUX, without kept lines, sent in the shortest form, and its tree."""
+    def run(sensors, frames, **options):
+        return lambda: frame(place, f"frame_cost scene={scene}", variant, capture, sensors, frames,
+                             **options)
+    runs = [run(sensors, MODELLED_FRAMES, before=WARM_UP) for sensors in (2, 3, ALL_SENSORS)]
+    runs.append(run(ALL_SENSORS, FORGOTTEN_FRAMES, paths="forgotten"))
+    runs.append(run(ALL_SENSORS, MODELLED_FRAMES, before=WARM_UP, coding="shortest"))
+    runs.append(lambda: tree(place, f"tree scene={scene}", variant, capture, MODELLED_FRAMES))
+    return runs
+
+
+def few_frames(place: Place, scenes: dict[str, str]) -> list[Row]:
+    """What lab/check has the time to repeat."""
+    return frame(place, "first_frames scene=ring_road", "nominal", scenes["ring_road"], ALL_SENSORS,
                  FEW_FRAMES)
 
 
-def results_of(runs: list, processors: int = 2) -> str:
-    """Their lines in the order of the runs, so many at a time."""
+def results_of(runs: list, processors: int = 2) -> list[Row]:
+    """Their rows in the order of the runs, so many at a time."""
     with concurrent.futures.ThreadPoolExecutor(processors) as pool:
-        return "".join(pool.map(lambda run: run(), runs))
+        return [row for rows in pool.map(lambda run: run(), runs) for row in rows]

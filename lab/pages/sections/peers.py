@@ -1,0 +1,46 @@
+"""Times of other grid libraries beside ours, on a PC."""
+
+from markdown import grouped
+from peer_times import GOALS, NAMES, OURS, SCENES, WHAT, PeerTimes, ratio_text
+from section import Section
+
+
+def _scene(times, scene):
+    rows = []
+    for name, words in NAMES.items():
+        row = [words]
+        for what in ("fuse", "both"):
+            row += [grouped(times.of(scene, name).median(what)),
+                    ratio_text(times.ratio(scene, name, what))]
+        rows.append([*row, f"± {100 * times.of(scene, name).spread:.1f} %"])
+    counts = {key: grouped(times.a_frame(scene, key))
+              for key in ("beams", "updates", "only_carving", "later_echoes")}
+    return {"frames": times.frames(scene), "rows": rows, **counts}
+
+
+def _goals(times):
+    rows = []
+    for goal in GOALS:
+        found = [times.ratio(scene, goal.peer, goal.what) for scene in SCENES]
+        rows.append([NAMES[goal.peer], WHAT[goal.what], f"≥ {grouped(goal.ratio)}",
+                     *(f"{ratio_text(ratio)}, {'met' if ratio >= goal.ratio else 'not met'}"
+                       for ratio in found)])
+    return rows
+
+
+def _cells(times):
+    return [[words, *(grouped(getattr(times.of(scene, name), f"{kind}_cells"))
+                      for scene in SCENES for kind in ("free", "occupied", "stored"))]
+            for name, words in NAMES.items()]
+
+
+def section(data) -> Section:
+    times = PeerTimes(data)
+    context = times.context
+    return Section(found={
+        "city": _scene(times, "city"), "ring_road": _scene(times, "ring_road"),
+        "goals": _goals(times), "cells": _cells(times),
+        "repetitions": len(times.of("city", OURS).both),
+        "load": f"{context['load_avg'][0]:.1f}", "processors": context["num_cpus"],
+        "date": context["date"][:10],
+        "made_with": [list(row) for row in data["peers_made_with"].itertuples(index=False)]})

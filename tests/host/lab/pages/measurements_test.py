@@ -1,0 +1,141 @@
+"""What lab/run and lab/check share: lines of images into rows, and what lab/data was made from."""
+
+import importlib.machinery
+import importlib.util
+import pathlib
+import tempfile
+import unittest
+from unittest import mock
+
+import laboratory
+import a9_runs
+import measurements
+
+
+def script(name: str):
+    """A program without .py as a module; its main() runs only as a program."""
+    loader = importlib.machinery.SourceFileLoader(pathlib.Path(name).name, str(laboratory.ROOT / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
+class Rows(unittest.TestCase):
+    def test_a_line_says_its_run_by_its_naming_pairs(self):
+        self.assertEqual(a9_runs.run_of("traversal_cost walk=discrete r=20 beams=181 cells=7"),
+                         "traversal_cost walk=discrete r=20")
+        self.assertEqual(a9_runs.run_of("many_core approach=cbc cell_mm=100 cells=7"),
+                         "many_core approach=cbc cell_mm=100")
+
+    def test_what_is_of_a_stage_is_told_from_what_is_of_the_run(self):
+        rows = a9_runs.counted_rows(
+            "frame_cost sensors=4 frames=2 fuse_sum=10 fuse_mean=5 fuse_max=7 stack_bytes=9", "run")
+        self.assertEqual([tuple(row) for row in rows],
+                         [("run", "", "counted", "frames", "2"),
+                          ("run", "fuse", "counted", "instructions", "10"),
+                          ("run", "fuse", "counted", "instructions_max", "7"),
+                          ("run", "", "counted", "stack_bytes", "9")])
+
+    def test_the_whole_is_the_sum_of_its_stages(self):
+        stages = {name: dict.fromkeys(a9_runs.COUNTERS, number)
+                  for name, number in (("carve", 3), ("mark", 4))}
+        whole = a9_runs.with_whole(stages, "frame")["frame"]
+        self.assertEqual(set(whole.values()), {7})
+
+
+class Stamp(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        root = pathlib.Path(self.folder.name)
+        for name in ("src/a.cpp", "lab/data/t.csv", "lab/pages/build", "tools/view/page.js"):
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(name)
+        patches = {"ROOT": root, "DATA": root / "lab/data",
+                   "MADE_FROM": root / "lab/data/made_from"}
+        for name, value in patches.items():
+            patch = mock.patch.object(measurements, name, value)
+            patch.start()
+            self.addCleanup(patch.stop)
+        self.root = root
+
+    def stamp_all(self):
+        for step in measurements.STEPS:
+            measurements.write_stamp(step)
+
+    def test_without_a_stamp_everything_has_to_be_checked(self):
+        self.assertIn("other sources", measurements.what_changed())
+
+    def test_with_one_nothing_has_to_be(self):
+        self.stamp_all()
+        self.assertEqual(measurements.what_changed(), "")
+
+    def test_a_source_that_changes_or_comes_or_goes_is_seen(self):
+        self.stamp_all()
+        for name, text in (("src/a.cpp", "other"), ("src/b.cpp", "")):
+            before = measurements.sources()
+            (self.root / name).write_text(text)
+            self.assertNotEqual(measurements.sources(), before)
+            self.assertIn("experiments, target", measurements.what_changed())
+        before = measurements.sources()
+        (self.root / "src/b.cpp").unlink()
+        self.assertNotEqual(measurements.sources(), before)
+
+    def test_words_and_the_view_change_no_figure(self):
+        self.stamp_all()
+        for name in ("lab/pages/build", "tools/view/page.js", "src/README.md"):
+            (self.root / name).write_text("other")
+        self.assertEqual(measurements.what_changed(), "")
+
+    def test_a_table_that_was_edited_is_seen(self):
+        self.stamp_all()
+        (self.root / "lab/data/t.csv").write_text("typed")
+        self.assertIn("by hand", measurements.what_changed())
+
+    def test_one_step_alone_leaves_the_others_stale(self):
+        measurements.write_stamp("images")
+        self.assertIn("(experiments, target, a9_model)", measurements.what_changed())
+
+
+class Programs(unittest.TestCase):
+    def test_run_and_build_know_the_same_pages(self):
+        self.assertEqual(set(measurements.PAGES), set(script("lab/pages/build").PAGES))
+
+
+class Check(unittest.TestCase):
+    def setUp(self):
+        self.check = script("lab/check")
+
+    def fault(self, stage, variant, counter, found, stored):
+        return self.check.fault_of(a9_runs.Row("run", stage, variant, counter, found), stored)
+
+    def test_instructions_may_differ_by_2_percent(self):
+        self.assertIsNone(self.fault("fuse", "counted", "instructions", "102", "100"))
+        self.assertIn("grew", self.fault("fuse", "counted", "instructions", "103", "100"))
+        self.assertIn("shrank", self.fault("fuse", "counted", "instructions_max", "97", "100"))
+
+    def test_what_was_done_may_not_differ_at_all(self):
+        self.assertIsNone(self.fault("", "counted", "points", "100", "100"))
+        self.assertIn("not the same work", self.fault("", "counted", "points", "101", "100"))
+        self.assertIn("not the same work", self.fault("", "counted", "run_hash", "abc", "abd"))
+
+    def test_of_a_small_stage_only_the_instructions_are_compared(self):
+        self.assertIsNone(self.fault("mark", "nominal", "cycles", "150", "100"))
+        self.assertIn("grew", self.fault("mark", "nominal", "instructions", "150", "100"))
+        self.assertIn("grew", self.fault("carve", "nominal", "cycles", "150", "100"))
+
+    def test_what_is_not_stored_is_a_fault(self):
+        self.assertIn("not stored", self.fault("", "counted", "points", "1", None))
+
+    def test_lines_that_differ_are_shown(self):
+        with laboratory.Tables(stored="a\n1\n", found="a\n2\n") as folder:
+            self.assertEqual(self.check.differences(folder / "stored.csv", folder / "found.csv"),
+                             ["line 2: stored '1', found '2'"])
+            self.assertEqual(self.check.differences(folder / "stored.csv", folder / "stored.csv"),
+                             [])
+            self.assertEqual(self.check.differences(folder / "stored.csv", folder / "none.csv"),
+                             ["nothing makes it"])
+
+
+if __name__ == "__main__":
+    unittest.main()
