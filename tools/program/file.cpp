@@ -1,18 +1,21 @@
 #include "tools/program/file.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
-
-#include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 namespace {
 
 std::ifstream opened(const std::string& path) {
+  errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path)) {
-    throw UsageError(path + ": cannot be read");
+  if (!stream) {
+    throw file_error(path, "cannot be read");
+  }
+  if (std::filesystem::is_directory(path)) {
+    throw UsageError(path + ": cannot be read: it is a folder");
   }
   return stream;
 }
@@ -32,12 +35,22 @@ bool is_numbered(std::string_view name, std::string_view stem, std::string_view 
 
 }  // namespace
 
+UsageError file_error(const std::string& path, std::string_view what) {
+  const int error = errno;
+  std::string text = path + ": " + std::string(what);
+  if (error != 0) {
+    text += ": " + std::generic_category().message(error);
+  }
+  return UsageError(text);
+}
+
 std::vector<std::byte> read_file(const std::string& path) {
   std::ifstream stream = opened(path);
   std::vector<std::byte> bytes(std::filesystem::file_size(path));
+  errno = 0;
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!stream) {
-    throw UsageError(path + ": cannot be read");
+    throw file_error(path, "cannot be read to its end");
   }
   return bytes;
 }
@@ -87,23 +100,30 @@ void remove_numbered(const std::string& folder, std::string_view stem, std::stri
   }
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path), stream_(path, std::ios::binary) {
+OutputFile::OutputFile(const std::string& path) : path_(path) {
+  errno = 0;
+  stream_.open(path, std::ios::binary);
   if (!stream_) {
-    throw UsageError(path + ": cannot be written");
+    throw file_error(path, "cannot be written");
   }
 }
 
 void OutputFile::write(std::span<const std::byte> bytes) {
+  errno = 0;
   stream_.write(reinterpret_cast<const char*>(bytes.data()),
                 static_cast<std::streamsize>(bytes.size()));
+  if (!stream_) {
+    throw file_error(path_, "cannot be written any more");
+  }
 }
 
 void OutputFile::write(std::string_view text) { write(std::as_bytes(std::span(text))); }
 
 void OutputFile::finish() {
+  errno = 0;
   stream_.close();
   if (!stream_) {
-    throw UsageError(path_ + ": not written completely; is the disk full?");
+    throw file_error(path_, "not written completely");
   }
 }
 

@@ -9,7 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/program/exit_status.hpp"
+
 namespace iog::tools {
+
+// "path: what: why", why in the system's words for what it has just refused (errno).
+[[nodiscard]] UsageError file_error(const std::string& path, std::string_view what);
 
 // UsageError if the file cannot be read.
 [[nodiscard]] std::vector<std::byte> read_file(const std::string& path);
@@ -29,6 +34,7 @@ class OutputFile {
   // UsageError if the file cannot be written.
   explicit OutputFile(const std::string& path);
 
+  // UsageError if it is known already that the bytes do not reach the file.
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <pcap/pcap.h>
 
 #include "net/ethernet.hpp"
 #include "net/ipv4.hpp"
 #include "net/udp.hpp"
 #include "require/require.hpp"
-#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools {
 namespace {
@@ -69,18 +70,20 @@ void PcapWriter::write(const CapturedDatagram& datagram) {
   header.ts.tv_usec = static_cast<suseconds_t>(datagram.time_us % 1'000'000U);
   header.caplen = static_cast<bpf_u_int32>(bytes);
   header.len = header.caplen;
+  errno = 0;
   // libpcap's callbacks take their file as unsigned char*.
   pcap_dump(reinterpret_cast<unsigned char*>(file_.get()), &header,
             reinterpret_cast<const unsigned char*>(frame.data()));
   // It says nothing itself. What is buffered fails later, with one of the next datagrams.
   if (std::ferror(pcap_dump_file(file_.get())) != 0) {
-    throw UsageError(path_ + ": cannot be written any more; is the disk full?");
+    throw file_error(path_, "cannot be written any more");
   }
 }
 
 void PcapWriter::finish() {
+  errno = 0;
   if (pcap_dump_flush(file_.get()) != 0 || std::ferror(pcap_dump_file(file_.get())) != 0) {
-    throw UsageError(path_ + ": not written completely; is the disk full?");
+    throw file_error(path_, "not written completely");
   }
   file_.reset();
 }

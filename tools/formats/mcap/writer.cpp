@@ -1,10 +1,11 @@
 #include "tools/formats/mcap/writer.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <zstd.h>
 
 #include "require/require.hpp"
-#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools::mcap {
 namespace {
@@ -37,12 +38,11 @@ void Writer::Extent::add(std::uint64_t time_ns) {
 }
 
 Writer::Writer(const std::string& path, std::string_view profile, Compression compression)
-    : path_(path),
-      file_(path, std::ios::binary),
-      compression_(compression),
-      context_(ZSTD_createCCtx()) {
+    : path_(path), compression_(compression), context_(ZSTD_createCCtx()) {
+  errno = 0;
+  file_.open(path, std::ios::binary);
   if (!file_) {
-    throw UsageError(path + ": cannot be written");
+    throw file_error(path, "cannot be written");
   }
   append(std::as_bytes(std::span(kMagic)));
   RecordBytes header;
@@ -105,15 +105,19 @@ void Writer::finish(std::string_view metadata_name, const Metadata& metadata) {
   append(OpCode::kDataEnd, end);
   append_summary();
   append(std::as_bytes(std::span(kMagic)));
+  errno = 0;
   file_.close();
   if (!file_) {
-    throw UsageError(path_ + ": not written completely; is the disk full?");
+    throw file_error(path_, "not written completely");
   }
 }
 
 void Writer::append(std::span<const std::byte> bytes) {
-  file_.write(reinterpret_cast<const char*>(bytes.data()),
-              static_cast<std::streamsize>(bytes.size()));
+  errno = 0;
+  if (!file_.write(reinterpret_cast<const char*>(bytes.data()),
+                   static_cast<std::streamsize>(bytes.size()))) {
+    throw file_error(path_, "cannot be written any more");
+  }
   crc_.update(bytes);
   position_ += bytes.size();
 }
@@ -149,8 +153,9 @@ void Writer::end_chunk() {
   chunk_.clear();
   index_.clear();
   chunk_extent_ = {};
+  errno = 0;
   if (!file_.flush()) {
-    throw UsageError(path_ + ": cannot be written any more; is the disk full?");
+    throw file_error(path_, "cannot be written any more");
   }
 }
 
