@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   CLI::App program("Occupancy grids from lidar scans: simulate, fuse, replay, receive, show",
                    "iog");
   program.require_subcommand(1);
+  program.set_version_flag("--version", IOG_VERSION);
   program.footer("Exit status: 0 done, 1 a check failed, 2 wrong use or unreadable input.");
   tools::add_simulate(program);
   tools::add_fuse(program);

@@ -13,9 +13,9 @@ void add_info(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "info", "Say what is in a capture, a recording, a map or a folder of them");
   const auto path = std::make_shared<std::string>();
-  command->add_option("file,--pcap", *path, "The file or folder to read")
-      ->option_text("FILE  (required)")
-      ->required();
+  command->add_option("FILE", *path, "The file or folder to read")->option_text(" ")->required();
+  // `iog info --pcap FILE` is how other commands name a capture; the word alone says nothing here.
+  command->add_flag("--pcap")->group("");
   command->footer(
       "Captures (pcap or pcapng) of sensors and of a target's stream, MCAP files, maps of ROS\n"
       "map_server (their YAML or PGM), and folders that `iog record --out FOLDER` has written.\n");

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/program/unknown_word.hpp"
 
 namespace iog::tools {
 
@@ -15,7 +16,15 @@ namespace iog::tools {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kDone : kWrongUse;
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      return program.exit(error);  // --help and --version
+    }
+    if (const auto unknown = words_of_unknown(program)) {
+      std::cerr << program.get_name() << ": " << *unknown << '\n';
+    } else {
+      program.exit(error);
+    }
+    return kWrongUse;
   } catch (const CheckFailed& failure) {
     std::cerr << program.get_name() << ": " << failure.what() << '\n';
     return kCheckFailed;
