@@ -18,6 +18,7 @@
 #include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
+#include "tools/vehicles/vehicle_fit.hpp"
 
 namespace iog::tools {
 namespace {
@@ -56,7 +57,7 @@ class Chosen {
     if (!frame_) {
       throw UsageError(number_ ? "no frame " + std::to_string(*number_) + "; the capture has " +
                                      std::to_string(count) + " frames with evidence"
-                               : "no frame has evidence; is this the vehicle of the capture?");
+                               : "no frame has evidence");
     }
     return *frame_;
   }
@@ -96,6 +97,7 @@ void print_input(const PcapReader& capture, std::uint64_t other_ports) {
 void fuse(const Options& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const vehicle::Vehicle vehicle = vehicle_with_rule(car, options.rule);
+  demand_fit(options.pcap, car);
   PcapReader capture(options.pcap);
   RunStatistics statistics;
   Chosen chosen(options.frame);
@@ -126,6 +128,11 @@ void fuse(const Options& options) {
   std::cout << statistics.table(false);
   if (!options.hashes.empty()) {
     write_records(options.hashes, statistics.records());
+  }
+  if (statistics.records().empty()) {
+    throw CheckFailed(options.pcap + ": no frame has evidence: what came to the ports of " +
+                      options.vehicle + " holds no scan of its sensors; `iog info " + options.pcap +
+                      "` says what it is");
   }
   if (!options.out_raw.empty() || !options.pictures.folder.empty()) {
     const GridFrame& frame = chosen.get(statistics.records().size());

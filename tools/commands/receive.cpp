@@ -16,6 +16,7 @@
 #include "tools/program/progress.hpp"
 #include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/link_counts.hpp"
+#include "tools/receive/nothing_came.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/receive/serial/reception.hpp"
 #include "tools/receive/udp_receiver.hpp"
@@ -59,15 +60,17 @@ class Reception {
     if (options_->notify) {
       std::cout << "listening" << std::endl;
     }
-    last_evidence_ = Clock::now();
+    begin_ = last_evidence_ = Clock::now();
     while (!is_done() && !was_interrupted() && !is_idle()) {
       const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
       for (const std::vector<std::byte>& message : messages) {
         assembler_.take(message);
       }
+      datagrams_ += messages.size();
       note_arrival(!messages.empty());
     }
     assembler_.finish();
+    end_ = Clock::now();
     overflow_ = receiver.overflow();
   }
 
@@ -89,6 +92,14 @@ class Reception {
   }
 
   void check() {
+    if (datagrams_ == 0) {
+      throw CheckFailed(words_of_silence(options_->bind, options_->port, end_ - begin_));
+    }
+    if (assembler_.counts().messages == 0) {
+      throw CheckFailed("no message of a grid came, and " + std::to_string(datagrams_) +
+                        " other datagrams; who else sends to port " +
+                        std::to_string(options_->port) + "?");
+    }
     if (statistics_.damaged() > 0) {
       throw CheckFailed(std::to_string(statistics_.damaged()) +
                         " frames arrived whole and are not the grid that the target has hashed");
@@ -171,8 +182,11 @@ class Reception {
   std::uint64_t frames_wanted_;
   Progress progress_;
   std::optional<GridFrame> last_;
+  Clock::time_point begin_;
+  Clock::time_point end_;
   Clock::time_point last_evidence_;
   Clock::time_point last_arrival_ = Clock::now();
+  std::uint64_t datagrams_ = 0;
   std::uint64_t overflow_ = 0;
 };
 

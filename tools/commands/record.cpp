@@ -17,6 +17,7 @@
 #include "tools/record/picture_recording.hpp"
 #include "tools/record/sources.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
+#include "tools/vehicles/vehicle_fit.hpp"
 
 namespace iog::tools {
 namespace {
@@ -77,20 +78,46 @@ void check_out(const Options& options) {
   }
 }
 
+// From wherever it comes. The number of datagrams that were dropped on the way.
+std::uint64_t record_from_source(const Options& options, Recorder& recorder) {
+  if (!options.pcap.empty()) {
+    record_capture(options.pcap, options.vehicle, recorder);
+  } else if (!options.stream.empty()) {
+    record_stream(options.stream, recorder);
+  } else {
+    return record_live(options.live, recorder);
+  }
+  return 0;
+}
+
+// A file without a datagram is no recording, and would look like one.
+void remove_empty_files(const Options& options) {
+  for (const std::string& path : options.out) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) {
+      std::filesystem::remove(path, ignored);
+    }
+  }
+}
+
 void record(const Options& options) {
   check_out(options);
+  if (!options.pcap.empty()) {
+    demand_fit(options.pcap, find_vehicle(options.vehicle));
+  }
   Recorder::Recordings recordings;
   for (const std::string& path : options.out) {
     recordings.push_back(recording_of(path, options));
   }
   Recorder recorder(std::move(recordings));
   std::uint64_t overflow = 0;
-  if (!options.pcap.empty()) {
-    record_capture(options.pcap, options.vehicle, recorder);
-  } else if (!options.stream.empty()) {
-    record_stream(options.stream, recorder);
-  } else {
-    overflow = record_live(options.live, recorder);
+  try {
+    overflow = record_from_source(options, recorder);
+  } catch (const std::exception&) {
+    if (recorder.datagrams() == 0) {
+      remove_empty_files(options);
+    }
+    throw;
   }
   recorder.finish();
   // With --notify standard output belongs to whoever reads the notes.

@@ -17,6 +17,7 @@
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
+#include "tools/vehicles/vehicle_fit.hpp"
 
 namespace iog::tools {
 namespace {
@@ -43,6 +44,7 @@ class Replay {
       throw UsageError("--port-base leaves no room for " + std::to_string(car_->sensors.size()) +
                        " ports; give a lower one");
     }
+    demand_fit(options.pcap, *car_);
   }
 
   void run() {

@@ -12,6 +12,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/receive/nothing_came.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/record/stream_file.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
@@ -63,6 +64,10 @@ class LiveRecording {
       }
       note_arrival(has_arrived, time_us);
     }
+    if (recorder_->datagrams() == 0) {
+      throw CheckFailed(words_of_silence(source_->bind, source_->port, Clock::now() - begin_,
+                                         ", and nothing is written"));
+    }
   }
 
   [[nodiscard]] std::uint64_t overflow() const { return receiver_.overflow(); }
@@ -102,7 +107,8 @@ class LiveRecording {
   Endpoint destination_;
   Progress progress_;
   std::size_t frames_ = 0;  // with evidence
-  Clock::time_point last_frame_ = Clock::now();
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_frame_ = begin_;
   Clock::time_point last_arrival_ = Clock::now();
 };
 
@@ -141,7 +147,8 @@ void record_capture(const std::string& path, const std::string& vehicle, Recorde
     std::cerr << "iog: " << path << ": breaks off in a packet; recorded as far as it goes\n";
   }
   if (recorder.census().statistics().records().empty() && !was_interrupted()) {
-    throw UsageError(path + ": no frame has evidence; is this the vehicle of the capture?");
+    throw UsageError(path + ": no frame has evidence: what came to the ports of " + vehicle +
+                     " holds no scan of its sensors");
   }
 }
 

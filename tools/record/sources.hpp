@@ -18,8 +18,8 @@ struct LiveSource {
   bool notify = false;        // say `listening`, and `frame N` for each
 };
 
-// UsageError if that address and port cannot be bound. The number of datagrams that were dropped
-// here because the recordings were too slow.
+// UsageError if that address and port cannot be bound, CheckFailed if nothing has come. The number
+// of datagrams that were dropped here because the recordings were too slow.
 [[nodiscard]] std::uint64_t record_live(const LiveSource& source, Recorder& recorder);
 
 // UsageError if the capture cannot be read. The same capture gives the same datagrams, at the times

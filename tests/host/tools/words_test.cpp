@@ -1,0 +1,144 @@
+// What the programs of the PC say when something is wrong: words that say what to do about it.
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "drive_sample.hpp"
+#include "fakes/temporary_folder.hpp"
+#include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/formats/mcap/writer.hpp"
+#include "tools/program/file.hpp"
+#include "tools/program/word_distance.hpp"
+#include "tools/receive/nothing_came.hpp"
+#include "tools/vehicles/vehicle_fit.hpp"
+
+namespace iog::tools {
+namespace {
+
+// What the action complains of; empty: nothing.
+template <typename Action>
+std::string complaint_of(Action&& action) {
+  try {
+    action();
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+// Counted by hand.
+TEST(WordDistance, CountsLettersThatHaveToChange) {
+  EXPECT_EQ(word_distance("record", "record"), 0U);
+  EXPECT_EQ(word_distance("recrod", "record"), 1U);  // exchanged
+  EXPECT_EQ(word_distance("recor", "record"), 1U);
+  EXPECT_EQ(word_distance("records", "record"), 1U);
+  EXPECT_EQ(word_distance("rekord", "record"), 1U);
+  EXPECT_EQ(word_distance("kitten", "sitting"), 3U);
+  EXPECT_EQ(word_distance("", "abc"), 3U);
+  EXPECT_EQ(word_distance("abc", ""), 3U);
+}
+
+TEST(WordDistance, OnlyWhatIsNearIsMeant) {
+  const std::vector<std::string> known{"simulate", "fuse", "receive", "record", "view"};
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(nearest_words("recrod", known), Words{"record"});
+  EXPECT_EQ(nearest_words("sim", known), Words{"simulate"});
+  EXPECT_EQ(nearest_words("rec", known), (Words{"receive", "record"}));
+  EXPECT_EQ(nearest_words("fsue", known), Words{"fuse"});
+  EXPECT_EQ(nearest_words("nonsense", known), Words{});
+  EXPECT_EQ(nearest_words("", known), Words{});
+}
+
+TEST(VehicleFit, NamesTheVehicleThatThePacketsAreFor) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  const CatalogueEntry& other = find_vehicle("roof_vlp16");
+  PortCounts ports;
+  for (const vehicle::SensorConfig& sensor : car.sensors) {
+    ports[sensor.udp_port] = 10;
+  }
+  const std::string words = words_of_misfit(other, ports);
+  EXPECT_TRUE(contains(words, "no packet is for a sensor of roof_vlp16 (UDP port 2368)")) << words;
+  EXPECT_TRUE(contains(words, std::to_string(car.sensors[0].udp_port))) << words;
+  EXPECT_TRUE(contains(words, "try --vehicle reference_car")) << words;
+}
+
+TEST(VehicleFit, NamesNoVehicleWhereNoneFits) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  const std::string strange = words_of_misfit(car, {{5000, 3}});
+  EXPECT_TRUE(contains(strange, "port 5000; `iog info FILE`")) << strange;
+  EXPECT_FALSE(contains(strange, "--vehicle")) << strange;
+  EXPECT_TRUE(contains(words_of_misfit(car, {}), "no UDP packet at all"));
+}
+
+TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
+  const tests::TemporaryFolder folder;
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  const std::string path = folder / "drive.pcap";
+  PcapWriter capture(path);
+  for (const CapturedDatagram& datagram : sample_drive(car, 1, 1)) {
+    capture.write(datagram);
+  }
+  capture.finish();
+  EXPECT_EQ(complaint_of([&] { demand_fit(path, car); }), "");
+  EXPECT_TRUE(contains(complaint_of([&] { demand_fit(path, find_vehicle("roof_vlp16")); }),
+                       path + ": no packet is for a sensor of roof_vlp16"));
+}
+
+// The system's words, which are those of strerror().
+TEST(File, SaysWhyItCannotBeReadOrWritten) {
+  const std::string nowhere = "/nowhere/file";
+  const std::string reason = ": No such file or directory";
+  EXPECT_EQ(complaint_of([&] { static_cast<void>(read_file(nowhere)); }),
+            nowhere + ": cannot be read" + reason);
+  EXPECT_EQ(complaint_of([&] { static_cast<void>(read_lines(nowhere)); }),
+            nowhere + ": cannot be read" + reason);
+  EXPECT_EQ(complaint_of([&] { OutputFile{nowhere}; }), nowhere + ": cannot be written" + reason);
+  EXPECT_EQ(complaint_of([&] { mcap::Writer(nowhere, "", mcap::Compression::kNone); }),
+            nowhere + ": cannot be written" + reason);
+  const tests::TemporaryFolder folder;
+  EXPECT_EQ(complaint_of([&] { static_cast<void>(read_file(folder.path())); }),
+            folder.path() + ": cannot be read: it is a folder");
+}
+
+TEST(File, SaysThatTheDiskIsFull) {
+  const std::string full = "/dev/full";
+  const std::string reason = "No space left on device";
+  EXPECT_TRUE(contains(complaint_of([&] {
+                         OutputFile file(full);
+                         file.write("words");
+                         file.finish();
+                       }),
+                       reason));
+  EXPECT_TRUE(contains(complaint_of([&] {
+                         PcapWriter file(full);
+                         file.finish();
+                       }),
+                       reason));
+  EXPECT_TRUE(contains(complaint_of([&] {
+                         mcap::Writer file(full, "", mcap::Compression::kNone);
+                         file.finish("", {});
+                       }),
+                       reason));
+}
+
+TEST(Silence, SaysWhatWasWaitedForAndWhatToLookAt) {
+  const std::string here = words_of_silence("127.0.0.1", 15000, std::chrono::seconds(3));
+  EXPECT_TRUE(here.starts_with("nothing came to UDP 127.0.0.1:15000 in 3.0 s. Does")) << here;
+  EXPECT_TRUE(contains(here, "--bind 0.0.0.0")) << here;
+  const std::string all =
+      words_of_silence("0.0.0.0", 15000, std::chrono::seconds(3), ", and nothing is written");
+  EXPECT_TRUE(contains(all, "in 3.0 s, and nothing is written. Does")) << all;
+  EXPECT_FALSE(contains(all, "--bind")) << all;
+}
+
+}  // namespace
+}  // namespace iog::tools
