@@ -99,6 +99,51 @@ TEST(GridPicture, ForwardIsUpAndLeftIsLeft) {
   EXPECT_TRUE(drawn_at(200, 300, 723, 823));  // behind, to the right
 }
 
+// One pixel of 1024 is not seen, whatever its colour.
+TEST(GridPicture, AHitIsSeenAmongFreeCells) {
+  GridFrame frame;
+  frame.cells.assign(grid::kCellCount, -56);
+  frame.cells[300 * grid::kStride + 700] = 10;
+  const auto hit_pixels = [&](int scale) {
+    const Canvas picture = picture_of(frame, {.pixels_per_cell = scale});
+    int count = 0;
+    for (int row = -6; row <= 6; ++row) {
+      for (int column = -6; column <= 6; ++column) {
+        const bool is_hit = picture.at((1023 - 300) * scale + column, (1023 - 700) * scale + row) ==
+                            colour_of_index(10);
+        count += is_hit ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(hit_pixels(1), 9);
+  EXPECT_EQ(hit_pixels(2), 9);
+  EXPECT_EQ(hit_pixels(3), 9);
+  EXPECT_EQ(hit_pixels(4), 16);
+}
+
+// A label has its own dark ground: nothing of the free cells below is left between its letters.
+TEST(GridPicture, DistancesCanBeReadOverFreeGround) {
+  GridFrame frame;
+  frame.cells.assign(grid::kCellCount, -56);
+  const Canvas picture = picture_of(frame, {});
+  const int place = 512 + 212;  // 30 m behind the car, to the right: 300 * sqrt(1/2)
+  for (int column = place - 15; column <= place + 15; ++column) {
+    EXPECT_FALSE(picture.at(column, place) == colour_of_index(-56)) << column;
+  }
+  EXPECT_TRUE(picture.at(place, place + 20) == colour_of_index(-56));
+}
+
+TEST(GridPicture, SensorsAreToldInWords) {
+  stream::Header header{};
+  header.sensor_count = 4;
+  header.complete_sensors = 0b1111;
+  EXPECT_EQ(words_of_sensors(header), "4 of 4 sensors complete");
+  header.complete_sensors = 0b0011;
+  header.partial_sensors = 0b0100;
+  EXPECT_EQ(words_of_sensors(header), "2 of 4 sensors complete, sensor 2 partial, sensor 3 silent");
+}
+
 TEST(GridPicture, CanBeCroppedAndEnlarged) {
   const Canvas picture = picture_of(GridFrame{}, {.pixels_per_cell = 3, .radius_m = 20});
   EXPECT_EQ(picture.width(), 1200);

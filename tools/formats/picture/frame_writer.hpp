@@ -45,7 +45,8 @@ inline constexpr const char* kPictureFooter =
     "Pictures show the vehicle from above: x (forward) points up, y to the left, rings every 10 "
     "m;\n"
     "pale blue is free, orange to red is occupied, dark is unknown; the stronger the index, the\n"
-    "stronger the colour. map.pgm and map.yaml are the last frame for ROS map_server: x to the "
+    "stronger the colour. An occupied cell is drawn 3 pixels wide at least. map.pgm and map.yaml "
+    "are the last frame for ROS map_server: x to the "
     "right,\n"
     "y up.\n";
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "tools/formats/picture/font.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/grid_geometry.hpp"
 
@@ -24,6 +26,7 @@ constexpr Colour kSensor{20, 170, 150};
 
 constexpr int kWholeGridM = vehicle::kCellsPerSide * vehicle::kCellMm / 2000;
 constexpr int kCellsPerMetre = 1000 / vehicle::kCellMm;
+constexpr int kSmallestHit = 3;  // pixels; a smaller one is not seen among free cells
 
 // From metres in the vehicle frame to pixels.
 class Painter {
@@ -36,8 +39,10 @@ class Painter {
         canvas_(cells_ * scale_, cells_ * scale_, kUnknown) {}
 
   Canvas paint() {
-    paint_cells();
+    paint_cells(false);
     paint_rings();
+    paint_cells(true);
+    label_rings();
     if (const CatalogueEntry* const car = vehicle_of_id(frame_->header.vehicle_id)) {
       paint_car(*car);
     }
@@ -48,29 +53,48 @@ class Painter {
  private:
   [[nodiscard]] double pixels(double metres) const { return metres * kCellsPerMetre * scale_; }
   [[nodiscard]] double column(double y_m) const { return canvas_.width() / 2.0 - pixels(y_m); }
+  [[nodiscard]] int reach_m() const { return cells_ / 2 / kCellsPerMetre; }
   [[nodiscard]] double row(double x_m) const { return canvas_.height() / 2.0 - pixels(x_m); }
 
-  void paint_cells() {
+  // visit(place in the grid, column and row of its first pixel) for each cell of the picture.
+  template <typename Visit>
+  void for_each_cell(Visit&& visit) const {
     const int first = (vehicle::kCellsPerSide - cells_) / 2;
     for (int up = 0; up < cells_; ++up) {
       for (int left = 0; left < cells_; ++left) {
-        const auto place = static_cast<std::size_t>(first + left) * grid::kStride +
-                           static_cast<std::size_t>(first + up);
-        if (frame_->cells[place] != index::kUnknown) {
-          canvas_.fill((cells_ - 1 - left) * scale_, (cells_ - 1 - up) * scale_, scale_, scale_,
-                       colour_of_index(frame_->cells[place]));
-        }
+        visit(static_cast<std::size_t>(first + left) * grid::kStride +
+                  static_cast<std::size_t>(first + up),
+              (cells_ - 1 - left) * scale_, (cells_ - 1 - up) * scale_);
       }
     }
   }
 
+  void paint_cells(bool is_of_hits) {
+    const int side = is_of_hits ? std::max(scale_, kSmallestHit) : scale_;
+    const int margin = (side - scale_) / 2;
+    for_each_cell([&](std::size_t place, int column, int row) {
+      const index::OccupancyIndex index = frame_->cells[place];
+      if (is_of_hits ? index > 0 : index < 0) {
+        canvas_.fill(column - margin, row - margin, side, side, colour_of_index(index));
+      }
+    });
+  }
+
   void paint_rings() {
-    const int reach_m = cells_ / 2 / kCellsPerMetre;
-    for (int radius = 10; radius <= reach_m; radius += 10) {
+    for (int radius = kRingM; radius <= reach_m(); radius += kRingM) {
       canvas_.circle(column(0), row(0), pixels(radius), kRing, 0.45);
-      const std::string label = std::to_string(radius) + (radius == 10 ? " m" : "");
-      canvas_.text(static_cast<int>(column(0)) + 4, static_cast<int>(row(radius)) + 3, label, kRing,
-                   letter_scale());
+    }
+  }
+
+  // Above everything that may be there; behind the car on its right, where the road seldom is.
+  void label_rings() {
+    const int scale = letter_scale();
+    for (int radius = kRingM; radius <= reach_m(); radius += kRingM) {
+      const std::string label = std::to_string(radius) + " m";
+      const int width = Canvas::text_width(label, scale) - scale;
+      const double aside_m = radius * std::numbers::sqrt2 / 2;
+      put_text(static_cast<int>(column(-aside_m)) - width / 2,
+               static_cast<int>(row(-aside_m)) - kGlyphHeight * scale / 2, label, kInk);
     }
   }
 
@@ -100,28 +124,31 @@ class Painter {
   void put_text(int column, int row, const std::string& words, Colour colour) {
     const int scale = letter_scale();
     canvas_.fill(column - scale, row - scale, Canvas::text_width(words, scale) + scale,
-                 (kGlyphRows + 2) * scale, kUnknown, 0.75);
+                 (kGlyphHeight + 2) * scale, kUnknown, 0.75);
     canvas_.text(column, row, words, colour, scale);
   }
 
   void paint_texts() {
     const int scale = letter_scale();
-    const int line = (kGlyphRows + 4) * scale;
+    const int line = (kGlyphHeight + 4) * scale;
     const CatalogueEntry* const car = vehicle_of_id(frame_->header.vehicle_id);
     put_text(10, 10,
-             "frame " + std::to_string(frame_->evidence_number) +
-                 (car != nullptr ? "  " + std::string(car->vehicle->name) : ""),
+             "frame " + std::to_string(frame_->evidence_number) + ", " + time_text() +
+                 (car != nullptr ? ", " + std::string(car->vehicle->name) : ""),
              kInk);
-    put_text(10, 10 + line, time_text() + "  " + sensors_text(), kRing);
-    put_text(10, 10 + 2 * line, std::to_string(frame_->header.points_used) + " points used", kRing);
+    put_text(10, 10 + line, words_of_sensors(frame_->header), kInk);
+    put_text(10, 10 + 2 * line, std::to_string(frame_->header.points_used) + " points used", kInk);
     const int row = canvas_.height() - 10 - 3 * line;
-    paint_key("occupied", {2, 6, 10}, row, scale);
+    const bool is_enlarged = scale_ < kSmallestHit;
+    const std::string side = std::to_string(kSmallestHit);
+    paint_key("occupied" + (is_enlarged ? ", each cell " + side + " pixels wide" : ""), {2, 6, 10},
+              row, scale);
     paint_key("free", {-7, -28, -56}, row + line, scale);
     paint_key("unknown", {0, 0, 0}, row + 2 * line, scale);
   }
 
   void paint_key(const std::string& words, std::initializer_list<int> indexes, int row, int scale) {
-    const int side = kGlyphRows * scale;
+    const int side = kGlyphHeight * scale;
     int column = 10;
     canvas_.fill(column - 1, row - 1, 3 * side + 2, side + 2, kRing, 0.5);
     for (const int index : indexes) {
@@ -138,18 +165,7 @@ class Painter {
     return std::to_string(milliseconds / 1000) + "." + fraction + " s";
   }
 
-  // One sign per sensor: its number if it has delivered its scan, + a part of it, - nothing.
-  [[nodiscard]] std::string sensors_text() const {
-    std::string text = "sensors ";
-    for (unsigned i = 0; i < frame_->header.sensor_count; ++i) {
-      const bool is_complete = (frame_->header.complete_sensors >> i & 1) != 0;
-      const bool is_partial = (frame_->header.partial_sensors >> i & 1) != 0;
-      text += is_complete ? std::to_string(i) : (is_partial ? "+" : "-");
-    }
-    return text;
-  }
-
-  static constexpr int kGlyphRows = 7;
+  static constexpr int kRingM = 10;
 
   const GridFrame* frame_;
   int scale_;
@@ -157,7 +173,28 @@ class Painter {
   Canvas canvas_;
 };
 
+std::string name_of_sensor(const CatalogueEntry* car, unsigned number) {
+  return car != nullptr && number < car->sensors.size() ? std::string(car->sensors[number].name)
+                                                        : "sensor " + std::to_string(number);
+}
+
 }  // namespace
+
+std::string words_of_sensors(const stream::Header& header) {
+  const CatalogueEntry* const car = vehicle_of_id(header.vehicle_id);
+  unsigned complete = 0;
+  std::string others;
+  for (unsigned i = 0; i < header.sensor_count; ++i) {
+    if ((header.complete_sensors >> i & 1) != 0) {
+      ++complete;
+    } else {
+      const bool is_partial = (header.partial_sensors >> i & 1) != 0;
+      others += ", " + name_of_sensor(car, i) + (is_partial ? " partial" : " silent");
+    }
+  }
+  return std::to_string(complete) + " of " + std::to_string(header.sensor_count) +
+         " sensors complete" + others;
+}
 
 Colour colour_of_index(double index) {
   // A beam is worth -14 and a hit +2: these indexes give half and full strength of colour.

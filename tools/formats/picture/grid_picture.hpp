@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "tools/formats/picture/canvas.hpp"
 #include "tools/receive/grid_frame.hpp"
@@ -17,6 +18,10 @@ struct PictureScale {
 // The colour of a cell. An index between two whole ones is that of a probability between theirs.
 [[nodiscard]] Colour colour_of_index(double index);
 
+// "3 of 4 sensors complete, rear partial"
+[[nodiscard]] std::string words_of_sensors(const stream::Header& header);
+
+// A hit is at least three pixels wide, and around it covers what is free.
 [[nodiscard]] Canvas picture_of(const GridFrame& frame, const PictureScale& scale);
 
 }  // namespace iog::tools
