@@ -11,6 +11,7 @@ import struct
 import subprocess
 import time
 
+import capture
 import made_stream
 from browser import Browser
 from viewer import GridPage, Viewer, free_port
@@ -191,6 +192,32 @@ def check_recording(iog: str, folder: pathlib.Path, browser: Browser) -> None:
         page.page.close()
 
 
+def check_unfinished(iog: str, folder: pathlib.Path, browser: Browser) -> None:
+    """A recorded stream has the target's times; what it does not hold is not called a loss."""
+    drive, stream, cut = (folder / f"{name}.pcap" for name in ("drive", "stream", "cut"))
+    for command in (["simulate", "--seconds", "1", "--out", drive],
+                    ["fuse", "--pcap", drive, "--stream", stream]):
+        subprocess.run([iog, *command], check=True, stdout=subprocess.DEVNULL)
+    packets = capture.read(str(stream))
+    capture.write(str(cut), packets[:-2])  # the last frame's end and its last tiles
+    with Viewer(iog, "--pcap", str(cut)) as viewer:
+        page = GridPage(browser.open(viewer.address))
+        page.wait_for_banner("The recording ends in mid-frame")
+        assert page.state == "end of recording, in mid-frame", page.state
+        page.wait_for_fact("tiles not recorded",
+                           str(page.page.value("iogPage.status.frame.unfinished_tiles")))
+        assert page.page.value("iogPage.status.frame.missing_tiles") == 0
+        page.page.wait_for("document.querySelector('#chart-times h2').textContent === "
+                           "'Time on the target'")
+        assert not page.page.complaints(), page.page.complaints()
+        page.page.close()
+    with Viewer(iog, "--pcap", str(stream)) as viewer:
+        page = GridPage(browser.open(viewer.address))
+        page.wait_for_state("end of recording")
+        assert page.state == "end of recording" and page.banner == "", (page.state, page.banner)
+        page.page.close()
+
+
 def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
     """Words from outside are words: a file's name and a vehicle that nobody knows."""
     name = '<img src=x onerror="document.title=1"><b>&amp;.pcap'
@@ -223,4 +250,5 @@ def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
     check_siege(iog)
     check_crowd(iog, browser)
     check_recording(iog, folder, browser)
+    check_unfinished(iog, folder, browser)
     check_words(iog, folder, browser)

@@ -65,14 +65,14 @@ void open_browser(const std::string& address) {
   }
 }
 
-view::Origin origin_of(const Options& options) {
+std::string words_of_origin(const Options& options) {
   if (!options.pcap.empty()) {
-    return {.kind = "capture", .words = options.pcap};
+    return options.pcap;
   }
   if (!options.simulate.empty()) {
-    return {.kind = "drive", .words = options.simulate + ", seed " + std::to_string(options.seed)};
+    return options.simulate + ", seed " + std::to_string(options.seed);
   }
-  return {.kind = "stream", .words = "UDP " + options.bind + ":" + std::to_string(options.port)};
+  return "UDP " + options.bind + ":" + std::to_string(options.port);
 }
 
 std::unique_ptr<view::Source> source_of(const Options& options) {
@@ -92,7 +92,8 @@ std::unique_ptr<view::Source> source_of(const Options& options) {
 void view_grid(const Options& options) {
   const std::unique_ptr<view::Source> source = source_of(options);
   view::Scene scene;
-  view::Viewer viewer(scene, origin_of(options), view::Recorder(options.records, options.port));
+  view::Viewer viewer(scene, {.kind = source->kind(), .words = words_of_origin(options)},
+                      view::Recorder(options.records, options.port));
   const std::unique_ptr<view::WebServer> server = serve(options, scene);
   const std::string host =
       options.http_bind == "0.0.0.0" || options.http_bind == "::" ? "127.0.0.1" : options.http_bind;

@@ -15,6 +15,7 @@
 #include "tools/simulate/drive.hpp"
 #include "tools/simulate/truth.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
+#include "tools/vehicles/vehicle_fit.hpp"
 #include "tools/view/sensor_target.hpp"
 
 namespace iog::tools::view {
@@ -30,6 +31,8 @@ class StreamSource : public Source {
       forward_.emplace("127.0.0.1", forward_port);
     }
   }
+
+  [[nodiscard]] std::string kind() const override { return "stream"; }
 
   void run(Viewer& viewer) override {
     Clock::time_point last_arrival = Clock::now();
@@ -69,10 +72,17 @@ class CaptureSource : public Source {
   explicit CaptureSource(const CaptureOptions& options)
       : options_(options), car_(&find_vehicle(options.vehicle)), pace_(options.speed) {
     PcapReader capture(options_.path);
-    if (!next(capture)) {
-      throw UsageError(options_.path + ": no packet for a sensor of " + options_.vehicle +
-                       ", and no grid to port " + std::to_string(options_.port));
+    PortCounts others;
+    const std::optional<CapturedDatagram> first = next(capture, &others);
+    if (!first) {
+      throw UsageError(options_.path + ": no grid to port " + std::to_string(options_.port) +
+                       ", and " + words_of_misfit(*car_, others));
     }
+    is_of_target_ = !is_of_sensor(*first);
+  }
+
+  [[nodiscard]] std::string kind() const override {
+    return is_of_target_ ? "recording" : "capture";
   }
 
   void run(Viewer& viewer) override {
@@ -103,11 +113,15 @@ class CaptureSource : public Source {
     return sensor_of_port(*car_, datagram.destination.port) < car_->sensors.size();
   }
 
-  // The next datagram that can be shown.
-  [[nodiscard]] std::optional<CapturedDatagram> next(PcapReader& capture) const {
+  // The next datagram that can be shown. others: where the ports of those before it are counted.
+  [[nodiscard]] std::optional<CapturedDatagram> next(PcapReader& capture,
+                                                     PortCounts* others = nullptr) const {
     while (std::optional<CapturedDatagram> datagram = capture.next()) {
       if (is_of_sensor(*datagram) || datagram->destination.port == options_.port) {
         return datagram;
+      }
+      if (others != nullptr) {
+        ++(*others)[datagram->destination.port];
       }
     }
     return std::nullopt;
@@ -143,6 +157,7 @@ class CaptureSource : public Source {
   CaptureOptions options_;
   const CatalogueEntry* car_;
   Pace pace_;
+  bool is_of_target_ = false;  // a recorded stream
   std::unique_ptr<SensorTarget> target_;
   std::uint64_t round_start_us_ = 0;
   std::uint64_t now_us_ = 0;
@@ -152,6 +167,8 @@ class DriveSource : public Source {
  public:
   DriveSource(const std::string& scene, const std::string& vehicle, std::uint64_t seed)
       : car_(&find_vehicle(vehicle)), scene_(&find_scene(scene)), seed_(seed), drive_(next()) {}
+
+  [[nodiscard]] std::string kind() const override { return "drive"; }
 
   void run(Viewer& viewer) override {
     const auto target = std::make_unique<SensorTarget>(*car_, viewer);  // too large for the stack

@@ -14,6 +14,10 @@ class Source {
  public:
   virtual ~Source() = default;
 
+  // "stream" of a target, "recording" of one, "capture" of sensors or made-up "drive": the last two
+  // are fused in this process.
+  [[nodiscard]] virtual std::string kind() const = 0;
+
   // Until it is over or somebody interrupts.
   virtual void run(Viewer& viewer) = 0;
 };

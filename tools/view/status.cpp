@@ -68,6 +68,8 @@ std::string frame_json(const FrameFacts& frame) {
       .truth("whole", frame.is_whole)
       .truth("damaged", frame.is_damaged)
       .number("missing_tiles", frame.missing_tiles)
+      .truth("breaks_off", frame.breaks_off)
+      .number("unfinished_tiles", frame.unfinished_tiles)
       .number("stale_tiles", frame.stale_tiles)
       .number("known_tiles", frame.known_tiles)
       .number("complete", header.complete_sensors)
@@ -142,14 +144,27 @@ std::string sensor_json(const vehicle::SensorConfig& sensor) {
       .str();
 }
 
+// A target speaks of its tiles in the order of their numbers.
+std::size_t tiles_behind_last(const GridFrame& frame) {
+  std::size_t count = 0;
+  while (count < stream::kTileCount && !frame.valid_tiles[stream::kTileCount - 1 - count]) {
+    ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
-FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t message_bytes) {
+FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t message_bytes,
+                    bool breaks_off) {
+  const std::size_t unfinished = breaks_off ? tiles_behind_last(frame) : 0;
   FrameFacts facts{.number = frame.header.frame_number,
                    .message_bytes = message_bytes,
                    .is_whole = frame.is_whole() || frame.is_damaged,
                    .is_damaged = frame.is_damaged,
-                   .missing_tiles = stream::kTileCount - frame.valid_tiles.count(),
+                   .missing_tiles = stream::kTileCount - frame.valid_tiles.count() - unfinished,
+                   .breaks_off = breaks_off,
+                   .unfinished_tiles = unfinished,
                    .stale_tiles = grid.stale_tiles(),
                    .known_tiles = frame.tiles,
                    .header = frame.header};

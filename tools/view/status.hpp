@@ -20,14 +20,17 @@ struct FrameFacts {
   bool is_whole = false;            // everything has arrived
   bool is_damaged = false;          // and it is not the grid that the target has hashed
   std::size_t missing_tiles = 0;
+  bool breaks_off = false;           // the recording ends before its last message
+  std::size_t unfinished_tiles = 0;  // and before so many of its tiles
   std::size_t stale_tiles = 0;
   std::size_t known_tiles = 0;
   stream::Header header{};
   std::optional<stream::FrameEnd> end{};
 };
 
+// breaks_off: the recording ends in this frame, so that the tiles behind its last one are not lost.
 [[nodiscard]] FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid,
-                                  std::uint64_t message_bytes);
+                                  std::uint64_t message_bytes, bool breaks_off = false);
 
 // What there is to say at one moment. Whatever it refers to lives that long.
 struct StatusParts {
@@ -36,7 +39,7 @@ struct StatusParts {
   const Recorder* recorder;
   const std::optional<FrameFacts>* frame;
   std::string source;          // such as "UDP 127.0.0.1:15000"
-  std::string kind;            // "stream", "capture" or "drive"
+  std::string kind;            // Source::kind()
   std::string problem;         // of the last request of the page; empty: none
   std::uint64_t overflow = 0;  // messages that this PC dropped
   std::int64_t now_ms = 0;

@@ -40,14 +40,14 @@ void Viewer::show_next(const Surroundings& surroundings) {
   show(frame, surroundings);
 }
 
-void Viewer::show(const GridFrame& frame, const Surroundings& surroundings) {
+void Viewer::show(const GridFrame& frame, const Surroundings& surroundings, bool breaks_off) {
   const MessageCounts& counts = assembler_.counts();
   if (counts.restarts != restarts_) {
     grid_.forget();
     restarts_ = counts.restarts;
   }
   grid_.take(frame);
-  frame_ = facts_of(frame, grid_, counts.bytes - bytes_before_);
+  frame_ = facts_of(frame, grid_, counts.bytes - bytes_before_, breaks_off);
   bytes_before_ = counts.bytes;
   if (vehicle_id_ != frame.header.vehicle_id) {
     vehicle_id_ = frame.header.vehicle_id;
@@ -96,7 +96,13 @@ void Viewer::note_silence() {
 }
 
 void Viewer::note_end() {
+  is_holding_ = true;
   assembler_.finish();
+  while (!held_.empty()) {
+    const GridFrame frame = std::move(held_.front());
+    held_.erase(held_.begin());
+    show(frame, {}, held_.empty() && !frame.has_end);
+  }
   health_.note_end();
   scene_->publish_status(status());
 }

@@ -20,7 +20,7 @@ namespace iog::tools::view {
 
 // Where the messages come from, for the eye.
 struct Origin {
-  std::string kind;  // "stream", "capture" or "drive"
+  std::string kind;  // Source::kind()
   std::string words;
 };
 
@@ -59,7 +59,8 @@ class Viewer {
   static constexpr std::int64_t kStatusEveryMs = 200;
 
   [[nodiscard]] std::int64_t now_ms() const;
-  void show(const GridFrame& frame, const Surroundings& surroundings);
+  // breaks_off: the recording ends before the frame does.
+  void show(const GridFrame& frame, const Surroundings& surroundings, bool breaks_off = false);
   void obey(const std::string& request);
   [[nodiscard]] std::string status() const;
 

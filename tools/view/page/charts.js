@@ -1,7 +1,7 @@
 // The strip of charts: the last minute of what the target and the network say of themselves.
 
 import { FATES, SERIES } from "./palette.js";
-import { factsOf } from "./status.js";
+import { factsOf, isOfTarget } from "./status.js";
 
 const SPAN_MS = 60000;
 const ROW = 19; // pixels for a sensor
@@ -18,7 +18,7 @@ const exact = (value, unit) => (unit === "ms" ? value.toFixed(value < 9.995 ? 2 
 const CHARTS = [
   {
     id: "times",
-    title: (kind) => (kind === "stream" ? "Time on the target" : "Time on this PC"),
+    title: (kind) => (isOfTarget(kind) ? "Time on the target" : "Time on this PC"),
     unit: "ms",
     share: 0.98, // of the columns fits; what a pause of the PC has made of the others sticks out
     series: STAGES.map((name) => ({ name, colour: SERIES[name] })),

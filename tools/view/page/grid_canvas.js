@@ -23,6 +23,7 @@ export class GridCanvas {
     this.centre = { x: 0, y: 0 }; // metres
     this.pixelsPerMetre = 0;
     this.isFollowing = true;
+    this.scaleBar = null; // left, top, right and bottom of where it is drawn
     this.drawn = -1; // version of the grid that the image holds
     this.image = document.createElement("canvas");
     this.image.width = SIDE;

@@ -2,6 +2,7 @@
 
 import { quadtreeLeaves } from "./overlays.js";
 import { FATES, colourOfIndex, css, probabilityOf } from "./palette.js";
+import { isOfTarget } from "./status.js";
 
 const [LOW, HIGH] = [-56, 14]; // colours do not change beyond
 const NO_RETURN = 1; // fates that have no place
@@ -30,7 +31,7 @@ export function showScale(view, { title, bar, ticks }) {
 
 function linesOfPoints(view, kind) {
   const { points } = view.grid;
-  if (kind === "stream" || !points || points.byteLength === 0) {
+  if (isOfTarget(kind) || !points || points.byteLength === 0) {
     return [[null, "scan points: the stream has none; --pcap has"]];
   }
   return FATES.filter((_, fate) => fate !== NO_RETURN && fate !== MALFORMED)

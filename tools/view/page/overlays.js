@@ -322,6 +322,7 @@ function drawScaleBar(view) {
   const bottom = view.height - 20;
   context.fillStyle = palette.shade;
   context.beginPath();
+  view.scaleBar = [right - length - 12, bottom - 26, right + 12, bottom + 8];
   context.roundRect(right - length - 12, bottom - 26, length + 24, 34, 8);
   context.fill();
   context.strokeStyle = palette.ink;

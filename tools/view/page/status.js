@@ -5,6 +5,9 @@ const SERVER_SILENT_MS = 2500;
 
 const seconds = (ms) => (ms < 10000 ? (ms / 1000).toFixed(1) : Math.round(ms / 1000)) + " s";
 
+// A target has made the grid, now or when it was recorded; otherwise this PC makes it of scans.
+export const isOfTarget = (kind) => kind === "stream" || kind === "recording";
+
 // status: the newest from the server, or null. serverSilentMs: since its last message.
 export function describe(status, serverSilentMs, isConnected) {
   if (!isConnected || serverSilentMs > SERVER_SILENT_MS) {
@@ -30,11 +33,24 @@ export function describe(status, serverSilentMs, isConnected) {
                    ? `The sender does not speak version ${status.version}, which this page shows.`
                    : "What comes cannot be shown." };
     case "ended":
-      return { state: "ended", word: "end of recording", title: "", text: "" };
+      return describeEnd(status.frame);
     default:
       return { state: "waiting", word: "waiting", title: "Waiting for a grid",
                text: `on ${status.source}` };
   }
+}
+
+function describeEnd(frame) {
+  const ended = { state: "ended", word: "end of recording", title: "", text: "" };
+  if (!frame || !frame.breaks_off) {
+    return ended;
+  }
+  return { ...ended, word: "end of recording, in mid-frame",
+           title: "The recording ends in mid-frame",
+           text: frame.unfinished_tiles > 0
+               ? `${frame.unfinished_tiles} of 1024 tiles of frame ${frame.number} are not in it; ` +
+                 "they are shown as they were before."
+               : `The last message of frame ${frame.number} is not in it.` };
 }
 
 // Of the tab, where the beginning is what can be read.
@@ -80,6 +96,8 @@ export function factsOf(status) {
     ["grid CRC", end ? end.crc + (frame.whole ? (frame.damaged ? " WRONG" : " ok") : "") : "–"],
     ["tiles known", frame ? `${frame.known_tiles} of 1024` : "–"],
     ["tiles missing, stale", frame ? `${frame.missing_tiles}, ${frame.stale_tiles}` : "–"],
+    ...(frame && frame.breaks_off
+        ? [["tiles not recorded", String(frame.unfinished_tiles)]] : []),
     ["messages", counts.messages.toLocaleString("en")],
     ["lost, late", `${counts.lost}, ${counts.late}`],
     ["corrupt, malformed", `${counts.corrupt}, ${counts.malformed}`],

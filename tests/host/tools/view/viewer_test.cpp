@@ -86,5 +86,31 @@ TEST_F(ViewerTest, TheLastFrameOfARecordingIsShownThoughItBreaksOff) {
   EXPECT_TRUE(says(R"("state":"ended")"));
 }
 
+// What a recording does not hold was not lost on the way.
+TEST_F(ViewerTest, ARecordingThatEndsInMidFrameHasLostNothing) {
+  const auto second = std::ranges::find_if(sample(), is_end) + 1;
+  take({sample().begin(), second + 1});
+  viewer_.note_end();
+  EXPECT_TRUE(says(R"("breaks_off":true)")) << page_.words;
+  EXPECT_TRUE(says(R"("missing_tiles":0)")) << page_.words;
+  EXPECT_FALSE(says(R"("unfinished_tiles":0)")) << page_.words;
+}
+
+TEST_F(ViewerTest, WhatIsMissingBeforeTheEndOfARecordingIsLost) {
+  const auto second = std::ranges::find_if(sample(), is_end) + 1;
+  take({sample().begin(), second});
+  take({second + 1, second + 3});  // without the first tiles
+  viewer_.note_end();
+  EXPECT_TRUE(says(R"("breaks_off":true)")) << page_.words;
+  EXPECT_FALSE(says(R"("missing_tiles":0)")) << page_.words;
+}
+
+TEST_F(ViewerTest, ARecordingThatEndsWithAFrameDoesNotBreakOff) {
+  take(sample());
+  viewer_.note_end();
+  EXPECT_TRUE(says(R"("breaks_off":false)")) << page_.words;
+  EXPECT_TRUE(says(R"("missing_tiles":0)")) << page_.words;
+}
+
 }  // namespace
 }  // namespace iog::tools::view
