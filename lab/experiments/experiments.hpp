@@ -10,8 +10,11 @@ namespace iog::lab {
 [[nodiscard]] Tables profiles(const Input& input);              // table 4.3, figures 4.6, 4.14
 [[nodiscard]] Tables traversal_accuracy(const Input& input);    // table 4.2, figure 4.11
 [[nodiscard]] Tables numerical_quality(const Input& input);     // table 4.6
-[[nodiscard]] Tables order_of_fusion(const Input& input);       // equation 4.4
-[[nodiscard]] Tables detection_quality(const Input& input);     // what the choices cost
-[[nodiscard]] Tables price_of_hits_win(const Input& input);     // rain, ghosts, thin gaps
+[[nodiscard]] Tables quadtree(const Input& input);           // thesis, table 4.7, section 4.3.2.2
+[[nodiscard]] Tables stream_of_tiles(const Input& input);    // bytes of a frame, bad and slow links
+[[nodiscard]] Tables many_core(const Input& input);          // many-core paper, table I
+[[nodiscard]] Tables order_of_fusion(const Input& input);    // equation 4.4
+[[nodiscard]] Tables detection_quality(const Input& input);  // what the choices cost
+[[nodiscard]] Tables price_of_hits_win(const Input& input);  // rain, ghosts, thin gaps
 
 }  // namespace iog::lab

@@ -114,7 +114,7 @@ Operations Contest::run_beams(std::span<const PlaneScan> scans) {
   return reference::beam_by_beam(grid_, scans, model_, reference::kLuxStopBehindM, by_beams_);
 }
 
-DriveOutcome contest_on_drive(const TablesInput& input) {
+DriveOutcome contest_on_drive(const Input& input) {
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
   LuxSensors lux(
       car, {tools::sensor_of_name(car, "front_left"), tools::sensor_of_name(car, "front_right")});

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "lab/experiments/section.hpp"
+#include "lab/experiments/experiment.hpp"
 #include "lab/reference/many_core.hpp"
 
 namespace iog::lab {
@@ -57,7 +57,7 @@ struct DriveOutcome {
 
 // The front left and the front right scanner of the reference car, in every fifth frame of the
 // simulated drive; both approaches are timed in the first.
-[[nodiscard]] DriveOutcome contest_on_drive(const TablesInput& input);
+[[nodiscard]] DriveOutcome contest_on_drive(const Input& input);
 
 // All scanners of the recording's vehicle, in all its frames; nothing if one is not a LUX.
 [[nodiscard]] std::optional<Contests> contest_on(const Recording& recording);

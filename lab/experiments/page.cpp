@@ -22,9 +22,6 @@ constexpr auto kSections = std::to_array<NamedSection>({
     {"goals", goals},
     {"worst_frames", worst_frames},
     {"scaling", scaling},
-    {"quadtree", quadtree},
-    {"stream", stream_of_tiles},
-    {"many_core", many_core},
 });
 
 std::string command_of(const TablesInput& input) {

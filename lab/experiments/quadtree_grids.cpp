@@ -1,9 +1,9 @@
 #include "lab/experiments/quadtree_grids.hpp"
 
 #include <cstddef>
+#include <string>
 
 #include "grid/frame_fusion.hpp"
-#include "lab/experiments/markdown.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::lab {
@@ -50,7 +50,7 @@ index::OccupancyIndex checkerboard(std::size_t x, std::size_t y) {
 std::vector<NamedGrid> drawn_grids(std::uint64_t seed) {
   return {{"all unknown", Cells(grid::kCellCount)},
           {"all free by one beam", Cells(grid::kCellCount, kFree)},
-          {grouped(kSingleCells) + " single cells at random", single_cells(seed)},
+          {std::to_string(kSingleCells) + " single cells at random", single_cells(seed)},
           {"a single cell in each tile", drawn(one_in_each_tile)},
           {"checkerboard", drawn(checkerboard)}};
 }

@@ -22,14 +22,17 @@ struct QuadtreeSize {
   std::size_t leaves = 0;
   std::size_t nodes = 0;
   std::size_t linear_bytes = 0;
+  std::size_t reference_bytes = 0;   // a number and an index for each node
+  std::size_t differing_cells = 0;   // of the linear tree, from the array
+  std::size_t differing_leaves = 0;  // of the trees, from each other
 };
 
 class QuadtreePair {
  public:
   QuadtreePair();
 
-  // Builds both trees of a grid. std::logic_error with the grid's name if a cell of a tree is not
-  // that of the array, or if the trees do not have the same leaves.
+  // Builds both trees of a grid and compares them. std::logic_error with the grid's name if one has
+  // no room for it.
   QuadtreeSize build(GridCells cells, const std::string& name);
 
  private:
@@ -41,8 +44,9 @@ class QuadtreePair {
   std::unique_ptr<SplitMergeQuadtree> reference_;
 };
 
-// Whether the leaves of a tree, each drawn over its block, are the array, cell for cell, and no
-// cell is in two leaves or in none.
-[[nodiscard]] bool are_cells_of(const std::vector<tree::Leaf<2>>& leaves, GridCells cells);
+// How many cells are not in exactly one of a tree's leaves or have another index there than in the
+// array.
+[[nodiscard]] std::size_t differing_cells(const std::vector<tree::Leaf<2>>& leaves,
+                                          GridCells cells);
 
 }  // namespace iog::lab

@@ -1,8 +1,6 @@
 #include "lab/experiments/quadtree_updates.hpp"
 
 #include <cstdint>
-#include <stdexcept>
-#include <vector>
 
 #include "lab/experiments/fusion_trial.hpp"
 
@@ -19,8 +17,8 @@ TreeFusion::TreeFusion() : tree_(std::make_unique<SplitMergeQuadtree>()) {}
 
 // An update that changes the index of a leaf splits it down to the cell, once for each halving of
 // its side, and then merges upwards, once for each doubling.
-void TreeFusion::add(const FrameEvidence& evidence, const ByStep<std::int32_t>& values,
-                     const std::string& name) {
+TreeUpdates TreeFusion::fuse(const FrameEvidence& evidence, const ByStep<std::int32_t>& values) {
+  TreeUpdates counted;
   tree_->clear();
   for (const CellEvidence& seen : evidence.cells) {
     const tree::Cell<2> cell = cell_of(seen.cell);
@@ -29,19 +27,17 @@ void TreeFusion::add(const FrameEvidence& evidence, const ByStep<std::int32_t>& 
     static_cast<void>(tree_->add(cell, value));
     const tree::Leaf<2> after = tree_->leaf_at(cell);
     if (after.index != before.index) {
-      ++counted_.updates;
-      counted_.splits += before.block.side_log2;
-      counted_.merges += after.block.side_log2;
+      ++counted.updates;
+      counted.splits += before.block.side_log2;
+      counted.merges += after.block.side_log2;
     }
   }
-  ++counted_.frames;
-  counted_.leaves += static_cast<double>(tree_->leaves());
+  counted.leaves = tree_->leaves();
   const auto array = fuse_indexes(evidence, values, IndexRule::kSequential, kInt8Limit);
   for (std::uint32_t cell = 0; cell < grid::kCellCount; ++cell) {
-    if (tree_->leaf_at(cell_of(cell)).index != array[cell]) {
-      throw std::logic_error("fused in a tree, " + name + " has other cells than the array");
-    }
+    counted.differing_cells += tree_->leaf_at(cell_of(cell)).index == array[cell] ? 0U : 1U;
   }
+  return counted;
 }
 
 }  // namespace iog::lab

@@ -2,37 +2,32 @@
 // every single update.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <string>
 
 #include "lab/evidence/fusion_rules.hpp"
 #include "lab/experiments/quadtree_pair.hpp"
 
 namespace iog::lab {
 
-// Of some frames.
+// Of a frame.
 struct TreeUpdates {
-  double frames = 0;
-  double updates = 0;  // measurements of cells that change something
-  double splits = 0;   // nodes that got children
-  double merges = 0;   // nodes that lost them
-  double leaves = 0;   // at the end of each frame
+  std::uint64_t updates = 0;          // measurements of cells that change something
+  std::uint64_t splits = 0;           // nodes that got children
+  std::uint64_t merges = 0;           // nodes that lost them
+  std::uint64_t leaves = 0;           // at the end
+  std::uint64_t differing_cells = 0;  // at the end, from the array fused by the same sum
 };
 
 class TreeFusion {
  public:
   TreeFusion();
 
-  // Adds the frame's evidence, in its order, to a tree of unknown cells. std::logic_error with the
-  // name if a cell at the end is not that of the array fused by the same sum.
-  void add(const FrameEvidence& evidence, const ByStep<std::int32_t>& values,
-           const std::string& name);
-
-  [[nodiscard]] const TreeUpdates& counted() const { return counted_; }
+  // Adds the frame's evidence, in its order, to a tree of unknown cells.
+  [[nodiscard]] TreeUpdates fuse(const FrameEvidence& evidence, const ByStep<std::int32_t>& values);
 
  private:
   std::unique_ptr<SplitMergeQuadtree> tree_;
-  TreeUpdates counted_;
 };
 
 }  // namespace iog::lab

@@ -7,12 +7,9 @@
 
 namespace iog::lab {
 
-[[nodiscard]] Section output_rates(const TablesInput& input);          // tables 4.4 and 4.5
-[[nodiscard]] Section goals(const TablesInput& input);                 // and the floor below them
-[[nodiscard]] Section worst_frames(const TablesInput& input);          // and the bound above them
-[[nodiscard]] Section scaling(const TablesInput& input);               // where real time ends
-[[nodiscard]] Section quadtree(const TablesInput& input);              // table 4.7
-[[nodiscard]] Section stream_of_tiles(const TablesInput& input);       // bytes, cycles, bad links
-[[nodiscard]] Section many_core(const TablesInput& input);             // many-core paper, table I
+[[nodiscard]] Section output_rates(const TablesInput& input);  // tables 4.4 and 4.5
+[[nodiscard]] Section goals(const TablesInput& input);         // and the floor below them
+[[nodiscard]] Section worst_frames(const TablesInput& input);  // and the bound above them
+[[nodiscard]] Section scaling(const TablesInput& input);       // where real time ends
 
 }  // namespace iog::lab

@@ -15,10 +15,6 @@ struct SerialRounds {
   std::uint32_t rounds = 0;
   std::uint64_t first_us = 0;  // the beginning of the first round
   std::uint64_t last_us = 0;   // and that of the one behind the last
-
-  [[nodiscard]] double seconds_a_round() const {
-    return static_cast<double>(last_us - first_us) / rounds / 1e6;
-  }
 };
 
 // Lets these frames come one after the other, again and again, 25 a second, for a minute, and a

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <span>
 
@@ -84,10 +83,6 @@ void play(const tools::CatalogueEntry& car, const Feed& feed,
 }
 
 }  // namespace
-
-std::uint64_t StreamBytes::payload_bytes() const {
-  return std::accumulate(sent_bytes.begin(), sent_bytes.end(), std::uint64_t{0});
-}
 
 StreamBytes weigh_stream(const tools::CatalogueEntry& car, const Feed& feed) {
   Scale scale;

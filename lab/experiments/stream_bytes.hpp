@@ -24,8 +24,6 @@ struct StreamBytes {
   // If each tile were sent by this encoding, and by the shortest of those that need no other frame.
   std::array<std::uint64_t, tile_coding::kEncodingCount> bytes_by{};
   std::uint64_t bytes_alone = 0;
-
-  [[nodiscard]] std::uint64_t payload_bytes() const;  // as they are sent
 };
 
 // Feeds the target with datagrams, one after the other.

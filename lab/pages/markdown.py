@@ -27,8 +27,8 @@ def percent(share: float, decimals: int) -> str:
 
 
 def grouped(value: float) -> str:
-    """1,048,576, rounded half away from zero"""
-    return f"{int(abs(value) + 0.5) * (-1 if value < 0 else 1):,}"
+    """1,048,576; a half goes to the even number"""
+    return f"{value:,.0f}"
 
 
 def width(text: str) -> int:

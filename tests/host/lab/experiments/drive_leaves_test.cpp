@@ -33,7 +33,7 @@ void for_each_grid(std::string_view scene, Use&& use) {
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += 5) {
     drive.move_to(frame);
     fusion->clear();
-    for (const tools::SensorPoint& seen : tools::points_of(drive, car)) {
+    for (const lab::SensorPoint& seen : lab::points_of(drive, car)) {
       fusion->add(car.vehicle->sensors[seen.sensor], seen.point);
     }
     fusion->finish();
@@ -59,8 +59,7 @@ TEST_P(DriveLeaves, AreAsManyAsTheTablesCountAndLossless) {
   BuiltQuadtree built;
   for_each_grid(GetParam(), [&built](const GridDrawing& grid) {
     built.build(grid);
-    const std::size_t leaves =
-        tools::count_leaves(std::span(grid.cells()).first<grid::kCellCount>());
+    const std::size_t leaves = lab::count_leaves(std::span(grid.cells()).first<grid::kCellCount>());
     EXPECT_EQ(built->leaves(), leaves);
     EXPECT_EQ(built->nodes(), leaves + (leaves - 1) / 3);
     expect_equal_cells(*built, grid);

@@ -1,4 +1,4 @@
-// The trees that the section on quadtrees builds, and whether its check would see a difference.
+// The trees that the experiment on quadtrees builds, and whether its check would see a difference.
 #include "lab/experiments/quadtree_pair.hpp"
 
 #include <algorithm>
@@ -41,15 +41,15 @@ TEST_F(DrawnLeaves, AreTheCellsOfTheirGrid) {
       set(x, y, -14);
     }
   }
-  EXPECT_TRUE(are_cells_of(quadrants(), cells()));
+  EXPECT_EQ(differing_cells(quadrants(), cells()), 0U);
   set(1023, 1023, -13);
-  EXPECT_FALSE(are_cells_of(quadrants(), cells()));
+  EXPECT_EQ(differing_cells(quadrants(), cells()), 1U);
 }
 
 TEST_F(DrawnLeaves, AreNotIfACellIsInNoneOrInTwo) {
-  EXPECT_TRUE(are_cells_of({{{{0, 0}, 10}, 0}}, cells()));
-  EXPECT_FALSE(are_cells_of({}, cells()));
-  EXPECT_FALSE(are_cells_of({{{{0, 0}, 10}, 0}, {{{3, 3}, 0}, 0}}, cells()));
+  EXPECT_EQ(differing_cells({{{{0, 0}, 10}, 0}}, cells()), 0U);
+  EXPECT_EQ(differing_cells({}, cells()), kSide * kSide);
+  EXPECT_EQ(differing_cells({{{{0, 0}, 10}, 0}, {{{3, 3}, 0}, 0}}, cells()), 1U);
 }
 
 using QuadtreePairTest = GridTest;
@@ -62,6 +62,9 @@ TEST_F(QuadtreePairTest, OfOneCellHasThirtyOneLeaves) {
   EXPECT_EQ(size.leaves, 31U);
   EXPECT_EQ(size.nodes, 41U);
   EXPECT_EQ(size.linear_bytes, 1024U * 4 + 52 + 16);
+  EXPECT_EQ(size.reference_bytes, 41U * 5);
+  EXPECT_EQ(size.differing_cells, 0U);
+  EXPECT_EQ(size.differing_leaves, 0U);
 }
 
 TEST_F(QuadtreePairTest, HasNothingOfTheGridBefore) {

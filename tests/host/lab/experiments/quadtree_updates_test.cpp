@@ -20,31 +20,29 @@ ByStep<std::int32_t> values() {
 }
 
 TreeUpdates count(const std::vector<CellEvidence>& cells) {
-  TreeFusion fusion;
-  fusion.add({.cells = cells, .hits = {}}, values(), "the test's frame");
-  return fusion.counted();
+  return TreeFusion().fuse({.cells = cells, .hits = {}}, values());
 }
 
 TEST(TreeUpdates, TheFirstCellSplitsTheWholeGridDownToIt) {
   const TreeUpdates counted = count({{.cell = 700, .step = 0}});
-  EXPECT_EQ(counted.updates, 1);
-  EXPECT_EQ(counted.splits, 10);
-  EXPECT_EQ(counted.merges, 0);
-  EXPECT_EQ(counted.leaves, 31);
+  EXPECT_EQ(counted.updates, 1U);
+  EXPECT_EQ(counted.splits, 10U);
+  EXPECT_EQ(counted.merges, 0U);
+  EXPECT_EQ(counted.leaves, 31U);
 }
 
 TEST(TreeUpdates, ItsNeighbourFindsTheBlockSplit) {
   const TreeUpdates counted = count({{.cell = 700, .step = 0}, {.cell = 701, .step = 0}});
-  EXPECT_EQ(counted.updates, 2);
-  EXPECT_EQ(counted.splits, 10);
+  EXPECT_EQ(counted.updates, 2U);
+  EXPECT_EQ(counted.splits, 10U);
 }
 
 TEST(TreeUpdates, WhatIsTakenBackIsMergedToTheRoot) {
   const TreeUpdates counted = count({{.cell = 700, .step = 0}, {.cell = 700, .step = -1}});
-  EXPECT_EQ(counted.updates, 2);
-  EXPECT_EQ(counted.splits, 10);
-  EXPECT_EQ(counted.merges, 10);
-  EXPECT_EQ(counted.leaves, 1);
+  EXPECT_EQ(counted.updates, 2U);
+  EXPECT_EQ(counted.splits, 10U);
+  EXPECT_EQ(counted.merges, 10U);
+  EXPECT_EQ(counted.leaves, 1U);
 }
 
 // Neither an index of 0 nor a saturated sum changes a cell.
@@ -52,18 +50,18 @@ TEST(TreeUpdates, WhatChangesNothingIsNoUpdate) {
   std::vector<CellEvidence> cells(100, {.cell = 700, .step = 0});
   cells.push_back({.cell = 3, .step = 5});
   const TreeUpdates counted = count(cells);
-  EXPECT_EQ(counted.updates, 64);  // 2, 4, ... 126, 127
-  EXPECT_EQ(counted.splits, 10);
+  EXPECT_EQ(counted.updates, 64U);  // 2, 4, ... 126, 127
+  EXPECT_EQ(counted.splits, 10U);
 }
 
-TEST(TreeUpdates, FramesBeginFromNothingAndAddUp) {
+TEST(TreeUpdates, AFrameBeginsFromNothing) {
   TreeFusion fusion;
-  for (int frame = 0; frame < 2; ++frame) {
-    fusion.add({.cells = {{.cell = 700, .step = 0}}, .hits = {}}, values(), "the test's frame");
-  }
-  EXPECT_EQ(fusion.counted().frames, 2);
-  EXPECT_EQ(fusion.counted().splits, 20);
-  EXPECT_EQ(fusion.counted().leaves, 62);
+  const FrameEvidence frame{.cells = {{.cell = 700, .step = 0}}, .hits = {}};
+  static_cast<void>(fusion.fuse(frame, values()));
+  const TreeUpdates counted = fusion.fuse(frame, values());
+  EXPECT_EQ(counted.splits, 10U);
+  EXPECT_EQ(counted.leaves, 31U);
+  EXPECT_EQ(counted.differing_cells, 0U);
 }
 
 }  // namespace
