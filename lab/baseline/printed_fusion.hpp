@@ -34,7 +34,7 @@ enum class Extent : std::uint8_t {
 class PrintedFusion {
  public:
   static constexpr std::size_t kCellCount =
-      std::size_t{vehicle::kCellsPerSide} * vehicle::kCellsPerSide;
+      std::size_t{geometry::kCellsPerSide} * geometry::kCellsPerSide;
 
   // vehicle outlives the fusion.
   explicit PrintedFusion(const vehicle::Vehicle& vehicle, Extent extent = Extent::kToScanPoint);

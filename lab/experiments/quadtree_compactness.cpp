@@ -66,7 +66,7 @@ struct Compactness {
   [[nodiscard]] double least_cells_per_node() const { return kCells / nodes(most_leaves, 1); }
 
  private:
-  static constexpr double kCells = grid::kCellCount;
+  static constexpr double kCells = geometry::kCellCount;
   // Every split makes four nodes, and three leaves more than there were.
   static double nodes(double leaves, double trees) { return leaves + (leaves - trees) / 3; }
 };
@@ -88,7 +88,7 @@ OfDrive compactness_of(const char* scene, const TablesInput& input) {
             fuse_indexes(evidence, indexes(model, kRows[row].epsilon, kPolicies[policy]),
                          IndexRule::kSequential, kRows[row].limit());
         result[row][policy].add(
-            count_leaves(std::span<const std::int32_t>(sums).first<grid::kCellCount>()));
+            count_leaves(std::span<const std::int32_t>(sums).first<geometry::kCellCount>()));
       }
     }
   }

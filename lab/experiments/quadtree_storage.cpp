@@ -12,7 +12,7 @@
 namespace iog::lab {
 namespace {
 
-constexpr double kArrayBytes = grid::kCellCount;
+constexpr double kArrayBytes = geometry::kCellCount;
 constexpr double kMebibyte = 1 << 20;
 
 // A node of the thesis: two pointers of four bytes and an index. The reference has one number in
@@ -88,7 +88,7 @@ Outcome store_all(const TablesInput& input) {
   Outcome outcome{
       .ring_road = drive("ring_road", "ring road"), .city = drive("city", "city"), .drawn = {}};
   for (const NamedGrid& grid : drawn_grids(input.seed)) {
-    const auto cells = std::span(grid.cells).first<grid::kCellCount>();
+    const auto cells = std::span(grid.cells).first<geometry::kCellCount>();
     outcome.drawn.push_back(stored(grid.name, trees.build(cells, grid.name)));
   }
   return outcome;

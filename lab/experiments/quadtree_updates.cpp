@@ -9,7 +9,7 @@
 namespace iog::lab {
 namespace {
 
-constexpr std::uint32_t kStride = grid::kStride;
+constexpr std::uint32_t kStride = geometry::kCellsPerSide;
 
 tree::Cell<2> cell_of(std::uint32_t number) { return {number % kStride, number / kStride}; }
 
@@ -37,7 +37,7 @@ void TreeFusion::add(const FrameEvidence& evidence, const ByStep<std::int32_t>& 
   ++counted_.frames;
   counted_.leaves += static_cast<double>(tree_->leaves());
   const auto array = fuse_indexes(evidence, values, IndexRule::kSequential, kInt8Limit);
-  for (std::uint32_t cell = 0; cell < grid::kCellCount; ++cell) {
+  for (std::uint32_t cell = 0; cell < geometry::kCellCount; ++cell) {
     if (tree_->leaf_at(cell_of(cell)).index != array[cell]) {
       throw std::logic_error("fused in a tree, " + name + " has other cells than the array");
     }

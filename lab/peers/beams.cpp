@@ -14,8 +14,8 @@ namespace {
 using vehicle::Fate;
 
 PointMetres in_metres(double x_subcells, double y_subcells) {
-  return {x_subcells / vehicle::kSubcellsPerMetre - kHalfSideM,
-          y_subcells / vehicle::kSubcellsPerMetre - kHalfSideM};
+  return {x_subcells / geometry::kSubcellsPerMetre - kHalfSideM,
+          y_subcells / geometry::kSubcellsPerMetre - kHalfSideM};
 }
 
 // At this share of the beam's line, which may be above 1.

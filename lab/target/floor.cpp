@@ -30,7 +30,7 @@ namespace iog::lab {
 namespace {
 
 constexpr std::size_t kLineBytes = 32;  // TRM of the Cortex-A9 and of PL310
-constexpr traversal::Cell kLastCell = grid::cell_of(grid::kCellCount - 1);
+constexpr geometry::Cell kLastCell = geometry::cell_of(geometry::kCellCount - 1);
 constexpr std::size_t kLines = grid::offset_of(kLastCell) / kLineBytes + 1;
 constexpr std::size_t kLinesOfMessage = protection::kMaxMessageBytes / kLineBytes;
 using LineNumber = std::uint16_t;
@@ -80,8 +80,8 @@ class TouchedLines {
   bool note_lines(const grid::FrameFusion& fusion) {
     static std::array<bool, kLines> known;
     known.fill(false);
-    for (std::size_t number = 0; number < grid::kCellCount; ++number) {
-      const traversal::Cell cell = grid::cell_of(number);
+    for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
+      const geometry::Cell cell = geometry::cell_of(number);
       if (fusion.at(cell) != index::kUnknown) {
         known[grid::offset_of(cell) / kLineBytes] = true;
       }

@@ -73,9 +73,9 @@ void print_operations(const OperationCost& cost) {
 }
 
 void print_sizes() {
-  print("tiles_per_grid", stream::kTileCount);
+  print("tiles_per_grid", geometry::kTileCount);
   print("pipeline_bytes", sizeof(StagePass::Pipeline));
-  print("grid_bytes", std::uint64_t{sizeof(grid::OccupancyIndex)} * grid::kCellCount);
+  print("grid_bytes", std::uint64_t{sizeof(grid::OccupancyIndex)} * geometry::kCellCount);
   print("marks_bytes", std::uint64_t{sizeof(grid::Mark)} * grid::kMaxMarks);
   print("receive_descriptor_bytes", sizeof(imx6::EnetMemory::receive_descriptors));
   print("receive_buffer_bytes", sizeof(imx6::EnetMemory::receive_buffers));

@@ -47,7 +47,7 @@ void OperationPass::tick(std::uint64_t now_us) {
 void OperationPass::close_frame(std::uint64_t now_us) {
   engine_.finish();
   stream::GridHash hash;
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     take_tile_apart(tile, hash);
   }
   engine_.start_next(now_us);
@@ -58,11 +58,11 @@ void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
   if (!measured(cost_.find, [&] { return fusion.is_touched(tile); })) {
     return;
   }
-  std::array<grid::OccupancyIndex, stream::kTileBytes> cells;
+  std::array<grid::OccupancyIndex, tile_coding::kTileBytes> cells;
   const bool is_known = measured(cost_.hash, [&] {
     const bool found = fusion.copy_tile(tile, cells);
     if (found) {
-      hash.add(tile % stream::kTilesPerSide, tile / stream::kTilesPerSide,
+      hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
                std::as_bytes(std::span(cells)));
     }
     return found;
@@ -102,14 +102,14 @@ std::uint32_t OperationPass::carved_cells(const vehicle::Sensor& sensor, const v
   }
   static_cast<void>(single_.add(sensor, point));
   single_.carve_waiting();
-  const auto inside = beam.line.clip(vehicle::kGridArea);
+  const auto inside = beam.line.clip(geometry::kGridArea);
   if (!inside) {
     return 0;
   }
   std::uint32_t carved = 0;
-  traversal::Walk walk(beam.line, inside->first, grid::kStride);
+  traversal::Walk walk(beam.line, inside->first, geometry::kCellsPerSide);
   walk.until(inside->last.crossed() + 1, [&](std::size_t number) {
-    carved += single_.at(grid::cell_of(number)) != index::kUnknown ? 1U : 0U;
+    carved += single_.at(geometry::cell_of(number)) != index::kUnknown ? 1U : 0U;
   });
   single_.clear();
   return carved;

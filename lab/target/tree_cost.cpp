@@ -26,10 +26,10 @@ namespace {
 
 [[gnu::noinline]] void build_tree(const grid::FrameFusion& fusion, tree::QuadtreeBuilder& builder) {
   builder.begin();
-  std::array<grid::OccupancyIndex, grid::kTileCells> cells;
-  for (std::size_t tile = 0; tile < grid::kTileCount; ++tile) {
+  std::array<grid::OccupancyIndex, geometry::kTileCells> cells;
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (fusion.is_touched(tile) && fusion.copy_tile(tile, cells)) {
-      require(builder.add(tile % grid::kTilesPerSide, tile / grid::kTilesPerSide,
+      require(builder.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
                           std::as_bytes(std::span(cells))) == tree::TileFate::kAdded);
     }
   }

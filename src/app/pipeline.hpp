@@ -32,7 +32,7 @@ concept Outside = requires(T& outside, std::span<const std::byte> message, strea
 // cells) for each tile in which something is known, in rising order, end_frame().
 template <typename T>
 concept FrameWatcher = requires(T& watcher, const stream::Header& header, std::size_t tile,
-                                std::span<const std::byte, stream::kTileBytes> cells) {
+                                std::span<const std::byte, tile_coding::kTileBytes> cells) {
   { watcher.begin_frame(header) } -> std::same_as<void>;
   { watcher.take_tile(tile, cells) } -> std::same_as<void>;
   { watcher.end_frame() } -> std::same_as<void>;

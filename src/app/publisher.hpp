@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/grid.hpp"
 #include "grid/frame_fusion.hpp"
 #include "protection/protected_message.hpp"
 #include "require/require.hpp"
@@ -35,19 +36,19 @@ class Publisher {
                      Send&& send, Show&& show) {
     stream::GridHash hash;
     tiles_.begin_grid(header, stream::geometry_of_level(0));
-    for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       if (!fusion.is_touched(tile)) {
         continue;
       }
       const bool is_known = fusion.copy_tile(tile, cells_);
       fusion.clear_tile(tile);
       if (is_known) {
-        hash.add(tile % stream::kTilesPerSide, tile / stream::kTilesPerSide, cell_bytes());
+        hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide, cell_bytes());
         show(tile, cell_bytes());
         append(tile, header.frame_number, end, send);
       }
     }
-    send_tiles(stream::kTileCount, end, send);
+    send_tiles(geometry::kTileCount, end, send);
     end.grid_crc = hash.value();
   }
 
@@ -67,7 +68,7 @@ class Publisher {
   }
 
  private:
-  [[nodiscard]] std::span<const std::byte, stream::kTileBytes> cell_bytes() const {
+  [[nodiscard]] std::span<const std::byte, tile_coding::kTileBytes> cell_bytes() const {
     return std::as_bytes(std::span(cells_));
   }
 
@@ -116,8 +117,8 @@ class Publisher {
   protection::Sender sender_{stream::kNetworkChannel};
   stream::TilesWriter tiles_;
   tile_coding::Encoder encoder_;
-  alignas(8) std::array<index::OccupancyIndex, stream::kTileBytes> cells_{};
-  alignas(8) std::array<std::byte, stream::kTileBytes> payload_{};
+  alignas(8) std::array<index::OccupancyIndex, tile_coding::kTileBytes> cells_{};
+  alignas(8) std::array<std::byte, tile_coding::kTileBytes> payload_{};
   stream::References references_;
 };
 

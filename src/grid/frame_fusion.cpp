@@ -9,7 +9,7 @@
 
 namespace iog::grid {
 
-using traversal::Cell;
+using geometry::Cell;
 using traversal::Position;
 using vehicle::Beam;
 using vehicle::Sensor;
@@ -185,7 +185,7 @@ void FrameFusion::carve(OpenLine& open) {
 // One hit marks one cell: the one that holds the scan point.
 void FrameFusion::mark(const KeptLine& line, Position hit, std::uint32_t range_mm) {
   const Cell cell = line.line().cell(hit);
-  if (vehicle::kGridArea.contains(cell)) {
+  if (geometry::kGridArea.contains(cell)) {
     remember(cell, sensor_->profile.hit);
   }
   if (sensor_->profile.near_after_count > 0 && !line.in_grid().is_empty()) {
@@ -202,7 +202,7 @@ void FrameFusion::mark_behind(const KeptLine& line, Position hit, std::uint32_t 
   const Position first = line.in_grid().first;
   const std::uint32_t line_end = line.in_grid().end.crossed();
   const bool from_hit = hit.crossed() >= first.crossed();
-  traversal::Walk walk(line.line(), from_hit ? hit : first, kStride);
+  traversal::Walk walk(line.line(), from_hit ? hit : first, geometry::kCellsPerSide);
   if (from_hit) {
     walk.skip_until(std::min(hit.crossed() + 1, line_end));
   }
@@ -214,16 +214,17 @@ void FrameFusion::mark_behind(const KeptLine& line, Position hit, std::uint32_t 
     if (index == 0) {
       walk.skip_until(end);
     } else {
-      walk.until(end, [&](std::size_t number) { remember(cell_of(number), index); });
+      walk.until(end, [&](std::size_t number) { remember(geometry::cell_of(number), index); });
     }
   }
 }
 
 void FrameFusion::remember(Cell cell, OccupancyIndex index) {
   require(mark_count_ < kMaxMarks);
-  grid_.touch(tile_of(cell));
-  marks_[mark_count_] = {static_cast<std::uint32_t>(cell.y * kStride + cell.x) & 0x1FFFFFFU,
-                         static_cast<std::uint32_t>(index) & 0x7FU};
+  grid_.touch(geometry::tile_of(cell));
+  marks_[mark_count_] = {
+      static_cast<std::uint32_t>(cell.y * geometry::kCellsPerSide + cell.x) & 0x1FFFFFFU,
+      static_cast<std::uint32_t>(index) & 0x7FU};
   ++mark_count_;
 }
 
@@ -235,15 +236,15 @@ void FrameFusion::finish() {
                                    ? index::kUnknown
                                    : index::kIndexMin<OccupancyIndex>;
   for (const Mark& mark : std::span(marks_).first(mark_count_)) {
-    OccupancyIndex& cell = grid_.cell_at(offset_of(cell_of(mark.cell)));
+    OccupancyIndex& cell = grid_.cell_at(offset_of(geometry::cell_of(mark.cell)));
     cell = index::sat_add(std::max(cell, least), static_cast<OccupancyIndex>(mark.index));
   }
   mark_count_ = 0;
 }
 
-void FrameFusion::copy_cells(std::span<OccupancyIndex, kCellCount> to) const {
-  for (std::size_t number = 0; number < kCellCount; ++number) {
-    to[number] = grid_.at(cell_of(number));
+void FrameFusion::copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const {
+  for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
+    to[number] = grid_.at(geometry::cell_of(number));
   }
 }
 
@@ -252,7 +253,7 @@ void FrameFusion::clear() {
     open.steps.clear();
   }
   lines_in_use_ = 0;
-  for (std::size_t tile = 0; tile < kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (grid_.is_touched(tile)) {
       grid_.clear_tile(tile);
     }

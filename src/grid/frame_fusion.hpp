@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/grid.hpp"
 #include "grid/beam_lines.hpp"
 #include "grid/block_grid.hpp"
 #include "grid/free_steps.hpp"
@@ -24,10 +25,10 @@ namespace iog::grid {
 
 // One cell that a scan point marks.
 struct Mark {
-  std::uint32_t cell : 25;  // y * kStride + x
+  std::uint32_t cell : 25;  // y * geometry::kCellsPerSide + x
   std::uint32_t index : 7;  // 1 ... 127
 };
-static_assert(kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
+static_assert(geometry::kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
 
 // The most marks of one frame: 256 KiB of them, enough for a dual-return VLP-16 turn (57,600
 // points). fits() tells before a packet is fused whether its points still find room.
@@ -54,15 +55,15 @@ class FrameFusion {
   void finish();
 
   // The grid, complete after finish(). A cell of the grid:
-  [[nodiscard]] OccupancyIndex at(traversal::Cell cell) const { return grid_.at(cell); }
+  [[nodiscard]] OccupancyIndex at(geometry::Cell cell) const { return grid_.at(cell); }
 
-  // All cells, row by row from the lowest y, kStride cells a row.
-  void copy_cells(std::span<OccupancyIndex, kCellCount> to) const;
+  // All cells, row by row from the lowest y, geometry::kCellsPerSide cells a row.
+  void copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const;
 
   // For whoever sends it tile by tile. A tile in which something may be known; its cells, false if
   // nothing is; and back to unknown.
   [[nodiscard]] bool is_touched(std::size_t tile) const { return grid_.is_touched(tile); }
-  bool copy_tile(std::size_t tile, std::span<OccupancyIndex, kTileCells> to) const {
+  bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const {
     return grid_.copy_tile(tile, to);
   }
   void clear_tile(std::size_t tile) { grid_.clear_tile(tile); }
@@ -92,7 +93,7 @@ class FrameFusion {
   void carve(OpenLine& open);
   void mark(const KeptLine& line, traversal::Position hit, std::uint32_t range_mm);
   void mark_behind(const KeptLine& line, traversal::Position hit, std::uint32_t range_mm);
-  void remember(traversal::Cell cell, OccupancyIndex index);
+  void remember(geometry::Cell cell, OccupancyIndex index);
 
   // What is aligned to a cache line comes first.
   BlockGrid grid_;
@@ -119,7 +120,7 @@ class FrameFusion {
   const std::uint32_t near_mm = sensor.profile.near_after_count == 0
                                     ? 0
                                     : (sensor.profile.near_after_count + 1U) * sensor.precision_mm;
-  return near_mm == 0 ? 1 : 1 + 2 + near_mm * 3 / (2 * vehicle::kCellMm);
+  return near_mm == 0 ? 1 : 1 + 2 + near_mm * 3 / (2 * geometry::kCellMm);
 }
 
 }  // namespace iog::grid

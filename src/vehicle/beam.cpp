@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "geometry/sizes.hpp"
+
 namespace iog::vehicle {
 namespace {
 
@@ -26,7 +28,7 @@ bool lies_between(std::int32_t low, std::int32_t start, std::int64_t extent, std
   return low * length <= at && at <= high * length;
 }
 
-std::int32_t extent(const traversal::Axis<kResolution>& axis) {
+std::int32_t extent(const traversal::Axis<geometry::kResolution>& axis) {
   return axis.step() * static_cast<std::int32_t>(axis.length());
 }
 

@@ -2,11 +2,11 @@
 
 #include <span>
 
+#include "geometry/grid.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/view/json_text.hpp"
-#include "vehicle/grid_geometry.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -149,7 +149,7 @@ FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t 
                    .message_bytes = message_bytes,
                    .is_whole = frame.is_whole() || frame.is_damaged,
                    .is_damaged = frame.is_damaged,
-                   .missing_tiles = stream::kTileCount - frame.valid_tiles.count(),
+                   .missing_tiles = geometry::kTileCount - frame.valid_tiles.count(),
                    .stale_tiles = grid.stale_tiles(),
                    .known_tiles = frame.tiles,
                    .header = frame.header};
@@ -183,8 +183,8 @@ std::string status_json(const StatusParts& parts) {
 std::string vehicle_json(const CatalogueEntry* car) {
   JsonObject object;
   object.text("name", car == nullptr ? "unknown vehicle" : car->vehicle->name)
-      .real("cell_m", vehicle::kCellMm / 1000.0)
-      .number("cells", vehicle::kCellsPerSide);
+      .real("cell_m", geometry::kCellMm / 1000.0)
+      .number("cells", geometry::kCellsPerSide);
   JsonList sensors;
   if (car != nullptr) {
     for (const vehicle::SensorConfig& sensor : car->sensors) {

@@ -111,10 +111,10 @@ TEST(Pipeline, TheTilesCarryTheGrid) {
   EXPECT_TRUE(received.cells == tests::cells_of(*direct));
   stream::GridHash hash;
   std::uint32_t tiles = 0;
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
-    std::array<grid::OccupancyIndex, stream::kTileBytes> cells;
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+    std::array<grid::OccupancyIndex, tile_coding::kTileBytes> cells;
     if (direct->copy_tile(tile, cells)) {
-      hash.add(tile % stream::kTilesPerSide, tile / stream::kTilesPerSide,
+      hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
                std::as_bytes(std::span(cells)));
       ++tiles;
     }

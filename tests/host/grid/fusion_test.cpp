@@ -37,7 +37,7 @@ std::vector<OccupancyIndex> fuse(const Vehicle& vehicle, const std::vector<Evide
 }
 
 int ahead(const std::vector<OccupancyIndex>& cells, int x) {
-  const int offset = 512 * kStride + 512 + x;
+  const int offset = 512 * geometry::kCellsPerSide + 512 + x;
   return cells[static_cast<std::size_t>(offset)];
 }
 
@@ -147,8 +147,8 @@ TEST(Fusion, ABeamCarvesOnlyInsideTheHeightBand) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != 0) {
       EXPECT_EQ(int{cells[i]}, -14);
-      const std::size_t column = i % kStride;
-      const std::size_t row = i / kStride;
+      const std::size_t column = i % geometry::kCellsPerSide;
+      const std::size_t row = i / geometry::kCellsPerSide;
       const double x = (static_cast<double>(column) - 511.5) / 10 - 1.234;
       const double y = (static_cast<double>(row) - 511.5) / 10 + 0.777;
       farthest_m = std::max(farthest_m, std::hypot(x, y));

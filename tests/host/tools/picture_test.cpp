@@ -89,8 +89,8 @@ TEST(GridPicture, ForwardIsUpAndLeftIsLeft) {
   const Canvas empty = picture_of(frame, {});
   ASSERT_EQ(empty.width(), 1024);
   const auto drawn_at = [&](std::size_t cell_x, std::size_t cell_y, int column, int row) {
-    frame.cells.assign(grid::kCellCount, index::kUnknown);
-    frame.cells[cell_y * grid::kStride + cell_x] = 127;
+    frame.cells.assign(geometry::kCellCount, index::kUnknown);
+    frame.cells[cell_y * geometry::kCellsPerSide + cell_x] = 127;
     const Canvas picture = picture_of(frame, {});
     return !(picture.at(column, row) == empty.at(column, row));
   };

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/grid.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "vehicle/grid_geometry.hpp"
 
 namespace iog::tools {
 namespace {
@@ -22,8 +22,8 @@ constexpr Colour kRing{150, 160, 170};
 constexpr Colour kCar{250, 250, 250};
 constexpr Colour kSensor{20, 170, 150};
 
-constexpr int kWholeGridM = vehicle::kCellsPerSide * vehicle::kCellMm / 2000;
-constexpr int kCellsPerMetre = 1000 / vehicle::kCellMm;
+constexpr int kWholeGridM = geometry::kCellsPerSide * geometry::kCellMm / 2000;
+constexpr int kCellsPerMetre = 1000 / geometry::kCellMm;
 
 // From metres in the vehicle frame to pixels.
 class Painter {
@@ -31,7 +31,7 @@ class Painter {
   Painter(const GridFrame& frame, const PictureScale& scale)
       : frame_(&frame),
         scale_(scale.pixels_per_cell),
-        cells_(scale.radius_m >= kWholeGridM ? vehicle::kCellsPerSide
+        cells_(scale.radius_m >= kWholeGridM ? geometry::kCellsPerSide
                                              : 2 * scale.radius_m * kCellsPerMetre),
         canvas_(cells_ * scale_, cells_ * scale_, kUnknown) {}
 
@@ -51,10 +51,10 @@ class Painter {
   [[nodiscard]] double row(double x_m) const { return canvas_.height() / 2.0 - pixels(x_m); }
 
   void paint_cells() {
-    const int first = (vehicle::kCellsPerSide - cells_) / 2;
+    const int first = (geometry::kCellsPerSide - cells_) / 2;
     for (int up = 0; up < cells_; ++up) {
       for (int left = 0; left < cells_; ++left) {
-        const auto place = static_cast<std::size_t>(first + left) * grid::kStride +
+        const auto place = static_cast<std::size_t>(first + left) * geometry::kCellsPerSide +
                            static_cast<std::size_t>(first + up);
         if (frame_->cells[place] != index::kUnknown) {
           canvas_.fill((cells_ - 1 - left) * scale_, (cells_ - 1 - up) * scale_, scale_, scale_,
