@@ -25,7 +25,7 @@ void fuse_drive(std::string_view scene, std::uint64_t seed, std::uint32_t second
       fusion->add(vehicle.sensors[seen.sensor], seen.point);
     }
     fusion->finish();
-    fusion->copy_cells(cells);
+    fusion->view().copy_cells(cells);
     use(cells);
   }
 }

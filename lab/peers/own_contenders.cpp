@@ -32,7 +32,7 @@ class Ours final : public Contender {
   void clear() override { fusion_.clear(); }
   [[nodiscard]] CellCounts count() const override {
     std::vector<index::OccupancyIndex> cells(geometry::kCellCount);
-    fusion_.copy_cells(std::span(cells).first<geometry::kCellCount>());
+    fusion_.view().copy_cells(std::span(cells).first<geometry::kCellCount>());
     return count_of(cells);
   }
 

@@ -121,7 +121,7 @@ int run(const Request& request) {
   print("frames", request.frames);
   print("points", stages.points() / frames);
   print("points_used", stages.points_used() / frames);
-  print("messages", stages.outside().messages() / frames);
+  print("messages", stages.platform().messages() / frames);
   std::puts("");
   return 0;
 }

@@ -242,12 +242,6 @@ void FrameFusion::finish() {
   mark_count_ = 0;
 }
 
-void FrameFusion::copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const {
-  for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
-    to[number] = grid_.at(geometry::cell_of(number));
-  }
-}
-
 void FrameFusion::clear() {
   for (OpenLine& open : open_lines_) {
     open.steps.clear();

@@ -15,6 +15,7 @@
 #include "geometry/grid.hpp"
 #include "grid/beam_lines.hpp"
 #include "grid/block_grid.hpp"
+#include "grid/frame_view.hpp"
 #include "grid/free_steps.hpp"
 #include "index/occupancy_index.hpp"
 #include "lidar/scan_point.hpp"
@@ -54,18 +55,27 @@ class FrameFusion {
   // point.
   void finish();
 
-  // The grid, complete after finish(). A cell of the grid:
-  [[nodiscard]] OccupancyIndex at(geometry::Cell cell) const { return grid_.at(cell); }
+  // The grid, complete after finish(), until it is cleared.
+  [[nodiscard]] FrameView view() const { return FrameView(grid_); }
 
-  // All cells, row by row from the lowest y, geometry::kCellsPerSide cells a row.
-  void copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const;
-
-  // For whoever sends it tile by tile. A tile in which something may be known; its cells, false if
-  // nothing is; and back to unknown.
-  [[nodiscard]] bool is_touched(std::size_t tile) const { return grid_.is_touched(tile); }
-  bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const {
-    return grid_.copy_tile(tile, to);
+  // Shows the frame tile by tile and clears it: visit(number, cells) for each tile in which
+  // something is known, in rising order. The cells, row by row from the lowest y, are valid during
+  // the call.
+  template <typename Visit>
+  void release(Visit&& visit) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+      if (!grid_.is_touched(tile)) {
+        continue;
+      }
+      const bool is_known = grid_.copy_tile(tile, tile_cells_);
+      grid_.clear_tile(tile);
+      if (is_known) {
+        visit(tile, std::as_bytes(std::span(tile_cells_)));
+      }
+    }
   }
+
+  // One tile back to unknown. For those who measure what that costs.
   void clear_tile(std::size_t tile) { grid_.clear_tile(tile); }
 
   // All cells back to unknown, no marks.
@@ -109,6 +119,8 @@ class FrameFusion {
   std::uint16_t azimuth_ticks_ = 0;
   KeptBeam further_beam_;
   std::array<OpenLine, vehicle::kMaxLayers> open_lines_{};
+
+  alignas(8) std::array<OccupancyIndex, geometry::kTileCells> tile_cells_{};
 
   std::size_t mark_count_ = 0;
   std::array<Mark, kMaxMarks> marks_{};

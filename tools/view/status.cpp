@@ -21,7 +21,7 @@ std::string numbers(std::span<const std::uint32_t> values) {
 
 std::string sensors_json(const FrameFacts& frame) {
   JsonList list;
-  for (const stream::SensorReport& sensor :
+  for (const intake::SensorReport& sensor :
        std::span(frame.end->sensors).first(frame.header.sensor_count)) {
     list.json(JsonObject()
                   .number("state", static_cast<unsigned>(sensor.state))

@@ -10,7 +10,7 @@ namespace iog::tests {
 
 inline std::vector<grid::OccupancyIndex> cells_of(const grid::FrameFusion& fusion) {
   std::vector<grid::OccupancyIndex> cells(geometry::kCellCount);
-  fusion.copy_cells(std::span(cells).first<geometry::kCellCount>());
+  fusion.view().copy_cells(std::span(cells).first<geometry::kCellCount>());
   return cells;
 }
 

@@ -26,7 +26,7 @@ using tests::TiltedLux;
 using vehicle::Sensor;
 using vehicle::Vehicle;
 
-int index_at(const FrameFusion& fusion, Cell cell) { return fusion.at(cell); }
+int index_at(const FrameFusion& fusion, Cell cell) { return fusion.view().at(cell); }
 
 std::unique_ptr<FrameFusion> fuse_one(const Vehicle& vehicle, const lidar::ScanPoint& point) {
   auto fusion = std::make_unique<FrameFusion>(vehicle);

@@ -46,7 +46,7 @@ class CarvedCells {
     if (inside) {
       traversal::Walk walk(line, inside->first, geometry::kCellsPerSide);
       walk.until(inside->last.crossed() + 1, [&](std::size_t number) {
-        carved += fusion_->at(geometry::cell_of(number)) != index::kUnknown ? 1U : 0U;
+        carved += fusion_->view().at(geometry::cell_of(number)) != index::kUnknown ? 1U : 0U;
       });
     }
     fusion_->clear();

@@ -129,7 +129,7 @@ TEST_P(EveryScene, WhatIsFusedAsOccupiedIsThere) {
   std::size_t occupied = 0;
   std::size_t wrong = 0;
   for (std::size_t cell = 0; cell < geometry::kCellCount; ++cell) {
-    if (fusion->at(geometry::cell_of(cell)) > 0) {
+    if (fusion->view().at(geometry::cell_of(cell)) > 0) {
       ++occupied;
       wrong += there[cell] ? 0U : 1U;
     }

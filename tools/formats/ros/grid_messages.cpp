@@ -6,6 +6,7 @@
 
 #include "geometry/grid.hpp"
 #include "index/recursive_set.hpp"
+#include "tile_coding/tile_cells.hpp"
 #include "tools/formats/ros/cdr_writer.hpp"
 #include "wire/byte_reader.hpp"
 

@@ -1,4 +1,4 @@
-// An Outside (app/pipeline.hpp) that keeps every message and can refuse them.
+// A Platform (app/platform.hpp) that keeps every message and can refuse them.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "app/frame_report.hpp"
 #include "protection/protected_message.hpp"
 #include "stream/channel.hpp"
 #include "stream/message.hpp"
@@ -23,7 +24,7 @@ struct ReceivedFrame {
   std::vector<index::OccupancyIndex> cells;
 };
 
-class FakeOutside {
+class FakePlatform {
  public:
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     if (room_left_ == 0) {
@@ -36,9 +37,8 @@ class FakeOutside {
 
   std::uint32_t ticks() { return ++ticks_; }
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1000; }
-  void fill_vitals(stream::Header& header, stream::FrameEnd& end) const {
-    header.packets_dropped += link_drops;
-    end.stack_used_bytes = 4711;
+  [[nodiscard]] app::Vitals vitals() const {
+    return {.stack_used_bytes = 4711, .link_drops = link_drops};
   }
 
   std::uint32_t link_drops = 0;
