@@ -21,6 +21,10 @@ inline constexpr std::size_t kCellCount = std::size_t{kCellsPerSide} * kCellsPer
   return {static_cast<std::int32_t>(number % kRow), static_cast<std::int32_t>(number / kRow)};
 }
 
+[[nodiscard]] constexpr std::int32_t number_of(Cell cell) {
+  return cell.y * kCellsPerSide + cell.x;
+}
+
 inline constexpr std::size_t kTilesPerSide = kCellsPerSide / kTileSide;
 inline constexpr std::size_t kTileCount = kTilesPerSide * kTilesPerSide;
 static_assert(kCellsPerSide % kTileSide == 0);

@@ -9,6 +9,7 @@
 
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
+#include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
@@ -16,16 +17,12 @@
 namespace iog::grid {
 namespace {
 
-using lidar::ScanPoint;
+using tests::Evidence;
 using tests::LevelLux;
+using tests::random_frame;
 using tests::ThreeLux;
 using tests::TiltedLux;
 using vehicle::Vehicle;
-
-struct Evidence {
-  std::size_t sensor = 0;
-  ScanPoint point;
-};
 
 std::vector<OccupancyIndex> fuse(const Vehicle& vehicle, const std::vector<Evidence>& frame) {
   const auto fusion = std::make_unique<FrameFusion>(vehicle);
@@ -164,25 +161,6 @@ TEST(Fusion, ASensorOutsideTheGridCarvesInside) {
   const auto carved = std::ranges::count_if(cells, [](OccupancyIndex i) { return i < 0; });
   EXPECT_EQ(marked, 1);
   EXPECT_NEAR(static_cast<double>(carved), 300 - 189, 4);  // from x = 51.2 m to 40.1 m
-}
-
-std::vector<Evidence> random_frame(tests::Random& random, int points) {
-  std::vector<Evidence> frame;
-  for (int i = 0; i < points; ++i) {
-    Evidence evidence;
-    evidence.sensor = static_cast<std::size_t>(random.between(0, 2));
-    // Close together, so that carving, marks and saturation meet in the same cells.
-    const int azimuth = random.between(-300, 300);
-    evidence.point = {
-        .range_mm =
-            static_cast<std::uint32_t>(random.one_in(30) ? 0 : random.between(20, 5200) * 10),
-        .azimuth_ticks = static_cast<std::uint16_t>(azimuth < 0 ? azimuth + 11520 : azimuth),
-        .layer = static_cast<std::uint8_t>(random.between(0, 3)),
-        .echo = static_cast<std::uint8_t>(random.one_in(8) ? 1 : 0),
-        .is_ground = random.one_in(20)};
-    frame.push_back(evidence);
-  }
-  return frame;
 }
 
 TEST(Fusion, NoOrderOfTheScanPointsShowsInTheGrid) {
