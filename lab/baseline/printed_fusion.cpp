@@ -83,8 +83,8 @@ PrintedFusion::PrintedFusion(const vehicle::Vehicle& vehicle, Extent extent)
 
 void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
   const Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-  const vehicle::Judgement judgement = vehicle::judge(sensor, beam, point);
-  if (!judgement.carves && !judgement.marks) {
+  const vehicle::Classification classification = vehicle::classify(sensor, beam, point);
+  if (!classification.carves && !classification.marks) {
     return;
   }
   const std::optional<Segment> segment = segment_of(sensor, beam, point.range_mm);
@@ -102,7 +102,7 @@ void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
                       .along_m = projection(segment->delta_m, squared_length, sensor),
                       .k = point.range_mm > 0 ? k : kNoScanPoint,
                       .last_step = stops ? sensor.profile.near_after_count : kNoScanPoint,
-                      .table = &tables.of(judgement)});
+                      .table = &tables.of(classification)});
 }
 
 std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(const Sensor& sensor,

@@ -58,8 +58,8 @@ class PrintedFusion {
     Table carves_and_marks;
     Table carves;
     Table marks;
-    [[nodiscard]] const Table& of(const vehicle::Judgement& judgement) const {
-      return judgement.carves ? (judgement.marks ? carves_and_marks : carves) : marks;
+    [[nodiscard]] const Table& of(const vehicle::Classification& classification) const {
+      return classification.carves ? (classification.marks ? carves_and_marks : carves) : marks;
     }
   };
 

@@ -253,8 +253,8 @@ class Projector {
     const Sensor& sensor = vehicle_->sensors[seen.sensor];
     const lidar::ScanPoint& point = seen.point;
     const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-    const vehicle::Judgement judgement = vehicle::judge(sensor, beam, point);
-    if (!judgement.carves && !judgement.marks) {
+    const vehicle::Classification classification = vehicle::classify(sensor, beam, point);
+    if (!classification.carves && !classification.marks) {
       return;
     }
     const Places places(beam.line, geometry_.path);
@@ -262,11 +262,11 @@ class Projector {
     Plan plan = is_missing
                     ? plan_of_missing_return(sensor, places)
                     : plan_of_point(sensor, beam.line, places, point.range_mm, geometry_.sampling);
-    if (judgement.carves) {
+    if (classification.carves) {
       const std::uint32_t reach_mm = is_missing ? sensor.no_return_clears_mm : point.range_mm;
       limit_carving(*vehicle_, sensor, beam, places, std::min(reach_mm, sensor.range.mm()), plan);
     }
-    if (judgement.marks) {
+    if (classification.marks) {
       plan.marks = true;
       remember_hit(sensor, beam.line, places, point.range_mm, plan);
     }

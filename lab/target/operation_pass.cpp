@@ -85,7 +85,7 @@ void OperationPass::take_apart(const vehicle::Sensor& sensor, std::span<const st
 void OperationPass::take_apart(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
   const vehicle::Beam beam =
       measured(cost_.aim, [&] { return vehicle::aim(sensor, point.layer, point.azimuth_ticks); });
-  static_cast<void>(measured(cost_.judge, [&] { return vehicle::judge(sensor, beam, point); }));
+  static_cast<void>(measured(cost_.judge, [&] { return vehicle::classify(sensor, beam, point); }));
   ++cost_.points;
   cost_.cells += carved_cells(sensor, beam, point);
 }

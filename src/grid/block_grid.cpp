@@ -27,8 +27,8 @@ bool BlockGrid::copy_tile(std::size_t tile,
       const std::array<Lanes, kBlockSide> rows = Lanes::rows_of(from + half * kBlocksAtOnce);
       OccupancyIndex* out = row_start + half * kLaneCount;
       for (const Lanes& cells : rows) {
-        const Lanes raised = cells.raised_to(least);
-        known = known.united(raised);
+        const Lanes raised = cells.max(least);
+        known = known.bit_or(raised);
         raised.store_bytes(out);
         out += geometry::kTileSide;
       }

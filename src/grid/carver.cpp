@@ -19,19 +19,20 @@ vehicle::Fate Carver::add(const Sensor& sensor, const lidar::ScanPoint& point) {
   OpenLine& open = open_line(layer);
   const KeptLine& line = *open.line;
   KeptBeam& beam = beam_of(layer, point.layer);
-  const vehicle::Judgement judgement = vehicle::judge(sensor, line.line(), beam.end_z(), point);
+  const vehicle::Classification classification =
+      vehicle::classify(sensor, line.line(), beam.end_z(), point);
   const bool has_point = 0 < point.range_mm && point.range_mm <= sensor.range.mm();
   const Position hit = has_point ? line.through(sensor, point.range_mm) : Position{};
-  if (judgement.carves) {
-    const LinePart part = part_to_carve(line, beam, point, judgement.is_whole_in_band, hit);
+  if (classification.carves) {
+    const LinePart part = part_to_carve(line, beam, point, classification.is_whole_in_band, hit);
     if (!part.is_empty()) {
       carve_later(open, part, point.range_mm);
     }
   }
-  if (judgement.marks) {
+  if (classification.marks) {
     marks_->mark(sensor, line, hit, point.range_mm);
   }
-  return judgement.fate;
+  return classification.fate;
 }
 
 void Carver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {

@@ -53,7 +53,7 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps) {
       amount = Lanes::all(amount_of(freer));
       const InnerMasks& masks = change->crossed > change->at.crossed() ? after : from;
       const Lanes rest = Lanes::load(masks[offset % kLaneCount]);
-      in_block = in_block.without(rest).united(amount.masked(rest));
+      in_block = in_block.and_not(rest).bit_or(amount.bit_and(rest));
       ++change;
       number = change != end ? path.block_at(change->at) : 0;
     } while (change != end && number == this_block);

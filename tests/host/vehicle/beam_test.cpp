@@ -66,17 +66,17 @@ void expect_every_direction_right() {
 TEST(Beam, EndsWhereTrigonometrySaysStraight) { expect_every_direction_right<OneLux>(); }
 TEST(Beam, EndsWhereTrigonometrySaysTilted) { expect_every_direction_right<TiltedLux>(); }
 
-Judgement fate_of(const lidar::ScanPoint& point) {
+Classification fate_of(const lidar::ScanPoint& point) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
   const Beam beam = aim(sensor, point.layer, point.azimuth_ticks);
-  return judge(sensor, beam, point);
+  return classify(sensor, beam, point);
 }
 
 void expect_fate(const lidar::ScanPoint& point, Fate fate, bool carves, bool marks) {
-  const Judgement judgement = fate_of(point);
-  EXPECT_EQ(static_cast<int>(judgement.fate), static_cast<int>(fate));
-  EXPECT_EQ(judgement.carves, carves);
-  EXPECT_EQ(judgement.marks, marks);
+  const Classification classification = fate_of(point);
+  EXPECT_EQ(static_cast<int>(classification.fate), static_cast<int>(fate));
+  EXPECT_EQ(classification.carves, carves);
+  EXPECT_EQ(classification.marks, marks);
 }
 
 TEST(Fate, EachPointHasExactlyOne) {
