@@ -324,6 +324,44 @@ TEST(Pipeline, EveryMessageIsNumbered) {
   }
 }
 
+// Keeps what it is given of a frame.
+class TileList {
+ public:
+  void begin_frame(const FrameReport& report) {
+    numbers.push_back(report.number);
+    tiles = 0;
+  }
+  void take_tile(std::size_t tile, tile_coding::TileCells cells) {
+    hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide, cells);
+    ++tiles;
+  }
+  void end_frame() { ++ended; }
+
+  std::vector<std::uint32_t> numbers;
+  std::uint32_t tiles = 0;
+  int ended = 0;
+  stream::GridHash hash;
+};
+
+// The network is one sink among others: all see the same frame.
+TEST(Pipeline, EverySinkIsGivenEveryFrame) {
+  tests::Random random(83);
+  FakePlatform platform;
+  std::array<TileList, 2> sinks;
+  const auto pipeline = std::make_unique<Pipeline<FakePlatform, TileList, TileList>>(
+      ThreeLux::kVehicle, kReplayer, platform, std::uint64_t{0}, sinks[0], sinks[1]);
+  for (const Datagram& datagram : frame_of_three(1, 1, random)) {
+    pipeline->take({datagram.source, datagram.port, datagram.bytes}, 40'000);
+  }
+  ASSERT_EQ(platform.frames.size(), 1U);
+  for (const TileList& sink : sinks) {
+    EXPECT_EQ(sink.numbers, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(sink.ended, 1);
+    EXPECT_EQ(sink.tiles, platform.frames[0].end.tiles_sent);
+    EXPECT_EQ(sink.hash.value(), platform.frames[0].end.grid_crc);
+  }
+}
+
 // Raw or as short as can be, what arrives is the same.
 TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
   tests::Random random(82);

@@ -2,9 +2,11 @@
 // that no order shows.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "fakes/cells_of.hpp"
@@ -221,6 +223,35 @@ TEST(Fusion, ALineThatWasKeptIsTheLineThatIsFound) {
       keeps->clear();
     }
   }
+}
+
+// The owner shows what is known once, in order, and keeps nothing of it.
+TEST(Fusion, AFrameThatIsReleasedIsShownTileByTileAndCleared) {
+  tests::Random random(44);
+  const auto fusion = std::make_unique<FrameFusion>(ThreeLux::kVehicle);
+  for (const Evidence& evidence : random_frame(random, 100)) {
+    fusion->add(ThreeLux::kVehicle.sensors[evidence.sensor], evidence.point);
+  }
+  fusion->finish();
+  const auto cells = tests::cells_of(*fusion);
+  std::vector<std::size_t> tiles;
+  std::vector<OccupancyIndex> shown(geometry::kCellCount);
+  fusion->release([&](std::size_t tile, std::span<const std::byte, geometry::kTileCells> bytes) {
+    tiles.push_back(tile);
+    const std::size_t corner = (tile / geometry::kTilesPerSide * geometry::kCellsPerSide +
+                                tile % geometry::kTilesPerSide) *
+                               geometry::kTileSide;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      shown[corner + i / geometry::kTileSide * geometry::kCellsPerSide + i % geometry::kTileSide] =
+          static_cast<OccupancyIndex>(bytes[i]);
+    }
+  });
+  EXPECT_GT(tiles.size(), 10U);
+  EXPECT_TRUE(std::ranges::is_sorted(tiles));
+  EXPECT_EQ(std::ranges::adjacent_find(tiles), tiles.end());
+  EXPECT_TRUE(shown == cells);
+  EXPECT_EQ(std::ranges::count(tests::cells_of(*fusion), 0), std::ssize(cells));
+  fusion->release([&](auto...) { FAIL() << "nothing is known"; });
 }
 
 TEST(Fusion, TellsWhenItsMarksRunOut) {
