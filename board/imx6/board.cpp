@@ -70,7 +70,8 @@ void Board::print_banner() {
   console_.write(line.view());
   line = {};
   line.text("clock 1 MHz, stopwatch ").decimal(stopwatch_.ticks_hz() / 1'000'000);
-  line.text(" MHz, PHY ").hex(ethernet_.phy_id()).text("\n");
+  line.text(" MHz, L2 ").text(l2_cache_is_on() ? "on" : "off");
+  line.text(", PHY ").hex(ethernet_.phy_id()).text("\n");
   console_.write(line.view());
   if (boot_.reason == BootReason::kAfterLastWord) {
     console_.write("previous run: LAST WORD ");

@@ -45,7 +45,8 @@ class Board {
   std::uint32_t stack_used_bytes() const;
   std::uint32_t stack_bytes() const;
 
-  // Version, clock rates, why this boot, and the previous run's last word if it left one.
+  // Version, clock rates, whether the L2 cache is on, why this boot, and the previous run's last
+  // word if it left one.
   void print_banner();
 
  private:

@@ -13,7 +13,7 @@ class L2Cache {
   // Empty and on. The cache must be off and hold nothing dirty, as startup.S leaves it. A
   // controller that does not finish invalidating stays off: slower, never wrong. Returns whether it
   // is on.
-  bool start();
+  [[nodiscard]] bool start();
 
   // Everything this core has stored has reached memory where a DMA engine reads it.
   //

@@ -19,16 +19,18 @@ constexpr iog::net::Config kNetwork{
 };
 static_assert(iog::net::is_valid(kNetwork));
 
-using Outside = iog::app::MachineOutside<iog::imx6::Board>;
+using Platform = iog::app::MachinePlatform<iog::imx6::Board>;
+using Pipeline = iog::app::MachinePipeline<iog::imx6::Board>;
 
 }  // namespace
 
 int main() {
   // Static: together they are 6 MB, and the stack is small.
   static iog::imx6::Board board(kNetwork.mac.octets);
-  static Outside outside(board, kNetwork);
-  static iog::app::Pipeline<Outside> pipeline(iog::vehicles::kVehicle, kNetwork.peer.value, outside,
-                                              board.clock().now_us());
+  static Platform platform(board, kNetwork);
+  static iog::app::LineSink line;
+  static Pipeline pipeline(iog::vehicles::kVehicle, kNetwork.peer.value, platform,
+                           board.clock().now_us(), line);
   board.print_banner();
-  iog::app::run(board, outside, pipeline);
+  iog::app::run(board, platform, line, pipeline);
 }

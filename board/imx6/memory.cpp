@@ -30,6 +30,8 @@ constexpr std::array<mmu::Range, 2> kDevices{
 
 constinit mmu::MemoryMap map{};
 
+constinit bool l2_cache_on = false;
+
 void read_the_linker() {
   stacks = {{{address_of(main_stack_bottom), address_of(main_stack_top)},
              {address_of(undefined_stack_bottom), address_of(undefined_stack_top)},
@@ -91,6 +93,8 @@ void start_mmu_and_l1() {
 
 const mmu::MemoryMap& memory_map() { return map; }
 
+bool l2_cache_is_on() { return l2_cache_on; }
+
 std::uint32_t main_stack_bytes() {
   return address_of(main_stack_top) - address_of(main_stack_bottom);
 }
@@ -108,7 +112,7 @@ extern "C" void start_memory() {
   read_the_linker();
   mmu::build(tables, map, machine::bus_address(tables.stack_pages));
   start_coherency();
-  L2Cache(pl310).start();
+  l2_cache_on = L2Cache(pl310).start();
   start_mmu_and_l1();
 }
 

@@ -9,6 +9,9 @@ namespace iog::imx6 {
 // The map of this image, addresses taken from the linker.
 const mmu::MemoryMap& memory_map();
 
+// Whether the L2 cache came on. QEMU has none.
+bool l2_cache_is_on();
+
 // Bytes of the main stack that were ever used, by the paint startup.S left on the rest.
 std::uint32_t main_stack_used_bytes();
 std::uint32_t main_stack_bytes();

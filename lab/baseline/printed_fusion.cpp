@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/grid.hpp"
+
 namespace iog::lab {
 namespace {
 
@@ -16,7 +18,7 @@ using vehicle::Beam;
 using vehicle::BeamLine;
 using vehicle::Sensor;
 
-constexpr std::int32_t kSide = vehicle::kResolution;
+constexpr std::int32_t kSide = geometry::kResolution;
 
 // A point without an echo is so far away that all of its beam lies well before it.
 constexpr std::int32_t kNoScanPoint = 1 << 20;
@@ -81,8 +83,8 @@ PrintedFusion::PrintedFusion(const vehicle::Vehicle& vehicle, Extent extent)
 
 void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
   const Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-  const vehicle::Judgement judgement = vehicle::judge(sensor, beam, point);
-  if (!judgement.carves && !judgement.marks) {
+  const vehicle::Classification classification = vehicle::classify(sensor, beam, point);
+  if (!classification.carves && !classification.marks) {
     return;
   }
   const std::optional<Segment> segment = segment_of(sensor, beam, point.range_mm);
@@ -100,7 +102,7 @@ void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
                       .along_m = projection(segment->delta_m, squared_length, sensor),
                       .k = point.range_mm > 0 ? k : kNoScanPoint,
                       .last_step = stops ? sensor.profile.near_after_count : kNoScanPoint,
-                      .table = &tables.of(judgement)});
+                      .table = &tables.of(classification)});
 }
 
 std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(const Sensor& sensor,
@@ -110,7 +112,7 @@ std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(const Sensor& se
   const bool has_echo = range_mm > 0;
   const std::uint32_t reach_mm =
       std::min(has_echo ? range_mm : sensor.no_return_clears_mm, sensor.range.mm());
-  const std::optional<traversal::Stretch> stretch = line.clip(vehicle::kGridArea);
+  const std::optional<traversal::Stretch> stretch = line.clip(geometry::kGridArea);
   const vehicle::BandPart part = vehicle::part_in_band(*vehicle_, sensor, beam, reach_mm);
   if (!stretch || part.is_empty) {
     return std::nullopt;
@@ -127,7 +129,7 @@ std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(const Sensor& se
   if (first.crossed() > last) {
     return std::nullopt;
   }
-  const traversal::Cell cell = line.cell(first);
+  const geometry::Cell cell = line.cell(first);
   return Segment{.l_s = sensor.origin.x,
                  .m_s = sensor.origin.y,
                  .delta_l = extent_of(line.x()),
@@ -201,7 +203,7 @@ bool PrintedFusion::sample(std::int32_t l, std::int32_t m, const LocalGrid& loca
   const std::int32_t slot = std::clamp(step, -kTableReach, kTableReach) + kTableReach;
   const auto row = static_cast<std::uint32_t>(m) / kSide;
   OccupancyIndex& cell =
-      cells_[row * vehicle::kCellsPerSide + static_cast<std::uint32_t>(l) / kSide];
+      cells_[row * geometry::kCellsPerSide + static_cast<std::uint32_t>(l) / kSide];
   cell = index::sat_add(cell, (*local.table)[static_cast<std::size_t>(slot)]);
   return true;
 }

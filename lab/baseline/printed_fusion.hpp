@@ -34,7 +34,7 @@ enum class Extent : std::uint8_t {
 class PrintedFusion {
  public:
   static constexpr std::size_t kCellCount =
-      std::size_t{vehicle::kCellsPerSide} * vehicle::kCellsPerSide;
+      std::size_t{geometry::kCellsPerSide} * geometry::kCellsPerSide;
 
   // vehicle outlives the fusion.
   explicit PrintedFusion(const vehicle::Vehicle& vehicle, Extent extent = Extent::kToScanPoint);
@@ -58,8 +58,8 @@ class PrintedFusion {
     Table carves_and_marks;
     Table carves;
     Table marks;
-    [[nodiscard]] const Table& of(const vehicle::Judgement& judgement) const {
-      return judgement.carves ? (judgement.marks ? carves_and_marks : carves) : marks;
+    [[nodiscard]] const Table& of(const vehicle::Classification& classification) const {
+      return classification.carves ? (classification.marks ? carves_and_marks : carves) : marks;
     }
   };
 

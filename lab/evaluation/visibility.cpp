@@ -16,7 +16,7 @@ namespace iog::lab {
 namespace {
 
 constexpr int kTicksPerBeam = 2;  // a tick is 1/32 of a degree
-constexpr double kCellM = vehicle::kCellMm / 1000.0;
+constexpr double kCellM = geometry::kCellMm / 1000.0;
 // A face on a border of cells belongs to the solid's cell: a beam ends this far inside.
 constexpr double kInsideM = 1e-6;
 
@@ -52,8 +52,8 @@ class Sight {
         band_high_(car.description->z_max_m),
         ego_(&ego),
         solids_(solids),
-        crossed_(grid::kCellCount),
-        ended_(grid::kCellCount) {}
+        crossed_(geometry::kCellCount),
+        ended_(geometry::kCellCount) {}
 
   void look(const vehicle::SensorConfig& sensor) {
     const auto turn = vehicle::compile_detail::rotation_of(sensor.mount);
@@ -77,7 +77,7 @@ class Sight {
   }
 
   [[nodiscard]] std::vector<CellState> states(const std::vector<bool>& occupied) const {
-    std::vector<CellState> states(grid::kCellCount, CellState::kUnknown);
+    std::vector<CellState> states(geometry::kCellCount, CellState::kUnknown);
     for (std::size_t cell = 0; cell < states.size(); ++cell) {
       if (ended_[cell]) {
         states[cell] = CellState::kOccupied;
@@ -156,12 +156,12 @@ class Sight {
     }
   }
 
-  static double cells(double metres) { return metres / kCellM + vehicle::kOriginCell; }
+  static double cells(double metres) { return metres / kCellM + geometry::kOriginCell; }
 
   void cross(const tools::Vector3& from, const tools::Vector3& to) {
     reference::walk_amanatides_woo<double>({cells(from.x), cells(from.y)},
                                            {cells(to.x), cells(to.y)},
-                                           [this](traversal::Cell cell) { set(crossed_, cell); });
+                                           [this](geometry::Cell cell) { set(crossed_, cell); });
   }
 
   void end_in(const tools::Vector3& point) {
@@ -169,10 +169,10 @@ class Sight {
                  static_cast<std::int32_t>(std::floor(cells(point.y)))});
   }
 
-  static void set(std::vector<std::uint8_t>& flags, traversal::Cell cell) {
-    if (vehicle::kGridArea.contains(cell)) {
-      flags[static_cast<std::size_t>(cell.y) * grid::kStride + static_cast<std::size_t>(cell.x)] =
-          1;
+  static void set(std::vector<std::uint8_t>& flags, geometry::Cell cell) {
+    if (geometry::kGridArea.contains(cell)) {
+      flags[static_cast<std::size_t>(cell.y) * geometry::kCellsPerSide +
+            static_cast<std::size_t>(cell.x)] = 1;
     }
   }
 

@@ -17,7 +17,7 @@
 
 namespace iog::lab {
 
-// One state per cell of the grid (y * grid::kStride + x):
+// One state per cell of the grid (y * geometry::kCellsPerSide + x):
 // - visibly occupied, if a beam ends on a solid in it at a height inside the car's height band,
 //   whether or not other beams pass over;
 // - visibly free, if a beam crosses it inside the band, none ends in it, and no solid of the true

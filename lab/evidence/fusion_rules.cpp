@@ -16,7 +16,7 @@ Value at(const ByStep<Value>& values, std::int8_t step) {
 
 std::vector<std::int32_t> fuse_in_order(const FrameEvidence& evidence,
                                         const ByStep<std::int32_t>& values, std::int32_t limit) {
-  std::vector<std::int32_t> cells(grid::kCellCount);
+  std::vector<std::int32_t> cells(geometry::kCellCount);
   for (const CellEvidence& seen : evidence.cells) {
     std::int32_t& cell = cells[seen.cell];
     cell = std::clamp(cell + at(values, seen.step), -limit, limit);
@@ -28,7 +28,7 @@ std::vector<std::int32_t> fuse_in_order(const FrameEvidence& evidence,
 std::vector<std::int32_t> fuse_by_sign(const FrameEvidence& evidence,
                                        const ByStep<std::int32_t>& values, bool hits_win,
                                        std::int32_t limit) {
-  std::vector<std::int32_t> cells(grid::kCellCount);
+  std::vector<std::int32_t> cells(geometry::kCellCount);
   for (const CellEvidence& seen : evidence.cells) {
     const std::int32_t value = at(values, seen.step);
     if (value < 0) {
@@ -46,7 +46,7 @@ std::vector<std::int32_t> fuse_by_sign(const FrameEvidence& evidence,
 }
 
 std::vector<double> fuse_bayes(const FrameEvidence& evidence, const ByStep<double>& values) {
-  std::vector<double> cells(grid::kCellCount, 0.5);
+  std::vector<double> cells(geometry::kCellCount, 0.5);
   for (const CellEvidence& seen : evidence.cells) {
     cells[seen.cell] = reference::fuse_bayes(cells[seen.cell], at(values, seen.step));
   }
@@ -56,7 +56,7 @@ std::vector<double> fuse_bayes(const FrameEvidence& evidence, const ByStep<doubl
 std::vector<double> fuse_log_odds(const FrameEvidence& evidence, const ByStep<double>& values) {
   ByStep<double> log_odds{};
   std::ranges::transform(values, log_odds.begin(), reference::log_odds);
-  std::vector<double> cells(grid::kCellCount);
+  std::vector<double> cells(geometry::kCellCount);
   for (const CellEvidence& seen : evidence.cells) {
     cells[seen.cell] += at(log_odds, seen.step);
   }
@@ -71,8 +71,8 @@ bool is_measurement(double probability) { return std::abs(probability - 0.5) > k
 
 std::vector<double> fuse_linear_opinion_pool(const FrameEvidence& evidence,
                                              const ByStep<double>& values) {
-  std::vector<double> cells(grid::kCellCount);
-  std::vector<std::uint32_t> counts(grid::kCellCount);
+  std::vector<double> cells(geometry::kCellCount);
+  std::vector<std::uint32_t> counts(geometry::kCellCount);
   for (const CellEvidence& seen : evidence.cells) {
     if (const double value = at(values, seen.step); is_measurement(value)) {
       cells[seen.cell] += value;
@@ -86,7 +86,7 @@ std::vector<double> fuse_linear_opinion_pool(const FrameEvidence& evidence,
 }
 
 std::vector<double> fuse_maximum(const FrameEvidence& evidence, const ByStep<double>& values) {
-  std::vector<double> cells(grid::kCellCount);
+  std::vector<double> cells(geometry::kCellCount);
   for (const CellEvidence& seen : evidence.cells) {
     if (const double value = at(values, seen.step); is_measurement(value)) {
       cells[seen.cell] = reference::fuse_maximum(cells[seen.cell], value);

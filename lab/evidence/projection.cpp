@@ -22,7 +22,7 @@
 namespace iog::lab {
 namespace {
 
-using traversal::Cell;
+using geometry::Cell;
 using traversal::Position;
 using traversal::Share;
 using vehicle::BeamLine;
@@ -93,7 +93,7 @@ class Places {
 
 // Where a cell's centre projects to on the line, in units of 1 mm / (2 |E - S|^2).
 Reading centre_reading(const Sensor& sensor, const BeamLine& line) {
-  constexpr std::int64_t kSide = vehicle::kResolution;
+  constexpr std::int64_t kSide = geometry::kResolution;
   const std::int64_t length_mm = sensor.range.mm();
   const std::int64_t x = line.x().step() * std::int64_t{line.x().length()};
   const std::int64_t y = line.y().step() * std::int64_t{line.y().length()};
@@ -158,7 +158,7 @@ void limit_carving(const vehicle::Vehicle& vehicle, const Sensor& sensor, const 
 // No step of a scan point here lies further behind it than this.
 std::uint64_t far_mm(const Sensor& sensor, std::uint32_t range_mm) {
   return range_mm + std::uint64_t{kFarSteps + 2} * sensor.precision_mm +
-         std::uint64_t{2} * vehicle::kCellMm;
+         std::uint64_t{2} * geometry::kCellMm;
 }
 
 Plan plan_of_point(const Sensor& sensor, const BeamLine& line, const Places& places,
@@ -198,21 +198,21 @@ Plan plan_of_missing_return(const Sensor& sensor, const Places& places) {
 using Cells = std::vector<std::uint32_t>;
 
 void walk_crossed(const BeamLine& line, std::int64_t path_end, Cells& path) {
-  const auto inside = line.clip(vehicle::kGridArea);
+  const auto inside = line.clip(geometry::kGridArea);
   if (!inside) {
     return;
   }
   const auto end = static_cast<std::uint32_t>(
       std::min<std::int64_t>(path_end, std::int64_t{inside->last.crossed()} + 1));
-  traversal::Walk walk(line, inside->first, grid::kStride);
+  traversal::Walk walk(line, inside->first, geometry::kCellsPerSide);
   walk.until(end, [&](std::size_t offset) { path.push_back(static_cast<std::uint32_t>(offset)); });
 }
 
 void walk_bresenham(const BeamLine& line, std::int64_t path_end, Cells& path) {
   std::int64_t place = 0;
   reference::walk_bresenham(line.cell({}), line.cell(line.through(kWholeLine)), [&](Cell cell) {
-    if (place < path_end && vehicle::kGridArea.contains(cell)) {
-      path.push_back(static_cast<std::uint32_t>(cell.y * grid::kStride + cell.x));
+    if (place < path_end && geometry::kGridArea.contains(cell)) {
+      path.push_back(static_cast<std::uint32_t>(cell.y * geometry::kCellsPerSide + cell.x));
     }
     ++place;
   });
@@ -222,8 +222,8 @@ void walk_bresenham(const BeamLine& line, std::int64_t path_end, Cells& path) {
 void read_path(const Cells& path, const Plan& plan, std::vector<CellEvidence>& evidence) {
   std::size_t slot = 0;
   for (const std::uint32_t offset : path) {
-    const std::int64_t column = offset % grid::kStride;
-    const std::int64_t row = offset / grid::kStride;
+    const std::int64_t column = offset % geometry::kCellsPerSide;
+    const std::int64_t row = offset / geometry::kCellsPerSide;
     const std::int64_t reading = plan.reading.of(column, row);
     while (slot < kStepCount && reading >= plan.step_end[slot]) {
       ++slot;
@@ -253,8 +253,8 @@ class Projector {
     const Sensor& sensor = vehicle_->sensors[seen.sensor];
     const lidar::ScanPoint& point = seen.point;
     const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-    const vehicle::Judgement judgement = vehicle::judge(sensor, beam, point);
-    if (!judgement.carves && !judgement.marks) {
+    const vehicle::Classification classification = vehicle::classify(sensor, beam, point);
+    if (!classification.carves && !classification.marks) {
       return;
     }
     const Places places(beam.line, geometry_.path);
@@ -262,11 +262,11 @@ class Projector {
     Plan plan = is_missing
                     ? plan_of_missing_return(sensor, places)
                     : plan_of_point(sensor, beam.line, places, point.range_mm, geometry_.sampling);
-    if (judgement.carves) {
+    if (classification.carves) {
       const std::uint32_t reach_mm = is_missing ? sensor.no_return_clears_mm : point.range_mm;
       limit_carving(*vehicle_, sensor, beam, places, std::min(reach_mm, sensor.range.mm()), plan);
     }
-    if (judgement.marks) {
+    if (classification.marks) {
       plan.marks = true;
       remember_hit(sensor, beam.line, places, point.range_mm, plan);
     }
@@ -288,8 +288,9 @@ class Projector {
     const Position hit = line.through({range_mm, sensor.range.mm()});
     plan.path_end = std::max(plan.path_end, places.of(hit) + 1);
     const Cell cell = line.cell(hit);
-    if (vehicle::kGridArea.contains(cell)) {
-      evidence_.hits.push_back(static_cast<std::uint32_t>(cell.y * grid::kStride + cell.x));
+    if (geometry::kGridArea.contains(cell)) {
+      evidence_.hits.push_back(
+          static_cast<std::uint32_t>(cell.y * geometry::kCellsPerSide + cell.x));
     }
   }
 

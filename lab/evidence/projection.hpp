@@ -42,7 +42,7 @@ inline constexpr std::size_t kStepCount = 2 * std::size_t{kFarSteps} + 1;
 
 // What one beam says of one cell.
 struct CellEvidence {
-  std::uint32_t cell;  // y * grid::kStride + x
+  std::uint32_t cell;  // y * geometry::kCellsPerSide + x
   std::int8_t step;    // 1D cell minus k, not below -kFarSteps
 };
 

@@ -41,7 +41,7 @@ void add_map(const std::string& map, const std::function<char(std::size_t)>& let
   for (std::size_t y = kFirstY; y < kFirstY + kSide; ++y) {
     std::string cells;
     for (std::size_t x = kFirstX; x < kFirstX + kSide; ++x) {
-      cells += letter_at(y * grid::kStride + x);
+      cells += letter_at(y * geometry::kCellsPerSide + x);
     }
     table.row(map, kFirstX, y, cells);
   }

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/grid.hpp"
 #include "lab/experiments/a9_frame.hpp"
 #include "lab/scenarios/worst_frames.hpp"
-#include "stream/tile.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {
@@ -21,7 +21,7 @@ namespace {
 // at most, and each may cross one more than whole cells fit into it. It enters a cell with each,
 // and was in one before.
 double most_cells(double length_mm) {
-  return std::floor(std::numbers::sqrt2 * length_mm / vehicle::kCellMm) + 2 + 1;
+  return std::floor(std::numbers::sqrt2 * length_mm / geometry::kCellMm) + 2 + 1;
 }
 
 FrameBound counts_of(const vehicle::Vehicle& car) {
@@ -33,7 +33,7 @@ FrameBound counts_of(const vehicle::Vehicle& car) {
     bound.cells += points * cells;
     bound.cells_per_beam = std::max(bound.cells_per_beam, cells);
   }
-  bound.tiles = stream::kTileCount;
+  bound.tiles = geometry::kTileCount;
   return bound;
 }
 

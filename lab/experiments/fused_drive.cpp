@@ -16,8 +16,8 @@ void fuse_drive(std::string_view scene, std::uint64_t seed, std::uint32_t second
   vehicle.rule = rule;
   const auto fusion = std::make_unique<grid::FrameFusion>(vehicle);  // too large for the stack
   tools::Drive drive(car, seed, seconds, tools::find_scene(scene));
-  std::vector<index::OccupancyIndex> storage(grid::kCellCount);
-  const auto cells = std::span(storage).first<grid::kCellCount>();
+  std::vector<index::OccupancyIndex> storage(geometry::kCellCount);
+  const auto cells = std::span(storage).first<geometry::kCellCount>();
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
     drive.move_to(frame);
     fusion->clear();
@@ -25,7 +25,7 @@ void fuse_drive(std::string_view scene, std::uint64_t seed, std::uint32_t second
       fusion->add(vehicle.sensors[seen.sensor], seen.point);
     }
     fusion->finish();
-    fusion->copy_cells(cells);
+    fusion->view().copy_cells(cells);
     use(cells);
   }
 }

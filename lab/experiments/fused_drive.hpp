@@ -13,7 +13,7 @@
 namespace iog::lab {
 
 // A grid, row by row from the lowest y.
-using GridCells = std::span<const index::OccupancyIndex, grid::kCellCount>;
+using GridCells = std::span<const index::OccupancyIndex, geometry::kCellCount>;
 
 // Calls use(cells) for each frame of the reference car's drive, by this rule and the car's own
 // profile. UsageError if there is no such scene.

@@ -102,7 +102,7 @@ void Trials::add_to(Trial& trial, const FrameEvidence& evidence,
   trial.ended += look_up(evidence.hits, states);
   ++trial.frames;
   if (!truth.empty()) {
-    trial.detection += compare(truth, states, grid::kStride);
+    trial.detection += compare(truth, states, geometry::kCellsPerSide);
     std::visit([&](const auto& values) { trial.roc.add(truth, values); }, grid.cells);
   }
 }

@@ -22,7 +22,7 @@ struct Known {
 };
 
 std::vector<Known> known_cells(const FrameEvidence& evidence) {
-  std::vector<Known> of_cell(grid::kCellCount);
+  std::vector<Known> of_cell(geometry::kCellCount);
   for (const CellEvidence& seen : evidence.cells) {
     Known& known = of_cell[seen.cell];
     known.cell = seen.cell;
@@ -73,7 +73,7 @@ void compare(const FrameEvidence& evidence, const ByStep<double>& model,
   const auto exact = fuse_probabilities(evidence, model, ProbabilityRule::kBayes);
   for (QuantisedModel& one : quantised) {
     const auto sums = fuse_indexes(evidence, one.values, IndexRule::kSequential, kNoSaturation);
-    one.differences.cells += grid::kCellCount;
+    one.differences.cells += geometry::kCellCount;
     one.differences.known += known_of_frame.size();
     for (const Known& known : known_of_frame) {
       const std::int32_t n = sums[known.cell];

@@ -93,7 +93,7 @@ struct Drives {
 };
 
 void count_signs(const FrameEvidence& evidence, Outcome& outcome) {
-  std::vector<std::uint8_t> signs(grid::kCellCount);
+  std::vector<std::uint8_t> signs(geometry::kCellCount);
   for (const CellEvidence& seen : evidence.cells) {
     const std::int32_t value = outcome.values[slot_of(seen.step)];
     const unsigned sign = value < 0 ? 1U : 2U;

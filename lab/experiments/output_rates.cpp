@@ -221,7 +221,7 @@ void describe_stages(const Scenes& scenes, Markdown& body) {
       " to warm up; all but the bounds of the cycles are those of the nominal "
       "variant. An instruction belongs to the innermost of the functions named here that it is "
       "called from, so that the stages add up. *Receive* reads Ethernet, IP and UDP; *decode* "
-      "finds and checks the sensors' messages (`FrameEngine::inspect`); *to beams* turns points "
+      "finds and checks the sensors' messages (`FrameEngine::receive`); *to beams* turns points "
       "to beams: fate, line, which index ends where (`FrameEngine::fuse` without carving); *carve* "
       "lowers the cells along them; *mark* adds what they hit (`FrameFusion::finish`); *encode* "
       "finds the known tiles, copies and hashes them and writes their headers (the pipeline itself "

@@ -8,14 +8,14 @@ namespace iog::lab {
 
 std::vector<std::size_t> cells_within(double x_low, double x_high, double y_low, double y_high) {
   const auto cell_of = [](double metres) {
-    constexpr double kCellM = vehicle::kCellMm / 1000.0;
+    constexpr double kCellM = geometry::kCellMm / 1000.0;
     constexpr double kHalf = 0.5;
-    return static_cast<std::size_t>(metres / kCellM + vehicle::kOriginCell + kHalf);
+    return static_cast<std::size_t>(metres / kCellM + geometry::kOriginCell + kHalf);
   };
   std::vector<std::size_t> cells;
   for (std::size_t y = cell_of(y_low); y < cell_of(y_high); ++y) {
     for (std::size_t x = cell_of(x_low); x < cell_of(x_high); ++x) {
-      cells.push_back(y * grid::kStride + x);
+      cells.push_back(y * geometry::kCellsPerSide + x);
     }
   }
   return cells;

@@ -86,7 +86,7 @@ OfDrive leaves_of(const char* scene, const Input& input) {
         const auto sums =
             fuse_indexes(evidence, values, IndexRule::kSequential, kIndexes[i].limit());
         result[i][policy].add(
-            count_leaves(std::span<const std::int32_t>(sums).first<grid::kCellCount>()));
+            count_leaves(std::span<const std::int32_t>(sums).first<geometry::kCellCount>()));
       }
     }
   });
@@ -126,7 +126,7 @@ Table sizes(const Input& input) {
                [&](GridCells cells) { add(scene, frame++, cells); });
   }
   for (const NamedGrid& grid : drawn_grids(input.seed)) {
-    add(grid.name, 0, std::span(grid.cells).first<grid::kCellCount>());
+    add(grid.name, 0, std::span(grid.cells).first<geometry::kCellCount>());
   }
   return table;
 }

@@ -19,15 +19,15 @@ constexpr std::size_t kSingleCells = 1000;
 
 template <typename Draw>
 Cells drawn(Draw&& draw) {
-  Cells cells(grid::kCellCount);
+  Cells cells(geometry::kCellCount);
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    cells[cell] = draw(cell % grid::kStride, cell / grid::kStride);
+    cells[cell] = draw(cell % geometry::kCellsPerSide, cell / geometry::kCellsPerSide);
   }
   return cells;
 }
 
 Cells single_cells(std::uint64_t seed) {
-  Cells cells(grid::kCellCount);
+  Cells cells(geometry::kCellCount);
   tools::Random random(seed);
   for (std::size_t count = 0; count < kSingleCells;) {
     index::OccupancyIndex& cell = cells[random.below(cells.size())];
@@ -38,7 +38,7 @@ Cells single_cells(std::uint64_t seed) {
 }
 
 index::OccupancyIndex one_in_each_tile(std::size_t x, std::size_t y) {
-  return x % grid::kTileSide == 5 && y % grid::kTileSide == 7 ? kHit : index::kUnknown;
+  return x % geometry::kTileSide == 5 && y % geometry::kTileSide == 7 ? kHit : index::kUnknown;
 }
 
 index::OccupancyIndex checkerboard(std::size_t x, std::size_t y) {
@@ -48,8 +48,8 @@ index::OccupancyIndex checkerboard(std::size_t x, std::size_t y) {
 }  // namespace
 
 std::vector<NamedGrid> drawn_grids(std::uint64_t seed) {
-  return {{"all unknown", Cells(grid::kCellCount)},
-          {"all free by one beam", Cells(grid::kCellCount, kFree)},
+  return {{"all unknown", Cells(geometry::kCellCount)},
+          {"all free by one beam", Cells(geometry::kCellCount, kFree)},
           {std::to_string(kSingleCells) + " single cells at random", single_cells(seed)},
           {"a single cell in each tile", drawn(one_in_each_tile)},
           {"checkerboard", drawn(checkerboard)}};

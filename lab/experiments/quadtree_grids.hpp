@@ -11,7 +11,7 @@ namespace iog::lab {
 
 struct NamedGrid {
   std::string name;
-  std::vector<index::OccupancyIndex> cells;  // row by row, grid::kCellCount of them
+  std::vector<index::OccupancyIndex> cells;  // row by row, geometry::kCellCount of them
 };
 
 // One index everywhere, single cells, and last a checkerboard: no tree can have more leaves.

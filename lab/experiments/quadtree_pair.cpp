@@ -13,13 +13,13 @@ namespace {
 using Leaves = std::vector<tree::Leaf<2>>;
 using Tile = std::array<std::byte, tree::kTileCells>;
 
-static_assert(tree::kGridSide == grid::kStride);
+static_assert(tree::kGridSide == geometry::kCellsPerSide);
 
 Tile tile_of(GridCells cells, std::size_t tile_x, std::size_t tile_y) {
   Tile tile{};
   for (std::size_t row = 0; row < tree::kTileSide; ++row) {
     const std::size_t first =
-        (tile_y * tree::kTileSide + row) * grid::kStride + tile_x * tree::kTileSide;
+        (tile_y * tree::kTileSide + row) * geometry::kCellsPerSide + tile_x * tree::kTileSide;
     std::ranges::transform(cells.subspan(first, tree::kTileSide),
                            tile.begin() + static_cast<std::ptrdiff_t>(row * tree::kTileSide),
                            [](index::OccupancyIndex index) { return std::byte(index); });
@@ -55,7 +55,7 @@ std::size_t differing_cells(const Leaves& leaves, GridCells cells) {
   for (const auto& [block, index] : leaves) {
     const std::size_t side = std::size_t{1} << block.side_log2;
     for (std::size_t row = 0; row < side; ++row) {
-      const std::size_t first = (block.corner[1] + row) * grid::kStride + block.corner[0];
+      const std::size_t first = (block.corner[1] + row) * geometry::kCellsPerSide + block.corner[0];
       for (std::size_t cell = first; cell < first + side; ++cell) {
         drawn[cell] = is_drawn[cell] ? kNoIndex : index;
         is_drawn[cell] = true;
@@ -93,7 +93,7 @@ void QuadtreePair::build_reference(GridCells cells) {
   reference_->clear();
   for (std::uint32_t y = 0; y < tree::kGridSide; ++y) {
     for (std::uint32_t x = 0; x < tree::kGridSide; ++x) {
-      static_cast<void>(reference_->set({x, y}, cells[y * grid::kStride + x]));
+      static_cast<void>(reference_->set({x, y}, cells[y * geometry::kCellsPerSide + x]));
     }
   }
 }

@@ -7,7 +7,7 @@
 namespace iog::lab {
 namespace {
 
-constexpr std::uint32_t kStride = grid::kStride;
+constexpr std::uint32_t kStride = geometry::kCellsPerSide;
 
 tree::Cell<2> cell_of(std::uint32_t number) { return {number % kStride, number / kStride}; }
 
@@ -34,7 +34,7 @@ TreeUpdates TreeFusion::fuse(const FrameEvidence& evidence, const ByStep<std::in
   }
   counted.leaves = tree_->leaves();
   const auto array = fuse_indexes(evidence, values, IndexRule::kSequential, kInt8Limit);
-  for (std::uint32_t cell = 0; cell < grid::kCellCount; ++cell) {
+  for (std::uint32_t cell = 0; cell < geometry::kCellCount; ++cell) {
     counted.differing_cells += tree_->leaf_at(cell_of(cell)).index == array[cell] ? 0U : 1U;
   }
   return counted;

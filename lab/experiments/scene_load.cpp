@@ -35,7 +35,7 @@ template <typename Block>
 std::size_t leaves_of(std::span<const Block> cells) {
   std::vector<Block> blocks(cells.begin(), cells.end());
   std::size_t leaves = 1;
-  for (std::size_t side = vehicle::kCellsPerSide; side > 1; side /= 2) {
+  for (std::size_t side = geometry::kCellsPerSide; side > 1; side /= 2) {
     blocks = merge(blocks, side);
     leaves += 3 * static_cast<std::size_t>(std::ranges::count(blocks, kMixed<Block>));
   }
@@ -65,7 +65,7 @@ struct Census {
 // -128 never occurs (contract section 2).
 std::size_t count_leaves(GridCells cells) { return leaves_of<index::OccupancyIndex>(cells); }
 
-std::size_t count_leaves(std::span<const std::int32_t, grid::kCellCount> cells) {
+std::size_t count_leaves(std::span<const std::int32_t, geometry::kCellCount> cells) {
   return leaves_of<std::int32_t>(cells);
 }
 
@@ -73,7 +73,7 @@ SceneLoad load_of(std::string_view scene, std::uint64_t seed, std::uint32_t seco
   Census census;
   fuse_drive(scene, seed, seconds, vehicle::FusionRule::kBayes,
              [&census](GridCells cells) { census.add(cells); });
-  const double all_cells = static_cast<double>(grid::kCellCount) * census.frames;
+  const double all_cells = static_cast<double>(geometry::kCellCount) * census.frames;
   return {.known_cells = census.known / census.frames,
           .cells_per_leaf = all_cells / census.leaves,
           .cells_per_node = all_cells / census.nodes};

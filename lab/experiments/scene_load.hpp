@@ -16,8 +16,8 @@ namespace iog::lab {
 // index and it is not part of a larger one (thesis section 3.5.2). The second is for indexes that
 // an int8 cannot hold; they are above -2^31.
 [[nodiscard]] std::size_t count_leaves(
-    std::span<const index::OccupancyIndex, grid::kCellCount> cells);
-[[nodiscard]] std::size_t count_leaves(std::span<const std::int32_t, grid::kCellCount> cells);
+    std::span<const index::OccupancyIndex, geometry::kCellCount> cells);
+[[nodiscard]] std::size_t count_leaves(std::span<const std::int32_t, geometry::kCellCount> cells);
 
 // Means over all frames of a drive.
 struct SceneLoad {

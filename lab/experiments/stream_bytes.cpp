@@ -56,7 +56,7 @@ class Scale {
       return;
     }
     ++bytes_.frames;
-    for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       if (!frame.known_tiles.test(tile)) {
         continue;
       }
@@ -64,14 +64,14 @@ class Scale {
       bytes_.bytes_alone +=
           encoder_->encode(tools::cells_of_tile(frame, tile), std::nullopt, payload_).bytes;
       for (std::size_t i = 0; i < bytes_.bytes_by.size(); ++i) {
-        bytes_.bytes_by.at(i) += std::min(encoder_->sizes().at(i), stream::kTileBytes);
+        bytes_.bytes_by.at(i) += std::min(encoder_->sizes().at(i), tile_coding::kTileBytes);
       }
     }
   }
 
   StreamBytes bytes_;
   std::unique_ptr<tile_coding::Encoder> encoder_ = std::make_unique<tile_coding::Encoder>();
-  std::array<std::byte, stream::kTileBytes> payload_{};
+  std::array<std::byte, tile_coding::kTileBytes> payload_{};
   tools::FrameAssembler assembler_{[this](const tools::GridFrame& frame) { weigh_grid(frame); }};
 };
 

@@ -79,8 +79,8 @@ Cell cell_at(std::size_t offset) {
 template <std::int32_t kResolution>
 Cells walk_subcells(Beam beam, Rounding rounding) {
   const auto subcells = [rounding](CellPoint point) {
-    return traversal::SubcellPoint{rounded(point.x * kResolution, rounding),
-                                   rounded(point.y * kResolution, rounding)};
+    return geometry::SubcellPoint{rounded(point.x * kResolution, rounding),
+                                  rounded(point.y * kResolution, rounding)};
   };
   const traversal::Line<kResolution> line(subcells(beam.start), subcells(beam.end));
   Cells cells;

@@ -199,7 +199,7 @@ void describe_bound(const FrameBound& bound, const std::vector<Row>& rows, Markd
       "refused, which "
       "leaves " +
       grouped(bound.points) + " points a frame. A line of length L crosses at most L sqrt(2) / " +
-      fixed(vehicle::kCellMm / 1000.0, 2) +
+      fixed(geometry::kCellMm / 1000.0, 2) +
       " m + 2 borders of cells and carves as many cells and one, which for 50 m is " +
       grouped(bound.cells_per_beam) + " a beam and " + grouped(bound.cells) +
       " a frame. A point marks one cell. A grid has " + grouped(bound.tiles) +

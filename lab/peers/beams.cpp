@@ -14,8 +14,8 @@ namespace {
 using vehicle::Fate;
 
 PointMetres in_metres(double x_subcells, double y_subcells) {
-  return {x_subcells / vehicle::kSubcellsPerMetre - kHalfSideM,
-          y_subcells / vehicle::kSubcellsPerMetre - kHalfSideM};
+  return {x_subcells / geometry::kSubcellsPerMetre - kHalfSideM,
+          y_subcells / geometry::kSubcellsPerMetre - kHalfSideM};
 }
 
 // At this share of the beam's line, which may be above 1.
@@ -28,9 +28,9 @@ void append(const SensorPoint& seen, PeerFrame& frame, PeerFrames& result) {
   const vehicle::Vehicle& car = *result.vehicle;
   const vehicle::Sensor& sensor = car.sensors[seen.sensor];
   const vehicle::Beam beam = vehicle::aim(sensor, seen.point.layer, seen.point.azimuth_ticks);
-  const vehicle::Judgement judgement = vehicle::judge(sensor, beam, seen.point);
-  if (!judgement.carves) {
-    result.later_echoes += judgement.marks ? 1U : 0U;
+  const vehicle::Classification classification = vehicle::classify(sensor, beam, seen.point);
+  if (!classification.carves) {
+    result.later_echoes += classification.marks ? 1U : 0U;
     return;
   }
   require(seen.point.range_mm > 0);  // no scanner of this car clears without an echo
@@ -42,15 +42,15 @@ void append(const SensorPoint& seen, PeerFrame& frame, PeerFrames& result) {
     const auto leaves = static_cast<double>(part.to.numerator);
     share = std::min(share, leaves / static_cast<double>(part.to.denominator));
   }
-  const bool is_too_far = judgement.fate == Fate::kTooFar && part.is_whole;
+  const bool is_too_far = classification.fate == Fate::kTooFar && part.is_whole;
   frame.push_back({.sensor = seen.sensor,
                    .point = seen.point,
                    .origin = in_metres(sensor.origin.x, sensor.origin.y),
                    .end = point_at(share, sensor, beam.line),
                    .is_too_far = is_too_far,
-                   .marks = judgement.marks});
+                   .marks = classification.marks});
   ++result.beams;
-  result.only_carving += is_too_far || judgement.marks ? 0U : 1U;
+  result.only_carving += is_too_far || classification.marks ? 0U : 1U;
 }
 
 }  // namespace

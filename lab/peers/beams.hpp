@@ -39,8 +39,8 @@ struct PeerFrames {
   std::size_t later_echoes = 0;  // nobody gets them: MRPT's scans have one range a direction
 };
 
-inline constexpr double kCellM = vehicle::kCellMm / 1000.0;
-inline constexpr double kHalfSideM = vehicle::kOriginCell * kCellM;
+inline constexpr double kCellM = geometry::kCellMm / 1000.0;
+inline constexpr double kHalfSideM = geometry::kOriginCell * kCellM;
 
 // Every `step`-th frame of a drive, from its first.
 [[nodiscard]] PeerFrames frames_of(const tools::CatalogueEntry& car, std::string_view scene,

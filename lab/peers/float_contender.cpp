@@ -42,7 +42,7 @@ FloatBeam prepare(const vehicle::Vehicle& car, const PeerBeam& beam) {
       vehicle::aim(sensor, beam.point.layer, beam.point.azimuth_ticks).line;
   // The local grid has its 1D cells along the beam, of which the plane sees the cosine.
   const double plane_m =
-      std::hypot(line.x().length(), line.y().length()) / vehicle::kSubcellsPerMetre;
+      std::hypot(line.x().length(), line.y().length()) / geometry::kSubcellsPerMetre;
   const double range_m = std::hypot(x_m, y_m);
   const double behind_m = beam.marks ? (kCellsBehind + 1) * sensor.precision_mm / 1000.0 : 0;
   const double share = std::min(range_m + behind_m, plane_m) / range_m;
@@ -94,8 +94,8 @@ class Float final : public Contender {
   void fuse(std::size_t frame) override {
     for (const FloatBeam& beam : frames_[frame]) {
       const Table& table = beam.marks ? carves_and_marks_ : carves_;
-      reference::walk_amanatides_woo(beam.start, beam.end, [&](traversal::Cell cell) {
-        if (!vehicle::kGridArea.contains(cell)) {
+      reference::walk_amanatides_woo(beam.start, beam.end, [&](geometry::Cell cell) {
+        if (!geometry::kGridArea.contains(cell)) {
           return;
         }
         const float x = static_cast<float>(cell.x) + 0.5F - beam.start.x;
@@ -119,10 +119,10 @@ class Float final : public Contender {
 
  private:
   static constexpr std::size_t kCells =
-      std::size_t{vehicle::kCellsPerSide} * vehicle::kCellsPerSide;
+      std::size_t{geometry::kCellsPerSide} * geometry::kCellsPerSide;
 
-  static std::size_t offset_of(traversal::Cell cell) {
-    const std::int32_t offset = cell.y * vehicle::kCellsPerSide + cell.x;
+  static std::size_t offset_of(geometry::Cell cell) {
+    const std::int32_t offset = cell.y * geometry::kCellsPerSide + cell.x;
     return static_cast<std::size_t>(offset);
   }
 

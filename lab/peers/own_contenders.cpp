@@ -31,8 +31,8 @@ class Ours final : public Contender {
   }
   void clear() override { fusion_.clear(); }
   [[nodiscard]] CellCounts count() const override {
-    std::vector<index::OccupancyIndex> cells(grid::kCellCount);
-    fusion_.copy_cells(std::span(cells).first<grid::kCellCount>());
+    std::vector<index::OccupancyIndex> cells(geometry::kCellCount);
+    fusion_.view().copy_cells(std::span(cells).first<geometry::kCellCount>());
     return count_of(cells);
   }
 

@@ -22,7 +22,7 @@
 
 namespace iog::lab::reference {
 
-using traversal::Cell;
+using geometry::Cell;
 
 // A point in cells.
 template <typename Real>

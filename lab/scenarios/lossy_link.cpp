@@ -53,7 +53,7 @@ class LossyLink {
 
 bool is_equal(std::span<const index::OccupancyIndex> cells, const tools::GridFrame& truth,
               std::size_t tile) {
-  for (std::size_t i = 0; i < stream::kTileBytes; ++i) {
+  for (std::size_t i = 0; i < tile_coding::kTileBytes; ++i) {
     if (cells[tools::cell_of_tile(tile, i)] != truth.cells[tools::cell_of_tile(tile, i)]) {
       return false;
     }
@@ -64,7 +64,7 @@ bool is_equal(std::span<const index::OccupancyIndex> cells, const tools::GridFra
 // Tiles of the live grid that are not what they were in the frame that they are said to be of.
 std::uint64_t wrong_tiles(const tools::LiveGrid& live, const SentStream& sent) {
   std::uint64_t wrong = 0;
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (const auto age = live.age_of(tile)) {
       const tools::GridFrame& truth = sent.frames.at(live.newest_frame() - *age);
       wrong += is_equal(live.cells(), truth, tile) ? 0U : 1U;
@@ -131,8 +131,8 @@ LinkTrial try_link(const SentStream& sent, const Harm& harm, std::uint32_t quiet
     }
     if (frame.header.frame_number < quiet_from) {
       trial.whole_frames += is_whole ? 1U : 0U;
-      trial.tiles += stream::kTileCount;
-      trial.fresh_tiles += stream::kTileCount - live.stale_tiles();
+      trial.tiles += geometry::kTileCount;
+      trial.fresh_tiles += geometry::kTileCount - live.stale_tiles();
     }
   });
   for (const Message& message : carry(sent, harm, quiet_from, seed)) {

@@ -37,7 +37,7 @@ bool is_used(const Sensor& sensor, const tools::LuxPoint& point) {
   const lidar::ScanPoint scan_point{
       .range_mm = point.range_cm * 10U, .azimuth_ticks = azimuth, .layer = point.layer};
   const vehicle::Beam beam = vehicle::aim(sensor, point.layer, azimuth);
-  return vehicle::judge(sensor, beam, scan_point).fate == vehicle::Fate::kUsed;
+  return vehicle::classify(sensor, beam, scan_point).fate == vehicle::Fate::kUsed;
 }
 
 // The furthest range, up to 49 m, at which an echo of this beam is inside the height band.

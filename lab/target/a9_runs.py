@@ -18,7 +18,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 # benchmark itself does between two frames, and reading its stopwatch.
 STAGES = {
     "receive": ["iog::net::parse_ethernet(", "iog::net::parse_ipv4(", "iog::net::parse_udp("],
-    "decode": ["iog::app::FrameEngine::inspect("],
+    "decode": ["iog::app::FrameEngine::receive(", "iog::app::FrameEngine::classify("],
     "beams": ["iog::app::FrameEngine::fuse("],
     "carve": ["iog::grid::carve_blocks(", "iog::grid::carve_cells("],
     "mark": ["iog::grid::FrameFusion::finish("],

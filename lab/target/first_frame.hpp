@@ -9,7 +9,6 @@
 #include <span>
 
 #include "app/frame_engine.hpp"
-#include "lidar/ibeo_lux.hpp"
 #include "lidar/scan_point.hpp"
 #include "playback.hpp"
 #include "require/require.hpp"
@@ -22,21 +21,25 @@ struct SensorPoint {
   lidar::ScanPoint point;
 };
 
-// A target of play(). All of the vehicle's sensors are LUX.
+// A target of play().
 class FirstFrame {
  public:
   explicit FirstFrame(const vehicle::Vehicle& vehicle) : engine_(vehicle, kReplayer, 0) {}
 
-  void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
+  void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {
     if (is_over_) {
       return;
     }
-    const app::FrameEngine::Inspection inspection = engine_.inspect(datagram);
-    is_over_ = inspection == app::FrameEngine::Inspection::kNextFrame;
-    if (inspection == app::FrameEngine::Inspection::kThisFrame) {
-      engine_.fuse(now_us);
-      keep(sensor, datagram.payload);
+    const auto packet = engine_.receive(datagram);
+    if (!packet) {
+      return;
+    }
+    const app::FrameEngine::Outcome outcome = engine_.classify(*packet);
+    is_over_ = outcome == app::FrameEngine::Outcome::kNextFrame;
+    if (outcome == app::FrameEngine::Outcome::kThisFrame) {
+      engine_.fuse(*packet, now_us);
+      keep(sensor, packet->packet);
       is_over_ = engine_.is_complete();
     }
   }
@@ -58,9 +61,8 @@ class FirstFrame {
   }
 
  private:
-  void keep(const vehicle::Sensor& sensor, std::span<const std::byte> payload) {
-    require(lux_.decode(payload) == lidar::DecodeStatus::kOk);
-    lux_.for_each_point([&](const lidar::ScanPoint& point) {
+  void keep(const vehicle::Sensor& sensor, const intake::Packet& packet) {
+    packet.for_each_point([&](const lidar::ScanPoint& point) {
       require(count_ < points_.size());
       points_[count_++] = {&sensor, point};
     });
@@ -69,7 +71,6 @@ class FirstFrame {
   bool is_over_ = false;
   std::size_t count_ = 0;
   std::array<SensorPoint, 16'384> points_{};
-  lidar::IbeoLux lux_;
   app::FrameEngine engine_;
 };
 

@@ -30,7 +30,7 @@ namespace iog::lab {
 namespace {
 
 constexpr std::size_t kLineBytes = 32;  // TRM of the Cortex-A9 and of PL310
-constexpr traversal::Cell kLastCell = grid::cell_of(grid::kCellCount - 1);
+constexpr geometry::Cell kLastCell = geometry::cell_of(geometry::kCellCount - 1);
 constexpr std::size_t kLines = grid::offset_of(kLastCell) / kLineBytes + 1;
 constexpr std::size_t kLinesOfMessage = protection::kMaxMessageBytes / kLineBytes;
 using LineNumber = std::uint16_t;
@@ -65,8 +65,8 @@ class TouchedLines {
   TouchedLines(Capture& capture, LineList& list, std::size_t frames)
       : capture_(capture), list_(list), frames_(frames) {}
 
-  void look_at(const grid::FrameFusion& fusion) {
-    if (!note_lines(fusion)) {
+  void look_at(const grid::FrameView& frame) {
+    if (!note_lines(frame)) {
       return;
     }
     list_.end_frame();
@@ -77,12 +77,12 @@ class TouchedLines {
 
  private:
   // False if nothing is known.
-  bool note_lines(const grid::FrameFusion& fusion) {
+  bool note_lines(const grid::FrameView& frame) {
     static std::array<bool, kLines> known;
     known.fill(false);
-    for (std::size_t number = 0; number < grid::kCellCount; ++number) {
-      const traversal::Cell cell = grid::cell_of(number);
-      if (fusion.at(cell) != index::kUnknown) {
+    for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
+      const geometry::Cell cell = geometry::cell_of(number);
+      if (frame.at(cell) != index::kUnknown) {
         known[grid::offset_of(cell) / kLineBytes] = true;
       }
     }
@@ -170,7 +170,7 @@ int run(const char* path, std::size_t frames) {
     std::printf("floor: %s cannot be read as a pcap of Ethernet frames\n", path);
     return 1;
   }
-  const auto look = [](const grid::FrameFusion& fusion) { touched.look_at(fusion); };
+  const auto look = [](const grid::FrameView& frame) { touched.look_at(frame); };
   static FusedFrames fused(vehicles::kVehicle, look);
   play(capture, vehicles::kVehicle, counter, fused);
   if (list.frames() < 1 + frames) {

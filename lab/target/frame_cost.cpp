@@ -50,8 +50,8 @@ void print_stages(const StagePass& pass) {
   print("packets", pass.packets());
   print("points", pass.points());
   print("points_used", pass.points_used());
-  print("messages", pass.outside().messages());
-  print("sent_bytes", pass.outside().sent_bytes());
+  print("messages", pass.platform().messages());
+  print("sent_bytes", pass.platform().sent_bytes());
   print_stage("receive", pass.receive(), pass.frames());
   print_stage("fuse", pass.fuse(), pass.frames());
   print_stage("mark", pass.mark(), pass.frames());
@@ -73,9 +73,9 @@ void print_operations(const OperationCost& cost) {
 }
 
 void print_sizes() {
-  print("tiles_per_grid", stream::kTileCount);
+  print("tiles_per_grid", geometry::kTileCount);
   print("pipeline_bytes", sizeof(StagePass::Pipeline));
-  print("grid_bytes", std::uint64_t{sizeof(grid::OccupancyIndex)} * grid::kCellCount);
+  print("grid_bytes", std::uint64_t{sizeof(grid::OccupancyIndex)} * geometry::kCellCount);
   print("marks_bytes", std::uint64_t{sizeof(grid::Mark)} * grid::kMaxMarks);
   print("receive_descriptor_bytes", sizeof(imx6::EnetMemory::receive_descriptors));
   print("receive_buffer_bytes", sizeof(imx6::EnetMemory::receive_buffers));
@@ -111,8 +111,8 @@ class FirstFrames {
         frames_(request.before + request.frames),
         forgets_(request.forgets) {}
 
-  void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
-            std::uint32_t received, std::uint64_t now_us) {
+  void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
+            std::uint64_t now_us) {
     stages_.take(sensor, datagram, received, now_us);
     look_for_end();
   }

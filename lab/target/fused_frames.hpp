@@ -11,22 +11,24 @@
 
 namespace iog::lab {
 
-// A target of play(). Calls visit(fusion) when a frame is complete, before its grid is cleared.
+// A target of play(). Calls visit(view) when a frame is complete, before its grid is cleared.
 template <typename Visit>
 class FusedFrames {
  public:
   FusedFrames(const vehicle::Vehicle& vehicle, Visit visit)
       : visit_(std::move(visit)), engine_(vehicle, kReplayer, 0) {}
 
-  void take(const vehicle::Sensor& /*sensor*/, const app::SensorDatagram& datagram,
+  void take(const vehicle::Sensor& /*sensor*/, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {
-    auto inspection = engine_.inspect(datagram);
-    if (inspection == app::FrameEngine::Inspection::kNextFrame) {
+    using Outcome = app::FrameEngine::Outcome;
+    const auto packet = engine_.receive(datagram);
+    Outcome outcome = packet ? engine_.classify(*packet) : Outcome::kDropped;
+    if (outcome == Outcome::kNextFrame) {
       close_frame(now_us);
-      inspection = engine_.inspect(datagram);
+      outcome = engine_.classify(*packet);
     }
-    if (inspection == app::FrameEngine::Inspection::kThisFrame) {
-      engine_.fuse(now_us);
+    if (outcome == Outcome::kThisFrame) {
+      engine_.fuse(*packet, now_us);
     }
     if (engine_.is_complete()) {
       close_frame(now_us);
@@ -42,7 +44,7 @@ class FusedFrames {
  private:
   void close_frame(std::uint64_t now_us) {
     engine_.finish();
-    visit_(std::as_const(engine_.fusion()));
+    visit_(engine_.view());
     engine_.fusion().clear();
     engine_.start_next(now_us);
   }

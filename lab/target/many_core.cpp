@@ -108,8 +108,8 @@ void measure_product(InstructionCounter& counter, std::span<const SensorPoint> p
   fusion.finish();
   const std::uint32_t instructions = counter.now() - start - counter.of_nothing();
   std::printf("many_core approach=integer");
-  print("cell_mm", vehicle::kCellMm);
-  print("cells", grid::kCellCount);
+  print("cell_mm", geometry::kCellMm);
+  print("cells", geometry::kCellCount);
   print("points", points.size());
   print("points_used", used);
   print("instructions", instructions);

@@ -15,20 +15,21 @@ auto OperationPass::measured(std::uint64_t& sum, Work&& work) {
   return result;
 }
 
-void OperationPass::take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
+void OperationPass::take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
                          std::uint32_t /*received*/, std::uint64_t now_us) {
-  using Inspection = app::FrameEngine::Inspection;
-  const auto inspect = [&] {
-    return measured(cost_.inspect, [&] { return engine_.inspect(datagram); });
+  using Outcome = app::FrameEngine::Outcome;
+  const auto packet = measured(cost_.inspect, [&] { return engine_.receive(datagram); });
+  const auto classify = [&] {
+    return measured(cost_.inspect, [&] { return engine_.classify(*packet); });
   };
-  Inspection inspection = inspect();
-  if (inspection == Inspection::kNextFrame) {
+  Outcome outcome = packet ? classify() : Outcome::kDropped;
+  if (outcome == Outcome::kNextFrame) {
     close_frame(now_us);
-    inspection = inspect();
+    outcome = classify();
   }
-  if (inspection == Inspection::kThisFrame) {
+  if (outcome == Outcome::kThisFrame) {
     measured(cost_.fuse, [&] {
-      engine_.fuse(now_us);
+      engine_.fuse(*packet, now_us);
       return true;
     });
     take_apart(sensor, datagram.payload);
@@ -47,28 +48,28 @@ void OperationPass::tick(std::uint64_t now_us) {
 void OperationPass::close_frame(std::uint64_t now_us) {
   engine_.finish();
   stream::GridHash hash;
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     take_tile_apart(tile, hash);
   }
   engine_.start_next(now_us);
 }
 
 void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
-  grid::FrameFusion& fusion = engine_.fusion();
-  if (!measured(cost_.find, [&] { return fusion.is_touched(tile); })) {
+  const grid::FrameView frame = engine_.view();
+  if (!measured(cost_.find, [&] { return frame.is_touched(tile); })) {
     return;
   }
-  std::array<grid::OccupancyIndex, stream::kTileBytes> cells;
+  std::array<grid::OccupancyIndex, tile_coding::kTileBytes> cells;
   const bool is_known = measured(cost_.hash, [&] {
-    const bool found = fusion.copy_tile(tile, cells);
+    const bool found = frame.copy_tile(tile, cells);
     if (found) {
-      hash.add(tile % stream::kTilesPerSide, tile / stream::kTilesPerSide,
+      hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
                std::as_bytes(std::span(cells)));
     }
     return found;
   });
   measured(cost_.clear, [&] {
-    fusion.clear_tile(tile);
+    engine_.fusion().clear_tile(tile);
     return true;
   });
   cost_.tiles += is_known ? 1U : 0U;
@@ -76,19 +77,15 @@ void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
 
 void OperationPass::take_apart(const vehicle::Sensor& sensor, std::span<const std::byte> payload) {
   const auto each = [&](const lidar::ScanPoint& point) { take_apart(sensor, point); };
-  if (sensor.format == lidar::Format::kIbeoLux) {
-    static_cast<void>(measured(cost_.decode, [&] { return lux_.decode(payload); }));
-    lux_.for_each_point(each);
-  } else {
-    static_cast<void>(measured(cost_.decode, [&] { return vlp16_.decode(payload); }));
-    vlp16_.for_each_point(each);
-  }
+  measured(cost_.decode, [&] {
+    return intake::Packet::decode(sensor.format, payload);
+  }).for_each_point(each);
 }
 
 void OperationPass::take_apart(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
   const vehicle::Beam beam =
       measured(cost_.aim, [&] { return vehicle::aim(sensor, point.layer, point.azimuth_ticks); });
-  static_cast<void>(measured(cost_.judge, [&] { return vehicle::judge(sensor, beam, point); }));
+  static_cast<void>(measured(cost_.judge, [&] { return vehicle::classify(sensor, beam, point); }));
   ++cost_.points;
   cost_.cells += carved_cells(sensor, beam, point);
 }
@@ -102,14 +99,14 @@ std::uint32_t OperationPass::carved_cells(const vehicle::Sensor& sensor, const v
   }
   static_cast<void>(single_.add(sensor, point));
   single_.carve_waiting();
-  const auto inside = beam.line.clip(vehicle::kGridArea);
+  const auto inside = beam.line.clip(geometry::kGridArea);
   if (!inside) {
     return 0;
   }
   std::uint32_t carved = 0;
-  traversal::Walk walk(beam.line, inside->first, grid::kStride);
+  traversal::Walk walk(beam.line, inside->first, geometry::kCellsPerSide);
   walk.until(inside->last.crossed() + 1, [&](std::size_t number) {
-    carved += single_.at(grid::cell_of(number)) != index::kUnknown ? 1U : 0U;
+    carved += single_.view().at(geometry::cell_of(number)) != index::kUnknown ? 1U : 0U;
   });
   single_.clear();
   return carved;

@@ -36,8 +36,8 @@ class OperationPass {
   OperationPass(const vehicle::Vehicle& vehicle, InstructionCounter& counter)
       : vehicle_(vehicle), counter_(counter), engine_(vehicle, kReplayer, 0), single_(vehicle) {}
 
-  void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
-            std::uint32_t received, std::uint64_t now_us);
+  void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
+            std::uint64_t now_us);
   void tick(std::uint64_t now_us);
   [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
 
@@ -58,8 +58,6 @@ class OperationPass {
   const vehicle::Vehicle& vehicle_;
   InstructionCounter& counter_;
   OperationCost cost_;
-  lidar::IbeoLux lux_;
-  lidar::VelodyneVlp16 vlp16_;
   app::FrameEngine engine_;
   grid::FrameFusion single_;  // of one point at a time
 };

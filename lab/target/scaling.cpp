@@ -26,7 +26,7 @@ namespace {
 
 // What the walk's error term leaves room for (src/vehicle/compile.hpp), and the core's own limit.
 constexpr std::uint32_t kLongMm = std::min<std::uint32_t>(
-    100'000, std::uint32_t{vehicle::kCellMm} * 1400 * 1024 / std::uint32_t{vehicle::kResolution});
+    100'000, std::uint32_t{geometry::kCellMm} * 1400 * 1024 / std::uint32_t{geometry::kResolution});
 constexpr std::uint32_t kUsualMm = 50'000;
 
 constexpr std::uint16_t kFirstPort = 12'002;
@@ -113,15 +113,15 @@ int run(const Request& request) {
     return 1;
   }
   std::printf("scaling");
-  print("cells_per_side", vehicle::kCellsPerSide);
-  print("cell_mm", vehicle::kCellMm);
+  print("cells_per_side", geometry::kCellsPerSide);
+  print("cell_mm", geometry::kCellMm);
   print("sensors", request.sensors);
   print("azimuths", request.fan.azimuths);
   print("range_cm", request.fan.range_cm);
   print("frames", request.frames);
   print("points", stages.points() / frames);
   print("points_used", stages.points_used() / frames);
-  print("messages", stages.outside().messages() / frames);
+  print("messages", stages.platform().messages() / frames);
   std::puts("");
   return 0;
 }

@@ -15,7 +15,7 @@ void Spread::add(std::uint32_t value) {
   largest = std::max(largest, value);
 }
 
-void StagePass::take(const vehicle::Sensor& /*sensor*/, const app::SensorDatagram& datagram,
+void StagePass::take(const vehicle::Sensor& /*sensor*/, const intake::Datagram& datagram,
                      std::uint32_t received, std::uint64_t now_us) {
   received_ += received;
   pipeline_.take(datagram, now_us);
@@ -28,7 +28,7 @@ void StagePass::tick(std::uint64_t now_us) {
 }
 
 void StagePass::collect() {
-  outside_.for_each_closed([this](std::span<const std::byte> message) { add_end(message); });
+  platform_.for_each_closed([this](std::span<const std::byte> message) { add_end(message); });
 }
 
 // A frame's end tells its own fusing and marking, and the publishing of the frame before.

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "app/pipeline.hpp"
-#include "measured_outside.hpp"
+#include "measured_platform.hpp"
 #include "playback.hpp"
 #include "stream/crc32.hpp"
 
@@ -24,10 +24,10 @@ struct Spread {
 class StagePass {
  public:
   StagePass(const vehicle::Vehicle& vehicle, InstructionCounter& counter, app::Coding coding)
-      : outside_(counter), pipeline_(vehicle, kReplayer, outside_, 0, coding) {}
+      : platform_(counter), pipeline_(vehicle, kReplayer, platform_, 0, coding) {}
 
-  void take(const vehicle::Sensor& sensor, const app::SensorDatagram& datagram,
-            std::uint32_t received, std::uint64_t now_us);
+  void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
+            std::uint64_t now_us);
   void tick(std::uint64_t now_us);
   [[nodiscard]] std::uint64_t deadline_us() const { return pipeline_.deadline_us(); }
 
@@ -36,7 +36,7 @@ class StagePass {
   [[nodiscard]] std::uint64_t packets() const { return packets_; }
   [[nodiscard]] std::uint64_t points() const { return points_; }
   [[nodiscard]] std::uint64_t points_used() const { return points_used_; }
-  [[nodiscard]] const MeasuredOutside& outside() const { return outside_; }
+  [[nodiscard]] const MeasuredPlatform& platform() const { return platform_; }
 
   // Their instructions. Receiving is charged to the frame that closes next.
   [[nodiscard]] const Spread& receive() const { return receive_; }
@@ -48,7 +48,7 @@ class StagePass {
   // As `iog fuse` computes it: CRC-32 over the frames' grid CRCs.
   [[nodiscard]] std::uint32_t run_hash() const { return run_hash_.value(); }
 
-  using Pipeline = app::Pipeline<MeasuredOutside>;
+  using Pipeline = app::Pipeline<MeasuredPlatform>;
 
   // Makes the core forget what it keeps of lines from one frame to the next. Between two frames.
   void forget_lines() { pipeline_.forget_lines(); }
@@ -66,7 +66,7 @@ class StagePass {
   // Bookkeeping of the benchmark alone: a stage of its own for the model.
   [[gnu::noinline]] void add_end(std::span<const std::byte> message);
 
-  MeasuredOutside outside_;
+  MeasuredPlatform platform_;
   std::uint64_t frames_ = 0;
   std::uint64_t packets_ = 0;
   std::uint64_t points_ = 0;

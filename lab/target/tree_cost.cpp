@@ -24,12 +24,12 @@
 namespace iog::lab {
 namespace {
 
-[[gnu::noinline]] void build_tree(const grid::FrameFusion& fusion, tree::QuadtreeBuilder& builder) {
+[[gnu::noinline]] void build_tree(const grid::FrameView& frame, tree::QuadtreeBuilder& builder) {
   builder.begin();
-  std::array<grid::OccupancyIndex, grid::kTileCells> cells;
-  for (std::size_t tile = 0; tile < grid::kTileCount; ++tile) {
-    if (fusion.is_touched(tile) && fusion.copy_tile(tile, cells)) {
-      require(builder.add(tile % grid::kTilesPerSide, tile / grid::kTilesPerSide,
+  std::array<grid::OccupancyIndex, geometry::kTileCells> cells;
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+    if (frame.is_touched(tile) && frame.copy_tile(tile, cells)) {
+      require(builder.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
                           std::as_bytes(std::span(cells))) == tree::TileFate::kAdded);
     }
   }
@@ -41,8 +41,8 @@ class Trees {
  public:
   Trees(Capture& capture, std::size_t frames) : capture_(capture), frames_(frames) {}
 
-  void build(const grid::FrameFusion& fusion) {
-    build_tree(fusion, builder_);
+  void build(const grid::FrameView& frame) {
+    build_tree(frame, builder_);
     ++built_;
     if (built_ == 1) {
       a9_model::forget_so_far();
@@ -79,7 +79,7 @@ int run(const char* path, std::size_t frames) {
     std::printf("tree_cost: %s cannot be read as a pcap of Ethernet frames\n", path);
     return 1;
   }
-  const auto build = [](const grid::FrameFusion& fusion) { trees.build(fusion); };
+  const auto build = [](const grid::FrameView& frame) { trees.build(frame); };
   static FusedFrames fused(vehicles::kVehicle, build);
   play(capture, vehicles::kVehicle, counter, fused);
   if (trees.frames() < frames) {

@@ -24,7 +24,7 @@ namespace iog::lab {
 template <std::int32_t kResolution>
 class DiscreteWalk {
  public:
-  using End = traversal::SubcellPoint;
+  using End = geometry::SubcellPoint;
   static End end_of(BeamEnd end) {
     return {in_parts(end.x, kResolution), in_parts(end.y, kResolution)};
   }
@@ -151,7 +151,7 @@ class RealErrorWalk {
 // of two equally near ones the further one.
 class BresenhamWalk {
  public:
-  using End = traversal::Cell;
+  using End = geometry::Cell;
   static End end_of(BeamEnd end) {
     return {static_cast<std::int32_t>(in_cells(end.x)), static_cast<std::int32_t>(in_cells(end.y))};
   }

@@ -15,13 +15,13 @@
 #include <type_traits>
 #include <utility>
 
+#include "app/line_sink.hpp"
 #include "app/pipeline.hpp"
 #include "hal/clock.hpp"
 #include "hal/ethernet_port.hpp"
 #include "hal/serial_port.hpp"
 #include "hal/watchdog.hpp"
 #include "net/host.hpp"
-#include "serial/grid_sender.hpp"
 
 namespace iog::app {
 
@@ -41,14 +41,13 @@ concept Machine = requires(T& machine) {
 // its watchdog: a frame of four LUX is 24, a full receive ring 256.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
-// The machine as the pipeline's outside: every frame to the network, and as much of the newest one
-// as the serial line can carry.
+// The machine as the pipeline's platform.
 template <Machine M>
-class MachineOutside {
+class MachinePlatform {
  public:
   using Port = std::remove_reference_t<decltype(std::declval<M&>().ethernet())>;
 
-  MachineOutside(M& machine, const net::Config& config)
+  MachinePlatform(M& machine, const net::Config& config)
       : machine_(machine), host_(machine.ethernet(), config) {}
 
   [[nodiscard]] net::Host<Port>& host() { return host_; }
@@ -59,23 +58,15 @@ class MachineOutside {
     return host_.send_message(message);
   }
 
-  // The frame for the line.
-  void begin_frame(const stream::Header& header) { grid_sender_.begin_frame(header); }
-  void take_tile(std::size_t tile, tile_coding::TileCells cells) {
-    grid_sender_.take_tile(tile, cells);
-  }
-  void end_frame() { grid_sender_.end_frame(); }
-  void pump_line(std::uint64_t now_us) { grid_sender_.pump(now_us, machine_.serial()); }
-
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
 
   // The link's counters in the order of docs/spec.md; damaged datagrams count as dropped packets.
-  void fill_vitals(stream::Header& header, stream::FrameEnd& end) {
-    end.stack_used_bytes = machine_.stack_used_bytes();
+  [[nodiscard]] Vitals vitals() {
+    Vitals vitals{.stack_used_bytes = machine_.stack_used_bytes()};
     const net::Counters& net = host_.counters();
     const hal::PortCounters port = machine_.ethernet().counters();
-    std::span<std::uint32_t> out = end.link_counters;
+    std::span<std::uint32_t> out = vitals.link_counters;
     const auto append = [&](std::span<const std::uint32_t> values) {
       std::ranges::copy(values, out.begin());
       out = out.subspan(values.size());
@@ -86,11 +77,12 @@ class MachineOutside {
     append(net.refusals);
     append(std::array{port.received, port.receive_errors, port.oversized, port.sent,
                       port.send_refused});
-    end.link_counter_count = static_cast<std::uint8_t>(end.link_counters.size() - out.size());
-    header.packets_dropped += port.receive_errors + port.oversized;
+    vitals.link_counter_count = vitals.link_counters.size() - out.size();
+    vitals.link_drops = port.receive_errors + port.oversized;
     for (const net::Drop cause : kDamaged) {
-      header.packets_dropped += net.drops[static_cast<std::size_t>(cause)];
+      vitals.link_drops += net.drops[static_cast<std::size_t>(cause)];
     }
+    return vitals;
   }
 
  private:
@@ -103,15 +95,18 @@ class MachineOutside {
 
   M& machine_;
   net::Host<Port> host_;
-  serial::GridSender grid_sender_;
 };
+
+// The target's pipeline: every frame goes to the network, and to the serial line what it can carry.
+template <Machine M>
+using MachinePipeline = Pipeline<MachinePlatform<M>, LineSink>;
 
 // One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
 template <Machine M>
-bool pass(M& machine, MachineOutside<M>& outside, Pipeline<MachineOutside<M>>& pipeline) {
+bool pass(M& machine, MachinePlatform<M>& platform, LineSink& line, MachinePipeline<M>& pipeline) {
   const std::uint64_t now_us = machine.clock().now_us();
   for (int taken = 0; taken < kMaxDatagramsPerPass; ++taken) {
-    const auto datagram = outside.host().poll(now_us);
+    const auto datagram = platform.host().poll(now_us);
     if (!datagram) {
       break;
     }
@@ -120,17 +115,17 @@ bool pass(M& machine, MachineOutside<M>& outside, Pipeline<MachineOutside<M>>& p
   }
   pipeline.tick(now_us);
   machine.ethernet().pump();
-  outside.pump_line(now_us);
+  line.pump(now_us, machine.serial());
   machine.watchdog().service();
   return !machine.ethernet().receive().empty();
 }
 
 // Never returns. The pipeline holds the grid and belongs into static memory.
 template <Machine M>
-[[noreturn]] void run(M& machine, MachineOutside<M>& outside,
-                      Pipeline<MachineOutside<M>>& pipeline) {
+[[noreturn]] void run(M& machine, MachinePlatform<M>& platform, LineSink& line,
+                      MachinePipeline<M>& pipeline) {
   for (;;) {
-    if (!pass(machine, outside, pipeline)) {
+    if (!pass(machine, platform, line, pipeline)) {
       machine.idle();
     }
   }

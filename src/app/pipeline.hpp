@@ -1,57 +1,55 @@
 // The pipeline: the walk of the data, from a datagram to the last message of its frame.
 //
-// Everything outside comes through one seam, so that the target and the PC run this very file.
+//     wire bytes -> [intake] packet -> scan points -> [fusion] grid -> tiles -> [sinks] wire bytes
+//
+// The machine comes through one seam, app::Platform, so that the target and the PC run this very
+// file. A closed frame goes to the network, and to whatever other sinks there are.
 #pragma once
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <tuple>
 
 #include "app/frame_engine.hpp"
-#include "app/publisher.hpp"
-#include "stream/message.hpp"
+#include "app/network_sink.hpp"
+#include "app/platform.hpp"
 
 namespace iog::app {
 
-// send_message(bytes): sends a copy, at most protection::kMaxMessageBytes; false when none can go
-//                   out.
-// ticks(), ticks_hz(): a stopwatch, as hal::Stopwatch.
-// fill_vitals(header, end): link counters and stack depth of the machine; adds the datagrams that
-//                   the link itself has dropped to the header's count.
-template <typename T>
-concept Outside = requires(T& outside, std::span<const std::byte> message, stream::Header& header,
-                           stream::FrameEnd& end) {
-  { outside.send_message(message) } -> std::same_as<bool>;
-  { outside.ticks() } -> std::same_as<std::uint32_t>;
-  { outside.ticks_hz() } -> std::same_as<std::uint32_t>;
-  { outside.fill_vitals(header, end) } -> std::same_as<void>;
-};
-
-// An outside may look at each frame while it is published: begin_frame(header), take_tile(number,
-// cells) for each tile in which something is known, in rising order, end_frame().
-template <typename T>
-concept FrameWatcher = requires(T& watcher, const stream::Header& header, std::size_t tile,
-                                std::span<const std::byte, stream::kTileBytes> cells) {
-  { watcher.begin_frame(header) } -> std::same_as<void>;
-  { watcher.take_tile(tile, cells) } -> std::same_as<void>;
-  { watcher.end_frame() } -> std::same_as<void>;
-};
-
-template <Outside Out>
+template <Platform P, FrameSink... Sinks>
 class Pipeline {
  public:
-  // vehicle and out outlive the pipeline. start_us: the time from which silence is counted.
-  Pipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, Out& out,
-           std::uint64_t start_us, Coding coding = Coding::kShortest)
-      : engine_(vehicle, replayer_ipv4, start_us), publisher_(coding), out_(&out) {}
+  // vehicle, platform and sinks outlive the pipeline. start_us: the time from which silence is
+  // counted.
+  Pipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
+           std::uint64_t start_us, Coding coding, Sinks&... sinks)
+      : engine_(vehicle, replayer_ipv4, start_us),
+        network_(platform, coding),
+        sinks_(sinks...),
+        platform_(&platform) {}
+  Pipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
+           std::uint64_t start_us, Sinks&... sinks)
+      : Pipeline(vehicle, replayer_ipv4, platform, start_us, Coding::kShortest, sinks...) {}
 
   // One datagram. Closes the frame before it, after it, or not at all.
-  void take(const SensorDatagram& datagram, std::uint64_t now_us) {
-    if (fuse(datagram, now_us) == FrameEngine::Inspection::kNextFrame) {
+  void take(const intake::Datagram& datagram, std::uint64_t now_us) {
+    using Outcome = FrameEngine::Outcome;
+    std::uint32_t start = platform_->ticks();
+    const std::optional<intake::SensorPacket> packet = engine_.receive(datagram);
+    Outcome outcome = packet ? engine_.classify(*packet) : Outcome::kDropped;
+    if (outcome == Outcome::kNextFrame) {
+      ticks_.fuse += platform_->ticks() - start;
       close_frame(now_us);
-      static_cast<void>(fuse(datagram, now_us));
+      start = platform_->ticks();
+      outcome = engine_.classify(*packet);
     }
+    if (outcome == Outcome::kThisFrame) {
+      engine_.fuse(*packet, now_us);
+    }
+    ticks_.fuse += platform_->ticks() - start;
     if (engine_.is_complete()) {
       close_frame(now_us);
     }
@@ -70,53 +68,43 @@ class Pipeline {
   void forget_lines() { engine_.fusion().forget_lines(); }
 
  private:
-  FrameEngine::Inspection fuse(const SensorDatagram& datagram, std::uint64_t now_us) {
-    const std::uint32_t start = out_->ticks();
-    const FrameEngine::Inspection inspection = engine_.inspect(datagram);
-    if (inspection == FrameEngine::Inspection::kThisFrame) {
-      engine_.fuse(now_us);
-    }
-    ticks_.fuse += out_->ticks() - start;
-    return inspection;
-  }
-
   void close_frame(std::uint64_t now_us) {
-    const std::uint32_t start = out_->ticks();
+    const std::uint32_t start = platform_->ticks();
     engine_.finish();
-    const std::uint32_t marked = out_->ticks();
-
-    stream::Header header;
-    stream::FrameEnd end;
-    engine_.report(now_us, header, end);
-    out_->fill_vitals(header, end);
-    const auto send = [this](std::span<const std::byte> message) {
-      return out_->send_message(message);
-    };
-    publish_tiles(header, end, send);
-    end.ticks = {.fuse = ticks_.fuse, .mark = marked - start, .publish = ticks_.publish};
-    end.stopwatch_hz = out_->ticks_hz();
-    publisher_.publish_end(header, end, send);
-
+    const std::uint32_t finished = platform_->ticks();
+    ticks_.mark = finished - start;
+    publish(report(now_us));
     engine_.start_next(now_us);
-    ticks_ = {.fuse = 0, .mark = 0, .publish = out_->ticks() - marked};
+    ticks_ = {.fuse = 0, .mark = 0, .publish = platform_->ticks() - finished};
   }
 
-  template <typename Send>
-  void publish_tiles(const stream::Header& header, stream::FrameEnd& end, Send&& send) {
-    if constexpr (FrameWatcher<Out>) {
-      const auto show = [this](std::size_t tile, auto cells) { out_->take_tile(tile, cells); };
-      out_->begin_frame(header);
-      publisher_.publish_tiles(engine_.fusion(), header, end, send, show);
-      out_->end_frame();
-    } else {
-      const auto show = [](std::size_t /*tile*/, auto /*cells*/) {};
-      publisher_.publish_tiles(engine_.fusion(), header, end, send, show);
-    }
+  [[nodiscard]] FrameReport report(std::uint64_t now_us) {
+    FrameReport report = engine_.report(now_us);
+    report.ticks = ticks_;
+    report.ticks_hz = platform_->ticks_hz();
+    report.vitals = platform_->vitals();
+    return report;
+  }
+
+  // The engine owns the grid: it shows each known tile once, and clears it.
+  void publish(const FrameReport& report) {
+    for_each_sink([&](auto& sink) { sink.begin_frame(report); });
+    engine_.release([this](std::size_t tile, tile_coding::TileCells cells) {
+      for_each_sink([&](auto& sink) { sink.take_tile(tile, cells); });
+    });
+    for_each_sink([](auto& sink) { sink.end_frame(); });
+  }
+
+  template <typename Visit>
+  void for_each_sink(Visit&& visit) {
+    visit(network_);
+    std::apply([&](Sinks&... sinks) { (visit(sinks), ...); }, sinks_);
   }
 
   FrameEngine engine_;
-  Publisher publisher_;
-  Out* out_;
+  NetworkSink<P> network_;
+  std::tuple<Sinks&...> sinks_;
+  P* platform_;
   stream::StageTicks ticks_;
 };
 

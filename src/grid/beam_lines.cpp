@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "geometry/grid.hpp"
 #include "traversal/corner.hpp"
 #include "traversal/same_cells.hpp"
 
@@ -19,10 +20,10 @@ void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer,
   line_ = vehicle::line_of(sensor, layer, direction);
   ruler_ = {line_, sensor.range};
   const Position last = line_.before_end();
-  const bool starts_in_grid = vehicle::kGridArea.contains(line_.cell({}));
+  const bool starts_in_grid = geometry::kGridArea.contains(line_.cell({}));
   in_grid_ = {{}, {last, true}};
-  if (!starts_in_grid || !vehicle::kGridArea.contains(line_.cell(last))) {
-    if (const std::optional<Stretch> stretch = line_.clip(vehicle::kGridArea)) {
+  if (!starts_in_grid || !geometry::kGridArea.contains(line_.cell(last))) {
+    if (const std::optional<Stretch> stretch = line_.clip(geometry::kGridArea)) {
       in_grid_.begin_at(stretch->first);
       in_grid_.end_at({stretch->last, true});
     } else {

@@ -68,7 +68,7 @@ class KeptLine {
 
  private:
   vehicle::BeamLine line_{{}, {}};
-  traversal::Ruler<vehicle::kResolution> ruler_{line_, {}};
+  traversal::Ruler<geometry::kResolution> ruler_{line_, {}};
   LinePart in_grid_;
   bool has_path_ = false;
   bool path_begun_ = false;

@@ -4,19 +4,20 @@ namespace iog::grid {
 namespace {
 
 constexpr std::size_t kBlocksAtOnce = 4;
-constexpr std::int32_t kHalves = kTileSide / static_cast<std::int32_t>(kLaneCount);
+constexpr std::int32_t kHalves = geometry::kTileSide / static_cast<std::int32_t>(kLaneCount);
 
 // The tile's first block, by number as stored.
 constexpr std::size_t first_block(std::size_t tile) {
-  const std::size_t row = tile / kTilesPerSide * kBlocksPerTile;
-  return row * kBlockStride + tile % kTilesPerSide * kBlocksPerTile;
+  const std::size_t row = tile / geometry::kTilesPerSide * kBlocksPerTile;
+  return row * kBlockStride + tile % geometry::kTilesPerSide * kBlocksPerTile;
 }
 
 static_assert(kBlocksPerTile == kHalves * kBlocksAtOnce);
 
 }  // namespace
 
-bool BlockGrid::copy_tile(std::size_t tile, std::span<OccupancyIndex, kTileCells> to) const {
+bool BlockGrid::copy_tile(std::size_t tile,
+                          std::span<OccupancyIndex, geometry::kTileCells> to) const {
   const Lanes least = Lanes::all(index::kIndexMin<OccupancyIndex>);
   Lanes known = Lanes::all(index::kUnknown);
   const LaneBytes* from = &blocks_[first_block(tile)];
@@ -26,14 +27,14 @@ bool BlockGrid::copy_tile(std::size_t tile, std::span<OccupancyIndex, kTileCells
       const std::array<Lanes, kBlockSide> rows = Lanes::rows_of(from + half * kBlocksAtOnce);
       OccupancyIndex* out = row_start + half * kLaneCount;
       for (const Lanes& cells : rows) {
-        const Lanes raised = cells.raised_to(least);
-        known = known.united(raised);
+        const Lanes raised = cells.max(least);
+        known = known.bit_or(raised);
         raised.store_bytes(out);
-        out += kTileSide;
+        out += geometry::kTileSide;
       }
     }
     from += kBlockStride;
-    row_start += std::ptrdiff_t{kTileSide} * kBlockSide;
+    row_start += std::ptrdiff_t{geometry::kTileSide} * kBlockSide;
   }
   return !known.is_zero();
 }

@@ -5,9 +5,9 @@
 // are a cache line longer than they need to be: otherwise the blocks of a column would compete for
 // two of the 256 sets of a level 1 cache.
 //
-// Cells outside of this room are numbered row by row (kStride). A stored byte is an occupancy
-// index, or -128, which stands for -127: carving has its floor where bytes have theirs, and whoever
-// reads raises it.
+// Cells outside of this room are numbered row by row (geometry/grid.hpp). A stored byte is an
+// occupancy index, or -128, which stands for -127: carving has its floor where bytes have theirs,
+// and whoever reads raises it.
 #pragma once
 
 #include <array>
@@ -15,51 +15,29 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/grid.hpp"
 #include "grid/lanes.hpp"
 #include "index/occupancy_index.hpp"
-#include "vehicle/grid_geometry.hpp"
 
 namespace iog::grid {
 
 using index::OccupancyIndex;
 
-// The number of a cell, from the lowest y row by row: y * kStride + x.
-inline constexpr std::int32_t kStride = vehicle::kCellsPerSide;
-inline constexpr std::size_t kCellCount = std::size_t{vehicle::kCellsPerSide} * kStride;
-
-[[nodiscard]] constexpr traversal::Cell cell_of(std::size_t number) {
-  constexpr std::size_t kRow = kStride;
-  return {static_cast<std::int32_t>(number % kRow), static_cast<std::int32_t>(number / kRow)};
-}
-
-// Tiles of 32 by 32 cells: what is known to be touched, and what travels.
-inline constexpr std::int32_t kTileSide = 32;
-inline constexpr std::int32_t kTilesPerSide = vehicle::kCellsPerSide / kTileSide;
-inline constexpr std::size_t kTileCount = std::size_t{kTilesPerSide} * kTilesPerSide;
-inline constexpr std::size_t kTileCells = std::size_t{kTileSide} * kTileSide;
-
 inline constexpr std::int32_t kBlockSide = 4;
-inline constexpr std::int32_t kBlocksPerSide = vehicle::kCellsPerSide / kBlockSide;
-inline constexpr std::int32_t kBlocksPerTile = kTileSide / kBlockSide;
-static_assert(kLaneCount == std::size_t{kBlockSide} * kBlockSide &&
-              vehicle::kCellsPerSide % kTileSide == 0);
+inline constexpr std::int32_t kBlocksPerSide = geometry::kCellsPerSide / kBlockSide;
+inline constexpr std::int32_t kBlocksPerTile = geometry::kTileSide / kBlockSide;
+static_assert(kLaneCount == std::size_t{kBlockSide} * kBlockSide);
 
 // Blocks in a row as stored, a cache line of two more than there are.
 inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
 
 // Where a cell of the grid lies, in bytes from the first. Its block begins at a multiple of 16.
-[[nodiscard]] constexpr std::uint32_t offset_of(traversal::Cell cell) {
+[[nodiscard]] constexpr std::uint32_t offset_of(geometry::Cell cell) {
   constexpr std::uint32_t kSide = kBlockSide;
   const auto x = static_cast<std::uint32_t>(cell.x);
   const auto y = static_cast<std::uint32_t>(cell.y);
   const std::uint32_t block = y / kSide * kBlockStride + x / kSide;
   return block * kSide * kSide + y % kSide * kSide + x % kSide;
-}
-
-[[nodiscard]] constexpr std::size_t tile_of(traversal::Cell cell) {
-  constexpr std::uint32_t kSide = kTileSide;
-  const std::uint32_t tile_x = static_cast<std::uint32_t>(cell.x) / kSide;
-  return static_cast<std::uint32_t>(cell.y) / kSide * kTilesPerSide + tile_x;
 }
 
 class BlockGrid {
@@ -73,7 +51,7 @@ class BlockGrid {
   }
 
   // The index of a cell of the grid.
-  [[nodiscard]] OccupancyIndex at(traversal::Cell cell) const {
+  [[nodiscard]] OccupancyIndex at(geometry::Cell cell) const {
     const std::uint32_t offset = offset_of(cell);
     return index::raised(blocks_[offset / kLaneCount].bytes[offset % kLaneCount]);
   }
@@ -83,13 +61,13 @@ class BlockGrid {
   [[nodiscard]] bool is_touched(std::size_t tile) const { return touched_[tile] != 0; }
 
   // The tile's cells, row by row from its lowest y. False if all of them are unknown.
-  bool copy_tile(std::size_t tile, std::span<OccupancyIndex, kTileCells> to) const;
+  bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const;
 
   // All cells of the tile back to unknown, and untouched.
   void clear_tile(std::size_t tile);
 
  private:
-  std::array<std::uint8_t, kTileCount> touched_{};
+  std::array<std::uint8_t, geometry::kTileCount> touched_{};
   alignas(64) std::array<LaneBytes, std::size_t{kBlocksPerSide} * kBlockStride> blocks_{};
 };
 

@@ -8,13 +8,13 @@ using vehicle::BeamLine;
 
 void BlockPath::begin(const BeamLine& line) {
   start_ = line.cell({});
-  require(vehicle::kGridArea.contains(start_));
+  require(geometry::kGridArea.contains(start_));
   orientation_ = {.is_steep = line.y().length() > line.x().length(),
                   .x_is_negative = line.x().step() < 0,
                   .y_is_negative = line.y().step() < 0};
   masks_ = &kShapeMasks[orientation_.number()];
-  const std::int32_t x_gain = vehicle::kResolution * static_cast<std::int32_t>(line.y().length());
-  const std::int32_t y_gain = vehicle::kResolution * static_cast<std::int32_t>(line.x().length());
+  const std::int32_t x_gain = geometry::kResolution * static_cast<std::int32_t>(line.y().length());
+  const std::int32_t y_gain = geometry::kResolution * static_cast<std::int32_t>(line.x().length());
   gain_ = orientation_.is_steep ? y_gain : x_gain;
   loss_ = orientation_.is_steep ? x_gain : y_gain;
   error_ = orientation_.is_steep ? -line.error({}) : line.error({});
@@ -35,8 +35,9 @@ void BlockPath::begin(const BeamLine& line) {
   const std::uint32_t to_tile_y = to_tile(start_.y, orientation_.y_is_negative);
   blocks_to_tile_u_ = orientation_.is_steep ? to_tile_y : to_tile_x;
   blocks_to_tile_v_ = orientation_.is_steep ? to_tile_x : to_tile_y;
+  constexpr std::int32_t kTileRow = geometry::kTilesPerSide;
   tile_along_x_ = static_cast<std::int16_t>(line.x().step());
-  tile_along_y_ = static_cast<std::int16_t>(line.y().step() * kTilesPerSide);
+  tile_along_y_ = static_cast<std::int16_t>(line.y().step() * kTileRow);
   tile_entries_[0] = 0;
   tile_entries_[1] = kNoTile;
   tile_count_ = 1;

@@ -10,8 +10,9 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/grid.hpp"
 #include "grid/block_shapes.hpp"
-#include "vehicle/grid_geometry.hpp"
+#include "vehicle/beam_line.hpp"
 
 namespace iog::grid {
 
@@ -66,7 +67,7 @@ class BlockPath {
   // Shows the tiles of the blocks up to this one to `visit`, by number.
   template <typename Visit>
   void for_each_tile(std::uint32_t last_block, Visit&& visit) const {
-    auto tile = static_cast<std::int32_t>(tile_of(start_));
+    auto tile = static_cast<std::int32_t>(geometry::tile_of(start_));
     const TileEntry* entry = tile_entries_.data();
     for (; *entry / 2U <= last_block; ++entry) {
       visit(static_cast<std::size_t>(tile));
@@ -81,10 +82,10 @@ class BlockPath {
 
   // A line runs one way on each axis, so it enters at most as many blocks and tiles as both have.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
-  static constexpr std::size_t kMaxTiles = std::size_t{2} * kTilesPerSide;
+  static constexpr std::size_t kMaxTiles = std::size_t{2} * geometry::kTilesPerSide;
   static_assert(2 * kMaxBlocks < kNoTile);
 
-  [[nodiscard]] traversal::Cell cell_at(traversal::Position at) const {
+  [[nodiscard]] geometry::Cell cell_at(traversal::Position at) const {
     const auto x = static_cast<std::int32_t>(at.x);
     const auto y = static_cast<std::int32_t>(at.y);
     return {orientation_.x_is_negative ? start_.x - x : start_.x + x,
@@ -95,7 +96,7 @@ class BlockPath {
   void find_up_to(std::uint32_t block);
   void note_tile(std::uint32_t first_block, bool along_y);
 
-  traversal::Cell start_;
+  geometry::Cell start_;
   std::uint8_t x_in_block_ = 0;  // how far into its block the line begins, in its own direction
   std::uint8_t y_in_block_ = 0;
   Orientation orientation_;

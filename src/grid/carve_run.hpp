@@ -12,7 +12,7 @@ namespace iog::grid {
 
 // Makes those cells of a block freer by the amounts.
 inline void carve_block(LaneBytes& block, Lanes cells, Lanes amount) {
-  Lanes::load(block).subtract(amount.masked(cells)).store(block);
+  Lanes::load(block).subtract(amount.bit_and(cells)).store(block);
 }
 
 // A way through blocks: where it is, the code of that block, and the codes of the next.

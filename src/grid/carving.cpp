@@ -53,7 +53,7 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps) {
       amount = Lanes::all(amount_of(freer));
       const InnerMasks& masks = change->crossed > change->at.crossed() ? after : from;
       const Lanes rest = Lanes::load(masks[offset % kLaneCount]);
-      in_block = in_block.without(rest).united(amount.masked(rest));
+      in_block = in_block.and_not(rest).bit_or(amount.bit_and(rest));
       ++change;
       number = change != end ? path.block_at(change->at) : 0;
     } while (change != end && number == this_block);
@@ -67,17 +67,17 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps) {
 
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
                  const FreeSteps& steps) {
-  traversal::Walk walk(line, first, kStride);
+  traversal::Walk walk(line, first, geometry::kCellsPerSide);
   std::int32_t freer = steps.from_start();
   for (const FreeSteps::Change& change : steps.changes()) {
     if (freer == 0) {
       walk.skip_until(change.crossed);
     } else {
       walk.until(change.crossed, [&](std::size_t number) {
-        const traversal::Cell cell = cell_of(number);
+        const geometry::Cell cell = geometry::cell_of(number);
         OccupancyIndex& index = grid.cell_at(offset_of(cell));
         index = index::sat_lower(index, -freer);
-        grid.touch(tile_of(cell));
+        grid.touch(geometry::tile_of(cell));
       });
     }
     freer += change.freer;

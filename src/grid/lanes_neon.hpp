@@ -25,19 +25,19 @@ class NeonLanes {
 
   [[nodiscard]] int8x16_t native() const { return lanes_; }
 
-  [[nodiscard]] NeonLanes masked(NeonLanes mask) const {
+  [[nodiscard]] NeonLanes bit_and(NeonLanes mask) const {
     return NeonLanes(vandq_s8(lanes_, mask.lanes_));
   }
-  [[nodiscard]] NeonLanes without(NeonLanes mask) const {
+  [[nodiscard]] NeonLanes and_not(NeonLanes mask) const {
     return NeonLanes(vbicq_s8(lanes_, mask.lanes_));
   }
   [[nodiscard]] NeonLanes subtract(NeonLanes amount) const {
     return NeonLanes(vqsubq_s8(lanes_, amount.lanes_));
   }
-  [[nodiscard]] NeonLanes raised_to(NeonLanes least) const {
+  [[nodiscard]] NeonLanes max(NeonLanes least) const {
     return NeonLanes(vmaxq_s8(lanes_, least.lanes_));
   }
-  [[nodiscard]] NeonLanes united(NeonLanes other) const {
+  [[nodiscard]] NeonLanes bit_or(NeonLanes other) const {
     return NeonLanes(vorrq_s8(lanes_, other.lanes_));
   }
   [[nodiscard]] bool is_zero() const {

@@ -23,20 +23,20 @@ class PlainLanes {
     std::copy(lanes_.bytes.begin(), lanes_.bytes.end(), to);
   }
 
-  [[nodiscard]] PlainLanes masked(const PlainLanes& mask) const {
+  [[nodiscard]] PlainLanes bit_and(const PlainLanes& mask) const {
     return each(mask, [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a & b); });
   }
-  [[nodiscard]] PlainLanes without(const PlainLanes& mask) const {
+  [[nodiscard]] PlainLanes and_not(const PlainLanes& mask) const {
     return each(mask,
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a & ~b); });
   }
   [[nodiscard]] PlainLanes subtract(const PlainLanes& amount) const {
     return each(amount, subtract_saturated);
   }
-  [[nodiscard]] PlainLanes raised_to(const PlainLanes& least) const {
+  [[nodiscard]] PlainLanes max(const PlainLanes& least) const {
     return each(least, [](std::int8_t a, std::int8_t b) { return a < b ? b : a; });
   }
-  [[nodiscard]] PlainLanes united(const PlainLanes& other) const {
+  [[nodiscard]] PlainLanes bit_or(const PlainLanes& other) const {
     return each(other,
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }

@@ -20,22 +20,22 @@ class Sse2Lanes {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), lanes_);
   }
 
-  [[nodiscard]] Sse2Lanes masked(Sse2Lanes mask) const {
+  [[nodiscard]] Sse2Lanes bit_and(Sse2Lanes mask) const {
     return Sse2Lanes(_mm_and_si128(lanes_, mask.lanes_));
   }
-  [[nodiscard]] Sse2Lanes without(Sse2Lanes mask) const {
+  [[nodiscard]] Sse2Lanes and_not(Sse2Lanes mask) const {
     return Sse2Lanes(_mm_andnot_si128(mask.lanes_, lanes_));
   }
   [[nodiscard]] Sse2Lanes subtract(Sse2Lanes amount) const {
     return Sse2Lanes(_mm_subs_epi8(lanes_, amount.lanes_));
   }
   // SSE2 has no maximum of signed bytes: select by comparing.
-  [[nodiscard]] Sse2Lanes raised_to(Sse2Lanes least) const {
+  [[nodiscard]] Sse2Lanes max(Sse2Lanes least) const {
     const __m128i below = _mm_cmplt_epi8(lanes_, least.lanes_);
     return Sse2Lanes(
         _mm_or_si128(_mm_and_si128(below, least.lanes_), _mm_andnot_si128(below, lanes_)));
   }
-  [[nodiscard]] Sse2Lanes united(Sse2Lanes other) const {
+  [[nodiscard]] Sse2Lanes bit_or(Sse2Lanes other) const {
     return Sse2Lanes(_mm_or_si128(lanes_, other.lanes_));
   }
   [[nodiscard]] bool is_zero() const {

@@ -11,7 +11,7 @@ constexpr std::size_t kFinePerTile = kSide / kFineSide;                        /
 constexpr std::size_t kFinePerRough = std::size_t{1}
                                       << (CoarseLevels::kRoughLevel - CoarseLevels::kFineLevel);
 static_assert(kFinePerTile >= 1, "a tile has at least one fine cell");
-static_assert(stream::kTilesPerSide * kFinePerTile == CoarseLevels::kFineTilesPerSide * kSide);
+static_assert(geometry::kTilesPerSide * kFinePerTile == CoarseLevels::kFineTilesPerSide * kSide);
 
 // The loops work on arrays of their own, so that compilers make whole registers of them.
 template <std::size_t kCount>
@@ -61,8 +61,8 @@ void CoarseLevels::clear() {
 
 void CoarseLevels::take(std::size_t tile, tile_coding::TileCells cells) {
   // The fine cell at the tile's corner, counted over the whole fine grid.
-  const std::size_t fine_x = tile % stream::kTilesPerSide * kFinePerTile;
-  const std::size_t fine_y = tile / stream::kTilesPerSide * kFinePerTile;
+  const std::size_t fine_x = tile % geometry::kTilesPerSide * kFinePerTile;
+  const std::size_t fine_y = tile / geometry::kTilesPerSide * kFinePerTile;
   const std::size_t fine_tile = fine_y / kSide * kFineTilesPerSide + fine_x / kSide;
   Indexes<kFinePerTile * kSide> columns;
   for (std::size_t y = 0; y < kFinePerTile; ++y) {

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "stream/tile.hpp"
+#include "geometry/grid.hpp"
 #include "tile_coding/tile_cells.hpp"
 
 namespace iog::serial {
@@ -20,7 +20,7 @@ namespace iog::serial {
 class CoarseLevels {
  public:
   // The rough grid is one tile, the fine one 4 by 4.
-  static constexpr unsigned kRoughLevel = std::countr_zero(stream::kTilesPerSide);
+  static constexpr unsigned kRoughLevel = std::countr_zero(geometry::kTilesPerSide);
   static constexpr unsigned kFineLevel = kRoughLevel - 2;
   static constexpr std::size_t kFineTilesPerSide = 4;
   static constexpr std::size_t kFineTileCount = kFineTilesPerSide * kFineTilesPerSide;

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "stream/tile.hpp"
+#include "geometry/grid.hpp"
 #include "tile_coding/tile_cells.hpp"
 
 namespace iog::serial {
@@ -22,7 +22,7 @@ class DetailWindow {
   // Forgets what it holds; tiles below this number are not wanted.
   void begin(std::size_t first_tile) {
     first_ = first_tile;
-    end_ = stream::kTileCount;
+    end_ = geometry::kTileCount;
     count_ = 0;
   }
 

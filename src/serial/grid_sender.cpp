@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<unsigned, 3> kLevels{CoarseLevels::kRoughLevel, CoarseLevels::kFineLevel, 0};
 constexpr std::array<std::size_t, 3> kTileCounts{1, CoarseLevels::kFineTileCount,
-                                                 stream::kTileCount};
+                                                 geometry::kTileCount};
 
 }  // namespace
 
@@ -97,7 +97,7 @@ void GridSender::finish_message(std::size_t end_tile) {
 std::size_t GridSender::find_known(std::size_t tile) const {
   if (party_ == kCells) {
     const std::size_t place = window_.find(tile);
-    return place < window_.count() ? window_.number(place) : stream::kTileCount;
+    return place < window_.count() ? window_.number(place) : geometry::kTileCount;
   }
   if (party_ == kRough) {
     return coarse_.is_rough_known() ? tile : kTileCounts[kRough];

@@ -102,8 +102,8 @@ class GridSender {
   std::size_t end_tile_ = 0;
   stream::TilesWriter writer_;
   tile_coding::Encoder encoder_;
-  alignas(8) std::array<std::byte, stream::kTileBytes> rough_{};
-  alignas(8) std::array<std::byte, stream::kTileBytes> payload_{};
+  alignas(8) std::array<std::byte, tile_coding::kTileBytes> rough_{};
+  alignas(8) std::array<std::byte, tile_coding::kTileBytes> payload_{};
 
   std::uint32_t sequence_ = 0;
   protection::Sender sender_{stream::kSerialChannel};

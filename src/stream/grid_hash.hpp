@@ -6,7 +6,7 @@
 #include <span>
 
 #include "stream/crc32.hpp"
-#include "stream/tile.hpp"
+#include "tile_coding/tile_cells.hpp"
 
 namespace iog::stream {
 
@@ -14,7 +14,8 @@ namespace iog::stream {
 // tile y, big endian, then its 1024 cells. A grid in which nothing is known has CRC 0.
 class GridHash {
  public:
-  void add(std::size_t tile_x, std::size_t tile_y, std::span<const std::byte, kTileBytes> tile);
+  void add(std::size_t tile_x, std::size_t tile_y,
+           std::span<const std::byte, tile_coding::kTileBytes> tile);
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }
 
  private:

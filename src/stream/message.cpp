@@ -32,7 +32,7 @@ void read_counters(std::uint8_t count, std::span<std::uint32_t> counters, wire::
   }
 }
 
-void write_sensor(const SensorReport& sensor, wire::ByteWriter& out) {
+void write_sensor(const intake::SensorReport& sensor, wire::ByteWriter& out) {
   out.u8(static_cast<std::uint8_t>(sensor.state));
   out.u8(0);
   out.u16_be(sensor.age_frames);
@@ -42,9 +42,9 @@ void write_sensor(const SensorReport& sensor, wire::ByteWriter& out) {
   out.u32_be(sensor.scan_number);
 }
 
-SensorReport read_sensor(wire::ByteReader& in) {
-  SensorReport sensor;
-  sensor.state = static_cast<SensorState>(in.u8());
+intake::SensorReport read_sensor(wire::ByteReader& in) {
+  intake::SensorReport sensor;
+  sensor.state = static_cast<intake::SensorState>(in.u8());
   in.skip(1);
   sensor.age_frames = in.u16_be();
   sensor.packets = in.u16_be();
@@ -116,7 +116,7 @@ std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
   out.u32_be(end.stopwatch_hz);
   out.u8(kStageCount);
   out.u8(vehicle::kFateCount);
-  out.u8(kPacketDropCount);
+  out.u8(intake::kPacketDropCount);
   out.u8(end.link_counter_count);
   write_counters(std::array{end.ticks.fuse, end.ticks.mark, end.ticks.publish}, out);
   write_counters(end.fates, out);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 
+#include "intake/sensor_report.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -45,34 +46,6 @@ struct Header {
   }
 };
 
-// Why a datagram was dropped before any of its points was seen. The values are on the wire.
-enum class PacketDrop : std::uint8_t {
-  kStranger,  // no sensor of this vehicle sends from there to this port
-  kWrongLength,
-  kWrongType,
-  kWrongAngle,
-  kWrongPoint,
-  kDuplicate,   // this very packet was fused before
-  kLate,        // of a scan whose frame is closed
-  kOverBudget,  // more points than the sensor's description allows in one scan
-};
-inline constexpr std::size_t kPacketDropCount = 8;
-
-enum class SensorState : std::uint8_t {
-  kNeverSeen,  // since start
-  kSilent,     // nothing in this frame
-  kPartial,    // some packets of its scan
-  kComplete,   // its whole scan
-};
-
-struct SensorReport {
-  SensorState state = SensorState::kNeverSeen;
-  std::uint16_t age_frames = 0xFFFF;  // frames since it last took part, 0xFFFF: never or longer
-  std::uint16_t packets = 0;          // fused in this frame
-  std::uint32_t points = 0;           // in those packets
-  std::uint32_t scan_number = 0;      // of its last scan
-};
-
 // Time on the target, in ticks of a stopwatch whose rate is in the message.
 struct StageTicks {
   std::uint32_t fuse = 0;     // decode, to beams, carve, remember marks: sum over the packets
@@ -90,13 +63,13 @@ struct FrameEnd {
   std::uint32_t grid_crc = 0;    // of all known tiles, sent or not (stream/grid_hash.hpp)
   std::uint64_t opened_us = 0;   // when the frame opened
   std::uint32_t stopwatch_hz = 0;
-  StageTicks ticks{};                                          // publish: that of the frame before
-  std::uint32_t stack_used_bytes = 0;                          // deepest so far
-  std::array<std::uint32_t, vehicle::kFateCount> fates{};      // scan points of this frame
-  std::array<std::uint32_t, kPacketDropCount> packet_drops{};  // since start
+  StageTicks ticks{};                                      // publish: that of the frame before
+  std::uint32_t stack_used_bytes = 0;                      // deepest so far
+  std::array<std::uint32_t, vehicle::kFateCount> fates{};  // scan points of this frame
+  std::array<std::uint32_t, intake::kPacketDropCount> packet_drops{};  // since start
   std::uint8_t link_counter_count = 0;
-  std::array<std::uint32_t, kMaxLinkCounters> link_counters{};  // since start, as docs/spec.md
-  std::array<SensorReport, vehicle::kMaxSensors> sensors{};     // Header::sensor_count of them
+  std::array<std::uint32_t, kMaxLinkCounters> link_counters{};       // since start, as docs/spec.md
+  std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};  // Header::sensor_count of them
 };
 
 // Why a content could not be read.

@@ -8,8 +8,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "stream/tile.hpp"
+#include "geometry/grid.hpp"
 #include "tile_coding/encode.hpp"
+#include "tile_coding/tile_cells.hpp"
 
 namespace iog::stream {
 
@@ -40,10 +41,10 @@ class References {
   void forget() { is_kept_.reset(); }
 
  private:
-  std::array<std::array<std::byte, kTileBytes>, kTileCount> cells_{};
-  std::array<std::uint32_t, kTileCount> frame_numbers_{};
-  std::array<std::uint16_t, kTileCount> payload_bytes_{};
-  std::bitset<kTileCount> is_kept_;
+  std::array<std::array<std::byte, tile_coding::kTileBytes>, geometry::kTileCount> cells_{};
+  std::array<std::uint32_t, geometry::kTileCount> frame_numbers_{};
+  std::array<std::uint16_t, geometry::kTileCount> payload_bytes_{};
+  std::bitset<geometry::kTileCount> is_kept_;
 };
 
 }  // namespace iog::stream

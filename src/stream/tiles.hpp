@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/grid.hpp"
 #include "protection/protected_message.hpp"
 #include "stream/message.hpp"
 #include "tile_coding/encode.hpp"
@@ -42,9 +43,9 @@ struct Geometry {
 
 // The grid of this firmware, in the quadtree's level 0 (its cells) to 5 (one coarse cell a tile).
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level) {
-  constexpr std::int32_t kOriginMm = -vehicle::kOriginCell * vehicle::kCellMm;
-  constexpr auto kSide = static_cast<std::uint32_t>(vehicle::kCellsPerSide);
-  constexpr auto kCell = static_cast<std::uint32_t>(vehicle::kCellMm);
+  constexpr std::int32_t kOriginMm = -geometry::kOriginCell * geometry::kCellMm;
+  constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
+  constexpr auto kCell = static_cast<std::uint32_t>(geometry::kCellMm);
   return {.tile_side_log2 = tile_coding::kTileSideLog2,
           .storage = level == 0 ? Storage::kOccupancyIndex : Storage::kHighestIndex,
           .width = static_cast<std::uint16_t>(kSide >> level),

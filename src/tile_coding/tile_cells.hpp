@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <span>
 
+#include "geometry/tile.hpp"
+
 namespace iog::tile_coding {
 
-inline constexpr std::size_t kTileSideLog2 = 5;
-inline constexpr std::size_t kTileSide = std::size_t{1} << kTileSideLog2;
-inline constexpr std::size_t kTileBytes = kTileSide * kTileSide;
+using geometry::kTileSide;
+using geometry::kTileSideLog2;
+inline constexpr std::size_t kTileBytes = geometry::kTileCells;
 
 // An index is -127 to +127; the byte of -128 never occurs.
 inline constexpr std::byte kNoIndex{0x80};

@@ -23,23 +23,15 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/cell.hpp"
 #include "numeric/division.hpp"
 #include "numeric/reciprocal.hpp"
 
 namespace iog::traversal {
 
-// A point in subcells.
-struct SubcellPoint {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-};
-
-// A cell by column and row; may lie outside any grid.
-struct Cell {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-  friend constexpr bool operator==(const Cell&, const Cell&) = default;
-};
+using geometry::Cell;
+using geometry::CellArea;
+using geometry::SubcellPoint;
 
 // Borders crossed since the start cell.
 struct Position {
@@ -147,15 +139,6 @@ class Axis {
   std::int32_t start_cell_;
   std::uint32_t offset_;
   std::uint32_t length_;
-};
-
-// Cells [0, width) x [0, height).
-struct CellArea {
-  std::int32_t width = 0;
-  std::int32_t height = 0;
-  [[nodiscard]] constexpr bool contains(Cell cell) const {
-    return cell.x >= 0 && cell.x < width && cell.y >= 0 && cell.y < height;
-  }
 };
 
 // The part of a line that lies in an area: the first position in it, and the last.

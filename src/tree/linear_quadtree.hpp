@@ -12,10 +12,12 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "geometry/grid.hpp"
 #include "index/occupancy_index.hpp"
 #include "tree/block.hpp"
 #include "tree/quarter_leaves.hpp"
@@ -23,7 +25,9 @@
 
 namespace iog::tree {
 
-inline constexpr std::uint32_t kGridSideLog2 = 10;
+inline constexpr std::uint32_t kGridSideLog2 =
+    std::bit_width(std::uint32_t{geometry::kCellsPerSide}) - 1;
+static_assert(std::uint32_t{1} << kGridSideLog2 == geometry::kCellsPerSide);
 inline constexpr std::uint32_t kGridSide = std::uint32_t{1} << kGridSideLog2;
 inline constexpr std::uint32_t kTilesPerSide = kGridSide >> kTileSideLog2;
 inline constexpr std::size_t kTiles = std::size_t{kTilesPerSide} * kTilesPerSide;

@@ -15,11 +15,13 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/tile.hpp"
+
 namespace iog::tree {
 
-inline constexpr std::uint32_t kTileSideLog2 = 5;
-inline constexpr std::size_t kTileSide = std::size_t{1} << kTileSideLog2;
-inline constexpr std::size_t kTileCells = kTileSide * kTileSide;
+using geometry::kTileCells;
+using geometry::kTileSide;
+using geometry::kTileSideLog2;
 inline constexpr std::uint32_t kQuarterSideLog2 = kTileSideLog2 - 1;
 inline constexpr std::uint32_t kQuarterCells = kTileCells / 4;
 

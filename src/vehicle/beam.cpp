@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "geometry/sizes.hpp"
+
 namespace iog::vehicle {
 namespace {
 
@@ -26,7 +28,7 @@ bool lies_between(std::int32_t low, std::int32_t start, std::int64_t extent, std
   return low * length <= at && at <= high * length;
 }
 
-std::int32_t extent(const traversal::Axis<kResolution>& axis) {
+std::int32_t extent(const traversal::Axis<geometry::kResolution>& axis) {
   return axis.step() * static_cast<std::int32_t>(axis.length());
 }
 
@@ -61,8 +63,8 @@ Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks) 
   return {line_of(sensor, axes, direction), end_height_of(axes, direction)};
 }
 
-Judgement judge(const Sensor& sensor, const BeamLine& line, std::int32_t end_z,
-                const lidar::ScanPoint& point) {
+Classification classify(const Sensor& sensor, const BeamLine& line, std::int32_t end_z,
+                        const lidar::ScanPoint& point) {
   const bool is_first = point.echo == 0;
   if (point.range_mm == 0) {
     return {Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0, false};
@@ -86,8 +88,8 @@ Judgement judge(const Sensor& sensor, const BeamLine& line, std::int32_t end_z,
   if (!ends_in_band) {
     return {Fate::kOutsideHeightBand, is_first, false};
   }
-  return is_first ? Judgement{Fate::kUsed, true, true, is_whole}
-                  : Judgement{Fate::kLaterEcho, false, true};
+  return is_first ? Classification{Fate::kUsed, true, true, is_whole}
+                  : Classification{Fate::kLaterEcho, false, true};
 }
 
 BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,

@@ -45,7 +45,7 @@ struct Beam {
   std::int32_t end_z;  // height of the line's end in subcells
 };
 
-struct Judgement {
+struct Classification {
   Fate fate;
   bool carves;
   bool marks;
@@ -63,11 +63,11 @@ struct Judgement {
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
 // line and end_z are those of its beam.
-[[nodiscard]] Judgement judge(const Sensor& sensor, const BeamLine& line, std::int32_t end_z,
-                              const lidar::ScanPoint& point);
-[[nodiscard]] inline Judgement judge(const Sensor& sensor, const Beam& beam,
-                                     const lidar::ScanPoint& point) {
-  return judge(sensor, beam.line, beam.end_z, point);
+[[nodiscard]] Classification classify(const Sensor& sensor, const BeamLine& line,
+                                      std::int32_t end_z, const lidar::ScanPoint& point);
+[[nodiscard]] inline Classification classify(const Sensor& sensor, const Beam& beam,
+                                             const lidar::ScanPoint& point) {
+  return classify(sensor, beam.line, beam.end_z, point);
 }
 
 // Which part of the beam between its origin and reach_mm <= L is inside the height band. Heights at

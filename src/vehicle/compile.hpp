@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/grid.hpp"
 #include "numeric/elementary.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -46,17 +47,17 @@ constexpr Rotation rotation_of(const MountConfig& mount) {
 }
 
 constexpr std::int32_t subcells(double metres) {
-  return static_cast<std::int32_t>(numeric::round(metres * kSubcellsPerMetre));
+  return static_cast<std::int32_t>(numeric::round(metres * geometry::kSubcellsPerMetre));
 }
 
 // x and y are measured from the grid's corner, the vehicle's origin is in the middle.
 constexpr double grid_metres(double vehicle_metres) {
-  return vehicle_metres + kOriginCell * kCellMm / 1000.0;
+  return vehicle_metres + geometry::kOriginCell * geometry::kCellMm / 1000.0;
 }
 
 constexpr EndCoordinate end_coordinate(double origin_m, double length_m, double elevation,
                                        double forward, double left, double up) {
-  const double unit = kSubcellsPerMetre * (1 << kAxisFractionBits);
+  const double unit = geometry::kSubcellsPerMetre * (1 << kAxisFractionBits);
   const double reach = length_m * numeric::cos(elevation) * unit;
   return {.base = numeric::round((origin_m + length_m * numeric::sin(elevation) * up) * unit),
           .forward = static_cast<std::int32_t>(numeric::round(reach * forward)),
@@ -97,8 +98,8 @@ constexpr void check(const SensorConfig& config) {
     a_sensor_needs_an_udp_port_a_scan_width_and_a_point_limit();
   }
   // The longest line spans at most sqrt(2) L in |dx| + |dy|, and rounding adds 2 subcells.
-  const double span = config.range_max_mm / 1000.0 * kSubcellsPerMetre * 1.41421357 + 2;
-  if (span * kResolution >= 2147483648.0) {
+  const double span = config.range_max_mm / 1000.0 * geometry::kSubcellsPerMetre * 1.41421357 + 2;
+  if (span * geometry::kResolution >= 2147483648.0) {
     the_longest_beam_overflows_the_error_term_of_the_walk();
   }
 }

@@ -7,13 +7,14 @@
 #include <span>
 #include <string_view>
 
+#include "geometry/cell.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 #include "numeric/reciprocal.hpp"
 #include "numeric/sine_table.hpp"
 #include "sensor_model/profile.hpp"
+#include "vehicle/beam_line.hpp"
 #include "vehicle/description.hpp"
-#include "vehicle/grid_geometry.hpp"
 
 namespace iog::vehicle {
 
@@ -59,8 +60,8 @@ struct Sensor {
   lidar::Format format = lidar::Format::kIbeoLux;
   std::uint32_t source_ipv4 = 0;
   std::uint16_t udp_port = 0;
-  traversal::SubcellPoint origin;  // S, in grid subcells
-  std::int32_t origin_z = 0;       // height in subcells
+  geometry::SubcellPoint origin;  // S, in grid subcells
+  std::int32_t origin_z = 0;      // height in subcells
   std::uint8_t layer_count = 0;
   std::array<Layer, kMaxLayers> layers{};
   numeric::SineTable sines;

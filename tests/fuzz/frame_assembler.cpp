@@ -60,7 +60,7 @@ void check(std::span<const std::byte> input) {
     }
   }
   assembler.finish();
-  law(live.stale_tiles() <= stream::kTileCount, "tiles have an age");
+  law(live.stale_tiles() <= geometry::kTileCount, "tiles have an age");
 }
 
 }  // namespace

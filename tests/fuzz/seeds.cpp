@@ -7,8 +7,8 @@
 
 #include "fakes/lux_message.hpp"
 #include "fakes/vlp16_packet.hpp"
+#include "geometry/grid.hpp"
 #include "net/frames.hpp"
-#include "stream/tile.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
@@ -124,7 +124,7 @@ Bytes tiles_content(std::uint32_t frame_number, tile_coding::Encoding encoding,
   writer.begin_grid({.frame_number = frame_number, .closed_us = frame_number},
                     stream::geometry_of_level(0));
   static_cast<void>(writer.append(3, encoding, payload));
-  const auto message = writer.finish(stream::kTileCount, 2 * frame_number);
+  const auto message = writer.finish(geometry::kTileCount, 2 * frame_number);
   return {message.begin() + protection::kProtectionBytes, message.end()};
 }
 

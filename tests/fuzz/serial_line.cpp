@@ -33,7 +33,7 @@ void check(const tools::SerialLink& link) {
     law(!grid.newest(), "nothing comes from nothing");
     return;
   }
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     const auto told = grid.cells_of(tile);
     law(!told || !told->cells || std::ranges::count(*told->cells, std::byte{0x80}) == 0,
         "a cell is an index");

@@ -8,8 +8,8 @@ namespace iog::tools {
 OfflineTarget::OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message,
                              Stopwatch stopwatch)
     : vehicle_(&vehicle),
-      outside_(std::move(on_message), stopwatch),
-      pipeline_(vehicle, kReplayer, outside_, 0) {}
+      platform_(std::move(on_message), stopwatch),
+      pipeline_(vehicle, kReplayer, platform_, 0) {}
 
 OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   Closed closed;
@@ -17,7 +17,7 @@ OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   while (pipeline_.deadline_us() <= now_us) {
     pipeline_.tick(pipeline_.deadline_us());
   }
-  closed.before = outside_.take_evidence_frames();
+  closed.before = platform_.take_evidence_frames();
   pipeline_.take({.source_ipv4 = kReplayer,
                   .destination_port = datagram.destination.port,
                   .payload = datagram.payload},
@@ -25,7 +25,7 @@ OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   // A frame that is open and one period old at most has begun with this datagram, so the frame that
   // was closed just now had been closed before it. Otherwise the datagram completed it.
   const bool has_opened = pipeline_.deadline_us() == now_us + vehicle_->frame_period_us;
-  const unsigned by_datagram = outside_.take_evidence_frames();
+  const unsigned by_datagram = platform_.take_evidence_frames();
   const bool began_next = by_datagram == 2 || (by_datagram == 1 && has_opened);
   closed.before += began_next ? 1U : 0U;
   closed.after = by_datagram - (began_next ? 1U : 0U);
@@ -40,7 +40,7 @@ void OfflineTarget::finish() {
   }
 }
 
-bool OfflineOutside::send_message(std::span<const std::byte> message) {
+bool OfflinePlatform::send_message(std::span<const std::byte> message) {
   stream::Header header;
   std::span<const std::byte> body;
   const std::span content = message.subspan(protection::kProtectionBytes);
@@ -52,7 +52,7 @@ bool OfflineOutside::send_message(std::span<const std::byte> message) {
   return true;
 }
 
-std::uint32_t OfflineOutside::ticks() const {
+std::uint32_t OfflinePlatform::ticks() const {
   using std::chrono::microseconds;
   if (stopwatch_ == Stopwatch::kStands) {
     return 0;

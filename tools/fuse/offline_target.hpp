@@ -24,18 +24,16 @@ using MessageHandler = std::function<void(std::span<const std::byte>)>;
 // messages then.
 enum class Stopwatch : std::uint8_t { kRuns, kStands };
 
-// What the pipeline meets on a PC instead of a network and a stopwatch (app::Outside).
-class OfflineOutside {
+// What the pipeline meets on a PC instead of a network and a stopwatch (app::Platform).
+class OfflinePlatform {
  public:
-  OfflineOutside(MessageHandler on_message, Stopwatch stopwatch)
+  OfflinePlatform(MessageHandler on_message, Stopwatch stopwatch)
       : on_message_(std::move(on_message)), stopwatch_(stopwatch) {}
 
   [[nodiscard]] bool send_message(std::span<const std::byte> message);
   [[nodiscard]] std::uint32_t ticks() const;
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1'000'000; }
-  void fill_vitals(stream::Header& /*header*/, stream::FrameEnd& end) const {
-    end.link_counter_count = 0;
-  }
+  [[nodiscard]] app::Vitals vitals() const { return {}; }
 
   // Frames with evidence that have left since the last call.
   [[nodiscard]] unsigned take_evidence_frames() { return std::exchange(evidence_frames_, 0U); }
@@ -70,10 +68,10 @@ class OfflineTarget {
   static constexpr std::uint32_t kReplayer = 0x0A000202;
 
   const vehicle::Vehicle* vehicle_;
-  OfflineOutside outside_;
+  OfflinePlatform platform_;
   CaptureClock clock_;
   bool is_open_ = false;
-  app::Pipeline<OfflineOutside> pipeline_;
+  app::Pipeline<OfflinePlatform> pipeline_;
 };
 
 }  // namespace iog::tools

@@ -263,7 +263,7 @@ void FrameAssembler::decode_tiles(WaitingFrame& waiting) {
 }
 
 bool FrameAssembler::decode_tile(const stream::TileRecord& record, GridFrame& frame) {
-  std::array<std::byte, stream::kTileBytes> cells{};
+  std::array<std::byte, tile_coding::kTileBytes> cells{};
   using tile_coding::DecodeStatus;
   switch (tile_coding::decode(record.encoding, record.payload,
                               reference_of(record.tile, frame.header.frame_number), cells)) {

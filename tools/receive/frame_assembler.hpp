@@ -90,7 +90,7 @@ class FrameAssembler {
   static constexpr std::size_t kMessagesOfRestart = 16;
   static constexpr std::size_t kFramesOfRestart = 3;
   // A frame has at most a message for each tile.
-  static constexpr std::size_t kMaxBodies = stream::kTileCount;
+  static constexpr std::size_t kMaxBodies = geometry::kTileCount;
 
   // A frame as far as it has come. Tiles are decoded when it is handed over: frames are in order
   // then, and so are the tiles that others refer to.

@@ -8,13 +8,14 @@
 #include <span>
 #include <vector>
 
+#include "geometry/grid.hpp"
 #include "grid/frame_fusion.hpp"
 #include "stream/message.hpp"
-#include "stream/tile.hpp"
+#include "tile_coding/tile_cells.hpp"
 
 namespace iog::tools {
 
-using TileSet = std::bitset<stream::kTileCount>;  // by y * kTilesPerSide + x
+using TileSet = std::bitset<geometry::kTileCount>;  // by y * kTilesPerSide + x
 
 struct GridFrame {
   // Among the frames with evidence, from 0; meaningless in a frame without.
@@ -29,27 +30,29 @@ struct GridFrame {
   std::uint32_t tiles = 0;  // how many these are
   // Row by row from the lowest y; a cell of a missing tile is 0.
   std::vector<index::OccupancyIndex> cells =
-      std::vector<index::OccupancyIndex>(grid::kCellCount, index::kUnknown);
+      std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
 
   // Everything that the target knows has arrived.
   [[nodiscard]] bool is_whole() const {
     return has_end && end.tiles_lost == 0 && valid_tiles.all() && tiles == end.tiles_sent;
   }
-  [[nodiscard]] std::span<const index::OccupancyIndex, grid::kCellCount> grid() const {
-    return std::span(cells).first<grid::kCellCount>();
+  [[nodiscard]] std::span<const index::OccupancyIndex, geometry::kCellCount> grid() const {
+    return std::span(cells).first<geometry::kCellCount>();
   }
 };
 
 // Number i of a tile's cells, row by row, as a number of the grid's.
 [[nodiscard]] constexpr std::size_t cell_of_tile(std::size_t tile, std::size_t i) {
-  const std::size_t x = tile % stream::kTilesPerSide * stream::kTileSide + i % stream::kTileSide;
-  const std::size_t y = tile / stream::kTilesPerSide * stream::kTileSide + i / stream::kTileSide;
-  return y * grid::kStride + x;
+  const std::size_t x =
+      tile % geometry::kTilesPerSide * geometry::kTileSide + i % geometry::kTileSide;
+  const std::size_t y =
+      tile / geometry::kTilesPerSide * geometry::kTileSide + i / geometry::kTileSide;
+  return y * geometry::kCellsPerSide + x;
 }
 
 // The cells of a tile as they travel.
-[[nodiscard]] std::array<std::byte, stream::kTileBytes> cells_of_tile(const GridFrame& frame,
-                                                                      std::size_t tile);
+[[nodiscard]] std::array<std::byte, tile_coding::kTileBytes> cells_of_tile(const GridFrame& frame,
+                                                                           std::size_t tile);
 
 // The name of the grid as it has arrived; that of the whole frame is end.grid_crc.
 [[nodiscard]] std::uint32_t grid_crc_of(const GridFrame& frame);

@@ -6,14 +6,14 @@ namespace iog::tools {
 
 void LiveGrid::take(const GridFrame& frame) {
   newest_frame_ = frame.header.frame_number;
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (!frame.valid_tiles.test(tile)) {
       continue;
     }
     frame_of_.at(tile) = newest_frame_;
-    for (std::size_t row = 0; row < stream::kTileSide; ++row) {
-      const auto first = static_cast<std::ptrdiff_t>(cell_of_tile(tile, row * stream::kTileSide));
-      std::copy_n(frame.cells.begin() + first, stream::kTileSide, cells_.begin() + first);
+    for (std::size_t row = 0; row < geometry::kTileSide; ++row) {
+      const auto first = static_cast<std::ptrdiff_t>(cell_of_tile(tile, row * geometry::kTileSide));
+      std::copy_n(frame.cells.begin() + first, geometry::kTileSide, cells_.begin() + first);
     }
   }
 }

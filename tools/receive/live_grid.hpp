@@ -33,8 +33,8 @@ class LiveGrid {
 
  private:
   std::vector<index::OccupancyIndex> cells_ =
-      std::vector<index::OccupancyIndex>(grid::kCellCount, index::kUnknown);
-  std::array<std::optional<std::uint32_t>, stream::kTileCount> frame_of_{};
+      std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
+  std::array<std::optional<std::uint32_t>, geometry::kTileCount> frame_of_{};
   std::uint32_t newest_frame_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<std::string_view, vehicle::kFateCount> kFateNames{
     "used",        "no return", "too near",   "too far",
     "height band", "flagged",   "later echo", "malformed"};
-constexpr std::array<std::string_view, stream::kPacketDropCount> kDropNames{
+constexpr std::array<std::string_view, intake::kPacketDropCount> kDropNames{
     "stranger",    "wrong length", "wrong type", "wrong angle",
     "wrong point", "duplicate",    "late",       "over budget"};
 constexpr std::array<std::string_view, 4> kStateNames{"never seen", "silent", "partial",

@@ -58,7 +58,7 @@ class RunStatistics {
   std::uint64_t tiles_ = 0;
   std::uint64_t tiles_not_sent_ = 0;  // the target's network took no message
   std::array<std::uint64_t, vehicle::kFateCount> fates_{};
-  std::array<std::uint32_t, stream::kPacketDropCount> packet_drops_{};  // since the target's start
+  std::array<std::uint32_t, intake::kPacketDropCount> packet_drops_{};  // since the target's start
   TimeStatistics fuse_us_;
   TimeStatistics mark_us_;
   TimeStatistics publish_us_;

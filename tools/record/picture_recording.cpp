@@ -25,9 +25,9 @@ void PictureRecording::take_frame(const RecordedFrame& recorded) {
         std::filesystem::path(numbered("", "map", frame.evidence_number, "")).filename();
     write_ros_map(options_.folder, base,
                   {.cells = frame.cells,
-                   .side = vehicle::kCellsPerSide,
-                   .cell_m = vehicle::kCellMm / 1000.0,
-                   .origin_m = -vehicle::kOriginCell * vehicle::kCellMm / 1000.0});
+                   .side = geometry::kCellsPerSide,
+                   .cell_m = geometry::kCellMm / 1000.0,
+                   .origin_m = -geometry::kOriginCell * geometry::kCellMm / 1000.0});
   }
   last_ = frame;
 }

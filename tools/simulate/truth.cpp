@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/grid.hpp"
 #include "tools/formats/picture/pgm.hpp"
-#include "vehicle/grid_geometry.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr std::int32_t kSide = vehicle::kCellsPerSide;
-constexpr double kCellM = vehicle::kCellMm / 1000.0;
+constexpr std::int32_t kSide = geometry::kCellsPerSide;
+constexpr double kCellM = geometry::kCellMm / 1000.0;
 
-double centre_of(std::int32_t cell) { return (cell - vehicle::kOriginCell + 0.5) * kCellM; }
+double centre_of(std::int32_t cell) { return (cell - geometry::kOriginCell + 0.5) * kCellM; }
 
 std::int32_t cell_of(double metres) {
-  const double cell = std::floor(metres / kCellM) + vehicle::kOriginCell;
+  const double cell = std::floor(metres / kCellM) + geometry::kOriginCell;
   return static_cast<std::int32_t>(std::clamp(cell, 0.0, double{kSide - 1}));
 }
 

@@ -53,7 +53,7 @@ class Placer {
     const vehicle::Beam beam = vehicle::aim(*sensor_, point.layer, point.azimuth_ticks);
     points_->push_back({.x_cm = static_cast<std::int16_t>(std::lround(x_m * 100)),
                         .y_cm = static_cast<std::int16_t>(std::lround(y_m * 100)),
-                        .fate = vehicle::judge(*sensor_, beam, point).fate});
+                        .fate = vehicle::classify(*sensor_, beam, point).fate});
   }
 
   const vehicle::Sensor* sensor_;

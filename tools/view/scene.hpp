@@ -68,7 +68,7 @@ class Scene {
     tile_coding::Encoding encoding = tile_coding::Encoding::kRaw;
     std::vector<std::byte> payload;  // empty: 0 in all cells
   };
-  using Layer = std::array<Tile, stream::kTileCount>;
+  using Layer = std::array<Tile, geometry::kTileCount>;
 
   // cell(number): its value.
   template <typename Cell>
@@ -84,7 +84,7 @@ class Scene {
   Layer cells_;
   Layer truth_;
   bool has_truth_ = false;
-  std::array<std::uint8_t, stream::kTileCount> ages_{};  // frames, 254: or more, 255: never came
+  std::array<std::uint8_t, geometry::kTileCount> ages_{};  // frames, 254: or more, 255: never came
   std::vector<SeenPoint> points_;
   std::string status_ = "{}";
   std::string vehicle_ = "null";

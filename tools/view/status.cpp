@@ -2,11 +2,11 @@
 
 #include <span>
 
+#include "geometry/grid.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/view/json_text.hpp"
-#include "vehicle/grid_geometry.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -21,7 +21,7 @@ std::string numbers(std::span<const std::uint32_t> values) {
 
 std::string sensors_json(const FrameFacts& frame) {
   JsonList list;
-  for (const stream::SensorReport& sensor :
+  for (const intake::SensorReport& sensor :
        std::span(frame.end->sensors).first(frame.header.sensor_count)) {
     list.json(JsonObject()
                   .number("state", static_cast<unsigned>(sensor.state))
@@ -147,7 +147,7 @@ std::string sensor_json(const vehicle::SensorConfig& sensor) {
 // A target speaks of its tiles in the order of their numbers.
 std::size_t tiles_behind_last(const GridFrame& frame) {
   std::size_t count = 0;
-  while (count < stream::kTileCount && !frame.valid_tiles[stream::kTileCount - 1 - count]) {
+  while (count < geometry::kTileCount && !frame.valid_tiles[geometry::kTileCount - 1 - count]) {
     ++count;
   }
   return count;
@@ -162,7 +162,7 @@ FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t 
                    .message_bytes = message_bytes,
                    .is_whole = frame.is_whole() || frame.is_damaged,
                    .is_damaged = frame.is_damaged,
-                   .missing_tiles = stream::kTileCount - frame.valid_tiles.count() - unfinished,
+                   .missing_tiles = geometry::kTileCount - frame.valid_tiles.count() - unfinished,
                    .breaks_off = breaks_off,
                    .unfinished_tiles = unfinished,
                    .stale_tiles = grid.stale_tiles(),
@@ -198,8 +198,8 @@ std::string status_json(const StatusParts& parts) {
 std::string vehicle_json(const CatalogueEntry* car) {
   JsonObject object;
   object.text("name", car == nullptr ? "unknown vehicle" : car->vehicle->name)
-      .real("cell_m", vehicle::kCellMm / 1000.0)
-      .number("cells", vehicle::kCellsPerSide);
+      .real("cell_m", geometry::kCellMm / 1000.0)
+      .number("cells", geometry::kCellsPerSide);
   JsonList sensors;
   if (car != nullptr) {
     for (const vehicle::SensorConfig& sensor : car->sensors) {

@@ -1,4 +1,4 @@
-// The whole walk, from datagrams to messages, on a fake outside.
+// The whole walk, from datagrams to messages, on a fake platform.
 #include "app/pipeline.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
-#include "fakes/fake_outside.hpp"
+#include "fakes/fake_platform.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
@@ -17,9 +17,9 @@
 namespace iog::app {
 namespace {
 
-using stream::PacketDrop;
-using stream::SensorState;
-using tests::FakeOutside;
+using intake::PacketDrop;
+using intake::SensorState;
+using tests::FakePlatform;
 using tests::LuxMessage;
 using tests::ThreeLux;
 
@@ -32,9 +32,9 @@ struct Datagram {
 };
 
 struct Bench {
-  FakeOutside outside;
-  std::unique_ptr<Pipeline<FakeOutside>> pipeline = std::make_unique<Pipeline<FakeOutside>>(
-      ThreeLux::kVehicle, kReplayer, outside, std::uint64_t{0});
+  FakePlatform platform;
+  std::unique_ptr<Pipeline<FakePlatform>> pipeline = std::make_unique<Pipeline<FakePlatform>>(
+      ThreeLux::kVehicle, kReplayer, platform, std::uint64_t{0});
 
   void take(const Datagram& datagram, std::uint64_t now_us) {
     pipeline->take({datagram.source, datagram.port, datagram.bytes}, now_us);
@@ -75,11 +75,11 @@ TEST(Pipeline, AFrameClosesWhenEverySensorHasDelivered) {
   Bench bench;
   const auto frame = frame_of_three(9, 2, random);
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    EXPECT_TRUE(bench.outside.frames.empty());
+    EXPECT_TRUE(bench.platform.frames.empty());
     bench.take(frame[i], 1000 + i);
   }
-  ASSERT_EQ(bench.outside.frames.size(), 1U);
-  const auto& received = bench.outside.frames[0];
+  ASSERT_EQ(bench.platform.frames.size(), 1U);
+  const auto& received = bench.platform.frames[0];
   EXPECT_EQ(received.header.complete_sensors, 0b111);
   EXPECT_EQ(received.header.partial_sensors, 0);
   EXPECT_EQ(received.header.flags, 0);
@@ -89,7 +89,7 @@ TEST(Pipeline, AFrameClosesWhenEverySensorHasDelivered) {
   EXPECT_EQ(received.header.closed_us, 1005U);
   EXPECT_EQ(received.end.stack_used_bytes, 4711U);
   EXPECT_EQ(received.end.sensors[2].scan_number, 9U);
-  EXPECT_EQ(bench.outside.unreadable(), 0);
+  EXPECT_EQ(bench.platform.unreadable(), 0);
 }
 
 // What arrives is what was fused, and its CRC is that of the grid.
@@ -106,15 +106,15 @@ TEST(Pipeline, TheTilesCarryTheGrid) {
     bench.take(datagram, 1);
   }
   direct->finish();
-  ASSERT_EQ(bench.outside.frames.size(), 1U);
-  const auto& received = bench.outside.frames[0];
+  ASSERT_EQ(bench.platform.frames.size(), 1U);
+  const auto& received = bench.platform.frames[0];
   EXPECT_TRUE(received.cells == tests::cells_of(*direct));
   stream::GridHash hash;
   std::uint32_t tiles = 0;
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
-    std::array<grid::OccupancyIndex, stream::kTileBytes> cells;
-    if (direct->copy_tile(tile, cells)) {
-      hash.add(tile % stream::kTilesPerSide, tile / stream::kTilesPerSide,
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+    std::array<grid::OccupancyIndex, tile_coding::kTileBytes> cells;
+    if (direct->view().copy_tile(tile, cells)) {
+      hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
                std::as_bytes(std::span(cells)));
       ++tiles;
     }
@@ -136,9 +136,9 @@ TEST(Pipeline, EveryPermutationOfSensorsAndPacketsGivesTheSameGrid) {
       for (const std::size_t i : order) {
         bench.take(frame[i], 5);
       }
-      ASSERT_EQ(bench.outside.frames.size(), 1U);
-      crc = permutation == 0 ? bench.outside.frames[0].end.grid_crc : crc;
-      ASSERT_EQ(bench.outside.frames[0].end.grid_crc, crc);
+      ASSERT_EQ(bench.platform.frames.size(), 1U);
+      crc = permutation == 0 ? bench.platform.frames[0].end.grid_crc : crc;
+      ASSERT_EQ(bench.platform.frames[0].end.grid_crc, crc);
     }
     ++permutation;
   } while (std::ranges::next_permutation(order).found);
@@ -151,10 +151,10 @@ TEST(Pipeline, AFrameIsOverAfterItsPeriodAndSaysWhoIsMissing) {
   bench.take(scan(100, 1, 1, random)[0], 10'000);
   bench.take(scan(101, 1, 2, random)[0], 20'000);
   bench.pipeline->tick(49'999);
-  EXPECT_TRUE(bench.outside.frames.empty());
+  EXPECT_TRUE(bench.platform.frames.empty());
   bench.pipeline->tick(50'000);
-  ASSERT_EQ(bench.outside.frames.size(), 1U);
-  const auto& received = bench.outside.frames[0];
+  ASSERT_EQ(bench.platform.frames.size(), 1U);
+  const auto& received = bench.platform.frames[0];
   EXPECT_EQ(received.header.flags, stream::kFlagTimedOut);
   EXPECT_EQ(received.header.complete_sensors, 0b001);
   EXPECT_EQ(received.header.partial_sensors, 0b010);
@@ -168,12 +168,12 @@ TEST(Pipeline, ASensorsNextScanClosesTheFrameBeforeIt) {
   Bench bench;
   bench.take(scan(100, 1, 1, random)[0], 1000);
   bench.take(scan(100, 2, 1, random)[0], 2000);
-  ASSERT_EQ(bench.outside.frames.size(), 1U);
-  EXPECT_EQ(bench.outside.frames[0].header.packets_fused, 1U);
+  ASSERT_EQ(bench.platform.frames.size(), 1U);
+  EXPECT_EQ(bench.platform.frames[0].header.packets_fused, 1U);
   bench.pipeline->tick(42'000);
-  ASSERT_EQ(bench.outside.frames.size(), 2U);
-  EXPECT_EQ(bench.outside.frames[1].end.sensors[0].scan_number, 2U);
-  EXPECT_EQ(bench.outside.frames[1].header.frame_number, 1U);
+  ASSERT_EQ(bench.platform.frames.size(), 2U);
+  EXPECT_EQ(bench.platform.frames[1].end.sensors[0].scan_number, 2U);
+  EXPECT_EQ(bench.platform.frames[1].header.frame_number, 1U);
 }
 
 // Silence is reported, and is not evidence: an empty grid has no tiles.
@@ -186,8 +186,8 @@ TEST(Pipeline, SilenceIsReportedEveryTwoPeriods) {
   for (std::uint64_t now = 1000; now <= 241'000; now += 1000) {
     bench.pipeline->tick(now);
   }
-  ASSERT_EQ(bench.outside.frames.size(), 4U);
-  const auto& silent = bench.outside.frames[2];
+  ASSERT_EQ(bench.platform.frames.size(), 4U);
+  const auto& silent = bench.platform.frames[2];
   EXPECT_EQ(silent.end.tiles_sent, 0U);
   EXPECT_EQ(silent.end.grid_crc, 0U);
   EXPECT_FALSE(silent.header.has_evidence());
@@ -196,7 +196,7 @@ TEST(Pipeline, SilenceIsReportedEveryTwoPeriods) {
 }
 
 std::uint32_t drops(const Bench& bench, PacketDrop cause) {
-  return bench.outside.frames.back().end.packet_drops[static_cast<std::size_t>(cause)];
+  return bench.platform.frames.back().end.packet_drops[static_cast<std::size_t>(cause)];
 }
 
 TEST(Pipeline, EveryBadDatagramIsCountedByItsCauseAndCostsNothingElse) {
@@ -230,15 +230,15 @@ TEST(Pipeline, EveryBadDatagramIsCountedByItsCauseAndCostsNothingElse) {
       hostile.take(datagram, 10);  // a duplicate
     }
   }
-  ASSERT_EQ(hostile.outside.frames.size(), 1U);
-  EXPECT_EQ(hostile.outside.frames[0].cells, clean.outside.frames[0].cells);
+  ASSERT_EQ(hostile.platform.frames.size(), 1U);
+  EXPECT_EQ(hostile.platform.frames[0].cells, clean.platform.frames[0].cells);
   EXPECT_EQ(drops(hostile, PacketDrop::kWrongLength), 12U);
   EXPECT_EQ(drops(hostile, PacketDrop::kWrongType), 6U);
   EXPECT_EQ(drops(hostile, PacketDrop::kWrongPoint), 6U);
   EXPECT_EQ(drops(hostile, PacketDrop::kWrongAngle), 6U);
   EXPECT_EQ(drops(hostile, PacketDrop::kStranger), 12U);
   EXPECT_EQ(drops(hostile, PacketDrop::kDuplicate), 5U);
-  EXPECT_EQ(hostile.outside.frames[0].header.packets_dropped, 12U + 6 + 6 + 6 + 12 + 5);
+  EXPECT_EQ(hostile.platform.frames[0].header.packets_dropped, 12U + 6 + 6 + 6 + 12 + 5);
 }
 
 TEST(Pipeline, ASensorMaySendFromItsOwnAddress) {
@@ -248,8 +248,8 @@ TEST(Pipeline, ASensorMaySendFromItsOwnAddress) {
   datagram.source = ThreeLux::kConfigs[0].source_ipv4;
   bench.take(datagram, 0);
   bench.pipeline->tick(40'000);
-  ASSERT_EQ(bench.outside.frames.size(), 1U);
-  EXPECT_EQ(bench.outside.frames[0].header.packets_fused, 1U);
+  ASSERT_EQ(bench.platform.frames.size(), 1U);
+  EXPECT_EQ(bench.platform.frames[0].header.packets_fused, 1U);
 }
 
 TEST(Pipeline, APartOfAClosedScanIsLate) {
@@ -272,10 +272,10 @@ TEST(Pipeline, AFloodOfPointsIsRefused) {
     bench.take({100, message.bytes()}, 0);
   }
   bench.pipeline->tick(40'000);
-  ASSERT_EQ(bench.outside.frames.size(), 1U);
-  EXPECT_EQ(bench.outside.frames[0].end.sensors[0].points, 2400U);
+  ASSERT_EQ(bench.platform.frames.size(), 1U);
+  EXPECT_EQ(bench.platform.frames[0].end.sensors[0].points, 2400U);
   EXPECT_EQ(drops(bench, PacketDrop::kOverBudget), 16U);
-  EXPECT_EQ(bench.outside.frames[0].end.fates[static_cast<std::size_t>(vehicle::Fate::kMalformed)],
+  EXPECT_EQ(bench.platform.frames[0].end.fates[static_cast<std::size_t>(vehicle::Fate::kMalformed)],
             1600U);
 }
 
@@ -285,37 +285,37 @@ TEST(Pipeline, LostTilesAreCountedAndLeaveNoTrace) {
   const auto frame = frame_of_three(1, 1, random);
   Bench whole;
   Bench stuck;
-  stuck.outside.allow_messages(3);
+  stuck.platform.allow_messages(3);
   for (const Datagram& datagram : frame) {
     whole.take(datagram, 0);
     stuck.take(datagram, 0);
   }
-  EXPECT_TRUE(stuck.outside.frames.empty());
-  EXPECT_EQ(stuck.outside.tile_messages(), 3);
-  ASSERT_GT(whole.outside.tile_messages(), 3);
-  stuck.outside.allow_messages(5000);
+  EXPECT_TRUE(stuck.platform.frames.empty());
+  EXPECT_EQ(stuck.platform.tile_messages(), 3);
+  ASSERT_GT(whole.platform.tile_messages(), 3);
+  stuck.platform.allow_messages(5000);
   for (const Datagram& datagram : frame_of_three(2, 1, random)) {
     stuck.take(datagram, 50'000);
     whole.take(datagram, 50'000);
   }
-  ASSERT_EQ(stuck.outside.frames.size(), 1U);
-  EXPECT_EQ(stuck.outside.frames[0].end.grid_crc, whole.outside.frames[1].end.grid_crc);
-  EXPECT_EQ(stuck.outside.frames[0].end.tiles_sent, whole.outside.frames[1].end.tiles_sent);
+  ASSERT_EQ(stuck.platform.frames.size(), 1U);
+  EXPECT_EQ(stuck.platform.frames[0].end.grid_crc, whole.platform.frames[1].end.grid_crc);
+  EXPECT_EQ(stuck.platform.frames[0].end.tiles_sent, whole.platform.frames[1].end.tiles_sent);
 }
 
 // A number is given to what could not be sent, too: so a receiver misses it.
 TEST(Pipeline, EveryMessageIsNumbered) {
   tests::Random random(81);
   Bench bench;
-  bench.outside.allow_messages(3);
+  bench.platform.allow_messages(3);
   for (const Datagram& datagram : frame_of_three(1, 1, random)) {
     bench.take(datagram, 0);
   }
-  bench.outside.allow_messages(5000);
+  bench.platform.allow_messages(5000);
   for (const Datagram& datagram : frame_of_three(2, 1, random)) {
     bench.take(datagram, 50'000);
   }
-  const auto& sequences = bench.outside.sequences();
+  const auto& sequences = bench.platform.sequences();
   ASSERT_GT(sequences.size(), 4U);
   EXPECT_EQ(sequences[2], 2U);
   EXPECT_GT(sequences[3], 3U);
@@ -324,13 +324,51 @@ TEST(Pipeline, EveryMessageIsNumbered) {
   }
 }
 
+// Keeps what it is given of a frame.
+class TileList {
+ public:
+  void begin_frame(const FrameReport& report) {
+    numbers.push_back(report.number);
+    tiles = 0;
+  }
+  void take_tile(std::size_t tile, tile_coding::TileCells cells) {
+    hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide, cells);
+    ++tiles;
+  }
+  void end_frame() { ++ended; }
+
+  std::vector<std::uint32_t> numbers;
+  std::uint32_t tiles = 0;
+  int ended = 0;
+  stream::GridHash hash;
+};
+
+// The network is one sink among others: all see the same frame.
+TEST(Pipeline, EverySinkIsGivenEveryFrame) {
+  tests::Random random(83);
+  FakePlatform platform;
+  std::array<TileList, 2> sinks;
+  const auto pipeline = std::make_unique<Pipeline<FakePlatform, TileList, TileList>>(
+      ThreeLux::kVehicle, kReplayer, platform, std::uint64_t{0}, sinks[0], sinks[1]);
+  for (const Datagram& datagram : frame_of_three(1, 1, random)) {
+    pipeline->take({datagram.source, datagram.port, datagram.bytes}, 40'000);
+  }
+  ASSERT_EQ(platform.frames.size(), 1U);
+  for (const TileList& sink : sinks) {
+    EXPECT_EQ(sink.numbers, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(sink.ended, 1);
+    EXPECT_EQ(sink.tiles, platform.frames[0].end.tiles_sent);
+    EXPECT_EQ(sink.hash.value(), platform.frames[0].end.grid_crc);
+  }
+}
+
 // Raw or as short as can be, what arrives is the same.
 TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
   tests::Random random(82);
   Bench shortest;
-  FakeOutside outside;
-  const auto raw = std::make_unique<Pipeline<FakeOutside>>(ThreeLux::kVehicle, kReplayer, outside,
-                                                           std::uint64_t{0}, Coding::kRaw);
+  FakePlatform platform;
+  const auto raw = std::make_unique<Pipeline<FakePlatform>>(ThreeLux::kVehicle, kReplayer, platform,
+                                                            std::uint64_t{0}, Coding::kRaw);
   for (int number = 1; number <= 10; ++number) {
     const auto now_us = static_cast<std::uint64_t>(number) * 40'000;
     for (const Datagram& datagram : frame_of_three(number, 1, random)) {
@@ -338,14 +376,14 @@ TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
       raw->take({datagram.source, datagram.port, datagram.bytes}, now_us);
     }
   }
-  ASSERT_EQ(outside.frames.size(), 10U);
-  ASSERT_EQ(shortest.outside.frames.size(), 10U);
-  for (std::size_t i = 0; i < outside.frames.size(); ++i) {
-    EXPECT_EQ(shortest.outside.frames[i].cells, outside.frames[i].cells);
-    EXPECT_EQ(shortest.outside.frames[i].end.grid_crc, outside.frames[i].end.grid_crc);
+  ASSERT_EQ(platform.frames.size(), 10U);
+  ASSERT_EQ(shortest.platform.frames.size(), 10U);
+  for (std::size_t i = 0; i < platform.frames.size(); ++i) {
+    EXPECT_EQ(shortest.platform.frames[i].cells, platform.frames[i].cells);
+    EXPECT_EQ(shortest.platform.frames[i].end.grid_crc, platform.frames[i].end.grid_crc);
   }
-  EXPECT_LT(2 * shortest.outside.tile_messages(), outside.tile_messages());
-  EXPECT_EQ(shortest.outside.unreadable() + outside.unreadable(), 0);
+  EXPECT_LT(2 * shortest.platform.tile_messages(), platform.tile_messages());
+  EXPECT_EQ(shortest.platform.unreadable() + platform.unreadable(), 0);
 }
 
 }  // namespace

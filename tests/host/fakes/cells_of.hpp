@@ -9,8 +9,8 @@
 namespace iog::tests {
 
 inline std::vector<grid::OccupancyIndex> cells_of(const grid::FrameFusion& fusion) {
-  std::vector<grid::OccupancyIndex> cells(grid::kCellCount);
-  fusion.copy_cells(std::span(cells).first<grid::kCellCount>());
+  std::vector<grid::OccupancyIndex> cells(geometry::kCellCount);
+  fusion.view().copy_cells(std::span(cells).first<geometry::kCellCount>());
   return cells;
 }
 

@@ -45,8 +45,8 @@ inline bool cut_axis(std::int32_t start, std::int32_t end, std::int32_t cell, st
 }
 
 // Where the endless line enters and leaves the cell, nothing if it does not enter its interior.
-inline std::optional<Crossing> cross(traversal::SubcellPoint start, traversal::SubcellPoint end,
-                                     traversal::Cell cell, std::int32_t r) {
+inline std::optional<Crossing> cross(geometry::SubcellPoint start, geometry::SubcellPoint end,
+                                     geometry::Cell cell, std::int32_t r) {
   Crossing crossing;
   const bool meets = cut_axis(start.x, end.x, cell.x, r, crossing) &&
                      cut_axis(start.y, end.y, cell.y, r, crossing);
@@ -54,8 +54,8 @@ inline std::optional<Crossing> cross(traversal::SubcellPoint start, traversal::S
 }
 
 // Whether the segment itself crosses the cell's interior.
-inline bool segment_crosses(traversal::SubcellPoint start, traversal::SubcellPoint end,
-                            traversal::Cell cell, std::int32_t r) {
+inline bool segment_crosses(geometry::SubcellPoint start, geometry::SubcellPoint end,
+                            geometry::Cell cell, std::int32_t r) {
   const std::optional<Crossing> crossing = cross(start, end, cell, r);
   return crossing && crossing->enter < Rational{1, 1} && Rational{0, 1} < crossing->leave;
 }

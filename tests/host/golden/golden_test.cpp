@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
-#include "fakes/fake_outside.hpp"
+#include "fakes/fake_platform.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/random.hpp"
 #include "fakes/vlp16_packet.hpp"
@@ -51,9 +51,9 @@ tests::LuxMessage wall(int scan, int sensor, tests::Random& random) {
 
 TEST(Golden, FourLuxHaveOneNameEverywhere) {
   tests::Random random(2017);
-  tests::FakeOutside outside;
-  const auto pipeline = std::make_unique<app::Pipeline<tests::FakeOutside>>(
-      vehicles::reference_car::kVehicle, kReplayer, outside, std::uint64_t{0});
+  tests::FakePlatform platform;
+  const auto pipeline = std::make_unique<app::Pipeline<tests::FakePlatform>>(
+      vehicles::reference_car::kVehicle, kReplayer, platform, std::uint64_t{0});
   for (int scan = 1; scan <= 3; ++scan) {
     for (int sensor = 0; sensor < 4; ++sensor) {
       const auto bytes = wall(scan, sensor, random).bytes();
@@ -61,15 +61,15 @@ TEST(Golden, FourLuxHaveOneNameEverywhere) {
       pipeline->take({kReplayer, port, bytes}, static_cast<std::uint64_t>(scan) * 40'000);
     }
   }
-  ASSERT_EQ(outside.frames.size(), 3U);
-  EXPECT_EQ(name_of_run(outside.frames), 0x04E7E467U);
+  ASSERT_EQ(platform.frames.size(), 3U);
+  EXPECT_EQ(name_of_run(platform.frames), 0x04E7E467U);
 }
 
 TEST(Golden, AVlp16HasOneNameEverywhere) {
   tests::Random random(2017);
-  tests::FakeOutside outside;
-  const auto pipeline = std::make_unique<app::Pipeline<tests::FakeOutside>>(
-      vehicles::roof_vlp16::kVehicle, kReplayer, outside, std::uint64_t{0});
+  tests::FakePlatform platform;
+  const auto pipeline = std::make_unique<app::Pipeline<tests::FakePlatform>>(
+      vehicles::roof_vlp16::kVehicle, kReplayer, platform, std::uint64_t{0});
   for (int number = 0; number < 76; ++number) {
     tests::Vlp16Packet packet{.first_azimuth = number * 478 % 36'000,
                               .time_us = static_cast<std::uint32_t>(number) * 1327};
@@ -80,8 +80,8 @@ TEST(Golden, AVlp16HasOneNameEverywhere) {
     }
     pipeline->take({kReplayer, 2368, packet.bytes()}, static_cast<std::uint64_t>(number) * 1327);
   }
-  ASSERT_EQ(outside.frames.size(), 1U);
-  EXPECT_EQ(name_of_run(outside.frames), 0xC322BA0FU);
+  ASSERT_EQ(platform.frames.size(), 1U);
+  EXPECT_EQ(name_of_run(platform.frames), 0xC322BA0FU);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 namespace iog::grid {
 namespace {
 
-using traversal::Cell;
-using TileCells = std::array<OccupancyIndex, kTileCells>;
+using geometry::Cell;
+using TileCells = std::array<OccupancyIndex, geometry::kTileCells>;
 
 std::unique_ptr<BlockGrid> empty_grid() { return std::make_unique<BlockGrid>(); }
 
@@ -27,8 +27,8 @@ bool is_known(const BlockGrid& grid, std::size_t tile) {
 
 TEST(BlockGrid, EveryCellHasAPlaceOfItsOwn) {
   std::vector<std::uint32_t> offsets;
-  for (std::size_t number = 0; number < kCellCount; ++number) {
-    offsets.push_back(offset_of(cell_of(number)));
+  for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
+    offsets.push_back(offset_of(geometry::cell_of(number)));
   }
   std::ranges::sort(offsets);
   EXPECT_EQ(std::ranges::adjacent_find(offsets), offsets.end());
@@ -47,7 +47,7 @@ TEST(BlockGrid, ABlockIsASquareOfCells) {
 // A line of cells along y must not compete for a few sets of a cache of 256 sets of 32 bytes.
 TEST(BlockGrid, TheBlocksOfAColumnLieInDifferentSetsOfTheCache) {
   std::vector<std::uint32_t> sets;
-  for (std::int32_t y = 0; y < std::min<std::int32_t>(vehicle::kCellsPerSide, 1024);
+  for (std::int32_t y = 0; y < std::min<std::int32_t>(geometry::kCellsPerSide, 1024);
        y += kBlockSide) {
     sets.push_back(offset_of({512, y}) / 32 % 256);
   }
@@ -61,8 +61,8 @@ TEST(BlockGrid, ATileIsKnownIfOneOfItsCellsIs) {
     for (const std::int32_t y : {96, 127}) {
       const auto grid = empty_grid();
       set(*grid, {x, y}, -1);
-      for (std::size_t tile = 0; tile < kTileCount; ++tile) {
-        ASSERT_EQ(is_known(*grid, tile), tile == 3 * kTilesPerSide + 2) << tile;
+      for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+        ASSERT_EQ(is_known(*grid, tile), tile == 3 * geometry::kTilesPerSide + 2) << tile;
       }
     }
   }
@@ -70,13 +70,13 @@ TEST(BlockGrid, ATileIsKnownIfOneOfItsCellsIs) {
 
 TEST(BlockGrid, ATileIsCopiedRowByRowFromItsLowestY) {
   const auto grid = empty_grid();
-  for (std::int32_t i = 0; i < kTileSide * kTileSide; ++i) {
-    set(*grid, {992 + i % kTileSide, 960 + i / kTileSide},
-        static_cast<OccupancyIndex>(i % 255 - 127));
+  constexpr std::int32_t kSide = geometry::kTileSide;
+  for (std::int32_t i = 0; i < kSide * kSide; ++i) {
+    set(*grid, {992 + i % kSide, 960 + i / kSide}, static_cast<OccupancyIndex>(i % 255 - 127));
   }
   TileCells cells;
-  ASSERT_TRUE(grid->copy_tile(30 * kTilesPerSide + 31, cells));
-  for (std::size_t i = 0; i < kTileCells; ++i) {
+  ASSERT_TRUE(grid->copy_tile(30 * geometry::kTilesPerSide + 31, cells));
+  for (std::size_t i = 0; i < geometry::kTileCells; ++i) {
     ASSERT_EQ(int{cells[i]}, static_cast<int>(i % 255) - 127) << i;
   }
 }
@@ -89,28 +89,28 @@ TEST(BlockGrid, TheLowestByteReadsAsTheLowestIndex) {
   EXPECT_EQ(int{grid->at({40, 40})}, -127);
   EXPECT_EQ(int{grid->at({41, 40})}, -127);
   TileCells cells;
-  ASSERT_TRUE(grid->copy_tile(kTilesPerSide + 1, cells));
-  EXPECT_EQ(int{cells[8 * kTileSide + 8]}, -127);
-  EXPECT_EQ(int{cells[8 * kTileSide + 9]}, -127);
+  ASSERT_TRUE(grid->copy_tile(geometry::kTilesPerSide + 1, cells));
+  EXPECT_EQ(int{cells[8 * geometry::kTileSide + 8]}, -127);
+  EXPECT_EQ(int{cells[8 * geometry::kTileSide + 9]}, -127);
 }
 
 TEST(BlockGrid, ClearingATileLeavesItsNeighboursAlone) {
   const auto grid = empty_grid();
-  for (std::size_t number = 0; number < kCellCount; ++number) {
-    set(*grid, cell_of(number), 3);
+  for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
+    set(*grid, geometry::cell_of(number), 3);
   }
-  constexpr std::size_t kTile = 5 * kTilesPerSide + 4;
+  constexpr std::size_t kTile = 5 * geometry::kTilesPerSide + 4;
   grid->touch(kTile);
   grid->touch(kTile + 1);
   grid->clear_tile(kTile);
   std::size_t unknown = 0;
-  for (std::size_t number = 0; number < kCellCount; ++number) {
-    const Cell cell = cell_of(number);
-    const bool is_inside = tile_of(cell) == kTile;
+  for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
+    const Cell cell = geometry::cell_of(number);
+    const bool is_inside = geometry::tile_of(cell) == kTile;
     ASSERT_EQ(int{grid->at(cell)}, is_inside ? 0 : 3);
     unknown += is_inside ? 1U : 0U;
   }
-  EXPECT_EQ(unknown, kTileCells);
+  EXPECT_EQ(unknown, geometry::kTileCells);
   EXPECT_FALSE(grid->is_touched(kTile));
   EXPECT_TRUE(grid->is_touched(kTile + 1));
 }

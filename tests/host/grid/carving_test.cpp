@@ -15,15 +15,15 @@
 namespace iog::grid {
 namespace {
 
-using traversal::Cell;
+using geometry::Cell;
+using geometry::kResolution;
+using geometry::SubcellPoint;
 using traversal::Position;
-using traversal::SubcellPoint;
 using vehicle::BeamLine;
-using vehicle::kResolution;
 
 // From anywhere in the grid to anywhere in it, some of them short, some along an axis, some nearly.
 BeamLine random_line(tests::Random& random) {
-  constexpr std::int32_t kEnd = vehicle::kCellsPerSide * kResolution - 1;
+  constexpr std::int32_t kEnd = geometry::kCellsPerSide * kResolution - 1;
   const auto near = [&](std::int32_t from, std::int32_t reach) {
     return std::clamp<std::int32_t>(from + random.between(-reach, reach), 0, kEnd);
   };
@@ -40,8 +40,8 @@ BeamLine random_line(tests::Random& random) {
 
 std::vector<Cell> cells_of_walk(const BeamLine& line, std::uint32_t end) {
   std::vector<Cell> cells;
-  traversal::Walk(line, {}, kStride).until(end, [&](std::size_t number) {
-    cells.push_back(cell_of(number));
+  traversal::Walk(line, {}, geometry::kCellsPerSide).until(end, [&](std::size_t number) {
+    cells.push_back(geometry::cell_of(number));
   });
   return cells;
 }
@@ -97,8 +97,8 @@ TEST(BlockPath, NamesTheTilesThatItEnters) {
     const std::vector<Cell> cells = cells_of_walk(line, line.before({1, 1}).crossed() + 1);
     std::vector<std::size_t> expected;
     for (const Cell& cell : cells) {
-      if (expected.empty() || expected.back() != tile_of(cell)) {
-        expected.push_back(tile_of(cell));
+      if (expected.empty() || expected.back() != geometry::tile_of(cell)) {
+        expected.push_back(geometry::tile_of(cell));
       }
     }
     BlockPath path;
@@ -143,12 +143,14 @@ TEST(Carving, BlockByBlockIsCellByCell) {
     for (const Cell& cell : cells) {
       ASSERT_EQ(int{by_blocks->at(cell)}, int{by_cells->at(cell)})
           << i << ": " << cell.x << ", " << cell.y;
-      ASSERT_TRUE(by_blocks->at(cell) == 0 || by_blocks->is_touched(tile_of(cell)));
+      ASSERT_TRUE(by_blocks->at(cell) == 0 || by_blocks->is_touched(geometry::tile_of(cell)));
     }
   }
   std::size_t different = 0;
-  for (std::size_t number = 0; number < kCellCount; ++number) {
-    different += by_blocks->at(cell_of(number)) == by_cells->at(cell_of(number)) ? 0U : 1U;
+  for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
+    different += by_blocks->at(geometry::cell_of(number)) == by_cells->at(geometry::cell_of(number))
+                     ? 0U
+                     : 1U;
   }
   EXPECT_EQ(different, 0U);
 }

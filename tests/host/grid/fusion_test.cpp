@@ -2,13 +2,16 @@
 // that no order shows.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
+#include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
@@ -16,16 +19,12 @@
 namespace iog::grid {
 namespace {
 
-using lidar::ScanPoint;
+using tests::Evidence;
 using tests::LevelLux;
+using tests::random_frame;
 using tests::ThreeLux;
 using tests::TiltedLux;
 using vehicle::Vehicle;
-
-struct Evidence {
-  std::size_t sensor = 0;
-  ScanPoint point;
-};
 
 std::vector<OccupancyIndex> fuse(const Vehicle& vehicle, const std::vector<Evidence>& frame) {
   const auto fusion = std::make_unique<FrameFusion>(vehicle);
@@ -37,7 +36,7 @@ std::vector<OccupancyIndex> fuse(const Vehicle& vehicle, const std::vector<Evide
 }
 
 int ahead(const std::vector<OccupancyIndex>& cells, int x) {
-  const int offset = 512 * kStride + 512 + x;
+  const int offset = 512 * geometry::kCellsPerSide + 512 + x;
   return cells[static_cast<std::size_t>(offset)];
 }
 
@@ -147,8 +146,8 @@ TEST(Fusion, ABeamCarvesOnlyInsideTheHeightBand) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != 0) {
       EXPECT_EQ(int{cells[i]}, -14);
-      const std::size_t column = i % kStride;
-      const std::size_t row = i / kStride;
+      const std::size_t column = i % geometry::kCellsPerSide;
+      const std::size_t row = i / geometry::kCellsPerSide;
       const double x = (static_cast<double>(column) - 511.5) / 10 - 1.234;
       const double y = (static_cast<double>(row) - 511.5) / 10 + 0.777;
       farthest_m = std::max(farthest_m, std::hypot(x, y));
@@ -164,25 +163,6 @@ TEST(Fusion, ASensorOutsideTheGridCarvesInside) {
   const auto carved = std::ranges::count_if(cells, [](OccupancyIndex i) { return i < 0; });
   EXPECT_EQ(marked, 1);
   EXPECT_NEAR(static_cast<double>(carved), 300 - 189, 4);  // from x = 51.2 m to 40.1 m
-}
-
-std::vector<Evidence> random_frame(tests::Random& random, int points) {
-  std::vector<Evidence> frame;
-  for (int i = 0; i < points; ++i) {
-    Evidence evidence;
-    evidence.sensor = static_cast<std::size_t>(random.between(0, 2));
-    // Close together, so that carving, marks and saturation meet in the same cells.
-    const int azimuth = random.between(-300, 300);
-    evidence.point = {
-        .range_mm =
-            static_cast<std::uint32_t>(random.one_in(30) ? 0 : random.between(20, 5200) * 10),
-        .azimuth_ticks = static_cast<std::uint16_t>(azimuth < 0 ? azimuth + 11520 : azimuth),
-        .layer = static_cast<std::uint8_t>(random.between(0, 3)),
-        .echo = static_cast<std::uint8_t>(random.one_in(8) ? 1 : 0),
-        .is_ground = random.one_in(20)};
-    frame.push_back(evidence);
-  }
-  return frame;
 }
 
 TEST(Fusion, NoOrderOfTheScanPointsShowsInTheGrid) {
@@ -243,6 +223,35 @@ TEST(Fusion, ALineThatWasKeptIsTheLineThatIsFound) {
       keeps->clear();
     }
   }
+}
+
+// The owner shows what is known once, in order, and keeps nothing of it.
+TEST(Fusion, AFrameThatIsReleasedIsShownTileByTileAndCleared) {
+  tests::Random random(44);
+  const auto fusion = std::make_unique<FrameFusion>(ThreeLux::kVehicle);
+  for (const Evidence& evidence : random_frame(random, 100)) {
+    fusion->add(ThreeLux::kVehicle.sensors[evidence.sensor], evidence.point);
+  }
+  fusion->finish();
+  const auto cells = tests::cells_of(*fusion);
+  std::vector<std::size_t> tiles;
+  std::vector<OccupancyIndex> shown(geometry::kCellCount);
+  fusion->release([&](std::size_t tile, std::span<const std::byte, geometry::kTileCells> bytes) {
+    tiles.push_back(tile);
+    const std::size_t corner = (tile / geometry::kTilesPerSide * geometry::kCellsPerSide +
+                                tile % geometry::kTilesPerSide) *
+                               geometry::kTileSide;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      shown[corner + i / geometry::kTileSide * geometry::kCellsPerSide + i % geometry::kTileSide] =
+          static_cast<OccupancyIndex>(bytes[i]);
+    }
+  });
+  EXPECT_GT(tiles.size(), 10U);
+  EXPECT_TRUE(std::ranges::is_sorted(tiles));
+  EXPECT_EQ(std::ranges::adjacent_find(tiles), tiles.end());
+  EXPECT_TRUE(shown == cells);
+  EXPECT_EQ(std::ranges::count(tests::cells_of(*fusion), 0), std::ssize(cells));
+  fusion->release([&](auto...) { FAIL() << "nothing is known"; });
 }
 
 TEST(Fusion, TellsWhenItsMarksRunOut) {

@@ -37,11 +37,11 @@ void expect_the_same(Operation&& operation) {
 }
 
 TEST(Lanes, AreThePlainOnes) {
-  expect_the_same([](auto a, auto b) { return a.masked(b); });
-  expect_the_same([](auto a, auto b) { return a.without(b); });
-  expect_the_same([](auto a, auto b) { return a.united(b); });
+  expect_the_same([](auto a, auto b) { return a.bit_and(b); });
+  expect_the_same([](auto a, auto b) { return a.and_not(b); });
+  expect_the_same([](auto a, auto b) { return a.bit_or(b); });
   expect_the_same([](auto a, auto b) { return a.subtract(b); });
-  expect_the_same([](auto a, auto b) { return a.raised_to(b); });
+  expect_the_same([](auto a, auto b) { return a.max(b); });
 }
 
 // Contract section 3: what is carved saturates. A byte does at -128.

@@ -16,17 +16,17 @@
 namespace iog::grid {
 namespace {
 
+using geometry::Cell;
+using geometry::kResolution;
+using geometry::SubcellPoint;
 using tests::OneLux;
 using tests::OneLuxNearest;
 using tests::Rational;
 using tests::TiltedLux;
-using traversal::Cell;
-using traversal::SubcellPoint;
-using vehicle::kResolution;
 using vehicle::Sensor;
 using vehicle::Vehicle;
 
-int index_at(const FrameFusion& fusion, Cell cell) { return fusion.at(cell); }
+int index_at(const FrameFusion& fusion, Cell cell) { return fusion.view().at(cell); }
 
 std::unique_ptr<FrameFusion> fuse_one(const Vehicle& vehicle, const lidar::ScanPoint& point) {
   auto fusion = std::make_unique<FrameFusion>(vehicle);
@@ -88,13 +88,13 @@ TEST(Sampling, TheCellThatHoldsTheScanPointIsMarkedInEveryDirection) {
       const SubcellPoint end = end_of(sensor, line);
       const Cell cell{cell_of_point(sensor.origin.x, end.x, range, 50'000),
                       cell_of_point(sensor.origin.y, end.y, range, 50'000)};
-      if (fate == vehicle::Fate::kUsed && vehicle::kGridArea.contains(cell)) {
+      if (fate == vehicle::Fate::kUsed && geometry::kGridArea.contains(cell)) {
         ASSERT_EQ(index_at(*fusion, cell), 2) << "tick " << tick << ", " << range << " mm";
         // Only this cell is occupied: empty the one, and nothing above 0 is left around it.
         for (int dy = -1; dy <= 1; ++dy) {
           for (int dx = -1; dx <= 1; ++dx) {
             const Cell near{cell.x + dx, cell.y + dy};
-            if (vehicle::kGridArea.contains(near) && (dx != 0 || dy != 0)) {
+            if (geometry::kGridArea.contains(near) && (dx != 0 || dy != 0)) {
               ASSERT_LE(index_at(*fusion, near), 0);
             }
           }
@@ -167,7 +167,7 @@ void expect_every_cell_as_the_rule_says(const Vehicle& vehicle, std::uint64_t se
       const Cell first = line.cell({});
       for (int y = std::min(first.y, last.y) - 2; y <= std::max(first.y, last.y) + 2; ++y) {
         for (int x = std::min(first.x, last.x) - 2; x <= std::max(first.x, last.x) + 2; ++x) {
-          if (vehicle::kGridArea.contains({x, y})) {
+          if (geometry::kGridArea.contains({x, y})) {
             ASSERT_EQ(index_at(*fusion, {x, y}),
                       expected_index(sensor, end, {x, y}, point.range_mm))
                 << "cell " << x << ", " << y << ", range " << point.range_mm << ", tick "

@@ -15,8 +15,8 @@ using tile_coding::kTileSide;
 using Tile = std::array<std::byte, tile_coding::kTileBytes>;
 
 constexpr std::size_t kFineSide = CoarseLevels::kFineTilesPerSide * kTileSide;  // fine cells
-constexpr std::size_t kFineCell = stream::kTilesPerSide * kTileSide / kFineSide;
-constexpr std::size_t kRoughCell = stream::kTilesPerSide;  // cells of the grid along a side
+constexpr std::size_t kFineCell = geometry::kTilesPerSide * kTileSide / kFineSide;
+constexpr std::size_t kRoughCell = geometry::kTilesPerSide;  // cells of the grid along a side
 
 int index_of(std::byte cell) { return static_cast<std::int8_t>(cell); }
 
@@ -24,13 +24,13 @@ int index_of(std::byte cell) { return static_cast<std::int8_t>(cell); }
 class CoarseLevelsOf : public testing::Test {
  protected:
   void take(std::size_t tile_x, std::size_t tile_y, const Tile& cells) {
-    const std::size_t tile = tile_y * stream::kTilesPerSide + tile_x;
+    const std::size_t tile = tile_y * geometry::kTilesPerSide + tile_x;
     levels_.take(tile, cells);
     tiles_[tile] = cells;
   }
 
   [[nodiscard]] int at(std::size_t x, std::size_t y) const {
-    const Tile& tile = tiles_[y / kTileSide * stream::kTilesPerSide + x / kTileSide];
+    const Tile& tile = tiles_[y / kTileSide * geometry::kTilesPerSide + x / kTileSide];
     return index_of(tile[y % kTileSide * kTileSide + x % kTileSide]);
   }
   [[nodiscard]] int highest(std::size_t x, std::size_t y, std::size_t side) const {
@@ -57,7 +57,7 @@ class CoarseLevelsOf : public testing::Test {
   }
 
   CoarseLevels levels_;
-  std::vector<Tile> tiles_ = std::vector<Tile>(stream::kTileCount);
+  std::vector<Tile> tiles_ = std::vector<Tile>(geometry::kTileCount);
 };
 
 TEST_F(CoarseLevelsOf, AnyGridAreTheHighestIndexesBelow) {
@@ -68,7 +68,7 @@ TEST_F(CoarseLevelsOf, AnyGridAreTheHighestIndexesBelow) {
     for (std::byte& cell : cells) {
       cell = static_cast<std::byte>(random.between(-127, highest));
     }
-    take(random.below(stream::kTilesPerSide), random.below(stream::kTilesPerSide), cells);
+    take(random.below(geometry::kTilesPerSide), random.below(geometry::kTilesPerSide), cells);
   }
   for (std::size_t i = 0; i < kFineSide * kFineSide; ++i) {
     const std::size_t x = i % kFineSide;
@@ -101,7 +101,7 @@ TEST_F(CoarseLevelsOf, OneUnknownCellAreNotFree) {
 
 TEST_F(CoarseLevelsOf, NothingAreUnknown) {
   EXPECT_FALSE(levels_.is_rough_known());
-  take(stream::kTilesPerSide - 1, 0, filled(-1));
+  take(geometry::kTilesPerSide - 1, 0, filled(-1));
   EXPECT_TRUE(levels_.is_rough_known());
   EXPECT_TRUE(levels_.is_fine_known(CoarseLevels::kFineTilesPerSide - 1));
   EXPECT_FALSE(levels_.is_fine_known(0));
@@ -112,7 +112,7 @@ TEST_F(CoarseLevelsOf, NothingAreUnknown) {
 
 // The thesis's quadtree counts levels from the cells up: a level doubles the side.
 TEST_F(CoarseLevelsOf, TheReferenceGridAreLevels3And5) {
-  if constexpr (stream::kTilesPerSide == 32) {
+  if constexpr (geometry::kTilesPerSide == 32) {
     EXPECT_EQ(CoarseLevels::kFineLevel, 3u);
     EXPECT_EQ(CoarseLevels::kRoughLevel, 5u);
   }

@@ -16,8 +16,8 @@
 namespace iog::serial {
 namespace {
 
-using stream::kTileCount;
-using Tile = std::array<std::byte, stream::kTileBytes>;
+using geometry::kTileCount;
+using Tile = std::array<std::byte, tile_coding::kTileBytes>;
 using Grid = std::map<std::size_t, Tile>;  // known tiles
 
 constexpr std::uint32_t kRate = 11'520;  // bytes a second

@@ -8,7 +8,7 @@ namespace {
 
 // python3: zlib.crc32(bytes([0, 4, 0, 5]) + bytes([3]) * 1024)
 TEST(GridHash, IsTheCrcOfPlaceAndCells) {
-  std::array<std::byte, kTileBytes> tile{};
+  std::array<std::byte, tile_coding::kTileBytes> tile{};
   tile.fill(std::byte{3});
   GridHash hash;
   EXPECT_EQ(hash.value(), 0U);

@@ -82,7 +82,7 @@ FrameEnd some_frame_end() {
   end.packet_drops = {20, 21, 22, 23, 24, 25, 26, 27};
   end.link_counter_count = 3;
   end.link_counters[2] = 99;
-  end.sensors[1] = {.state = SensorState::kPartial,
+  end.sensors[1] = {.state = intake::SensorState::kPartial,
                     .age_frames = 7,
                     .packets = 3,
                     .points = 420,
@@ -106,7 +106,7 @@ TEST(Message, AFrameEndSurvivesTheWire) {
   EXPECT_EQ(read.link_counters[2], 99U);
   EXPECT_EQ(read.sensors[1].points, 420U);
   EXPECT_EQ(read.sensors[1].scan_number, 65'535U);
-  EXPECT_EQ(read.sensors[1].state, SensorState::kPartial);
+  EXPECT_EQ(read.sensors[1].state, intake::SensorState::kPartial);
   for (std::size_t size = 0; size < bytes; ++size) {
     EXPECT_EQ(read_frame_end(std::span(wire).first(size), 2, read), ReadStatus::kTooShort);
   }

@@ -8,8 +8,8 @@
 namespace iog::stream {
 namespace {
 
-std::array<std::byte, kTileBytes> tile_of(int value) {
-  std::array<std::byte, kTileBytes> cells{};
+std::array<std::byte, tile_coding::kTileBytes> tile_of(int value) {
+  std::array<std::byte, tile_coding::kTileBytes> cells{};
   cells.fill(static_cast<std::byte>(value));
   return cells;
 }
@@ -49,14 +49,14 @@ TEST(References, NoneIsUsableThatIsOlderThanSevenFrames) {
 TEST(References, TilesTakeTurnsToStandByThemselves) {
   const auto references = std::make_unique<References>();
   for (std::uint32_t frame = 50; frame < 58; ++frame) {
-    for (std::size_t tile = 0; tile < kTileCount; ++tile) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       references->keep(tile, tile_of(1), frame - 1, 5);
     }
     std::size_t alone = 0;
-    for (std::size_t tile = 0; tile < kTileCount; ++tile) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       alone += references->usable(tile, frame) ? 0U : 1U;
     }
-    EXPECT_EQ(alone, kTileCount / 8);
+    EXPECT_EQ(alone, geometry::kTileCount / 8);
   }
 }
 

@@ -162,7 +162,7 @@ TEST(TilesReader, IsTotalOnGarbage) {
 TEST(Geometry, OfEveryLevelIsTheSameSquare) {
   for (unsigned level = 0; level <= 5; ++level) {
     const Geometry geometry = geometry_of_level(level);
-    EXPECT_EQ(geometry.width * geometry.cell_mm, vehicle::kCellsPerSide * vehicle::kCellMm);
+    EXPECT_EQ(geometry.width * geometry.cell_mm, geometry::kCellsPerSide * geometry::kCellMm);
     EXPECT_EQ(geometry.tile_count() << (2 * level), geometry_of_level(0).tile_count());
   }
 }

@@ -89,8 +89,8 @@ TEST(GridPicture, ForwardIsUpAndLeftIsLeft) {
   const Canvas empty = picture_of(frame, {});
   ASSERT_EQ(empty.width(), 1024);
   const auto drawn_at = [&](std::size_t cell_x, std::size_t cell_y, int column, int row) {
-    frame.cells.assign(grid::kCellCount, index::kUnknown);
-    frame.cells[cell_y * grid::kStride + cell_x] = 127;
+    frame.cells.assign(geometry::kCellCount, index::kUnknown);
+    frame.cells[cell_y * geometry::kCellsPerSide + cell_x] = 127;
     const Canvas picture = picture_of(frame, {});
     return !(picture.at(column, row) == empty.at(column, row));
   };
@@ -102,8 +102,8 @@ TEST(GridPicture, ForwardIsUpAndLeftIsLeft) {
 // One pixel of 1024 is not seen, whatever its colour.
 TEST(GridPicture, AHitIsSeenAmongFreeCells) {
   GridFrame frame;
-  frame.cells.assign(grid::kCellCount, -56);
-  frame.cells[300 * grid::kStride + 700] = 10;
+  frame.cells.assign(geometry::kCellCount, -56);
+  frame.cells[300 * geometry::kCellsPerSide + 700] = 10;
   const auto hit_pixels = [&](int scale) {
     const Canvas picture = picture_of(frame, {.pixels_per_cell = scale});
     int count = 0;
@@ -125,7 +125,7 @@ TEST(GridPicture, AHitIsSeenAmongFreeCells) {
 // A label has its own dark ground: nothing of the free cells below is left between its letters.
 TEST(GridPicture, DistancesCanBeReadOverFreeGround) {
   GridFrame frame;
-  frame.cells.assign(grid::kCellCount, -56);
+  frame.cells.assign(geometry::kCellCount, -56);
   const Canvas picture = picture_of(frame, {});
   const int place = 512 + 212;  // 30 m behind the car, to the right: 300 * sqrt(1/2)
   for (int column = place - 15; column <= place + 15; ++column) {

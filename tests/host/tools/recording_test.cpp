@@ -36,7 +36,7 @@ class KeepingRecording : public Recording {
     given_->grid_crcs.push_back(grid_crc_of(*recorded.frame));
     given_->stale_tiles.push_back(recorded.live->stale_tiles());
     std::size_t unknown = 0;
-    for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       unknown += recorded.live->age_of(tile) ? 0U : 1U;
     }
     given_->unknown_tiles.push_back(unknown);

@@ -41,12 +41,12 @@ class CarvedCells {
     fusion_->add(sensor, point);
     fusion_->carve_waiting();  // its mark waits for a finish() that never comes
     const auto line = vehicle::aim(sensor, point.layer, point.azimuth_ticks).line;
-    const auto inside = line.clip(vehicle::kGridArea);
+    const auto inside = line.clip(geometry::kGridArea);
     std::size_t carved = 0;
     if (inside) {
-      traversal::Walk walk(line, inside->first, grid::kStride);
+      traversal::Walk walk(line, inside->first, geometry::kCellsPerSide);
       walk.until(inside->last.crossed() + 1, [&](std::size_t number) {
-        carved += fusion_->at(grid::cell_of(number)) != index::kUnknown ? 1U : 0U;
+        carved += fusion_->view().at(geometry::cell_of(number)) != index::kUnknown ? 1U : 0U;
       });
     }
     fusion_->clear();
@@ -63,7 +63,7 @@ std::size_t count_inner_nodes(std::span<const index::OccupancyIndex> cells) {
   constexpr int kMixed = 1000;
   std::vector<int> blocks(cells.begin(), cells.end());
   std::size_t inner = 0;
-  for (std::size_t side = vehicle::kCellsPerSide / 2; side > 0; side /= 2) {
+  for (std::size_t side = geometry::kCellsPerSide / 2; side > 0; side /= 2) {
     std::vector<int> larger;
     larger.reserve(side * side);
     for (std::size_t y = 0; y < side; ++y) {
@@ -107,7 +107,7 @@ Load load_of(std::string_view scene, std::uint64_t seed) {
 constexpr double kBeams = 4 * 4 * 201;  // of a frame: scanners, layers, azimuths
 
 TEST(InnerNodes, AreTheBlocksThatAreNotAllEqual) {
-  std::vector<index::OccupancyIndex> cells(grid::kCellCount);
+  std::vector<index::OccupancyIndex> cells(geometry::kCellCount);
   EXPECT_EQ(count_inner_nodes(cells), 0U);
   cells[0] = 2;  // one block of each size from 2 to 1024
   EXPECT_EQ(count_inner_nodes(cells), 10U);
@@ -120,15 +120,15 @@ TEST(InnerNodes, AreTheBlocksThatAreNotAllEqual) {
 TEST(RingRoad, HasTheLoadOfTheThesis) {
   const Load load = load_of("ring_road", 1);
   EXPECT_NEAR(load.updates / load.frames, 700'000, 50'000);
-  EXPECT_NEAR(grid::kCellCount * load.frames / load.leaves, 3.75, 0.15);
-  EXPECT_NEAR(grid::kCellCount * load.frames / load.nodes, 2.81, 0.12);
+  EXPECT_NEAR(geometry::kCellCount * load.frames / load.leaves, 3.75, 0.15);
+  EXPECT_NEAR(geometry::kCellCount * load.frames / load.nodes, 2.81, 0.12);
 }
 
 TEST(RingRoad, HasNearlyThatLoadWithOtherSeeds) {
   for (const std::uint64_t seed : {2U, 3U, 4U}) {
     const Load load = load_of("ring_road", seed);
     EXPECT_NEAR(load.updates / load.frames, 700'000, 84'000) << "seed " << seed;
-    EXPECT_NEAR(grid::kCellCount * load.frames / load.leaves, 3.75, 0.45) << "seed " << seed;
+    EXPECT_NEAR(geometry::kCellCount * load.frames / load.leaves, 3.75, 0.45) << "seed " << seed;
   }
 }
 

@@ -100,9 +100,9 @@ Shown show(const Messages& messages) {
     shown.closed_us.push_back(frame.header.closed_us);
     shown.whole += frame.is_whole() ? 1U : 0U;
     const auto known = truth.find(frame.header.closed_us);
-    for (std::size_t tile = 0; tile < stream::kTileCount && known != truth.end(); ++tile) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount && known != truth.end(); ++tile) {
       bool is_equal = true;
-      for (std::size_t i = 0; i < stream::kTileBytes; ++i) {
+      for (std::size_t i = 0; i < tile_coding::kTileBytes; ++i) {
         const std::size_t cell = cell_of_tile(tile, i);
         is_equal = is_equal && frame.cells[cell] == known->second.cells[cell];
       }

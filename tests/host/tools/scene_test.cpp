@@ -93,7 +93,7 @@ TEST_P(EveryScene, TheWayIsClear) {
 
 // Cells that are occupied, and all within that many cells of them, in both directions.
 std::vector<bool> grown(const std::vector<bool>& occupied, int reach) {
-  constexpr int kSide = vehicle::kCellsPerSide;
+  constexpr int kSide = geometry::kCellsPerSide;
   const auto cell = [](int x, int y) {
     return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
   };
@@ -128,8 +128,8 @@ TEST_P(EveryScene, WhatIsFusedAsOccupiedIsThere) {
   const auto there = grown(true_occupancy(drive.ego(), drive.solids(), *car.description), 4);
   std::size_t occupied = 0;
   std::size_t wrong = 0;
-  for (std::size_t cell = 0; cell < grid::kCellCount; ++cell) {
-    if (fusion->at(grid::cell_of(cell)) > 0) {
+  for (std::size_t cell = 0; cell < geometry::kCellCount; ++cell) {
+    if (fusion->view().at(geometry::cell_of(cell)) > 0) {
       ++occupied;
       wrong += there[cell] ? 0U : 1U;
     }

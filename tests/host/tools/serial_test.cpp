@@ -14,9 +14,9 @@
 namespace iog::tools {
 namespace {
 
-using stream::kTileBytes;
-using stream::kTileCount;
-using stream::kTileSide;
+using geometry::kTileCount;
+using geometry::kTileSide;
+using tile_coding::kTileBytes;
 using Tile = std::array<std::byte, kTileBytes>;
 using Grid = std::map<std::size_t, Tile>;  // known tiles
 
@@ -77,7 +77,7 @@ Grid street(int tiles) {
 }
 
 int at(const GridFrame& frame, std::size_t x, std::size_t y) {
-  return frame.cells[y * grid::kStride + x];
+  return frame.cells[y * geometry::kCellsPerSide + x];
 }
 
 void expect_cells(const GridFrame& frame, const Grid& grid) {

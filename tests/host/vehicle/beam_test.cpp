@@ -56,9 +56,9 @@ void expect_every_direction_right() {
       const std::int32_t end_x = sensor.origin.x + x.step() * static_cast<std::int32_t>(x.length());
       const std::int32_t end_y = sensor.origin.y + y.step() * static_cast<std::int32_t>(y.length());
       // Half a subcell of rounding and 0.002 of the coefficients' own.
-      ASSERT_NEAR(end_x, (end.x + 51.2) * kSubcellsPerMetre, 0.503) << tick;
-      ASSERT_NEAR(end_y, (end.y + 51.2) * kSubcellsPerMetre, 0.503) << tick;
-      ASSERT_NEAR(beam.end_z, end.z * kSubcellsPerMetre, 0.503) << tick;
+      ASSERT_NEAR(end_x, (end.x + 51.2) * geometry::kSubcellsPerMetre, 0.503) << tick;
+      ASSERT_NEAR(end_y, (end.y + 51.2) * geometry::kSubcellsPerMetre, 0.503) << tick;
+      ASSERT_NEAR(beam.end_z, end.z * geometry::kSubcellsPerMetre, 0.503) << tick;
     }
   }
 }
@@ -66,17 +66,17 @@ void expect_every_direction_right() {
 TEST(Beam, EndsWhereTrigonometrySaysStraight) { expect_every_direction_right<OneLux>(); }
 TEST(Beam, EndsWhereTrigonometrySaysTilted) { expect_every_direction_right<TiltedLux>(); }
 
-Judgement fate_of(const lidar::ScanPoint& point) {
+Classification fate_of(const lidar::ScanPoint& point) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
   const Beam beam = aim(sensor, point.layer, point.azimuth_ticks);
-  return judge(sensor, beam, point);
+  return classify(sensor, beam, point);
 }
 
 void expect_fate(const lidar::ScanPoint& point, Fate fate, bool carves, bool marks) {
-  const Judgement judgement = fate_of(point);
-  EXPECT_EQ(static_cast<int>(judgement.fate), static_cast<int>(fate));
-  EXPECT_EQ(judgement.carves, carves);
-  EXPECT_EQ(judgement.marks, marks);
+  const Classification classification = fate_of(point);
+  EXPECT_EQ(static_cast<int>(classification.fate), static_cast<int>(fate));
+  EXPECT_EQ(classification.carves, carves);
+  EXPECT_EQ(classification.marks, marks);
 }
 
 TEST(Fate, EachPointHasExactlyOne) {
@@ -129,8 +129,8 @@ TEST(HeightBand, EndsWhereTheBeamLeavesIt) {
 
 TEST(HeightBand, ASensorOutsideTheBandSeesOnlyWhereItsBeamEnters) {
   Vehicle high = TiltedLux::kVehicle;
-  high.z_min = static_cast<std::int32_t>(-2 * kSubcellsPerMetre);
-  high.z_max = static_cast<std::int32_t>(0.2 * kSubcellsPerMetre);
+  high.z_min = static_cast<std::int32_t>(-2 * geometry::kSubcellsPerMetre);
+  high.z_max = static_cast<std::int32_t>(0.2 * geometry::kSubcellsPerMetre);
   const Sensor& sensor = high.sensors[0];
   const BandPart down = part_in_band(high, sensor, aim(sensor, 0, 0), 50'000);
   ASSERT_FALSE(down.is_whole || down.is_empty);

@@ -40,7 +40,7 @@ TEST(Descriptions, TheReferenceCarIsThatOfTheThesis) {
   ASSERT_EQ(car.sensors.size(), 4U);
   EXPECT_EQ(car.frame_period_us, 40'000U);
   EXPECT_EQ(car.rule, vehicle::FusionRule::kHitsWin);
-  const std::int32_t centre = vehicle::kOriginCell * vehicle::kResolution;
+  const std::int32_t centre = geometry::kOriginCell * geometry::kResolution;
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(car.sensors[i].range.mm(), 50'000U);
     EXPECT_EQ(car.sensors[i].precision_mm, 100U);
@@ -51,7 +51,7 @@ TEST(Descriptions, TheReferenceCarIsThatOfTheThesis) {
 
 // A mount in the wrong unit or with a wrong sign lies off the car.
 TEST(Descriptions, SensorsStandOnTheirCar) {
-  const auto hand = static_cast<std::int32_t>(0.15 * vehicle::kSubcellsPerMetre);
+  const auto hand = static_cast<std::int32_t>(0.15 * geometry::kSubcellsPerMetre);
   for (const vehicle::Vehicle* car : kAll) {
     for (const vehicle::Sensor& sensor : car->sensors) {
       EXPECT_GE(sensor.origin.x, car->footprint.x_min - hand) << car->name << " " << sensor.name;

@@ -37,9 +37,9 @@ void FrameWriter::write_last(const GridFrame& frame) {
   }
   write_ros_map(options_.folder, "map",
                 {.cells = frame.cells,
-                 .side = vehicle::kCellsPerSide,
-                 .cell_m = vehicle::kCellMm / 1000.0,
-                 .origin_m = -vehicle::kOriginCell * vehicle::kCellMm / 1000.0});
+                 .side = geometry::kCellsPerSide,
+                 .cell_m = geometry::kCellMm / 1000.0,
+                 .origin_m = -geometry::kOriginCell * geometry::kCellMm / 1000.0});
 }
 
 }  // namespace iog::tools

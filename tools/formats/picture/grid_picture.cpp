@@ -5,9 +5,9 @@
 #include <numbers>
 #include <string>
 
+#include "geometry/grid.hpp"
 #include "tools/formats/picture/font.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "vehicle/grid_geometry.hpp"
 
 namespace iog::tools {
 namespace {
@@ -24,8 +24,8 @@ constexpr Colour kRing{150, 160, 170};
 constexpr Colour kCar{250, 250, 250};
 constexpr Colour kSensor{20, 170, 150};
 
-constexpr int kWholeGridM = vehicle::kCellsPerSide * vehicle::kCellMm / 2000;
-constexpr int kCellsPerMetre = 1000 / vehicle::kCellMm;
+constexpr int kWholeGridM = geometry::kCellsPerSide * geometry::kCellMm / 2000;
+constexpr int kCellsPerMetre = 1000 / geometry::kCellMm;
 constexpr int kSmallestHit = 3;  // pixels; a smaller one is not seen among free cells
 
 // From metres in the vehicle frame to pixels.
@@ -34,7 +34,7 @@ class Painter {
   Painter(const GridFrame& frame, const PictureScale& scale)
       : frame_(&frame),
         scale_(scale.pixels_per_cell),
-        cells_(scale.radius_m >= kWholeGridM ? vehicle::kCellsPerSide
+        cells_(scale.radius_m >= kWholeGridM ? geometry::kCellsPerSide
                                              : 2 * scale.radius_m * kCellsPerMetre),
         canvas_(cells_ * scale_, cells_ * scale_, kUnknown) {}
 
@@ -59,10 +59,10 @@ class Painter {
   // visit(place in the grid, column and row of its first pixel) for each cell of the picture.
   template <typename Visit>
   void for_each_cell(Visit&& visit) const {
-    const int first = (vehicle::kCellsPerSide - cells_) / 2;
+    const int first = (geometry::kCellsPerSide - cells_) / 2;
     for (int up = 0; up < cells_; ++up) {
       for (int left = 0; left < cells_; ++left) {
-        visit(static_cast<std::size_t>(first + left) * grid::kStride +
+        visit(static_cast<std::size_t>(first + left) * geometry::kCellsPerSide +
                   static_cast<std::size_t>(first + up),
               (cells_ - 1 - left) * scale_, (cells_ - 1 - up) * scale_);
       }

@@ -4,18 +4,20 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/grid.hpp"
 #include "index/recursive_set.hpp"
+#include "tile_coding/tile_cells.hpp"
 #include "tools/formats/ros/cdr_writer.hpp"
-#include "vehicle/grid_geometry.hpp"
 #include "wire/byte_reader.hpp"
 
 namespace iog::tools::ros {
 namespace {
 
-constexpr double kCellM = vehicle::kCellMm / 1000.0;
-constexpr double kOriginM = -vehicle::kOriginCell * vehicle::kCellMm / 1000.0;
-constexpr auto kSide = static_cast<std::uint32_t>(vehicle::kCellsPerSide);
-static_assert(std::size_t{kSide} * kSide == grid::kCellCount && kSide == grid::kStride);
+constexpr double kCellM = geometry::kCellMm / 1000.0;
+constexpr double kOriginM = -geometry::kOriginCell * geometry::kCellMm / 1000.0;
+constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
+static_assert(std::size_t{kSide} * kSide == geometry::kCellCount &&
+              kSide == geometry::kCellsPerSide);
 
 // Numbers of foxglove_msgs/PackedElementField.
 constexpr std::uint8_t kUint8 = 1;
@@ -53,7 +55,7 @@ Percents::Percents(double epsilon) {
 
 std::vector<std::byte> occupancy_grid(const GridFrame& frame, const Percents& percents) {
   constexpr std::byte kUnknown{0xFF};  // -1
-  std::vector<std::byte> cells(grid::kCellCount);
+  std::vector<std::byte> cells(geometry::kCellCount);
   std::ranges::transform(frame.cells, cells.begin(), [&](index::OccupancyIndex index) {
     return index == index::kUnknown ? kUnknown : std::byte{percents[index]};
   });
@@ -72,10 +74,10 @@ std::vector<std::byte> occupancy_grid(const GridFrame& frame, const Percents& pe
 std::vector<std::byte> image(const GridFrame& frame, const Percents& percents) {
   constexpr std::uint32_t kWhite = 255;
   std::vector<std::byte> pixels;
-  pixels.reserve(grid::kCellCount);
+  pixels.reserve(geometry::kCellCount);
   for (std::size_t x = kSide; x-- > 0;) {
     for (std::size_t y = kSide; y-- > 0;) {
-      const std::uint32_t free = 100U - percents[frame.cells[y * grid::kStride + x]];
+      const std::uint32_t free = 100U - percents[frame.cells[y * geometry::kCellsPerSide + x]];
       pixels.push_back(static_cast<std::byte>((free * kWhite + 50) / 100));
     }
   }
@@ -93,10 +95,10 @@ std::vector<std::byte> image(const GridFrame& frame, const Percents& percents) {
 
 std::vector<std::byte> foxglove_grid(const LiveGrid& grid, const stream::Header& header,
                                      const Percents& percents) {
-  std::vector<std::byte> cells(grid::kCellCount * kBytesPerCell);
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+  std::vector<std::byte> cells(geometry::kCellCount * kBytesPerCell);
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     const std::byte age{age_of(grid, tile)};
-    for (std::size_t i = 0; i < stream::kTileBytes; ++i) {
+    for (std::size_t i = 0; i < tile_coding::kTileBytes; ++i) {
       const std::size_t cell = cell_of_tile(tile, i);
       const index::OccupancyIndex index = grid.cells()[cell];
       cells[cell * kBytesPerCell] = static_cast<std::byte>(index);

@@ -1,13 +1,13 @@
 #include "tools/receive/serial/layered_grid.hpp"
 
-#include "stream/tile.hpp"
+#include "geometry/grid.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr std::size_t kTileSide = stream::kTileSide;
+constexpr std::size_t kTileSide = geometry::kTileSide;
 
-std::size_t tiles_per_side(unsigned level) { return stream::kTilesPerSide >> level; }
+std::size_t tiles_per_side(unsigned level) { return geometry::kTilesPerSide >> level; }
 
 }  // namespace
 
@@ -66,7 +66,7 @@ GridFrame LayeredGrid::composed(std::uint64_t max_age_us) const {
         const std::size_t x = i % side;
         const std::size_t y = i / side;
         const std::size_t place = (y >> level) * kTileSide + (x >> level);
-        frame.cells[(corner_y + y) * grid::kStride + corner_x + x] =
+        frame.cells[(corner_y + y) * geometry::kCellsPerSide + corner_x + x] =
             told->cells ? static_cast<index::OccupancyIndex>((*told->cells)[place])
                         : index::kUnknown;
       }

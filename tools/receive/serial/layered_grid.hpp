@@ -19,7 +19,7 @@ namespace iog::tools {
 struct ToldTile {
   std::uint32_t frame_number = 0;
   std::uint64_t closed_us = 0;  // that frame, by the target's clock
-  std::optional<std::array<std::byte, stream::kTileBytes>> cells{};
+  std::optional<std::array<std::byte, tile_coding::kTileBytes>> cells{};
 };
 
 class LayeredGrid {

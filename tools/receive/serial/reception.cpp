@@ -138,7 +138,7 @@ class SerialReception {
   void add_ages(RunStatistics::Facts& facts) const {
     TimeStatistics ages;
     std::size_t known = 0;
-    for (std::size_t tile = 0; tile < stream::kTileCount && link_.grid().newest(); ++tile) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount && link_.grid().newest(); ++tile) {
       const auto told = link_.grid().cells_of(tile);
       if (told && told->cells) {
         ++known;

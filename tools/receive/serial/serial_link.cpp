@@ -10,7 +10,7 @@
 namespace iog::tools {
 namespace {
 
-constexpr unsigned kLevels = std::countr_zero(stream::kTilesPerSide) + 1;
+constexpr unsigned kLevels = std::countr_zero(geometry::kTilesPerSide) + 1;
 
 // The level of this firmware's quadtree that the geometry is of.
 std::optional<unsigned> level_of(const stream::Geometry& geometry) {

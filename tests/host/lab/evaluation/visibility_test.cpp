@@ -32,7 +32,7 @@ std::vector<CellState> seen(const std::vector<tools::Solid>& solids,
 std::vector<std::string> crop(const std::vector<CellState>& cells) {
   std::vector<std::string> rows;
   for (std::size_t y = 518; y >= 506; --y) {
-    rows.push_back(drawing(cells, y * grid::kStride + 512, 25));
+    rows.push_back(drawing(cells, y * geometry::kCellsPerSide + 512, 25));
   }
   return rows;
 }
@@ -61,7 +61,7 @@ TEST(Visibility, IsFreeBeforeOccupiedAtAndUnknownBehindASolid) {
 }
 
 std::string row_ahead(const std::vector<CellState>& cells) {
-  return drawing(cells, std::size_t{512} * grid::kStride + 512, 25);
+  return drawing(cells, std::size_t{512} * geometry::kCellsPerSide + 512, 25);
 }
 
 // 1 m ahead, 0.3 m deep, 0.49 m high: the two lower layers end on it, the upper two pass over.
@@ -92,7 +92,8 @@ TEST(Visibility, OnlyThePartOfABeamInsideTheBandCounts) {
 // The model's range is 50 m, the grid's half side 51.2 m.
 TEST(Visibility, EndsWithTheRange) {
   const auto cells = seen({box(tools::Material::kWall, {.x = 50.8, .y = 0}, 0.4, 2, 0, 2)});
-  EXPECT_EQ(drawing(cells, std::size_t{512} * grid::kStride + 1008, 16), ".....           ");
+  EXPECT_EQ(drawing(cells, std::size_t{512} * geometry::kCellsPerSide + 1008, 16),
+            ".....           ");
 }
 
 // The grid turns and moves with the car.
@@ -110,7 +111,8 @@ TEST(Visibility, APitchedCarSeesTheRoad) {
   const tools::EgoPose ego{.at = {}, .pitch_cos = 0.99863, .pitch_sin = 0.05234};
   const auto cells = seen({}, ego);
   // (0.5 + what the mount sinks - 0.2) / tan 1.8 degrees = 9.5 m
-  EXPECT_EQ(drawing(cells, std::size_t{512} * grid::kStride + 512 + 90, 10), "......    ");
+  EXPECT_EQ(drawing(cells, std::size_t{512} * geometry::kCellsPerSide + 512 + 90, 10),
+            "......    ");
 }
 
 }  // namespace

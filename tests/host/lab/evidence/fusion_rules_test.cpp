@@ -47,7 +47,7 @@ FrameEvidence of_cell_5(const std::vector<std::int8_t>& steps) {
 
 std::int32_t fuse(const std::vector<std::int8_t>& steps, IndexRule rule, std::int32_t limit = 127) {
   const auto cells = fuse_indexes(of_cell_5(steps), table_4_3(), rule, limit);
-  EXPECT_EQ(cells.size(), grid::kCellCount);
+  EXPECT_EQ(cells.size(), geometry::kCellCount);
   EXPECT_EQ(cells[4], 0);
   EXPECT_EQ(cells[6], 0);
   return cells[5];
@@ -55,7 +55,7 @@ std::int32_t fuse(const std::vector<std::int8_t>& steps, IndexRule rule, std::in
 
 double fuse(const std::vector<std::int8_t>& steps, ProbabilityRule rule) {
   const auto cells = fuse_probabilities(of_cell_5(steps), simple_model(), rule);
-  EXPECT_EQ(cells.size(), grid::kCellCount);
+  EXPECT_EQ(cells.size(), geometry::kCellCount);
   EXPECT_EQ(cells[4], 0.5);
   EXPECT_EQ(cells[6], 0.5);
   return cells[5];

@@ -16,10 +16,10 @@
 namespace iog::lab {
 namespace {
 
+using geometry::Cell;
+using geometry::kResolution;
+using geometry::SubcellPoint;
 using tests::Rational;
-using traversal::Cell;
-using traversal::SubcellPoint;
-using vehicle::kResolution;
 using vehicle::Sensor;
 
 constexpr std::int64_t kCellsPerLine = 500;  // 1D cells of a LUX
@@ -67,7 +67,7 @@ std::map<std::uint32_t, int> steps_of(const Shot& shot, Geometry geometry) {
 }
 
 std::uint32_t offset_of(Cell cell) {
-  return static_cast<std::uint32_t>(cell.y * grid::kStride + cell.x);
+  return static_cast<std::uint32_t>(cell.y * geometry::kCellsPerSide + cell.x);
 }
 
 // What a path with these 1D cells must look like: nothing behind the last step, the free ones all
@@ -77,7 +77,7 @@ std::map<std::uint32_t, int> expected(const Shot& shot, const std::vector<Cell>&
   std::map<std::uint32_t, int> steps;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const std::int64_t step = cells_1d[i] - shot.k;
-    if (step <= kFarSteps && vehicle::kGridArea.contains(path[i])) {
+    if (step <= kFarSteps && geometry::kGridArea.contains(path[i])) {
       steps[offset_of(path[i])] = static_cast<int>(std::max<std::int64_t>(step, -kFarSteps));
     }
   }

@@ -55,8 +55,8 @@ long cells_that_differ(const Variant& variant, const std::vector<FramePoints>& f
     }
     fusion->finish();
     const auto cells = fuse_indexes(project(variant.vehicle, points, {}), values, rule, 127);
-    for (std::size_t i = 0; i < grid::kCellCount; ++i) {
-      differ += cells[i] == fusion->at(grid::cell_of(i)) ? 0 : 1;
+    for (std::size_t i = 0; i < geometry::kCellCount; ++i) {
+      differ += cells[i] == fusion->view().at(geometry::cell_of(i)) ? 0 : 1;
     }
   }
   return differ;

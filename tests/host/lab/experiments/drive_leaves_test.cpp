@@ -22,7 +22,7 @@ namespace {
 using tests::BuiltQuadtree;
 using tests::GridDrawing;
 
-static_assert(kGridSide == vehicle::kCellsPerSide);
+static_assert(kGridSide == geometry::kCellsPerSide);
 
 // The grids of a drive of one second, every fifth.
 template <typename Use>
@@ -59,7 +59,7 @@ TEST_P(DriveLeaves, AreAsManyAsTheTablesCountAndLossless) {
   BuiltQuadtree built;
   for_each_grid(GetParam(), [&built](const GridDrawing& grid) {
     built.build(grid);
-    const std::size_t leaves = lab::count_leaves(std::span(grid.cells()).first<grid::kCellCount>());
+    const std::size_t leaves = lab::count_leaves(std::span(grid.cells()).first<geometry::kCellCount>());
     EXPECT_EQ(built->leaves(), leaves);
     EXPECT_EQ(built->nodes(), leaves + (leaves - 1) / 3);
     expect_equal_cells(*built, grid);

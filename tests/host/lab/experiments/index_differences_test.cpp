@@ -15,7 +15,7 @@ namespace {
 
 using index::Quantisation;
 
-constexpr auto kCells = static_cast<double>(grid::kCellCount);
+constexpr auto kCells = static_cast<double>(geometry::kCellCount);
 
 double p_of(double epsilon, int n) {
   return 1 / (1 + std::pow((0.5 - epsilon) / (0.5 + epsilon), n));
@@ -32,7 +32,7 @@ TEST(IndexDifferences, OneHitInOneCell) {
   EXPECT_NEAR(found.largest, expected, 1e-12);
   EXPECT_NEAR(rows[0].error_at(model, 0), expected, 1e-12);
   EXPECT_EQ(found.largest_of, 1U);
-  EXPECT_EQ(found.cells, grid::kCellCount);
+  EXPECT_EQ(found.cells, geometry::kCellCount);
   EXPECT_EQ(found.known, 1U);
   EXPECT_NEAR(found.mean(), expected / kCells, 1e-18);
   EXPECT_NEAR(found.mean_of_known(), expected, 1e-12);
@@ -54,7 +54,7 @@ TEST(IndexDifferences, FreeCellsAreNotNear) {
   const double free = p_of(0.05, -28) - 0.0025 / (0.0025 + 0.9025);
   EXPECT_NEAR(found.sum - found.sum_near, 2 * free, 1e-12);
   EXPECT_EQ(found.known, 4U);
-  EXPECT_EQ(found.cells, 2 * grid::kCellCount);
+  EXPECT_EQ(found.cells, 2 * geometry::kCellCount);
 }
 
 // N measurements are wrong by less than N steps of the set, of which none is worth more than

@@ -19,7 +19,7 @@ constexpr std::size_t kSide = tree::kGridSide;
 
 class GridTest : public testing::Test {
  protected:
-  [[nodiscard]] GridCells cells() const { return std::span(cells_).first<grid::kCellCount>(); }
+  [[nodiscard]] GridCells cells() const { return std::span(cells_).first<geometry::kCellCount>(); }
   void set(std::size_t x, std::size_t y, index::OccupancyIndex index) {
     cells_[y * kSide + x] = index;
   }
@@ -81,7 +81,7 @@ TEST(DrawnGrids, HaveTheLeavesThatTheirNamesSay) {
   ASSERT_EQ(grids.size(), 5U);
   QuadtreePair trees;
   const auto leaves = [&](std::size_t number) {
-    const auto cells = std::span(grids[number].cells).first<grid::kCellCount>();
+    const auto cells = std::span(grids[number].cells).first<geometry::kCellCount>();
     return trees.build(cells, grids[number].name).leaves;
   };
   EXPECT_EQ(leaves(0), 1U);

@@ -167,8 +167,8 @@ TEST(Trials, ABeamOverAHitErasesItUnderTheSumAlone) {
 // phantom.
 TEST(Trials, CountPhantoms) {
   Trials trials(reference_car(), {{.name = "hits_win", .fusion = IndexFusion{}}});
-  std::vector<CellState> nothing(grid::kCellCount, CellState::kUnknown);
-  constexpr std::ptrdiff_t kRow = grid::kStride;
+  std::vector<CellState> nothing(geometry::kCellCount, CellState::kUnknown);
+  constexpr std::ptrdiff_t kRow = geometry::kCellsPerSide;
   std::fill_n(nothing.begin() + 490 * kRow, 50 * kRow, CellState::kFree);
   trials.add({seen_by(1, 10'000, 0), seen_by(1, 20'000, 160)}, nothing);
   trials.add({}, nothing);
@@ -200,8 +200,8 @@ std::string text_of(const Tables& tables, std::string_view name) {
 // A visibly occupied cell at x = 571, y = 437: the first row, the second letter. Row 447 has none.
 TEST(ChoiceMaps, BeginAtTheirFirstCell) {
   KnownFrame frame{.car = &reference_car(), .points = {}, .truth = {}};
-  frame.truth.assign(grid::kCellCount, CellState::kUnknown);
-  frame.truth[std::size_t{437} * grid::kStride + 571] = CellState::kOccupied;
+  frame.truth.assign(geometry::kCellCount, CellState::kUnknown);
+  frame.truth[std::size_t{437} * geometry::kCellsPerSide + 571] = CellState::kOccupied;
   const std::string text = text_of(choice_maps(frame), "choice_map_truth");
   EXPECT_NE(text.find("\ntruth,570,437,.O.."), std::string::npos);
   EXPECT_NE(text.find("\ntruth,570,447," + std::string(150, '.') + "\n"), std::string::npos);

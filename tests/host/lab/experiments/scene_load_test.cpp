@@ -26,7 +26,7 @@ class LeavesTest : public testing::Test {
   }
 
   [[nodiscard]] std::size_t leaves() const {
-    return count_leaves(std::span(cells_).first<grid::kCellCount>());
+    return count_leaves(std::span(cells_).first<geometry::kCellCount>());
   }
 
  private:
@@ -72,7 +72,7 @@ TEST_F(LeavesTest, ACheckerboardHasNoBlocks) {
 // An index that takes four bytes is told from another by all of them.
 TEST_F(LeavesTest, OfWideIndexesAreTheSame) {
   std::vector<std::int32_t> wide(kSide * kSide, -736'109);
-  const auto cells = std::span<const std::int32_t>(wide).first<grid::kCellCount>();
+  const auto cells = std::span<const std::int32_t>(wide).first<geometry::kCellCount>();
   EXPECT_EQ(count_leaves(cells), 1U);
   wide[3 * kSide + 700] += 256;
   EXPECT_EQ(count_leaves(cells), 31U);

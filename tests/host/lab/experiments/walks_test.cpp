@@ -13,7 +13,7 @@ namespace iog::lab {
 namespace {
 
 namespace reference = reference;
-using traversal::Cell;
+using geometry::Cell;
 
 using Cells = std::vector<Cell>;
 

@@ -76,8 +76,8 @@ TEST(LikeCartographer, CrossesWhatRationalGeometrySays) {
   tests::Random random(4);
   const auto odd = [&] { return 2 * random.between(-6000, 6000) + 1; };
   for (int round = 0; round < 2000; ++round) {
-    const traversal::SubcellPoint start{odd(), odd()};
-    const traversal::SubcellPoint end{odd(), odd()};
+    const geometry::SubcellPoint start{odd(), odd()};
+    const geometry::SubcellPoint end{odd(), odd()};
     std::set<std::pair<std::int32_t, std::int32_t>> crossed;
     for (std::int32_t y = -7; y <= 7; ++y) {
       for (std::int32_t x = -7; x <= 7; ++x) {

@@ -17,7 +17,7 @@ namespace iog::lab::reference {
 namespace {
 
 using Cells = std::vector<Cell>;
-using traversal::SubcellPoint;
+using geometry::SubcellPoint;
 
 // Subcells per cell. A power of two, so that a coordinate in cells has no rounding error; ends on
 // borders and lines through corners are then as frequent as they are exact.

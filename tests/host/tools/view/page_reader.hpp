@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "stream/tile.hpp"
+#include "geometry/grid.hpp"
 #include "tile_coding/decode.hpp"
 #include "tools/receive/grid_frame.hpp"
 #include "tools/view/scene.hpp"
@@ -34,8 +34,8 @@ class PageReader {
   std::size_t points = 0;
   std::string words;
   std::vector<std::uint8_t> ages;
-  std::vector<std::int8_t> cells = std::vector<std::int8_t>(grid::kCellCount, 0);
-  std::vector<std::int8_t> truth = std::vector<std::int8_t>(grid::kCellCount, 0);
+  std::vector<std::int8_t> cells = std::vector<std::int8_t>(geometry::kCellCount, 0);
+  std::vector<std::int8_t> truth = std::vector<std::int8_t>(geometry::kCellCount, 0);
 
  private:
   static std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t count) {
@@ -62,8 +62,8 @@ class PageReader {
       truth.assign(truth.size(), 0);
     }
     ages.assign(bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                bytes.begin() + static_cast<std::ptrdiff_t>(at + stream::kTileCount));
-    at += stream::kTileCount;
+                bytes.begin() + static_cast<std::ptrdiff_t>(at + geometry::kTileCount));
+    at += geometry::kTileCount;
     points = number(bytes, at, 4);
     at += 4 + points * 5;
     while (at < bytes.size()) {

@@ -15,11 +15,11 @@ namespace {
 GridFrame random_frame(Random& random, std::uint32_t number) {
   GridFrame frame;
   frame.header.frame_number = number;
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     frame.valid_tiles.set(tile, random.below(10) != 0);
     if (random.below(20) == 0) {
       const auto value = static_cast<std::int8_t>(static_cast<int>(random.below(255)) - 127);
-      for (std::size_t i = 0; i < stream::kTileBytes; i += 1 + random.below(40)) {
+      for (std::size_t i = 0; i < tile_coding::kTileBytes; i += 1 + random.below(40)) {
         frame.cells.at(cell_of_tile(tile, i)) = value;
       }
     }
@@ -116,7 +116,7 @@ TEST_F(SceneTest, AgesAreThoseOfTheLiveGrid) {
     next_frame();
   }
   page.catch_up(*scene_);
-  for (std::size_t tile = 0; tile < stream::kTileCount; ++tile) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     EXPECT_EQ(page.ages.at(tile), grid_->age_of(tile).value_or(255));
   }
 }

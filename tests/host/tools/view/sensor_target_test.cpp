@@ -62,7 +62,7 @@ TEST(SensorTarget, TheTruthComesWithItsFrame) {
   const auto scene = std::make_unique<Scene>();
   Viewer viewer(*scene, {"drive", "test"}, Recorder("", 15000));
   const auto target = std::make_unique<SensorTarget>(car, viewer);
-  std::vector<bool> truth(grid::kCellCount, false);
+  std::vector<bool> truth(geometry::kCellCount, false);
   truth[12345] = true;
   for (const CapturedDatagram& packet : sample_drive(car, 1, 1)) {
     target->take(packet, truth);

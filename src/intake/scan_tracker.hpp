@@ -11,11 +11,11 @@
 
 #include "lidar/scan_point.hpp"
 
-namespace iog::app {
+namespace iog::intake {
 
 class ScanTracker {
  public:
-  enum class Verdict : std::uint8_t {
+  enum class Outcome : std::uint8_t {
     kPartOfFrame,  // fuse it now
     kNextScan,     // the sensor's next scan has begun: close the frame first, then ask again
     kDuplicate,    // this very packet has been seen
@@ -27,9 +27,9 @@ class ScanTracker {
       : ticks_per_bin_(ticks_per_turn / kBins), bins_needed_(scan_width_ticks / ticks_per_bin_) {}
   ScanTracker() = default;
 
-  [[nodiscard]] Verdict judge(const lidar::PacketInfo& packet) const;
+  [[nodiscard]] Outcome classify(const lidar::PacketInfo& packet) const;
 
-  // Counts the packet in. Only after judge() said kPartOfFrame.
+  // Counts the packet in. Only after classify() said kPartOfFrame.
   void accept(const lidar::PacketInfo& packet);
 
   // The frame is closed; what has been seen of the scan is over.
@@ -68,4 +68,4 @@ class ScanTracker {
   std::size_t fingerprint_next_ = 0;
 };
 
-}  // namespace iog::app
+}  // namespace iog::intake

@@ -1,4 +1,4 @@
-// An Outside (app/pipeline.hpp) that keeps every message and can refuse them.
+// A Platform (app/platform.hpp) that keeps every message and can refuse them.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "app/frame_report.hpp"
 #include "protection/protected_message.hpp"
 #include "stream/channel.hpp"
 #include "stream/message.hpp"
@@ -23,7 +24,7 @@ struct ReceivedFrame {
   std::vector<index::OccupancyIndex> cells;
 };
 
-class FakeOutside {
+class FakePlatform {
  public:
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     if (room_left_ == 0) {
@@ -36,9 +37,8 @@ class FakeOutside {
 
   std::uint32_t ticks() { return ++ticks_; }
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1000; }
-  void fill_vitals(stream::Header& header, stream::FrameEnd& end) const {
-    header.packets_dropped += link_drops;
-    end.stack_used_bytes = 4711;
+  [[nodiscard]] app::Vitals vitals() const {
+    return {.stack_used_bytes = 4711, .link_drops = link_drops};
   }
 
   std::uint32_t link_drops = 0;
@@ -53,7 +53,7 @@ class FakeOutside {
  private:
   void receive(std::span<const std::byte> message) {
     if (cells_.empty()) {
-      cells_.resize(grid::kCellCount);
+      cells_.resize(geometry::kCellCount);
     }
     const protection::Received received = receiver_.receive(message);
     stream::Header header;
@@ -84,7 +84,7 @@ class FakeOutside {
     }
     ++tile_messages_;
     for (stream::TileRecord record; records.next(record);) {
-      std::array<std::byte, stream::kTileBytes> cells{};
+      std::array<std::byte, tile_coding::kTileBytes> cells{};
       if (tile_coding::decode(record.encoding, record.payload, references_->find(record.tile),
                               cells) != tile_coding::DecodeStatus::kOk) {
         ++unreadable_;
@@ -97,13 +97,13 @@ class FakeOutside {
     }
   }
 
-  void paste(std::size_t tile, std::span<const std::byte, stream::kTileBytes> cells) {
+  void paste(std::size_t tile, std::span<const std::byte, tile_coding::kTileBytes> cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::size_t x =
-          tile % stream::kTilesPerSide * stream::kTileSide + i % stream::kTileSide;
+          tile % geometry::kTilesPerSide * geometry::kTileSide + i % geometry::kTileSide;
       const std::size_t y =
-          tile / stream::kTilesPerSide * stream::kTileSide + i / stream::kTileSide;
-      cells_[y * grid::kStride + x] = static_cast<index::OccupancyIndex>(cells[i]);
+          tile / geometry::kTilesPerSide * geometry::kTileSide + i / geometry::kTileSide;
+      cells_[y * geometry::kCellsPerSide + x] = static_cast<index::OccupancyIndex>(cells[i]);
     }
   }
 

@@ -1,4 +1,4 @@
-// What the pipeline meets in the benchmark (app::Outside): messages are wrapped into Ethernet
+// What the pipeline meets in the benchmark (app::Platform): messages are wrapped into Ethernet
 // frames as on the target, in one static buffer, and go nowhere.
 #pragma once
 
@@ -8,16 +8,16 @@
 #include <span>
 #include <utility>
 
+#include "app/frame_report.hpp"
 #include "instruction_counter.hpp"
 #include "net/config.hpp"
 #include "net/outbound.hpp"
-#include "stream/message.hpp"
 
 namespace iog::lab {
 
-class MeasuredOutside {
+class MeasuredPlatform {
  public:
-  explicit MeasuredOutside(InstructionCounter& counter) : counter_(counter) {}
+  explicit MeasuredPlatform(InstructionCounter& counter) : counter_(counter) {}
 
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     slots_[slot_].message_bytes = message.size();
@@ -34,9 +34,10 @@ class MeasuredOutside {
 
   // Called once for each frame, before its first message: a good moment to change the buffer, so
   // that the last message of a frame outlives the frame. One datagram closes two frames at most.
-  void fill_vitals(stream::Header& /*header*/, stream::FrameEnd& /*end*/) {
+  [[nodiscard]] app::Vitals vitals() {
     slot_ ^= 1U;
     ++closed_;
+    return {};
   }
 
   // Calls visit(message) with the last message of each frame that has closed since the last call.

@@ -1,9 +1,9 @@
-#include "app/scan_tracker.hpp"
+#include "intake/scan_tracker.hpp"
 
 #include <algorithm>
 #include <span>
 
-namespace iog::app {
+namespace iog::intake {
 
 bool ScanTracker::is_known(std::uint64_t fingerprint) const {
   const auto known = std::span(fingerprints_).first(fingerprint_count_);
@@ -23,29 +23,29 @@ ScanTracker::Bins ScanTracker::bins_of(const lidar::Sector& sector) const {
   return bins;
 }
 
-ScanTracker::Verdict ScanTracker::judge(const lidar::PacketInfo& packet) const {
+ScanTracker::Outcome ScanTracker::classify(const lidar::PacketInfo& packet) const {
   if (is_known(packet.fingerprint)) {
-    return Verdict::kDuplicate;
+    return Outcome::kDuplicate;
   }
   if (!was_ever_seen()) {
-    return Verdict::kPartOfFrame;
+    return Outcome::kPartOfFrame;
   }
   // Scan numbers are 16 bits on the wire and wrap.
   const auto behind = static_cast<std::uint16_t>(scan_number_ - packet.scan_number);
   const bool is_numbered = packet.scan_number != 0 || scan_number_ != 0;
   if (is_numbered && behind != 0) {
     if (behind <= kLateScans) {
-      return Verdict::kLate;
+      return Outcome::kLate;
     }
-    return packets_ > 0 ? Verdict::kNextScan : Verdict::kPartOfFrame;
+    return packets_ > 0 ? Outcome::kNextScan : Outcome::kPartOfFrame;
   }
   if (is_numbered) {
-    return packets_ > 0 ? Verdict::kPartOfFrame : Verdict::kLate;
+    return packets_ > 0 ? Outcome::kPartOfFrame : Outcome::kLate;
   }
   // Without numbers the next turn shows by sweeping only what has been swept.
   const Bins swept = bins_of(packet.sector);
   const bool sweeps_again = packets_ > 0 && swept.any() && (swept & ~bins_covered_).none();
-  return sweeps_again ? Verdict::kNextScan : Verdict::kPartOfFrame;
+  return sweeps_again ? Outcome::kNextScan : Outcome::kPartOfFrame;
 }
 
 void ScanTracker::accept(const lidar::PacketInfo& packet) {
@@ -66,4 +66,4 @@ void ScanTracker::start_frame() {
   age_frames_ = age_frames_ < 0xFFFF ? static_cast<std::uint16_t>(age_frames_ + 1) : age_frames_;
 }
 
-}  // namespace iog::app
+}  // namespace iog::intake

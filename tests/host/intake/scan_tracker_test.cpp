@@ -1,4 +1,4 @@
-#include "app/scan_tracker.hpp"
+#include "intake/scan_tracker.hpp"
 
 #include <array>
 #include <gtest/gtest.h>
@@ -6,10 +6,10 @@
 #include "fakes/vlp16_packet.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 
-namespace iog::app {
+namespace iog::intake {
 namespace {
 
-using Verdict = ScanTracker::Verdict;
+using Outcome = ScanTracker::Outcome;
 
 lidar::PacketInfo lux_packet(std::uint32_t scan, std::uint16_t first, std::uint16_t width) {
   static std::uint64_t fingerprint = 0;
@@ -38,7 +38,7 @@ TEST(ScanTracker, AScanIsCompleteWhenItsSectorsCoverItsWidthInAnyOrder) {
     ScanTracker tracker = lux_tracker();
     for (const int i : order) {
       EXPECT_FALSE(tracker.is_complete());
-      ASSERT_EQ(tracker.judge(parts[i]), Verdict::kPartOfFrame);
+      ASSERT_EQ(tracker.classify(parts[i]), Outcome::kPartOfFrame);
       tracker.accept(parts[i]);
     }
     EXPECT_TRUE(tracker.is_complete());
@@ -52,34 +52,34 @@ TEST(ScanTracker, TheSamePacketTwiceIsADuplicateEvenInTheNextFrame) {
   ScanTracker tracker = lux_tracker();
   const auto packet = lux_packet(5, 9920, 3200);
   tracker.accept(packet);
-  EXPECT_EQ(tracker.judge(packet), Verdict::kDuplicate);
+  EXPECT_EQ(tracker.classify(packet), Outcome::kDuplicate);
   tracker.start_frame();
-  EXPECT_EQ(tracker.judge(packet), Verdict::kDuplicate);
+  EXPECT_EQ(tracker.classify(packet), Outcome::kDuplicate);
 }
 
 TEST(ScanTracker, AnotherScanNumberEndsTheFrame) {
   ScanTracker tracker = lux_tracker();
   tracker.accept(lux_packet(65'535, 9920, 1000));
-  EXPECT_EQ(tracker.judge(lux_packet(0, 9920, 1000)), Verdict::kNextScan);  // it wraps
-  EXPECT_EQ(tracker.judge(lux_packet(7, 9920, 1000)), Verdict::kNextScan);
-  EXPECT_EQ(tracker.judge(lux_packet(65'535, 10'920, 1000)), Verdict::kPartOfFrame);
+  EXPECT_EQ(tracker.classify(lux_packet(0, 9920, 1000)), Outcome::kNextScan);  // it wraps
+  EXPECT_EQ(tracker.classify(lux_packet(7, 9920, 1000)), Outcome::kNextScan);
+  EXPECT_EQ(tracker.classify(lux_packet(65'535, 10'920, 1000)), Outcome::kPartOfFrame);
 }
 
 TEST(ScanTracker, APartOfAnEarlierScanIsLate) {
   ScanTracker tracker = lux_tracker();
   tracker.accept(lux_packet(2, 9920, 1000));
-  EXPECT_EQ(tracker.judge(lux_packet(1, 10'920, 1000)), Verdict::kLate);
-  EXPECT_EQ(tracker.judge(lux_packet(65'534, 10'920, 1000)), Verdict::kLate);
+  EXPECT_EQ(tracker.classify(lux_packet(1, 10'920, 1000)), Outcome::kLate);
+  EXPECT_EQ(tracker.classify(lux_packet(65'534, 10'920, 1000)), Outcome::kLate);
   tracker.start_frame();
-  EXPECT_EQ(tracker.judge(lux_packet(2, 10'920, 1000)), Verdict::kLate);
-  EXPECT_EQ(tracker.judge(lux_packet(3, 10'920, 1000)), Verdict::kPartOfFrame);
+  EXPECT_EQ(tracker.classify(lux_packet(2, 10'920, 1000)), Outcome::kLate);
+  EXPECT_EQ(tracker.classify(lux_packet(3, 10'920, 1000)), Outcome::kPartOfFrame);
 }
 
 TEST(ScanTracker, ARestartedSensorIsNotLateForEver) {
   ScanTracker tracker = lux_tracker();
   tracker.accept(lux_packet(40'000, 9920, 3200));
   tracker.start_frame();
-  EXPECT_EQ(tracker.judge(lux_packet(1, 9920, 3200)), Verdict::kPartOfFrame);
+  EXPECT_EQ(tracker.classify(lux_packet(1, 9920, 3200)), Outcome::kPartOfFrame);
 }
 
 TEST(ScanTracker, ATurnIsCompleteWhereverItBegan) {
@@ -88,7 +88,7 @@ TEST(ScanTracker, ATurnIsCompleteWhereverItBegan) {
     int packets = 0;
     while (!tracker.is_complete()) {
       const auto packet = turn_packet(begin + packets);
-      ASSERT_EQ(tracker.judge(packet), Verdict::kPartOfFrame);
+      ASSERT_EQ(tracker.classify(packet), Outcome::kPartOfFrame);
       tracker.accept(packet);
       ++packets;
     }
@@ -110,7 +110,7 @@ TEST(ScanTracker, ATurnIsCompleteThoughTheHeadsSpeedWavers) {
                                 .time_us = static_cast<std::uint32_t>(packets)};
       lidar::VelodyneVlp16 decoder;
       ASSERT_EQ(decoder.decode(packet.bytes()), lidar::DecodeStatus::kOk);
-      ASSERT_EQ(tracker.judge(decoder.info()), Verdict::kPartOfFrame);
+      ASSERT_EQ(tracker.classify(decoder.info()), Outcome::kPartOfFrame);
       tracker.accept(decoder.info());
       azimuth += 11 * 38 + 42;
       ++packets;
@@ -125,8 +125,8 @@ TEST(ScanTracker, SweepingTheSameSectorAgainIsTheNextTurn) {
     tracker.accept(turn_packet(i));
   }
   EXPECT_FALSE(tracker.is_complete());
-  EXPECT_EQ(tracker.judge(turn_packet(75)), Verdict::kNextScan);
-  EXPECT_EQ(tracker.judge(turn_packet(72)), Verdict::kPartOfFrame);
+  EXPECT_EQ(tracker.classify(turn_packet(75)), Outcome::kNextScan);
+  EXPECT_EQ(tracker.classify(turn_packet(72)), Outcome::kPartOfFrame);
 }
 
 TEST(ScanTracker, CountsTheFramesSinceItWasSeen) {
@@ -142,4 +142,4 @@ TEST(ScanTracker, CountsTheFramesSinceItWasSeen) {
 }
 
 }  // namespace
-}  // namespace iog::app
+}  // namespace iog::intake

@@ -1,0 +1,31 @@
+// The serial line as a sink: as much of the newest frame as it can carry.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "app/frame_messages.hpp"
+#include "app/platform.hpp"
+#include "hal/serial_port.hpp"
+#include "serial/grid_sender.hpp"
+
+namespace iog::app {
+
+// Holds 64 KB: belongs into static memory.
+class LineSink {
+ public:
+  void begin_frame(const FrameReport& report) { sender_.begin_frame(header_of(report)); }
+  void take_tile(std::size_t tile, tile_coding::TileCells cells) { sender_.take_tile(tile, cells); }
+  void end_frame() { sender_.end_frame(); }
+
+  // Once per pass of the loop.
+  template <hal::SerialPort Port>
+  void pump(std::uint64_t now_us, Port& port) {
+    sender_.pump(now_us, port);
+  }
+
+ private:
+  serial::GridSender sender_;
+};
+
+}  // namespace iog::app

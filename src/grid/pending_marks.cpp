@@ -1,0 +1,50 @@
+#include "grid/pending_marks.hpp"
+
+#include <algorithm>
+
+#include "traversal/walk.hpp"
+
+namespace iog::grid {
+
+// Cells behind the scan point take the index of the 1D cell in which the line enters them, at least
+// k + 1. The line enters a cell within 1D cell j or earlier exactly if its border there is crossed
+// before (j + 1) Delta: `before` counts those crossings.
+void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& line,
+                               traversal::Position hit, std::uint32_t range_mm) {
+  const sensor_model::Profile& profile = sensor.profile;
+  const std::uint32_t k = sensor.precision.divide(range_mm);
+  const traversal::Position first = line.in_grid().first;
+  const std::uint32_t line_end = line.in_grid().end.crossed();
+  const bool from_hit = hit.crossed() >= first.crossed();
+  traversal::Walk walk(line.line(), from_hit ? hit : first, geometry::kCellsPerSide);
+  if (from_hit) {
+    walk.skip_until(std::min(hit.crossed() + 1, line_end));
+  }
+  for (std::uint32_t j = 0; j < profile.near_after_count; ++j) {
+    const traversal::Share far_end{std::uint64_t{k + 2 + j} * sensor.precision_mm,
+                                   sensor.range.mm()};
+    const std::uint32_t end = std::min(line.line().before(far_end).crossed() + 1, line_end);
+    const OccupancyIndex index = profile.near_after[j];
+    if (index == 0) {
+      walk.skip_until(end);
+    } else {
+      walk.until(end, [&](std::size_t number) { remember(geometry::cell_of(number), index); });
+    }
+  }
+}
+
+// hits_win: evidence for a cell is its marks alone where it has any, so the first mark erases what
+// was carved: max(cell, 0) + index. bayes: the marks are added to it.
+void PendingMarks::apply(BlockGrid& grid, vehicle::FusionRule rule) {
+  const OccupancyIndex least =
+      rule == vehicle::FusionRule::kHitsWin ? index::kUnknown : index::kIndexMin<OccupancyIndex>;
+  for (const Mark& mark : std::span(marks_).first(count_)) {
+    const geometry::Cell cell = geometry::cell_of(mark.cell);
+    OccupancyIndex& index = grid.cell_at(offset_of(cell));
+    index = index::sat_add(std::max(index, least), static_cast<OccupancyIndex>(mark.index));
+    grid.touch(geometry::tile_of(cell));
+  }
+  count_ = 0;
+}
+
+}  // namespace iog::grid

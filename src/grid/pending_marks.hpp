@@ -1,0 +1,81 @@
+// What marks: the cells in which a frame's beams ended, kept until everything is carved.
+//
+// Marks commute among themselves, but not with carving.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "geometry/grid.hpp"
+#include "grid/beam_lines.hpp"
+#include "grid/block_grid.hpp"
+#include "index/occupancy_index.hpp"
+#include "require/require.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::grid {
+
+// One cell that a scan point marks.
+struct Mark {
+  std::uint32_t cell : 25;  // its number
+  std::uint32_t index : 7;  // 1 ... 127
+};
+static_assert(geometry::kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
+
+// The most marks of one frame: 256 KiB of them, enough for a dual-return VLP-16 turn (57,600
+// points).
+inline constexpr std::size_t kMaxMarks = 65'536;
+
+// The most cells that one point of this sensor can mark: its own, and behind it those that its near
+// 1D cells reach. A line of length d enters at most sqrt(2) d / cell + 2 further cells.
+[[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
+  const std::uint32_t near_mm = sensor.profile.near_after_count == 0
+                                    ? 0
+                                    : (sensor.profile.near_after_count + 1U) * sensor.precision_mm;
+  return near_mm == 0 ? 1 : 1 + 2 + near_mm * 3 / (2 * geometry::kCellMm);
+}
+
+class PendingMarks {
+ public:
+  // Whether that many points of this sensor can still be marked.
+  [[nodiscard]] bool fits(const vehicle::Sensor& sensor, std::uint32_t points) const {
+    const std::uint64_t needed = std::uint64_t{points} * max_marks_per_point(sensor);
+    return needed <= kMaxMarks - count_;
+  }
+
+  // What a scan point marks: the cell that holds it, and for some sensors the next ones behind it.
+  // hit: the point's position on its line.
+  void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
+            std::uint32_t range_mm) {
+    const geometry::Cell cell = line.line().cell(hit);
+    if (geometry::kGridArea.contains(cell)) {
+      remember(cell, sensor.profile.hit);
+    }
+    if (sensor.profile.near_after_count > 0 && !line.in_grid().is_empty()) {
+      mark_behind(sensor, line, hit, range_mm);
+    }
+  }
+
+  // Marks the grid, by the fusion rule, and is empty again. The frame's beams are carved.
+  void apply(BlockGrid& grid, vehicle::FusionRule rule);
+
+  void clear() { count_ = 0; }
+
+ private:
+  void mark_behind(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
+                   std::uint32_t range_mm);
+
+  void remember(geometry::Cell cell, OccupancyIndex index) {
+    require(count_ < kMaxMarks);
+    marks_[count_] = {static_cast<std::uint32_t>(geometry::number_of(cell)) & 0x1FFFFFFU,
+                      static_cast<std::uint32_t>(index) & 0x7FU};
+    ++count_;
+  }
+
+  std::size_t count_ = 0;
+  std::array<Mark, kMaxMarks> marks_{};
+};
+
+}  // namespace iog::grid

@@ -1,0 +1,131 @@
+#include "intake/intake.hpp"
+
+#include <algorithm>
+
+#include "require/require.hpp"
+
+namespace iog::intake {
+namespace {
+
+// PacketDrop has a cause for each way in which decoding fails.
+PacketDrop cause_of(lidar::DecodeStatus status) {
+  switch (status) {
+    case lidar::DecodeStatus::kWrongLength:
+      return PacketDrop::kWrongLength;
+    case lidar::DecodeStatus::kWrongType:
+      return PacketDrop::kWrongType;
+    case lidar::DecodeStatus::kWrongAngle:
+      return PacketDrop::kWrongAngle;
+    case lidar::DecodeStatus::kWrongPoint:
+    case lidar::DecodeStatus::kOk:
+      break;
+  }
+  return PacketDrop::kWrongPoint;
+}
+
+}  // namespace
+
+Intake::Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4)
+    : sensors_(sensors), replayer_ipv4_(replayer_ipv4) {
+  require(sensors.size() <= vehicle::kMaxSensors);
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    trackers_[i] = ScanTracker(sensors[i].sines.ticks_per_turn(), sensors[i].scan_width_ticks);
+  }
+}
+
+std::size_t Intake::sensor_of(const Datagram& datagram) const {
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const vehicle::Sensor& sensor = sensors_[i];
+    const bool may_send = sensor.source_ipv4 == 0 || sensor.source_ipv4 == datagram.source_ipv4 ||
+                          (replayer_ipv4_ != 0 && replayer_ipv4_ == datagram.source_ipv4);
+    if (sensor.udp_port == datagram.destination_port && may_send) {
+      return i;
+    }
+  }
+  return kNobody;
+}
+
+void Intake::drop(PacketDrop cause) {
+  ++packet_drops_[static_cast<std::size_t>(cause)];
+  ++packets_dropped_;
+}
+
+std::optional<SensorPacket> Intake::receive(const Datagram& datagram) {
+  const std::size_t sensor = sensor_of(datagram);
+  if (sensor == kNobody) {
+    drop(PacketDrop::kStranger);
+    return std::nullopt;
+  }
+  std::optional<SensorPacket> received(
+      SensorPacket{sensor, Packet::decode(sensors_[sensor].format, datagram.payload)});
+  if (!received->packet.is_sound()) {
+    points_dropped_ += received->packet.info().point_count;
+    drop(cause_of(received->packet.status()));
+    received.reset();
+  }
+  return received;
+}
+
+Intake::Outcome Intake::classify(const SensorPacket& packet) {
+  const ScanTracker& tracker = trackers_[packet.sensor];
+  const lidar::PacketInfo& info = packet.packet.info();
+  switch (tracker.classify(info)) {
+    case ScanTracker::Outcome::kDuplicate:
+      drop(PacketDrop::kDuplicate);
+      return Outcome::kDropped;
+    case ScanTracker::Outcome::kLate:
+      drop(PacketDrop::kLate);
+      return Outcome::kDropped;
+    case ScanTracker::Outcome::kNextScan:
+      return Outcome::kNextFrame;
+    case ScanTracker::Outcome::kPartOfFrame:
+      break;
+  }
+  if (tracker.points() + info.point_count > sensors_[packet.sensor].max_points_per_scan) {
+    refuse(packet);
+    return Outcome::kDropped;
+  }
+  return Outcome::kThisFrame;
+}
+
+void Intake::accept(const SensorPacket& packet) {
+  trackers_[packet.sensor].accept(packet.packet.info());
+  ++packets_accepted_;
+}
+
+void Intake::refuse(const SensorPacket& packet) {
+  points_dropped_ += packet.packet.info().point_count;
+  drop(PacketDrop::kOverBudget);
+}
+
+bool Intake::is_complete() const {
+  const auto trackers = std::span(trackers_).first(sensors_.size());
+  return std::ranges::all_of(trackers, &ScanTracker::is_complete);
+}
+
+void Intake::start_frame() {
+  packets_accepted_ = 0;
+  points_dropped_ = 0;
+  for (ScanTracker& tracker : trackers_) {
+    tracker.start_frame();
+  }
+}
+
+SensorReport Intake::report_of(std::size_t sensor) const {
+  const ScanTracker& tracker = trackers_[sensor];
+  SensorState state = SensorState::kPartial;
+  if (!tracker.was_ever_seen()) {
+    state = SensorState::kNeverSeen;
+  } else if (tracker.packets() == 0) {
+    state = SensorState::kSilent;
+  } else if (tracker.is_complete()) {
+    state = SensorState::kComplete;
+  }
+  return {.state = state,
+          .age_frames = tracker.was_ever_seen() ? tracker.age_frames() : std::uint16_t{0xFFFF},
+          .packets = tracker.packets(),
+          .points = tracker.points(),
+          .scan_number = tracker.scan_number()};
+}
+
+}  // namespace iog::intake

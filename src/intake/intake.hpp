@@ -1,0 +1,84 @@
+// The intake: from datagrams to packets that belong to the frame.
+//
+// A datagram is taken apart once. What comes of it is a value: whose packet it is and what it says.
+// Whether the packet belongs to the open frame can then be asked again, after the frame was closed.
+// Everything that is dropped is counted by its cause.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "intake/datagram.hpp"
+#include "intake/packet.hpp"
+#include "intake/scan_tracker.hpp"
+#include "intake/sensor_report.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::intake {
+
+// A sound packet, and its sensor's place in Vehicle::sensors.
+struct SensorPacket {
+  std::size_t sensor = 0;
+  Packet packet;
+};
+
+class Intake {
+ public:
+  enum class Outcome : std::uint8_t {
+    kDropped,    // counted; nothing else to do
+    kThisFrame,  // fuse it, and accept() it
+    kNextFrame,  // close the frame, then classify() it again
+  };
+
+  // sensors outlive the intake. replayer_ipv4 may send in the name of every sensor, 0: nobody may.
+  Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
+
+  // Finds the datagram's sensor and decodes it. Empty if it was dropped. The payload outlives what
+  // comes of it.
+  [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);
+
+  // Whether the packet belongs to the open frame.
+  [[nodiscard]] Outcome classify(const SensorPacket& packet);
+
+  // Counts the packet in. Only after classify() said kThisFrame.
+  void accept(const SensorPacket& packet);
+  // Or drops it, because its points find no room in the frame.
+  void refuse(const SensorPacket& packet);
+
+  // Whether every sensor has delivered its scan.
+  [[nodiscard]] bool is_complete() const;
+
+  // The frame is closed.
+  void start_frame();
+
+  // Of the frame.
+  [[nodiscard]] SensorReport report_of(std::size_t sensor) const;
+  [[nodiscard]] std::uint32_t packets_accepted() const { return packets_accepted_; }
+  [[nodiscard]] std::uint32_t points_dropped() const { return points_dropped_; }
+
+  // Since start.
+  [[nodiscard]] const std::array<std::uint32_t, kPacketDropCount>& packet_drops() const {
+    return packet_drops_;
+  }
+  [[nodiscard]] std::uint32_t packets_dropped() const { return packets_dropped_; }
+
+ private:
+  // The sensor that sends from there to this port, or kNobody.
+  [[nodiscard]] std::size_t sensor_of(const Datagram& datagram) const;
+  void drop(PacketDrop cause);
+
+  static constexpr std::size_t kNobody = vehicle::kMaxSensors;
+
+  std::span<const vehicle::Sensor> sensors_;
+  std::uint32_t replayer_ipv4_;
+  std::array<ScanTracker, vehicle::kMaxSensors> trackers_;
+  std::uint32_t packets_accepted_ = 0;
+  std::uint32_t points_dropped_ = 0;
+  std::array<std::uint32_t, kPacketDropCount> packet_drops_{};
+  std::uint32_t packets_dropped_ = 0;
+};
+
+}  // namespace iog::intake

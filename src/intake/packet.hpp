@@ -1,0 +1,53 @@
+// A packet of a sensor, decoded: what it says of itself, and its scan points, whatever its format.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "lidar/ibeo_lux.hpp"
+#include "lidar/scan_point.hpp"
+#include "lidar/velodyne_vlp16.hpp"
+
+namespace iog::intake {
+
+class Packet {
+ public:
+  // The one place that chooses a decoder by its format. The payload outlives the packet.
+  [[nodiscard]] static Packet decode(lidar::Format format, std::span<const std::byte> payload);
+
+  // Everything but the number of points is of a sound packet alone.
+  [[nodiscard]] lidar::DecodeStatus status() const { return status_; }
+  [[nodiscard]] bool is_sound() const { return status_ == lidar::DecodeStatus::kOk; }
+  [[nodiscard]] const lidar::PacketInfo& info() const { return info_; }
+
+  // Calls visit(const ScanPoint&) for each point of a sound packet, in wire order.
+  template <typename Visit>
+  void for_each_point(Visit&& visit) const {
+    const auto if_it_is = [&](const auto* decoder) {
+      if (decoder != nullptr) {
+        decoder->for_each_point(visit);
+      }
+    };
+    for_each_decoder(if_it_is, std::make_index_sequence<std::variant_size_v<Decoder>>());
+  }
+
+ private:
+  using Decoder = std::variant<lidar::IbeoLux, lidar::VelodyneVlp16>;
+
+  template <typename Of>
+  [[nodiscard]] static Packet decode_as(std::span<const std::byte> payload);
+
+  // std::visit() would want the C++ library's abort(), which the target does not have.
+  template <typename Visit, std::size_t... kPlace>
+  void for_each_decoder(Visit&& visit, std::index_sequence<kPlace...> /*places*/) const {
+    (visit(std::get_if<kPlace>(&decoder_)), ...);
+  }
+
+  lidar::DecodeStatus status_ = lidar::DecodeStatus::kWrongType;
+  lidar::PacketInfo info_;
+  Decoder decoder_;
+};
+
+}  // namespace iog::intake

@@ -1,0 +1,127 @@
+// From a datagram to a packet of the frame: one decode, and a value that can be asked about again.
+#include "intake/intake.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <optional>
+#include <vector>
+
+#include "fakes/lux_message.hpp"
+#include "fakes/test_vehicles.hpp"
+#include "fakes/vlp16_packet.hpp"
+
+namespace iog::intake {
+namespace {
+
+using tests::LuxMessage;
+using tests::ThreeLux;
+using Outcome = Intake::Outcome;
+
+constexpr std::uint32_t kReplayer = 0x0A000202;
+
+std::vector<std::byte> scan(int number, int points = 3) {
+  LuxMessage message{.scan_number = number, .points = {}};
+  message.points.assign(static_cast<std::size_t>(points), {.angle_ticks = 5, .range_cm = 1000});
+  return message.bytes();
+}
+
+std::uint32_t drops(const Intake& intake, PacketDrop cause) {
+  return intake.packet_drops()[static_cast<std::size_t>(cause)];
+}
+
+std::vector<lidar::ScanPoint> points_of(const Packet& packet) {
+  std::vector<lidar::ScanPoint> points;
+  packet.for_each_point([&](const lidar::ScanPoint& point) { points.push_back(point); });
+  return points;
+}
+
+TEST(Packet, IsDecodedByItsFormat) {
+  const std::vector<std::byte> lux_bytes =
+      LuxMessage{.scan_number = 7, .points = {{.layer = 2, .angle_ticks = 9, .range_cm = 1234}}}
+          .bytes();
+  const Packet lux = Packet::decode(lidar::Format::kIbeoLux, lux_bytes);
+  ASSERT_TRUE(lux.is_sound());
+  EXPECT_EQ(lux.info().scan_number, 7U);
+  ASSERT_EQ(points_of(lux).size(), 1U);
+  EXPECT_EQ(points_of(lux)[0].range_mm, 12'340U);
+
+  tests::Vlp16Packet turn;
+  turn.ranges[0][1] = 5000;  // 2 mm each
+  const std::vector<std::byte> vlp16_bytes = turn.bytes();
+  const Packet vlp16 = Packet::decode(lidar::Format::kVelodyneVlp16, vlp16_bytes);
+  ASSERT_TRUE(vlp16.is_sound());
+  ASSERT_EQ(points_of(vlp16).size(), 384U);
+  EXPECT_EQ(points_of(vlp16)[1].range_mm, 10'000U);
+
+  EXPECT_EQ(Packet::decode(lidar::Format::kVelodyneVlp16, lux_bytes).status(),
+            lidar::DecodeStatus::kWrongLength);
+  EXPECT_EQ(Packet::decode(lidar::Format::kIbeoLux, vlp16_bytes).status(),
+            lidar::DecodeStatus::kWrongType);
+}
+
+TEST(Intake, ThePortSaysWhoseThePacketIsAndTheSourceWhetherItMay) {
+  Intake intake(ThreeLux::kVehicle.sensors, kReplayer);
+  const auto bytes = scan(1);
+  for (std::uint16_t port = 100; port <= 102; ++port) {
+    const auto replayed = intake.receive({kReplayer, port, bytes});
+    const auto own = intake.receive({0x0A000200U + port, port, bytes});
+    ASSERT_TRUE(replayed && own);
+    EXPECT_EQ(replayed->sensor, port - 100U);
+    EXPECT_EQ(own->sensor, port - 100U);
+  }
+  EXPECT_FALSE(intake.receive({0x0A000264, 101, bytes}));  // another sensor's address
+  EXPECT_FALSE(intake.receive({kReplayer, 103, bytes}));
+  EXPECT_EQ(drops(intake, PacketDrop::kStranger), 2U);
+}
+
+// The packet is the same value before and after the frame was closed.
+TEST(Intake, APacketOfTheNextFrameIsClassifiedAgain) {
+  Intake intake(ThreeLux::kVehicle.sensors, kReplayer);
+  const auto first_bytes = scan(1);
+  const auto second_bytes = scan(2);
+  const auto first = intake.receive({kReplayer, 100, first_bytes});
+  const auto second = intake.receive({kReplayer, 100, second_bytes});
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(intake.classify(*first), Outcome::kThisFrame);
+  intake.accept(*first);
+  EXPECT_EQ(intake.classify(*second), Outcome::kNextFrame);
+  EXPECT_EQ(intake.packets_accepted(), 1U);
+  intake.start_frame();
+  EXPECT_EQ(intake.packets_accepted(), 0U);
+  EXPECT_EQ(intake.classify(*second), Outcome::kThisFrame);
+  intake.accept(*second);
+  EXPECT_EQ(intake.report_of(0).scan_number, 2U);
+  EXPECT_EQ(intake.report_of(0).state, SensorState::kComplete);
+  EXPECT_EQ(intake.report_of(1).state, SensorState::kNeverSeen);
+  EXPECT_EQ(intake.packets_dropped(), 0U);
+}
+
+TEST(Intake, WhatIsDroppedIsCountedWithItsPoints) {
+  Intake intake(ThreeLux::kVehicle.sensors, kReplayer);
+  auto wrong_point = scan(1, 5);
+  wrong_point[68] = std::byte{0x0F};  // layer 15
+  EXPECT_FALSE(intake.receive({kReplayer, 100, wrong_point}));
+  EXPECT_EQ(drops(intake, PacketDrop::kWrongPoint), 1U);
+  EXPECT_EQ(intake.points_dropped(), 5U);
+
+  const auto bytes = scan(1, 4);
+  const auto packet = intake.receive({kReplayer, 100, bytes});
+  ASSERT_TRUE(packet);
+  intake.refuse(*packet);
+  EXPECT_EQ(drops(intake, PacketDrop::kOverBudget), 1U);
+  EXPECT_EQ(intake.points_dropped(), 9U);
+
+  const auto flood_bytes = scan(1, 2413);  // 4 layers of 201 directions have three echoes each
+  const auto flood = intake.receive({kReplayer, 101, flood_bytes});
+  ASSERT_TRUE(flood);
+  EXPECT_EQ(intake.classify(*flood), Outcome::kDropped);
+  EXPECT_EQ(drops(intake, PacketDrop::kOverBudget), 2U);
+
+  intake.start_frame();
+  EXPECT_EQ(intake.points_dropped(), 0U);
+  EXPECT_EQ(intake.packets_dropped(), 3U);
+}
+
+}  // namespace
+}  // namespace iog::intake
