@@ -1,4 +1,4 @@
-"""What lab/run and lab/check share: lines of images into rows, and what lab/data was made from."""
+"""What lab/run and lab/check share: the steps, and what lab/data was made from."""
 
 import importlib.machinery
 import importlib.util
@@ -18,29 +18,6 @@ def script(name: str):
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
     loader.exec_module(module)
     return module
-
-
-class Rows(unittest.TestCase):
-    def test_a_line_says_its_run_by_its_naming_pairs(self):
-        self.assertEqual(a9_runs.run_of("traversal_cost walk=discrete r=20 beams=181 cells=7"),
-                         "traversal_cost walk=discrete r=20")
-        self.assertEqual(a9_runs.run_of("many_core approach=cbc cell_mm=100 cells=7"),
-                         "many_core approach=cbc cell_mm=100")
-
-    def test_what_is_of_a_stage_is_told_from_what_is_of_the_run(self):
-        rows = a9_runs.counted_rows(
-            "frame_cost sensors=4 frames=2 fuse_sum=10 fuse_mean=5 fuse_max=7 stack_bytes=9", "run")
-        self.assertEqual([tuple(row) for row in rows],
-                         [("run", "", "counted", "frames", "2"),
-                          ("run", "fuse", "counted", "instructions", "10"),
-                          ("run", "fuse", "counted", "instructions_max", "7"),
-                          ("run", "", "counted", "stack_bytes", "9")])
-
-    def test_the_whole_is_the_sum_of_its_stages(self):
-        stages = {name: dict.fromkeys(a9_runs.COUNTERS, number)
-                  for name, number in (("carve", 3), ("mark", 4))}
-        whole = a9_runs.with_whole(stages, "frame")["frame"]
-        self.assertEqual(set(whole.values()), {7})
 
 
 class Stamp(unittest.TestCase):
