@@ -1,7 +1,7 @@
 // The profile: the occupancy indexes of the local 1D grid around a scan point, as a small table.
 //
-// Contract section 4, Table 4.3 of the thesis. The whole local grid of a beam is described by the
-// index of the cells well before the scan point, the few cells around it, and 0 beyond.
+// docs/model.md section 4, Table 4.3 of the thesis. The whole local grid of a beam is described by
+// the index of the cells well before the scan point, the few cells around it, and 0 beyond.
 #pragma once
 
 #include <array>

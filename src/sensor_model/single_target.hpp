@@ -4,9 +4,10 @@
 //   alpha      =   sum_h p(z|d_h) 2^-(h-1)
 //
 // with p(z|d) a Gaussian of standard deviation sigma around d, with the usual factor 1/2 in the
-// exponent (contract section 4: equation 4.1 prints it without, Table 4.3 needs it). Distances are
-// those of cell centres and z is the centre of its own cell k, so that only i - k, and the ratio of
-// cell length to sigma matter, as long as k is not within a few cells of either end of the grid.
+// exponent (docs/model.md section 4: equation 4.1 prints it without, Table 4.3 needs it). Distances
+// are those of cell centres and z is the centre of its own cell k, so that only i - k, and the
+// ratio of cell length to sigma matter, as long as k is not within a few cells of either end of the
+// grid.
 #pragma once
 
 #include "numeric/elementary.hpp"

@@ -1,7 +1,7 @@
 // The line of a beam on the grid, in integers: where it crosses cell borders, and how many it has
 // crossed after any share of its length.
 //
-// Contract section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the
+// docs/model.md section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the
 // thesis's traversal resolution). A line runs from its start S to its end E, both in subcells, and
 // is folded into the first quadrant: x and y are counted in its own direction of travel.
 //

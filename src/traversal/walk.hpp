@@ -1,8 +1,8 @@
 // The walk along a line, cell by cell, in integers: the kernel of the whole computation.
 //
-// Contract section 5; the three-way step of the thesis's appendix B.3 (c_x, c_y, c_xy), with the
-// error initialised to what Algorithm 4 meant, and ended by a count that is known before the first
-// step instead of by meeting the end cell, which a line that ends on a corner never does.
+// docs/model.md section 5; the three-way step of the thesis's appendix B.3 (c_x, c_y, c_xy), with
+// the error initialised to what Algorithm 4 meant, and ended by a count that is known before the
+// first step instead of by meeting the end cell, which a line that ends on a corner never does.
 //
 // Error term. e = (distance to the next column border) * w_y - (distance to the next row border) *
 // w_x. A column step adds r * w_y, a row step subtracts r * w_x. The line passes through the cell,
