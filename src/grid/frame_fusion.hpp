@@ -1,7 +1,7 @@
 // The fusion of one frame: beams in, a grid of occupancy indexes out.
 //
-// Contract section 3. The frame starts from a grid of zeros. What carves, what marks and the grid
-// are three objects; carving comes first and marks last, each in any order among themselves.
+// docs/model.md section 3. The frame starts from a grid of zeros. What carves, what marks and the
+// grid are three objects; carving comes first and marks last, each in any order among themselves.
 // Whatever order the packets of a frame came in, the grid is the same to the byte.
 #pragma once
 

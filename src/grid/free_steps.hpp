@@ -1,8 +1,8 @@
 // What the beams of one line say of its cells: how free, as a step function along it.
 //
 // Beams of one line carve prefixes of the same cells. Their evidence of one cell is negative, and
-// such evidence commutes under saturation (contract section 3): adding a, then b, each with a floor
-// at -127, is adding a + b with that floor. So their sum can be carved in one walk.
+// such evidence commutes under saturation (docs/model.md section 3): adding a, then b, each with a
+// floor at -127, is adding a + b with that floor. So their sum can be carved in one walk.
 #pragma once
 
 #include <array>

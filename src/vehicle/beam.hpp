@@ -1,5 +1,5 @@
 // From a scan point to the beam it is evidence of: its fate, its line on the grid, and which part
-// of the line counts (contract sections 5 and 6).
+// of the line counts (docs/model.md sections 5 and 6).
 #pragma once
 
 #include <cstddef>
