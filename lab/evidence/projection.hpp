@@ -12,7 +12,7 @@
 namespace iog::lab {
 
 enum class Path : std::uint8_t {
-  kCrossed,    // every cell that the integer line crosses (contract section 5)
+  kCrossed,    // every cell that the integer line crosses (docs/model.md section 5)
   kBresenham,  // one cell per step of the longer axis, from the sensor's cell to the line's end
 };
 
@@ -47,8 +47,8 @@ struct CellEvidence {
 };
 
 // A frame's evidence in the order of arrival, beam after beam, each from the sensor outwards. What
-// a point may not do by its fate (contract section 6) is left out: a beam that only carves has no
-// steps from 0 on, a later echo none below 0.
+// a point may not do by its fate (docs/model.md section 6) is left out: a beam that only carves has
+// no steps from 0 on, a later echo none below 0.
 struct FrameEvidence {
   std::vector<CellEvidence> cells;
   std::vector<std::uint32_t> hits;  // the cells in which scan points that mark lie; not unique
