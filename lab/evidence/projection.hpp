@@ -19,15 +19,15 @@ enum class Path : std::uint8_t {
 // All three are exact, in integers. On Bresenham's path the line is taken to enter and leave a cell
 // where it crosses the borders of the longer axis, and the hit's cell is that of the same step.
 enum class Sampling : std::uint8_t {
-  kContract,  // the hit's cell takes 1D cell k, those before it what they are left in, at most
-              // k - 1, those behind it what they are entered in, at least k + 1
-  kCentre,    // the 1D cell that the cell's centre projects to (thesis figure 4.8, as prototyped)
-  kEntry,     // the 1D cell in which the line enters
+  kModel,   // the hit's cell takes 1D cell k, those before it what they are left in, at most
+            // k - 1, those behind it what they are entered in, at least k + 1
+  kCentre,  // the 1D cell that the cell's centre projects to (thesis figure 4.8, as prototyped)
+  kEntry,   // the 1D cell in which the line enters
 };
 
 struct Geometry {
   Path path = Path::kCrossed;
-  Sampling sampling = Sampling::kContract;
+  Sampling sampling = Sampling::kModel;
 };
 
 // 1D cells at least this far before the scan point's take the free index; those further than this

@@ -220,7 +220,7 @@ TEST(Geometry, UnderTheModelOneCellOfBresenhamsIsMarked) {
         cells_1d.push_back(std::max(cell_1d_of_share(enter), shot.k + 1));
       }
     }
-    ASSERT_EQ(steps_of(shot, {Path::kBresenham, Sampling::kContract}),
+    ASSERT_EQ(steps_of(shot, {Path::kBresenham, Sampling::kModel}),
               expected(shot, bresenham.path, cells_1d));
   }
 }

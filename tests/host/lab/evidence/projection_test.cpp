@@ -143,7 +143,7 @@ TEST(Projection, RandomPointsOfAVlp16AreTheFirmwaresGrid) {
 TEST(Projection, NoGeometryGivesAPointMoreThanItsFateAllows) {
   const Vehicle& vehicle = tests::OneLux::kVehicle;
   for (const Path path : {Path::kCrossed, Path::kBresenham}) {
-    for (const Sampling sampling : {Sampling::kContract, Sampling::kCentre, Sampling::kEntry}) {
+    for (const Sampling sampling : {Sampling::kModel, Sampling::kCentre, Sampling::kEntry}) {
       const auto of = [&](lidar::ScanPoint point) {
         return project(vehicle, {{0, point}}, {path, sampling});
       };
