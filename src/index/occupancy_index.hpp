@@ -32,9 +32,9 @@ requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
   return static_cast<Cell>(std::clamp<Wide>(Wide{a} + Wide{b}, kIndexMin<Cell>, kIndexMax<Cell>));
 }
 
-// The same sum where what is added is known not to be positive, as in carving: it can only saturate
-// at the lower end, which saves the other comparison in the innermost loop. It may be a sum of many
-// indexes, above -2^30.
+// The same sum if what is added is known not to be positive, as in carving. It can then saturate
+// only at the lower end, which saves one comparison in the innermost loop. What is added may be a
+// sum of many indexes, above -2^30.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_positive) {
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
