@@ -1,5 +1,5 @@
-// The reference car (contract section 8; thesis section 4.1): a Renault ZOE with four ibeo LUX,
-// three on the front bumper and one on the rear bumper.
+// The reference car (docs/model.md section 8; thesis section 4.1): a Renault ZOE with four ibeo
+// LUX, three on the front bumper and one on the rear bumper.
 //
 // The thesis gives the sensors but not their mounts; position and yaw below are those of a car 4.08
 // m long and 1.73 m wide whose front scanners overlap by a third.

@@ -7,7 +7,7 @@
 #include "ethernet/enet_port.hpp"
 #include "gpt_clock.hpp"
 #include "l2_cache.hpp"
-#include "serial_line.hpp"
+#include "serial_link.hpp"
 #include "stopwatch.hpp"
 #include "tick.hpp"
 #include "uart.hpp"
@@ -28,7 +28,7 @@ class Board {
   GptClock& clock() { return clock_; }
   Stopwatch& stopwatch() { return stopwatch_; }
   Uart& console() { return console_; }
-  SerialLine& serial() { return serial_; }
+  SerialLink& serial() { return serial_; }
   Watchdog& watchdog() { return watchdog_; }
   EnetPort& ethernet() { return ethernet_; }
 
@@ -53,7 +53,7 @@ class Board {
   GptClock clock_;
   Stopwatch stopwatch_;
   Uart console_;
-  SerialLine serial_;
+  SerialLink serial_;
   Watchdog watchdog_;
   Tick tick_;
   L2Cache l2_cache_;

@@ -1,8 +1,8 @@
-// What a run leaves to the next one: a record in DDR that no reset clears and no loader loads.
+// What a run leaves to the next one: a record in DDR that no reset clears and no loader overwrites.
 //
-// DDR holds anything after power-up, so a record counts only if its seal fits its contents. The
-// region is mapped uncached: what is written is in memory, also when nothing is alive to clean a
-// cache.
+// After power-up DDR holds anything, so a record counts only if its seal fits its contents. The
+// region is mapped uncached. So what is written is in memory even if nothing is left that could
+// clean a cache.
 #pragma once
 
 #include <array>
@@ -26,10 +26,10 @@ struct BootRecord {
   std::array<char, kLastWordBytes> last_word;
 };
 
-// The one at linker/imx6.ld's address. Nobody initialises it: that is its purpose.
+// The record, at an address of linker/imx6.ld. It is deliberately never initialised.
 extern "C" BootRecord boot_record;  // NOLINT(bugprone-dynamic-static-initializers)
 
-// What a boot finds out about the run before it.
+// What a boot learns about the run before it.
 struct Boot {
   BootReason reason = BootReason::kColdStart;
   std::uint32_t number = 1;  // 1 for a cold start

@@ -1,13 +1,14 @@
 // Interrupts wake the loop; nothing is ever interrupted.
 //
-// The whole firmware is one loop on one core. CPSR masks interrupts from the first instruction on
-// and nothing unmasks them. The GIC is set up so that three lines reach the core all the same,
-// because WFI returns when a line is pending, masked or not (ARM ARM B1.8.13): a received frame,
-// the 1 ms tick, and a transmitter of UART1 that has room while bytes wait for it. After waking,
-// the loop clears the event flags of the first two in their devices and then polls everything, in
-// this order: an event between the two is found by the poll, and one after the poll ends the next
-// WFI at once. The UART's line falls when its FIFO is filled. All are level-triggered, so the GIC
-// follows the flags and is never acknowledged.
+// The whole firmware is one loop on one core. CPSR masks interrupts from the first instruction on,
+// and nothing unmasks them. The GIC passes three interrupts to the core all the same, because WFI
+// returns when an interrupt is pending, masked or not (ARM ARM B1.8.13): a received frame, the 1 ms
+// tick, and a transmitter of UART1 that has room while bytes wait for it.
+//
+// After waking, the loop first clears the event flags of frame and tick in their devices and then
+// polls everything. The order matters: an event between the two is found by the poll, and an event
+// after the poll ends the next WFI at once. The UART's interrupt goes away when its FIFO is filled.
+// All three are level-triggered, so the GIC follows the flags and is never acknowledged.
 //
 // There is no interrupt handler, no critical section and no variable shared between two flows. An
 // exception of kind IRQ means that somebody unmasked interrupts: it is a fault like any other.

@@ -12,12 +12,13 @@ const mmu::MemoryMap& memory_map();
 // Whether the L2 cache came on. QEMU has none.
 bool l2_cache_is_on();
 
-// Bytes of the main stack that were ever used, by the paint startup.S left on the rest.
+// Bytes of the main stack that were ever used. startup.S painted the stack; what is still painted
+// was never used.
 std::uint32_t main_stack_used_bytes();
 std::uint32_t main_stack_bytes();
 
-// Called once by startup.S, before main(): everything off in, MMU, L1, L2 and branch prediction on
-// out.
+// Called once by startup.S, before main(). All of it is off when it is called; when it returns,
+// MMU, L1, L2 and branch prediction are on.
 extern "C" void start_memory();
 
 }  // namespace iog::imx6

@@ -1,9 +1,9 @@
 // Translation tables as values: what every address may be used for, decided here and nowhere else.
 //
-// Addresses are mapped one to one. The grain is a section of 1 MiB, except for the stacks, whose
-// section has a second-level table of 4 KiB pages so that the page below each stack can be missing.
-// Whatever is not named is a fault: null pointers, the boot ROM, the other peripherals, DDR past
-// the end.
+// Addresses are mapped one to one, in sections of 1 MiB. Only the section of the stacks has a
+// second-level table of 4 KiB pages, so that the page below each stack can be left unmapped. Access
+// to anything else is a fault: null pointers, the boot ROM, the other peripherals, DDR past the
+// end.
 #pragma once
 
 #include <array>

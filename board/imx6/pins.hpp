@@ -9,7 +9,7 @@ namespace iog::imx6 {
 // Pads EIM_D26 and EIM_D27 become UART2.
 void start_console_pins(IomuxcRegisters& iomuxc);
 
-// Pads SD3_DAT7 and SD3_DAT6 become UART1, the line of the grid.
+// Pads SD3_DAT7 and SD3_DAT6 become UART1, the serial link of the grid.
 void start_serial_pins(IomuxcRegisters& iomuxc);
 
 // Resets the KSZ9021 with its strapping pins held, then connects MDIO and RGMII. Takes 10.1 ms.

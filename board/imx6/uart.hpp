@@ -1,5 +1,5 @@
 // What the UARTs of this board have in common, and the console: UART2, 115200 baud, eight bits, no
-// parity. Satisfies hal::Console. The grid's line is UART1, see serial_line.hpp.
+// parity. Satisfies hal::Console. The grid leaves by UART1, see serial_link.hpp.
 //
 // On the SABRE Lite UART2 is the connector that U-Boot talks on; QEMU shows it as its second
 // -serial.
@@ -39,13 +39,13 @@ consteval BaudDivider exact_baud_divider(std::uint64_t clock_hz, std::uint64_t b
               : BaudDivider{0, 0};
 }
 
-// Whether the line then runs at exactly this rate.
+// Whether the UART then sends at exactly this rate.
 consteval bool is_exact(BaudDivider divider, std::uint64_t clock_hz, std::uint64_t baud) {
   return clock_hz * (divider.ubir + 1) == baud * 16 * (divider.ubmr + 1);
 }
 
 // Sets a UART up for eight bits without parity or handshake, whatever a boot loader left in it.
-// transmit_trigger: UFCR's bits of the fill below which the transmitter calls itself ready.
+// transmit_trigger: the bits of UFCR that say below which fill level the transmitter is ready.
 void start_uart(UartRegisters& registers, const BaudDivider& divider,
                 std::uint32_t transmit_trigger);
 

@@ -7,7 +7,7 @@ namespace iog::imx6 {
 
 class Watchdog {
  public:
-  // Long enough for the slowest pass of the loop by two orders of magnitude, short for a person.
+  // Some hundred times longer than the slowest pass of the loop, and short for a person.
   static constexpr unsigned kTimeoutMs = 2000;
 
   explicit Watchdog(WatchdogRegisters& registers) : registers_(registers) {}

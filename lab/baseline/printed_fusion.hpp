@@ -2,7 +2,7 @@
 // traversal of appendix B.3, the occupancy index of each cell from the lookup table of Table 4.3,
 // and one saturated sum after the other as the points come (equation 4.4).
 //
-// Repaired is only what the contract (section 5) calls slips: the start of the error, the sign of
+// Repaired is only what docs/model.md section 5 calls wrong: the start of the error, the sign of
 // zero, and an end by count, because a loop that waits for the end cell can miss it. As in our own
 // fusion the start cell is sampled too, a beam counts where it is inside the height band and the
 // grid, and a scan point's fate says whether it carves and marks. The 1D cell of a cell is the one

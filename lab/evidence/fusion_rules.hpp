@@ -1,5 +1,5 @@
-// The rules by which a frame's evidence becomes a grid: the contract's two, the thesis's own, and
-// those in double precision that the papers compare with.
+// The rules by which a frame's evidence becomes a grid: the two of docs/model.md, the thesis's own,
+// and those in double precision that the papers compare with.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace iog::lab {
 
 enum class IndexRule : std::uint8_t {
-  kHitsWin,     // contract section 3, the default
-  kBayes,       // contract section 3: all carving, then all marking
+  kHitsWin,     // docs/model.md section 3, the default
+  kBayes,       // docs/model.md section 3: all carving, then all marking
   kSequential,  // the thesis's: one sum after the other as the points come (equation 4.4)
 };
 

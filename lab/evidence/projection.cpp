@@ -131,8 +131,8 @@ void read_entries(const Sensor& sensor, const Places& places, std::uint32_t k, P
 
 // It is left within 1D cell j or earlier exactly if the border there is crossed at (j + 1) Delta or
 // before. Beyond the range there is no scan point to end the steps before it.
-void read_as_contract(const Sensor& sensor, const Places& places, std::uint32_t range_mm,
-                      std::uint32_t k, Plan& plan) {
+void read_as_model(const Sensor& sensor, const Places& places, std::uint32_t range_mm,
+                   std::uint32_t k, Plan& plan) {
   read_entries(sensor, places, k, plan);
   for (int step = -kFarSteps; step < -1; ++step) {
     const std::int64_t cells = cells_to(k, step);
@@ -172,8 +172,8 @@ Plan plan_of_point(const Sensor& sensor, const BeamLine& line, const Places& pla
     plan.path_end = places.end_before({far_mm(sensor, range_mm), length_mm});
   }
   switch (sampling) {
-    case Sampling::kContract:
-      read_as_contract(sensor, places, range_mm, k, plan);
+    case Sampling::kModel:
+      read_as_model(sensor, places, range_mm, k, plan);
       break;
     case Sampling::kCentre:
       read_centres(sensor, line, k, plan);

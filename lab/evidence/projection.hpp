@@ -12,22 +12,22 @@
 namespace iog::lab {
 
 enum class Path : std::uint8_t {
-  kCrossed,    // every cell that the integer line crosses (contract section 5)
+  kCrossed,    // every cell that the integer line crosses (docs/model.md section 5)
   kBresenham,  // one cell per step of the longer axis, from the sensor's cell to the line's end
 };
 
 // All three are exact, in integers. On Bresenham's path the line is taken to enter and leave a cell
 // where it crosses the borders of the longer axis, and the hit's cell is that of the same step.
 enum class Sampling : std::uint8_t {
-  kContract,  // the hit's cell takes 1D cell k, those before it what they are left in, at most
-              // k - 1, those behind it what they are entered in, at least k + 1
-  kCentre,    // the 1D cell that the cell's centre projects to (thesis figure 4.8, as prototyped)
-  kEntry,     // the 1D cell in which the line enters
+  kModel,   // the hit's cell takes 1D cell k, those before it what they are left in, at most
+            // k - 1, those behind it what they are entered in, at least k + 1
+  kCentre,  // the 1D cell that the cell's centre projects to (thesis figure 4.8, as prototyped)
+  kEntry,   // the 1D cell in which the line enters
 };
 
 struct Geometry {
   Path path = Path::kCrossed;
-  Sampling sampling = Sampling::kContract;
+  Sampling sampling = Sampling::kModel;
 };
 
 // 1D cells at least this far before the scan point's take the free index; those further than this
@@ -47,8 +47,8 @@ struct CellEvidence {
 };
 
 // A frame's evidence in the order of arrival, beam after beam, each from the sensor outwards. What
-// a point may not do by its fate (contract section 6) is left out: a beam that only carves has no
-// steps from 0 on, a later echo none below 0.
+// a point may not do by its fate (docs/model.md section 6) is left out: a beam that only carves has
+// no steps from 0 on, a later echo none below 0.
 struct FrameEvidence {
   std::vector<CellEvidence> cells;
   std::vector<std::uint32_t> hits;  // the cells in which scan points that mark lie; not unique

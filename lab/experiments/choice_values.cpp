@@ -73,7 +73,7 @@ Table displaced_hits(const tools::CatalogueEntry& car, std::uint64_t seed) {
   constexpr std::uint64_t kStream = 77;
   Table table("choice_displaced_hits", {"sampling", "points", "hits", "displaced_hits"});
   for (const auto& [sampling, name] :
-       {std::pair(Sampling::kContract, "own cell"), std::pair(Sampling::kCentre, "cell centre"),
+       {std::pair(Sampling::kModel, "own cell"), std::pair(Sampling::kCentre, "cell centre"),
         std::pair(Sampling::kEntry, "entry")}) {
     tools::Random random(seed, kStream);
     std::uint64_t hits = 0;

@@ -12,8 +12,8 @@ namespace iog::lab {
 namespace {
 
 constexpr std::array kGeometries{
-    Geometry{Path::kCrossed, Sampling::kContract}, Geometry{Path::kCrossed, Sampling::kCentre},
-    Geometry{Path::kCrossed, Sampling::kEntry},    Geometry{Path::kBresenham, Sampling::kContract},
+    Geometry{Path::kCrossed, Sampling::kModel},    Geometry{Path::kCrossed, Sampling::kCentre},
+    Geometry{Path::kCrossed, Sampling::kEntry},    Geometry{Path::kBresenham, Sampling::kModel},
     Geometry{Path::kBresenham, Sampling::kCentre}, Geometry{Path::kBresenham, Sampling::kEntry}};
 
 bool is_same(const Geometry& a, const Geometry& b) {

@@ -62,7 +62,7 @@ std::string name_of(IndexRule rule, Geometry geometry) {
       return short_name_of(rule) + ", cell centre";
     case Sampling::kEntry:
       return short_name_of(rule) + ", entry";
-    case Sampling::kContract:
+    case Sampling::kModel:
       break;
   }
   return plain_name_of(rule);
@@ -105,7 +105,7 @@ std::vector<Choice> traversal_choices() {
 std::vector<Choice> sampling_choices() {
   std::vector<Choice> choices;
   for (const IndexRule rule : kBothRules) {
-    for (const Sampling sampling : {Sampling::kContract, Sampling::kCentre, Sampling::kEntry}) {
+    for (const Sampling sampling : {Sampling::kModel, Sampling::kCentre, Sampling::kEntry}) {
       choices.push_back(of(rule, {.sampling = sampling}));
     }
   }

@@ -62,7 +62,7 @@ struct Census {
 
 }  // namespace
 
-// -128 never occurs (contract section 2).
+// -128 never occurs (docs/model.md section 2).
 std::size_t count_leaves(GridCells cells) { return leaves_of<index::OccupancyIndex>(cells); }
 
 std::size_t count_leaves(std::span<const std::int32_t, geometry::kCellCount> cells) {

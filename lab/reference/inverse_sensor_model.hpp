@@ -14,7 +14,7 @@ namespace iog::lab::reference {
 
 // The exponent of the Gaussian sensor model.
 enum class Exponent : std::uint8_t {
-  kHalved,     // -(z - d)^2 / (2 sigma^2), the usual one: contract section 4
+  kHalved,     // -(z - d)^2 / (2 sigma^2), the usual one: docs/model.md section 4
   kAsPrinted,  // -(z - d)^2 / sigma^2: equation 4.1
 };
 

@@ -5,11 +5,11 @@
 // Coordinates are in cells: cell (x, y) covers [x, x + 1) x [y, y + 1). |coordinate| < 2^29.
 //
 // A continuous walk visits the start's cell and then every cell whose interior the line crosses, in
-// order; a line exactly through a corner steps diagonally. That is the contract's section 5, so
-// that a difference to the integer walk is one of numbers, not of rules. Where the published loops
-// stop at the end's cell, these stop after as many borders as lie between the ends: a loop that
-// waits for a cell can miss it. Which border comes first is decided in Real: a line that passes a
-// corner within its rounding may be led around the other side.
+// order; a line exactly through a corner steps diagonally. That is docs/model.md section 5, so that
+// a difference to the integer walk is one of numbers, not of rules. Where the published loops stop
+// at the end's cell, these stop after as many borders as lie between the ends: a loop that waits
+// for a cell can miss it. Which border comes first is decided in Real: a line that passes a corner
+// within its rounding may be led around the other side.
 #pragma once
 
 #include <algorithm>

@@ -49,7 +49,7 @@ class DiscreteWalk {
 
 // Algorithm 3 of the thesis as printed: location and error are real numbers. Lengths are in cells,
 // so that a location, which is compared for equality, has no rounding error. It ends where it meets
-// the end cell; beams of the fan do, which not every line does (contract section 5).
+// the end cell; beams of the fan do, which not every line does (docs/model.md section 5).
 template <std::floating_point Real>
 class ContinuousWalk {
  public:

@@ -1,5 +1,5 @@
-// The two CRC-32 of this project, each in the way that is fast on the machine: CMake chooses
-// between crc32_neon.cpp and crc32_slices.cpp.
+// The two CRC-32 of this project. CMake chooses the way that is fast on the machine: crc32_neon.cpp
+// or crc32_slices.cpp.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace iog::checksum {
 
-// Reflected, with start and final xor all ones. `kPolynomial` is written with the highest power
-// first and without x^32, as in the standards; there are the two below.
+// A reflected CRC whose start and final xor are all ones. `kPolynomial` is written as in the
+// standards, with the highest power first and without x^32. There are the two below.
 template <std::uint32_t kPolynomial>
 class FastCrc32 {
  public:
   void update(std::span<const std::byte> bytes);
 
-  // Of all bytes so far; more may follow.
+  // The CRC of all bytes so far; more may follow.
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:

@@ -1,5 +1,5 @@
 // The Cortex-A9 multiplies eight pairs of bytes without carry in one instruction. A tile of 1 KiB
-// is 1.6 cycles a byte, where look-ups take 2.4 (modelled by lab/a9_model).
+// is 1.6 cycles a byte, where look-ups take 2.4 (modelled as docs/a9_model.md says).
 #include <arm_neon.h>
 #include <array>
 

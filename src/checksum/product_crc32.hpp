@@ -1,11 +1,12 @@
 // The CRC-32 of checksum/crc32.hpp where the machine multiplies bytes without carry.
 //
-// A CRC is linear: a byte that is followed by d others adds its product with x^(32 + 8d), modulo
-// the polynomial, to the state. So the bytes of a block do not wait for each other, and only the
-// sum of their products is reduced. The two halves of a block share the factors: each is loaded
+// A CRC is linear. A byte that d others follow contributes its product with x^(32 + 8d), modulo the
+// polynomial. So the bytes of a block do not wait for one another: their products are summed, and
+// only the sum is reduced. The two halves of a block use the same factors, so each factor is loaded
 // once.
 //
-// Reflected, a state has x^31 in bit 0 and a byte x^7; so a product of both has x^38 in bit 0.
+// All of it is reflected: bit 0 of a state is x^31, bit 0 of a byte is x^7, and so bit 0 of their
+// product is x^38.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +34,7 @@ class ProductCrc32 {
     rest_.update(bytes);
   }
 
-  // Of all bytes so far; more may follow.
+  // The CRC of all bytes so far; more may follow.
   [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
 
   // As of ReflectedCrc32.
@@ -71,13 +72,14 @@ class ProductCrc32 {
     sum.add(bytes, factors);
   }
 
-  // Bits 0 to 6 are those of x^38 to x^32: the state's first byte, before a byte of zeros.
+  // Bits 0 to 6 of the sum are x^38 to x^32. They are reduced like the first byte of a state that a
+  // byte of zeros follows.
   static std::uint32_t reduced(std::uint64_t sum) {
     return Bytewise::after_byte(static_cast<std::uint32_t>(sum << 1) & 0xFFU) ^
            static_cast<std::uint32_t>(sum >> 7);
   }
 
-  // From x^32 for the last byte, eight powers more for each byte before it.
+  // The factor of the last byte is x^32; each byte before it has eight powers more.
   static constexpr FactorsOfHalf make_factors() {
     FactorsOfHalf factors{};
     std::uint32_t factor = 0x8000'0000U;  // 1

@@ -1,11 +1,11 @@
 // CRC-32 of any reflected polynomial with start and final xor all ones: the form of IEEE 802.3
 // (gzip, zlib) and of AUTOSAR's CRC-32/P4.
 //
-// Slicing (Kounavis and Berry, 2005): a group of kSlices bytes costs a table look-up each, which do
-// not wait for each other. The tables take kSlices KiB and are computed by the compiler. On the
-// Cortex-A9, which has better (checksum/product_crc32.hpp), a byte costs 4.2 to 4.3 instructions by
-// 4, 8 or 16 slices (measured); of a tile of 1 KiB that is 3.5, 2.5 or 2.7 cycles a byte (modelled
-// by lab/a9_model, other tiles being encoded between).
+// Slicing (Kounavis and Berry, 2005): each of kSlices bytes is looked up in a table of its own, and
+// the look-ups do not wait for one another. The tables take kSlices KiB; the compiler makes them.
+// The Cortex-A9 has a faster way (checksum/product_crc32.hpp). With 4, 8 or 16 slices it takes 4.2
+// to 4.3 instructions a byte (measured). For a tile of 1 KiB that is 3.5, 2.5 or 2.7 cycles a byte
+// (modelled as docs/a9_model.md says, with other tiles encoded in between).
 #pragma once
 
 #include <array>
@@ -38,14 +38,15 @@ class ReflectedCrc32 {
     state_ = state;
   }
 
-  // Of all bytes so far; more may follow.
+  // The CRC of all bytes so far; more may follow.
   [[nodiscard]] constexpr std::uint32_t value() const { return ~state_; }
 
-  // What is behind the value, for those who advance it by other means: x^31 in bit 0.
+  // The register behind the value, x^31 in bit 0, for code that advances it by other means.
   [[nodiscard]] constexpr std::uint32_t state() const { return state_; }
   constexpr void set_state(std::uint32_t state) { state_ = state; }
 
-  // The state times x^8: after a byte of zeros, or after one that has been added to the state.
+  // The state times x^8: what it is after a byte of zeros, or after a byte that has been added to
+  // it.
   static constexpr std::uint32_t after_byte(std::uint32_t state) {
     return (state >> 8) ^ kTables[0][state & 0xFFU];
   }

@@ -1,12 +1,13 @@
 // Consistent Overhead Byte Stuffing (Cheshire and Baker, IEEE/ACM Transactions on Networking 7,
-// 1999): messages on a line that carries bytes and nothing else.
+// 1999): messages on a serial link, which carries bytes and nothing else.
 //
-// On the line a message is blocks of a code byte c, 1 to 255, and c - 1 bytes that are not 0. Each
-// block but the last stands for its bytes and a 0 behind them, one with c = 255 for its 254 bytes
-// alone. A 0 ends the message: it occurs nowhere else, so a receiver that has lost its place finds
-// it again at the next 0. An empty message is a code byte 1; two zeros in a row have nothing
-// between them, which is no message and no error, so a sender may begin with a 0 to end what it
-// knows nothing of.
+// A framed message is a sequence of blocks. A block is a code byte c, 1 to 255, and c - 1 bytes
+// that are not 0. Each block but the last stands for its bytes and a 0 after them; a block with c =
+// 255 stands for its 254 bytes alone. A 0 ends the message.
+//
+// A 0 occurs nowhere else, so a receiver that has lost its place finds it again at the next 0. An
+// empty message is the code byte 1. Nothing between two zeros is neither a message nor an error, so
+// a sender may begin with a 0, to end whatever was on the link before it.
 #pragma once
 
 #include <cstddef>
@@ -19,19 +20,19 @@ namespace iog::framing {
 inline constexpr std::byte kDelimiter{0};
 inline constexpr std::size_t kMaxBlockBytes = 254;
 
-// Bytes on the line of a message of `bytes`, at most: a code for each 254 bytes begun, at least
-// one, and the delimiter.
+// The most bytes that a framed message of `bytes` takes: the message, a code byte for each 254
+// bytes begun, at least one, and the delimiter.
 [[nodiscard]] constexpr std::size_t max_framed_bytes(std::size_t bytes) {
   return bytes + bytes / kMaxBlockBytes + 2;
 }
 
-// Writes the frame of the message, delimiter included. Returns its bytes, 0 if they do not fit;
-// with max_framed_bytes() they do. The buffers must not overlap.
+// Frames the message, delimiter included. Returns the bytes of the frame, or 0 if they do not fit;
+// max_framed_bytes() always suffice. The buffers must not overlap.
 [[nodiscard]] std::size_t encode_cobs(std::span<const std::byte> message,
                                       std::span<std::byte> frame);
 
-// Takes a line byte by byte and gives the messages in it. The buffer is the caller's and holds the
-// message that was last completed until the next byte is taken.
+// Takes what the link delivers, byte by byte, and gives the messages in it. The buffer is the
+// caller's. It holds the last complete message until the next byte is taken.
 class CobsDecoder {
  public:
   explicit constexpr CobsDecoder(std::span<std::byte> buffer) : buffer_{buffer} {}
@@ -39,7 +40,7 @@ class CobsDecoder {
   // The message that this byte completes.
   [[nodiscard]] std::optional<std::span<const std::byte>> take(std::byte byte);
 
-  // What ended in the middle of a block, or was longer than the buffer.
+  // Frames that ended in the middle of a block, or were longer than the buffer.
   [[nodiscard]] std::uint32_t damaged() const { return damaged_; }
 
  private:

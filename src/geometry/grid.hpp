@@ -1,5 +1,5 @@
 // The grid: how many cells and tiles it has, how they are numbered, and where the vehicle stands on
-// it (contract sections 5 and 8).
+// it (docs/model.md sections 5 and 8).
 //
 // Cells are numbered row by row from the lowest y, and so are tiles.
 #pragma once

@@ -13,8 +13,8 @@ using traversal::Position;
 using traversal::Stretch;
 using vehicle::Sensor;
 
-// Most lines have both ends in the grid; then so is everything between them, and there is nothing
-// to divide.
+// Most lines have both ends in the grid. Then everything between them is in the grid, too, and
+// nothing is divided.
 void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer,
                     vehicle::Direction direction) {
   line_ = vehicle::line_of(sensor, layer, direction);
@@ -67,8 +67,8 @@ BeamLines::BeamLines(std::span<const Sensor> sensors) : first_sensor_(sensors.da
       static_cast<std::uint32_t>(kPlaces / std::bit_ceil(std::max<std::size_t>(sensors.size(), 1)));
 }
 
-// Azimuths that differ by multiples of a quarter of a degree, as those of a LUX do, have different
-// places as long as there are enough of them.
+// The azimuths of a LUX differ by multiples of a quarter of a degree. They have different places as
+// long as there are enough places.
 KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint16_t ticks) {
   const auto number = static_cast<std::uint32_t>(&sensor - first_sensor_);
   const std::uint32_t place = (ticks / 8U ^ ticks / 2048U) & (places_per_sensor_ - 1);

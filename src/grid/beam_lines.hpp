@@ -1,10 +1,10 @@
 // The lines of beams on the grid, kept from scan to scan.
 //
-// A lidar whose mirror stops at fixed azimuths asks for the same lines in every scan: where a line
+// A lidar whose mirror stops at fixed azimuths asks for the same lines in every scan. Where a line
 // runs, how far it stays in the grid and through which blocks it goes depends on the mount alone.
 // So each line is found once and kept under its azimuth. Nobody has to say which azimuths a sensor
-// has: a line that is not there, because its azimuth is new or because another one took its place,
-// is found again, which costs more and gives the same.
+// has. If a line is not there, because its azimuth is new or another one took its place, it is
+// found again; that costs more and gives the same.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ class KeptLine {
 
   [[nodiscard]] const vehicle::BeamLine& line() const { return line_; }
 
-  // Borders crossed up to this distance, at most Sensor::range.
+  // Borders crossed up to this distance. distance_mm is at most Sensor::range.
   [[nodiscard]] traversal::Position through(const vehicle::Sensor& sensor,
                                             std::uint32_t distance_mm) const {
     return ruler_.through(distance_mm, line_, sensor.range);
@@ -56,7 +56,7 @@ class KeptLine {
   // The part of the line that lies in the grid, up to its end at Sensor::range.
   [[nodiscard]] const LinePart& in_grid() const { return in_grid_; }
 
-  // Whether the line has a path: it begins in the grid and meets no corner.
+  // Whether the line has a path: if it begins in the grid and meets no corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
   BlockPath& path() {
     if (!path_begun_) {
@@ -93,7 +93,7 @@ class KeptBeam {
   [[nodiscard]] LinePart part() const {
     return {{first_x_, first_y_}, {{end_x_, end_y_}, is_after_}};
   }
-  // Keeps it if it fits: a sensor on the grid has no line that long.
+  // Keeps the part if it fits. A sensor on the grid has no line that is too long.
   void keep_part(const LinePart& part) {
     constexpr std::uint32_t kMost = 0xFFFF;
     has_part_ = part.first.crossed() <= kMost && part.end.crossed() <= kMost;
@@ -115,8 +115,8 @@ class KeptBeam {
   bool is_found_ = false;
 };
 
-// The beams of one sensor at one azimuth. Those of the first four layers and their first two lines
-// are kept: the LUX has no more, and lidars with more layers turn freely.
+// The beams of one sensor at one azimuth. Kept are those of the first four layers, and their first
+// two lines. The LUX has no more, and lidars with more layers turn freely.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;
@@ -132,11 +132,11 @@ class KeptAzimuth {
   KeptLine& line_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer,
                     vehicle::Direction direction);
 
-  // Number of the layer is below kMaxLayers. Empty until somebody fills it in.
+  // The number of the layer is below kMaxLayers. The beam is empty until somebody fills it in.
   KeptBeam& beam_of(std::uint8_t layer) { return beams_[layer]; }
 
-  // Whether the second line goes through the cells of the first up to this position, that one
-  // included. Both were asked for, and the first has a path. True is certain.
+  // Whether the second line goes through the cells of the first up to and including this position.
+  // Both lines were asked for before, and the first has a path. True is certain; false is not.
   [[nodiscard]] bool is_common(traversal::Position last);
 
  private:
@@ -158,7 +158,7 @@ class BeamLines {
 
   KeptAzimuth& azimuth(const vehicle::Sensor& sensor, std::uint16_t ticks);
 
-  // As after the start: every line has to be found again.
+  // Forgets all lines, as after the start: each has to be found again.
   void forget();
 
  private:

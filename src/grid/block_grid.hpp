@@ -1,13 +1,13 @@
 // The grid of a frame as it lies in memory: blocks of 4 by 4 cells, sixteen bytes each.
 //
-// A line passes through four cells of a block on the mean, so a beam carves them with one saturated
-// addition (grid/lanes.hpp), and a cache line holds 8 by 4 cells instead of 32 by 1. Rows of blocks
-// are a cache line longer than they need to be: otherwise the blocks of a column would compete for
-// two of the 256 sets of a level 1 cache.
+// A line goes through four cells of a block on average, and one saturated subtraction carves them
+// (grid/lanes.hpp). A cache line holds 8 by 4 cells instead of 32 by 1. Rows of blocks are stored a
+// cache line longer than they are: otherwise the blocks of a column would compete for two of the
+// 256 sets of a level 1 cache.
 //
-// Cells outside of this room are numbered row by row (geometry/grid.hpp). A stored byte is an
-// occupancy index, or -128, which stands for -127: carving has its floor where bytes have theirs,
-// and whoever reads raises it.
+// Outside of this room cells are numbered row by row (geometry/grid.hpp). A stored byte is an
+// occupancy index, or -128, which stands for -127: carving stops where bytes stop, and whoever
+// reads raises the byte.
 #pragma once
 
 #include <array>

@@ -44,7 +44,7 @@ void BlockPath::begin(const BeamLine& line) {
   find_first_block();
 }
 
-// The line begins anywhere in its first block: cell by cell.
+// The line can begin anywhere in its first block, so that block is found cell by cell.
 void BlockPath::find_first_block() {
   std::uint32_t u = orientation_.is_steep ? y_in_block_ : x_in_block_;
   std::uint32_t v = orientation_.is_steep ? x_in_block_ : y_in_block_;
@@ -65,10 +65,20 @@ void BlockPath::find_first_block() {
   count_ = 1;
 }
 
-// What the bits of a block say beyond the border by which the line leaves it is about the next one,
-// and its passage does not look at them. The term at the end fits its range, what it is summed up
-// from need not. Members are held in registers, as a code may be stored where the compiler suspects
-// one of them.
+// Each round of the loop finds one block. It looks at the error term of the walk column by column.
+// For a block that is entered at (0, 1), with a term that is in turn below and above 0:
+//
+//     v
+//     3 | .  .  .  # |--> the next block is entered at (0, 3)
+//     2 | .  #  #  # |
+//     1 | #  #  .  . |    entry 1 and bits 0, 1, 0, 1 are the shape; kPassages says the rest
+//     0 | .  .  .  . |
+//  ahead  -  +  -  +      above 0, the line crosses a border of v in this column
+//
+// If the line leaves the block through its upper border, the bits of further columns say something
+// of the next block; the passage does not look at them. The error term at the end fits its range,
+// although the terms that it is summed up from need not. Members are copied into registers, because
+// the compiler cannot know that storing a code does not change one of them.
 void BlockPath::find_up_to(std::uint32_t block) {
   require(block < kMaxBlocks);
   const std::int32_t gain = gain_;

@@ -1,8 +1,8 @@
 // The blocks that a line goes through, in order: one byte each, found once and kept.
 //
-// Blocks of a line are numbered from 0, which holds its start. As the line meets no corner, each
-// block borders on the one before, and a block's number is the number of block borders that lie
-// between it and the first.
+// The blocks of a line are numbered from 0, which holds its start. As the line meets no corner,
+// each block shares a border with the one before. So the number of a block is the number of block
+// borders between it and the first.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace iog::grid {
 
-// Blocks of a line one after the other: the next is u_stride or v_stride blocks (as stored)
-// further, as its code says, and the cells of the line in it are masks[code / 2].
+// Blocks of a line, one after the other. The code of a block says whether the next one lies
+// u_stride or v_stride blocks (as stored) further. The line's cells in a block are masks[code / 2].
 struct BlockRun {
   const BlockCode* code;
   const LaneBytes* masks;
@@ -27,15 +27,15 @@ struct BlockRun {
 
 class BlockPath {
  public:
-  // Of a line that begins in the grid and meets no corner (traversal/corner.hpp).
+  // Begins the path of a line that starts in the grid and meets no corner (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // Where in the grid the cell at a position of the line lies.
+  // The offset in the grid of the cell at a position of the line.
   [[nodiscard]] std::uint32_t offset_at(traversal::Position at) const {
     return offset_of(cell_at(at));
   }
 
-  // The number of the block in which a position lies: the block borders that were crossed.
+  // The number of the block in which a position lies: the block borders crossed to get there.
   [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
     return (at.x + x_in_block_) / kBlockSide + (at.y + y_in_block_) / kBlockSide;
   }
@@ -50,7 +50,7 @@ class BlockPath {
   // Where the line begins.
   [[nodiscard]] std::uint32_t start_offset() const { return offset_of(start_); }
 
-  // The rest is about blocks that were found. The cells of the line in a block:
+  // The rest is about blocks that were found. The line's cells in a block:
   [[nodiscard]] const LaneBytes& cells(std::uint32_t block) const {
     if (block == 0) {
       return first_cells_;
@@ -64,7 +64,7 @@ class BlockPath {
     return {&codes_[block], masks_->data(), u_stride_, v_stride_};
   }
 
-  // Shows the tiles of the blocks up to this one to `visit`, by number.
+  // Calls visit(tile) for each tile of the blocks up to this one.
   template <typename Visit>
   void for_each_tile(std::uint32_t last_block, Visit&& visit) const {
     auto tile = static_cast<std::int32_t>(geometry::tile_of(start_));
@@ -76,11 +76,13 @@ class BlockPath {
   }
 
  private:
-  // Twice the block with which a line enters a tile, and 1 if it comes from a tile below or above.
+  // Twice the number of the block with which a line enters a tile, and 1 more if it comes from the
+  // tile below or above.
   using TileEntry = std::uint16_t;
   static constexpr TileEntry kNoTile = 0xFFFF;
 
-  // A line runs one way on each axis, so it enters at most as many blocks and tiles as both have.
+  // A line runs one way on each axis. So it enters at most as many blocks, and tiles, as both axes
+  // have together.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
   static constexpr std::size_t kMaxTiles = std::size_t{2} * geometry::kTilesPerSide;
   static_assert(2 * kMaxBlocks < kNoTile);
@@ -110,13 +112,13 @@ class BlockPath {
   std::array<BlockCode, kMaxBlocks> codes_{};
   std::array<TileEntry, kMaxTiles + 1> tile_entries_{};
 
-  // The way on from the last block that was found. The error term is that of traversal/walk.hpp,
-  // with u for columns: a border of u comes next if it is below 0.
+  // Where the search goes on after the last block that was found. The error term is that of
+  // traversal/walk.hpp with u for columns: below 0, a border of u comes next.
   std::int32_t error_ = 0;
   std::int32_t gain_ = 0;
   std::int32_t loss_ = 0;
   BlockEntry entry_ = 0;
-  // Block borders, along each axis, up to and including that of the tile.
+  // Block borders along each axis, up to and including the tile's.
   std::uint32_t blocks_to_tile_u_ = 0;
   std::uint32_t blocks_to_tile_v_ = 0;
   std::uint32_t tile_count_ = 0;

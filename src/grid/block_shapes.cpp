@@ -3,7 +3,7 @@
 namespace iog::grid {
 namespace {
 
-// Follows the line of a shape through its block, and shows `visit` each cell (u, v).
+// Follows the line of a shape through its block and calls visit(u, v) for each cell.
 template <typename Visit>
 constexpr BlockPassage follow(std::uint32_t shape, Visit&& visit) {
   const BlockEntry entry = shape >> 4;
@@ -59,7 +59,8 @@ constexpr std::array<ShapeMasks, 8> make_shape_masks() {
   return masks;
 }
 
-// A line only ever runs towards plus u and plus v: what lies there of an inner cell is yet to come.
+// A line runs towards plus u and plus v only. So the cells that can still come after a cell are
+// those that are not before it on either axis.
 constexpr std::array<InnerMasks, 4> make_inner_masks(bool with_itself) {
   std::array<InnerMasks, 4> masks{};
   for (std::size_t quadrant = 0; quadrant < masks.size(); ++quadrant) {

@@ -1,10 +1,19 @@
-// What a line covers of a block of 4 by 4 cells, as a code of one byte.
+// Which cells of a block of 4 by 4 a line goes through, as a code of one byte.
 //
 // A line that meets no corner is folded so that it runs towards plus on both axes and rises by at
 // most one cell a column: u counts columns along the axis on which the line is longer, v along the
-// other. In each column it then crosses at most one border of v before it leaves the column. So the
-// cell in which it enters a block, one of 4 on the left and 3 more below, and one bit for each of
-// the next four columns say which cells of the block it passes through, and how it leaves: 7 bits.
+// other. There are seven cells in which such a line can enter a block, numbered
+//
+//     v
+//     3 | 3  .  .  . |
+//     2 | 2  .  .  . |
+//     1 | 1  .  .  . |
+//     0 | 0  4  5  6 |
+//       u 0  1  2  3
+//
+// In each column it then crosses at most one border of v before it leaves the column. So the entry
+// and one bit for each of the next four columns, seven bits in all, say which cells of the block
+// the line goes through, and how it leaves. These seven bits are the block's *shape*.
 #pragma once
 
 #include <array>
@@ -15,7 +24,7 @@
 
 namespace iog::grid {
 
-// A block's cell in which a line enters it: 0 ... 3 is (u, v) = (0, entry), 4 ... 6 is (entry - 3,
+// The cell in which a line enters a block: 0 ... 3 is (u, v) = (0, entry), 4 ... 6 is (entry - 3,
 // 0).
 using BlockEntry = std::uint32_t;
 
@@ -24,18 +33,19 @@ using BlockEntry = std::uint32_t;
   return u == 0 ? 0 : u + 3;
 }
 
-// Entry and bits: bit j says that the line crosses a border of v in the column j after the entry's.
+// A shape: the entry, and four bits. Bit j is set if the line crosses a border of v in the column j
+// places after that of the entry.
 inline constexpr std::uint32_t kShapeCount = 128;
 [[nodiscard]] constexpr std::uint32_t shape_of(BlockEntry entry, std::uint32_t bits) {
   return entry << 4 | bits;
 }
 
-// A block of a line: twice its shape, and 1 if the line leaves it through a border of v. Of the
-// bits only those of columns that the line enters in this block: two lines have the same code
-// exactly if they have the same cells and leave by the same border.
+// The code of a block of a line: twice its shape, and 1 more if the line leaves the block through a
+// border of v. Bits of columns that the line does not enter in this block are 0. So two lines have
+// the same code exactly if they have the same cells in the block and leave it by the same border.
 using BlockCode = std::uint8_t;
 
-// What the line does in a block of this shape.
+// What a line does in a block of some shape.
 struct BlockPassage {
   std::uint8_t u_borders = 0;  // how many it crosses, the block's own included
   std::uint8_t v_borders = 0;
@@ -43,7 +53,7 @@ struct BlockPassage {
   BlockCode code = 0;
 };
 
-// How u and v lie in the grid: u is x, or y if `is_steep`; each may run towards minus.
+// How u and v lie in the grid. u is x, or y if `is_steep`. Each may run towards minus.
 struct Orientation {
   bool is_steep = false;
   bool x_is_negative = false;
@@ -53,7 +63,7 @@ struct Orientation {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U);
   }
   [[nodiscard]] constexpr std::size_t number() const { return quadrant() + (is_steep ? 4U : 0U); }
-  // Where the cell (u, v) of a block lies in it: 4 y + x.
+  // The place of cell (u, v) in its block: 4 y + x.
   [[nodiscard]] constexpr std::uint32_t inner(std::uint32_t u, std::uint32_t v) const {
     const std::uint32_t along_x = is_steep ? v : u;
     const std::uint32_t along_y = is_steep ? u : v;
@@ -68,11 +78,12 @@ using InnerMasks = std::array<LaneBytes, kLaneCount>;
 
 extern const std::array<BlockPassage, kShapeCount> kPassages;
 
-// By Orientation::number(): the cells of each shape, all bits of theirs set.
+// By Orientation::number(): the masks of the shapes. A byte of a mask is -1 if the line goes
+// through its cell, else 0.
 extern const std::array<ShapeMasks, 8> kShapeMasks;
 
-// By Orientation::quadrant(): of all cells that a line may pass through in a block, those from this
-// inner cell on; and by the same, those after it.
+// By Orientation::quadrant() and a cell's place in the block: the cells that a line can still go
+// through from this cell on, itself included; and without itself.
 extern const std::array<InnerMasks, 4> kFromMasks;
 extern const std::array<InnerMasks, 4> kAfterMasks;
 

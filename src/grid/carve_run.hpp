@@ -1,4 +1,4 @@
-// The loop that carving spends its time in: blocks of a path, one after the other, by the same
+// The loop in which carving spends its time: one block of a path after the other, all by the same
 // amount.
 #pragma once
 
@@ -10,20 +10,21 @@
 
 namespace iog::grid {
 
-// Makes those cells of a block freer by the amounts.
+// Makes these cells of a block freer by the amounts.
 inline void carve_block(LaneBytes& block, Lanes cells, Lanes amount) {
   Lanes::load(block).subtract(amount.bit_and(cells)).store(block);
 }
 
-// A way through blocks: where it is, the code of that block, and the codes of the next.
+// A place on the way through the blocks of a line: the block, its code, and the codes of the blocks
+// after it.
 struct Way {
   BlockRun run;
   LaneBytes* block;
   std::uint32_t code;
   const BlockCode* next_codes;
 
-  // The block after this one. Both candidates first, so that nothing waits for the code but the
-  // choice.
+  // The block after this one. Both candidates are computed first, so that only the choice waits for
+  // the code.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + run.u_stride;
     LaneBytes* const by_v = block + run.v_stride;
@@ -36,7 +37,7 @@ struct Way {
   }
 };
 
-// The next `count` blocks of the way.
+// Carves the next `count` blocks of the way.
 inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
   Way here = way;  // in registers: a block is stored where the compiler suspects a member
   for (; count > 0; --count) {
@@ -46,7 +47,7 @@ inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
   way = here;
 }
 
-// The same: the machine's own, a file that CMake chooses.
+// Does the same as fast as the machine can; CMake chooses the file.
 void carve_run(Way& way, std::uint32_t count, Lanes amount);
 
 }  // namespace iog::grid

@@ -5,9 +5,9 @@ namespace {
 
 // The next four times `fours` blocks of the way, fours > 0: what carve_one_by_one() does to them.
 //
-// The codes of four blocks are one word. A line never comes back to a block, so all four are loaded
-// before the first is stored. Written by hand, because the compiler runs out of registers and needs
-// a third more instructions for it.
+// The codes of four blocks are one word. A line never comes back to a block, so all four blocks are
+// loaded before the first is stored. It is written by hand: the compiler runs out of registers and
+// needs a third more instructions.
 void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
   constexpr std::ptrdiff_t kBlockBytes = sizeof(LaneBytes);
   LaneBytes* a = way.next();

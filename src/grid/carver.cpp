@@ -70,8 +70,8 @@ KeptBeam& Carver::beam_of(const vehicle::Layer& layer, std::uint8_t number) {
   return beam;
 }
 
-// Where a beam carves: before its scan point, or the whole line where that is too far. A beam
-// without an echo carves up to where the sensor's description says.
+// The part of its line that a beam carves: up to its scan point, or the whole line if that is too
+// far. A beam without an echo carves as far as the sensor's description says.
 LinePart Carver::part_to_carve(const KeptLine& line, KeptBeam& beam, const lidar::ScanPoint& point,
                                bool is_whole_in_band, Position hit) const {
   LinePart part = line.in_grid();
@@ -94,8 +94,8 @@ LinePart Carver::part_to_carve(const KeptLine& line, KeptBeam& beam, const lidar
   return part;
 }
 
-// What of a line is in the grid and, as a beam that ends there, inside the height band. A beam is
-// straight: where a shorter one leaves the band, this one does.
+// The part of a line that is in the grid and, for a beam that ends where the line ends, inside the
+// height band. A beam is straight: a shorter one leaves the band at the same place.
 LinePart Carver::part_in_band(const KeptLine& line, std::int32_t end_z) const {
   const vehicle::BandPart band =
       vehicle::part_in_band(*vehicle_, *sensor_, {line.line(), end_z}, sensor_->range.mm());
@@ -111,8 +111,8 @@ LinePart Carver::part_in_band(const KeptLine& line, std::int32_t end_z) const {
   return part;
 }
 
-// Where a beam waits that ends there: with those of the first line, if it goes through the same
-// cells.
+// Where a beam waits to be carved. If it goes through the same cells as the first line up to its
+// end, it waits with the beams of the first line.
 Carver::OpenLine& Carver::place_to_wait(OpenLine& open, Between end) {
   OpenLine& first = open_lines_[0];
   const bool may_share =
@@ -120,9 +120,18 @@ Carver::OpenLine& Carver::place_to_wait(OpenLine& open, Between end) {
   return may_share && kept_->is_common(end.at) ? first : open;
 }
 
-// Cells before the scan point take the index of the 1D cell in which the line leaves them. The line
-// leaves a cell within 1D cell j or earlier exactly if its border there is crossed at (j + 1) Delta
-// or before: `through` counts those crossings, and so says where each zone of the profile begins.
+// Adds a beam to the steps of its line. A cell before the scan point * takes the index of the 1D
+// cell in which the line leaves it, at most k - 1. For a LUX:
+//
+//    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
+//    the line  S ----------+-----------+-----------+-------*---+-------> E
+//    its cells     a   |   b    |  c  |    d    |   e   |    f     |
+//    freer by      14      7       7       0        0     marked, not carved
+//    steps     +14       -7 at b         -7 at d
+//
+// The line leaves a cell in 1D cell j or earlier exactly if it crosses the cell's far border at
+// distance (j + 1) Delta or before. `through` counts those crossings. So the zone of 1D cell k - 2
+// begins in the cell that holds the point at (k - 2) Delta, here b.
 void Carver::carve_later(OpenLine& open, const LinePart& part, std::uint32_t range_mm) {
   const KeptLine& line = *open.line;
   const sensor_model::Profile& profile = sensor_->profile;

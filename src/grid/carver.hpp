@@ -1,9 +1,10 @@
 // What carves: beams in, free cells out.
 //
-// Saturated sums of negative indexes commute, so the order in which beams carve does not show, and
-// beams of one azimuth wait for one another: those of one line, or of lines through the same cells,
-// are carved together. For the same reason a frame's beams may be shared out among carvers, each
-// with a grid of its own: the grids' saturated sum is the grid of one carver.
+// Saturated sums of negative indexes commute (docs/model.md section 3), so the order in which beams
+// carve does not show. Therefore beams of one azimuth wait for one another: those of one line, or
+// of lines through the same cells, are carved together. For the same reason the beams of a frame
+// may be divided among carvers, each with a grid of its own. The saturated sum of their grids is
+// the grid of one carver.
 #pragma once
 
 #include <array>
@@ -32,14 +33,14 @@ class Carver {
   // Carves the beams that still wait.
   void carve_waiting();
 
-  // They are not carved.
+  // Forgets the beams that still wait, without carving them.
   void drop_waiting();
 
   // Finds all lines again when they are next asked for, as after the start.
   void forget_lines() { lines_.forget(); }
 
  private:
-  // A line of the azimuth at hand, and what of its beams waits to be carved.
+  // A line of the azimuth at hand, and what waits to be carved of its beams.
   struct OpenLine {
     KeptLine* line = nullptr;
     FreeSteps steps;

@@ -8,15 +8,15 @@
 namespace iog::grid {
 namespace {
 
-// More than that is no more: any cell of a beam was 0 or below.
+// An amount of 127 is enough: a cell that is carved is 0 or below.
 std::int8_t amount_of(std::int32_t freer) {
   return static_cast<std::int8_t>(std::min<std::int32_t>(freer, index::kIndexMax<OccupancyIndex>));
 }
 
 }  // namespace
 
-// A block in which something changes is carved once: with what holds where the line enters it, and
-// from each change on with what holds then.
+// A block in which the steps change is carved once, with an amount for each of its cells: where the
+// line enters the block the amount of before, and from each change on the new one.
 void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps) {
   const std::span<const FreeSteps::Change> changes = steps.changes();
   const std::uint32_t last_block = path.block_at(changes.back().at);

@@ -9,12 +9,12 @@
 
 namespace iog::grid {
 
-// Block by block along the path, which is extended as far as the steps reach. All steps lie in the
-// grid. Touches the tiles of the path.
+// Carves block by block along the path, which is extended as far as the steps reach. All steps lie
+// in the grid. The tiles of the path are touched.
 void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps);
 
-// The same, cell by cell, for any line: the specification of the other. first: the line's first
-// position in the grid.
+// Does the same cell by cell, for any line. It is the specification of the other. first: the line's
+// first position in the grid.
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
                  const FreeSteps& steps);
 

@@ -1,8 +1,9 @@
 // The fusion of one frame: beams in, a grid of occupancy indexes out.
 //
-// Contract section 3. The frame starts from a grid of zeros. What carves, what marks and the grid
-// are three objects; carving comes first and marks last, each in any order among themselves.
-// Whatever order the packets of a frame came in, the grid is the same to the byte.
+// docs/model.md section 3. The frame starts from a grid of zeros. The carver, the pending marks and
+// the grid are three objects. All beams carve before any mark is applied; beams among themselves,
+// and marks among themselves, may come in any order. So whatever the order of a frame's packets,
+// the grid is the same to the byte.
 #pragma once
 
 #include <array>
@@ -67,10 +68,10 @@ class FrameFusion {
     }
   }
 
-  // One tile back to unknown. For those who measure what that costs.
+  // Sets one tile back to unknown, for measuring what that costs.
   void clear_tile(std::size_t tile) { grid_.clear_tile(tile); }
 
-  // All cells back to unknown, no marks.
+  // Sets all cells back to unknown and drops all marks.
   void clear();
 
   // Finds all lines again when they are next asked for, as after the start. For those who measure

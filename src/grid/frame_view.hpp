@@ -1,5 +1,5 @@
-// A finished frame for those who look at it: sinks, tools and measurements. It changes nothing, and
-// holds as long as the frame is not cleared.
+// A finished frame for whoever looks at it: sinks, tools and measurements. It changes nothing, and
+// is valid until the frame is cleared.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,17 @@
-// What the beams of one line say of its cells: how free, as a step function along it.
+// How free the waiting beams of one line make its cells: a step function along the line.
 //
-// Beams of one line carve prefixes of the same cells. Their evidence of one cell is negative, and
-// such evidence commutes under saturation (contract section 3): adding a, then b, each with a floor
-// at -127, is adding a + b with that floor. So their sum can be carved in one walk.
+// All beams of one line carve the same cells, each up to its own end. What they say of a cell is a
+// negative index, and adding negative indexes commutes under saturation (docs/model.md section 3).
+// To add a and then b, each with a floor at -127, is to add a + b with that floor. So the sum of
+// the beams is carved in one walk. Two beams of a LUX, the nearer with its scan point at a, the
+// other at b:
+//
+//     freer by  28 ----------+
+//                            +- 21 -+
+//                                   +- 14 ---------------+
+//                                                        +- 7 -+
+//                                                              +- 0
+//     the line   S ---------------------- a -------------------------- b ----> E
 #pragma once
 
 #include <array>
@@ -15,12 +24,12 @@
 
 namespace iog::grid {
 
-// A point on a line between two of its cells: before the one at this position, or just after it.
+// A point between two cells of a line: before the cell at this position, or just after it.
 struct Between {
   traversal::Position at;
   bool is_after = false;
 
-  // The cells of the line that lie before it have fewer borders crossed than this.
+  // A cell of the line lies before this point if fewer borders are crossed to get there.
   [[nodiscard]] constexpr std::uint32_t crossed() const {
     return at.crossed() + (is_after ? 1U : 0U);
   }
@@ -28,14 +37,15 @@ struct Between {
 
 class FreeSteps {
  public:
-  // From here on, cells are freer by so much; or less free, if below 0.
+  // A step: from here on, cells are freer by so much; if that is below 0, less free.
   struct Change {
     std::uint32_t crossed = 0;  // Between::crossed()
     traversal::Position at;     // Between::at; after it if more borders are crossed than there
     std::int32_t freer = 0;
   };
 
-  // A beam's zones before its hit, where each begins, and the end of the last.
+  // A beam makes a change where each of its zones before the hit begins, and one at the end of the
+  // last.
   static constexpr std::size_t kMaxChangesOfABeam = sensor_model::kMaxNearCells + 2;
 
   [[nodiscard]] bool has_room() const { return count_ + kMaxChangesOfABeam <= kMaxChanges; }
@@ -45,10 +55,11 @@ class FreeSteps {
     from_start_ = 0;
   }
 
-  // The line is freer from its start on. A change less free follows.
+  // Makes the line freer from its start on. The beam's other changes follow.
   void add_from_start(std::int32_t freer) { from_start_ += freer; }
 
-  // Only if has_room() said so before the beam. A beam's further changes mostly come in order.
+  // Adds a change. Only if has_room() was true before the beam. Changes mostly come in order, so
+  // the place of a new one is searched from the end.
   void add(Between from, std::int32_t freer) {
     const std::uint32_t crossed = from.crossed();
     Change* place = &changes_[count_];
@@ -65,8 +76,8 @@ class FreeSteps {
     ++count_;
   }
 
-  // How much freer the line is from its start on, and the changes after that, in order; the last
-  // one's end leaves nothing to carve.
+  // How much freer the line is from its start on, and the changes after that, in order. After the
+  // last one nothing is left to carve.
   [[nodiscard]] std::int32_t from_start() const { return from_start_; }
   [[nodiscard]] std::span<const Change> changes() const {
     return std::span(changes_).first(count_);

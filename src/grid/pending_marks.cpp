@@ -6,9 +6,9 @@
 
 namespace iog::grid {
 
-// Cells behind the scan point take the index of the 1D cell in which the line enters them, at least
-// k + 1. The line enters a cell within 1D cell j or earlier exactly if its border there is crossed
-// before (j + 1) Delta: `before` counts those crossings.
+// A cell behind the scan point takes the index of the 1D cell in which the line enters it, at least
+// k + 1. The line enters a cell in 1D cell j or earlier exactly if it crosses the cell's near
+// border before distance (j + 1) Delta. `before` counts those crossings.
 void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& line,
                                traversal::Position hit, std::uint32_t range_mm) {
   const sensor_model::Profile& profile = sensor.profile;
@@ -33,8 +33,8 @@ void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& li
   }
 }
 
-// hits_win: evidence for a cell is its marks alone where it has any, so the first mark erases what
-// was carved: max(cell, 0) + index. bayes: the marks are added to it.
+// hits_win: if a cell has marks, they alone are its evidence. So the first mark erases what was
+// carved: max(cell, 0) + index. bayes: marks are added to what was carved.
 void PendingMarks::apply(BlockGrid& grid, vehicle::FusionRule rule) {
   const OccupancyIndex least =
       rule == vehicle::FusionRule::kHitsWin ? index::kUnknown : index::kIndexMin<OccupancyIndex>;

@@ -24,12 +24,12 @@ struct Mark {
 };
 static_assert(geometry::kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
 
-// The most marks of one frame: 256 KiB of them, enough for a dual-return VLP-16 turn (57,600
-// points).
+// The most marks of one frame. They take 256 KiB and are enough for a dual-return turn of a VLP-16
+// (57,600 points).
 inline constexpr std::size_t kMaxMarks = 65'536;
 
-// The most cells that one point of this sensor can mark: its own, and behind it those that its near
-// 1D cells reach. A line of length d enters at most sqrt(2) d / cell + 2 further cells.
+// The most cells that one point of this sensor can mark: its own, and the cells behind it that its
+// near 1D cells reach. A line of length d enters at most sqrt(2) d / cell + 2 further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
   const std::uint32_t near_mm = sensor.profile.near_after_count == 0
                                     ? 0
@@ -45,8 +45,8 @@ class PendingMarks {
     return needed <= kMaxMarks - count_;
   }
 
-  // What a scan point marks: the cell that holds it, and for some sensors the next ones behind it.
-  // hit: the point's position on its line.
+  // Remembers what a scan point marks: the cell that holds it and, for some sensors, the next cells
+  // behind it. hit: the point's position on its line.
   void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
             std::uint32_t range_mm) {
     const geometry::Cell cell = line.line().cell(hit);
@@ -58,7 +58,8 @@ class PendingMarks {
     }
   }
 
-  // Marks the grid, by the fusion rule, and is empty again. The frame's beams are carved.
+  // Applies all marks to the grid by the fusion rule and is empty again. Only when all beams of the
+  // frame are carved.
   void apply(BlockGrid& grid, vehicle::FusionRule rule);
 
   void clear() { count_ = 0; }

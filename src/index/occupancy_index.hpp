@@ -1,7 +1,8 @@
 // The occupancy index: one small integer that stands for the occupancy probability of a cell.
 //
-// Contract section 2, thesis section 3.3. Index n stands for the probability p_n of the recursive
-// set (index/recursive_set.hpp); 0 is unknown, negative is likely free, positive likely occupied.
+// docs/model.md section 2, thesis section 3.3. Index n stands for the probability p_n of the
+// recursive set (index/recursive_set.hpp): 0 is unknown, below 0 likely free, above 0 likely
+// occupied.
 #pragma once
 
 #include <algorithm>
@@ -23,17 +24,17 @@ inline constexpr Cell kIndexMin = -kIndexMax<Cell>;
 
 inline constexpr OccupancyIndex kUnknown = 0;
 
-// Fusion of two indexes (contract section 2): their sum, saturated at +-127 for int8.
-// Both arguments lie in [kIndexMin, kIndexMax]; the sum of two fits 64 bits for cells up to int32.
+// Fusion of two indexes (docs/model.md section 2): their sum, saturated at +-127 for int8. Both
+// arguments lie in [kIndexMin, kIndexMax]; the sum of two fits 64 bits for cells up to int32.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
   using Wide = std::conditional_t<(sizeof(Cell) < 4), std::int32_t, std::int64_t>;
   return static_cast<Cell>(std::clamp<Wide>(Wide{a} + Wide{b}, kIndexMin<Cell>, kIndexMax<Cell>));
 }
 
-// The same sum where what is added is known not to be positive, as in carving: it can only saturate
-// at the lower end, which saves the other comparison in the innermost loop. It may be a sum of many
-// indexes, above -2^30.
+// The same sum if what is added is known not to be positive, as in carving. It can then saturate
+// only at the lower end, which saves one comparison in the innermost loop. What is added may be a
+// sum of many indexes, above -2^30.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_positive) {
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));

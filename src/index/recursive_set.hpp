@@ -1,6 +1,6 @@
 // The recursive set S_epsilon and the quantisation of a probability to it.
 //
-// Contract section 2, thesis section 3.3.3: p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n).
+// docs/model.md section 2, thesis section 3.3.3: p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n).
 // The log-odds of p_n are n times those of p_1, which is why fusion is a sum of indexes.
 #pragma once
 

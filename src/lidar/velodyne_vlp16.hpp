@@ -27,11 +27,12 @@ class VelodyneVlp16 {
   static constexpr std::size_t kBlockBytes = 100;
   static constexpr std::size_t kPointsPerBlock = 32;
   static constexpr std::size_t kPointsPerPacket = kBlocks * kPointsPerBlock;
-  // A block lasts 110.592 us: 0.8 degrees at the fastest rotation, 20 Hz. Beyond 3 degrees between
-  // two neighbours the packet is not one sweep.
+  // A block lasts 110.592 us, which is 0.8 degrees at the fastest rotation of 20 Hz. If two
+  // neighbours are more than 3 degrees apart, the packet is not one sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
-  // How far the head turns in the last block is not on the wire, and its speed wavers by a tenth. A
-  // packet's sector is given this much more, so that neighbours overlap instead of leaving a gap.
+  // The wire does not say how far the head turns in the last block, and its speed varies by a
+  // tenth. So a packet's sector is made this much wider: neighbouring sectors overlap instead of
+  // leaving a gap.
   static constexpr std::uint32_t kSeamTicks = 10;
 
   // Checks the whole packet and keeps a view of it. The view lives as long as the datagram.

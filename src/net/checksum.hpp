@@ -10,8 +10,8 @@
 
 namespace iog::net {
 
-// Sums bytes piece by piece, as if the pieces lay behind each other; any piece may be odd.
-// Data that carries its own right checksum has the checksum 0.
+// Sums bytes piece by piece, as if the pieces followed one another in memory. A piece may have an
+// odd number of bytes. Data that contains its own correct checksum sums to the checksum 0.
 class Checksum {
  public:
   void add(std::span<const std::byte> bytes);
@@ -21,11 +21,11 @@ class Checksum {
     add_u16(static_cast<std::uint16_t>(words));
   }
 
-  // Copies the bytes to the front of `to`, which lies elsewhere, and sums them on their way. `to`
-  // is written once, in order, and never read: it may be uncached.
+  // Copies the bytes to the front of `to`, which does not overlap them, and sums them on the way.
+  // `to` is written once, in order, and never read, so it may be uncached.
   void add_copied(std::span<const std::byte> bytes, std::span<std::byte> to);
 
-  // What belongs into the checksum field when that field was summed as 0.
+  // The value for the checksum field, if that field was summed as 0.
   [[nodiscard]] constexpr std::uint16_t value() const {
     return static_cast<std::uint16_t>(~fold(sum_));
   }
@@ -42,8 +42,8 @@ class Checksum {
     return static_cast<std::uint16_t>((once >> 16) + (once & 0xFFFFU));
   }
 
-  // Behind an odd number of bytes each byte of the piece sits in the other half of its word, and
-  // the sum of swapped words is the swapped sum.
+  // After an odd number of bytes, each byte of this piece belongs in the other half of its word.
+  // The sum of swapped words is the swapped sum.
   constexpr void add_sum(std::uint16_t sum, std::size_t size) {
     sum_ += odd_ ? swapped(sum) : sum;
     odd_ ^= (size % 2 != 0);

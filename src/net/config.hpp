@@ -14,7 +14,8 @@ struct Config {
   // Our IPv4 address: a host of its subnet.
   Ipv4Address address;
 
-  // Leading bits that name the subnet, 8 to 30. There is no router: what is not in it is not there.
+  // Leading bits that name the subnet, 8 to 30. There is no router, so nothing outside it can be
+  // reached.
   std::uint8_t prefix_bits;
 
   // The only host that messages and ping replies are ever sent to: another host of the subnet.

@@ -11,8 +11,9 @@
 
 namespace iog::net {
 
-// Why a received frame went nowhere, each frame under the first cause that applies. The numbers are
-// positions in the streamed counters: new causes are appended, old ones keep their place.
+// Why a received frame was dropped. Each frame counts under the first cause that applies. The
+// numbers are positions in the streamed counters: new causes are appended, old ones keep their
+// place.
 enum class Drop : std::uint8_t {
   kShort,            // less than an Ethernet header
   kNotForUsMac,      // destination neither our Ethernet address nor broadcast

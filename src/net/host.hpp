@@ -1,9 +1,10 @@
 // A small network host on one Ethernet port: frames in, datagrams out, messages to one peer.
 //
-// It answers ARP for its address to every host of its subnet, so that sensors can reach it, and
-// ping to the peer alone. It never sends a message or a ping reply to anybody but the peer. It has
-// no clock and no memory but the port's buffers: nothing is copied on the way in, and on the way
-// out once, because the port's memory is uncached and a checksum had better not be read from there.
+// It answers ARP for its address to every host of its subnet, so that sensors can reach it. It
+// answers ping to the peer alone, and it sends messages to nobody else. It has no clock, and no
+// memory but the port's buffers. Nothing is copied on the way in. On the way out everything is
+// copied once, and summed on the way: the port's memory is uncached, and reading it for the
+// checksum would be slow.
 //
 // The loop calls poll() until it returns nothing, sends its messages, and calls the port's pump().
 #pragma once
@@ -34,9 +35,8 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  // The next datagram addressed to us, valid until the next poll(); nothing if none has come, or if
-  // kMaxFramesPerPoll other frames were in front of it.
-  // `now_us` never goes backwards.
+  // The next datagram addressed to us, valid until the next poll(). Nothing if none has come, or if
+  // kMaxFramesPerPoll other frames came before it. `now_us` never goes backwards.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
   // True once the peer's Ethernet address has been learnt; stays true.
@@ -77,7 +77,7 @@ std::optional<Datagram> Host<Port>::poll(std::uint64_t now_us) {
     }
     holds_frame_ = true;
     ++counters_.received;
-    const Inbound inbound = sort_frame(frame, config_);
+    const Inbound inbound = classify_frame(frame, config_);
     switch (inbound.kind) {
       case InboundKind::kDatagram:
         ++counters_.delivered;

@@ -22,7 +22,7 @@ bool can_be_source(Ipv4Address source, const Config& config) {
          source != directed_broadcast(config.address, config.prefix_bits);
 }
 
-Inbound sort_udp(const Ipv4Packet& packet) {
+Inbound classify_udp(const Ipv4Packet& packet) {
   const UdpResult result = parse_udp(packet);
   switch (result.status) {
     case UdpStatus::kOk:
@@ -37,7 +37,7 @@ Inbound sort_udp(const Ipv4Packet& packet) {
 
 // Pings of others and to broadcasts (RFC 1122, section 3.2.2.6) are not answered, and what could
 // not be sent back in one frame cannot have come in one.
-Inbound sort_icmp(const Ipv4Packet& packet, const Config& config) {
+Inbound classify_ping(const Ipv4Packet& packet, const Config& config) {
   switch (classify_icmp(packet.payload)) {
     case IcmpStatus::kEchoRequest:
       if (packet.source != config.peer || packet.destination != config.address ||
@@ -53,7 +53,7 @@ Inbound sort_icmp(const Ipv4Packet& packet, const Config& config) {
   return dropped(Drop::kBadIcmp);
 }
 
-Inbound sort_packet(const Ipv4Packet& packet, const Config& config) {
+Inbound classify_packet(const Ipv4Packet& packet, const Config& config) {
   if (!reaches_us(packet.destination, config)) {
     return dropped(Drop::kNotForUsIp);
   }
@@ -62,19 +62,19 @@ Inbound sort_packet(const Ipv4Packet& packet, const Config& config) {
   }
   switch (packet.protocol) {
     case kProtocolUdp:
-      return sort_udp(packet);
+      return classify_udp(packet);
     case kProtocolIcmp:
-      return sort_icmp(packet, config);
+      return classify_ping(packet, config);
     default:
       return dropped(Drop::kNotUdpOrIcmp);
   }
 }
 
-Inbound sort_ipv4(std::span<const std::byte> payload, const Config& config) {
+Inbound classify_ipv4(std::span<const std::byte> payload, const Config& config) {
   const Ipv4Result result = parse_ipv4(payload);
   switch (result.status) {
     case Ipv4Status::kOk:
-      return sort_packet(result.packet, config);
+      return classify_packet(result.packet, config);
     case Ipv4Status::kBadChecksum:
       return dropped(Drop::kBadIpChecksum);
     case Ipv4Status::kFragment:
@@ -85,7 +85,7 @@ Inbound sort_ipv4(std::span<const std::byte> payload, const Config& config) {
   return dropped(Drop::kBadIpHeader);
 }
 
-Inbound sort_arp(std::span<const std::byte> payload) {
+Inbound classify_arp(std::span<const std::byte> payload) {
   const std::optional<ArpPacket> packet = parse_arp(payload);
   if (!packet) {
     return dropped(Drop::kBadArp);
@@ -95,7 +95,7 @@ Inbound sort_arp(std::span<const std::byte> payload) {
 
 }  // namespace
 
-Inbound sort_frame(std::span<const std::byte> frame, const Config& config) {
+Inbound classify_frame(std::span<const std::byte> frame, const Config& config) {
   const std::optional<EthernetFrame> ethernet = parse_ethernet(frame);
   if (!ethernet) {
     return dropped(Drop::kShort);
@@ -108,9 +108,9 @@ Inbound sort_frame(std::span<const std::byte> frame, const Config& config) {
   }
   switch (ethernet->type) {
     case kEtherTypeIpv4:
-      return sort_ipv4(ethernet->payload, config);
+      return classify_ipv4(ethernet->payload, config);
     case kEtherTypeArp:
-      return sort_arp(ethernet->payload);
+      return classify_arp(ethernet->payload);
     default:
       return dropped(Drop::kNotIpv4OrArp);
   }

@@ -1,4 +1,5 @@
-// Sorts a received frame: what it is to us, or why it is nothing. Total on any bytes, no state.
+// Classifies a received frame: what it is to us, or why it is dropped. It accepts any bytes and
+// keeps no state.
 #pragma once
 
 #include <cstddef>
@@ -23,6 +24,6 @@ struct [[nodiscard]] Inbound {
   std::span<const std::byte> echo_request{};  // the whole ICMP message, sent by the peer to us
 };
 
-Inbound sort_frame(std::span<const std::byte> frame, const Config& config);
+Inbound classify_frame(std::span<const std::byte> frame, const Config& config);
 
 }  // namespace iog::net

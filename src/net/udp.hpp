@@ -38,9 +38,9 @@ struct UdpHeader {
   std::uint16_t destination_port = 0;
 };
 
-// Copies the payload, at most kMaxUdpPayloadBytes, behind a header into the front of `target`,
-// which has room for both and is never read. The checksum is always computed, never 0. Returns the
-// bytes written.
+// Writes a header and a copy of the payload, at most kMaxUdpPayloadBytes, to the front of `target`,
+// which has room for both and is never read. The checksum is always computed and never 0. Returns
+// the bytes written.
 std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,
                       std::span<const std::byte> payload);
 

@@ -6,8 +6,8 @@
 //    4  u32 data id: unique in the vehicle, against messages that went astray
 //    8  u32 CRC-32/P4 over all the data but these four bytes
 //
-// The counter starts at 0. The receiver expects nothing before the first message but that: whoever
-// joins late finds a wrong sequence once.
+// The counter starts at 0, and that is what a receiver expects of the first message. A receiver
+// that joins late therefore finds a wrong sequence once.
 #pragma once
 
 #include <cstddef>
@@ -55,11 +55,13 @@ class Profile4Checker {
  public:
   constexpr explicit Profile4Checker(const Profile4& profile) : profile_{profile} {}
 
-  // Any bytes may come. As in the standard every message that is whole moves the counter, so after
-  // a wrong sequence its successor is fine again: what is old must be seen from the content, too.
+  // Any bytes may come. As in the standard, every whole message moves the counter. So after a wrong
+  // sequence the next message is fine again, and an old message must be recognised by its content,
+  // too.
   [[nodiscard]] CheckStatus check(std::span<const std::byte> data);
 
-  // How far the last whole message was ahead of the one before; lost are one less.
+  // How far the last whole message was ahead of the one before it. One less is the number of lost
+  // messages.
   [[nodiscard]] std::uint16_t delta_counter() const { return delta_counter_; }
 
  private:

@@ -4,12 +4,12 @@
 //   16  E2E Profile 4 header, 12 bytes (protection/profile4.hpp)
 //   28  content
 //
-// As AUTOSAR puts the two together (PRS_SOMEIPProtocol: the E2E header stands behind the return
-// code, at an offset of 64 bits; PRS_E2EProtocol, the example with that offset), what is protected
-// begins behind the field length of the SOME/IP header. So the CRC covers bytes 8 to 23, that is
-// request id, versions, message type, return code, E2E length, counter and data id, and the content
-// from byte 28. It does not cover the message id and the SOME/IP length in bytes 0 to 7: they are
-// what the data id and the E2E length stand for. Both lengths count the same bytes.
+// This is how AUTOSAR combines the two (PRS_SOMEIPProtocol: the E2E header follows the return code,
+// at an offset of 64 bits; PRS_E2EProtocol: the example with that offset). Protection begins after
+// the length field of the SOME/IP header. So the CRC covers bytes 8 to 23, which are request id,
+// versions, message type, return code, E2E length, counter and data id, and the content from byte
+// 28. It does not cover bytes 0 to 7, the message id and the SOME/IP length; the data id and the
+// E2E length stand for them. Both lengths count the same bytes.
 #pragma once
 
 #include <cstddef>

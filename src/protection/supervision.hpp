@@ -2,9 +2,9 @@
 // (PRS_E2EProtocol, section "Specification of E2E state machine"; one window size for all states,
 // as in SWS E2ELibrary 4.2.2).
 //
-// One check may fail by chance; what a receiver does about its sender depends on the last few. Of
-// the last `window` checks it counts the usable ones and those that found an error. Repeated
-// messages, wrong sequences and missing data are neither.
+// One check may fail by chance, so a receiver judges its sender by the last few. Of the last
+// `window` checks it counts the usable ones and those that found an error. Repeated messages, wrong
+// sequences and missing data are neither.
 //
 //   from      to        when
 //   no data   init      a check that was neither an error nor without new data; it is not counted
@@ -25,7 +25,7 @@ namespace iog::protection {
 enum class ChannelState : std::uint8_t { kNoData, kInit, kValid, kInvalid };
 
 struct Supervision {
-  // What a state asks of the window: of init and invalid to be left for valid, of valid to stay.
+  // What a state demands of the window: init and invalid to change to valid, valid to stay so.
   struct Limits {
     std::uint8_t min_ok;
     std::uint8_t max_errors;
@@ -38,7 +38,7 @@ struct Supervision {
   Limits valid;
   Limits invalid;
 
-  // The constraints of the standard: it is as hard to be trusted as to stay so, or harder.
+  // The constraints of the standard. To become valid is at least as hard as to stay valid.
   [[nodiscard]] constexpr bool is_valid() const {
     return window <= kMaxWindow && valid.min_ok >= 1 && valid.min_ok <= init.min_ok &&
            init.min_ok <= invalid.min_ok && valid.max_errors >= init.max_errors &&

@@ -1,7 +1,8 @@
 // The profile: the occupancy indexes of the local 1D grid around a scan point, as a small table.
 //
-// Contract section 4, Table 4.3 of the thesis. The whole local grid of a beam is described by the
-// index of the cells well before the scan point, the few cells around it, and 0 beyond.
+// docs/model.md section 4, Table 4.3 of the thesis. Three things describe the whole local grid of a
+// beam: the index of all cells well before the scan point, the indexes of the few cells around it,
+// and 0 beyond.
 #pragma once
 
 #include <array>
@@ -46,9 +47,9 @@ struct BasicProfile {
     return distance < near_after_count ? near_after[distance] : Cell{0};
   }
 
-  // A profile that a frame can fuse: it carves before the scan point, marks at it, and clears
-  // nothing behind it. A cell much shorter than sigma cannot mark (thesis section 4.2.1.2, figure
-  // 4.6d): such a sensor needs a longer 1D cell.
+  // Whether a frame can fuse with this profile: it carves before the scan point, marks at it, and
+  // clears nothing behind it. A 1D cell much shorter than sigma cannot mark (thesis section
+  // 4.2.1.2, figure 4.6d); such a sensor needs a longer one.
   [[nodiscard]] constexpr bool is_valid() const {
     bool valid = free < 0 && hit > 0;
     for (std::size_t j = 0; j < kMaxNearCells; ++j) {
@@ -66,7 +67,8 @@ using Profile = BasicProfile<index::OccupancyIndex>;
 void an_index_of_the_profile_does_not_fit_its_cell_type();
 void the_profile_reaches_further_than_its_table();
 
-// Fails to compile where a near zone needs more than kMaxNearCells cells or an index its type.
+// Does not compile if a near zone needs more than kMaxNearCells cells, or if an index does not fit
+// its type.
 template <typename Cell = index::OccupancyIndex>
 constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
   const SingleTarget model{config.sigma_m, config.cell_length_m};

@@ -3,9 +3,9 @@
 //   P(o_i | z) = ( sum_{h<i} p(z|d_h) 2^-h  +  p(z|d_i) 2^-(i-1) ) / alpha
 //   alpha      =   sum_h p(z|d_h) 2^-(h-1)
 //
-// with p(z|d) a Gaussian of standard deviation sigma around d, with the usual factor 1/2 in the
-// exponent (contract section 4: equation 4.1 prints it without, Table 4.3 needs it). Distances are
-// those of cell centres and z is the centre of its own cell k, so that only i - k, and the ratio of
+// p(z|d) is a Gaussian of standard deviation sigma around d, with the usual factor 1/2 in the
+// exponent (docs/model.md section 4: equation 4.1 prints it without, Table 4.3 needs it). Distances
+// are those of cell centres, and z is the centre of its own cell k. So only i - k and the ratio of
 // cell length to sigma matter, as long as k is not within a few cells of either end of the grid.
 #pragma once
 
@@ -33,8 +33,8 @@ struct SingleTarget {
   }
 
  private:
-  // Beyond 12 sigma plus the shift that the powers of two bring (sigma^2 ln 2 / cell^2 cells) a
-  // term is below 1e-30 of the largest.
+  // How many cells to sum up on either side. The powers of two shift the largest term by sigma^2 ln
+  // 2 / cell^2 cells; 12 sigma beyond that a term is below 1e-30 of the largest.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;
     return 40 + static_cast<int>(14 * ratio + ratio * ratio);

@@ -1,6 +1,6 @@
-// Some tiles of a frame: the known ones from a given place on, as many as the line can carry before
-// the next frame comes. So a frame is handed over for the price of a few copies, however many tiles
-// it has.
+// A few tiles of a frame: the known ones from a given number on, as many as the serial link can
+// carry before the next frame comes. So a frame is handed over for the price of a few copies,
+// however many tiles it has.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace iog::serial {
 
 class DetailWindow {
  public:
-  // A frame lasts 460 bytes of the line at 115200 baud; a known tile takes more than 14.
+  // At 115200 baud the link carries 460 bytes while a frame lasts; a known tile takes more than 14.
   static constexpr std::size_t kTiles = 32;
 
-  // Forgets what it holds; tiles below this number are not wanted.
+  // Forgets what it holds. Tiles below this number will not be taken.
   void begin(std::size_t first_tile) {
     first_ = first_tile;
     end_ = geometry::kTileCount;
@@ -40,11 +40,11 @@ class DetailWindow {
     ++count_;
   }
 
-  // It knows the tiles from the first one to before this one: those that find() does not find there
-  // are unknown.
+  // The window speaks of the tiles from the first one up to this one, which is no longer in it.
+  // Those of them that find() does not find are unknown.
   [[nodiscard]] std::size_t end() const { return end_; }
 
-  // The place of the first known tile at or behind `tile`; count() if there is none.
+  // The place of the first known tile whose number is at least `tile`; count() if there is none.
   [[nodiscard]] std::size_t find(std::size_t tile) const {
     const auto numbers = std::span(numbers_).first(count_);
     return static_cast<std::size_t>(std::ranges::lower_bound(numbers, tile) - numbers.begin());

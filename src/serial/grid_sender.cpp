@@ -14,7 +14,7 @@ constexpr std::array<std::size_t, 3> kTileCounts{1, CoarseLevels::kFineTileCount
 
 }  // namespace
 
-// What has been composed of the frame before stays true of it, and goes as it is.
+// What was composed of the previous frame is still true of that frame, so it is sent as it is.
 void GridSender::begin_frame(const stream::Header& header) {
   if (is_composing_) {
     finish_message(tile_);
@@ -46,20 +46,20 @@ bool GridSender::compose() {
 }
 
 bool GridSender::begin_message() {
-  std::array<bool, kParties> wants{};
-  for (std::size_t party = 0; party < kParties; ++party) {
-    wants[party] = rounds_[party].left > 0;
+  std::array<bool, kFlows> is_waiting{};
+  for (std::size_t flow = 0; flow < kFlows; ++flow) {
+    is_waiting[flow] = rounds_[flow].left > 0;
   }
-  const auto chosen = share_.next(wants);
+  const auto chosen = queue_.next(is_waiting);
   if (!chosen) {
     return false;
   }
   is_composing_ = true;
-  party_ = *chosen;
-  const Round& round = rounds_[party_];
+  flow_ = *chosen;
+  const Round& round = rounds_[flow_];
   tile_ = round.next;
-  end_tile_ = std::min(round.next + round.left, kTileCounts[party_]);
-  writer_.begin_grid(header_, stream::geometry_of_level(kLevels[party_]));
+  end_tile_ = std::min(round.next + round.left, kTileCounts[flow_]);
+  writer_.begin_grid(header_, stream::geometry_of_level(kLevels[flow_]));
   writer_.begin_message(tile_);
   return true;
 }
@@ -86,20 +86,21 @@ void GridSender::finish_message(std::size_t end_tile) {
   const std::size_t bytes = framing::encode_cobs(message, frame_);
   require(bytes > 0);
   frame_left_ = std::span(frame_).first(bytes);
-  share_.charge(party_, bytes);
-  Round& round = rounds_[party_];
+  queue_.charge(flow_, bytes);
+  Round& round = rounds_[flow_];
   round.left -= end_tile - round.next;
-  round.next = end_tile % kTileCounts[party_];
+  round.next = end_tile % kTileCounts[flow_];
   is_composing_ = false;
 }
 
-// The first known tile from there on, of the party's grid; a number behind the grid if none is.
+// The flow's first known tile whose number is at least `tile`; beyond the grid's last if there is
+// none.
 std::size_t GridSender::find_known(std::size_t tile) const {
-  if (party_ == kCells) {
+  if (flow_ == kCells) {
     const std::size_t place = window_.find(tile);
     return place < window_.count() ? window_.number(place) : geometry::kTileCount;
   }
-  if (party_ == kRough) {
+  if (flow_ == kRough) {
     return coarse_.is_rough_known() ? tile : kTileCounts[kRough];
   }
   while (tile < kTileCounts[kFine] && !coarse_.is_fine_known(tile)) {
@@ -109,7 +110,7 @@ std::size_t GridSender::find_known(std::size_t tile) const {
 }
 
 tile_coding::TileCells GridSender::cells_of(std::size_t tile) {
-  switch (party_) {
+  switch (flow_) {
     case kRough:
       coarse_.copy_rough(rough_);
       return rough_;

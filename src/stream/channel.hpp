@@ -1,5 +1,5 @@
-// The two channels on which a grid travels: what automotive tools know the messages by, and what
-// the CRC says that they are (docs/spec.md 3.1).
+// The two channels by which a grid is sent. Each has the ids by which automotive tools know its
+// messages, and a data id that the CRC covers (docs/spec.md 3.1).
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace iog::stream {
 
-// Major version of the format: another one is refused.
+// The major version of the format. A receiver refuses any other.
 inline constexpr std::uint8_t kInterfaceVersion = 2;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 

@@ -1,5 +1,5 @@
-// Of each tile the last one that was sent by itself: what a later one may be encoded against. The
-// sender and its receivers keep the same (docs/spec.md 3.4).
+// What a tile may be encoded against: the last cells of each tile that were sent by themselves,
+// that is without a reference. The sender and its receivers keep the same cells (docs/spec.md 3.4).
 #pragma once
 
 #include <array>
@@ -14,27 +14,27 @@
 
 namespace iog::stream {
 
-// No tile refers to a frame more than so many before its own, so that a receiver that has taken in
-// one frame more is complete.
+// A reference is never older than this. So a receiver that has received one frame more than this is
+// complete.
 inline constexpr std::uint32_t kMaxReferenceAge = 7;  // frames
 
-// Whether a tile with this encoding is understood without any other.
+// Whether a tile with this encoding can be decoded without a reference.
 [[nodiscard]] constexpr bool stands_by_itself(tile_coding::Encoding encoding) {
   return encoding != tile_coding::Encoding::kChangedSince;
 }
 
 class References {
  public:
-  // payload_bytes: in which it was sent.
+  // Keeps a tile that is sent by itself. payload_bytes: the length in which it is sent.
   void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
             std::size_t payload_bytes);
 
-  // What is kept of a tile, if anything.
+  // What is kept of a tile. Nothing if it was never sent by itself.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
-  // What a sender may encode the tile against in this frame. Nothing if that is too old; nor in one
-  // frame of kMaxReferenceAge + 1, another for each tile, so that the tiles that have to be sent by
-  // themselves spread over the frames.
+  // What a sender may encode the tile against in this frame. Nothing if the reference is too old.
+  // Nothing either in one of every kMaxReferenceAge + 1 frames; which one depends on the tile, so
+  // that the tiles that must be sent by themselves are spread evenly over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

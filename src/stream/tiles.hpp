@@ -1,6 +1,7 @@
-// The message of tiles: which of a grid's tiles it speaks of, and those of them in which something
-// is known (docs/spec.md 3.3). A tile that it speaks of and that is not in it is unknown; so the
-// messages of a frame that have arrived say what is known, what is not, and what is missing.
+// The message of tiles: which tiles of a grid it speaks of, and the content of those in which
+// something is known (docs/spec.md 3.3). A tile that it speaks of but does not contain is unknown.
+// So the messages of a frame that have arrived say what is known, what is unknown, and what is
+// missing.
 #pragma once
 
 #include <array>
@@ -24,7 +25,7 @@ enum class Storage : std::uint8_t {
   kHighestIndex = 1,    // of the cells below a coarse cell
 };
 
-// A grid, as far as its tiles have to say it.
+// What a message of tiles says of its grid.
 struct Geometry {
   std::uint8_t tile_side_log2 = 0;  // cells
   Storage storage = Storage::kOccupancyIndex;
@@ -41,7 +42,8 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// The grid of this firmware, in the quadtree's level 0 (its cells) to 5 (one coarse cell a tile).
+// The grid of this firmware at a level of its quadtree, from 0 (its cells) to 5 (one coarse cell a
+// tile).
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level) {
   constexpr std::int32_t kOriginMm = -geometry::kOriginCell * geometry::kCellMm;
   constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
@@ -67,24 +69,26 @@ static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + 
                   tile_coding::kTileBytes <=
               protection::kMaxMessageBytes);
 
-// Composes one message of tiles after the other, with room in front for what protects them.
+// Composes one message of tiles after the other. In front of each it leaves room for the header
+// that protects it.
 class TilesWriter {
  public:
-  // The next grid begins with tile 0. header: of the frame; type and sequence number do not matter.
+  // Begins a grid and its first message, from tile 0 on. `header` is the frame's; its type and
+  // sequence number do not matter.
   void begin_grid(const Header& header, const Geometry& geometry);
-  // Or with another one.
+  // Begins the message again, from another tile on.
   void begin_message(std::size_t first_tile);
 
-  // Appends a tile, of a higher number than the one before. False if there is no room for it, and
-  // nothing is changed; there always is in a message without tiles, which has room for a raw one.
+  // Appends a tile with a higher number than the one before. False, and nothing is changed, if
+  // there is no room for it. A message without tiles always has room, even for a raw tile.
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding,
                             std::span<const std::byte> payload);
 
-  // The message speaks of the tiles before `end_tile`. The next one begins there. The bytes are
-  // valid until the next call of append() or begin.
+  // Ends the message, which speaks of the tiles up to but not including `end_tile`; the next one
+  // begins there. The bytes are valid until append() or a begin function is called.
   [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
 
-  // In the message that is being composed.
+  // Tiles in the message that is being composed.
   [[nodiscard]] std::uint16_t tile_count() const { return tile_count_; }
 
  private:
@@ -109,16 +113,16 @@ class TileRecords {
   TileRecords() = default;
   explicit TileRecords(std::span<const std::byte> records) : in_{records} {}
 
-  // False behind the last one.
+  // False after the last one.
   [[nodiscard]] bool next(TileRecord& record);
 
  private:
   wire::ByteReader in_{{}};
 };
 
-// Reads a body of tiles. kOk, kTooShort, or kInconsistent where the message speaks of tiles that
-// its grid does not have, or carries others than it speaks of, twice the same, longer than raw
-// ones, or not as many as it says.
+// Reads a body of tiles. kOk, kTooShort, or kInconsistent: the message speaks of tiles that its
+// grid does not have; or it contains a tile that it does not speak of, the same tile twice, a tile
+// longer than a raw one, or not as many tiles as it says.
 [[nodiscard]] ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header,
                                     TileRecords& records);
 

@@ -1,4 +1,4 @@
-// Bits to and from bytes, the highest bit of a byte first; neither side passes the end of its
+// Bits to bytes and back, the highest bit of a byte first. Neither side passes the end of its
 // buffer.
 #pragma once
 
@@ -34,7 +34,8 @@ class BitWriter {
     word_ = value << free_;
   }
 
-  // Pads the last byte with zeros. The bytes written, of which nothing more may follow.
+  // Pads the last byte with zeros and returns the bytes written. Nothing more may be put after
+  // that.
   constexpr std::size_t finish() {
     for (unsigned used = 32 - free_; used > 0; used -= used < 8 ? used : 8) {
       if (position_ == buffer_.size()) {

@@ -1,6 +1,6 @@
-// A row of cells is two registers. A comparison makes all ones or all zeros of each byte; one bit
-// of it is kept, another one in each of eight, and three pairwise additions bring the 32 of a row
-// together, the last one those of two rows.
+// A row of cells is two registers. A comparison turns each byte into all ones or all zeros. Of each
+// byte one bit is kept, a different one in each of eight neighbours. Three pairwise additions then
+// gather the 32 bits of a row; the last addition does so for two rows at once.
 #include <arm_neon.h>
 
 #include "tile_coding/cell_map.hpp"
@@ -18,7 +18,8 @@ Row row_of(TileCells cells, std::size_t y) {
   return {vld1q_u8(bytes), vld1q_u8(bytes + 16)};
 }
 
-// Of each cell of the row the one before it; `before` ends with that of the first.
+// The row moved up by one cell: in each place the cell before it. The last byte of `before` is the
+// cell before the first.
 Row shifted(const Row& row, uint8x16_t before) {
   return {vextq_u8(before, row.left, 15), vextq_u8(row.left, row.right, 15)};
 }
@@ -30,7 +31,7 @@ uint8x8_t kept_bits(uint8x16_t a, uint8x16_t b) {
   return vpadd_u8(vget_low_u8(kept), vget_high_u8(kept));
 }
 
-// Four cells a byte.
+// Of each cell, whether it differs: four cells a byte.
 uint8x8_t differences(const Row& a, const Row& b) {
   return vpadd_u8(kept_bits(a.left, b.left), kept_bits(a.right, b.right));
 }
@@ -62,8 +63,8 @@ void CellMap::mark_steps(TileCells cells) {
   }
 }
 
-// Row by row, because the other tile is seldom in the cache: the next line of it is asked for while
-// one is awaited.
+// Row by row, because the other tile is seldom in the cache: while one cache line of it is awaited,
+// the next is already asked for.
 void CellMap::mark_differences(TileCells cells, TileCells others) {
   for (std::size_t y = 0; y < kTileSide; ++y) {
     const uint8x8_t fours = differences(row_of(cells, y), row_of(others, y));

@@ -1,4 +1,5 @@
-// Each decoder ends: a run and a block have at least one cell, and none is taken that does not fit.
+// Each decoder ends, because a run or a block has at least one cell and is refused if it does not
+// fit.
 #include "tile_coding/decode.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr unsigned kMaxLengthBits = kTileSideLog2 * 2;  // behind the highest of a length
 
-// Elias' gamma code; 0 if it is not that of a length.
+// Reads Elias' gamma code; 0 if it is not the code of a length.
 std::size_t read_length(BitReader& in) {
   unsigned zeros = 0;
   while (!in.bit()) {
@@ -23,7 +24,7 @@ std::size_t read_length(BitReader& in) {
   return (std::size_t{1} << zeros) | in.bits(zeros);
 }
 
-// Takes the list of values off the payload; empty if it is malformed.
+// Takes the list of values from the front of the payload; empty if it is malformed.
 struct Values {
   std::span<const std::byte> list;
   std::span<const std::byte> rest;
@@ -44,7 +45,7 @@ Values take_values(std::span<const std::byte> payload) {
           .ok = std::ranges::find(list, kNoIndex) == list.end()};
 }
 
-// With a reference symbol 0 stands for its cells, and the values count from 1.
+// With a reference, symbol 0 stands for the reference's cells, and the values count from 1.
 bool decode_runs(std::span<const std::byte> payload, const Reference* reference,
                  MutableTileCells cells) {
   const Values values = take_values(payload);

@@ -17,14 +17,14 @@ enum class DecodeStatus : std::uint8_t {
   kUnknownReference,  // against another frame than the one at hand
 };
 
-// Whatever the payload, writes `cells` and nothing else; they are a tile only if it returns kOk. It
-// reads every payload once, in at most 1024 runs or blocks. `reference` is what the receiver has of
-// this tile, for kChangedSince.
+// Decodes any payload: it writes `cells` and nothing else, reads the payload once, and takes at
+// most 1024 runs or blocks. The cells are a tile only if it returns kOk. `reference` is the tile
+// that the receiver keeps for kChangedSince.
 [[nodiscard]] DecodeStatus decode(Encoding encoding, std::span<const std::byte> payload,
                                   const std::optional<Reference>& reference,
                                   MutableTileCells cells);
 
-// The frame against which a kChangedSince payload was written, if it is long enough to say.
+// The frame to which a kChangedSince payload refers, if the payload is long enough to say.
 [[nodiscard]] std::optional<std::uint32_t> reference_frame(std::span<const std::byte> payload);
 
 }  // namespace iog::tile_coding

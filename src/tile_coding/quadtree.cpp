@@ -8,7 +8,7 @@
 namespace iog::tile_coding {
 namespace {
 
-// The bits of a number of five bits, each moved to twice its place.
+// A number of five bits, spread: bit i is moved to bit 2 i.
 constexpr std::array<std::uint16_t, kTileSide> make_spread() {
   std::array<std::uint16_t, kTileSide> spread{};
   for (std::uint32_t number = 0; number < spread.size(); ++number) {
@@ -21,7 +21,8 @@ constexpr std::array<std::uint16_t, kTileSide> make_spread() {
 }
 constexpr auto kSpread = make_spread();
 
-// Cell numbers of five bits of a Morton number; those of its lower and upper half add up.
+// A Morton number has ten bits. Each half of them has a table of cell numbers; the cell of the
+// whole is the sum of the two.
 struct Halves {
   std::array<std::uint16_t, 32> lower;
   std::array<std::uint16_t, 32> upper;
@@ -45,11 +46,12 @@ constexpr Halves make_halves() {
 }
 constexpr Halves kHalves = make_halves();
 
-// Bit x: a block of the level may begin at cell x of a row.
+// By level: bit x is set if a block of this level can begin at cell x of a row.
 constexpr std::array<std::uint32_t, Quadtree::kLevels> kLowestOfBlocks{
     0x55555555, 0x11111111, 0x01010101, 0x00010001, 0x00000001};
 
-// Of bits that are two apart at least. The Cortex-A9 has no instruction for it.
+// The number of ones in a word whose ones are at least two places apart. The Cortex-A9 has no
+// instruction for it.
 constexpr std::size_t count_of_ones(std::uint32_t bits) {
   bits = (bits & 0x11111111U) + ((bits >> 2) & 0x11111111U);
   bits = (bits + (bits >> 4)) & 0x0F0F0F0FU;
@@ -64,8 +66,9 @@ std::size_t cell_of_morton(std::size_t m) {
   return std::size_t{kHalves.lower[m % 32]} + kHalves.upper[m / 32];
 }
 
-// A block has one value if its quarters have, and the same: the cells at their corners do not
-// differ from those before and below them.
+// A block has one value if each of its quarters has one value and the four are equal. Two quarters
+// side by side are compared where they touch: the lowest cell of the right one must not differ from
+// the cell before it, that of the upper one not from the cell below it.
 void Quadtree::find(const CellMap& changes, const CellMap& steps) {
   for (std::size_t level = 1; level <= kLevels; ++level) {
     const std::size_t side = std::size_t{1} << level;
@@ -89,7 +92,8 @@ void Quadtree::find(const CellMap& changes, const CellMap& steps) {
   }
 }
 
-// Every split block has four children; what is not split is a leaf, and single cells have no bit.
+// Every split block has four children. A block that is not split is a leaf. Single cells have no
+// bit of their own.
 std::size_t Quadtree::coded_bytes(std::size_t value_count) const {
   std::size_t nodes = 1;  // with a bit
   std::size_t split = 0;
@@ -101,8 +105,10 @@ std::size_t Quadtree::coded_bytes(std::size_t value_count) const {
   return 1 + value_count + (nodes + leaves * symbol_bits(value_count) + 7) / 8;
 }
 
-// Goes by blocks of level 1. Where a block ends, the next one of the order begins, as large as its
-// place in the order allows; the ones of the blocks that are split on the way to it are its prefix.
+// Goes through the leaves in Morton order, four single cells at once. Where a leaf ends, the next
+// block begins; it is as large as its place in the order allows. If it is split, its first quarter
+// is looked at, and so on. The ones of all blocks split on this way are the prefix of the leaf's
+// code.
 std::size_t Quadtree::write(TileCells cells, Palette& palette, std::span<std::byte> buffer) const {
   const auto values = palette.values();
   if (buffer.size() < coded_bytes(values.size())) {

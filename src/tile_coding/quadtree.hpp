@@ -28,7 +28,7 @@ class Quadtree {
  public:
   static constexpr std::size_t kLevels = kTileSideLog2;
 
-  // Of the tile with these changes and steps.
+  // Finds the tree of the tile with these changes and steps.
   void find(const CellMap& changes, const CellMap& steps);
 
   // The bytes of the code if the tile has `value_count` values.

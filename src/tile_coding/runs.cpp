@@ -1,5 +1,5 @@
-// Bits: a tile has at most 1024 runs, a symbol at most 8 bits and a length at most 21, so the sums
-// stay below 2^16 and one write below the 31 bits that BitWriter takes.
+// Ranges. A tile has at most 1024 runs, a symbol at most 8 bits and a length at most 21. So the
+// sums stay below 2^16, and one write stays below the 31 bits that BitWriter takes.
 #include "tile_coding/runs.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace iog::tile_coding {
 namespace {
 
-// The length's own bits, 32 less its leading zeros, and a zero for each of them but the highest.
+// A length of b bits takes b - 1 zeros and its own b bits, where b is 32 less its leading zeros.
 constexpr unsigned gamma_bits(std::size_t length) { return 63 - 2 * leading_zeros(length); }
 static_assert(gamma_bits(1) == 1);
 static_assert(gamma_bits(kTileBytes) == 21);

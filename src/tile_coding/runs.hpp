@@ -1,7 +1,8 @@
 // A tile as runs of cells, row by row: of one value each, or as they are in a reference tile.
 //
-// The code of a list of runs, n symbols being in use (the values of the palette; for a tile with a
-// reference also "as in the reference", symbol 0, and the values count from 1):
+// A run's symbol is the number of its value in the palette, from 0. For a tile with a reference,
+// symbol 0 means "as in the reference", and the values count from 1. With n symbols in use, a list
+// of runs is coded as
 //
 //   u8        number of values
 //   int8 ...  the values
@@ -9,9 +10,10 @@
 //             length has bits behind its highest, then the length itself
 //   bits      zeros up to the next byte
 //
-// The first symbol has ceil(log2 n) bits. No run has the symbol of the run before it, so the others
-// have ceil(log2(n - 1)), and symbols above the run's before are written less one. The lengths add
-// up to the tile. Elias (1975): Universal codeword sets and representations of the integers.
+// The first symbol has ceil(log2 n) bits. No run has the symbol of the run before it, so all others
+// have ceil(log2(n - 1)) bits, and a symbol above that of the run before is written less one. The
+// lengths add up to the cells of the tile. Elias (1975): Universal codeword sets and
+// representations of the integers.
 #pragma once
 
 #include <array>
@@ -27,14 +29,14 @@ namespace iog::tile_coding {
 
 class Runs {
  public:
-  // `changes` are those of the cells. No cell is -128.
+  // Finds the runs of one value. `changes` are those of the cells. No cell is -128.
   void find(TileCells cells, const CellMap& changes);
 
-  // With runs of cells that are as in a reference, where these are at least as long as those of one
-  // value; `differences` are those from the reference.
+  // Finds runs of one value and runs that are as in a reference; the latter where they are at least
+  // as long. `differences` are those from the reference.
   void find(TileCells cells, const CellMap& changes, const CellMap& differences);
 
-  // Of what find() has found.
+  // The bytes of the code of what find() has found.
   [[nodiscard]] std::size_t coded_bytes() const;
 
   // Returns coded_bytes(), or 0 if the buffer is shorter.
@@ -48,8 +50,8 @@ class Runs {
     std::uint16_t cells;
   };
 
-  // Fills the list. It lives in registers while the palette, whose bytes may alias anything, does
-  // not.
+  // Fills the list. A Builder is held in registers. The members of Runs are not, because a store to
+  // the palette's bytes may alias them.
   class Builder {
    public:
     explicit Builder(Runs& runs) : next_{runs.list_.data()} {}

@@ -1,15 +1,15 @@
-// Lines that meet no corner: every step of theirs crosses one border.
+// Which lines meet no corner between cells, so that every step of their walk crosses one border.
 //
-// A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. With f
-// the offset of S in its cell and d = gcd(w_x, w_y), the grid points of the line are
-// S + k (w_x, w_y) / d, and a corner is such a k with f + k w / d = 0 (mod r) on both axes. It
-// needs
-//   * f_y w_x = f_x w_y (mod r), by eliminating k;
-//   * gcd(k, r) = gcd(f_x, f_y, r) = c, because w_x / d and w_y / d have no common divisor; so
-//     1 <= k <= d is impossible if d < c;
-//   * k = 0 is a corner that is yet to be crossed only if f = (r, r);
-//   * w_x, w_y > 0: a line along an axis begins inside a row or at its lower border, and stays
-//   there.
+// A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. Let f
+// be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid
+// are S + k (w_x, w_y) / d for k = 0 ... d, and such a point is a corner if f + k w / d = 0 (mod r)
+// on both axes. A line that meets a corner therefore fulfils all of these:
+//   * w_x, w_y > 0. A line along an axis begins inside a row or at its lower border, and stays
+//     there.
+//   * f_y w_x = f_x w_y (mod r). This is what is left if k is eliminated.
+//   * Either k = 0 and f = (r, r): only such a corner at the start is still to be crossed. Or
+//     1 <= k <= d. Then gcd(k, r) = gcd(f_x, f_y, r) = c, because w_x / d and w_y / d have no
+//     common divisor; so c <= k, and c <= d.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace iog::traversal {
 
-// Whether a line may meet a corner between its start and its end. False is certain.
+// Whether a line may meet a corner between its start and its end. False is certain; true is not.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool may_meet_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);

@@ -1,20 +1,21 @@
 // The line of a beam on the grid, in integers: where it crosses cell borders, and how many it has
 // crossed after any share of its length.
 //
-// Contract section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the
-// thesis's traversal resolution). A line runs from its start S to its end E, both in subcells, and
+// docs/model.md section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the
+// thesis's traversal resolution). A line runs from its start S to its end E, both in subcells. It
 // is folded into the first quadrant: x and y are counted in its own direction of travel.
 //
-// Position. The cells of a line are numbered by how many column borders (x) and row borders (y)
-// have been crossed to get there; their sum, `crossed`, grows along the line. A line through a
-// corner crosses both borders at once and enters neither of the two other cells, so `crossed` then
-// grows by two. Every position that a function here returns is one that the line really takes.
+// Position. A cell of a line is named by how many column borders (x) and row borders (y) are
+// crossed to get there. Their sum, `crossed`, grows along the line. Through a corner a line crosses
+// both borders at once and enters neither of the two other cells, so `crossed` then grows by two.
+// Every position that a function here returns is one that the line really takes.
 //
-// Ranges, with w = |E - S| per axis in subcells: (w_x + w_y) * r < 2^31 (asserted for the longest
-// beam of a vehicle description), which bounds the walk's error term; S and E within +-2^29.
-//   * through/before: the share of the line is num / den with 0 <= num, 0 < den and
+// Ranges, with w = |E - S| per axis in subcells. (w_x + w_y) * r < 2^31 bounds the error term of
+// the walk; it is asserted for the longest beam of a vehicle description. S and E lie within
+// +-2^29.
+//   * through() and before(): the share of the line is num / den with 0 <= num, 0 < den and
 //     f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
-//   * all divisions are of non-negative numbers, rounding is always down.
+//   * All divisions are of non-negative numbers, and all rounding is down.
 #pragma once
 
 #include <algorithm>
@@ -110,8 +111,8 @@ class Axis {
     return reached == 0 ? 0 : (reached - 1) / kSide;
   }
 
-  // The first two for distance / length, distance < 2^20 mm, without a division.
-  // The dividend by r is at most length + distance * w / r < 2^31 for lines up to 2,000 cells.
+  // through() for the share distance / length, without a division. distance < 2^20 mm. The dividend
+  // by r is at most length + distance * w / r, below 2^31 for lines up to 2,000 cells.
   [[nodiscard]] constexpr std::uint32_t through(std::uint32_t distance_mm,
                                                 const LineLength& length) const {
     const std::uint64_t reached =
@@ -119,13 +120,13 @@ class Axis {
     return length.reciprocal().divide(static_cast<std::uint32_t>(reached / kSide));
   }
 
-  // The share of the line at which border number n (1, 2, ...) is crossed. length() > 0 and
-  // n * r >= offset().
+  // The share of the line at which border number n is crossed, n = 1, 2, ... length() > 0 and n * r
+  // >= offset().
   [[nodiscard]] constexpr Share crossing(std::uint32_t n) const {
     return {std::uint64_t{n} * kSide - offset_, length_};
   }
 
-  // Distance to the next border from the near border's side, after n crossings: (n + 1) r - offset.
+  // Distance from S to the next border after n crossings: (n + 1) r - offset.
   [[nodiscard]] constexpr std::int64_t to_border(std::uint32_t n) const {
     return (std::int64_t{n} + 1) * kResolution - offset_;
   }
@@ -172,14 +173,15 @@ class Line {
 
   [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }
 
-  // The walk's error term at a position: on which side of the line the next corner lies. Negative:
-  // the column border comes first, positive: the row border, zero: the corner itself.
+  // The walk's error term at a position. It says on which side of the line the next corner lies.
+  // Below 0 the column border comes first, above 0 the row border; 0 is the corner itself.
   [[nodiscard]] constexpr std::int32_t error(Position at) const {
     return static_cast<std::int32_t>(x_.to_border(at.x) * std::int64_t{y_.length()} -
                                      y_.to_border(at.y) * std::int64_t{x_.length()});
   }
 
-  // What lies inside the area, as if the line went on for ever. Empty if it never enters.
+  // The part of the line that lies inside the area, if the line went on for ever. Nothing if it
+  // never enters.
   [[nodiscard]] constexpr std::optional<Stretch> clip(CellArea area) const {
     Stretch stretch{{}, {kNoLimit, 0}};
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
@@ -189,8 +191,8 @@ class Line {
   }
 
  private:
-  // Narrows the stretch to where `axis` is inside [0, cells); `other` is the other axis, and
-  // `swapped` says that axis is y. False if it never is.
+  // Narrows the stretch to where `axis` is inside [0, cells). `other` is the other axis; `swapped`
+  // says that `axis` is y. False if it is never inside.
   static constexpr bool clip_axis(const Axis<kResolution>& axis, const Axis<kResolution>& other,
                                   std::int32_t cells, Stretch& stretch, bool swapped) {
     const std::int32_t to_low =

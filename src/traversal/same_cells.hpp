@@ -1,22 +1,24 @@
-// Whether two lines from one start go through the same cells: then what is to be done in the cells
-// of both is done in one walk. All layers of a lidar have nearly the same line at one azimuth: it
-// differs in its length, and in how its end was rounded.
+// Whether two lines from one start go through the same cells. If they do, both are carved in one
+// walk. The layers of a lidar have nearly the same line at one azimuth: the lines differ in their
+// length and in how their ends were rounded.
 //
-// Two lines A and B part where a corner lies between them. At a corner, X and Y away from S, their
-// error terms (traversal/line.hpp) are e_A = X A_y - Y A_x and e_B = X B_y - Y B_x. With
-// c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x + B_y,
+// Where they part. Two lines A and B go apart at a corner that lies between them. At a corner X and
+// Y away from S, their error terms (traversal/line.hpp) are e_A = X A_y - Y A_x and e_B = X B_y - Y
+// B_x. With c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x + B_y,
 //     A e_B = B e_A + (X + Y) c.
-// So while both have taken the same n borders, they disagree about the next one only if e_A and c
-// have opposite signs and B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. If none of A's terms
-// lies in that strip beside 0, B takes the same borders as A.
+// After n common borders they disagree about the next one only if e_A and c have opposite signs and
+// B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. So there is a narrow strip beside 0, and as
+// long as no error term of A lies in it, B takes the same borders as A.
 //
-// Each of A's terms is the one before plus r A_y, modulo r A: a column step adds r A_y, a row step
-// subtracts r A_x. Divided by r, rounded down, they are a rotation by A_y modulo A, and the strip
-// is contained in [0, t] for c < 0 and in [-1 - t, -1] for c > 0, with t = floor((n + 2) |c| / B)
-// + 1. Mirrored, x to -1 - x, the second is the first of a rotation by A_x.
+// How the strip is searched. Each error term of A is the one before plus r A_y, modulo r A: a
+// column step adds r A_y, a row step subtracts r A_x. Divided by r and rounded down, the terms are
+// a rotation by A_y modulo A. With t = floor((n + 2) |c| / B) + 1 the strip is contained in [0, t]
+// for c < 0, and in [-1 - t, -1] for c > 0. Mirrored, x to -1 - x, the second case is the first one
+// of a rotation by A_x. When a rotation first enters [0, t] is found as by Euclid, in some ten
+// steps.
 //
-// Ranges. A and B < 2^31 / r (traversal/line.hpp). |c| < 2^20 and n + 2 < 2^12, or the answer is
-// no: lines of different directions are not worth a closer look.
+// Ranges. A and B < 2^31 / r (traversal/line.hpp). If not |c| < 2^20 and n + 2 < 2^12, the answer
+// is no: lines of different directions are not worth a closer look.
 #pragma once
 
 #include <algorithm>
@@ -27,12 +29,12 @@
 
 namespace iog::traversal {
 
-// A turn of a rotation: the angle of that many steps, to one side.
+// A turn of a rotation to one side: its angle, and how many steps it takes.
 struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
 
-  // Goes so many times to the other side.
+  // Goes back by the other turn, so many times.
   constexpr void shorten(const Turn& other, std::uint32_t times) {
     angle -= times * other.angle;
     steps += times * other.steps;
@@ -40,13 +42,15 @@ struct Turn {
 };
 
 // The number of the first term of a rotation that is at most `threshold`, or `limit` if there is
-// none among the first `limit` of them. It begins at x; a step goes down by `down` or, which is the
-// same modulo down + up, up by `up`. x < down + up < 2^31, limit < 2^12.
+// none among the first `limit` terms. The rotation begins at x. A step goes down by `down_angle`
+// or, which is the same modulo down_angle + up_angle, up by `up_angle`. x < down_angle + up_angle <
+// 2^31, limit < 2^12.
 //
-// Only terms that are less than all before count. The next of these comes with the first turn
-// downwards by no more than x. Turns downwards that are shorter than all before are found as by
-// Euclid: the shortest so far, less the shortest upwards so far. Both turns together are the whole
-// circle or less, and their steps are at most as many, so nothing overflows.
+// Only a term that is less than all terms before it can be the first. The next such term comes with
+// the first turn downwards that is no more than x. Ever shorter turns downwards are found as by
+// Euclid: from the shortest turn downwards so far the shortest turn upwards so far is subtracted,
+// and the other way round. Both turns together are at most the whole circle, and so are their
+// steps, so nothing overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {
@@ -83,8 +87,8 @@ struct Turn {
   return number;
 }
 
-// Whether b goes through the cells of a until `borders` are crossed. True is certain. Both begin at
-// the same point, and a meets no corner.
+// Whether b goes through the cells of a until `borders` are crossed. True is certain; false is not.
+// Both lines begin at the same point, and a meets no corner.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {

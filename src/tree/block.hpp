@@ -31,8 +31,8 @@ struct Leaf {
   friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 
-// The 16 low bits of a number at the even places of a word, and back: halves move apart, then
-// quarters, and so on.
+// Moves the 16 low bits of a number to the even places of a word, and back: first the halves move
+// apart, then the quarters, and so on.
 [[nodiscard]] constexpr std::uint32_t spread_bits(std::uint32_t bits) {
   bits = (bits | bits << 8) & 0x00FF00FFU;
   bits = (bits | bits << 4) & 0x0F0F0F0FU;
@@ -49,9 +49,9 @@ struct Leaf {
 }
 
 // The place of a cell in Morton order: the bits of its coordinates interleaved, those of x lowest.
-// The cells of a block follow one another, and so do those of its 2^d parts. Coordinates are below
-// 2^bits, and d * bits is at most 32. The plane, where trees are built every frame, has its own
-// way.
+// In this order the cells of a block follow one another, and so do those of each of its 2^d parts.
+// Coordinates are below 2^bits, and d * bits is at most 32. Two dimensions have a faster way of
+// their own, because their trees are built every frame.
 template <std::size_t kDimension>
 [[nodiscard]] constexpr std::uint32_t morton_place(const Cell<kDimension>& cell,
                                                    std::uint32_t bits) {

@@ -1,14 +1,14 @@
 // The linear quadtree of a grid: the leaves of the tree of thesis section 3.5, without its nodes.
 //
-// Built anew from the fused array every frame by tree/quadtree_builder.hpp, and only read here.
-// There is one entry for each of the 32 by 32 tiles. A tile whose cells are all alike has its index
-// in the entry; four such tiles that are alike are one leaf, and so on up to the whole grid. Every
-// other tile has a shape, 52 bytes, and its leaves, a byte each (tree/tile_shape.hpp).
+// tree/quadtree_builder.hpp builds it anew from the fused array every frame; here it is only read.
+// Each of the 32 by 32 tiles has an entry. If all cells of a tile are alike, the entry holds their
+// index; four such tiles that are alike are one leaf, and so on up to the whole grid. Every other
+// tile has a shape of 52 bytes and its leaves, a byte each (tree/tile_shape.hpp).
 //
-// Memory. 4 KiB for the entries, and 52 bytes and a byte a leaf for each tile that is not uniform.
-// The array has a byte a cell, so where a leaf stands for 3.75 cells (thesis table 4.7) the tree
-// has less than a third of its bytes; the thesis's had 3.15 times as many. The leaves lie in memory
-// that the owner gives, as much as it can spare: kWorstLeafBytes are enough for any grid.
+// Memory. The entries take 4 KiB. A tile that is not uniform takes 52 bytes, and a byte a leaf. The
+// array has a byte a cell. So where a leaf stands for 3.75 cells (thesis table 4.7) the tree has
+// less than a third of the array's bytes; the thesis's tree had 3.15 times as many. The owner gives
+// the memory of the leaves, as much as it can spare: kWorstLeafBytes are enough for any grid.
 #pragma once
 
 #include <array>
@@ -72,15 +72,16 @@ class LinearQuadtree {
     return sizeof(entries_) + record_count_ * sizeof(TileRecord) + leaf_bytes_;
   }
 
-  // Tiles whose leaves found no room. They read as unknown; without them the tree is complete and
-  // equal to the array, cell for cell.
+  // Tiles whose leaves found no room. They read as unknown. If there are none, the tree is equal to
+  // the array, cell for cell.
   [[nodiscard]] std::size_t lost_tiles() const { return lost_tiles_; }
 
  private:
   friend class QuadtreeBuilder;
 
-  // One tile. side_log2: if all its cells are alike, the side of the leaf that begins in its lowest
-  // corner; tiles that lie elsewhere in that leaf keep the side that they had before it grew.
+  // One tile. side_log2 is meant if all its cells are alike: the side of the leaf that begins in
+  // its lowest corner. Tiles that lie elsewhere in that leaf keep the side that they had before it
+  // grew.
   struct Entry {
     std::uint16_t record = kNoRecord;
     std::uint8_t side_log2 = kTileSideLog2;

@@ -40,7 +40,7 @@ class NodePool {
   [[nodiscard]] index::OccupancyIndex index(Node node) const { return index_[node]; }
   void set_index(Node node, index::OccupancyIndex index) { index_[node] = index; }
 
-  // A leaf gets children, and they its index; its own is 0 from now on. Only if free() > 0.
+  // Gives a leaf children, which take its index; its own is 0 from now on. Only if free() > 0.
   void give_children(Node leaf) {
     require(is_leaf(leaf) && free() > 0);
     const Node first = take_family();
@@ -52,7 +52,7 @@ class NodePool {
     index_[leaf] = index::kUnknown;
   }
 
-  // A node whose children are leaves loses them and is a leaf.
+  // Takes the children from a node, which is a leaf again. The children are leaves.
   void take_children(Node node) {
     const Node first = first_child_[node];
     require(first != kNoNode);
@@ -63,7 +63,8 @@ class NodePool {
   }
 
  private:
-  // Families that came back wait in a chain through their first node; the others were never used.
+  // Families that were given back form a chain through their first node. The others were never
+  // used.
   Node take_family() {
     ++used_;
     if (returned_ != kNoNode) {

@@ -5,7 +5,8 @@
 //   builder.add(tile_x, tile_y, cells);  // every tile in which something is known, in any order
 //   builder.finish();
 //
-// The work of a frame is bounded: that of a checkerboard for each tile, and 341 blocks of tiles.
+// The work of a frame is bounded: each tile costs at most what a checkerboard does, and there are
+// 341 blocks of tiles.
 #pragma once
 
 #include <cstddef>
@@ -26,10 +27,10 @@ class QuadtreeBuilder {
   // tree outlives the builder. From begin() to finish() it is not to be read.
   explicit QuadtreeBuilder(LinearQuadtree& tree) : tree_(&tree) {}
 
-  // Every tile is unknown.
+  // Makes every tile unknown.
   void begin();
 
-  // The cells of a tile; each tile at most once between begin() and finish().
+  // Adds the cells of a tile; each tile at most once between begin() and finish().
   [[nodiscard]] TileFate add(std::size_t tile_x, std::size_t tile_y, TileCells cells);
 
   // Merges uniform tiles. The tree is complete unless it has lost tiles.

@@ -1,9 +1,9 @@
 // The 2^d-tree of the thesis, section 3.5: updated cell by cell, with its operations split and
 // merge. A quadtree for d = 2, an octree for d = 3.
 //
-// It is the reference for what the leaves of a grid are, and for what keeping a tree up to date at
-// every cell costs. Unlike the thesis's it has no pointers and no heap: its nodes are numbers in a
-// pool, and an update that finds no room is refused and counted.
+// It is the reference for two questions: what the leaves of a grid are, and what it costs to keep a
+// tree up to date at every cell. Unlike the thesis's tree it has no pointers and no heap. Its nodes
+// are numbers in a pool, and an update that finds no room is refused and counted.
 #pragma once
 
 #include <array>
@@ -48,8 +48,8 @@ class SplitMergeTree {
     refused_ = 0;
   }
 
-  // The cell has this index from now on: splits the leaf that holds it while condition (3.46)
-  // holds, then merges upwards while (3.47) does.
+  // Sets the index of a cell. It splits the leaf that holds the cell while condition (3.46) holds,
+  // then merges upwards while (3.47) does.
   [[nodiscard]] Update set(const Cell& cell, index::OccupancyIndex index) {
     Path path = path_to(cell);
     if (nodes_.index(path.last()) == index) {

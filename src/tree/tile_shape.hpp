@@ -1,12 +1,13 @@
 // The linear quadtree of one tile: 32 by 32 cells, the depths from a tile down to its cells.
 //
-// A tile is four quarters of 16 by 16 cells. Of each quarter there is one bit for every block of 8,
-// 4 and 2 cells a side: whether it is split, in Morton order. Below a block that is not split all
-// bits are 0. The indexes of the leaves stand beside it, one byte each, in Morton order.
+// A tile is four quarters of 16 by 16 cells. A quarter has one bit for each of its blocks of 8, 4
+// and 2 cells a side, in Morton order: whether the block is split. Below a block that is not split
+// all bits are 0. The indexes of the leaves are kept beside the shape, one byte each, in Morton
+// order.
 //
-// Every leaf but one comes from a split, which leaves three more than there were. So the leaves
-// before a block are three times the splits before it, plus its own number among its siblings, and
-// that of each block around it: random access counts bits and follows nothing.
+// A split makes four leaves of one, three more than before. So the number of leaves before a block
+// is three times the splits before it, plus the block's own number among its siblings, plus that of
+// each block around it. Random access therefore counts bits and follows no pointer.
 #pragma once
 
 #include <array>
@@ -83,13 +84,13 @@ using TileShape = std::array<QuarterShape, 4>;
 // The cells of a tile, row by row from its lowest y, each int8 as one byte.
 using TileCells = std::span<const std::byte, kTileCells>;
 
-// Where the leaves of a tile are written: up to 1024, and after the last up to three bytes of no
-// meaning, because four are written at a time.
+// Where the leaves of a tile are written: up to 1024, and after the last one up to three bytes
+// without meaning, because four are written at a time.
 inline constexpr std::size_t kLeafSlack = 3;
 using TileLeaves = std::span<std::byte, kTileCells + kLeafSlack>;
 
-// Writes the shape and the leaves of a tile; returns how many leaves: 1 if all cells are alike.
-// Its time is bounded by that of a checkerboard.
+// Writes the shape and the leaves of a tile. Returns how many leaves there are; 1 if all cells are
+// alike. A checkerboard takes the longest.
 std::uint32_t shape_tile(TileCells cells, TileShape& shape, TileLeaves leaves);
 
 }  // namespace iog::tree

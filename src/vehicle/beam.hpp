@@ -1,5 +1,5 @@
-// From a scan point to the beam it is evidence of: its fate, its line on the grid, and which part
-// of the line counts (contract sections 5 and 6).
+// From a scan point to its beam: the point's fate, the beam's line on the grid, and which part of
+// the line counts (docs/model.md sections 5 and 6).
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace iog::vehicle {
 
-// What became of a scan point. Each has exactly one fate; where several would do, the one that
-// stands first in this order of tests: no return, flagged dirt or rain, too near, flagged ground,
-// too far, outside the height band, later echo, used. The values are on the wire (docs/spec.md).
+// What became of a scan point. Each has exactly one fate. If several would fit, the first one in
+// this order of tests counts: no return, flagged dirt or rain, too near, flagged ground, too far,
+// outside the height band, later echo, used. The values are on the wire (docs/spec.md).
 enum class Fate : std::uint8_t {
   kUsed,               // carves and marks
   kNoReturn,           // no evidence, or carves up to the sensor's no_return_clears_mm
@@ -25,8 +25,8 @@ enum class Fate : std::uint8_t {
 };
 inline constexpr std::size_t kFateCount = 8;
 
-// The part of a line between two shares of its length, both counted from its start. `to` is not
-// above 1 unless the whole line counts.
+// The part of a line between two shares of its length, both counted from its start. Unless the
+// whole line counts, `to` is at most 1.
 struct BandPart {
   bool is_whole = true;
   bool is_empty = false;

@@ -49,7 +49,7 @@ struct FootprintConfig {
   double y_max_m = 0;
 };
 
-// The two rules of the contract, section 3.
+// The two rules of docs/model.md section 3.
 enum class FusionRule : std::uint8_t { kHitsWin, kBayes };
 
 struct Description {

@@ -9,8 +9,8 @@
 
 namespace iog::vehicle {
 
-// An ibeo LUX as contract section 8 uses it (thesis section 4.1.4): 100 degrees, precise to 10 cm,
-// up to 50 m. azimuths: directions in a layer, of which each can have three echoes.
+// An ibeo LUX as docs/model.md section 8 uses it (thesis section 4.1.4): 100 degrees, precise to 10
+// cm, up to 50 m. azimuths: directions in a layer, of which each can have three echoes.
 constexpr SensorConfig ibeo_lux(std::string_view name, std::uint32_t source_ipv4,
                                 std::uint16_t udp_port, const MountConfig& mount,
                                 std::uint32_t azimuths) {

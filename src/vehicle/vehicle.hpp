@@ -39,13 +39,14 @@ struct Layer {
   EndCoordinate x;
   EndCoordinate y;
   EndCoordinate z;
-  // The first layer whose beams have the same lines on the grid. Of a level sensor it is the same
-  // for two layers of opposite elevations.
+  // The first layer whose beams have the same lines on the grid. Two layers of opposite elevations
+  // share their lines if the sensor is level.
   std::uint8_t line = 0;
 };
 
-// Between which products of a beam's extent along one axis, in subcells, and a range in millimetres
-// the point at that range lies in a part of space: both ends included, so nothing is divided.
+// Whether a point on a beam lies in some part of space, asked without a division: along one axis
+// the product of the beam's extent in subcells and the range in millimetres must lie between these
+// two, both included.
 struct RangeProducts {
   std::int64_t low = 0;
   std::int64_t high = 0;

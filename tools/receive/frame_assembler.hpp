@@ -1,13 +1,13 @@
 // Puts frames together from the messages of one target, whatever the network did to them. It knows
 // no socket and no clock.
 //
-// What is whole (its CRC is right) is judged by what it says itself: its frame, its number, the
-// tiles that it speaks of. So what comes late or twice is used once and in its place, or not at
-// all; what the E2E check says of the order is counted, as the health of the channel.
+// A message whose CRC is right is used where it says itself: its frame, its number and the tiles
+// that it speaks of decide. So a message that comes late or twice is used once and in its place, or
+// not at all. What the E2E check says of the order is only counted, as the health of the channel.
 //
-// No message says of which run of a target it is. Numbers and times tell, mostly; where they have
-// not, a frame may refer to tiles of another run, and then it is not the one whose CRC the target
-// has sent: nothing of it is valid.
+// No message says to which run of a target it belongs. Numbers and times mostly tell. Where they do
+// not, a frame may refer to tiles of another run. Then its CRC is not the one that the target has
+// sent, and nothing of that frame is valid.
 #pragma once
 
 #include <chrono>
@@ -59,24 +59,24 @@ class FrameAssembler {
  public:
   using FrameHandler = std::function<void(GridFrame&&)>;
 
-  // on_frame is called for each frame, in their order, complete or not.
+  // on_frame is called for each frame, in order, complete or not.
   explicit FrameAssembler(FrameHandler on_frame);
 
-  // One datagram, of whatever bytes.
+  // Takes one datagram; it may hold any bytes.
   void take(std::span<const std::byte> datagram);
 
   // A running target reports even silence every two frame periods, which are 110 ms at most.
   static constexpr std::chrono::milliseconds kLongestSilence{500};
-  // Nothing has come for longer than that: what comes next may be of another run. Hands over the
-  // frames that still wait, and forgets what tiles refer to.
+  // To be called when nothing has come for longer than that: the next message may be of another
+  // run. Hands over the frames that still wait, and forgets what tiles refer to.
   void note_silence();
 
-  // Nothing more comes: hands over the frames that still wait for messages.
+  // To be called when nothing more comes. Hands over the frames that still wait for messages.
   void finish();
 
   [[nodiscard]] const MessageCounts& counts() const { return counts_; }
   [[nodiscard]] std::uint64_t messages_lost() const { return sequences_.lost(); }
-  // Frames of which not one message came.
+  // Frames of which no message came at all.
   [[nodiscard]] std::uint64_t frames_lost() const { return frames_lost_; }
   // The channel as AUTOSAR's state machine sees it.
   [[nodiscard]] protection::ChannelState channel() const { return supervisor_.state(); }
@@ -84,16 +84,16 @@ class FrameAssembler {
  private:
   // A frame that waits for messages is given up when this many newer ones have begun.
   static constexpr std::size_t kMaxWaiting = 3;
-  // A target that starts over counts frames, messages and time from 0. One message of the past is
-  // an old one; so many of so many frames, and none of the present among them, are a new run. One
-  // frame would not do: a network may repeat it in one burst.
+  // A target that starts over counts frames, messages and time from 0. A single message of the past
+  // is an old one. So many of them in a row, from so many frames, are a new run. Those of one frame
+  // would not do, because a network may repeat it in one burst.
   static constexpr std::size_t kMessagesOfRestart = 16;
   static constexpr std::size_t kFramesOfRestart = 3;
   // A frame has at most a message for each tile.
   static constexpr std::size_t kMaxBodies = geometry::kTileCount;
 
-  // A frame as far as it has come. Tiles are decoded when it is handed over: frames are in order
-  // then, and so are the tiles that others refer to.
+  // A frame as far as it has arrived. Its tiles are decoded when it is handed over. Frames are in
+  // order by then, and so are the tiles that others refer to.
   struct WaitingFrame {
     GridFrame frame;
     TileSet spoken_of;  // by the bodies
@@ -107,10 +107,10 @@ class FrameAssembler {
     std::optional<std::uint32_t> end_sequence;  // of its last message
   };
 
-  // The count of a datagram.
+  // The counter under which a datagram is counted.
   using Fate = std::uint64_t MessageCounts::*;
 
-  // One that may be of a new run, and how it has been counted unless it is.
+  // A message that may belong to a new run, and how it was counted in case it does not.
   struct PastMessage {
     std::vector<std::byte> content;
     Fate fate;

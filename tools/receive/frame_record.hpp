@@ -33,14 +33,14 @@ struct FrameRecord {
 
 [[nodiscard]] FrameRecord record_of(const GridFrame& frame);
 
-// What stands above the lines of a file of records.
+// The first line of a file of records.
 inline constexpr const char* kRecordHeading =
     "# frame complete_sensors partial_sensors points_used tiles grid_crc";
 
 // "17 f 0 2871 433 9ac01b22"
 [[nodiscard]] std::string line_of(const FrameRecord& record);
 
-// Reads what --hashes has written. UsageError if the file is not such a one.
+// Reads a file that --hashes has written. UsageError if it is another kind of file.
 [[nodiscard]] std::vector<FrameRecord> read_records(const std::string& path);
 void write_records(const std::string& path, const std::vector<FrameRecord>& records);
 

@@ -23,7 +23,7 @@ struct GridFrame {
   stream::Header header;  // of its last message, or of its tiles if that is lost
   stream::FrameEnd end;   // only if has_end
   bool has_end = false;
-  // Everything has arrived and it is not the grid that the target has hashed: no tile is valid.
+  // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;
   TileSet valid_tiles;      // whose cells are those of this frame; all others are missing
   TileSet known_tiles;      // of these, those in which something is known
@@ -41,7 +41,7 @@ struct GridFrame {
   }
 };
 
-// Number i of a tile's cells, row by row, as a number of the grid's.
+// The number in the grid of a tile's cell i. Both count row by row.
 [[nodiscard]] constexpr std::size_t cell_of_tile(std::size_t tile, std::size_t i) {
   const std::size_t x =
       tile % geometry::kTilesPerSide * geometry::kTileSide + i % geometry::kTileSide;
@@ -54,7 +54,7 @@ struct GridFrame {
 [[nodiscard]] std::array<std::byte, tile_coding::kTileBytes> cells_of_tile(const GridFrame& frame,
                                                                            std::size_t tile);
 
-// The name of the grid as it has arrived; that of the whole frame is end.grid_crc.
+// The name of the grid as it has arrived. The name that the target gave it is end.grid_crc.
 [[nodiscard]] std::uint32_t grid_crc_of(const GridFrame& frame);
 
 }  // namespace iog::tools

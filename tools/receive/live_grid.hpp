@@ -1,5 +1,5 @@
-// What a receiver knows of the grid at any moment: of each tile the last state that arrived, and
-// how old it is. A tile whose newest state was lost is stale, and is never passed off as fresh.
+// What a receiver knows of the grid at any moment: the last state of each tile that arrived, and
+// how old it is. A tile whose newest state was lost is stale and is never shown as fresh.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ class LiveGrid {
   // The next frame, in order, as FrameAssembler hands them over.
   void take(const GridFrame& frame);
 
-  // The target runs anew or has been silent: nothing that is known is of now.
+  // To be called when the target has restarted or has been silent: nothing that is known is of now.
   void forget();
 
-  // Frames between the newest one and that of which the tile's cells are; 0: they are fresh.
-  // Nothing if the tile has never arrived.
+  // How many frames older than the newest frame the tile's cells are; 0 is fresh. Nothing if the
+  // tile has never arrived.
   [[nodiscard]] std::optional<std::uint32_t> age_of(std::size_t tile) const;
 
   [[nodiscard]] std::size_t stale_tiles() const;  // older than the newest frame, or never arrived

@@ -11,7 +11,7 @@ class SequenceWatch {
  public:
   enum class Arrival : std::uint8_t { kInOrder, kLate, kRepeated };
 
-  // Judges the next number that has arrived. Numbers wrap; the first one is taken as it is.
+  // Classifies the next number that has arrived. Numbers wrap; the first one is taken as it is.
   Arrival arrive(std::uint32_t sequence);
 
   // The stream starts again; what has been counted is kept.

@@ -29,7 +29,8 @@ class Recording {
   virtual void take_datagram(const CapturedDatagram& datagram) = 0;
   // Every frame, in order, after its last datagram.
   virtual void take_frame(const RecordedFrame& frame) = 0;
-  // Once, at the end. facts: of the whole run. UsageError if not all has been written, as above.
+  // Once, at the end. facts: what is known of the whole run. UsageError if not all has been
+  // written, as above.
   virtual void finish(const RunStatistics::Facts& facts) = 0;
 };
 

@@ -18,11 +18,10 @@ class StreamFile {
   // UsageError if the file is neither.
   explicit StreamFile(const std::string& path);
 
-  // The next datagram of the stream; nothing at the end. Other datagrams of a capture are passed
-  // over.
+  // The next datagram of the stream; nothing at the end. Other datagrams of a capture are skipped.
   [[nodiscard]] std::optional<CapturedDatagram> next();
 
-  // It breaks off, or a part of it is damaged. Known when all has been read.
+  // Whether the file breaks off or is damaged. Known when all has been read.
   [[nodiscard]] bool is_damaged() const;
 
  private:
@@ -33,8 +32,8 @@ class StreamFile {
   std::unique_ptr<mcap::Reader> mcap_;
 };
 
-// Where a stream comes from and goes to when a recording does not say it: as the reference board
-// sends to its peer (board/imx6/main.cpp).
+// Where a stream comes from and goes to if the recording does not say it: from the reference board
+// to its peer (board/imx6/main.cpp).
 inline constexpr Endpoint kStreamSource{.ipv4 = 0x0A00020F, .port = 15001};
 inline constexpr Endpoint kStreamDestination{.ipv4 = 0x0A000202, .port = 15000};
 

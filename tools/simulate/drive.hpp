@@ -17,8 +17,8 @@ class Drive {
   static constexpr std::uint32_t kFramesPerSecond = kLuxFramesPerSecond;
   static constexpr std::uint32_t kMaxSeconds = 600;
 
-  // car outlives the drive. UsageError if one of its sensors is not a LUX. The same seed, car and
-  // scene make the same drive, and a longer one begins like a shorter one's world but with other
+  // car outlives the drive. UsageError if one of its sensors is not a LUX. The same seed, car,
+  // scene and length make the same drive. A longer drive begins in the same world, but with other
   // traffic.
   Drive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds,
         const SceneEntry& scene = find_scene(kDefaultScene));

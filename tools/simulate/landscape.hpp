@@ -9,15 +9,15 @@ namespace iog::tools {
 
 class Landscape {
  public:
-  // Keeps the solids as standing at that station and leaves the list empty. The order of stations
-  // is free.
+  // Takes the solids, which stand at this station, and leaves the list empty. Stations may come in
+  // any order.
   void place(double station, std::vector<Solid>& solids);
 
   // After the last place().
   void sort();
 
-  // Appends everything that may be seen from that station: by ascending station, those of one
-  // station in the order of their placing. Only after sort().
+  // Appends everything that may be seen from that station, by ascending station; what stands at one
+  // station is appended in the order of place(). Only after sort().
   void append_seen_from(double station, std::vector<Solid>& solids) const;
 
  private:

@@ -19,11 +19,11 @@ class Recorder {
   // Begins a file named after the time of day, `view_20260102_150405.pcap`, unless one is open.
   // UsageError if it cannot be written.
   void start();
-  // It is over in any case. UsageError if it has not been written completely.
+  // Ends the recording in any case. UsageError if it has not been written completely.
   void stop();
 
-  // Notes the message with the time of day, if a file is open. One that is too long to be ours is
-  // left out. UsageError if it cannot be written any more, and the recording is over.
+  // Writes the message with the time of day, if a file is open. A message that is too long to be
+  // ours is left out. UsageError if it cannot be written; the recording is over then.
   void take(std::span<const std::byte> message);
 
   [[nodiscard]] bool is_open() const { return file_.has_value(); }

@@ -1,7 +1,7 @@
-// What there is to see at this moment, and what a page that has seen an earlier moment needs to
-// catch up. One thread publishes, another one serves pages.
+// What can be seen at this moment, and what a page that has seen an earlier moment needs to catch
+// up. One thread publishes; another one serves pages.
 //
-// A page that is slow gets the newest state next, whatever lies between: nothing ever queues.
+// A slow page gets the newest state next, and what lies between is skipped: nothing ever queues.
 // The bytes of a message are in docs/view.md.
 #pragma once
 
@@ -22,7 +22,7 @@
 
 namespace iog::tools::view {
 
-// What comes with a frame when the sensors' packets, or the world itself, are at hand.
+// What comes with a frame if the sensors' packets, or the simulated world, are at hand.
 struct Surroundings {
   std::vector<SeenPoint> points;
   std::vector<bool> truth;  // of each cell, whether it is occupied in truth; empty: not known
@@ -43,19 +43,19 @@ class Scene {
   void publish_frame(const LiveGrid& grid, const Surroundings& surroundings, std::string status);
   // Only the words have changed.
   void publish_status(std::string status);
-  // In each message that is whole in itself: the vehicle, as JSON.
+  // The vehicle as JSON. It goes into each message that is whole in itself.
   void set_vehicle(std::string vehicle);
 
-  // The message that brings a page from its place to now, and moves the place; empty if it is there
-  // already. Every 25th message with a frame is a key, whole in itself, so that a page can go back
-  // to any frame by reading at most so many.
+  // The message that brings a page from its place to now; it moves the place. Empty if the page is
+  // there already. Every 25th message with a frame is a key, whole in itself. So a page can go back
+  // to any frame by reading at most 25 messages.
   [[nodiscard]] std::string message_since(Place& place) const;
 
-  // A page has opened: from now on somebody is taken to look.
+  // A page has opened. From now on the scene counts as watched.
   void note_page() { is_watched_ = true; }
   [[nodiscard]] bool is_watched() const { return is_watched_; }
 
-  // What pages ask for, in words; the oldest are forgotten if nobody takes them.
+  // What pages ask for, in words. The oldest requests are forgotten if nobody takes them.
   void ask(std::string_view request);
   [[nodiscard]] std::vector<std::string> take_requests();
 

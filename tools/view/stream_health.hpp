@@ -1,5 +1,5 @@
-// Whether the picture is of now, and if not, why. Knows no clock: times are given, in milliseconds
-// of any steady clock.
+// Whether the picture shows the present, and if not, why. It knows no clock: the caller gives times
+// in milliseconds of any steady clock.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class StreamState : std::uint8_t {
 class StreamHealth {
  public:
   static constexpr std::int64_t kStaleAfterMs = FrameAssembler::kLongestSilence.count();
-  // So long something that has happened once is worth saying.
+  // How long a single event stays worth saying.
   static constexpr std::int64_t kRecentMs = 3000;
 
   void note_frame(std::int64_t now_ms) { last_frame_ms_ = now_ms; }
@@ -31,12 +31,12 @@ class StreamHealth {
   void note_end() { has_ended_ = true; }
 
   [[nodiscard]] StreamState state(std::int64_t now_ms) const;
-  // Since the last frame; 0 if there was none.
+  // Time since the last frame; 0 if there was none.
   [[nodiscard]] std::int64_t silent_ms(std::int64_t now_ms) const;
 
   [[nodiscard]] bool has_restarted_lately(std::int64_t now_ms) const;
   [[nodiscard]] bool is_corrupt_lately(std::int64_t now_ms) const;
-  // Messages of another version, or of another grid, come or have just come.
+  // Messages of another version, or of another grid, arrive or have just arrived.
   [[nodiscard]] bool has_other_version_lately(std::int64_t now_ms) const;
   [[nodiscard]] bool has_strange_grid_lately(std::int64_t now_ms) const;
 

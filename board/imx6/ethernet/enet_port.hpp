@@ -1,5 +1,5 @@
-// The Ethernet controller as a hal::EthernetPort, with its own memory and its own idea of how fast
-// frames may leave (transmit_shaper.hpp).
+// The Ethernet controller as a hal::EthernetPort. It has its own memory, and it limits how fast
+// frames leave (transmit_shaper.hpp).
 #pragma once
 
 #include <array>
@@ -72,7 +72,7 @@ class EnetPort {
   void pump();
   hal::PortCounters counters() const { return counters_; }
 
-  // Withdraws the wake-up request of the frames received so far. The rings are polled afterwards.
+  // Withdraws the wake-up request of the frames received so far. Poll the rings after it.
   void clear_event() { registers_.eir.clear(EnetRegisters::kEirReceivedFrame); }
 
   const Link& link() const { return link_monitor_.link(); }

@@ -1,4 +1,5 @@
-// The ring of buffers that the controller fills. Knows ownership and order, nothing about frames.
+// The ring of buffers that the controller fills. It knows ownership and order, and nothing about
+// frames.
 #pragma once
 
 #include <cstddef>
@@ -22,13 +23,13 @@ class ReceiveRing {
   ReceiveRing(std::span<Descriptor> descriptors, std::span<std::byte> buffers, L2Cache& cache)
       : descriptors_(descriptors), buffers_(buffers), cache_(cache) {}
 
-  // All buffers to the controller, the next one is the first.
+  // Gives all buffers to the controller; the next one is the first.
   void start();
 
   // What the controller is told (RDSR).
   std::uint32_t bus_address() const { return machine::bus_address(descriptors_.front()); }
 
-  // Has the controller filled the next buffer?
+  // Whether the controller has filled the next buffer.
   bool filled() const;
 
   // Of the next buffer, while filled(): its flags, the length in its descriptor, its bytes.

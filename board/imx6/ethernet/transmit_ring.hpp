@@ -1,4 +1,5 @@
-// The ring of buffers that the program fills and the controller sends. Knows ownership and order.
+// The ring of buffers that the program fills and the controller sends. It knows ownership and
+// order.
 //
 //      done                in flight            queued           free
 //   ... free | oldest_ ............. | handed ............ | next_ ... free

@@ -18,9 +18,9 @@ inline void store(T& location, T value) {
   *static_cast<volatile T*>(&location) = value;
 }
 
-// Everything this core has stored is visible to every DMA engine before anything after this line
-// happens. A DSB rather than a DMB: what follows is mostly a store to a device that starts the
-// engine.
+// Makes everything that this core has stored visible to every DMA engine before anything after it
+// happens. It is a DSB and not a DMB, because a store to a device that starts the engine mostly
+// follows.
 inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
 
 // Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.

@@ -123,7 +123,7 @@ TEST(Pipeline, TheTilesCarryTheGrid) {
   EXPECT_EQ(received.end.tiles_sent, tiles);
 }
 
-// House rule: every permutation of sensors and packets of a frame gives the same grid.
+// docs/model.md section 3: every permutation of sensors and packets of a frame gives the same grid.
 TEST(Pipeline, EveryPermutationOfSensorsAndPacketsGivesTheSameGrid) {
   tests::Random random(73);
   auto frame = frame_of_three(4, 2, random);

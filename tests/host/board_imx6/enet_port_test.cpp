@@ -215,7 +215,7 @@ TEST_F(Port, ClearingTheEventTouchesNoOtherFlag) {
 
 using PortDeathTest = Port;
 
-TEST_F(PortDeathTest, BrokenContractsStop) {
+TEST_F(PortDeathTest, BrokenRulesStop) {
   EXPECT_DEATH(port_.release(), "");
   EXPECT_DEATH(port_.commit(60), "");
   port_.acquire();

@@ -1,6 +1,6 @@
-// An Ethernet port in memory for tests. It keeps the seam's contract strictly: every frame lives in
+// An Ethernet port in memory for tests. It keeps the seam's rules strictly: every frame lives in
 // its own heap block of exactly its length, gone after release(), so that the address sanitizer
-// sees a byte read too far or too late; and it counts what its user does against the contract.
+// sees a byte read too far or too late; and it counts what its user does against them.
 #pragma once
 
 #include <cstddef>
@@ -84,7 +84,7 @@ class FakeEthernetPort {
   // Arrived frames that have not been released.
   [[nodiscard]] std::size_t waiting() const { return arrived_.size(); }
 
-  // Calls against the contract of hal::EthernetPort.
+  // Calls against the rules of hal::EthernetPort.
   [[nodiscard]] int violations() const { return violations_; }
 
  private:

@@ -1,6 +1,6 @@
-// House rule 15: one capture, one grid hash, wherever the code runs. The capture is made here from
-// integers alone, so that every machine makes the same bytes; this test is built by gcc and clang
-// for the PC and by gcc for the Cortex-A9, and the hash below is asserted by all of them.
+// docs/model.md section 7: one capture, one grid hash, wherever the code runs. The capture is made
+// here from integers alone, so that every machine makes the same bytes; this test is built by gcc
+// and clang for the PC and by gcc for the Cortex-A9, and the hash below is asserted by all of them.
 //
 // That the cells are right is shown by grid/sampling_test.cpp; this shows that they are the same.
 #include <gtest/gtest.h>

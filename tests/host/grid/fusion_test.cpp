@@ -1,5 +1,5 @@
-// The fusion of a frame (contract section 3): what one hit and many passing beams are worth, and
-// that no order shows.
+// The fusion of a frame (docs/model.md section 3): what one hit and many passing beams are worth,
+// and that no order shows.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -44,7 +44,7 @@ TEST(Lanes, AreThePlainOnes) {
   expect_the_same([](auto a, auto b) { return a.max(b); });
 }
 
-// Contract section 3: what is carved saturates. A byte does at -128.
+// docs/model.md section 3: what is carved saturates. A byte does at -128.
 TEST(Lanes, SubtractDownToTheLowestByte) {
   EXPECT_EQ(int{subtract_saturated(-120, 8)}, -128);
   EXPECT_EQ(int{subtract_saturated(-120, 9)}, -128);

@@ -1,4 +1,4 @@
-// The sampling rule of contract section 5, against the rule itself: every cell that the line
+// The sampling rule of docs/model.md section 5, against the rule itself: every cell that the line
 // crosses, its exact shares of entering and leaving as rational numbers, and the 1D cell they fall
 // in.
 #include <algorithm>
@@ -118,7 +118,7 @@ std::int64_t entering_cell(Rational share, std::int64_t cells_per_line) {
   return numeric::div_floor(share.numerator * cells_per_line, share.denominator);
 }
 
-// What contract section 5 says of one cell and one scan point at distance z in 1D cell k.
+// What docs/model.md section 5 says of one cell and one scan point at distance z in 1D cell k.
 int expected_index(const Sensor& sensor, SubcellPoint end, Cell cell, std::int64_t range_mm) {
   constexpr std::int64_t kCellsPerLine = 500;
   const std::int64_t k = range_mm / 100;

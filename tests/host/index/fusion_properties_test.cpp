@@ -126,8 +126,8 @@ TYPED_TEST(IndexFusion, DoesNotGroupFreelyAtALimit) {
   EXPECT_EQ(sat_add(this->kMin, sat_add(minus_one, one)), this->kMin);
 }
 
-// Contract section 3, why a frame does not depend on order: of one sign, any grouping gives the
-// sum, held to the limit.
+// docs/model.md section 3, why a frame does not depend on order: of one sign, any grouping gives
+// the sum, held to the limit.
 TYPED_TEST(IndexFusion, OfOneSignGroupsFreelyEverywhere) {
   for (const TypeParam a : this->samples()) {
     for (const TypeParam b : this->samples()) {

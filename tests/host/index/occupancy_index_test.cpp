@@ -28,7 +28,7 @@ TEST(SaturatingAddition, LoweringIsTheSameSum) {
   }
 }
 
-// Contract section 3: additions of one sign commute under saturation, in any grouping.
+// docs/model.md section 3: additions of one sign commute under saturation, in any grouping.
 TEST(SaturatingAddition, IndexesOfOneSignGroupFreely) {
   for (int sign = -1; sign <= 1; sign += 2) {
     for (int a = 0; a <= 127; a += 3) {
@@ -45,7 +45,7 @@ TEST(SaturatingAddition, IndexesOfOneSignGroupFreely) {
   }
 }
 
-// And why the contract needs that: with mixed signs the grouping shows.
+// And why carving and marking are kept apart: with mixed signs the grouping shows.
 TEST(SaturatingAddition, MixedSignsDoNotGroupFreely) {
   const OccupancyIndex a = 100;
   const OccupancyIndex b = 100;

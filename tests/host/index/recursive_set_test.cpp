@@ -35,7 +35,7 @@ TEST(RecursiveSet, FusionOfProbabilitiesIsAdditionOfIndexes) {
   }
 }
 
-// Contract section 2: at epsilon = 0.05, p_-127 < 1e-11.
+// docs/model.md section 2: at epsilon = 0.05, p_-127 < 1e-11.
 TEST(RecursiveSet, AnInt8ReachesCertaintyAtEpsilonFivePercent) {
   const RecursiveSet set(0.05);
   EXPECT_LT(set.probability(-127), 1e-11);

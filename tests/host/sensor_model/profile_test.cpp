@@ -1,4 +1,4 @@
-// Table 4.3 of the thesis (contract section 4).
+// Table 4.3 of the thesis (docs/model.md section 4).
 #include "sensor_model/profile.hpp"
 
 #include <array>

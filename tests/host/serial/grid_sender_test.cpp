@@ -1,4 +1,4 @@
-// What a receiver may believe of the line, whatever frames come: every tile that a message speaks
+// What a receiver may believe of the link, whatever frames come: every tile that a message speaks
 // of is as it was in the frame that the message names, and nothing is older than a round.
 #include "serial/grid_sender.hpp"
 
@@ -22,7 +22,7 @@ using Grid = std::map<std::size_t, Tile>;  // known tiles
 
 constexpr std::uint32_t kRate = 11'520;  // bytes a second
 
-// A line that has no rate of its own, as QEMU's.
+// A link that has no rate of its own, as QEMU's.
 struct FakePort {
   std::vector<std::byte> bytes;
   std::size_t room = 1'000'000;
@@ -48,7 +48,7 @@ struct Message {
   }
 };
 
-class GridSenderOnALine : public testing::Test {
+class GridSenderOnALink : public testing::Test {
  protected:
   // A frame whose known tiles are those of the grid, and 40 ms of passes, one a millisecond.
   void play(std::uint32_t number, const Grid& grid, int milliseconds = 40) {
@@ -138,12 +138,12 @@ class GridSenderOnALine : public testing::Test {
   protection::Receiver receiver_{stream::kSerialChannel};
 };
 
-TEST_F(GridSenderOnALine, IsSilentBeforeTheFirstFrame) {
+TEST_F(GridSenderOnALink, IsSilentBeforeTheFirstFrame) {
   pass(1000);
   EXPECT_TRUE(port_.bytes.empty());
 }
 
-TEST_F(GridSenderOnALine, BeginsWithTheRoughGridOfTheFrame) {
+TEST_F(GridSenderOnALink, BeginsWithTheRoughGridOfTheFrame) {
   play(7, street(1, 100));
   const std::vector<Message> all = messages();
   ASSERT_FALSE(all.empty());
@@ -152,7 +152,7 @@ TEST_F(GridSenderOnALine, BeginsWithTheRoughGridOfTheFrame) {
   EXPECT_EQ(all[0].tiles.tile_count, 1u);
 }
 
-TEST_F(GridSenderOnALine, TellsOfEachFrameWhatIsSo) {
+TEST_F(GridSenderOnALink, TellsOfEachFrameWhatIsSo) {
   std::vector<Grid> grids;
   for (std::uint32_t frame = 0; frame < 50; ++frame) {
     grids.push_back(street(frame, 20 + static_cast<int>(frame) * 5));
@@ -168,7 +168,7 @@ TEST_F(GridSenderOnALine, TellsOfEachFrameWhatIsSo) {
   EXPECT_GT(told, 50u);
 }
 
-TEST_F(GridSenderOnALine, TellsTheCoarseGridsWhole) {
+TEST_F(GridSenderOnALink, TellsTheCoarseGridsWhole) {
   const Grid grid = street(3, 200);
   static CoarseLevels levels;
   levels.clear();
@@ -198,8 +198,8 @@ TEST_F(GridSenderOnALine, TellsTheCoarseGridsWhole) {
   EXPECT_EQ(std::ranges::count(told, true), std::ssize(told));
 }
 
-// 200 tiles of some 150 bytes are 30 kB, and two thirds of the line carry 7.7 kB a second.
-TEST_F(GridSenderOnALine, HasToldAStillSceneInOneRound) {
+// 200 tiles of some 150 bytes are 30 kB, and two thirds of the link carry 7.7 kB a second.
+TEST_F(GridSenderOnALink, HasToldAStillSceneInOneRound) {
   const Grid grid = street(2, 200);
   Grid told;
   std::uint32_t frame = 0;
@@ -215,7 +215,7 @@ TEST_F(GridSenderOnALine, HasToldAStillSceneInOneRound) {
   EXPECT_LT(frame, 125u);  // 5 s
 }
 
-TEST_F(GridSenderOnALine, TakesBackWhatIsNoLongerKnown) {
+TEST_F(GridSenderOnALink, TakesBackWhatIsNoLongerKnown) {
   for (std::uint32_t frame = 0; frame < 50; ++frame) {
     play(frame, street(2, 50));
   }
@@ -236,7 +236,7 @@ TEST_F(GridSenderOnALine, TakesBackWhatIsNoLongerKnown) {
 }
 
 // docs/spec.md 3.2: the absence of a sensor says nothing about any cell.
-TEST_F(GridSenderOnALine, OnlyGivesASignOfLifeWhileNoSensorTakesPart) {
+TEST_F(GridSenderOnALink, OnlyGivesASignOfLifeWhileNoSensorTakesPart) {
   for (std::uint32_t frame = 0; frame < 50; ++frame) {
     play(frame, street(2, 50));
   }
@@ -257,16 +257,16 @@ TEST_F(GridSenderOnALine, OnlyGivesASignOfLifeWhileNoSensorTakesPart) {
   EXPECT_LE(signs, 25);
 }
 
-TEST_F(GridSenderOnALine, KeepsTheLineBusyAndGoesNoFaster) {
+TEST_F(GridSenderOnALink, KeepsTheLinkBusyAndGoesNoFaster) {
   const Grid grid = street(4, 400);
   for (std::uint32_t frame = 0; frame < 100; ++frame) {
     play(frame, grid);
-    EXPECT_LE(port_.bytes.size(), (frame + 1) * kRate / 25 + LineBudget::burst_bytes(kRate));
+    EXPECT_LE(port_.bytes.size(), (frame + 1) * kRate / 25 + TokenBucket::burst_bytes(kRate));
   }
   EXPECT_GE(port_.bytes.size(), std::size_t{100} * kRate / 25 * 99 / 100);
 }
 
-TEST_F(GridSenderOnALine, GivesTheCellsTwoThirdsOfTheLine) {
+TEST_F(GridSenderOnALink, GivesTheCellsTwoThirdsOfTheLine) {
   const Grid grid = street(4, 400);
   for (std::uint32_t frame = 0; frame < 200; ++frame) {
     play(frame, grid);
@@ -280,7 +280,7 @@ TEST_F(GridSenderOnALine, GivesTheCellsTwoThirdsOfTheLine) {
   EXPECT_NEAR(static_cast<double>(of_cells), static_cast<double>(sum) * 2 / 3, 3 * 1400);
 }
 
-TEST_F(GridSenderOnALine, IsOfANewFrame) {
+TEST_F(GridSenderOnALink, IsOfANewFrame) {
   for (std::uint32_t frame = 0; frame < 100; ++frame) {
     play(frame, street(4, 400));
     // The longest message lasts for 121 ms, and 40 ms of the one before it are left when it is
@@ -291,7 +291,7 @@ TEST_F(GridSenderOnALine, IsOfANewFrame) {
   }
 }
 
-TEST_F(GridSenderOnALine, WaitsForAPortWithoutRoom) {
+TEST_F(GridSenderOnALink, WaitsForAPortWithoutRoom) {
   port_.room = 0;
   play(0, street(1, 100), 500);
   EXPECT_TRUE(port_.bytes.empty());
@@ -310,7 +310,7 @@ TEST_F(GridSenderOnALine, WaitsForAPortWithoutRoom) {
 }
 
 // Raw tiles, of which a message holds one, and frames in which everything is known.
-TEST_F(GridSenderOnALine, TellsWhatIsSoOfGridsThatCannotBeCompressed) {
+TEST_F(GridSenderOnALink, TellsWhatIsSoOfGridsThatCannotBeCompressed) {
   tests::Random random(8);
   std::vector<Grid> grids(12);
   for (std::uint32_t frame = 0; frame < grids.size(); ++frame) {
@@ -330,7 +330,7 @@ TEST_F(GridSenderOnALine, TellsWhatIsSoOfGridsThatCannotBeCompressed) {
 
 // docs/spec.md 3.2: the low 16 bits of the sequence number are the E2E counter, which the fixture's
 // receiver follows.
-TEST_F(GridSenderOnALine, NumbersItsMessages) {
+TEST_F(GridSenderOnALink, NumbersItsMessages) {
   for (std::uint32_t frame = 0; frame < 25; ++frame) {
     play(frame, street(4, 50));
   }

@@ -137,7 +137,7 @@ TEST(StreamCensus, TellsMessagesByServiceAndEvent) {
 namespace ros {
 namespace {
 
-// Table 4.3 of the thesis and the contract's figures: p of -14 is 0.057, of -7 0.197, of 2 0.599.
+// Table 4.3 of the thesis and docs/model.md section 2: p of -14 is 0.057, of -7 0.197, of 2 0.599.
 TEST(Percents, AreProbabilitiesOfTheRecursiveSet) {
   const Percents percents(0.05);
   EXPECT_EQ(percents[-14], 6);

@@ -1,5 +1,5 @@
-// The laws of the walk (house rule 14): it starts and ends right, takes single steps, and visits
-// every cell that the line crosses and no other.
+// The laws of the walk (docs/model.md section 5): it starts and ends right, takes single steps, and
+// visits every cell that the line crosses and no other.
 #include "traversal/walk.hpp"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ TEST(Walk, AlongABorderStaysInTheCellsAboveIt) {
 }
 
 // A start on a border whose line leaves to the lower side: the start cell is the one that holds the
-// point by floor division, visited although the line only touches it (contract section 5).
+// point by floor division, visited although the line only touches it (docs/model.md section 5).
 TEST(Walk, StartsInTheCellThatHoldsTheStart) {
   EXPECT_EQ(map_of(cells_of<10>({20, 25}, {2, 21}), 4, 3),
             "210.\n"

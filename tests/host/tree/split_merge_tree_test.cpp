@@ -145,7 +145,7 @@ TEST(SplitMergeTree, RefusesWhatFindsNoRoomAndStaysAsItWas) {
   EXPECT_EQ(tree.leaf_at({7, 7}).index, 1);
 }
 
-// The sum of two indexes saturates at 127 (contract section 2).
+// The sum of two indexes saturates at 127 (docs/model.md section 2).
 TEST(SplitMergeTree, FusesByASaturatedSum) {
   SplitMergeTree<3, 1, 1> octree;
   ASSERT_EQ(octree.add({1, 0, 1}, 100), Update::kDone);

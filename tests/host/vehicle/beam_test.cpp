@@ -1,4 +1,5 @@
-// Directions against floating-point trigonometry, fates against the table of contract section 6.
+// Directions against floating-point trigonometry, fates against the table in section 6 of
+// docs/model.md.
 #include "vehicle/beam.hpp"
 
 #include <cmath>

@@ -34,7 +34,7 @@ TEST(Descriptions, AWholeFrameOfMarksFits) {
   }
 }
 
-// Contract section 8: four LUX, three in front and one behind, 50 m, 4 layers.
+// docs/model.md section 8: four LUX, three in front and one behind, 50 m, 4 layers.
 TEST(Descriptions, TheReferenceCarIsThatOfTheThesis) {
   const vehicle::Vehicle& car = reference_car::kVehicle;
   ASSERT_EQ(car.sensors.size(), 4U);

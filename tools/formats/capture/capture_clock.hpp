@@ -1,6 +1,6 @@
-// The clock of a capture: starts at 0 with its first packet, never runs backwards, and lets no
-// pause last longer than a second, so that a strange capture makes neither millions of empty frames
-// nor a replay of days.
+// The clock of a capture. It starts at 0 with the first packet and never runs backwards. A pause
+// lasts at most a second, so that a strange capture makes neither millions of empty frames nor a
+// replay of days.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ class CaptureClock {
  public:
   static constexpr std::uint64_t kLongestPauseUs = 1'000'000;
 
-  // The time of a packet with that stamp, in microseconds since the start.
+  // Moves on to a packet with this time stamp. Returns its time in microseconds since the start.
   std::uint64_t move_to(std::uint64_t capture_us) {
     if (has_started_ && capture_us > last_capture_us_) {
       now_us_ += std::min(capture_us - last_capture_us_, kLongestPauseUs);

@@ -49,11 +49,11 @@ inline constexpr std::size_t kMaxLuxDatagramBytes = 1400;
 // A whole message, header and body, as IbeoLux accepts it. UsageError if it contradicts itself.
 [[nodiscard]] LuxScan parse_lux_message(std::span<const std::byte> message);
 
-// The messages of a scan, each at most max_bytes long (at least one point's). Points are put in
-// order of the sweep, stably; each message's start and end angle are the sector that it covers, and
-// the sectors follow one another from the scan's start to its end. Points of one azimuth stay
-// together unless they alone are longer than a message; an azimuth on a border belongs to the
-// message that the sweep reaches first.
+// Splits a scan into messages of at most max_bytes, each with at least one point. Points are
+// sorted, stably, into the order of the sweep. The start and end angle of a message are the sector
+// that it covers; the sectors follow one another from the scan's start to its end. Points of one
+// azimuth stay together unless they alone are longer than a message. An azimuth on a border belongs
+// to the message that the sweep reaches first.
 [[nodiscard]] std::vector<std::vector<std::byte>> split_lux_scan(
     LuxScan scan, std::size_t max_bytes = kMaxLuxDatagramBytes);
 

@@ -1,5 +1,5 @@
-// Reads MCAP files from their beginning to their end, whoever has written them: what a file without
-// its end still holds is read, and what is damaged is counted.
+// Reads MCAP files of any writer from beginning to end. If the end of a file is missing, what is
+// there is read. What is damaged is counted.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ class Reader {
   // The stream outlives the reader. UsageError if it is no MCAP file.
   explicit Reader(std::istream& in);
 
-  // The next message, in the order of the file; nothing at its end.
+  // The next message in the order of the file; nothing at its end.
   [[nodiscard]] std::optional<Message> next();
 
   [[nodiscard]] const ReadCounts& counts() const { return counts_; }
@@ -47,13 +47,14 @@ class Reader {
   [[nodiscard]] const std::string& library() const { return library_; }
   [[nodiscard]] const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }
   [[nodiscard]] const std::map<std::uint16_t, Channel>& channels() const { return channels_; }
-  // By name: the file's own words about itself.
+  // What the file says of itself, by name.
   [[nodiscard]] const std::map<std::string, Metadata>& metadata() const { return metadata_; }
-  // Of the first chunk.
+  // The compression of the first chunk.
   [[nodiscard]] const std::string& compression() const { return compression_; }
-  // Of the statistics, if the file has such.
+  // The number of messages in the file's statistics, if it has any.
   [[nodiscard]] std::optional<std::uint64_t> promised_messages() const { return promised_; }
-  // The last record and the magic number at the end are there. Known when all has been read.
+  // Whether the last record and the magic number at the end are there. Known when all has been
+  // read.
   [[nodiscard]] bool is_finished() const { return is_finished_; }
 
  private:

@@ -1,5 +1,5 @@
-// The rules of fusion on a few cells, worked out by hand from contract section 3 and the thesis's
-// section 2.4.
+// The rules of fusion on a few cells, worked out by hand from docs/model.md section 3 and the
+// thesis's section 2.4.
 #include "lab/evidence/fusion_rules.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The geometries of which the contract is none, each against its definition: one cell at a time,
-// with exact shares of the line, as rational numbers or as integers that need no division.
+// The geometries that are not the model's, each against its definition: one cell at a time, with
+// exact shares of the line, as rational numbers or as integers that need no division.
 #include <cstdint>
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -199,8 +199,8 @@ TEST(Geometry, BresenhamsCellsAreEnteredAtTheBordersOfTheLongerAxis) {
   }
 }
 
-// The contract's rule on the longer axis alone.
-TEST(Geometry, UnderTheContractOneCellOfBresenhamsIsMarked) {
+// The model's rule on the longer axis alone.
+TEST(Geometry, UnderTheModelOneCellOfBresenhamsIsMarked) {
   for (const Shot& shot : shots(tests::MidCellLux::kVehicle, 15, 200)) {
     const Bresenham bresenham(shot);
     const Rational hit{shot.point.range_mm, 50'000};
@@ -220,7 +220,7 @@ TEST(Geometry, UnderTheContractOneCellOfBresenhamsIsMarked) {
         cells_1d.push_back(std::max(cell_1d_of_share(enter), shot.k + 1));
       }
     }
-    ASSERT_EQ(steps_of(shot, {Path::kBresenham, Sampling::kContract}),
+    ASSERT_EQ(steps_of(shot, {Path::kBresenham, Sampling::kModel}),
               expected(shot, bresenham.path, cells_1d));
   }
 }

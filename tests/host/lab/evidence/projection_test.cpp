@@ -1,4 +1,4 @@
-// Evidence that is projected by the contract and fused by its rules is the firmware's grid, byte
+// Evidence that is projected and fused by the rules of docs/model.md is the firmware's grid, byte
 // for byte: what experiments change is changed against that, and against nothing else.
 #include "lab/evidence/projection.hpp"
 
@@ -138,12 +138,12 @@ TEST(Projection, RandomPointsOfAVlp16AreTheFirmwaresGrid) {
   expect_the_firmwares_grids(vehicle, {random_points(vehicle, 4, 4000)});
 }
 
-// Contract section 6, whatever the geometry: a beam that only carves marks nothing, a later echo
-// carves nothing.
+// docs/model.md section 6, whatever the geometry: a beam that only carves marks nothing, a later
+// echo carves nothing.
 TEST(Projection, NoGeometryGivesAPointMoreThanItsFateAllows) {
   const Vehicle& vehicle = tests::OneLux::kVehicle;
   for (const Path path : {Path::kCrossed, Path::kBresenham}) {
-    for (const Sampling sampling : {Sampling::kContract, Sampling::kCentre, Sampling::kEntry}) {
+    for (const Sampling sampling : {Sampling::kModel, Sampling::kCentre, Sampling::kEntry}) {
       const auto of = [&](lidar::ScanPoint point) {
         return project(vehicle, {{0, point}}, {path, sampling});
       };
@@ -166,7 +166,7 @@ TEST(Projection, NoGeometryGivesAPointMoreThanItsFateAllows) {
 }
 
 // The scan points that mark: "hits" are their cells, once each, inside the grid.
-TEST(Projection, UnderTheContractEveryHitIsTheCellOfStep0) {
+TEST(Projection, UnderTheModelEveryHitIsTheCellOfStep0) {
   const Vehicle& vehicle = tests::ThreeLux::kVehicle;
   const FrameEvidence evidence = project(vehicle, random_points(vehicle, 5, 3000), {});
   std::vector<std::uint32_t> marked;

@@ -1,5 +1,5 @@
 // UART1 against the i.MX6DQ manual, and against a transmitter with a FIFO of 32 bytes.
-#include "serial_line.hpp"
+#include "serial_link.hpp"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -15,7 +15,7 @@ using machine::poke;
 using machine::recorder;
 using machine::Write;
 
-static_assert(hal::SerialPort<SerialLine>);
+static_assert(hal::SerialPort<SerialLink>);
 
 class Line : public testing::Test {
  protected:
@@ -60,7 +60,7 @@ class Line : public testing::Test {
   }
 
   UartRegisters registers_{};
-  SerialLine line_{registers_};
+  SerialLink link_{registers_};
   unsigned fifo_ = 0;
 };
 
@@ -70,7 +70,7 @@ TEST_F(Line, StartsLikeTheConsoleButAsksForMoreBytesEarlier) {
       poke(registers_.ucr2, 1u);  // the software reset ends by itself
     }
   };
-  line_.start();
+  link_.start();
   const std::vector<Write> expected = {
       {0x80, 0x0000},  // UCR1: off
       {0x84, 0x0000},  // UCR2: software reset
@@ -85,38 +85,38 @@ TEST_F(Line, StartsLikeTheConsoleButAsksForMoreBytesEarlier) {
   EXPECT_EQ(machine::writes_to(registers_), expected);
 }
 
-TEST_F(Line, CarriesATenthOfItsBaudInBytes) { EXPECT_EQ(line_.bytes_per_second(), 11'520u); }
+TEST_F(Line, CarriesATenthOfItsBaudInBytes) { EXPECT_EQ(link_.bytes_per_second(), 11'520u); }
 
 TEST_F(Line, WaitsForTheTransmitterWithoutBlocking) {
   set_ready(false);
-  line_.write(bytes(100));
-  line_.pump();
+  link_.write(bytes(100));
+  link_.pump();
   EXPECT_TRUE(sent().empty());
-  EXPECT_EQ(line_.free_bytes(), SerialLine::kRingBytes - 100);
+  EXPECT_EQ(link_.free_bytes(), SerialLink::kRingBytes - 100);
 }
 
 TEST_F(Line, AReadyTransmitterGetsNoMoreThanSurelyFits) {
   set_ready(true);
-  line_.write(bytes(100));
+  link_.write(bytes(100));
   EXPECT_EQ(sent().size(), 16u);
 }
 
 TEST_F(Line, KeepsOrderAndLosesNothingAcrossTheEndOfTheRing) {
   give_it_a_fifo();
-  const std::vector<std::byte> all = bytes(3 * SerialLine::kRingBytes + 17);
+  const std::vector<std::byte> all = bytes(3 * SerialLink::kRingBytes + 17);
   std::span<const std::byte> left = all;
   while (!left.empty()) {
-    const std::size_t now = std::min({left.size(), line_.free_bytes(), std::size_t{1000}});
-    line_.write(left.first(now));
+    const std::size_t now = std::min({left.size(), link_.free_bytes(), std::size_t{1000}});
+    link_.write(left.first(now));
     left = left.subspan(now);
     for (int characters = 0; characters < 500; ++characters) {
       shift_out();
-      line_.pump();
+      link_.pump();
     }
   }
-  while (line_.free_bytes() < SerialLine::kRingBytes) {
+  while (link_.free_bytes() < SerialLink::kRingBytes) {
     shift_out();
-    line_.pump();
+    link_.pump();
   }
   EXPECT_EQ(sent(), all);
 }
@@ -125,28 +125,28 @@ TEST_F(Line, KeepsOrderAndLosesNothingAcrossTheEndOfTheRing) {
 // millisecond, 11.5 characters.
 TEST_F(Line, NeverRunsDryInALoopThatComesEveryMillisecond) {
   give_it_a_fifo();
-  line_.write(bytes(SerialLine::kRingBytes));
-  line_.pump();
+  link_.write(bytes(SerialLink::kRingBytes));
+  link_.pump();
   for (int milliseconds = 0; milliseconds < 300; ++milliseconds) {
     for (int characters = 0; characters < 12; ++characters) {
       ASSERT_GT(fifo_, 0u);
       shift_out();
     }
-    line_.pump();
+    link_.pump();
   }
 }
 
 // UCR1.TRDYEN, bit 13.
 TEST_F(Line, WakesTheCoreOnlyWhileSomethingWaits) {
   set_ready(false);
-  line_.pump();
+  link_.pump();
   EXPECT_TRUE(machine::writes_to(registers_).empty());
-  line_.write(bytes(20));
+  link_.write(bytes(20));
   EXPECT_EQ(machine::last_write(registers_, 0x80), 0x2001u);
   set_ready(true);
-  line_.pump();
+  link_.pump();
   EXPECT_EQ(machine::last_write(registers_, 0x80), 0x2001u);
-  line_.pump();
+  link_.pump();
   EXPECT_EQ(machine::last_write(registers_, 0x80), 0x0001u);
   EXPECT_EQ(sent(), bytes(20));
 }

@@ -1,12 +1,13 @@
-// The line of the grid: UART1, 115200 baud, eight bits, no parity, transmit only. Satisfies
-// hal::SerialPort.
+// The serial link that carries the grid: UART1, 115200 baud, eight bits, no parity, transmit only.
+// Satisfies hal::SerialPort.
 //
 // On the SABRE Lite UART1 is the RS-232 connector beside the console's; QEMU shows it as its first
 // -serial.
 //
-// Bytes wait in a ring. The transmitter's FIFO holds 32 of them, 2.8 ms of the line, and asks for
-// more when fewer than 16 are left, which last for 1.3 ms. While bytes wait, that ends WFI
-// (gic.hpp), so a rate at which the FIFO does not last for a tick of the loop stays busy, too.
+// Bytes wait in a ring. The transmitter's FIFO holds 32 of them, which take 2.8 ms to send. It asks
+// for more when fewer than 16 are left, which last for 1.3 ms. While bytes wait, that request ends
+// WFI (gic.hpp). So the link stays busy even at a rate at which the FIFO is empty before the next
+// tick of the loop.
 #pragma once
 
 #include <array>
@@ -18,16 +19,16 @@
 
 namespace iog::imx6 {
 
-class SerialLine {
+class SerialLink {
  public:
   static constexpr std::uint32_t kBaud = 115'200;
   static constexpr std::size_t kRingBytes = 4096;
 
-  explicit SerialLine(UartRegisters& registers) : registers_(registers) {}
+  explicit SerialLink(UartRegisters& registers) : registers_(registers) {}
 
   void start();
 
-  // Ten bits on the line for eight: start and stop.
+  // A byte is ten bits on the wire: start, eight, stop.
   std::uint32_t bytes_per_second() const { return kBaud / 10; }
 
   std::size_t free_bytes() const { return kRingBytes - (queued_ - sent_); }

@@ -1,0 +1,54 @@
+// Which flow sends next on a link that is too slow for all of them: the one that has had the least
+// service in proportion to its weight (start-time fair queueing: Goyal, Vin and Cheng, IEEE/ACM
+// Transactions on Networking 5, 1997). A flow that has nothing to send for a while neither loses
+// nor saves anything by it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace iog::serial {
+
+template <std::size_t kFlows>
+class FairQueue {
+ public:
+  // weights: the flows' parts of the link, each a divisor of kUnit.
+  static constexpr std::uint32_t kUnit = 24;
+
+  constexpr explicit FairQueue(const std::array<std::uint32_t, kFlows>& weights)
+      : weights_{weights} {}
+
+  // The next of the flows that have something to send; the first one of equals. Idle flows are
+  // brought up to the one that is chosen: they must not come back with a claim on the past.
+  [[nodiscard]] std::optional<std::size_t> next(const std::array<bool, kFlows>& is_waiting) {
+    std::optional<std::size_t> chosen;
+    for (std::size_t flow = 0; flow < kFlows; ++flow) {
+      if (is_waiting[flow] && (!chosen || service_[flow] < service_[*chosen])) {
+        chosen = flow;
+      }
+    }
+    for (std::size_t flow = 0; flow < kFlows && chosen; ++flow) {
+      service_[flow] =
+          is_waiting[flow] ? service_[flow] : std::max(service_[flow], service_[*chosen]);
+    }
+    return chosen;
+  }
+
+  // The flow has sent so many bytes.
+  void charge(std::size_t flow, std::size_t bytes) {
+    service_[flow] += static_cast<std::uint32_t>(bytes) * (kUnit / weights_[flow]);
+    const std::uint32_t least = *std::ranges::min_element(service_);
+    for (std::uint32_t& service : service_) {
+      service -= least;  // only differences count, and so they never overflow
+    }
+  }
+
+ private:
+  std::array<std::uint32_t, kFlows> weights_;
+  std::array<std::uint32_t, kFlows> service_{};  // bytes, times kUnit / weight
+};
+
+}  // namespace iog::serial
