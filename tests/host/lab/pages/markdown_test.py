@@ -15,10 +15,10 @@ class Numbers(unittest.TestCase):
         self.assertEqual(markdown.scientific(0.000465, 2), "4.65e-4")
         self.assertEqual(markdown.scientific(1e-11, 0), "1e-11")
 
-    def test_grouped_rounds_half_away_from_zero(self):
+    def test_grouped_has_a_comma_after_every_three_digits_and_no_decimals(self):
         self.assertEqual(markdown.grouped(1048576), "1,048,576")
-        self.assertEqual(markdown.grouped(2.5), "3")
-        self.assertEqual(markdown.grouped(-2.5), "-3")
+        self.assertEqual(markdown.grouped(999.6), "1,000")
+        self.assertEqual(markdown.grouped(-1234.4), "-1,234")
 
 
 class Table(unittest.TestCase):
