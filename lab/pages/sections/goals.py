@@ -5,7 +5,7 @@ import dataclasses
 
 from cortex_a9 import FUSED, STAGES, CortexA9, Cost, frame_run
 from markdown import fixed, grouped, percent
-from peer_times import GOALS as PEER_GOALS, NAMES, SCENES as PEER_SCENES, WHAT, PeerTimes
+from peer_times import GOALS as PEER_GOALS, NAMES, SCENES as PEER_SCENES, WHAT, PeerTimes, ratio_text
 from section import Section, one
 from target_frames import SCENES, WHOLE, Floor, floor, target_frame
 
@@ -77,7 +77,7 @@ def _worst_goal(a9, kinds):
     kind, paths = max(found, key=lambda each: found[each].cycles.nominal)
     saved = 1 - found[kind, "kept"].cycles.nominal / found[kind, "forgotten"].cycles.nominal
     reason = (f"{_shares(_stage_costs(a9, frame_run(worst=kind, paths=paths), FUSED))}; tables per "
-              f"line save {percent(saved, 1)} of its cycles")
+              f"line {'save' if saved > 0 else 'add'} {percent(abs(saved), 1)} of its cycles")
     memory = floor(a9, f"worst={kind}")
     return Goal(f"worst constructed frame, any path (`{kind}`)", 180, found[kind, paths], memory,
                 memory.fused_hz, reason)
@@ -155,7 +155,7 @@ def _peer_rows(times):
     for goal in PEER_GOALS:
         city, ring_road = (times.ratio(scene, goal.peer, goal.what) for scene in PEER_SCENES)
         rows.append([f"on this PC, against {NAMES[goal.peer]}, {WHAT[goal.what]}",
-                     f"≥ {grouped(goal.ratio)} ×", f"{fixed(city, 2)} ×", f"{fixed(ring_road, 2)} ×",
+                     f"≥ {grouped(goal.ratio)} ×", f"{ratio_text(city)} ×", f"{ratio_text(ring_road)} ×",
                      _verdict(1 - min(city, ring_road) / goal.ratio, "short by",
                               "see [peers.md](peers.md)")])
     return rows

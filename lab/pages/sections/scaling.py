@@ -55,7 +55,7 @@ class Point:
 class Sweep:
     """One thing that grows."""
 
-    title: str   # of the plot, followed by "in real time" or "not in real time"
+    load: str    # one of its values in words
     axis: str
     loads: dict  # by the axis's value and its name
     has_trend: bool = True  # whether a line through two points says where 25 Hz ends
@@ -65,18 +65,18 @@ RANGES_CM = (625, 1250, 2500, 3750, 5000)
 FAR = Load(cells_per_side=2048, range_cm=10_000)
 CELL_SIZES = {5: Load(2048, 50), 10: Load(1024, 100), 20: Load(512, 200)}  # cm
 SWEEPS = {
-    "sensors": Sweep("LUX", "LUX",
+    "sensors": Sweep("with {} LUX", "LUX",
                      {(count, str(count)): Load(sensors=count) for count in range(1, 9)}),
-    "beams": Sweep("beams a LUX", "beams of a LUX: four layers",
+    "beams": Sweep("with {} beams a LUX", "beams of a LUX: four layers",
                    {(LAYERS * each, grouped(LAYERS * each)): Load(azimuths=each)
                     for each in (51, 101, 201, 401, 801)}),
-    "range": Sweep("m", "range, m",
+    "range": Sweep("at {} m", "range, m",
                    {(each / 100, fixed(each / 100, 2)): Load(range_cm=each) for each in RANGES_CM} |
                    {(FAR.range_cm / 100, "100 (2048 x 2048)"): FAR}),
-    "cells": Sweep("cells a side", "cells per side",
+    "cells": Sweep("with {} cells a side", "cells per side",
                    {(side, str(side)): Load(side) for side in (512, 1024, 2048, 4096)},
                    has_trend=False),
-    "cell_size": Sweep("cm a cell", "side of a cell, cm",
+    "cell_size": Sweep("with cells of {} cm", "side of a cell, cm",
                        {(size, str(size)): load for size, load in CELL_SIZES.items()},
                        has_trend=False),
 }
@@ -118,19 +118,24 @@ def _sentence(sweep, points):
         f"Real time everywhere, the dearest at {at}; by the last two points it would end at about {end}."
 
 
-def _figure(sweep, points):
+def _title(sweep, points):
     dearest = _dearest(points)
-    title = (f"Real time ends at about {_end_of_real_time(points):.0f} {sweep.title}"
-             if dearest.is_late and sweep.has_trend else
-             f"{dearest.x:,.0f} {sweep.title} take {dearest.whole_ms:.0f} ms of {PERIOD_MS} ms")
-    drawing, axes = plots.figure(title, sweep.axis, "a frame, modelled, ms")
+    if dearest.is_late and sweep.has_trend:
+        return f"Real time ends {sweep.load.format(f'about {_end_of_real_time(points):.0f}')}"
+    return (f"{'No longer real' if dearest.is_late else 'Real'} time "
+            f"{sweep.load.format(f'{dearest.x:,.0f}')}: {dearest.whole_ms:.1f} of {PERIOD_MS} ms")
+
+
+def _figure(sweep, points):
+    drawing, axes = plots.figure(_title(sweep, points), sweep.axis, "a frame, modelled, ms")
     x = [point.x for point in points]
     axes.plot(x, [point.whole_ms for point in points], "o-", label="whole frame")
     axes.plot(x, [point.fused_ms for point in points], "s--", label="fuse + mark + clear")
-    axes.axhline(PERIOD_MS, color="black", linestyle=":", label="25 Hz")
-    axes.set_ylim(bottom=0)
+    axes.axhline(PERIOD_MS, color="black", linestyle=":")
+    axes.text(0, PERIOD_MS + 0.5, " 25 Hz")
     axes.set_xlim(left=0)
-    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    axes.set_ylim(0, max(PERIOD_MS, _dearest(points).whole_ms) + 5)
+    axes.legend(loc="upper left", bbox_to_anchor=(0, 0.82))
     return drawing
 
 
