@@ -68,14 +68,14 @@ class Bound:
         return kind.fuse_and_mark / (self.fuse_and_mark * kind.frame.counted.points / self.points)
 
 
-def _kind(a9, row):
+def kind_of(a9, row):
     is_scene = row.sender == "drive"
     run = frame_run(row.frame) if is_scene else frame_run(worst=row.frame)
     return Kind(row.frame, row.sender, row.strain, row.marks, target_frame(a9, run),
                 floor(a9, f"{'scene' if is_scene else 'worst'}={row.frame}"))
 
 
-def _bound(kinds, limits):
+def bound_of(kinds, limits):
     worst = {kind.name: kind.frame.counted for kind in kinds if kind.sender != "drive"}
     short = worst[SHORT_BEAMS]
     per_point = short.fuse / short.points
@@ -159,9 +159,9 @@ def _late(kinds, period_ms):
 
 def section(data) -> Section:
     a9 = CortexA9(data)
-    kinds = [_kind(a9, row) for row in data["worst_frames"].itertuples()]
+    kinds = [kind_of(a9, row) for row in data["worst_frames"].itertuples()]
     limits = next(data["frame_limits"].itertuples())
-    bound = _bound(kinds, limits)
+    bound = bound_of(kinds, limits)
     _check(bound, kinds)
     period_ms = limits.frame_period_us / 1000
     made_up = [kind for kind in kinds if kind.sender != "drive"]
