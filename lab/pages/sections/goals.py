@@ -3,9 +3,9 @@ what the memory alone would allow. A goal that is missed says where its cycles g
 
 import dataclasses
 
+import peer_times
 from cortex_a9 import FUSED, STAGES, CortexA9, Cost, frame_run
 from markdown import fixed, grouped, percent
-from peer_times import GOALS as PEER_GOALS, NAMES, SCENES as PEER_SCENES, WHAT, PeerTimes, ratio_text
 from section import Section, one
 from target_frames import SCENES, WHOLE, Floor, floor, target_frame
 
@@ -152,10 +152,11 @@ def _printed(a9):
 
 def _peer_rows(times):
     rows = []
-    for goal in PEER_GOALS:
-        city, ring_road = (times.ratio(scene, goal.peer, goal.what) for scene in PEER_SCENES)
-        rows.append([f"on this PC, against {NAMES[goal.peer]}, {WHAT[goal.what]}",
-                     f"≥ {grouped(goal.ratio)} ×", f"{ratio_text(city)} ×", f"{ratio_text(ring_road)} ×",
+    for goal in peer_times.GOALS:
+        city, ring_road = (times.ratio(scene, goal.peer, goal.what) for scene in peer_times.SCENES)
+        peer, what = peer_times.NAMES[goal.peer], peer_times.WHAT[goal.what]
+        rows.append([f"on this PC, against {peer}, {what}", f"≥ {grouped(goal.ratio)} ×",
+                     *(f"{peer_times.ratio_text(ratio)} ×" for ratio in (city, ring_road)),
                      _verdict(1 - min(city, ring_road) / goal.ratio, "short by",
                               "see [peers.md](peers.md)")])
     return rows
@@ -183,4 +184,4 @@ def section(data) -> Section:
         "rule": one(data["frame_limits"], "rule"),
         "rates": [_rate_row(goal) for goal in _rate_goals(a9, kinds)],
         "instructions": [_instructions_row(a9)], "printed": _printed(a9),
-        "peers": _peer_rows(PeerTimes(data)), "floors": _floor_rows(a9, kinds)})
+        "peers": _peer_rows(peer_times.PeerTimes(data)), "floors": _floor_rows(a9, kinds)})

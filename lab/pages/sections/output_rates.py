@@ -32,7 +32,8 @@ def _claim_on_rate(sensors, frame):
                "receiving and sending are in it, whether in the thesis's timing it does not say; "
                f"without them {frame.fused_cycles.hz.banded(1)} Hz"]
     return Claim("table 4.4", f"grids a second with {sensors} LUX", f"{paper} Hz",
-                 f"{hz.banded(1)} Hz, modelled", hz.verdict(paper), "; ".join(filter(None, reasons)))
+                 f"{hz.banded(1)} Hz, modelled", hz.verdict(paper),
+                 "; ".join(filter(None, reasons)))
 
 
 def _claim_on_real_time(frame):
@@ -48,7 +49,8 @@ def _claim_on_real_time(frame):
 
 def _loads(loads):
     return [TABLE_4_7_ROW] + [
-        [words, one(loads, "rule", scene=scene), fixed(one(loads, "cells_per_leaf", scene=scene), 2),
+        [words, one(loads, "rule", scene=scene),
+         fixed(one(loads, "cells_per_leaf", scene=scene), 2),
          fixed(one(loads, "cells_per_node", scene=scene), 2),
          grouped(one(loads, "known_cells", scene=scene))]
         for scene, words in SCENES.items()]
@@ -157,7 +159,8 @@ def section(data) -> Section:
     frames = {(scene, sensors): target_frame(a9, frame_run(scene, sensors))
               for scene in SCENES for sensors in TABLE_4_4_HZ}
     four = frames["ring_road", FOUR]
-    assert all(frame.fused_cycles.nominal < frame.whole_cycles.nominal for frame in _matched(frames))
+    assert all(frame.fused_cycles.nominal < frame.whole_cycles.nominal
+               for frame in frames.values()), "the whole frame is not the stricter of the two"
     a_leaf = one(loads, "cells_per_leaf", scene="ring_road")
     rule = one(data["frame_limits"], "rule")
     return Section(

@@ -115,7 +115,8 @@ def _sentence(sweep, points):
             f"Real time everywhere, the dearest at {at}."
     end = grouped(_end_of_real_time(points))
     return f"Real time ends at about {end} ({sweep.axis})." if dearest.is_late else \
-        f"Real time everywhere, the dearest at {at}; by the last two points it would end at about {end}."
+        (f"Real time everywhere, the dearest at {at}; by the last two points it would end at about "
+         f"{end}.")
 
 
 def _title(sweep, points):

@@ -6,15 +6,15 @@ largest that the frames show of a point, a cell, a mark, a tile.
 Why the costs bound: a point costs p, a cell c. The short beams have the most points and hardly a
 cell, so their cost per point is at least p for points that are fused the usual way. c is what a
 frame of long beams costs beyond that, by its cells; where a point costs more than p, because the
-height band or the edge of the grid cuts its beam, the rest is charged to the cells of a beam that is
-shorter than the longest, so that p + c * (cells of the longest) is still above it.
+height band or the edge of the grid cuts its beam, the rest is charged to the cells of a beam that
+is shorter than the longest, so that p + c * (cells of the longest) is still above it.
 """
 
 import dataclasses
 
 from cortex_a9 import CLOCK_HZ, CortexA9, Modelled, VARIANTS, frame_run
 from markdown import fixed, grouped, percent
-from section import Section, select
+from section import Section
 from target_frames import Floor, TargetFrame, floor, target_frame
 
 SHORT_BEAMS = "short_beams"
@@ -165,11 +165,11 @@ def section(data) -> Section:
     _check(bound, kinds)
     period_ms = limits.frame_period_us / 1000
     made_up = [kind for kind in kinds if kind.sender != "drive"]
-    reach = select(data["layers_in_band"])["furthest_m"].map(lambda metres: f"{metres:.1f}")
+    reach_m = [fixed(metres, 1) for metres in data["layers_in_band"]["furthest_m"]]
     run = made_up[-1].frame.run
     return Section(found={
         "kinds": [[kind.name, kind.strain, SENDERS[kind.sender]] for kind in made_up],
-        "reach_m": list(reach), "frames": grouped(a9.value(run, "frames")),
+        "reach_m": reach_m, "frames": grouped(a9.value(run, "frames")),
         "modelled_frames": grouped(a9.value(run, "frames", variant="nominal")),
         "costs": _costs(kinds), "rates": _rates(kinds, period_ms),
         "period_ms": fixed(period_ms, 0), "hz": fixed(1000 / period_ms, 0),

@@ -15,10 +15,10 @@ class Numbers(unittest.TestCase):
         self.assertEqual(markdown.scientific(0.000465, 2), "4.65e-4")
         self.assertEqual(markdown.scientific(1e-11, 0), "1e-11")
 
-    def test_grouped_rounds_half_away_from_zero(self):
+    def test_grouped_rounds_a_half_to_the_even_number(self):
         self.assertEqual(markdown.grouped(1048576), "1,048,576")
-        self.assertEqual(markdown.grouped(2.5), "3")
-        self.assertEqual(markdown.grouped(-2.5), "-3")
+        self.assertEqual(markdown.grouped(2.5), "2")
+        self.assertEqual(markdown.grouped(-3.5), "-4")
 
 
 class Table(unittest.TestCase):
