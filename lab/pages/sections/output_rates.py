@@ -162,6 +162,7 @@ def section(data) -> Section:
     assert all(frame.fused_cycles.nominal < frame.whole_cycles.nominal
                for frame in frames.values()), "the whole frame is not the stricter of the two"
     a_leaf = one(loads, "cells_per_leaf", scene="ring_road")
+    assert a_leaf < one(loads, "cells_per_leaf", scene="city"), "the city is no lighter load"
     rule = one(data["frame_limits"], "rule")
     return Section(
         found={"made_with": one(data["made_with"], "value", key="capture scene=ring_road"),
