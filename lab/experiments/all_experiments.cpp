@@ -10,6 +10,8 @@ constexpr auto kExperiments = std::to_array<Experiment>({
     {"inverse_sensor_model", inverse_sensor_model},
     {"profiles", profiles},
     {"traversal_accuracy", traversal_accuracy},
+    {"scene_load", scene_load},
+    {"worst_frames", worst_frames},
     {"numerical_quality", numerical_quality},
     {"quadtree", quadtree},
     {"stream", stream_of_tiles},

@@ -9,7 +9,9 @@ namespace iog::lab {
 [[nodiscard]] Tables inverse_sensor_model(const Input& input);  // thesis, table 4.1
 [[nodiscard]] Tables profiles(const Input& input);              // table 4.3, figures 4.6, 4.14
 [[nodiscard]] Tables traversal_accuracy(const Input& input);    // table 4.2, figure 4.11
-[[nodiscard]] Tables numerical_quality(const Input& input);     // table 4.6
+[[nodiscard]] Tables scene_load(const Input& input);         // thesis, table 4.4: whose load it is
+[[nodiscard]] Tables worst_frames(const Input& input);       // and what a frame may have at most
+[[nodiscard]] Tables numerical_quality(const Input& input);  // table 4.6
 [[nodiscard]] Tables quadtree(const Input& input);           // thesis, table 4.7, section 4.3.2.2
 [[nodiscard]] Tables stream_of_tiles(const Input& input);    // bytes of a frame, bad and slow links
 [[nodiscard]] Tables many_core(const Input& input);          // many-core paper, table I

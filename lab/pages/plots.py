@@ -22,6 +22,8 @@ plt.rcParams.update({
     "axes.spines.top": False, "axes.spines.right": False,
     "lines.linewidth": 2, "lines.markersize": 6, "legend.frameon": False,
     "axes.prop_cycle": plt.cycler(color=COLOURS),
+    # A page opens all of its figures before it writes them.
+    "figure.max_open_warning": 0,
     # Text stays text, ids do not change from run to run.
     "svg.fonttype": "none", "svg.hashsalt": "iogrid",
 })

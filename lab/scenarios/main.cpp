@@ -17,7 +17,7 @@ namespace {
 struct Options {
   bool only_names = false;
   std::string name;
-  std::uint32_t frames = 4;
+  std::uint32_t frames = kMeasuredWorstFrames;
   std::uint64_t seed = 1;
   std::string out;
 };

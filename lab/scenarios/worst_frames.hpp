@@ -29,6 +29,9 @@ struct WorstFrame {
 
 [[nodiscard]] std::span<const WorstFrame> all_worst_frames();
 
+// So many of each kind are measured on the target.
+inline constexpr std::uint32_t kMeasuredWorstFrames = 4;
+
 // UsageError with the known names if there is no such frame.
 [[nodiscard]] const WorstFrame& find_worst_frame(std::string_view name);
 

@@ -88,7 +88,7 @@ def pairs_of(line: str) -> dict[str, str]:
 
 # What an image prints to say which run its line is of.
 NAMING = {"frame_cost": ("sensors",), "traversal_cost": ("walk", "r"),
-          "many_core": ("approach", "cell_mm"),
+          "many_core": ("approach", "cell_mm"), "printed_cost": ("extent",),
           "scaling": ("cells_per_side", "cell_mm", "sensors", "azimuths", "range_cm")}
 # fuse_sum, fuse_min, fuse_max: of a stage over its frames. A mean follows from the sum.
 OF_FRAMES = re.compile(r"(\w+)_(sum|min|max)")
@@ -265,6 +265,12 @@ def named_by_itself(place: Place, image: str, *arguments) -> list[Row]:
             for row in counted_rows(line, run_of(line))]
 
 
+def printed_cost(place: Place, scene: str, capture: str) -> list[Row]:
+    """What the thesis's fusion costs as it is printed."""
+    return [row for line in counted(place, "printed_cost", capture)
+            for row in counted_rows(line, run_of(line).replace(" ", f" scene={scene} ", 1))]
+
+
 # What measures rows, without arguments.
 def counted_runs(place: Place, scenes: dict[str, str], ring_road_sensors=(2, 3, 4)) -> list:
     runs = []
@@ -279,6 +285,7 @@ def counted_runs(place: Place, scenes: dict[str, str], ring_road_sensors=(2, 3, 
              for scene, capture in scenes.items()]
     runs.append(lambda: named_by_itself(place, "traversal_cost"))
     runs.append(lambda: named_by_itself(place, "many_core", scenes["city"]))
+    runs.append(lambda: printed_cost(place, "ring_road", scenes["ring_road"]))
     return runs
 
 

@@ -7,7 +7,7 @@
 
 #include "gtest/gtest.h"
 
-#include "lab/experiments/a9_frame.hpp"
+#include "lab/experiments/target_drive.hpp"
 
 namespace iog::lab {
 namespace {
@@ -80,14 +80,14 @@ TEST_F(LeavesTest, OfWideIndexesAreTheSame) {
 
 // Thesis table 4.7: 3.75 cells a leaf and 2.81 a node, on the drive that is compared with it.
 TEST(SceneLoad, OfTheRingRoadIsThatOfTheThesis) {
-  const SceneLoad load = load_of("ring_road", kA9Seed, kA9Seconds);
+  const SceneLoad load = load_of("ring_road", kTargetSeed, kTargetSeconds);
   EXPECT_NEAR(load.cells_per_leaf, 3.75, 0.15);
   EXPECT_NEAR(load.cells_per_node, 2.81, 0.12);
 }
 
 // A street between houses has less than half of the leaves.
 TEST(SceneLoad, OfTheCityIsLighter) {
-  EXPECT_GT(load_of("city", kA9Seed, 1).cells_per_leaf, 2 * 3.75);
+  EXPECT_GT(load_of("city", kTargetSeed, 1).cells_per_leaf, 2 * 3.75);
 }
 
 }  // namespace

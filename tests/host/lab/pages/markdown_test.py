@@ -20,6 +20,10 @@ class Numbers(unittest.TestCase):
         self.assertEqual(markdown.grouped(999.6), "1,000")
         self.assertEqual(markdown.grouped(-1234.4), "-1,234")
 
+    def test_grouped_rounds_a_half_to_the_even_number(self):
+        self.assertEqual(markdown.grouped(2.5), "2")
+        self.assertEqual(markdown.grouped(-3.5), "-4")
+
 
 class Table(unittest.TestCase):
     def test_numbers_stand_to_the_right_and_words_to_the_left(self):
