@@ -22,14 +22,13 @@ namespace iog::lab {
 namespace {
 
 using index::Quantisation;
-using tools::FramePoints;
 
 constexpr std::int32_t kInt8Limit = 127;
 
 std::vector<std::int32_t> grid_of(const vehicle::Vehicle& vehicle, const FramePoints& points,
                                   Extent extent) {
   const auto fusion = std::make_unique<PrintedFusion>(vehicle, extent);
-  for (const tools::SensorPoint& seen : points) {
+  for (const SensorPoint& seen : points) {
     fusion->add(vehicle.sensors[seen.sensor], seen.point);
   }
   return {fusion->cells().begin(), fusion->cells().end()};
@@ -37,10 +36,10 @@ std::vector<std::int32_t> grid_of(const vehicle::Vehicle& vehicle, const FramePo
 
 std::vector<std::int32_t> sequential_sum(const vehicle::Vehicle& vehicle, const FramePoints& points,
                                          Quantisation policy) {
-  const tools::FrameEvidence evidence = tools::project(
-      vehicle, points, {.path = tools::Path::kCrossed, .sampling = tools::Sampling::kCentre});
-  return tools::fuse_indexes(evidence, tools::indexes(tools::probabilities({}), 0.05, policy),
-                             tools::IndexRule::kSequential, kInt8Limit);
+  const FrameEvidence evidence = project(
+      vehicle, points, {.path = Path::kCrossed, .sampling = Sampling::kCentre});
+  return fuse_indexes(evidence, indexes(probabilities({}), 0.05, policy),
+                             IndexRule::kSequential, kInt8Limit);
 }
 
 void expect_the_sequential_sum(const vehicle::Vehicle& vehicle, const FramePoints& points,
@@ -74,7 +73,7 @@ TEST(PrintedFusion, IsTheSequentialSumOnSimulatedFrames) {
     tools::Drive drive(car, 1, 2, tools::find_scene(scene));
     for (const std::uint32_t frame : {0U, 23U}) {
       drive.move_to(frame);
-      expect_the_sequential_sum(*car.vehicle, tools::points_of(drive, car),
+      expect_the_sequential_sum(*car.vehicle, points_of(drive, car),
                                 Quantisation::kBlurring);
     }
   }
@@ -95,7 +94,7 @@ TEST(PrintedFusion, ClearedItStartsFromUnknown) {
   const FramePoints points = random_points(5, 100);
   const auto fusion = std::make_unique<PrintedFusion>(tests::OneLux::kVehicle);
   for (int round = 0; round < 2; ++round) {
-    for (const tools::SensorPoint& seen : points) {
+    for (const SensorPoint& seen : points) {
       fusion->add(tests::OneLux::kVehicle.sensors[0], seen.point);
     }
     const std::vector<std::int32_t> cells(fusion->cells().begin(), fusion->cells().end());

@@ -45,7 +45,7 @@ double area_by_pairs(const std::vector<CellState>& truth, const Scores& scores) 
 }
 
 TEST(Roc, AgreesWithTheCountOfPairs) {
-  Random random(11);
+  tools::Random random(11);
   for (const std::size_t score_count : {2U, 10U, 1000U}) {
     std::vector<CellState> truth;
     Scores scores;

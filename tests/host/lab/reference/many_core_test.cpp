@@ -38,7 +38,7 @@ Result by_beams(const PlaneGrid& grid, std::span<const PlaneScan> scans,
 }
 
 // Fans and ranges that do not move once they are made.
-struct tools::Scene {
+struct Scene {
   std::vector<Fan> fans;
   std::vector<std::vector<double>> ranges_m;
 
@@ -56,8 +56,8 @@ struct tools::Scene {
 };
 
 // A tenth of the beams without a return; origins inside the grid and outside.
-tools::Scene random_scene(tests::Random& random) {
-  tools::Scene scene;
+Scene random_scene(tests::Random& random) {
+  Scene scene;
   for (int fan = 0; fan < 3; ++fan) {
     const auto beams = static_cast<std::size_t>(random.between(1, 60));
     const double step = random.between(1, 160) * kDegree / 60;
@@ -138,7 +138,7 @@ TEST(ManyCore, BothApproachesBuildTheSameGrid) {
   const AnalyticModel model = lux_model();
   tests::Random random(3);
   for (int round = 0; round < 40; ++round) {
-    const tools::Scene scene = random_scene(random);
+    const Scene scene = random_scene(random);
     const std::vector<PlaneScan> scans = scene.scans();
     const PlaneGrid grid{.x_min_m = -5.0,
                          .y_min_m = -3.0,
@@ -156,7 +156,7 @@ TEST(ManyCore, BothApproachesBuildTheSameGrid) {
 // to the left one without a return. A centre at (x, y) lies ahead if |y| < 0.1763 x and to the
 // right if -0.5774 x < y < -0.1763 x; the wall is nearest to the centre at 1.879 m.
 TEST(ManyCore, DrawsAMap) {
-  tools::Scene scene;
+  Scene scene;
   scene.add(Fan(0, 0, 0, 20 * kDegree, 3), {9.0, 1.9, 0.0});
   const PlaneGrid grid{.x_min_m = 0, .y_min_m = -1, .cell_m = 0.25, .columns = 12, .rows = 8};
   const AnalyticModel model = lux_model();
@@ -177,7 +177,7 @@ TEST(ManyCore, DrawsAMap) {
 TEST(ManyCore, ACellHoldsTheFusedModels) {
   const AnalyticModel model = lux_model();
   const PlaneGrid grid{.x_min_m = 2, .y_min_m = -0.5, .cell_m = 1, .columns = 1, .rows = 1};
-  tools::Scene scene;
+  Scene scene;
   scene.add(Fan(0, 0, 0, 40 * kDegree, 1), {2.45});
   EXPECT_EQ(by_beams(grid, scene.scans(), model).probabilities[0], model.probability(2.5, 2.45));
   scene.add(Fan(2.5, -3, 90 * kDegree, 40 * kDegree, 1), {3.1});
@@ -187,7 +187,7 @@ TEST(ManyCore, ACellHoldsTheFusedModels) {
 }
 
 TEST(ManyCore, CountsWhatItDoes) {
-  tools::Scene scene;
+  Scene scene;
   scene.add(Fan(0.05, 0.5, 0, 90 * kDegree, 1), {100.0});
   scene.add(Fan(0.05, 0.5, 0, 90 * kDegree, 1), {0.0});
   const PlaneGrid grid{.x_min_m = 0, .y_min_m = 0, .cell_m = 0.1, .columns = 20, .rows = 10};
