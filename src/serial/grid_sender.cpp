@@ -15,6 +15,8 @@ constexpr std::array<std::size_t, 3> kTileCounts{1, CoarseLevels::kFineTileCount
 }  // namespace
 
 // What was composed of the previous frame is still true of that frame, so it is sent as it is.
+GridSender::GridSender() = default;
+
 void GridSender::begin_frame(const stream::Header& header) {
   if (is_composing_) {
     finish_message(tile_);

@@ -36,6 +36,9 @@ class GridSender {
   // At most so many tiles are encoded in one pump().
   static constexpr std::size_t kTilesPerPump = 2;
 
+  // Not constexpr: in static memory it is set up at start-up, not carried by the image.
+  GridSender();
+
   // Takes a closed frame: first its header, then its known tiles in rising order, then its end.
   // This costs a look at each cell and at most DetailWindow::kTiles copies of a tile. No pump() in
   // between.
