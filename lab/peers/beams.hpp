@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/grid.hpp"
 #include "lidar/scan_point.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/vehicle.hpp"
