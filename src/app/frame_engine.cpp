@@ -21,11 +21,11 @@ std::uint32_t id_of(std::string_view name) {
 
 FrameEngine::FrameEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
                          std::uint64_t start_us)
-    : vehicle_(&vehicle),
-      vehicle_id_(id_of(vehicle.name)),
+    : fusion_(vehicle),
+      vehicle_(&vehicle),
       intake_(vehicle.sensors, replayer_ipv4),
       opened_us_(start_us),
-      fusion_(vehicle) {}
+      vehicle_id_(id_of(vehicle.name)) {}
 
 std::optional<intake::SensorPacket> FrameEngine::receive(const intake::Datagram& datagram) {
   return intake_.receive(datagram);

@@ -61,15 +61,15 @@ class FrameEngine {
   [[nodiscard]] grid::FrameFusion& fusion() { return fusion_; }
 
  private:
+  // What is aligned to a cache line comes first.
+  grid::FrameFusion fusion_;
   const vehicle::Vehicle* vehicle_;
-  std::uint32_t vehicle_id_;
   intake::Intake intake_;
 
-  std::uint32_t frame_number_ = 0;
   std::uint64_t opened_us_ = 0;
+  std::uint32_t vehicle_id_;
+  std::uint32_t frame_number_ = 0;
   std::array<std::uint32_t, vehicle::kFateCount> fates_{};
-
-  grid::FrameFusion fusion_;
 };
 
 }  // namespace iog::app

@@ -159,7 +159,7 @@ TEST(Carver, GridsThatWereMarkedBeforeDoNotAddUp) {
   for (std::size_t i = 0; i < cores.size(); ++i) {
     cores[i].carver.carve_waiting();
     cores[i].marks.apply(cores[i].grid, vehicle.rule);
-    indexes[i] = cores[i].grid.at({512 + 50, 512});
+    indexes[i] = int{cores[i].grid.at({512 + 50, 512})};
   }
   // sat(-140) + 2 and -14; one carver has sat(-154) + 2.
   EXPECT_EQ(indexes, (std::array{-125, -14}));

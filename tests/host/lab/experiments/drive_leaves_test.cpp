@@ -59,7 +59,8 @@ TEST_P(DriveLeaves, AreAsManyAsTheTablesCountAndLossless) {
   BuiltQuadtree built;
   for_each_grid(GetParam(), [&built](const GridDrawing& grid) {
     built.build(grid);
-    const std::size_t leaves = lab::count_leaves(std::span(grid.cells()).first<geometry::kCellCount>());
+    const std::size_t leaves =
+        lab::count_leaves(std::span(grid.cells()).first<geometry::kCellCount>());
     EXPECT_EQ(built->leaves(), leaves);
     EXPECT_EQ(built->nodes(), leaves + (leaves - 1) / 3);
     expect_equal_cells(*built, grid);
