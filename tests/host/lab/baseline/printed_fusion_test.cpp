@@ -36,10 +36,10 @@ std::vector<std::int32_t> grid_of(const vehicle::Vehicle& vehicle, const FramePo
 
 std::vector<std::int32_t> sequential_sum(const vehicle::Vehicle& vehicle, const FramePoints& points,
                                          Quantisation policy) {
-  const FrameEvidence evidence = project(
-      vehicle, points, {.path = Path::kCrossed, .sampling = Sampling::kCentre});
-  return fuse_indexes(evidence, indexes(probabilities({}), 0.05, policy),
-                             IndexRule::kSequential, kInt8Limit);
+  const FrameEvidence evidence =
+      project(vehicle, points, {.path = Path::kCrossed, .sampling = Sampling::kCentre});
+  return fuse_indexes(evidence, indexes(probabilities({}), 0.05, policy), IndexRule::kSequential,
+                      kInt8Limit);
 }
 
 void expect_the_sequential_sum(const vehicle::Vehicle& vehicle, const FramePoints& points,
@@ -73,8 +73,7 @@ TEST(PrintedFusion, IsTheSequentialSumOnSimulatedFrames) {
     tools::Drive drive(car, 1, 2, tools::find_scene(scene));
     for (const std::uint32_t frame : {0U, 23U}) {
       drive.move_to(frame);
-      expect_the_sequential_sum(*car.vehicle, points_of(drive, car),
-                                Quantisation::kBlurring);
+      expect_the_sequential_sum(*car.vehicle, points_of(drive, car), Quantisation::kBlurring);
     }
   }
 }
