@@ -36,7 +36,7 @@ class Board {
   const Boot& boot() const { return boot_; }
   std::uint32_t reset_status() const { return reset_status_; }
 
-  // Sleeps until a frame has arrived, the serial line wants bytes that it was given, or the tick
+  // Sleeps until a frame has arrived, the serial link wants bytes that it was given, or the tick
   // has passed, at most 1 ms. Before it returns, the event flags are cleared; so poll every device
   // after it and before the next call.
   void idle();

@@ -28,9 +28,9 @@ int main() {
   // Static: together they are 6 MB, and the stack is small.
   static iog::imx6::Board board(kNetwork.mac.octets);
   static Platform platform(board, kNetwork);
-  static iog::app::LineSink line;
+  static iog::app::SerialSink serial;
   static Pipeline pipeline(iog::vehicles::kVehicle, kNetwork.peer.value, platform,
-                           board.clock().now_us(), line);
+                           board.clock().now_us(), serial);
   board.print_banner();
-  iog::app::run(board, platform, line, pipeline);
+  iog::app::run(board, platform, serial, pipeline);
 }

@@ -1,4 +1,4 @@
-// How long the serial line takes to go once round the grid, and how many bytes that is.
+// How long the serial link takes to go once round the grid, and how many bytes that is.
 #pragma once
 
 #include <cstdint>

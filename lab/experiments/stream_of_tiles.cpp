@@ -120,7 +120,7 @@ std::vector<tools::GridFrame> frames_of(std::string_view scene, const Input& inp
   return frames;
 }
 
-// Rounds over the whole grid, by the side of the cells that the serial line sends.
+// Rounds over the whole grid, by the side of the cells that the serial link sends.
 Table serial_line(const Input& input) {
   Table table("stream_serial_line",
               {"scene", "cell_mm", "line_bytes_per_second", "rounds", "bytes", "time_us"});

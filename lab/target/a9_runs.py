@@ -237,7 +237,7 @@ def grid_folder(place: Place, grid: tuple[int, int]) -> pathlib.Path:
     return place.images if grid == (1024, 100) else place.work / f"grid_{cells}_{cell_mm}/lab/target"
 
 
-# Grids that follow each other, for the serial line.
+# Grids that follow each other, for the serial link.
 SERIAL_FRAMES = range(40, 44)
 ALL_SENSORS = 4
 
@@ -249,7 +249,7 @@ def frame_cost(place: Place, name: str, capture: str, coding: str, sensors: int)
 
 
 def serial_cost(place: Place, scene: str, capture: str) -> list[Row]:
-    """What the serial line costs and carries of a scene."""
+    """What the serial link costs and carries of a scene."""
     grids = []
     for number in SERIAL_FRAMES:
         grids.append(f"{scene}_{number}")

@@ -1,4 +1,4 @@
-// serial_cost: instructions that the serial line costs the Cortex-A9.
+// serial_cost: instructions that the serial link costs the Cortex-A9.
 // Runs in QEMU with instruction counting (lab/target/run_image):
 //
 //   serial_cost <grid>...    grids of frames that follow each other, as `iog fuse --out-raw` writes

@@ -15,8 +15,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "app/line_sink.hpp"
 #include "app/pipeline.hpp"
+#include "app/serial_sink.hpp"
 #include "hal/clock.hpp"
 #include "hal/ethernet_port.hpp"
 #include "hal/serial_port.hpp"
@@ -97,13 +97,14 @@ class MachinePlatform {
   net::Host<Port> host_;
 };
 
-// The target's pipeline: every frame goes to the network, and to the serial line what it can carry.
+// The target's pipeline: every frame goes to the network, and to the serial link what it can carry.
 template <Machine M>
-using MachinePipeline = Pipeline<MachinePlatform<M>, LineSink>;
+using MachinePipeline = Pipeline<MachinePlatform<M>, SerialSink>;
 
 // One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
 template <Machine M>
-bool pass(M& machine, MachinePlatform<M>& platform, LineSink& line, MachinePipeline<M>& pipeline) {
+bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
+          MachinePipeline<M>& pipeline) {
   const std::uint64_t now_us = machine.clock().now_us();
   for (int taken = 0; taken < kMaxDatagramsPerPass; ++taken) {
     const auto datagram = platform.host().poll(now_us);
@@ -115,17 +116,17 @@ bool pass(M& machine, MachinePlatform<M>& platform, LineSink& line, MachinePipel
   }
   pipeline.tick(now_us);
   machine.ethernet().pump();
-  line.pump(now_us, machine.serial());
+  serial.pump(now_us, machine.serial());
   machine.watchdog().service();
   return !machine.ethernet().receive().empty();
 }
 
 // Never returns. The pipeline holds the grid and belongs into static memory.
 template <Machine M>
-[[noreturn]] void run(M& machine, MachinePlatform<M>& platform, LineSink& line,
+[[noreturn]] void run(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
                       MachinePipeline<M>& pipeline) {
   for (;;) {
-    if (!pass(machine, platform, line, pipeline)) {
+    if (!pass(machine, platform, serial, pipeline)) {
       machine.idle();
     }
   }

@@ -134,7 +134,7 @@ def read_header(content: bytes) -> Header:
 
 
 def level_of(body: bytes) -> int:
-    """Of the grid that the tiles are of: 0 cells, above it the coarse grids of the serial line."""
+    """Of the grid that the tiles are of: 0 cells, above it the coarse grids of the serial link."""
     return (struct.unpack_from(">H", body, 12)[0] // 100).bit_length() - 1
 
 

@@ -1,4 +1,4 @@
-"""The serial line of the firmware, recorded and read as docs/spec.md 3.8 says."""
+"""The serial link of the firmware, recorded and read as docs/spec.md 3.8 says."""
 
 import dataclasses
 import os

@@ -1,4 +1,4 @@
-// The receiver of the serial line on a series of messages, and on any bytes. A CRC keeps random
+// The receiver of the serial link on a series of messages, and on any bytes. A CRC keeps random
 // bytes out; so the input's messages are protected and framed by a sender of ours, unless they say
 // that they come as they are.
 #include <algorithm>

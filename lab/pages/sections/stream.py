@@ -123,7 +123,7 @@ def _bad_link(data):
 def _serial_line(data, weighed):
     rounds = data["stream_serial_line"]
     line_bytes = rounds["line_bytes_per_second"].unique()
-    assert len(line_bytes) == 1, "several serial lines"
+    assert len(line_bytes) == 1, "several serial links"
     least = min(each.message_bytes * FRAMES_A_SECOND for each in weighed.values())
     return {"line_bytes": line_bytes[0], "frames_by_line": least / line_bytes[0],
             "rounds": [[f"{SCENES[row.scene]}, cells of {fixed(row.cell_mm / 1000, 1)} m",

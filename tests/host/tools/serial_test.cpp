@@ -1,4 +1,4 @@
-// The serial line from the sender on the target to the receiver on the PC, and what the receiver
+// The serial link from the sender on the target to the receiver on the PC, and what the receiver
 // believes when the line is bad.
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// What a receiver on the serial line knows of the grid: of each tile the newest cells that have
+// What a receiver on the serial link knows of the grid: of each tile the newest cells that have
 // come, and beneath them the coarse grids (docs/spec.md 3.8), each with the frame that it is of.
 #pragma once
 

@@ -1,4 +1,4 @@
-// iog receive --serial: the grid as far as a serial line carries it, counted and drawn.
+// iog receive --serial: the grid as far as a serial link carries it, counted and drawn.
 #pragma once
 
 #include <cstdint>

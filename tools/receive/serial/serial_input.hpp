@@ -1,4 +1,4 @@
-// Where the bytes of a serial line come from: a terminal device, a Unix socket as QEMU offers one,
+// Where the bytes of a serial link come from: a terminal device, a Unix socket as QEMU offers one,
 // a pipe, or a file that was recorded.
 #pragma once
 

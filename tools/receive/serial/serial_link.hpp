@@ -1,4 +1,4 @@
-// From the bytes of a serial line to the grid: COBS frames, protected messages, tiles. It knows no
+// From the bytes of a serial link to the grid: COBS frames, protected messages, tiles. It knows no
 // device and no clock, and takes any bytes.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The serial line as a sink: as much of the newest frame as it can carry.
+// The serial link as a sink: as much of the newest frame as it can carry.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 namespace iog::app {
 
 // Holds 64 KB: belongs into static memory.
-class LineSink {
+class SerialSink {
  public:
   void begin_frame(const FrameReport& report) { sender_.begin_frame(header_of(report)); }
   void take_tile(std::size_t tile, tile_coding::TileCells cells) { sender_.take_tile(tile, cells); }
