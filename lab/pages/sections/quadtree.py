@@ -8,12 +8,12 @@ from claims import Claim, Verdict
 from cortex_a9 import FUSED, CortexA9, frame_run
 from markdown import fixed, grouped, percent, scientific
 from section import Section, one, select
+from target_frames import SCENES
 
 CELLS = 1024 * 1024  # of the grid, and the bytes of the array
 TILES = 1024
 MEBIBYTE = 1 << 20
 ENTRY_BYTES, SHAPE_BYTES = 4, 52  # of the linear tree: of each tile, of each that is not uniform
-SCENES = {"ring_road": "ring road", "city": "city"}
 POLICIES = ("blurring", "nearest")
 QUANTITIES = ("leaf", "node")
 
