@@ -5,8 +5,8 @@
 // m long and 1.73 m wide whose front scanners overlap by a third.
 #pragma once
 
-#include "vehicle/compile.hpp"
 #include "vehicle/scanners.hpp"
+#include "vehicle/vehicle.hpp"
 
 namespace iog::vehicles::reference_car {
 
@@ -29,7 +29,6 @@ inline constexpr vehicle::Description kDescription{
     .z_max_m = 2.20,
 };
 
-inline constexpr auto kSensors = vehicle::compile_sensors(kSensorConfigs, kDescription);
-inline constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+extern const vehicle::Vehicle kVehicle;  // compiled once, see compiled_vehicle.cpp.in
 
 }  // namespace iog::vehicles::reference_car

@@ -2,8 +2,8 @@
 // above the road by the fit of its ground rings).
 #pragma once
 
-#include "vehicle/compile.hpp"
 #include "vehicle/scanners.hpp"
+#include "vehicle/vehicle.hpp"
 
 namespace iog::vehicles::roof_vlp16 {
 
@@ -22,7 +22,6 @@ inline constexpr vehicle::Description kDescription{
     .frame_period_us = 110'000,
 };
 
-inline constexpr auto kSensors = vehicle::compile_sensors(kSensorConfigs, kDescription);
-inline constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+extern const vehicle::Vehicle kVehicle;  // compiled once, see compiled_vehicle.cpp.in
 
 }  // namespace iog::vehicles::roof_vlp16

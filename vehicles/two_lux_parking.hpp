@@ -2,8 +2,8 @@
 // three echoes, ground labelled (mounts as in the recording's own scanner infos).
 #pragma once
 
-#include "vehicle/compile.hpp"
 #include "vehicle/scanners.hpp"
+#include "vehicle/vehicle.hpp"
 
 namespace iog::vehicles::two_lux_parking {
 
@@ -24,7 +24,6 @@ inline constexpr vehicle::Description kDescription{
     .z_max_m = 2.00,
 };
 
-inline constexpr auto kSensors = vehicle::compile_sensors(kSensorConfigs, kDescription);
-inline constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+extern const vehicle::Vehicle kVehicle;  // compiled once, see compiled_vehicle.cpp.in
 
 }  // namespace iog::vehicles::two_lux_parking

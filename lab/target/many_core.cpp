@@ -21,6 +21,7 @@
 #include "grid/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "playback.hpp"
+#include "vehicle/compile.hpp"
 #include "vehicles/reference_car.hpp"
 
 namespace iog::lab {
@@ -34,14 +35,10 @@ constexpr std::size_t kRight = 2;
 static_assert(car::kSensorConfigs[kLeft].name == "front_left");
 static_assert(car::kSensorConfigs[kRight].name == "front_right");
 
-constexpr std::array kSensors{car::kSensors[kLeft], car::kSensors[kRight]};
+constexpr auto kSensors = vehicle::compile_sensors(
+    std::array{car::kSensorConfigs[kLeft], car::kSensorConfigs[kRight]}, car::kDescription);
 
-constexpr vehicle::Vehicle two_lux() {
-  vehicle::Vehicle vehicle = car::kVehicle;
-  vehicle.sensors = kSensors;
-  return vehicle;
-}
-constexpr vehicle::Vehicle kVehicle = two_lux();
+constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(car::kDescription, kSensors);
 
 constexpr std::size_t kLayers = reference::LuxScans::kLayers;
 constexpr std::size_t kMaxCells = 500 * 300;

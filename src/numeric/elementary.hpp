@@ -12,6 +12,21 @@ namespace iog::numeric {
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kLn2 = 0.69314718055994530942;
 
+// 2^n for |n| <= 1022, exact. By squaring: the compiler computes every table many times.
+constexpr double power_of_two(int n) {
+  double square = n < 0 ? 0.5 : 2;
+  double result = 1;
+  for (int rest = n < 0 ? -n : n; rest != 0; rest /= 2) {
+    if (rest % 2 == 1) {
+      result *= square;
+    }
+    if (rest > 1) {  // 2^1024 is no double
+      square *= square;
+    }
+  }
+  return result;
+}
+
 // e^x for -700 < x < 700: x = n ln 2 + f with |f| <= ln 2 / 2, then the Taylor series of e^f.
 constexpr double exp(double x) {
   const double scaled = x / kLn2;
@@ -23,13 +38,7 @@ constexpr double exp(double x) {
     term *= f / i;
     sum += term;
   }
-  for (int i = 0; i < n; ++i) {
-    sum *= 2;
-  }
-  for (int i = 0; i > n; --i) {
-    sum /= 2;
-  }
-  return sum;
+  return sum * power_of_two(n);
 }
 
 // The natural logarithm of 1e-300 < x < 1e300: x = m 2^n with m near 1, then the series of

@@ -23,13 +23,13 @@ struct SingleTarget {
     double alpha = 0;
     for (int h = -reach(); h <= reach(); ++h) {
       // 2^-(h-1) relative to cell k; the common factor cancels in the quotient.
-      const double weighted = likelihood(h) * power_of_two(-h);
+      const double weighted = likelihood(h) * numeric::power_of_two(-h);
       alpha += weighted;
       if (h < offset) {
         before += weighted / 2;
       }
     }
-    return (before + likelihood(offset) * power_of_two(-offset)) / alpha;
+    return (before + likelihood(offset) * numeric::power_of_two(-offset)) / alpha;
   }
 
  private:
@@ -45,17 +45,6 @@ struct SingleTarget {
     const double distance = offset * cell_length_m / sigma_m;
     const double exponent = -0.5 * distance * distance;
     return exponent < -690 ? 0 : numeric::exp(exponent);
-  }
-
-  static constexpr double power_of_two(int n) {
-    double value = 1;
-    for (int i = 0; i < n; ++i) {
-      value *= 2;
-    }
-    for (int i = 0; i > n; --i) {
-      value /= 2;
-    }
-    return value;
   }
 };
 

@@ -101,7 +101,7 @@ class GridPage:
     def wait_for_fact(self, name: str, value: str) -> None:
         self.page.wait_for("[...document.querySelectorAll('.facts dt')]"
                            f".find((term) => term.textContent === '{name}')"
-                           f".nextSibling.textContent === '{value}'")
+                           f"?.nextSibling.textContent === '{value}'")
 
     def place_of(self, x: int, y: int) -> tuple[float, float]:
         """Where the middle of a cell is on the page: x of the car points up, y to the left."""

@@ -1,8 +1,9 @@
-// Vehicles for tests, chosen so that what must happen can be worked out by hand.
+// Vehicles for tests, chosen so that what must happen can be worked out by hand. Their tables are
+// computed in test_vehicles.cpp, once for all tests.
 #pragma once
 
-#include "vehicle/compile.hpp"
 #include "vehicle/scanners.hpp"
+#include "vehicle/vehicle.hpp"
 
 namespace iog::tests {
 
@@ -15,25 +16,20 @@ struct OneLux {
   static constexpr std::array kConfigs{test_lux(100, {})};
   static constexpr vehicle::Description kDescription{
       .name = "one_lux", .z_min_m = -100, .z_max_m = 100};
-  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, kDescription);
-  static constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+  static const vehicle::Vehicle kVehicle;
 };
 
 // One LUX on a cell's corner, pitched so that its layer 2 runs level: 1D cells and the 2D cells
 // ahead share their borders exactly.
 struct LevelLux {
   static constexpr std::array kConfigs{test_lux(100, {.pitch_deg = 0.4})};
-  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, OneLux::kDescription);
-  static constexpr vehicle::Vehicle kVehicle =
-      vehicle::compile_vehicle(OneLux::kDescription, kSensors);
+  static const vehicle::Vehicle kVehicle;
 };
 
 // One LUX in the middle of a cell.
 struct MidCellLux {
   static constexpr std::array kConfigs{test_lux(100, {.x_m = 0.05, .y_m = 0.05})};
-  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, OneLux::kDescription);
-  static constexpr vehicle::Vehicle kVehicle =
-      vehicle::compile_vehicle(OneLux::kDescription, kSensors);
+  static const vehicle::Vehicle kVehicle;
 };
 
 // OneLux with the other quantisation, in which the cell behind a hit is occupied too.
@@ -42,8 +38,7 @@ struct OneLuxNearest {
                                                      .z_min_m = -100,
                                                      .z_max_m = 100,
                                                      .quantisation = index::Quantisation::kNearest};
-  static constexpr auto kSensors = vehicle::compile_sensors(OneLux::kConfigs, kDescription);
-  static constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+  static const vehicle::Vehicle kVehicle;
 };
 
 // One LUX off every border, turned, tilted and rolled, on a car with a footprint; it stands 0.5 m
@@ -64,8 +59,7 @@ struct TiltedLux {
       .footprint = {.x_min_m = -1, .x_max_m = 1, .y_min_m = -1, .y_max_m = 1},
       .z_min_m = 0.2,
       .z_max_m = 1.5};
-  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, kDescription);
-  static constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+  static const vehicle::Vehicle kVehicle;
 };
 
 // Three LUX: two looking at the same place, one standing outside the grid and looking in.
@@ -77,8 +71,7 @@ struct ThreeLux {
   };
   static constexpr vehicle::Description kDescription{
       .name = "three_lux", .z_min_m = -2, .z_max_m = 3};
-  static constexpr auto kSensors = vehicle::compile_sensors(kConfigs, kDescription);
-  static constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(kDescription, kSensors);
+  static const vehicle::Vehicle kVehicle;
 };
 
 }  // namespace iog::tests

@@ -22,8 +22,8 @@ namespace {
 using geometry::Cell;
 using traversal::Position;
 
-constexpr const vehicle::Vehicle& kCar = vehicles::reference_car::kVehicle;
-constexpr const vehicle::Sensor& kSensor = kCar.sensors[1];
+const vehicle::Vehicle& kCar = vehicles::reference_car::kVehicle;
+const vehicle::Sensor& kSensor = kCar.sensors[1];
 
 lidar::ScanPoint scan_point() {
   const std::vector<std::byte> message =

@@ -127,6 +127,9 @@ void expect_that_no_split_shows(const Vehicle& vehicle, tests::Random& random) {
   }
   for (const std::size_t at_once : {1U, 7U, 100U}) {
     for (const int count : {2, 3, 4}) {
+      if (!random.one_in(tests::effort(1, 4))) {
+        continue;
+      }
       Cores cores = idle_cores(vehicle, count);
       carve_apart(vehicle, frame, at_once, random, cores);
       ASSERT_TRUE(joined(cores, vehicle.rule) == expected) << count << " cores, " << at_once;

@@ -3,6 +3,7 @@
 #include <array>
 #include <gtest/gtest.h>
 
+#include "fakes/effort.hpp"
 #include "fakes/vlp16_packet.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 
@@ -99,7 +100,7 @@ TEST(ScanTracker, ATurnIsCompleteWhereverItBegan) {
 // The packets of a real turn (MRPT's recording on a desk, 2016): the head's speed wavers, so that a
 // packet cannot tell exactly where the next one begins.
 TEST(ScanTracker, ATurnIsCompleteThoughTheHeadsSpeedWavers) {
-  for (int begin = 0; begin < 36'000; begin += 7) {
+  for (int begin = 0; begin < 36'000; begin += tests::effort(7, 97)) {
     ScanTracker tracker = turn_tracker();
     int azimuth = begin;
     int packets = 0;

@@ -11,6 +11,12 @@ namespace {
 
 constexpr double kRelative = 1e-14;
 
+TEST(Elementary, PowersOfTwoAreExact) {
+  for (int n = -1022; n <= 1022; ++n) {
+    ASSERT_EQ(power_of_two(n), std::ldexp(1.0, n));
+  }
+}
+
 TEST(Elementary, ExpIsThatOfTheCLibrary) {
   for (double x = -690; x < 690; x += 0.37) {
     EXPECT_NEAR(exp(x) / std::exp(x), 1, 300 * kRelative) << x;

@@ -117,7 +117,7 @@ TEST(LinearQuadtree, OfBlocksOfEverySizeIsThatOfTheReference) {
 }
 
 TEST(LinearQuadtree, OfHalfPlanesIsThatOfTheReference) {
-  constexpr std::size_t kBorder = tests::kIsPc ? 517 : 77;
+  constexpr auto kBorder = static_cast<std::size_t>(effort(517, 77));
   expect_leaves_of_the_reference(GridDrawing().fill([](std::size_t x, std::size_t) {
     return static_cast<OccupancyIndex>(x < kBorder ? -14 : 0);
   }));

@@ -7,6 +7,7 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/test_vehicles.hpp"
+#include "geometry/grid.hpp"
 
 namespace iog::vehicle {
 namespace {
