@@ -4,8 +4,9 @@ option(IOG_CCACHE "Compile through ccache if it is there" ON)
 find_program(IOG_CCACHE_PROGRAM ccache)
 if(IOG_CCACHE AND IOG_CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Paths below the clone become relative before they are compared; precompiled headers are told by
-  # what is in them, not by their time.
+  # what is in them, not by their time; the compiler's own list of headers is believed, so that a
+  # source that was never compiled is not read twice.
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
     CCACHE_SLOPPINESS=pch_defines,time_macros ${IOG_CCACHE_PROGRAM})
 endif()
