@@ -186,7 +186,8 @@ def check_recording(iog: str, folder: pathlib.Path, browser: Browser) -> None:
         time.sleep(1.5)
         page = GridPage(browser.open(viewer.address))
         page.wait_for_state("end of recording")
-        assert page.page.value("iogPage.history.frames[0].status.frame.number") < 5
+        # Of its 25 frames, a slow browser misses some of the first.
+        assert page.page.value("iogPage.history.frames[0].status.frame.number") < 20
         page.page.press("Home")
         page.wait_for_state("paused")
         page.page.close()
