@@ -23,14 +23,18 @@ namespace {
 using ageing::Discounting;
 using tests::ExactCell;
 
-// What free, taken and ignorance may be off, of 1: rounding down in every frame adds up to so much.
-constexpr double kMassError = 0.0075;
+// What a value may be off, of 1, in a life as people lead it: something comes, stays and leaves.
+constexpr double kUsualError = 0.0075;
 
-// What the shares of O, M and K may be off. The accumulator has a tie at P = 6 / 7 = 0.857, between
-// growing and shrinking, and steady hits hover near it: the error of P decides how fast it grows,
-// and that what has become standing.
-constexpr double kShareError = 0.025;
-constexpr double kPersistenceError = 0.0125;
+// In the worst of two million random frames. The accumulator has a tie at P = 6 / 7, between
+// growing and falling. Near it the rounding of P decides how fast it grows, and so when what is
+// occupied becomes standing. What is free, what is taken and what is unknown hardly depend on it.
+constexpr double kMassError = 0.01;
+constexpr double kShareError = 0.04;
+constexpr double kPersistenceError = 0.02;
+
+// On the mean of a life.
+constexpr double kMeanError = 0.0025;
 
 double exact_occupied(Discounting discounting, double ms) {
   const double dynamic = tests::exact_dynamic(ms);
@@ -157,9 +161,9 @@ class WhatComesAndLeaves : public testing::TestWithParam<bool> {};
 TEST_P(WhatComesAndLeaves, IsTheSameInIntegers) {
   Pair pair(Discounting::kConservative);
   for_each_frame(pair, GetParam(), [&](int frame) {
-    ASSERT_LT(pair.mass_error(), kMassError) << "frame " << frame;
-    ASSERT_LT(pair.share_error(), kMassError) << "frame " << frame;
-    ASSERT_LT(pair.persistence_error(), kMassError) << "frame " << frame;
+    ASSERT_LT(pair.mass_error(), kUsualError) << "frame " << frame;
+    ASSERT_LT(pair.share_error(), kUsualError) << "frame " << frame;
+    ASSERT_LT(pair.persistence_error(), kUsualError) << "frame " << frame;
   });
 }
 
@@ -194,6 +198,7 @@ void expect_a_life(Pair& pair, tests::Random& random, int frames) {
   int hits_of_8 = 0;
   int beams_of_8 = 0;
   bool moved = false;
+  double sum_of_errors = 0;
   for (int frame = 0; frame < frames; ++frame) {
     if (random.one_in(25)) {
       hits_of_8 = random.between(-4, 12);
@@ -206,6 +211,7 @@ void expect_a_life(Pair& pair, tests::Random& random, int frames) {
     const int index = is_hit ? 2 : is_crossed ? -14 : 0;
     pair.fuse(index, moved, since_evidence + period);
     since_evidence = index != 0 ? 0 : since_evidence + period;
+    sum_of_errors += std::max(pair.mass_error(), pair.share_error());
     ASSERT_LT(pair.mass_error(), kMassError) << "frame " << frame;
     ASSERT_LT(pair.share_error(), kShareError) << "frame " << frame;
     ASSERT_LT(pair.persistence_error(), kPersistenceError) << "frame " << frame;
@@ -213,6 +219,7 @@ void expect_a_life(Pair& pair, tests::Random& random, int frames) {
       ASSERT_EQ(pair.decided(), exact_decision(pair.exact())) << "frame " << frame;
     }
   }
+  ASSERT_LT(sum_of_errors / frames, kMeanError);
 }
 
 // One frame from any state: every product loses less than one unit of 2^-15, and 1 is 32767 of them
