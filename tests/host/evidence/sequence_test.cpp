@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <string>
+#include <utility>
 
 #include "ageing/discounting.hpp"
 #include "ageing/gains.hpp"
@@ -254,19 +255,23 @@ TEST(OneFrame, IsOffByAFewUnits) {
   }
 }
 
-class ALife : public testing::TestWithParam<Discounting> {};
+class ALife : public testing::TestWithParam<std::pair<Discounting, const char*>> {};
 
 TEST_P(ALife, IsTheSameInIntegers) {
   tests::Random random(20);
   for (int life = 0; life < tests::effort(200, 10); ++life) {
-    Pair pair(GetParam());
+    Pair pair(GetParam().first);
     ASSERT_NO_FATAL_FAILURE(expect_a_life(pair, random, tests::effort(10'000, 2000)))
         << "life " << life;
   }
 }
-INSTANTIATE_TEST_SUITE_P(ByEveryDiscounting, ALife,
-                         testing::Values(Discounting::kConservative, Discounting::kOptimistic,
-                                         Discounting::kClassical, Discounting::kProportional));
+constexpr std::array kNamedDiscountings{std::pair{Discounting::kConservative, "Conservative"},
+                                        std::pair{Discounting::kOptimistic, "Optimistic"},
+                                        std::pair{Discounting::kClassical, "Classical"},
+                                        std::pair{Discounting::kProportional, "Proportional"}};
+
+INSTANTIATE_TEST_SUITE_P(By, ALife, testing::ValuesIn(kNamedDiscountings),
+                         [](const auto& named) { return std::string(named.param.second); });
 
 }  // namespace
 }  // namespace iog::evidence
