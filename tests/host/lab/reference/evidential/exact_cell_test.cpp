@@ -292,7 +292,7 @@ double worst_difference(Discounting ours, thesis::Ageing theirs, Random& random)
   return worst;
 }
 
-TEST(ExactCell, IsTheThesissWhereEveryAppearanceMoves) {
+TEST(ExactCell, IsThatOfTheThesisWhereEveryAppearanceMoves) {
   Random random(59);
   for (int round = 0; round < 20; ++round) {
     EXPECT_LT(worst_difference(Discounting::kConservative, thesis::Ageing::kConservative, random),

@@ -1,25 +1,18 @@
-// What the map does in the thesis, where it is fused into every scan, and what is the same when it
+// What the map does in the thesis, where it is fused into every scan, and what it does when it
 // speaks once, at the decision.
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <gtest/gtest.h>
 
-#include "fakes/random.hpp"
 #include "lab/reference/evidential/perception.hpp"
-#include "lab/reference/evidential/random_mass.hpp"
 
 namespace iog::lab::reference::evidential {
 namespace {
 
-using tests::Random;
-using tests::random_share;
-
 double free_probability(const MassFunction& mass) { return pignistic(mass, kFree); }
 
-// Occupied by F 0.10, O 0.20, M 0.05, K 0.55: pignistic probabilities of D, N, I, M, S, U by mask,
-// beta 0.97. For road by hand: Dempster leaves F 0.1 (0.97 of it D), O 0.2 (0.97 {M, S}), M 0.05, K
-// 0.55 (0.97 S) and Omega 0.1 (0.97 {D, M, S}).
+// Pignistic probabilities of D, N, I, M, S, U by mask, beta 0.97. For road by hand: Dempster leaves
+// F 0.1 (0.97 of it D), O 0.2 (0.97 {M, S}), M 0.05, K 0.55 (0.97 S) and Omega 0.1 (0.97 {D, M,
+// S}).
 TEST(MapAtTheDecision, NamesWhatTheSensorLeavesOpen) {
   const MassFunction mass(
       kPerceptionElements,
@@ -114,75 +107,6 @@ TEST(MapInEveryScan, AgreesWithItself) {
     after_one_more();
   }
   EXPECT_NEAR(after_one_more(), 0.996640, 1e-6);
-}
-
-// What a cell knows of free, occupied, moving, and how long it has been occupied.
-double sensor_part_difference(const PerceptionCell& one, const PerceptionCell& other) {
-  return std::max({std::abs(free_mass(one.mass) - free_mass(other.mass)),
-                   std::abs(occupied_mass(one.mass) - occupied_mass(other.mass)),
-                   std::abs(one.mass[kMoving] - other.mass[kMoving]),
-                   std::abs(one.accumulator - other.accumulator)});
-}
-
-// Phases of a cell that is free, occupied, unseen or seen both ways; random masses and rates. The
-// same scans once with the map in each of them and once without.
-double worst_difference(Set map_class, Ageing ageing, Specialised which, Random& random) {
-  PerceptionCell with_map;
-  PerceptionCell without;
-  const double beta = random.one_in(2) ? 0.97 : random_share(random);
-  double worst = 0;
-  for (int scan = 0, phase = 0; scan < 200; ++scan) {
-    phase = random.one_in(12) ? random.between(0, 3) : phase;
-    const double free = phase == 1 || phase == 2 ? 0 : random_share(random) * 0.9;
-    const double occupied = phase >= 2 ? random_share(random) * (0.95 - free) : 0;
-    const ScanParameters parameters{.ageing = ageing,
-                                    .dynamic_loss = random_share(random) * 0.3,
-                                    .static_loss = random_share(random) * 0.1,
-                                    .gain = random_share(random) * 0.2,
-                                    .decline = 6 * random_share(random),
-                                    .specialised_share = random_share(random),
-                                    .which = which};
-    const MassFunction source = source_evidence(free, occupied);
-    with_map.scan(dempster(source, map_evidence(map_class, beta)), parameters);
-    without.scan(source, parameters);
-    worst = std::max(worst, sensor_part_difference(with_map, without));
-  }
-  return worst;
-}
-
-double worst_of_rounds(Set map_class, Ageing ageing, Specialised which) {
-  Random random(map_class);
-  double worst = 0;
-  for (int round = 0; round < 20; ++round) {
-    worst = std::max(worst, worst_difference(map_class, ageing, which, random));
-  }
-  return worst;
-}
-
-// On roads, in intermediate space and at their borders the map changes names alone: what the sensor
-// says is the same with and without it. That is why a cell need not know the map.
-TEST(SensorPart, IsTheSameWithAndWithoutMap) {
-  for (const Specialised which : {Specialised::kEverySet, Specialised::kOccupiedSets}) {
-    for (const Set map_class : {kRoad, kIntermediate, kRoad | kIntermediate}) {
-      for (const Ageing ageing :
-           {Ageing::kClassical, Ageing::kConservative, Ageing::kOptimistic, Ageing::kContextual}) {
-        EXPECT_LT(worst_of_rounds(map_class, ageing, which), 1e-12)
-            << "map " << map_class << ", ageing " << static_cast<int>(ageing);
-      }
-    }
-  }
-}
-
-// A set's share in the dynamic classes changes when the map takes classes out of the set.
-TEST(SensorPart, DependsOnTheMapIfDiscountingIsProportional) {
-  for (const Set map_class : {kRoad, kIntermediate}) {
-    EXPECT_GT(worst_of_rounds(map_class, Ageing::kProportional, Specialised::kOccupiedSets), 0.01);
-  }
-}
-
-// A building rules out everything free and all that moves: there the thesis's map overrules.
-TEST(SensorPart, DependsOnTheMapInABuilding) {
-  EXPECT_GT(worst_of_rounds(kBuilding, Ageing::kConservative, Specialised::kOccupiedSets), 0.1);
 }
 
 }  // namespace
