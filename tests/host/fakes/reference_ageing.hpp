@@ -19,7 +19,7 @@ enum class Discounting : std::uint8_t {
 };
 
 // What is left of each mass, and of the accumulator, after some time: 0 ... 1.
-struct ExactFading {
+struct ReferenceFading {
   double free = 1;
   double occupied = 1;
   double moving = 1;
@@ -28,7 +28,7 @@ struct ExactFading {
 };
 
 // Of a group in one frame, from the time since it last had evidence.
-struct ExactGains {
+struct ReferenceGains {
   double free_mass = 0;       // f of a cell that was crossed
   double persistence = 0;     // d, what the accumulator gains while a cell is occupied
   double decline = 0;         // d_gamma, what it loses while the cell is not
@@ -45,7 +45,7 @@ inline std::uint64_t elapsed_ms(std::uint64_t earlier_us, std::uint64_t later_us
 inline constexpr double kLongestMemoryMs = 65'535;
 
 // The dynamic classes lose a tenth in 100 ms, the static ones a hundredth.
-inline ExactFading exact_fading(Discounting discounting, double elapsed_ms) {
+inline ReferenceFading reference_fading(Discounting discounting, double elapsed_ms) {
   if (elapsed_ms > kLongestMemoryMs) {
     return {0, 0, 0, 0, 0};
   }
@@ -69,7 +69,7 @@ inline ExactFading exact_fading(Discounting discounting, double elapsed_ms) {
 // of a scan of 10 Hz; here it is what crossing for 100 ms adds up to. An object of 3 m that passes
 // at 1 m/s fills the accumulator, and gaps of 0.5 m empty it (equations 7.4 and 7.6). A scan of
 // 15 Hz specialises by all of the accumulator.
-inline ExactGains exact_gains(double since_evidence_ms) {
+inline ReferenceGains reference_gains(double since_evidence_ms) {
   const double time_ms = std::clamp(since_evidence_ms, 1.0, 100.0);
   return {.free_mass = 1 - std::pow(0.3, time_ms / 100),
           .persistence = time_ms / 3000,

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "fakes/exact_cell.hpp"
+#include "fakes/reference_cell.hpp"
 
 namespace iog::tests {
 
@@ -28,7 +28,7 @@ inline constexpr unsigned kRoad = 2;
 inline constexpr unsigned kIntermediate = 4;
 inline constexpr unsigned kMapSilent = 7;
 
-struct ExactDecision {
+struct ReferenceDecision {
   CellClass named = CellClass::kUnknown;
   int sureness = 0;   // 0 ... 7, in sixteenths above one half
   double margin = 1;  // how far from one half the nearest score was that had a say
@@ -65,8 +65,8 @@ inline CellClass name_of_static(unsigned mask) {
   }
 }
 
-inline ExactDecision exact_decision(const ExactCell& cell, unsigned mask) {
-  ExactDecision decision;
+inline ReferenceDecision reference_decision(const ReferenceCell& cell, unsigned mask) {
+  ReferenceDecision decision;
   const auto reaches_half = [&](double score) {
     decision.margin = std::min(decision.margin, std::abs(score - kHalf));
     const double above = (score - kHalf) * evidence::kCertain / 2048;
@@ -95,7 +95,7 @@ inline ExactDecision exact_decision(const ExactCell& cell, unsigned mask) {
 }
 
 // What the rule for "moved" asks of a cell when it has been decided.
-struct ExactBits {
+struct ReferenceBits {
   bool freed = false;
   bool seen = false;
   bool stands = false;
@@ -103,7 +103,7 @@ struct ExactBits {
 };
 
 // index: of this very frame; 0 where the cell was decided without evidence.
-inline ExactBits exact_bits(const ExactCell& cell, int index) {
+inline ReferenceBits reference_bits(const ReferenceCell& cell, int index) {
   const auto exceeds = [](double mass, int units) { return mass * evidence::kCertain > units; };
   return {.freed = exceeds(cell.free, 16'384),
           .seen = index < 0 && exceeds(cell.free, 22'938),
