@@ -32,7 +32,7 @@ struct ReferenceEvidence {
   double occupied = 0;
 };
 
-// The least multiple of 1/128 from 127/128 down that is not above a mass.
+// The largest multiple of 1/128 that is not above a mass, at most 127/128.
 inline double in_128ths(double mass) { return std::min(127.0, std::floor(128 * mass)) / 128; }
 
 // index: of the cell in this frame, joined over its slices, -127 ... 127. One echo is +2.
