@@ -28,18 +28,28 @@ inline constexpr unsigned kRoad = 2;
 inline constexpr unsigned kIntermediate = 4;
 inline constexpr unsigned kMapSilent = 7;
 
+// One half, as the integers have it, and a step of sureness.
+inline constexpr double kHalf = 16'384.0 / evidence::kCertain;
+inline constexpr double kStep = 2048.0 / evidence::kCertain;
+
 struct ReferenceDecision {
   CellClass named = CellClass::kUnknown;
-  int sureness = 0;   // 0 ... 7, in sixteenths above one half
+  double score = 0;   // the mass that named it
   double margin = 1;  // how far from one half the nearest score was that had a say
 
+  // 0 ... 7, in sixteenths above one half.
+  [[nodiscard]] int sureness() const {
+    return static_cast<int>(std::clamp(std::floor((score - kHalf) / kStep), 0.0, 7.0));
+  }
+  // How far the score is from where its sureness changes.
+  [[nodiscard]] double margin_of_sureness() const {
+    const double steps = (score - kHalf) / kStep;
+    return std::abs(steps - std::clamp(std::round(steps), 1.0, 7.0)) * kStep;
+  }
   [[nodiscard]] std::int8_t byte() const {
-    return static_cast<std::int8_t>(static_cast<int>(named) * 8 + sureness);
+    return static_cast<std::int8_t>(static_cast<int>(named) * 8 + sureness());
   }
 };
-
-// One half, as the integers have it.
-inline constexpr double kHalf = 16'384.0 / evidence::kCertain;
 
 inline CellClass name_of_free(unsigned mask) {
   switch (mask) {
@@ -67,29 +77,22 @@ inline CellClass name_of_static(unsigned mask) {
 
 inline ReferenceDecision reference_decision(const ReferenceCell& cell, unsigned mask) {
   ReferenceDecision decision;
-  const auto reaches_half = [&](double score) {
+  const auto is_named_by = [&](double score, CellClass name) {
     decision.margin = std::min(decision.margin, std::abs(score - kHalf));
-    const double above = (score - kHalf) * evidence::kCertain / 2048;
-    decision.sureness = static_cast<int>(std::clamp(std::floor(above), 0.0, 7.0));
+    if (score >= kHalf) {
+      decision.named = name;
+      decision.score = score;
+    }
     return score >= kHalf;
   };
-  if (reaches_half(cell.free)) {
-    decision.named = name_of_free(mask);
+  if (is_named_by(cell.free, name_of_free(mask)) ||
+      !is_named_by(cell.taken(), CellClass::kOccupied)) {
     return decision;
   }
-  if (!reaches_half(cell.taken())) {
-    return decision;
-  }
-  const int sureness = decision.sureness;
   // Occupied by what moves: half of what is undecided, in a building next to nothing.
   const double moving = cell.moving + cell.occupied * (mask == kBuilding ? 2 : 128) / 256;
-  if (reaches_half(moving)) {
-    decision.named = CellClass::kMoving;
-  } else if (reaches_half(cell.taken() - moving)) {
-    decision.named = name_of_static(mask);
-  } else {
-    decision.named = CellClass::kOccupied;
-    decision.sureness = sureness;
+  if (!is_named_by(moving, CellClass::kMoving)) {
+    is_named_by(cell.taken() - moving, name_of_static(mask));
   }
   return decision;
 }

@@ -66,6 +66,16 @@ TEST(ReferenceDecision, KnowsHowNearATieItWas) {
   EXPECT_NEAR(reference_decision({.moving = 0.48, .standing = 0.52}, kRoad).margin, 0.02, 1e-4);
 }
 
+TEST(ReferenceDecision, KnowsHowNearAnotherSurenessItWas) {
+  const auto margin = [](double units) {
+    return reference_decision({.free = units / 32'767}, kRoad).margin_of_sureness() * 32'767;
+  };
+  EXPECT_NEAR(margin(16'384 + 2048 + 5), 5, 1e-9);
+  EXPECT_NEAR(margin(16'384 + 2048 - 5), 5, 1e-9);
+  EXPECT_NEAR(margin(16'384 + 10), 2038, 1e-9);  // below one half it has another name
+  EXPECT_NEAR(margin(32'767), 16'383 - 7 * 2048, 1e-9);
+}
+
 TEST(ReferenceBits, AreStrictlyAboveTheirThresholds) {
   const auto mass = [](int units) { return units / 32'767.0; };
   EXPECT_FALSE(reference_bits({.free = mass(16'384)}, -1).freed);
