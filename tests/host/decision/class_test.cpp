@@ -9,6 +9,8 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/random_group.hpp"
+#include "fakes/reference_cell.hpp"
+#include "fakes/reference_decision.hpp"
 
 namespace iog::decision {
 namespace {
@@ -131,6 +133,27 @@ TEST(Class, IsNeverNamedByIgnorance) {
       ASSERT_EQ(!is_free && name != Class::kUnknown, taken >= 16'384);
     }
   }
+}
+
+// In every mask what real numbers say, but where less than two units would change it.
+TEST(Class, IsThatOfTheReference) {
+  constexpr double kTwoUnits = 2.0 / evidence::kCertain;
+  tests::Random random(32);
+  int compared = 0;
+  for (int i = 0; i < tests::effort(50'000, 5000); ++i) {
+    Group group = tests::random_group(random);
+    decide(group, Indexes{});
+    for (std::size_t j = 0; j < evidence::kGroupCells; ++j) {
+      const unsigned mask = kAnywhere - group.ruled_out[j];
+      const auto exact = reference_decision(tests::reference_cell(group, j), mask);
+      if (exact.margin < kTwoUnits || exact.margin_of_sureness() < kTwoUnits) {
+        continue;
+      }
+      ASSERT_EQ(group.decided[j], exact.byte()) << "mask " << mask;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, tests::effort(50'000, 5000) * 4);
 }
 
 }  // namespace

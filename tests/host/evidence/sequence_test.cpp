@@ -14,15 +14,17 @@
 #include "evidence/cell.hpp"
 #include "evidence/fusion.hpp"
 #include "fakes/effort.hpp"
-#include "fakes/exact_cell.hpp"
 #include "fakes/random.hpp"
 #include "fakes/random_group.hpp"
+#include "fakes/reference_ageing.hpp"
+#include "fakes/reference_cell.hpp"
+#include "fakes/reference_decision.hpp"
 
 namespace iog::evidence {
 namespace {
 
 using ageing::Discounting;
-using tests::ExactCell;
+using tests::ReferenceCell;
 
 // What a value may be off, of 1, in a life as people lead it: something comes, stays and leaves.
 constexpr double kUsualError = 0.0075;
@@ -37,20 +39,23 @@ constexpr double kPersistenceError = 0.02;
 // On the mean of a life.
 constexpr double kMeanError = 0.0025;
 
-double exact_occupied(Discounting discounting, double ms) {
-  const double dynamic = tests::exact_dynamic(ms);
-  const double fixed = tests::exact_static(ms);
+tests::ReferenceFading exactly_left(std::uint32_t ms, Discounting discounting) {
   switch (discounting) {
     case Discounting::kOptimistic:
-      return 1;
+      return reference_fading(tests::Discounting::kOptimistic, ms);
     case Discounting::kClassical:
-      return dynamic;
+      return reference_fading(tests::Discounting::kClassical, ms);
     case Discounting::kProportional:
-      return std::pow(dynamic, 0.25) * std::pow(fixed, 0.75);
+      return reference_fading(tests::Discounting::kProportional, ms);
     case Discounting::kConservative:
       break;
   }
-  return dynamic * fixed;
+  return reference_fading(tests::Discounting::kConservative, ms);
+}
+
+void fuse_exactly(ReferenceCell& cell, int index, bool moved, std::uint32_t ms) {
+  const tests::ReferenceGains gains = tests::reference_gains(ms);
+  cell.fuse(reference_evidence(index, gains, tests::EvidenceRule::kByTime), moved, gains);
 }
 
 // The same cell twice: in cell 5 of a group, and exactly.
@@ -60,9 +65,7 @@ class Pair {
 
   void age(std::uint32_t ms) {
     evidence::age(group_, ageing::left_after(ms, discounting_));
-    const double fixed = discounting_ == Discounting::kClassical ? tests::exact_dynamic(ms)
-                                                                 : tests::exact_static(ms);
-    age_exactly(exact_, tests::exact_dynamic(ms), exact_occupied(discounting_, ms), fixed);
+    exact_.age(exactly_left(ms, discounting_));
   }
 
   // index: its sign alone counts. ms: since the last evidence.
@@ -71,15 +74,11 @@ class Pair {
     indexes[kCell] = static_cast<index::OccupancyIndex>(index);
     evidence::fuse(group_, indexes, moved ? 1U << kCell : 0,
                    ageing::gains_after(ms, ageing::Weighing::kByTime));
-    if (index != 0) {
-      const std::uint32_t weighed = std::clamp<std::uint32_t>(ms, 1, 100);
-      fuse_exactly(exact_, index > 0 ? 111.0 / 128 : 0,
-                   index < 0 ? tests::exact_free_mass(weighed) : 0, moved, weighed);
-    }
+    fuse_exactly(exact_, index, moved, ms);
   }
 
   [[nodiscard]] Cell cell() const { return cell_of(group_, kCell); }
-  [[nodiscard]] const ExactCell& exact() const { return exact_; }
+  [[nodiscard]] const ReferenceCell& exact() const { return exact_; }
 
   [[nodiscard]] double mass_error() const {
     const Cell found = cell();
@@ -108,7 +107,7 @@ class Pair {
 
   Discounting discounting_;
   Group group_;
-  ExactCell exact_;
+  ReferenceCell exact_;
 };
 
 // Free space, something that comes and stays, free again, and then nothing but time.
@@ -135,26 +134,8 @@ void for_each_frame(Pair& pair, bool moved, Check&& check) {
   }
 }
 
-// Where a decision differs from the exact one, the exact one is close to a tie.
-double distance_from_a_tie(const ExactCell& cell) {
-  const double moving = cell.moving + cell.occupied / 2;
-  return std::min({std::abs(cell.free - 0.5), std::abs(cell.taken() - 0.5), std::abs(moving - 0.5),
-                   std::abs(cell.taken() - moving - 0.5)});
-}
-
-// Class of a cell where the map is silent.
-int exact_decision(const ExactCell& cell) {
-  const double moving = cell.moving + cell.occupied / 2;
-  if (cell.free >= 0.5) {
-    return 3;
-  }
-  if (cell.taken() < 0.5) {
-    return 0;
-  }
-  if (moving >= 0.5) {
-    return 4;
-  }
-  return cell.taken() - moving >= 0.5 ? 6 : 8;
+tests::ReferenceDecision exactly_decided(const ReferenceCell& cell) {
+  return reference_decision(cell, tests::kMapSilent);
 }
 
 class WhatComesAndLeaves : public testing::TestWithParam<bool> {};
@@ -177,7 +158,7 @@ TEST_P(WhatComesAndLeaves, IsNamedAtEveryFrame) {
   std::string exact_classes;
   for_each_frame(pair, GetParam(), [&](int) {
     classes += kLetters[static_cast<std::size_t>(pair.decided())];
-    exact_classes += kLetters[static_cast<std::size_t>(exact_decision(pair.exact()))];
+    exact_classes += kLetters[static_cast<std::size_t>(exactly_decided(pair.exact()).named)];
   });
   EXPECT_EQ(exact_classes, GetParam() ? "ffffffffff"
                                         "MMMMMMMMMMMMMOS"
@@ -216,18 +197,18 @@ void expect_a_life(Pair& pair, tests::Random& random, int frames) {
     ASSERT_LT(pair.mass_error(), kMassError) << "frame " << frame;
     ASSERT_LT(pair.share_error(), kShareError) << "frame " << frame;
     ASSERT_LT(pair.persistence_error(), kPersistenceError) << "frame " << frame;
-    if (distance_from_a_tie(pair.exact()) > 0.01) {
-      ASSERT_EQ(pair.decided(), exact_decision(pair.exact())) << "frame " << frame;
+    const tests::ReferenceDecision exact = exactly_decided(pair.exact());
+    if (exact.margin > 0.01) {
+      ASSERT_EQ(pair.decided(), static_cast<int>(exact.named)) << "frame " << frame;
     }
   }
   ASSERT_LT(sum_of_errors / frames, kMeanError);
 }
 
-// One frame from any state: every product loses less than one unit of 2^-15, and 1 is 32767 of them
-// where the exact cell has 32768. A value has at most four products, and what specialises has five
-// more units from the accumulator.
+// One frame from any state, in units of 1 / 32767: a product loses less than two, one by rounding
+// and one because 1 is 32767 of the 32768 parts that a product is divided by. A mass has at most
+// two products, and what specialises has those of the accumulator as well.
 TEST(OneFrame, IsOffByAFewUnits) {
-  constexpr double kUnit = 1.0 / 32'768;
   tests::Random random(21);
   for (int i = 0; i < tests::effort(20'000, 2000); ++i) {
     const Group before = tests::random_group(random);
@@ -240,17 +221,14 @@ TEST(OneFrame, IsOffByAFewUnits) {
     indexes.fill(static_cast<index::OccupancyIndex>(index));
     fuse(after, indexes, moved ? 0xFF : 0, gains);
     for (std::size_t j = 0; j < kGroupCells; ++j) {
-      const Cell cell = cell_of(before, j);
-      ExactCell exact{cell.free * kUnit, cell.occupied * kUnit, cell.moving * kUnit,
-                      cell.standing * kUnit, cell.persistence * kUnit};
-      fuse_exactly(exact, index > 0 ? 111.0 / 128 : 0, index < 0 ? tests::exact_free_mass(ms) : 0,
-                   moved, ms);
+      ReferenceCell exact = tests::reference_cell(before, j);
+      fuse_exactly(exact, index, moved, ms);
       const Cell found = cell_of(after, j);
-      ASSERT_NEAR(found.free, exact.free / kUnit, 4);
-      ASSERT_NEAR(found.occupied, exact.occupied / kUnit, 9);
-      ASSERT_NEAR(found.moving, exact.moving / kUnit, 9);
-      ASSERT_NEAR(found.standing, exact.standing / kUnit, 9);
-      ASSERT_NEAR(found.persistence, exact.persistence / kUnit, 4);
+      ASSERT_NEAR(found.free, exact.free * kCertain, 4);
+      ASSERT_NEAR(found.occupied, exact.occupied * kCertain, 9);
+      ASSERT_NEAR(found.moving, exact.moving * kCertain, 9);
+      ASSERT_NEAR(found.standing, exact.standing * kCertain, 9);
+      ASSERT_NEAR(found.persistence, exact.persistence * kCertain, 4);
     }
   }
 }
