@@ -1,0 +1,66 @@
+// The decay of a mass, as a product over the bits of a time.
+//
+// kappa(t) = exp(-t / tau). A table holds floor(2^31 kappa(2^j ms)) for each bit j, and the factors
+// of the bits of t are multiplied, lowest first, each product rounded down. So kappa(t) is at most
+// 16 + 15 units of 2^-31 below the true value: each factor and each product loses less than one,
+// and all are below 1.
+//
+// Range: factors are below 2^31, so a product of two is below 2^62.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "numeric/elementary.hpp"
+
+namespace iog::ageing {
+
+inline constexpr int kDecayFraction = 31;
+
+// 1: what is left after no time.
+inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
+
+// By bit of a time in ms.
+using DecayTable = std::array<std::uint32_t, 16>;
+
+// 1 / tau of what is left after 100 ms. Kurdej 2015, table 7.1, has 0.01 and 0.10 lost in a scan,
+// for contextual discounting, whose rates hit the complement of a set: they are exchanged here.
+consteval double rate_per_ms(double left_after_100_ms) {
+  return -numeric::log(left_after_100_ms) / 100;
+}
+inline constexpr double kDynamicRate = rate_per_ms(0.90);  // tau = 0.949 s
+inline constexpr double kStaticRate = rate_per_ms(0.99);   // tau = 9.950 s
+
+consteval DecayTable make_decay(double rate) {
+  DecayTable table{};
+  for (std::size_t j = 0; j < table.size(); ++j) {
+    const auto ms = static_cast<double>(std::uint32_t{1} << j);
+    table[j] = static_cast<std::uint32_t>(numeric::exp(-rate * ms) * kUndecayed);
+  }
+  return table;
+}
+
+// Both at most 2^31.
+constexpr std::uint32_t product(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> kDecayFraction);
+}
+
+// ms: 0 ... 65535.
+constexpr std::uint32_t decay(const DecayTable& table, std::uint32_t ms) {
+  std::uint32_t left = kUndecayed;
+  for (std::uint32_t rest = ms; rest != 0; rest &= rest - 1) {
+    left = product(left, table[static_cast<std::size_t>(std::countr_zero(rest))]);
+  }
+  return left;
+}
+
+inline constexpr DecayTable kDynamicDecay = make_decay(kDynamicRate);
+inline constexpr DecayTable kStaticDecay = make_decay(kStaticRate);
+
+// kappa_dyn^(1/4) kappa_sta^(3/4): the limit of the proportional factor (Kurdej 2015, section 6.3)
+// for small steps. Its own product of steps would depend on how often one looks.
+inline constexpr DecayTable kSharedDecay = make_decay(kDynamicRate / 4 + kStaticRate * 3 / 4);
+
+}  // namespace iog::ageing

@@ -1,0 +1,43 @@
+#include "ageing/discounting.hpp"
+
+#include "ageing/decay.hpp"
+
+namespace iog::ageing {
+namespace {
+
+// From units of 2^-31 to those of 2^-15, down. 1 becomes kWhole, its pattern of bits in an int16.
+constexpr std::int16_t factor(std::uint32_t left) { return static_cast<std::int16_t>(left >> 16); }
+static_assert(factor(kUndecayed) == evidence::kWhole);
+
+std::uint32_t left_of_occupied(std::uint32_t ms, Discounting discounting, std::uint32_t dynamic,
+                               std::uint32_t fixed) {
+  switch (discounting) {
+    case Discounting::kOptimistic:
+      return kUndecayed;
+    case Discounting::kClassical:
+      return dynamic;
+    case Discounting::kProportional:
+      return decay(kSharedDecay, ms);
+    case Discounting::kConservative:
+      break;
+  }
+  return product(dynamic, fixed);
+}
+
+}  // namespace
+
+evidence::Fading left_after(std::uint32_t ms, Discounting discounting) {
+  if (ms > kLongestMs) {
+    return evidence::kForgotten;
+  }
+  const std::uint32_t dynamic = decay(kDynamicDecay, ms);
+  const std::uint32_t fixed =
+      discounting == Discounting::kClassical ? dynamic : decay(kStaticDecay, ms);
+  return {.free = factor(dynamic),
+          .occupied = factor(left_of_occupied(ms, discounting, dynamic, fixed)),
+          .moving = factor(dynamic),
+          .standing = factor(fixed),
+          .persistence = factor(fixed)};
+}
+
+}  // namespace iog::ageing

@@ -1,0 +1,82 @@
+// One cell's class and bits. This is the specification, in plain integers; decision_neon.cpp does
+// the same to eight cells at once.
+//
+// All masses are those of a valid cell (evidence/cell.hpp): F + P <= 32767 with P = O + M + K. So
+// at most one of F >= 2^14 and P >= 2^14 holds. What moves, m <= M + O <= P, and what stands, P -
+// m, share P, so that at most one of them is 2^14 or more. No sum is above 32767.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "decision/decision.hpp"
+#include "evidence/cell.hpp"
+
+namespace iog::decision {
+
+inline constexpr std::int32_t kHalf = 1 << 14;
+inline constexpr int kLevelShift = 11;
+
+// The levels of the bits that frames to come ask for: tuned to tell flicker from motion.
+inline constexpr std::int32_t kFreedAbove = kHalf;
+inline constexpr std::int32_t kSeenAbove = 22'938;
+inline constexpr std::int32_t kStandsAbove = 4096;
+inline constexpr std::int32_t kTakenAbove = 8192;
+
+// By mask, the sum of the map's classes that are possible in a cell; mask 0 names as little as 7.
+using ByMask = std::array<std::uint8_t, 8>;
+
+consteval ByMask by_mask(Class other, Class building, Class road, Class beside_roads) {
+  ByMask classes{};
+  classes.fill(static_cast<std::uint8_t>(other));
+  classes[kBuilding] = static_cast<std::uint8_t>(building);
+  classes[kRoad] = static_cast<std::uint8_t>(road);
+  classes[kIntermediate] = static_cast<std::uint8_t>(beside_roads);
+  classes[kBuilding + kIntermediate] = static_cast<std::uint8_t>(beside_roads);
+  return classes;
+}
+
+inline constexpr ByMask kFreeClasses =
+    by_mask(Class::kFree, Class::kNonDrivable, Class::kDrivable, Class::kNonDrivable);
+inline constexpr ByMask kStandingClasses = by_mask(
+    Class::kStoppedOrUnmapped, Class::kInfrastructure, Class::kStopped, Class::kStoppedOrUnmapped);
+
+// The share of O that counts as moving, in 1/256: half of it, but hardly any in a building.
+inline constexpr ByMask kMovingShares = {128, 2, 128, 128, 128, 128, 128, 128};
+
+constexpr std::uint8_t mask_of(std::uint8_t ruled_out) {
+  return static_cast<std::uint8_t>(kAnywhere & ~ruled_out);
+}
+
+struct Verdict {
+  std::uint8_t name = static_cast<std::uint8_t>(Class::kUnknown);
+  std::int32_t score = kHalf;
+};
+
+constexpr Verdict verdict(const evidence::Cell& cell, std::uint8_t mask) {
+  const std::int32_t taken = cell.taken();
+  const std::int32_t moving =
+      cell.moving + evidence::product(cell.occupied, kMovingShares[mask] << 7);
+  const std::int32_t standing = taken - moving;
+  if (cell.free >= kHalf) {
+    return {kFreeClasses[mask], cell.free};
+  }
+  if (taken < kHalf) {
+    return {};
+  }
+  if (moving >= kHalf) {
+    return {static_cast<std::uint8_t>(Class::kMoving), moving};
+  }
+  if (standing >= kHalf) {
+    return {kStandingClasses[mask], standing};
+  }
+  return {static_cast<std::uint8_t>(Class::kOccupied), taken};
+}
+
+// 8 times the class plus 0 ... 7: a score is at most 32767, which is 7.
+constexpr std::int8_t byte_of(const Verdict& verdict) {
+  return static_cast<std::int8_t>(verdict.name * 8 + ((verdict.score - kHalf) >> kLevelShift));
+}
+
+}  // namespace iog::decision

@@ -1,0 +1,31 @@
+#include "decision/decision.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "decision/cell.hpp"
+#include "evidence/cell.hpp"
+
+namespace iog::decision {
+namespace {
+
+constexpr std::uint8_t bit(bool is_set, std::size_t cell) {
+  return static_cast<std::uint8_t>(std::uint32_t{is_set} << cell);
+}
+
+}  // namespace
+
+Bits decide(evidence::Group& group, const evidence::Indexes& of_this_frame) {
+  Bits bits;
+  for (std::size_t i = 0; i < evidence::kGroupCells; ++i) {
+    const evidence::Cell cell = evidence::cell_of(group, i);
+    group.decided[i] = byte_of(verdict(cell, mask_of(group.ruled_out[i])));
+    bits.freed |= bit(cell.free > kFreedAbove, i);
+    bits.seen |= bit(of_this_frame[i] < 0 && cell.free > kSeenAbove, i);
+    bits.stands |= bit(cell.persistence > kStandsAbove, i);
+    bits.taken |= bit(cell.taken() > kTakenAbove, i);
+  }
+  return bits;
+}
+
+}  // namespace iog::decision

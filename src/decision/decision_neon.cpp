@@ -1,0 +1,104 @@
+// Eight cells at once. What is compared with 2^14 is compared by its upper byte, which is at least
+// 64 in the same cases; an upper byte of 64 + 8 n + r is level n.
+//
+// At most one of free, moving and standing is half of all or more (decision/cell.hpp). So the
+// greatest of them is the score if it is; else the score is what is taken.
+#include <arm_neon.h>
+
+#include "decision/cell.hpp"
+#include "decision/decision.hpp"
+#include "evidence/mass_lanes_neon.hpp"
+
+namespace iog::decision {
+namespace {
+
+uint8x8_t upper_byte(int16x8_t mass) { return vshrn_n_u16(vreinterpretq_u16_s16(mass), 8); }
+
+uint8x8_t is_half(uint8x8_t upper) { return vcge_u8(upper, vdup_n_u8(kHalf >> 8)); }
+
+// What a class adds to its upper byte shifted by 3, which is 8 plus the level.
+constexpr std::uint8_t base_of(std::uint8_t name) {
+  return static_cast<std::uint8_t>(name * 8 - 8);
+}
+constexpr std::uint8_t base_of(Class name) { return base_of(static_cast<std::uint8_t>(name)); }
+
+constexpr std::uint64_t base_by_mask(const ByMask& classes) {
+  std::uint64_t bases = 0;
+  for (std::size_t mask = 0; mask < classes.size(); ++mask) {
+    bases |= std::uint64_t{base_of(classes[mask])} << (8 * mask);
+  }
+  return bases;
+}
+
+constexpr std::uint64_t shares_by_mask() {
+  std::uint64_t shares = 0;
+  for (std::size_t mask = 0; mask < kMovingShares.size(); ++mask) {
+    shares |= std::uint64_t{kMovingShares[mask]} << (8 * mask);
+  }
+  return shares;
+}
+
+// The part of O that counts as moving.
+int16x8_t moving_part(int16x8_t occupied, uint8x8_t masks) {
+  const uint8x8_t shares = vtbl1_u8(vcreate_u8(shares_by_mask()), masks);
+  return vqdmulhq_s16(occupied, vreinterpretq_s16_u16(vshll_n_u8(shares, 7)));
+}
+
+// Bytes whose sign is set where a mass is above a level: that of their difference.
+uint8x8_t above(int16x8_t mass, std::int16_t level) {
+  return vreinterpret_u8_s8(vsubhn_s16(vdupq_n_s16(level), mass));
+}
+
+// Of two vectors of eight bytes, one bit for each sign: four bytes for each, to be added up.
+uint8x8_t signs_of(uint8x8_t a, uint8x8_t b) {
+  const uint8x16_t one_of_each = vreinterpretq_u8_u64(vdupq_n_u64(0x8040'2010'0804'0201));
+  const uint8x16_t is_set = vcltq_s8(vreinterpretq_s8_u8(vcombine_u8(a, b)), vdupq_n_s8(0));
+  const uint8x16_t kept = vandq_u8(is_set, one_of_each);
+  return vpadd_u8(vget_low_u8(kept), vget_high_u8(kept));
+}
+
+Bits bits_of(uint8x8_t freed, uint8x8_t seen, uint8x8_t stands, uint8x8_t taken) {
+  const uint8x8_t pairs = vpadd_u8(signs_of(freed, seen), signs_of(stands, taken));
+  const std::uint32_t word = vget_lane_u32(vreinterpret_u32_u8(vpadd_u8(pairs, pairs)), 0);
+  return __builtin_bit_cast(Bits, word);
+}
+
+// The bytes of Group::decided.
+uint8x8_t bytes_of(int16x8_t free, int16x8_t moving, int16x8_t taken, uint8x8_t masks) {
+  const uint8x8_t of_free = upper_byte(free);
+  const uint8x8_t of_moving = upper_byte(moving);
+  const uint8x8_t of_standing = upper_byte(vsubq_s16(taken, moving));
+  const uint8x8_t most = vmax_u8(of_free, vmax_u8(of_moving, of_standing));
+  const uint8x8_t score = vbsl_u8(is_half(most), most, upper_byte(taken));
+
+  const uint8x8_t free_base = vtbl1_u8(vcreate_u8(base_by_mask(kFreeClasses)), masks);
+  const uint8x8_t standing_base = vtbl1_u8(vcreate_u8(base_by_mask(kStandingClasses)), masks);
+  uint8x8_t base = vdup_n_u8(base_of(Class::kOccupied));
+  base = vbsl_u8(is_half(of_standing), standing_base, base);
+  base = vbsl_u8(is_half(of_moving), vdup_n_u8(base_of(Class::kMoving)), base);
+  base = vbsl_u8(is_half(of_free), free_base, base);
+  return vand_u8(vsra_n_u8(base, score, 3), is_half(score));
+}
+
+}  // namespace
+
+Bits decide(evidence::Group& group, const evidence::Indexes& of_this_frame) {
+  evidence::MassReader masses(group);
+  const int16x8_t free = masses.next();
+  const int16x8_t occupied = masses.next();
+  const int16x8_t only_moving = masses.next();
+  const int16x8_t taken = vaddq_s16(vaddq_s16(occupied, only_moving), masses.next());
+  const int16x8_t persistence = masses.next();
+  uint8x8_t ruled_out;
+  __builtin_memcpy(&ruled_out, __builtin_assume_aligned(group.ruled_out.data(), 8), 8);
+  const uint8x8_t masks = vbic_u8(vdup_n_u8(kAnywhere), ruled_out);
+  const int16x8_t moving = vaddq_s16(only_moving, moving_part(occupied, masks));
+  const uint8x8_t bytes = bytes_of(free, moving, taken, masks);
+  __builtin_memcpy(__builtin_assume_aligned(group.decided.data(), 8), &bytes, 8);
+
+  const uint8x8_t is_crossed = vreinterpret_u8_s8(vld1_s8(of_this_frame.data()));
+  return bits_of(above(free, kFreedAbove), vand_u8(above(free, kSeenAbove), is_crossed),
+                 above(persistence, kStandsAbove), above(taken, kTakenAbove));
+}
+
+}  // namespace iog::decision

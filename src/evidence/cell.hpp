@@ -1,0 +1,148 @@
+// One cell: how it ages, and how evidence is fused into it (Kurdej 2015, chapters 5 and 6). This is
+// the specification, in plain integers; fusion_neon.cpp does the same to eight cells at once.
+//
+// All values are fractions of 2^15. a.b is floor(ab / 2^15), ~a is 32767 - a. Small letters: o, f
+// evidence; c, x conflict. Capitals: masses of F, O, M, K; P = O + M + K; W = 32767 - F - P, the
+// ignorance.
+//
+// Ranges. A cell is valid if F, O, M, K and its persistence are 0 ... 32767 and W >= 0. Factors and
+// evidence are 0 ... 32767, and of o and f one is 0. Then:
+//   products     ab <= 32767^2 < 2^30, and a.b <= a because b < 2^15; the rounded product is at
+//                most (32767^2 + 2^14) / 2^15 < 32767
+//   ageing       every mass shrinks or stays, so W >= 0 stays
+//   a hit        f = x = 0: F' + c = F.~o + F.o <= F, and O' + M' + K' <= P + W.o + c, so the sum
+//                of all is at most F + P + W = 32767
+//   free         o = c = 0: F' <= F + W.f and O' + M' + K' <= P.~f <= P, the same
+//   conflict     c + x <= 32767, because one of them is 0
+//   persistence  gain and decline are 0 ... 32767 each: what they leave is clamped
+//   specialising t <= O', which K' gains and O' loses; M' only shrinks
+// All terms of F', O', M' and K' are non-negative, so that no part of a sum is above 32767: 16 bits
+// with a sign hold every intermediate result but the product. What rounding loses is ignorance's.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "evidence/assignment.hpp"
+#include "evidence/factors.hpp"
+#include "evidence/group.hpp"
+
+namespace iog::evidence {
+
+struct Cell {
+  std::int32_t free = 0;         // F
+  std::int32_t occupied = 0;     // O
+  std::int32_t moving = 0;       // M
+  std::int32_t standing = 0;     // K
+  std::int32_t persistence = 0;  // the accumulator zeta
+
+  // P, what is occupied by whatever.
+  [[nodiscard]] constexpr std::int32_t taken() const { return occupied + moving + standing; }
+  friend constexpr bool operator==(const Cell&, const Cell&) = default;
+};
+
+// The masses that one frame gives to a cell; one of them is 0.
+struct Evidence {
+  std::int32_t occupied = 0;  // o
+  std::int32_t free = 0;      // f
+};
+
+constexpr std::int32_t product(std::int32_t a, std::int32_t b) { return (a * b) >> 15; }
+
+// The product rounded to nearest, a half up.
+constexpr std::int32_t rounded_product(std::int32_t a, std::int32_t b) {
+  return (a * b + (1 << 14)) >> 15;
+}
+
+constexpr std::int32_t complement(std::int32_t a) { return kCertain - a; }
+
+constexpr std::int32_t left_of(std::int32_t mass, std::int16_t factor) {
+  return factor == kWhole ? mass : product(mass, factor);
+}
+
+constexpr Cell aged(const Cell& cell, const Fading& fading) {
+  return {left_of(cell.free, fading.free), left_of(cell.occupied, fading.occupied),
+          left_of(cell.moving, fading.moving), left_of(cell.standing, fading.standing),
+          left_of(cell.persistence, fading.persistence)};
+}
+
+constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains) {
+  return {.occupied = index > 0 ? gains.hit_mass : 0, .free = index < 0 ? gains.free_mass : 0};
+}
+
+// index: -127 ... 127.
+constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
+                               const Assignment& assignment) {
+  constexpr int kUnit = (kCertain + 1) / kMassFraction;
+  const auto graded = static_cast<std::size_t>(
+      std::min(index < 0 ? -index : index, static_cast<int>(kGradedIndexes) - 1));
+  if (index > 0) {
+    return {.occupied = assignment.occupied[graded] * kUnit};
+  }
+  if (index < 0 && assignment.free_by_time != 0) {
+    return {.free = gains.free_mass};
+  }
+  return {.free = assignment.free[graded] * kUnit};
+}
+
+// Masses after the evidence. What was free and is occupied now is in conflict (c): it belongs to
+// {M} if it moved, else to O. What was occupied and is free now (x) is ignorance's.
+constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
+  const std::int32_t ignorance = kCertain - cell.free - cell.taken();
+  const std::int32_t not_free = complement(evidence.free);
+  const std::int32_t appeared = product(cell.free, evidence.occupied);
+  Cell next = cell;
+  next.free = product(cell.free, complement(evidence.occupied)) + product(ignorance, evidence.free);
+  next.occupied = product(cell.occupied, not_free) + product(ignorance, evidence.occupied) +
+                  (moved ? 0 : appeared);
+  next.moving = product(cell.moving, not_free) + (moved ? appeared : 0);
+  next.standing = product(cell.standing, not_free);
+  return next;
+}
+
+// The accumulator of a cell with the masses of `next` and the conflict c + x, which is none of
+// them (Kurdej 2015, equations 5.5 and 5.6).
+constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, const Gains& gains) {
+  const std::int32_t taken = next.taken();
+  const std::int32_t gain =
+      rounded_product(product(taken, complement(conflict)), gains.persistence);
+  const std::int32_t loss = rounded_product(complement(taken), gains.decline);
+  return std::clamp<std::int32_t>(next.persistence + gain - loss, 0, kCertain);
+}
+
+// What lasts does not move (Kurdej 2015, equations 5.7 and 5.8). Only occupied sets are
+// specialised, ignorance stays what it is; what {M} loses is ignorance's.
+constexpr Cell specialised(const Cell& cell, const Gains& gains) {
+  const std::int32_t part = product(cell.persistence, gains.specialisation);
+  const std::int32_t settled = product(cell.occupied, part);
+  Cell next = cell;
+  next.occupied -= settled;
+  next.standing += settled;
+  next.moving = product(cell.moving, complement(part));
+  return next;
+}
+
+// A cell that is aged already, after a frame with evidence.
+constexpr Cell fused(const Cell& cell, const Evidence& evidence, bool moved, const Gains& gains) {
+  const std::int32_t conflict =
+      product(cell.free, evidence.occupied) + product(cell.taken(), evidence.free);
+  Cell next = combined(cell, evidence, moved);
+  next.persistence = persistence_of(next, conflict, gains);
+  return specialised(next, gains);
+}
+
+constexpr Cell cell_of(const Group& group, std::size_t i) {
+  return {group.free[i], group.occupied[i], group.moving[i], group.standing[i],
+          group.persistence[i]};
+}
+
+constexpr void put(Group& group, std::size_t i, const Cell& cell) {
+  group.free[i] = static_cast<std::int16_t>(cell.free);
+  group.occupied[i] = static_cast<std::int16_t>(cell.occupied);
+  group.moving[i] = static_cast<std::int16_t>(cell.moving);
+  group.standing[i] = static_cast<std::int16_t>(cell.standing);
+  group.persistence[i] = static_cast<std::int16_t>(cell.persistence);
+}
+
+}  // namespace iog::evidence
