@@ -64,8 +64,10 @@ class History {
     return breaks_[static_cast<std::size_t>(cause)];
   }
 
-  // The newest message, also when it is too old to place anything. Null before the first.
-  [[nodiscard]] const Message* newest() const { return count_ == 0 ? nullptr : &entry(0).message; }
+  // The newest message, also when it is too old to place anything. Empty before the first.
+  [[nodiscard]] std::optional<Message> newest() const {
+    return count_ == 0 ? std::nullopt : std::optional(entry(0).message);
+  }
 
  private:
   struct Entry {

@@ -47,7 +47,7 @@ class Source {
     return history_.source_time(target_us);
   }
   [[nodiscard]] std::uint32_t epoch() const { return history_.epoch(); }
-  [[nodiscard]] const Message* newest() const { return history_.newest(); }
+  [[nodiscard]] std::optional<Message> newest() const { return history_.newest(); }
 
   // The slice that holds a time of the source's clock.
   [[nodiscard]] Slice slice_of(std::uint64_t time_us) const { return slicing_.slice_of(time_us); }

@@ -141,7 +141,7 @@ void expect_unchanged(const Driven& driven, const Driven& before) {
     ASSERT_EQ(driven.history.pose_at(time_us), before.history.pose_at(time_us)) << time_us;
   }
   ASSERT_EQ(driven.history.epoch(), before.history.epoch());
-  ASSERT_EQ(*driven.history.newest(), *before.history.newest());
+  ASSERT_EQ(driven.history.newest(), before.history.newest());
   ASSERT_EQ(driven.history.source_time(9'000'000), before.history.source_time(9'000'000));
 }
 

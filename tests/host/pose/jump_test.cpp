@@ -116,13 +116,13 @@ struct Car {
     const double turns = heading / (2 * 3.14159265358979323846);
     return {.run = 1,
             .clock_us = clock_us,
-            .pose = {.x_mm = static_cast<std::int32_t>(std::lround(x * 1000)),
-                     .y_mm = static_cast<std::int32_t>(std::lround(y * 1000)),
+            .pose = {.x_mm = static_cast<std::int32_t>(std::llround(x * 1000)),
+                     .y_mm = static_cast<std::int32_t>(std::llround(y * 1000)),
                      .heading = static_cast<std::uint32_t>(
                          static_cast<std::int64_t>(std::floor(turns * 4'294'967'296.0)))},
             .sigma = {10, 10},
-            .speed_mm_per_s = static_cast<std::int32_t>(std::lround(speed * 1000)),
-            .yaw_urad_per_s = static_cast<std::int32_t>(std::lround(yaw_rate * 1e6))};
+            .speed_mm_per_s = static_cast<std::int32_t>(std::llround(speed * 1000)),
+            .yaw_urad_per_s = static_cast<std::int32_t>(std::llround(yaw_rate * 1e6))};
   }
 };
 
@@ -138,7 +138,7 @@ std::uint32_t epoch_of(int messages, double period_s, double acceleration,
     const bool is_to = static_cast<int>(i * period_s / 0.5) % 2 == 0;
     car.drive(period_s, acceleration, is_to ? yaw_acceleration : -yaw_acceleration);
   }
-  EXPECT_NE(history.newest(), nullptr);
+  EXPECT_TRUE(history.newest().has_value());
   return history.epoch();
 }
 

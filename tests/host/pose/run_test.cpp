@@ -26,7 +26,7 @@ TEST(Run, TheFirstIsBelievedWithItsThirdMessage) {
   EXPECT_EQ(driven.take(of_run(9, 0)), Fate::kUnconfirmed);
   EXPECT_EQ(driven.take(of_run(9, 1)), Fate::kUnconfirmed);
   EXPECT_EQ(driven.cause_at(30 * kMs), Cause::kLost);
-  EXPECT_EQ(driven.history.newest(), nullptr);
+  EXPECT_EQ(driven.history.newest(), std::nullopt);
   EXPECT_EQ(driven.take(of_run(9, 2)), Fate::kUsed);
   EXPECT_EQ(driven.cause_at(20 * kMs), Cause::kNone) << "the first two count as well";
   EXPECT_EQ(driven.cause_at(20 * kMs - 1), Cause::kLost);
@@ -120,7 +120,7 @@ TEST(Run, ManyRunsInARowAreAllPast) {
     for (std::uint64_t i = 0; i < 3; ++i) {
       static_cast<void>(driven.take(of_run(run, i)));
     }
-    ASSERT_EQ(driven.history.newest()->run, run);
+    ASSERT_EQ(driven.history.newest().value_or(Message{}).run, run);
     for (std::uint32_t past = 1; past < run; ++past) {
       ASSERT_EQ(driven.take(of_run(past, 9)), Fate::kPastRun);
     }

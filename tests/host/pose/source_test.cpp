@@ -115,7 +115,7 @@ TEST(PoseSource, APacketWithoutTheSourcesClockGetsItFromItsArrival) {
   EXPECT_EQ(bench.source.source_time(77), std::nullopt);
   bench.drive(10);
   EXPECT_EQ(bench.source.source_time(kStartUs + 3), kStartUs + 3);
-  EXPECT_EQ(bench.source.newest()->clock_us, kStartUs + 90 * kMs);
+  EXPECT_EQ(bench.source.newest(), message_at(kStartUs + 90 * kMs));
 }
 
 // What is never to happen: two slices of one epoch whose poses do not fit together.
@@ -143,8 +143,8 @@ class Campaign {
   [[nodiscard]] Pose truth_at(std::uint64_t time_us) const {
     const double angle = 0.2 * static_cast<double>(time_us) / 1e6;
     const double turns = (angle / (2 * 3.14159265358979323846)) + 0.25;
-    return {.x_mm = static_cast<std::int32_t>(std::lround(60'000 * std::cos(angle))),
-            .y_mm = static_cast<std::int32_t>(std::lround(60'000 * std::sin(angle))),
+    return {.x_mm = static_cast<std::int32_t>(std::llround(60'000 * std::cos(angle))),
+            .y_mm = static_cast<std::int32_t>(std::llround(60'000 * std::sin(angle))),
             .heading = static_cast<std::uint32_t>(
                 static_cast<std::int64_t>(std::floor(turns * 4'294'967'296.0)))};
   }
