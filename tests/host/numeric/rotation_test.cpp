@@ -31,6 +31,26 @@ TEST(Rotation, SineIsWithinItsBound) {
   }
 }
 
+// docs/spec.md 5.4: the sine of 4096 angles, each to the nearest 2^-30, and the line between two of
+// them to the nearest, a half up.
+TEST(Rotation, SineIsTheLineBetweenTwoOfTheTable) {
+  const auto table = [](std::uint32_t tick) -> std::int64_t {
+    const Real exact = std::sin(static_cast<Real>(tick) * kFullTurn / 4096);
+    return std::llround(std::ldexp(exact, 30));
+  };
+  constexpr std::int64_t kSteps = 1 << 20;
+  tests::Random random(9);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto angle = static_cast<std::uint32_t>(random.next());
+    const std::int64_t here = table(angle >> 20);
+    const std::int64_t risen = (table((angle >> 20) + 1) - here) * (angle % kSteps);
+    // The largest integer that is at most half above.
+    const std::int64_t twice_off = 2 * ((sine_of(angle) - here) * kSteps - risen);
+    ASSERT_GT(twice_off, -kSteps) << angle;
+    ASSERT_LE(twice_off, kSteps) << angle;
+  }
+}
+
 TEST(Rotation, QuartersOfATurnAreExact) {
   constexpr std::int32_t kOne = 1 << 30;
   EXPECT_EQ(sine_of(0), 0);

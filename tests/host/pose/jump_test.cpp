@@ -69,6 +69,14 @@ TEST(Jump, BreaksTheHistoryWhereItIs) {
   EXPECT_EQ(driven.history.epoch(), 1U) << "it stays where it went";
 }
 
+TEST(Jump, IsTheCauseBeforeItHoweverLongTheHistoryWas) {
+  Driven driven(500);
+  Message message = message_at(driven.newest_us + 10 * kMs);
+  message.pose.y_mm = 500;
+  ASSERT_EQ(driven.take(message), Fate::kUsed);
+  EXPECT_EQ(driven.cause_at(driven.newest_us), Cause::kJump);
+}
+
 // Two steps of 200 mm are one jump within a second, and none beyond it.
 TEST(Jump, AStepIsForgottenAfterASecond) {
   for (const std::uint64_t apart_us : {990 * kMs, 1'000 * kMs}) {
