@@ -9,6 +9,7 @@
 #include "fakes/vlp16_packet.hpp"
 #include "geometry/grid.hpp"
 #include "net/frames.hpp"
+#include "pose/message.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
@@ -169,6 +170,20 @@ void add_tile_seeds(Seeds& seeds) {
   seeds.add("cobs", drawing);
 }
 
+// Driving on, message after message and slice after slice; and one message as its bytes.
+void add_pose_seeds(Seeds& seeds) {
+  Bytes drive;
+  for (int i = 0; i < 40; ++i) {
+    const auto off = static_cast<std::byte>(i == 20 ? 96 : 2 * i + 1);
+    drive = joined(std::move(drive), {std::byte{6}, std::byte{0x09}, std::byte{0xC4}, off});
+    drive = joined(std::move(drive), {std::byte{5}, std::byte{0xDB}, static_cast<std::byte>(i)});
+  }
+  seeds.add("pose_source", drive);
+  const auto message = pose::Encoder().encode({.run = 1, .clock_us = 5, .sigma = {1, 1}});
+  const Bytes piece = piece_of({message.begin(), message.end()});
+  seeds.add("pose_source", joined({std::byte{0}}, piece));
+}
+
 }  // namespace
 }  // namespace iog::fuzz
 
@@ -183,5 +198,6 @@ int main(int argc, char** argv) {
   iog::fuzz::add_mcap_seeds(seeds);
   iog::fuzz::add_stream_seeds(seeds);
   iog::fuzz::add_tile_seeds(seeds);
+  iog::fuzz::add_pose_seeds(seeds);
   return 0;
 }

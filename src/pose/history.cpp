@@ -1,0 +1,189 @@
+#include "pose/history.hpp"
+
+#include <algorithm>
+
+namespace iog::pose {
+namespace {
+
+constexpr Motion motion_of(const Message& message) {
+  return {.speed_mm_per_s = message.speed_mm_per_s, .yaw_urad_per_s = message.yaw_urad_per_s};
+}
+
+// Half a unit too low at most.
+constexpr Motion mean_of(const Motion& a, const Motion& b) {
+  return {.speed_mm_per_s = (a.speed_mm_per_s + b.speed_mm_per_s) >> 1,
+          .yaw_urad_per_s = (a.yaw_urad_per_s + b.yaw_urad_per_s) >> 1};
+}
+
+constexpr Sigma larger_of(const Sigma& a, const Sigma& b) {
+  return {.position_mm = std::max(a.position_mm, b.position_mm),
+          .heading_10urad = std::max(a.heading_10urad, b.heading_10urad)};
+}
+
+constexpr bool is_imprecise(const Sigma& sigma) {
+  return sigma.position_mm > kMaxSigmaMm || sigma.heading_10urad > kMaxSigmaHeading;
+}
+
+// Whether a message follows another of its run, by the clock of both.
+constexpr Fate fate_after(const Message& before, const Message& message) {
+  if (message.clock_us <= before.clock_us) {
+    return Fate::kNotNewer;
+  }
+  return message.clock_us - before.clock_us < kMinSpacingUs ? Fate::kFlood : Fate::kUsed;
+}
+
+}  // namespace
+
+Fate History::take(const Message& message, std::uint64_t arrival_us) {
+  const Entry next{.message = message,
+                   .offset_us = arrival_us - message.age_us - message.clock_us,
+                   .residual = {}};
+  if (!runs_.is_present(message.run)) {
+    return runs_.is_past(message.run) ? Fate::kPastRun : take_of_new_run(next);
+  }
+  if (const Fate fate = fate_after(entry(0).message, message); fate != Fate::kUsed) {
+    return fate;
+  }
+  candidate_count_ = 0;  // the present run goes on
+  append(next);
+  return Fate::kUsed;
+}
+
+// Candidates are messages in a row of one run, none more than kLostUs after the one before.
+Fate History::take_of_new_run(const Entry& candidate) {
+  const bool is_next = candidate_count_ > 0 && candidates_[0].message.run == candidate.message.run;
+  const Message& before = candidates_[is_next ? candidate_count_ - 1 : 0].message;
+  if (is_next) {
+    if (const Fate fate = fate_after(before, candidate.message); fate != Fate::kUsed) {
+      return fate;
+    }
+  }
+  if (!is_next || candidate.message.clock_us - before.clock_us > kLostUs) {
+    candidate_count_ = 0;
+  }
+  candidates_[candidate_count_] = candidate;
+  ++candidate_count_;
+  if (candidate_count_ < kConfirmations) {
+    return Fate::kUnconfirmed;
+  }
+  begin_run();
+  return Fate::kUsed;
+}
+
+void History::begin_run() {
+  const bool is_first = count_ == 0;
+  runs_.begin(candidates_[0].message.run);
+  count_ = 0;
+  candidate_count_ = 0;
+  if (!is_first) {
+    break_off(Cause::kRestart, candidates_[0].message.clock_us);
+  }
+  for (const Entry& candidate : candidates_) {
+    append(candidate);
+  }
+}
+
+void History::append(Entry next) {
+  if (unbroken_ > 0) {
+    const Message& before = entry(0).message;
+    const std::uint64_t elapsed_us = next.message.clock_us - before.clock_us;
+    if (elapsed_us > kLostUs) {
+      break_off(Cause::kLost, before.clock_us);
+    } else {
+      const Motion mean = mean_of(motion_of(before), motion_of(next.message));
+      next.residual = residual(next.message.pose, moved(before.pose, mean, elapsed_us));
+      if (is_jump_to(next)) {
+        break_off(Cause::kJump, next.message.clock_us);
+        next.residual = {};
+      }
+    }
+  }
+  entries_[next_] = next;
+  next_ = (next_ + 1) % kHistoryMessages;
+  count_ = std::min(count_ + 1, kHistoryMessages);
+  is_whole_ = is_whole_ && unbroken_ < kHistoryMessages;
+  unbroken_ = std::min(unbroken_ + 1, kHistoryMessages);
+}
+
+// The mean of both motions foretells braking and the beginning of a curve, and so many small
+// residuals add up to a slow shift. A source that takes its speed from its own positions explains
+// half of a jump by its speed; so a single step is also held against what was known before it.
+bool History::is_jump_to(const Entry& next) const {
+  const Message& before = entry(0).message;
+  const std::uint64_t elapsed_us = next.message.clock_us - before.clock_us;
+  if (elapsed_us <= kLateUs &&
+      is_jump(residual(next.message.pose, moved(before.pose, motion_of(before), elapsed_us)))) {
+    return true;
+  }
+  Residual sum = next.residual;
+  for (std::size_t age = 0; age < unbroken_; ++age) {
+    if (next.message.clock_us - entry(age).message.clock_us >= kLostUs) {
+      break;
+    }
+    sum += entry(age).residual;
+  }
+  return is_jump(sum);
+}
+
+void History::break_off(Cause cause, std::uint64_t since_us) {
+  ++epoch_;
+  Tally& tally = breaks_[static_cast<std::size_t>(cause)];
+  ++tally.times;
+  tally.since_us = since_us;
+  began_by_ = cause;
+  unbroken_ = 0;
+  is_whole_ = true;
+}
+
+void History::pass(std::uint64_t now_us) {
+  if (unbroken_ == 0) {
+    return;
+  }
+  const std::uint64_t newest_us = entry(0).message.clock_us;
+  if (now_us > newest_us && now_us - newest_us > kLostUs) {
+    break_off(Cause::kLost, newest_us);
+  }
+}
+
+Cause History::cause_before_the_oldest() const { return is_whole_ ? began_by_ : Cause::kLate; }
+
+Placed History::pose_at(std::uint64_t time_us) const {
+  std::size_t age = 0;
+  while (age < unbroken_ && entry(age).message.clock_us > time_us) {
+    ++age;
+  }
+  if (age == unbroken_) {
+    return {.cause = unbroken_ == 0 ? Cause::kLost : cause_before_the_oldest()};
+  }
+  const Message& before = entry(age).message;
+  const Message& after = age == 0 ? before : entry(age - 1).message;
+  const std::uint64_t since_us = time_us - before.clock_us;
+  const bool is_late = since_us > kLateUs && (age == 0 || after.clock_us - time_us > kLateUs);
+  const Sigma sigma = larger_of(before.sigma, after.sigma);
+  if (is_late || is_imprecise(sigma)) {
+    return {.cause = is_late ? Cause::kLate : Cause::kImprecise, .sigma = sigma};
+  }
+  return {.cause = Cause::kNone,
+          .pose = age == 0 ? moved(before.pose, motion_of(before), since_us)
+                           : between(before.pose, after.pose, since_us,
+                                     after.clock_us - before.clock_us),
+          .sigma = sigma};
+}
+
+std::optional<std::uint64_t> History::source_time(std::uint64_t target_us) const {
+  if (unbroken_ == 0) {
+    return std::nullopt;
+  }
+  const Entry& newest = entry(0);
+  std::int64_t least_later = 0;  // than the newest; modulo 2^64, so that no clock's zero matters
+  for (std::size_t age = 1; age < count_; ++age) {
+    if (newest.message.clock_us - entry(age).message.clock_us > kLostUs) {
+      break;
+    }
+    const auto later = static_cast<std::int64_t>(entry(age).offset_us - newest.offset_us);
+    least_later = std::min(least_later, later);
+  }
+  return target_us - (newest.offset_us + static_cast<std::uint64_t>(least_later));
+}
+
+}  // namespace iog::pose

@@ -1,0 +1,104 @@
+// The poses of the last second, and the pose of any time among them.
+//
+// Times are of the clock of the poses' source, us, unless they are said to be the target's.
+// Messages come in the order of that clock; one that is not newer than the newest is dropped. Poses
+// belong together as long as nothing breaks them apart: a silence of kLostUs, a jump, or a new run
+// of the source. What was placed before a break has lost its place, and its window is unknown.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "pose/fate.hpp"
+#include "pose/limits.hpp"
+#include "pose/message.hpp"
+#include "pose/motion.hpp"
+#include "pose/run_memory.hpp"
+
+namespace iog::pose {
+
+// The pose of a time, or the cause why there is none.
+struct Placed {
+  Cause cause = Cause::kLost;
+  Pose pose{};    // if the cause is kNone
+  Sigma sigma{};  // the larger ones of the messages that the pose is made of
+  [[nodiscard]] constexpr bool has_pose() const { return cause == Cause::kNone; }
+  friend constexpr bool operator==(const Placed&, const Placed&) = default;
+};
+
+// How often something has begun, and when it did last.
+struct Tally {
+  std::uint32_t times = 0;
+  std::uint64_t since_us = 0;
+};
+
+class History {
+ public:
+  // A sound message and its arrival by the target's clock. kUsed, kUnconfirmed, or kNotNewer,
+  // kFlood or kPastRun, which change nothing.
+  [[nodiscard]] Fate take(const Message& message, std::uint64_t arrival_us);
+
+  // Time has passed, by the clock of the source: the end of the newest slice, or source_time() of
+  // now. Whether the source is lost shows here, or else when its next message comes.
+  void pass(std::uint64_t now_us);
+
+  // The pose of a time: between two messages on the straight way; after the newest, at most kLateUs
+  // after it, moved by its speed and yaw rate. kLost: nothing has come since the last break; kJump,
+  // kRestart: the time is before the break; kLate, kImprecise. Before the first message it is
+  // kLost.
+  [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
+
+  // The clock of the source at a time of the target's clock: measured, as seen by the message of
+  // the last second that was least delayed, so never ahead by more than the shortest way of a
+  // message. Empty while there is no message of the last second.
+  [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
+
+  // Rises with each break: whatever was placed under another epoch is unknown now.
+  [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
+
+  // Of kLost (since the last message before it), kJump and kRestart (since the first message after
+  // it); the others are of slices.
+  [[nodiscard]] const Tally& breaks(Cause cause) const {
+    return breaks_[static_cast<std::size_t>(cause)];
+  }
+
+  // The newest message, also when it is too old to place anything. Empty before the first.
+  [[nodiscard]] std::optional<Message> newest() const {
+    return count_ == 0 ? std::nullopt : std::optional(entry(0).message);
+  }
+
+ private:
+  struct Entry {
+    Message message{};
+    std::uint64_t offset_us = 0;  // target's clock less the source's, modulo 2^64
+    Residual residual{};          // to what the message before it predicts
+  };
+
+  [[nodiscard]] Fate take_of_new_run(const Entry& candidate);
+  void begin_run();
+  void append(Entry next);
+  void break_off(Cause cause, std::uint64_t since_us);
+  [[nodiscard]] bool is_jump_to(const Entry& next) const;
+  [[nodiscard]] Cause cause_before_the_oldest() const;
+
+  // The entry of this age: 0 is the newest. age < count_.
+  [[nodiscard]] const Entry& entry(std::size_t age) const {
+    return entries_[(next_ + kHistoryMessages - 1 - age) % kHistoryMessages];
+  }
+
+  std::array<Entry, kHistoryMessages> entries_{};  // a ring, the oldest is overwritten
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;                           // entries of the run
+  std::size_t unbroken_ = 0;                        // the newest of them, which belong together
+  Cause began_by_ = Cause::kLost;                   // what the unbroken ones follow
+  bool is_whole_ = true;                            // none of the unbroken ones was overwritten
+  std::array<Entry, kConfirmations> candidates_{};  // of a run that is not believed yet
+  std::size_t candidate_count_ = 0;
+  RunMemory runs_;
+  std::uint32_t epoch_ = 0;
+  std::array<Tally, kCauseCount> breaks_{};
+};
+
+}  // namespace iog::pose

@@ -1,0 +1,159 @@
+#include "pose/message.hpp"
+
+#include "pose/limits.hpp"
+#include "wire/byte_reader.hpp"
+#include "wire/byte_writer.hpp"
+
+namespace iog::pose {
+namespace {
+
+constexpr std::uint8_t kContentVersion = 1;
+constexpr std::uint8_t kFlagMap = 0x01;
+
+void write_pose(const Pose& pose, wire::ByteWriter& out) {
+  out.i32_be(pose.x_mm);
+  out.i32_be(pose.y_mm);
+  out.u32_be(pose.heading);
+}
+
+Pose read_pose(wire::ByteReader& in) {
+  Pose pose;
+  pose.x_mm = in.i32_be();
+  pose.y_mm = in.i32_be();
+  pose.heading = in.u32_be();
+  return pose;
+}
+
+void write_sigma(const Sigma& sigma, wire::ByteWriter& out) {
+  out.u16_be(sigma.position_mm);
+  out.u16_be(sigma.heading_10urad);
+}
+
+Sigma read_sigma(wire::ByteReader& in) {
+  Sigma sigma;
+  sigma.position_mm = in.u16_be();
+  sigma.heading_10urad = in.u16_be();
+  return sigma;
+}
+
+// What stands where no transform is known: zeros, the standard deviations too.
+constexpr MapTransform kNoMap{
+    .sigma = {.position_mm = 0, .heading_10urad = 0},
+};
+
+constexpr bool is_within(std::int32_t value, std::int32_t most) {
+  return value >= -most && value <= most;
+}
+
+constexpr bool is_within(const Pose& pose) {
+  return is_within(pose.x_mm, kMaxCoordinateMm) && is_within(pose.y_mm, kMaxCoordinateMm);
+}
+
+constexpr bool has_sigma(const Sigma& sigma) {
+  return sigma.position_mm != 0 && sigma.heading_10urad != 0;
+}
+
+Fate fate_of(const protection::Received& received) {
+  switch (received.header) {
+    case protection::SomeIpStatus::kTooShort:
+    case protection::SomeIpStatus::kTooLong:
+      return Fate::kDamaged;
+    case protection::SomeIpStatus::kNotOurs:
+    case protection::SomeIpStatus::kWrongType:
+      return Fate::kNotOurs;
+    case protection::SomeIpStatus::kWrongVersion:
+      return Fate::kWrongVersion;
+    case protection::SomeIpStatus::kOk:
+      break;
+  }
+  return received.check == protection::CheckStatus::kError ? Fate::kDamaged : Fate::kUsed;
+}
+
+// What the fields say of themselves, in the order of docs/spec.md.
+Fate fate_of(const Message& message) {
+  const bool has_map = message.map.has_value();
+  if (!is_within(message.pose) || (has_map && !is_within(message.map->local_frame)) ||
+      !is_within(message.speed_mm_per_s, kMaxSpeedMmPerS) ||
+      !is_within(message.yaw_urad_per_s, kMaxYawRateUradPerS)) {
+    return Fate::kOutOfRange;
+  }
+  if (!has_sigma(message.sigma) || (has_map && !has_sigma(message.map->sigma))) {
+    return Fate::kNoSigma;
+  }
+  return message.age_us > kMaxAgeUs ? Fate::kTooOld : Fate::kUsed;
+}
+
+Decoded decode_content(std::span<const std::byte> content) {
+  wire::ByteReader in(content);
+  const std::uint8_t version = in.u8();
+  const std::uint8_t flags = in.u8();
+  const std::uint16_t header_bytes = in.u16_be();
+  if (version != kContentVersion) {
+    return {.fate = Fate::kWrongVersion};
+  }
+  if (header_bytes != content.size()) {
+    return {.fate = Fate::kWrongLength};
+  }
+  Message message;
+  message.run = in.u32_be();
+  message.age_us = in.u32_be();
+  message.clock_us = in.u64_be();
+  message.pose = read_pose(in);
+  message.sigma = read_sigma(in);
+  message.speed_mm_per_s = in.i32_be();
+  message.yaw_urad_per_s = in.i32_be();
+  MapTransform map;
+  map.origin = in.u64_be();
+  map.local_frame = read_pose(in);
+  map.sigma = read_sigma(in);
+  const std::uint32_t reserved = in.u32_be();
+  if ((flags & ~kFlagMap) != 0) {
+    return {.fate = Fate::kWrongFlags};
+  }
+  const bool has_map = (flags & kFlagMap) != 0;
+  if (reserved != 0 || (!has_map && map != kNoMap)) {
+    return {.fate = Fate::kNotZero};
+  }
+  if (has_map) {
+    message.map = map;
+  }
+  return {.fate = fate_of(message), .message = message};
+}
+
+}  // namespace
+
+std::array<std::byte, kMessageBytes> Encoder::encode(const Message& message) {
+  std::array<std::byte, kMessageBytes> bytes{};
+  const std::span content = std::span(bytes).subspan<protection::kProtectionBytes>();
+  wire::ByteWriter out(content);
+  out.u8(kContentVersion);
+  out.u8(message.map ? kFlagMap : std::uint8_t{0});
+  out.u16_be(kContentBytes);
+  out.u32_be(message.run);
+  out.u32_be(message.age_us);
+  out.u64_be(message.clock_us);
+  write_pose(message.pose, out);
+  write_sigma(message.sigma, out);
+  out.i32_be(message.speed_mm_per_s);
+  out.i32_be(message.yaw_urad_per_s);
+  const MapTransform map = message.map.value_or(kNoMap);
+  out.u64_be(map.origin);
+  write_pose(map.local_frame, out);
+  write_sigma(map.sigma, out);
+  out.u32_be(0);
+  sender_.protect(bytes);
+  return bytes;
+}
+
+Decoded decode(std::span<const std::byte> datagram) {
+  if (datagram.size() < kMessageBytes) {
+    return {.fate = Fate::kTooShort};
+  }
+  const protection::Received received = protection::Receiver(kPoseChannel).receive(datagram);
+  if (const Fate fate = fate_of(received); fate != Fate::kUsed) {
+    return {.fate = fate};
+  }
+  return decode_content(received.content);
+}
+
+}  // namespace iog::pose

@@ -1,0 +1,39 @@
+// The runs of the poses' source that were believed: the present one, and those that it has
+// followed.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace iog::pose {
+
+class RunMemory {
+ public:
+  [[nodiscard]] bool is_present(std::uint32_t run) const {
+    return count_ > 0 && runs_[(next_ + kRuns - 1) % kRuns] == run;
+  }
+
+  // Whether it was a run of before. The memory is of the last fifteen.
+  [[nodiscard]] bool is_past(std::uint32_t run) const {
+    const auto known = std::span(runs_).first(count_);
+    return !is_present(run) && std::ranges::find(known, run) != known.end();
+  }
+
+  // A run that was neither of the two becomes the present one.
+  void begin(std::uint32_t run) {
+    runs_[next_] = run;
+    next_ = (next_ + 1) % kRuns;
+    count_ = std::min(count_ + 1, kRuns);
+  }
+
+ private:
+  static constexpr std::size_t kRuns = 16;
+  std::array<std::uint32_t, kRuns> runs_{};  // a ring, the oldest is overwritten
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace iog::pose
