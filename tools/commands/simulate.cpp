@@ -1,16 +1,26 @@
 // iog simulate: a drive that never was, as the capture that its scanners would have sent.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <iostream>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tools/commands/subcommands.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/formats/lux/lux_burst.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/simulate/cell_truth.hpp"
 #include "tools/simulate/drive.hpp"
+#include "tools/simulate/moving_drive.hpp"
+#include "tools/simulate/pose_source.hpp"
 #include "tools/simulate/truth.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -23,36 +33,201 @@ struct Options {
   std::string out;
   std::string truth;
   std::uint32_t truth_every = 25;
+  std::string truth_cells;
   std::string vehicle = kDefaultVehicle;
   std::string scene = kDefaultScene;
+  bool is_moving = false;
+  double pose_rate_hz = 100;
+  double pose_sigma_mm = 20;
+  double pose_heading_sigma_mrad = 1;
+  std::vector<std::string> pose_gaps;
+  std::vector<std::string> pose_jumps;
+  std::vector<double> pose_restarts_s;
 };
 
-void simulate(const Options& options) {
-  const CatalogueEntry& car = find_vehicle(options.vehicle);
-  Drive drive(car, options.seed, options.seconds, find_scene(options.scene));
-  PcapWriter capture(options.out);
+// The two numbers of "2.5:0.3".
+std::pair<double, double> pair_of(const std::string& option, const std::string& text) {
+  std::pair<double, double> pair;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, pair.first);
+  if (first.ec == std::errc() && first.ptr != end && *first.ptr == ':') {
+    const auto second = std::from_chars(first.ptr + 1, end, pair.second);
+    if (second.ec == std::errc() && second.ptr == end) {
+      return pair;
+    }
+  }
+  throw UsageError(option + " " + text + ": give seconds of the drive, a colon and a number");
+}
+
+PoseOptions pose_options(const Options& options) {
+  PoseOptions poses{.rate_hz = options.pose_rate_hz,
+                    .sigma_m = options.pose_sigma_mm / 1000,
+                    .sigma_heading_rad = options.pose_heading_sigma_mrad / 1000,
+                    .restarts_s = options.pose_restarts_s};
+  for (const std::string& text : options.pose_gaps) {
+    const auto [begin_s, length_s] = pair_of("--pose-gap", text);
+    poses.gaps.push_back({begin_s, length_s});
+  }
+  for (const std::string& text : options.pose_jumps) {
+    const auto [time_s, metres] = pair_of("--pose-jump", text);
+    poses.jumps.push_back({time_s, metres});
+  }
+  return poses;
+}
+
+// The capture, and what is in it.
+class Recording {
+ public:
+  explicit Recording(const std::string& path) : path_(path), capture_(path) {}
+
+  void write(const std::vector<CapturedDatagram>& datagrams) {
+    for (const CapturedDatagram& datagram : datagrams) {
+      capture_.write(datagram);
+      if (datagram.destination.port == pose::kPosePort) {
+        ++poses_;
+      } else {
+        ++packets_;
+        bytes_ += datagram.payload.size();
+      }
+    }
+  }
+
+  void finish(std::uint32_t frames) {
+    capture_.finish();
+    std::cout << frames << " frames, " << packets_ << " packets, " << bytes_
+              << " bytes of scans in " << path_;
+    if (poses_ > 0) {
+      std::cout << ", and " << poses_ << " poses";
+    }
+    std::cout << '\n';
+  }
+
+ private:
+  std::string path_;
+  PcapWriter capture_;
+  std::uint64_t packets_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::uint64_t poses_ = 0;
+};
+
+// Only when it is known that the drive can be made.
+void make_truth_folder(const Options& options) {
   if (!options.truth.empty()) {
     make_folder(options.truth);
   }
+}
+
+void write_occupancy(const Options& options, std::uint32_t frame, const EgoPose& ego,
+                     const std::vector<Solid>& solids, const CatalogueEntry& car) {
+  if (!options.truth.empty() && frame % options.truth_every == 0) {
+    write_truth(numbered(options.truth, "truth", frame, ".pgm"),
+                true_occupancy(ego, solids, *car.description));
+  }
+}
+
+void simulate_standing(const Options& options, const CatalogueEntry& car) {
+  Drive drive(car, options.seed, options.seconds, find_scene(options.scene));
+  Recording recording(options.out);
+  make_truth_folder(options);
   Progress progress("frames", drive.frame_count());
-  std::uint64_t datagrams = 0;
-  std::uint64_t bytes = 0;
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
     drive.move_to(frame);
-    for (const CapturedDatagram& datagram : drive.datagrams()) {
-      capture.write(datagram);
-      ++datagrams;
-      bytes += datagram.payload.size();
-    }
-    if (!options.truth.empty() && frame % options.truth_every == 0) {
-      write_truth(numbered(options.truth, "truth", frame, ".pgm"),
-                  true_occupancy(drive.ego(), drive.solids(), *car.description));
+    recording.write(drive.datagrams());
+    write_occupancy(options, frame, drive.ego(), drive.solids(), car);
+    progress.show(frame + 1);
+  }
+  recording.finish(drive.frame_count());
+}
+
+// The datagrams of the frame, and the poses that are sent until its last one.
+std::vector<CapturedDatagram> with_poses(std::vector<CapturedDatagram> datagrams, PoseFeed& poses) {
+  std::ranges::move(poses.take_until(datagrams.back().time_us), std::back_inserter(datagrams));
+  std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
+  return datagrams;
+}
+
+void simulate_moving(const Options& options, const CatalogueEntry& car) {
+  MovingDrive drive(car, options.seed, options.seconds, find_scene(options.scene));
+  PoseFeed poses(
+      simulated_poses(drive.scene(), pose_options(options), options.seed, options.seconds + 0.1));
+  Recording recording(options.out);
+  make_truth_folder(options);
+  std::optional<CellTruthFile> cells;
+  if (!options.truth_cells.empty()) {
+    cells.emplace(options.truth_cells);
+  }
+  Progress progress("frames", drive.frame_count());
+  for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
+    recording.write(with_poses(drive.datagrams(frame), poses));
+    const std::uint64_t end_us = drive.frame_end_us(frame);
+    const double time_s = static_cast<double>(end_us) / 1e6;
+    const EgoPose ego = drive.scene().ego_at(time_s);
+    std::vector<Solid> solids;
+    drive.scene().append_seen_at(time_s, solids);
+    write_occupancy(options, frame, ego, solids, car);
+    if (cells && frame % options.truth_every == 0) {
+      const CellArea area = cells_around(ego);
+      cells->write(frame, kDriveStartUs + end_us, area,
+                   true_cells(drive.scene(), time_s, area, *car.description));
     }
     progress.show(frame + 1);
   }
-  capture.finish();
-  std::cout << drive.frame_count() << " frames, " << datagrams << " packets, " << bytes
-            << " bytes of scans in " << options.out << '\n';
+  if (cells) {
+    cells->finish();
+  }
+  recording.finish(drive.frame_count());
+}
+
+void simulate(const Options& options) {
+  const CatalogueEntry& car = find_vehicle(options.vehicle);
+  options.is_moving ? simulate_moving(options, car) : simulate_standing(options, car);
+}
+
+void add_truth_options(CLI::App& command, Options& options, CLI::Option* moving) {
+  command
+      .add_option("--truth", options.truth, "Write the true occupancy there, as truth_NNNNNN.pgm")
+      ->option_text("FOLDER");
+  command
+      .add_option("--truth-cells", options.truth_cells,
+                  "Write what is true of the cells of the world, as a CSV")
+      ->option_text("FILE  (needs --moving)")
+      ->needs(moving);
+  command
+      .add_option("--truth-every", options.truth_every, "Write the truth of every Nth frame only")
+      ->option_text("N  (default 25)")
+      ->check(CLI::PositiveNumber);
+}
+
+void add_pose_options(CLI::App& command, Options& options, CLI::Option* moving) {
+  command.add_option("--pose-rate", options.pose_rate_hz, "Poses a second")
+      ->option_text("HZ  (1 to 125, default 100)")
+      ->check(CLI::Range(1.0, 125.0))
+      ->needs(moving);
+  command
+      .add_option("--pose-sigma", options.pose_sigma_mm,
+                  "Standard deviation of the way during a second, on each axis")
+      ->option_text("MM  (default 20)")
+      ->check(CLI::Range(0.0, 10'000.0))
+      ->needs(moving);
+  command
+      .add_option("--pose-heading-sigma", options.pose_heading_sigma_mrad,
+                  "Standard deviation of the turn during a second")
+      ->option_text("MRAD  (default 1)")
+      ->check(CLI::Range(0.0, 500.0))
+      ->needs(moving);
+  command.add_option("--pose-gap", options.pose_gaps, "No poses from then on for so long")
+      ->option_text("SECOND:SECONDS ...")
+      ->needs(moving);
+  command
+      .add_option("--pose-jump", options.pose_jumps,
+                  "From then on all poses are so far to the left")
+      ->option_text("SECOND:METRES ...")
+      ->needs(moving);
+  command
+      .add_option("--pose-restart", options.pose_restarts_s,
+                  "From then on the poses are of another run of their source")
+      ->option_text("SECOND ...")
+      ->needs(moving);
 }
 
 }  // namespace
@@ -74,17 +249,21 @@ void add_simulate(CLI::App& program) {
       ->option_text("NAME  (default city)");
   command->add_option("--vehicle", options->vehicle, vehicle_option_help())
       ->option_text("NAME  (default reference_car)");
-  command
-      ->add_option("--truth", options->truth, "Write the true occupancy there, as truth_NNNNNN.pgm")
-      ->option_text("FOLDER");
-  command->add_option("--truth-every", options->truth_every, "Write it for every Nth frame")
-      ->option_text("N  (default 25)")
-      ->check(CLI::PositiveNumber);
+  CLI::Option* const moving = command->add_flag(
+      "--moving", options->is_moving,
+      "Let everything move while the scanners sweep, and write the car's poses, too");
+  add_truth_options(*command, *options, moving);
+  add_pose_options(*command, *options, moving);
   command->footer(
+      "Without --moving the world stands still during a scan, and all scanners scan at once. With "
+      "it\n"
+      "each point is measured from where the car is at that time, each scanner has a phase of its\n"
+      "own, and messages to UDP port 15010 say where the car is and how well it knows.\n"
       "The true occupancy has 1024 x 1024 cells of 0.1 m around the car, x to the right, y up: 0 "
       "where\n"
       "the cell's centre is covered by something within the vehicle's height band, 255 elsewhere.\n"
-      "The same scene, seed, length and vehicle give the same bytes on every machine.\n"
+      "docs/recordings.md explains --truth-cells, and what happens in the scene 'street' when.\n"
+      "The same scene, seed, length, vehicle and options give the same bytes on every machine.\n"
       "Only ibeo LUX scanners are simulated.");
   command->callback([options] { simulate(*options); });
 }

@@ -9,6 +9,7 @@ namespace iog::tools {
 
 void add_simulate(CLI::App& program);
 void add_fuse(CLI::App& program);
+void add_pose(CLI::App& program);
 void add_replay(CLI::App& program);
 void add_receive(CLI::App& program);
 void add_record(CLI::App& program);

@@ -3,32 +3,33 @@
 #include <string>
 
 #include "tools/program/exit_status.hpp"
-#include "tools/simulate/random.hpp"
 
 namespace iog::tools {
-namespace {
 
-std::uint64_t stream_of(std::uint32_t frame, std::size_t sensor) {
+Random noise_of_scan(std::uint64_t seed, std::uint32_t frame, std::size_t sensor) {
   constexpr std::uint64_t kNoiseStreams = 1000;  // the world's own streams are below
-  return kNoiseStreams + std::uint64_t{frame} * vehicle::kMaxSensors + sensor;
+  return Random(seed, kNoiseStreams + std::uint64_t{frame} * vehicle::kMaxSensors + sensor);
 }
 
-}  // namespace
+std::vector<LuxScanner> scanners_of(const CatalogueEntry& car) {
+  std::vector<LuxScanner> scanners;
+  for (const vehicle::SensorConfig& sensor : car.sensors) {
+    if (sensor.format != lidar::Format::kIbeoLux) {
+      throw UsageError("only ibeo LUX scanners are simulated, and " +
+                       std::string(car.vehicle->name) + " has a VLP-16; use a recording for it");
+    }
+    scanners.emplace_back(sensor);
+  }
+  return scanners;
+}
 
 Drive::Drive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds,
              const SceneEntry& scene)
     : car_(&car),
       seed_(seed),
       frame_count_(seconds * kFramesPerSecond),
-      scene_(scene.make(seed, seconds)) {
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
-    if (sensor.format != lidar::Format::kIbeoLux) {
-      throw UsageError("only ibeo LUX scanners are simulated, and " +
-                       std::string(car.vehicle->name) + " has a VLP-16; use a recording for it");
-    }
-    scanners_.emplace_back(sensor);
-  }
-}
+      scene_(scene.make(seed, seconds)),
+      scanners_(scanners_of(car)) {}
 
 void Drive::move_to(std::uint32_t frame) {
   frame_ = frame;
@@ -40,7 +41,7 @@ void Drive::move_to(std::uint32_t frame) {
 
 std::vector<CapturedDatagram> Drive::datagrams() {
   return lux_burst(*car_, frame_, [this](std::size_t sensor) {
-    Random random(seed_, stream_of(frame_, sensor));
+    Random random = noise_of_scan(seed_, frame_, sensor);
     return scanners_[sensor].scan(ego_, solids_, random);
   });
 }

@@ -1,4 +1,6 @@
 // A simulated drive, frame by frame: the world at the end of each scan, and what the scanners send.
+// The world stands still while they scan, and all scan at once; moving_drive.hpp has the other
+// kind.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +9,17 @@
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/formats/lux/lux_burst.hpp"
 #include "tools/simulate/lux_scanner.hpp"
+#include "tools/simulate/random.hpp"
 #include "tools/simulate/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
+
+// One for each sensor of the car. UsageError if one of them is not a LUX.
+[[nodiscard]] std::vector<LuxScanner> scanners_of(const CatalogueEntry& car);
+
+// What is random in the echoes of one scan.
+[[nodiscard]] Random noise_of_scan(std::uint64_t seed, std::uint32_t frame, std::size_t sensor);
 
 class Drive {
  public:

@@ -88,43 +88,88 @@ LuxScanner::Frame LuxScanner::frame_of(const EgoPose& ego) const {
           .up = combined(forward, left, up, mount_.up)};
 }
 
-// Sorts the solids by the columns of beams that may meet them, so that a beam asks only few. A
-// column of margin on both sides covers the beam's width and the pitch's effect on azimuth.
-void LuxScanner::sort_into_columns(const Frame& frame, std::span<const Solid> solids) {
+void LuxScanner::clear_columns() {
   for (auto& column : columns_) {
     column.clear();
   }
+}
+
+// Adds a solid to the columns of beams that may meet it, so that a beam asks only few. A column of
+// margin on both sides covers the beam's width and the pitch's effect on azimuth.
+void LuxScanner::add_to_columns(const Frame& frame, const Solid& solid, const Slack& slack,
+                                const Candidate& candidate) {
   const double norm =
       std::sqrt(frame.forward.x * frame.forward.x + frame.forward.y * frame.forward.y);
   const Placement sensor{.x = frame.origin.x,
                          .y = frame.origin.y,
                          .cos = frame.forward.x / norm,
                          .sin = frame.forward.y / norm};
-  for (const Solid& solid : solids) {
-    const double dx = solid.at.x - sensor.x;
-    const double dy = solid.at.y - sensor.y;
-    const double turn_cos = std::abs(solid.at.cos * sensor.cos + solid.at.sin * sensor.sin);
-    const double turn_sin = std::abs(solid.at.sin * sensor.cos - solid.at.cos * sensor.sin);
-    const bool is_box = solid.form == Solid::Form::kBox;
-    const double length = solid.half_length;
-    const double width = solid.half_width;
-    const Outline outline =
-        outline_of(dx * sensor.cos + dy * sensor.sin, dy * sensor.cos - dx * sensor.sin,
-                   is_box ? length * turn_cos + width * turn_sin : length,
-                   is_box ? length * turn_sin + width * turn_cos : length,
-                   is_box ? std::sqrt(length * length + width * width) : length);
-    if (!outline.is_in_front || outline.nearest > kLuxFarthest) {
-      continue;
-    }
-    const auto first = std::ranges::lower_bound(tangents_, -outline.high) - tangents_.begin();
-    const auto last = std::ranges::upper_bound(tangents_, -outline.low) - tangents_.begin();
-    const auto end = std::min<std::ptrdiff_t>(last + 1, kLuxAzimuths);
-    for (auto column = std::max<std::ptrdiff_t>(first - 1, 0); column < end; ++column) {
-      columns_[static_cast<std::size_t>(column)].push_back({outline.nearest, &solid});
-    }
+  const double dx = solid.at.x - sensor.x;
+  const double dy = solid.at.y - sensor.y;
+  const double turn_cos = std::abs(solid.at.cos * sensor.cos + solid.at.sin * sensor.sin);
+  const double turn_sin = std::abs(solid.at.sin * sensor.cos - solid.at.cos * sensor.sin);
+  const bool is_box = solid.form == Solid::Form::kBox;
+  const double length = solid.half_length;
+  const double width = solid.half_width;
+  const Outline outline =
+      outline_of(dx * sensor.cos + dy * sensor.sin, dy * sensor.cos - dx * sensor.sin,
+                 (is_box ? length * turn_cos + width * turn_sin : length) + slack.metres,
+                 (is_box ? length * turn_sin + width * turn_cos : length) + slack.metres,
+                 (is_box ? std::sqrt(length * length + width * width) : length) + slack.metres);
+  if (!outline.is_in_front || outline.nearest > kLuxFarthest) {
+    return;
   }
+  const auto first = std::ranges::lower_bound(tangents_, -outline.high) - tangents_.begin();
+  const auto last = std::ranges::upper_bound(tangents_, -outline.low) - tangents_.begin();
+  const auto end = std::min<std::ptrdiff_t>(last + 1 + slack.columns, kLuxAzimuths);
+  for (auto column = std::max<std::ptrdiff_t>(first - 1 - slack.columns, 0); column < end;
+       ++column) {
+    columns_[static_cast<std::size_t>(column)].push_back(
+        {outline.nearest, candidate.solid, candidate.mover});
+  }
+}
+
+void LuxScanner::sort_columns() {
   for (auto& column : columns_) {
     std::ranges::stable_sort(column, {}, &Candidate::nearest);
+  }
+}
+
+// All as in the middle of the sweep, with as much slack as car and solids move until its ends.
+void LuxScanner::sort_into_columns(const Sweep& sweep) {
+  constexpr double kTurning = 0.05;  // metres that a solid's corner goes by its own turn, at most
+  const double column_sin = numeric::sin(-angle_of(1) + angle_of(0));
+  clear_columns();
+  const Frame middle = frame_of(sweep.ego[kLuxAzimuths / 2]);
+  double way = 0;
+  double turn_sin = 0;
+  for (const EgoPose* const pose : {&sweep.ego.front(), &sweep.ego.back()}) {
+    const Frame end = frame_of(*pose);
+    const double dx = end.origin.x - middle.origin.x;
+    const double dy = end.origin.y - middle.origin.y;
+    way = std::max(way, std::sqrt(dx * dx + dy * dy));
+    turn_sin = std::max(
+        turn_sin, std::abs(end.forward.x * middle.forward.y - end.forward.y * middle.forward.x));
+  }
+  const auto turned_columns = static_cast<std::ptrdiff_t>(turn_sin / column_sin) + 1;
+  for (const MovingSolid& mover : sweep.solids) {
+    const double own_way = mover.way() / 2;
+    add_to_columns(middle, mover.at(0.5), {way + own_way + kTurning, turned_columns},
+                   {0, &mover.begin, mover.moves() ? &mover : nullptr});
+  }
+  sort_columns();
+}
+
+// Puts the movers of that column where they are when it is sent.
+void LuxScanner::place_movers(std::size_t column) {
+  const double share = static_cast<double>(column) / (kLuxAzimuths - 1);
+  placed_.clear();
+  placed_.reserve(columns_[column].size());  // so that none of them changes its address
+  for (Candidate& candidate : columns_[column]) {
+    if (candidate.mover != nullptr) {
+      placed_.push_back(candidate.mover->at(share));
+      candidate.solid = &placed_.back();
+    }
   }
 }
 
@@ -198,9 +243,27 @@ void LuxScanner::add_points(std::size_t column, std::size_t layer, Random& rando
 std::vector<LuxPoint> LuxScanner::scan(const EgoPose& ego, std::span<const Solid> solids,
                                        Random& random) {
   const Frame frame = frame_of(ego);
-  sort_into_columns(frame, solids);
+  clear_columns();
+  for (const Solid& solid : solids) {
+    add_to_columns(frame, solid, {}, {0, &solid, nullptr});
+  }
+  sort_columns();
   std::vector<LuxPoint> points;
   for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
+    for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
+      follow(frame, column, layer, random);
+      add_points(column, layer, random, points);
+    }
+  }
+  return points;
+}
+
+std::vector<LuxPoint> LuxScanner::scan(const Sweep& sweep, Random& random) {
+  sort_into_columns(sweep);
+  std::vector<LuxPoint> points;
+  for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
+    const Frame frame = frame_of(sweep.ego[column]);
+    place_movers(column);
     for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
       follow(frame, column, layer, random);
       add_points(column, layer, random, points);

@@ -1,8 +1,7 @@
 // A simulated ibeo LUX: what it would send of the solids around it.
 //
 // 100 degrees in steps of 0.5, four layers, up to three echoes per beam. A beam is as wide as the
-// real one's: its left and right edge are followed apart, so that an edge gives two echoes. The
-// scan is taken as if all its beams were sent at its end; the sweep of 11 ms is not simulated.
+// real one's: its left and right edge are followed apart, so that an edge gives two echoes.
 #pragma once
 
 #include <array>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "tools/formats/lux/lux_scan.hpp"
+#include "tools/simulate/moving_solid.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/solid.hpp"
 #include "tools/simulate/traffic.hpp"
@@ -24,13 +24,22 @@ inline constexpr std::int32_t kLuxStepTicks = 16;    // 0.5 degrees
 inline constexpr std::size_t kLuxAzimuths = 2 * kLuxEdgeTicks / kLuxStepTicks + 1;
 inline constexpr std::size_t kLuxLayers = 4;
 
+// What a scanner meets while its mirror sweeps from left to right.
+struct Sweep {
+  std::array<EgoPose, kLuxAzimuths> ego;  // when each column of beams is sent, at equal intervals
+  std::vector<MovingSolid> solids;        // from the first column to the last
+};
+
 class LuxScanner {
  public:
   explicit LuxScanner(const vehicle::SensorConfig& config);
 
-  // The points of one scan, from left to right.
+  // The points of one scan, from left to right, as if all its beams were sent at once.
   [[nodiscard]] std::vector<LuxPoint> scan(const EgoPose& ego, std::span<const Solid> solids,
                                            Random& random);
+
+  // The points of a scan that takes its time: car and solids move between its columns.
+  [[nodiscard]] std::vector<LuxPoint> scan(const Sweep& sweep, Random& random);
 
  private:
   // The sensor's axes and place in the world.
@@ -44,6 +53,12 @@ class LuxScanner {
   struct Candidate {
     double nearest;  // no point of it is nearer
     const Solid* solid;
+    const MovingSolid* mover;  // whose place at the column's time the solid is; nullptr: it stands
+  };
+  // How much more than its outline in the middle of the sweep a solid may take up.
+  struct Slack {
+    double metres = 0;
+    std::ptrdiff_t columns = 0;
   };
   struct Hit {
     double distance = kNoHit;
@@ -57,7 +72,12 @@ class LuxScanner {
   using Echoes = std::vector<Echo>;
 
   [[nodiscard]] Frame frame_of(const EgoPose& ego) const;
-  void sort_into_columns(const Frame& frame, std::span<const Solid> solids);
+  void clear_columns();
+  void add_to_columns(const Frame& frame, const Solid& solid, const Slack& slack,
+                      const Candidate& candidate);
+  void sort_columns();
+  void sort_into_columns(const Sweep& sweep);
+  void place_movers(std::size_t column);
   void follow(const Frame& frame, std::size_t column, std::size_t layer, Random& random);
   [[nodiscard]] Hit first_hit(const Ray& ray, std::size_t column, double beyond) const;
   void add_points(std::size_t column, std::size_t layer, Random& random,
@@ -68,7 +88,8 @@ class LuxScanner {
   // Directions in the sensor frame of the right and the left edge of every beam.
   std::array<std::array<std::array<Vector3, 2>, kLuxLayers>, kLuxAzimuths> edges_{};
   std::array<std::vector<Candidate>, kLuxAzimuths> columns_;
-  Echoes echoes_;  // of the beam that is followed
+  std::vector<Solid> placed_;  // the movers of one column, at its time
+  Echoes echoes_;              // of the beam that is followed
 };
 
 }  // namespace iog::tools

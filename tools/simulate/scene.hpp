@@ -3,7 +3,10 @@
 // it.
 #pragma once
 
+#include <vector>
+
 #include "tools/simulate/landscape.hpp"
+#include "tools/simulate/moving_solid.hpp"
 #include "tools/simulate/road.hpp"
 #include "tools/simulate/traffic.hpp"
 
@@ -23,6 +26,10 @@ struct Scene {
     landscape.append_seen_from(station, solids);
     traffic.append_seen_from(station, road, time_s, solids);
   }
+
+  // The same for an interval of some milliseconds: everything that is seen in its middle, and how
+  // it moves meanwhile.
+  [[nodiscard]] std::vector<MovingSolid> solids_between(double from_s, double to_s) const;
 };
 
 }  // namespace iog::tools

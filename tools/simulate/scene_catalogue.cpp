@@ -6,12 +6,13 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/simulate/city.hpp"
 #include "tools/simulate/ring_road.hpp"
+#include "tools/simulate/street.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr std::array kScenes{SceneEntry{"city", make_city},
-                             SceneEntry{"ring_road", make_ring_road}};
+constexpr std::array kScenes{SceneEntry{"city", make_city}, SceneEntry{"ring_road", make_ring_road},
+                             SceneEntry{"street", make_street}};
 
 std::string known_names() {
   std::string names;

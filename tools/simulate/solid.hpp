@@ -29,6 +29,10 @@ struct Placement {
   double sin = 0;
 };
 
+// Numbers of things: a car's body and its cabin have one. Below kFirstMover are those of a
+// landscape, which never move; 0 is nothing.
+inline constexpr std::uint32_t kFirstMover = 1'000'000;
+
 struct Solid {
   enum class Form : std::uint8_t { kBox, kCylinder };
 
@@ -39,6 +43,7 @@ struct Solid {
   double half_width = 0;   // of a cylinder: its radius
   double z_low = 0;
   double z_high = 0;
+  std::uint32_t thing = 0;  // of which it is a part; 0: nobody has numbered it
 };
 
 struct Vector3 {

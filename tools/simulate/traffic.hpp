@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/simulate/road.hpp"
+#include "tools/simulate/script.hpp"
 #include "tools/simulate/street_furniture.hpp"
 
 namespace iog::tools {
@@ -25,6 +26,7 @@ struct Cruise {
   double speed_swing;   // less than the mean
   double swing_period;  // seconds
   double left;          // the lane's middle
+  double weave = 0.15;  // how far to either side the car weaves
 
   // The way that the car has gone after so many seconds.
   [[nodiscard]] double station_at(double time_s) const;
@@ -70,8 +72,11 @@ struct Traffic {
   std::vector<Crosser> crossers;
   std::vector<Car> cars;
   std::vector<Walker> walkers;
+  std::vector<ScriptedCar> scripted_cars;
+  std::vector<ScriptedWalker> scripted_walkers;
 
-  // Appends everything that may be seen from that station at that time.
+  // Appends everything that may be seen from that station at that time. What a script does not
+  // number has numbers from kFirstMover on.
   void append_seen_from(double station, const Road& road, double time_s,
                         std::vector<Solid>& solids) const;
 };

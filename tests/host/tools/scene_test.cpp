@@ -56,6 +56,9 @@ TEST_P(EveryScene, TheCarPointsWhereItGoes) {
     const double x = after.x - before.x;
     const double y = after.y - before.y;
     const double way = std::hypot(x, y);
+    if (way < 0.5) {
+      continue;  // on one side of the road's polygon, which is a little oblique to it
+    }
     EXPECT_NEAR(at.cos, x / way, 2e-3);
     EXPECT_NEAR(at.sin, y / way, 2e-3);
   }

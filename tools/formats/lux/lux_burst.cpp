@@ -10,15 +10,10 @@
 namespace iog::tools {
 namespace {
 
-// 2024-05-01 12:00:00 UTC: every drive begins then, so that its bytes do not depend on the day.
-constexpr std::uint64_t kStartUs = 1'714'564'800'000'000U;
-constexpr std::uint64_t kFramePeriodUs = kMicrosecondsPerSecond / kLuxFramesPerSecond;
-constexpr std::uint64_t kSweepUs = 11'111;  // 100 degrees at 25 Hz
 // Twenty to thirty datagrams of four scanners within two milliseconds.
 constexpr std::uint64_t kBurstGapUs = 70;
 
-constexpr Endpoint kTarget{.ipv4 = 0x0A00020F, .port = 0};  // 10.0.2.15
-constexpr std::uint16_t kScannerPort = 12'000;              // that they send from
+constexpr std::uint16_t kScannerPort = 12'000;  // that they send from
 
 // Motor on, laser on, frequency reached, and the compensations a healthy LUX reports.
 constexpr std::uint16_t kHealthy = 0x030B;
@@ -41,29 +36,38 @@ std::array<std::int16_t, 6> mounting_of(const vehicle::MountConfig& mount) {
 
 }  // namespace
 
+void append_lux_scan(const CatalogueEntry& car, const LuxScanTime& time,
+                     std::vector<LuxPoint> points, std::uint64_t first_sent_us,
+                     std::vector<CapturedDatagram>& datagrams) {
+  const vehicle::SensorConfig& config = car.sensors[time.sensor];
+  LuxScan scan;
+  scan.device_id = static_cast<std::uint8_t>(time.sensor + 1);
+  scan.sent_ntp = ntp_of_unix_us(time.end_us);
+  scan.scan_number = static_cast<std::uint16_t>(time.frame + 1);
+  scan.status = kHealthy;
+  scan.start_ntp = ntp_of_unix_us(time.end_us - kLuxSweepUs);
+  scan.end_ntp = ntp_of_unix_us(time.end_us);
+  scan.mounting = mounting_of(config.mount);
+  scan.points = std::move(points);
+  scan.flags = kGroundLabelled | kDirtDetected | kRainDetected;
+  std::vector<std::vector<std::byte>> messages = split_lux_scan(std::move(scan));
+  std::uint64_t sent_us = first_sent_us;
+  for (std::vector<std::byte>& message : messages) {
+    datagrams.push_back({.time_us = sent_us,
+                         .source = {config.source_ipv4, kScannerPort},
+                         .destination = {kTargetIpv4, config.udp_port},
+                         .payload = std::move(message)});
+    sent_us += kBurstGapUs;
+  }
+}
+
 std::vector<CapturedDatagram> lux_burst(const CatalogueEntry& car, std::uint32_t frame,
                                         const ScanOfSensor& points_of) {
-  const std::uint64_t scan_end_us = kStartUs + (frame + 1) * kFramePeriodUs;
+  const std::uint64_t scan_end_us = kDriveStartUs + (frame + 1) * kLuxPeriodUs;
   std::vector<CapturedDatagram> datagrams;
   for (std::size_t sensor = 0; sensor < car.sensors.size(); ++sensor) {
-    const vehicle::SensorConfig& config = car.sensors[sensor];
-    LuxScan scan;
-    scan.device_id = static_cast<std::uint8_t>(sensor + 1);
-    scan.sent_ntp = ntp_of_unix_us(scan_end_us);
-    scan.scan_number = static_cast<std::uint16_t>(frame + 1);
-    scan.status = kHealthy;
-    scan.start_ntp = ntp_of_unix_us(scan_end_us - kSweepUs);
-    scan.end_ntp = ntp_of_unix_us(scan_end_us);
-    scan.mounting = mounting_of(config.mount);
-    scan.points = points_of(sensor);
-    scan.flags = kGroundLabelled | kDirtDetected | kRainDetected;
-    std::vector<std::vector<std::byte>> messages = split_lux_scan(std::move(scan));
-    for (std::vector<std::byte>& message : messages) {
-      datagrams.push_back({.time_us = scan_end_us + datagrams.size() * kBurstGapUs,
-                           .source = {config.source_ipv4, kScannerPort},
-                           .destination = {kTarget.ipv4, config.udp_port},
-                           .payload = std::move(message)});
-    }
+    append_lux_scan(car, {sensor, frame, scan_end_us}, points_of(sensor),
+                    scan_end_us + datagrams.size() * kBurstGapUs, datagrams);
   }
   return datagrams;
 }

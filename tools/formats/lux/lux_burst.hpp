@@ -14,8 +14,27 @@ namespace iog::tools {
 
 inline constexpr std::uint32_t kLuxFramesPerSecond = 25;
 
+inline constexpr std::uint64_t kLuxPeriodUs = 1'000'000 / kLuxFramesPerSecond;
+inline constexpr std::uint64_t kLuxSweepUs = 11'111;  // 100 degrees at 25 Hz
+
+// 2024-05-01 12:00:00 UTC: every drive begins then, so that its bytes do not depend on the day.
+inline constexpr std::uint64_t kDriveStartUs = 1'714'564'800'000'000U;
+inline constexpr std::uint32_t kTargetIpv4 = 0x0A00020F;  // 10.0.2.15
+
 // The points of that sensor's scan.
 using ScanOfSensor = std::function<std::vector<LuxPoint>(std::size_t sensor)>;
+
+// Which scan it is, and when its last beam was sent.
+struct LuxScanTime {
+  std::size_t sensor = 0;
+  std::uint32_t frame = 0;   // the scan's number less one
+  std::uint64_t end_us = 0;  // since 1970-01-01 UTC
+};
+
+// Appends the datagrams of one scan. The first leaves at that time, the others 70 us apart.
+void append_lux_scan(const CatalogueEntry& car, const LuxScanTime& time,
+                     std::vector<LuxPoint> points, std::uint64_t first_sent_us,
+                     std::vector<CapturedDatagram>& datagrams);
 
 // The datagrams of frame 0, 1, ..., in the order of their times: one burst of all sensors, one
 // after another, which begins at the end of their scans. All sensors of the car are LUX.

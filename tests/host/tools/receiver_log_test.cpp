@@ -1,0 +1,216 @@
+// Logs of satellite receivers. What is expected comes from their documents: NMEA 0183's well-known
+// example sentences, u-blox's layout of NAV-PVT written here by its offsets.
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "tools/poses/pose_log.hpp"
+#include "tools/simulate/random.hpp"
+
+namespace iog::tools {
+namespace {
+
+const double kDegree = std::acos(-1.0) / 180;
+
+PoseLog nmea_log(std::string_view text) {
+  return read_nmea_log(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+std::string sealed(std::string_view sentence) {
+  unsigned sum = 0;
+  for (const char letter : sentence) {
+    sum ^= static_cast<unsigned char>(letter);
+  }
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  return "$" + std::string(sentence) + "*" + kHex[sum / 16] + kHex[sum % 16] + "\r\n";
+}
+
+constexpr std::string_view kRmc =
+    "$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A\r\n";
+constexpr std::string_view kGga =
+    "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n";
+
+TEST(NmeaLog, ReadsTheExampleSentences) {
+  const PoseLog log = nmea_log(std::string(kRmc) + std::string(kGga));
+  ASSERT_EQ(log.poses.size(), 1U);
+  EXPECT_EQ(log.poses[0].time_us, 764'426'119'000'000U);  // 1994-03-23 12:35:19 UTC
+  EXPECT_NEAR(log.poses[0].heading_rad.value_or(0), 5.6 * kDegree, 1e-12);
+  EXPECT_NEAR(log.poses[0].speed_mps.value_or(0), 22.4 * 1852 / 3600, 1e-9);
+  EXPECT_TRUE(log.remarks.empty());
+}
+
+TEST(NmeaLog, PlacesAreMetresFromTheFirst) {
+  const PoseLog log =
+      nmea_log(std::string(kRmc) +
+               sealed("GNRMC,123519.20,A,4807.0390,N,01130.9980,E,022.4,084.4,230394,,,A"));
+  ASSERT_EQ(log.poses.size(), 2U);
+  EXPECT_EQ(log.poses[1].time_us - log.poses[0].time_us, 200'000U);
+  EXPECT_NEAR(log.poses[1].y_m, 1.853, 0.005);   // a thousandth of a minute
+  EXPECT_NEAR(log.poses[1].x_m, -2.481, 0.005);  // two, at 48 degrees
+}
+
+TEST(NmeaLog, AHeadingGoesBeforeACourse) {
+  const PoseLog log = nmea_log(std::string(kRmc) + sealed("GPHDT,264.4,T"));
+  EXPECT_NEAR(log.poses.at(0).heading_rad.value_or(0), (90 - 264.4) * kDegree, 1e-12);
+  // It reverses.
+  EXPECT_NEAR(log.poses[0].speed_mps.value_or(0), -22.4 * 1852 / 3600, 1e-9);
+}
+
+TEST(NmeaLog, ACarThatStandsHasNoCourse) {
+  const PoseLog log = nmea_log(sealed("GPRMC,123519,A,4807.038,N,01131.000,E,0.3,084.4,230394,,"));
+  ASSERT_EQ(log.poses.size(), 1U);
+  EXPECT_FALSE(log.poses[0].heading_rad);
+}
+
+TEST(NmeaLog, GgaAndHdtAreEnough) {
+  const PoseLog log =
+      nmea_log(sealed("GPGGA,235959.9,4807.038,N,01131.000,E,4,08,0.9,545.4,M,46.9,M,,") +
+               sealed("GPHDT,90.0,T") +
+               sealed("GPGGA,000000.0,4807.038,N,01131.001,E,4,08,0.9,545.4,M,46.9,M,,") +
+               sealed("GPHDT,90.0,T"));
+  ASSERT_EQ(log.poses.size(), 2U);
+  EXPECT_EQ(log.poses[1].time_us - log.poses[0].time_us, 100'000U);  // over midnight
+  EXPECT_NEAR(log.poses[1].heading_rad.value_or(1), 0, 1e-12);
+}
+
+TEST(NmeaLog, WhatIsNotUsedIsCounted) {
+  std::string damaged(kRmc);
+  damaged[20] = '9';
+  const PoseLog log = nmea_log(
+      damaged + "nonsense\n" + sealed("GPHDT,10,T") + sealed("GPRMC,123520,V,,,,,,,230394,,") +
+      sealed("GPRMC,123521,A,4807.038,N,01131.000,E,9,9,230394,,") +
+      sealed("GPGGA,123521,,,,,0,00,,,M,,M,,") + sealed("GPGSV,3,1,11,03") +
+      sealed("GPRMC,126099,A,4807.038,N,01131.000,E,9,9,230394,,") +
+      sealed("GPRMC,123522,A,4867.038,N,01131.000,E,9,9,230394,,") + std::string(kRmc));
+  EXPECT_EQ(log.poses.size(), 1U);
+  EXPECT_EQ(log.remarks, (std::vector<std::string>{"4 lines that are no sound NMEA sentence",
+                                                   "1 sentences other than RMC, GGA and HDT",
+                                                   "2 times without a fix",
+                                                   "1 headings before the first position"}));
+}
+
+void put(std::vector<std::byte>& bytes, std::size_t offset, std::size_t count,
+         std::uint64_t value) {
+  for (std::size_t i = 0; i < count; ++i) {
+    bytes[offset + i] = static_cast<std::byte>(value >> (8 * i) & 0xFFU);
+  }
+}
+
+struct PvtFields {
+  std::int32_t nanoseconds = 0;
+  std::int32_t longitude = 115'166'667;  // 1e-7 degrees
+  std::int32_t latitude = 481'173'000;
+  std::uint8_t flags = 1;
+};
+
+// u-blox's header, payload of 92 bytes by its offsets, and Fletcher's checksum.
+std::vector<std::byte> pvt_message(const PvtFields& fields) {
+  std::vector<std::byte> bytes(100);
+  put(bytes, 0, 4, 0x0701'62B5);
+  put(bytes, 4, 2, 92);
+  constexpr std::size_t kPayload = 6;
+  put(bytes, kPayload + 4, 2, 2024);
+  put(bytes, kPayload + 6, 1, 5);
+  put(bytes, kPayload + 7, 1, 1);
+  put(bytes, kPayload + 8, 1, 12);
+  put(bytes, kPayload + 9, 1, 34);
+  put(bytes, kPayload + 10, 1, 56);
+  put(bytes, kPayload + 11, 1, 0x07);
+  put(bytes, kPayload + 16, 4, std::bit_cast<std::uint32_t>(fields.nanoseconds));
+  put(bytes, kPayload + 20, 1, 3);
+  put(bytes, kPayload + 21, 1, fields.flags);
+  put(bytes, kPayload + 24, 4, std::bit_cast<std::uint32_t>(fields.longitude));
+  put(bytes, kPayload + 28, 4, std::bit_cast<std::uint32_t>(fields.latitude));
+  put(bytes, kPayload + 48, 4, 3'000);                                 // north, mm/s
+  put(bytes, kPayload + 52, 4, std::bit_cast<std::uint32_t>(-4'000));  // east
+  put(bytes, kPayload + 64, 4, 30'000'000);                            // 300 degrees
+  put(bytes, kPayload + 68, 4, 123);                                   // mm/s
+  put(bytes, kPayload + 72, 4, 150'000);                               // 1.5 degrees
+  put(bytes, kPayload + 84, 4, 9'000'000);                             // 90 degrees
+  unsigned a = 0;
+  unsigned b = 0;
+  for (std::size_t i = 2; i < 98; ++i) {
+    a = (a + std::to_integer<unsigned>(bytes[i])) & 0xFFU;
+    b = (b + a) & 0xFFU;
+  }
+  put(bytes, 98, 1, a);
+  put(bytes, 99, 1, b);
+  return bytes;
+}
+
+std::vector<std::byte> joined(std::initializer_list<std::vector<std::byte>> parts) {
+  std::vector<std::byte> all;
+  for (const auto& part : parts) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+TEST(UbxLog, TakesTheFieldsByTheirOffsets) {
+  const PoseLog log = read_ubx_log(
+      joined({pvt_message({}), pvt_message({.nanoseconds = -100'000, .latitude = 481'174'000})}));
+  ASSERT_EQ(log.poses.size(), 2U);
+  const LoggedPose& pose = log.poses[0];
+  EXPECT_EQ(pose.time_us, 1'714'566'896'000'000U);  // 2024-05-01 12:34:56 UTC
+  EXPECT_EQ(log.poses[1].time_us, pose.time_us - 100);
+  EXPECT_NEAR(log.poses[1].y_m, 11.12, 0.01);
+  EXPECT_NEAR(pose.heading_rad.value_or(0), (90 - 300) * kDegree, 1e-12);
+  // Its part along the heading, which points 30 degrees north of west.
+  EXPECT_NEAR(pose.speed_mps.value_or(0), 4 * std::cos(30 * kDegree) + 3 * 0.5, 1e-9);
+  EXPECT_NEAR(pose.sigma_m.value_or(0), 0.123, 1e-12);
+  EXPECT_NEAR(pose.sigma_heading_rad.value_or(0), 1.5 * kDegree, 1e-12);
+  EXPECT_TRUE(log.remarks.empty());
+}
+
+TEST(UbxLog, AVehiclesHeadingGoesBeforeACourse) {
+  const PoseLog log = read_ubx_log(pvt_message({.flags = 0x21}));
+  EXPECT_NEAR(log.poses.at(0).heading_rad.value_or(1), 0, 1e-12);
+  EXPECT_NEAR(log.poses[0].speed_mps.value_or(0), -4, 1e-9);
+}
+
+TEST(UbxLog, WhatIsNotUsedIsCounted) {
+  auto damaged = pvt_message({});
+  damaged[40] ^= std::byte{1};
+  auto other = pvt_message({});
+  other[3] = std::byte{0x35};  // NAV-SAT
+  put(other, 98, 1, std::to_integer<unsigned>(other[98]) + 0x2E);
+  put(other, 99, 1, std::to_integer<unsigned>(other[99]) + 0x2EU * 95U);
+  const PoseLog log = read_ubx_log(
+      joined({damaged, other, pvt_message({.flags = 0}), pvt_message({.latitude = 910'000'000}),
+              pvt_message({}), std::vector<std::byte>(3)}));
+  EXPECT_EQ(log.poses.size(), 1U);
+  EXPECT_EQ(log.remarks, (std::vector<std::string>{"103 bytes that are no UBX message",
+                                                   "1 messages other than NAV-PVT",
+                                                   "2 NAV-PVT without a fix or a time"}));
+}
+
+// Whatever comes: no reader looks beyond its bytes (the sanitizers watch), and none believes it.
+TEST(PoseLogs, DamageIsSurvived) {
+  Random random(1);
+  const auto ubx = joined({pvt_message({}), pvt_message({}), pvt_message({})});
+  const std::string nmea = std::string(kRmc) + std::string(kGga) + sealed("GPHDT,10,T");
+  for (int i = 0; i < 3000; ++i) {
+    auto bytes = i % 2 == 0 ? ubx : std::vector<std::byte>();
+    if (bytes.empty()) {
+      const auto text = std::as_bytes(std::span(nmea));
+      bytes.assign(text.begin(), text.end());
+    }
+    bytes.resize(random.below(bytes.size() + 1));
+    for (std::size_t hit = 0; !bytes.empty() && hit < 3; ++hit) {
+      bytes[random.below(bytes.size())] = static_cast<std::byte>(random.below(256));
+    }
+    EXPECT_LE(read_ubx_log(bytes).poses.size(), 3U);
+    EXPECT_LE(read_nmea_log(bytes).poses.size(), 1U);
+  }
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,118 @@
+#include <array>
+#include <filesystem>
+
+#include "tools/poses/local_plane.hpp"
+#include "tools/poses/pose_log.hpp"
+#include "tools/poses/text_fields.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+
+namespace iog::tools {
+namespace {
+
+// Fields of a file, by dataformat.txt beside the data.
+constexpr std::size_t kFields = 30;
+constexpr std::size_t kLatitude = 0;        // degrees
+constexpr std::size_t kLongitude = 1;       // degrees
+constexpr std::size_t kYaw = 5;             // radians, 0 is east, counter-clockwise
+constexpr std::size_t kForward = 8;         // m/s
+constexpr std::size_t kTurnUp = 22;         // rad/s about the axis that points up
+constexpr std::size_t kSpeedAccuracy = 24;  // m/s
+
+// "2011-09-26 13:02:25.964389445"
+std::optional<std::uint64_t> time_in(std::string_view text) {
+  const std::vector<std::string_view> halves = parts_of(trimmed(text), ' ');
+  if (halves.size() != 2) {
+    return std::nullopt;
+  }
+  const std::vector<std::string_view> date = parts_of(halves[0], '-');
+  const std::vector<std::string_view> clock = parts_of(halves[1], ':');
+  if (date.size() != 3 || clock.size() != 3) {
+    return std::nullopt;
+  }
+  const auto year = whole_number_in(date[0]);
+  const auto month = whole_number_in(date[1]);
+  const auto day = whole_number_in(date[2]);
+  const auto hour = whole_number_in(clock[0]);
+  const auto minute = whole_number_in(clock[1]);
+  const auto second_us = microseconds_in(clock[2]);
+  if (!year || !month || !day || !hour || !minute || !second_us || *hour > 23 || *minute > 59 ||
+      *second_us > 61'000'000) {
+    return std::nullopt;
+  }
+  return unix_us_of(*year, *month, *day,
+                    (std::uint64_t{*hour} * 3600 + *minute * 60U) * 1'000'000 + *second_us);
+}
+
+std::array<double, kFields> fields_in(const std::string& path) {
+  const std::vector<std::string> lines = read_lines(path);
+  std::array<double, kFields> fields{};
+  std::size_t count = 0;
+  const std::string_view line = lines.empty() ? std::string_view() : lines.front();
+  for (const std::string_view part : parts_of(line, ' ')) {
+    if (trimmed(part).empty()) {
+      continue;
+    }
+    const std::optional<double> value = number_in(trimmed(part));
+    if (!value || count == kFields) {
+      throw UsageError(path + ": field " + std::to_string(count + 1) + " of " +
+                       std::to_string(kFields) + " is '" + std::string(part) + "'");
+    }
+    fields[count++] = *value;
+  }
+  if (count != kFields) {
+    throw UsageError(path + ": " + std::to_string(count) + " numbers instead of " +
+                     std::to_string(kFields));
+  }
+  return fields;
+}
+
+std::string data_file(const std::string& folder, std::size_t number) {
+  constexpr std::size_t kDigits = 10;
+  const std::string digits = std::to_string(number);
+  return folder + "/data/" + std::string(kDigits - std::min(kDigits, digits.size()), '0') + digits +
+         ".txt";
+}
+
+}  // namespace
+
+PoseLog read_oxts_log(const std::string& folder) {
+  const std::string times = folder + "/timestamps.txt";
+  const std::vector<std::string> lines = read_lines(times);
+  std::optional<LocalPlane> plane;
+  std::size_t missing = 0;
+  PoseLog log;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (trimmed(lines[i]).empty()) {
+      continue;
+    }
+    const std::optional<std::uint64_t> time_us = time_in(lines[i]);
+    if (!time_us) {
+      throw UsageError(times + ":" + std::to_string(i + 1) + ": '" + lines[i] +
+                       "' is no time as in 2011-09-26 13:02:25.964389445");
+    }
+    const std::string path = data_file(folder, i);
+    if (!std::filesystem::exists(path)) {
+      ++missing;  // KITTI has such drives
+      continue;
+    }
+    const std::array<double, kFields> fields = fields_in(path);
+    if (!plane) {
+      plane.emplace(fields[kLatitude], fields[kLongitude]);
+    }
+    const LocalPlane::Place place = plane->place_of(fields[kLatitude], fields[kLongitude]);
+    log.poses.push_back({.time_us = *time_us,
+                         .x_m = place.east_m,
+                         .y_m = place.north_m,
+                         .heading_rad = fields[kYaw],
+                         .speed_mps = fields[kForward],
+                         .yaw_rate_rps = fields[kTurnUp],
+                         // The error of the speed is that of the way in a second.
+                         .sigma_m = fields[kSpeedAccuracy],
+                         .sigma_heading_rad = std::nullopt});
+  }
+  remark(missing, "times without a file in data/", log.remarks);
+  return log;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,79 @@
+#include "tools/poses/pose_encoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "numeric/elementary.hpp"
+#include "pose/limits.hpp"
+#include "tools/formats/lux/lux_burst.hpp"
+#include "tools/program/exit_status.hpp"
+
+namespace iog::tools {
+namespace {
+
+// The value in so many units, to the nearest, if it is at most `most` of them.
+std::int32_t units_of(double value, double units, std::int32_t most, const char* what) {
+  const double scaled = value * units;
+  if (!(std::abs(scaled) <= most)) {
+    throw UsageError("a pose with a " + std::string(what) + " of " + std::to_string(value) +
+                     ": the target takes at most " + std::to_string(most / units));
+  }
+  return static_cast<std::int32_t>(numeric::round(scaled));
+}
+
+// Upwards: a source never seems more certain than it is. A sigma that is no number is none at all.
+std::uint16_t sigma_of(double value, double units) {
+  constexpr double kMost = std::numeric_limits<std::uint16_t>::max();
+  constexpr double kAlmost = 1e-6;  // of a unit: what is left of a product that should be whole
+  const double scaled = std::ceil(value * units - kAlmost);
+  return static_cast<std::uint16_t>(scaled >= 1 ? std::min(scaled, kMost)
+                                                : (scaled < 1 ? 1.0 : kMost));
+}
+
+std::uint32_t binary_angle(double radians) {
+  if (!(std::abs(radians) < 1e9)) {
+    throw UsageError("a pose without a heading");
+  }
+  const double turns = radians / (2 * numeric::kPi);
+  const double part = turns - std::floor(turns);
+  // Rounded to 2^32 it is 0 again.
+  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(numeric::round(part * 0x1p32)));
+}
+
+}  // namespace
+
+pose::Message message_of(const PoseSample& sample) {
+  if (sample.age_us > pose::kMaxAgeUs) {
+    throw UsageError("a pose that is sent " + std::to_string(sample.age_us) +
+                     " us after its measurement: the target takes at most " +
+                     std::to_string(pose::kMaxAgeUs));
+  }
+  return {.run = sample.run,
+          .age_us = sample.age_us,
+          .clock_us = sample.time_us,
+          .pose = {.x_mm = units_of(sample.x_m, 1000, pose::kMaxCoordinateMm, "coordinate"),
+                   .y_mm = units_of(sample.y_m, 1000, pose::kMaxCoordinateMm, "coordinate"),
+                   .heading = binary_angle(sample.heading_rad)},
+          .sigma = {.position_mm = sigma_of(sample.sigma_m, 1000),
+                    .heading_10urad = sigma_of(sample.sigma_heading_rad, 100'000)},
+          .speed_mm_per_s = units_of(sample.speed_mps, 1000, pose::kMaxSpeedMmPerS, "speed"),
+          .yaw_urad_per_s =
+              units_of(sample.yaw_rate_rps, 1'000'000, pose::kMaxYawRateUradPerS, "yaw rate"),
+          .map = {}};
+}
+
+CapturedDatagram PoseEncoder::datagram_of(const PoseSample& sample) {
+  if (sample.run != run_) {
+    encoder_ = pose::Encoder();
+    run_ = sample.run;
+  }
+  const auto bytes = encoder_.encode(message_of(sample));
+  return {.time_us = sample.time_us + sample.age_us,
+          .source = {kPoseSourceIpv4, pose::kPosePort},
+          .destination = {kTargetIpv4, pose::kPosePort},
+          .payload = {bytes.begin(), bytes.end()}};
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,100 @@
+#include "tools/poses/pose_log.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "pose/limits.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+double seconds_between(const LoggedPose& from, const LoggedPose& to) {
+  return static_cast<double>(to.time_us - from.time_us) / 1e6;
+}
+
+// Takes out what the target would drop.
+std::vector<LoggedPose> usable(PoseLog& log) {
+  std::size_t without_heading = 0;
+  std::size_t not_newer = 0;
+  std::size_t too_close = 0;
+  std::vector<LoggedPose> poses;
+  for (const LoggedPose& pose : log.poses) {
+    if (!pose.heading_rad) {
+      ++without_heading;
+    } else if (!poses.empty() && pose.time_us <= poses.back().time_us) {
+      ++not_newer;
+    } else if (!poses.empty() && pose.time_us - poses.back().time_us < pose::kMinSpacingUs) {
+      ++too_close;
+    } else {
+      poses.push_back(pose);
+    }
+  }
+  remark(without_heading, "poses without a heading", log.remarks);
+  remark(not_newer, "poses that are not newer than the one before", log.remarks);
+  remark(too_close, "poses less than 8 ms after the one before", log.remarks);
+  return poses;
+}
+
+// The receiver's place less its mount.
+PoseSample sample_of(const LoggedPose& pose, const PoseConversion& conversion) {
+  const double heading = *pose.heading_rad;
+  const double cos = std::cos(heading);
+  const double sin = std::sin(heading);
+  return {.time_us = pose.time_us,
+          .run = conversion.run,
+          .x_m = pose.x_m - conversion.mount_x_m * cos + conversion.mount_y_m * sin,
+          .y_m = pose.y_m - conversion.mount_x_m * sin - conversion.mount_y_m * cos,
+          .heading_rad = heading,
+          .speed_mps = pose.speed_mps.value_or(0),
+          .yaw_rate_rps = pose.yaw_rate_rps.value_or(0),
+          .sigma_m = pose.sigma_m.value_or(conversion.sigma_m),
+          .sigma_heading_rad = pose.sigma_heading_rad.value_or(conversion.sigma_heading_rad)};
+}
+
+// Fills in what the log does not say of motion, from the neighbours of each pose. Two neighbours
+// further apart than a silence that breaks the history say nothing.
+void add_motion(const std::vector<LoggedPose>& poses, std::vector<PoseSample>& samples) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : i;
+    const std::size_t after = i + 1 < poses.size() ? i + 1 : i;
+    const double span_s = seconds_between(poses[before], poses[after]);
+    if (before == after || span_s * 1e6 > static_cast<double>(pose::kLostUs)) {
+      continue;
+    }
+    PoseSample& sample = samples[i];
+    const PoseSample& from = samples[before];
+    const PoseSample& to = samples[after];
+    if (!poses[i].speed_mps) {
+      sample.speed_mps = ((to.x_m - from.x_m) * std::cos(sample.heading_rad) +
+                          (to.y_m - from.y_m) * std::sin(sample.heading_rad)) /
+                         span_s;
+    }
+    if (!poses[i].yaw_rate_rps) {
+      sample.yaw_rate_rps = std::remainder(to.heading_rad - from.heading_rad, kTurn) / span_s;
+    }
+  }
+}
+
+}  // namespace
+
+void remark(std::size_t count, std::string_view what, std::vector<std::string>& remarks) {
+  if (count > 0) {
+    remarks.push_back(std::to_string(count) + ' ' + std::string(what));
+  }
+}
+
+ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
+  const std::vector<LoggedPose> poses = usable(log);
+  ConvertedLog result;
+  for (const LoggedPose& pose : poses) {
+    result.samples.push_back(sample_of(pose, conversion));
+  }
+  add_motion(poses, result.samples);
+  result.remarks = std::move(log.remarks);
+  return result;
+}
+
+}  // namespace iog::tools

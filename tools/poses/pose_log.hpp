@@ -1,0 +1,75 @@
+// Poses that somebody has logged, in whatever format, and how they become what a source sends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/poses/pose_sample.hpp"
+
+namespace iog::tools {
+
+// One row of a log. What the log does not say is empty.
+struct LoggedPose {
+  std::uint64_t time_us = 0;  // since 1970, or since the log's begin
+  double x_m = 0;             // of the receiver, in the log's plane
+  double y_m = 0;
+  std::optional<double> heading_rad{};  // of the vehicle, counter-clockwise from the plane's x
+  std::optional<double> speed_mps{};
+  std::optional<double> yaw_rate_rps{};
+  std::optional<double> sigma_m{};
+  std::optional<double> sigma_heading_rad{};
+};
+
+struct PoseLog {
+  std::vector<LoggedPose> poses;     // in the order of the log
+  std::vector<std::string> remarks;  // what was not used, and why; never silent
+};
+
+// x_m, y_m and heading_deg of a plane, time_s of any clock; optional speed_m_s, yaw_rate_deg_s,
+// sigma_m, sigma_heading_deg. The first line names the columns, in any order; others are not used,
+// which is remarked. UsageError with file and line for a row that is not what the columns say.
+[[nodiscard]] PoseLog read_csv_log(const std::string& path);
+
+// A folder of KITTI's OXTS files: timestamps.txt, and data/0000000000.txt and so on with 30 numbers
+// each (readme of the raw data, Geiger and others, 2013). UsageError with file and field for one
+// that is not so.
+[[nodiscard]] PoseLog read_oxts_log(const std::string& folder);
+
+// NMEA 0183: position, speed, course and date by RMC; true heading by HDT, which goes with the RMC
+// before it; GGA without a fix takes the position of its time away. Sentences with a wrong
+// checksum, damaged fields and positions without a fix are counted and left out.
+[[nodiscard]] PoseLog read_nmea_log(std::span<const std::byte> bytes);
+
+// UBX-NAV-PVT messages of a u-blox receiver (M8 interface description, 32.17.15) among any others.
+[[nodiscard]] PoseLog read_ubx_log(std::span<const std::byte> bytes);
+
+// How a log becomes poses of the vehicle frame.
+struct PoseConversion {
+  // Where in the vehicle frame the receiver is whose places were logged.
+  double mount_x_m = 0;
+  double mount_y_m = 0;
+  // For a log that does not say them.
+  double sigma_m = 0.05;
+  double sigma_heading_rad = 0.002;
+  std::uint32_t run = 1;
+};
+
+struct ConvertedLog {
+  std::vector<PoseSample> samples;   // by rising times, as far apart as the target wants
+  std::vector<std::string> remarks;  // those of the log, and what else was left out
+};
+
+// Speed and yaw rate that the log does not say are those between the poses before and after. Left
+// out and remarked: poses without a heading, poses that are not newer than the one before, and
+// poses less than 8 ms after it (pose/limits.hpp).
+[[nodiscard]] ConvertedLog converted(PoseLog log, const PoseConversion& conversion);
+
+// "3 poses without a heading"; nothing for a count of 0.
+void remark(std::size_t count, std::string_view what, std::vector<std::string>& remarks);
+
+}  // namespace iog::tools

@@ -1,0 +1,88 @@
+#include "tools/poses/text_fields.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace iog::tools {
+namespace {
+
+bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
+
+}  // namespace
+
+std::vector<std::string_view> parts_of(std::string_view line, char separator) {
+  std::vector<std::string_view> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = line.find(separator); end != std::string_view::npos;
+       end = line.find(separator, begin)) {
+    parts.push_back(line.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(line.substr(begin));
+  return parts;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::optional<double> number_in(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<std::uint32_t> whole_number_in(std::string_view text) {
+  constexpr std::size_t kDigits = 9;
+  if (text.empty() || text.size() > kDigits || !std::ranges::all_of(text, is_digit)) {
+    return std::nullopt;
+  }
+  std::uint32_t value = 0;
+  for (const char digit : text) {
+    value = value * 10 + static_cast<std::uint32_t>(digit - '0');
+  }
+  return value;
+}
+
+std::optional<std::uint64_t> microseconds_in(std::string_view text) {
+  constexpr std::size_t kSecondDigits = 12;
+  constexpr std::size_t kDecimals = 6;
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const std::string_view whole = text.substr(0, point);
+  const std::string_view part = point < text.size() ? text.substr(point + 1) : "";
+  if (whole.empty() || whole.size() > kSecondDigits || !std::ranges::all_of(whole, is_digit) ||
+      !std::ranges::all_of(part, is_digit)) {
+    return std::nullopt;
+  }
+  std::uint64_t value = 0;
+  for (const char digit : whole) {
+    value = value * 10 + static_cast<std::uint64_t>(digit - '0');
+  }
+  for (std::size_t i = 0; i < kDecimals; ++i) {
+    value = value * 10 + static_cast<std::uint64_t>(i < part.size() ? part[i] - '0' : 0);
+  }
+  return value;
+}
+
+std::optional<std::uint64_t> unix_us_of(std::uint32_t year, std::uint32_t month, std::uint32_t day,
+                                        std::uint64_t time_us) {
+  constexpr std::uint64_t kDayUs = 86'400'000'000U;
+  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(year)),
+                                         std::chrono::month(month), std::chrono::day(day)};
+  // A second may be a leap second.
+  if (!date.ok() || year < 1970 || year > 9999 || time_us >= kDayUs + 1'000'000) {
+    return std::nullopt;
+  }
+  const auto days = std::chrono::sys_days(date).time_since_epoch().count();
+  return static_cast<std::uint64_t>(days) * kDayUs + time_us;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,33 @@
+// Numbers and times in the text of logs, read without surprises: the whole field or nothing.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace iog::tools {
+
+// The parts of a line between separators; an empty line is one empty part.
+[[nodiscard]] std::vector<std::string_view> parts_of(std::string_view line, char separator);
+
+// Without blanks at both ends, and without a carriage return.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+// A finite decimal number and nothing else.
+[[nodiscard]] std::optional<double> number_in(std::string_view text);
+
+// An unsigned whole number of at most nine digits and nothing else.
+[[nodiscard]] std::optional<std::uint32_t> whole_number_in(std::string_view text);
+
+// Seconds with or without decimals as microseconds, exactly; what is beyond the sixth decimal is
+// cut off. At most 12 digits before the point, no sign.
+[[nodiscard]] std::optional<std::uint64_t> microseconds_in(std::string_view text);
+
+// Microseconds since 1970 of a day and a time of it (UTC, no leap seconds). Empty: no such day.
+[[nodiscard]] std::optional<std::uint64_t> unix_us_of(std::uint32_t year, std::uint32_t month,
+                                                      std::uint32_t day, std::uint64_t time_us);
+
+}  // namespace iog::tools
