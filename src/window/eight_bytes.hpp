@@ -1,0 +1,45 @@
+// Eight indexes beside one another in one word, and questions about all of them at once.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace iog::window {
+
+class EightBytes {
+ public:
+  static constexpr std::size_t kCount = 8;
+
+  [[nodiscard]] static EightBytes load(const std::int8_t* from) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, from, sizeof word);
+    return EightBytes(word);
+  }
+
+  [[nodiscard]] bool is_zero() const { return word_ == 0; }
+
+  // A bit for each that is above 0, bit i for the i-th.
+  //
+  // Adding 127 to the low seven bits carries into bit 7 exactly if one of them is set, and never into
+  // the next byte. The product brings bit 8 i of the word to bit 56 + i: eight bits times eight
+  // shifts of 7 j, of which only j = 7 - i ... gives each its place without a carry.
+  [[nodiscard]] std::uint8_t positive() const {
+    const std::uint64_t low = (word_ & kSevenBits) + kSevenBits;
+    const std::uint64_t ones = (low & ~word_ & kTopBits) >> 7;
+    return static_cast<std::uint8_t>(ones * kGather >> 56);
+  }
+
+ private:
+  static constexpr std::uint64_t kSevenBits = 0x7F7F7F7F7F7F7F7FU;
+  static constexpr std::uint64_t kTopBits = 0x8080808080808080U;
+  static constexpr std::uint64_t kGather = 0x0102040810204080U;
+  static_assert(std::endian::native == std::endian::little, "the first byte is the lowest");
+
+  explicit EightBytes(std::uint64_t word) : word_(word) {}
+
+  std::uint64_t word_;
+};
+
+}  // namespace iog::window

@@ -1,0 +1,163 @@
+// Ranges. A stored index is -127 ... 127, and so is one of a slice; their sum fits an int16. Points
+// are below 2^13 cells, which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and
+// 62 steps of at most 2^16.
+#include "window/frame_evidence.hpp"
+
+#include <algorithm>
+
+#include "window/eight_bytes.hpp"
+
+namespace iog::window {
+namespace {
+
+constexpr std::int32_t kLast = kTileSide - 1;
+constexpr std::int32_t kLeast = -127;
+constexpr std::int32_t kMost = 127;
+
+// The cells of the vehicle's grid in which the centres of a tile's cells lie at most: low and high
+// are both included.
+struct Reach {
+  geometry::Cell low;
+  geometry::Cell high;
+
+  static Reach of_tile(FinePoint first, FinePoint step) {
+    const std::int32_t x_by_x = kLast * step.x;
+    const std::int32_t x_by_y = -kLast * step.y;
+    const std::int32_t y_by_x = kLast * step.y;
+    const std::int32_t y_by_y = kLast * step.x;
+    const FinePoint low{first.x + std::min(x_by_x, 0) + std::min(x_by_y, 0),
+                        first.y + std::min(y_by_x, 0) + std::min(y_by_y, 0)};
+    const FinePoint high{first.x + std::max(x_by_x, 0) + std::max(x_by_y, 0),
+                         first.y + std::max(y_by_x, 0) + std::max(y_by_y, 0)};
+    return {low.cell(), high.cell()};
+  }
+
+  [[nodiscard]] bool is_inside_grid() const {
+    return geometry::kGridArea.contains(low) && geometry::kGridArea.contains(high);
+  }
+
+  // Whether something is known in one of the grid's tiles that it touches.
+  [[nodiscard]] bool is_known(const SliceCells& slice) const {
+    constexpr std::int32_t kEnd = geometry::kTilesPerSide - 1;
+    const std::int32_t right = std::min(high.x >> geometry::kTileSideLog2, kEnd);
+    const std::int32_t top = std::min(high.y >> geometry::kTileSideLog2, kEnd);
+    for (std::int32_t y = std::max(low.y >> geometry::kTileSideLog2, 0); y <= top; ++y) {
+      for (std::int32_t x = std::max(low.x >> geometry::kTileSideLog2, 0); x <= right; ++x) {
+        if (slice.is_known(static_cast<std::size_t>(y * (kEnd + 1) + x))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+};
+
+using Row = std::array<std::int8_t, geometry::kTileSide>;
+
+// The indexes that a row of the window's cells finds in the grid; 0 outside of it.
+template <bool kMayBeOutside>
+void look_up(const SliceCells& slice, FinePoint point, FinePoint step, Row& row) {
+  const std::int8_t* cells = slice.cells();
+  for (std::int8_t& index : row) {
+    const geometry::Cell cell = point.cell();
+    point = along_x(point, step);
+    if (kMayBeOutside && !geometry::kGridArea.contains(cell)) {
+      index = 0;
+    } else {
+      constexpr std::int32_t kStride = SliceCells::kStride;
+      index = cells[cell.y * kStride + cell.x];
+    }
+  }
+}
+
+void join_free(const Row& row, std::int8_t* evidence) {
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    const std::int32_t before = evidence[x];
+    const std::int32_t sum = std::max(before + std::min<std::int32_t>(row[x], 0), kLeast);
+    evidence[x] = static_cast<std::int8_t>(before > 0 ? before : sum);
+  }
+}
+
+void join_hit(std::int32_t index, std::int8_t& evidence) {
+  evidence = static_cast<std::int8_t>(std::min(std::max<std::int32_t>(evidence, 0) + index, kMost));
+}
+
+}  // namespace
+
+void FrameEvidence::clear() {
+  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    if (is_touched_[slot]) {
+      is_touched_[slot] = false;
+      cells_[slot].fill(0);
+    }
+  }
+}
+
+void FrameEvidence::pull(const SliceCells& slice, const Area& area, const CellMap& map) {
+  const FinePoint step = map.step();
+  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    const TileNumber tile = area.tile_at(slot);
+    const geometry::Cell first_cell{(tile.a - area.corner().a) * kTileSide,
+                                    (tile.b - area.corner().b) * kTileSide};
+    FinePoint first = map.exact(first_cell);
+    const Reach reach = Reach::of_tile(first, step);
+    if (!reach.is_known(slice)) {
+      continue;
+    }
+    is_touched_[slot] = true;
+    const auto look_up_row = reach.is_inside_grid() ? look_up<false> : look_up<true>;
+    for (std::size_t y = 0; y < geometry::kTileSide; ++y, first = along_y(first, step)) {
+      Row row;
+      look_up_row(slice, first, step, row);
+      join_free(row, &cells_[slot][y * geometry::kTileSide]);
+    }
+  }
+}
+
+void FrameEvidence::push(const SliceCells& slice, const Area& area, const CellMap& map) {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+    if (slice.is_known(tile)) {
+      push_tile(slice, tile, area, map);
+    }
+  }
+}
+
+void FrameEvidence::push_tile(const SliceCells& slice, std::size_t tile, const Area& area,
+                              const CellMap& map) {
+  constexpr std::size_t kEight = EightBytes::kCount;
+  constexpr auto kSide = static_cast<std::int32_t>(geometry::kTilesPerSide);
+  const auto number = static_cast<std::int32_t>(tile);
+  const geometry::Cell first{number % kSide * kTileSide, number / kSide * kTileSide};
+  const FinePoint step = map.step();
+  const std::int8_t* row = slice.cells() + SliceCells::first_of(tile);
+  FinePoint at_row = map.exact(first);
+  for (std::int32_t y = 0; y < kTileSide; ++y, row += SliceCells::kStride) {
+    FinePoint at = at_row;
+    for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
+      if (EightBytes::load(row + x).positive() != 0) {
+        push_eight(row + x, at, step, area);
+      }
+      at = {at.x + std::int32_t{kEight} * step.x, at.y + std::int32_t{kEight} * step.y};
+    }
+    at_row = along_y(at_row, step);
+  }
+}
+
+void FrameEvidence::push_eight(const std::int8_t* indexes, FinePoint first, FinePoint step,
+                               const Area& area) {
+  for (std::size_t i = 0; i < EightBytes::kCount; ++i, first = along_x(first, step)) {
+    const geometry::Cell cell = first.cell();
+    if (indexes[i] <= 0 || !kWindowCells.contains(cell)) {
+      continue;
+    }
+    const std::size_t slot = slot_of({area.corner().a + (cell.x >> geometry::kTileSideLog2),
+                                      area.corner().b + (cell.y >> geometry::kTileSideLog2)});
+    constexpr std::uint32_t kInTile = kTileSide - 1;
+    const auto x = static_cast<std::uint32_t>(cell.x) & kInTile;
+    const auto y = static_cast<std::uint32_t>(cell.y) & kInTile;
+    is_touched_[slot] = true;
+    join_hit(indexes[i], cells_[slot][y * geometry::kTileSide + x]);
+  }
+}
+
+}  // namespace iog::window

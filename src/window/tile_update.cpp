@@ -1,0 +1,60 @@
+#include "window/tile_update.hpp"
+
+#include "decision/decision.hpp"
+#include "evidence/fusion.hpp"
+
+namespace iog::window {
+namespace {
+
+void age_group(Tile& tile, std::size_t group, const ageing::Clock& clock) {
+  const std::uint8_t aged = tile.aged[group];
+  if (aged != ageing::Clock::kNever && clock.ms_since(aged) != 0) {
+    evidence::age(tile.groups[group], clock.since(aged));
+  }
+  tile.aged[group] = clock.now();
+}
+
+void set_eight(Plane& plane, std::size_t group, std::uint8_t bits) {
+  const std::size_t shift = group % kGroupsPerRow * evidence::kGroupCells;
+  std::uint32_t& row = plane[group / kGroupsPerRow];
+  row = (row & ~(std::uint32_t{0xFF} << shift)) | std::uint32_t{bits} << shift;
+}
+
+void decide_group(Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
+  const decision::Bits bits = decision::decide(tile.groups[group], indexes);
+  set_eight(tile.found.freed, group, bits.freed);
+  set_eight(tile.found.seen, group, bits.seen);
+  set_eight(tile.found.stands, group, bits.stands);
+  set_eight(tile.found.taken, group, bits.taken);
+}
+
+bool is_long_ago(std::uint8_t slot, const ageing::Clock& clock) {
+  constexpr unsigned kFrames = ageing::Clock::kFrames;
+  return (clock.now() + kFrames - slot) % kFrames >= kLongAgoFrames;
+}
+
+}  // namespace
+
+void fuse_group(Tile& tile, std::size_t group, const evidence::Indexes& indexes,
+                std::uint8_t moved, const ageing::Clock& clock,
+                const evidence::Assignment& assignment) {
+  age_group(tile, group, clock);
+  evidence::fuse(tile.groups[group], indexes, moved, clock.gains(tile.evidence[group]),
+                 assignment);
+  tile.evidence[group] = clock.now();
+  decide_group(tile, group, indexes);
+}
+
+bool refresh_group(Tile& tile, std::size_t group, const ageing::Clock& clock) {
+  if (tile.aged[group] == ageing::Clock::kNever) {
+    return false;
+  }
+  age_group(tile, group, clock);
+  if (is_long_ago(tile.evidence[group], clock)) {
+    tile.evidence[group] = ageing::Clock::kNever;
+  }
+  decide_group(tile, group, evidence::Indexes{});
+  return true;
+}
+
+}  // namespace iog::window
