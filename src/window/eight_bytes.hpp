@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace iog::window {
 
@@ -14,7 +13,7 @@ class EightBytes {
 
   [[nodiscard]] static EightBytes load(const std::int8_t* from) {
     std::uint64_t word = 0;
-    std::memcpy(&word, from, sizeof word);
+    __builtin_memcpy(&word, from, sizeof word);
     return EightBytes(word);
   }
 
@@ -23,8 +22,8 @@ class EightBytes {
   // A bit for each that is above 0, bit i for the i-th.
   //
   // Adding 127 to the low seven bits carries into bit 7 exactly if one of them is set, and never into
-  // the next byte. The product brings bit 8 i of the word to bit 56 + i: eight bits times eight
-  // shifts of 7 j, of which only j = 7 - i ... gives each its place without a carry.
+  // the next byte. Then the product gathers bits 8 i: shifted by 7 k, k = 1 ... 8, bit i reaches
+  // 56 + i for k = 8 - i alone. No two of the 64 sums 8 i + 7 k are the same, so nothing carries.
   [[nodiscard]] std::uint8_t positive() const {
     const std::uint64_t low = (word_ & kSevenBits) + kSevenBits;
     const std::uint64_t ones = (low & ~word_ & kTopBits) >> 7;

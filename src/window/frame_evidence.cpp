@@ -1,5 +1,4 @@
-// Ranges. A stored index is -127 ... 127, and so is one of a slice; their sum fits an int16. Points
-// are below 2^13 cells, which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and
+// Ranges. A stored index is -127 ... 127, and so is one of a slice. Points are below 2^13 cells, which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and
 // 62 steps of at most 2^16.
 #include "window/frame_evidence.hpp"
 
@@ -11,7 +10,7 @@ namespace iog::window {
 namespace {
 
 constexpr std::int32_t kLast = kTileSide - 1;
-constexpr std::int32_t kLeast = -127;
+constexpr std::int8_t kLeast = -127;
 constexpr std::int32_t kMost = 127;
 
 // The cells of the vehicle's grid in which the centres of a tile's cells lie at most: low and high
@@ -21,14 +20,10 @@ struct Reach {
   geometry::Cell high;
 
   static Reach of_tile(FinePoint first, FinePoint step) {
-    const std::int32_t x_by_x = kLast * step.x;
-    const std::int32_t x_by_y = -kLast * step.y;
-    const std::int32_t y_by_x = kLast * step.y;
-    const std::int32_t y_by_y = kLast * step.x;
-    const FinePoint low{first.x + std::min(x_by_x, 0) + std::min(x_by_y, 0),
-                        first.y + std::min(y_by_x, 0) + std::min(y_by_y, 0)};
-    const FinePoint high{first.x + std::max(x_by_x, 0) + std::max(x_by_y, 0),
-                         first.y + std::max(y_by_x, 0) + std::max(y_by_y, 0)};
+    const std::int32_t along = kLast * step.x;
+    const std::int32_t aside = kLast * step.y;
+    const FinePoint low{first.x + less(along) - more(aside), first.y + less(aside) + less(along)};
+    const FinePoint high{first.x + more(along) - less(aside), first.y + more(aside) + more(along)};
     return {low.cell(), high.cell()};
   }
 
@@ -38,18 +33,22 @@ struct Reach {
 
   // Whether something is known in one of the grid's tiles that it touches.
   [[nodiscard]] bool is_known(const SliceCells& slice) const {
-    constexpr std::int32_t kEnd = geometry::kTilesPerSide - 1;
-    const std::int32_t right = std::min(high.x >> geometry::kTileSideLog2, kEnd);
-    const std::int32_t top = std::min(high.y >> geometry::kTileSideLog2, kEnd);
-    for (std::int32_t y = std::max(low.y >> geometry::kTileSideLog2, 0); y <= top; ++y) {
-      for (std::int32_t x = std::max(low.x >> geometry::kTileSideLog2, 0); x <= right; ++x) {
-        if (slice.is_known(static_cast<std::size_t>(y * (kEnd + 1) + x))) {
+    constexpr auto kEnd = static_cast<std::int32_t>(geometry::kTilesPerSide);
+    const geometry::Cell first{more(low.x) / kTileSide, more(low.y) / kTileSide};
+    const geometry::Cell last{high.x >> geometry::kTileSideLog2, high.y >> geometry::kTileSideLog2};
+    for (std::int32_t y = first.y; y <= last.y && y < kEnd; ++y) {
+      for (std::int32_t x = first.x; x <= last.x && x < kEnd; ++x) {
+        if (slice.is_known(static_cast<std::size_t>(y * kEnd + x))) {
           return true;
         }
       }
     }
     return false;
   }
+
+ private:
+  static std::int32_t less(std::int32_t a) { return a < 0 ? a : 0; }
+  static std::int32_t more(std::int32_t a) { return a > 0 ? a : 0; }
 };
 
 using Row = std::array<std::int8_t, geometry::kTileSide>;
@@ -70,11 +69,15 @@ void look_up(const SliceCells& slice, FinePoint point, FinePoint step, Row& row)
   }
 }
 
+// The larger of `before` and kLeast - index plus the index is their sum, never less than kLeast, and
+// nothing on the way leaves eight bits.
 void join_free(const Row& row, std::int8_t* evidence) {
   for (std::size_t x = 0; x < row.size(); ++x) {
-    const std::int32_t before = evidence[x];
-    const std::int32_t sum = std::max(before + std::min<std::int32_t>(row[x], 0), kLeast);
-    evidence[x] = static_cast<std::int8_t>(before > 0 ? before : sum);
+    const std::int8_t before = evidence[x];
+    const std::int8_t negative = row[x] < 0 ? row[x] : std::int8_t{0};
+    const std::int8_t index = before > 0 ? std::int8_t{0} : negative;
+    const auto least = static_cast<std::int8_t>(kLeast - index);
+    evidence[x] = static_cast<std::int8_t>((before > least ? before : least) + index);
   }
 }
 
