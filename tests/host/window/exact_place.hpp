@@ -1,5 +1,5 @@
-// Where the centre of a cell lies in another grid, in rational numbers, for a rotation that is given
-// in 2^-30.
+// Where the centre of a cell lies in another grid, in rational numbers, for a rotation that is
+// given in 2^-30.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +40,8 @@ struct ExactPoint {
   }
 };
 
-// The centre of a cell of the local frame, in cells of the vehicle's grid. Within 100 m, the products
-// are below 2^30 * 2^18 mm.
+// The centre of a cell of the local frame, in cells of the vehicle's grid. Within 100 m, the
+// products are below 2^30 * 2^18 mm.
 inline ExactPoint exact_in_grid(geometry::Cell cell, const window::Placement& at) {
   constexpr std::int64_t kMm = geometry::kCellMm;
   constexpr std::int64_t kDenominator = kMm << 30;
@@ -54,8 +54,8 @@ inline ExactPoint exact_in_grid(geometry::Cell cell, const window::Placement& at
           {kOrigin + cos * y_mm - sin * x_mm, kDenominator}};
 }
 
-// The centre of a cell of the vehicle's grid, in cells of the local frame. Coordinates of 10^9 mm are
-// below 2^30 * 2^31.
+// The centre of a cell of the vehicle's grid, in cells of the local frame. Coordinates of 10^9 mm
+// are below 2^30 * 2^31.
 inline ExactPoint exact_in_frame(geometry::Cell cell, const window::Placement& at) {
   constexpr std::int64_t kMm = geometry::kCellMm;
   constexpr std::int64_t kOne = std::int64_t{1} << 30;

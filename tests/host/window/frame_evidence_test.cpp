@@ -41,8 +41,8 @@ class Evidence {
     const TileNumber tile{numeric::div_floor(cell.x, kTileSide),
                           numeric::div_floor(cell.y, kTileSide)};
     const Cell in_tile{cell.x - tile.a * kTileSide, cell.y - tile.b * kTileSide};
-    return evidence_->tile(slot_of(tile))[static_cast<std::size_t>(in_tile.y * kTileSide +
-                                                                   in_tile.x)];
+    return evidence_->tile(
+        slot_of(tile))[static_cast<std::size_t>(in_tile.y * kTileSide + in_tile.x)];
   }
 
   // '.' free, '#' hit, ' ' nothing.
@@ -241,11 +241,11 @@ TEST(FrameEvidence, IsWhatTheRuleSaysNearTheVehicle) {
   tests::Random random(6);
   for (int i = 0; i < tests::effort(12, 2); ++i) {
     const Slice slice = random_slice(random, 3000, 40);
-    expect_by_the_rule(slice,
-                       placed(random.between(-1'000'000'000, 1'000'000'000),
-                              random.between(-1'000'000'000, 1'000'000'000),
-                              random.between(0, 359'999) / 1000.0),
-                       50);
+    expect_by_the_rule(
+        slice,
+        placed(random.between(-1'000'000'000, 1'000'000'000),
+               random.between(-1'000'000'000, 1'000'000'000), random.between(0, 359'999) / 1000.0),
+        50);
   }
 }
 

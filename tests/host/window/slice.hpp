@@ -26,8 +26,8 @@ class Slice {
     return tile == tiles_.end() ? 0 : tile->second[in_tile(cell)];
   }
 
-  // Draws a picture, its lower left cell at `at`: '.' free, '#' hit, 'o' two hits; ' ' is left as it
-  // is. The first line is the uppermost row.
+  // Draws a picture, its lower left cell at `at`: '.' free, '#' hit, 'o' two hits; ' ' is left as
+  // it is. The first line is the uppermost row.
   Slice& draw(geometry::Cell at, const std::vector<std::string>& picture) {
     for (std::size_t row = 0; row < picture.size(); ++row) {
       const std::string& line = picture[picture.size() - 1 - row];
