@@ -55,16 +55,19 @@ class FlatGround {
     return is.dense || count_new(cell) >= (is.ticks == 3 ? 2 : 7);
   }
 
-  // Once before remembered(): freed, dilated and eroded by 5 by 5, without taken.
+  // Once before remembered(): freed, dilated and eroded by 5 by 5, without taken. What is dilated
+  // reaches beyond the grid.
   void find_shut() {
+    const auto is_grown = [this](Cell cell) {
+      return count(cell, 2, [](const GroundCell& near) { return near.freed; }) > 0;
+    };
     std::vector<bool> grown(cells_.size());
-    for_each([&](Cell cell) {
-      grown[number(cell)] = count(cell, 2, [](const GroundCell& near) { return near.freed; }) > 0;
-    });
+    for_each([&](Cell cell) { grown[number(cell)] = is_grown(cell); });
     shut_.assign(cells_.size(), false);
     for_each([&](Cell cell) {
-      const auto is_grown = [&](Cell near) { return area_.contains(near) && grown[number(near)]; };
-      shut_[number(cell)] = !at(cell).taken && everywhere(cell, 2, is_grown);
+      shut_[number(cell)] = !at(cell).taken && everywhere(cell, 2, [&](Cell near) {
+        return area_.contains(near) ? grown[number(near)] : is_grown(near);
+      });
     });
   }
 
