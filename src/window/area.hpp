@@ -67,8 +67,8 @@ class Area {
     return is_inside(tile.a - corner_.a) && is_inside(tile.b - corner_.b);
   }
   [[nodiscard]] constexpr bool contains(geometry::Cell cell) const {
-    return contains(TileNumber{numeric::div_floor(cell.x, kTileSide),
-                               numeric::div_floor(cell.y, kTileSide)});
+    return contains(
+        TileNumber{numeric::div_floor(cell.x, kTileSide), numeric::div_floor(cell.y, kTileSide)});
   }
 
   // The tile of this area that lies at a slot.
@@ -78,7 +78,8 @@ class Area {
     const std::uint32_t row = column / kTilesAcross;
     const std::uint32_t right = (column - static_cast<std::uint32_t>(corner_.a)) & kMask;
     const std::uint32_t up = (row - static_cast<std::uint32_t>(corner_.b)) & kMask;
-    return {corner_.a + static_cast<std::int32_t>(right), corner_.b + static_cast<std::int32_t>(up)};
+    return {corner_.a + static_cast<std::int32_t>(right),
+            corner_.b + static_cast<std::int32_t>(up)};
   }
 
  private:
@@ -91,9 +92,7 @@ class Area {
     const std::int64_t from_middle = cell - std::int64_t{first + kHalf} * kTileSide;
     return from_middle >= -kTileSide && from_middle < kTileSide;
   }
-  static constexpr bool is_inside(std::int32_t tiles) {
-    return tiles >= 0 && tiles < kTilesAcross;
-  }
+  static constexpr bool is_inside(std::int32_t tiles) { return tiles >= 0 && tiles < kTilesAcross; }
 
   TileNumber corner_{};
 };

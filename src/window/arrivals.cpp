@@ -15,9 +15,11 @@ constexpr int kEnough = 7;
 Plane hits_of(const FrameEvidence::TileIndexes& indexes) {
   Plane hits{};
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    const std::uint32_t bits =
-        EightBytes::load(&indexes[group * evidence::kGroupCells]).positive();
-    hits[group / kGroupsPerRow] |= bits << (group % kGroupsPerRow * evidence::kGroupCells);
+    const auto eight = EightBytes::load(&indexes[group * evidence::kGroupCells]);
+    if (eight.has_positive()) {
+      const std::uint32_t bits = eight.positive();
+      hits[group / kGroupsPerRow] |= bits << (group % kGroupsPerRow * evidence::kGroupCells);
+    }
   }
   return hits;
 }

@@ -1,10 +1,10 @@
-// Which hits of a frame are on something that moved there, and which on the flickering edges of what
-// stands (docs/perception.md).
+// Which hits of a frame are on something that moved there, and which on the flickering edges of
+// what stands.
 //
 // All of it is asked of the state before the frame. A hit is *beside* if one of the 3 by 3 cells
 // stands. It is *new* if its cell is open, freed, and it is not beside. It has moved if it is not
-// beside and its cell is dense, or open with enough new hits in the 7 by 7: two where the ground was
-// found open three times, else seven.
+// beside and its cell is dense, or open with enough new hits in the 7 by 7: two where the ground
+// was found open three times, else seven.
 #pragma once
 
 #include <array>

@@ -19,15 +19,15 @@ class EightBytes {
 
   [[nodiscard]] bool is_zero() const { return word_ == 0; }
 
+  // Whether one of them is above 0.
+  [[nodiscard]] bool has_positive() const { return tops_of_positive() != 0; }
+
   // A bit for each that is above 0, bit i for the i-th.
   //
-  // Adding 127 to the low seven bits carries into bit 7 exactly if one of them is set, and never into
-  // the next byte. Then the product gathers bits 8 i: shifted by 7 k, k = 1 ... 8, bit i reaches
-  // 56 + i for k = 8 - i alone. No two of the 64 sums 8 i + 7 k are the same, so nothing carries.
+  // The product gathers bits 8 i: shifted by 7 k, k = 1 ... 8, bit i reaches 56 + i for k = 8 - i
+  // alone. No two of the 64 sums 8 i + 7 k are the same, so nothing carries.
   [[nodiscard]] std::uint8_t positive() const {
-    const std::uint64_t low = (word_ & kSevenBits) + kSevenBits;
-    const std::uint64_t ones = (low & ~word_ & kTopBits) >> 7;
-    return static_cast<std::uint8_t>(ones * kGather >> 56);
+    return static_cast<std::uint8_t>((tops_of_positive() >> 7) * kGather >> 56);
   }
 
  private:
@@ -37,6 +37,12 @@ class EightBytes {
   static_assert(std::endian::native == std::endian::little, "the first byte is the lowest");
 
   explicit EightBytes(std::uint64_t word) : word_(word) {}
+
+  // Bit 7 of each byte that is above 0. Adding 127 to the low seven bits carries into it exactly if
+  // one of them is set, and never into the next byte.
+  [[nodiscard]] std::uint64_t tops_of_positive() const {
+    return ((word_ & kSevenBits) + kSevenBits) & ~word_ & kTopBits;
+  }
 
   std::uint64_t word_;
 };

@@ -1,5 +1,6 @@
-// Ranges. A stored index is -127 ... 127, and so is one of a slice. Points are below 2^13 cells, which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and
-// 62 steps of at most 2^16.
+// Ranges. A stored index is -127 ... 127, and so is one of a slice. Points are below 2^13 cells,
+// which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and 62 steps of at most
+// 2^16.
 #include "window/frame_evidence.hpp"
 
 #include <algorithm>
@@ -69,8 +70,8 @@ void look_up(const SliceCells& slice, FinePoint point, FinePoint step, Row& row)
   }
 }
 
-// The larger of `before` and kLeast - index plus the index is their sum, never less than kLeast, and
-// nothing on the way leaves eight bits.
+// The larger of `before` and kLeast - index plus the index is their sum, never less than kLeast,
+// and nothing on the way leaves eight bits.
 void join_free(const Row& row, std::int8_t* evidence) {
   for (std::size_t x = 0; x < row.size(); ++x) {
     const std::int8_t before = evidence[x];
@@ -137,7 +138,7 @@ void FrameEvidence::push_tile(const SliceCells& slice, std::size_t tile, const A
   for (std::int32_t y = 0; y < kTileSide; ++y, row += SliceCells::kStride) {
     FinePoint at = at_row;
     for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
-      if (EightBytes::load(row + x).positive() != 0) {
+      if (EightBytes::load(row + x).has_positive()) {
         push_eight(row + x, at, step, area);
       }
       at = {at.x + std::int32_t{kEight} * step.x, at.y + std::int32_t{kEight} * step.y};

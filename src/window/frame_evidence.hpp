@@ -1,13 +1,14 @@
 // The evidence of a frame in the window: what its slices say of each cell, joined.
 //
-// Free is pulled: a cell of the window takes the negative index of the vehicle's cell that holds its
-// centre. Hits are pushed: a vehicle's cell with a positive index gives it to the cell of the window
-// that holds its centre, because some cells of the vehicle's grid hold no centre (17 % at 45
+// Free is pulled: a cell of the window takes the negative index of the vehicle's cell that holds
+// its centre. Hits are pushed: a vehicle's cell with a positive index gives it to the cell of the
+// window that holds its centre, because some cells of the vehicle's grid hold no centre (17 % at 45
 // degrees), and a pole must not vanish. What lies outside of the window is dropped.
 //
 // A cell's evidence is the saturated sum of the positive indexes if there are any, else of the
 // negative ones. A byte is enough for both: what is above zero counts hits alone, and the first hit
 // erases what was pulled. Sums of one sign saturate alike in any order, so slices may come in any.
+// The window bounds it all: a byte for each of its cells, by slot, 1 MB.
 #pragma once
 
 #include <array>

@@ -3,8 +3,8 @@
 namespace iog::window {
 namespace {
 
-// A tile without a cell of its own that is freed, or seen, has none that is shut, or dense: a square
-// of 5 by 5 cells that holds any given cell fits into the tile, and nothing in it is.
+// A tile without a cell of its own that is freed, or seen, has none that is shut, or dense: a
+// square of 5 by 5 cells that holds any given cell fits into the tile, and nothing in it is.
 bool is_empty(const Plane& plane) {
   std::uint32_t bits = 0;
   for (const std::uint32_t row : plane) {

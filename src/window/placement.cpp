@@ -1,7 +1,8 @@
 // Ranges. The vehicle is inside of the window, so a corner of the window is within 2^20 mm of it
 // (1024 cells of at most 200 mm are 204,800 mm), and a cell of the window or of the grid within
-// 2^13 cells (1024 of the window, 4096 of the grid). Then |cos dx + sin dy| < 2^30 * 2^21, and twice
-// that fits 63 bits; positions are below 2^31 * 2^15 in 2^-31 cells and below 2^31 in 2^-16 cells.
+// 2^13 cells (1024 of the window, 4096 of the grid). Then |cos dx + sin dy| < 2^30 * 2^21, and
+// twice that fits 63 bits; positions are below 2^31 * 2^15 in 2^-31 cells and below 2^31 in 2^-16
+// cells.
 #include "window/placement.hpp"
 
 #include "numeric/division.hpp"

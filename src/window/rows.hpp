@@ -1,5 +1,5 @@
-// Rows of bits with what lies around them: a tile's plane between parts of its eight neighbours, and
-// what is asked of neighbourhoods, 32 cells at once.
+// Rows of bits with what lies around them: a tile's plane between parts of its eight neighbours,
+// and what is asked of neighbourhoods, 32 cells at once.
 //
 // A word is a row: bit 16 is the tile's cell 0, and 16 cells of the neighbours lie on either side.
 // Eight rows lie below and eight above. A square of radius r spoils r cells and rows at the border,

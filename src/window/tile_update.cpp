@@ -6,12 +6,13 @@
 namespace iog::window {
 namespace {
 
+// A group that is known.
 void age_group(Tile& tile, std::size_t group, const ageing::Clock& clock) {
-  const std::uint8_t aged = tile.aged[group];
-  if (aged != ageing::Clock::kNever && clock.ms_since(aged) != 0) {
+  const std::uint8_t aged = tile.aged_at[group];
+  if (clock.ms_since(aged) != 0) {
     evidence::age(tile.groups[group], clock.since(aged));
   }
-  tile.aged[group] = clock.now();
+  tile.aged_at[group] = clock.now();
 }
 
 void set_eight(Plane& plane, std::size_t group, std::uint8_t bits) {
@@ -35,23 +36,26 @@ bool is_long_ago(std::uint8_t slot, const ageing::Clock& clock) {
 
 }  // namespace
 
-void fuse_group(Tile& tile, std::size_t group, const evidence::Indexes& indexes,
-                std::uint8_t moved, const ageing::Clock& clock,
-                const evidence::Assignment& assignment) {
-  age_group(tile, group, clock);
-  evidence::fuse(tile.groups[group], indexes, moved, clock.gains(tile.evidence[group]),
-                 assignment);
-  tile.evidence[group] = clock.now();
+void fuse_group(Tile& tile, std::size_t group, const evidence::Indexes& indexes, std::uint8_t moved,
+                const ageing::Clock& clock, const evidence::Assignment& assignment) {
+  if (tile.is_known(group)) {
+    age_group(tile, group, clock);
+  } else {
+    tile.groups[group] = {};
+    tile.aged_at[group] = clock.now();
+  }
+  evidence::fuse(tile.groups[group], indexes, moved, clock.gains(tile.evidence_at[group]), assignment);
+  tile.evidence_at[group] = clock.now();
   decide_group(tile, group, indexes);
 }
 
 bool refresh_group(Tile& tile, std::size_t group, const ageing::Clock& clock) {
-  if (tile.aged[group] == ageing::Clock::kNever) {
+  if (!tile.is_known(group)) {
     return false;
   }
   age_group(tile, group, clock);
-  if (is_long_ago(tile.evidence[group], clock)) {
-    tile.evidence[group] = ageing::Clock::kNever;
+  if (is_long_ago(tile.evidence_at[group], clock)) {
+    tile.evidence_at[group] = ageing::Clock::kNever;
   }
   decide_group(tile, group, evidence::Indexes{});
   return true;

@@ -11,14 +11,13 @@
 namespace iog::window {
 
 // Evidence that is so many frames old is long ago. Every group is looked at often enough to find it
-// so before the clock's slot is used again, and what is 100 ms old counts as long ago anyway: frames
-// are 4 ms apart or more.
+// so before the clock's slot is used again, and what is 100 ms old counts as long ago anyway:
+// frames are 4 ms apart or more.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // The group has evidence in the frame that ended now; bit i of `moved` is of its cell i.
-void fuse_group(Tile& tile, std::size_t group, const evidence::Indexes& indexes,
-                std::uint8_t moved, const ageing::Clock& clock,
-                const evidence::Assignment& assignment);
+void fuse_group(Tile& tile, std::size_t group, const evidence::Indexes& indexes, std::uint8_t moved,
+                const ageing::Clock& clock, const evidence::Assignment& assignment);
 
 // The group has none. False if nothing is known of it, and so nothing was to do.
 bool refresh_group(Tile& tile, std::size_t group, const ageing::Clock& clock);

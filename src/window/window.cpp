@@ -23,7 +23,7 @@ Tile& Window::open(std::size_t slot) {
   Tile& tile = tiles_[slot];
   if (!is_known_[slot]) {
     is_known_[slot] = true;
-    tile = Tile{};
+    tile.clear();
   }
   return tile;
 }

@@ -1,7 +1,7 @@
 // The world-aligned window: 32 by 32 tiles of the local frame around the vehicle.
 //
-// A tile that enters is unknown. It is not cleared before something is known of it, so that moving
-// the window costs a flag a tile.
+// A tile that enters is unknown. It is cleared when something becomes known of it, and a group of
+// it when something becomes known of the group, so that moving the window costs a flag a tile.
 #pragma once
 
 #include <array>

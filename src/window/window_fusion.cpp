@@ -22,7 +22,7 @@ std::uint8_t eight_of(const Plane& plane, std::size_t group) {
 }
 
 bool has_hit(const FrameEvidence::TileIndexes& tile, std::size_t group) {
-  return EightBytes::load(&tile[group * evidence::kGroupCells]).positive() != 0;
+  return EightBytes::load(&tile[group * evidence::kGroupCells]).has_positive();
 }
 
 }  // namespace
@@ -59,8 +59,16 @@ FrameCounts WindowFusion::finish(std::uint64_t stamp_us) {
   return std::exchange(counts_, {});
 }
 
+// Hits need to be counted only where evidence might not fit.
 std::uint32_t WindowFusion::budget_without_hits() const {
+  std::uint32_t groups = 0;
   std::uint32_t with_hits = 0;
+  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    groups += evidence_.is_touched(slot) ? kGroupsPerTile : 0;
+  }
+  if (groups <= rules_.group_budget) {
+    return groups;
+  }
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     for (std::size_t group = 0; evidence_.is_touched(slot) && group < kGroupsPerTile; ++group) {
       with_hits += has_hit(evidence_.tile(slot), group) ? 1U : 0U;
@@ -97,7 +105,7 @@ void WindowFusion::fuse_tile(std::size_t slot, std::uint32_t& budget) {
 void WindowFusion::refresh_tile(std::size_t slot) {
   Tile& tile = window_.open(slot);
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    if (tile.aged[group] != clock_.now() && refresh_group(tile, group, clock_)) {
+    if (tile.aged_at[group] != clock_.now() && refresh_group(tile, group, clock_)) {
       ++counts_.groups_refreshed;
     }
   }

@@ -3,7 +3,8 @@
 // In a frame the window follows the vehicle, slices are added, and the frame is finished:
 //   1. what is asked of neighbours is answered from the state before the frame;
 //   2. groups with evidence age, take it in, and are decided;
-//   3. the tiles of which slot and number of frames are a multiple of 8 in sum are refreshed: its other groups age and are decided without evidence;
+//   3. the tiles of which slot and number of frames are a multiple of 8 in sum are refreshed: its
+//   other groups age and are decided without evidence;
 //   4. if a slice was placed, the frame counts as fused, and the tiles of which slot and number of
 //      fused frames, this one included, are even in sum remember their ground.
 // Nothing depends on the order of slices or tiles.
@@ -66,8 +67,8 @@ class WindowFusion {
   WindowFusion(const WindowFusion&) = delete;
   WindowFusion& operator=(const WindowFusion&) = delete;
 
-  // Once a frame, before its first slice: the window follows the vehicle. Before the first time, and
-  // after forget(), slices are outside.
+  // Once a frame, before its first slice: the window follows the vehicle. Before the first time,
+  // and after forget(), slices are outside.
   void follow(const pose::Pose& pose);
 
   // Adds the index grid of a slice, which is read like a grid::FrameView.
@@ -83,8 +84,8 @@ class WindowFusion {
     ++counts_.slices;
   }
 
-  // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts as
-  // the newest.
+  // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts
+  // as the newest.
   FrameCounts finish(std::uint64_t stamp_us);
 
   // Nothing is known of any cell, and nothing said in this frame. Time goes on.
@@ -94,6 +95,7 @@ class WindowFusion {
   [[nodiscard]] WindowView view() const { return {window_, refreshed_, clock_}; }
 
  private:
+  // How many groups without hits can be fused, or more than there are.
   [[nodiscard]] std::uint32_t budget_without_hits() const;
   void fuse_tile(std::size_t slot, std::uint32_t& budget);
   void refresh_tile(std::size_t slot);

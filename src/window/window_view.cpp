@@ -11,8 +11,11 @@ bool WindowView::copy_classes(std::size_t slot,
     return false;
   }
   std::int8_t* out = to.data();
-  for (const evidence::Group& group : window_->tile(slot).groups) {
-    out = std::ranges::copy(group.decided, out).out;
+  const Tile& tile = window_->tile(slot);
+  constexpr std::array<std::int8_t, evidence::kGroupCells> kUnknown{};
+  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
+    const auto& decided = tile.is_known(group) ? tile.groups[group].decided : kUnknown;
+    out = std::ranges::copy(decided, out).out;
   }
   return true;
 }

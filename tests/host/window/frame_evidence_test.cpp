@@ -10,6 +10,7 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
+#include "grid/frame_view.hpp"
 #include "window/exact_place.hpp"
 #include "window/slice.hpp"
 
@@ -129,6 +130,24 @@ TEST(FrameEvidence, HitsAreAddedAndEraseWhatIsFree) {
   EXPECT_EQ(evidence.at({0, 0}), 127);
   evidence.clear();
   EXPECT_EQ(evidence.at({0, 0}), 0);
+}
+
+// A frame's grid as it is fused is read as the slices of these tests are.
+TEST(FrameEvidence, TakesTheViewOfAFrame) {
+  const auto grid = std::make_unique<grid::BlockGrid>();
+  Slice slice;
+  slice.draw({kOrigin.x - 70, kOrigin.y + 31}, kScene);
+  slice.for_each([&](Cell cell, int index) {
+    grid->cell_at(grid::offset_of(cell)) = static_cast<std::int8_t>(index);
+    grid->touch(geometry::tile_of(cell));
+  });
+  const auto of_view = std::make_unique<SliceCells>();
+  of_view->take(grid::FrameView(*grid));
+  const auto of_slice = std::make_unique<SliceCells>();
+  of_slice->take(slice);
+  for (std::size_t i = 0; i < geometry::kCellsPerSide * SliceCells::kStride; ++i) {
+    ASSERT_EQ(of_view->cells()[i], of_slice->cells()[i]);
+  }
 }
 
 // What a slice leaves in the copy must not show in the next one.

@@ -26,6 +26,23 @@ class Slice {
     return tile == tiles_.end() ? 0 : tile->second[in_tile(cell)];
   }
 
+  // All cells that are not 0: visit(cell, index).
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    constexpr std::int32_t kSide = geometry::kTileSide;
+    constexpr std::int32_t kTiles = geometry::kTilesPerSide;
+    for (const auto& [number, cells] : tiles_) {
+      const auto tile = static_cast<std::int32_t>(number);
+      for (std::int32_t i = 0; i < kSide * kSide; ++i) {
+        const geometry::Cell cell{tile % kTiles * kSide + i % kSide,
+                                  tile / kTiles * kSide + i / kSide};
+        if (const int index = cells[static_cast<std::size_t>(i)]; index != 0) {
+          visit(cell, index);
+        }
+      }
+    }
+  }
+
   // Draws a picture, its lower left cell at `at`: '.' free, '#' hit, 'o' two hits; ' ' is left as
   // it is. The first line is the uppermost row.
   Slice& draw(geometry::Cell at, const std::vector<std::string>& picture) {
