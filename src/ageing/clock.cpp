@@ -25,7 +25,7 @@ std::uint32_t Clock::ms_since(std::uint8_t slot) const {
 }
 
 const evidence::Gains& Clock::gains(std::uint8_t slot) const {
-  return kGains[std::min(ms_since(slot), kLongestGainMs)];
+  return gains_after(ms_since(slot), weighing_);
 }
 
 }  // namespace iog::ageing

@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "ageing/discounting.hpp"
+#include "ageing/gains.hpp"
 #include "evidence/factors.hpp"
 
 namespace iog::ageing {
@@ -24,8 +25,9 @@ class Clock {
   static constexpr std::uint8_t kNever = 0;
   static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // ms since a slot that has no frame
 
-  constexpr explicit Clock(Discounting discounting = Discounting::kConservative)
-      : discounting_(discounting) {}
+  constexpr explicit Clock(Discounting discounting = Discounting::kConservative,
+                           Weighing weighing = Weighing::kByTime)
+      : discounting_(discounting), weighing_(weighing) {}
 
   // A frame ends now: every one, whether its evidence could be placed or not.
   void advance(std::uint64_t stamp_us);
@@ -55,6 +57,7 @@ class Clock {
   std::uint8_t now_ = kNever;
   std::uint8_t frames_ = 0;  // slots in use
   Discounting discounting_;
+  Weighing weighing_;
 };
 
 }  // namespace iog::ageing

@@ -22,30 +22,61 @@ inline constexpr std::int32_t kPersistenceMs = 3000;
 inline constexpr std::int32_t kDeclineToGain = 6;
 inline constexpr std::int32_t kSpecialisationsPerSecond = 15;
 
+// What the evidence of one frame says about free and occupied.
+enum class Weighing : std::uint8_t {
+  kByTime,    // crossing beams are worth 0.7 in 100 ms, whatever the frames in it
+  kEachScan,  // every frame is a scan of Kurdej 2015, table 7.1: a hit 0.8, a crossing beam 0.7
+};
+
+inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, in steps of 1/128, down
+inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
+
 // ms: 1 ... 100.
-consteval evidence::Gains make_gains(std::int32_t ms) {
-  constexpr std::int32_t kOne = 1 << 15;
-  constexpr double kPassedBy = 0.3;  // of the doubt of a free cell, what 100 ms of beams leave
-  const double doubt = numeric::exp(numeric::log(kPassedBy) * ms / 100);
-  const std::int32_t specialisation =
-      numeric::div_nearest<std::int32_t>(kOne * ms * kSpecialisationsPerSecond, 1000);
-  return {.free_mass = static_cast<std::int16_t>((1 - doubt) * kOne),
-          .persistence = static_cast<std::int16_t>(
-              numeric::div_nearest<std::int32_t>(kOne * ms, kPersistenceMs)),
-          .decline = static_cast<std::int16_t>(
-              numeric::div_nearest<std::int32_t>(kDeclineToGain * kOne * ms, kPersistenceMs)),
-          .specialisation =
-              static_cast<std::int16_t>(std::min<std::int32_t>(specialisation, kOne - 1))};
+consteval std::int16_t free_mass_after(std::int32_t ms) {
+  constexpr double kDoubtAfter100Ms = 0.3;
+  const double doubt = numeric::exp(numeric::log(kDoubtAfter100Ms) * ms / 100);
+  return static_cast<std::int16_t>((1 - doubt) * (1 << 15));
 }
 
-// By ms; no time counts as 1 ms.
-consteval auto make_all_gains() {
-  std::array<evidence::Gains, kLongestGainMs + 1> gains{};
-  for (std::size_t ms = 0; ms < gains.size(); ++ms) {
-    gains[ms] = make_gains(std::max<std::int32_t>(static_cast<std::int32_t>(ms), 1));
+// The nearest 2^-15 of a part that grows evenly, by numerator / denominator a millisecond; at most
+// 32767.
+consteval std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
+                                  std::int32_t denominator) {
+  const auto part = numeric::div_nearest<std::int32_t>((1 << 15) * ms * numerator, denominator);
+  return static_cast<std::int16_t>(std::min<std::int32_t>(part, 32767));
+}
+
+// ms: 1 ... 100.
+consteval evidence::Gains make_gains(std::int32_t ms, Weighing weighing) {
+  evidence::Gains gains;
+  gains.persistence = part_after(ms, 1, kPersistenceMs);
+  gains.decline = part_after(ms, kDeclineToGain, kPersistenceMs);
+  gains.specialisation = part_after(ms, kSpecialisationsPerSecond, 1000);
+  gains.free_mass = free_mass_after(ms);
+  if (weighing == Weighing::kEachScan) {
+    gains.free_mass = kFreeMassOfScan;
+    gains.hit_mass = kHitMassOfScan;
   }
   return gains;
 }
-inline constexpr auto kGains = make_all_gains();
+
+// By ms; no time counts as 1 ms.
+using GainsTable = std::array<evidence::Gains, kLongestGainMs + 1>;
+
+consteval GainsTable make_gains_table(Weighing weighing) {
+  GainsTable gains{};
+  for (std::size_t ms = 0; ms < gains.size(); ++ms) {
+    gains[ms] = make_gains(std::max<std::int32_t>(static_cast<std::int32_t>(ms), 1), weighing);
+  }
+  return gains;
+}
+
+inline constexpr GainsTable kGainsByTime = make_gains_table(Weighing::kByTime);
+inline constexpr GainsTable kGainsOfScan = make_gains_table(Weighing::kEachScan);
+
+constexpr const evidence::Gains& gains_after(std::uint32_t ms, Weighing weighing) {
+  const std::size_t entry = std::min(ms, kLongestGainMs);
+  return weighing == Weighing::kByTime ? kGainsByTime[entry] : kGainsOfScan[entry];
+}
 
 }  // namespace iog::ageing

@@ -32,7 +32,7 @@ inline constexpr std::uint8_t kIntermediate = 4;
 inline constexpr std::uint8_t kAnywhere = kBuilding + kRoad + kIntermediate;
 
 // Of each cell of the group, bit i for cell i.
-struct Bits {
+struct alignas(4) Bits {
   std::uint8_t freed = 0;   // F > 2^14
   std::uint8_t seen = 0;    // its evidence of this frame was free, and F > 22938
   std::uint8_t stands = 0;  // persistence > 4096

@@ -7,18 +7,10 @@
 
 #include "decision/cell.hpp"
 #include "decision/decision.hpp"
+#include "evidence/mass_lanes_neon.hpp"
 
 namespace iog::decision {
 namespace {
-
-constexpr std::size_t kMassesAlignment = 16;
-
-int16x8_t load(const evidence::Masses& masses) {
-  int16x8_t lanes;
-  __builtin_memcpy(&lanes, __builtin_assume_aligned(masses.data(), kMassesAlignment),
-                   sizeof(lanes));
-  return lanes;
-}
 
 uint8x8_t upper_byte(int16x8_t mass) { return vshrn_n_u16(vreinterpretq_u16_s16(mass), 8); }
 
@@ -52,31 +44,27 @@ int16x8_t moving_part(int16x8_t occupied, uint8x8_t masks) {
   return vqdmulhq_s16(occupied, vreinterpretq_s16_u16(vshll_n_u8(shares, 7)));
 }
 
-// Bytes of all ones where a mass is above a level.
-uint8x8_t is_above(int16x8_t mass, std::int16_t level) {
-  return vmovn_u16(vcgtq_s16(mass, vdupq_n_s16(level)));
+// Bytes whose sign is set where a mass is above a level: that of their difference.
+uint8x8_t above(int16x8_t mass, std::int16_t level) {
+  return vreinterpret_u8_s8(vsubhn_s16(vdupq_n_s16(level), mass));
 }
 
-// The lowest bits of four groups of eight bytes, all ones or zeros each.
+// Of two vectors of eight bytes, one bit for each sign: four bytes for each, to be added up.
+uint8x8_t signs_of(uint8x8_t a, uint8x8_t b) {
+  const uint8x16_t one_of_each = vreinterpretq_u8_u64(vdupq_n_u64(0x8040'2010'0804'0201));
+  const uint8x16_t is_set = vcltq_s8(vreinterpretq_s8_u8(vcombine_u8(a, b)), vdupq_n_s8(0));
+  const uint8x16_t kept = vandq_u8(is_set, one_of_each);
+  return vpadd_u8(vget_low_u8(kept), vget_high_u8(kept));
+}
+
 Bits bits_of(uint8x8_t freed, uint8x8_t seen, uint8x8_t stands, uint8x8_t taken) {
-  const uint8x8_t one_of_each = vcreate_u8(0x8040'2010'0804'0201);
-  const auto kept = [one_of_each](uint8x8_t a, uint8x8_t b) {
-    return vpadd_u8(vand_u8(a, one_of_each), vand_u8(b, one_of_each));
-  };
-  const uint8x8_t pairs = vpadd_u8(kept(freed, seen), kept(stands, taken));
+  const uint8x8_t pairs = vpadd_u8(signs_of(freed, seen), signs_of(stands, taken));
   const std::uint32_t word = vget_lane_u32(vreinterpret_u32_u8(vpadd_u8(pairs, pairs)), 0);
   return __builtin_bit_cast(Bits, word);
 }
 
-}  // namespace
-
-Bits decide(evidence::Group& group, const evidence::Indexes& of_this_frame) {
-  const int16x8_t free = load(group.free);
-  const int16x8_t occupied = load(group.occupied);
-  const int16x8_t taken = vaddq_s16(vaddq_s16(occupied, load(group.moving)), load(group.standing));
-  const uint8x8_t masks = vbic_u8(vdup_n_u8(kAnywhere), vld1_u8(group.ruled_out.data()));
-  const int16x8_t moving = vaddq_s16(load(group.moving), moving_part(occupied, masks));
-
+// The bytes of Group::decided.
+uint8x8_t bytes_of(int16x8_t free, int16x8_t moving, int16x8_t taken, uint8x8_t masks) {
   const uint8x8_t of_free = upper_byte(free);
   const uint8x8_t of_moving = upper_byte(moving);
   const uint8x8_t of_standing = upper_byte(vsubq_s16(taken, moving));
@@ -85,17 +73,32 @@ Bits decide(evidence::Group& group, const evidence::Indexes& of_this_frame) {
 
   const uint8x8_t free_base = vtbl1_u8(vcreate_u8(base_by_mask(kFreeClasses)), masks);
   const uint8x8_t standing_base = vtbl1_u8(vcreate_u8(base_by_mask(kStandingClasses)), masks);
-  uint8x8_t base =
-      vbsl_u8(is_half(of_standing), standing_base, vdup_n_u8(base_of(Class::kOccupied)));
+  uint8x8_t base = vdup_n_u8(base_of(Class::kOccupied));
+  base = vbsl_u8(is_half(of_standing), standing_base, base);
   base = vbsl_u8(is_half(of_moving), vdup_n_u8(base_of(Class::kMoving)), base);
   base = vbsl_u8(is_half(of_free), free_base, base);
-  const uint8x8_t bytes = vand_u8(vsra_n_u8(base, score, 3), is_half(score));
-  vst1_s8(group.decided.data(), vreinterpret_s8_u8(bytes));
+  return vand_u8(vsra_n_u8(base, score, 3), is_half(score));
+}
 
-  const int8x8_t indexes = vld1_s8(of_this_frame.data());
-  const uint8x8_t crossed = vclt_s8(indexes, vdup_n_s8(0));
-  return bits_of(is_above(free, kFreedAbove), vand_u8(is_above(free, kSeenAbove), crossed),
-                 is_above(load(group.persistence), kStandsAbove), is_above(taken, kTakenAbove));
+}  // namespace
+
+Bits decide(evidence::Group& group, const evidence::Indexes& of_this_frame) {
+  evidence::MassReader masses(group);
+  const int16x8_t free = masses.next();
+  const int16x8_t occupied = masses.next();
+  const int16x8_t only_moving = masses.next();
+  const int16x8_t taken = vaddq_s16(vaddq_s16(occupied, only_moving), masses.next());
+  const int16x8_t persistence = masses.next();
+  uint8x8_t ruled_out;
+  __builtin_memcpy(&ruled_out, __builtin_assume_aligned(group.ruled_out.data(), 8), 8);
+  const uint8x8_t masks = vbic_u8(vdup_n_u8(kAnywhere), ruled_out);
+  const int16x8_t moving = vaddq_s16(only_moving, moving_part(occupied, masks));
+  const uint8x8_t bytes = bytes_of(free, moving, taken, masks);
+  __builtin_memcpy(__builtin_assume_aligned(group.decided.data(), 8), &bytes, 8);
+
+  const uint8x8_t is_crossed = vreinterpret_u8_s8(vld1_s8(of_this_frame.data()));
+  return bits_of(above(free, kFreedAbove), vand_u8(above(free, kSeenAbove), is_crossed),
+                 above(persistence, kStandsAbove), above(taken, kTakenAbove));
 }
 
 }  // namespace iog::decision

@@ -1,5 +1,6 @@
-// The mass that an occupancy index stands for: a basic belief assignment with two focal sets, free
-// or occupied, and ignorance.
+// Masses that depend on how large an occupancy index is: a basic belief assignment with two focal
+// sets, free or occupied, and ignorance. Without one, all hits have one mass and all crossing beams
+// another (Gains).
 //
 // Masses are multiples of 1/128, rounded down. Indexes above kGradedIndexes - 1 have the mass of
 // kGradedIndexes - 1, on either side.
@@ -22,10 +23,12 @@ using Indexes = std::array<index::OccupancyIndex, kGroupCells>;
 inline constexpr std::size_t kGradedIndexes = 32;
 inline constexpr int kMassFraction = 128;
 
+using MassTable = std::array<std::uint8_t, kGradedIndexes>;
+
 struct alignas(32) Assignment {
-  std::array<std::uint8_t, kGradedIndexes> occupied{};  // by n, 0 ... 127
-  std::array<std::uint8_t, kGradedIndexes> free{};      // by -n; all 0 where time grades free
-  std::int16_t free_by_time = 0;                        // -1: the mass of free is Gains::free_mass
+  MassTable occupied{};           // by n, 0 ... 127
+  MassTable free{};               // by -n; all 0 where time grades free
+  std::int16_t free_by_time = 0;  // -1: the mass of free is Gains::free_mass
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
@@ -36,21 +39,6 @@ void an_index_beyond_the_table_has_another_mass();
 consteval std::uint8_t mass_fraction(double mass) {
   return static_cast<std::uint8_t>(std::min(static_cast<int>(mass * kMassFraction), 127));
 }
-
-consteval std::array<std::uint8_t, kGradedIndexes> the_same_for_all(double mass) {
-  std::array<std::uint8_t, kGradedIndexes> masses{};
-  masses.fill(mass_fraction(mass));
-  masses[0] = 0;
-  return masses;
-}
-
-// The default. A hit is worth 0.87, however many echoes it has; crossing beams are worth 0.7 in
-// 100 ms. With 0.87 a hit outlives one free frame of 40 ms.
-inline constexpr Assignment kByTime{.occupied = the_same_for_all(0.87), .free_by_time = -1};
-
-// Kurdej 2015, table 7.1: a hit is worth 0.8, a crossing beam 0.7, whatever the time.
-inline constexpr Assignment kThesis{.occupied = the_same_for_all(0.8),
-                                    .free = the_same_for_all(0.7)};
 
 // Kurdej 2015, section 4.5.2.2: k echoes in a cell are worth 1 - 0.2^k. An echo is an index of 2.
 consteval Assignment make_reinforced() {

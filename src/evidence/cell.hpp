@@ -67,6 +67,10 @@ constexpr Cell aged(const Cell& cell, const Fading& fading) {
           left_of(cell.persistence, fading.persistence)};
 }
 
+constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains) {
+  return {.occupied = index > 0 ? gains.hit_mass : 0, .free = index < 0 ? gains.free_mass : 0};
+}
+
 // index: -127 ... 127.
 constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
                                const Assignment& assignment) {

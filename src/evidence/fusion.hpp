@@ -15,7 +15,10 @@ void age(Group& group, const Fading& fading);
 
 // The evidence of one frame in a group that is aged already; a cell with index 0 stays as it is.
 // Bit i of `moved`: whoever is in cell i came there, so that a hit on free ground is one of {M}.
+void fuse(Group& group, const Indexes& indexes, std::uint8_t moved, const Gains& gains);
+
+// The same with masses by index.
 void fuse(Group& group, const Indexes& indexes, std::uint8_t moved, const Gains& gains,
-          const Assignment& assignment = kByTime);
+          const Assignment& assignment);
 
 }  // namespace iog::evidence
