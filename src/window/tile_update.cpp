@@ -36,17 +36,23 @@ bool is_long_ago(std::uint8_t slot, const ageing::Clock& clock) {
 
 }  // namespace
 
-void fuse_group(Tile& tile, std::size_t group, const evidence::Indexes& indexes, std::uint8_t moved,
-                const ageing::Clock& clock, const evidence::Assignment& assignment) {
+void fuse_group(Tile& tile, std::size_t group, const GroupEvidence& what,
+                const ageing::Clock& clock, const evidence::Assignment* assignment) {
+  evidence::Group& cells = tile.groups[group];
   if (tile.is_known(group)) {
     age_group(tile, group, clock);
   } else {
-    tile.groups[group] = {};
+    cells = {};
     tile.aged_at[group] = clock.now();
   }
-  evidence::fuse(tile.groups[group], indexes, moved, clock.gains(tile.evidence_at[group]), assignment);
+  const evidence::Gains& gains = clock.gains(tile.evidence_at[group]);
+  if (assignment == nullptr) {
+    evidence::fuse(cells, what.indexes, what.moved, gains);
+  } else {
+    evidence::fuse(cells, what.indexes, what.moved, gains, *assignment);
+  }
   tile.evidence_at[group] = clock.now();
-  decide_group(tile, group, indexes);
+  decide_group(tile, group, what.indexes);
 }
 
 bool refresh_group(Tile& tile, std::size_t group, const ageing::Clock& clock) {

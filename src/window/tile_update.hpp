@@ -15,9 +15,15 @@ namespace iog::window {
 // frames are 4 ms apart or more.
 inline constexpr unsigned kLongAgoFrames = 32;
 
-// The group has evidence in the frame that ended now; bit i of `moved` is of its cell i.
-void fuse_group(Tile& tile, std::size_t group, const evidence::Indexes& indexes, std::uint8_t moved,
-                const ageing::Clock& clock, const evidence::Assignment& assignment);
+// The evidence of a group in the frame that ended now.
+struct GroupEvidence {
+  evidence::Indexes indexes{};
+  std::uint8_t moved = 0;  // bit i is of cell i
+};
+
+// The group has evidence. Without an assignment all hits have one mass.
+void fuse_group(Tile& tile, std::size_t group, const GroupEvidence& what,
+                const ageing::Clock& clock, const evidence::Assignment* assignment);
 
 // The group has none. False if nothing is known of it, and so nothing was to do.
 bool refresh_group(Tile& tile, std::size_t group, const ageing::Clock& clock);

@@ -21,13 +21,14 @@ std::uint8_t eight_of(const Plane& plane, std::size_t group) {
   return static_cast<std::uint8_t>(row >> (group % kGroupsPerRow * evidence::kGroupCells));
 }
 
-bool has_hit(const FrameEvidence::TileIndexes& tile, std::size_t group) {
-  return EightBytes::load(&tile[group * evidence::kGroupCells]).has_positive();
+EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
+  return EightBytes::load(&tile[group * evidence::kGroupCells]);
 }
 
 }  // namespace
 
-WindowFusion::WindowFusion(const Rules& rules) : rules_(rules), clock_(rules.discounting) {}
+WindowFusion::WindowFusion(const Rules& rules)
+    : rules_(rules), clock_(rules.discounting, rules.weighing) {}
 
 void WindowFusion::follow(const pose::Pose& pose) { window_.follow(cell_of(pose)); }
 
@@ -64,14 +65,14 @@ std::uint32_t WindowFusion::budget_without_hits() const {
   std::uint32_t groups = 0;
   std::uint32_t with_hits = 0;
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    groups += evidence_.is_touched(slot) ? kGroupsPerTile : 0;
+    groups += evidence_.is_touched(slot) ? std::uint32_t{kGroupsPerTile} : 0;
   }
   if (groups <= rules_.group_budget) {
     return groups;
   }
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     for (std::size_t group = 0; evidence_.is_touched(slot) && group < kGroupsPerTile; ++group) {
-      with_hits += has_hit(evidence_.tile(slot), group) ? 1U : 0U;
+      with_hits += eight_at(evidence_.tile(slot), group).has_positive() ? 1U : 0U;
     }
   }
   return rules_.group_budget - std::min(with_hits, rules_.group_budget);
@@ -80,10 +81,11 @@ std::uint32_t WindowFusion::budget_without_hits() const {
 void WindowFusion::fuse_tile(std::size_t slot, std::uint32_t& budget) {
   const FrameEvidence::TileIndexes& tile_indexes = evidence_.tile(slot);
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    if (EightBytes::load(&tile_indexes[group * evidence::kGroupCells]).is_zero()) {
+    const EightBytes eight = eight_at(tile_indexes, group);
+    if (eight.is_zero()) {
       continue;
     }
-    if (!has_hit(tile_indexes, group)) {
+    if (!eight.has_positive()) {
       if (budget == 0) {
         ++counts_.groups_left;
         continue;
@@ -93,11 +95,11 @@ void WindowFusion::fuse_tile(std::size_t slot, std::uint32_t& budget) {
     if (!window_.is_known(slot)) {
       refreshed_[slot] = clock_.now();
     }
-    const std::uint8_t moved = rules_.moved == Moved::kLiteral
-                                   ? std::uint8_t{0xFF}
-                                   : eight_of(arrivals_.moved(slot), group);
-    fuse_group(window_.open(slot), group, indexes_of(tile_indexes, group), moved, clock_,
-               rules_.assignment);
+    const bool all_moved = rules_.moved == Moved::kLiteral;
+    const GroupEvidence what{
+        .indexes = indexes_of(tile_indexes, group),
+        .moved = all_moved ? std::uint8_t{0xFF} : eight_of(arrivals_.moved(slot), group)};
+    fuse_group(window_.open(slot), group, what, clock_, rules_.assignment);
     ++counts_.groups_fused;
   }
 }

@@ -20,6 +20,7 @@
 
 #include "ageing/clock.hpp"
 #include "ageing/discounting.hpp"
+#include "ageing/gains.hpp"
 #include "evidence/assignment.hpp"
 #include "pose/pose.hpp"
 #include "window/arrivals.hpp"
@@ -39,7 +40,9 @@ enum class Moved : std::uint8_t {
 
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
-  evidence::Assignment assignment = evidence::kByTime;
+  ageing::Weighing weighing = ageing::Weighing::kByTime;
+  // Masses by index; without it all hits have one mass. It outlives the fusion.
+  const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
   // Groups fused in a frame. As many as a frame has marks at most, so that hits fit.
   std::uint32_t group_budget = 65'536;

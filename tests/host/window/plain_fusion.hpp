@@ -192,7 +192,7 @@ class PlainFusion {
     age(group);
     const std::uint64_t since = group.evidence_ms ? now_ms() - *group.evidence_ms : 100;
     const auto gain_ms = static_cast<std::size_t>(std::clamp<std::uint64_t>(since, 1, 100));
-    evidence::fuse(group.masses, what.indexes, what.moved, ageing::kGains[gain_ms]);
+    evidence::fuse(group.masses, what.indexes, what.moved, ageing::kGainsByTime[gain_ms]);
     group.evidence_ms = now_ms();
     decide(tile, number, what.indexes);
     fused_groups_.push_back(&group);

@@ -69,7 +69,7 @@ class Fusion {
   [[nodiscard]] std::size_t known_tiles() const {
     std::size_t known = 0;
     for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      known += view().is_known(slot) ? 1 : 0;
+      known += view().is_known(slot) ? 1U : 0U;
     }
     return known;
   }
@@ -114,6 +114,7 @@ std::vector<DrivenFrame> drive(Cell start, int frames) {
   for (int number = 0; number < frames; ++number) {
     stamp_us += kFrameUs + static_cast<std::uint64_t>(number == 20 ? 700'123 : number % 7);
     DrivenFrame frame{.vehicle = {start.x + 4 * number, start.y + number % 3},
+                      .slices = {},
                       .stamp_us = stamp_us};
     if (number >= frames * 2 / 3 && number < frames * 2 / 3 + 3) {
       frame.vehicle.x += 700;  // beyond all that was seen, and back
@@ -163,7 +164,7 @@ TEST(WindowFusion, ADriveIsWhatPlainLoopsMakeOfIt) {
       ++known;
     }
     for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      known -= fusion->view().is_known(slot) ? 1 : 0;
+      known -= fusion->view().is_known(slot) ? 1U : 0U;
     }
     ASSERT_EQ(known, 0U);
   }
