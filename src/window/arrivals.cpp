@@ -32,6 +32,15 @@ bool is_any(const Plane& plane) {
   return bits != 0;
 }
 
+// Whether a hit is on ground of which something is remembered.
+bool is_any_on(const Plane& hits, const Ground& ground) {
+  std::uint32_t bits = 0;
+  for (std::size_t y = 0; y < hits.size(); ++y) {
+    bits |= hits[y] & (ground.open[y] | ground.dense[y]);
+  }
+  return bits != 0;
+}
+
 // The new hits in the square around a cell of a tile. The mask is of the cell's column.
 int count_around(const Rows& rows, std::size_t y, int x) {
   int count = 0;
@@ -61,9 +70,12 @@ void Arrivals::find(const Window& window, const FrameEvidence& evidence) {
 }
 
 void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot) {
-  const Plane hits = hits_of(evidence.tile(slot));
   moved_[slot] = Plane{};
-  if (!window.is_known(slot) || !is_any(hits)) {
+  if (!window.is_known(slot) || !evidence.has_hit(slot)) {
+    return;
+  }
+  const Plane hits = hits_of(evidence.tile(slot));
+  if (!is_any_on(hits, window.tile(slot).ground)) {
     return;
   }
   const Plane beside = middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));

@@ -92,6 +92,7 @@ void FrameEvidence::clear() {
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     if (is_touched_[slot]) {
       is_touched_[slot] = false;
+      has_hit_[slot] = false;
       cells_[slot].fill(0);
     }
   }
@@ -160,6 +161,7 @@ void FrameEvidence::push_eight(const std::int8_t* indexes, FinePoint first, Fine
     const auto x = static_cast<std::uint32_t>(cell.x) & kInTile;
     const auto y = static_cast<std::uint32_t>(cell.y) & kInTile;
     is_touched_[slot] = true;
+    has_hit_[slot] = true;
     join_hit(indexes[i], cells_[slot][y * geometry::kTileSide + x]);
   }
 }

@@ -38,6 +38,9 @@ class FrameEvidence {
   // Whether anything was said of a cell of the tile at this slot.
   [[nodiscard]] bool is_touched(std::size_t slot) const { return is_touched_[slot]; }
 
+  // Whether a cell of it was hit.
+  [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
+
   // The joined indexes of the tile at a slot, row by row from the lowest y.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
@@ -49,6 +52,7 @@ class FrameEvidence {
 
   alignas(32) std::array<TileIndexes, kSlotCount> cells_{};
   std::array<bool, kSlotCount> is_touched_{};
+  std::array<bool, kSlotCount> has_hit_{};
 };
 
 }  // namespace iog::window

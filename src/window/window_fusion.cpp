@@ -1,14 +1,17 @@
 #include "window/window_fusion.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "window/eight_bytes.hpp"
 #include "window/ground.hpp"
-#include "window/tile_update.hpp"
 
 namespace iog::window {
 namespace {
+
+// Groups from one that is fused to the one whose memory is asked for meanwhile.
+constexpr std::size_t kGroupsAhead = 2;
 
 evidence::Indexes indexes_of(const FrameEvidence::TileIndexes& tile, std::size_t group) {
   evidence::Indexes indexes;
@@ -16,9 +19,13 @@ evidence::Indexes indexes_of(const FrameEvidence::TileIndexes& tile, std::size_t
   return indexes;
 }
 
-std::uint8_t eight_of(const Plane& plane, std::size_t group) {
-  const std::uint32_t row = plane[group / kGroupsPerRow];
-  return static_cast<std::uint8_t>(row >> (group % kGroupsPerRow * evidence::kGroupCells));
+// Asks for the lines of a group that is needed soon.
+void prefetch(const Tile& tile, std::size_t group) {
+  constexpr std::size_t kLine = 32;
+  const std::span bytes = std::as_bytes(std::span(&tile.groups[group], 1));
+  for (std::size_t line = 0; line < sizeof(evidence::Group); line += kLine) {
+    __builtin_prefetch(&bytes[line]);
+  }
 }
 
 EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
@@ -43,13 +50,14 @@ FrameCounts WindowFusion::finish(std::uint64_t stamp_us) {
   clock_.advance(newest_us_);
   ++frames_;
   arrivals_.find(window_, evidence_);
+  const TileUpdate update(clock_, rules_.assignment);
   std::uint32_t budget = budget_without_hits();
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     if (evidence_.is_touched(slot)) {
-      fuse_tile(slot, budget);
+      fuse_tile(update, slot, budget);
     }
     if ((slot + frames_) % kRefreshFrames == 0 && window_.is_known(slot)) {
-      refresh_tile(slot);
+      refresh_tile(update, slot);
     }
   }
   if (counts_.slices > 0) {
@@ -78,10 +86,11 @@ std::uint32_t WindowFusion::budget_without_hits() const {
   return rules_.group_budget - std::min(with_hits, rules_.group_budget);
 }
 
-void WindowFusion::fuse_tile(std::size_t slot, std::uint32_t& budget) {
-  const FrameEvidence::TileIndexes& tile_indexes = evidence_.tile(slot);
+void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, std::uint32_t& budget) {
+  const FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
+  Tile* tile = nullptr;
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    const EightBytes eight = eight_at(tile_indexes, group);
+    const EightBytes eight = eight_at(indexes, group);
     if (eight.is_zero()) {
       continue;
     }
@@ -92,24 +101,29 @@ void WindowFusion::fuse_tile(std::size_t slot, std::uint32_t& budget) {
       }
       --budget;
     }
-    if (!window_.is_known(slot)) {
-      refreshed_[slot] = clock_.now();
+    if (tile == nullptr) {
+      tile = &open(slot);
     }
+    prefetch(*tile, std::min(group + kGroupsAhead, kGroupsPerTile - 1));
     const bool all_moved = rules_.moved == Moved::kLiteral;
-    const GroupEvidence what{
-        .indexes = indexes_of(tile_indexes, group),
-        .moved = all_moved ? std::uint8_t{0xFF} : eight_of(arrivals_.moved(slot), group)};
-    fuse_group(window_.open(slot), group, what, clock_, rules_.assignment);
+    update.fuse(*tile, group,
+                {.indexes = indexes_of(indexes, group),
+                 .moved = all_moved ? std::uint8_t{0xFF} : eight_of(arrivals_.moved(slot), group)});
     ++counts_.groups_fused;
   }
 }
 
-void WindowFusion::refresh_tile(std::size_t slot) {
+Tile& WindowFusion::open(std::size_t slot) {
+  if (!window_.is_known(slot)) {
+    refreshed_[slot] = clock_.now();
+  }
+  return window_.open(slot);
+}
+
+void WindowFusion::refresh_tile(const TileUpdate& update, std::size_t slot) {
   Tile& tile = window_.open(slot);
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    if (tile.aged_at[group] != clock_.now() && refresh_group(tile, group, clock_)) {
-      ++counts_.groups_refreshed;
-    }
+    counts_.groups_refreshed += update.refresh(tile, group) ? 1U : 0U;
   }
   refreshed_[slot] = clock_.now();
 }

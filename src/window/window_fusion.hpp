@@ -27,6 +27,7 @@
 #include "window/frame_evidence.hpp"
 #include "window/placement.hpp"
 #include "window/slice_cells.hpp"
+#include "window/tile_update.hpp"
 #include "window/window.hpp"
 #include "window/window_view.hpp"
 
@@ -100,8 +101,9 @@ class WindowFusion {
  private:
   // How many groups without hits can be fused, or more than there are.
   [[nodiscard]] std::uint32_t budget_without_hits() const;
-  void fuse_tile(std::size_t slot, std::uint32_t& budget);
-  void refresh_tile(std::size_t slot);
+  void fuse_tile(const TileUpdate& update, std::size_t slot, std::uint32_t& budget);
+  void refresh_tile(const TileUpdate& update, std::size_t slot);
+  Tile& open(std::size_t slot);
   void remember_tiles();
 
   Rules rules_;
