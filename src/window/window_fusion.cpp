@@ -79,7 +79,7 @@ std::uint32_t WindowFusion::budget_without_hits() const {
     return groups;
   }
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    for (std::size_t group = 0; evidence_.is_touched(slot) && group < kGroupsPerTile; ++group) {
+    for (std::size_t group = 0; evidence_.has_hit(slot) && group < kGroupsPerTile; ++group) {
       with_hits += eight_at(evidence_.tile(slot), group).has_positive() ? 1U : 0U;
     }
   }
