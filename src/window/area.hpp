@@ -1,0 +1,100 @@
+// Where the window lies: a square of 32 by 32 tiles of the local frame.
+//
+// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1) in cells of kCellMm. Tile (a, b)
+// holds the cells of which i / 32 and j / 32, rounded down, are a and b. It lies at slot
+// (b mod 32) * 32 + a mod 32, wherever the window is, so that nothing is moved when the window is.
+// Coordinates of the local frame are int32 millimetres, so tiles are within +-671,089.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "geometry/cell.hpp"
+#include "geometry/grid.hpp"
+#include "numeric/division.hpp"
+#include "pose/pose.hpp"
+#include "window/tile.hpp"
+
+namespace iog::window {
+
+inline constexpr std::int32_t kTilesAcross = 32;
+inline constexpr std::size_t kSlotCount = std::size_t{kTilesAcross} * kTilesAcross;
+inline constexpr std::int32_t kCellsAcross = kTilesAcross * kTileSide;
+inline constexpr geometry::CellArea kWindowCells{kCellsAcross, kCellsAcross};
+
+// A tile of the local frame, or one of the window counted from its lowest corner.
+struct TileNumber {
+  std::int32_t a = 0;
+  std::int32_t b = 0;
+  friend constexpr bool operator==(const TileNumber&, const TileNumber&) = default;
+};
+
+[[nodiscard]] constexpr std::size_t slot_of(TileNumber tile) {
+  constexpr std::uint32_t kMask = kTilesAcross - 1;
+  return (static_cast<std::uint32_t>(tile.b) & kMask) * kTilesAcross +
+         (static_cast<std::uint32_t>(tile.a) & kMask);
+}
+
+// The cell of the local frame that holds a pose's origin.
+[[nodiscard]] constexpr geometry::Cell cell_of(const pose::Pose& pose) {
+  return {numeric::div_floor(pose.x_mm, geometry::kCellMm),
+          numeric::div_floor(pose.y_mm, geometry::kCellMm)};
+}
+
+class Area {
+ public:
+  constexpr Area() = default;
+  explicit constexpr Area(TileNumber corner) : corner_(corner) {}
+
+  // The area whose middle is the corner of tiles nearest to a cell.
+  [[nodiscard]] static constexpr Area around(geometry::Cell cell) {
+    return Area({first_around(cell.x), first_around(cell.y)});
+  }
+
+  // This area, moved along each axis on which the cell is more than half a tile outside of the
+  // square of one tile in the middle. So 48 m or more remain on each side with cells of 0.1 m, and
+  // noise at a border moves nothing.
+  [[nodiscard]] constexpr Area following(geometry::Cell cell) const {
+    const TileNumber centred = around(cell).corner_;
+    return Area({is_near_middle(corner_.a, cell.x) ? corner_.a : centred.a,
+                 is_near_middle(corner_.b, cell.y) ? corner_.b : centred.b});
+  }
+
+  // The tile of lowest a and b.
+  [[nodiscard]] constexpr TileNumber corner() const { return corner_; }
+
+  [[nodiscard]] constexpr bool contains(TileNumber tile) const {
+    return is_inside(tile.a - corner_.a) && is_inside(tile.b - corner_.b);
+  }
+  [[nodiscard]] constexpr bool contains(geometry::Cell cell) const {
+    return contains(
+        TileNumber{numeric::div_floor(cell.x, kTileSide), numeric::div_floor(cell.y, kTileSide)});
+  }
+
+  // The tile of this area that lies at a slot.
+  [[nodiscard]] constexpr TileNumber tile_at(std::size_t slot) const {
+    constexpr std::uint32_t kMask = kTilesAcross - 1;
+    const auto column = static_cast<std::uint32_t>(slot);
+    const std::uint32_t row = column / kTilesAcross;
+    const std::uint32_t right = (column - static_cast<std::uint32_t>(corner_.a)) & kMask;
+    const std::uint32_t up = (row - static_cast<std::uint32_t>(corner_.b)) & kMask;
+    return {corner_.a + static_cast<std::int32_t>(right),
+            corner_.b + static_cast<std::int32_t>(up)};
+  }
+
+ private:
+  static constexpr std::int32_t kHalf = kTilesAcross / 2;
+
+  static constexpr std::int32_t first_around(std::int32_t cell) {
+    return numeric::div_floor(cell + kTileSide / 2, kTileSide) - kHalf;
+  }
+  static constexpr bool is_near_middle(std::int32_t first, std::int32_t cell) {
+    const std::int64_t from_middle = cell - std::int64_t{first + kHalf} * kTileSide;
+    return from_middle >= -kTileSide && from_middle < kTileSide;
+  }
+  static constexpr bool is_inside(std::int32_t tiles) { return tiles >= 0 && tiles < kTilesAcross; }
+
+  TileNumber corner_{};
+};
+
+}  // namespace iog::window

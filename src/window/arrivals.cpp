@@ -1,0 +1,112 @@
+#include "window/arrivals.hpp"
+
+#include <bit>
+
+#include "window/eight_bytes.hpp"
+
+namespace iog::window {
+namespace {
+
+constexpr int kRadius = 3;
+constexpr std::uint64_t kRun = (1U << (2 * kRadius + 1)) - 1;
+constexpr int kEnoughOnWellKnownGround = 2;
+constexpr int kEnough = 7;
+
+Plane hits_of(const FrameEvidence::TileIndexes& indexes) {
+  Plane hits{};
+  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
+    const auto eight = EightBytes::load(&indexes[group * evidence::kGroupCells]);
+    if (eight.has_positive()) {
+      const std::uint32_t bits = eight.positive();
+      hits[group / kGroupsPerRow] |= bits << (group % kGroupsPerRow * evidence::kGroupCells);
+    }
+  }
+  return hits;
+}
+
+bool is_any(const Plane& plane) {
+  std::uint32_t bits = 0;
+  for (const std::uint32_t row : plane) {
+    bits |= row;
+  }
+  return bits != 0;
+}
+
+// Whether a hit is on ground of which something is remembered.
+bool is_any_on(const Plane& hits, const Ground& ground) {
+  std::uint32_t bits = 0;
+  for (std::size_t y = 0; y < hits.size(); ++y) {
+    bits |= hits[y] & (ground.open[y] | ground.dense[y]);
+  }
+  return bits != 0;
+}
+
+// The new hits in the square around a cell of a tile. The mask is of the cell's column.
+int count_around(const Rows& rows, std::size_t y, int x) {
+  int count = 0;
+  for (std::size_t row = kRowMargin + y - kRadius; row <= kRowMargin + y + kRadius; ++row) {
+    const auto run =
+        static_cast<std::uint32_t>(rows.words[row] >> (kColumnMargin - kRadius + x) & kRun);
+    count += std::popcount(run);
+  }
+  return count;
+}
+
+}  // namespace
+
+void Arrivals::find(const Window& window, const FrameEvidence& evidence) {
+  has_new_.fill(false);
+  has_open_.fill(false);
+  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    if (evidence.is_touched(slot)) {
+      find_new(window, evidence, slot);
+    }
+  }
+  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    if (has_open_[slot]) {
+      count_new(window, slot);
+    }
+  }
+}
+
+void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot) {
+  moved_[slot] = Plane{};
+  if (!window.is_known(slot) || !evidence.has_hit(slot)) {
+    return;
+  }
+  const Plane hits = hits_of(evidence.tile(slot));
+  if (!is_any_on(hits, window.tile(slot).ground)) {
+    return;
+  }
+  const Plane beside = middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));
+  const Tile& tile = window.tile(slot);
+  for (std::size_t y = 0; y < hits.size(); ++y) {
+    const std::uint32_t candidates = hits[y] & ~beside[y];
+    const std::uint32_t open = candidates & tile.ground.open[y];
+    new_[slot][y] = open & tile.found.freed[y];
+    open_[slot][y] = open & ~tile.ground.dense[y];
+    moved_[slot][y] = candidates & tile.ground.dense[y];
+  }
+  has_new_[slot] = is_any(new_[slot]);
+  has_open_[slot] = is_any(open_[slot]);
+}
+
+void Arrivals::count_new(const Window& window, std::size_t slot) {
+  const Rows rows = gather<kRadius>(window.around(
+      slot, [this](std::size_t at) { return has_new_[at]; },
+      [this](std::size_t at) -> const Plane& { return new_[at]; }));
+  const Ground& ground = window.tile(slot).ground;
+  for (std::size_t y = 0; y < geometry::kTileSide; ++y) {
+    const std::uint32_t well_known = ground.ticks_low[y] & ground.ticks_high[y];
+    for (std::uint32_t left = open_[slot][y]; left != 0; left &= left - 1) {
+      const int x = std::countr_zero(left);
+      const std::uint32_t cell = left & (~left + 1);
+      const int enough = (well_known & cell) != 0 ? kEnoughOnWellKnownGround : kEnough;
+      if (count_around(rows, y, x) >= enough) {
+        moved_[slot][y] |= cell;
+      }
+    }
+  }
+}
+
+}  // namespace iog::window

@@ -1,0 +1,39 @@
+// Which hits of a frame are on something that moved there, and which on the flickering edges of
+// what stands.
+//
+// All of it is asked of the state before the frame. A hit is *beside* if one of the 3 by 3 cells
+// stands. It is *new* if its cell is open, freed, and it is not beside. It has moved if it is not
+// beside and its cell is dense, or open with enough new hits in the 7 by 7: two where the ground
+// was found open three times, else seven.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "window/frame_evidence.hpp"
+#include "window/window.hpp"
+
+namespace iog::window {
+
+class Arrivals {
+ public:
+  // Of all hits of a frame, before any tile is changed.
+  void find(const Window& window, const FrameEvidence& evidence);
+
+  // The hits in the tile at this slot that have moved.
+  [[nodiscard]] const Plane& moved(std::size_t slot) const { return moved_[slot]; }
+
+ private:
+  void find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot);
+  void count_new(const Window& window, std::size_t slot);
+
+  // Of a tile without new hits, or without open ones, what is stored is of an older frame.
+  std::array<bool, kSlotCount> has_new_{};
+  std::array<bool, kSlotCount> has_open_{};
+  std::array<Plane, kSlotCount> new_{};
+  std::array<Plane, kSlotCount> open_{};  // open, not dense, not beside: the new ones count
+  std::array<Plane, kSlotCount> moved_{};
+};
+
+}  // namespace iog::window

@@ -1,0 +1,50 @@
+// Eight indexes beside one another in one word, and questions about all of them at once.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace iog::window {
+
+class EightBytes {
+ public:
+  static constexpr std::size_t kCount = 8;
+
+  [[nodiscard]] static EightBytes load(const std::int8_t* from) {
+    std::uint64_t word = 0;
+    __builtin_memcpy(&word, from, sizeof word);
+    return EightBytes(word);
+  }
+
+  [[nodiscard]] bool is_zero() const { return word_ == 0; }
+
+  // Whether one of them is above 0.
+  [[nodiscard]] bool has_positive() const { return tops_of_positive() != 0; }
+
+  // A bit for each that is above 0, bit i for the i-th.
+  //
+  // The product gathers bits 8 i: shifted by 7 k, k = 1 ... 8, bit i reaches 56 + i for k = 8 - i
+  // alone. No two of the 64 sums 8 i + 7 k are the same, so nothing carries.
+  [[nodiscard]] std::uint8_t positive() const {
+    return static_cast<std::uint8_t>((tops_of_positive() >> 7) * kGather >> 56);
+  }
+
+ private:
+  static constexpr std::uint64_t kSevenBits = 0x7F7F7F7F7F7F7F7FU;
+  static constexpr std::uint64_t kTopBits = 0x8080808080808080U;
+  static constexpr std::uint64_t kGather = 0x0102040810204080U;
+  static_assert(std::endian::native == std::endian::little, "the first byte is the lowest");
+
+  explicit EightBytes(std::uint64_t word) : word_(word) {}
+
+  // Bit 7 of each byte that is above 0. Adding 127 to the low seven bits carries into it exactly if
+  // one of them is set, and never into the next byte.
+  [[nodiscard]] std::uint64_t tops_of_positive() const {
+    return ((word_ & kSevenBits) + kSevenBits) & ~word_ & kTopBits;
+  }
+
+  std::uint64_t word_;
+};
+
+}  // namespace iog::window

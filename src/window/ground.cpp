@@ -1,0 +1,59 @@
+#include "window/ground.hpp"
+
+namespace iog::window {
+namespace {
+
+// A tile without a cell of its own that is freed, or seen, has none that is shut, or dense: a
+// square of 5 by 5 cells that holds any given cell fits into the tile, and nothing in it is.
+bool is_empty(const Plane& plane) {
+  std::uint32_t bits = 0;
+  for (const std::uint32_t row : plane) {
+    bits |= row;
+  }
+  return bits == 0;
+}
+
+Plane cells_beside(const Window& window, std::size_t slot) {
+  return middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));
+}
+
+Plane cells_seen_around(const Window& window, std::size_t slot) {
+  if (is_empty(window.tile(slot).found.seen)) {
+    return Plane{};
+  }
+  return middle_of(eroded<2>(gather<2>(window.around(slot, &Found::seen))));
+}
+
+Plane cells_shut_around(const Window& window, std::size_t slot) {
+  if (is_empty(window.tile(slot).found.freed)) {
+    return Plane{};
+  }
+  Rows shut = eroded<2>(dilated<2>(gather<7>(window.around(slot, &Found::freed))));
+  const Rows taken = gather<3>(window.around(slot, &Found::taken));
+  for (std::size_t y = 0; y < kRowCount; ++y) {
+    shut.words[y] &= ~taken.words[y];
+  }
+  return middle_of(eroded<3>(shut));
+}
+
+}  // namespace
+
+void remember(Window& window, std::size_t slot, bool is_new_period) {
+  const Plane beside = cells_beside(window, slot);
+  const Plane dense = cells_seen_around(window, slot);
+  const Plane open = cells_shut_around(window, slot);
+  const std::uint32_t period = is_new_period ? ~0U : 0U;
+  Ground& ground = window.open(slot).ground;
+  for (std::size_t y = 0; y < geometry::kTileSide; ++y) {
+    const std::uint32_t kept = ~beside[y];
+    const std::uint32_t low = ground.ticks_low[y];
+    const std::uint32_t high = ground.ticks_high[y];
+    const std::uint32_t up = open[y] & period & ~(low & high);
+    ground.open[y] = (ground.open[y] | open[y]) & kept;
+    ground.dense[y] = (ground.dense[y] | dense[y]) & kept;
+    ground.ticks_low[y] = (low ^ up) & kept;
+    ground.ticks_high[y] = (high ^ (up & low)) & kept;
+  }
+}
+
+}  // namespace iog::window

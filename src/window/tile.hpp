@@ -1,0 +1,66 @@
+// One tile of the window as it lies in memory: 32 by 32 cells aligned to the local frame.
+//
+// A tile of which nothing is known is all zeros, but for groups that were never aged: what they
+// hold means nothing, so that a tile is cleared without going through all of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "ageing/clock.hpp"
+#include "evidence/group.hpp"
+#include "geometry/tile.hpp"
+
+namespace iog::window {
+
+inline constexpr std::int32_t kTileSide = geometry::kTileSide;
+inline constexpr std::size_t kGroupsPerRow = geometry::kTileSide / evidence::kGroupCells;
+inline constexpr std::size_t kGroupsPerTile = geometry::kTileCells / evidence::kGroupCells;
+
+// A bit a cell: bit x of word y, y from the lowest.
+using Plane = std::array<std::uint32_t, geometry::kTileSide>;
+static_assert(geometry::kTileSide == 32);
+
+// What is asked of a cell's neighbourhood, as found when its group was last decided.
+struct Found {
+  Plane freed{};   // free for more than it is not
+  Plane seen{};    // free by evidence of that very frame
+  Plane stands{};  // occupied for long
+  Plane taken{};   // occupied at all
+};
+
+// What is remembered of the ground, whatever is on it now.
+struct Ground {
+  Plane open{};       // it was free, with a margin
+  Plane dense{};      // it was seen free all around in one frame
+  Plane ticks_low{};  // 0 ... 3: how often it was found open again
+  Plane ticks_high{};
+};
+
+struct Tile {
+  // Nothing is known of any cell.
+  void clear();
+
+  // Whether something was ever known of the group.
+  [[nodiscard]] bool is_known(std::size_t group) const {
+    return aged_at[group] != ageing::Clock::kNever;
+  }
+
+  std::array<evidence::Group, kGroupsPerTile> groups{};  // row by row from the lowest y
+  // By group the clock's slots of its last ageing and of its last evidence (ageing/clock.hpp). Both
+  // are none where nothing is known, the second also where the last evidence is long ago.
+  std::array<std::uint8_t, kGroupsPerTile> aged_at{};
+  std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
+  Found found{};
+  Ground ground{};
+};
+
+inline void Tile::clear() {
+  aged_at.fill(ageing::Clock::kNever);
+  evidence_at.fill(ageing::Clock::kNever);
+  found = {};
+  ground = {};
+}
+
+}  // namespace iog::window

@@ -1,0 +1,281 @@
+// Slices in the window: free is pulled, hits are pushed and win, and nothing shows the order.
+#include "window/frame_evidence.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/random.hpp"
+#include "grid/frame_view.hpp"
+#include "window/exact_place.hpp"
+#include "window/slice.hpp"
+
+namespace iog::window {
+namespace {
+
+using geometry::Cell;
+using tests::placed;
+using tests::Slice;
+
+constexpr Area kAroundOrigin({-16, -16});
+constexpr Cell kOrigin{geometry::kOriginCell, geometry::kOriginCell};
+
+// Evidence of slices in an area.
+class Evidence {
+ public:
+  explicit Evidence(const Area& area = kAroundOrigin) : area_(area) {}
+
+  Evidence& add(const Slice& slice, const Placement& at) {
+    cells_->take(slice);
+    evidence_->add(*cells_, area_, at);
+    cells_->clear();
+    return *this;
+  }
+  void clear() { evidence_->clear(); }
+
+  // Of a cell of the local frame.
+  [[nodiscard]] int at(Cell cell) const {
+    const TileNumber tile{numeric::div_floor(cell.x, kTileSide),
+                          numeric::div_floor(cell.y, kTileSide)};
+    const Cell in_tile{cell.x - tile.a * kTileSide, cell.y - tile.b * kTileSide};
+    return evidence_->tile(
+        slot_of(tile))[static_cast<std::size_t>(in_tile.y * kTileSide + in_tile.x)];
+  }
+
+  // '.' free, '#' hit, ' ' nothing.
+  [[nodiscard]] std::vector<std::string> picture(Cell low, std::int32_t width,
+                                                 std::int32_t height) const {
+    std::vector<std::string> rows;
+    for (std::int32_t y = low.y + height - 1; y >= low.y; --y) {
+      std::string row;
+      for (std::int32_t x = low.x; x < low.x + width; ++x) {
+        const int index = at({x, y});
+        row += index > 0 ? '#' : index < 0 ? '.' : ' ';
+      }
+      rows.push_back(row);
+    }
+    return rows;
+  }
+
+  template <typename Of>
+  [[nodiscard]] int sum(Of&& of) const {
+    int sum = 0;
+    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+      for (const std::int8_t index : evidence_->tile(slot)) {
+        sum += of(int{index});
+      }
+    }
+    return sum;
+  }
+
+  friend bool operator==(const Evidence& a, const Evidence& b) {
+    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+      if (a.evidence_->tile(slot) != b.evidence_->tile(slot)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  Area area_;
+  std::unique_ptr<SliceCells> cells_ = std::make_unique<SliceCells>();
+  std::unique_ptr<FrameEvidence> evidence_ = std::make_unique<FrameEvidence>();
+};
+
+const std::vector<std::string> kScene{"..#  ",  //
+                                      ".... ",  //
+                                      "....#"};
+
+TEST(FrameEvidence, AWholeNumberOfCellsShiftsAPicture) {
+  Slice slice;
+  slice.draw({kOrigin.x + 3, kOrigin.y - 1}, kScene);
+  Evidence evidence;
+  evidence.add(slice, placed(2 * geometry::kCellMm, -5 * geometry::kCellMm));
+  EXPECT_EQ(evidence.picture({5, -6}, 5, 3), kScene);
+}
+
+TEST(FrameEvidence, AQuarterTurnTurnsAPicture) {
+  Slice slice;
+  slice.draw(kOrigin, kScene);
+  Evidence evidence;
+  evidence.add(slice, placed(0, 0, 90));
+  EXPECT_EQ(evidence.picture({-3, 0}, 3, 5), (std::vector<std::string>{"  #",  //
+                                                                       " ..",  //
+                                                                       "#..",  //
+                                                                       "...",  //
+                                                                       "..."}));
+}
+
+TEST(FrameEvidence, HitsAreAddedAndEraseWhatIsFree) {
+  Slice free_cell;
+  free_cell.set(kOrigin, -100);
+  Slice hit;
+  hit.set(kOrigin, 80);
+  const Placement at = placed(0, 0);
+  Evidence evidence;
+  evidence.add(free_cell, at);
+  EXPECT_EQ(evidence.at({0, 0}), -100);
+  evidence.add(free_cell, at);
+  EXPECT_EQ(evidence.at({0, 0}), -127);
+  evidence.add(hit, at);
+  EXPECT_EQ(evidence.at({0, 0}), 80);
+  evidence.add(free_cell, at);
+  EXPECT_EQ(evidence.at({0, 0}), 80);
+  evidence.add(hit, at);
+  EXPECT_EQ(evidence.at({0, 0}), 127);
+  evidence.clear();
+  EXPECT_EQ(evidence.at({0, 0}), 0);
+}
+
+// A frame's grid as it is fused is read as the slices of these tests are.
+TEST(FrameEvidence, TakesTheViewOfAFrame) {
+  const auto grid = std::make_unique<grid::BlockGrid>();
+  Slice slice;
+  slice.draw({kOrigin.x - 70, kOrigin.y + 31}, kScene);
+  slice.for_each([&](Cell cell, int index) {
+    grid->cell_at(grid::offset_of(cell)) = static_cast<std::int8_t>(index);
+    grid->touch(geometry::tile_of(cell));
+  });
+  const auto of_view = std::make_unique<SliceCells>();
+  of_view->take(grid::FrameView(*grid));
+  const auto of_slice = std::make_unique<SliceCells>();
+  of_slice->take(slice);
+  for (std::size_t i = 0; i < geometry::kCellsPerSide * SliceCells::kStride; ++i) {
+    ASSERT_EQ(of_view->cells()[i], of_slice->cells()[i]);
+  }
+}
+
+// What a slice leaves in the copy must not show in the next one.
+TEST(FrameEvidence, SlicesDoNotMix) {
+  Slice first;
+  first.draw({100, 100}, kScene);
+  Slice second;
+  second.draw({700, 300}, kScene);
+  const Placement at = placed(12'345, -6'789, 33);
+  Evidence both;
+  both.add(first, at).add(second, at);
+  both.clear();
+  both.add(second, at);
+  Evidence one;
+  one.add(second, at);
+  EXPECT_TRUE(both == one);
+}
+
+Slice random_slice(tests::Random& random, int cells, int reach) {
+  Slice slice;
+  for (int i = 0; i < cells; ++i) {
+    const int index = random.one_in(3) ? random.between(1, 127) : random.between(-127, -1);
+    slice.set({kOrigin.x + random.between(-reach, reach - 1),
+               kOrigin.y + random.between(-reach, reach - 1)},
+              index);
+  }
+  return slice;
+}
+
+TEST(FrameEvidence, NoOrderOfSlicesShows) {
+  tests::Random random(4);
+  std::vector<std::pair<Slice, Placement>> slices;
+  for (int i = 0; i < 4; ++i) {
+    slices.emplace_back(random_slice(random, 20'000, 60),
+                        placed(random.between(-900, 900), random.between(-900, 900), 17.0 * i));
+  }
+  const auto evidence_in_order = [&](const std::vector<std::size_t>& order) {
+    Evidence evidence;
+    for (const std::size_t i : order) {
+      evidence.add(slices[i].first, slices[i].second);
+    }
+    return evidence;
+  };
+  std::vector<std::size_t> order{0, 1, 2, 3};
+  const Evidence first = evidence_in_order(order);
+  EXPECT_GT(first.sum([](int index) { return index > 0 ? 1 : 0; }), 1000);
+  int tried = 0;
+  while (std::ranges::next_permutation(order).found && tried++ < tests::effort(23, 5)) {
+    ASSERT_TRUE(evidence_in_order(order) == first);
+  }
+}
+
+// Pulling alone would lose one in six at 45 degrees.
+TEST(FrameEvidence, NoHitIsLostAtAnyAngle) {
+  tests::Random random(5);
+  for (int degrees = 0; degrees < 360; degrees += tests::effort(5, 45)) {
+    Slice slice;
+    std::map<std::pair<int, int>, int> hits;
+    for (int i = 0; i < 300; ++i) {
+      const Cell cell{kOrigin.x + random.between(-300, 300), kOrigin.y + random.between(-300, 300)};
+      slice.set(cell, 1);
+      hits[{cell.x, cell.y}] = 1;
+    }
+    Evidence evidence;
+    evidence.add(slice, placed(random.between(-1500, 1500), random.between(-1500, 1500), degrees));
+    ASSERT_EQ(evidence.sum([](int index) { return index; }), static_cast<int>(hits.size()))
+        << degrees;
+  }
+}
+
+// Every cell of the window whose place is clear, against the rule itself: the sum of the hits whose
+// centres it holds, else what the cell that holds its centre says, if that is negative.
+void expect_by_the_rule(const Slice& slice, const Placement& at, std::int32_t reach) {
+  const Area area = Area::around(cell_of(at.pose));
+  Evidence evidence(area);
+  evidence.add(slice, at);
+  std::map<std::pair<int, int>, int> pushed;
+  std::map<std::pair<int, int>, bool> doubtful;
+  for (std::int32_t y = 0; y < geometry::kCellsPerSide; ++y) {
+    for (std::int32_t x = 0; x < geometry::kCellsPerSide; ++x) {
+      if (const int index = slice.at({x, y}); index > 0) {
+        const tests::ExactPoint to = tests::exact_in_frame({x, y}, at);
+        pushed[{to.cell().x, to.cell().y}] += index;
+        for (int i = 0; i < 9 && !to.is_clear(); ++i) {
+          doubtful[{to.cell().x + i % 3 - 1, to.cell().y + i / 3 - 1}] = true;
+        }
+      }
+    }
+  }
+  const Cell vehicle = cell_of(at.pose);
+  int compared = 0;
+  for (std::int32_t y = vehicle.y - reach; y <= vehicle.y + reach; ++y) {
+    for (std::int32_t x = vehicle.x - reach; x <= vehicle.x + reach; ++x) {
+      const tests::ExactPoint from = tests::exact_in_grid({x, y}, at);
+      if (!area.contains(Cell{x, y}) || !from.is_clear() || doubtful.contains({x, y})) {
+        continue;
+      }
+      const bool is_inside = geometry::kGridArea.contains(from.cell());
+      const int pulled = is_inside ? std::min(slice.at(from.cell()), 0) : 0;
+      const auto hit = pushed.find({x, y});
+      const int expected = hit == pushed.end() ? pulled : std::min(hit->second, 127);
+      ASSERT_EQ(evidence.at({x, y}), expected) << x << " " << y;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, reach * reach * 3);
+}
+
+TEST(FrameEvidence, IsWhatTheRuleSaysNearTheVehicle) {
+  tests::Random random(6);
+  for (int i = 0; i < tests::effort(12, 2); ++i) {
+    const Slice slice = random_slice(random, 3000, 40);
+    expect_by_the_rule(
+        slice,
+        placed(random.between(-1'000'000'000, 1'000'000'000),
+               random.between(-1'000'000'000, 1'000'000'000), random.between(0, 359'999) / 1000.0),
+        50);
+  }
+}
+
+// The grid's corners reach beyond the window, the window's beyond the grid.
+TEST(FrameEvidence, IsWhatTheRuleSaysUpToTheBordersOfGridAndWindow) {
+  tests::Random random(7);
+  for (const double degrees : {0.0, 38.0}) {
+    expect_by_the_rule(random_slice(random, 30'000, geometry::kOriginCell),
+                       placed(3'141, -2'718, degrees), 540);
+  }
+}
+
+}  // namespace
+}  // namespace iog::window

@@ -1,0 +1,94 @@
+// The index grid of a slice for tests, read like a grid::FrameView, and headings as rotations.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/grid.hpp"
+#include "window/placement.hpp"
+
+namespace iog::tests {
+
+class Slice {
+ public:
+  void set(geometry::Cell cell, int index) {
+    tiles_[geometry::tile_of(cell)][in_tile(cell)] = static_cast<std::int8_t>(index);
+  }
+  [[nodiscard]] int at(geometry::Cell cell) const {
+    const auto tile = tiles_.find(geometry::tile_of(cell));
+    return tile == tiles_.end() ? 0 : tile->second[in_tile(cell)];
+  }
+
+  // All cells that are not 0: visit(cell, index).
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    constexpr std::int32_t kSide = geometry::kTileSide;
+    constexpr std::int32_t kTiles = geometry::kTilesPerSide;
+    for (const auto& [number, cells] : tiles_) {
+      const auto tile = static_cast<std::int32_t>(number);
+      for (std::int32_t i = 0; i < kSide * kSide; ++i) {
+        const geometry::Cell cell{tile % kTiles * kSide + i % kSide,
+                                  tile / kTiles * kSide + i / kSide};
+        if (const int index = cells[static_cast<std::size_t>(i)]; index != 0) {
+          visit(cell, index);
+        }
+      }
+    }
+  }
+
+  // Draws a picture, its lower left cell at `at`: '.' free, '#' hit, 'o' two hits; ' ' is left as
+  // it is. The first line is the uppermost row.
+  Slice& draw(geometry::Cell at, const std::vector<std::string>& picture) {
+    for (std::size_t row = 0; row < picture.size(); ++row) {
+      const std::string& line = picture[picture.size() - 1 - row];
+      for (std::size_t column = 0; column < line.size(); ++column) {
+        const char what = line[column];
+        const int index = what == '#' ? 2 : what == 'o' ? 4 : -14;
+        if (what != ' ') {
+          set({at.x + static_cast<std::int32_t>(column), at.y + static_cast<std::int32_t>(row)},
+              index);
+        }
+      }
+    }
+    return *this;
+  }
+
+  // As grid::FrameView.
+  [[nodiscard]] bool is_touched(std::size_t tile) const { return tiles_.contains(tile); }
+  bool copy_tile(std::size_t tile, std::span<std::int8_t, geometry::kTileCells> to) const {
+    const auto found = tiles_.find(tile);
+    if (found == tiles_.end()) {
+      return false;
+    }
+    std::ranges::copy(found->second, to.begin());
+    return std::ranges::any_of(found->second, [](std::int8_t index) { return index != 0; });
+  }
+
+ private:
+  static std::size_t in_tile(geometry::Cell cell) {
+    constexpr std::int32_t kSide = geometry::kTileSide;
+    return static_cast<std::size_t>(cell.y % kSide * kSide + cell.x % kSide);
+  }
+
+  std::map<std::size_t, std::array<std::int8_t, geometry::kTileCells>> tiles_;
+};
+
+inline window::Rotation rotation_of(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  constexpr double kOne = 1 << 30;
+  return {static_cast<std::int32_t>(std::lround(std::cos(angle) * kOne)),
+          static_cast<std::int32_t>(std::lround(std::sin(angle) * kOne))};
+}
+
+inline window::Placement placed(std::int32_t x_mm, std::int32_t y_mm, double degrees = 0) {
+  return {.pose = {.x_mm = x_mm, .y_mm = y_mm}, .rotation = rotation_of(degrees)};
+}
+
+}  // namespace iog::tests
