@@ -2,6 +2,7 @@
 // VQRDMULH.S16 is the same rounded to nearest, a half up. Both saturate only at (-2^15)^2, which
 // never occurs: the other factor of kWhole is a mass. All ranges are proven in evidence/cell.hpp.
 #include <arm_neon.h>
+#include <cstddef>
 
 #include "evidence/fusion.hpp"
 #include "evidence/mass_lanes_neon.hpp"
@@ -15,6 +16,23 @@ int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
 int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
 
 int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) { return vbslq_s16(mask, yes, no); }
+
+static_assert(sizeof(Fading) == sizeof(int16x8_t) && offsetof(Fading, persistence) == 8);
+static_assert(offsetof(Gains, persistence) == 2 && offsetof(Gains, specialisation) == 6);
+
+// Factors of free, occupied, moving and standing; persistence is lane 4.
+int16x8_t factors_of(const Fading& fading) {
+  int16x8_t factors;
+  __builtin_memcpy(&factors, &fading, sizeof(factors));
+  return factors;
+}
+
+// Lane 1: persistence, 2: decline, 3: specialisation.
+int16x4_t weights_of(const Gains& gains) {
+  int16x4_t weights;
+  __builtin_memcpy(&weights, &gains, sizeof(weights));
+  return weights;
+}
 
 // A product with kWhole is -mass, exactly; one with any other factor is not negative.
 template <int kLane>
@@ -88,7 +106,7 @@ int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15); }
 }  // namespace
 
 void age(Group& group, const Fading& fading) {
-  const int16x8_t factors = vld1q_s16(&fading.free);
+  const int16x8_t factors = factors_of(fading);
   MassReader before(group);
   const int16x8_t free = left_of<0>(before.next(), vget_low_s16(factors));
   const int16x8_t occupied = left_of<1>(before.next(), vget_low_s16(factors));
@@ -106,7 +124,7 @@ void age(Group& group, const Fading& fading) {
 void fuse(Group& group, const Indexes& indexes, std::uint8_t moved, const Gains& gains) {
   const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));
   const int16x8_t free_mass = vld1q_dup_s16(&gains.free_mass);
-  const int16x4_t weights = vld1_s16(&gains.free_mass);
+  const int16x4_t weights = weights_of(gains);
   const int16x8_t hit_mass = vld1q_dup_s16(&gains.hit_mass);
   const uint16x8_t is_hit = vcgtq_s16(wide, vdupq_n_s16(0));
   fuse_lanes(group, wide, vandq_s16(hit_mass, vreinterpretq_s16_u16(is_hit)),
@@ -120,8 +138,7 @@ void fuse(Group& group, const Indexes& indexes, std::uint8_t moved, const Gains&
   const auto by_time = static_cast<std::int16_t>(gains.free_mass & assignment.free_by_time);
   const int16x8_t crossed = vorrq_s16(graded(assignment.free, vqneg_s8(narrow)),
                                       vandq_s16(vdupq_n_s16(by_time), is_crossed(wide)));
-  fuse_lanes(group, wide, graded(assignment.occupied, narrow), crossed, moved,
-             vld1_s16(&gains.free_mass));
+  fuse_lanes(group, wide, graded(assignment.occupied, narrow), crossed, moved, weights_of(gains));
 }
 
 }  // namespace iog::evidence
