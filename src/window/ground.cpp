@@ -28,12 +28,9 @@ Plane cells_shut_around(const Window& window, std::size_t slot) {
   if (is_empty(window.tile(slot).found.freed)) {
     return Plane{};
   }
-  Rows shut = eroded<2>(dilated<2>(gather<7>(window.around(slot, &Found::freed))));
+  const Rows closed = eroded<2>(dilated<2>(gather<7>(window.around(slot, &Found::freed))));
   const Rows taken = gather<3>(window.around(slot, &Found::taken));
-  for (std::size_t y = 0; y < kRowCount; ++y) {
-    shut.words[y] &= ~taken.words[y];
-  }
-  return middle_of(eroded<3>(shut));
+  return middle_of(eroded<3>(joined<AndNot>(closed, taken)));
 }
 
 }  // namespace

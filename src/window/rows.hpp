@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "window/row_pair.hpp"
 #include "window/tile.hpp"
 
 namespace iog::window {
@@ -22,68 +23,91 @@ inline constexpr std::size_t kRowCount = geometry::kTileSide + 2 * kRowMargin;
 using NinePlanes = std::array<const Plane*, 9>;
 
 struct alignas(16) Rows {
-  std::array<std::uint64_t, kRowCount> words{};
+  std::array<std::uint64_t, kRowCount> words;  // whoever makes them writes all
 };
 
-// The rows of a tile and of kMargin rows around it, kMargin <= kRowMargin.
+// The rows of a tile and of kMargin rows around it, kMargin <= kRowMargin; zeros further out.
 template <std::size_t kMargin>
 inline Rows gather(const NinePlanes& nine) {
   constexpr std::size_t kSide = geometry::kTileSide;
   static_assert(kMargin <= kRowMargin);
-  const auto row = [](const NinePlanes& planes, std::size_t first, std::size_t y) {
-    return std::uint64_t{(*planes[first])[y] >> (kTileSide - kColumnMargin)} |
-           std::uint64_t{(*planes[first + 1])[y]} << kColumnMargin |
-           std::uint64_t{(*planes[first + 2])[y]} << (kColumnMargin + kTileSide);
+  const auto row = [&nine](std::size_t first, std::size_t y) {
+    return std::uint64_t{(*nine[first])[y] >> (kTileSide - kColumnMargin)} |
+           std::uint64_t{(*nine[first + 1])[y]} << kColumnMargin |
+           std::uint64_t{(*nine[first + 2])[y]} << (kColumnMargin + kTileSide);
   };
   Rows rows;
-  for (std::size_t y = 0; y < kMargin; ++y) {
-    rows.words[kRowMargin - kMargin + y] = row(nine, 0, kSide - kMargin + y);
-    rows.words[kRowMargin + kSide + y] = row(nine, 6, y);
+  for (std::size_t y = 0; y < kRowMargin; ++y) {
+    rows.words[y] = y < kRowMargin - kMargin ? 0 : row(0, kSide - kRowMargin + y);
+    rows.words[kRowMargin + kSide + y] = y < kMargin ? row(6, y) : 0;
   }
   for (std::size_t y = 0; y < kSide; ++y) {
-    rows.words[kRowMargin + y] = row(nine, 3, y);
+    rows.words[kRowMargin + y] = row(3, y);
   }
   return rows;
 }
 
 // The tile's own rows.
 inline Plane middle_of(const Rows& rows) {
+  static_assert(kColumnMargin == 16, "what RowPair takes for the middle");
   Plane plane;
-  for (std::size_t y = 0; y < plane.size(); ++y) {
-    plane[y] = static_cast<std::uint32_t>(rows.words[kRowMargin + y] >> kColumnMargin);
+  for (std::size_t y = 0; y < plane.size(); y += 2) {
+    RowPair::load(&rows.words[kRowMargin + y]).store_middle(&plane[y]);
   }
   return plane;
 }
 
 struct Or {
-  static constexpr std::uint64_t of(std::uint64_t a, std::uint64_t b) { return a | b; }
+  static RowPair of(RowPair a, RowPair b) { return a.bit_or(b); }
 };
 struct And {
-  static constexpr std::uint64_t of(std::uint64_t a, std::uint64_t b) { return a & b; }
+  static RowPair of(RowPair a, RowPair b) { return a.bit_and(b); }
+};
+struct AndNot {
+  static RowPair of(RowPair a, RowPair b) { return a.and_not(b); }
 };
 
-// Joins each cell with those of the square of 2 kRadius + 1 cells around it, kRadius 1 ... 3. Runs
-// of two and of four cells are joined first, so that seven need three steps.
+template <typename Join>
+inline Rows joined(const Rows& a, const Rows& b) {
+  Rows out;
+  for (std::size_t y = 0; y < kRowCount; y += 2) {
+    Join::of(RowPair::load(&a.words[y]), RowPair::load(&b.words[y])).store(&out.words[y]);
+  }
+  return out;
+}
+
+// Joins each cell with kRadius cells on either side of it in its row. Runs of two and of four cells
+// are joined first, so that seven need three steps.
+template <typename Join, int kRadius>
+inline RowPair over_runs(RowPair one) {
+  constexpr int kSide = 2 * kRadius + 1;
+  constexpr int kMost = kRadius == 1 ? 2 : 4;
+  const RowPair two = Join::of(one, one.template down<1>());
+  const RowPair most = kMost == 2 ? two : Join::of(two, two.template down<2>());
+  return Join::of(most, most.template down<kSide - kMost>()).template up<kRadius>();
+}
+
+// Joins each cell with those of the square of 2 kRadius + 1 cells around it, kRadius 1 ... 3. The
+// outermost kRadius rows become zeros.
 template <typename Join, int kRadius>
 inline Rows over_squares(const Rows& in) {
   static_assert(kRadius >= 1 && kRadius <= 3);
-  constexpr int kSide = 2 * kRadius + 1;
-  constexpr std::size_t kDown = kRadius;
+  constexpr std::size_t kAway = kRadius;
   Rows across;
-  for (std::size_t y = 0; y < kRowCount; ++y) {
-    const std::uint64_t one = in.words[y];
-    const std::uint64_t two = Join::of(one, one >> 1);
-    const std::uint64_t most = kRadius == 1 ? two : Join::of(two, two >> 2);
-    constexpr int kMost = kRadius == 1 ? 2 : 4;
-    across.words[y] = Join::of(most, most >> (kSide - kMost)) << kRadius;
+  for (std::size_t y = 0; y < kRowCount; y += 2) {
+    over_runs<Join, kRadius>(RowPair::load(&in.words[y])).store(&across.words[y]);
   }
   Rows out;
-  for (std::size_t y = kDown; y < kRowCount - kDown; ++y) {
-    std::uint64_t word = across.words[y];
-    for (std::size_t i = 1; i <= kDown; ++i) {
-      word = Join::of(word, Join::of(across.words[y - i], across.words[y + i]));
+  for (std::size_t y = 0; y < kAway; ++y) {
+    out.words[y] = 0;
+    out.words[kRowCount - 1 - y] = 0;
+  }
+  for (std::size_t y = kAway; y < kRowCount - kAway; y += 2) {
+    RowPair rows = RowPair::load(&across.words[y - kAway]);
+    for (std::size_t i = 1; i <= 2 * kAway; ++i) {
+      rows = Join::of(rows, RowPair::load(&across.words[y - kAway + i]));
     }
-    out.words[y] = word;
+    rows.store(&out.words[y]);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "require/require.hpp"
 #include "window/eight_bytes.hpp"
 #include "window/ground.hpp"
 
@@ -37,7 +38,11 @@ EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
 WindowFusion::WindowFusion(const Rules& rules)
     : rules_(rules), clock_(rules.discounting, rules.weighing) {}
 
-void WindowFusion::follow(const pose::Pose& pose) { window_.follow(cell_of(pose)); }
+// Evidence lies by slot, and would be of other tiles if the window moved under it.
+void WindowFusion::follow(const pose::Pose& pose) {
+  require(counts_.slices == 0);
+  window_.follow(cell_of(pose));
+}
 
 void WindowFusion::forget() {
   window_.forget();

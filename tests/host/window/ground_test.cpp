@@ -122,7 +122,8 @@ struct Patch {
 class GroundNear : public GroundOf, public testing::WithParamInterface<Patch> {};
 
 TEST_P(GroundNear, IsAskedAndRememberedAsTheRuleSays) {
-  const auto [low, side] = GetParam();
+  const Cell low = GetParam().low;
+  const std::int32_t side = GetParam().side;
   for (int round = 0; round < tests::effort(4, 1); ++round) {
     window_->forget();
     hits_ = {};

@@ -75,8 +75,9 @@ class PlainFusion {
   [[nodiscard]] Evidence joined(const std::vector<PlacedSlice>& slices) const {
     Evidence hits;
     Evidence free;
-    for (const auto& [slice, vehicle] : slices) {
-      slice.for_each([&](Cell cell, int index) {
+    for (const PlacedSlice& placed : slices) {
+      const Cell vehicle = placed.vehicle;
+      placed.slice.for_each([&](Cell cell, int index) {
         const Cell at{cell.x - geometry::kOriginCell + vehicle.x,
                       cell.y - geometry::kOriginCell + vehicle.y};
         if (area_.contains(at)) {

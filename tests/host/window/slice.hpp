@@ -83,8 +83,8 @@ class Slice {
 inline window::Rotation rotation_of(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   constexpr double kOne = 1 << 30;
-  return {static_cast<std::int32_t>(std::lround(std::cos(angle) * kOne)),
-          static_cast<std::int32_t>(std::lround(std::sin(angle) * kOne))};
+  return {static_cast<std::int32_t>(std::round(std::cos(angle) * kOne)),
+          static_cast<std::int32_t>(std::round(std::sin(angle) * kOne))};
 }
 
 inline window::Placement placed(std::int32_t x_mm, std::int32_t y_mm, double degrees = 0) {

@@ -216,10 +216,10 @@ TEST(WindowFusion, WhatIsNotSeenAgainIsUnknownAtItsNextRefresh) {
   fusion.follow({0, 0});
   fusion.frame(free_cells(144));
   const auto free = [&] {
-    int count = 0;
+    std::ptrdiff_t count = 0;
     for (const ClassBytes& tile : fusion.classes()) {
-      count += static_cast<int>(std::ranges::count_if(
-          tile, [](std::int8_t byte) { return class_of(byte) == decision::Class::kFree; }));
+      count += std::ranges::count_if(
+          tile, [](std::int8_t byte) { return class_of(byte) == decision::Class::kFree; });
     }
     return count;
   };
@@ -259,7 +259,7 @@ TEST(WindowFusion, HitsAreFusedWhateverTheBudget) {
       slices[0].slice.set({300 + i * 32, 310}, 2);
     }
     const FrameCounts counts = fusion.frame(slices);
-    const std::uint32_t others = budget < 10 ? 0 : std::min(budget - 10, 20U);
+    const std::uint32_t others = budget < 10 ? 0 : std::min<std::uint32_t>(budget - 10, 20);
     EXPECT_EQ(counts.groups_fused, 10 + others);
     EXPECT_EQ(counts.groups_left, 20 - others);
     for (int i = 0; i < 10; ++i) {

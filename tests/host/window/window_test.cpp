@@ -1,9 +1,10 @@
 // The window moves by whole tiles: what stays is as it was, what enters is unknown.
 #include "window/window.hpp"
 
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
-#include <set>
+#include <string>
 
 namespace iog::window {
 namespace {
@@ -73,7 +74,13 @@ TEST_P(WindowMoves, OnlyWhatEntersIsUnknown) {
 
 INSTANTIATE_TEST_SUITE_P(By, WindowMoves,
                          testing::Values(Move{2, 0}, Move{-2, 0}, Move{0, 2}, Move{0, -2},
-                                         Move{3, -5}, Move{-31, 31}, Move{32, 0}, Move{0, -700}));
+                                         Move{3, -5}, Move{-31, 31}, Move{32, 0}, Move{0, -700}),
+                         [](const auto& move) {
+                           const auto name = [](std::int32_t tiles) {
+                             return (tiles < 0 ? "Minus" : "") + std::to_string(std::abs(tiles));
+                           };
+                           return name(move.param.x) + "And" + name(move.param.y);
+                         });
 
 TEST(Window, StaysWhileTheVehicleIsNearItsMiddle) {
   const auto window = full_window({0, 0});
