@@ -75,6 +75,30 @@ std::uint32_t run_of(const Options& options) {
       std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
 }
 
+// "; not used: 3 poses without a heading, ..."
+std::string joined(const std::vector<std::string>& remarks) {
+  std::string text;
+  for (const std::string& remark : remarks) {
+    text += (text.empty() ? "; not used: " : ", ") + remark;
+  }
+  return text;
+}
+
+void print_remarks(const Options& options, const ConvertedLog& log) {
+  for (const std::string& remark : log.remarks) {
+    std::cout << options.from << ": not used: " << remark << '\n';
+  }
+  if (log.taken_sigmas > 0) {
+    std::cout << options.from << ": no standard deviation of the way in " << log.taken_sigmas
+              << " poses, " << options.sigma_mm << " mm taken\n";
+  }
+  if (log.taken_sigma_headings > 0) {
+    std::cout << options.from << ": no standard deviation of the turn in "
+              << log.taken_sigma_headings << " poses, " << options.heading_sigma_mrad
+              << " mrad taken\n";
+  }
+}
+
 void write(const std::vector<CapturedDatagram>& datagrams, const std::string& path) {
   PcapWriter capture(path);
   for (const CapturedDatagram& datagram : datagrams) {
@@ -111,17 +135,15 @@ void convert(const Options& options) {
                                   .sigma_m = options.sigma_mm / 1000,
                                   .sigma_heading_rad = options.heading_sigma_mrad / 1000,
                                   .run = run_of(options)});
-  for (const std::string& remark : log.remarks) {
-    std::cout << options.from << ": not used: " << remark << '\n';
-  }
   if (log.samples.empty()) {
-    throw UsageError(options.from + ": no pose in it");
+    throw UsageError(options.from + ": no pose in it" + joined(log.remarks));
   }
   PoseEncoder encoder;
   std::vector<CapturedDatagram> datagrams;
   for (const PoseSample& sample : log.samples) {
     datagrams.push_back(encoder.datagram_of(sample));
   }
+  print_remarks(options, log);
   options.out.empty() ? send(datagrams, options) : write(datagrams, options.out);
 }
 
@@ -171,8 +193,8 @@ void add_pose(CLI::App& program) {
   command->footer(
       "csv: the first line names the columns, at least time_s,x_m,y_m,heading_deg; speed_m_s,\n"
       "yaw_rate_deg_s, sigma_m and sigma_heading_deg if known. oxts: a folder of KITTI with\n"
-      "timestamps.txt and data/. nmea: RMC, GGA, HDT. ubx: NAV-PVT. Latitude and longitude become\n"
-      "metres east and north of the first position. docs/recordings.md says how each is read.");
+      "timestamps.txt and data. nmea: RMC, GGA, HDT. ubx: NAV-PVT. Latitude and longitude become\n"
+      "metres east and north of the first position. docs/drives.md says how each is read.");
   command->callback([options] { convert(*options); });
 }
 

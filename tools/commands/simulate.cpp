@@ -262,7 +262,7 @@ void add_simulate(CLI::App& program) {
       "The true occupancy has 1024 x 1024 cells of 0.1 m around the car, x to the right, y up: 0 "
       "where\n"
       "the cell's centre is covered by something within the vehicle's height band, 255 elsewhere.\n"
-      "docs/recordings.md explains --truth-cells, and what happens in the scene 'street' when.\n"
+      "docs/drives.md explains --truth-cells, and what happens in the scene 'street' when.\n"
       "The same scene, seed, length, vehicle and options give the same bytes on every machine.\n"
       "Only ibeo LUX scanners are simulated.");
   command->callback([options] { simulate(*options); });

@@ -91,6 +91,8 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
   ConvertedLog result;
   for (const LoggedPose& pose : poses) {
     result.samples.push_back(sample_of(pose, conversion));
+    result.taken_sigmas += pose.sigma_m ? 0U : 1U;
+    result.taken_sigma_headings += pose.sigma_heading_rad ? 0U : 1U;
   }
   add_motion(poses, result.samples);
   result.remarks = std::move(log.remarks);

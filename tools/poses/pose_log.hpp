@@ -62,6 +62,9 @@ struct PoseConversion {
 struct ConvertedLog {
   std::vector<PoseSample> samples;   // by rising times, as far apart as the target wants
   std::vector<std::string> remarks;  // those of the log, and what else was left out
+  // Samples for which a standard deviation was taken that the log does not say.
+  std::size_t taken_sigmas = 0;
+  std::size_t taken_sigma_headings = 0;
 };
 
 // Speed and yaw rate that the log does not say are those between the poses before and after. Left

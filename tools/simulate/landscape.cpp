@@ -12,7 +12,7 @@ constexpr double kWidestStreet = 10.0;  // from the centre line to a car that is
 
 void Landscape::place(double station, std::vector<Solid>& solids) {
   for (Solid& solid : solids) {
-    things_ += solid.z_low > kFloats ? 0U : 1U;
+    things_ += solid.z_low > kFloats && things_ > 0 ? 0U : 1U;
     solid.thing = things_;
     standing_.push_back({station, solid});
   }

@@ -118,6 +118,27 @@ TEST(MovingDrive, AVehicleWithoutLuxIsRefused) {
   EXPECT_THROW(MovingDrive(find_vehicle("roof_vlp16"), 1, 1), UsageError);
 }
 
+// The sweep sorts what its beams may meet more widely, and finds the same.
+TEST(Sweep, InWhichNothingMovesIsTheScanOfThatMoment) {
+  for (const std::string_view name : {"city", "ring_road"}) {
+    const Scene scene = find_scene(name).make(1, 5);
+    const EgoPose ego = scene.ego_at(3);
+    std::vector<Solid> solids;
+    scene.append_seen_at(3, solids);
+    Sweep sweep;
+    sweep.ego.fill(ego);
+    for (const Solid& solid : solids) {
+      sweep.solids.push_back({solid, solid.at});
+    }
+    for (const vehicle::SensorConfig& sensor : reference_car().sensors) {
+      LuxScanner scanner(sensor);
+      Random random(1);
+      Random same(1);
+      EXPECT_EQ(scanner.scan(sweep, random), scanner.scan(ego, solids, same)) << sensor.name;
+    }
+  }
+}
+
 struct WorldPoint {
   double x;
   double y;

@@ -202,6 +202,8 @@ TEST(ConvertedLog, MotionIsThatBetweenTheNeighbours) {
   EXPECT_EQ(result.samples[2].speed_mps, 7);
   EXPECT_EQ(result.samples[1].sigma_m, 0.04);
   EXPECT_EQ(result.samples[1].sigma_heading_rad, 0.003);
+  EXPECT_EQ(result.taken_sigmas, 3U);
+  EXPECT_EQ(result.taken_sigma_headings, 3U);
 }
 
 TEST(ConvertedLog, WhatTheTargetWouldDropIsLeftOutAndCounted) {

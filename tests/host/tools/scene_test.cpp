@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -68,6 +69,25 @@ TEST_P(EveryScene, TheCarIsAtAStationWhenItSaysSo) {
   const Cruise cruise = scene(1).cruise;
   for (double station = 0; station < 200; station += 13) {
     EXPECT_NEAR(cruise.station_at(cruise.time_at(station)), station, 1e-6);
+  }
+}
+
+// A car's cabin is on its body, a tree's leaves are above its trunk, a gantry's beam reaches its
+// post.
+TEST_P(EveryScene, AThingIsInOnePlaceAndHasItsNumber) {
+  const Scene drive = scene(1);
+  for (const double time_s : {1.0, 8.0, 15.0}) {
+    std::vector<Solid> solids;
+    drive.append_seen_at(time_s, solids);
+    std::map<std::uint32_t, Placement> places;
+    for (const Solid& solid : solids) {
+      EXPECT_NE(solid.thing, 0U);
+      const Placement& first = places.emplace(solid.thing, solid.at).first->second;
+      EXPECT_LT(std::hypot(solid.at.x - first.x, solid.at.y - first.y),
+                std::hypot(solid.half_length, solid.half_width) + 0.5)
+          << solid.thing;
+    }
+    EXPECT_GT(places.size(), solids.size() / 2);
   }
 }
 
