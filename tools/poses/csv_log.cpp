@@ -1,5 +1,4 @@
 #include <array>
-#include <numbers>
 
 #include "tools/poses/pose_log.hpp"
 #include "tools/poses/text_fields.hpp"
@@ -8,8 +7,6 @@
 
 namespace iog::tools {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180;
 
 enum Column : std::uint8_t {
   kTime,

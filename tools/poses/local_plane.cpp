@@ -1,12 +1,12 @@
 #include "tools/poses/local_plane.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "tools/poses/pose_sample.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 // NIMA TR8350.2: the ellipsoid of WGS 84.
 constexpr double kSemiMajorM = 6'378'137.0;
 constexpr double kFlattening = 1 / 298.257223563;

@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "tools/poses/local_plane.hpp"
 #include "tools/poses/pose_log.hpp"
@@ -9,7 +8,6 @@
 namespace iog::tools {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kKnot = 1852.0 / 3600;
 // Slower than this a course is no heading.
 constexpr double kWalkingMps = 1.0;

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 
 namespace iog::tools {
+
+inline constexpr double kRadians = std::numbers::pi / 180;  // of a degree
 
 struct PoseSample {
   std::uint64_t time_us = 0;  // of the measurement, by the source's clock

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tools/poses/local_plane.hpp"
 #include "tools/poses/pose_log.hpp"
@@ -10,7 +9,6 @@
 namespace iog::tools {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 constexpr std::uint16_t kSync = 0xB562;
 constexpr std::uint16_t kNavPvt = 0x0107;  // class and id
 constexpr std::size_t kNavPvtBytes = 92;
