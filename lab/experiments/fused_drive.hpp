@@ -1,6 +1,7 @@
 // The grids of a simulated drive, fused by the firmware's code.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -11,6 +12,9 @@
 #include "vehicle/vehicle.hpp"
 
 namespace iog::lab {
+
+// The drives of the papers' tables: a lighter load, and the thesis's.
+inline constexpr std::array kDrives{"city", "ring_road"};
 
 // A grid, row by row from the lowest y.
 using GridCells = std::span<const index::OccupancyIndex, geometry::kCellCount>;

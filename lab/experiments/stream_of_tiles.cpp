@@ -8,18 +8,16 @@
 #include <vector>
 
 #include "lab/experiments/experiments.hpp"
+#include "lab/experiments/fused_drive.hpp"
 #include "lab/experiments/serial_rounds.hpp"
 #include "lab/experiments/stream_bytes.hpp"
 #include "lab/scenarios/lossy_link.hpp"
 #include "stream/references.hpp"
-#include "tools/simulate/scene_catalogue.hpp"
 
 namespace iog::lab {
 namespace {
 
 using tile_coding::Encoding;
-
-constexpr std::array kScenes{"city", "ring_road"};
 
 constexpr std::array kEncodings{std::pair(Encoding::kRaw, "raw"),
                                 std::pair(Encoding::kRunLength, "run_length"),
@@ -75,7 +73,7 @@ class Weights {
 
 void weigh_drives(const Input& input, Tables& tables) {
   Weights weights("scene", "");
-  for (const char* scene : kScenes) {
+  for (const char* scene : kDrives) {
     weights.add(scene, weigh_stream(reference_car(), feed_of(scene, input)));
   }
   weights.move_to(tables);
@@ -124,7 +122,7 @@ std::vector<tools::GridFrame> frames_of(std::string_view scene, const Input& inp
 Table serial_line(const Input& input) {
   Table table("stream_serial_line",
               {"scene", "cell_mm", "line_bytes_per_second", "rounds", "bytes", "time_us"});
-  for (const char* scene : kScenes) {
+  for (const char* scene : kDrives) {
     for (const auto& [cell_mm, rounds] :
          serial_rounds(frames_of(scene, input), kSerialBytesPerSecond)) {
       table.row(scene, cell_mm, kSerialBytesPerSecond, rounds.rounds, rounds.bytes,

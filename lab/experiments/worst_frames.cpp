@@ -13,11 +13,13 @@
 #include "grid/frame_fusion.hpp"
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/frame_limits.hpp"
+#include "lab/experiments/fused_drive.hpp"
 #include "lab/experiments/target_drive.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "require/require.hpp"
 #include "tools/simulate/drive.hpp"
 #include "tools/simulate/lux_scanner.hpp"
+#include "tools/simulate/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/beam.hpp"
 
@@ -70,8 +72,8 @@ double marks_of(const WorstFrame& worst) {
 
 Table frames() {
   Table table("worst_frames", {"frame", "sender", "strain", "marks"});
-  for (const tools::SceneEntry& scene : tools::all_scenes()) {
-    table.row(scene.name, "drive", "", marks_of(scene));
+  for (const char* scene : kDrives) {
+    table.row(scene, "drive", "", marks_of(tools::find_scene(scene)));
   }
   for (const WorstFrame& worst : all_worst_frames()) {
     table.row(worst.name, worst.is_forged ? "forged" : "lux", worst.strain, marks_of(worst));
