@@ -39,7 +39,8 @@ struct Reach {
     const geometry::Cell last{high.x >> geometry::kTileSideLog2, high.y >> geometry::kTileSideLog2};
     for (std::int32_t y = first.y; y <= last.y && y < kEnd; ++y) {
       for (std::int32_t x = first.x; x <= last.x && x < kEnd; ++x) {
-        if (slice.is_known(static_cast<std::size_t>(y * kEnd + x))) {
+        const std::int32_t tile = y * kEnd + x;
+        if (slice.is_known(static_cast<std::size_t>(tile))) {
           return true;
         }
       }

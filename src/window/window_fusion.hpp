@@ -120,6 +120,7 @@ class WindowFusion {
   Arrivals arrivals_;
   Window window_;
 };
-static_assert(geometry::kCellsPerSide > 1024 || sizeof(WindowFusion) <= 17'000'000);
+inline constexpr std::size_t kWindowBytes = sizeof(WindowFusion);
+static_assert(geometry::kCellsPerSide > 1024 || kWindowBytes <= 17'000'000);
 
 }  // namespace iog::window

@@ -40,8 +40,9 @@ std::optional<std::uint64_t> time_in(std::string_view text) {
       *second_us > 61'000'000) {
     return std::nullopt;
   }
-  return unix_us_of(*year, *month, *day,
-                    (std::uint64_t{*hour} * 3600 + *minute * 60U) * 1'000'000 + *second_us);
+  return unix_us_of(
+      *year, *month, *day,
+      (std::uint64_t{*hour} * 3600 + std::uint64_t{*minute} * 60U) * 1'000'000 + *second_us);
 }
 
 std::array<double, kFields> fields_in(const std::string& path) {
