@@ -1,7 +1,7 @@
 // The Internet checksum (RFC 1071): the complement of the one's complement sum of 16-bit words.
 //
 // Ranges: 2^16 = 1 modulo 2^16 - 1, so carries may wait. A sum of n words is below 2^16 n; 32 bits
-// hold 2^16 words, and nothing here sums more than two frames of 757.
+// hold 2^16 words, and nothing here sums more than two datagrams of 2^15.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Who we are on the network and whom we talk to. One aggregate, fixed when the firmware is built.
+// Who we are on the network and whom we talk to. One aggregate, of the car in the image.
 #pragma once
 
 #include <cstdint>

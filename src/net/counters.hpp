@@ -2,6 +2,7 @@
 //
 // Two laws hold at any moment, modulo 2^32 (every counter wraps):
 //   received = delivered + arp_answered + arp_learned + ping_answered + the sum of drops
+//     + fragments.joined
 //   calls of send_message() that failed = the sum of refusals
 #pragma once
 
@@ -21,7 +22,7 @@ enum class Drop : std::uint8_t {
   kNotIpv4OrArp,     // another EtherType, or an 802.3 length
   kBadIpHeader,      // version, header length or total length contradict the frame
   kBadIpChecksum,    // header checksum wrong
-  kFragment,         // part of a datagram; ours all fit into one frame, so nothing is reassembled
+  kFragment,         // part of a datagram, and of no use (Reassembly says why, or it is not of UDP)
   kNotForUsIp,       // destination neither our address nor a broadcast that reaches us
   kBadSource,        // source that no other host can have: 0/8, 127/8, 224/3, broadcast, our own
   kNotUdpOrIcmp,     // another protocol
@@ -45,6 +46,19 @@ enum class Refusal : std::uint8_t {
 };
 inline constexpr std::size_t kRefusalCauses = 3;
 
+// What became of fragments. joined, duplicates, overlaps, bad and refused count frames, the others
+// datagrams. duplicates, overlaps, bad and refused are among the frames dropped as kFragment.
+struct FragmentCounters {
+  std::uint32_t joined = 0;  // taken into a datagram; the one that completes it is not among them
+  std::uint32_t duplicates = 0;  // say again what is there
+  std::uint32_t overlaps = 0;    // say otherwise: their datagram is given up (RFC 5722)
+  std::uint32_t bad = 0;         // a length or an end that cannot be: likewise
+  std::uint32_t refused = 0;     // of a datagram that has been given up
+  std::uint32_t completed = 0;
+  std::uint32_t expired = 0;    // not complete in time
+  std::uint32_t displaced = 0;  // by a newer one, for want of room
+};
+
 struct Counters {
   std::uint32_t received = 0;       // frames taken from the port
   std::uint32_t delivered = 0;      // datagrams returned by poll()
@@ -55,6 +69,7 @@ struct Counters {
   std::uint32_t arp_requested = 0;  // ARP requests for the peer committed to the port
   std::array<std::uint32_t, kDropCauses> drops{};
   std::array<std::uint32_t, kRefusalCauses> refusals{};
+  FragmentCounters fragments{};
 
   [[nodiscard]] constexpr std::uint32_t& of(Drop cause) {
     return drops[static_cast<std::size_t>(cause)];

@@ -2,9 +2,9 @@
 //
 // It answers ARP for its address to every host of its subnet, so that sensors can reach it. It
 // answers ping to the peer alone, and it sends messages to nobody else. It has no clock, and no
-// memory but the port's buffers. Nothing is copied on the way in. On the way out everything is
-// copied once, and summed on the way: the port's memory is uncached, and reading it for the
-// checksum would be slow.
+// memory but the port's buffers and that of datagrams in fragments. Nothing else is copied on the
+// way in. On the way out everything is copied once, and summed on the way: the port's memory is
+// uncached, and reading it for the checksum would be slow.
 //
 // The loop calls poll() until it returns nothing, sends its messages, and calls the port's pump().
 #pragma once
@@ -20,6 +20,7 @@
 #include "net/inbound.hpp"
 #include "net/outbound.hpp"
 #include "net/peer_resolver.hpp"
+#include "net/reassembly.hpp"
 
 namespace iog::net {
 
@@ -54,6 +55,9 @@ class Host {
 
   void release_frame();
   void request_peer(std::uint64_t now_us);
+  // The datagram that this fragment completes, or that it is kept, or dropped.
+  [[nodiscard]] std::optional<Datagram> take_fragment(const Ipv4Packet& fragment,
+                                                      std::uint64_t now_us);
   void answer_arp(const ArpPacket& packet, std::uint64_t now_us);
   void answer_ping(std::span<const std::byte> request);
   void drop(Drop cause) { ++counters_.of(cause); }
@@ -62,6 +66,7 @@ class Host {
   Config config_;
   PeerResolver resolver_;
   Counters counters_;
+  Reassembly reassembly_;
   std::uint16_t identification_ = 0;  // of the next IPv4 packet
   bool holds_frame_ = false;          // the datagram returned last is still in the port
 };
@@ -78,10 +83,18 @@ std::optional<Datagram> Host<Port>::poll(std::uint64_t now_us) {
     holds_frame_ = true;
     ++counters_.received;
     const Inbound inbound = classify_frame(frame, config_);
+    if (inbound.peer_mac) {
+      resolver_.hear(*inbound.peer_mac);
+    }
     switch (inbound.kind) {
       case InboundKind::kDatagram:
         ++counters_.delivered;
         return inbound.datagram;
+      case InboundKind::kFragment:
+        if (const auto datagram = take_fragment(inbound.fragment, now_us)) {
+          return datagram;
+        }
+        break;
       case InboundKind::kArp:
         answer_arp(inbound.arp, now_us);
         break;
@@ -95,6 +108,26 @@ std::optional<Datagram> Host<Port>::poll(std::uint64_t now_us) {
     release_frame();
   }
   return std::nullopt;
+}
+
+template <hal::EthernetPort Port>
+std::optional<Datagram> Host<Port>::take_fragment(const Ipv4Packet& fragment,
+                                                  std::uint64_t now_us) {
+  const Reassembly::Result result = reassembly_.take(fragment, now_us, counters_.fragments);
+  if (result.fate == Reassembly::Fate::kJoined) {
+    return std::nullopt;
+  }
+  if (result.fate == Reassembly::Fate::kDropped) {
+    drop(Drop::kFragment);
+    return std::nullopt;
+  }
+  const Inbound inbound = classify_joined(result.packet);
+  if (inbound.kind != InboundKind::kDatagram) {
+    drop(inbound.drop);
+    return std::nullopt;
+  }
+  ++counters_.delivered;
+  return inbound.datagram;
 }
 
 template <hal::EthernetPort Port>
@@ -139,11 +172,12 @@ void Host<Port>::release_frame() {
 // one is due a second later.
 template <hal::EthernetPort Port>
 void Host<Port>::request_peer(std::uint64_t now_us) {
-  if (!resolver_.request_due(now_us)) {
+  const std::optional<MacAddress> whom = resolver_.request_due(now_us);
+  if (!whom) {
     return;
   }
   if (const auto buffer = acquire()) {
-    port_.commit(build_arp_request(*buffer, config_));
+    port_.commit(build_arp_request(*buffer, config_, *whom));
     ++counters_.arp_requested;
   }
 }

@@ -53,12 +53,17 @@ Inbound classify_ping(const Ipv4Packet& packet, const Config& config) {
   return dropped(Drop::kBadIcmp);
 }
 
-Inbound classify_packet(const Ipv4Packet& packet, const Config& config) {
+Inbound classify_packet(const Ipv4Packet& packet, bool is_fragment, const Config& config) {
   if (!reaches_us(packet.destination, config)) {
     return dropped(Drop::kNotForUsIp);
   }
   if (!can_be_source(packet.source, config)) {
     return dropped(Drop::kBadSource);
+  }
+  if (is_fragment) {
+    return packet.protocol == kProtocolUdp
+               ? Inbound{.kind = InboundKind::kFragment, .fragment = packet}
+               : dropped(Drop::kFragment);
   }
   switch (packet.protocol) {
     case kProtocolUdp:
@@ -74,15 +79,28 @@ Inbound classify_ipv4(std::span<const std::byte> payload, const Config& config) 
   const Ipv4Result result = parse_ipv4(payload);
   switch (result.status) {
     case Ipv4Status::kOk:
-      return classify_packet(result.packet, config);
+    case Ipv4Status::kFragment:
+      return classify_packet(result.packet, result.status == Ipv4Status::kFragment, config);
     case Ipv4Status::kBadChecksum:
       return dropped(Drop::kBadIpChecksum);
-    case Ipv4Status::kFragment:
-      return dropped(Drop::kFragment);
     case Ipv4Status::kBadHeader:
       break;
   }
   return dropped(Drop::kBadIpHeader);
+}
+
+// Only what is sound in all its parts speaks for the peer.
+bool is_of_peer(const Inbound& inbound, const Config& config) {
+  return inbound.kind == InboundKind::kEchoRequest ||
+         (inbound.kind == InboundKind::kDatagram && inbound.datagram.source == config.peer);
+}
+
+Inbound classify_ipv4(const EthernetFrame& frame, const Config& config) {
+  Inbound inbound = classify_ipv4(frame.payload, config);
+  if (is_of_peer(inbound, config)) {
+    inbound.peer_mac = frame.source;
+  }
+  return inbound;
 }
 
 Inbound classify_arp(std::span<const std::byte> payload) {
@@ -94,6 +112,8 @@ Inbound classify_arp(std::span<const std::byte> payload) {
 }
 
 }  // namespace
+
+Inbound classify_joined(const Ipv4Packet& packet) { return classify_udp(packet); }
 
 Inbound classify_frame(std::span<const std::byte> frame, const Config& config) {
   const std::optional<EthernetFrame> ethernet = parse_ethernet(frame);
@@ -108,7 +128,7 @@ Inbound classify_frame(std::span<const std::byte> frame, const Config& config) {
   }
   switch (ethernet->type) {
     case kEtherTypeIpv4:
-      return classify_ipv4(ethernet->payload, config);
+      return classify_ipv4(*ethernet, config);
     case kEtherTypeArp:
       return classify_arp(ethernet->payload);
     default:

@@ -11,7 +11,9 @@ constexpr std::uint8_t kVersion = 4;
 constexpr std::size_t kHeaderWordBytes = 4;
 constexpr std::uint8_t kTimeToLive = 64;
 constexpr std::uint16_t kDontFragment = 0x4000;
-constexpr std::uint16_t kFragmentMask = 0x3FFF;  // More Fragments and the fragment offset
+constexpr std::uint16_t kMoreFragments = 0x2000;
+constexpr std::uint16_t kFragmentOffsetMask = 0x1FFF;
+constexpr std::uint32_t kFragmentUnitBytes = 8;
 
 }  // namespace
 
@@ -20,7 +22,7 @@ Ipv4Result parse_ipv4(std::span<const std::byte> bytes) {
   const std::uint8_t version_and_words = reader.u8();
   reader.skip(1);  // type of service
   const std::size_t total_bytes = reader.u16_be();
-  reader.skip(2);  // identification
+  const std::uint16_t identification = reader.u16_be();
   const std::uint16_t fragment = reader.u16_be();
   reader.skip(1);  // time to live: a host takes what has arrived (RFC 1122, section 3.2.1.7)
   const std::uint8_t protocol = reader.u8();
@@ -36,14 +38,15 @@ Ipv4Result parse_ipv4(std::span<const std::byte> bytes) {
   if (internet_checksum(bytes.first(header_bytes)) != 0) {
     return {.status = Ipv4Status::kBadChecksum};
   }
-  if ((fragment & kFragmentMask) != 0) {
-    return {.status = Ipv4Status::kFragment};
-  }
-  const auto payload = bytes.first(total_bytes).subspan(header_bytes);
-  return {
-      .status = Ipv4Status::kOk,
-      .packet = {
-          .source = source, .destination = destination, .protocol = protocol, .payload = payload}};
+  const bool is_whole = (fragment & (kMoreFragments | kFragmentOffsetMask)) == 0;
+  return {.status = is_whole ? Ipv4Status::kOk : Ipv4Status::kFragment,
+          .packet = {.source = source,
+                     .destination = destination,
+                     .protocol = protocol,
+                     .identification = identification,
+                     .fragment_offset = (fragment & kFragmentOffsetMask) * kFragmentUnitBytes,
+                     .has_more_fragments = (fragment & kMoreFragments) != 0,
+                     .payload = bytes.first(total_bytes).subspan(header_bytes)}};
 }
 
 // The words are summed as they are written, because the target may be uncached.
@@ -51,11 +54,16 @@ void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4
   constexpr std::uint16_t kVersionLengthAndService =
       (kVersion << 4 | kIpv4HeaderBytes / kHeaderWordBytes) << 8;  // type of service: routine
   const auto total_bytes = static_cast<std::uint16_t>(kIpv4HeaderBytes + header.payload_bytes);
+  const bool is_fragment = header.has_more_fragments || header.fragment_offset != 0;
+  const auto fragment =
+      static_cast<std::uint16_t>(header.fragment_offset / kFragmentUnitBytes |
+                                 (header.has_more_fragments ? kMoreFragments : std::uint16_t{0}) |
+                                 (is_fragment ? std::uint16_t{0} : kDontFragment));
   const auto life_and_protocol = static_cast<std::uint16_t>(kTimeToLive << 8 | header.protocol);
   Checksum sum;
   wire::ByteWriter writer{target};
   for (const std::uint16_t word : {kVersionLengthAndService, total_bytes, header.identification,
-                                   kDontFragment, life_and_protocol}) {
+                                   fragment, life_and_protocol}) {
     sum.add_u16(word);
     writer.u16_be(word);
   }

@@ -1,4 +1,4 @@
-// The IPv4 header (RFC 791), without options on the way out and without fragments on both ways.
+// The IPv4 header (RFC 791), without options on the way out.
 #pragma once
 
 #include <cstddef>
@@ -22,16 +22,22 @@ struct Ipv4Packet {
   Ipv4Address source{};
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
+  std::uint16_t identification = 0;
+  // Where the payload belongs in its datagram, bytes, a multiple of 8 below 2^16; and whether more
+  // of the datagram lies behind it.
+  std::uint32_t fragment_offset = 0;
+  bool has_more_fragments = false;
   std::span<const std::byte> payload{};  // as long as the header says, options and padding removed
 };
 
 struct [[nodiscard]] Ipv4Result {
   Ipv4Status status = Ipv4Status::kBadHeader;
-  Ipv4Packet packet{};  // meaningful only with kOk
+  Ipv4Packet packet{};  // meaningful only with kOk and kFragment
 };
 
 // kBadHeader: version, header length or total length contradict each other or the bytes there are.
-// kBadChecksum: the header's checksum is wrong. kFragment: the packet is not a whole datagram.
+// kBadChecksum: the header's checksum is wrong. kFragment: the packet is sound and part of a
+// datagram.
 Ipv4Result parse_ipv4(std::span<const std::byte> bytes);
 
 // What the header of one of our packets says; the rest is the same in all of them.
@@ -40,10 +46,12 @@ struct Ipv4Header {
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
   std::uint16_t identification = 0;
-  std::size_t payload_bytes = 0;  // at most kMaxIpv4PayloadBytes
+  std::size_t payload_bytes = 0;      // at most kMaxIpv4PayloadBytes
+  std::uint16_t fragment_offset = 0;  // bytes, a multiple of 8
+  bool has_more_fragments = false;
 };
 
-// Don't Fragment set, time to live 64 (RFC 1700), checksum computed.
+// Don't Fragment set unless it is one, time to live 64 (RFC 1700), checksum computed.
 void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header);
 
 }  // namespace iog::net

@@ -42,8 +42,8 @@ std::size_t wrap_ipv4(FrameBuffer frame, const Config& config, const MacAddress&
 
 }  // namespace
 
-std::size_t build_arp_request(FrameBuffer frame, const Config& config) {
-  return build_arp(frame, kBroadcastMac,
+std::size_t build_arp_request(FrameBuffer frame, const Config& config, const MacAddress& whom) {
+  return build_arp(frame, whom,
                    {.operation = ArpOperation::kRequest,
                     .sender_mac = config.mac,
                     .sender_address = config.address,

@@ -21,8 +21,9 @@ using FrameBuffer = std::span<std::byte, kMaxFrameBytes>;
 inline constexpr std::size_t kMessageOffset =
     kEthernetHeaderBytes + kIpv4HeaderBytes + kUdpHeaderBytes;
 
-// Asks everyone for the peer's Ethernet address.
-[[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config);
+// Asks a station, or everyone, for the peer's Ethernet address.
+[[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config,
+                                            const MacAddress& whom);
 
 // Tells the sender of `request`, and nobody else, our Ethernet address.
 [[nodiscard]] std::size_t build_arp_reply(FrameBuffer frame, const Config& config,

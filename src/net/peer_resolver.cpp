@@ -5,16 +5,25 @@ namespace iog::net {
 void PeerResolver::learn(const MacAddress& mac, std::uint64_t now_us) {
   mac_ = mac;
   learned_us_ = now_us;
+  heard_.reset();
 }
 
-bool PeerResolver::request_due(std::uint64_t now_us) {
-  const bool wanted = !known() || now_us - learned_us_ >= kArpRefreshUs;
+void PeerResolver::hear(const MacAddress& mac) {
+  if (known() && mac != *mac_ && mac.is_unicast()) {
+    heard_ = mac;
+  }
+}
+
+std::optional<MacAddress> PeerResolver::request_due(std::uint64_t now_us) {
+  const bool everyone = !known() || now_us - learned_us_ >= kArpRefreshUs;
   const bool allowed = !asked_us_ || now_us - *asked_us_ >= kArpRequestIntervalUs;
-  if (!wanted || !allowed) {
-    return false;
+  if (!allowed || !(everyone || heard_)) {
+    return std::nullopt;
   }
   asked_us_ = now_us;
-  return true;
+  const MacAddress whom = everyone ? kBroadcastMac : *heard_;
+  heard_.reset();
+  return whom;
 }
 
 }  // namespace iog::net

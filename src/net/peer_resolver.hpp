@@ -25,11 +25,18 @@ class PeerResolver {
 
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
-  // True if an ARP request is to be sent now, which then counts as asked. True at the first call,
-  // as nothing is known then.
-  [[nodiscard]] bool request_due(std::uint64_t now_us);
+  // The peer's traffic has come from this station. If that is not the one that is known, one of the
+  // two is another's: the station is asked soon whether the peer's address is its own. It is not
+  // believed by the traffic alone, because a router passes on what claims to be the peer's, too.
+  void hear(const MacAddress& mac);
+
+  // Whom to send an ARP request to now, which then counts as asked: everyone, or the station that
+  // was heard (RFC 1122, section 2.3.2.1, "Unicast Poll"). Everyone at the first call, as nothing
+  // is known then.
+  [[nodiscard]] std::optional<MacAddress> request_due(std::uint64_t now_us);
 
  private:
+  std::optional<MacAddress> heard_;  // to be asked
   std::optional<MacAddress> mac_;
   std::uint64_t learned_us_ = 0;
   std::optional<std::uint64_t> asked_us_;

@@ -5,7 +5,9 @@
 // theorem 4.2: with l = ceil(log2 d), s = N + l and m = ceil(2^s / d), the error m*d - 2^s lies in
 // [0, 2^l), therefore floor(n * m / 2^s) = floor(n / d) for every 0 <= n < 2^N.
 //
-// Here N = 31, so m <= 2^32 and n * m < 2^63: one 64-bit product, no overflow.
+// Here N = 31. As d > 2^(l - 1), m < 2^32 (m = 2^31 if d is a power of two), so n * m < 2^63: one
+// product of two words, no overflow, and n * m / 2^31 fits a word again. It is the upper word of 2n
+// * m.
 #pragma once
 
 #include <bit>
@@ -21,17 +23,19 @@ class Reciprocal {
 
   // divisor: 1 ... 2^31 - 1.
   explicit constexpr Reciprocal(std::uint32_t divisor)
-      : shift_(kDividendBits + static_cast<int>(std::bit_width(divisor - 1))),
-        multiplier_(((std::uint64_t{1} << shift_) + divisor - 1) / divisor) {}
+      : log2_(static_cast<int>(std::bit_width(divisor - 1))),
+        multiplier_(static_cast<std::uint32_t>(
+            ((std::uint64_t{1} << (kDividendBits + log2_)) + divisor - 1) / divisor)) {}
 
   // floor(dividend / divisor) for dividend < 2^31.
   [[nodiscard]] constexpr std::uint32_t divide(std::uint32_t dividend) const {
-    return static_cast<std::uint32_t>((dividend * multiplier_) >> shift_);
+    const std::uint64_t product = std::uint64_t{dividend << 1U} * multiplier_;
+    return static_cast<std::uint32_t>(product >> 32) >> log2_;
   }
 
  private:
-  int shift_ = kDividendBits;
-  std::uint64_t multiplier_ = std::uint64_t{1} << kDividendBits;
+  int log2_ = 0;
+  std::uint32_t multiplier_ = std::uint32_t{1} << kDividendBits;
 };
 
 }  // namespace iog::numeric

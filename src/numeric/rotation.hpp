@@ -12,29 +12,15 @@
 
 namespace iog::numeric {
 
+// Cosine and sine in 2^-30, each within +-2^30.
 struct Rotation {
   std::int32_t cos_q30 = 1 << kSineFractionBits;
   std::int32_t sin_q30 = 0;
 };
 
-// sine of angle / 2^32 turns, -2^30 ... 2^30. A step of the table is below 2^21 and a fraction
-// below 2^20, so the product is below 2^41.
-constexpr std::int32_t sine_of(std::uint32_t angle) {
-  constexpr int kTickBits = 12;
-  constexpr int kFractionBits = 32 - kTickBits;
-  constexpr SineTable kTable = kSineTable<1 << kTickBits>;
-  const std::uint32_t tick = angle >> kFractionBits;
-  const std::int64_t fraction = angle % (1U << kFractionBits);
-  const std::int32_t here = kTable.sine(tick);
-  const std::int32_t step = kTable.sine((tick + 1) % (1U << kTickBits)) - here;
-  const std::int64_t risen = (step * fraction + (1 << (kFractionBits - 1))) >> kFractionBits;
-  return here + static_cast<std::int32_t>(risen);
-}
+// sine of angle / 2^32 turns, -2^30 ... 2^30.
+[[nodiscard]] std::int32_t sine_of(std::uint32_t angle);
 
-constexpr std::int32_t cosine_of(std::uint32_t angle) { return sine_of(angle + (1U << 30)); }
-
-constexpr Rotation rotation_of(std::uint32_t angle) {
-  return {.cos_q30 = cosine_of(angle), .sin_q30 = sine_of(angle)};
-}
+[[nodiscard]] Rotation rotation_of(std::uint32_t angle);
 
 }  // namespace iog::numeric

@@ -10,6 +10,9 @@ void Sender::protect(std::span<std::byte> message) {
 
 Received Receiver::receive(std::span<const std::byte> datagram) {
   Received received{.header = check_some_ip_header(event_, datagram)};
+  if (received.header == SomeIpStatus::kWrongVersion) {
+    received.interface_version = interface_version_of(datagram);
+  }
   if (received.header != SomeIpStatus::kOk) {
     return received;
   }

@@ -57,7 +57,9 @@ class Sender {
 };
 
 struct Received {
-  SomeIpStatus header = SomeIpStatus::kTooShort;  // if not kOk, the rest says nothing
+  SomeIpStatus header =
+      SomeIpStatus::kTooShort;         // if not kOk, the rest but the version says nothing
+  std::uint8_t interface_version = 0;  // that the sender speaks, of kWrongVersion
   CheckStatus check = CheckStatus::kError;
   std::uint16_t delta_counter = 0;  // how far it is ahead of the message before; 0 after an error
   std::span<const std::byte> content{};  // empty unless the message is whole

@@ -10,6 +10,7 @@ constexpr std::uint16_t kClientId = 0;  // a notification answers nobody
 constexpr std::uint8_t kProtocolVersion = 1;
 constexpr std::uint8_t kNotification = 0x02;
 constexpr std::uint8_t kReturnOk = 0x00;
+constexpr std::size_t kInterfaceVersionOffset = 13;
 
 }  // namespace
 
@@ -40,17 +41,24 @@ SomeIpStatus check_some_ip_header(const Event& event, std::span<const std::byte>
   if (!in.ok() || length > datagram.size() - kSomeIpLengthOffset) {
     return SomeIpStatus::kTooShort;
   }
-  if (service_id != event.service_id || event_id != event.event_id) {
+  if (protocol_version != kProtocolVersion || service_id != event.service_id ||
+      event_id != event.event_id) {
     return SomeIpStatus::kNotOurs;
   }
   if (length < datagram.size() - kSomeIpLengthOffset) {
     return SomeIpStatus::kTooLong;
   }
-  if (protocol_version != kProtocolVersion || interface_version != event.interface_version) {
+  if (interface_version != event.interface_version) {
     return SomeIpStatus::kWrongVersion;
   }
   return type == kNotification && return_code == kReturnOk ? SomeIpStatus::kOk
                                                            : SomeIpStatus::kWrongType;
+}
+
+std::uint8_t interface_version_of(std::span<const std::byte> datagram) {
+  wire::ByteReader in(datagram);
+  in.skip(kInterfaceVersionOffset);
+  return in.u8();
 }
 
 }  // namespace iog::protection

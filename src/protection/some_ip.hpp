@@ -35,8 +35,8 @@ enum class SomeIpStatus : std::uint8_t {
   kOk,
   kTooShort,  // for a header, or than its length says
   kTooLong,   // than its length says: SOME/IP may put several messages into one datagram, we do not
-  kNotOurs,   // another service or event
-  kWrongVersion,  // of the protocol or the interface
+  kNotOurs,   // another version of the protocol, another service or event
+  kWrongVersion,  // of the interface; interface_version_of() says which
   kWrongType,     // not a notification, or one with an error as return code
 };
 
@@ -47,6 +47,9 @@ void write_some_ip_header(const Event& event, std::uint16_t session_id,
 // Whether the datagram is one message of this event.
 [[nodiscard]] SomeIpStatus check_some_ip_header(const Event& event,
                                                 std::span<const std::byte> datagram);
+
+// What a datagram with such a header says; 0 if it is too short for it.
+[[nodiscard]] std::uint8_t interface_version_of(std::span<const std::byte> datagram);
 
 [[nodiscard]] constexpr std::uint16_t session_after(std::uint16_t session_id) {
   return session_id == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(session_id + 1);

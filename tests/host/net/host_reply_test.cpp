@@ -157,6 +157,58 @@ TEST(HostArp, LearnsFromNobodyElse) {
   EXPECT_TRUE(station.conserved());
 }
 
+// A station has claimed the peer's address. The true peer's next datagram has it asked, by name,
+// and its answer has the stream back: no later than a second after it was heard, not after 30.
+TEST(HostArp, ThePeersOwnTrafficWinsTheStreamBack) {
+  Station station;
+  station.resolve();
+  Frame spoof = linux_arp_reply();
+  spoof[kArpSenderMac + 5] = std::byte{0x66};
+  static_cast<void>(station.take(spoof, kSecondUs));
+  ASSERT_TRUE(station.take(linux_udp_even(), 2 * kSecondUs));
+  static_cast<void>(station.poll(2 * kSecondUs + 1));
+  const auto asked = station.port.take_sent();
+  ASSERT_EQ(asked.size(), 1U);
+  Frame expected = from_hex(
+      "020000000002 02000000000f 0806 0001 0800 06 04 0001"
+      "02000000000f 0a00020f 000000000000 0a000202");
+  expected.resize(kMinFrameBytes);
+  EXPECT_EQ(asked[0], expected);
+  static_cast<void>(station.take(linux_arp_reply(), 2 * kSecondUs + 2));
+  ASSERT_TRUE(station.host.send_message(std::span<const std::byte>{}));
+  const auto sent = station.port.take_sent();
+  ASSERT_EQ(sent.size(), 1U);
+  const auto ethernet = parse_ethernet(sent[0]);
+  ASSERT_TRUE(ethernet);
+  EXPECT_EQ(ethernet->destination, kPeerMac);
+  // The peer is heard where it is known: nobody is asked.
+  ASSERT_TRUE(station.take(linux_udp_even(), 4 * kSecondUs));
+  static_cast<void>(station.poll(4 * kSecondUs + 1));
+  EXPECT_TRUE(station.port.take_sent().empty());
+  EXPECT_TRUE(station.conserved());
+}
+
+// A router passes on what claims to be the peer's. It is asked once a second, and nothing goes to
+// it.
+TEST(HostArp, TrafficAloneMovesNothing) {
+  Station station;
+  station.resolve();
+  Frame routed = linux_udp_even();
+  routed[11] = std::byte{0x66};
+  for (std::uint64_t now_us = kSecondUs; now_us < 4 * kSecondUs; now_us += 10'000) {
+    ASSERT_TRUE(station.take(routed, now_us));
+  }
+  for (const Frame& frame : station.port.take_sent()) {
+    EXPECT_EQ(be16(frame, 12), 0x0806U);
+  }
+  EXPECT_EQ(station.host.counters().arp_requested, 1U + 3U);
+  // And everyone is asked all the same, when it is time to.
+  ASSERT_TRUE(station.take(routed, 31 * kSecondUs));
+  const auto sent = station.port.take_sent();
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_EQ(be16(sent[0], 0), 0xFFFFU);
+}
+
 // Our IPv4 identification and Don't Fragment are our own; all else is what Linux answers.
 TEST(HostPing, AnswersThePeer) {
   Station station;

@@ -106,7 +106,7 @@ TEST(Ipv4, RefusesHeadersThatContradictThemselvesEvenWithARightChecksum) {
   EXPECT_EQ(status_with(kIpOffset + 2, 20), Ipv4Status::kOk) << "an empty packet is a packet";
 }
 
-TEST(Ipv4, RefusesFragmentsButNotTheFlagsOfWholeDatagrams) {
+TEST(Ipv4, TellsFragmentsFromWholeDatagrams) {
   const auto status_with_flags = [](unsigned flags) {
     Frame frame = linux_udp_even();
     put_be16(frame, kIpOffset + 6, flags);
@@ -119,6 +119,14 @@ TEST(Ipv4, RefusesFragmentsButNotTheFlagsOfWholeDatagrams) {
   EXPECT_EQ(status_with_flags(0x0001), Ipv4Status::kFragment);
   EXPECT_EQ(status_with_flags(0x4000), Ipv4Status::kOk) << "Don't Fragment";
   EXPECT_EQ(status_with_flags(0x0000), Ipv4Status::kOk);
+}
+
+TEST(Ipv4, SaysWhereAFragmentBelongs) {
+  const Ipv4Packet packet = parse_ipv4(ip_of(linux_last_fragment())).packet;
+  EXPECT_EQ(packet.identification, 0x74D0);
+  EXPECT_EQ(packet.fragment_offset, 0x45U * 8);
+  EXPECT_FALSE(packet.has_more_fragments);
+  EXPECT_EQ(packet.payload.size(), 56U);
 }
 
 UdpResult udp_of(const Frame& frame) { return parse_udp(parse_ipv4(ip_of(frame)).packet); }
@@ -221,8 +229,9 @@ TEST(Icmp, RepliesAsLinuxDoes) {
 }
 
 TEST(Outbound, AsksAndAnswersArpAsLinuxDoes) {
-  EXPECT_EQ(built([](FrameBuffer frame) { return build_arp_request(frame, kLinux); }),
-            padded(linux_arp_request()));
+  EXPECT_EQ(
+      built([](FrameBuffer frame) { return build_arp_request(frame, kLinux, kBroadcastMac); }),
+      padded(linux_arp_request()));
   const ArpPacket request{.operation = ArpOperation::kRequest,
                           .sender_mac = kConfig.mac,
                           .sender_address = kConfig.address,

@@ -43,8 +43,8 @@ struct Station {
   // Every frame that came in went exactly one way, and the port was used as it wants to be.
   [[nodiscard]] bool conserved() const {
     const Counters& c = host.counters();
-    return c.received ==
-               c.delivered + c.arp_answered + c.arp_learned + c.ping_answered + all_dropped() &&
+    return c.received == c.delivered + c.arp_answered + c.arp_learned + c.ping_answered +
+                             all_dropped() + c.fragments.joined &&
            c.received == port.counters().received && port.violations() == 0;
   }
 };

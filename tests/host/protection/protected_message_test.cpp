@@ -104,12 +104,26 @@ TEST(ProtectedMessage, StrangersAreToldApart) {
   EXPECT_EQ(header_with(7, 61), SomeIpStatus::kTooShort);
   EXPECT_EQ(header_with(7, 59), SomeIpStatus::kTooLong);
   EXPECT_EQ(header_with(4, 0xFF), SomeIpStatus::kTooShort);
-  EXPECT_EQ(header_with(12, 2), SomeIpStatus::kWrongVersion);
+  EXPECT_EQ(header_with(12, 2), SomeIpStatus::kNotOurs) << "another SOME/IP";
   EXPECT_EQ(header_with(13, 4), SomeIpStatus::kWrongVersion);
   EXPECT_EQ(header_with(14, 0x80), SomeIpStatus::kWrongType);
   EXPECT_EQ(header_with(15, 1), SomeIpStatus::kWrongType);
   for (std::size_t size = 0; size < message.size(); ++size) {
     ASSERT_EQ(receiver.receive(std::span(message).first(size)).header, SomeIpStatus::kTooShort);
+  }
+}
+
+TEST(ProtectedMessage, AnotherVersionOfTheInterfaceIsNamed) {
+  Sender sender(kChannel);
+  Bytes message = sent(sender, 40);
+  Receiver receiver(kChannel);
+  EXPECT_EQ(receiver.receive(message).interface_version, 0);
+  for (const int version : {1, 2, 4, 255}) {
+    message.at(13) = static_cast<std::byte>(version);
+    const Received received = receiver.receive(message);
+    EXPECT_EQ(received.header, SomeIpStatus::kWrongVersion);
+    EXPECT_EQ(received.interface_version, version);
+    EXPECT_TRUE(received.content.empty());
   }
 }
 

@@ -1,0 +1,77 @@
+// Exact division by a divisor that is known only now, without a divide instruction.
+//
+// The Cortex-A9 has no integer divide, and the compiler's own routine takes some 400 instructions
+// for 64 bits. Moeller and Granlund, "Improved division by invariant integers" (IEEE Transactions
+// on Computers 60, 2011): with d shifted until its upper bit is set, algorithm 2 finds
+//     inverse = floor((2^64 - 1) / d) - 2^32
+// from a table of 512 entries and two Newton steps, and algorithm 4 divides 64 bits by d with one
+// product by it and two corrections. All words wrap, as the paper proves they may.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace iog::numeric {
+
+namespace divisor_detail {
+
+using Inverses = std::array<std::uint16_t, 512>;
+
+consteval Inverses make_inverses() {
+  Inverses inverses{};
+  for (std::uint32_t i = 0; i < inverses.size(); ++i) {
+    inverses[i] = static_cast<std::uint16_t>(((1U << 24) - (1U << 14) + (1U << 9)) / (512 + i));
+  }
+  return inverses;
+}
+
+// By the upper ten bits of a divisor without the first, floor((2^24 - 2^14 + 2^9) / those ten). A
+// constant within the function that reads it would be copied to the stack by each call.
+inline constexpr Inverses kInverses = make_inverses();
+
+}  // namespace divisor_detail
+
+class Divisor {
+ public:
+  // divisor > 0.
+  explicit constexpr Divisor(std::uint32_t divisor)
+      : shift_(std::countl_zero(divisor)),
+        divisor_(divisor << shift_),
+        inverse_(inverse_of(divisor_)) {}
+
+  // floor(dividend / divisor), if that is below 2^32.
+  [[nodiscard]] constexpr std::uint32_t divide(std::uint64_t dividend) const {
+    const std::uint64_t shifted = dividend << shift_;
+    const std::uint64_t estimate = (shifted >> 32) * inverse_ + shifted;
+    std::uint32_t quotient = static_cast<std::uint32_t>(estimate >> 32) + 1;
+    std::uint32_t rest = static_cast<std::uint32_t>(shifted) - quotient * divisor_;
+    if (rest > static_cast<std::uint32_t>(estimate)) {
+      --quotient;
+      rest += divisor_;
+    }
+    return rest >= divisor_ ? quotient + 1 : quotient;
+  }
+
+ private:
+  static constexpr std::uint32_t high(std::uint64_t product) {
+    return static_cast<std::uint32_t>(product >> 32);
+  }
+
+  // Algorithm 2; 2^31 <= d.
+  static constexpr std::uint32_t inverse_of(std::uint32_t d) {
+    const std::uint32_t v0 = divisor_detail::kInverses[(d >> 22) - 512];
+    const std::uint32_t square = v0 * v0;  // below 2^30
+    const std::uint32_t v1 = 16 * v0 - high(std::uint64_t{square} * ((d >> 11) + 1)) - 1;
+    const std::uint32_t e = (v1 / 2 & (0 - (d & 1U))) - v1 * (d / 2 + (d & 1U));
+    const std::uint32_t v2 = (v1 << 15) + (high(std::uint64_t{v1} * e) >> 1);
+    return v2 - high(std::uint64_t{v2} * d + d) - d;
+  }
+
+  int shift_;
+  std::uint32_t divisor_;
+  std::uint32_t inverse_;
+};
+
+}  // namespace iog::numeric
