@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "protection/believed.hpp"
 #include "require/require.hpp"
 
 namespace iog::intake {
@@ -16,6 +17,8 @@ PacketDrop cause_of(lidar::DecodeStatus status) {
       return PacketDrop::kWrongType;
     case lidar::DecodeStatus::kWrongAngle:
       return PacketDrop::kWrongAngle;
+    case lidar::DecodeStatus::kOtherUnit:
+      return PacketDrop::kOtherUnit;
     case lidar::DecodeStatus::kWrongPoint:
     case lidar::DecodeStatus::kOk:
       break;
@@ -29,16 +32,17 @@ Intake::Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_
     : sensors_(sensors), replayer_ipv4_(replayer_ipv4) {
   require(sensors.size() <= vehicle::kMaxSensors);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    trackers_[i] = ScanTracker(sensors[i].sines.ticks_per_turn(), sensors[i].scan_width_ticks);
+    constexpr std::uint32_t kPointsOfPacket = 384;  // of spinning units; a LUX sends fewer packets
+    trackers_[i] = ScanTracker(sensors[i].azimuths.ticks_per_turn(), sensors[i].scan_width_ticks,
+                               sensors[i].max_points_per_scan / kPointsOfPacket);
   }
 }
 
 std::size_t Intake::sensor_of(const Datagram& datagram) const {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const vehicle::Sensor& sensor = sensors_[i];
-    const bool may_send = sensor.source_ipv4 == 0 || sensor.source_ipv4 == datagram.source_ipv4 ||
-                          (replayer_ipv4_ != 0 && replayer_ipv4_ == datagram.source_ipv4);
-    if (sensor.udp_port == datagram.destination_port && may_send) {
+    if (sensor.udp_port == datagram.destination_port &&
+        protection::may_send(datagram.source_ipv4, sensor.source_ipv4, replayer_ipv4_)) {
       return i;
     }
   }
@@ -50,20 +54,35 @@ void Intake::drop(PacketDrop cause) {
   ++packets_dropped_;
 }
 
+void Intake::drop(PacketDrop cause, vehicle::Fate fate, const Packet& packet) {
+  points_dropped_[static_cast<std::size_t>(fate)] += packet.info().point_count;
+  drop(cause);
+}
+
 std::optional<SensorPacket> Intake::receive(const Datagram& datagram) {
   const std::size_t sensor = sensor_of(datagram);
   if (sensor == kNobody) {
     drop(PacketDrop::kStranger);
     return std::nullopt;
   }
-  std::optional<SensorPacket> received(
-      SensorPacket{sensor, Packet::decode(sensors_[sensor].format, datagram.payload)});
-  if (!received->packet.is_sound()) {
-    points_dropped_ += received->packet.info().point_count;
-    drop(cause_of(received->packet.status()));
+  const vehicle::Sensor& its = sensors_[sensor];
+  std::optional<SensorPacket> received(SensorPacket{
+      sensor, Packet::decode(its.format, datagram.payload, its.unit()), datagram.payload});
+  lidar::DecodeStatus status = received->packet.status();
+  if (status == lidar::DecodeStatus::kOk && !is_of_unit(sensor, datagram.payload)) {
+    status = lidar::DecodeStatus::kOtherUnit;
+  }
+  if (status != lidar::DecodeStatus::kOk) {
+    drop(cause_of(status), vehicle::Fate::kMalformed, received->packet);
     received.reset();
   }
   return received;
+}
+
+// In doubt it is not. What no Velodyne sends has its own marks, which its decoder has seen.
+bool Intake::is_of_unit(std::size_t sensor, std::span<const std::byte> payload) {
+  const lidar::FormatSet possible = identities_[sensor].take(payload);
+  return possible.is_empty() || possible == lidar::FormatSet(sensors_[sensor].format);
 }
 
 Intake::Outcome Intake::classify(const SensorPacket& packet) {
@@ -71,10 +90,10 @@ Intake::Outcome Intake::classify(const SensorPacket& packet) {
   const lidar::PacketInfo& info = packet.packet.info();
   switch (tracker.classify(info)) {
     case ScanTracker::Outcome::kDuplicate:
-      drop(PacketDrop::kDuplicate);
+      drop(PacketDrop::kDuplicate, vehicle::Fate::kStale, packet.packet);
       return Outcome::kDropped;
     case ScanTracker::Outcome::kLate:
-      drop(PacketDrop::kLate);
+      drop(PacketDrop::kLate, vehicle::Fate::kStale, packet.packet);
       return Outcome::kDropped;
     case ScanTracker::Outcome::kNextScan:
       return Outcome::kNextFrame;
@@ -94,8 +113,11 @@ void Intake::accept(const SensorPacket& packet) {
 }
 
 void Intake::refuse(const SensorPacket& packet) {
-  points_dropped_ += packet.packet.info().point_count;
-  drop(PacketDrop::kOverBudget);
+  drop(PacketDrop::kOverBudget, vehicle::Fate::kMalformed, packet.packet);
+}
+
+void Intake::leave(const SensorPacket& packet) {
+  drop(PacketDrop::kNotTaken, vehicle::Fate::kNotTaken, packet.packet);
 }
 
 bool Intake::is_complete() const {
@@ -105,7 +127,7 @@ bool Intake::is_complete() const {
 
 void Intake::start_frame() {
   packets_accepted_ = 0;
-  points_dropped_ = 0;
+  points_dropped_ = {};
   for (ScanTracker& tracker : trackers_) {
     tracker.start_frame();
   }

@@ -15,14 +15,17 @@
 #include "intake/packet.hpp"
 #include "intake/scan_tracker.hpp"
 #include "intake/sensor_report.hpp"
+#include "lidar/velodyne_identity.hpp"
+#include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::intake {
 
-// A sound packet, and its sensor's place in Vehicle::sensors.
+// A sound packet, its sensor's place in Vehicle::sensors, and the bytes that it was decoded from.
 struct SensorPacket {
   std::size_t sensor = 0;
   Packet packet;
+  std::span<const std::byte> payload{};
 };
 
 class Intake {
@@ -47,6 +50,8 @@ class Intake {
   void accept(const SensorPacket& packet);
   // Or drops it, because its points find no room in the frame.
   void refuse(const SensorPacket& packet);
+  // Or leaves it, whatever frame it belongs to, because there is no time for it.
+  void leave(const SensorPacket& packet);
 
   // Whether every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const;
@@ -57,7 +62,9 @@ class Intake {
   // Of the frame.
   [[nodiscard]] SensorReport report_of(std::size_t sensor) const;
   [[nodiscard]] std::uint32_t packets_accepted() const { return packets_accepted_; }
-  [[nodiscard]] std::uint32_t points_dropped() const { return points_dropped_; }
+  [[nodiscard]] std::uint32_t points_dropped(vehicle::Fate fate) const {
+    return points_dropped_[static_cast<std::size_t>(fate)];
+  }
 
   // Since start.
   [[nodiscard]] const std::array<std::uint32_t, kPacketDropCount>& packet_drops() const {
@@ -68,15 +75,18 @@ class Intake {
  private:
   // The sensor that sends from there to this port, or kNobody.
   [[nodiscard]] std::size_t sensor_of(const Datagram& datagram) const;
+  [[nodiscard]] bool is_of_unit(std::size_t sensor, std::span<const std::byte> payload);
   void drop(PacketDrop cause);
+  void drop(PacketDrop cause, vehicle::Fate fate, const Packet& packet);
 
   static constexpr std::size_t kNobody = vehicle::kMaxSensors;
 
   std::span<const vehicle::Sensor> sensors_;
   std::uint32_t replayer_ipv4_;
   std::array<ScanTracker, vehicle::kMaxSensors> trackers_;
+  std::array<lidar::VelodyneIdentity, vehicle::kMaxSensors> identities_;
   std::uint32_t packets_accepted_ = 0;
-  std::uint32_t points_dropped_ = 0;
+  std::array<std::uint32_t, vehicle::kFateCount> points_dropped_{};
   std::array<std::uint32_t, kPacketDropCount> packet_drops_{};
   std::uint32_t packets_dropped_ = 0;
 };

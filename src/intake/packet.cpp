@@ -1,25 +1,44 @@
 #include "intake/packet.hpp"
 
-namespace iog::intake {
+#include <type_traits>
 
-template <typename Of>
-Packet Packet::decode_as(std::span<const std::byte> payload) {
-  Packet packet;
-  Of& decoder = packet.decoder_.emplace<Of>();
-  packet.status_ = decoder.decode(payload);
-  packet.info_ = decoder.info();
-  return packet;
+namespace iog::intake {
+namespace {
+
+template <typename Decoder>
+concept TakesUnit = requires(Decoder& decoder, const lidar::Unit& unit) {
+  decoder.decode(std::span<const std::byte>(), unit);
+};
+
+template <typename Decoder>
+concept TakesCorrections = requires(Decoder& decoder, const lidar::Unit& unit) {
+  decoder.decode(std::span<const std::byte>(), unit.corrections);
+};
+
+// Each decoder wants to know as much of the unit as its packets leave open.
+template <typename Decoder>
+lidar::DecodeStatus decode_with(Decoder& decoder, std::span<const std::byte> payload,
+                                const lidar::Unit& unit) {
+  if constexpr (TakesUnit<Decoder>) {
+    return decoder.decode(payload, unit);
+  } else if constexpr (TakesCorrections<Decoder>) {
+    return decoder.decode(payload, unit.corrections);
+  } else {
+    return decoder.decode(payload);
+  }
 }
 
-// Without a default: a format that is missing here does not compile.
-Packet Packet::decode(lidar::Format format, std::span<const std::byte> payload) {
-  switch (format) {
-    case lidar::Format::kIbeoLux:
-      return decode_as<lidar::IbeoLux>(payload);
-    case lidar::Format::kVelodyneVlp16:
-      return decode_as<lidar::VelodyneVlp16>(payload);
-  }
-  return {};  // no format at all
+}  // namespace
+
+Packet Packet::decode(lidar::Format format, std::span<const std::byte> payload,
+                      const lidar::Unit& unit) {
+  Packet packet;
+  lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    Decoder& decoder = packet.decoder_.emplace<Decoder>();
+    packet.status_ = decode_with(decoder, payload, unit);
+    packet.info_ = decoder.info();
+  });
+  return packet;
 }
 
 }  // namespace iog::intake

@@ -6,16 +6,17 @@
 #include <utility>
 #include <variant>
 
-#include "lidar/ibeo_lux.hpp"
+#include "lidar/formats.hpp"
 #include "lidar/scan_point.hpp"
-#include "lidar/velodyne_vlp16.hpp"
+#include "lidar/unit.hpp"
 
 namespace iog::intake {
 
 class Packet {
  public:
-  // The one place that chooses a decoder by its format. The payload outlives the packet.
-  [[nodiscard]] static Packet decode(lidar::Format format, std::span<const std::byte> payload);
+  // The payload and the unit's corrections outlive the packet.
+  [[nodiscard]] static Packet decode(lidar::Format format, std::span<const std::byte> payload,
+                                     const lidar::Unit& unit = {});
 
   // Everything but the number of points is of a sound packet alone.
   [[nodiscard]] lidar::DecodeStatus status() const { return status_; }
@@ -30,15 +31,10 @@ class Packet {
         decoder->for_each_point(visit);
       }
     };
-    for_each_decoder(if_it_is, std::make_index_sequence<std::variant_size_v<Decoder>>());
+    for_each_decoder(if_it_is, std::make_index_sequence<std::variant_size_v<lidar::AnyDecoder>>());
   }
 
  private:
-  using Decoder = std::variant<lidar::IbeoLux, lidar::VelodyneVlp16>;
-
-  template <typename Of>
-  [[nodiscard]] static Packet decode_as(std::span<const std::byte> payload);
-
   // std::visit() would want the C++ library's abort(), which the target does not have.
   template <typename Visit, std::size_t... kPlace>
   void for_each_decoder(Visit&& visit, std::index_sequence<kPlace...> /*places*/) const {
@@ -47,7 +43,7 @@ class Packet {
 
   lidar::DecodeStatus status_ = lidar::DecodeStatus::kWrongType;
   lidar::PacketInfo info_;
-  Decoder decoder_;
+  lidar::AnyDecoder decoder_;
 };
 
 }  // namespace iog::intake

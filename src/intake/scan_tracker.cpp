@@ -10,19 +10,6 @@ bool ScanTracker::is_known(std::uint64_t fingerprint) const {
   return std::ranges::find(known, fingerprint) != known.end();
 }
 
-// The bins whose first tick the sector has swept: sectors that follow one another share none.
-ScanTracker::Bins ScanTracker::bins_of(const lidar::Sector& sector) const {
-  const auto ceiling = [this](std::uint32_t ticks) {
-    return (ticks + ticks_per_bin_ - 1) / ticks_per_bin_;
-  };
-  Bins bins;
-  const std::uint32_t end = ceiling(std::uint32_t{sector.first_ticks} + sector.width_ticks);
-  for (std::uint32_t bin = ceiling(sector.first_ticks); bin < end; ++bin) {
-    bins.set(bin % kBins);
-  }
-  return bins;
-}
-
 ScanTracker::Outcome ScanTracker::classify(const lidar::PacketInfo& packet) const {
   if (is_known(packet.fingerprint)) {
     return Outcome::kDuplicate;
@@ -43,24 +30,24 @@ ScanTracker::Outcome ScanTracker::classify(const lidar::PacketInfo& packet) cons
     return packets_ > 0 ? Outcome::kPartOfFrame : Outcome::kLate;
   }
   // Without numbers the next turn shows by sweeping only what has been swept.
-  const Bins swept = bins_of(packet.sector);
-  const bool sweeps_again = packets_ > 0 && swept.any() && (swept & ~bins_covered_).none();
+  const bool sweeps_again =
+      packets_ > 0 && packet.sector.width_ticks > 0 && swept_.missing_of(packet.sector) == 0;
   return sweeps_again ? Outcome::kNextScan : Outcome::kPartOfFrame;
 }
 
 void ScanTracker::accept(const lidar::PacketInfo& packet) {
-  bins_covered_ |= bins_of(packet.sector);
+  swept_.add(packet.sector);
   scan_number_ = packet.scan_number;
   points_ += packet.point_count;
   packets_ = packets_ < 0xFFFF ? static_cast<std::uint16_t>(packets_ + 1) : packets_;
   fingerprints_[fingerprint_next_] = packet.fingerprint;
-  fingerprint_next_ = (fingerprint_next_ + 1) % kRemembered;
-  fingerprint_count_ = std::min(fingerprint_count_ + 1, kRemembered);
+  fingerprint_next_ = fingerprint_next_ + 1 < remembered_ ? fingerprint_next_ + 1 : 0;
+  fingerprint_count_ = std::min(fingerprint_count_ + 1, remembered_);
   age_frames_ = 0;
 }
 
 void ScanTracker::start_frame() {
-  bins_covered_.reset();
+  swept_.clear();
   packets_ = 0;
   points_ = 0;
   age_frames_ = age_frames_ < 0xFFFF ? static_cast<std::uint16_t>(age_frames_ + 1) : age_frames_;

@@ -16,8 +16,10 @@ enum class PacketDrop : std::uint8_t {
   kDuplicate,   // this very packet was fused before
   kLate,        // of a scan whose frame is closed
   kOverBudget,  // more points than the sensor's description allows in one scan
+  kOtherUnit,   // of another unit of the same maker's, or of nobody knows which of two
+  kNotTaken,    // it has waited too long, because the target is too slow
 };
-inline constexpr std::size_t kPacketDropCount = 8;
+inline constexpr std::size_t kPacketDropCount = 10;
 
 enum class SensorState : std::uint8_t {
   kNeverSeen,  // since start

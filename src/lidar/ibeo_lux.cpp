@@ -6,6 +6,19 @@
 #include "wire/byte_reader.hpp"
 
 namespace iog::lidar {
+namespace {
+
+// NTP64 counts seconds from 1900 in its high half, which is 1970 to 2106 here, and 2^-32 s in its
+// low one; to the nearest microsecond.
+std::uint64_t unix_us_of_ntp(std::uint64_t ntp) {
+  constexpr std::uint32_t kUnixEpoch = 2'208'988'800U;  // RFC 868
+  constexpr std::uint64_t kSecondUs = 1'000'000;
+  const std::uint32_t seconds = static_cast<std::uint32_t>(ntp >> 32) - kUnixEpoch;
+  const std::uint64_t fraction = ntp & 0xFFFF'FFFFU;
+  return seconds * kSecondUs + ((fraction * kSecondUs + (std::uint64_t{1} << 31)) >> 32);
+}
+
+}  // namespace
 
 DecodeStatus IbeoLux::decode(std::span<const std::byte> datagram) {
   *this = IbeoLux{};
@@ -25,7 +38,9 @@ DecodeStatus IbeoLux::decode(std::span<const std::byte> datagram) {
   const auto body = datagram.subspan(kHeaderBytes);
   wire::ByteReader scan(body);
   info_.scan_number = scan.u16_le();
-  scan.skip(2 + 2 + 8 + 8);  // status, synchronisation phase, start and end of the scan
+  scan.skip(2 + 2);  // status, synchronisation phase
+  info_.sweep.begin_us = unix_us_of_ntp(scan.u64_le());
+  info_.sweep.end_us = unix_us_of_ntp(scan.u64_le());
   const std::int32_t ticks_per_turn = scan.u16_le();
   const std::int32_t start = scan.i16_le();
   const std::int32_t end = scan.i16_le();
@@ -43,6 +58,7 @@ DecodeStatus IbeoLux::decode(std::span<const std::byte> datagram) {
   }
   info_.sector.first_ticks = static_cast<std::uint16_t>(right < 0 ? right + kTicksPerTurn : right);
   info_.sector.width_ticks = static_cast<std::uint16_t>(left - right);
+  info_.sweep.turns_right = start >= end;
 
   points_ = body.subspan(kScanBytes);
   info_.fingerprint = fingerprint(body.first<kScanBytes>());

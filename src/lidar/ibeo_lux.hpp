@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "lidar/scan_point.hpp"
 #include "wire/byte_order.hpp"
@@ -17,7 +18,9 @@ namespace iog::lidar {
 
 class IbeoLux {
  public:
+  static constexpr std::string_view kName = "ibeo LUX";
   static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
+  static constexpr bool kTurns = false;                 // its azimuths come again in each scan
   static constexpr std::array<double, 4> kElevationsDeg{-1.2, -0.4, 0.4, 1.2};
   static constexpr std::uint32_t kMagic = 0xAFFEC0C2;
   static constexpr std::uint16_t kDataType = 0x2202;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "index/occupancy_index.hpp"
 #include "index/recursive_set.hpp"
@@ -63,32 +64,24 @@ struct BasicProfile {
 
 using Profile = BasicProfile<index::OccupancyIndex>;
 
-// Not constexpr and never defined: reaching one of them ends the compilation with its name.
-void an_index_of_the_profile_does_not_fit_its_cell_type();
-void the_profile_reaches_further_than_its_table();
-
-// Does not compile if a near zone needs more than kMaxNearCells cells, or if an index does not fit
-// its type.
+// None if a near zone needs more than kMaxNearCells cells, or if an index does not fit its type.
 template <typename Cell = index::OccupancyIndex>
-constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
+constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& config) {
   const SingleTarget model{config.sigma_m, config.cell_length_m};
   const index::RecursiveSet set(config.epsilon);
+  bool fits = true;
   const auto index_at = [&](int offset) {
     const double probability = model.probability(offset);
     const double raised = probability < config.floor ? config.floor : probability;
     const std::int32_t n = set.quantise(raised, config.quantisation);
-    if (n > index::kIndexMax<Cell> || n < index::kIndexMin<Cell>) {
-      an_index_of_the_profile_does_not_fit_its_cell_type();
-    }
+    fits = fits && n <= index::kIndexMax<Cell> && n >= index::kIndexMin<Cell>;
     return static_cast<Cell>(n);
   };
   const int far = static_cast<int>(kMaxNearCells) + 1;
   BasicProfile<Cell> profile;
   profile.free = index_at(-far);
   profile.hit = index_at(0);
-  if (index_at(far) != 0) {
-    the_profile_reaches_further_than_its_table();
-  }
+  fits = fits && index_at(far) == 0;
   for (int j = 0; j < static_cast<int>(kMaxNearCells); ++j) {
     const auto slot = static_cast<std::size_t>(j);
     profile.near_before[slot] = index_at(-1 - j);
@@ -100,7 +93,20 @@ constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
       profile.near_after_count = static_cast<std::uint8_t>(j + 1);
     }
   }
-  return profile;
+  return fits ? std::optional(profile) : std::nullopt;
+}
+
+// Not constexpr and never defined: reaching it ends the compilation with its name.
+void the_profile_does_not_fit_its_table_or_its_cell_type();
+
+// The same of what is known to fit. Else it does not compile.
+template <typename Cell = index::OccupancyIndex>
+constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
+  const auto profile = profile_of<Cell>(config);
+  if (!profile) {
+    the_profile_does_not_fit_its_table_or_its_cell_type();
+  }
+  return *profile;
 }
 
 }  // namespace iog::sensor_model

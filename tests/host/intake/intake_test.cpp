@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "fakes/lux_message.hpp"
+#include "fakes/real_velodyne_packets.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "fakes/vlp16_packet.hpp"
+#include "fakes/velodyne_packet.hpp"
 
 namespace iog::intake {
 namespace {
@@ -46,7 +47,7 @@ TEST(Packet, IsDecodedByItsFormat) {
   ASSERT_EQ(points_of(lux).size(), 1U);
   EXPECT_EQ(points_of(lux)[0].range_mm, 12'340U);
 
-  tests::Vlp16Packet turn;
+  tests::VelodynePacket turn;
   turn.ranges[0][1] = 5000;  // 2 mm each
   const std::vector<std::byte> vlp16_bytes = turn.bytes();
   const Packet vlp16 = Packet::decode(lidar::Format::kVelodyneVlp16, vlp16_bytes);
@@ -103,14 +104,14 @@ TEST(Intake, WhatIsDroppedIsCountedWithItsPoints) {
   wrong_point[68] = std::byte{0x0F};  // layer 15
   EXPECT_FALSE(intake.receive({kReplayer, 100, wrong_point}));
   EXPECT_EQ(drops(intake, PacketDrop::kWrongPoint), 1U);
-  EXPECT_EQ(intake.points_dropped(), 5U);
+  EXPECT_EQ(intake.points_dropped(vehicle::Fate::kMalformed), 5U);
 
   const auto bytes = scan(1, 4);
   const auto packet = intake.receive({kReplayer, 100, bytes});
   ASSERT_TRUE(packet);
   intake.refuse(*packet);
   EXPECT_EQ(drops(intake, PacketDrop::kOverBudget), 1U);
-  EXPECT_EQ(intake.points_dropped(), 9U);
+  EXPECT_EQ(intake.points_dropped(vehicle::Fate::kMalformed), 9U);
 
   const auto flood_bytes = scan(1, 2413);  // 4 layers of 201 directions have three echoes each
   const auto flood = intake.receive({kReplayer, 101, flood_bytes});
@@ -118,9 +119,39 @@ TEST(Intake, WhatIsDroppedIsCountedWithItsPoints) {
   EXPECT_EQ(intake.classify(*flood), Outcome::kDropped);
   EXPECT_EQ(drops(intake, PacketDrop::kOverBudget), 2U);
 
+  intake.accept(*packet);
+  EXPECT_EQ(intake.classify(*packet), Outcome::kDropped);  // a duplicate
+  const auto late_bytes = scan(0, 7);
+  const auto late = intake.receive({kReplayer, 100, late_bytes});
+  ASSERT_TRUE(late);
+  EXPECT_EQ(intake.classify(*late), Outcome::kDropped);
+  EXPECT_EQ(intake.points_dropped(vehicle::Fate::kStale), 4U + 7U);
+  EXPECT_EQ(drops(intake, PacketDrop::kDuplicate), 1U);
+  EXPECT_EQ(drops(intake, PacketDrop::kLate), 1U);
+
   intake.start_frame();
-  EXPECT_EQ(intake.points_dropped(), 0U);
-  EXPECT_EQ(intake.packets_dropped(), 3U);
+  EXPECT_EQ(intake.points_dropped(vehicle::Fate::kStale), 0U);
+  EXPECT_EQ(intake.points_dropped(vehicle::Fate::kMalformed), 0U);
+  EXPECT_EQ(intake.packets_dropped(), 5U);
+}
+
+// Packets of a real HDL-32E, which have the product byte of a VLP-16 with old firmware: to that
+// sensor the first is in doubt, and the second another unit's. To a sensor of their own kind only
+// the doubt is left.
+TEST(Intake, AnotherUnitsPacketsAreRefused) {
+  const auto first = tests::bytes_of_hex(tests::kHdl32eFirst);
+  const auto second = tests::bytes_of_hex(tests::kHdl32eSecond);
+  for (const lidar::Format format :
+       {lidar::Format::kVelodyneVlp16, lidar::Format::kVelodyneHdl32e}) {
+    vehicle::Sensor sensor = ThreeLux::kVehicle.sensors[0];
+    sensor.format = format;
+    Intake intake(std::span(&sensor, 1), kReplayer);
+    EXPECT_FALSE(intake.receive({kReplayer, 100, first}));
+    const bool is_own = format == lidar::Format::kVelodyneHdl32e;
+    EXPECT_EQ(intake.receive({kReplayer, 100, second}).has_value(), is_own);
+    EXPECT_EQ(drops(intake, PacketDrop::kOtherUnit), is_own ? 1U : 2U);
+    EXPECT_EQ(intake.points_dropped(vehicle::Fate::kMalformed), is_own ? 384U : 768U);
+  }
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #include "intake/scan_tracker.hpp"
 
+#include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"
-#include "fakes/vlp16_packet.hpp"
+#include "fakes/velodyne_packet.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 
 namespace iog::intake {
@@ -32,21 +33,35 @@ lidar::PacketInfo turn_packet(int number) {
 ScanTracker lux_tracker() { return {11520, 3200}; }
 ScanTracker turn_tracker() { return {36'000, 36'000}; }
 
-TEST(ScanTracker, AScanIsCompleteWhenItsSectorsCoverItsWidthInAnyOrder) {
-  const lidar::PacketInfo parts[] = {lux_packet(5, 9920, 1000), lux_packet(5, 10'920, 1200),
-                                     lux_packet(5, 600, 1000)};
-  for (const auto& order : {std::array{0, 1, 2}, std::array{2, 0, 1}, std::array{1, 2, 0}}) {
+using Three = std::array<lidar::PacketInfo, 3>;
+
+// Three packets of one scan, of which each is waited for, whichever comes last.
+void expect_whole_with_all(const Three& parts) {
+  Three order = parts;
+  for (int first = 0; first < 3; ++first) {
     ScanTracker tracker = lux_tracker();
-    for (const int i : order) {
+    for (const lidar::PacketInfo& part : order) {
       EXPECT_FALSE(tracker.is_complete());
-      ASSERT_EQ(tracker.classify(parts[i]), Outcome::kPartOfFrame);
-      tracker.accept(parts[i]);
+      ASSERT_EQ(tracker.classify(part), Outcome::kPartOfFrame);
+      tracker.accept(part);
     }
     EXPECT_TRUE(tracker.is_complete());
     EXPECT_EQ(tracker.packets(), 3);
     EXPECT_EQ(tracker.points(), 300U);
     EXPECT_EQ(tracker.scan_number(), 5U);
+    std::rotate(order.begin(), order.begin() + 1, order.end());
   }
+}
+
+TEST(ScanTracker, AScanIsCompleteWhenItsSectorsCoverItsWidthInAnyOrder) {
+  expect_whole_with_all(
+      {lux_packet(5, 9920, 1000), lux_packet(5, 10'920, 1200), lux_packet(5, 600, 1000)});
+}
+
+// 30 ticks between two whole degrees (multiples of 32): without them the scan is not whole.
+TEST(ScanTracker, ASectorWithoutAWholeDegreeIsWaitedFor) {
+  expect_whole_with_all(
+      {lux_packet(5, 9920, 993), lux_packet(5, 10'913, 30), lux_packet(5, 10'943, 2177)});
 }
 
 TEST(ScanTracker, TheSamePacketTwiceIsADuplicateEvenInTheNextFrame) {
@@ -106,9 +121,9 @@ TEST(ScanTracker, ATurnIsCompleteThoughTheHeadsSpeedWavers) {
     int packets = 0;
     while (azimuth < begin + 36'000) {
       // Within the packet each block turns 0.38 degrees, to the next packet it is 0.42.
-      tests::Vlp16Packet packet{.first_azimuth = azimuth % 36'000,
-                                .step = 38,
-                                .time_us = static_cast<std::uint32_t>(packets)};
+      tests::VelodynePacket packet{.first_azimuth = azimuth % 36'000,
+                                   .step = 38,
+                                   .time_us = static_cast<std::uint32_t>(packets)};
       lidar::VelodyneVlp16 decoder;
       ASSERT_EQ(decoder.decode(packet.bytes()), lidar::DecodeStatus::kOk);
       ASSERT_EQ(tracker.classify(decoder.info()), Outcome::kPartOfFrame);
@@ -128,6 +143,20 @@ TEST(ScanTracker, SweepingTheSameSectorAgainIsTheNextTurn) {
   EXPECT_FALSE(tracker.is_complete());
   EXPECT_EQ(tracker.classify(turn_packet(75)), Outcome::kNextScan);
   EXPECT_EQ(tracker.classify(turn_packet(72)), Outcome::kPartOfFrame);
+}
+
+// Packets of a Pandar64 in dual return mode: 0.7 degrees, each 0.1 into the one before. What two of
+// them share is no sign of a new turn.
+TEST(ScanTracker, NarrowPacketsThatOverlapAreOneTurn) {
+  ScanTracker tracker = turn_tracker();
+  for (int number = 0; number < 600; ++number) {
+    ASSERT_FALSE(tracker.is_complete()) << number;
+    lidar::PacketInfo packet = turn_packet(0);
+    packet.sector = {static_cast<std::uint16_t>((36'055 - 60 * number) % 36'000), 70};
+    ASSERT_EQ(tracker.classify(packet), Outcome::kPartOfFrame) << number;
+    tracker.accept(packet);
+  }
+  EXPECT_TRUE(tracker.is_complete());
 }
 
 TEST(ScanTracker, CountsTheFramesSinceItWasSeen) {

@@ -47,6 +47,38 @@ TEST(IbeoLux, ReadsARealHead) {
   EXPECT_EQ(lux.info().point_count, 3U);
   EXPECT_EQ(lux.info().sector.first_ticks, 11520 - 1600);
   EXPECT_EQ(lux.info().sector.width_ticks, 3200);
+  // 2016-05-28, 22:16:10 UTC: NTP DAF4972A.29C22AB2 to DAF4972A.2C9A5658.
+  EXPECT_EQ(lux.info().sweep.begin_us, 1'464'473'770'163'119U);
+  EXPECT_EQ(lux.info().sweep.end_us, 1'464'473'770'174'230U);
+  EXPECT_TRUE(lux.info().sweep.turns_right);
+}
+
+// NTP counts from 1900-01-01: 1970 is 2,208,988,800 s (RFC 868), and 2^32 s, in 2036, are 0 again.
+TEST(IbeoLux, TimesAreFrom1970To2106) {
+  const auto begin_of = [](std::uint64_t ntp) {
+    IbeoLux lux;
+    const std::vector<std::byte> bytes = LuxMessage{.start_ntp = ntp}.bytes();
+    EXPECT_EQ(lux.decode(bytes), DecodeStatus::kOk);
+    return lux.info().sweep.begin_us;
+  };
+  constexpr std::uint64_t kUnixEpoch = 2'208'988'800U;
+  constexpr std::uint64_t kSecondUs = 1'000'000;
+  EXPECT_EQ(begin_of(kUnixEpoch << 32), 0U);
+  EXPECT_EQ(begin_of(0), ((std::uint64_t{1} << 32) - kUnixEpoch) * kSecondUs);
+  EXPECT_EQ(begin_of((kUnixEpoch - 1) << 32), 0xFFFF'FFFFU * kSecondUs);
+  // Every microsecond of a second comes back, however its fraction was rounded.
+  for (std::uint64_t us = 0; us < kSecondUs; us += 997) {
+    const std::uint64_t fraction = (us << 32) / kSecondUs;
+    ASSERT_EQ(begin_of((kUnixEpoch + 7) << 32 | fraction), 7 * kSecondUs + us);
+  }
+}
+
+// The order of a message's start and end angle says how the mirror turns.
+TEST(IbeoLux, TheMirrorTurnsFromStartToEnd) {
+  IbeoLux lux;
+  const std::vector<std::byte> bytes = LuxMessage{.start_ticks = -100, .end_ticks = 200}.bytes();
+  ASSERT_EQ(lux.decode(bytes), DecodeStatus::kOk);
+  EXPECT_FALSE(lux.info().sweep.turns_right);
 }
 
 TEST(IbeoLux, TurnsTicksAndCentimetresIntoAPoint) {

@@ -1,0 +1,44 @@
+// Which azimuths of a turn have been swept: a bit for each tick, so that a sector counts whole
+// however narrow it is, and what two sectors share counts once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lidar/scan_point.hpp"
+
+namespace iog::intake {
+
+class SweptSectors {
+ public:
+  // Of an Ouster, the most that a format has.
+  static constexpr std::uint32_t kMaxTicksPerTurn = 46'080;
+
+  // ticks_per_turn: at most kMaxTicksPerTurn. Sectors lie within such a turn.
+  explicit SweptSectors(std::uint32_t ticks_per_turn);
+  SweptSectors() = default;
+
+  void add(const lidar::Sector& sector);
+  void clear();
+
+  // Ticks that have been swept.
+  [[nodiscard]] std::uint32_t count() const { return count_; }
+
+  // Ticks of the sector that have not.
+  [[nodiscard]] std::uint32_t missing_of(const lidar::Sector& sector) const;
+
+ private:
+  static constexpr std::uint32_t kWordTicks = 32;
+  static constexpr std::size_t kWords = (kMaxTicksPerTurn + kWordTicks - 1) / kWordTicks;
+
+  // Calls visit(word, bits) for each word of the sector, with the sector's bits of it.
+  template <typename Visit>
+  void for_each_word(const lidar::Sector& sector, Visit&& visit) const;
+
+  std::uint32_t ticks_per_turn_ = 1;
+  std::uint32_t count_ = 0;
+  std::array<std::uint32_t, kWords> words_{};
+};
+
+}  // namespace iog::intake

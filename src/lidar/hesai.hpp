@@ -1,0 +1,195 @@
+// Hesai Pandar64 and PandarXT-32 data packets: wire bytes to scan points.
+//
+// One datagram, little endian: a header that says how many lasers and blocks follow, the blocks,
+// each an azimuth and a range for each laser, and a tail with time, return mode and the maker's
+// byte (docs/spec.md; Pandar64 User Manual, PandarXT User Manual, "Point Cloud Data Packet"). The
+// azimuth is clockwise from forward. In dual return mode blocks come in pairs of one azimuth; which
+// of the two is the nearer return differs from unit to unit, so it is told by the ranges. What else
+// the units differ in is a HesaiUnit, of which the compiler makes a decoder.
+//
+// A point's azimuth is that of its block and its laser's own offset; that the head turns by up to
+// 0.2 degrees while the lasers of a block fire is left out, as in the maker's own conversion.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "lidar/echo_pair.hpp"
+#include "lidar/laser.hpp"
+#include "lidar/scan_point.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::lidar {
+
+// Times are after the stamp of the packet, ns: of the first laser of the last firing, of its last
+// laser, and from firing to firing.
+struct HesaiUnit {
+  std::array<std::uint8_t, 2> model{};  // the header's bytes 2 and 3
+  std::size_t header_bytes = 0;
+  std::size_t counts_at = 0;         // lasers and blocks in the header
+  std::size_t distance_unit_at = 0;  // in the header
+  std::size_t blocks = 0;
+  std::size_t lasers = 0;
+  std::size_t channel_bytes = 0;
+  std::size_t mode_at = 0;  // the others are behind the blocks
+  std::size_t utc_at = 0;
+  std::size_t time_at = 0;
+  std::size_t maker_at = 0;
+  std::size_t bytes = 0;           // without what may follow
+  std::size_t sequence_bytes = 0;  // may follow
+  std::int64_t first_laser_ns = 0;
+  std::int64_t last_laser_ns = 0;
+  std::int64_t firing_ns = 0;
+
+  [[nodiscard]] constexpr std::size_t block_at(std::size_t block) const {
+    return header_bytes + block * (2 + lasers * channel_bytes);
+  }
+};
+
+class HesaiPacket {
+ public:
+  static constexpr std::int32_t kTicksPerTurn = 36'000;  // 0.01 degree
+  static constexpr bool kTurns = true;
+  static constexpr std::uint32_t kMillimetresPerUnit = 4;
+  // At 20 Hz a firing is 0.4 degrees. If two neighbours are more than 3 degrees apart, the packet
+  // is not one sweep.
+  static constexpr std::uint32_t kMaxBlockStepTicks = 300;
+  // The wire does not say how far the head turns in the last block; see VelodynePacket.
+  static constexpr std::uint32_t kSeamTicks = 10;
+  static constexpr std::size_t kMaxBlocks = 8;
+
+  [[nodiscard]] const PacketInfo& info() const { return info_; }
+
+ protected:
+  // Checks the whole packet and keeps a view of it.
+  [[nodiscard]] DecodeStatus read(const HesaiUnit& unit, std::span<const std::byte> datagram,
+                                  std::span<const LaserCorrection> corrections);
+
+  // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
+  [[nodiscard]] ScanPoint point(const HesaiUnit& unit, std::size_t block,
+                                std::size_t channel) const {
+    ScanPoint point;
+    point.layer = static_cast<std::uint8_t>(channel);
+    point.range_mm = range_mm(unit, block, channel);
+    if (is_dual_) {
+      point.echo = static_cast<std::uint8_t>(block % 2);
+      point.range_mm =
+          range_of_echo(point.range_mm, range_mm(unit, block ^ 1U, channel), point.echo);
+    }
+    std::int32_t azimuth = kTicksPerTurn - azimuths_[block];
+    if (!corrections_.empty()) {
+      const LaserCorrection& laser = corrections_[channel];
+      azimuth += laser.azimuth_ticks;
+      point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
+    }
+    // Above 0 and up to a turn, and at most 16 bits of an offset, less than a turn.
+    azimuth += azimuth < 0 ? kTicksPerTurn : 0;
+    azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
+    point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);
+    return point;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t range_mm(const HesaiUnit& unit, std::size_t block,
+                                       std::size_t channel) const {
+    const std::size_t at = unit.block_at(block) + 2 + channel * unit.channel_bytes;
+    return wire::load_le16(packet_.subspan(at).first<2>()) * kMillimetresPerUnit;
+  }
+
+  [[nodiscard]] std::uint8_t byte_at(std::size_t offset) const;
+  [[nodiscard]] std::uint16_t half_at(std::size_t offset) const;
+  [[nodiscard]] std::uint32_t word_at(std::size_t offset) const;
+  [[nodiscard]] bool is_of(const HesaiUnit& unit) const;
+  [[nodiscard]] bool read_mode(const HesaiUnit& unit);
+  [[nodiscard]] DecodeStatus read_azimuths(const HesaiUnit& unit);
+  [[nodiscard]] std::uint64_t stamp_us(const HesaiUnit& unit) const;
+  void read_times(const HesaiUnit& unit);
+
+  PacketInfo info_;
+  std::span<const std::byte> packet_;
+  std::span<const LaserCorrection> corrections_;
+  std::array<std::uint16_t, kMaxBlocks> azimuths_{};  // clockwise from forward, as on the wire
+  bool is_dual_ = false;
+};
+
+template <const HesaiUnit& kUnit>
+class HesaiDecoder : public HesaiPacket {
+ public:
+  static constexpr std::size_t kLayers = kUnit.lasers;
+
+  [[nodiscard]] static constexpr const HesaiUnit& unit() { return kUnit; }
+
+  // The view lives as long as the datagram and the corrections, of which there is one for each
+  // laser, or none. kOk, kWrongLength, kWrongType or kWrongAngle.
+  [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
+                                    std::span<const LaserCorrection> corrections = {}) {
+    return read(kUnit, datagram, corrections);
+  }
+
+  // Calls visit(const ScanPoint&) for each range, in wire order. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_point(Visit&& visit) const {
+    for (std::size_t block = 0; block < kUnit.blocks; ++block) {
+      for (std::size_t channel = 0; channel < kUnit.lasers; ++channel) {
+        visit(point(kUnit, block, channel));
+      }
+    }
+  }
+};
+
+// Pandar64 User Manual, appendix "Absolute time of point cloud data": block 6 fires 42.58 us before
+// the stamp, a block 55.56 us before the next; its lasers 3.62 to 54.67 us before that.
+inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
+                                         .header_bytes = 8,
+                                         .counts_at = 2,
+                                         .distance_unit_at = 5,
+                                         .blocks = 6,
+                                         .lasers = 64,
+                                         .channel_bytes = 3,
+                                         .mode_at = 1186,
+                                         .utc_at = 1188,
+                                         .time_at = 1182,
+                                         .maker_at = 1187,
+                                         .bytes = 1194,
+                                         .sequence_bytes = 4,
+                                         .first_laser_ns = -42'580 - 54'670,
+                                         .last_laser_ns = -42'580 - 3'620,
+                                         .firing_ns = 55'560};
+// PandarXT User Manual, likewise: block 8 fires 5.632 us after the stamp, a block 50 us before the
+// next; laser n 0.368 + 1.512 (n - 1) us after that.
+inline constexpr HesaiUnit kXt32Unit{.model = {0x06, 0x01},
+                                     .header_bytes = 12,
+                                     .counts_at = 6,
+                                     .distance_unit_at = 9,
+                                     .blocks = 8,
+                                     .lasers = 32,
+                                     .channel_bytes = 4,
+                                     .mode_at = 1062,
+                                     .utc_at = 1065,
+                                     .time_at = 1071,
+                                     .maker_at = 1075,
+                                     .bytes = 1080,
+                                     .sequence_bytes = 0,
+                                     .first_laser_ns = 5'632 + 368,
+                                     .last_laser_ns = 5'632 + 368 + 31 * 1'512,
+                                     .firing_ns = 50'000};
+
+class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
+ public:
+  static constexpr std::string_view kName = "Hesai Pandar64";
+  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit's own
+};
+
+class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
+ public:
+  static constexpr std::string_view kName = "Hesai PandarXT-32";
+  // By channel, which is the order on the wire.
+  static constexpr std::array<double, 32> kElevationsDeg{
+      15, 14, 13, 12, 11, 10, 9,  8,  7,  6,   5,   4,   3,   2,   1,   0,
+      -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15, -16};
+};
+
+}  // namespace iog::lidar

@@ -1,0 +1,179 @@
+// Ouster OS lidar packets: wire bytes to scan points.
+//
+// One datagram, little endian: 16 columns, each a time, its number in the turn and a range for each
+// row of the unit (docs/spec.md; Ouster "Firmware User Manual", chapter "Lidar Data Packet
+// Format"). Three profiles: the one that was the only one before firmware 2.0 (LEGACY), "low data
+// rate" (RNG15) and "single return" (RNG19). A packet does not say which profile it is, how many
+// rows and how many columns a turn has: its unit's description does.
+//
+// Column i of W is measured where the head has turned i / W of a turn clockwise from the side
+// opposite to x forward. The head is 16 mm wide; its beams are taken to start in its middle, which
+// moves a point by less than 1 mm.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "lidar/laser.hpp"
+#include "lidar/scan_point.hpp"
+#include "lidar/unit.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::lidar {
+
+// What the profiles differ in. The range is the pixel's first word, masked and shifted left, mm.
+struct OusterProfile {
+  std::size_t header_bytes = 0;
+  std::size_t column_header_bytes = 0;
+  std::size_t pixel_bytes = 0;
+  std::size_t column_tail_bytes = 0;
+  std::size_t footer_bytes = 0;
+  std::uint32_t range_mask = 0;
+  std::uint32_t range_shift = 0;
+
+  [[nodiscard]] constexpr bool is_legacy() const { return header_bytes == 0; }
+  [[nodiscard]] constexpr std::size_t column_bytes(std::size_t rows) const {
+    return column_header_bytes + rows * pixel_bytes + column_tail_bytes;
+  }
+};
+
+class OusterPacket {
+ public:
+  // A column of 512 or 1024 is a whole number of them, one of 2048 is 22.5, and a degree is 128.
+  static constexpr std::int32_t kTicksPerTurn = 46'080;
+  static constexpr bool kTurns = true;
+  static constexpr bool kHasModes = true;
+  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit's own
+  static constexpr std::size_t kColumns = 16;
+  static constexpr std::uint32_t kEncoderPerTurn = 90'112;
+
+  // Rows of the units that there are.
+  [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
+    return layers == 16 || layers == 32 || layers == 64 || layers == 128;
+  }
+
+  [[nodiscard]] const PacketInfo& info() const { return info_; }
+
+ protected:
+  struct Column {
+    std::uint64_t time_ns = 0;
+    std::uint32_t number = 0;
+    std::uint16_t frame = 0;
+    std::uint32_t encoder = 0;  // of LEGACY alone
+    bool is_measured = false;
+  };
+
+  // Checks the whole packet and keeps a view of it.
+  [[nodiscard]] DecodeStatus read(const OusterProfile& profile, std::span<const std::byte> datagram,
+                                  const Unit& unit);
+
+  // Calls visit(const ScanPoint&) for each row of a column of the packet that was measured.
+  template <typename Visit>
+  void for_each_row(const OusterProfile& profile, std::size_t column, Visit&& visit) const {
+    const auto pixels =
+        packet_.subspan(profile.header_bytes + column * profile.column_bytes(corrections_.size()) +
+                        profile.column_header_bytes);
+    for (std::size_t row = 0; row < corrections_.size(); ++row) {
+      visit(point(profile, pixels.subspan(row * profile.pixel_bytes), column, row));
+    }
+  }
+
+  [[nodiscard]] std::size_t first_column() const { return first_; }
+  [[nodiscard]] std::size_t end_column() const { return end_; }
+
+ private:
+  [[nodiscard]] Column column_at(const OusterProfile& profile, std::size_t column) const;
+  [[nodiscard]] std::uint32_t edge_ticks(std::uint32_t column) const;
+  [[nodiscard]] DecodeStatus read_columns(const OusterProfile& profile);
+  [[nodiscard]] bool is_in_turn(const OusterProfile& profile, const Column& column) const;
+  void describe(const OusterProfile& profile, const Column& first, const Column& last);
+
+  [[nodiscard]] ScanPoint point(const OusterProfile& profile, std::span<const std::byte> pixel,
+                                std::size_t column, std::size_t row) const {
+    const std::uint32_t word = wire::load_le32(pixel.first<4>());
+    const LaserCorrection& laser = corrections_[row];
+    // An azimuth in a turn, and 16 bits of an offset, less than a turn.
+    std::int32_t azimuth = azimuths_[column] + laser.azimuth_ticks;
+    azimuth += azimuth < 0 ? kTicksPerTurn : 0;
+    azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
+    const std::uint32_t range_mm = (word & profile.range_mask) << profile.range_shift;
+    return {.range_mm = corrected_range_mm(range_mm, laser.range_mm),
+            .azimuth_ticks = static_cast<std::uint16_t>(azimuth),
+            .layer = static_cast<std::uint8_t>(row)};
+  }
+
+  PacketInfo info_;
+  std::uint32_t columns_per_turn_ = 1;
+  std::uint32_t column_ns_ = 0;
+  std::span<const std::byte> packet_;
+  std::span<const LaserCorrection> corrections_;
+  std::size_t first_ = 0;  // of the columns that were measured, and the one behind the last
+  std::size_t end_ = 0;
+  std::array<std::int32_t, kColumns> azimuths_{};  // counter-clockwise from forward
+};
+
+template <const OusterProfile& kProfile>
+class OusterDecoder : public OusterPacket {
+ public:
+  // The bytes of a packet of a unit with so many rows.
+  [[nodiscard]] static constexpr std::size_t packet_bytes(std::size_t rows) {
+    return kProfile.header_bytes + kProfile.footer_bytes + kColumns * kProfile.column_bytes(rows);
+  }
+
+  [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
+
+  // The view lives as long as the datagram and the unit's corrections, one for each row. kOk,
+  // kWrongLength; kWrongType: another type of packet, or columns not so far apart in time as the
+  // unit's mode has them; kWrongAngle: a column that the turn does not have or in another place
+  // than its encoder says, or columns that do not follow one another; kWrongPoint: nothing
+  // measured.
+  [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
+    return read(kProfile, datagram, unit);
+  }
+
+  // Calls visit(const ScanPoint&) for each row of each column that was measured, in wire order.
+  // Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_point(Visit&& visit) const {
+    for (std::size_t column = first_column(); column < end_column(); ++column) {
+      for_each_row(kProfile, column, visit);
+    }
+  }
+};
+
+// Old firmware leaves other bits above the 20 of a LEGACY range.
+inline constexpr OusterProfile kOusterLegacyProfile{.column_header_bytes = 16,
+                                                    .pixel_bytes = 12,
+                                                    .column_tail_bytes = 4,
+                                                    .range_mask = 0x000F'FFFF};
+inline constexpr OusterProfile kOusterRng15Profile{.header_bytes = 32,
+                                                   .column_header_bytes = 12,
+                                                   .pixel_bytes = 4,
+                                                   .footer_bytes = 32,
+                                                   .range_mask = 0x7FFF,
+                                                   .range_shift = 3};
+inline constexpr OusterProfile kOusterRng19Profile{.header_bytes = 32,
+                                                   .column_header_bytes = 12,
+                                                   .pixel_bytes = 12,
+                                                   .footer_bytes = 32,
+                                                   .range_mask = 0x0007'FFFF};
+
+class OusterLegacy : public OusterDecoder<kOusterLegacyProfile> {
+ public:
+  static constexpr std::string_view kName = "Ouster OS, legacy";
+};
+
+class OusterRng15 : public OusterDecoder<kOusterRng15Profile> {
+ public:
+  static constexpr std::string_view kName = "Ouster OS, RNG15";
+};
+
+class OusterRng19 : public OusterDecoder<kOusterRng19Profile> {
+ public:
+  static constexpr std::string_view kName = "Ouster OS, RNG19";
+};
+
+}  // namespace iog::lidar

@@ -1,0 +1,104 @@
+#include "lidar/velodyne.hpp"
+
+#include "lidar/fingerprint.hpp"
+#include "lidar/velodyne_bytes.hpp"
+
+namespace iog::lidar {
+
+using velodyne::byte_at;
+using velodyne::word_at;
+
+DecodeStatus VelodynePacket::read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
+                                  std::span<const LaserCorrection> corrections) {
+  *this = VelodynePacket{};
+  if (datagram.size() != kPacketBytes) {
+    return DecodeStatus::kWrongLength;
+  }
+  packet_ = datagram;
+  corrections_ = corrections.size() == unit.layers ? corrections : corrections_;
+  for (const auto step : {&VelodynePacket::read_ends, &VelodynePacket::read_azimuths}) {
+    const DecodeStatus status = (this->*step)(unit);
+    if (status != DecodeStatus::kOk) {
+      return status;
+    }
+  }
+  info_.point_count = kPointsPerPacket;
+  const std::size_t azimuths = kBlocks / unit.banks / (is_dual_ ? 2 : 1);
+  const std::uint32_t begin_us = wire::load_le32(packet_.subspan(velodyne::kTimeOffset).first<4>());
+  info_.sweep = {.begin_us = begin_us,
+                 .end_us = begin_us + (azimuths * std::uint64_t{unit.block_ns} + 500) / 1000,
+                 .turns_right = true,
+                 .is_of_hour = true,
+                 .is_of_packet = true};
+  info_.fingerprint =
+      fingerprint(packet_.subspan(velodyne::kTimeOffset), fingerprint(packet_.first<4>()));
+  return DecodeStatus::kOk;
+}
+
+// The flags of the blocks and, of a unit with one bank, mode and product. A unit with two banks has
+// no byte for its mode: with two returns it says each azimuth four times.
+DecodeStatus VelodynePacket::read_ends(const VelodyneUnit& unit) {
+  for (std::size_t block = 0; block < kBlocks; ++block) {
+    const std::uint16_t flag = word_at(packet_, block * kBlockBytes);
+    const bool is_lower = block % unit.banks == 1;
+    if (flag != (is_lower ? velodyne::kLowerFlag : velodyne::kBlockFlag)) {
+      const bool has_other_bank = flag == velodyne::kLowerFlag || flag == velodyne::kBlockFlag;
+      return has_other_bank ? DecodeStatus::kOtherUnit : DecodeStatus::kWrongType;
+    }
+  }
+  if (unit.banks == 2) {
+    is_dual_ = word_at(packet_, 2) == word_at(packet_, 2 * kBlockBytes + 2);
+    return DecodeStatus::kOk;
+  }
+  const std::uint8_t mode = byte_at(packet_, velodyne::kModeOffset);
+  if (mode != velodyne::kModeStrongest && mode != velodyne::kModeLast &&
+      mode != velodyne::kModeDual) {
+    return DecodeStatus::kWrongType;
+  }
+  is_dual_ = mode == velodyne::kModeDual;
+  const std::uint8_t product = byte_at(packet_, velodyne::kProductOffset);
+  return product == unit.product || product == unit.old_product ? DecodeStatus::kOk
+                                                                : DecodeStatus::kOtherUnit;
+}
+
+DecodeStatus VelodynePacket::read_azimuths(const VelodyneUnit& unit) {
+  for (std::size_t block = 0; block < kBlocks; ++block) {
+    const std::uint16_t azimuth = word_at(packet_, block * kBlockBytes + 2);
+    if (azimuth > kTicksPerTurn) {  // captures of 2012 to 2014 show 36000 itself
+      return DecodeStatus::kWrongAngle;
+    }
+    azimuths_[block] = azimuth == kTicksPerTurn ? std::uint16_t{0} : azimuth;
+  }
+  return read_steps(std::size_t{unit.banks} * (is_dual_ ? 2 : 1));
+}
+
+// How far the head turns from each azimuth to the next one; from the last one as far as before it.
+DecodeStatus VelodynePacket::read_steps(std::size_t blocks_of_azimuth) {
+  std::uint32_t swept = 0;
+  for (std::size_t block = 0; block < kBlocks; ++block) {
+    const std::size_t first = block - block % blocks_of_azimuth;
+    if (azimuths_[block] != azimuths_[first]) {
+      return DecodeStatus::kWrongAngle;
+    }
+    const std::size_t next = first + blocks_of_azimuth;
+    if (next < kBlocks) {
+      const std::int32_t step = azimuths_[next] - azimuths_[first];
+      steps_[block] = static_cast<std::uint16_t>(step < 0 ? step + kTicksPerTurn : step);
+    } else {
+      steps_[block] = steps_[first - 1];
+    }
+    if (steps_[block] > kMaxBlockStepTicks) {
+      return DecodeStatus::kWrongAngle;
+    }
+    swept += block == first ? std::uint32_t{steps_[block]} : 0U;
+  }
+  // Clockwise on the wire: the sweep ends where, counter-clockwise, its sector begins.
+  constexpr std::uint32_t kTurn = kTicksPerTurn;
+  swept += kSeamTicks;
+  const std::uint32_t last = (azimuths_[0] + swept) % kTurn;
+  info_.sector.first_ticks = static_cast<std::uint16_t>((kTurn - last) % kTurn);
+  info_.sector.width_ticks = static_cast<std::uint16_t>(swept);
+  return DecodeStatus::kOk;
+}
+
+}  // namespace iog::lidar

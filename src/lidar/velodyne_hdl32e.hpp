@@ -1,0 +1,48 @@
+// Velodyne HDL-32E data packets (HDL-32E User Manual 63-9113): a block holds one firing of all 32
+// lasers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "lidar/velodyne.hpp"
+#include "lidar/velodyne_bytes.hpp"
+
+namespace iog::lidar {
+
+// Channel k fires 1.152 k us into the block's 46.08 us: k / 40. (After the 32nd comes a pause.)
+consteval VelodyneUnit make_hdl32e() {
+  VelodyneUnit unit{.layers = 32,
+                    .product = velodyne::kProductHdl32e,
+                    .old_product = velodyne::kProductHdl32e,
+                    .range_unit_mm = 2,
+                    .block_ns = 46'080,
+                    .block_parts = 40};
+  for (std::uint8_t channel = 0; channel < 32; ++channel) {
+    unit.fires_at[channel] = channel;
+  }
+  return unit;
+}
+inline constexpr VelodyneUnit kHdl32eUnit = make_hdl32e();
+
+// Even channels from -30.67 degrees up to -10.67, odd ones from -9.33 up to 10.67, in steps of 4/3.
+consteval std::array<double, 32> make_hdl32e_elevations() {
+  std::array<double, 32> elevations{};
+  for (std::size_t channel = 0; channel < 32; ++channel) {
+    const std::size_t pair = channel / 2;
+    const double lowest = channel % 2 == 0 ? -92.0 / 3 : -28.0 / 3;
+    elevations[channel] = lowest + static_cast<double>(pair) * 4 / 3;
+  }
+  return elevations;
+}
+
+class VelodyneHdl32e : public VelodyneDecoder<kHdl32eUnit> {
+ public:
+  static constexpr std::string_view kName = "Velodyne HDL-32E";
+  // By channel, which is the order on the wire.
+  static constexpr std::array<double, 32> kElevationsDeg = make_hdl32e_elevations();
+};
+
+}  // namespace iog::lidar

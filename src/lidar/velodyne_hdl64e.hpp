@@ -1,0 +1,55 @@
+// Velodyne HDL-64E data packets (HDL-64E S2 manual 63-HDL64ES2, S3 manual 63-HDL64ES3, appendix on
+// timing): two blocks of one azimuth hold a firing of all 64 lasers, the upper bank in that with
+// the usual flag, the lower one in that with 0xDDFF. The lasers of a bank fire in eight groups of
+// four; both banks fire at the same time. Bytes 1204 and 1205 are a status that changes from packet
+// to packet. Elevations are each unit's own: a description gives them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "lidar/velodyne.hpp"
+
+namespace iog::lidar {
+
+struct Hdl64eTiming {
+  std::uint32_t block_ns;
+  std::uint32_t group_ns;
+  std::array<std::uint32_t, 4> in_group_ns;
+};
+inline constexpr Hdl64eTiming kHdl64eS2Timing{48'000, 6'000, {0, 1'260, 2'460, 3'660}};
+inline constexpr Hdl64eTiming kHdl64eS3Timing{57'600, 7'200, {0, 1'300, 2'500, 3'700}};
+
+// In parts of 200 ns (S2) and 240 ns (S3), to the nearest: in half of one the head turns less than
+// 0.001 degrees.
+consteval VelodyneUnit make_hdl64e(const Hdl64eTiming& timing) {
+  constexpr std::uint32_t kParts = 240;
+  VelodyneUnit unit{.layers = 64,
+                    .banks = 2,
+                    .range_unit_mm = 2,
+                    .block_ns = timing.block_ns,
+                    .block_parts = kParts};
+  for (std::uint32_t channel = 0; channel < 32; ++channel) {
+    const std::uint32_t at_ns = channel / 4 * timing.group_ns + timing.in_group_ns[channel % 4];
+    unit.fires_at[channel] =
+        static_cast<std::uint8_t>((at_ns * kParts + timing.block_ns / 2) / timing.block_ns);
+  }
+  return unit;
+}
+inline constexpr VelodyneUnit kHdl64eS2Unit = make_hdl64e(kHdl64eS2Timing);
+inline constexpr VelodyneUnit kHdl64eS3Unit = make_hdl64e(kHdl64eS3Timing);
+
+class VelodyneHdl64eS2 : public VelodyneDecoder<kHdl64eS2Unit> {
+ public:
+  static constexpr std::string_view kName = "Velodyne HDL-64E S2";
+  static constexpr std::array<double, 0> kElevationsDeg{};
+};
+
+class VelodyneHdl64eS3 : public VelodyneDecoder<kHdl64eS3Unit> {
+ public:
+  static constexpr std::string_view kName = "Velodyne HDL-64E S3";
+  static constexpr std::array<double, 0> kElevationsDeg{};
+};
+
+}  // namespace iog::lidar

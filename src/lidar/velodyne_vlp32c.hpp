@@ -1,0 +1,45 @@
+// Velodyne VLP-32C data packets (VLP-32C User Manual 63-9325, chapter 9): a block holds one firing
+// of all 32 lasers, two at a time, which look a little to the left or right of the block's azimuth.
+// A unit of range is 4 mm.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "lidar/velodyne.hpp"
+#include "lidar/velodyne_bytes.hpp"
+
+namespace iog::lidar {
+
+// Channel k fires 2.304 floor(k / 2) us into the block's 55.296 us: floor(k / 2) / 24.
+consteval VelodyneUnit make_vlp32c() {
+  VelodyneUnit unit{.layers = 32,
+                    .product = velodyne::kProductVlp32c,
+                    .old_product = velodyne::kProductVlp32c,
+                    .range_unit_mm = 4,
+                    .block_ns = 55'296,
+                    .block_parts = 24,
+                    .azimuth_offsets = {140, -420, 140, -140, 140, -140, 420, -140,  //
+                                        140, -420, 140, -140, 420, -140, 420, -140,  //
+                                        140, -420, 140, -420, 420, -140, 140, -140,  //
+                                        140, -140, 140, -420, 420, -140, 140, -140}};
+  for (std::uint8_t channel = 0; channel < 32; ++channel) {
+    unit.fires_at[channel] = channel / 2;
+  }
+  return unit;
+}
+inline constexpr VelodyneUnit kVlp32cUnit = make_vlp32c();
+
+class VelodyneVlp32c : public VelodyneDecoder<kVlp32cUnit> {
+ public:
+  static constexpr std::string_view kName = "Velodyne VLP-32C";
+  // By channel, which is the order on the wire.
+  static constexpr std::array<double, 32> kElevationsDeg{
+      -25,    -1,    -1.667, -15.639, -11.31, 0,     -0.667, -8.843,  //
+      -7.254, 0.333, -0.333, -6.148,  -5.333, 1.333, 0.667,  -4,      //
+      -4.667, 1.667, 1,      -3.667,  -3.333, 3.333, 2.333,  -2.667,  //
+      -3,     7,     4.667,  -2.333,  -2,     15,    10.333, -1.333};
+};
+
+}  // namespace iog::lidar

@@ -1,0 +1,314 @@
+#include "lidar/ouster.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <type_traits>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/ouster_packet.hpp"
+#include "fakes/random.hpp"
+#include "fakes/real_packets.hpp"
+#include "lidar/formats.hpp"
+
+namespace iog::lidar {
+namespace {
+
+using Sent = tests::OusterPacket;
+
+constexpr Format kFormats[] = {Format::kOusterLegacy, Format::kOusterRng15, Format::kOusterRng19};
+
+// A unit whose rows look to the left by as many ticks as their numbers, and by turns to the right.
+class TestUnit {
+ public:
+  explicit TestUnit(const Sent& packet, int turns_per_second = 10)
+      : format_(packet.format), corrections_(static_cast<std::size_t>(packet.rows)) {
+    for (std::size_t row = 0; row < corrections_.size(); ++row) {
+      const auto ticks = static_cast<std::int16_t>(3 * row);
+      corrections_[row].azimuth_ticks = row % 2 == 0 ? ticks : static_cast<std::int16_t>(-ticks);
+    }
+    unit_ = {.corrections = corrections_,
+             .columns_per_turn = static_cast<std::uint16_t>(packet.columns_per_turn),
+             .column_ns = static_cast<std::uint32_t>(1'000'000'000 /
+                                                     (packet.columns_per_turn * turns_per_second))};
+  }
+  TestUnit(const TestUnit&) = delete;
+  TestUnit& operator=(const TestUnit&) = delete;
+
+  [[nodiscard]] Format format() const { return format_; }
+  [[nodiscard]] const Unit& unit() const { return unit_; }
+  [[nodiscard]] int offset(std::size_t row) const { return corrections_[row].azimuth_ticks; }
+  void correct_range(std::size_t row, std::int16_t range_mm) {
+    corrections_[row].range_mm = range_mm;
+  }
+
+ private:
+  Format format_;
+  std::vector<LaserCorrection> corrections_;
+  Unit unit_;
+};
+
+// A packet, decoded as one of its unit's profile.
+struct Decoded {
+  Decoded(const std::vector<std::byte>& bytes, const TestUnit& unit) {
+    with_decoder(unit.format(), [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+      if constexpr (std::is_base_of_v<OusterPacket, Decoder>) {
+        Decoder decoder;
+        status = decoder.decode(bytes, unit.unit());
+        info = decoder.info();
+        if (status == DecodeStatus::kOk) {
+          decoder.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
+        }
+      }
+    });
+  }
+  DecodeStatus status = DecodeStatus::kWrongType;
+  PacketInfo info;
+  std::vector<ScanPoint> points;
+};
+
+std::size_t packet_bytes(Format format, int rows) {
+  std::size_t bytes = 0;
+  with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    if constexpr (std::is_base_of_v<OusterPacket, Decoder>) {
+      bytes = Decoder::packet_bytes(static_cast<std::size_t>(rows));
+    }
+  });
+  return bytes;
+}
+
+// Firmware User Manual, "Lidar Data Packet Format": bytes of a packet by profile and rows.
+TEST(Ouster, PacketsAreAsLongAsTheManualSays) {
+  struct Row {
+    Format format;
+    int rows;
+    std::size_t bytes;
+  };
+  for (const auto& [format, rows, bytes] : std::vector<Row>{{Format::kOusterLegacy, 16, 3392},
+                                                            {Format::kOusterLegacy, 32, 6464},
+                                                            {Format::kOusterLegacy, 64, 12608},
+                                                            {Format::kOusterLegacy, 128, 24896},
+                                                            {Format::kOusterRng15, 16, 1280},
+                                                            {Format::kOusterRng15, 64, 4352},
+                                                            {Format::kOusterRng15, 128, 8448},
+                                                            {Format::kOusterRng19, 32, 6400},
+                                                            {Format::kOusterRng19, 64, 12544},
+                                                            {Format::kOusterRng19, 128, 24832}}) {
+    const Sent packet{.format = format, .rows = rows};
+    const TestUnit unit(packet);
+    EXPECT_EQ(packet_bytes(format, rows), bytes);
+    auto datagram = packet.bytes();
+    ASSERT_EQ(datagram.size(), bytes);
+    EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kOk);
+    datagram.pop_back();
+    EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kWrongLength);
+    datagram.resize(bytes + 1);
+    EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kWrongLength);
+  }
+}
+
+// Ranges: 20 bits of mm, of which old firmware fills the rest with other things; 15 bits of 8 mm;
+// 19 bits of mm.
+TEST(Ouster, RangesHaveTheBitsOfTheirProfile) {
+  const std::uint32_t expected[] = {0xF'FFFF, 0x7FFF * 8, 0x7'FFFF};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Sent sent{.format = kFormats[i], .rows = 32};
+    sent.ranges[3][7] = 0xFFFF'FFFF;
+    sent.ranges[15][31] = 1;
+    const TestUnit unit(sent);
+    const Decoded packet(sent.bytes(), unit);
+    ASSERT_EQ(packet.status, DecodeStatus::kOk);
+    const auto& points = packet.points;
+    ASSERT_EQ(points.size(), 16U * 32);
+    EXPECT_EQ(packet.info.point_count, points.size());
+    EXPECT_EQ(points[3 * 32 + 7].range_mm, expected[i]);
+    EXPECT_EQ(points[3 * 32 + 7].layer, 7);
+    EXPECT_EQ(points[15 * 32 + 31].range_mm, i == 1 ? 8U : 1U);
+    EXPECT_EQ(points[0].range_mm, 0U);
+  }
+}
+
+// A row's range correction is added to what was measured, and to nothing else.
+TEST(Ouster, RangesAreCorrectedByRow) {
+  Sent sent{.rows = 16};
+  sent.ranges[0][1] = 5'000;
+  sent.ranges[0][2] = 5'000;
+  TestUnit unit(sent);
+  unit.correct_range(1, -40);
+  unit.correct_range(3, 40);
+  const Decoded packet(sent.bytes(), unit);
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  EXPECT_EQ(packet.points[1].range_mm, 4'960U);
+  EXPECT_EQ(packet.points[2].range_mm, 5'000U);
+  EXPECT_EQ(packet.points[3].range_mm, 0U);
+}
+
+// Software Manual, "Lidar Range to XYZ": theta = 360 deg (1 - id / W), a beam at theta minus its
+// own azimuth; the lidar's axes are the sensor's, turned by 180 deg. To a tick's rounding.
+TEST(Ouster, AzimuthsAreThoseOfTheManual) {
+  for (const int columns : {512, 1024, 2048}) {
+    for (int first = 0; first < columns; first += 16) {
+      const Sent sent{.rows = 16,
+                      .columns_per_turn = columns,
+                      .first_column = first,
+                      .column_ns = 100'000'000U / static_cast<unsigned>(columns)};
+      const TestUnit unit(sent);
+      const Decoded packet(sent.bytes(), unit);
+      ASSERT_EQ(packet.status, DecodeStatus::kOk);
+      const auto& points = packet.points;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const double theta = 1.0 - (first + static_cast<double>(i / 16)) / columns;
+        const double expected = (theta + 0.5) * 46'080 + unit.offset(i % 16);
+        const double off = std::remainder(points[i].azimuth_ticks - expected, 46'080);
+        ASSERT_LE(std::abs(off), 0.5) << columns << " " << first << " " << i;
+        ASSERT_LT(points[i].azimuth_ticks, 46'080);
+      }
+    }
+  }
+}
+
+// The sectors of a turn's packets follow one another: they meet, and together are a turn.
+TEST(Ouster, SectorsOfATurnMeet) {
+  for (const int columns : {512, 1024, 2048}) {
+    int turned = 0;
+    int seam = 46'080 / 2;
+    for (int first = 0; first < columns; first += 16) {
+      const Sent sent{.rows = 16,
+                      .columns_per_turn = columns,
+                      .first_column = first,
+                      .column_ns = 100'000'000U / static_cast<unsigned>(columns)};
+      const TestUnit unit(sent);
+      const Decoded packet(sent.bytes(), unit);
+      ASSERT_EQ(packet.status, DecodeStatus::kOk);
+      const Sector sector = packet.info.sector;
+      turned += sector.width_ticks;
+      EXPECT_EQ((sector.first_ticks + sector.width_ticks) % 46'080, seam);
+      seam = sector.first_ticks;
+    }
+    EXPECT_EQ(turned, 46'080);
+  }
+}
+
+// 1024 columns ten times a second are 97.656 us apart.
+TEST(Ouster, ItsTimesAreThoseOfItsColumns) {
+  const Sent sent{.format = Format::kOusterRng19, .frame = 0xFFFE};
+  const TestUnit unit(sent);
+  const Decoded packet(sent.bytes(), unit);
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  EXPECT_EQ(packet.info.sweep.begin_us, 1'000'000'000U);
+  EXPECT_EQ(packet.info.sweep.end_us, 1'000'000'000U + 1'562U);
+  EXPECT_TRUE(packet.info.sweep.turns_right);
+  EXPECT_EQ(packet.info.scan_number, 0xFFFEU);
+}
+
+// At the ends of its azimuth window a unit sends columns that it has not measured.
+TEST(Ouster, ColumnsThatWereNotMeasuredAreNoPoints) {
+  for (const Format format : kFormats) {
+    Sent sent{.format = format, .first_column = 160, .first_measured = 5, .end_measured = 9};
+    for (auto& column : sent.ranges) {
+      column.assign(128, 1000);
+    }
+    const TestUnit unit(sent);
+    const Decoded packet(sent.bytes(), unit);
+    ASSERT_EQ(packet.status, DecodeStatus::kOk);
+    EXPECT_EQ(packet.info.point_count, 4U * 64);
+    EXPECT_EQ(packet.points.size(), 4U * 64);
+    EXPECT_EQ(packet.info.sector.width_ticks, 4 * 45);
+    EXPECT_EQ(packet.info.sector.first_ticks, 46'080 / 2 - 169 * 45);
+  }
+  const Sent nothing{.first_measured = 16};
+  EXPECT_EQ(Decoded(nothing.bytes(), TestUnit(nothing)).status, DecodeStatus::kWrongPoint);
+}
+
+// A unit in another mode has the same lengths. Its columns come at another rate, or its encoder is
+// elsewhere.
+TEST(Ouster, NoModeIsTakenForAnother) {
+  struct Mode {
+    int columns;
+    int turns;
+  };
+  const std::vector<Mode> modes{{512, 10}, {1024, 10}, {2048, 10}, {512, 20}, {1024, 20}};
+  for (const Format format : kFormats) {
+    for (const Mode& is : modes) {
+      Sent sent{.format = format, .columns_per_turn = is.columns, .first_column = 480};
+      sent.column_ns = 1'000'000'000U / static_cast<unsigned>(is.columns * is.turns);
+      const auto bytes = sent.bytes();
+      for (const Mode& described : modes) {
+        const Sent like{.format = format, .columns_per_turn = described.columns};
+        const bool is_it = is.columns == described.columns && is.turns == described.turns;
+        const bool looks_like_it = is.columns * is.turns == described.columns * described.turns &&
+                                   format != Format::kOusterLegacy && described.columns > 495;
+        EXPECT_EQ(Decoded(bytes, TestUnit(like, described.turns)).status == DecodeStatus::kOk,
+                  is_it || looks_like_it);
+      }
+    }
+  }
+}
+
+// The heads of a real OS1-64's columns, and the pixels of its sixth column in each.
+TEST(Ouster, ARealOs1IsUnderstood) {
+  const auto heads = tests::real_os1_64_heads();
+  const auto pixels = tests::real_os1_64_pixels();
+  ASSERT_EQ(heads.size(), 16U * 16);
+  ASSERT_EQ(pixels.size(), 64U * 12);
+  std::vector<std::byte> bytes;
+  for (std::ptrdiff_t column = 0; column < 16; ++column) {
+    bytes.insert(bytes.end(), heads.begin() + 16 * column, heads.begin() + 16 * (column + 1));
+    bytes.insert(bytes.end(), pixels.begin(), pixels.end());
+    bytes.insert(bytes.end(), 4, std::byte{0xFF});
+  }
+  const TestUnit unit(Sent{});
+  const Decoded packet(bytes, unit);
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  EXPECT_EQ(packet.info.scan_number, 189U);
+  EXPECT_EQ(packet.info.sweep.begin_us, 278'227'120U);
+  EXPECT_EQ(packet.info.sector.width_ticks, 16 * 45);
+  const auto& points = packet.points;
+  ASSERT_EQ(points.size(), 1024U);
+  EXPECT_EQ(points[0].range_mm, 1060U);
+  EXPECT_EQ(points[1].range_mm, 1117U);
+  EXPECT_EQ(points[20].range_mm, 0U);
+  EXPECT_EQ(points[0].azimuth_ticks, 46'080 / 2 - 160 * 45);
+}
+
+TEST(Ouster, RefusesWhatIsNotItsFormat) {
+  Sent sent{.format = Format::kOusterRng19};
+  const TestUnit unit(sent);
+  const auto good = sent.bytes();
+  auto bytes = good;
+  bytes.at(0) = std::byte{2};
+  EXPECT_EQ(Decoded(bytes, unit).status, DecodeStatus::kWrongType);
+  bytes = good;
+  bytes[32 + 780 + 8] = std::byte{9};  // column 1 is called 9
+  EXPECT_EQ(Decoded(bytes, unit).status, DecodeStatus::kWrongAngle);
+  bytes = good;
+  bytes[32 + 7 * 780 + 10] = std::byte{0};  // a hole
+  EXPECT_EQ(Decoded(bytes, unit).status, DecodeStatus::kWrongAngle);
+  sent.first_column = 1'020;  // up to 1035
+  EXPECT_EQ(Decoded(sent.bytes(), unit).status, DecodeStatus::kWrongAngle);
+  EXPECT_EQ(Decoded({}, unit).status, DecodeStatus::kWrongLength);
+  Sent legacy{.frame = 1};
+  const TestUnit legacy_unit(legacy);
+  bytes = legacy.bytes();
+  bytes[788 + 10] = std::byte{2};  // column 1 is of another turn
+  EXPECT_EQ(Decoded(bytes, legacy_unit).status, DecodeStatus::kWrongAngle);
+}
+
+TEST(Ouster, IsTotalOnDamagedPackets) {
+  tests::Random random(12);
+  for (int i = 0; i < tests::effort(10'000, 300); ++i) {
+    const Sent sent{.format = kFormats[i % 3], .rows = 4, .first_column = 1'008};
+    const TestUnit unit(sent);
+    auto bytes = sent.bytes();
+    for (int flips = random.between(1, 4); flips > 0; --flips) {
+      bytes.at(random.below(bytes.size())) = static_cast<std::byte>(random.next());
+    }
+    for (const ScanPoint& point : Decoded(bytes, unit).points) {
+      ASSERT_LT(point.layer, 4);
+      ASSERT_LT(point.azimuth_ticks, 46'080);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace iog::lidar

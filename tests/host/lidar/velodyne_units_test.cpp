@@ -1,0 +1,264 @@
+// What differs between Velodyne's units: each against its manual's tables, written here in
+// microseconds and degrees, and against packets of real ones.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string_view>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/random.hpp"
+#include "fakes/real_velodyne_packets.hpp"
+#include "fakes/velodyne_packet.hpp"
+#include "lidar/formats.hpp"
+
+namespace iog::lidar {
+namespace {
+
+using Packet = tests::VelodynePacket;
+
+template <typename Decoder>
+std::vector<ScanPoint> points_of(const std::vector<std::byte>& bytes,
+                                 std::span<const LaserCorrection> corrections = {}) {
+  Decoder packet;
+  EXPECT_EQ(packet.decode(bytes, corrections), DecodeStatus::kOk);
+  std::vector<ScanPoint> points;
+  packet.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
+  return points;
+}
+
+template <typename Decoder>
+DecodeStatus status_of(const std::vector<std::byte>& bytes) {
+  return Decoder().decode(bytes);
+}
+
+// A packet of the unit whose head turns 2.4 degrees a block.
+Packet turning(const Packet& unit) {
+  Packet packet = unit;
+  packet.first_azimuth = 10'000;
+  packet.step = 240;
+  return packet;
+}
+
+constexpr Packet kHdl32e{.product = 0x21};
+constexpr Packet kVlp32c{.product = 0x28};
+constexpr Packet kHdl64e{
+    .mode = 0x37, .product = 0x21, .blocks_of_azimuth = 2, .has_two_banks = true};
+
+// How far a point of the first azimuth lies clockwise of 100 degrees, in 0.01 degrees.
+double turned(const ScanPoint& point) { return 26'000.0 - point.azimuth_ticks; }
+
+// HDL-32E User Manual, appendix on firing sequence: one laser each 1.152 us, the next sequence
+// 46.08 us after this one.
+TEST(VelodyneUnits, AnHdl32eFiresItsLasersOneAfterAnother) {
+  const auto points = points_of<VelodyneHdl32e>(turning(kHdl32e).bytes());
+  for (std::size_t laser = 0; laser < 32; ++laser) {
+    EXPECT_EQ(points[laser].layer, laser);
+    EXPECT_NEAR(turned(points[laser]), 240 * 1.152 * static_cast<double>(laser) / 46.08, 0.51);
+    EXPECT_NEAR(turned(points[32 + laser]) - 240, turned(points[laser]), 1e-9);
+  }
+}
+
+// The manual's table of elevations by firing order begins -30.67, -9.33, -29.33, -8.00 and ends
+// -12.00, 9.33, -10.67, 10.67.
+TEST(VelodyneUnits, AnHdl32eLooksFromFarBelowToALittleUp) {
+  const auto& deg = VelodyneHdl32e::kElevationsDeg;
+  EXPECT_NEAR(deg[0], -30.67, 0.005);
+  EXPECT_NEAR(deg[1], -9.33, 0.005);
+  EXPECT_NEAR(deg[2], -29.33, 0.005);
+  EXPECT_NEAR(deg[3], -8.00, 0.005);
+  EXPECT_NEAR(deg[28], -12.00, 0.005);
+  EXPECT_NEAR(deg[29], 9.33, 0.005);
+  EXPECT_NEAR(deg[30], -10.67, 0.005);
+  EXPECT_NEAR(deg[31], 10.67, 0.005);
+}
+
+// VLP-32C User Manual, chapter 9: two lasers each 2.304 us, the next sequence 55.296 us after this
+// one; laser 0 looks 1.4 degrees past the azimuth, 1 4.2 before it, 6 4.2 past it.
+TEST(VelodyneUnits, AVlp32cFiresTwoLasersAtOnceToEitherSide) {
+  const auto points = points_of<VelodyneVlp32c>(turning(kVlp32c).bytes());
+  const auto expect_at = [&](std::size_t laser, double offset) {
+    const double us = 2.304 * std::floor(static_cast<double>(laser) / 2);
+    EXPECT_NEAR(turned(points[laser]), 240 * us / 55.296 + offset, 0.51) << laser;
+  };
+  expect_at(0, 140);
+  expect_at(1, -420);
+  expect_at(6, 420);
+  expect_at(17, -420);
+  expect_at(29, -140);
+  expect_at(31, -140);
+  EXPECT_DOUBLE_EQ(VelodyneVlp32c::kElevationsDeg[0], -25);
+  EXPECT_DOUBLE_EQ(VelodyneVlp32c::kElevationsDeg[29], 15);
+}
+
+TEST(VelodyneUnits, AVlp32cCountsInFourMillimetres) {
+  Packet packet = kVlp32c;
+  packet.ranges[3][7] = 1'000;
+  EXPECT_EQ(points_of<VelodyneVlp32c>(packet.bytes())[3 * 32 + 7].range_mm, 4'000U);
+  packet.product = 0x21;
+  EXPECT_EQ(points_of<VelodyneHdl32e>(packet.bytes())[3 * 32 + 7].range_mm, 2'000U);
+}
+
+// HDL-64E S2 and S3 manuals, tables of timing: eight groups of four lasers, 6.0 and 7.2 us apart;
+// both banks at the same time.
+TEST(VelodyneUnits, AnHdl64eFiresBothBanksTogether) {
+  const auto check = [](const std::vector<ScanPoint>& points, double column_us, double group_us,
+                        const std::array<double, 4>& in_group_us) {
+    for (std::size_t laser = 0; laser < 64; ++laser) {
+      EXPECT_EQ(points[laser].layer, laser);
+      const double us = static_cast<double>(laser % 32 / 4) * group_us + in_group_us[laser % 4];
+      EXPECT_NEAR(turned(points[laser]), 240 * us / column_us, 1.01) << laser;
+      EXPECT_NEAR(turned(points[64 + laser]) - 240, turned(points[laser]), 1e-9);
+    }
+  };
+  const auto bytes = turning(kHdl64e).bytes();
+  check(points_of<VelodyneHdl64eS2>(bytes), 48.0, 6.0, {0, 1.26, 2.46, 3.66});
+  check(points_of<VelodyneHdl64eS3>(bytes), 57.6, 7.2, {0, 1.3, 2.5, 3.7});
+}
+
+// With two returns an azimuth comes four times: strongest upper, lower, last upper, lower.
+TEST(VelodyneUnits, AnHdl64eShowsItsModeByItsAzimuths) {
+  Packet packet = kHdl64e;
+  packet.blocks_of_azimuth = 4;
+  packet.ranges[0][5] = 4'000;
+  packet.ranges[2][5] = 3'000;
+  packet.ranges[1][9] = 500;
+  packet.ranges[3][9] = 500;
+  const auto points = points_of<VelodyneHdl64eS3>(packet.bytes());
+  EXPECT_EQ(points[5].range_mm, 6'000U);
+  EXPECT_EQ(points[5].echo, 0);
+  EXPECT_EQ(points[64 + 5].range_mm, 8'000U);
+  EXPECT_EQ(points[64 + 5].echo, 1);
+  EXPECT_EQ(points[64 + 5].layer, 5);
+  EXPECT_EQ(points[32 + 9].layer, 41);
+  EXPECT_EQ(points[32 + 9].range_mm, 1'000U);
+  EXPECT_EQ(points[96 + 9].range_mm, 0U);
+}
+
+// How long a packet takes: 12 azimuths, 6 if there are two returns or two banks, 3 if both.
+TEST(VelodyneUnits, APacketLastsAsLongAsItsFirings) {
+  const auto lasts_us = [](const auto decoder, const Packet& packet) {
+    auto copy = decoder;
+    EXPECT_EQ(copy.decode(packet.bytes()), DecodeStatus::kOk);
+    return copy.info().sweep.end_us - copy.info().sweep.begin_us;
+  };
+  Packet dual32 = kHdl32e;
+  dual32.mode = 0x39;
+  Packet dual64 = kHdl64e;
+  dual64.blocks_of_azimuth = 4;
+  EXPECT_EQ(lasts_us(VelodyneHdl32e(), kHdl32e), 553U);
+  EXPECT_EQ(lasts_us(VelodyneHdl32e(), dual32), 276U);
+  EXPECT_EQ(lasts_us(VelodyneVlp32c(), kVlp32c), 664U);
+  EXPECT_EQ(lasts_us(VelodyneHdl64eS2(), kHdl64e), 288U);
+  EXPECT_EQ(lasts_us(VelodyneHdl64eS3(), kHdl64e), 346U);
+  EXPECT_EQ(lasts_us(VelodyneHdl64eS3(), dual64), 173U);
+}
+
+TEST(VelodyneUnits, ACalibratedLaserIsTurnedAndItsRangeMended) {
+  std::vector<LaserCorrection> corrections(64);
+  corrections[40] = {.azimuth_ticks = -533, .range_mm = 1'230};
+  Packet packet = kHdl64e;
+  packet.step = 0;
+  packet.ranges[1][8] = 2'500;
+  packet.ranges[1][9] = 2'500;
+  const auto points = points_of<VelodyneHdl64eS3>(packet.bytes(), corrections);
+  EXPECT_EQ(points[40].range_mm, 6'230U);
+  EXPECT_EQ(points[40].azimuth_ticks, 36'000 - 533);
+  EXPECT_EQ(points[41].range_mm, 5'000U);
+  EXPECT_EQ(points[41].azimuth_ticks, 0);
+  EXPECT_EQ(points[64 + 40].range_mm, 0U);  // no return stays none
+  corrections[40].range_mm = -9'000;
+  EXPECT_EQ(points_of<VelodyneHdl64eS3>(packet.bytes(), corrections)[40].range_mm, 1U);
+}
+
+// No unit is taken for another, where its packets say what they are.
+TEST(VelodyneUnits, EachRefusesWhatSaysThatItIsOfAnother) {
+  const auto hdl64e = kHdl64e.bytes();
+  const auto vlp32c = kVlp32c.bytes();
+  const auto vlp16 = Packet{}.bytes();
+  EXPECT_EQ(status_of<VelodyneHdl32e>(vlp32c), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneHdl32e>(vlp16), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneHdl32e>(hdl64e), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneVlp16>(vlp32c), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneVlp32c>(vlp16), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneHdl64eS2>(vlp16), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneHdl64eS3>(vlp32c), DecodeStatus::kOtherUnit);
+}
+
+// A flat ground is as far below the scanner as the beam that meets it goes down.
+template <typename Decoder>
+std::vector<double> heights_above_ground(std::string_view hex, double lowest_deg) {
+  std::vector<double> heights;
+  const auto points = points_of<Decoder>(tests::bytes_of_hex(hex));
+  for (std::size_t i = 0; i < 32; ++i) {
+    const double elevation_deg = Decoder::kElevationsDeg.at(points[i].layer);
+    if (elevation_deg < lowest_deg && points[i].range_mm != 0) {
+      heights.push_back(-std::sin(elevation_deg * 3.14159265358979 / 180) * points[i].range_mm /
+                        1000);
+    }
+  }
+  return heights;
+}
+
+double spread(const std::vector<double>& heights) {
+  const auto [low, high] = std::ranges::minmax(heights);
+  return high - low;
+}
+
+TEST(VelodyneUnits, TheRoadUnderARealHdl32eIsFlat) {
+  const auto heights = heights_above_ground<VelodyneHdl32e>(tests::kHdl32eFirst, -20);
+  ASSERT_EQ(heights.size(), 8U);
+  EXPECT_LT(spread(heights), 0.1);
+  EXPECT_NEAR(heights[0], 2.3, 0.1);
+  // The same bytes as those of a VLP-16: its decoder takes them, and the road is a ramp.
+  EXPECT_GT(spread(heights_above_ground<VelodyneVlp16>(tests::kHdl32eFirst, -8)), 0.5);
+}
+
+TEST(VelodyneUnits, TheRoadUnderARealVlp32cIsFlat) {
+  const auto heights = heights_above_ground<VelodyneVlp32c>(tests::kVlp32c, -5);
+  ASSERT_EQ(heights.size(), 7U);
+  EXPECT_LT(spread(heights), 0.03);
+}
+
+template <typename Decoder>
+void expect_total(const Packet& unit, std::uint64_t seed) {
+  tests::Random random(seed);
+  const std::vector<LaserCorrection> corrections(
+      Decoder::kLayers, LaserCorrection{.azimuth_ticks = 3'000, .range_mm = -10'000});
+  for (int i = 0; i < tests::effort(3'000, 200); ++i) {
+    Packet packet = unit;
+    packet.first_azimuth = random.between(0, 36'000);
+    auto bytes = packet.bytes();
+    for (int flips = random.between(0, 3); flips > 0; --flips) {
+      bytes.at(static_cast<std::size_t>(random.between(0, 1205))) =
+          static_cast<std::byte>(random.next());
+    }
+    Decoder decoder;
+    if (decoder.decode(bytes, corrections) == DecodeStatus::kOk) {
+      decoder.for_each_point([](const ScanPoint& point) {
+        ASSERT_LT(point.layer, Decoder::kLayers);
+        ASSERT_LT(point.azimuth_ticks, 36'000);
+        ASSERT_LT(point.echo, 2);
+      });
+    }
+  }
+}
+
+TEST(VelodyneUnits, AreTotalOnDamagedPackets) {
+  expect_total<VelodyneHdl32e>(kHdl32e, 21);
+  expect_total<VelodyneHdl64eS2>(kHdl64e, 22);
+  expect_total<VelodyneHdl64eS3>(kHdl64e, 23);
+  expect_total<VelodyneVlp32c>(kVlp32c, 24);
+}
+
+TEST(Formats, EachHasANameOfItsOwn) {
+  EXPECT_EQ(name_of(Format::kIbeoLux), "ibeo LUX");
+  EXPECT_EQ(name_of(Format::kVelodyneHdl32e), "Velodyne HDL-32E");
+  EXPECT_EQ(name_of(Format::kVelodyneHdl64eS3), "Velodyne HDL-64E S3");
+  EXPECT_EQ(name_of(static_cast<Format>(200)), "");
+  EXPECT_EQ(ticks_per_turn(Format::kIbeoLux), 11'520);
+  EXPECT_EQ(ticks_per_turn(Format::kVelodyneVlp32c), 36'000);
+}
+
+}  // namespace
+}  // namespace iog::lidar
