@@ -3,12 +3,14 @@
 
 #include "vehicle/beam.hpp"
 
-#include <algorithm>
-
 #include "geometry/sizes.hpp"
+#include "numeric/divisor.hpp"
 
 namespace iog::vehicle {
 namespace {
+
+// No wire format says more: a LUX counts 65,535 cm.
+constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
 
 // The end of a beam along one axis, rounded to the nearest subcell, a tie towards plus infinity.
 std::int32_t end_of(const EndCoordinate& axis, Direction direction) {
@@ -32,21 +34,16 @@ std::int32_t extent(const traversal::Axis<geometry::kResolution>& axis) {
   return axis.step() * static_cast<std::int32_t>(axis.length());
 }
 
-bool is_on_the_car(const Sensor& sensor, const BeamLine& line, std::uint32_t range_mm) {
-  return sensor.on_car_x.contain(extent(line.x()), range_mm) &&
-         sensor.on_car_y.contain(extent(line.y()), range_mm);
-}
-
-bool is_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
+bool is_in_band(const Vehicle& vehicle, const Sensor& sensor, std::int32_t end_z,
                 std::uint32_t range_mm) {
-  return lies_between(vehicle.z_min, sensor.origin_z, std::int64_t{beam.end_z} - sensor.origin_z,
+  return lies_between(vehicle.z_min, sensor.origin_z, std::int64_t{end_z} - sensor.origin_z,
                       range_mm, sensor.range.mm(), vehicle.z_max);
 }
 
 }  // namespace
 
-Direction direction_of(const Sensor& sensor, std::uint16_t azimuth_ticks) {
-  return {.cosine = sensor.sines.cosine(azimuth_ticks), .sine = sensor.sines.sine(azimuth_ticks)};
+Direction direction_of(const Sensor& sensor, std::uint32_t azimuth_step) {
+  return {.cosine = sensor.sines.cosine(azimuth_step), .sine = sensor.sines.sine(azimuth_step)};
 }
 
 BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction) {
@@ -58,48 +55,60 @@ std::int32_t end_height_of(const Layer& layer, Direction direction) {
 }
 
 Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks) {
-  const Direction direction = direction_of(sensor, azimuth_ticks);
+  const Direction direction = direction_of(sensor, sensor.azimuths.nearest(azimuth_ticks));
   const Layer& axes = sensor.layers[layer];
   return {line_of(sensor, axes, direction), end_height_of(axes, direction)};
 }
 
-Classification classify(const Sensor& sensor, const BeamLine& line, std::int32_t end_z,
-                        const lidar::ScanPoint& point) {
-  const bool is_first = point.echo == 0;
-  if (point.range_mm == 0) {
-    return {Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0, false};
+// Asked of each new beam. Where the axis leaves the limits before the first range or after the last
+// one, as most do, nothing is divided.
+Ranges ranges_between(const RangeProducts& limits, std::int32_t extent, std::uint32_t from_mm,
+                      std::uint32_t to_mm) {
+  const auto size = static_cast<std::uint32_t>(extent < 0 ? -extent : extent);
+  const std::int64_t low = extent < 0 ? -limits.high : limits.low;
+  const std::int64_t high = extent < 0 ? -limits.low : limits.high;
+  const std::int64_t at_from = std::int64_t{size} * from_mm;
+  const std::int64_t at_to = std::int64_t{size} * to_mm;
+  if (high < at_from || at_to < low) {
+    return {};
   }
-  if (point.is_dirt || point.is_rain) {
-    return {Fate::kFlagged, false, false};
+  std::uint32_t first = from_mm;
+  std::uint32_t last = to_mm;
+  if (at_from < low) {
+    first = numeric::Divisor(size).divide(static_cast<std::uint64_t>(low - 1)) + 1;
   }
-  if (point.range_mm < sensor.range_min_mm || is_on_the_car(sensor, line, point.range_mm)) {
-    return {Fate::kTooNear, false, false};
+  if (high < at_to) {
+    last = numeric::Divisor(size).divide(static_cast<std::uint64_t>(high));
   }
-  // A beam is straight: with both ends in the band all of it is.
-  const std::uint32_t reach_mm = std::min(point.range_mm, sensor.range.mm());
-  const bool ends_in_band = sensor.in_band.contain(end_z - sensor.origin_z, reach_mm);
-  const bool is_whole = ends_in_band && sensor.in_band.contain(0, 0);
-  if (point.is_ground) {
-    return {Fate::kFlagged, is_first, false, is_whole};
-  }
-  if (point.range_mm > sensor.range.mm()) {
-    return {Fate::kTooFar, is_first, false, is_whole};
-  }
-  if (!ends_in_band) {
-    return {Fate::kOutsideHeightBand, is_first, false};
-  }
-  return is_first ? Classification{Fate::kUsed, true, true, is_whole}
-                  : Classification{Fate::kLaterEcho, false, true};
+  return first <= last ? Ranges{first, last - first} : Ranges{};
 }
 
-BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
+Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line) {
+  const Ranges x =
+      ranges_between(sensor.on_car_x, extent(line.x()), sensor.range_min_mm, kMaxRangeMm);
+  if (x.first > kMaxRangeMm) {
+    return {};
+  }
+  return ranges_between(sensor.on_car_y, extent(line.y()), x.first, x.first + x.width);
+}
+
+Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z) {
+  return ranges_between(sensor.in_band, end_z - sensor.origin_z, 0, sensor.range.mm());
+}
+
+BeamRanges ranges_of(const Sensor& sensor, const Beam& beam) {
+  return {.on_car = ranges_on_car(sensor, beam.line),
+          .in_band = ranges_in_band(sensor, beam.end_z)};
+}
+
+BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, std::int32_t end_z,
                       std::uint32_t reach_mm) {
   const bool starts_inside = vehicle.z_min <= sensor.origin_z && sensor.origin_z <= vehicle.z_max;
   // A line is straight: with both ends inside all of it is.
-  if (starts_inside && is_in_band(vehicle, sensor, beam, reach_mm)) {
+  if (starts_inside && is_in_band(vehicle, sensor, end_z, reach_mm)) {
     return {};
   }
-  const std::int64_t rise = std::int64_t{beam.end_z} - sensor.origin_z;
+  const std::int64_t rise = std::int64_t{end_z} - sensor.origin_z;
   if (rise == 0) {
     return {.is_whole = starts_inside, .is_empty = !starts_inside, .from = {}, .to = {}};
   }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "lidar/scan_point.hpp"
 #include "vehicle/vehicle.hpp"
@@ -21,9 +22,11 @@ enum class Fate : std::uint8_t {
   kOutsideHeightBand,  // carves where the beam is inside the band
   kFlagged,            // ground: carves; dirt, rain: dropped
   kLaterEcho,          // marks
-  kMalformed,          // dropped with its packet
+  kMalformed,          // dropped with its packet, which is wrong or over budget
+  kStale,              // dropped with its packet, which is a duplicate or late
+  kNotTaken,           // dropped with its packet, because the target is too slow
 };
-inline constexpr std::size_t kFateCount = 8;
+inline constexpr std::size_t kFateCount = 10;
 
 // The part of a line between two shares of its length, both counted from its start. Unless the
 // whole line counts, `to` is at most 1.
@@ -45,6 +48,25 @@ struct Beam {
   std::int32_t end_z;  // height of the line's end in subcells
 };
 
+// The ranges from one to another, mm, both included; or none.
+struct Ranges {
+  std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t width = 0;
+
+  [[nodiscard]] constexpr bool contain(std::uint32_t range_mm) const {
+    return range_mm - first <= width;
+  }
+  friend constexpr bool operator==(const Ranges&, const Ranges&) = default;
+};
+
+// Where a scan point of a beam lies, by its range alone: on the car by what the sensor measured, in
+// the band by that along the line. A line goes through a convex part of space in one piece, so
+// these ranges follow one another.
+struct BeamRanges {
+  Ranges on_car;   // those that the sensor's minimum allows
+  Ranges in_band;  // those of at most L
+};
+
 struct Classification {
   Fate fate;
   bool carves;
@@ -52,27 +74,71 @@ struct Classification {
   bool is_whole_in_band = false;  // nothing of the beam up to its point or L is outside the band
 };
 
-// azimuth_ticks < one turn.
-[[nodiscard]] Direction direction_of(const Sensor& sensor, std::uint16_t azimuth_ticks);
+// azimuth_step: of sensor.azimuths.
+[[nodiscard]] Direction direction_of(const Sensor& sensor, std::uint32_t azimuth_step);
 
 // The line on the grid and the height of its end, in subcells, of a layer's beam in this direction.
 [[nodiscard]] BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction);
 [[nodiscard]] std::int32_t end_height_of(const Layer& layer, Direction direction);
 
-// Both together. layer < sensor.layer_count, azimuth_ticks < one turn.
+// Both together, of the step nearest to an azimuth. layer < sensor.layer_count, azimuth_ticks < one
+// turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-// line and end_z are those of its beam.
-[[nodiscard]] Classification classify(const Sensor& sensor, const BeamLine& line,
-                                      std::int32_t end_z, const lidar::ScanPoint& point);
+// The ranges with which a point's coordinate lies between the limits of an axis along which the
+// line is so long, of those from one to another. Exact.
+[[nodiscard]] Ranges ranges_between(const RangeProducts& limits, std::int32_t extent,
+                                    std::uint32_t from_mm, std::uint32_t to_mm);
+
+// The parts of BeamRanges: of a line, and of the height of its end.
+[[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
+[[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
+[[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
+
+// ranges are those of its beam, along_mm is the point's range along its line,
+// Layer::along_line_mm(). No return and too near are judged by the range itself, all else by that.
+// Inline, because it is asked once for each point.
+[[nodiscard]] constexpr Classification classify(const Sensor& sensor, const BeamRanges& ranges,
+                                                const lidar::ScanPoint& point,
+                                                std::uint32_t along_mm) {
+  const bool is_first = point.echo == 0;
+  if (point.range_mm == 0) {
+    return {Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0, false};
+  }
+  if (point.is_dirt || point.is_rain) {
+    return {Fate::kFlagged, false, false};
+  }
+  if (point.range_mm < sensor.range_min_mm || ranges.on_car.contain(point.range_mm)) {
+    return {Fate::kTooNear, false, false};
+  }
+  // A beam is straight: with both ends in the band all of it is.
+  const bool is_too_far = along_mm > sensor.range.mm();
+  const bool ends_in_band = ranges.in_band.contain(is_too_far ? sensor.range.mm() : along_mm);
+  const bool is_whole = ends_in_band && ranges.in_band.first == 0;
+  if (point.is_ground) {
+    return {Fate::kFlagged, is_first, false, is_whole};
+  }
+  if (is_too_far) {
+    return {Fate::kTooFar, is_first, false, is_whole};
+  }
+  if (!ends_in_band) {
+    return {Fate::kOutsideHeightBand, is_first, false};
+  }
+  return is_first ? Classification{Fate::kUsed, true, true, is_whole}
+                  : Classification{Fate::kLaterEcho, false, true};
+}
+[[nodiscard]] constexpr Classification classify(const Sensor& sensor, const BeamRanges& ranges,
+                                                const lidar::ScanPoint& point) {
+  return classify(sensor, ranges, point, sensor.layers[point.layer].along_line_mm(point.range_mm));
+}
 [[nodiscard]] inline Classification classify(const Sensor& sensor, const Beam& beam,
                                              const lidar::ScanPoint& point) {
-  return classify(sensor, beam.line, beam.end_z, point);
+  return classify(sensor, ranges_of(sensor, beam), point);
 }
 
-// Which part of the beam between its origin and reach_mm <= L is inside the height band. Heights at
-// the band's ends are inside.
-[[nodiscard]] BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, const Beam& beam,
-                                    std::uint32_t reach_mm);
+// Which part of a beam between its origin and reach_mm <= L is inside the height band, by the
+// height of its end. Heights at the band's ends are inside.
+[[nodiscard]] BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor,
+                                    std::int32_t end_z, std::uint32_t reach_mm);
 
 }  // namespace iog::vehicle

@@ -1,7 +1,8 @@
-// From a description to a vehicle, at compile time: validates, rounds, and computes every table.
+// From a description to a vehicle: rounds, and computes every table. Usually at compile time; a
+// car's file is compiled by the PC's tools, too.
 //
-// A description that breaks a limit does not compile: the compiler names the function below that
-// was reached.
+// A description that breaks a limit (vehicle/limits.hpp) does not compile: the compiler shows which
+// fault was told.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +11,18 @@
 #include <cstdint>
 
 #include "geometry/grid.hpp"
+#include "lidar/formats.hpp"
 #include "numeric/elementary.hpp"
+#include "vehicle/derived.hpp"
+#include "vehicle/identity.hpp"
+#include "vehicle/limits.hpp"
+#include "vehicle/scanner_facts.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::vehicle {
 
-// Not constexpr and never defined: reaching one of them ends the compilation with its name.
-void a_sensor_needs_a_range_between_its_minimum_and_130_metres();
-void a_sensor_needs_a_precision_of_at_least_1_mm_and_a_positive_sigma();
-void a_sensor_needs_an_udp_port_a_scan_width_and_a_point_limit();
-void the_longest_beam_overflows_the_error_term_of_the_walk();
-void this_sensor_cannot_mark_its_cells_are_too_short_for_its_precision();
-void the_height_band_or_the_footprint_is_empty();
+// Not constexpr and never defined: reaching it ends the compilation.
+void a_description_breaks_a_limit(const Fault& fault);
 
 namespace compile_detail {
 
@@ -31,8 +32,6 @@ struct Rotation {
   std::array<double, 3> left;
   std::array<double, 3> up;
 };
-
-constexpr double radians(double degrees) { return degrees * numeric::kPi / 180; }
 
 constexpr Rotation rotation_of(const MountConfig& mount) {
   const double cy = numeric::cos(radians(mount.yaw_deg));
@@ -64,20 +63,85 @@ constexpr EndCoordinate end_coordinate(double origin_m, double length_m, double 
           .left = static_cast<std::int32_t>(numeric::round(reach * left))};
 }
 
+// The beams of a layer, each with its own line.
+constexpr Layer layer_of(const MountConfig& mount, const Rotation& turn, double length_m,
+                         double elevation) {
+  const auto along = [&](double origin_m, std::size_t axis) {
+    return end_coordinate(origin_m, length_m, elevation, turn.forward[axis], turn.left[axis],
+                          turn.up[axis]);
+  };
+  return {.x = along(grid_metres(mount.x_m), 0),
+          .y = along(grid_metres(mount.y_m), 1),
+          .z = along(mount.z_m, 2)};
+}
+
+// The same on the lines of elevation 0, above the end of which a beam passes at z + L
+// tan(elevation).
+constexpr Layer shared_layer_of(const MountConfig& mount, const Rotation& turn, double length_m,
+                                double elevation) {
+  const double unit = geometry::kSubcellsPerMetre * (1 << kAxisFractionBits);
+  Layer layer = layer_of(mount, turn, length_m, 0);
+  layer.z = {.base = numeric::round((mount.z_m + length_m * tangent(elevation)) * unit)};
+  layer.range_share = static_cast<std::uint32_t>(
+      numeric::round(numeric::cos(elevation) * (1 << numeric::kSineFractionBits)));
+  return layer;
+}
+
+// How high over the unit's origin its beams start, on the average. They differ by some centimetres,
+// and the height band is asked of all alike.
+constexpr double mean_height_m(std::span<const lidar::Laser> lasers) {
+  double sum = 0;
+  for (const lidar::Laser& laser : lasers) {
+    sum += laser.height_m / numeric::cos(radians(laser.elevation_deg));
+  }
+  return lasers.empty() ? 0 : sum / static_cast<double>(lasers.size());
+}
+
+constexpr lidar::LaserCorrection correction_of(const lidar::Laser& laser,
+                                               std::int32_t ticks_per_turn) {
+  return {.azimuth_ticks =
+              static_cast<std::int16_t>(numeric::round(laser.azimuth_deg * ticks_per_turn / 360)),
+          .range_mm = static_cast<std::int16_t>(numeric::round(horizontal_range_m(laser) * 1000))};
+}
+
+// The unit's own elevations, or those of its format.
+struct Elevations {
+  std::size_t count = 0;
+  std::array<double, kMaxLayers> deg{};
+};
+
+template <typename Decoder>
+constexpr Elevations elevations_of(const SensorConfig& config) {
+  Elevations elevations;
+  if (config.lasers.empty()) {
+    elevations.count = Decoder::kElevationsDeg.size();
+    std::ranges::copy(Decoder::kElevationsDeg, elevations.deg.begin());
+  } else {
+    elevations.count = config.lasers.size();
+    std::ranges::transform(config.lasers, elevations.deg.begin(), &lidar::Laser::elevation_deg);
+  }
+  return elevations;
+}
+
+constexpr void compile_corrections(const SensorConfig& config, std::int32_t ticks_per_turn,
+                                   Sensor& sensor) {
+  sensor.is_calibrated = !config.lasers.empty();
+  for (std::size_t i = 0; i < config.lasers.size(); ++i) {
+    sensor.laser_corrections[i] = correction_of(config.lasers[i], ticks_per_turn);
+  }
+}
+
 constexpr void compile_layers(const SensorConfig& config, std::span<const double> elevations_deg,
                               Sensor& sensor) {
   const Rotation turn = rotation_of(config.mount);
   const double length_m = config.range_max_mm / 1000.0;
+  MountConfig mount = config.mount;
+  mount.z_m += mean_height_m(config.lasers);
   sensor.layer_count = static_cast<std::uint8_t>(elevations_deg.size());
   for (std::size_t i = 0; i < elevations_deg.size(); ++i) {
     const double elevation = radians(elevations_deg[i]);
-    const auto along = [&](double origin_m, std::size_t axis) {
-      return end_coordinate(origin_m, length_m, elevation, turn.forward[axis], turn.left[axis],
-                            turn.up[axis]);
-    };
-    sensor.layers[i] = {.x = along(grid_metres(config.mount.x_m), 0),
-                        .y = along(grid_metres(config.mount.y_m), 1),
-                        .z = along(config.mount.z_m, 2)};
+    sensor.layers[i] = sensor.layers_share_lines ? shared_layer_of(mount, turn, length_m, elevation)
+                                                 : layer_of(mount, turn, length_m, elevation);
     const auto same_line = [&](const Layer& layer) {
       return layer.x == sensor.layers[i].x && layer.y == sensor.layers[i].y;
     };
@@ -86,43 +150,38 @@ constexpr void compile_layers(const SensorConfig& config, std::span<const double
   }
 }
 
-constexpr void check(const SensorConfig& config) {
-  if (config.range_max_mm <= config.range_min_mm || config.range_max_mm > 130'000 ||
-      config.no_return_clears_mm > config.range_max_mm) {
-    a_sensor_needs_a_range_between_its_minimum_and_130_metres();
-  }
-  if (config.precision_mm == 0 || !(config.sigma_m > 0)) {
-    a_sensor_needs_a_precision_of_at_least_1_mm_and_a_positive_sigma();
-  }
-  if (config.udp_port == 0 || config.scan_width_ticks == 0 || config.max_points_per_scan == 0) {
-    a_sensor_needs_an_udp_port_a_scan_width_and_a_point_limit();
-  }
-  // The longest line spans at most sqrt(2) L in |dx| + |dy|, and rounding adds 2 subcells.
-  const double span = config.range_max_mm / 1000.0 * geometry::kSubcellsPerMetre * 1.41421357 + 2;
-  if (span * geometry::kResolution >= 2147483648.0) {
-    the_longest_beam_overflows_the_error_term_of_the_walk();
+constexpr Footprint footprint_of(const FootprintConfig& config) {
+  return {.x_min = subcells(grid_metres(config.x_min_m)),
+          .x_max = subcells(grid_metres(config.x_max_m)),
+          .y_min = subcells(grid_metres(config.y_min_m)),
+          .y_max = subcells(grid_metres(config.y_max_m))};
+}
+
+// A sensor that turns and is level has one line an azimuth for all layers.
+template <typename Decoder>
+constexpr void compile_azimuths(const SensorConfig& config, Sensor& sensor) {
+  if constexpr (Decoder::kTurns) {
+    derive_azimuths<Decoder>(steps_of(config), sensor);
+    sensor.layers_share_lines = config.mount.pitch_deg == 0 && config.mount.roll_deg == 0;
+  } else {
+    derive_azimuths<Decoder>(Decoder::kTicksPerTurn, sensor);
   }
 }
 
-constexpr RangeProducts range_products(double low_m, double high_m, std::int32_t origin,
-                                       std::uint32_t length_mm) {
-  return {.low = (std::int64_t{subcells(low_m)} - origin) * length_mm,
-          .high = (std::int64_t{subcells(high_m)} - origin) * length_mm};
+template <typename Decoder>
+constexpr void compile_mode(const SensorConfig& config, Sensor& sensor) {
+  if constexpr (HasModes<Decoder>) {
+    sensor.columns_per_turn = config.mode.columns_per_turn;
+    sensor.column_ns = config.mode.column_ns();
+  }
 }
 
-constexpr void compile_limits(const Description& description, Sensor& sensor) {
-  const FootprintConfig& car = description.footprint;
-  const std::uint32_t length_mm = sensor.range.mm();
-  sensor.on_car_x = range_products(grid_metres(car.x_min_m), grid_metres(car.x_max_m),
-                                   sensor.origin.x, length_mm);
-  sensor.on_car_y = range_products(grid_metres(car.y_min_m), grid_metres(car.y_max_m),
-                                   sensor.origin.y, length_mm);
-  sensor.in_band =
-      range_products(description.z_min_m, description.z_max_m, sensor.origin_z, length_mm);
-}
+}  // namespace compile_detail
 
+// Of what keeps to its limits.
 constexpr Sensor compile_sensor(const SensorConfig& config, const Description& description) {
-  check(config);
+  using compile_detail::grid_metres;
+  using compile_detail::subcells;
   Sensor sensor;
   sensor.name = config.name;
   sensor.format = config.format;
@@ -130,36 +189,47 @@ constexpr Sensor compile_sensor(const SensorConfig& config, const Description& d
   sensor.udp_port = config.udp_port;
   sensor.origin = {subcells(grid_metres(config.mount.x_m)),
                    subcells(grid_metres(config.mount.y_m))};
-  sensor.origin_z = subcells(config.mount.z_m);
+  sensor.origin_z = subcells(config.mount.z_m + compile_detail::mean_height_m(config.lasers));
   sensor.range = traversal::LineLength(config.range_max_mm);
   sensor.range_min_mm = config.range_min_mm;
   sensor.precision_mm = config.precision_mm;
-  sensor.precision = numeric::Reciprocal(config.precision_mm);
   sensor.no_return_clears_mm = config.no_return_clears_mm;
   sensor.scan_width_ticks = config.scan_width_ticks;
   sensor.max_points_per_scan = config.max_points_per_scan;
-  sensor.profile = sensor_model::make_profile({.sigma_m = config.sigma_m,
-                                               .cell_length_m = config.precision_mm / 1000.0,
-                                               .epsilon = description.epsilon,
-                                               .quantisation = description.quantisation});
-  if (!sensor.profile.is_valid()) {
-    this_sensor_cannot_mark_its_cells_are_too_short_for_its_precision();
-  }
-  compile_limits(description, sensor);
-  switch (config.format) {
-    case lidar::Format::kIbeoLux:
-      sensor.sines = numeric::kSineTable<lidar::IbeoLux::kTicksPerTurn>;
-      compile_layers(config, lidar::IbeoLux::kElevationsDeg, sensor);
-      break;
-    case lidar::Format::kVelodyneVlp16:
-      sensor.sines = numeric::kSineTable<lidar::VelodyneVlp16::kTicksPerTurn>;
-      compile_layers(config, lidar::VelodyneVlp16::kElevationsDeg, sensor);
-      break;
-  }
+  sensor.is_synchronised = config.is_synchronised;
+  sensor.latency_us = config.latency_us;
+  sensor.profile = *sensor_model::profile_of(profile_config(description, config));
+  derive_limits(compile_detail::footprint_of(description.footprint), subcells(description.z_min_m),
+                subcells(description.z_max_m), sensor);
+  lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    const compile_detail::Elevations elevations = compile_detail::elevations_of<Decoder>(config);
+    compile_detail::compile_mode<Decoder>(config, sensor);
+    compile_detail::compile_azimuths<Decoder>(config, sensor);
+    compile_detail::compile_corrections(config, Decoder::kTicksPerTurn, sensor);
+    compile_detail::compile_layers(config, std::span(elevations.deg).first(elevations.count),
+                                   sensor);
+  });
   return sensor;
 }
 
-}  // namespace compile_detail
+// The vehicle of sensors that are compiled; of what keeps to its limits. Sensors outlive it.
+constexpr Vehicle join_vehicle(const Description& description, std::span<const Sensor> sensors) {
+  using compile_detail::subcells;
+  Vehicle vehicle{.name = description.name,
+                  .sensors = sensors,
+                  .footprint = compile_detail::footprint_of(description.footprint),
+                  .z_min = subcells(description.z_min_m),
+                  .z_max = subcells(description.z_max_m),
+                  .rule = description.rule,
+                  .quantisation = description.quantisation,
+                  .frame_period_us = description.frame_period_us,
+                  .grids = description.grids,
+                  .poses = description.poses,
+                  .maps = description.maps,
+                  .window = description.window};
+  vehicle.id = identity_of(vehicle);
+  return vehicle;
+}
 
 template <std::size_t kCount>
 consteval std::array<Sensor, kCount> compile_sensors(
@@ -167,30 +237,19 @@ consteval std::array<Sensor, kCount> compile_sensors(
   static_assert(kCount >= 1 && kCount <= kMaxSensors);
   std::array<Sensor, kCount> sensors;
   for (std::size_t i = 0; i < kCount; ++i) {
-    sensors[i] = compile_detail::compile_sensor(configs[i], description);
+    check_sensor(description, configs[i], i, a_description_breaks_a_limit);
+    sensors[i] = compile_sensor(configs[i], description);
   }
   return sensors;
 }
 
 // sensors: of static storage, usually the constexpr result of compile_sensors().
 consteval Vehicle compile_vehicle(const Description& description, std::span<const Sensor> sensors) {
-  using compile_detail::grid_metres;
-  using compile_detail::subcells;
-  const FootprintConfig& footprint = description.footprint;
-  if (!(description.z_min_m < description.z_max_m) || footprint.x_min_m > footprint.x_max_m ||
-      footprint.y_min_m > footprint.y_max_m) {
-    the_height_band_or_the_footprint_is_empty();
-  }
-  return {.name = description.name,
-          .sensors = sensors,
-          .footprint = {.x_min = subcells(grid_metres(footprint.x_min_m)),
-                        .x_max = subcells(grid_metres(footprint.x_max_m)),
-                        .y_min = subcells(grid_metres(footprint.y_min_m)),
-                        .y_max = subcells(grid_metres(footprint.y_max_m))},
-          .z_min = subcells(description.z_min_m),
-          .z_max = subcells(description.z_max_m),
-          .rule = description.rule,
-          .frame_period_us = description.frame_period_us};
+  check_description(description, a_description_breaks_a_limit);
+  check_classes(description, a_description_breaks_a_limit);
+  check_ports(description, sensors, a_description_breaks_a_limit);
+  check_lines(sensors, a_description_breaks_a_limit);
+  return join_vehicle(description, sensors);
 }
 
 }  // namespace iog::vehicle

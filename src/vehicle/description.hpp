@@ -1,7 +1,7 @@
-// A vehicle description as a person writes it: one aggregate per car, in metres and degrees.
+// A vehicle description: one aggregate per car, in metres and degrees, as its file has them.
 //
 // Only the compiler and the PC's tools see these numbers; vehicle/vehicle.hpp turns them into the
-// integers that run on the target. One file per vehicle in vehicles/.
+// integers that run on the target. One file per vehicle in vehicles/ (docs/vehicles.md).
 //
 // Vehicle frame (ISO 8855): x forward, y left, z up from the ground, metres. The origin lies in the
 // middle of the grid. A mount turns the sensor frame by yaw about z, then pitch about y, then roll
@@ -10,10 +10,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
-#include "lidar/scan_point.hpp"
+#include "lidar/formats.hpp"
+#include "lidar/laser.hpp"
+#include "lidar/unit.hpp"
+#include "map/source_description.hpp"
+#include "pose/source_description.hpp"
 #include "sensor_model/profile.hpp"
+#include "window/rules.hpp"
 
 namespace iog::vehicle {
 
@@ -38,7 +44,18 @@ struct SensorConfig {
   double sigma_m = 0.10;                  // standard deviation of the range
   std::uint32_t no_return_clears_mm = 0;  // a missing return carves up to here; 0: no evidence
   std::uint16_t scan_width_ticks = 0;     // azimuth of a whole scan, in ticks of the format
+  // Of a sensor that turns: its azimuth step as a part of a turn, 1/256 ... 1/16384 in powers of
+  // two. 0: the largest that is at most a cell wide at range_max_mm. Other sensors have none, 0.
+  std::uint32_t azimuth_steps_per_turn = 0;
   std::uint32_t max_points_per_scan = 0;  // more than this in one frame are refused
+  // One for each layer of the format, as the maker calibrated this unit; none: as its data sheet
+  // has them. Of static storage.
+  std::span<const lidar::Laser> lasers{};
+  lidar::TurnMode mode{};  // what an Ouster is set to
+  // Its clock is that of the poses, and both count from 1970-01-01 UTC. Else its packets were
+  // measured so long before they came.
+  bool is_synchronised = false;
+  std::uint32_t latency_us = 0;
 };
 
 // A rectangle on the ground, seen from above.
@@ -48,6 +65,13 @@ struct FootprintConfig {
   double y_min_m = 0;
   double y_max_m = 0;
 };
+
+// Which grids the target sends: of occupancy indexes around the vehicle, of classes in the
+// world-aligned window (docs/perception.md).
+enum class Grids : std::uint8_t { kIndexes, kClasses, kBoth };
+
+[[nodiscard]] constexpr bool have_indexes(Grids grids) { return grids != Grids::kClasses; }
+[[nodiscard]] constexpr bool have_classes(Grids grids) { return grids != Grids::kIndexes; }
 
 // The two rules of docs/model.md section 3.
 enum class FusionRule : std::uint8_t { kHitsWin, kBayes };
@@ -61,6 +85,11 @@ struct Description {
   index::Quantisation quantisation = index::Quantisation::kBlurring;
   FusionRule rule = FusionRule::kHitsWin;
   std::uint32_t frame_period_us = 40'000;  // a frame is over after this long at the latest
+  Grids grids = Grids::kIndexes;
+  // Where classes are among the grids, which need kHitsWin and kBlurring:
+  pose::SourceDescription poses{};  // who says where the vehicle is
+  map::SourceDescription maps{};    // who sends maps
+  window::Rules window{};           // how evidence becomes classes
 };
 
 }  // namespace iog::vehicle

@@ -8,25 +8,31 @@
 #include <string_view>
 
 #include "geometry/cell.hpp"
-#include "lidar/ibeo_lux.hpp"
-#include "lidar/velodyne_vlp16.hpp"
+#include "lidar/formats.hpp"
+#include "lidar/laser.hpp"
+#include "lidar/unit.hpp"
 #include "numeric/reciprocal.hpp"
 #include "numeric/sine_table.hpp"
 #include "sensor_model/profile.hpp"
+#include "vehicle/azimuth_steps.hpp"
 #include "vehicle/beam_line.hpp"
 #include "vehicle/description.hpp"
 
 namespace iog::vehicle {
 
 inline constexpr std::size_t kMaxSensors = 8;
-inline constexpr std::size_t kMaxLayers = 16;
+inline constexpr std::size_t kMaxLayers = 128;
+
+// Lines that are kept of level sensors that turn, of all such sensors of a vehicle together: one
+// for each azimuth step. A line takes some 0.7 KB.
+inline constexpr std::size_t kMaxTurnLines = 8192;
 
 // Coefficients of a beam's end carry this many bits below one subcell. 10 is what fits: a line of
 // 2^20 subcells times 2^10 is 2^30, times a sine of 2^30 is 2^60, and three such terms stay below
 // 2^62. The end is within 0.002 subcells of the real one before it is rounded.
 inline constexpr int kAxisFractionBits = 10;
 
-// One coordinate of the end of every beam of a layer, as a function of azimuth a:
+// One coordinate of the end of every beam of a layer, as a function of its azimuth a:
 //   end = base + forward cos a + left sin a      in units of 2^-10 subcells.
 struct EndCoordinate {
   std::int64_t base = 0;
@@ -42,18 +48,22 @@ struct Layer {
   // The first layer whose beams have the same lines on the grid. Two layers of opposite elevations
   // share their lines if the sensor is level.
   std::uint8_t line = 0;
+  // How far along its line a range gets, in units of 2^-30: the cosine of its elevation where all
+  // layers share the line of elevation 0, else 1.
+  std::uint32_t range_share = std::uint32_t{1} << numeric::kSineFractionBits;
+
+  // Rounded down.
+  [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm) const {
+    return static_cast<std::uint32_t>(std::uint64_t{range_mm} * range_share >>
+                                      numeric::kSineFractionBits);
+  }
 };
 
-// Whether a point on a beam lies in some part of space, asked without a division: along one axis
-// the product of the beam's extent in subcells and the range in millimetres must lie between these
-// two, both included.
+// Where a point on a beam lies in some part of space, along one axis: where the product of the
+// beam's extent in subcells and the range in millimetres lies between these two, both included.
 struct RangeProducts {
   std::int64_t low = 0;
   std::int64_t high = 0;
-  [[nodiscard]] constexpr bool contain(std::int32_t extent, std::uint32_t range_mm) const {
-    const std::int64_t product = std::int64_t{extent} * static_cast<std::int32_t>(range_mm);
-    return low <= product && product <= high;
-  }
 };
 
 struct Sensor {
@@ -65,7 +75,9 @@ struct Sensor {
   std::int32_t origin_z = 0;      // height in subcells
   std::uint8_t layer_count = 0;
   std::array<Layer, kMaxLayers> layers{};
-  numeric::SineTable sines;
+  bool layers_share_lines = false;  // it turns and is level: one line an azimuth for all layers
+  AzimuthSteps azimuths;
+  numeric::SineTable sines;     // of the steps
   traversal::LineLength range;  // L
   std::uint32_t range_min_mm = 0;
   std::uint32_t precision_mm = 1;  // Delta
@@ -73,10 +85,25 @@ struct Sensor {
   std::uint32_t no_return_clears_mm = 0;
   std::uint16_t scan_width_ticks = 0;
   std::uint32_t max_points_per_scan = 0;
+  // Where its maker calibrated each of its lasers.
+  bool is_calibrated = false;
+  std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
+  // Of an Ouster, see lidar::Unit.
+  std::uint16_t columns_per_turn = 0;
+  std::uint32_t column_ns = 0;
+  bool is_synchronised = false;  // with the poses
+  std::uint32_t latency_us = 0;  // from measurement to arrival, if it is not
   sensor_model::Profile profile;
   RangeProducts on_car_x;  // together: within the vehicle's footprint
   RangeProducts on_car_y;
   RangeProducts in_band;  // within its height band
+
+  // A view of this sensor.
+  [[nodiscard]] constexpr lidar::Unit unit() const {
+    return {.corrections = std::span(laser_corrections).first(is_calibrated ? layer_count : 0),
+            .columns_per_turn = columns_per_turn,
+            .column_ns = column_ns};
+  }
 };
 
 // A rectangle in subcells, both ends included.
@@ -89,12 +116,18 @@ struct Footprint {
 
 struct Vehicle {
   std::string_view name;
+  std::uint32_t id = 0;  // of all that follows and the name (vehicle/identity.hpp)
   std::span<const Sensor> sensors;
   Footprint footprint;
   std::int32_t z_min = 0;  // the height band in subcells, both ends included
   std::int32_t z_max = 0;
   FusionRule rule = FusionRule::kHitsWin;
+  index::Quantisation quantisation = index::Quantisation::kBlurring;
   std::uint32_t frame_period_us = 0;
+  Grids grids = Grids::kIndexes;
+  pose::SourceDescription poses{};
+  map::SourceDescription maps{};
+  window::Rules window{};
 };
 
 }  // namespace iog::vehicle

@@ -1,30 +1,30 @@
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 #include <algorithm>
-#include <array>
+#include <deque>
 #include <string>
 
-#include "stream/crc32.hpp"
 #include "tools/program/exit_status.hpp"
-#include "vehicles/reference_car.hpp"
-#include "vehicles/roof_vlp16.hpp"
-#include "vehicles/two_lux_parking.hpp"
+#include "tools/receive/frame_record.hpp"
+#include "tools/vehicles/car_file.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr std::array kCatalogue{
-    CatalogueEntry{&vehicles::reference_car::kVehicle, &vehicles::reference_car::kDescription,
-                   vehicles::reference_car::kSensorConfigs},
-    CatalogueEntry{&vehicles::roof_vlp16::kVehicle, &vehicles::roof_vlp16::kDescription,
-                   vehicles::roof_vlp16::kSensorConfigs},
-    CatalogueEntry{&vehicles::two_lux_parking::kVehicle, &vehicles::two_lux_parking::kDescription,
-                   vehicles::two_lux_parking::kSensorConfigs},
+struct Catalogue {
+  std::deque<Car> of_files;
+  std::vector<CatalogueEntry> entries{vehicles::kAll.begin(), vehicles::kAll.end()};
+  std::vector<std::string> given;  // those that the user has named, or has given the file of
 };
+
+Catalogue& catalogue() {
+  static Catalogue all;
+  return all;
+}
 
 std::string known_names() {
   std::string names;
-  for (const CatalogueEntry& entry : kCatalogue) {
+  for (const CatalogueEntry& entry : all_vehicles()) {
     names += (names.empty() ? "" : ", ") + std::string(entry.vehicle->name);
   }
   return names;
@@ -32,24 +32,51 @@ std::string known_names() {
 
 }  // namespace
 
-std::span<const CatalogueEntry> all_vehicles() { return kCatalogue; }
+std::span<const CatalogueEntry> all_vehicles() { return catalogue().entries; }
 
 const CatalogueEntry& find_vehicle(std::string_view name) {
-  const auto* const found = std::ranges::find_if(
-      kCatalogue, [&](const CatalogueEntry& entry) { return entry.vehicle->name == name; });
-  if (found == kCatalogue.end()) {
+  const auto all = all_vehicles();
+  const auto found = std::ranges::find_if(
+      all, [&](const CatalogueEntry& entry) { return entry.vehicle->name == name; });
+  if (found == all.end()) {
     throw UsageError("no vehicle '" + std::string(name) + "'; the known ones are " + known_names());
   }
   return *found;
 }
 
 const CatalogueEntry* vehicle_of_id(std::uint32_t vehicle_id) {
-  const auto* const found = std::ranges::find_if(kCatalogue, [&](const CatalogueEntry& entry) {
-    stream::Crc32 crc;
-    crc.update(std::as_bytes(std::span(entry.vehicle->name)));
-    return crc.value() == vehicle_id;
+  const auto all = all_vehicles();
+  const auto found = std::ranges::find_if(
+      all, [&](const CatalogueEntry& entry) { return entry.vehicle->id == vehicle_id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string words_of_vehicle(std::uint32_t vehicle_id) {
+  const CatalogueEntry* const car = vehicle_of_id(vehicle_id);
+  std::string words = car != nullptr
+                          ? std::string(car->vehicle->name)
+                          : "unknown car " + hex(vehicle_id) + ", --vehicle-file gives it";
+  for (const std::string& given : catalogue().given) {
+    if (find_vehicle(given).vehicle->id != vehicle_id) {
+      words += "; not the " + given + " that was given";
+    }
+  }
+  return words;
+}
+
+std::string add_vehicle_file(const std::string& path) {
+  Catalogue& all = catalogue();
+  const Car& car = all.of_files.emplace_back(read_car(path));
+  std::erase_if(all.entries, [&](const CatalogueEntry& entry) {
+    return entry.vehicle->name == car.description.name;
   });
-  return found == kCatalogue.end() ? nullptr : found;
+  all.entries.push_back({&car.vehicle, &car.description, car.sensors, &car.network});
+  all.given.emplace_back(car.description.name);
+  return std::string(car.description.name);
+}
+
+void give_vehicle(const std::string& name) {
+  catalogue().given.emplace_back(find_vehicle(name).vehicle->name);
 }
 
 std::size_t sensor_of_port(const CatalogueEntry& entry, std::uint16_t udp_port) {
@@ -64,6 +91,31 @@ std::size_t sensor_of_name(const CatalogueEntry& entry, std::string_view name) {
     }
   }
   return entry.sensors.size();
+}
+
+std::vector<std::uint16_t> ports_of(const CatalogueEntry& entry) {
+  std::vector<std::uint16_t> ports;
+  for (const vehicle::SensorConfig& sensor : entry.sensors) {
+    ports.push_back(sensor.udp_port);
+  }
+  if (vehicle::have_classes(entry.vehicle->grids)) {
+    ports.push_back(entry.vehicle->poses.udp_port);
+    ports.push_back(entry.vehicle->maps.udp_port);
+  }
+  return ports;
+}
+
+bool is_pose_port(const CatalogueEntry& entry, std::uint16_t udp_port) {
+  return vehicle::have_classes(entry.vehicle->grids) && udp_port == entry.vehicle->poses.udp_port;
+}
+
+bool is_map_port(const CatalogueEntry& entry, std::uint16_t udp_port) {
+  return vehicle::have_classes(entry.vehicle->grids) && udp_port == entry.vehicle->maps.udp_port;
+}
+
+bool takes_port(const CatalogueEntry& entry, std::uint16_t udp_port) {
+  return sensor_of_port(entry, udp_port) < entry.sensors.size() || is_pose_port(entry, udp_port) ||
+         is_map_port(entry, udp_port);
 }
 
 std::string vehicle_option_help() { return "The car and its sensors: " + known_names(); }

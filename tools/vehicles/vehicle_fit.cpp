@@ -6,6 +6,7 @@
 
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/vehicles/unit_fit.hpp"
 
 namespace iog::tools {
 namespace {
@@ -24,7 +25,7 @@ std::string list_of(const PortCounts& ports) {
   return text;
 }
 
-PortCounts ports_of(const CatalogueEntry& car) {
+PortCounts sensor_ports_of(const CatalogueEntry& car) {
   PortCounts ports;
   for (const vehicle::SensorConfig& sensor : car.sensors) {
     ports[sensor.udp_port] = 0;
@@ -53,7 +54,7 @@ const CatalogueEntry* best_fit(const PortCounts& ports) {
 
 std::string words_of_misfit(const CatalogueEntry& car, const PortCounts& ports) {
   std::string text = "no packet is for a sensor of " + std::string(car.vehicle->name) +
-                     " (UDP port " + list_of(ports_of(car)) + "); ";
+                     " (UDP port " + list_of(sensor_ports_of(car)) + "); ";
   if (ports.empty()) {
     return text + "it holds no UDP packet at all";
   }
@@ -71,11 +72,24 @@ void demand_fit(const std::string& path, const CatalogueEntry& car) {
   }
   PcapReader capture(path);
   PortCounts ports;
+  UnitFit units(car);
+  bool is_in_doubt = false;
   while (const std::optional<CapturedDatagram> datagram = capture.next()) {
-    if (sensor_of_port(car, datagram->destination.port) < car.sensors.size()) {
+    if (sensor_of_port(car, datagram->destination.port) == car.sensors.size()) {
+      ++ports[datagram->destination.port];
+      continue;
+    }
+    const UnitFit::Verdict verdict = units.take(*datagram);
+    if (verdict == UnitFit::Verdict::kFits) {
       return;
     }
-    ++ports[datagram->destination.port];
+    if (verdict == UnitFit::Verdict::kOther) {
+      throw UsageError(path + ": " + units.words());
+    }
+    is_in_doubt = true;
+  }
+  if (is_in_doubt) {
+    throw UsageError(path + ": " + units.words());
   }
   const std::string skipped = describe_skipped(capture.counts());
   throw UsageError(path + ": " + words_of_misfit(car, ports) +

@@ -2,12 +2,18 @@
 // docs/model.md.
 #include "vehicle/beam.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"
+#include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "geometry/grid.hpp"
+#include "lidar/ibeo_lux.hpp"
 
 namespace iog::vehicle {
 namespace {
@@ -112,16 +118,95 @@ TEST(Fate, APointOnTheCarItselfIsDropped) {
   expect_fate({.range_mm = 9'000, .azimuth_ticks = 5002, .layer = 2}, Fate::kUsed, true, true);
 }
 
+// Asked with the product itself, range by range.
+bool lies_between(const RangeProducts& limits, std::int32_t extent, std::uint32_t range_mm) {
+  const std::int64_t product = std::int64_t{extent} * range_mm;
+  return limits.low <= product && product <= limits.high;
+}
+
+// Ends of the ranges, and their neighbours, where one millimetre more or less decides.
+TEST(Ranges, AreThoseOfWhichTheProductIsBetweenTheLimits) {
+  tests::Random random(5);
+  int divided = 0;
+  for (int i = 0; i < tests::effort(100'000, 2'000); ++i) {
+    const std::int32_t extent = random.between(-(1 << 20), 1 << 20) / (1 << random.between(0, 20));
+    const auto from = static_cast<std::uint32_t>(random.between(0, 400));
+    const std::uint32_t to = from + static_cast<std::uint32_t>(random.between(0, 60'000));
+    // Often exactly at a product, or one beside it.
+    const auto limit = [&] {
+      return std::int64_t{extent} * random.between(-100, 60'500) + random.between(-1, 1);
+    };
+    const std::int64_t one = limit();
+    const std::int64_t other = limit();
+    const RangeProducts limits{std::min(one, other), std::max(one, other)};
+    const Ranges found = ranges_between(limits, extent, from, to);
+    const auto expect_right = [&](std::uint32_t range_mm) {
+      ASSERT_EQ(found.contain(range_mm), lies_between(limits, extent, range_mm))
+          << extent << " * " << range_mm << " in " << limits.low << " ... " << limits.high;
+    };
+    for (const std::uint32_t near : {from, to, found.first, found.first + found.width}) {
+      for (std::uint32_t range_mm = std::max(near, from + 2) - 2;
+           range_mm <= std::min(to, near + 2); ++range_mm) {
+        expect_right(range_mm);
+      }
+    }
+    expect_right(
+        from + static_cast<std::uint32_t>(random.between(0, static_cast<std::int32_t>(to - from))));
+    divided += found.first > from || found.first + found.width < to ? 1 : 0;
+  }
+  EXPECT_GT(divided, tests::effort(10'000, 200));
+}
+
+// The order of the tests in docs/model.md section 6, with products in place of ranges.
+Fate fate_by_products(const Sensor& sensor, const Beam& beam, std::uint32_t range_mm) {
+  const auto extent = [](const auto& axis) {
+    return axis.step() * static_cast<std::int32_t>(axis.length());
+  };
+  if (range_mm < sensor.range_min_mm ||
+      (lies_between(sensor.on_car_x, extent(beam.line.x()), range_mm) &&
+       lies_between(sensor.on_car_y, extent(beam.line.y()), range_mm))) {
+    return Fate::kTooNear;
+  }
+  if (range_mm > 50'000) {
+    return Fate::kTooFar;
+  }
+  return lies_between(sensor.in_band, beam.end_z - sensor.origin_z, range_mm)
+             ? Fate::kUsed
+             : Fate::kOutsideHeightBand;
+}
+
+TEST(Fate, OfEveryRangeIsThatOfItsProducts) {
+  const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
+  constexpr auto kTicks = static_cast<std::uint16_t>(tests::effort(96, 1440));
+  std::array<int, kFateCount> seen{};
+  for (std::uint16_t tick = 0; tick < 11520; tick += kTicks) {
+    for (std::uint8_t layer = 0; layer < 4; ++layer) {
+      const Beam beam = aim(sensor, layer, tick);
+      const BeamRanges ranges = ranges_of(sensor, beam);
+      for (std::uint32_t range_mm = 1; range_mm < 51'000; ++range_mm) {
+        const Fate fate =
+            classify(sensor, ranges, {.range_mm = range_mm, .azimuth_ticks = tick, .layer = layer})
+                .fate;
+        ASSERT_EQ(fate, fate_by_products(sensor, beam, range_mm)) << tick << ", " << range_mm;
+        ++seen[static_cast<std::size_t>(fate)];
+      }
+    }
+  }
+  for (const Fate fate : {Fate::kUsed, Fate::kTooNear, Fate::kTooFar, Fate::kOutsideHeightBand}) {
+    EXPECT_GT(seen[static_cast<std::size_t>(fate)], 0);
+  }
+}
+
 TEST(HeightBand, IsWholeWhereBothEndsAreInside) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
   const Beam beam = aim(sensor, 0, 0);
-  EXPECT_TRUE(part_in_band(TiltedLux::kVehicle, sensor, beam, 5'000).is_whole);
+  EXPECT_TRUE(part_in_band(TiltedLux::kVehicle, sensor, beam.end_z, 5'000).is_whole);
 }
 
 TEST(HeightBand, EndsWhereTheBeamLeavesIt) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
   const Beam beam = aim(sensor, 0, 0);
-  const BandPart part = part_in_band(TiltedLux::kVehicle, sensor, beam, 50'000);
+  const BandPart part = part_in_band(TiltedLux::kVehicle, sensor, beam.end_z, 50'000);
   ASSERT_FALSE(part.is_whole || part.is_empty);
   EXPECT_EQ(part.from.numerator, 0U);
   const double leaves_m =
@@ -134,12 +219,12 @@ TEST(HeightBand, ASensorOutsideTheBandSeesOnlyWhereItsBeamEnters) {
   high.z_min = static_cast<std::int32_t>(-2 * geometry::kSubcellsPerMetre);
   high.z_max = static_cast<std::int32_t>(0.2 * geometry::kSubcellsPerMetre);
   const Sensor& sensor = high.sensors[0];
-  const BandPart down = part_in_band(high, sensor, aim(sensor, 0, 0), 50'000);
+  const BandPart down = part_in_band(high, sensor, aim(sensor, 0, 0).end_z, 50'000);
   ASSERT_FALSE(down.is_whole || down.is_empty);
   EXPECT_NEAR(
       50.0 * static_cast<double>(down.from.numerator) / static_cast<double>(down.from.denominator),
       5.54, 0.02);
-  const BandPart up = part_in_band(high, sensor, aim(sensor, 3, 5760), 50'000);
+  const BandPart up = part_in_band(high, sensor, aim(sensor, 3, 5760).end_z, 50'000);
   EXPECT_TRUE(up.is_empty);
 }
 

@@ -1,0 +1,96 @@
+// The name of a vehicle in a stream: the CRC-32 of bytes that are listed here as identity.hpp says.
+#include "vehicle/identity.hpp"
+
+#include <array>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+namespace iog::vehicle {
+namespace {
+
+// CRC-32/ISO-HDLC bit by bit, as its parameters in the catalogue of CRCs say.
+std::uint32_t crc_of(const std::vector<std::uint8_t>& bytes) {
+  std::uint32_t crc = 0xFFFFFFFF;
+  for (const std::uint8_t byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
+    }
+  }
+  return ~crc;
+}
+
+struct Bytes {
+  std::vector<std::uint8_t> all;
+  Bytes& text(const std::string& value) {
+    all.insert(all.end(), value.begin(), value.end());
+    all.push_back(0);
+    return *this;
+  }
+  Bytes& number(int bytes, std::int64_t value) {
+    for (int byte = bytes; byte-- > 0;) {
+      all.push_back(static_cast<std::uint8_t>(value >> (8 * byte)));
+    }
+    return *this;
+  }
+};
+
+Vehicle car() {
+  Vehicle car;
+  car.name = "car";
+  car.footprint = {.x_min = -1, .x_max = 2, .y_min = -3, .y_max = 4};
+  car.z_min = 5;
+  car.z_max = 6;
+  car.rule = FusionRule::kBayes;
+  car.frame_period_us = 40'000;
+  car.grids = Grids::kBoth;
+  car.poses = {.source_ipv4 = 7, .udp_port = 8, .log2_slice_ms = 3};
+  car.maps = {.source_ipv4 = 9, .udp_port = 10};
+  car.window.group_budget = 11;
+  return car;
+}
+
+Bytes bytes_of_car() {
+  Bytes bytes;
+  bytes.number(2, geometry::kCellMm).number(2, geometry::kCellsPerSide);
+  bytes.number(2, geometry::kResolution);
+  bytes.text("car").number(4, -1).number(4, 2).number(4, -3).number(4, 4).number(4, 5).number(4, 6);
+  bytes.number(1, 1).number(1, 0).number(4, 40'000).number(1, 2);
+  bytes.number(4, 7).number(2, 8).number(1, 3).number(4, 9).number(2, 10);
+  return bytes.number(1, 0).number(1, 0).number(1, 0).number(4, 11).number(1, 0);
+}
+
+TEST(Identity, IsTheCrcOfTheMembersInTheirOrder) {
+  ASSERT_EQ(crc_of({'1', '2', '3', '4', '5', '6', '7', '8', '9'}), 0xCBF43926U);
+  EXPECT_EQ(identity_of(car()), crc_of(bytes_of_car().number(1, 0).all));
+}
+
+TEST(Identity, HasTheSensorsToo) {
+  std::array<Sensor, 1> sensors;
+  Sensor& sensor = sensors[0];
+  sensor.name = "s";
+  sensor.udp_port = 100;
+  sensor.origin = {-20, 21};
+  sensor.layer_count = 1;
+  sensor.layers[0].z = {.base = -22, .forward = 23, .left = 24};
+  sensor.is_calibrated = true;
+  sensor.laser_corrections[0] = {.azimuth_ticks = -25, .range_mm = 26};
+  Vehicle with = car();
+  with.sensors = sensors;
+  Bytes bytes = bytes_of_car();
+  bytes.number(1, 1).text("s").text("ibeo LUX").number(4, 0).number(2, 100);
+  bytes.number(4, -20).number(4, 21).number(4, 0).number(1, 0);
+  bytes.number(4, 1).number(4, 1);
+  bytes.number(4, sensor.range.mm()).number(4, 0).number(4, 1);
+  bytes.number(4, 0).number(2, 0).number(4, 0).number(1, 0).number(4, 0).number(1, 1);
+  bytes.number(8, 0).number(4, 0).number(4, 0).number(8, 0).number(4, 0).number(4, 0);
+  bytes.number(8, -22).number(4, 23).number(4, 24).number(1, 0).number(4, 1 << 30);
+  bytes.number(1, 1).number(2, -25).number(2, 26).number(2, 0).number(4, 0);
+  bytes.number(4, 0).number(8, 0).number(8, 0);  // an empty profile of 8 near cells on each side
+  EXPECT_EQ(identity_of(with), crc_of(bytes.all));
+}
+
+}  // namespace
+}  // namespace iog::vehicle

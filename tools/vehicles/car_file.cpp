@@ -1,0 +1,278 @@
+#include "tools/vehicles/car_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "description/car_checks.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/vehicles/car_words.hpp"
+#include "vehicle/compile.hpp"
+#include "vehicle/scanners.hpp"
+
+namespace iog::tools {
+namespace {
+
+using Mistakes = std::vector<Mistake>;
+
+// Those of QEMU's user network, whose gateway is the PC. A real network gives each box its own.
+constexpr net::Config kUsualNetwork{
+    .mac = {{0x02, 0x69, 0x6F, 0x67, 0x00, 0x01}},  // locally administered
+    .address = net::ipv4(10, 0, 2, 15),
+    .prefix_bits = 24,
+    .peer = net::ipv4(10, 0, 2, 2),
+    .peer_port = 15'000,
+    .source_port = 15'001,
+};
+
+void read_source(TomlTable& table, std::uint32_t& source_ipv4) {
+  net::Ipv4Address address{source_ipv4};
+  table.read("source_ipv4", address);
+  source_ipv4 = address.value;
+}
+
+vehicle::MountConfig read_mount(TomlTable table) {
+  vehicle::MountConfig mount;
+  table.read("x_m", mount.x_m);
+  table.read("y_m", mount.y_m);
+  table.read("z_m", mount.z_m);
+  table.read("yaw_deg", mount.yaw_deg);
+  table.read("pitch_deg", mount.pitch_deg);
+  table.read("roll_deg", mount.roll_deg);
+  table.demand({"x_m", "y_m", "z_m"});
+  table.refuse_others();
+  return mount;
+}
+
+std::vector<lidar::Laser> read_lasers(std::vector<TomlTable> tables) {
+  std::vector<lidar::Laser> lasers;
+  for (TomlTable& table : tables) {
+    lidar::Laser laser;
+    table.read("elevation_deg", laser.elevation_deg);
+    table.read("azimuth_deg", laser.azimuth_deg);
+    table.read("height_m", laser.height_m);
+    table.read("range_m", laser.range_m);
+    table.demand({"elevation_deg"});
+    table.refuse_others();
+    lasers.push_back(laser);
+  }
+  return lasers;
+}
+
+// What the type of a scanner gives; another value changes that one member.
+vehicle::SensorConfig read_type(TomlTable& table) {
+  std::vector<std::string_view> names(vehicle::kScannerTypes.size());
+  std::ranges::transform(vehicle::kScannerTypes, names.begin(), &vehicle::ScannerType::name);
+  const std::optional<std::size_t> chosen = table.read_word("type", names);
+  return chosen ? vehicle::kScannerTypes[*chosen].config : vehicle::SensorConfig{};
+}
+
+void read_sensor(TomlTable& table, Car& car) {
+  vehicle::SensorConfig sensor = read_type(table);
+  table.read("name", car.names.emplace_back());
+  sensor.name = car.names.back();
+  read_source(table, sensor.source_ipv4);
+  table.read("udp_port", sensor.udp_port);
+  sensor.mount = read_mount(table.table("mount"));
+  table.read("range_min_mm", sensor.range_min_mm);
+  table.read("range_max_mm", sensor.range_max_mm);
+  table.read("precision_mm", sensor.precision_mm);
+  table.read("sigma_m", sensor.sigma_m);
+  table.read("no_return_clears_mm", sensor.no_return_clears_mm);
+  table.read("scan_width_ticks", sensor.scan_width_ticks);
+  table.read("azimuth_steps_per_turn", sensor.azimuth_steps_per_turn);
+  table.read("max_points_per_scan", sensor.max_points_per_scan);
+  table.read("mode", sensor.mode, kModeWords);
+  sensor.lasers = car.lasers.emplace_back(read_lasers(table.tables("lasers")));
+  table.read("is_synchronised", sensor.is_synchronised);
+  table.read("latency_us", sensor.latency_us);
+  table.demand({"name", "type", "udp_port", "mount"});
+  table.refuse_others();
+  car.sensors.push_back(sensor);
+}
+
+vehicle::FootprintConfig read_footprint(TomlTable table) {
+  vehicle::FootprintConfig footprint;
+  table.read("x_min_m", footprint.x_min_m);
+  table.read("x_max_m", footprint.x_max_m);
+  table.read("y_min_m", footprint.y_min_m);
+  table.read("y_max_m", footprint.y_max_m);
+  table.demand({"x_min_m", "x_max_m", "y_min_m", "y_max_m"});
+  table.refuse_others();
+  return footprint;
+}
+
+pose::SourceDescription read_poses(TomlTable table) {
+  pose::SourceDescription poses;
+  read_source(table, poses.source_ipv4);
+  table.read("udp_port", poses.udp_port);
+  table.read("log2_slice_ms", poses.log2_slice_ms);
+  table.refuse_others();
+  return poses;
+}
+
+map::SourceDescription read_maps(TomlTable table) {
+  map::SourceDescription maps;
+  read_source(table, maps.source_ipv4);
+  table.read("udp_port", maps.udp_port);
+  table.refuse_others();
+  return maps;
+}
+
+window::Rules read_window(TomlTable table) {
+  window::Rules rules;
+  table.read("discounting", rules.discounting, kDiscountingWords);
+  table.read("weighing", rules.weighing, kWeighingWords);
+  table.read("assignment", rules.assignment, kAssignmentWords);
+  table.read("moved", rules.moved, kMovedWords);
+  table.read("group_budget", rules.group_budget);
+  table.refuse_others();
+  return rules;
+}
+
+net::Config read_network(TomlTable table) {
+  net::Config network = kUsualNetwork;
+  table.read("mac", network.mac);
+  table.read("address", network.address);
+  table.read("prefix_bits", network.prefix_bits);
+  table.read("peer", network.peer);
+  table.read("peer_port", network.peer_port);
+  table.read("source_port", network.source_port);
+  table.refuse_others();
+  return network;
+}
+
+Car read_fields(const toml::table& file, Mistakes& mistakes) {
+  TomlTable table(file, "", mistakes);
+  Car car;
+  vehicle::Description& description = car.description;
+  table.read("name", car.names.emplace_back());
+  description.name = car.names.back();
+  description.footprint = read_footprint(table.table("footprint"));
+  table.read("z_min_m", description.z_min_m);
+  table.read("z_max_m", description.z_max_m);
+  table.read("epsilon", description.epsilon);
+  table.read("quantisation", description.quantisation, kQuantisationWords);
+  table.read("rule", description.rule, kRuleWords);
+  table.read("frame_period_us", description.frame_period_us);
+  table.read("grids", description.grids, kGridsWords);
+  description.poses = read_poses(table.table("poses"));
+  description.maps = read_maps(table.table("maps"));
+  description.window = read_window(table.table("window"));
+  car.network = read_network(table.table("network"));
+  for (TomlTable& sensor : table.tables("sensors")) {
+    read_sensor(sensor, car);
+  }
+  table.demand({"name", "footprint", "z_min_m", "z_max_m", "sensors"});
+  table.refuse_others();
+  return car;
+}
+
+toml::table parse(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    throw UsageError(path + ": there is no such file");
+  }
+  try {
+    return toml::parse_file(path);
+  } catch (const toml::parse_error& error) {
+    throw UsageError(path + ':' + std::to_string(error.source().begin.line) +
+                     ": this is not TOML: " + std::string(error.description()));
+  }
+}
+
+std::string words_of(const std::string& path, Mistakes& mistakes) {
+  std::ranges::stable_sort(mistakes, {}, &Mistake::line);
+  std::string words;
+  for (const Mistake& mistake : mistakes) {
+    words += (words.empty() ? "" : "\n") + path + ':' + std::to_string(mistake.line) + ": " +
+             mistake.text;
+  }
+  return words;
+}
+
+// The node that holds the field, or the innermost table around it that there is.
+const toml::node& node_of(const toml::table& file, const vehicle::Fault& fault) {
+  const toml::node* node = &file;
+  if (const toml::node* const sensor = file["sensors"][fault.sensor].node()) {
+    node = sensor;
+  }
+  std::string_view rest = fault.field;
+  while (!rest.empty() && node->is_table()) {
+    const std::size_t dot = std::min(rest.find('.'), rest.size());
+    const toml::node* const inner = node->as_table()->get(rest.substr(0, dot));
+    if (inner == nullptr) {
+      break;
+    }
+    node = inner;
+    rest.remove_prefix(std::min(dot + 1, rest.size()));
+  }
+  return *node;
+}
+
+// Notes each fault that a check tells.
+class Telling {
+ public:
+  Telling(const toml::table& file, Mistakes& mistakes) : file_(&file), mistakes_(&mistakes) {}
+
+  void operator()(const vehicle::Fault& fault) const {
+    const std::string sensor = fault.sensor == vehicle::Fault::kCar
+                                   ? ""
+                                   : "sensors[" + std::to_string(fault.sensor) + "].";
+    mistakes_->push_back(
+        {std::max(node_of(*file_, fault).source().begin.line, std::uint32_t{1}),
+         sensor + std::string(fault.field) + ": allowed is " + std::string(fault.allowed)});
+  }
+
+ private:
+  const toml::table* file_;
+  Mistakes* mistakes_;
+};
+
+void check_fields(const Car& car, const Telling& tell) {
+  vehicle::check_description(car.description, tell);
+  vehicle::check_classes(car.description, tell);
+  vehicle::check_ports(car.description, std::span<const vehicle::SensorConfig>(car.sensors), tell);
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    vehicle::check_sensor(car.description, car.sensors[i], i, tell);
+  }
+  description::check_car(car.description, car.sensors, car.network, tell);
+}
+
+void compile(Car& car) {
+  for (const vehicle::SensorConfig& sensor : car.sensors) {
+    car.tables.push_back(vehicle::compile_sensor(sensor, car.description));
+  }
+  car.vehicle = vehicle::join_vehicle(car.description, car.tables);
+}
+
+// The file's name is the car's: by it the build and --vehicle know it.
+void check_name(const std::string& path, const Car& car, const Telling& tell) {
+  if (std::filesystem::path(path).stem() != car.description.name) {
+    tell({.field = "name", .allowed = "the name of the file without .toml"});
+  }
+}
+
+void demand_none(const std::string& path, Mistakes& mistakes) {
+  if (!mistakes.empty()) {
+    throw UsageError(words_of(path, mistakes));
+  }
+}
+
+}  // namespace
+
+Car read_car(const std::string& path) {
+  const toml::table file = parse(path);
+  Mistakes mistakes;
+  const Telling tell(file, mistakes);
+  Car car = read_fields(file, mistakes);
+  demand_none(path, mistakes);
+  check_name(path, car, tell);
+  check_fields(car, tell);
+  demand_none(path, mistakes);
+  compile(car);
+  vehicle::check_lines(car.tables, tell);
+  description::check_tables(car.vehicle, tell);
+  demand_none(path, mistakes);
+  return car;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,49 @@
+// The words of a car's file and what they stand for.
+#pragma once
+
+#include <array>
+
+#include "tools/vehicles/toml_table.hpp"
+#include "vehicle/description.hpp"
+
+namespace iog::tools {
+
+inline constexpr std::array kGridsWords{
+    Choice<vehicle::Grids>{"indexes", vehicle::Grids::kIndexes},
+    Choice<vehicle::Grids>{"classes", vehicle::Grids::kClasses},
+    Choice<vehicle::Grids>{"both", vehicle::Grids::kBoth},
+};
+inline constexpr std::array kRuleWords{
+    Choice<vehicle::FusionRule>{"hits_win", vehicle::FusionRule::kHitsWin},
+    Choice<vehicle::FusionRule>{"bayes", vehicle::FusionRule::kBayes},
+};
+inline constexpr std::array kQuantisationWords{
+    Choice<index::Quantisation>{"blurring", index::Quantisation::kBlurring},
+    Choice<index::Quantisation>{"nearest", index::Quantisation::kNearest},
+};
+inline constexpr std::array kDiscountingWords{
+    Choice<ageing::Discounting>{"conservative", ageing::Discounting::kConservative},
+    Choice<ageing::Discounting>{"optimistic", ageing::Discounting::kOptimistic},
+    Choice<ageing::Discounting>{"classical", ageing::Discounting::kClassical},
+    Choice<ageing::Discounting>{"proportional", ageing::Discounting::kProportional},
+};
+inline constexpr std::array kWeighingWords{
+    Choice<ageing::Weighing>{"by_time", ageing::Weighing::kByTime},
+    Choice<ageing::Weighing>{"each_scan", ageing::Weighing::kEachScan},
+};
+inline constexpr std::array kMovedWords{
+    Choice<window::Moved>{"open_ground", window::Moved::kOpenGround},
+    Choice<window::Moved>{"literal", window::Moved::kLiteral},
+};
+inline constexpr std::array kModeWords{
+    Choice<lidar::TurnMode>{"512x10", {512, 10}},   Choice<lidar::TurnMode>{"512x20", {512, 20}},
+    Choice<lidar::TurnMode>{"1024x10", {1024, 10}}, Choice<lidar::TurnMode>{"1024x20", {1024, 20}},
+    Choice<lidar::TurnMode>{"2048x10", {2048, 10}},
+};
+inline constexpr std::array kAssignmentWords{
+    Choice<const evidence::Assignment*>{"one_mass", nullptr},
+    Choice<const evidence::Assignment*>{"reinforced", &evidence::kReinforced},
+    Choice<const evidence::Assignment*>{"isopignistic", &evidence::kIsopignistic},
+};
+
+}  // namespace iog::tools
