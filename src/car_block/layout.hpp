@@ -1,0 +1,32 @@
+// Where in an image its car stands, and what its records are (docs/spec.md, section 8).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace iog::car_block {
+
+// Of the image's first byte, which is that of its vectors; linker/imx6.ld puts the block there.
+inline constexpr std::size_t kOffsetInImage = 0x1000;
+inline constexpr std::size_t kBlockBytes = 65'536;
+
+using Block = std::span<const std::byte, kBlockBytes>;
+using WritableBlock = std::span<std::byte, kBlockBytes>;
+
+// A record: magic, version, 0, bytes of its content, CRC-32 of its content; then the content.
+inline constexpr std::size_t kRecordHeaderBytes = 16;
+inline constexpr std::uint16_t kVersion = 1;
+
+struct RecordPlace {
+  std::uint32_t magic = 0;
+  std::size_t offset = 0;
+  std::size_t capacity = 0;  // with the header
+};
+
+inline constexpr RecordPlace kFirmwareRecord{0x494F4746, 0, 64};  // "IOGF"
+inline constexpr RecordPlace kNetworkRecord{0x494F474E, 64, 64};  // "IOGN"
+inline constexpr RecordPlace kNetworkCopy{0x494F474E, kBlockBytes - 64, 64};
+inline constexpr RecordPlace kCarRecord{0x494F4743, 128, kBlockBytes - 64 - 128};  // "IOGC"
+
+}  // namespace iog::car_block

@@ -1,0 +1,240 @@
+#include "car_block/limits.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "description/car_checks.hpp"
+#include "vehicle/limits.hpp"
+
+namespace iog::car_block {
+namespace {
+
+using vehicle::Fault;
+using vehicle::is_within;
+
+// Keeps the first fault that it is told.
+class First {
+ public:
+  explicit First(Fault& fault) : fault_(&fault) {}
+  void operator()(const Fault& fault) const {
+    if (fault_->field.empty()) {
+      *fault_ = fault;
+    }
+  }
+
+ private:
+  Fault* fault_;
+};
+
+constexpr std::int32_t subcells(std::int32_t metres) {
+  return static_cast<std::int32_t>(std::int64_t{metres} * 1000 * geometry::kResolution /
+                                   geometry::kCellMm);
+}
+constexpr std::int32_t kFarthest = subcells(static_cast<std::int32_t>(vehicle::kFarthestM));
+constexpr std::int32_t kGridSide = geometry::kCellsPerSide * geometry::kResolution;
+constexpr std::int64_t kUnit = std::int64_t{1} << vehicle::kAxisFractionBits;
+// A mount off the car: 0.15 m, and a subcell for rounding.
+constexpr std::int32_t kOffCar =
+    static_cast<std::int32_t>(description::kOffCarM * geometry::kSubcellsPerMetre) + 1;
+
+void check_box(const vehicle::Vehicle& car, const First& tell) {
+  const vehicle::Footprint& its = car.footprint;
+  if (!is_within<std::int32_t>(its.x_min, 0, its.x_max) || its.x_max > kGridSide) {
+    tell({.field = "footprint.x_max_m", .allowed = "a car within the grid around its origin"});
+  }
+  if (!is_within<std::int32_t>(its.y_min, 0, its.y_max) || its.y_max > kGridSide) {
+    tell({.field = "footprint.y_max_m", .allowed = "a car within the grid around its origin"});
+  }
+  if (!is_within(car.z_min, -kFarthest, kFarthest) || car.z_min >= car.z_max ||
+      car.z_max > kFarthest) {
+    tell({.field = "z_min_m", .allowed = "-1000 ... less than z_max_m, at most 1000"});
+  }
+}
+
+void check_place(const vehicle::Footprint& its, const vehicle::Sensor& sensor, std::size_t number,
+                 const First& tell) {
+  const auto is_on = [](std::int64_t at, std::int64_t low, std::int64_t high) {
+    return is_within(at, low - kOffCar, high + kOffCar);
+  };
+  if (!is_on(sensor.origin.x, its.x_min, its.x_max)) {
+    tell({number, "mount.x_m", "a place on the car: footprint.x_min_m ... x_max_m, 0.15 off"});
+  }
+  if (!is_on(sensor.origin.y, its.y_min, its.y_max)) {
+    tell({number, "mount.y_m", "a place on the car: footprint.y_min_m ... y_max_m, 0.15 off"});
+  }
+  if (!is_within(sensor.origin_z, -kFarthest, kFarthest)) {
+    tell({number, "mount.z_m", "-1000 ... 1000"});
+  }
+}
+
+bool is_length(std::uint32_t range_mm) {
+  return range_mm <= vehicle::kLongestRangeMm && vehicle::walk_fits(range_mm);
+}
+
+void check_numbers(const vehicle::Sensor& sensor, std::size_t number, const First& tell) {
+  const std::uint32_t range_mm = sensor.range.mm();
+  if (!is_length(range_mm) || range_mm <= sensor.range_min_mm) {
+    tell({number, "range_max_mm", "more than range_min_mm, at most 130000, and a walk that fits"});
+  }
+  if (sensor.no_return_clears_mm > range_mm) {
+    tell({number, "no_return_clears_mm", "at most range_max_mm"});
+  }
+  if (!is_within<std::uint32_t>(sensor.precision_mm, 1, 1000) || !sensor.profile.is_valid()) {
+    tell({number, "precision_mm", "1 ... 1000, with which the sensor can mark"});
+  }
+  if (sensor.udp_port == 0) {
+    tell({number, "udp_port", "1 ... 65535"});
+  }
+  if (!is_within<std::uint32_t>(sensor.scan_width_ticks, 1, sensor.azimuths.ticks_per_turn())) {
+    tell({number, "scan_width_ticks", "1 ... a whole turn in ticks of the scanner"});
+  }
+  if (sensor.max_points_per_scan == 0) {
+    tell({number, "max_points_per_scan", "1 or more"});
+  }
+}
+
+bool is_mode_known(const vehicle::Sensor& sensor) {
+  if (!vehicle::facts_of(sensor.format).has_modes) {
+    return sensor.columns_per_turn == 0 && sensor.column_ns == 0;
+  }
+  return std::ranges::any_of(lidar::kTurnModes, [&](const lidar::TurnMode& mode) {
+    return mode.columns_per_turn == sensor.columns_per_turn && mode.column_ns() == sensor.column_ns;
+  });
+}
+
+// Twelfths of a turn, and 10 m, as vehicle/limits.hpp has it of a laser.
+bool is_within_reach(const lidar::LaserCorrection& laser, std::int32_t ticks_per_turn) {
+  return is_within<std::int32_t>(laser.azimuth_ticks, -ticks_per_turn / 12, ticks_per_turn / 12) &&
+         is_within<std::int32_t>(laser.range_mm, -10'000, 10'000);
+}
+
+void check_unit(const vehicle::Sensor& sensor, std::size_t number, const First& tell) {
+  const bool is_calibrated =
+      sensor.is_calibrated || vehicle::facts_of(sensor.format).has_elevations;
+  if (!is_calibrated || !vehicle::can_have_layers(sensor.format, sensor.layer_count)) {
+    tell({number, "lasers", "one for each layer of the scanner"});
+  }
+  const std::int32_t ticks_per_turn = lidar::ticks_per_turn(sensor.format);
+  if (!std::ranges::all_of(sensor.unit().corrections, [&](const lidar::LaserCorrection& laser) {
+        return is_within_reach(laser, ticks_per_turn);
+      })) {
+    tell({number, "lasers", "azimuths of a twelfth of a turn, ranges of 10 m"});
+  }
+  if (!is_mode_known(sensor)) {
+    tell({number, "mode", "512x10 ... 2048x10 of an Ouster, of others none"});
+  }
+}
+
+// A vector of a layer's end, in 2^-10 subcells.
+struct Vector {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  std::int64_t z = 0;
+
+  [[nodiscard]] bool is_within(std::int64_t most) const {
+    return vehicle::is_within(x, -most, most) && vehicle::is_within(y, -most, most) &&
+           vehicle::is_within(z, -most, most);
+  }
+  // Of components below 2^31: the sum is below 2^64.
+  [[nodiscard]] std::uint64_t square() const {
+    return static_cast<std::uint64_t>(x * x) + static_cast<std::uint64_t>(y * y) +
+           static_cast<std::uint64_t>(z * z);
+  }
+};
+
+// Components below 2^30.6, as walk_fits() leaves them: three products stay below 2^63.
+std::int64_t product(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// Whether start + up + forward cos a + left sin a is a beam of this length at most, whatever a. A
+// rotation makes the three at right angles, and each of the first two with the third as long as
+// the beam. They are rounded to 1 unit, `up` to a subcell of kUnit. Then the end is within 6
+// subcells of its length.
+bool are_beams(const Vector& forward, const Vector& left, const Vector& up,
+               std::uint32_t range_mm) {
+  const auto length = static_cast<std::int64_t>(vehicle::subcells_up(range_mm) + 2) * kUnit;
+  if (!forward.is_within(length) || !left.is_within(length) || !up.is_within(length)) {
+    return false;
+  }
+  const auto most = static_cast<std::uint64_t>(length) * static_cast<std::uint64_t>(length);
+  const auto is_right = [&](const Vector& a, const Vector& b) {
+    return vehicle::is_within(product(a, b), -length * kUnit, length * kUnit);
+  };
+  return forward.square() + up.square() <= most && left.square() + up.square() <= most &&
+         is_right(forward, left) && is_right(forward, up) && is_right(left, up);
+}
+
+// Farther than any end of a beam, and far from where a difference overflows.
+bool is_near(const vehicle::EndCoordinate& end) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 48;
+  return is_within(end.base, -kFar, kFar);
+}
+
+bool is_sound(const vehicle::Sensor& sensor, const vehicle::Layer& layer) {
+  if (!is_near(layer.x) || !is_near(layer.y) || !is_near(layer.z)) {
+    return false;
+  }
+  const bool shares = sensor.layers_share_lines;
+  const std::int64_t up_z = layer.z.base - sensor.origin_z * kUnit;
+  const Vector forward{layer.x.forward, layer.y.forward, shares ? 0 : layer.z.forward};
+  const Vector left{layer.x.left, layer.y.left, shares ? 0 : layer.z.left};
+  const Vector up{layer.x.base - sensor.origin.x * kUnit, layer.y.base - sensor.origin.y * kUnit,
+                  shares ? 0 : up_z};
+  if (!are_beams(forward, left, up, sensor.range.mm())) {
+    return false;
+  }
+  constexpr std::uint32_t kWhole = std::uint32_t{1} << numeric::kSineFractionBits;
+  if (!shares) {
+    return layer.range_share == kWhole;
+  }
+  // Elevations of 89 degrees have a tangent below 58.
+  const auto most = static_cast<std::int64_t>(vehicle::subcells_up(sensor.range.mm())) * 58 * kUnit;
+  return is_within(up_z, -most, most) && layer.z.forward == 0 && layer.z.left == 0 &&
+         is_within<std::uint32_t>(layer.range_share, 1, kWhole);
+}
+
+void check_layers(const vehicle::Sensor& sensor, std::size_t number, const First& tell) {
+  const auto layers = std::span(sensor.layers).first(sensor.layer_count);
+  if (sensor.layers_share_lines && !vehicle::facts_of(sensor.format).turns) {
+    tell({number, "type", "a scanner that turns, because its layers share lines"});
+  }
+  if (!is_length(sensor.range.mm())) {
+    return;  // told already, and squares of it may overflow
+  }
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!is_sound(sensor, layers[i])) {
+      tell({number, "mount", "a rotation, whose beams are as long as range_max_mm"});
+    }
+    const vehicle::Layer& first = layers[std::min<std::size_t>(layers[i].line, i)];
+    if (layers[i].line > i || first.x != layers[i].x || first.y != layers[i].y) {
+      tell({number, "type", "layers that say rightly whose lines they share"});
+    }
+  }
+}
+
+}  // namespace
+
+Fault fault_of(const vehicle::Vehicle& car, const net::Config& network) {
+  Fault fault;
+  const First tell(fault);
+  description::check_frames(car, car.sensors.size(), tell);
+  check_box(car, tell);
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    check_place(car.footprint, car.sensors[i], i, tell);
+    check_numbers(car.sensors[i], i, tell);
+    check_unit(car.sensors[i], i, tell);
+    check_layers(car.sensors[i], i, tell);
+  }
+  description::check_own(car.sensors, network, tell);
+  description::check_network(network, tell);
+  description::check_sources(car, network, tell);
+  vehicle::check_classes(car, tell);
+  vehicle::check_ports(car, car.sensors, tell);
+  vehicle::check_lines(car.sensors, tell);
+  if (fault.field.empty()) {
+    description::check_tables(car, tell);
+  }
+  return fault;
+}
+
+}  // namespace iog::car_block

@@ -1,0 +1,147 @@
+// The block of a car: each car comes back as it went, and nothing that is damaged is believed.
+#include <gtest/gtest.h>
+#include <string_view>
+
+#include "car_block/car_block.hpp"
+#include "car_bytes.hpp"
+#include "vehicle/identity.hpp"
+
+namespace iog::car_block {
+namespace {
+
+using tests::CarBytes;
+using vehicles::kAll;
+
+void expect_equal(const vehicle::Sensor& read, const vehicle::Sensor& made) {
+  EXPECT_EQ(read.name, made.name);
+  EXPECT_EQ(read.format, made.format);
+  EXPECT_EQ(read.azimuths.nearest(700), made.azimuths.nearest(700));
+  EXPECT_EQ(read.sines.sine(77), made.sines.sine(77));
+  EXPECT_EQ(read.range.inverse(), made.range.inverse());
+  EXPECT_EQ(read.precision.divide(1'234'567), made.precision.divide(1'234'567));
+  EXPECT_EQ(read.on_car_x.low, made.on_car_x.low);
+  EXPECT_EQ(read.on_car_y.high, made.on_car_y.high);
+  EXPECT_EQ(read.in_band.low, made.in_band.low);
+  EXPECT_EQ(read.profile, made.profile);
+  EXPECT_EQ(read.unit().corrections.size(), made.unit().corrections.size());
+}
+
+// The build makes them with the same function; here it is asked of what the compiler computed.
+TEST(CarBlock, EachCarComesBackAsItIs) {
+  for (const vehicles::Entry& entry : kAll) {
+    CarBytes bytes(*entry.vehicle, *entry.network);
+    const Verdict verdict = bytes.read();
+    ASSERT_EQ(verdict.refusal, Refusal::kNone) << Words(verdict).view();
+    const vehicle::Vehicle& car = bytes.car;
+    EXPECT_EQ(car.name, entry.vehicle->name);
+    EXPECT_EQ(car.id, entry.vehicle->id);
+    EXPECT_EQ(car.id, vehicle::identity_of(car));
+    EXPECT_EQ(car.window.assignment, entry.vehicle->window.assignment);
+    ASSERT_EQ(car.sensors.size(), entry.vehicle->sensors.size());
+    for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+      expect_equal(car.sensors[i], entry.vehicle->sensors[i]);
+    }
+  }
+}
+
+TEST(CarBlock, TheNetworkStandsTwice) {
+  const vehicles::Entry& entry = kAll[0];
+  CarBytes bytes(*entry.vehicle, *entry.network);
+  const auto is_read = [&] {
+    const auto network = read_network(bytes.block());
+    return network && network->mac == entry.network->mac &&
+           network->address == entry.network->address && network->peer == entry.network->peer &&
+           network->peer_port == entry.network->peer_port &&
+           network->source_port == entry.network->source_port &&
+           network->prefix_bits == entry.network->prefix_bits;
+  };
+  EXPECT_TRUE(is_read());
+  bytes.at(64 + 20) ^= std::byte{1};
+  EXPECT_TRUE(is_read());
+  EXPECT_EQ(bytes.read().refusal, Refusal::kNone);
+  bytes.at(65'472 + 30) ^= std::byte{1};
+  EXPECT_FALSE(is_read());
+  const Verdict verdict = bytes.read();
+  EXPECT_EQ(verdict.refusal, Refusal::kDamaged);
+  EXPECT_EQ(Words(verdict).view(), "network: it is damaged");
+}
+
+// docs/spec.md, section 8: every field at its place.
+TEST(CarBlock, IsWhatTheSpecificationSays) {
+  CarBytes bytes(vehicles::reference_car::kVehicle, vehicles::reference_car::kNetwork);
+  EXPECT_EQ(bytes.be32(0), 0x494F4746U);
+  EXPECT_EQ(bytes.be32(4), 0x00010000U);
+  EXPECT_EQ(bytes.be32(8), 8U);
+  EXPECT_EQ(bytes.be32(12), tests::crc_of(bytes.block().subspan(16, 8)));
+  EXPECT_EQ(bytes.be32(16), std::uint32_t{geometry::kCellMm} << 16 | geometry::kCellsPerSide);
+  EXPECT_EQ(bytes.be32(20), std::uint32_t{geometry::kResolution} << 16 | 2U << 8);
+  EXPECT_EQ(bytes.be32(64), 0x494F474EU);
+  EXPECT_EQ(bytes.be32(64 + 8), 20U);
+  EXPECT_EQ(bytes.be32(80), 0x02696F67U);
+  EXPECT_EQ(bytes.be32(84), 0x00011800U);  // the MAC's end, 24 bits
+  EXPECT_EQ(bytes.be32(88), 0x0A00020FU);
+  EXPECT_EQ(bytes.be32(92), 0x0A000202U);
+  EXPECT_EQ(bytes.be32(96), 15'000U << 16 | 15'001U);
+  EXPECT_EQ(bytes.be32(128), 0x494F4743U);
+  EXPECT_EQ(bytes.be32(128 + 12), vehicles::reference_car::kVehicle.id);
+  EXPECT_EQ(bytes.be32(65'472), 0x494F474EU);
+  const auto name = bytes.content().subspan(6, 14);
+  EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(name.data()), 14),
+            std::string_view("reference_car\0", 14));
+}
+
+// One bit of each byte that the firmware reads of the car.
+TEST(CarBlock, NoDamageIsBelieved) {
+  CarBytes bytes(vehicles::reference_car::kVehicle, vehicles::reference_car::kNetwork);
+  const std::size_t end = CarBytes::kContentAt + bytes.content().size();
+  for (std::size_t at = CarBytes::kCarAt; at < end; ++at) {
+    const std::byte bit = std::byte{1} << (at % 8);
+    bytes.at(at) ^= bit;
+    EXPECT_NE(bytes.read().refusal, Refusal::kNone) << at;
+    bytes.at(at) ^= bit;
+  }
+  EXPECT_EQ(bytes.read().refusal, Refusal::kNone);
+}
+
+TEST(CarBlock, EachKindOfWrongBlockIsTold) {
+  const auto told = [](auto&& change) {
+    CarBytes bytes(vehicles::reference_car::kVehicle, vehicles::reference_car::kNetwork);
+    change(bytes);
+    return bytes.read().refusal;
+  };
+  const auto put = [](CarBytes& bytes, std::size_t offset, int value) {
+    bytes.content()[offset] = static_cast<std::byte>(value);
+    bytes.mend_crc();
+  };
+  EXPECT_EQ(told([](CarBytes& bytes) { bytes.at(128) = std::byte{0}; }), Refusal::kNoRecord);
+  EXPECT_EQ(told([](CarBytes& bytes) { bytes.at(128 + 5) = std::byte{2}; }),
+            Refusal::kWrongVersion);
+  EXPECT_EQ(told([](CarBytes& bytes) { bytes.put_be32(128 + 8, 65'472 - 128 - 16 + 1); }),
+            Refusal::kWrongLength);
+  EXPECT_EQ(told([](CarBytes& bytes) { bytes.at(128 + 7) = std::byte{1}; }), Refusal::kDamaged);
+  EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 1, 99); }), Refusal::kOtherGrid);
+  EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 3, 99); }), Refusal::kOtherGrid);
+  EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 5, 99); }), Refusal::kOtherGrid);
+  EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 20 + 24, 7); }), Refusal::kNotACar);  // rule
+  EXPECT_EQ(told([&](CarBytes& bytes) {
+              bytes.put_be32(128 + 8, bytes.be32(128 + 8) + 1);  // a byte behind the last sensor
+              bytes.mend_crc();
+            }),
+            Refusal::kNotACar);
+  CarBytes bytes(vehicles::reference_car::kVehicle, vehicles::reference_car::kNetwork);
+  EXPECT_EQ(bytes.read(vehicle::Grids::kIndexes).refusal, Refusal::kOtherGrids);
+}
+
+// Whatever it is cut to, with a right CRC.
+TEST(CarBlock, NoPartOfACarIsACar) {
+  CarBytes bytes(vehicles::two_lux_parking::kVehicle, vehicles::two_lux_parking::kNetwork);
+  const auto length = static_cast<std::uint32_t>(bytes.content().size());
+  for (std::uint32_t part = 0; part < length; part += 3) {
+    bytes.put_be32(128 + 8, part);
+    bytes.mend_crc();
+    EXPECT_EQ(bytes.read().refusal, Refusal::kNotACar) << part;
+  }
+}
+
+}  // namespace
+}  // namespace iog::car_block

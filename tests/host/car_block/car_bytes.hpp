@@ -1,0 +1,73 @@
+// A car's block as bytes, and a copy of a car to change.
+#pragma once
+
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+#include "car_block/car_block.hpp"
+#include "vehicles/all_vehicles.hpp"
+
+namespace iog::tests {
+
+// CRC-32/ISO-HDLC bit by bit, as its parameters in the catalogue of CRCs say.
+inline std::uint32_t crc_of(std::span<const std::byte> bytes) {
+  std::uint32_t crc = 0xFFFFFFFF;
+  for (const std::byte byte : bytes) {
+    crc ^= std::to_integer<std::uint32_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
+    }
+  }
+  return ~crc;
+}
+
+class CarBytes {
+ public:
+  static constexpr std::size_t kCarAt = 128;  // docs/spec.md, section 8
+  static constexpr std::size_t kContentAt = kCarAt + 16;
+
+  CarBytes(const vehicle::Vehicle& written, const net::Config& network) : grids_(written.grids) {
+    car_block::write_block(written, network, writable());
+  }
+
+  [[nodiscard]] car_block::Block block() const {
+    return std::span<const std::byte>(bytes_).first<car_block::kBlockBytes>();
+  }
+  [[nodiscard]] std::byte& at(std::size_t offset) { return bytes_.at(offset); }
+  [[nodiscard]] std::uint32_t be32(std::size_t offset) const {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      value = value << 8 | std::to_integer<std::uint32_t>(bytes_.at(offset + i));
+    }
+    return value;
+  }
+  void put_be32(std::size_t offset, std::uint32_t value) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      bytes_.at(offset + i) = static_cast<std::byte>(value >> (24 - 8 * i));
+    }
+  }
+  [[nodiscard]] std::span<std::byte> content() {
+    return std::span(bytes_).subspan(kContentAt, be32(kCarAt + 8));
+  }
+  // After its content has been changed.
+  void mend_crc() { put_be32(kCarAt + 12, crc_of(content())); }
+
+  // What the firmware makes of it.
+  car_block::Verdict read() { return read(grids_); }
+  car_block::Verdict read(vehicle::Grids grids) {
+    return car_block::read_car(block(), grids, *memory_, car);
+  }
+
+  vehicle::Vehicle car;  // after read()
+
+ private:
+  car_block::WritableBlock writable() { return std::span(bytes_).first<car_block::kBlockBytes>(); }
+
+  vehicle::Grids grids_;
+  std::vector<std::byte> bytes_ = std::vector<std::byte>(car_block::kBlockBytes);
+  std::unique_ptr<car_block::SensorMemory> memory_ = std::make_unique<car_block::SensorMemory>();
+};
+
+}  // namespace iog::tests

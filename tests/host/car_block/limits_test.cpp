@@ -1,0 +1,176 @@
+// What the tables of a block must keep to, whoever has made it: each limit is told by its field,
+// and what is accepted has beams that the loops can walk.
+#include "car_block/limits.hpp"
+
+#include <gtest/gtest.h>
+#include <string>
+
+#include "car_bytes.hpp"
+#include "fakes/random.hpp"
+#include "vehicle/beam.hpp"
+#include "vehicle/limits.hpp"
+
+namespace iog::car_block {
+namespace {
+
+using tests::CarBytes;
+using vehicle::Sensor;
+using vehicle::Vehicle;
+
+struct Changed {
+  explicit Changed(const vehicles::Entry& entry)
+      : sensors(entry.vehicle->sensors.begin(), entry.vehicle->sensors.end()),
+        car(*entry.vehicle),
+        network(*entry.network) {
+    car.sensors = sensors;
+  }
+  // "2.udp_port", "name"; empty: none
+  [[nodiscard]] std::string fault() const {
+    const vehicle::Fault fault = fault_of(car, network);
+    const bool is_of_car = fault.sensor == vehicle::Fault::kCar;
+    return (is_of_car ? "" : std::to_string(fault.sensor) + ".") + std::string(fault.field);
+  }
+
+  std::vector<Sensor> sensors;
+  Vehicle car;
+  net::Config network;
+};
+
+const vehicles::Entry& entry_of(std::string_view name) {
+  return *std::ranges::find_if(
+      vehicles::kAll, [&](const vehicles::Entry& entry) { return entry.vehicle->name == name; });
+}
+
+template <typename Change>
+std::string fault_with(Change&& change, std::string_view name = "reference_car") {
+  Changed changed(entry_of(name));
+  change(changed);
+  return changed.fault();
+}
+
+TEST(CarLimits, ThoseOfEachCarHold) {
+  for (const vehicles::Entry& entry : vehicles::kAll) {
+    EXPECT_EQ(Changed(entry).fault(), "") << entry.vehicle->name;
+  }
+}
+
+TEST(CarLimits, OfTheCarAreToldByTheirField) {
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.name = "9"; }), "name");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.frame_period_us = 9'999; }), "frame_period_us");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.window.group_budget = 0; }), "window.group_budget");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.sensors = {}; }), "sensors");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.footprint.x_min = -1; }), "footprint.x_max_m");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.footprint.y_max = 1 << 30; }), "footprint.y_max_m");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.z_max = c.car.z_min; }), "z_min_m");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.rule = vehicle::FusionRule::kBayes; }), "rule");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.poses.log2_slice_ms = 7; }), "poses.log2_slice_ms");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.poses.udp_port = c.sensors[1].udp_port; }),
+            "poses.udp_port");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.maps.source_ipv4 = c.network.address.value; }),
+            "maps.source_ipv4");
+  EXPECT_EQ(fault_with([](Changed& c) { c.network.peer = c.network.address; }), "network.peer");
+}
+
+TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[1].name = c.sensors[0].name; }), "1.name");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[2].udp_port = c.sensors[0].udp_port; }),
+            "2.udp_port");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[3].source_ipv4 = c.sensors[0].source_ipv4; }),
+            "3.source_ipv4");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].origin.x += 1 << 20; }), "0.mount.x_m");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].origin_z = 1 << 28; }), "0.mount.z_m");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].range_min_mm = 50'000; }), "0.range_max_mm");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].range = traversal::LineLength(130'001); }),
+            "0.range_max_mm");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].no_return_clears_mm = 50'001; }),
+            "0.no_return_clears_mm");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].precision_mm = 0; }), "0.precision_mm");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].profile.hit = 0; }), "0.precision_mm");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].scan_width_ticks = 11'521; }),
+            "0.scan_width_ticks");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].max_points_per_scan = 0; }),
+            "0.max_points_per_scan");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].max_points_per_scan = 147'457; }),
+            "0.max_points_per_scan");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layer_count = 3; }), "0.lasers");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].columns_per_turn = 512; }), "0.mode");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].latency_us = 1'000'001; }), "0.latency_us");
+}
+
+TEST(CarLimits, LayersAreARotationOfBeams) {
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers[2].x.forward += 9'000'000; }),
+            "0.mount");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers[2].y.base = INT64_MIN; }), "0.mount");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers[2].z.base = INT64_MAX; }), "0.mount");
+  EXPECT_EQ(fault_with([](Changed& c) {
+              for (vehicle::EndCoordinate* axis :
+                   {&c.sensors[0].layers[1].x, &c.sensors[0].layers[1].y}) {
+                axis->left = axis->forward;
+              }
+            }),
+            "0.mount");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers[2].range_share = 5; }), "0.mount");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers[2].line = 3; }), "0.type");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers_share_lines = true; }), "0.type");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers[3].range_share = 0; }, "roof_vlp16"),
+            "0.mount");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers[3].z.left = 1; }, "roof_vlp16"),
+            "0.mount");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].laser_corrections[3].azimuth_ticks = 30'000; },
+                       "roof_hdl64e"),
+            "0.lasers");
+}
+
+// Every turned, tilted and rolled unit passes: the limits are no narrower than those of a
+// description.
+TEST(CarLimits, EndsOfAcceptedBeamsAreAsFarAsTheirRange) {
+  tests::Random random(20);
+  for (const vehicles::Entry& entry : vehicles::kAll) {
+    for (const Sensor& sensor : entry.vehicle->sensors) {
+      const double length = static_cast<double>(vehicle::subcells_up(sensor.range.mm()));
+      for (int i = 0; i < 200; ++i) {
+        const auto layer = static_cast<std::uint8_t>(random.below(sensor.layer_count));
+        const auto step =
+            static_cast<std::uint32_t>(random.below(sensor.azimuths.steps_per_turn()));
+        const vehicle::BeamLine line =
+            vehicle::line_of(sensor, sensor.layers[layer], vehicle::direction_of(sensor, step));
+        const double x = line.x().length();
+        const double y = line.y().length();
+        EXPECT_LE(x * x + y * y, (length + 6) * (length + 6));
+        EXPECT_LT((std::uint64_t{line.x().length()} + line.y().length()) * geometry::kResolution,
+                  std::uint64_t{1} << 31);
+      }
+    }
+  }
+}
+
+// Blocks that somebody has changed and given a right CRC: what passes can still be walked.
+TEST(CarLimits, WhatIsAcceptedCanBeWalked) {
+  tests::Random random(21);
+  int accepted = 0;
+  for (int round = 0; round < 3'000; ++round) {
+    CarBytes bytes(*vehicles::kAll[0].vehicle, *vehicles::kAll[0].network);
+    const std::span<std::byte> content = bytes.content();
+    const auto where = random.below(content.size());
+    content[where] ^= std::byte{1} << random.below(8);
+    bytes.mend_crc();
+    if (bytes.read().refusal != Refusal::kNone) {
+      continue;
+    }
+    ++accepted;
+    for (const Sensor& sensor : bytes.car.sensors) {
+      for (std::uint32_t step = 0; step < sensor.azimuths.steps_per_turn(); step += 211) {
+        for (std::uint8_t layer = 0; layer < sensor.layer_count; ++layer) {
+          const vehicle::Direction direction = vehicle::direction_of(sensor, step);
+          const vehicle::BeamLine line = vehicle::line_of(sensor, sensor.layers[layer], direction);
+          ASSERT_LT((std::uint64_t{line.x().length()} + line.y().length()) * geometry::kResolution,
+                    std::uint64_t{1} << 31);
+        }
+      }
+    }
+  }
+  EXPECT_GT(accepted, 10);
+}
+
+}  // namespace
+}  // namespace iog::car_block

@@ -1,0 +1,203 @@
+// Firmware images as files: the car's block is found by its place, and the CRCs around it follow.
+// The images are made up here, as their formats' documents have them.
+#include <cstdint>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "car_block/car_block.hpp"
+#include "fakes/temporary_folder.hpp"
+#include "tools/image/car_of_image.hpp"
+#include "tools/image/firmware_image.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+
+namespace iog::tools {
+namespace {
+
+using Image = std::vector<std::byte>;
+
+void put(Image& image, std::size_t at, std::uint32_t value, bool big_endian) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    image.at(at + i) = static_cast<std::byte>(value >> (big_endian ? 24 - 8 * i : 8 * i));
+  }
+}
+
+std::uint32_t be32(const Image& image, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value = value << 8 | std::to_integer<std::uint32_t>(image.at(at + i));
+  }
+  return value;
+}
+
+// CRC-32 as in zlib, bit by bit.
+std::uint32_t crc_of(std::span<const std::byte> bytes) {
+  std::uint32_t crc = 0xFFFFFFFF;
+  for (const std::byte byte : bytes) {
+    crc ^= std::to_integer<std::uint32_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
+    }
+  }
+  return ~crc;
+}
+
+Image raw_image() {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  Image image(0x1000 + 0x10000 + 1000, std::byte{0xA5});
+  car_block::write_block(*car.vehicle, *car.network,
+                         std::span(image).subspan(0x1000).first<car_block::kBlockBytes>());
+  return image;
+}
+
+// A segment of something else, then one that runs at 0x10100000.
+Image elf_image() {
+  constexpr std::size_t kContentAt = 0x200;
+  Image image(kContentAt);
+  put(image, 0, 0x7F454C46, true);
+  image[4] = image[5] = std::byte{1};
+  put(image, 28, 52, false);             // program headers
+  put(image, 42, 2U << 16 | 32, false);  // of 32 bytes, 2 of them
+  put(image, 52, 0x70000001, false);
+  put(image, 84, 1, false);
+  put(image, 84 + 4, kContentAt, false);
+  put(image, 84 + 12, 0x10100000, false);
+  const Image content = raw_image();
+  put(image, 84 + 16, static_cast<std::uint32_t>(content.size()), false);
+  image.insert(image.end(), content.begin(), content.end());
+  return image;
+}
+
+// U-Boot, include/image.h.
+Image legacy_image() {
+  const Image content = raw_image();
+  Image image(64);
+  put(image, 0, 0x27051956, true);
+  put(image, 12, static_cast<std::uint32_t>(content.size()), true);
+  put(image, 16, 0x10100000, true);
+  put(image, 24, crc_of(content), true);
+  put(image, 28, 17U << 24 | 2U << 16 | 1U << 8, true);
+  put(image, 4, crc_of(image), true);
+  image.insert(image.end(), content.begin(), content.end());
+  return image;
+}
+
+// A boot record, something else, the image from a sector on, and nothing.
+Image card() {
+  Image image(4 * 512);
+  image[510] = std::byte{0x55};
+  image[511] = std::byte{0xAA};
+  const Image content = legacy_image();
+  image.insert(image.end(), content.begin(), content.end());
+  image.resize((image.size() / 512 + 3) * 512);
+  return image;
+}
+
+class ImageFile : public testing::Test {
+ protected:
+  std::string write(const Image& image) const {
+    OutputFile file(path());
+    file.write(image);
+    file.finish();
+    return path();
+  }
+  [[nodiscard]] std::string path() const { return folder_ / "image"; }
+
+  // The image with another car, from the file.
+  [[nodiscard]] Image with_other_car(const Image& before) const {
+    FirmwareImage image(write(before));
+    CatalogueEntry other = find_vehicle("reference_car");
+    vehicle::Vehicle renamed = *other.vehicle;
+    renamed.name = "another_car";
+    other.vehicle = &renamed;
+    put_car(other, image);
+    image.write(path());
+    return read_file(path());
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+// All but the block is as it was, except for `changing` bytes.
+void expect_only_block_changed(const Image& before, const Image& after, std::size_t block_at,
+                               std::size_t changing) {
+  ASSERT_EQ(before.size(), after.size());
+  std::size_t outside = 0;
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const bool is_inside = block_at <= i && i < block_at + car_block::kBlockBytes;
+    (is_inside ? inside : outside) += before[i] != after[i] ? 1U : 0U;
+  }
+  EXPECT_GT(inside, 0U);
+  EXPECT_LE(outside, changing);
+}
+
+TEST_F(ImageFile, OfEachKindIsFoundAndChanged) {
+  struct Case {
+    Image image;
+    std::string_view kind;
+    std::size_t block_at;
+    std::size_t header_at;  // of U-Boot's; 0 with block_at 0x1000 and 0x1200: there is none
+  };
+  const std::array<Case, 4> cases{{{raw_image(), "raw image", 0x1000, 0},
+                                   {elf_image(), "ELF", 0x1200, 0},
+                                   {legacy_image(), "U-Boot image", 0x1040, 0},
+                                   {card(), "card with a U-Boot image", 0x1840, 0x800}}};
+  for (const Case& each : cases) {
+    const Image after = with_other_car(each.image);
+    const FirmwareImage image(path());
+    EXPECT_EQ(image.kind(), each.kind);
+    EXPECT_EQ(image.block_offset(), each.block_at);
+    EXPECT_NE(words_of_image(image).find("another_car"), std::string::npos);
+    const bool has_crcs = each.kind.find("U-Boot") != std::string_view::npos;
+    expect_only_block_changed(each.image, after, each.block_at, has_crcs ? 8 : 0);
+    if (has_crcs) {
+      Image header(after.begin() + static_cast<std::ptrdiff_t>(each.header_at),
+                   after.begin() + static_cast<std::ptrdiff_t>(each.header_at) + 64);
+      const auto data = std::span(after).subspan(each.header_at + 64, be32(header, 12));
+      EXPECT_EQ(be32(header, 24), crc_of(data));
+      const std::uint32_t own = be32(header, 4);
+      put(header, 4, 0, true);
+      EXPECT_EQ(own, crc_of(header));
+    }
+  }
+}
+
+TEST_F(ImageFile, WhatIsNoneIsRefused) {
+  EXPECT_THROW(FirmwareImage{folder_ / "nowhere"}, UsageError);
+  EXPECT_THROW(FirmwareImage{write({})}, UsageError);
+  EXPECT_THROW(FirmwareImage{write(Image(100'000))}, UsageError);
+  Image cut = raw_image();
+  cut.resize(0x1000 + 0xFFFF);
+  EXPECT_THROW(FirmwareImage{write(cut)}, UsageError);
+  for (std::size_t at : {std::size_t{30}, std::size_t{64 + 0x3000}}) {
+    Image damaged = legacy_image();
+    damaged[at] ^= std::byte{1};
+    EXPECT_THROW(FirmwareImage{write(damaged)}, UsageError) << at;
+  }
+  Image twice = card();
+  const Image once = twice;
+  twice.insert(twice.end(), once.begin(), once.end());
+  EXPECT_THROW(FirmwareImage{write(twice)}, UsageError);
+  Image wild = elf_image();
+  put(wild, 28, 0xFFFFFFF0, false);
+  EXPECT_THROW(FirmwareImage{write(wild)}, UsageError);
+}
+
+TEST_F(ImageFile, ACarOfOtherGridsIsRefused) {
+  FirmwareImage image(write(raw_image()));
+  EXPECT_THROW(put_car(find_vehicle("two_lux_parking"), image), UsageError);
+}
+
+TEST_F(ImageFile, ADamagedBlockIsToldAndMended) {
+  Image damaged = raw_image();
+  damaged[0x1000 + 300] ^= std::byte{1};
+  FirmwareImage image(write(damaged));
+  EXPECT_THROW(demand_accepted(image), CheckFailed);
+  put_car(find_vehicle("reference_car"), image);
+  EXPECT_NO_THROW(demand_accepted(image));
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,114 @@
+#include "tools/image/car_of_image.hpp"
+
+#include <memory>
+
+#include "car_block/car_block.hpp"
+#include "tools/info/capture_census.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
+#include "tools/receive/frame_record.hpp"
+#include "tools/receive/table.hpp"
+
+namespace iog::tools {
+namespace {
+
+// A car as the firmware would have it.
+struct ReadCar {
+  std::unique_ptr<car_block::SensorMemory> memory = std::make_unique<car_block::SensorMemory>();
+  vehicle::Vehicle vehicle;
+  car_block::Verdict verdict;
+
+  explicit ReadCar(car_block::Block block) {
+    const std::optional<car_block::Firmware> firmware = car_block::read_firmware(block);
+    const vehicle::Grids grids = firmware ? firmware->grids : vehicle::Grids::kIndexes;
+    verdict = car_block::read_car(block, grids, *memory, vehicle);
+  }
+};
+
+std::string_view words_of_grids(vehicle::Grids grids) {
+  switch (grids) {
+    case vehicle::Grids::kIndexes:
+      return "indexes";
+    case vehicle::Grids::kClasses:
+      return "classes";
+    case vehicle::Grids::kBoth:
+      return "indexes and classes";
+  }
+  return "other grids";
+}
+
+std::string words_of_firmware(const car_block::Firmware& firmware) {
+  const std::string side = std::to_string(firmware.cells_per_side);
+  return side + " x " + side + " cells of " + std::to_string(firmware.cell_mm) + " mm, in " +
+         std::to_string(firmware.resolution) + " subcells; " +
+         std::string(words_of_grids(firmware.grids));
+}
+
+std::string words_of_network(const net::Config& network) {
+  std::string mac;
+  for (const std::uint8_t octet : network.mac.octets) {
+    mac.append(mac.empty() ? "" : ":").append(hex(octet), 6);
+  }
+  return mac + ", " + dotted(network.address.value) + "/" + std::to_string(network.prefix_bits) +
+         ", to " + dotted(network.peer.value) + ":" + std::to_string(network.peer_port) +
+         " from port " + std::to_string(network.source_port);
+}
+
+std::string words_of_sensor(const vehicle::Sensor& sensor) {
+  std::string words(lidar::name_of(sensor.format));
+  words += ", UDP " + std::to_string(sensor.udp_port);
+  words += sensor.source_ipv4 == 0 ? " from anybody" : " from " + dotted(sensor.source_ipv4);
+  words += sensor.is_calibrated ? ", calibrated" : "";
+  return row("  " + std::string(sensor.name), words);
+}
+
+}  // namespace
+
+void put_car(const CatalogueEntry& car, FirmwareImage& image) {
+  const std::optional<car_block::Firmware> firmware = car_block::read_firmware(image.block());
+  const car_block::Firmware needed = car_block::firmware_of(car.vehicle->grids);
+  if (!firmware) {
+    throw UsageError("the image does not say what its firmware takes; build it anew");
+  }
+  if (*firmware != needed) {
+    throw UsageError("the firmware is of another kind than " + std::string(car.vehicle->name) +
+                     ": " + words_of_firmware(*firmware) + "; the car needs " +
+                     words_of_firmware(needed));
+  }
+  std::vector<std::byte> block(car_block::kBlockBytes);
+  const auto bytes = std::span(block).first<car_block::kBlockBytes>();
+  car_block::write_block(*car.vehicle, *car.network, bytes);
+  image.set_block(bytes);
+  demand_accepted(image);
+}
+
+std::string words_of_image(const FirmwareImage& image) {
+  std::string words = row("image", std::string(image.kind()) + ", block at byte " +
+                                       std::to_string(image.block_offset()));
+  const car_block::Block block = image.block();
+  if (const auto firmware = car_block::read_firmware(block)) {
+    words += row("firmware", words_of_firmware(*firmware));
+  }
+  if (const auto network = car_block::read_network(block)) {
+    words += row("network", words_of_network(*network));
+  }
+  const ReadCar car(block);
+  if (car.verdict.refusal != car_block::Refusal::kNone) {
+    return words;
+  }
+  words += row("car", std::string(car.vehicle.name) + ", in a stream " + hex(car.vehicle.id));
+  for (const vehicle::Sensor& sensor : car.vehicle.sensors) {
+    words += words_of_sensor(sensor);
+  }
+  return words;
+}
+
+void demand_accepted(const FirmwareImage& image) {
+  const ReadCar car(image.block());
+  if (car.verdict.refusal != car_block::Refusal::kNone) {
+    throw CheckFailed("the firmware refuses the car: " +
+                      printable(std::string(car_block::Words(car.verdict).view())));
+  }
+}
+
+}  // namespace iog::tools

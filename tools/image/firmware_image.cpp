@@ -1,0 +1,187 @@
+#include "tools/image/firmware_image.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <system_error>
+
+#include "checksum/crc32.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::tools {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+// Where images run (linker/imx6.ld).
+constexpr std::uint32_t kLoadAddress = 0x10100000;
+constexpr std::uint32_t kBlockAddress = kLoadAddress + car_block::kOffsetInImage;
+
+// U-Boot, include/image.h: the header of a legacy image, big endian.
+constexpr std::size_t kLegacyHeaderBytes = 64;
+constexpr std::uint32_t kLegacyMagic = 0x27051956;
+constexpr std::size_t kHeaderCrcAt = 4;
+constexpr std::size_t kSizeAt = 12;
+constexpr std::size_t kLoadAt = 16;
+constexpr std::size_t kDataCrcAt = 24;
+constexpr std::size_t kTypeAt = 30;
+constexpr auto kStandalone = std::byte{1};
+
+constexpr std::size_t kSector = 512;
+
+std::uint32_t be32(Bytes bytes, std::size_t at) {
+  return wire::load_be32(bytes.subspan(at).first<4>());
+}
+std::uint32_t le32(Bytes bytes, std::size_t at) {
+  return wire::load_le32(bytes.subspan(at).first<4>());
+}
+std::uint16_t le16(Bytes bytes, std::size_t at) {
+  return wire::load_le16(bytes.subspan(at).first<2>());
+}
+void put_be32(std::span<std::byte> bytes, std::size_t at, std::uint32_t value) {
+  wire::store_be32(bytes.subspan(at).first<4>(), value);
+}
+
+std::uint32_t crc_of(Bytes bytes) {
+  checksum::Crc32 crc;
+  crc.update(bytes);
+  return crc.value();
+}
+
+// The header's own CRC is taken with 0 in its place.
+std::uint32_t crc_of_header(Bytes header) {
+  constexpr std::array<std::byte, 4> kZeros{};
+  checksum::Crc32 crc;
+  crc.update(header.first(kHeaderCrcAt));
+  crc.update(kZeros);
+  crc.update(header.first(kLegacyHeaderBytes).subspan(kHeaderCrcAt + 4));
+  return crc.value();
+}
+
+// Of a firmware: a script has the same header, and another type.
+bool is_legacy_header(Bytes bytes) {
+  return bytes.size() >= kLegacyHeaderBytes && be32(bytes, 0) == kLegacyMagic &&
+         bytes[kTypeAt] == kStandalone && be32(bytes, kLoadAt) == kLoadAddress &&
+         be32(bytes, kHeaderCrcAt) == crc_of_header(bytes);
+}
+
+bool is_elf(Bytes bytes) {
+  return bytes.size() >= 52 && be32(bytes, 0) == 0x7F454C46 && bytes[4] == std::byte{1} &&
+         bytes[5] == std::byte{1};
+}
+
+// ELF for 32 bits, little endian (System V ABI): which byte of the file stands at the address.
+std::optional<std::size_t> place_in_elf(Bytes bytes) {
+  const std::size_t headers_at = le32(bytes, 28);
+  const std::size_t header_bytes = le16(bytes, 42);
+  const std::size_t count = le16(bytes, 44);
+  constexpr std::uint32_t kLoad = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = headers_at + i * header_bytes;
+    if (header_bytes < 32 || at + header_bytes > bytes.size()) {
+      return std::nullopt;
+    }
+    const std::uint64_t begin = le32(bytes, at + 12);
+    const std::uint64_t in_file = le32(bytes, at + 16);
+    if (le32(bytes, at) == kLoad && begin <= kBlockAddress &&
+        kBlockAddress + car_block::kBlockBytes <= begin + in_file) {
+      return le32(bytes, at + 4) + (kBlockAddress - begin);
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_card(Bytes bytes) {
+  return bytes.size() % kSector == 0 && bytes.size() > kSector && bytes[510] == std::byte{0x55} &&
+         bytes[511] == std::byte{0xAA};
+}
+
+// Of all files of the card that begin like one.
+std::vector<std::size_t> legacy_images_on(Bytes card) {
+  std::vector<std::size_t> found;
+  for (std::size_t at = kSector; at < card.size(); at += kSector) {
+    if (is_legacy_header(card.subspan(at))) {
+      found.push_back(at);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+FirmwareImage::FirmwareImage(const std::string& path) : path_(path), bytes_(read_file(path)) {
+  if (is_elf(bytes_)) {
+    kind_ = "ELF";
+    const std::optional<std::size_t> at = place_in_elf(bytes_);
+    block_at_ = at.value_or(bytes_.size());
+  } else if (is_legacy_header(bytes_)) {
+    kind_ = "U-Boot image";
+    find_in_legacy_image(0);
+  } else if (is_card(bytes_)) {
+    kind_ = "card with a U-Boot image";
+    const std::vector<std::size_t> found = legacy_images_on(bytes_);
+    if (found.size() != 1) {
+      throw error("a card with " + std::to_string(found.size()) +
+                  " U-Boot images of the firmware; there must be one");
+    }
+    find_in_legacy_image(found.front());
+  } else {
+    kind_ = "raw image";
+    block_at_ = car_block::kOffsetInImage;
+  }
+  if (block_at_ + car_block::kBlockBytes > bytes_.size() ||
+      be32(bytes_, block_at_) != car_block::kFirmwareRecord.magic) {
+    throw error("no firmware image with a car's block; this looks like a " + std::string(kind_));
+  }
+}
+
+UsageError FirmwareImage::error(const std::string& text) const {
+  return UsageError(path_ + ": " + text);
+}
+
+// Its CRC says, too, that it lies on the card in one piece.
+void FirmwareImage::find_in_legacy_image(std::size_t header_at) {
+  const Bytes header = Bytes(bytes_).subspan(header_at);
+  const std::size_t size = be32(header, kSizeAt);
+  if (size < car_block::kOffsetInImage + car_block::kBlockBytes ||
+      size > header.size() - kLegacyHeaderBytes ||
+      crc_of(header.subspan(kLegacyHeaderBytes, size)) != be32(header, kDataCrcAt)) {
+    throw error("the U-Boot image is damaged, or not in one piece; make it anew");
+  }
+  legacy_header_at_ = header_at;
+  legacy_bytes_ = size;
+  block_at_ = header_at + kLegacyHeaderBytes + car_block::kOffsetInImage;
+}
+
+car_block::Block FirmwareImage::block() const {
+  return Bytes(bytes_).subspan(block_at_).first<car_block::kBlockBytes>();
+}
+
+void FirmwareImage::set_block(car_block::Block block) {
+  const std::span<std::byte> bytes(bytes_);
+  std::ranges::copy(block, bytes.subspan(block_at_).begin());
+  if (legacy_bytes_ == 0) {
+    return;
+  }
+  const std::span<std::byte> header = bytes.subspan(legacy_header_at_);
+  put_be32(header, kDataCrcAt, crc_of(header.subspan(kLegacyHeaderBytes, legacy_bytes_)));
+  put_be32(header, kHeaderCrcAt, crc_of_header(header));
+}
+
+void FirmwareImage::write(const std::string& path) const {
+  const std::string fresh = path + ".new";
+  OutputFile file(fresh);
+  file.write(bytes_);
+  file.finish();
+  std::error_code error;
+  std::filesystem::rename(fresh, path, error);
+  if (error) {
+    throw UsageError(path + ": cannot be replaced: " + error.message());
+  }
+}
+
+}  // namespace iog::tools
