@@ -13,19 +13,41 @@ using traversal::Position;
 using traversal::Stretch;
 using vehicle::Sensor;
 
+// Of beams that end where the line ends. A beam is straight: a shorter one leaves the band at the
+// same place.
+//
+// A line crosses a border on each stretch of one and a half cells. So the cell that holds a point
+// that far behind the part is not one of the part's. The first zone begins at most one 1D cell more
+// before a point than it has 1D cells.
+BandLimits::BandLimits(const vehicle::Vehicle& vehicle, const Sensor& sensor, std::int32_t end_z) {
+  const vehicle::BandPart band = vehicle::part_in_band(vehicle, sensor, end_z, sensor.range.mm());
+  const std::uint32_t zones_mm = (sensor.profile.near_before_count + 1U) * sensor.precision_mm;
+  const std::uint32_t behind_mm = zones_mm + 3 * std::uint32_t{geometry::kCellMm} / 2 + 1;
+  is_empty_ = band.is_empty;
+  if (!band.is_empty) {
+    const traversal::Share to = band.is_whole ? traversal::Share{1, 1} : band.to;
+    const numeric::Divisor rise(static_cast<std::uint32_t>(to.denominator));
+    is_from_start_ = band.from.numerator == 0;
+    from_ = {band.from, rise, sensor.range};
+    to_ = {to, rise, sensor.range};
+    is_free_before_mm_ = (to_.distance() >> traversal::MeasuredShare::kFractionBits) + behind_mm;
+  }
+}
+
 // Most lines have both ends in the grid. Then everything between them is in the grid, too, and
 // nothing is divided.
-void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer,
-                    vehicle::Direction direction) {
-  line_ = vehicle::line_of(sensor, layer, direction);
+void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step) {
+  line_ = vehicle::line_of(sensor, layer, vehicle::direction_of(sensor, azimuth_step));
   ruler_ = {line_, sensor.range};
   const Position last = line_.before_end();
   const bool starts_in_grid = geometry::kGridArea.contains(line_.cell({}));
-  in_grid_ = {{}, {last, true}};
+  in_grid_ = {{}, Between::after(last)};
   if (!starts_in_grid || !geometry::kGridArea.contains(line_.cell(last))) {
-    if (const std::optional<Stretch> stretch = line_.clip(geometry::kGridArea)) {
-      in_grid_.begin_at(stretch->first);
-      in_grid_.end_at({stretch->last, true});
+    const std::optional<Stretch> stretch = line_.clip(geometry::kGridArea);
+    if (stretch && stretch->first.crossed() <= last.crossed()) {
+      in_grid_.first = Between::before(stretch->first);
+      in_grid_.end =
+          stretch->last.crossed() < last.crossed() ? Between::after(stretch->last) : in_grid_.end;
     } else {
       in_grid_.end = {};
     }
@@ -34,32 +56,56 @@ void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer,
   path_begun_ = false;
 }
 
-void KeptAzimuth::begin(const Sensor& sensor, std::uint16_t ticks) {
+void KeptBeam::find(const Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step,
+                    KeptLine& line) {
+  end_z_ = vehicle::end_height_of(layer, vehicle::direction_of(sensor, azimuth_step));
+  ranges_ = vehicle::ranges_of(sensor, {line.line(), end_z_});
+  line_ = &line;
+  line_number_ = layer.line;
+  clears_mm_ = sensor.no_return_clears_mm;
+  has_part_ = false;
+}
+
+void KeptBeam::find_part(const vehicle::Vehicle& vehicle, const Sensor& sensor) {
+  const BandLimits limits(vehicle, sensor, end_z_);
+  part_ = line_->in_band(limits);
+  is_free_before_mm_ = limits.is_free_before_mm();
+  has_part_ = true;
+}
+
+void KeptAzimuth::begin(const Sensor& sensor, std::uint32_t step) {
   sensor_ = &sensor;
-  ticks_ = ticks;
-  is_found_ = {};
-  beams_ = {};
+  step_ = step;
+  lines_found_ = 0;
+  beams_found_ = 0;
   common_ = 0;
-  different_ = kNotKnown;
+  different_ = 0;
 }
 
-KeptLine& KeptAzimuth::line_of(const Sensor& sensor, const vehicle::Layer& layer,
-                               vehicle::Direction direction) {
-  KeptLine& line = lines_[layer.line];
-  if (!is_found_[layer.line]) {
-    line.find(sensor, layer, direction);
-    is_found_[layer.line] = true;
+KeptLine& KeptAzimuth::line_of(const Sensor& sensor, const vehicle::Layer& layer) {
+  constexpr std::uint32_t kBoth = 0b11;
+  const std::uint32_t bit = 1U << layer.line;
+  if ((lines_found_ & bit) == 0) {
+    lines_[layer.line].find(sensor, layer, step_);
+    lines_found_ |= bit;
+    if (lines_found_ == kBoth && lines_[0].has_path()) {
+      different_ = kNotKnown;
+    }
   }
-  return line;
+  return lines_[layer.line];
 }
 
-bool KeptAzimuth::is_common(Position last) {
-  const std::uint32_t cells = last.crossed() + 1;
-  if (common_ < cells && cells < different_) {
-    const bool is_so = traversal::same_cells(lines_[0].line(), lines_[1].line(), cells);
-    (is_so ? common_ : different_) = cells;
-  }
-  return cells <= common_;
+KeptBeam& KeptAzimuth::find_beam(const Sensor& sensor, std::uint8_t layer) {
+  const vehicle::Layer& its_layer = sensor.layers[layer];
+  beams_[layer].find(sensor, its_layer, step_, line_of(sensor, its_layer));
+  beams_found_ |= 1U << layer;
+  return beams_[layer];
+}
+
+bool KeptAzimuth::find_common(std::uint32_t cells) {
+  const bool is_so = traversal::same_cells(lines_[0].line(), lines_[1].line(), cells);
+  (is_so ? common_ : different_) = cells;
+  return is_so;
 }
 
 BeamLines::BeamLines(std::span<const Sensor> sensors) : first_sensor_(sensors.data()) {
@@ -69,12 +115,12 @@ BeamLines::BeamLines(std::span<const Sensor> sensors) : first_sensor_(sensors.da
 
 // The azimuths of a LUX differ by multiples of a quarter of a degree. They have different places as
 // long as there are enough places.
-KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint16_t ticks) {
+KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint32_t step) {
   const auto number = static_cast<std::uint32_t>(&sensor - first_sensor_);
-  const std::uint32_t place = (ticks / 8U ^ ticks / 2048U) & (places_per_sensor_ - 1);
+  const std::uint32_t place = (step / 8U ^ step / 2048U) & (places_per_sensor_ - 1);
   KeptAzimuth& azimuth = azimuths_[number * places_per_sensor_ + place];
-  if (!azimuth.is_of(sensor, ticks)) {
-    azimuth.begin(sensor, ticks);
+  if (!azimuth.is_of(sensor, step)) {
+    azimuth.begin(sensor, step);
   }
   return azimuth;
 }

@@ -7,6 +7,7 @@
 // found again; that costs more and gives the same.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,40 +15,53 @@
 #include <span>
 
 #include "grid/block_path.hpp"
-#include "grid/free_steps.hpp"
+#include "grid/line_part.hpp"
 #include "traversal/ruler.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::grid {
 
-// A part of a line, from a cell up to a point between cells.
-struct LinePart {
-  traversal::Position first;
-  Between end;
+// The part of their lines in which beams of one height are in the height band, by shares of the
+// line.
+class BandLimits {
+ public:
+  BandLimits() = default;
+  // end_z: the height of the line's end in subcells.
+  BandLimits(const vehicle::Vehicle& vehicle, const vehicle::Sensor& sensor, std::int32_t end_z);
 
-  [[nodiscard]] bool is_empty() const { return first.crossed() >= end.crossed(); }
-  void begin_at(traversal::Position position) {
-    if (position.crossed() > first.crossed()) {
-      first = position;
+  // What is left of a part of such a line.
+  [[nodiscard]] LinePart within(const LinePart& part, const vehicle::BeamLine& line,
+                                const traversal::Ruler<geometry::kResolution>& ruler) const {
+    if (is_empty_) {
+      return {part.first, {}};
     }
+    return {is_from_start_ ? part.first
+                           : std::max(part.first, Between::before(ruler.through(from_, line))),
+            std::min(part.end, Between::after(ruler.before(to_, line)))};
   }
-  void end_at(Between point) {
-    if (point.crossed() < end.crossed()) {
-      end = point;
-    }
-  }
+
+  // Points at this distance and beyond leave all of that part free: even the zones before them are
+  // behind it.
+  [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
+
+ private:
+  traversal::MeasuredShare to_;
+  std::uint32_t is_free_before_mm_ = std::numeric_limits<std::uint32_t>::max();
+  bool is_empty_ = false;
+  bool is_from_start_ = true;
+  traversal::MeasuredShare from_;
 };
 
 // The line of a sensor's beams at one azimuth, and what is known of it.
 class KeptLine {
  public:
-  void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer,
-            vehicle::Direction direction);
+  void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step);
 
   [[nodiscard]] const vehicle::BeamLine& line() const { return line_; }
 
-  // Borders crossed up to this distance. distance_mm is at most Sensor::range.
+  // Borders crossed up to this distance. distance_mm is at most Sensor::range; beyond it the answer
+  // may be less, but is not before the line's end.
   [[nodiscard]] traversal::Position through(const vehicle::Sensor& sensor,
                                             std::uint32_t distance_mm) const {
     return ruler_.through(distance_mm, line_, sensor.range);
@@ -55,6 +69,11 @@ class KeptLine {
 
   // The part of the line that lies in the grid, up to its end at Sensor::range.
   [[nodiscard]] const LinePart& in_grid() const { return in_grid_; }
+
+  // The part of that in which a beam is in the height band.
+  [[nodiscard]] LinePart in_band(const BandLimits& limits) const {
+    return limits.within(in_grid_, line_, ruler_);
+  }
 
   // Whether the line has a path: if it begins in the grid and meets no corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
@@ -67,86 +86,104 @@ class KeptLine {
   }
 
  private:
-  vehicle::BeamLine line_{{}, {}};
-  traversal::Ruler<geometry::kResolution> ruler_{line_, {}};
+  // In the order in which they are asked for.
   LinePart in_grid_;
   bool has_path_ = false;
   bool path_begun_ = false;
+  traversal::Ruler<geometry::kResolution> ruler_{vehicle::BeamLine({}, {}), {}};
+  vehicle::BeamLine line_{{}, {}};
   BlockPath path_;
 };
 
 // What is known of the beams of one layer at one azimuth.
 class KeptBeam {
  public:
-  [[nodiscard]] bool is_found() const { return is_found_; }
-  void find(std::int32_t end_z) {
-    is_found_ = true;
-    has_part_ = false;
-    end_z_ = end_z;
+  void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step,
+            KeptLine& line);
+
+  // Layer::line of its layer, and that line.
+  [[nodiscard]] std::uint32_t line_number() const { return line_number_; }
+  [[nodiscard]] KeptLine& line() const { return *line_; }
+
+  [[nodiscard]] const vehicle::BeamRanges& ranges() const { return ranges_; }
+
+  // How far along the line it carves without an echo.
+  [[nodiscard]] std::uint32_t clears_mm() const { return clears_mm_; }
+
+  // The part of the line that lies in the grid and in the height band. Found when it is first asked
+  // for, as few beams leave the band.
+  [[nodiscard]] const LinePart& in_band(const vehicle::Vehicle& vehicle,
+                                        const vehicle::Sensor& sensor) {
+    if (!has_part_) {
+      find_part(vehicle, sensor);
+    }
+    return part_;
   }
 
-  // Height of the line's end in subcells.
-  [[nodiscard]] std::int32_t end_z() const { return end_z_; }
-
-  // The part of the line in the grid and in the height band, if it was kept.
-  [[nodiscard]] bool has_part() const { return has_part_; }
-  [[nodiscard]] LinePart part() const {
-    return {{first_x_, first_y_}, {{end_x_, end_y_}, is_after_}};
-  }
-  // Keeps the part if it fits. A sensor on the grid has no line that is too long.
-  void keep_part(const LinePart& part) {
-    constexpr std::uint32_t kMost = 0xFFFF;
-    has_part_ = part.first.crossed() <= kMost && part.end.crossed() <= kMost;
-    first_x_ = static_cast<std::uint16_t>(part.first.x);
-    first_y_ = static_cast<std::uint16_t>(part.first.y);
-    end_x_ = static_cast<std::uint16_t>(part.end.at.x);
-    end_y_ = static_cast<std::uint16_t>(part.end.at.y);
-    is_after_ = part.end.is_after;
-  }
+  // As BandLimits says; only after in_band().
+  [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
  private:
+  [[gnu::noinline]] void find_part(const vehicle::Vehicle& vehicle, const vehicle::Sensor& sensor);
+
+  vehicle::BeamRanges ranges_;
+  KeptLine* line_ = nullptr;
+  LinePart part_;
   std::int32_t end_z_ = 0;
-  std::uint16_t first_x_ = 0;
-  std::uint16_t first_y_ = 0;
-  std::uint16_t end_x_ = 0;
-  std::uint16_t end_y_ = 0;
-  bool is_after_ = false;
+  std::uint32_t line_number_ = 0;
+  std::uint32_t clears_mm_ = 0;
+  std::uint32_t is_free_before_mm_ = 0;
   bool has_part_ = false;
-  bool is_found_ = false;
 };
 
 // The beams of one sensor at one azimuth. Kept are those of the first four layers, and their first
-// two lines. The LUX has no more, and lidars with more layers turn freely.
+// two lines. The LUX has no more, and level lidars that turn have one line for all of them.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;
   static constexpr std::size_t kMaxLines = 2;
 
-  [[nodiscard]] bool is_of(const vehicle::Sensor& sensor, std::uint16_t ticks) const {
-    return sensor_ == &sensor && ticks_ == ticks;
+  KeptAzimuth() = default;
+  KeptAzimuth(const KeptAzimuth&) = delete;
+  KeptAzimuth& operator=(const KeptAzimuth&) = delete;
+
+  [[nodiscard]] bool is_of(const vehicle::Sensor& sensor, std::uint32_t step) const {
+    return sensor_ == &sensor && step_ == step;
   }
-  void begin(const vehicle::Sensor& sensor, std::uint16_t ticks);
+  void begin(const vehicle::Sensor& sensor, std::uint32_t step);
   void forget() { sensor_ = nullptr; }
 
   // Layer::line of the layer is below kMaxLines.
-  KeptLine& line_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer,
-                    vehicle::Direction direction);
+  KeptLine& line_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer);
 
-  // The number of the layer is below kMaxLayers. The beam is empty until somebody fills it in.
-  KeptBeam& beam_of(std::uint8_t layer) { return beams_[layer]; }
+  // The beam of a layer, if it is kept and was found.
+  [[nodiscard]] bool has_beam(std::uint8_t layer) const {
+    return layer < kMaxLayers && (beams_found_ >> layer & 1U) != 0;
+  }
+  [[nodiscard]] KeptBeam& beam(std::uint8_t layer) { return beams_[layer]; }
 
-  // Whether the second line goes through the cells of the first up to and including this position.
-  // Both lines were asked for before, and the first has a path. True is certain; false is not.
-  [[nodiscard]] bool is_common(traversal::Position last);
+  // The layer's number is below kMaxLayers, that of its line below kMaxLines.
+  KeptBeam& find_beam(const vehicle::Sensor& sensor, std::uint8_t layer);
+
+  // Whether the second line goes through the first cells of the first line, so many > 0, and the
+  // first one is known and has a path. Only if the second line was found. True is certain; false
+  // is not.
+  [[nodiscard]] bool is_common(std::uint32_t cells) {
+    return cells <= common_ || (cells < different_ && find_common(cells));
+  }
+  [[nodiscard]] KeptLine& first_line() { return lines_[0]; }
 
  private:
   static constexpr std::uint32_t kNotKnown = std::numeric_limits<std::uint32_t>::max();
 
+  bool find_common(std::uint32_t cells);
+
   const vehicle::Sensor* sensor_ = nullptr;
-  std::uint16_t ticks_ = 0;
-  std::array<bool, kMaxLines> is_found_{};
-  std::uint32_t common_ = 0;             // the lines have so many cells in common,
-  std::uint32_t different_ = kNotKnown;  // but may not have so many
+  std::uint32_t step_ = 0;
+  std::uint32_t lines_found_ = 0;  // a bit each
+  std::uint32_t beams_found_ = 0;
+  std::uint32_t common_ = 0;     // the lines have so many cells in common,
+  std::uint32_t different_ = 0;  // but may not have so many
   std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
 };
@@ -156,7 +193,7 @@ class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);
 
-  KeptAzimuth& azimuth(const vehicle::Sensor& sensor, std::uint16_t ticks);
+  KeptAzimuth& azimuth(const vehicle::Sensor& sensor, std::uint32_t step);
 
   // Forgets all lines, as after the start: each has to be found again.
   void forget();

@@ -1,129 +1,107 @@
 #include "grid/block_path.hpp"
 
+#include <algorithm>
+
 #include "require/require.hpp"
+#include "traversal/corner.hpp"
 
 namespace iog::grid {
+namespace {
 
 using vehicle::BeamLine;
+
+// The length of the longest line in subcells, and the columns in which its heights are asked for.
+// vehicle/compile.hpp sees to it that the error term fits, sqrt(2) L r < 2^31, and that a range is
+// at most 130 m. A path stays in the grid, but for a column of blocks before its start and one
+// behind its end.
+constexpr std::int64_t kLongestByError = (std::int64_t{1} << 31) / geometry::kResolution * 5 / 7;
+constexpr std::int64_t kLongestByRange =
+    std::int64_t{130'000} / geometry::kCellMm * geometry::kResolution + 1;
+constexpr std::uint32_t kLongest = std::min(kLongestByError, kLongestByRange);
+constexpr std::int32_t kMostColumns =
+    std::min<std::int32_t>(geometry::kCellsPerSide, kLongest / geometry::kResolution + 1);
+static_assert(kMostColumns + 2 * kBlockSide <= std::int64_t{traversal::most_columns(kLongest)});
+}  // namespace
 
 void BlockPath::begin(const BeamLine& line) {
   start_ = line.cell({});
   require(geometry::kGridArea.contains(start_));
+  require(std::max(line.x().length(), line.y().length()) <= kLongest);
   orientation_ = {.is_steep = line.y().length() > line.x().length(),
                   .x_is_negative = line.x().step() < 0,
                   .y_is_negative = line.y().step() < 0};
-  masks_ = &kShapeMasks[orientation_.number()];
-  const std::int32_t x_gain = geometry::kResolution * static_cast<std::int32_t>(line.y().length());
-  const std::int32_t y_gain = geometry::kResolution * static_cast<std::int32_t>(line.x().length());
-  gain_ = orientation_.is_steep ? y_gain : x_gain;
-  loss_ = orientation_.is_steep ? x_gain : y_gain;
-  error_ = orientation_.is_steep ? -line.error({}) : line.error({});
-  const std::int32_t y_stride = line.y().step() * kBlockStride;
-  u_stride_ = static_cast<std::int16_t>(orientation_.is_steep ? y_stride : line.x().step());
-  v_stride_ = static_cast<std::int16_t>(orientation_.is_steep ? line.x().step() : y_stride);
-  const auto into_block = [](std::int32_t coordinate, bool is_negative) {
-    const auto inner = static_cast<std::uint32_t>(coordinate % kBlockSide);
-    return static_cast<std::uint8_t>(is_negative ? kBlockSide - 1 - inner : inner);
+  const auto into_tile = [](std::int32_t coordinate, bool is_negative) {
+    constexpr std::uint32_t kSide = geometry::kTileSide;
+    const std::uint32_t inner = static_cast<std::uint32_t>(coordinate) % kSide;
+    return static_cast<std::uint8_t>(is_negative ? kSide - 1 - inner : inner);
   };
-  x_in_block_ = into_block(start_.x, orientation_.x_is_negative);
-  y_in_block_ = into_block(start_.y, orientation_.y_is_negative);
-  const auto to_tile = [](std::int32_t coordinate, bool is_negative) {
-    const std::int32_t in_tile = coordinate / kBlockSide % kBlocksPerTile;
-    return static_cast<std::uint32_t>(is_negative ? in_tile + 1 : kBlocksPerTile - in_tile);
-  };
-  const std::uint32_t to_tile_x = to_tile(start_.x, orientation_.x_is_negative);
-  const std::uint32_t to_tile_y = to_tile(start_.y, orientation_.y_is_negative);
-  blocks_to_tile_u_ = orientation_.is_steep ? to_tile_y : to_tile_x;
-  blocks_to_tile_v_ = orientation_.is_steep ? to_tile_x : to_tile_y;
-  constexpr std::int32_t kTileRow = geometry::kTilesPerSide;
-  tile_along_x_ = static_cast<std::int16_t>(line.x().step());
-  tile_along_y_ = static_cast<std::int16_t>(line.y().step() * kTileRow);
-  tile_entries_[0] = 0;
-  tile_entries_[1] = kNoTile;
-  tile_count_ = 1;
-  find_first_block();
+  x_in_tile_ = into_tile(start_.x, orientation_.x_is_negative);
+  y_in_tile_ = into_tile(start_.y, orientation_.y_is_negative);
+  find_first_column(line);
 }
 
-// The line can begin anywhere in its first block, so that block is found cell by cell.
-void BlockPath::find_first_block() {
-  std::uint32_t u = orientation_.is_steep ? y_in_block_ : x_in_block_;
-  std::uint32_t v = orientation_.is_steep ? x_in_block_ : y_in_block_;
-  first_cells_ = {};
-  while (u < kBlockSide && v < kBlockSide) {
-    first_cells_.bytes[orientation_.inner(u, v)] = -1;
-    if (error_ > 0) {
-      error_ -= loss_;
-      ++v;
-    } else {
-      error_ += gain_;
-      ++u;
-    }
+// The line is followed from where it would have entered the column of blocks that its start lies
+// in, had it come from further back. Its own cells are those from the start on. It may have come
+// through the block below, which is not on its path.
+void BlockPath::find_first_column(const BeamLine& line) {
+  constexpr std::uint32_t kSide = kBlockSide;
+  const std::uint32_t u_in_tile = orientation_.is_steep ? y_in_tile_ : x_in_tile_;
+  const std::uint32_t v_in_tile = orientation_.is_steep ? x_in_tile_ : y_in_tile_;
+  const std::uint32_t before = u_in_tile % kSide;
+  dda_ = traversal::dda_of(line, orientation_.is_steep, before);
+  const std::uint64_t columns_of_first_tile = geometry::kTileSide - u_in_tile + before;
+  const auto row = static_cast<std::uint64_t>(std::int64_t{v_in_tile} + dda_.row);
+  height_at_tile_ = ((row << 32) | dda_.phase) + columns_of_first_tile * dda_.step;
+  const std::int32_t v = static_cast<std::int32_t>(v_in_tile % kSide) + dda_.row;
+  v_ = static_cast<std::uint32_t>(v) % kSide;
+  count_ = 0;
+  find_up_to(v < 0 ? 1U : 0U);
+  if (v < 0) {
+    codes_[0] = codes_[1];
+    --count_;
   }
-  const bool leaves_above = v == kBlockSide;
-  codes_[0] = leaves_above ? 1 : 0;
-  entry_ = leaves_above ? entered_from_below(u) : entered_from_the_left(v);
-  count_ = 1;
+  const std::uint32_t start = orientation_.inner(before, v_in_tile % kSide);
+  const LaneBytes& after_start = kFromMasks[orientation_.quadrant()][start];
+  Lanes::load(kShapeMasks[orientation_.number()][codes_[0] / 2U])
+      .bit_and(Lanes::load(after_start))
+      .store(first_cells_);
+  if (traversal::starts_on_corner(line)) {
+    skip_cell_above(before, v_in_tile % kSide);
+  }
 }
 
-// Each round of the loop finds one block. It looks at the error term of the walk column by column.
-// For a block that is entered at (0, 1), with a term that is in turn below and above 0:
-//
-//     v
-//     3 | .  .  .  # |--> the next block is entered at (0, 3)
-//     2 | .  #  #  # |
-//     1 | #  #  .  . |    entry 1 and bits 0, 1, 0, 1 are the shape; kPassages says the rest
-//     0 | .  .  .  . |
-//  ahead  -  +  -  +      above 0, the line crosses a border of v in this column
-//
-// If the line leaves the block through its upper border, the bits of further columns say something
-// of the next block; the passage does not look at them. The error term at the end fits its range,
-// although the terms that it is summed up from need not. Members are copied into registers, because
-// the compiler cannot know that storing a code does not change one of them.
+// A line that starts on the corner through which it leaves its first cell was followed as if it
+// rose before it went on. It does not go through the cell above the first one. If that cell is the
+// first one of another block, the line enters that block in the next column, if at all.
+void BlockPath::skip_cell_above(std::uint32_t u, std::uint32_t v) {
+  if (v + 1 < kBlockSide) {
+    first_cells_.bytes[orientation_.inner(u, v + 1)] = 0;
+    return;
+  }
+  extend_to(1);
+  const BlockCode code = codes_[1];
+  const std::uint32_t shape = shape_of(entered_from_below(u + 1), code >> 2U & 7U);
+  codes_[1] = static_cast<BlockCode>(2 * shape + code % 2U);
+}
+
 void BlockPath::find_up_to(std::uint32_t block) {
   require(block < kMaxBlocks);
-  const std::int32_t gain = gain_;
-  const std::int32_t loss = loss_;
-  std::int32_t error = error_;
-  BlockEntry entry = entry_;
-  std::uint32_t to_tile_u = blocks_to_tile_u_;
-  std::uint32_t to_tile_v = blocks_to_tile_v_;
-  BlockCode code = codes_[count_ - 1];
-  for (std::uint32_t number = count_; number <= block; ++number) {
-    const bool leaves_by_v = (code & 1U) != 0;
-    std::uint32_t& to_tile = leaves_by_v ? to_tile_v : to_tile_u;
-    --to_tile;
-    if (to_tile == 0) {
-      to_tile = kBlocksPerTile;
-      note_tile(number, leaves_by_v != orientation_.is_steep);
+  traversal::Dda dda{.phase = dda_.phase, .step = dda_.step};
+  std::uint32_t v = v_;
+  BlockCode* next = &codes_[count_];
+  const BlockCode* const end = &codes_[block];
+  do {
+    for (std::int32_t u = 0; u < kBlockSide; ++u) {
+      v = dda.advance(v);
     }
-    std::int32_t ahead = error;
-    std::uint32_t bits = 0;
-    for (std::uint32_t column = 0; column < kBlockSide; ++column) {
-      if (ahead > 0) {
-        bits |= 1U << column;
-        ahead -= loss;
-      }
-      ahead += gain;
-    }
-    const BlockPassage passage = kPassages[shape_of(entry, bits)];
-    code = passage.code;
-    codes_[number] = code;
-    entry = passage.next_entry;
-    error = static_cast<std::int32_t>(static_cast<std::uint32_t>(error) +
-                                      passage.u_borders * static_cast<std::uint32_t>(gain) -
-                                      passage.v_borders * static_cast<std::uint32_t>(loss));
-  }
-  error_ = error;
-  entry_ = entry;
-  blocks_to_tile_u_ = to_tile_u;
-  blocks_to_tile_v_ = to_tile_v;
-  count_ = block + 1;
-}
-
-void BlockPath::note_tile(std::uint32_t first_block, bool along_y) {
-  tile_entries_[tile_count_] = static_cast<TileEntry>(2 * first_block + (along_y ? 1U : 0U));
-  ++tile_count_;
-  tile_entries_[tile_count_] = kNoTile;
+    const BlockColumn column = kBlockColumns[v];
+    __builtin_memcpy(next, column.codes.data(), sizeof column.codes);
+    next += column.count;
+    v = column.next_v;
+  } while (next <= end);
+  dda_.phase = dda.phase;
+  v_ = v;
+  count_ = static_cast<std::uint32_t>(next - codes_.data());
 }
 
 }  // namespace iog::grid

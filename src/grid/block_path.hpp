@@ -1,8 +1,9 @@
 // The blocks that a line goes through, in order: one byte each, found once and kept.
 //
-// The blocks of a line are numbered from 0, which holds its start. As the line meets no corner,
-// each block shares a border with the one before. So the number of a block is the number of block
-// borders between it and the first.
+// The blocks of a line are numbered from 0, which holds its start. As the line meets no corner on
+// its way, each block shares a border with the one before. So the number of a block is the number
+// of block borders between it and the first. A line that starts on a corner of blocks has none of
+// its cells in block 1.
 #pragma once
 
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "geometry/grid.hpp"
 #include "grid/block_shapes.hpp"
+#include "traversal/dda.hpp"
 #include "vehicle/beam_line.hpp"
 
 namespace iog::grid {
@@ -27,17 +29,19 @@ struct BlockRun {
 
 class BlockPath {
  public:
-  // Begins the path of a line that starts in the grid and meets no corner (traversal/corner.hpp).
+  // Begins the path of a line that starts in the grid and meets no corner after its start
+  // (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // The offset in the grid of the cell at a position of the line.
-  [[nodiscard]] std::uint32_t offset_at(traversal::Position at) const {
-    return offset_of(cell_at(at));
+  // A position, from the corner where the first block begins in the line's own direction.
+  [[nodiscard]] traversal::Position from_corner(traversal::Position at) const {
+    return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }
 
   // The number of the block in which a position lies: the block borders crossed to get there.
   [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
-    return (at.x + x_in_block_) / kBlockSide + (at.y + y_in_block_) / kBlockSide;
+    const traversal::Position corner = from_corner(at);
+    return corner.x / kBlockSide + corner.y / kBlockSide;
   }
 
   // Finds the blocks up to this one, which lies in the grid.
@@ -50,78 +54,74 @@ class BlockPath {
   // Where the line begins.
   [[nodiscard]] std::uint32_t start_offset() const { return offset_of(start_); }
 
-  // The rest is about blocks that were found. The line's cells in a block:
-  [[nodiscard]] const LaneBytes& cells(std::uint32_t block) const {
-    if (block == 0) {
-      return first_cells_;
-    }
-    return (*masks_)[codes_[block] / 2U];
-  }
   [[nodiscard]] const Orientation& orientation() const { return orientation_; }
 
-  // The way through the blocks from this one on.
-  [[nodiscard]] BlockRun run_from(std::uint32_t block) const {
-    return {&codes_[block], masks_->data(), u_stride_, v_stride_};
+  // The line's cells in its first block.
+  [[nodiscard]] const LaneBytes& first_cells() const { return first_cells_; }
+
+  // The way through the blocks that were found.
+  [[nodiscard]] BlockRun run_from_start() const {
+    const std::ptrdiff_t along_x = orientation_.x_is_negative ? -1 : 1;
+    const std::ptrdiff_t along_y = orientation_.y_is_negative ? -kBlockStride : kBlockStride;
+    return {codes_.data(), kShapeMasks[orientation_.number()].data(),
+            orientation_.is_steep ? along_y : along_x, orientation_.is_steep ? along_x : along_y};
   }
 
-  // Calls visit(tile) for each tile of the blocks up to this one.
+  // Calls visit(tile) for each tile that the line enters up to this position. The heights of the
+  // line at the sides of tiles say where it enters another row of tiles: once at most in a column
+  // of tiles, as it rises by no more than it goes on.
   template <typename Visit>
-  void for_each_tile(std::uint32_t last_block, Visit&& visit) const {
+  void for_each_tile(traversal::Position last, Visit&& visit) const {
+    const std::uint32_t columns_x = (last.x + x_in_tile_) / geometry::kTileSide;
+    const std::uint32_t columns_y = (last.y + y_in_tile_) / geometry::kTileSide;
+    constexpr std::int32_t kTileRow = geometry::kTilesPerSide;
+    const std::int32_t along_x = orientation_.x_is_negative ? -1 : 1;
+    const std::int32_t along_y = orientation_.y_is_negative ? -kTileRow : kTileRow;
+    const std::int32_t along_u = orientation_.is_steep ? along_y : along_x;
+    const std::int32_t along_v = orientation_.is_steep ? along_x : along_y;
     auto tile = static_cast<std::int32_t>(geometry::tile_of(start_));
-    const TileEntry* entry = tile_entries_.data();
-    for (; *entry / 2U <= last_block; ++entry) {
+    visit(static_cast<std::size_t>(tile));
+    std::uint64_t height = height_at_tile_;
+    std::uint32_t row = 0;
+    const auto climb_to = [&](std::uint32_t next_row) {
+      if (next_row != row) {
+        row = next_row;
+        tile += along_v;
+        visit(static_cast<std::size_t>(tile));
+      }
+    };
+    for (std::uint32_t n = orientation_.is_steep ? columns_y : columns_x; n > 0; --n) {
+      climb_to(static_cast<std::uint32_t>(height >> (32 + geometry::kTileSideLog2)));
+      tile += along_u;
       visit(static_cast<std::size_t>(tile));
-      tile += (entry[1] & 1U) != 0 ? tile_along_y_ : tile_along_x_;
+      height += std::uint64_t{dda_.step} << geometry::kTileSideLog2;
     }
+    climb_to(orientation_.is_steep ? columns_x : columns_y);
   }
 
  private:
-  // Twice the number of the block with which a line enters a tile, and 1 more if it comes from the
-  // tile below or above.
-  using TileEntry = std::uint16_t;
-  static constexpr TileEntry kNoTile = 0xFFFF;
-
-  // A line runs one way on each axis. So it enters at most as many blocks, and tiles, as both axes
-  // have together.
+  // A line runs one way on each axis. So it enters at most as many blocks as both axes have
+  // together. A column of blocks is found at once: two codes are stored, even if one counts.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
-  static constexpr std::size_t kMaxTiles = std::size_t{2} * geometry::kTilesPerSide;
-  static_assert(2 * kMaxBlocks < kNoTile);
+  static constexpr std::size_t kMaxCodes = kMaxBlocks + 1;
 
-  [[nodiscard]] geometry::Cell cell_at(traversal::Position at) const {
-    const auto x = static_cast<std::int32_t>(at.x);
-    const auto y = static_cast<std::int32_t>(at.y);
-    return {orientation_.x_is_negative ? start_.x - x : start_.x + x,
-            orientation_.y_is_negative ? start_.y - y : start_.y + y};
-  }
-
-  void find_first_block();
+  void find_first_column(const vehicle::BeamLine& line);
+  void skip_cell_above(std::uint32_t u, std::uint32_t v);
   void find_up_to(std::uint32_t block);
-  void note_tile(std::uint32_t first_block, bool along_y);
 
   geometry::Cell start_;
-  std::uint8_t x_in_block_ = 0;  // how far into its block the line begins, in its own direction
-  std::uint8_t y_in_block_ = 0;
   Orientation orientation_;
-  std::int16_t tile_along_x_ = 0;  // from a tile to the next, by number
-  std::int16_t tile_along_y_ = 0;
-  const ShapeMasks* masks_ = nullptr;
-  std::int16_t u_stride_ = 0;  // from a block to the next, in blocks as stored
-  std::int16_t v_stride_ = 0;
+  std::uint8_t x_in_tile_ = 0;  // how far into its tile the line begins, in its own direction
+  std::uint8_t y_in_tile_ = 0;
   std::uint32_t count_ = 0;
+  // Where the search goes on: v in its block and the phase at the next column of blocks.
+  std::uint32_t v_ = 0;
+  traversal::Dda dda_;
+  // Of the line where it leaves the first tile's columns, from the first tile's lowest row, in
+  // 2^-32 rows.
+  std::uint64_t height_at_tile_ = 0;
   LaneBytes first_cells_;
-  std::array<BlockCode, kMaxBlocks> codes_{};
-  std::array<TileEntry, kMaxTiles + 1> tile_entries_{};
-
-  // Where the search goes on after the last block that was found. The error term is that of
-  // traversal/walk.hpp with u for columns: below 0, a border of u comes next.
-  std::int32_t error_ = 0;
-  std::int32_t gain_ = 0;
-  std::int32_t loss_ = 0;
-  BlockEntry entry_ = 0;
-  // Block borders along each axis, up to and including the tile's.
-  std::uint32_t blocks_to_tile_u_ = 0;
-  std::uint32_t blocks_to_tile_v_ = 0;
-  std::uint32_t tile_count_ = 0;
+  std::array<BlockCode, kMaxCodes> codes_{};
 };
 
 }  // namespace iog::grid

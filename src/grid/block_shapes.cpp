@@ -3,42 +3,62 @@
 namespace iog::grid {
 namespace {
 
+// How a line leaves a block of some shape.
+struct BlockPassage {
+  BlockEntry next_entry = 0;
+  BlockCode code = 0;
+
+  [[nodiscard]] constexpr bool leaves_above() const { return (code & 1U) != 0; }
+};
+
 // Follows the line of a shape through its block and calls visit(u, v) for each cell.
 template <typename Visit>
 constexpr BlockPassage follow(std::uint32_t shape, Visit&& visit) {
   const BlockEntry entry = shape >> 4;
   const std::uint32_t start_u = entry < 4 ? 0 : entry - 3;
-  std::uint32_t u = start_u;
   std::uint32_t v = entry < 4 ? entry : 0;
   std::uint32_t bits_used = 0;
-  BlockPassage passage;
-  for (; u < 4; ++u) {
+  for (std::uint32_t u = start_u; u < 4; ++u) {
     visit(u, v);
     const std::uint32_t bit = shape & 1U << (u - start_u);
     if (bit != 0) {
       bits_used |= bit;
-      ++passage.v_borders;
       ++v;
       if (v == 4) {
-        passage.next_entry = static_cast<std::uint8_t>(entered_from_below(u));
-        passage.code = static_cast<BlockCode>(2 * shape_of(entry, bits_used) + 1);
-        return passage;
+        return {entered_from_below(u), static_cast<BlockCode>(2 * shape_of(entry, bits_used) + 1)};
       }
       visit(u, v);
     }
-    ++passage.u_borders;
   }
-  passage.next_entry = static_cast<std::uint8_t>(entered_from_the_left(v));
-  passage.code = static_cast<BlockCode>(2 * shape_of(entry, bits_used));
-  return passage;
+  return {entered_from_the_left(v), static_cast<BlockCode>(2 * shape_of(entry, bits_used))};
 }
 
-constexpr std::array<BlockPassage, kShapeCount> make_passages() {
-  std::array<BlockPassage, kShapeCount> passages{};
-  for (std::uint32_t shape = 0; shape < kShapeCount; ++shape) {
-    passages[shape] = follow(shape, [](std::uint32_t, std::uint32_t) {});
+constexpr BlockPassage passage_of(std::uint32_t shape) {
+  return follow(shape, [](std::uint32_t, std::uint32_t) {});
+}
+
+// A line that enters its second block of a column from below in column u has used its bits up to
+// that of u.
+constexpr BlockColumn make_block_column(std::uint32_t v, std::uint32_t first_bit_uppermost) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t u = 0; u < 4; ++u) {
+    bits |= (first_bit_uppermost >> (3 - u) & 1U) << u;
   }
-  return passages;
+  const BlockPassage lower = passage_of(shape_of(entered_from_the_left(v), bits));
+  if (!lower.leaves_above()) {
+    return {{lower.code}, 1, static_cast<std::uint8_t>(lower.next_entry)};
+  }
+  const std::uint32_t u = lower.next_entry == 0 ? 0 : lower.next_entry - 3;
+  const BlockPassage upper = passage_of(shape_of(lower.next_entry, bits >> u & ~1U));
+  return {{lower.code, upper.code}, 2, static_cast<std::uint8_t>(upper.next_entry)};
+}
+
+constexpr std::array<BlockColumn, 64> make_block_columns() {
+  std::array<BlockColumn, 64> columns{};
+  for (std::uint32_t i = 0; i < columns.size(); ++i) {
+    columns[i] = make_block_column(i >> 4, i & 15U);
+  }
+  return columns;
 }
 
 constexpr Orientation orientation_of(std::size_t number) {
@@ -82,7 +102,7 @@ constexpr std::array<InnerMasks, 4> make_inner_masks(bool with_itself) {
 
 }  // namespace
 
-constexpr std::array<BlockPassage, kShapeCount> kPassages = make_passages();
+constexpr std::array<BlockColumn, 64> kBlockColumns = make_block_columns();
 constexpr std::array<ShapeMasks, 8> kShapeMasks = make_shape_masks();
 constexpr std::array<InnerMasks, 4> kFromMasks = make_inner_masks(true);
 constexpr std::array<InnerMasks, 4> kAfterMasks = make_inner_masks(false);

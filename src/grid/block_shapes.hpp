@@ -11,6 +11,8 @@
 //     0 | 0  4  5  6 |
 //       u 0  1  2  3
 //
+// Entry 7 is one column further than 6, where the block has no cell.
+//
 // In each column it then crosses at most one border of v before it leaves the column. So the entry
 // and one bit for each of the next four columns, seven bits in all, say which cells of the block
 // the line goes through, and how it leaves. These seven bits are the block's *shape*.
@@ -24,7 +26,7 @@
 
 namespace iog::grid {
 
-// The cell in which a line enters a block: 0 ... 3 is (u, v) = (0, entry), 4 ... 6 is (entry - 3,
+// The cell in which a line enters a block: 0 ... 3 is (u, v) = (0, entry), 4 ... 7 is (entry - 3,
 // 0).
 using BlockEntry = std::uint32_t;
 
@@ -45,12 +47,11 @@ inline constexpr std::uint32_t kShapeCount = 128;
 // the same code exactly if they have the same cells in the block and leave it by the same border.
 using BlockCode = std::uint8_t;
 
-// What a line does in a block of some shape.
-struct BlockPassage {
-  std::uint8_t u_borders = 0;  // how many it crosses, the block's own included
-  std::uint8_t v_borders = 0;
-  std::uint8_t next_entry = 0;
-  BlockCode code = 0;
+// The blocks of one column of blocks that a line goes through, one or two, the lower one first.
+struct BlockColumn {
+  std::array<BlockCode, 2> codes{};
+  std::uint8_t count = 0;
+  std::uint8_t next_v = 0;  // where the line enters the next column of blocks
 };
 
 // How u and v lie in the grid. u is x, or y if `is_steep`. Each may run towards minus.
@@ -63,20 +64,24 @@ struct Orientation {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U);
   }
   [[nodiscard]] constexpr std::size_t number() const { return quadrant() + (is_steep ? 4U : 0U); }
-  // The place of cell (u, v) in its block: 4 y + x.
+  // The place of a cell in its block, 4 y + x. It is so far along each axis in the line's own
+  // direction.
+  [[nodiscard]] constexpr std::uint32_t inner_of(std::uint32_t along_x,
+                                                 std::uint32_t along_y) const {
+    const std::uint32_t mirrored = (x_is_negative ? 3U : 0U) | (y_is_negative ? 12U : 0U);
+    return (4 * along_y + along_x) ^ mirrored;
+  }
   [[nodiscard]] constexpr std::uint32_t inner(std::uint32_t u, std::uint32_t v) const {
-    const std::uint32_t along_x = is_steep ? v : u;
-    const std::uint32_t along_y = is_steep ? u : v;
-    const std::uint32_t x = x_is_negative ? 3 - along_x : along_x;
-    const std::uint32_t y = y_is_negative ? 3 - along_y : along_y;
-    return 4 * y + x;
+    return is_steep ? inner_of(v, u) : inner_of(u, v);
   }
 };
 
 using ShapeMasks = std::array<LaneBytes, kShapeCount>;
 using InnerMasks = std::array<LaneBytes, kLaneCount>;
 
-extern const std::array<BlockPassage, kShapeCount> kPassages;
+// By v where the line enters the column of blocks from the left, times 16, and four bits, one for
+// each column of cells: set if the line crosses a border of v there, the first one uppermost.
+extern const std::array<BlockColumn, 64> kBlockColumns;
 
 // By Orientation::number(): the masks of the shapes. A byte of a mask is -1 if the line goes
 // through its cell, else 0.

@@ -11,113 +11,160 @@ using traversal::Position;
 using vehicle::Sensor;
 
 Carver::Carver(const vehicle::Vehicle& vehicle, BlockGrid& grid, PendingMarks& marks)
-    : lines_(vehicle.sensors), vehicle_(&vehicle), grid_(&grid), marks_(&marks) {}
+    : lines_(vehicle.sensors),
+      turn_lines_(vehicle),
+      vehicle_(&vehicle),
+      grid_(&grid),
+      marks_(&marks) {}
 
-vehicle::Fate Carver::add(const Sensor& sensor, const lidar::ScanPoint& point) {
-  const vehicle::Layer& layer = sensor.layers[point.layer];
-  turn_to(sensor, point.azimuth_ticks);
-  OpenLine& open = open_line(layer);
-  const KeptLine& line = *open.line;
-  KeptBeam& beam = beam_of(layer, point.layer);
-  const vehicle::Classification classification =
-      vehicle::classify(sensor, line.line(), beam.end_z(), point);
-  const bool has_point = 0 < point.range_mm && point.range_mm <= sensor.range.mm();
-  const Position hit = has_point ? line.through(sensor, point.range_mm) : Position{};
-  if (classification.carves) {
-    const LinePart part = part_to_carve(line, beam, point, classification.is_whole_in_band, hit);
-    if (!part.is_empty()) {
-      carve_later(open, part, point.range_mm);
+// All layers are on the line of the azimuth, each at its own height.
+vehicle::Fate Carver::add_turning(const Sensor& sensor, const lidar::ScanPoint& point) {
+  if (sensor_ != &sensor) [[unlikely]] {
+    carve_waiting();
+    sensor_ = &sensor;
+    kept_ = nullptr;
+    turn_lines_at_hand_ = turn_lines_.lines_of(sensor);
+    turn_layers_at_hand_ = turn_lines_.layers_of(sensor);
+  }
+  const std::uint32_t step = sensor.azimuths.nearest(point.azimuth_ticks);
+  TurnLine& turn = turn_lines_at_hand_[step];
+  if (!turn.is_found) [[unlikely]] {
+    TurnLines::find(sensor, step, turn);
+  }
+  const TurnLayer& layer = turn_layers_at_hand_[point.layer];
+  const std::uint32_t along_mm = sensor.layers[point.layer].along_line_mm(point.range_mm);
+  const vehicle::BeamRanges ranges{.on_car = turn.on_car, .in_band = layer.in_band};
+  const vehicle::Classification its = vehicle::classify(sensor, ranges, point, along_mm);
+  if (along_mm == 0 && point.range_mm != 0) {  // in front of it there is nothing to carve
+    if (its.marks) {
+      marks_->mark(sensor, turn.line, turn.line.through(sensor, 0), 0);
     }
+  } else if (its.carves || its.marks) {
+    take(TurnBeam(step, turn, layer), its, along_mm);
   }
-  if (classification.marks) {
-    marks_->mark(sensor, line, hit, point.range_mm);
-  }
-  return classification.fate;
+  return its.fate;
 }
 
 void Carver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {
-  if (sensor_ == &sensor && azimuth_ticks_ == azimuth_ticks) {
-    return;
-  }
   carve_waiting();
+  turn_lines_at_hand_ = nullptr;
   sensor_ = &sensor;
   azimuth_ticks_ = azimuth_ticks;
-  direction_ = vehicle::direction_of(sensor, azimuth_ticks);
-  kept_ = &lines_.azimuth(sensor, azimuth_ticks);
+  further_found_ = 0;
+  azimuth_step_ = sensor.azimuths.nearest(azimuth_ticks);
+  kept_ = &lines_.azimuth(sensor, azimuth_step_);
 }
 
-Carver::OpenLine& Carver::open_line(const vehicle::Layer& layer) {
-  OpenLine& open = open_lines_[layer.line];
-  const std::uint32_t bit = 1U << layer.line;
-  if ((lines_in_use_ & bit) == 0) {
-    lines_in_use_ |= bit;
-    if (layer.line < KeptAzimuth::kMaxLines) {
-      open.line = &kept_->line_of(*sensor_, layer, direction_);
-    } else {
-      open.line = &further_lines_[layer.line - KeptAzimuth::kMaxLines];
-      open.line->find(*sensor_, layer, direction_);
+// Beams beyond what a KeptAzimuth keeps are found for each point.
+KeptBeam& Carver::find_beam(std::uint8_t layer) {
+  const vehicle::Layer& its = sensor_->layers[layer];
+  if (its.line < KeptAzimuth::kMaxLines) {
+    if (layer < KeptAzimuth::kMaxLayers) {
+      return kept_->find_beam(*sensor_, layer);
+    }
+    further_beam_.find(*sensor_, its, azimuth_step_, kept_->line_of(*sensor_, its));
+    return further_beam_;
+  }
+  further_beam_.find(*sensor_, its, azimuth_step_, further_line(its));
+  return further_beam_;
+}
+
+// Beams that wait for another line in its place are carved before.
+KeptLine& Carver::further_line(const vehicle::Layer& layer) {
+  const std::uint32_t place = place_of(layer.line);
+  FurtherLine& further = further_lines_[place];
+  if ((further_found_ >> place & 1U) == 0 || further.number != layer.line) {
+    carve_place(place);
+    further_found_ |= 1U << place;
+    further.number = layer.line;
+    further.line.find(*sensor_, layer, azimuth_step_);
+  }
+  return further.line;
+}
+
+// Carves and marks as its fate says.
+template <typename Beam>
+inline void Carver::take(Beam&& beam, vehicle::Classification its, std::uint32_t range_mm) {
+  const KeptLine& line = beam.line();
+  const bool leaves_band = its.carves && !its.is_whole_in_band;
+  const LinePart limits = leaves_band ? beam.in_band(*vehicle_, *sensor_) : line.in_grid();
+  if (leaves_band && range_mm >= beam.is_free_before_mm()) {
+    if (!limits.is_empty()) {
+      const std::int32_t freer = -sensor_->profile.free;
+      auto& steps = steps_of(beam, limits.end);
+      steps.begin_beam(limits.first, freer);
+      steps.add(limits.end, -freer);
+      steps.end_beam(limits.end);
+    }
+    return;
+  }
+  const bool has_hit = range_mm - 1 < sensor_->range.mm();
+  const Position hit = has_hit ? line.through(*sensor_, range_mm) : Position{};
+  if (its.carves) {
+    const Between end =
+        has_hit ? Between::before(hit) : end_without_hit(line, beam.clears_mm(), range_mm);
+    const LinePart part{limits.first, std::min(limits.end, end)};
+    if (!part.is_empty()) {
+      carve_later(steps_of(beam, part.end), line, part, range_mm);
     }
   }
-  return open;
+  if (its.marks) {
+    marks_->mark(*sensor_, line, hit, range_mm);
+  }
 }
 
-KeptBeam& Carver::beam_of(const vehicle::Layer& layer, std::uint8_t number) {
-  const bool is_kept = number < KeptAzimuth::kMaxLayers && layer.line < KeptAzimuth::kMaxLines;
-  KeptBeam& beam = is_kept ? kept_->beam_of(number) : further_beam_;
-  if (!is_kept || !beam.is_found()) {
-    beam.find(vehicle::end_height_of(layer, direction_));
-  }
-  return beam;
+void Carver::take_kept(KeptBeam& beam, vehicle::Classification its, std::uint32_t range_mm) {
+  take(beam, its, range_mm);
 }
 
-// The part of its line that a beam carves: up to its scan point, or the whole line if that is too
-// far. A beam without an echo carves as far as the sensor's description says.
-LinePart Carver::part_to_carve(const KeptLine& line, KeptBeam& beam, const lidar::ScanPoint& point,
-                               bool is_whole_in_band, Position hit) const {
-  LinePart part = line.in_grid();
-  if (!is_whole_in_band) {
-    if (beam.has_part()) {
-      part = beam.part();
-    } else {
-      part = part_in_band(line, beam.end_z());
-      beam.keep_part(part);
-    }
-  }
+// The end of a beam whose echo lies beyond the line: the line's. Without an echo it carves as far
+// as the sensor's description says.
+Between Carver::end_without_hit(const KeptLine& line, std::uint32_t clears_mm,
+                                std::uint32_t range_mm) const {
   const std::uint32_t length_mm = sensor_->range.mm();
-  if (point.range_mm == 0) {
-    if (sensor_->no_return_clears_mm < length_mm) {
-      part.end_at({line.line().before({sensor_->no_return_clears_mm, length_mm}), true});
-    }
-  } else if (point.range_mm <= length_mm) {
-    part.end_at({hit, false});
-  }
-  return part;
-}
-
-// The part of a line that is in the grid and, for a beam that ends where the line ends, inside the
-// height band. A beam is straight: a shorter one leaves the band at the same place.
-LinePart Carver::part_in_band(const KeptLine& line, std::int32_t end_z) const {
-  const vehicle::BandPart band =
-      vehicle::part_in_band(*vehicle_, *sensor_, {line.line(), end_z}, sensor_->range.mm());
-  LinePart part = line.in_grid();
-  if (band.is_empty) {
-    part.end = {};
-  } else if (!band.is_whole) {
-    if (band.from.numerator > 0) {
-      part.begin_at(line.line().through(band.from));
-    }
-    part.end_at({line.line().before(band.to), true});
-  }
-  return part;
+  return range_mm == 0 && clears_mm < length_mm
+             ? Between::after(line.line().before({clears_mm, length_mm}))
+             : line.in_grid().end;
 }
 
 // Where a beam waits to be carved. If it goes through the same cells as the first line up to its
 // end, it waits with the beams of the first line.
-Carver::OpenLine& Carver::place_to_wait(OpenLine& open, Between end) {
-  OpenLine& first = open_lines_[0];
-  const bool may_share =
-      &open == &open_lines_[1] && (lines_in_use_ & 1U) != 0 && first.line->has_path();
-  return may_share && kept_->is_common(end.at) ? first : open;
+inline FreeSteps& Carver::steps_of(const KeptBeam& beam, Between end) {
+  const bool shares = beam.line_number() == 1 && kept_->is_common(end.at().crossed() + 1);
+  return shares ? steps_on(0, kept_->first_line()) : steps_on(beam.line_number(), beam.line());
+}
+
+// Another line in the place is carved and makes room.
+inline WaitingSteps& Carver::steps_of(const TurnBeam& beam, Between /*end*/) {
+  OpenTurnLine& open = open_turn_lines_[beam.azimuth_step() % kOpenTurnLines];
+  if (open.line != &beam.line() || !open.steps.has_room()) {
+    carve(open);
+    open.line = &beam.line();
+  }
+  return open.steps;
+}
+
+// Another line in the place is carved and makes room.
+inline FreeSteps& Carver::steps_on(std::uint32_t number, KeptLine& line) {
+  const std::uint32_t place = place_of(number);
+  OpenLine& open = open_lines_[place];
+  if (open.line != &line) {
+    carve_place(place);
+    lines_in_use_ |= 1U << place;
+    open.line = &line;
+    open.steps.begin_at(line.in_grid().first);
+  } else if (!open.steps.has_room()) {
+    carve(open);
+  }
+  return open.steps;
+}
+
+void Carver::carve_place(std::uint32_t place) {
+  if ((lines_in_use_ >> place & 1U) != 0) {
+    carve(open_lines_[place]);
+    open_lines_[place].line = nullptr;
+    lines_in_use_ &= ~(1U << place);
+  }
 }
 
 // Adds a beam to the steps of its line. A cell before the scan point * takes the index of the 1D
@@ -132,64 +179,74 @@ Carver::OpenLine& Carver::place_to_wait(OpenLine& open, Between end) {
 // The line leaves a cell in 1D cell j or earlier exactly if it crosses the cell's far border at
 // distance (j + 1) Delta or before. `through` counts those crossings. So the zone of 1D cell k - 2
 // begins in the cell that holds the point at (k - 2) Delta, here b.
-void Carver::carve_later(OpenLine& open, const LinePart& part, std::uint32_t range_mm) {
-  const KeptLine& line = *open.line;
+template <typename Steps>
+void Carver::carve_later(Steps& steps, const KeptLine& line, const LinePart& part,
+                         std::uint32_t range_mm) const {
   const sensor_model::Profile& profile = sensor_->profile;
-  OpenLine& waiting = place_to_wait(open, part.end);
-  if (!waiting.steps.has_room()) {
-    carve(waiting);
-  }
-  FreeSteps& steps = waiting.steps;
-  if (part.first == line.in_grid().first) {
-    steps.add_from_start(-profile.free);
-  } else {
-    steps.add({part.first, false}, -profile.free);
-  }
   std::int32_t freer = -profile.free;
-  if (range_mm > 0) {
-    const std::uint32_t first = part.first.crossed();
-    const std::uint32_t end = part.end.crossed();
-    const std::uint32_t k = sensor_->precision.divide(range_mm);
-    for (std::uint32_t back = profile.near_before_count; back > 0; --back) {
-      // 1D cells from k - back on, which begin at (k - back) Delta.
-      const Position zone =
-          k < back ? part.first : line.through(*sensor_, (k - back) * sensor_->precision_mm);
-      if (zone.crossed() >= end) {
-        break;
-      }
-      const std::int32_t in_zone = -profile.near_before[back - 1];
-      steps.add({zone.crossed() > first ? zone : part.first, false}, in_zone - freer);
-      freer = in_zone;
+  steps.begin_beam(part.first, freer);
+  Between last = part.end;
+  const std::uint32_t k = sensor_->precision.divide(range_mm);
+  for (std::uint32_t back = range_mm > 0 ? profile.near_before_count : 0; back > 0; --back) {
+    // 1D cells from k - back on, which begin at (k - back) Delta.
+    const Between zone =
+        k < back ? part.first
+                 : Between::before(line.through(*sensor_, (k - back) * sensor_->precision_mm));
+    if (zone >= part.end) {
+      break;
     }
+    last = std::max(zone, part.first);
+    const std::int32_t in_zone = -profile.near_before[back - 1];
+    steps.add(last, in_zone - freer);
+    freer = in_zone;
   }
   if (freer > 0) {
-    steps.add(part.end, -freer);
+    last = part.end;
+    steps.add(last, -freer);
   }
+  steps.end_beam(last);
 }
 
 void Carver::carve_waiting() {
-  for (; lines_in_use_ != 0; lines_in_use_ &= lines_in_use_ - 1) {
-    carve(open_lines_[static_cast<std::size_t>(std::countr_zero(lines_in_use_))]);
+  while (lines_in_use_ != 0) {
+    carve_place(static_cast<std::uint32_t>(std::countr_zero(lines_in_use_)));
+  }
+  if (turn_lines_at_hand_ != nullptr) {
+    for (OpenTurnLine& open : open_turn_lines_) {
+      carve(open);
+    }
   }
 }
 
-void Carver::carve(OpenLine& open) {
-  if (open.steps.empty()) {
-    return;
+// Only one such line is carved at a time: it takes the steps of a line of which none waits.
+void Carver::carve(OpenTurnLine& open) {
+  if (open.line != nullptr) {
+    FreeSteps& steps = open_lines_[0].steps;
+    steps.begin_at(open.line->in_grid().first);
+    open.steps.move_to(steps);
+    carve(*open.line, steps);
+    open.line = nullptr;
   }
-  if (open.line->has_path()) {
-    carve_blocks(*grid_, open.line->path(), open.steps);
+}
+
+void Carver::carve(KeptLine& line, FreeSteps& steps) {
+  if (line.has_path()) {
+    carve_blocks(*grid_, line.path(), steps);
   } else {
-    carve_cells(*grid_, open.line->line(), open.line->in_grid().first, open.steps);
+    carve_cells(*grid_, line.line(), line.in_grid().first.at(), steps);
   }
-  open.steps.clear();
 }
 
 void Carver::drop_waiting() {
   for (OpenLine& open : open_lines_) {
-    open.steps.clear();
+    open.steps.take_changes([](Between /*point*/, std::int32_t /*freer*/) {});
+    open.line = nullptr;
   }
   lines_in_use_ = 0;
+  for (OpenTurnLine& open : open_turn_lines_) {
+    open.steps.clear();
+    open.line = nullptr;
+  }
 }
 
 }  // namespace iog::grid

@@ -10,12 +10,12 @@
 namespace iog::grid {
 
 // Carves block by block along the path, which is extended as far as the steps reach. All steps lie
-// in the grid. The tiles of the path are touched.
-void carve_blocks(BlockGrid& grid, BlockPath& path, const FreeSteps& steps);
+// in the grid. The tiles of the path are touched. Nothing waits in the steps then.
+void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps);
 
 // Does the same cell by cell, for any line. It is the specification of the other. first: the line's
 // first position in the grid.
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
-                 const FreeSteps& steps);
+                 FreeSteps& steps);
 
 }  // namespace iog::grid

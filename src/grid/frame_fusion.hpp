@@ -51,19 +51,26 @@ class FrameFusion {
   // The grid, complete after finish(), until it is cleared.
   [[nodiscard]] FrameView view() const { return FrameView(grid_); }
 
-  // Shows the frame tile by tile and clears it: visit(number, cells) for each tile in which
-  // something is known, in rising order. The cells, row by row from the lowest y, are valid during
-  // the call.
+  // Copies a tile of the frame, row by row from its lowest y, and clears it. False if nothing is
+  // known in it.
+  [[nodiscard]] bool take_tile(std::size_t tile,
+                               std::span<OccupancyIndex, geometry::kTileCells> to) {
+    if (!grid_.is_touched(tile)) {
+      return false;
+    }
+    const bool is_known = grid_.copy_tile(tile, to);
+    grid_.clear_tile(tile);
+    return is_known;
+  }
+
+  // Shows the frame tile by tile and clears it: visit(number, indexes) for each tile in
+  // which something is known, in rising order. The indexes, row by row from the lowest y, are valid
+  // during the call.
   template <typename Visit>
   void release(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
-      if (!grid_.is_touched(tile)) {
-        continue;
-      }
-      const bool is_known = grid_.copy_tile(tile, tile_cells_);
-      grid_.clear_tile(tile);
-      if (is_known) {
-        visit(tile, std::as_bytes(std::span(tile_cells_)));
+      if (take_tile(tile, tile_cells_)) {
+        visit(tile, std::span<const OccupancyIndex, geometry::kTileCells>(tile_cells_));
       }
     }
   }

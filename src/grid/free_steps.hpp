@@ -12,83 +12,93 @@
 //                                                        +- 7 -+
 //                                                              +- 0
 //     the line   S ---------------------- a -------------------------- b ----> E
+//
+// Every number of borders crossed has a slot, which holds the change of the function there, and a
+// bit in a map of the slots that are in use. So a change is added without looking for its place,
+// and the changes come in order when the map is read.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
-#include "sensor_model/profile.hpp"
-#include "traversal/line.hpp"
+#include "geometry/grid.hpp"
+#include "grid/line_part.hpp"
 
 namespace iog::grid {
 
-// A point between two cells of a line: before the cell at this position, or just after it.
-struct Between {
-  traversal::Position at;
-  bool is_after = false;
-
-  // A cell of the line lies before this point if fewer borders are crossed to get there.
-  [[nodiscard]] constexpr std::uint32_t crossed() const {
-    return at.crossed() + (is_after ? 1U : 0U);
-  }
-};
-
 class FreeSteps {
  public:
-  // A step: from here on, cells are freer by so much; if that is below 0, less free.
-  struct Change {
-    std::uint32_t crossed = 0;  // Between::crossed()
-    traversal::Position at;     // Between::at; after it if more borders are crossed than there
-    std::int32_t freer = 0;
-  };
+  static constexpr std::uint32_t kMaxBeams = 256;
 
-  // A beam makes a change where each of its zones before the hit begins, and one at the end of the
-  // last.
-  static constexpr std::size_t kMaxChangesOfABeam = sensor_model::kMaxNearCells + 2;
-
-  [[nodiscard]] bool has_room() const { return count_ + kMaxChangesOfABeam <= kMaxChanges; }
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-  void clear() {
-    count_ = 0;
-    from_start_ = 0;
+  // Where the line enters the grid; only while nothing waits.
+  void begin_at(Between first) {
+    first_ = first;
+    last_ = first;
   }
 
-  // Makes the line freer from its start on. The beam's other changes follow.
-  void add_from_start(std::int32_t freer) { from_start_ += freer; }
+  // A beam changes the amount by less than 2^7, and a slot holds less than 2^15.
+  [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
-  // Adds a change. Only if has_room() was true before the beam. Changes mostly come in order, so
-  // the place of a new one is searched from the end.
+  // Adds a beam: how much freer it makes the line from a point on, then what it changes behind
+  // that, and where it ends. All points are at most 2 kCellsPerSide - 1 borders behind where the
+  // line enters the grid. Only if has_room().
+  void begin_beam(Between from, std::int32_t freer) {
+    ++beam_count_;
+    add(from, freer);
+  }
+  void end_beam(Between end) { last_ = std::max(last_, end); }
   void add(Between from, std::int32_t freer) {
-    const std::uint32_t crossed = from.crossed();
-    Change* place = &changes_[count_];
-    for (; place != changes_.data() && place[-1].crossed >= crossed; --place) {
-      if (place[-1].crossed == crossed) {
-        place[-1].freer += freer;
-        return;
+    if (from.crossed() == first_.crossed()) {
+      from_start_ += freer;
+      return;
+    }
+    const std::uint32_t number = from.crossed() - first_.crossed();
+    std::uint32_t& slot = slots_[number];
+    slot = ((slot + static_cast<std::uint32_t>(freer)) & 0xFFFFU) | from.bits() << 16;
+    map_[number / 32] |= kFirstBit >> number % 32;
+  }
+
+  // How much freer the line is from where it enters the grid, and where the last change is, after
+  // which nothing is left to carve.
+  [[nodiscard]] std::int32_t from_start() const { return from_start_; }
+  [[nodiscard]] Between last() const { return last_; }
+
+  // Calls visit(from, freer) for each change, in order, and forgets it. Then nothing waits.
+  template <typename Visit>
+  void take_changes(Visit&& visit) {
+    const std::uint32_t last = last_.crossed() - first_.crossed();
+    for (std::uint32_t word = 0; word <= last / 32; ++word) {
+      std::uint32_t bits = map_[word];
+      map_[word] = 0;
+      while (bits != 0) {
+        const auto zeros = static_cast<std::uint32_t>(std::countl_zero(bits));
+        bits &= ~(kFirstBit >> zeros);
+        const std::uint32_t number = 32 * word + zeros;
+        const std::uint32_t slot = slots_[number];
+        slots_[number] = 0;
+        visit(Between::of(first_.crossed() + number, slot >> 16),
+              static_cast<std::int32_t>(static_cast<std::int16_t>(slot)));
       }
     }
-    for (Change* last = &changes_[count_]; last != place; --last) {
-      last[0] = last[-1];
-    }
-    *place = {crossed, from.at, freer};
-    ++count_;
-  }
-
-  // How much freer the line is from its start on, and the changes after that, in order. After the
-  // last one nothing is left to carve.
-  [[nodiscard]] std::int32_t from_start() const { return from_start_; }
-  [[nodiscard]] std::span<const Change> changes() const {
-    return std::span(changes_).first(count_);
+    beam_count_ = 0;
+    from_start_ = 0;
+    last_ = first_;
   }
 
  private:
-  static constexpr std::size_t kMaxChanges = 32;
+  static constexpr std::uint32_t kFirstBit = std::uint32_t{1} << 31;
+  // A line crosses fewer borders than this between two cells of the grid, and one more after them.
+  static constexpr std::size_t kSlots = std::size_t{2} * geometry::kCellsPerSide;
 
-  std::size_t count_ = 0;
+  Between first_;
+  Between last_;
+  std::uint32_t beam_count_ = 0;
   std::int32_t from_start_ = 0;
-  std::array<Change, kMaxChanges> changes_{};
+  std::array<std::uint32_t, kSlots / 32> map_{};
+  std::array<std::uint32_t, kSlots> slots_{};
 };
 
 }  // namespace iog::grid

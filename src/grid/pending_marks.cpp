@@ -13,7 +13,7 @@ void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& li
                                traversal::Position hit, std::uint32_t range_mm) {
   const sensor_model::Profile& profile = sensor.profile;
   const std::uint32_t k = sensor.precision.divide(range_mm);
-  const traversal::Position first = line.in_grid().first;
+  const traversal::Position first = line.in_grid().first.at();
   const std::uint32_t line_end = line.in_grid().end.crossed();
   const bool from_hit = hit.crossed() >= first.crossed();
   traversal::Walk walk(line.line(), from_hit ? hit : first, geometry::kCellsPerSide);

@@ -24,9 +24,9 @@ struct Mark {
 };
 static_assert(geometry::kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
 
-// The most marks of one frame. They take 256 KiB and are enough for a dual-return turn of a VLP-16
-// (57,600 points).
-inline constexpr std::size_t kMaxMarks = 65'536;
+// The most marks of one frame. They take 576 KiB and are enough for a turn of 64 layers at 2,048
+// azimuths, or for a dual-return turn of an HDL-32E at 10 Hz (139,008 points).
+inline constexpr std::size_t kMaxMarks = 147'456;
 
 // The most cells that one point of this sensor can mark: its own, and the cells behind it that its
 // near 1D cells reach. A line of length d enters at most sqrt(2) d / cell + 2 further cells.

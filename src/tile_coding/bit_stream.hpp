@@ -1,5 +1,4 @@
-// Bits to bytes and back, the highest bit of a byte first. Neither side passes the end of its
-// buffer.
+// Bits to bytes and back, the highest bit of a byte first.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +9,11 @@
 
 namespace iog::tile_coding {
 
-// A write that does not fit writes nothing of its word; ok() is false from then on.
+// The buffer has room for all that is put: whoever writes has counted the bits before.
 class BitWriter {
  public:
-  explicit constexpr BitWriter(std::span<std::byte> buffer) : buffer_{buffer} {}
+  explicit constexpr BitWriter(std::span<std::byte> buffer)
+      : begin_{buffer.data()}, next_{buffer.data()} {}
 
   // `value` < 2^count, 1 <= count <= 31.
   constexpr void put(std::uint32_t value, unsigned count) {
@@ -23,13 +23,8 @@ class BitWriter {
       return;
     }
     const unsigned beyond = count - free_;  // 1 to 31: free_ is 32 only before the first write
-    word_ |= value >> beyond;
-    if (buffer_.size() - position_ < 4) {
-      ok_ = false;
-    } else {
-      wire::store_be32(buffer_.subspan(position_).first<4>(), word_);
-      position_ += 4;
-    }
+    wire::store_be32(std::span<std::byte, 4>(next_, 4), word_ | value >> beyond);
+    next_ += 4;
     free_ = 32 - beyond;
     word_ = value << free_;
   }
@@ -38,25 +33,18 @@ class BitWriter {
   // that.
   constexpr std::size_t finish() {
     for (unsigned used = 32 - free_; used > 0; used -= used < 8 ? used : 8) {
-      if (position_ == buffer_.size()) {
-        ok_ = false;
-        break;
-      }
-      buffer_[position_++] = static_cast<std::byte>(word_ >> 24);
+      *next_++ = static_cast<std::byte>(word_ >> 24);
       word_ <<= 8;
     }
     free_ = 32;
-    return position_;
+    return static_cast<std::size_t>(next_ - begin_);
   }
 
-  [[nodiscard]] constexpr bool ok() const { return ok_; }
-
  private:
-  std::span<std::byte> buffer_;
-  std::size_t position_ = 0;
+  std::byte* begin_;
+  std::byte* next_;
   std::uint32_t word_ = 0;  // bits that wait, from the top
   unsigned free_ = 32;      // bits of word_ that do not
-  bool ok_ = true;
 };
 
 // A read beyond the end gives 0 bits; ok() is false from then on.

@@ -2,6 +2,7 @@
 // costs a comparison.
 #include "tile_coding/cell_map.hpp"
 
+#include "tile_coding/palette.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tile_coding {
@@ -67,6 +68,19 @@ void CellMap::mark_differences(TileCells cells, TileCells others) {
   for (std::size_t row = 0; row < kTileSide; ++row) {
     rows_[row] = differences(cells, row, others, row);
   }
+}
+
+Parts CellMap::parts() const {
+  Parts parts;
+  std::size_t begin = 0;
+  const auto end_at = [&](std::size_t end) {
+    ++parts.count;
+    parts.log2_sum += bit_width(end - begin) - 1;
+    begin = end;
+  };
+  for_each(end_at);
+  end_at(kTileBytes);
+  return parts;
 }
 
 }  // namespace iog::tile_coding

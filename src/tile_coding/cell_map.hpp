@@ -18,6 +18,12 @@ void for_each_bit(std::uint32_t bits, Visit visit) {
   }
 }
 
+// The parts into which marks cut a tile, each a part of its own from a mark to the next.
+struct Parts {
+  std::size_t count = 0;
+  std::size_t log2_sum = 0;  // of the cells of each part, rounded down
+};
+
 class CellMap {
  public:
   // The cells that differ from the cell before them in the tile; the first cell does not.
@@ -37,13 +43,18 @@ class CellMap {
     }
   }
 
+  // The first cell is not marked: it begins a part anyway.
+  [[nodiscard]] Parts parts() const;
+
   // Bit x: cell x of row y.
   [[nodiscard]] std::uint32_t row(std::size_t y) const { return rows_[y]; }
 
  private:
   static_assert(kTileSide == 32, "a row of cells is a word of bits");
 
-  std::array<std::uint32_t, kTileSide> rows_{};
+  using Rows = std::array<std::uint32_t, kTileSide>;
+
+  alignas(16) Rows rows_{};
 };
 
 }  // namespace iog::tile_coding

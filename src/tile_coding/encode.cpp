@@ -47,7 +47,7 @@ void Encoder::survey_since(TileCells cells, const std::optional<Reference>& refe
 
 void Encoder::survey_alone(TileCells cells) {
   steps_.mark_steps(cells);
-  runs_.find(cells, changes_);
+  runs_.find(cells, changes_, steps_);
   quadtree_.find(changes_, steps_);
   sizes_[index_of(Encoding::kRaw)] = kTileBytes;
   sizes_[index_of(Encoding::kRunLength)] = runs_.coded_bytes();
@@ -58,7 +58,7 @@ std::size_t Encoder::write(Encoding encoding, TileCells cells,
                            const std::optional<Reference>& reference, MutableTileCells payload) {
   switch (encoding) {
     case Encoding::kRunLength:
-      return runs_.write(payload);
+      return runs_.write(cells, changes_, payload);
     case Encoding::kQuadtree:
       return quadtree_.write(cells, runs_.palette(), payload);
     case Encoding::kChangedSince:

@@ -38,7 +38,7 @@ struct EncodedTile {
   std::size_t bytes;
 };
 
-// Holds what an encoding is made from, 10 KiB, so that no stack has to.
+// Holds what an encoding is made from, so that no stack has to.
 class Encoder {
  public:
   using Sizes = std::array<std::size_t, kEncodingCount>;
@@ -71,7 +71,7 @@ class Encoder {
   CellMap steps_;
   CellMap differences_;
   Runs runs_;
-  Runs runs_since_;
+  RunsSince runs_since_;
   Quadtree quadtree_;
   Sizes sizes_{};
 };

@@ -36,12 +36,18 @@ class Palette {
     std::uint8_t& symbol = symbols_[std::to_integer<std::size_t>(value)];
     if (symbol == kNone) {
       if (count_ == kNone) {
-        return 0;  // -128 after all: no symbol is left
+        symbol = 0;  // -128 after all: no symbol is left
+        return symbol;
       }
       symbol = static_cast<std::uint8_t>(count_);
       values_[count_++] = value;
     }
     return symbol;
+  }
+
+  // Of a value that was asked for before.
+  [[nodiscard]] std::uint8_t known_symbol_of(std::byte value) const {
+    return symbols_[std::to_integer<std::size_t>(value)];
   }
 
   [[nodiscard]] std::span<const std::byte> values() const {

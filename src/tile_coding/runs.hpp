@@ -27,55 +27,45 @@
 
 namespace iog::tile_coding {
 
+// Of one value each. Finding tells how long the code is, by counting; only the tile that is sent so
+// is gone through run by run.
 class Runs {
  public:
-  // Finds the runs of one value. `changes` are those of the cells. No cell is -128.
-  void find(TileCells cells, const CellMap& changes);
-
-  // Finds runs of one value and runs that are as in a reference; the latter where they are at least
-  // as long. `differences` are those from the reference.
-  void find(TileCells cells, const CellMap& changes, const CellMap& differences);
+  // `changes` and `steps` are those of the cells. No cell is -128.
+  void find(TileCells cells, const CellMap& changes, const CellMap& steps);
 
   // The bytes of the code of what find() has found.
   [[nodiscard]] std::size_t coded_bytes() const;
 
-  // Returns coded_bytes(), or 0 if the buffer is shorter.
-  std::size_t write(std::span<std::byte> buffer) const;
+  // What find() was given last. Returns coded_bytes(), or 0 if the buffer is shorter.
+  std::size_t write(TileCells cells, const CellMap& changes, std::span<std::byte> buffer) const;
 
+  // Has all values of the cells, in the order in which they come.
   [[nodiscard]] Palette& palette() { return palette_; }
 
  private:
-  struct Run {
-    std::uint16_t symbol;
-    std::uint16_t cells;
-  };
+  Palette palette_;
+  Parts runs_;
+};
 
-  // Fills the list. A Builder is held in registers. The members of Runs are not, because a store to
-  // the palette's bytes may alias them.
-  class Builder {
-   public:
-    explicit Builder(Runs& runs) : next_{runs.list_.data()} {}
-    void add(unsigned symbol, std::size_t cells) {
-      *next_++ = {.symbol = static_cast<std::uint16_t>(symbol),
-                  .cells = static_cast<std::uint16_t>(cells)};
-      leading_zeros_ += leading_zeros(cells);
-    }
-    void finish(Runs& runs, bool has_reference) const;
+// Of one value each, or as they are in a reference; the latter where they are at least as long.
+// What is found is mostly sent, so the runs are kept.
+class RunsSince {
+ public:
+  // `changes` are those of the cells, `differences` those from the reference. No cell is -128.
+  void find(TileCells cells, const CellMap& changes, const CellMap& differences);
 
-   private:
-    Run* next_;
-    std::size_t leading_zeros_ = 0;  // of all lengths
-  };
+  [[nodiscard]] std::size_t coded_bytes() const;
+  std::size_t write(std::span<std::byte> buffer) const;
 
-  [[nodiscard]] std::size_t symbol_count() const {
-    return palette_.values().size() + (has_reference_ ? 1 : 0);
-  }
+ private:
+  // A word, so that it is stored and loaded at once: the symbol above, the cells below.
+  static constexpr int kSymbolShift = 16;
+  using Run = std::uint32_t;
 
   Palette palette_;
+  Parts runs_;
   std::array<Run, kTileBytes> list_{};
-  std::size_t count_ = 0;
-  std::size_t length_bits_ = 0;  // of all gamma codes
-  bool has_reference_ = false;
 };
 
 }  // namespace iog::tile_coding

@@ -1,4 +1,5 @@
-// Which lines meet no corner between cells, so that every step of their walk crosses one border.
+// Which lines meet no corner between cells on their way, so that every step of their walk crosses
+// one border.
 //
 // A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. Let f
 // be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid
@@ -7,9 +8,9 @@
 //   * w_x, w_y > 0. A line along an axis begins inside a row or at its lower border, and stays
 //     there.
 //   * f_y w_x = f_x w_y (mod r). This is what is left if k is eliminated.
-//   * Either k = 0 and f = (r, r): only such a corner at the start is still to be crossed. Or
-//     1 <= k <= d. Then gcd(k, r) = gcd(f_x, f_y, r) = c, because w_x / d and w_y / d have no
-//     common divisor; so c <= k, and c <= d.
+//   * Either k = 0 and f = (r, r): only such a corner at the start is still to be crossed, and the
+//     first step crosses it. Or 1 <= k <= d. Then gcd(k, r) = gcd(f_x, f_y, r) = c, because w_x / d
+//     and w_y / d have no common divisor; so c <= k, and c <= d.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,14 @@
 
 namespace iog::traversal {
 
-// Whether a line may meet a corner between its start and its end. False is certain; true is not.
+// Whether the first step of a line crosses a corner, on which it starts.
+template <std::int32_t kResolution>
+[[nodiscard]] constexpr bool starts_on_corner(const Line<kResolution>& line) {
+  constexpr auto kSide = static_cast<std::uint32_t>(kResolution);
+  return line.x().offset() == kSide && line.y().offset() == kSide;
+}
+
+// Whether a line may meet a corner after its start. False is certain; true is not.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool may_meet_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);
@@ -28,9 +36,8 @@ template <std::int32_t kResolution>
   if (line.error({}) % kResolution != 0 || (x.length() == 0) != (y.length() == 0)) {
     return false;
   }
-  const bool starts_on_corner = x.offset() == kSide && y.offset() == kSide;
   const std::uint32_t offsets = std::gcd(std::gcd(x.offset(), y.offset()), kSide);
-  return starts_on_corner || std::gcd(x.length(), y.length()) >= offsets;
+  return std::gcd(x.length(), y.length()) >= offsets;
 }
 
 }  // namespace iog::traversal

@@ -25,6 +25,7 @@
 #include <cstdint>
 
 #include "numeric/division.hpp"
+#include "traversal/corner.hpp"
 #include "traversal/line.hpp"
 
 namespace iog::traversal {
@@ -88,7 +89,8 @@ struct Turn {
 }
 
 // Whether b goes through the cells of a until `borders` are crossed. True is certain; false is not.
-// Both lines begin at the same point, and a meets no corner.
+// Both lines begin at the same point, and a meets no corner after it. A corner on which they start
+// both cross first.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {
@@ -109,11 +111,14 @@ template <std::int32_t kResolution>
   const auto c_size = static_cast<std::uint32_t>(c < 0 ? -c : c);
   const std::uint32_t threshold = (borders + 2) * c_size / b_length + 1;
   const std::uint32_t circle = a.x().length() + a.y().length();
-  const std::int32_t first = numeric::div_floor(a.error({}), kResolution);
+  const bool on_corner = starts_on_corner(a);
+  const std::uint32_t left = borders - std::min<std::uint32_t>(borders, on_corner ? 2 : 0);
+  const Position from = on_corner ? Position{1, 1} : Position{};
+  const std::int32_t first = numeric::div_floor(a.error(from), kResolution);
   const std::int32_t x = c < 0 ? first : -1 - first;
   const std::uint32_t down = c < 0 ? a.x().length() : a.y().length();
   const std::uint32_t start = static_cast<std::uint32_t>(x) + (x < 0 ? circle : 0);
-  return first_not_above(threshold, start, down, circle - down, borders) == borders;
+  return first_not_above(threshold, start, down, circle - down, left) == left;
 }
 
 }  // namespace iog::traversal

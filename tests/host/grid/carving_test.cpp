@@ -21,13 +21,17 @@ using geometry::SubcellPoint;
 using traversal::Position;
 using vehicle::BeamLine;
 
-// From anywhere in the grid to anywhere in it, some of them short, some along an axis, some nearly.
+// From anywhere in the grid to anywhere in it, some of them short, some along an axis, some nearly,
+// some from a corner between cells.
 BeamLine random_line(tests::Random& random) {
   constexpr std::int32_t kEnd = geometry::kCellsPerSide * kResolution - 1;
   const auto near = [&](std::int32_t from, std::int32_t reach) {
     return std::clamp<std::int32_t>(from + random.between(-reach, reach), 0, kEnd);
   };
-  const SubcellPoint start{random.between(0, kEnd), random.between(0, kEnd)};
+  SubcellPoint start{random.between(0, kEnd), random.between(0, kEnd)};
+  if (random.one_in(4)) {
+    start = {start.x / kResolution * kResolution, start.y / kResolution * kResolution};
+  }
   const std::int32_t reach = random.one_in(3) ? 8 * kResolution : 500 * kResolution;
   SubcellPoint end{near(start.x, reach), near(start.y, reach)};
   if (random.one_in(6)) {
@@ -46,7 +50,7 @@ std::vector<Cell> cells_of_walk(const BeamLine& line, std::uint32_t end) {
   return cells;
 }
 
-// The positions of a line that meets no corner, one a border.
+// The positions of a line that meets no corner after its start, one a border.
 std::vector<Position> positions_of(const BeamLine& line, const std::vector<Cell>& cells) {
   std::vector<Position> positions;
   positions.reserve(cells.size());
@@ -56,6 +60,11 @@ std::vector<Position> positions_of(const BeamLine& line, const std::vector<Cell>
                          static_cast<std::uint32_t>((cell.y - start.y) * line.y().step())});
   }
   return positions;
+}
+
+const LaneBytes& cells_of(const BlockPath& path, std::uint32_t block) {
+  const BlockRun run = path.run_from_start();
+  return block == 0 ? path.first_cells() : run.masks[run.code[block] / 2U];
 }
 
 // The cells of a path, one block after the other, are those of the walk, in the order of blocks.
@@ -72,15 +81,21 @@ TEST(BlockPath, GoesThroughTheCellsOfTheWalk) {
     path.begin(line);
     path.extend_to(path.block_at(positions_of(line, cells).back()));
     std::size_t at = 0;
+    const std::vector<Position> positions = positions_of(line, cells);
     for (std::uint32_t block = 0; at < cells.size(); ++block) {
       std::size_t in_block = 0;
+      if (block < path.block_at(positions[at])) {
+        ASSERT_TRUE(block == 1 && traversal::starts_on_corner(line));
+        ASSERT_EQ(std::ranges::count(cells_of(path, block).bytes, std::int8_t{-1}), 0);
+        continue;
+      }
       const std::uint32_t first = offset_of(cells[at]) / kLaneCount;
       for (; at < cells.size() && offset_of(cells[at]) / kLaneCount == first; ++at, ++in_block) {
-        ASSERT_EQ(path.cells(block).bytes[offset_of(cells[at]) % kLaneCount], -1);
+        ASSERT_EQ(cells_of(path, block).bytes[offset_of(cells[at]) % kLaneCount], -1);
       }
       // The last block goes on beyond the end of the line.
       if (at < cells.size()) {
-        ASSERT_EQ(std::ranges::count(path.cells(block).bytes, std::int8_t{-1}),
+        ASSERT_EQ(std::ranges::count(cells_of(path, block).bytes, std::int8_t{-1}),
                   static_cast<std::ptrdiff_t>(in_block));
       }
     }
@@ -103,10 +118,9 @@ TEST(BlockPath, NamesTheTilesThatItEnters) {
     }
     BlockPath path;
     path.begin(line);
-    const std::uint32_t last = path.block_at(positions_of(line, cells).back());
-    path.extend_to(last);
     std::vector<std::size_t> named;
-    path.for_each_tile(last, [&](std::size_t tile) { named.push_back(tile); });
+    path.for_each_tile(positions_of(line, cells).back(),
+                       [&](std::size_t tile) { named.push_back(tile); });
     ASSERT_EQ(named, expected);
   }
 }
@@ -125,21 +139,24 @@ TEST(Carving, BlockByBlockIsCellByCell) {
     const std::vector<Position> positions = positions_of(line, cells);
     BlockPath path;
     path.begin(line);
-    FreeSteps steps;
+    const auto block_steps = std::make_unique<FreeSteps>();
+    const auto cell_steps = std::make_unique<FreeSteps>();
     for (int beam = random.between(1, 4); beam > 0; --beam) {
       const auto last = static_cast<std::size_t>(
           random.between(0, static_cast<std::int32_t>(positions.size()) - 1));
       const std::size_t first = random.one_in(2) ? 0 : last / 2;
       const std::int32_t freer = random.between(1, 127);
-      if (first == 0) {
-        steps.add_from_start(freer);
-      } else {
-        steps.add({positions[first], false}, freer);
+      const bool is_after = first == last || random.one_in(2);
+      const Between end =
+          is_after ? Between::after(positions[last]) : Between::before(positions[last]);
+      for (FreeSteps* steps : {block_steps.get(), cell_steps.get()}) {
+        steps->begin_beam(Between::before(positions[first]), freer);
+        steps->add(end, -freer);
+        steps->end_beam(end);
       }
-      steps.add({positions[last], first == last || random.one_in(2)}, -freer);
     }
-    carve_blocks(*by_blocks, path, steps);
-    carve_cells(*by_cells, line, {}, steps);
+    carve_blocks(*by_blocks, path, *block_steps);
+    carve_cells(*by_cells, line, {}, *cell_steps);
     for (const Cell& cell : cells) {
       ASSERT_EQ(int{by_blocks->at(cell)}, int{by_cells->at(cell)})
           << i << ": " << cell.x << ", " << cell.y;
@@ -153,6 +170,34 @@ TEST(Carving, BlockByBlockIsCellByCell) {
                      : 1U;
   }
   EXPECT_EQ(different, 0U);
+}
+
+// One point between two cells has two names: after the one, before the other. Beams that change
+// there by either name, in either order, carve what two beams carve that name it alike.
+TEST(Carving, APointBetweenTwoCellsHasTwoNames) {
+  const BeamLine line({300, 200}, {40 * kResolution + 700, 23 * kResolution + 10});
+  ASSERT_FALSE(traversal::may_meet_corner(line));
+  const std::vector<Cell> cells = cells_of_walk(line, line.before({1, 1}).crossed() + 1);
+  const std::vector<Position> positions = positions_of(line, cells);
+  for (std::size_t at = 0; at + 1 < positions.size(); ++at) {
+    for (const bool after_first : {false, true}) {
+      const auto grid = std::make_unique<BlockGrid>();
+      const auto steps = std::make_unique<FreeSteps>();
+      BlockPath path;
+      path.begin(line);
+      const Between after = Between::after(positions[at]);
+      const Between before = Between::before(positions[at + 1]);
+      steps->begin_beam(Between::before({}), 14 + 14);
+      steps->add(after_first ? after : before, -7);
+      steps->add(after_first ? before : after, -14);
+      steps->add(Between::after(positions.back()), -7);
+      steps->end_beam(Between::after(positions.back()));
+      carve_blocks(*grid, path, *steps);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        ASSERT_EQ(int{grid->at(cells[i])}, i <= at ? -28 : -7) << at << ", " << i;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -121,6 +121,25 @@ TEST(Fusion, AFarPointCarvesUpToTheRange) {
   EXPECT_EQ(ahead(near, 500), 0);
 }
 
+// Ahead of LevelLux 1D cells and cells share their borders: cell x takes the index of 1D cell x. So
+// a point a little too far away is as near to the last cells as the profile says, millimetre by
+// millimetre, and 0.3 m behind the line's end no zone is left on it.
+TEST(Fusion, APointJustBeyondTheRangeIsNearTheLastCells) {
+  const auto fusion = std::make_unique<FrameFusion>(LevelLux::kVehicle);
+  constexpr auto kStep = static_cast<std::uint32_t>(tests::effort(1, 37));
+  for (std::uint32_t range_mm = 49'990; range_mm <= 50'500; range_mm += kStep) {
+    fusion->add(LevelLux::kVehicle.sensors[0], level(range_mm).point);
+    fusion->finish();
+    for (int x = 490; x < 500; ++x) {
+      const int before = static_cast<int>(range_mm / 100) - x;
+      const int carved = before >= 3 ? -14 : before == 2 ? -7 : 0;
+      const int expected = before == 0 ? 2 : carved;
+      ASSERT_EQ(int{fusion->view().at({512 + x, 512})}, expected) << range_mm << ", " << x;
+    }
+    fusion->clear();
+  }
+}
+
 TEST(Fusion, APointAtTheRangeItselfIsUsed) {
   const auto cells = fuse(LevelLux::kVehicle, {level(50'000)});
   EXPECT_EQ(ahead(cells, 500), 2);
@@ -236,14 +255,15 @@ TEST(Fusion, AFrameThatIsReleasedIsShownTileByTileAndCleared) {
   const auto cells = tests::cells_of(*fusion);
   std::vector<std::size_t> tiles;
   std::vector<OccupancyIndex> shown(geometry::kCellCount);
-  fusion->release([&](std::size_t tile, std::span<const std::byte, geometry::kTileCells> bytes) {
+  fusion->release([&](std::size_t tile,
+                      std::span<const OccupancyIndex, geometry::kTileCells> indexes) {
     tiles.push_back(tile);
     const std::size_t corner = (tile / geometry::kTilesPerSide * geometry::kCellsPerSide +
                                 tile % geometry::kTilesPerSide) *
                                geometry::kTileSide;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (std::size_t i = 0; i < indexes.size(); ++i) {
       shown[corner + i / geometry::kTileSide * geometry::kCellsPerSide + i % geometry::kTileSide] =
-          static_cast<OccupancyIndex>(bytes[i]);
+          indexes[i];
     }
   });
   EXPECT_GT(tiles.size(), 10U);

@@ -199,6 +199,35 @@ TEST(CellMap, MarksTheCellsThatDiffer) {
   }
 }
 
+// Counted cell by cell. Long parts, because the machine may count them apart.
+TEST(CellMap, CountsThePartsAndTheLogarithmsOfTheirLengths) {
+  tests::Random random(97);
+  for (int i = 0; i < tests::effort(2000, 200); ++i) {
+    Tile tile{};
+    const int sparseness = random.between(1, 400);
+    for (std::size_t cell = 1; cell < kTileBytes; ++cell) {
+      tile[cell] = random.one_in(sparseness) ? ~tile[cell - 1] : tile[cell - 1];
+    }
+    CellMap changes;
+    changes.mark_changes(tile);
+    Parts expected;
+    std::size_t length = 0;
+    for (std::size_t cell = 0; cell < kTileBytes; ++cell) {
+      ++length;
+      if (cell + 1 == kTileBytes || tile[cell + 1] != tile[cell]) {
+        ++expected.count;
+        for (; length > 1; length /= 2) {
+          ++expected.log2_sum;
+        }
+        length = 0;
+      }
+    }
+    const Parts parts = changes.parts();
+    ASSERT_EQ(parts.count, expected.count) << sparseness;
+    ASSERT_EQ(parts.log2_sum, expected.log2_sum) << sparseness;
+  }
+}
+
 TEST(Quadtree, HasNoMoreBlocksThanItMust) {
   tests::Random random(94);
   for (int i = 0; i < tests::effort(500, 20); ++i) {

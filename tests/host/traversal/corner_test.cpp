@@ -32,7 +32,8 @@ struct RandomLine {
   SubcellPoint end;
 };
 
-// Without a corner each step of the walk crosses one border.
+// Without a corner each step of the walk crosses one border; a corner at the start is two borders
+// in one step.
 template <std::int32_t kResolution>
 void expect_a_border_a_step(int count) {
   constexpr std::int32_t kStride = 4 * kReachCells;
@@ -48,8 +49,9 @@ void expect_a_border_a_step(int count) {
     const std::uint32_t end = line.before({1, 1}).crossed() + 1;
     std::uint32_t cells = 0;
     Walk(line, {}, kStride).until(end, [&](std::size_t) { ++cells; });
-    ASSERT_EQ(cells, end) << "r " << kResolution << ", (" << ends.start.x << ", " << ends.start.y
-                          << ") to (" << ends.end.x << ", " << ends.end.y << ")";
+    ASSERT_EQ(cells + (starts_on_corner(line) ? 1U : 0U), end)
+        << "r " << kResolution << ", (" << ends.start.x << ", " << ends.start.y << ") to ("
+        << ends.end.x << ", " << ends.end.y << ")";
   }
   EXPECT_GT(without, count / 4);
 }
@@ -62,8 +64,7 @@ TEST(Corner, IsMissingWhereEveryStepCrossesOneBorder) {
   expect_a_border_a_step<1024>(count);
 }
 
-// Whether the line crosses a corner, found column by column. A start on a corner is one that is
-// crossed only where the line leaves it towards the cell below and to the left.
+// Whether the line crosses a corner after its start, found column by column.
 template <std::int32_t kResolution>
 bool crosses_corner(const RandomLine<kResolution>& ends) {
   const std::int64_t dx = ends.end.x - ends.start.x;
@@ -76,7 +77,7 @@ bool crosses_corner(const RandomLine<kResolution>& ends) {
     const bool is_on_line = dx < 0 ? dx <= to_x && to_x <= 0 : 0 <= to_x && to_x <= dx;
     const bool is_corner =
         to_x * dy % dx == 0 && (ends.start.y + to_x * dy / dx) % kResolution == 0;
-    if (is_on_line && is_corner && (to_x != 0 || (dx < 0 && dy < 0))) {
+    if (is_on_line && is_corner && to_x != 0) {
       return true;
     }
   }
@@ -107,6 +108,16 @@ TEST(Corner, IsForeseen) {
   EXPECT_TRUE(may_meet_corner(Line<10>({5, 5}, {35, 35})));
   EXPECT_TRUE(may_meet_corner(Line<10>({20, 20}, {5, 5})));
   EXPECT_TRUE(may_meet_corner(Line<10>({5, 5}, {75, 35})));
+}
+
+// A corner is left towards the cell below and to the left, and nowhere else is it crossed.
+TEST(Corner, IsCrossedByTheFirstStepTowardsMinusOnBothAxes) {
+  EXPECT_TRUE(starts_on_corner(Line<10>({20, 20}, {7, 2})));
+  EXPECT_FALSE(starts_on_corner(Line<10>({20, 20}, {27, 2})));
+  EXPECT_FALSE(starts_on_corner(Line<10>({20, 20}, {7, 32})));
+  EXPECT_FALSE(starts_on_corner(Line<10>({20, 20}, {33, 32})));
+  EXPECT_FALSE(starts_on_corner(Line<10>({20, 20}, {20, 2})));
+  EXPECT_FALSE(starts_on_corner(Line<10>({20, 21}, {7, 2})));
 }
 
 // Along an axis a line stays in its row, which it does not leave through a corner.

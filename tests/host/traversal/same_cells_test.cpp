@@ -103,6 +103,26 @@ TEST(SameCells, AreFoundWhereOnlyTheRoundingDiffers) {
   EXPECT_GT(count_of_shared<1024>(500, 1, count), count * 7 / 10);
 }
 
+// From a corner both lines cross it first, and only what comes then can part them.
+TEST(SameCells, AreFoundFromACorner) {
+  tests::Random random(17);
+  const int count = tests::effort(4'000, 200);
+  int shared = 0;
+  for (int i = 0; i < count; ++i) {
+    const SubcellPoint start{512 * 1024, 512 * 1024};
+    const SubcellPoint end{start.x - random.between(1, 200 * 1024),
+                           start.y - random.between(1, 200 * 1024)};
+    const Line<1024> a(start, end);
+    const Line<1024> b(start, {end.x + random.between(-1, 1), end.y + random.between(-1, 1)});
+    const std::uint32_t borders = a.before({1, 1}).crossed() + 1;
+    if (!may_meet_corner(a) && same_cells(a, b, borders)) {
+      ++shared;
+      ASSERT_EQ(cells_of(a, borders), cells_of(b, borders));
+    }
+  }
+  EXPECT_GT(shared, count * 8 / 10);
+}
+
 TEST(SameCells, AreNotThoseOfAnotherQuadrantOrDirection) {
   const SubcellPoint start{512, 300};
   const Line<1024> line(start, {400'000, 90'000});

@@ -1,0 +1,37 @@
+// The tiles of a part of a frame, row by row, apart from the grid that they were fused in: what one
+// core hands to the others.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "geometry/grid.hpp"
+#include "grid/frame_fusion.hpp"
+#include "index/occupancy_index.hpp"
+
+namespace iog::grid {
+
+class FrameTiles {
+ public:
+  using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
+
+  // Takes over what the fusion has finished, which is clear then. What was here before is gone,
+  // whatever it was.
+  void take(FrameFusion& fusion) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+      is_known_[tile] = fusion.take_tile(tile, tiles_[tile]);
+    }
+  }
+
+  // Whether something is known in a tile, and its indexes if so.
+  [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
+  [[nodiscard]] TileIndexes tile(std::size_t tile) const { return tiles_[tile]; }
+
+ private:
+  std::array<bool, geometry::kTileCount> is_known_{};
+  alignas(32) std::array<std::array<index::OccupancyIndex, geometry::kTileCells>,
+                         geometry::kTileCount> tiles_{};
+};
+
+}  // namespace iog::grid

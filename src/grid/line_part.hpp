@@ -1,0 +1,56 @@
+// Points between the cells of a line, and the parts of a line that lie between two of them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "traversal/line.hpp"
+
+namespace iog::grid {
+
+// A point between two cells of a line: before the cell at a position, or just after it. It is one
+// number, which grows along the line: how many borders are crossed to get to the cell behind it
+// (16 bits), whether it is given by that cell or by the one before, and x of the position (15
+// bits). The point after a cell comes before the same point given by the next cell, which may lie
+// outside the grid.
+class Between {
+ public:
+  constexpr Between() = default;  // before the first cell
+  static constexpr Between before(traversal::Position at) {
+    return Between(at.crossed() << 16 | kIsBefore | at.x);
+  }
+  static constexpr Between after(traversal::Position at) {
+    return Between((at.crossed() + 1) << 16 | at.x);
+  }
+  // What bits() was of another point, in the lower half, and how many borders are crossed.
+  static constexpr Between of(std::uint32_t crossed, std::uint32_t lower_half) {
+    return Between(crossed << 16 | lower_half);
+  }
+
+  // A cell of the line lies before this point if fewer borders are crossed to get there.
+  [[nodiscard]] constexpr std::uint32_t crossed() const { return bits_ >> 16; }
+  [[nodiscard]] constexpr bool is_after() const { return (bits_ & kIsBefore) == 0; }
+  [[nodiscard]] constexpr traversal::Position at() const {
+    const std::uint32_t x = bits_ & (kIsBefore - 1);
+    return {x, crossed() - (is_after() ? 1U : 0U) - x};
+  }
+  [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the default's zero for a pointer
+  friend constexpr auto operator<=>(Between, Between) = default;
+
+ private:
+  static constexpr std::uint32_t kIsBefore = 1U << 15;
+  explicit constexpr Between(std::uint32_t bits) : bits_(bits) {}
+
+  std::uint32_t bits_ = kIsBefore;
+};
+
+// A part of a line, from one point between cells to another.
+struct LinePart {
+  Between first;
+  Between end;
+
+  [[nodiscard]] bool is_empty() const { return first.crossed() >= end.crossed(); }
+};
+
+}  // namespace iog::grid
