@@ -38,6 +38,11 @@ class Clock {
   // From the frame of this slot to the newest one, at most kEver.
   [[nodiscard]] std::uint32_t ms_since(std::uint8_t slot) const;
 
+  // The same in frames, for a slot that has one.
+  [[nodiscard]] std::uint8_t frames_since(std::uint8_t slot) const {
+    return static_cast<std::uint8_t>((now_ + kFrames - slot) % kFrames);
+  }
+
   // What is left of a group that was last aged in this slot; nothing of kNever.
   [[nodiscard]] const evidence::Fading& since(std::uint8_t slot) const { return left_[slot]; }
 

@@ -15,17 +15,25 @@ constexpr std::uint8_t bit(bool is_set, std::size_t cell) {
 
 }  // namespace
 
-Bits decide(evidence::Group& group, const evidence::Indexes& of_this_frame) {
+Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
+            const evidence::Indexes& of_this_frame, Decided& decided) {
   Bits bits;
   for (std::size_t i = 0; i < evidence::kGroupCells; ++i) {
-    const evidence::Cell cell = evidence::cell_of(group, i);
-    group.decided[i] = byte_of(verdict(cell, mask_of(group.ruled_out[i])));
+    const evidence::Cell cell = evidence::cell_of(free, taken, i);
+    decided[i] = byte_of(verdict(cell, mask_of(ruled_out[i])));
     bits.freed |= bit(cell.free > kFreedAbove, i);
     bits.seen |= bit(of_this_frame[i] < 0 && cell.free > kSeenAbove, i);
     bits.stands |= bit(cell.persistence > kStandsAbove, i);
     bits.taken |= bit(cell.taken() > kTakenAbove, i);
+    bits.held |= bit(cell.taken() > 0 || cell.persistence > 0, i);
   }
   return bits;
+}
+
+FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
+                     const evidence::Indexes& of_this_frame, Decided& decided) {
+  const Bits bits = decide(free, evidence::Taken{}, ruled_out, of_this_frame, decided);
+  return {.freed = bits.freed, .seen = bits.seen};
 }
 
 }  // namespace iog::decision

@@ -4,6 +4,7 @@
 // never overrules it and never speaks alone.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "evidence/assignment.hpp"
@@ -11,8 +12,8 @@
 
 namespace iog::decision {
 
-// The classes of a byte of Group::decided, which is 8 times the class plus 0 ... 7, how sure it is:
-// floor of (mass - 2^14) / 2^11.
+// The classes of a cell's byte, which is 8 times the class plus 0 ... 7, how sure it is: floor of
+// (mass - 2^14) / 2^11.
 enum class Class : std::uint8_t {
   kUnknown,            // always with 0
   kDrivable,           // free, on a road
@@ -32,16 +33,34 @@ inline constexpr std::uint8_t kIntermediate = 4;
 inline constexpr std::uint8_t kAnywhere = kBuilding + kRoad + kIntermediate;
 
 // Of each cell of the group, bit i for cell i.
-struct alignas(4) Bits {
+struct alignas(8) Bits {
   std::uint8_t freed = 0;   // F > 2^14
   std::uint8_t seen = 0;    // its evidence of this frame was free, and F > 22938
   std::uint8_t stands = 0;  // persistence > 4096
   std::uint8_t taken = 0;   // O + M + K > 8192
+  std::uint8_t held = 0;    // O + M + K > 0 or persistence > 0: something but F is known
   friend constexpr bool operator==(const Bits&, const Bits&) = default;
 };
 
-// Writes Group::decided, by masses and Group::ruled_out (0 ... 7). `of_this_frame` is all 0 for a
-// group that is decided without evidence.
-Bits decide(evidence::Group& group, const evidence::Indexes& of_this_frame);
+// The bytes of a group's cells.
+using Decided = std::array<std::int8_t, evidence::kGroupCells>;
+
+// By cell the classes of the map that are impossible there; 0: nothing is known of the map.
+using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
+
+// Writes what the cells of a group are, by their masses and what is ruled out. Both are aligned to
+// 8 bytes. `of_this_frame` is all 0 for a group that is decided without evidence.
+Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
+            const evidence::Indexes& of_this_frame, Decided& decided);
+
+// Two of the bits.
+struct alignas(2) FreeBits {
+  std::uint8_t freed = 0;
+  std::uint8_t seen = 0;
+};
+
+// What decide() does to a group of which nothing is taken: all its other bits are 0.
+FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
+                     const evidence::Indexes& of_this_frame, Decided& decided);
 
 }  // namespace iog::decision

@@ -4,6 +4,7 @@
 // At most one of free, moving and standing is half of all or more (decision/cell.hpp). So the
 // greatest of them is the score if it is; else the score is what is taken.
 #include <arm_neon.h>
+#include <cstddef>
 
 #include "decision/cell.hpp"
 #include "decision/decision.hpp"
@@ -49,21 +50,27 @@ uint8x8_t above(int16x8_t mass, std::int16_t level) {
   return vreinterpret_u8_s8(vsubhn_s16(vdupq_n_s16(level), mass));
 }
 
+constexpr std::uint64_t kOneOfEach = 0x8040'2010'0804'0201;
+
 // Of two vectors of eight bytes, one bit for each sign: four bytes for each, to be added up.
 uint8x8_t signs_of(uint8x8_t a, uint8x8_t b) {
-  const uint8x16_t one_of_each = vreinterpretq_u8_u64(vdupq_n_u64(0x8040'2010'0804'0201));
+  const uint8x16_t one_of_each = vreinterpretq_u8_u64(vdupq_n_u64(kOneOfEach));
   const uint8x16_t is_set = vcltq_s8(vreinterpretq_s8_u8(vcombine_u8(a, b)), vdupq_n_s8(0));
   const uint8x16_t kept = vandq_u8(is_set, one_of_each);
   return vpadd_u8(vget_low_u8(kept), vget_high_u8(kept));
 }
 
-Bits bits_of(uint8x8_t freed, uint8x8_t seen, uint8x8_t stands, uint8x8_t taken) {
+// held: all ones or zeros. Its byte comes four times, once where Bits has it.
+Bits bits_of(uint8x8_t freed, uint8x8_t seen, uint8x8_t stands, uint8x8_t taken, uint8x8_t held) {
   const uint8x8_t pairs = vpadd_u8(signs_of(freed, seen), signs_of(stands, taken));
-  const std::uint32_t word = vget_lane_u32(vreinterpret_u32_u8(vpadd_u8(pairs, pairs)), 0);
-  return __builtin_bit_cast(Bits, word);
+  const uint8x8_t kept = vand_u8(held, vcreate_u8(kOneOfEach));
+  const uint8x8_t twos = vpadd_u8(kept, kept);
+  const uint8x8_t bytes = vpadd_u8(pairs, vpadd_u8(twos, twos));
+  return __builtin_bit_cast(Bits, bytes);
 }
+static_assert(offsetof(Bits, held) == 4);
 
-// The bytes of Group::decided.
+// What the cells are.
 uint8x8_t bytes_of(int16x8_t free, int16x8_t moving, int16x8_t taken, uint8x8_t masks) {
   const uint8x8_t of_free = upper_byte(free);
   const uint8x8_t of_moving = upper_byte(moving);
@@ -80,25 +87,53 @@ uint8x8_t bytes_of(int16x8_t free, int16x8_t moving, int16x8_t taken, uint8x8_t 
   return vand_u8(vsra_n_u8(base, score, 3), is_half(score));
 }
 
+uint8x8_t masks_of(const RuledOut& ruled_out) {
+  uint8x8_t impossible;
+  __builtin_memcpy(&impossible, __builtin_assume_aligned(ruled_out.data(), 8), 8);
+  return vbic_u8(vdup_n_u8(kAnywhere), impossible);
+}
+
+void store(uint8x8_t bytes, Decided& decided) {
+  __builtin_memcpy(__builtin_assume_aligned(decided.data(), 8), &bytes, 8);
+}
+
+// Signs of what is free and was crossed.
+uint8x8_t seen_of(int16x8_t free, const evidence::Indexes& of_this_frame) {
+  return vand_u8(above(free, kSeenAbove), vreinterpret_u8_s8(vld1_s8(of_this_frame.data())));
+}
+
 }  // namespace
 
-Bits decide(evidence::Group& group, const evidence::Indexes& of_this_frame) {
-  evidence::MassReader masses(group);
-  const int16x8_t free = masses.next();
+Bits decide(const evidence::Free& free_masses, const evidence::Taken& taken_masses,
+            const RuledOut& ruled_out, const evidence::Indexes& of_this_frame, Decided& decided) {
+  const int16x8_t free = evidence::load(free_masses);
+  evidence::MassReader masses(taken_masses);
   const int16x8_t occupied = masses.next();
   const int16x8_t only_moving = masses.next();
   const int16x8_t taken = vaddq_s16(vaddq_s16(occupied, only_moving), masses.next());
   const int16x8_t persistence = masses.next();
-  uint8x8_t ruled_out;
-  __builtin_memcpy(&ruled_out, __builtin_assume_aligned(group.ruled_out.data(), 8), 8);
-  const uint8x8_t masks = vbic_u8(vdup_n_u8(kAnywhere), ruled_out);
+  const uint8x8_t masks = masks_of(ruled_out);
   const int16x8_t moving = vaddq_s16(only_moving, moving_part(occupied, masks));
-  const uint8x8_t bytes = bytes_of(free, moving, taken, masks);
-  __builtin_memcpy(__builtin_assume_aligned(group.decided.data(), 8), &bytes, 8);
+  store(bytes_of(free, moving, taken, masks), decided);
 
-  const uint8x8_t is_crossed = vreinterpret_u8_s8(vld1_s8(of_this_frame.data()));
-  return bits_of(above(free, kFreedAbove), vand_u8(above(free, kSeenAbove), is_crossed),
-                 above(persistence, kStandsAbove), above(taken, kTakenAbove));
+  const int16x8_t any = vorrq_s16(taken, persistence);
+  return bits_of(above(free, kFreedAbove), seen_of(free, of_this_frame),
+                 above(persistence, kStandsAbove), above(taken, kTakenAbove),
+                 vmovn_u16(vtstq_s16(any, any)));
+}
+
+FreeBits decide_free(const evidence::Free& free_masses, const RuledOut& ruled_out,
+                     const evidence::Indexes& of_this_frame, Decided& decided) {
+  const int16x8_t free = evidence::load(free_masses);
+  const uint8x8_t score = upper_byte(free);
+  const uint8x8_t base = vtbl1_u8(vcreate_u8(base_by_mask(kFreeClasses)), masks_of(ruled_out));
+  store(vand_u8(vsra_n_u8(base, score, 3), is_half(score)), decided);
+
+  const uint8x8_t fours = signs_of(above(free, kFreedAbove), seen_of(free, of_this_frame));
+  const uint8x8_t twos = vpadd_u8(fours, fours);
+  const uint8x8_t bytes = vpadd_u8(twos, twos);
+  const std::uint16_t word = vget_lane_u16(vreinterpret_u16_u8(bytes), 0);
+  return __builtin_bit_cast(FreeBits, word);
 }
 
 }  // namespace iog::decision

@@ -132,17 +132,16 @@ constexpr Cell fused(const Cell& cell, const Evidence& evidence, bool moved, con
   return specialised(next, gains);
 }
 
-constexpr Cell cell_of(const Group& group, std::size_t i) {
-  return {group.free[i], group.occupied[i], group.moving[i], group.standing[i],
-          group.persistence[i]};
+constexpr Cell cell_of(const Free& free, const Taken& taken, std::size_t i) {
+  return {free[i], taken.occupied[i], taken.moving[i], taken.standing[i], taken.persistence[i]};
 }
 
-constexpr void put(Group& group, std::size_t i, const Cell& cell) {
-  group.free[i] = static_cast<std::int16_t>(cell.free);
-  group.occupied[i] = static_cast<std::int16_t>(cell.occupied);
-  group.moving[i] = static_cast<std::int16_t>(cell.moving);
-  group.standing[i] = static_cast<std::int16_t>(cell.standing);
-  group.persistence[i] = static_cast<std::int16_t>(cell.persistence);
+constexpr void put(Free& free, Taken& taken, std::size_t i, const Cell& cell) {
+  free[i] = static_cast<std::int16_t>(cell.free);
+  taken.occupied[i] = static_cast<std::int16_t>(cell.occupied);
+  taken.moving[i] = static_cast<std::int16_t>(cell.moving);
+  taken.standing[i] = static_cast<std::int16_t>(cell.standing);
+  taken.persistence[i] = static_cast<std::int16_t>(cell.persistence);
 }
 
 }  // namespace iog::evidence

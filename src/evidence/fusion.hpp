@@ -10,15 +10,22 @@
 
 namespace iog::evidence {
 
-// What is left of the group's masses. ruled_out and decided stay.
-void age(Group& group, const Fading& fading);
+// What is left of the group's masses.
+void age(Free& free, Taken& taken, const Fading& fading);
 
-// The evidence of one frame in a group that is aged already; a cell with index 0 stays as it is.
-// Bit i of `moved`: whoever is in cell i came there, so that a hit on free ground is one of {M}.
-void fuse(Group& group, const Indexes& indexes, std::uint8_t moved, const Gains& gains);
+// What is left of the group's masses, and then the evidence of one frame; a cell with index 0 only
+// ages. Bit i of `moved`: whoever is in cell i came there, so that a hit on free ground is one of
+// {M}.
+void fuse(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
+          std::uint8_t moved, const Gains& gains);
 
 // The same with masses by index.
-void fuse(Group& group, const Indexes& indexes, std::uint8_t moved, const Gains& gains,
-          const Assignment& assignment);
+void fuse(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
+          std::uint8_t moved, const Gains& gains, const Assignment& assignment);
+
+// What age() and fuse() do to a group of which nothing is taken, and no cell hit: all that is not F
+// is 0 and stays 0. No index is above 0.
+void age_free(Free& free, const Fading& fading);
+void fuse_free(Free& free, const Fading& fading, const Indexes& indexes, const Gains& gains);
 
 }  // namespace iog::evidence

@@ -63,17 +63,33 @@ int16x8_t persistence_of(int16x8_t before, int16x8_t taken, int16x8_t conflict, 
   return vmaxq_s16(vqaddq_s16(before, vsubq_s16(gain, loss)), vdupq_n_s16(0));
 }
 
-// hit, crossed: o and f of evidence/cell.hpp.
-inline void fuse_lanes(Group& group, int16x8_t indexes, int16x8_t hit, int16x8_t crossed,
-                       std::uint8_t moved, int16x4_t gains) {
-  const uint16x8_t no_evidence = vceqq_s16(indexes, vdupq_n_s16(0));
-  MassReader before(group);
-  const int16x8_t free = before.next();
-  const int16x8_t occupied = before.next();
-  const int16x8_t moving = before.next();
-  const int16x8_t standing = before.next();
-  const int16x8_t old_persistence = before.next();
+// Five masses of eight cells.
+struct Lanes {
+  int16x8_t free;
+  int16x8_t occupied;
+  int16x8_t moving;
+  int16x8_t standing;
+  int16x8_t persistence;
+};
 
+Lanes aged(const Free& free_before, const Taken& taken, const Fading& fading) {
+  const int16x8_t factors = factors_of(fading);
+  MassReader before(taken);
+  const int16x8_t free = left_of<0>(load(free_before), vget_low_s16(factors));
+  const int16x8_t occupied = left_of<1>(before.next(), vget_low_s16(factors));
+  const int16x8_t moving = left_of<2>(before.next(), vget_low_s16(factors));
+  const int16x8_t standing = left_of<3>(before.next(), vget_low_s16(factors));
+  const int16x8_t persistence = left_of<0>(before.next(), vget_high_s16(factors));
+  return {free, occupied, moving, standing, persistence};
+}
+
+// hit, crossed: o and f of evidence/cell.hpp.
+inline void fuse_lanes(Free& free_masses, Taken& taken_masses, const Fading& fading,
+                       int16x8_t indexes, int16x8_t hit, int16x8_t crossed, std::uint8_t moved,
+                       int16x4_t gains) {
+  const uint16x8_t no_evidence = vceqq_s16(indexes, vdupq_n_s16(0));
+  const auto [free, occupied, moving, standing, old_persistence] =
+      aged(free_masses, taken_masses, fading);
   const int16x8_t taken = vaddq_s16(vaddq_s16(occupied, moving), standing);
   const int16x8_t ignorance = vsubq_s16(complement(free), taken);
   const int16x8_t appeared = product(free, hit);
@@ -92,8 +108,8 @@ inline void fuse_lanes(Group& group, int16x8_t indexes, int16x8_t hit, int16x8_t
   const int16x8_t part = vqdmulhq_lane_s16(persistence, gains, 3);
   const int16x8_t settled = product(new_occupied, part);
 
-  MassWriter after(group);
-  after.put(choose(no_evidence, free, new_free));
+  store(choose(no_evidence, free, new_free), free_masses);
+  MassWriter after(taken_masses);
   after.put(choose(no_evidence, occupied, vsubq_s16(new_occupied, settled)));
   after.put(choose(no_evidence, moving, product(new_moving, complement(part))));
   after.put(choose(no_evidence, standing, vaddq_s16(new_standing, settled)));
@@ -105,40 +121,50 @@ int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15); }
 
 }  // namespace
 
-void age(Group& group, const Fading& fading) {
-  const int16x8_t factors = factors_of(fading);
-  MassReader before(group);
-  const int16x8_t free = left_of<0>(before.next(), vget_low_s16(factors));
-  const int16x8_t occupied = left_of<1>(before.next(), vget_low_s16(factors));
-  const int16x8_t moving = left_of<2>(before.next(), vget_low_s16(factors));
-  const int16x8_t standing = left_of<3>(before.next(), vget_low_s16(factors));
-  const int16x8_t persistence = left_of<0>(before.next(), vget_high_s16(factors));
-  MassWriter after(group);
-  after.put(free);
+void age(Free& free_masses, Taken& taken, const Fading& fading) {
+  const auto [free, occupied, moving, standing, persistence] = aged(free_masses, taken, fading);
+  store(free, free_masses);
+  MassWriter after(taken);
   after.put(occupied);
   after.put(moving);
   after.put(standing);
   after.put(persistence);
 }
 
-void fuse(Group& group, const Indexes& indexes, std::uint8_t moved, const Gains& gains) {
+void fuse(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
+          std::uint8_t moved, const Gains& gains) {
   const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));
   const int16x8_t free_mass = vld1q_dup_s16(&gains.free_mass);
   const int16x4_t weights = weights_of(gains);
   const int16x8_t hit_mass = vld1q_dup_s16(&gains.hit_mass);
   const uint16x8_t is_hit = vcgtq_s16(wide, vdupq_n_s16(0));
-  fuse_lanes(group, wide, vandq_s16(hit_mass, vreinterpretq_s16_u16(is_hit)),
+  fuse_lanes(free, taken, fading, wide, vandq_s16(hit_mass, vreinterpretq_s16_u16(is_hit)),
              vandq_s16(free_mass, is_crossed(wide)), moved, weights);
 }
 
-void fuse(Group& group, const Indexes& indexes, std::uint8_t moved, const Gains& gains,
-          const Assignment& assignment) {
+void fuse(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
+          std::uint8_t moved, const Gains& gains, const Assignment& assignment) {
   const int8x8_t narrow = vld1_s8(indexes.data());
   const int16x8_t wide = vmovl_s8(narrow);
   const auto by_time = static_cast<std::int16_t>(gains.free_mass & assignment.free_by_time);
   const int16x8_t crossed = vorrq_s16(graded(assignment.free, vqneg_s8(narrow)),
                                       vandq_s16(vdupq_n_s16(by_time), is_crossed(wide)));
-  fuse_lanes(group, wide, graded(assignment.occupied, narrow), crossed, moved, weights_of(gains));
+  fuse_lanes(free, taken, fading, wide, graded(assignment.occupied, narrow), crossed, moved,
+             weights_of(gains));
+}
+
+void age_free(Free& free, const Fading& fading) {
+  store(left_of<0>(load(free), vget_low_s16(factors_of(fading))), free);
+}
+
+// o, c, x and P are 0, so that F' = F.~0 + W.f with W = ~F.
+void fuse_free(Free& free, const Fading& fading, const Indexes& indexes, const Gains& gains) {
+  const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));
+  const int16x8_t crossed = vandq_s16(vld1q_dup_s16(&gains.free_mass), is_crossed(wide));
+  const int16x8_t before = left_of<0>(load(free), vget_low_s16(factors_of(fading)));
+  const int16x8_t after =
+      vaddq_s16(product(before, vdupq_n_s16(kCertain)), product(complement(before), crossed));
+  store(choose(vceqq_s16(wide, vdupq_n_s16(0)), before, after), free);
 }
 
 }  // namespace iog::evidence

@@ -1,4 +1,4 @@
-// The masses of a group, eight cells a register, one after the other as they lie in memory.
+// The masses of a group but F, eight cells a register, one after the other as they lie in memory.
 //
 // A load that moves its own pointer is one instruction. The compiler never chooses it: it takes two
 // loads of half a register each, at offsets.
@@ -11,16 +11,26 @@
 
 namespace iog::evidence {
 
-static_assert(offsetof(Group, occupied) == 1 * sizeof(Masses));
-static_assert(offsetof(Group, moving) == 2 * sizeof(Masses));
-static_assert(offsetof(Group, standing) == 3 * sizeof(Masses));
-static_assert(offsetof(Group, persistence) == 4 * sizeof(Masses));
-static_assert(offsetof(Group, ruled_out) == 5 * sizeof(Masses));
+static_assert(offsetof(Taken, occupied) == 0 * sizeof(Masses));
+static_assert(offsetof(Taken, moving) == 1 * sizeof(Masses));
+static_assert(offsetof(Taken, standing) == 2 * sizeof(Masses));
+static_assert(offsetof(Taken, persistence) == 3 * sizeof(Masses));
+static_assert(sizeof(Taken) == 4 * sizeof(Masses));
 
-// Free, occupied, moving, standing and persistence, in this order.
+inline int16x8_t load(const Masses& masses) {
+  int16x8_t lanes;
+  __builtin_memcpy(&lanes, __builtin_assume_aligned(masses.data(), sizeof(lanes)), sizeof(lanes));
+  return lanes;
+}
+
+inline void store(int16x8_t lanes, Masses& masses) {
+  __builtin_memcpy(__builtin_assume_aligned(masses.data(), sizeof(lanes)), &lanes, sizeof(lanes));
+}
+
+// Occupied, moving, standing and persistence, in this order.
 class MassReader {
  public:
-  explicit MassReader(const Group& group) : next_(&group.free) {}
+  explicit MassReader(const Taken& taken) : next_(&taken.occupied) {}
   int16x8_t next() {
     int16x8_t lanes;
     asm("vld1.64 {%e[lanes]-%f[lanes]}, [%[next] :128]!"
@@ -35,7 +45,7 @@ class MassReader {
 
 class MassWriter {
  public:
-  explicit MassWriter(Group& group) : next_(&group.free) {}
+  explicit MassWriter(Taken& taken) : next_(&taken.occupied) {}
   void put(int16x8_t lanes) {
     asm("vst1.64 {%e[lanes]-%f[lanes]}, [%[next] :128]!"
         : [next] "+r"(next_), "=m"(*next_)

@@ -13,10 +13,10 @@
 #include "geometry/grid.hpp"
 #include "numeric/division.hpp"
 #include "pose/pose.hpp"
-#include "window/tile.hpp"
 
 namespace iog::window {
 
+inline constexpr std::int32_t kTileSide = geometry::kTileSide;
 inline constexpr std::int32_t kTilesAcross = 32;
 inline constexpr std::size_t kSlotCount = std::size_t{kTilesAcross} * kTilesAcross;
 inline constexpr std::int32_t kCellsAcross = kTilesAcross * kTileSide;
@@ -71,15 +71,15 @@ class Area {
         TileNumber{numeric::div_floor(cell.x, kTileSide), numeric::div_floor(cell.y, kTileSide)});
   }
 
-  // The tile of this area that lies at a slot.
+  // The tile of this area that lies at a slot. It wraps where the area would leave 32 bits.
   [[nodiscard]] constexpr TileNumber tile_at(std::size_t slot) const {
     constexpr std::uint32_t kMask = kTilesAcross - 1;
     const auto column = static_cast<std::uint32_t>(slot);
     const std::uint32_t row = column / kTilesAcross;
     const std::uint32_t right = (column - static_cast<std::uint32_t>(corner_.a)) & kMask;
     const std::uint32_t up = (row - static_cast<std::uint32_t>(corner_.b)) & kMask;
-    return {corner_.a + static_cast<std::int32_t>(right),
-            corner_.b + static_cast<std::int32_t>(up)};
+    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(corner_.a) + right),
+            static_cast<std::int32_t>(static_cast<std::uint32_t>(corner_.b) + up)};
   }
 
  private:

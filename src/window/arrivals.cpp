@@ -55,21 +55,20 @@ int count_around(const Rows& rows, std::size_t y, int x) {
 }  // namespace
 
 void Arrivals::find(const Window& window, const FrameEvidence& evidence) {
-  has_new_.fill(false);
-  has_open_.fill(false);
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    if (evidence.is_touched(slot)) {
-      find_new(window, evidence, slot);
-    }
+    find_new(window, evidence, slot);
   }
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    if (has_open_[slot]) {
-      count_new(window, slot);
-    }
+    find_moved(window, slot);
   }
 }
 
 void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot) {
+  has_new_[slot] = false;
+  has_open_[slot] = false;
+  if (!evidence.is_touched(slot)) {
+    return;
+  }
   moved_[slot] = Plane{};
   if (!window.is_known(slot) || !evidence.has_hit(slot)) {
     return;

@@ -21,11 +21,19 @@ class Arrivals {
   // Of all hits of a frame, before any tile is changed.
   void find(const Window& window, const FrameEvidence& evidence);
 
+  // The two steps of it, by slot. The second is asked when the first has been of every slot, and
+  // before the tile at the slot is changed. Each may be done again, and for several slots at once.
+  void find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot);
+  void find_moved(const Window& window, std::size_t slot) {
+    if (has_open_[slot]) {
+      count_new(window, slot);
+    }
+  }
+
   // The hits in the tile at this slot that have moved.
   [[nodiscard]] const Plane& moved(std::size_t slot) const { return moved_[slot]; }
 
  private:
-  void find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot);
   void count_new(const Window& window, std::size_t slot);
 
   // Of a tile without new hits, or without open ones, what is stored is of an older frame.

@@ -11,13 +11,24 @@ class EightBytes {
  public:
   static constexpr std::size_t kCount = 8;
 
+  [[nodiscard]] static EightBytes none() { return EightBytes(0); }
+
   [[nodiscard]] static EightBytes load(const std::int8_t* from) {
     std::uint64_t word = 0;
     __builtin_memcpy(&word, from, sizeof word);
     return EightBytes(word);
   }
 
+  void store(std::int8_t* to) const { __builtin_memcpy(to, &word_, sizeof word_); }
+
+  [[nodiscard]] EightBytes bit_or(EightBytes other) const {
+    return EightBytes(word_ | other.word_);
+  }
+
   [[nodiscard]] bool is_zero() const { return word_ == 0; }
+
+  // Whether one of them is below 0.
+  [[nodiscard]] bool has_negative() const { return (word_ & kTopBits) != 0; }
 
   // Whether one of them is above 0.
   [[nodiscard]] bool has_positive() const { return tops_of_positive() != 0; }

@@ -1,85 +1,111 @@
 // Ranges. A stored index is -127 ... 127, and so is one of a slice. Points are below 2^13 cells,
 // which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and 62 steps of at most
-// 2^16.
+// 2^16. Points that are eight steps apart are eight additions of one step apart, exactly. Eight
+// by eight cells reach 7 sqrt(2) cells far, and so are within a square of 11 cells of the grid.
 #include "window/frame_evidence.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "window/eight_bytes.hpp"
+#include "window/look_up.hpp"
 
 namespace iog::window {
 namespace {
 
-constexpr std::int32_t kLast = kTileSide - 1;
 constexpr std::int8_t kLeast = -127;
 constexpr std::int32_t kMost = 127;
 
-// The cells of the vehicle's grid in which the centres of a tile's cells lie at most: low and high
-// are both included.
+std::int32_t less(std::int32_t a) { return a < 0 ? a : 0; }
+std::int32_t more(std::int32_t a) { return a > 0 ? a : 0; }
+
+// The cells of one grid in which the centres of a rectangle of the other's cells lie at most: from
+// the image of its first cell to `low` and to `high`, both included.
 struct Reach {
-  geometry::Cell low;
-  geometry::Cell high;
+  FinePoint to_low;
+  FinePoint to_high;
 
-  static Reach of_tile(FinePoint first, FinePoint step) {
-    const std::int32_t along = kLast * step.x;
-    const std::int32_t aside = kLast * step.y;
-    const FinePoint low{first.x + less(along) - more(aside), first.y + less(aside) + less(along)};
-    const FinePoint high{first.x + more(along) - less(aside), first.y + more(aside) + more(along)};
-    return {low.cell(), high.cell()};
+  static Reach of_square(std::int32_t side, FinePoint step) { return of(side, side, step); }
+  static Reach of(std::int32_t columns, std::int32_t rows, FinePoint step) {
+    const FinePoint across{(columns - 1) * step.x, (columns - 1) * step.y};
+    const FinePoint up{-(rows - 1) * step.y, (rows - 1) * step.x};
+    return {.to_low = {less(across.x) + less(up.x), less(across.y) + less(up.y)},
+            .to_high = {more(across.x) + more(up.x), more(across.y) + more(up.y)}};
   }
 
-  [[nodiscard]] bool is_inside_grid() const {
-    return geometry::kGridArea.contains(low) && geometry::kGridArea.contains(high);
+  [[nodiscard]] geometry::Cell low(FinePoint first) const { return along_x(first, to_low).cell(); }
+  [[nodiscard]] geometry::Cell high(FinePoint first) const {
+    return along_x(first, to_high).cell();
   }
-
-  // Whether something is known in one of the grid's tiles that it touches.
-  [[nodiscard]] bool is_known(const SliceCells& slice) const {
-    constexpr auto kEnd = static_cast<std::int32_t>(geometry::kTilesPerSide);
-    const geometry::Cell first{more(low.x) / kTileSide, more(low.y) / kTileSide};
-    const geometry::Cell last{high.x >> geometry::kTileSideLog2, high.y >> geometry::kTileSideLog2};
-    for (std::int32_t y = first.y; y <= last.y && y < kEnd; ++y) {
-      for (std::int32_t x = first.x; x <= last.x && x < kEnd; ++x) {
-        const std::int32_t tile = y * kEnd + x;
-        if (slice.is_known(static_cast<std::size_t>(tile))) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
- private:
-  static std::int32_t less(std::int32_t a) { return a < 0 ? a : 0; }
-  static std::int32_t more(std::int32_t a) { return a > 0 ? a : 0; }
 };
 
-using Row = std::array<std::int8_t, geometry::kTileSide>;
+// Whether something is known in one of the grid's tiles that have a cell from low to high.
+bool is_known_between(const SliceCells& slice, geometry::Cell low, geometry::Cell high) {
+  const SliceCells::Extent& known = slice.extent();
+  const geometry::Cell first{std::max(low.x >> geometry::kTileSideLog2, known.low.x),
+                             std::max(low.y >> geometry::kTileSideLog2, known.low.y)};
+  const geometry::Cell last{std::min(high.x >> geometry::kTileSideLog2, known.high.x),
+                            std::min(high.y >> geometry::kTileSideLog2, known.high.y)};
+  for (std::int32_t y = first.y; y <= last.y; ++y) {
+    for (std::int32_t x = first.x; x <= last.x; ++x) {
+      if (slice.is_known(geometry::Cell{x, y})) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
 
-// The indexes that a row of the window's cells finds in the grid; 0 outside of it.
-template <bool kMayBeOutside>
-void look_up(const SliceCells& slice, FinePoint point, FinePoint step, Row& row) {
-  const std::int8_t* cells = slice.cells();
-  for (std::int8_t& index : row) {
-    const geometry::Cell cell = point.cell();
-    point = along_x(point, step);
-    if (kMayBeOutside && !geometry::kGridArea.contains(cell)) {
-      index = 0;
+constexpr std::int32_t kEight = EightBytes::kCount;
+static_assert(kEight == SliceCells::kBlockSide);
+
+void clear_block(std::size_t x, Band& band) {
+  for (std::size_t row = x; row < band.size(); row += geometry::kTileSide) {
+    EightBytes::none().store(&band[row]);
+  }
+}
+
+// The indexes that a band's cells find in the grid, all of them inside of it. Its blocks of eight
+// by eight cells are looked up where something may be known. False if it is nowhere.
+bool look_up_inside(const SliceCells& slice, const Reach& block, FinePoint first, FinePoint step,
+                    Band& found) {
+  bool is_known = false;
+  for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
+    const bool is_near = slice.is_known_near(block.low(first));
+    is_known = is_known || is_near;
+    if (is_near) {
+      look_up_block(slice, first, step, x, found);
     } else {
-      constexpr std::int32_t kStride = SliceCells::kStride;
-      index = cells[cell.y * kStride + cell.x];
+      clear_block(x, found);
+    }
+    first = {first.x + kEight * step.x, first.y + kEight * step.y};
+  }
+  return is_known;
+}
+
+// The same of any cells; outside of the grid all indexes are 0.
+void look_up_anywhere(const SliceCells& slice, FinePoint first, FinePoint step, Band& found) {
+  std::int8_t* out = found.data();
+  for (std::int32_t y = 0; y < kEight; ++y, first = along_y(first, step)) {
+    FinePoint point = first;
+    for (std::int32_t x = 0; x < kTileSide; ++x, point = along_x(point, step)) {
+      const geometry::Cell cell = point.cell();
+      *out++ = geometry::kGridArea.contains(cell)
+                   ? slice.cells()[cell.y * std::int32_t{SliceCells::kStride} + cell.x]
+                   : std::int8_t{0};
     }
   }
 }
 
 // The larger of `before` and kLeast - index plus the index is their sum, never less than kLeast,
 // and nothing on the way leaves eight bits.
-void join_free(const Row& row, std::int8_t* evidence) {
-  for (std::size_t x = 0; x < row.size(); ++x) {
-    const std::int8_t before = evidence[x];
-    const std::int8_t negative = row[x] < 0 ? row[x] : std::int8_t{0};
+void join_free(const Band& found, std::span<std::int8_t, kBandCells> evidence) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::int8_t before = evidence[i];
+    const std::int8_t negative = found[i] < 0 ? found[i] : std::int8_t{0};
     const std::int8_t index = before > 0 ? std::int8_t{0} : negative;
     const auto least = static_cast<std::int8_t>(kLeast - index);
-    evidence[x] = static_cast<std::int8_t>((before > least ? before : least) + index);
+    evidence[i] = static_cast<std::int8_t>((before > least ? before : least) + index);
   }
 }
 
@@ -91,73 +117,167 @@ void join_hit(std::int32_t index, std::int8_t& evidence) {
 
 void FrameEvidence::clear() {
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    clear(slot);
+  }
+}
+
+void FrameEvidence::clear(std::size_t slot) {
+  if (is_touched_[slot]) {
+    cells_[slot].fill(0);
+    has_hit_[slot] = false;
+    work::keep_order();
+    is_touched_[slot] = false;
+  }
+}
+
+void FrameEvidence::add(const SliceCells& slice, const Area& area, const Placement& at,
+                        const work::Crew& crew) {
+  const Adding adding(slice, area, at);
+  if (crew.is_one()) {
+    pull(adding, {});
+    push(adding, {});
+    return;
+  }
+  before_.begin();
+  crew.share(kRegionCount, [this, &adding](std::size_t item, std::size_t core) {
+    add_region(adding, item, core);
+  });
+}
+
+FrameEvidence::Region FrameEvidence::region_of(std::size_t item) {
+  const auto number = static_cast<std::int32_t>(item);
+  return {.low = {number % kRegionsAcross * kRegionAcross, number / kRegionsAcross * kRegionAcross},
+          .tiles_across = kRegionAcross};
+}
+
+void FrameEvidence::add_region(const Adding& adding, std::size_t item, std::size_t core) {
+  const Region region = region_of(item);
+  if (Before* const before = before_.of(core)) {
+    remember(adding, region, *before);
+    before_.keep(core, item);
+  } else if (const Before* const left = before_.of_lost(item)) {
+    put_back(adding, region, *left);
+  }
+  pull(adding, region);
+  push(adding, region);
+}
+
+void FrameEvidence::remember(const Adding& adding, const Region& region, Before& before) const {
+  for (std::size_t i = 0; i < kRegionTiles; ++i) {
+    const std::size_t slot = adding.slot_at(region.tile(i));
+    before.is_touched[i] = is_touched_[slot];
+    before.has_hit[i] = has_hit_[slot];
     if (is_touched_[slot]) {
-      is_touched_[slot] = false;
-      has_hit_[slot] = false;
-      cells_[slot].fill(0);
+      before.cells[i] = cells_[slot];
     }
   }
 }
 
-void FrameEvidence::pull(const SliceCells& slice, const Area& area, const CellMap& map) {
+void FrameEvidence::put_back(const Adding& adding, const Region& region, const Before& before) {
+  for (std::size_t i = 0; i < kRegionTiles; ++i) {
+    const std::size_t slot = adding.slot_at(region.tile(i));
+    is_touched_[slot] = before.is_touched[i];
+    has_hit_[slot] = before.has_hit[i];
+    cells_[slot] = before.is_touched[i] ? before.cells[i] : TileIndexes{};
+  }
+}
+
+void FrameEvidence::pull(const Adding& adding, const Region& region) {
+  const CellMap& map = adding.to_grid;
   const FinePoint step = map.step();
-  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    const TileNumber tile = area.tile_at(slot);
-    const geometry::Cell first_cell{(tile.a - area.corner().a) * kTileSide,
-                                    (tile.b - area.corner().b) * kTileSide};
-    FinePoint first = map.exact(first_cell);
-    const Reach reach = Reach::of_tile(first, step);
-    if (!reach.is_known(slice)) {
-      continue;
-    }
-    is_touched_[slot] = true;
-    const auto look_up_row = reach.is_inside_grid() ? look_up<false> : look_up<true>;
-    for (std::size_t y = 0; y < geometry::kTileSide; ++y, first = along_y(first, step)) {
-      Row row;
-      look_up_row(slice, first, step, row);
-      join_free(row, &cells_[slot][y * geometry::kTileSide]);
+  const Reach reach = Reach::of_square(kTileSide, step);
+  ExactPoint row = map.exactly({region.low.a * kTileSide, region.low.b * kTileSide});
+  for (std::int32_t b = 0; b < region.tiles_across; ++b, row = map.a_tile_along_y(row)) {
+    ExactPoint tile = row;
+    for (std::int32_t a = 0; a < region.tiles_across; ++a, tile = map.a_tile_along_x(tile)) {
+      const FinePoint first = tile.fine();
+      const geometry::Cell low = reach.low(first);
+      const geometry::Cell high = reach.high(first);
+      if (is_known_between(*adding.slice, low, high)) {
+        pull_tile(*adding.slice,
+                  geometry::kGridArea.contains(low) && geometry::kGridArea.contains(high), first,
+                  step, adding.slot_at({region.low.a + a, region.low.b + b}));
+      }
     }
   }
 }
 
-void FrameEvidence::push(const SliceCells& slice, const Area& area, const CellMap& map) {
-  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
-    if (slice.is_known(tile)) {
-      push_tile(slice, tile, area, map);
+void FrameEvidence::pull_tile(const SliceCells& slice, bool is_inside, FinePoint first,
+                              FinePoint step, std::size_t slot) {
+  const Reach block = Reach::of_square(kEight, step);
+  alignas(8) Band found;
+  const std::span cells = cells_[slot];
+  for (std::size_t at = 0; at < cells.size(); at += kBandCells) {
+    bool is_known = true;
+    if (is_inside) {
+      is_known = look_up_inside(slice, block, first, step, found);
+    } else {
+      look_up_anywhere(slice, first, step, found);
     }
+    if (is_known) {
+      is_touched_[slot] = true;
+      join_free(found, cells.subspan(at).first<kBandCells>());
+    }
+    first = {first.x - kEight * step.y, first.y + kEight * step.x};
   }
 }
 
-void FrameEvidence::push_tile(const SliceCells& slice, std::size_t tile, const Area& area,
-                              const CellMap& map) {
-  constexpr std::size_t kEight = EightBytes::kCount;
+void FrameEvidence::push(const Adding& adding, const Region& region) {
   constexpr auto kSide = static_cast<std::int32_t>(geometry::kTilesPerSide);
-  const auto number = static_cast<std::int32_t>(tile);
-  const geometry::Cell first{number % kSide * kTileSide, number / kSide * kTileSide};
-  const FinePoint step = map.step();
-  const std::int8_t* row = slice.cells() + SliceCells::first_of(tile);
-  FinePoint at_row = map.exact(first);
-  for (std::int32_t y = 0; y < kTileSide; ++y, row += SliceCells::kStride) {
+  const Reach reach = Reach::of_square(kTileSide, adding.to_window.step());
+  for (const std::uint16_t tile : adding.slice->hit_tiles()) {
+    const FinePoint first =
+        adding.to_window.exact({tile % kSide * kTileSide, tile / kSide * kTileSide});
+    if (region.meets(reach.low(first), reach.high(first))) {
+      push_tile(adding, tile, first, region);
+    }
+  }
+}
+
+void FrameEvidence::push_tile(const Adding& adding, std::size_t tile, FinePoint first,
+                              const Region& region) {
+  const FinePoint step = adding.to_window.step();
+  const Reach reach = Reach::of(kTileSide, std::int32_t{kBandRows}, step);
+  const SliceCells& slice = *adding.slice;
+  FinePoint at_band = first;
+  for (std::size_t band = 0; band < geometry::kTileSide / kBandRows; ++band) {
+    if (slice.may_be_hit(tile, band) && region.meets(reach.low(at_band), reach.high(at_band))) {
+      const std::int8_t* const row =
+          slice.cells() + SliceCells::first_of(tile) + band * kBandRows * SliceCells::kStride;
+      push_band(row, at_band, adding, region);
+    }
+    at_band = {at_band.x - std::int32_t{kBandRows} * step.y,
+               at_band.y + std::int32_t{kBandRows} * step.x};
+  }
+}
+
+void FrameEvidence::push_band(const std::int8_t* row, FinePoint at_row, const Adding& adding,
+                              const Region& region) {
+  const FinePoint step = adding.to_window.step();
+  const FinePoint eight_steps{kEight * step.x, kEight * step.y};
+  for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y, row += SliceCells::kStride) {
     FinePoint at = at_row;
     for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
       if (EightBytes::load(row + x).has_positive()) {
-        push_eight(row + x, at, step, area);
+        push_eight(row + x, at, adding, region);
       }
-      at = {at.x + std::int32_t{kEight} * step.x, at.y + std::int32_t{kEight} * step.y};
+      at = along_x(at, eight_steps);
     }
     at_row = along_y(at_row, step);
   }
 }
 
-void FrameEvidence::push_eight(const std::int8_t* indexes, FinePoint first, FinePoint step,
-                               const Area& area) {
-  for (std::size_t i = 0; i < EightBytes::kCount; ++i, first = along_x(first, step)) {
-    const geometry::Cell cell = first.cell();
-    if (indexes[i] <= 0 || !kWindowCells.contains(cell)) {
+void FrameEvidence::push_eight(const std::int8_t* indexes, FinePoint first, const Adding& adding,
+                               const Region& region) {
+  const FinePoint step = adding.to_window.step();
+  for (std::uint32_t left = EightBytes::load(indexes).positive(); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const geometry::Cell cell = FinePoint{first.x + i * step.x, first.y + i * step.y}.cell();
+    if (!region.contains(cell)) {
       continue;
     }
-    const std::size_t slot = slot_of({area.corner().a + (cell.x >> geometry::kTileSideLog2),
-                                      area.corner().b + (cell.y >> geometry::kTileSideLog2)});
+    const std::size_t slot =
+        adding.slot_at({cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2});
     constexpr std::uint32_t kInTile = kTileSide - 1;
     const auto x = static_cast<std::uint32_t>(cell.x) & kInTile;
     const auto y = static_cast<std::uint32_t>(cell.y) & kInTile;

@@ -9,6 +9,10 @@
 // negative ones. A byte is enough for both: what is above zero counts hits alone, and the first hit
 // erases what was pulled. Sums of one sign saturate alike in any order, so slices may come in any.
 // The window bounds it all: a byte for each of its cells, by slot, 1 MB.
+//
+// Several cores add a slice region by region of the window: whoever has a region pulls its tiles
+// and looks through the slice for what is pushed into it. One core alone takes all of the window as
+// one region.
 #pragma once
 
 #include <array>
@@ -19,6 +23,8 @@
 #include "window/area.hpp"
 #include "window/placement.hpp"
 #include "window/slice_cells.hpp"
+#include "work/before_images.hpp"
+#include "work/crew.hpp"
 
 namespace iog::window {
 
@@ -27,13 +33,12 @@ class FrameEvidence {
   using TileIndexes = std::array<std::int8_t, geometry::kTileCells>;
 
   // Adds a slice. The vehicle is inside of the area, which stays the same for a frame.
-  void add(const SliceCells& slice, const Area& area, const Placement& at) {
-    pull(slice, area, CellMap::to_grid(area, at));
-    push(slice, area, CellMap::to_window(area, at));
-  }
+  void add(const SliceCells& slice, const Area& area, const Placement& at,
+           const work::Crew& crew = work::Crew());
 
-  // Nothing is said of any cell.
+  // Nothing is said of any cell, and of any of the tile at a slot.
   void clear();
+  void clear(std::size_t slot);
 
   // Whether anything was said of a cell of the tile at this slot.
   [[nodiscard]] bool is_touched(std::size_t slot) const { return is_touched_[slot]; }
@@ -45,14 +50,78 @@ class FrameEvidence {
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
  private:
-  void pull(const SliceCells& slice, const Area& area, const CellMap& map);
-  void push(const SliceCells& slice, const Area& area, const CellMap& map);
-  void push_tile(const SliceCells& slice, std::size_t tile, const Area& area, const CellMap& map);
-  void push_eight(const std::int8_t* indexes, FinePoint first, FinePoint step, const Area& area);
+  // Some tiles of the window, counted from its lowest corner.
+  struct Region {
+    TileNumber low{};
+    std::int32_t tiles_across = kTilesAcross;
+
+    [[nodiscard]] bool contains(geometry::Cell cell) const {
+      const std::int32_t side = tiles_across * kTileSide;
+      return geometry::CellArea{side, side}.contains(
+          geometry::Cell{cell.x - low.a * kTileSide, cell.y - low.b * kTileSide});
+    }
+    [[nodiscard]] TileNumber tile(std::size_t i) const {
+      const auto number = static_cast<std::int32_t>(i);
+      return {low.a + number % tiles_across, low.b + number / tiles_across};
+    }
+    // Whether it may have a cell from low_cell to high_cell.
+    [[nodiscard]] bool meets(geometry::Cell low_cell, geometry::Cell high_cell) const {
+      return (high_cell.x >> geometry::kTileSideLog2) >= low.a &&
+             (low_cell.x >> geometry::kTileSideLog2) < low.a + tiles_across &&
+             (high_cell.y >> geometry::kTileSideLog2) >= low.b &&
+             (low_cell.y >> geometry::kTileSideLog2) < low.b + tiles_across;
+    }
+  };
+  // Of several cores: large enough that few hits are looked at for two of them, and so many that
+  // nobody waits long for the last.
+  static constexpr std::int32_t kRegionAcross = 4;
+  static constexpr std::int32_t kRegionsAcross = kTilesAcross / kRegionAcross;
+  static constexpr std::size_t kRegionCount = std::size_t{kRegionsAcross} * kRegionsAcross;
+  static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
+  static Region region_of(std::size_t item);
+
+  // A region before a slice was added to it. Of a tile that was not touched the cells were 0.
+  struct Before {
+    std::array<bool, kRegionTiles> is_touched{};
+    std::array<bool, kRegionTiles> has_hit{};
+    alignas(32) std::array<TileIndexes, kRegionTiles> cells{};
+  };
+
+  // A slice on its way into the window.
+  struct Adding {
+    Adding(const SliceCells& its_slice, const Area& its_area, const Placement& at)
+        : slice(&its_slice),
+          area(&its_area),
+          to_grid(CellMap::to_grid(its_area, at)),
+          to_window(CellMap::to_window(its_area, at)) {}
+
+    [[nodiscard]] std::size_t slot_at(TileNumber in_window) const {
+      return slot_of({area->corner().a + in_window.a, area->corner().b + in_window.b});
+    }
+
+    const SliceCells* slice;
+    const Area* area;
+    CellMap to_grid;
+    CellMap to_window;
+  };
+
+  void add_region(const Adding& adding, std::size_t item, std::size_t core);
+  void remember(const Adding& adding, const Region& region, Before& before) const;
+  void put_back(const Adding& adding, const Region& region, const Before& before);
+  void pull(const Adding& adding, const Region& region);
+  void pull_tile(const SliceCells& slice, bool is_inside, FinePoint first, FinePoint step,
+                 std::size_t slot);
+  void push(const Adding& adding, const Region& region);
+  void push_tile(const Adding& adding, std::size_t tile, FinePoint first, const Region& region);
+  void push_band(const std::int8_t* row, FinePoint at_row, const Adding& adding,
+                 const Region& region);
+  void push_eight(const std::int8_t* indexes, FinePoint first, const Adding& adding,
+                  const Region& region);
 
   alignas(32) std::array<TileIndexes, kSlotCount> cells_{};
   std::array<bool, kSlotCount> is_touched_{};
   std::array<bool, kSlotCount> has_hit_{};
+  work::BeforeImages<Before> before_;
 };
 
 }  // namespace iog::window

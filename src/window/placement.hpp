@@ -10,24 +10,24 @@
 
 #include "geometry/cell.hpp"
 #include "geometry/grid.hpp"
+#include "numeric/rotation.hpp"
 #include "pose/pose.hpp"
 #include "window/area.hpp"
 
 namespace iog::window {
 
-// Cosine and sine of a heading in 2^-30, each within +-2^30.
-struct Rotation {
-  std::int32_t cos_q30 = 1 << 30;
-  std::int32_t sin_q30 = 0;
-};
-
 // Where the vehicle is while a slice of a frame is measured.
 struct Placement {
   pose::Pose pose{};
-  Rotation rotation{};
+  numeric::Rotation rotation{};  // by the pose's heading
 };
 
+[[nodiscard]] inline Placement placement_of(const pose::Pose& pose) {
+  return {.pose = pose, .rotation = numeric::rotation_of(pose.heading)};
+}
+
 inline constexpr int kFineBits = 16;
+inline constexpr int kExactBits = 31;
 
 // A point in 2^-16 cells.
 struct FinePoint {
@@ -35,6 +35,17 @@ struct FinePoint {
   std::int32_t y = 0;
 
   [[nodiscard]] constexpr geometry::Cell cell() const { return {x >> kFineBits, y >> kFineBits}; }
+};
+
+// The same in 2^-31 cells.
+struct ExactPoint {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+
+  [[nodiscard]] constexpr FinePoint fine() const {
+    constexpr int kDropped = kExactBits - kFineBits;
+    return {static_cast<std::int32_t>(x >> kDropped), static_cast<std::int32_t>(y >> kDropped)};
+  }
 };
 
 class CellMap {
@@ -47,23 +58,28 @@ class CellMap {
   [[nodiscard]] static CellMap to_window(const Area& area, const Placement& at);
 
   // Where the centre of a cell lies; it is the first of a tile.
-  [[nodiscard]] FinePoint exact(geometry::Cell cell) const {
-    return {fine(x_ + 2 * (cos_ * cell.x - sin_ * cell.y)),
-            fine(y_ + 2 * (sin_ * cell.x + cos_ * cell.y))};
+  [[nodiscard]] FinePoint exact(geometry::Cell cell) const { return exactly(cell).fine(); }
+  [[nodiscard]] ExactPoint exactly(geometry::Cell cell) const {
+    return {x_ + 2 * (cos_ * cell.x - sin_ * cell.y), y_ + 2 * (sin_ * cell.x + cos_ * cell.y)};
+  }
+
+  // A tile further along x, and along y. Nothing is rounded.
+  [[nodiscard]] ExactPoint a_tile_along_x(ExactPoint at) const {
+    return {at.x + kTwoTiles * cos_, at.y + kTwoTiles * sin_};
+  }
+  [[nodiscard]] ExactPoint a_tile_along_y(ExactPoint at) const {
+    return {at.x - kTwoTiles * sin_, at.y + kTwoTiles * cos_};
   }
 
   // One cell further along x: so much. Along y: (-y, x).
   [[nodiscard]] FinePoint step() const { return {rounded(cos_), rounded(sin_)}; }
 
  private:
-  static constexpr int kExactBits = 31;
+  static constexpr std::int64_t kTwoTiles = 2 * std::int64_t{kTileSide};
 
   CellMap(std::int64_t x, std::int64_t y, std::int64_t cos_q30, std::int64_t sin_q30)
       : x_(x), y_(y), cos_(cos_q30), sin_(sin_q30) {}
 
-  static constexpr std::int32_t fine(std::int64_t exact) {
-    return static_cast<std::int32_t>(exact >> (kExactBits - kFineBits));
-  }
   static constexpr std::int32_t rounded(std::int64_t q30) {
     constexpr int kDropped = 30 - kFineBits;
     return static_cast<std::int32_t>((q30 + (1 << (kDropped - 1))) >> kDropped);

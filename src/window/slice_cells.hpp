@@ -1,40 +1,76 @@
-// The index grid of a slice row by row, so that a cell is found by one multiplication.
+// The index grid of a slice row by row, so that a cell is found by one multiplication, and where
+// something is known in it at all.
 //
 // It is a copy: a slice's cells are looked up four times as often as they are copied. Rows are
 // stored two cache lines longer than they are, otherwise the cells of a column would compete for a
 // few sets of a level 1 cache.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "geometry/cell.hpp"
 #include "geometry/grid.hpp"
+#include "work/crew.hpp"
 
 namespace iog::window {
 
 class SliceCells {
  public:
+  using TileIndexes = std::span<const std::int8_t, geometry::kTileCells>;
+
   static constexpr std::size_t kStride = geometry::kCellsPerSide + 64;
 
-  // Takes over a grid that is read like a grid::FrameView: is_touched(tile) and copy_tile(tile,
-  // cells), which is false if all of them are unknown. Before, all cells are unknown.
-  template <typename View>
-  void take(const View& view) {
-    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
-      if (view.is_touched(tile) && view.copy_tile(tile, tile_cells_)) {
-        take_tile(tile);
-      }
-    }
+  // Tiles are looked at in bands of so many rows, and in blocks of so many cells and rows.
+  static constexpr std::int32_t kBlockSide = 8;
+
+  // Takes over a tile of a grid, row by row from its lowest y. Before, all of its cells are
+  // unknown.
+  void take(std::size_t tile, TileIndexes indexes) {
+    copy(tile, indexes);
+    note(tile);
+  }
+  // The two steps of it: several cores may copy tiles at the same time, and copy one again; then
+  // each is noted once.
+  void copy(std::size_t tile, TileIndexes indexes);
+  void note(std::size_t tile);
+
+  // All cells are unknown again, each item done by any core.
+  void clear(const work::Crew& crew = work::Crew());
+
+  // Whether something is known in a tile of the grid, by number, or by column and row.
+  [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
+  [[nodiscard]] bool is_known(geometry::Cell tile) const {
+    return is_known_[static_cast<std::uint32_t>(tile.y) * geometry::kTilesPerSide +
+                     static_cast<std::uint32_t>(tile.x)];
   }
 
-  // All cells are unknown again.
-  void clear();
+  // Whether a cell of a tile may be hit, in the band of kBlockSide rows of this number.
+  [[nodiscard]] bool may_be_hit(std::size_t tile, std::size_t band) const {
+    return (hit_bands_[tile] >> band & 1U) != 0;
+  }
 
-  // Whether something is known in a tile of the grid.
-  [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
+  // The tiles in which a cell may be hit.
+  [[nodiscard]] std::span<const std::uint16_t> hit_tiles() const {
+    return std::span(hit_tiles_).first(hit_tile_count_);
+  }
+
+  // The tiles of the grid between which all are in which something is known, by column and row.
+  struct Extent {
+    geometry::Cell low{geometry::kTilesPerSide, geometry::kTilesPerSide};
+    geometry::Cell high{-1, -1};
+  };
+  [[nodiscard]] const Extent& extent() const { return extent_; }
+
+  // Whether something may be known in the square of 2 kBlockSide + 1 cells above and to the right
+  // of a cell of the grid, itself included.
+  [[nodiscard]] bool is_known_near(geometry::Cell low) const {
+    const auto x = static_cast<std::uint32_t>(low.x) / kBlockSide;
+    const auto y = static_cast<std::uint32_t>(low.y) / kBlockSide;
+    return is_near_[(y + kBlocksBefore) * kNearStride + x + kBlocksBefore] != 0;
+  }
 
   // The grid's cells, kStride from one row to the next.
   [[nodiscard]] const std::int8_t* cells() const { return cells_.data(); }
@@ -46,11 +82,29 @@ class SliceCells {
   }
 
  private:
-  void take_tile(std::size_t tile);
+  static constexpr std::size_t kBlocksAcross = geometry::kCellsPerSide / kBlockSide;
+  static constexpr std::size_t kBlocksBefore = 2;
+  static constexpr std::size_t kNearStride = kBlocksAcross + kBlocksBefore;
+
+  static constexpr std::size_t kBlocksOfTile = geometry::kTileSide / kBlockSide;
+  static_assert(kBlocksOfTile * kBlocksOfTile == 16);
+
+  void clear_tile(std::size_t tile);
+  void note_extent(std::size_t tile);
+  void note_known(std::size_t tile);
 
   alignas(32) std::array<std::int8_t, geometry::kCellsPerSide * kStride> cells_{};
-  alignas(8) std::array<std::int8_t, geometry::kTileCells> tile_cells_{};
   std::array<bool, geometry::kTileCount> is_known_{};
+  Extent extent_;
+  std::array<std::uint8_t, geometry::kTileCount> hit_bands_{};  // bit i: band i
+  // Bit 4 y + x: whether something is known in the block x, y of the tile.
+  std::array<std::uint16_t, geometry::kTileCount> known_blocks_{};
+  std::size_t hit_tile_count_ = 0;
+  std::array<std::uint16_t, geometry::kTileCount> hit_tiles_{};
+  // By block: whether something is known in it, or in one of the eight above and to the right.
+  // Blocks of the grid begin at (2, 2): the first two rows and columns are of blocks outside. Eight
+  // are written at once, the last of them behind the last row.
+  alignas(8) std::array<std::int8_t, kNearStride * kNearStride + kBlocksBefore> is_near_{};
 };
 
 }  // namespace iog::window

@@ -1,7 +1,8 @@
 // One tile of the window as it lies in memory: 32 by 32 cells aligned to the local frame.
 //
-// A tile of which nothing is known is all zeros, but for groups that were never aged: what they
-// hold means nothing, so that a tile is cleared without going through all of it.
+// A tile of which nothing is known is all zeros, but for groups that were never aged, which hold
+// nothing that means something, so that a tile is cleared without going through all of it, and for
+// what the map says of it.
 #pragma once
 
 #include <array>
@@ -9,18 +10,21 @@
 #include <cstdint>
 
 #include "ageing/clock.hpp"
+#include "decision/decision.hpp"
 #include "evidence/group.hpp"
 #include "geometry/tile.hpp"
 
 namespace iog::window {
 
-inline constexpr std::int32_t kTileSide = geometry::kTileSide;
 inline constexpr std::size_t kGroupsPerRow = geometry::kTileSide / evidence::kGroupCells;
 inline constexpr std::size_t kGroupsPerTile = geometry::kTileCells / evidence::kGroupCells;
 
 // A bit a cell: bit x of word y, y from the lowest.
 using Plane = std::array<std::uint32_t, geometry::kTileSide>;
 static_assert(geometry::kTileSide == 32);
+
+// What the map rules out in a tile, row by row from the lowest y.
+using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
 
 // What is asked of a cell's neighbourhood, as found when its group was last decided.
 struct Found {
@@ -47,11 +51,19 @@ struct Tile {
     return aged_at[group] != ageing::Clock::kNever;
   }
 
-  std::array<evidence::Group, kGroupsPerTile> groups{};  // row by row from the lowest y
+  // Row by row from the lowest y, and so is all that is by group.
+  alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
+  std::array<evidence::Taken, kGroupsPerTile> taken{};
+  // Apart from the masses: whoever sends the classes reads nothing else.
+  std::array<decision::Decided, kGroupsPerTile> decided{};
+  // What the map rules out, whether something is known or not: 0 where nobody knows the map.
+  TileRuledOut ruled_out{};
   // By group the clock's slots of its last ageing and of its last evidence (ageing/clock.hpp). Both
   // are none where nothing is known, the second also where the last evidence is long ago.
   std::array<std::uint8_t, kGroupsPerTile> aged_at{};
   std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
+  // Whether the group is known and `taken` of it all zeros.
+  std::array<bool, kGroupsPerTile> is_free_alone{};
   Found found{};
   Ground ground{};
 };
@@ -59,6 +71,8 @@ struct Tile {
 inline void Tile::clear() {
   aged_at.fill(ageing::Clock::kNever);
   evidence_at.fill(ageing::Clock::kNever);
+  is_free_alone.fill(false);
+  decided.fill({});
   found = {};
   ground = {};
 }

@@ -20,12 +20,6 @@ namespace iog::window {
 // frames are 4 ms apart or more.
 inline constexpr unsigned kLongAgoFrames = 32;
 
-// The evidence of a group in the frame that ended now.
-struct GroupEvidence {
-  evidence::Indexes indexes{};
-  std::uint8_t moved = 0;  // bit i is of cell i
-};
-
 // The bits of a group's cells in a plane.
 [[nodiscard]] inline std::uint8_t eight_of(const Plane& plane, std::size_t group) {
   return static_cast<std::uint8_t>(std::as_bytes(std::span(plane))[group]);
@@ -46,50 +40,76 @@ class TileUpdate {
     }
   }
 
-  // The group has evidence.
-  void fuse(Tile& tile, std::size_t group, const GroupEvidence& what) const {
-    if (tile.is_known(group)) {
-      age(tile, group);
-    } else {
-      tile.groups[group] = {};
-      tile.aged_at[group] = now_;
-    }
-    evidence::Group& cells = tile.groups[group];
+  // The group has evidence; bit i of `moved` is of cell i. Of one that was never aged nothing is
+  // left, whatever it holds.
+  void fuse(Tile& tile, std::size_t group, const evidence::Indexes& indexes,
+            std::uint8_t moved) const {
+    evidence::Free& free = tile.free[group];
+    evidence::Taken& taken = tile.taken[group];
+    const evidence::Fading& fading = clock_->since(tile.aged_at[group]);
     const evidence::Gains& gains = *gains_[tile.evidence_at[group]];
     if (assignment_ == nullptr) {
-      evidence::fuse(cells, what.indexes, what.moved, gains);
+      evidence::fuse(free, taken, fading, indexes, moved, gains);
     } else {
-      evidence::fuse(cells, what.indexes, what.moved, gains, *assignment_);
+      evidence::fuse(free, taken, fading, indexes, moved, gains, *assignment_);
     }
+    tile.aged_at[group] = now_;
     tile.evidence_at[group] = now_;
-    decide(tile, group, what.indexes);
+    decide(tile, group, indexes);
   }
 
-  // The group has none, unless it was fused in this frame. False if nothing was to do.
-  bool refresh(Tile& tile, std::size_t group) const {
-    if (!tile.is_known(group) || tile.aged_at[group] == now_) {
-      return false;
-    }
-    age(tile, group);
+  // Whether cross() may be called instead if no cell of the group is hit.
+  [[nodiscard]] bool needs_no_taken(const Tile& tile, std::size_t group) const {
+    return tile.is_free_alone[group] && assignment_ == nullptr;
+  }
+
+  // What fuse() does then.
+  void cross(Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
+    evidence::fuse_free(tile.free[group], clock_->since(tile.aged_at[group]), indexes,
+                        *gains_[tile.evidence_at[group]]);
+    tile.aged_at[group] = now_;
+    tile.evidence_at[group] = now_;
+    decide_free(tile, group, indexes);
+  }
+
+  // Whether something is known of the group, and it was not fused in this frame.
+  [[nodiscard]] bool is_old(const Tile& tile, std::size_t group) const {
+    return tile.is_known(group) && tile.aged_at[group] != now_;
+  }
+
+  // The group is old and has no evidence.
+  void refresh(Tile& tile, std::size_t group) const {
+    const evidence::Fading& fading = clock_->since(tile.aged_at[group]);
+    tile.aged_at[group] = now_;
     if (is_long_ago(tile.evidence_at[group])) {
       tile.evidence_at[group] = ageing::Clock::kNever;
     }
-    decide(tile, group, evidence::Indexes{});
-    return true;
+    if (tile.is_free_alone[group]) {
+      evidence::age_free(tile.free[group], fading);
+      decide_free(tile, group, evidence::Indexes{});
+    } else {
+      evidence::age(tile.free[group], tile.taken[group], fading);
+      decide(tile, group, evidence::Indexes{});
+    }
   }
 
  private:
-  void age(Tile& tile, std::size_t group) const {
-    evidence::age(tile.groups[group], clock_->since(tile.aged_at[group]));
-    tile.aged_at[group] = now_;
-  }
-
   static void decide(Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
-    const decision::Bits bits = decision::decide(tile.groups[group], indexes);
+    const decision::Bits bits = decision::decide(
+        tile.free[group], tile.taken[group], tile.ruled_out[group], indexes, tile.decided[group]);
+    tile.is_free_alone[group] = bits.held == 0;
     set_eight(tile.found.freed, group, bits.freed);
     set_eight(tile.found.seen, group, bits.seen);
     set_eight(tile.found.stands, group, bits.stands);
     set_eight(tile.found.taken, group, bits.taken);
+  }
+
+  // What stands and what is taken is none already.
+  static void decide_free(Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
+    const decision::FreeBits bits = decision::decide_free(tile.free[group], tile.ruled_out[group],
+                                                          indexes, tile.decided[group]);
+    set_eight(tile.found.freed, group, bits.freed);
+    set_eight(tile.found.seen, group, bits.seen);
   }
 
   [[nodiscard]] bool is_long_ago(std::uint8_t slot) const {

@@ -1,5 +1,8 @@
 #include "window/window.hpp"
 
+#include "window/eight_bytes.hpp"
+#include "work/before_images.hpp"
+
 namespace iog::window {
 
 void Window::follow(geometry::Cell vehicle) {
@@ -19,11 +22,33 @@ void Window::forget() {
   is_known_.fill(false);
 }
 
+void Window::rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
+  Tile& tile = tiles_[slot];
+  if (is_known_[slot]) {
+    rename(tile, ruled_out);
+  }
+  tile.ruled_out = ruled_out;
+}
+
+// A cell without a class has none whatever the map says, so that most masses need not be read.
+void Window::rename(Tile& tile, const TileRuledOut& ruled_out) {
+  constexpr evidence::Indexes kNoEvidence{};
+  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
+    decision::Decided& decided = tile.decided[group];
+    if (tile.ruled_out[group] != ruled_out[group] && !EightBytes::load(decided.data()).is_zero()) {
+      tile.ruled_out[group] = ruled_out[group];
+      static_cast<void>(decision::decide(tile.free[group], tile.taken[group], tile.ruled_out[group],
+                                         kNoEvidence, decided));
+    }
+  }
+}
+
 Tile& Window::open(std::size_t slot) {
   Tile& tile = tiles_[slot];
   if (!is_known_[slot]) {
-    is_known_[slot] = true;
     tile.clear();
+    work::keep_order();
+    is_known_[slot] = true;
   }
   return tile;
 }

@@ -35,6 +35,13 @@ class Window {
   // The tile at a slot, to be changed; unknown before if nothing was known of it.
   Tile& open(std::size_t slot);
 
+  // Nothing is known of the tile at a slot.
+  void close(std::size_t slot) { is_known_[slot] = false; }
+
+  // From now on the map rules this out in the tile at a slot, known or not, until it is said anew:
+  // its cells are renamed, by the masses of when they were decided. Nothing else changes.
+  void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
+
   // Of the tile at a slot and of those around it what `plane_of` gives, where is_there(slot) says
   // that it is; outside of the window, and where it is not, no bit is set.
   template <typename IsThere, typename PlaneOf>
@@ -60,6 +67,8 @@ class Window {
 
  private:
   static constexpr Plane kNothing{};
+
+  static void rename(Tile& tile, const TileRuledOut& ruled_out);
 
   Area area_;
   bool is_centred_ = false;

@@ -3,11 +3,14 @@
 // In a frame the window follows the vehicle, slices are added, and the frame is finished:
 //   1. what is asked of neighbours is answered from the state before the frame;
 //   2. groups with evidence age, take it in, and are decided;
-//   3. the tiles of which slot and number of frames are a multiple of 8 in sum are refreshed: its
-//   other groups age and are decided without evidence;
+//   3. the tiles of which slot and number of frames, since the first that was placed, are a
+//   multiple of 8 in sum are refreshed: its other groups age and are decided without evidence;
 //   4. if a slice was placed, the frame counts as fused, and the tiles of which slot and number of
 //      fused frames, this one included, are even in sum remember their ground.
 // Nothing depends on the order of slices or tiles.
+//
+// Each step is a round of its own, divided by tiles; ageing, evidence and refresh are one step of a
+// tile. What a step asks of neighbours, none of its items writes.
 //
 // A frame has a budget of groups. Those with hits are always fused; of the others those beyond the
 // budget are left, in the order of slots and numbers, and age.
@@ -17,37 +20,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "ageing/clock.hpp"
-#include "ageing/discounting.hpp"
-#include "ageing/gains.hpp"
-#include "evidence/assignment.hpp"
 #include "pose/pose.hpp"
 #include "window/arrivals.hpp"
 #include "window/frame_evidence.hpp"
 #include "window/placement.hpp"
+#include "window/rules.hpp"
 #include "window/slice_cells.hpp"
+#include "window/tile_before.hpp"
 #include "window/tile_update.hpp"
 #include "window/window.hpp"
 #include "window/window_view.hpp"
+#include "work/before_images.hpp"
+#include "work/crew.hpp"
 
 namespace iog::window {
-
-// Which hits on free ground are on something that moves.
-enum class Moved : std::uint8_t {
-  kOpenGround,  // window/arrivals.hpp
-  kLiteral,     // all of them (Kurdej 2015, section 5.2), for comparison
-};
-
-struct Rules {
-  ageing::Discounting discounting = ageing::Discounting::kConservative;
-  ageing::Weighing weighing = ageing::Weighing::kByTime;
-  // Masses by index; without it all hits have one mass. It outlives the fusion.
-  const evidence::Assignment* assignment = nullptr;
-  Moved moved = Moved::kOpenGround;
-  // Groups fused in a frame. As many as a frame has marks at most, so that hits fit.
-  std::uint32_t group_budget = 65'536;
-};
 
 // Every tile is refreshed once in so many frames.
 inline constexpr std::uint32_t kRefreshFrames = 8;
@@ -75,22 +64,29 @@ class WindowFusion {
   // and after forget(), slices are outside.
   void follow(const pose::Pose& pose);
 
-  // Adds the index grid of a slice, which is read like a grid::FrameView.
-  template <typename View>
-  void add(const View& slice, const Placement& at) {
-    if (!window_.is_centred() || !window_.area().contains(cell_of(at.pose))) {
-      ++counts_.slices_outside;
-      return;
-    }
-    cells_.take(slice);
-    evidence_.add(cells_, window_.area(), at);
-    cells_.clear();
-    ++counts_.slices;
-  }
+  // Takes a tile of the next slice's index grid, row by row from its lowest y.
+  void take(std::size_t tile, SliceCells::TileIndexes indexes) { cells_.take(tile, indexes); }
+
+  // The two steps of it: several cores may copy tiles, and copy one again; core 0 then notes each.
+  void copy(std::size_t tile, SliceCells::TileIndexes indexes) { cells_.copy(tile, indexes); }
+  void note(std::size_t tile) { cells_.note(tile); }
+
+  // Adds the slice of which the tiles were taken since the one before.
+  void add(const Placement& at, const work::Crew& crew = work::Crew());
 
   // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts
-  // as the newest.
-  FrameCounts finish(std::uint64_t stamp_us);
+  // as the newest. A frame without slices and without time changes nothing and is none.
+  FrameCounts finish(std::uint64_t stamp_us, const work::Crew& crew = work::Crew());
+
+  // What the map rules out in the tile at a slot: see Window. Names alone follow, and at once.
+  void rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
+    window_.rule_out(slot, ruled_out);
+  }
+
+  // Whether finish() makes a frame of what was added: it has a slice, or time has passed.
+  [[nodiscard]] bool is_frame(std::uint64_t stamp_us) const {
+    return counts_.slices > 0 || stamp_us > newest_us_;
+  }
 
   // Nothing is known of any cell, and nothing said in this frame. Time goes on.
   void forget();
@@ -99,13 +95,77 @@ class WindowFusion {
   [[nodiscard]] WindowView view() const { return {window_, refreshed_, clock_}; }
 
  private:
-  // How many groups without hits can be fused, or more than there are.
-  [[nodiscard]] std::uint32_t budget_without_hits() const;
-  void fuse_tile(const TileUpdate& update, std::size_t slot, std::uint32_t& budget);
-  void refresh_tile(const TileUpdate& update, std::size_t slot);
-  Tile& open(std::size_t slot);
-  void remember_tiles();
+  // Slots of which one core ends the frame together.
+  static constexpr std::size_t kSlotsInEach = 8;
+  using GroundBefore = std::array<Ground, kSlotsInEach>;
 
+  // Groups from one that is aged to the one whose memory is asked for meanwhile.
+  static constexpr std::size_t kGroupsAhead = 2;
+
+  // The groups of a tile that are fused, in rising order. Whoever makes it writes it. Behind the
+  // last one there is room for those who look ahead.
+  struct GroupList {
+    std::size_t count = 0;
+    std::array<std::uint8_t, kGroupsPerTile + kGroupsAhead> numbers;
+
+    void add(std::size_t group) { numbers[count++] = static_cast<std::uint8_t>(group); }
+  };
+
+  // Groups of the tile at a slot, in this frame.
+  struct SlotCounts {
+    std::uint8_t with_hits = 0;     // counted where evidence might not fit
+    std::uint8_t without_hits = 0;  // the same, if several cores fuse
+    std::uint8_t allowed = 0;       // so many of those without hits may be fused then
+    std::uint8_t fused = 0;
+    std::uint8_t left = 0;
+    std::uint8_t refreshed = 0;
+  };
+  static_assert(kGroupsPerTile <= 0xFF);
+
+  // Groups without hits that may be fused yet. Empty: all there are.
+  using Budget = std::optional<std::uint32_t>;
+
+  // Slots in rising order.
+  struct SlotList {
+    std::size_t count = 0;
+    std::array<std::uint16_t, kSlotCount> slots{};
+
+    void add(std::size_t slot) { slots[count++] = static_cast<std::uint16_t>(slot); }
+    [[nodiscard]] std::span<const std::uint16_t> all() const {
+      return std::span(slots).first(count);
+    }
+  };
+
+  void find_arrivals(const work::Crew& crew);
+  void count_groups(std::size_t slot, bool are_shared);
+  [[nodiscard]] Budget budget_without_hits() const;
+  void update_tiles(const work::Crew& crew);
+  void deal_out(Budget budget);
+  void put_back(std::size_t slot, const TileBefore& before);
+  // With a TileBefore whoever may have to do it again puts everything back.
+  template <typename... Before>
+  void update_tile(const TileUpdate& update, std::size_t slot, Budget& budget, Before&... before);
+  template <typename... Before>
+  void fuse_tile(const TileUpdate& update, std::size_t slot, Budget& budget, Before&... before);
+  template <typename... Before>
+  void fuse_groups(const TileUpdate& update, std::size_t slot, GroupList& groups,
+                   Before&... before);
+  template <typename... Before>
+  void refresh_tile(const TileUpdate& update, std::size_t slot, Before&... before);
+  [[nodiscard]] bool is_turn_to_refresh(std::size_t slot) const {
+    return (slot + frames_) % kRefreshFrames == 0;
+  }
+  Tile& open(std::size_t slot);
+  void end_tiles(const work::Crew& crew);
+  void end_slots(std::size_t item, std::size_t core, bool is_new_period);
+  void add_up();
+
+  // What is aligned to a cache line comes first.
+  work::BeforeImages<TileBefore> tiles_before_;
+  work::BeforeImages<GroundBefore> ground_before_;
+  FrameEvidence evidence_;
+  Window window_;
+  SliceCells cells_;
   Rules rules_;
   ageing::Clock clock_;
   std::uint32_t frames_ = 0;
@@ -115,10 +175,9 @@ class WindowFusion {
   std::array<std::optional<std::uint64_t>, 2> last_turns_{};
   FrameCounts counts_{};
   Refreshed refreshed_{};
-  SliceCells cells_;
-  FrameEvidence evidence_;
   Arrivals arrivals_;
-  Window window_;
+  SlotList due_;  // slots that this step is about
+  std::array<SlotCounts, kSlotCount> slot_counts_{};
 };
 inline constexpr std::size_t kWindowBytes = sizeof(WindowFusion);
 static_assert(geometry::kCellsPerSide > 1024 || kWindowBytes <= 17'000'000);

@@ -2,22 +2,30 @@
 
 #include <algorithm>
 
+#include "window/eight_bytes.hpp"
+
 namespace iog::window {
+
+std::optional<WindowView::ClassBytes> WindowView::class_bytes(std::size_t slot) const {
+  if (!window_->is_known(slot)) {
+    return std::nullopt;
+  }
+  const auto& groups = window_->tile(slot).decided;
+  const bool is_any = std::ranges::any_of(groups, [](const decision::Decided& decided) {
+    return !EightBytes::load(decided.data()).is_zero();
+  });
+  return is_any ? std::optional(std::as_bytes(std::span(groups))) : std::nullopt;
+}
 
 bool WindowView::copy_classes(std::size_t slot,
                               std::span<std::int8_t, geometry::kTileCells> to) const {
-  if (!window_->is_known(slot)) {
+  const std::optional<ClassBytes> classes = class_bytes(slot);
+  if (classes) {
+    std::ranges::copy(*classes, std::as_writable_bytes(to).begin());
+  } else {
     std::ranges::fill(to, std::int8_t{0});
-    return false;
   }
-  std::int8_t* out = to.data();
-  const Tile& tile = window_->tile(slot);
-  constexpr std::array<std::int8_t, evidence::kGroupCells> kUnknown{};
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    const auto& decided = tile.is_known(group) ? tile.groups[group].decided : kUnknown;
-    out = std::ranges::copy(decided, out).out;
-  }
-  return true;
+  return classes.has_value();
 }
 
 }  // namespace iog::window

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "ageing/clock.hpp"
@@ -19,18 +20,30 @@ class WindowView {
   WindowView(const Window& window, const Refreshed& refreshed, const ageing::Clock& clock)
       : window_(&window), refreshed_(&refreshed), clock_(&clock) {}
 
+  // Whether the window has a place; without one nothing is known.
+  [[nodiscard]] bool is_centred() const { return window_->is_centred(); }
+
   // Which tiles of the local frame the window has, and at which slots.
   [[nodiscard]] const Area& area() const { return window_->area(); }
 
   // Whether something was ever known of the tile at a slot. If not, all of its cells are unknown.
   [[nodiscard]] bool is_known(std::size_t slot) const { return window_->is_known(slot); }
 
-  // The class bytes of the tile at a slot, row by row from its lowest y. False if it is not known.
+  // All of the tile at a slot. If it is not known, what the map says of it, and nothing else.
+  [[nodiscard]] const Tile& tile(std::size_t slot) const { return window_->tile(slot); }
+
+  using ClassBytes = std::span<const std::byte, geometry::kTileCells>;
+
+  // The class bytes of the tile at a slot, row by row from its lowest y, as they lie in memory.
+  // Empty if no cell has a class.
+  [[nodiscard]] std::optional<ClassBytes> class_bytes(std::size_t slot) const;
+
+  // A copy of them. False if no cell has a class: all are 0 then.
   bool copy_classes(std::size_t slot, std::span<std::int8_t, geometry::kTileCells> to) const;
 
-  // How long ago the oldest of them was decided, in ms. Of a tile that is known.
-  [[nodiscard]] std::uint32_t age_ms(std::size_t slot) const {
-    return clock_->ms_since((*refreshed_)[slot]);
+  // How many frames ago the oldest of them was decided. Of a tile that is known.
+  [[nodiscard]] std::uint8_t age_frames(std::size_t slot) const {
+    return clock_->frames_since((*refreshed_)[slot]);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "decision/decision.hpp"
+#include "fakes/group.hpp"
 
 namespace iog::decision {
 namespace {
@@ -14,12 +15,18 @@ using evidence::Indexes;
 constexpr std::size_t kCell = 6;
 constexpr std::uint8_t kItsBit = 1U << kCell;
 
+Bits decided_bits(const Group& group, const Indexes& indexes) {
+  alignas(8) const RuledOut nothing{};
+  alignas(8) Decided decided;
+  return decide(group, nothing, indexes, decided);
+}
+
 // The bits of a group whose only known cell is kCell.
 Bits bits_of(const Group& cell, int index = 0) {
   Group group = cell;
   Indexes indexes{};
   indexes[kCell] = static_cast<index::OccupancyIndex>(index);
-  return decide(group, indexes);
+  return decided_bits(group, indexes);
 }
 
 Group free_cell(int mass) {
@@ -46,9 +53,9 @@ TEST(Seen, NeedsABeamInThisFrame) {
 TEST(Stands, IsAnAccumulatorAboveOneEighth) {
   Group group;
   group.persistence[kCell] = 4096;
-  EXPECT_EQ(bits_of(group), Bits{});
+  EXPECT_EQ(bits_of(group), (Bits{.held = kItsBit}));
   group.persistence[kCell] = 4097;
-  EXPECT_EQ(bits_of(group), (Bits{.stands = kItsBit}));
+  EXPECT_EQ(bits_of(group), (Bits{.stands = kItsBit, .held = kItsBit}));
 }
 
 TEST(Taken, IsOccupiedAboveOneQuarterByWhatever) {
@@ -56,9 +63,22 @@ TEST(Taken, IsOccupiedAboveOneQuarterByWhatever) {
   group.occupied[kCell] = 4096;
   group.moving[kCell] = 2048;
   group.standing[kCell] = 2048;
-  EXPECT_EQ(bits_of(group), Bits{});
+  EXPECT_EQ(bits_of(group), (Bits{.held = kItsBit}));
   group.standing[kCell] = 2049;
-  EXPECT_EQ(bits_of(group), (Bits{.taken = kItsBit}));
+  EXPECT_EQ(bits_of(group), (Bits{.taken = kItsBit, .held = kItsBit}));
+}
+
+// Whatever it is, and however little.
+TEST(Held, IsAnythingButFree) {
+  for (evidence::Masses evidence::Taken::*const masses :
+       {&evidence::Taken::occupied, &evidence::Taken::moving, &evidence::Taken::standing,
+        &evidence::Taken::persistence}) {
+    Group group;
+    group.free.fill(20'000);
+    EXPECT_EQ(decided_bits(group, {}).held, 0);
+    (group.*masses)[kCell] = 1;
+    EXPECT_EQ(decided_bits(group, {}).held, kItsBit);
+  }
 }
 
 TEST(Bits, AreThoseOfTheirCells) {
@@ -72,8 +92,8 @@ TEST(Bits, AreThoseOfTheirCells) {
     Indexes indexes{-1, -1, -1, -1, -1, -1, -1, -1};
     indexes[cell] = 2;
     const auto others = static_cast<std::uint8_t>(~bit);
-    EXPECT_EQ(decide(group, indexes),
-              (Bits{.freed = others, .seen = others, .stands = bit, .taken = bit}));
+    EXPECT_EQ(decided_bits(group, indexes),
+              (Bits{.freed = others, .seen = others, .stands = bit, .taken = bit, .held = bit}));
   }
 }
 

@@ -32,12 +32,14 @@ int decided(const Masses& masses, std::uint8_t mask = kAnywhere) {
   group.occupied.fill(masses.occupied);
   group.moving.fill(masses.moving);
   group.standing.fill(masses.standing);
-  group.ruled_out.fill(static_cast<std::uint8_t>(kAnywhere - mask));
-  decide(group, Indexes{});
-  for (const std::int8_t byte : group.decided) {
-    EXPECT_EQ(byte, group.decided[0]);
+  alignas(8) RuledOut ruled_out;
+  ruled_out.fill(static_cast<std::uint8_t>(kAnywhere - mask));
+  alignas(8) Decided decided;
+  decide(group, ruled_out, Indexes{}, decided);
+  for (const std::int8_t byte : decided) {
+    EXPECT_EQ(byte, decided[0]);
   }
-  return group.decided[0];
+  return decided[0];
 }
 
 int byte_of(Class name, int level) { return static_cast<int>(name) * 8 + level; }
@@ -122,10 +124,12 @@ TEST(Class, OfWhatIsOccupiedIsSureByAllThatIsTaken) {
 TEST(Class, IsNeverNamedByIgnorance) {
   tests::Random random(30);
   for (int i = 0; i < tests::effort(50'000, 5000); ++i) {
-    Group group = tests::random_group(random);
-    decide(group, Indexes{});
+    const Group group = tests::random_group(random);
+    alignas(8) const RuledOut ruled_out = tests::random_masks(random);
+    alignas(8) Decided decided;
+    decide(group, ruled_out, Indexes{}, decided);
     for (std::size_t j = 0; j < evidence::kGroupCells; ++j) {
-      const auto name = static_cast<Class>(group.decided[j] / 8);
+      const auto name = static_cast<Class>(decided[j] / 8);
       const int taken = group.occupied[j] + group.moving[j] + group.standing[j];
       const bool is_free =
           name == Class::kDrivable || name == Class::kNonDrivable || name == Class::kFree;
@@ -141,15 +145,17 @@ TEST(Class, IsThatOfTheReference) {
   tests::Random random(32);
   int compared = 0;
   for (int i = 0; i < tests::effort(50'000, 5000); ++i) {
-    Group group = tests::random_group(random);
-    decide(group, Indexes{});
+    const Group group = tests::random_group(random);
+    alignas(8) const RuledOut ruled_out = tests::random_masks(random);
+    alignas(8) Decided decided;
+    decide(group, ruled_out, Indexes{}, decided);
     for (std::size_t j = 0; j < evidence::kGroupCells; ++j) {
-      const unsigned mask = kAnywhere - group.ruled_out[j];
+      const unsigned mask = kAnywhere - ruled_out[j];
       const auto exact = reference_decision(tests::reference_cell(group, j), mask);
       if (exact.margin < kTwoUnits || exact.margin_of_sureness() < kTwoUnits) {
         continue;
       }
-      ASSERT_EQ(group.decided[j], exact.byte()) << "mask " << mask;
+      ASSERT_EQ(decided[j], exact.byte()) << "mask " << mask;
       ++compared;
     }
   }

@@ -44,19 +44,39 @@ TEST(EightCells, AreDecidedLikeEachOfThem) {
     if (random.one_in(4)) {
       push_to_a_level(random, group);
     }
-    const evidence::Group before = group;
     const evidence::Indexes indexes = tests::random_indexes(random);
-    const Bits bits = decide(group, indexes);
+    alignas(8) const RuledOut ruled_out = tests::random_masks(random);
+    alignas(8) Decided decided;
+    const Bits bits = decide(group, ruled_out, indexes, decided);
     for (std::size_t j = 0; j < evidence::kGroupCells; ++j) {
-      const evidence::Cell cell = evidence::cell_of(before, j);
-      ASSERT_EQ(group.decided[j], byte_of(verdict(cell, mask_of(before.ruled_out[j]))));
+      const evidence::Cell cell = evidence::cell_of(group, j);
+      ASSERT_EQ(decided[j], byte_of(verdict(cell, mask_of(ruled_out[j]))));
       ASSERT_EQ(bits.freed >> j & 1, cell.free > 16'384);
       ASSERT_EQ(bits.seen >> j & 1, indexes[j] < 0 && cell.free > 22'938);
       ASSERT_EQ(bits.stands >> j & 1, cell.persistence > 4096);
       ASSERT_EQ(bits.taken >> j & 1, cell.taken() > 8192);
-      ASSERT_EQ(evidence::cell_of(group, j), cell);
+      ASSERT_EQ(bits.held >> j & 1, cell.taken() > 0 || cell.persistence > 0);
     }
-    ASSERT_EQ(group.ruled_out, before.ruled_out);
+  }
+}
+
+TEST(EightCells, OfWhichNothingIsTakenAreDecidedLikeEachOfThem) {
+  tests::Random random(34);
+  for (int i = 0; i < kGroups; ++i) {
+    evidence::Free free;
+    for (std::int16_t& mass : free) {
+      mass = random.one_in(4) ? static_cast<std::int16_t>(16'383 + random.below(3))
+                              : tests::random_mass(random);
+    }
+    const evidence::Indexes indexes = tests::random_indexes(random);
+    alignas(8) const RuledOut ruled_out = tests::random_masks(random);
+    alignas(8) Decided decided;
+    const FreeBits bits = decide_free(free, ruled_out, indexes, decided);
+    for (std::size_t j = 0; j < evidence::kGroupCells; ++j) {
+      ASSERT_EQ(decided[j], byte_of(verdict({.free = free[j]}, mask_of(ruled_out[j]))));
+      ASSERT_EQ(bits.freed >> j & 1, free[j] > 16'384);
+      ASSERT_EQ(bits.seen >> j & 1, indexes[j] < 0 && free[j] > 22'938);
+    }
   }
 }
 

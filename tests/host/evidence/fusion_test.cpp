@@ -29,7 +29,7 @@ void for_each_fusion(std::uint64_t seed, Check&& check) {
     const Indexes indexes = tests::random_indexes(random);
     const auto moved = static_cast<std::uint8_t>(random.next());
     Group after = before;
-    fuse(after, indexes, moved, random_gains(random));
+    fuse(after, Fading{}, indexes, moved, random_gains(random));
     for (std::size_t j = 0; j < kGroupCells; ++j) {
       check(cell_of(before, j), cell_of(after, j), indexes[j], ((moved >> j) & 1) != 0);
     }
@@ -89,8 +89,8 @@ TEST(Fusion, OfAHitGivesTheConflictToOneOfTwoSets) {
   moved.free.fill(20'000);
   moved.occupied.fill(5000);
   Group flicker = moved;
-  fuse(moved, Indexes{2, 2, 2, 2, 2, 2, 2, 2}, 0xFF, gains);
-  fuse(flicker, Indexes{2, 2, 2, 2, 2, 2, 2, 2}, 0, gains);
+  fuse(moved, Fading{}, Indexes{2, 2, 2, 2, 2, 2, 2, 2}, 0xFF, gains);
+  fuse(flicker, Fading{}, Indexes{2, 2, 2, 2, 2, 2, 2, 2}, 0, gains);
   constexpr int kConflict = 20'000 * 28'416 / 32'768;
   EXPECT_EQ(moved.moving[3], kConflict - 1);  // times 32767 / 32768: what is not specialised
   EXPECT_EQ(flicker.moving[3], 0);
@@ -104,7 +104,7 @@ TEST(Fusion, HasABitForEachCell) {
   for (std::size_t cell = 0; cell < kGroupCells; ++cell) {
     Group group;
     group.free.fill(30'000);
-    fuse(group, Indexes{2, 2, 2, 2, 2, 2, 2, 2}, static_cast<std::uint8_t>(1U << cell),
+    fuse(group, Fading{}, Indexes{2, 2, 2, 2, 2, 2, 2, 2}, static_cast<std::uint8_t>(1U << cell),
          gains_of(40));
     for (std::size_t i = 0; i < kGroupCells; ++i) {
       EXPECT_EQ(group.moving[i] > 0, i == cell) << i;
@@ -115,7 +115,7 @@ TEST(Fusion, HasABitForEachCell) {
 // Free evidence of 100 ms in an unknown cell: f = floor(0.7 2^15) = 22937, of W = 32767.
 TEST(Fusion, OfFreeIntoTheUnknown) {
   Group group;
-  fuse(group, Indexes{-14}, 0, gains_of(100));
+  fuse(group, Fading{}, Indexes{-14}, 0, gains_of(100));
   EXPECT_EQ(cell_of(group, 0), (Cell{.free = 22'936}));  // 32767 * 22937 / 32768 = 22936.3
   EXPECT_EQ(cell_of(group, 1), Cell{});
 }
@@ -127,7 +127,7 @@ TEST(Fusion, OfFreeIntoTheUnknown) {
 //   part: 31 * 19661 / 32768 = 18.6; of O' 28415 * 18 / 32768 = 15.6 becomes standing
 TEST(Fusion, OfAHitIntoTheUnknown) {
   Group group;
-  fuse(group, Indexes{0, 0, 0, 0, 0, 0, 0, 2}, 0x80, gains_of(40));
+  fuse(group, Fading{}, Indexes{0, 0, 0, 0, 0, 0, 0, 2}, 0x80, gains_of(40));
   EXPECT_EQ(cell_of(group, 7), (Cell{.occupied = 28'400, .standing = 15, .persistence = 31}));
   EXPECT_EQ(cell_of(group, 6), Cell{});
 }
@@ -136,9 +136,9 @@ TEST(Fusion, OfAHitIntoTheUnknown) {
 // is why a hit is worth 0.87.
 TEST(Fusion, OfOneFreeFrameDoesNotEraseAHit) {
   Group group;
-  fuse(group, Indexes{2}, 0, gains_of(40));
+  fuse(group, Fading{}, Indexes{2}, 0, gains_of(40));
   age(group, Fading{31'415, 31'289, 31'415, 32'636, 32'636});
-  fuse(group, Indexes{-14}, 0, gains_of(40));
+  fuse(group, Fading{}, Indexes{-14}, 0, gains_of(40));
   EXPECT_GE(cell_of(group, 0).taken(), 1 << 14);
 }
 

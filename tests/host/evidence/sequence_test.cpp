@@ -72,7 +72,7 @@ class Pair {
   void fuse(int index, bool moved, std::uint32_t ms) {
     Indexes indexes{};
     indexes[kCell] = static_cast<index::OccupancyIndex>(index);
-    evidence::fuse(group_, indexes, moved ? 1U << kCell : 0,
+    evidence::fuse(group_, Fading{}, indexes, moved ? 1U << kCell : 0,
                    ageing::gains_after(ms, ageing::Weighing::kByTime));
     fuse_exactly(exact_, index, moved, ms);
   }
@@ -95,8 +95,10 @@ class Pair {
   }
 
   [[nodiscard]] int decided() {
-    decision::decide(group_, Indexes{});
-    return group_.decided[kCell] / 8;
+    alignas(8) const decision::RuledOut nothing{};
+    alignas(8) decision::Decided decided;
+    decision::decide(group_, nothing, Indexes{}, decided);
+    return decided[kCell] / 8;
   }
 
  private:
@@ -219,7 +221,7 @@ TEST(OneFrame, IsOffByAFewUnits) {
     const bool moved = random.one_in(2);
     Indexes indexes{};
     indexes.fill(static_cast<index::OccupancyIndex>(index));
-    fuse(after, indexes, moved ? 0xFF : 0, gains);
+    fuse(after, Fading{}, indexes, moved ? 0xFF : 0, gains);
     for (std::size_t j = 0; j < kGroupCells; ++j) {
       ReferenceCell exact = tests::reference_cell(before, j);
       fuse_exactly(exact, index, moved, ms);

@@ -43,6 +43,16 @@ TEST(Area, SlotsAreCountedRowByRow) {
   EXPECT_EQ(slot_of({64 + 3, -32 + 2}), 67U);
 }
 
+TEST(Area, TilesKeepTheirSlotsWhenItMoves) {
+  const Area before({10, -40});
+  const Area after({11, -40});
+  std::int32_t changed = 0;
+  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    changed += before.tile_at(slot) == after.tile_at(slot) ? 0 : 1;
+  }
+  EXPECT_EQ(changed, kTilesAcross) << "one column";
+}
+
 // Cells are floored: -1 mm is in cell -1.
 TEST(Area, ACellOfTheFrameBeginsAtItsLowerBorder) {
   EXPECT_EQ(cell_of(pose::Pose{.x_mm = 0, .y_mm = -1}), (Cell{0, -1}));

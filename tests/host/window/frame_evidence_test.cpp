@@ -10,7 +10,6 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
-#include "grid/frame_view.hpp"
 #include "window/exact_place.hpp"
 #include "window/slice.hpp"
 
@@ -30,7 +29,7 @@ class Evidence {
   explicit Evidence(const Area& area = kAroundOrigin) : area_(area) {}
 
   Evidence& add(const Slice& slice, const Placement& at) {
-    cells_->take(slice);
+    tests::hand_over(slice, *cells_);
     evidence_->add(*cells_, area_, at);
     cells_->clear();
     return *this;
@@ -43,7 +42,7 @@ class Evidence {
                           numeric::div_floor(cell.y, kTileSide)};
     const Cell in_tile{cell.x - tile.a * kTileSide, cell.y - tile.b * kTileSide};
     return evidence_->tile(
-        slot_of(tile))[static_cast<std::size_t>(in_tile.y * kTileSide + in_tile.x)];
+        slot_of(tile))[static_cast<std::uint32_t>(in_tile.y * kTileSide + in_tile.x)];
   }
 
   // '.' free, '#' hit, ' ' nothing.
@@ -132,21 +131,39 @@ TEST(FrameEvidence, HitsAreAddedAndEraseWhatIsFree) {
   EXPECT_EQ(evidence.at({0, 0}), 0);
 }
 
-// A frame's grid as it is fused is read as the slices of these tests are.
-TEST(FrameEvidence, TakesTheViewOfAFrame) {
-  const auto grid = std::make_unique<grid::BlockGrid>();
-  Slice slice;
-  slice.draw({kOrigin.x - 70, kOrigin.y + 31}, kScene);
-  slice.for_each([&](Cell cell, int index) {
-    grid->cell_at(grid::offset_of(cell)) = static_cast<std::int8_t>(index);
-    grid->touch(geometry::tile_of(cell));
-  });
-  const auto of_view = std::make_unique<SliceCells>();
-  of_view->take(grid::FrameView(*grid));
-  const auto of_slice = std::make_unique<SliceCells>();
-  of_slice->take(slice);
-  for (std::size_t i = 0; i < geometry::kCellsPerSide * SliceCells::kStride; ++i) {
-    ASSERT_EQ(of_view->cells()[i], of_slice->cells()[i]);
+// What is said to be nowhere near, and not to be hit, is not; and nothing is left behind.
+TEST(SliceCells, SayWhereSomethingIsKnown) {
+  const auto cells = std::make_unique<SliceCells>();
+  tests::Random random(3);
+  for (int time = 0; time < 20; ++time) {
+    Slice slice;
+    for (int i = 0; i < 40; ++i) {
+      slice.set({random.between(0, 1023), random.between(0, 1023)}, i % 2 == 0 ? -14 : 2);
+    }
+    tests::hand_over(slice, *cells);
+    std::size_t found = 0;
+    for (std::int32_t y = 0; y < 1024; ++y) {
+      for (std::int32_t x = 0; x < 1024; ++x) {
+        found += cells->cells()[static_cast<std::size_t>(y) * SliceCells::kStride +
+                                static_cast<std::size_t>(x)] != 0
+                     ? 1U
+                     : 0U;
+      }
+    }
+    slice.for_each([&](Cell cell, int index) {
+      --found;
+      EXPECT_TRUE(cells->is_known(geometry::tile_of(cell)));
+      for (std::int32_t away = 0; away < 64; ++away) {
+        const Cell low{std::max<std::int32_t>(cell.x - away % 8, 0),
+                       std::max<std::int32_t>(cell.y - away / 8, 0)};
+        ASSERT_TRUE(cells->is_known_near(low)) << cell.x << ' ' << cell.y << ' ' << away;
+      }
+      const auto band = static_cast<std::size_t>(cell.y) % geometry::kTileSide / 8;
+      EXPECT_TRUE(index < 0 || cells->may_be_hit(geometry::tile_of(cell), band));
+    });
+    EXPECT_EQ(found, 0U);
+    cells->clear();
+    EXPECT_FALSE(cells->is_known_near({random.between(0, 1023), random.between(0, 1023)}));
   }
 }
 
@@ -180,6 +197,7 @@ Slice random_slice(tests::Random& random, int cells, int reach) {
 TEST(FrameEvidence, NoOrderOfSlicesShows) {
   tests::Random random(4);
   std::vector<std::pair<Slice, Placement>> slices;
+  slices.reserve(4);
   for (int i = 0; i < 4; ++i) {
     slices.emplace_back(random_slice(random, 20'000, 60),
                         placed(random.between(-900, 900), random.between(-900, 900), 17.0 * i));

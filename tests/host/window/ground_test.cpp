@@ -77,7 +77,7 @@ class GroundOf : public testing::Test {
 
   // The vehicle's grid lies on the window's cells, so hits are where they are set.
   void find_moved() {
-    cells_->take(hits_);
+    tests::hand_over(hits_, *cells_);
     evidence_->clear();
     evidence_->add(*cells_, window_->area(), {.pose = middle_});
     cells_->clear();

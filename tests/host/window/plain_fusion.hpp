@@ -17,6 +17,7 @@
 #include "ageing/gains.hpp"
 #include "decision/decision.hpp"
 #include "evidence/fusion.hpp"
+#include "fakes/group.hpp"
 #include "window/area.hpp"
 #include "window/flat_ground.hpp"
 #include "window/slice.hpp"
@@ -30,6 +31,8 @@ struct PlacedSlice {
 
 struct PlainGroup {
   evidence::Group masses{};
+  decision::RuledOut ruled_out{};
+  decision::Decided decided{};
   std::optional<std::uint64_t> aged_ms;
   std::optional<std::uint64_t> evidence_ms;
 };
@@ -37,7 +40,7 @@ struct PlainGroup {
 struct PlainTile {
   std::array<PlainGroup, 128> groups{};
   std::array<GroundCell, geometry::kTileCells> ground{};
-  std::uint64_t refreshed_ms = 0;
+  std::uint32_t refreshed_frame = 0;
 };
 
 class PlainFusion {
@@ -65,9 +68,11 @@ class PlainFusion {
   }
 
   [[nodiscard]] const Tiles& tiles() const { return tiles_; }
-  [[nodiscard]] std::uint64_t now_ms() const { return now_us_ / 1000; }
+  [[nodiscard]] std::uint32_t frames() const { return frames_; }
 
  private:
+  [[nodiscard]] std::uint64_t now_ms() const { return now_us_ / 1000; }
+
   using Evidence = std::map<std::pair<std::int32_t, std::int32_t>, int>;  // by y, x
   using Moved = std::map<std::pair<std::int32_t, std::int32_t>, bool>;
   static constexpr std::int32_t kSide = geometry::kTileSide;
@@ -149,7 +154,9 @@ class PlainFusion {
   }
 
   static void decide(PlainTile& tile, std::size_t group, const evidence::Indexes& indexes) {
-    const decision::Bits bits = decision::decide(tile.groups[group].masses, indexes);
+    PlainGroup& eight = tile.groups[group];
+    const decision::Bits bits =
+        decision::decide(eight.masses, eight.ruled_out, indexes, eight.decided);
     for (std::size_t i = 0; i < indexes.size(); ++i) {
       GroundCell& cell = tile.ground[group * indexes.size() + i];
       cell.freed = (bits.freed >> i & 1) != 0;
@@ -180,7 +187,7 @@ class PlainFusion {
     for (const auto& [number, groups] : tiles) {
       const auto [place, is_new] = tiles_.try_emplace(number);
       if (is_new) {
-        place->second.refreshed_ms = now_ms();
+        place->second.refreshed_frame = frames_;
       }
       for (const auto& [group, what] : groups) {
         fuse_group(place->second, group, what);
@@ -193,7 +200,8 @@ class PlainFusion {
     age(group);
     const std::uint64_t since = group.evidence_ms ? now_ms() - *group.evidence_ms : 100;
     const auto gain_ms = static_cast<std::size_t>(std::clamp<std::uint64_t>(since, 1, 100));
-    evidence::fuse(group.masses, what.indexes, what.moved, ageing::kGainsByTime[gain_ms]);
+    evidence::fuse(group.masses, evidence::Fading{}, what.indexes, what.moved,
+                   ageing::kGainsByTime[gain_ms]);
     group.evidence_ms = now_ms();
     decide(tile, number, what.indexes);
     fused_groups_.push_back(&group);
@@ -204,7 +212,7 @@ class PlainFusion {
       if ((window::slot_of({number.second, number.first}) + frames_) % 8 != 0) {
         continue;
       }
-      tile.refreshed_ms = now_ms();
+      tile.refreshed_frame = frames_;
       for (std::size_t group = 0; group < tile.groups.size(); ++group) {
         PlainGroup& which = tile.groups[group];
         if (which.aged_ms && std::ranges::find(fused_groups_, &which) == fused_groups_.end()) {

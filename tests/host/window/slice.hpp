@@ -1,4 +1,4 @@
-// The index grid of a slice for tests, read like a grid::FrameView, and headings as rotations.
+// The index grid of a slice for tests, and headings as rotations.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class Slice {
   }
   [[nodiscard]] int at(geometry::Cell cell) const {
     const auto tile = tiles_.find(geometry::tile_of(cell));
-    return tile == tiles_.end() ? 0 : tile->second[in_tile(cell)];
+    return tile == tiles_.end() ? 0 : int{tile->second[in_tile(cell)]};
   }
 
   // All cells that are not 0: visit(cell, index).
@@ -36,7 +36,7 @@ class Slice {
       for (std::int32_t i = 0; i < kSide * kSide; ++i) {
         const geometry::Cell cell{tile % kTiles * kSide + i % kSide,
                                   tile / kTiles * kSide + i / kSide};
-        if (const int index = cells[static_cast<std::size_t>(i)]; index != 0) {
+        if (const int index{cells[static_cast<std::size_t>(i)]}; index != 0) {
           visit(cell, index);
         }
       }
@@ -60,27 +60,34 @@ class Slice {
     return *this;
   }
 
-  // As grid::FrameView.
-  [[nodiscard]] bool is_touched(std::size_t tile) const { return tiles_.contains(tile); }
-  bool copy_tile(std::size_t tile, std::span<std::int8_t, geometry::kTileCells> to) const {
-    const auto found = tiles_.find(tile);
-    if (found == tiles_.end()) {
-      return false;
+  // As grid::FrameFusion: visit(tile, indexes) for each tile in which a cell is not 0.
+  template <typename Visit>
+  void release(Visit&& visit) const {
+    for (const auto& [tile, indexes] : tiles_) {
+      if (std::ranges::any_of(indexes, [](std::int8_t index) { return index != 0; })) {
+        visit(tile, std::span<const std::int8_t, geometry::kTileCells>(indexes));
+      }
     }
-    std::ranges::copy(found->second, to.begin());
-    return std::ranges::any_of(found->second, [](std::int8_t index) { return index != 0; });
   }
 
  private:
   static std::size_t in_tile(geometry::Cell cell) {
-    constexpr std::int32_t kSide = geometry::kTileSide;
-    return static_cast<std::size_t>(cell.y % kSide * kSide + cell.x % kSide);
+    constexpr std::uint32_t kSide = geometry::kTileSide;
+    const std::uint32_t x = static_cast<std::uint32_t>(cell.x) % kSide;
+    const std::uint32_t y = static_cast<std::uint32_t>(cell.y) % kSide;
+    return std::size_t{y} * kSide + x;
   }
 
   std::map<std::size_t, std::array<std::int8_t, geometry::kTileCells>> tiles_;
 };
 
-inline window::Rotation rotation_of(double degrees) {
+// Gives a slice to whoever takes it tile by tile.
+template <typename Taker>
+void hand_over(const Slice& slice, Taker& taker) {
+  slice.release([&taker](std::size_t tile, auto indexes) { taker.take(tile, indexes); });
+}
+
+inline numeric::Rotation rotation_of(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   constexpr double kOne = 1 << 30;
   return {static_cast<std::int32_t>(std::round(std::cos(angle) * kOne)),

@@ -1,190 +1,16 @@
-// The window in time against plain loops, and laws: order, refresh, budget, forgetting.
+// The window in time, by its laws: refresh, budget, forgetting, periods.
 #include "window/window_fusion.hpp"
 
+#include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 #include <memory>
-#include <utility>
 #include <vector>
 
-#include "fakes/effort.hpp"
-#include "fakes/random.hpp"
-#include "window/plain_fusion.hpp"
-#include "window/slice.hpp"
+#include "window/frames.hpp"
 
 namespace iog::window {
 namespace {
-
-using geometry::Cell;
-using tests::GroundCell;
-using tests::PlacedSlice;
-using tests::Slice;
-using ClassBytes = std::array<std::int8_t, geometry::kTileCells>;
-
-constexpr std::uint64_t kFrameUs = 40'000;
-
-Placement at_cell(Cell vehicle) {
-  return tests::placed(vehicle.x * geometry::kCellMm, vehicle.y * geometry::kCellMm);
-}
-
-decision::Class class_of(std::int8_t byte) { return static_cast<decision::Class>(byte / 8); }
-
-// A window that is given whole frames.
-class Fusion {
- public:
-  explicit Fusion(const Rules& rules = {}) : fusion_(std::make_unique<WindowFusion>(rules)) {}
-
-  FrameCounts frame(const std::vector<PlacedSlice>& slices, std::uint64_t stamp_us) {
-    for (const auto& [slice, vehicle] : slices) {
-      fusion_->add(slice, at_cell(vehicle));
-    }
-    return fusion_->finish(stamp_us);
-  }
-  // A frame every 40 ms.
-  FrameCounts frame(const std::vector<PlacedSlice>& slices) {
-    now_us_ += kFrameUs;
-    return frame(slices, now_us_);
-  }
-  void follow(Cell vehicle) { fusion_->follow(at_cell(vehicle).pose); }
-  void forget() { fusion_->forget(); }
-
-  [[nodiscard]] WindowView view() const { return fusion_->view(); }
-
-  [[nodiscard]] decision::Class class_at(Cell cell) const {
-    const TileNumber tile{numeric::div_floor(cell.x, kTileSide),
-                          numeric::div_floor(cell.y, kTileSide)};
-    ClassBytes bytes;
-    view().copy_classes(slot_of(tile), bytes);
-    const std::int32_t in_tile =
-        (cell.y - tile.b * kTileSide) * kTileSide + cell.x - tile.a * kTileSide;
-    return class_of(bytes[static_cast<std::size_t>(in_tile)]);
-  }
-
-  [[nodiscard]] std::vector<ClassBytes> classes() const {
-    std::vector<ClassBytes> tiles(kSlotCount);
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      view().copy_classes(slot, tiles[slot]);
-    }
-    return tiles;
-  }
-  [[nodiscard]] std::size_t known_tiles() const {
-    std::size_t known = 0;
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      known += view().is_known(slot) ? 1U : 0U;
-    }
-    return known;
-  }
-
- private:
-  std::unique_ptr<WindowFusion> fusion_;
-  std::uint64_t now_us_ = 0;
-};
-
-// A street in cells of the local frame: a wall that flickers, and a block that comes along.
-struct Street {
-  Cell origin;
-
-  // What a beam finds in a cell: above 0 a hit.
-  [[nodiscard]] int look(Cell cell, int frame, tests::Random& random) const {
-    const Cell at{cell.x - origin.x, cell.y - origin.y};
-    const Cell block{5 * frame - 30, -14};
-    const bool is_wall = at.y >= 12 && at.y <= 13 && at.x % 17 != 0;
-    const bool is_block =
-        at.x >= block.x && at.x < block.x + 6 && at.y >= block.y && at.y < block.y + 4;
-    if (is_wall || is_block) {
-      return random.one_in(4) ? -14 : 2;
-    }
-    return at.y > 13 || random.one_in(9) ? 0 : -14;
-  }
-};
-
-struct DrivenFrame {
-  Cell vehicle;
-  std::vector<PlacedSlice> slices;
-  std::uint64_t stamp_us = 0;
-};
-
-// What a vehicle sees within three metres: three slices a frame, each from a cell further on.
-// Frames come every 40 ms, once nothing is placed, and once there is a gap.
-std::vector<DrivenFrame> drive(Cell start, int frames) {
-  constexpr std::int32_t kReach = 30;
-  tests::Random random(77);
-  const Street street{start};
-  std::vector<DrivenFrame> drive;
-  std::uint64_t stamp_us = 1'000'000'000'000;
-  for (int number = 0; number < frames; ++number) {
-    const int more_us = number == 20 ? 700'123 : number % 7;
-    stamp_us += number == 5 ? 0 : kFrameUs + static_cast<std::uint64_t>(more_us);
-    DrivenFrame frame{.vehicle = {start.x + 4 * number, start.y + number % 3},
-                      .slices = {},
-                      .stamp_us = stamp_us};
-    if (number >= frames * 2 / 3 && number < frames * 2 / 3 + 3) {
-      frame.vehicle.x += 700;  // beyond all that was seen, and back
-    }
-    for (std::int32_t i = 0; i < 3 && number != 9; ++i) {
-      frame.slices.push_back({.slice = {}, .vehicle = {frame.vehicle.x + i, frame.vehicle.y}});
-    }
-    for (std::int32_t i = 0; i < 4 * kReach * kReach && !frame.slices.empty(); ++i) {
-      const Cell at{i % (2 * kReach) - kReach, i / (2 * kReach) - kReach};
-      const Cell cell{frame.vehicle.x + at.x, frame.vehicle.y + at.y};
-      PlacedSlice& seen_by = frame.slices[random.below(3)];
-      seen_by.slice.set({geometry::kOriginCell + cell.x - seen_by.vehicle.x,
-                         geometry::kOriginCell + cell.y - seen_by.vehicle.y},
-                        street.look(cell, number, random));
-    }
-    drive.push_back(std::move(frame));
-  }
-  return drive;
-}
-
-constexpr Cell kStart{-3'000'017, 2'000'039};
-
-TEST(WindowFusion, ADriveIsWhatPlainLoopsMakeOfIt) {
-  const auto fusion = std::make_unique<WindowFusion>();
-  tests::PlainFusion plain;
-  int moving = 0;
-  int standing = 0;
-  for (const DrivenFrame& frame : drive(kStart, tests::effort(48, 14))) {
-    fusion->follow(at_cell(frame.vehicle).pose);
-    plain.follow(frame.vehicle);
-    for (const auto& [slice, vehicle] : frame.slices) {
-      fusion->add(slice, at_cell(vehicle));
-    }
-    fusion->finish(frame.stamp_us);
-    plain.frame(frame.slices, frame.stamp_us);
-    std::size_t known = 0;
-    for (const auto& [number, tile] : plain.tiles()) {
-      const std::size_t slot = slot_of({number.second, number.first});
-      ClassBytes bytes;
-      ASSERT_TRUE(fusion->view().copy_classes(slot, bytes));
-      for (std::size_t i = 0; i < bytes.size(); ++i) {
-        ASSERT_EQ(int{bytes[i]}, int{tile.groups[i / 8].masses.decided[i % 8]}) << frame.stamp_us;
-        moving += class_of(bytes[i]) == decision::Class::kMoving ? 1 : 0;
-        standing += class_of(bytes[i]) == decision::Class::kStoppedOrUnmapped ? 1 : 0;
-      }
-      ASSERT_EQ(fusion->view().age_ms(slot), plain.now_ms() - tile.refreshed_ms);
-      ++known;
-    }
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      known -= fusion->view().is_known(slot) ? 1U : 0U;
-    }
-    ASSERT_EQ(known, 0U);
-  }
-  EXPECT_GT(moving, tests::effort(100, 10));
-  EXPECT_GT(standing, tests::effort(100, 0) - 1);
-}
-
-TEST(WindowFusion, NoOrderOfSlicesShows) {
-  Fusion forward;
-  Fusion backward;
-  for (DrivenFrame& frame : drive(kStart, 12)) {
-    forward.follow(frame.vehicle);
-    backward.follow(frame.vehicle);
-    const FrameCounts counts = forward.frame(frame.slices, frame.stamp_us);
-    std::ranges::reverse(frame.slices);
-    ASSERT_EQ(backward.frame(frame.slices, frame.stamp_us), counts);
-    ASSERT_TRUE(forward.classes() == backward.classes());
-  }
-}
 
 // One cell free in one frame, in each of many tiles.
 std::vector<PlacedSlice> free_cells(int tiles) {
@@ -204,10 +30,49 @@ TEST(WindowFusion, EveryKnownTileIsRefreshedWithinEightFrames) {
   for (int frame = 1; frame <= 80; ++frame) {
     refreshed += fusion.frame({}).groups_refreshed;
     for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      ASSERT_TRUE(!fusion.view().is_known(slot) || fusion.view().age_ms(slot) <= 7 * 40);
+      ASSERT_TRUE(!fusion.view().is_known(slot) || fusion.view().age_frames(slot) <= 7);
     }
   }
   EXPECT_EQ(refreshed, 144U * 10);
+}
+
+// A drive is the same however long the target was idle before it.
+TEST(WindowFusion, FramesBeforeTheFirstThatIsPlacedDoNotShow) {
+  const auto play = [](int idle_frames) {
+    const auto fusion = std::make_unique<WindowFusion>();
+    for (int frame = 0; frame < idle_frames; ++frame) {
+      fusion->finish(static_cast<std::uint64_t>(frame) * 40'000);
+    }
+    fusion->follow(at_cell({0, 0}).pose);
+    std::vector<std::vector<ClassBytes>> frames;
+    for (std::uint64_t frame = 0; frame < 30; ++frame) {
+      for (const auto& [slice, vehicle] :
+           frame < 3 ? free_cells(144) : std::vector<PlacedSlice>{}) {
+        tests::hand_over(slice, *fusion);
+        fusion->add(at_cell(vehicle));
+      }
+      fusion->finish(1'000'000 + frame * 40'000);
+      auto& tiles = frames.emplace_back(kSlotCount);
+      for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+        fusion->view().copy_classes(slot, tiles[slot]);
+      }
+    }
+    return frames;
+  };
+  EXPECT_EQ(play(0), play(3));
+}
+
+// Nor do frames in which neither evidence nor time has come.
+TEST(WindowFusion, AFrameWithoutSlicesAndWithoutTimeChangesNothing) {
+  Fusion fusion;
+  fusion.follow({0, 0});
+  fusion.frame(free_cells(144), 40'000);
+  const auto before = fusion.classes();
+  for (int frame = 0; frame < 10; ++frame) {
+    EXPECT_EQ(fusion.frame({}, 40'000), FrameCounts{});
+    EXPECT_EQ(fusion.classes(), before);
+  }
+  EXPECT_EQ(fusion.view().age_frames(slot_of({0, 0})), 0);
 }
 
 // f = 0.7, tau = 0.949 s: 0.7 exp(-t / tau) is one half at 0.32 s.
@@ -324,12 +189,14 @@ TEST(WindowFusion, EvidenceOfTheFrameIsForgottenToo) {
   const auto fusion = std::make_unique<WindowFusion>();
   const Placement at = at_cell({0, 0});
   fusion->follow(at.pose);
-  fusion->add(free_cells(144)[0].slice, at);
+  tests::hand_over(free_cells(144)[0].slice, *fusion);
+  fusion->add(at);
   fusion->forget();
   fusion->follow(at.pose);
   Slice one;
   one.set({512, 512}, 2);
-  fusion->add(one, at);
+  tests::hand_over(one, *fusion);
+  fusion->add(at);
   const FrameCounts counts = fusion->finish(kFrameUs);
   EXPECT_EQ(counts.slices, 1U);
   EXPECT_EQ(counts.groups_fused, 1U);
@@ -359,6 +226,41 @@ TEST(WindowFusion, AnOlderStampCountsAsTheNewest) {
     same.frame(free_cells(12), newest);
     ASSERT_TRUE(late.classes() == same.classes());
   }
+}
+
+// Every second column of a square is free, so that it is open but never dense, in four frames of
+// each period of 480 ms. Then two cells are hit at once.
+decision::Class hit_after(const std::vector<std::uint64_t>& periods) {
+  Fusion fusion;
+  fusion.follow({0, 0});
+  PlacedSlice stripes;
+  for (std::int32_t i = 0; i < 30 * 30; i += 2) {
+    stripes.slice.set({512 + i % 30, 512 + i / 30}, -14);
+  }
+  std::uint64_t newest_us = 0;
+  for (const std::uint64_t period : periods) {
+    for (std::uint64_t frame = 1; frame <= 4; ++frame) {
+      const std::uint64_t stamp_us = (1000 + period) * kPeriodUs + frame * kFrameUs;
+      fusion.frame({stripes}, stamp_us);
+      newest_us = std::max(newest_us, stamp_us);
+    }
+  }
+  PlacedSlice hits;
+  hits.slice.set({512 + 14, 512 + 14}, 2);
+  hits.slice.set({512 + 16, 512 + 15}, 2);
+  fusion.frame({hits}, newest_us + kFrameUs);
+  EXPECT_EQ(fusion.class_at({14, 14}), fusion.class_at({16, 15}));
+  return fusion.class_at({14, 14});
+}
+
+TEST(WindowFusion, GroundIsWellKnownWhenFoundOpenInThreeMorePeriods) {
+  EXPECT_EQ(hit_after({0, 1, 2}), decision::Class::kOccupied);
+  EXPECT_EQ(hit_after({0, 1, 2, 3}), decision::Class::kMoving);
+  EXPECT_EQ(hit_after({0, 0, 0, 0}), decision::Class::kOccupied);
+}
+
+TEST(WindowFusion, NoPeriodBeginsWhileStampsGoBack) {
+  EXPECT_EQ(hit_after({0, 1, 2, 0, 1, 2}), decision::Class::kOccupied);
 }
 
 // Kurdej 2015, section 5.2: whatever is hit where it was free has moved. In one frame on free

@@ -13,8 +13,8 @@ using geometry::Cell;
 
 // Writes a tile's own numbers into it, so that it is recognised.
 void sign(Tile& tile, TileNumber number) {
-  tile.groups[7].free[3] = static_cast<std::int16_t>(number.a & 0x7FFF);
-  tile.groups[127].persistence[7] = static_cast<std::int16_t>(number.b & 0x7FFF);
+  tile.free[7][3] = static_cast<std::int16_t>(number.a & 0x7FFF);
+  tile.taken[127].persistence[7] = static_cast<std::int16_t>(number.b & 0x7FFF);
   for (Plane* plane :
        {&tile.found.freed, &tile.found.seen, &tile.found.stands, &tile.found.taken,
         &tile.ground.open, &tile.ground.dense, &tile.ground.ticks_low, &tile.ground.ticks_high}) {
@@ -22,21 +22,23 @@ void sign(Tile& tile, TileNumber number) {
   }
   tile.aged_at.fill(5);
   tile.evidence_at.fill(6);
+  tile.is_free_alone.fill(true);
 }
 
 bool is_signed(const Tile& tile, TileNumber number) {
-  return tile.groups[7].free[3] == (number.a & 0x7FFF) &&
-         tile.groups[127].persistence[7] == (number.b & 0x7FFF);
+  return tile.free[7][3] == (number.a & 0x7FFF) &&
+         tile.taken[127].persistence[7] == (number.b & 0x7FFF);
 }
 
 bool is_unknown(const Tile& tile) {
   constexpr Plane kNothing{};
   const std::array<std::uint8_t, kGroupsPerTile> never{};
-  return tile.aged_at == never && tile.evidence_at == never && tile.found.freed == kNothing &&
-         tile.found.seen == kNothing && tile.found.stands == kNothing &&
-         tile.found.taken == kNothing && tile.ground.open == kNothing &&
-         tile.ground.dense == kNothing && tile.ground.ticks_low == kNothing &&
-         tile.ground.ticks_high == kNothing;
+  const std::array<bool, kGroupsPerTile> no{};
+  return tile.aged_at == never && tile.evidence_at == never && tile.is_free_alone == no &&
+         tile.found.freed == kNothing && tile.found.seen == kNothing &&
+         tile.found.stands == kNothing && tile.found.taken == kNothing &&
+         tile.ground.open == kNothing && tile.ground.dense == kNothing &&
+         tile.ground.ticks_low == kNothing && tile.ground.ticks_high == kNothing;
 }
 
 // A window of which all tiles are known.

@@ -1,0 +1,36 @@
+// By which rules a window is kept: part of a vehicle's description.
+#pragma once
+
+#include <cstdint>
+
+#include "ageing/discounting.hpp"
+#include "ageing/gains.hpp"
+#include "evidence/assignment.hpp"
+
+namespace iog::window {
+
+// Which hits on free ground are on something that moves.
+enum class Moved : std::uint8_t {
+  kOpenGround,  // window/arrivals.hpp
+  kLiteral,     // all of them (Kurdej 2015, section 5.2), for comparison
+};
+
+// What a group with evidence takes a Cortex-A9 at 1 GHz to age, fuse and decide, by the nominal
+// cost model, rounded up (docs/results.md, "The perception grid in time").
+inline constexpr std::uint32_t kGroupCycles = 500;
+
+// Groups that are fused in a frame: not more than a core gets done in the 40 ms of a frame. A frame
+// with classes has no more marks (app/frame_packets.hpp), so that hits always fit.
+inline constexpr std::uint32_t kGroupBudget = 65'536;
+static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
+
+struct Rules {
+  ageing::Discounting discounting = ageing::Discounting::kConservative;
+  ageing::Weighing weighing = ageing::Weighing::kByTime;
+  // Masses by index; without it all hits have one mass. Of static storage.
+  const evidence::Assignment* assignment = nullptr;
+  Moved moved = Moved::kOpenGround;
+  std::uint32_t group_budget = kGroupBudget;
+};
+
+}  // namespace iog::window

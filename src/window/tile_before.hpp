@@ -1,0 +1,71 @@
+// A tile before a frame changed it, for whoever has to do that again: group by group what says how
+// it goes on. Everything else that a frame writes into a tile follows from that.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "window/tile.hpp"
+#include "work/before_images.hpp"
+
+namespace iog::window {
+
+class TileBefore {
+ public:
+  // Before the first group.
+  void begin(bool is_known) {
+    is_known_ = is_known;
+    count_ = 0;
+  }
+
+  // Before a group is changed, and once. Masses that mean nothing are left out: those of a group
+  // that was never aged, and what is taken where all of it is free.
+  void keep(const Tile& tile, std::size_t group) {
+    Group& kept = groups_[count_];
+    kept.number = static_cast<std::uint8_t>(group);
+    kept.aged_at = tile.aged_at[group];
+    kept.evidence_at = tile.evidence_at[group];
+    kept.is_free_alone = tile.is_free_alone[group];
+    if (tile.is_known(group)) {
+      kept.free = tile.free[group];
+    }
+    if (tile.is_known(group) && !tile.is_free_alone[group]) {
+      kept.taken = tile.taken[group];
+    }
+    work::keep_order();
+    ++count_;
+    work::keep_order();
+  }
+
+  // Whether anything was known of the tile. If not, nothing of it has to be put back.
+  [[nodiscard]] bool is_known() const { return is_known_; }
+
+  void put_back(Tile& tile) const {
+    for (const Group& kept : std::span(groups_).first(count_)) {
+      const std::size_t group = kept.number;
+      tile.aged_at[group] = kept.aged_at;
+      tile.evidence_at[group] = kept.evidence_at;
+      tile.is_free_alone[group] = kept.is_free_alone;
+      tile.free[group] = kept.free;
+      tile.taken[group] = kept.is_free_alone ? evidence::Taken{} : kept.taken;
+    }
+  }
+
+ private:
+  struct Group {
+    evidence::Taken taken{};
+    evidence::Free free{};
+    std::uint8_t number = 0;
+    std::uint8_t aged_at = 0;
+    std::uint8_t evidence_at = 0;
+    bool is_free_alone = false;
+  };
+
+  bool is_known_ = false;
+  std::size_t count_ = 0;
+  std::array<Group, kGroupsPerTile> groups_{};
+};
+
+}  // namespace iog::window

@@ -1,0 +1,81 @@
+// A window that is given whole frames, and is asked for classes of cells.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "window/plain_fusion.hpp"
+#include "window/slice.hpp"
+#include "window/window_fusion.hpp"
+
+namespace iog::window {
+
+using geometry::Cell;
+using tests::PlacedSlice;
+using tests::Slice;
+using ClassBytes = std::array<std::int8_t, geometry::kTileCells>;
+
+inline constexpr std::uint64_t kFrameUs = 40'000;
+
+inline Placement at_cell(Cell vehicle) {
+  return tests::placed(vehicle.x * geometry::kCellMm, vehicle.y * geometry::kCellMm);
+}
+
+inline decision::Class class_of(std::int8_t byte) { return static_cast<decision::Class>(byte / 8); }
+
+// A window that is given whole frames.
+class Fusion {
+ public:
+  explicit Fusion(const Rules& rules = {}) : fusion_(std::make_unique<WindowFusion>(rules)) {}
+
+  FrameCounts frame(const std::vector<PlacedSlice>& slices, std::uint64_t stamp_us) {
+    for (const auto& [slice, vehicle] : slices) {
+      tests::hand_over(slice, *fusion_);
+      fusion_->add(at_cell(vehicle));
+    }
+    return fusion_->finish(stamp_us);
+  }
+  // A frame every 40 ms.
+  FrameCounts frame(const std::vector<PlacedSlice>& slices) {
+    now_us_ += kFrameUs;
+    return frame(slices, now_us_);
+  }
+  void follow(Cell vehicle) { fusion_->follow(at_cell(vehicle).pose); }
+  void forget() { fusion_->forget(); }
+
+  [[nodiscard]] WindowView view() const { return fusion_->view(); }
+
+  [[nodiscard]] decision::Class class_at(Cell cell) const {
+    const TileNumber tile{numeric::div_floor(cell.x, kTileSide),
+                          numeric::div_floor(cell.y, kTileSide)};
+    ClassBytes bytes;
+    view().copy_classes(slot_of(tile), bytes);
+    const std::int32_t in_tile =
+        (cell.y - tile.b * kTileSide) * kTileSide + cell.x - tile.a * kTileSide;
+    return class_of(bytes[static_cast<std::size_t>(in_tile)]);
+  }
+
+  [[nodiscard]] std::vector<ClassBytes> classes() const {
+    std::vector<ClassBytes> tiles(kSlotCount);
+    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+      view().copy_classes(slot, tiles[slot]);
+    }
+    return tiles;
+  }
+  [[nodiscard]] std::size_t known_tiles() const {
+    std::size_t known = 0;
+    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+      known += view().is_known(slot) ? 1U : 0U;
+    }
+    return known;
+  }
+
+ private:
+  std::unique_ptr<WindowFusion> fusion_;
+  std::uint64_t now_us_ = 0;
+};
+
+}  // namespace iog::window

@@ -1,0 +1,127 @@
+// A drive in the window against plain loops, and against itself with its slices the other way
+// round.
+#include <gtest/gtest.h>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "fakes/effort.hpp"
+#include "fakes/random.hpp"
+#include "window/frames.hpp"
+#include "window/plain_fusion.hpp"
+#include "window/window_fusion.hpp"
+
+namespace iog::window {
+namespace {
+
+// A street in cells of the local frame: a wall that flickers, and a block that comes along.
+struct Street {
+  Cell origin;
+
+  // What a beam finds in a cell: above 0 a hit.
+  [[nodiscard]] int look(Cell cell, int frame, tests::Random& random) const {
+    const Cell at{cell.x - origin.x, cell.y - origin.y};
+    const Cell block{5 * frame - 30, -14};
+    const bool is_wall = at.y >= 12 && at.y <= 13 && at.x % 17 != 0;
+    const bool is_block =
+        at.x >= block.x && at.x < block.x + 6 && at.y >= block.y && at.y < block.y + 4;
+    if (is_wall || is_block) {
+      return random.one_in(4) ? -14 : 2;
+    }
+    return at.y > 13 || random.one_in(9) ? 0 : -14;
+  }
+};
+
+struct DrivenFrame {
+  Cell vehicle;
+  std::vector<PlacedSlice> slices;
+  std::uint64_t stamp_us = 0;
+};
+
+// What a vehicle sees within three metres: three slices a frame, each from a cell further on.
+// Frames come every 40 ms, once nothing is placed, and once there is a gap.
+std::vector<DrivenFrame> drive(Cell start, int frames) {
+  constexpr std::int32_t kReach = 30;
+  tests::Random random(77);
+  const Street street{start};
+  std::vector<DrivenFrame> drive;
+  std::uint64_t stamp_us = 1'000'000'000'000;
+  for (int number = 0; number < frames; ++number) {
+    const int more_us = number == 20 ? 700'123 : number % 7;
+    stamp_us += number == 5 ? 0 : kFrameUs + static_cast<std::uint64_t>(more_us);
+    DrivenFrame frame{.vehicle = {start.x + 4 * number, start.y + number % 3},
+                      .slices = {},
+                      .stamp_us = stamp_us};
+    if (number >= frames * 2 / 3 && number < frames * 2 / 3 + 3) {
+      frame.vehicle.x += 700;  // beyond all that was seen, and back
+    }
+    for (std::int32_t i = 0; i < 3 && number != 9; ++i) {
+      frame.slices.push_back({.slice = {}, .vehicle = {frame.vehicle.x + i, frame.vehicle.y}});
+    }
+    for (std::int32_t i = 0; i < 4 * kReach * kReach && !frame.slices.empty(); ++i) {
+      const Cell at{i % (2 * kReach) - kReach, i / (2 * kReach) - kReach};
+      const Cell cell{frame.vehicle.x + at.x, frame.vehicle.y + at.y};
+      PlacedSlice& seen_by = frame.slices[random.below(3)];
+      seen_by.slice.set({geometry::kOriginCell + cell.x - seen_by.vehicle.x,
+                         geometry::kOriginCell + cell.y - seen_by.vehicle.y},
+                        street.look(cell, number, random));
+    }
+    drive.push_back(std::move(frame));
+  }
+  return drive;
+}
+
+constexpr Cell kStart{-3'000'017, 2'000'039};
+
+TEST(WindowFusion, ADriveIsWhatPlainLoopsMakeOfIt) {
+  const auto fusion = std::make_unique<WindowFusion>();
+  tests::PlainFusion plain;
+  int moving = 0;
+  int standing = 0;
+  for (const DrivenFrame& frame : drive(kStart, tests::effort(48, 14))) {
+    fusion->follow(at_cell(frame.vehicle).pose);
+    plain.follow(frame.vehicle);
+    for (const auto& [slice, vehicle] : frame.slices) {
+      tests::hand_over(slice, *fusion);
+      fusion->add(at_cell(vehicle));
+    }
+    fusion->finish(frame.stamp_us);
+    plain.frame(frame.slices, frame.stamp_us);
+    std::size_t known = 0;
+    for (const auto& [number, tile] : plain.tiles()) {
+      const std::size_t slot = slot_of({number.second, number.first});
+      ClassBytes bytes;
+      const bool is_classified = fusion->view().copy_classes(slot, bytes);
+      ASSERT_EQ(is_classified, std::ranges::any_of(bytes, [](auto byte) { return byte != 0; }));
+      for (std::size_t i = 0; i < bytes.size(); ++i) {
+        ASSERT_EQ(int{bytes[i]}, int{tile.groups[i / 8].decided[i % 8]}) << frame.stamp_us;
+        moving += class_of(bytes[i]) == decision::Class::kMoving ? 1 : 0;
+        standing += class_of(bytes[i]) == decision::Class::kStoppedOrUnmapped ? 1 : 0;
+      }
+      ASSERT_EQ(fusion->view().age_frames(slot), plain.frames() - tile.refreshed_frame);
+      ++known;
+    }
+    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+      known -= fusion->view().is_known(slot) ? 1U : 0U;
+    }
+    ASSERT_EQ(known, 0U);
+  }
+  EXPECT_GT(moving, tests::effort(100, 10));
+  EXPECT_GT(standing, tests::effort(100, 0) - 1);
+}
+
+TEST(WindowFusion, NoOrderOfSlicesShows) {
+  Fusion forward;
+  Fusion backward;
+  for (DrivenFrame& frame : drive(kStart, 12)) {
+    forward.follow(frame.vehicle);
+    backward.follow(frame.vehicle);
+    const FrameCounts counts = forward.frame(frame.slices, frame.stamp_us);
+    std::ranges::reverse(frame.slices);
+    ASSERT_EQ(backward.frame(frame.slices, frame.stamp_us), counts);
+    ASSERT_TRUE(forward.classes() == backward.classes());
+  }
+}
+
+}  // namespace
+}  // namespace iog::window
