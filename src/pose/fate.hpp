@@ -13,7 +13,7 @@ enum class Fate : std::uint8_t {
   kUnconfirmed,   // of a run that is not believed yet; it waits for the next ones
   kStranger,      // not from the sender that the description names
   kTooShort,      // shorter than a message
-  kNotOurs,       // another service, event or message type
+  kNotOurs,       // another SOME/IP, service, event or message type
   kWrongVersion,  // of the interface, or of the content
   kDamaged,       // wrong CRC, data id or length of what the CRC covers
   kWrongLength,   // the content is not as long as it says

@@ -145,6 +145,12 @@ void History::pass(std::uint64_t now_us) {
   }
 }
 
+void History::pass_silence(std::uint64_t target_us) {
+  if (unbroken_ > 0) {
+    pass(target_us - entry(0).offset_us);
+  }
+}
+
 Cause History::cause_before_the_oldest() const { return is_whole_ ? began_by_ : Cause::kLate; }
 
 Placed History::pose_at(std::uint64_t time_us) const {

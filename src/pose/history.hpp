@@ -44,6 +44,10 @@ class History {
   // now. Whether the source is lost shows here, or else when its next message comes.
   void pass(std::uint64_t now_us);
 
+  // So much time has passed by the target's clock, and nothing else says how much it was: since the
+  // newest message came.
+  void pass_silence(std::uint64_t target_us);
+
   // The pose of a time: between two messages on the straight way; after the newest, at most kLateUs
   // after it, moved by its speed and yaw rate. kLost: nothing has come since the last break; kJump,
   // kRestart: the time is before the break; kLate, kImprecise. Before the first message it is

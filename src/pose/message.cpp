@@ -1,45 +1,14 @@
 #include "pose/message.hpp"
 
 #include "pose/limits.hpp"
-#include "wire/byte_reader.hpp"
-#include "wire/byte_writer.hpp"
+#include "pose/wire_format.hpp"
+#include "protection/believed.hpp"
 
 namespace iog::pose {
 namespace {
 
 constexpr std::uint8_t kContentVersion = 1;
 constexpr std::uint8_t kFlagMap = 0x01;
-
-void write_pose(const Pose& pose, wire::ByteWriter& out) {
-  out.i32_be(pose.x_mm);
-  out.i32_be(pose.y_mm);
-  out.u32_be(pose.heading);
-}
-
-Pose read_pose(wire::ByteReader& in) {
-  Pose pose;
-  pose.x_mm = in.i32_be();
-  pose.y_mm = in.i32_be();
-  pose.heading = in.u32_be();
-  return pose;
-}
-
-void write_sigma(const Sigma& sigma, wire::ByteWriter& out) {
-  out.u16_be(sigma.position_mm);
-  out.u16_be(sigma.heading_10urad);
-}
-
-Sigma read_sigma(wire::ByteReader& in) {
-  Sigma sigma;
-  sigma.position_mm = in.u16_be();
-  sigma.heading_10urad = in.u16_be();
-  return sigma;
-}
-
-// What stands where no transform is known: zeros, the standard deviations too.
-constexpr MapTransform kNoMap{
-    .sigma = {.position_mm = 0, .heading_10urad = 0},
-};
 
 constexpr bool is_within(std::int32_t value, std::int32_t most) {
   return value >= -most && value <= most;
@@ -51,22 +20,6 @@ constexpr bool is_within(const Pose& pose) {
 
 constexpr bool has_sigma(const Sigma& sigma) {
   return sigma.position_mm != 0 && sigma.heading_10urad != 0;
-}
-
-Fate fate_of(const protection::Received& received) {
-  switch (received.header) {
-    case protection::SomeIpStatus::kTooShort:
-    case protection::SomeIpStatus::kTooLong:
-      return Fate::kDamaged;
-    case protection::SomeIpStatus::kNotOurs:
-    case protection::SomeIpStatus::kWrongType:
-      return Fate::kNotOurs;
-    case protection::SomeIpStatus::kWrongVersion:
-      return Fate::kWrongVersion;
-    case protection::SomeIpStatus::kOk:
-      break;
-  }
-  return received.check == protection::CheckStatus::kError ? Fate::kDamaged : Fate::kUsed;
 }
 
 // What the fields say of themselves, in the order of docs/spec.md.
@@ -102,10 +55,7 @@ Decoded decode_content(std::span<const std::byte> content) {
   message.sigma = read_sigma(in);
   message.speed_mm_per_s = in.i32_be();
   message.yaw_urad_per_s = in.i32_be();
-  MapTransform map;
-  map.origin = in.u64_be();
-  map.local_frame = read_pose(in);
-  map.sigma = read_sigma(in);
+  const MapTransform map = read_map_transform(in);
   const std::uint32_t reserved = in.u32_be();
   if ((flags & ~kFlagMap) != 0) {
     return {.fate = Fate::kWrongFlags};
@@ -132,14 +82,11 @@ std::array<std::byte, kMessageBytes> Encoder::encode(const Message& message) {
   out.u32_be(message.run);
   out.u32_be(message.age_us);
   out.u64_be(message.clock_us);
-  write_pose(message.pose, out);
-  write_sigma(message.sigma, out);
+  write(message.pose, out);
+  write(message.sigma, out);
   out.i32_be(message.speed_mm_per_s);
   out.i32_be(message.yaw_urad_per_s);
-  const MapTransform map = message.map.value_or(kNoMap);
-  out.u64_be(map.origin);
-  write_pose(map.local_frame, out);
-  write_sigma(map.sigma, out);
+  write(message.map, out);
   out.u32_be(0);
   sender_.protect(bytes);
   return bytes;
@@ -150,7 +97,7 @@ Decoded decode(std::span<const std::byte> datagram) {
     return {.fate = Fate::kTooShort};
   }
   const protection::Received received = protection::Receiver(kPoseChannel).receive(datagram);
-  if (const Fate fate = fate_of(received); fate != Fate::kUsed) {
+  if (const Fate fate = protection::fate_of(received, Fate::kUsed); fate != Fate::kUsed) {
     return {.fate = fate};
   }
   return decode_content(received.content);

@@ -1,5 +1,6 @@
 #include "pose/source.hpp"
 
+#include "protection/believed.hpp"
 #include "require/require.hpp"
 
 namespace iog::pose {
@@ -11,15 +12,10 @@ Source::Source(const SourceDescription& description, std::uint32_t replayer_ipv4
   require(description.is_valid());
 }
 
-bool Source::may_send(std::uint32_t ipv4) const {
-  return description_.source_ipv4 == 0 || description_.source_ipv4 == ipv4 ||
-         (replayer_ipv4_ != 0 && replayer_ipv4_ == ipv4);
-}
-
 Fate Source::receive(std::uint32_t source_ipv4, std::span<const std::byte> payload,
                      std::uint64_t arrival_us) {
   Fate fate = Fate::kStranger;
-  if (may_send(source_ipv4)) {
+  if (protection::may_send(source_ipv4, description_.source_ipv4, replayer_ipv4_)) {
     const Decoded decoded = decode(payload);
     fate = decoded.fate == Fate::kUsed ? history_.take(decoded.message, arrival_us) : decoded.fate;
   }

@@ -15,17 +15,9 @@
 #include "pose/history.hpp"
 #include "pose/message.hpp"
 #include "pose/slice.hpp"
+#include "pose/source_description.hpp"
 
 namespace iog::pose {
-
-// Part of a vehicle's description.
-struct SourceDescription {
-  std::uint32_t source_ipv4 = 0;       // the sender's address, 0: any
-  std::uint16_t udp_port = kPosePort;  // where its messages arrive
-  std::uint8_t log2_slice_ms = 3;      // a slice is 2^this milliseconds long, 0 ... 6
-
-  [[nodiscard]] constexpr bool is_valid() const { return udp_port != 0 && log2_slice_ms <= 6; }
-};
 
 class Source {
  public:
@@ -43,6 +35,7 @@ class Source {
 
   // As in History.
   void pass(std::uint64_t now_us) { history_.pass(now_us); }
+  void pass_silence(std::uint64_t target_us) { history_.pass_silence(target_us); }
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const {
     return history_.source_time(target_us);
   }
@@ -51,6 +44,9 @@ class Source {
 
   // The slice that holds a time of the source's clock.
   [[nodiscard]] Slice slice_of(std::uint64_t time_us) const { return slicing_.slice_of(time_us); }
+
+  // As in History; nothing is counted.
+  [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
   // The pose of a slice, or the cause why it has none, which is counted. Ask once for each slice.
   [[nodiscard]] Placed place(const Slice& slice);
@@ -64,8 +60,6 @@ class Source {
   [[nodiscard]] Tally tally(Cause cause) const;
 
  private:
-  [[nodiscard]] bool may_send(std::uint32_t ipv4) const;
-
   SourceDescription description_;
   std::uint32_t replayer_ipv4_;
   Slicing slicing_;

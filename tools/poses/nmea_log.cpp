@@ -110,7 +110,6 @@ class Reader {
   [[nodiscard]] PoseLog log() {
     PoseLog log;
     std::size_t without_fix = 0;
-    std::optional<LocalPlane> plane;
     std::uint64_t midnight_us = first_midnight();
     std::uint64_t last_us = 0;
     for (const Epoch& epoch : epochs_) {
@@ -122,10 +121,10 @@ class Reader {
         ++without_fix;
         continue;
       }
-      if (!plane) {
-        plane.emplace(*epoch.latitude, *epoch.longitude);
+      if (!log.plane) {
+        log.plane.emplace(*epoch.latitude, *epoch.longitude);
       }
-      log.poses.push_back(pose_of(epoch, midnight_us, *plane));
+      log.poses.push_back(pose_of(epoch, midnight_us, *log.plane));
     }
     remark(damaged_, "lines that are no sound NMEA sentence", log.remarks);
     remark(others_, "sentences other than RMC, GGA and HDT", log.remarks);

@@ -80,7 +80,6 @@ std::string data_file(const std::string& folder, std::size_t number) {
 PoseLog read_oxts_log(const std::string& folder) {
   const std::string times = folder + "/timestamps.txt";
   const std::vector<std::string> lines = read_lines(times);
-  std::optional<LocalPlane> plane;
   std::size_t missing = 0;
   PoseLog log;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -98,10 +97,10 @@ PoseLog read_oxts_log(const std::string& folder) {
       continue;
     }
     const std::array<double, kFields> fields = fields_in(path);
-    if (!plane) {
-      plane.emplace(fields[kLatitude], fields[kLongitude]);
+    if (!log.plane) {
+      log.plane.emplace(fields[kLatitude], fields[kLongitude]);
     }
-    const LocalPlane::Place place = plane->place_of(fields[kLatitude], fields[kLongitude]);
+    const LocalPlane::Place place = log.plane->place_of(fields[kLatitude], fields[kLongitude]);
     log.poses.push_back({.time_us = *time_us,
                          .x_m = place.east_m,
                          .y_m = place.north_m,

@@ -44,6 +44,17 @@ std::uint32_t binary_angle(double radians) {
 
 }  // namespace
 
+pose::Pose wire_pose(double x_m, double y_m, double heading_rad) {
+  return {.x_mm = units_of(x_m, 1000, pose::kMaxCoordinateMm, "coordinate"),
+          .y_mm = units_of(y_m, 1000, pose::kMaxCoordinateMm, "coordinate"),
+          .heading = binary_angle(heading_rad)};
+}
+
+pose::Sigma wire_sigma(double position_m, double heading_rad) {
+  return {.position_mm = sigma_of(position_m, 1000),
+          .heading_10urad = sigma_of(heading_rad, 100'000)};
+}
+
 pose::Message message_of(const PoseSample& sample) {
   if (sample.age_us > pose::kMaxAgeUs) {
     throw UsageError("a pose that is sent " + std::to_string(sample.age_us) +
@@ -53,15 +64,12 @@ pose::Message message_of(const PoseSample& sample) {
   return {.run = sample.run,
           .age_us = sample.age_us,
           .clock_us = sample.time_us,
-          .pose = {.x_mm = units_of(sample.x_m, 1000, pose::kMaxCoordinateMm, "coordinate"),
-                   .y_mm = units_of(sample.y_m, 1000, pose::kMaxCoordinateMm, "coordinate"),
-                   .heading = binary_angle(sample.heading_rad)},
-          .sigma = {.position_mm = sigma_of(sample.sigma_m, 1000),
-                    .heading_10urad = sigma_of(sample.sigma_heading_rad, 100'000)},
+          .pose = wire_pose(sample.x_m, sample.y_m, sample.heading_rad),
+          .sigma = wire_sigma(sample.sigma_m, sample.sigma_heading_rad),
           .speed_mm_per_s = units_of(sample.speed_mps, 1000, pose::kMaxSpeedMmPerS, "speed"),
           .yaw_urad_per_s =
               units_of(sample.yaw_rate_rps, 1'000'000, pose::kMaxYawRateUradPerS, "yaw rate"),
-          .map = {}};
+          .map = sample.map};
 }
 
 CapturedDatagram PoseEncoder::datagram_of(const PoseSample& sample) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pose/limits.hpp"
+#include "tools/poses/pose_encoder.hpp"
 
 namespace iog::tools {
 namespace {
@@ -78,6 +79,14 @@ void add_motion(const std::vector<LoggedPose>& poses, std::vector<PoseSample>& s
   }
 }
 
+// The same for all poses: both planes stay where they are.
+pose::MapTransform transform_of(const LocalPlane& plane, const PoseConversion::Map& map) {
+  const LocalPlane::Frame frame = map.origin.plane().frame_of(plane);
+  return {.origin = map.origin.name(),
+          .local_frame = wire_pose(frame.origin.east_m, frame.origin.north_m, frame.turn_rad),
+          .sigma = map.sigma};
+}
+
 }  // namespace
 
 void remark(std::size_t count, std::string_view what, std::vector<std::string>& remarks) {
@@ -95,6 +104,12 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
     result.taken_sigma_headings += pose.sigma_heading_rad ? 0U : 1U;
   }
   add_motion(poses, result.samples);
+  if (conversion.map && log.plane) {
+    const pose::MapTransform transform = transform_of(*log.plane, *conversion.map);
+    for (PoseSample& sample : result.samples) {
+      sample.map = transform;
+    }
+  }
   result.remarks = std::move(log.remarks);
   return result;
 }

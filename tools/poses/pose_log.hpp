@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/poses/map_origin.hpp"
 #include "tools/poses/pose_sample.hpp"
 
 namespace iog::tools {
@@ -28,6 +29,8 @@ struct LoggedPose {
 struct PoseLog {
   std::vector<LoggedPose> poses;     // in the order of the log
   std::vector<std::string> remarks;  // what was not used, and why; never silent
+  // In which x is east and y north, if the log has latitudes: it touches at the first position.
+  std::optional<LocalPlane> plane{};
 };
 
 // x_m, y_m and heading_deg of a plane, time_s of any clock; optional speed_m_s, yaw_rate_deg_s,
@@ -57,6 +60,12 @@ struct PoseConversion {
   double sigma_m = 0.05;
   double sigma_heading_rad = 0.002;
   std::uint32_t run = 1;
+  // What each pose is to say of the map, if the log has a plane.
+  struct Map {
+    MapOrigin origin;
+    pose::Sigma sigma;
+  };
+  std::optional<Map> map{};
 };
 
 struct ConvertedLog {
@@ -70,6 +79,7 @@ struct ConvertedLog {
 // Speed and yaw rate that the log does not say are those between the poses before and after. Left
 // out and remarked: poses without a heading, poses that are not newer than the one before, and
 // poses less than 8 ms after it (pose/limits.hpp).
+// UsageError if the log's plane is more than 1,000 km from the map's origin.
 [[nodiscard]] ConvertedLog converted(PoseLog log, const PoseConversion& conversion);
 
 // "3 poses without a heading"; nothing for a count of 0.

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <numbers>
+#include <optional>
+
+#include "pose/message.hpp"
 
 namespace iog::tools {
 
@@ -20,6 +23,7 @@ struct PoseSample {
   // Standard deviations of the motion during the second before: on each axis, and of the heading.
   double sigma_m = 0;
   double sigma_heading_rad = 0;
+  std::optional<pose::MapTransform> map{};  // empty: not known
 };
 
 }  // namespace iog::tools

@@ -118,7 +118,6 @@ PoseLog read_ubx_log(std::span<const std::byte> bytes) {
   std::size_t skipped = 0;
   std::size_t others = 0;
   std::size_t without_fix = 0;
-  std::optional<LocalPlane> plane;
   PoseLog log;
   while (!bytes.empty()) {
     const std::span<const std::byte> message = message_at(bytes);
@@ -140,10 +139,10 @@ PoseLog read_ubx_log(std::span<const std::byte> bytes) {
       ++without_fix;
       continue;
     }
-    if (!plane) {
-      plane.emplace(pvt.latitude, pvt.longitude);
+    if (!log.plane) {
+      log.plane.emplace(pvt.latitude, pvt.longitude);
     }
-    log.poses.push_back(pose_of(pvt, *plane));
+    log.poses.push_back(pose_of(pvt, *log.plane));
   }
   remark(skipped, "bytes that are no UBX message", log.remarks);
   remark(others, "messages other than NAV-PVT", log.remarks);

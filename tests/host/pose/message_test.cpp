@@ -81,7 +81,7 @@ TEST(PoseMessage, EveryFaultHasItsName) {
   const std::vector<Fault> faults{{"another service", 0, 2, 0x4F48, Fate::kNotOurs},
                                   {"another event", 2, 2, 0x8001, Fate::kNotOurs},
                                   {"a request", 14, 1, 0, Fate::kNotOurs},
-                                  {"another protocol version", 12, 1, 2, Fate::kWrongVersion},
+                                  {"another protocol version", 12, 1, 2, Fate::kNotOurs},
                                   {"another interface version", 13, 1, 2, Fate::kWrongVersion},
                                   {"another content version", 28, 1, 2, Fate::kWrongVersion},
                                   {"SOME/IP too long", 4, 4, 93, Fate::kDamaged},
