@@ -1,0 +1,96 @@
+// One feature of a block. Byte by byte in docs/spec.md, section 6.3.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "map/plane.hpp"
+#include "map/words.hpp"
+
+namespace iog::map {
+
+inline constexpr std::uint32_t kMaxFeatureVertices = 65'535;
+inline constexpr std::size_t kFeatureHeaderBytes = 24;
+inline constexpr std::size_t kRingHeaderBytes = 12;
+
+// The bits of the map's classes (decision/decision.hpp). What is neither is intermediate space.
+enum class Kind : std::uint8_t { kBuilding = 1, kRoad = 2 };
+
+// A building, or a piece of a road: the inside of its rings by the even-odd rule.
+class Feature {
+ public:
+  explicit Feature(std::span<const std::byte> checked) : words_{checked} {}
+
+  [[nodiscard]] Kind kind() const { return static_cast<Kind>(words_.u8(0)); }
+  [[nodiscard]] std::uint32_t ring_count() const { return words_.u16(2); }
+  [[nodiscard]] std::uint32_t edge_count() const { return words_.u32(4); }
+  [[nodiscard]] BoxCm box() const { return words_.box(8); }
+
+  // visit(PointCm from, PointCm to) for each edge of all rings, the one that closes a ring last.
+  template <typename Visit>
+  void for_each_edge(Visit&& visit) const;
+
+ private:
+  friend class EdgeWalk;
+
+  Words words_;
+};
+
+struct Edge {
+  PointCm from;
+  PointCm to;
+};
+
+// The edges of a feature one by one, so that it can be left and gone on with.
+class EdgeWalk {
+ public:
+  explicit EdgeWalk(const Feature& feature)
+      : words_(feature.words_), rings_(feature.ring_count()), at_(kFeatureHeaderBytes) {
+    begin_ring();
+  }
+
+  [[nodiscard]] bool is_over() const { return rings_ == 0; }
+
+  // Not once it is over.
+  [[nodiscard]] Edge next() {
+    const PointCm from = from_;
+    if (deltas_ == 0) {
+      --rings_;
+      const PointCm first = first_;
+      begin_ring();
+      return {from, first};
+    }
+    --deltas_;
+    from_ = {from.x + words_.i16(at_), from.y + words_.i16(at_ + 2)};
+    at_ += 4;
+    return {from, from_};
+  }
+
+ private:
+  void begin_ring() {
+    if (rings_ > 0) {
+      deltas_ = words_.u32(at_) - 1;
+      first_ = words_.point(at_ + 4);
+      from_ = first_;
+      at_ += kRingHeaderBytes;
+    }
+  }
+
+  Words words_;
+  std::uint32_t rings_;  // not yet over
+  std::uint32_t deltas_ = 0;
+  std::size_t at_;
+  PointCm first_{};
+  PointCm from_{};
+};
+
+template <typename Visit>
+void Feature::for_each_edge(Visit&& visit) const {
+  for (EdgeWalk walk(*this); !walk.is_over();) {
+    const auto [from, to] = walk.next();
+    visit(from, to);
+  }
+}
+
+}  // namespace iog::map

@@ -1,0 +1,23 @@
+// The name of a map's origin: two maps, or a map and a pose, are of one plane if it is the same.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+
+namespace iog::map {
+
+// FNV-1a, 64 bits (Fowler, Noll, Vo), over latitude and longitude in 1e-9 degrees: 16 bytes, big
+// endian, the latitude first.
+[[nodiscard]] constexpr std::uint64_t origin_name(std::int64_t latitude, std::int64_t longitude) {
+  constexpr std::uint64_t kOffsetBasis = 0xCBF29CE484222325;
+  constexpr std::uint64_t kPrime = 0x00000100000001B3;
+  std::uint64_t name = kOffsetBasis;
+  for (const std::int64_t angle : {latitude, longitude}) {
+    for (int shift = 56; shift >= 0; shift -= 8) {
+      name = (name ^ (static_cast<std::uint64_t>(angle) >> shift & 0xFF)) * kPrime;
+    }
+  }
+  return name;
+}
+
+}  // namespace iog::map

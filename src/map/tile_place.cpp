@@ -1,0 +1,123 @@
+// Widths. Let a local frame be at (X, Y) with heading h. A point p of the plane is at R(-h) (p - X)
+// in the local frame.
+//
+// Coefficients: 256 fine units a cell and 2^25 a unit make 2^33 * 10 / kCellMm of a centimetre, at
+// most 2^30.7. They are rounded to the nearest, 2^-26 fine units a centimetre: 0.25 fine units at
+// the border of the largest map, 84 km away, and a hundredth of that at 1 km. The sine's table is
+// within 2^-21: 0.5 mm a kilometre.
+// Products with 2^23 cm: below 2^53.7, two of them below 2^54.7.
+// The origin: |cos X + sin Y| <= sqrt(2) 10^9 * 2^30 < 2^60.4, by 200 / kCellMm <= 4 below 2^62.4;
+// after the division by 25 below 2^57.8. A tile's corner is within 2^31 mm, 2^58.4 at 50 mm. The
+// sum is below 2^60.
+// A tile that meets the map is within its extent, and so are vertices: no two of these are farther
+// apart than sqrt(2) 2^24 cm, 2^22.2 cells of 50 mm. So fine coordinates and their differences are
+// below 2^30.2.
+#include "map/tile_place.hpp"
+
+#include "numeric/division.hpp"
+#include "numeric/rotation.hpp"
+
+namespace iog::map {
+namespace {
+
+static_assert(geometry::kCellMm == 50 || geometry::kCellMm == 100 || geometry::kCellMm == 200);
+
+constexpr std::int64_t kTileMm = std::int64_t{window::kTileSide} * geometry::kCellMm;
+constexpr std::int64_t kOne = std::int64_t{1} << numeric::kSineFractionBits;
+
+// 2^33 * 10 / kCellMm of 2^-30.
+std::int32_t coefficient(std::int32_t q30) {
+  return static_cast<std::int32_t>(
+      numeric::div_nearest<std::int64_t>(std::int64_t{q30} * 80, geometry::kCellMm));
+}
+
+// Minus so many 2^-30 mm in 2^-25 fine units, rounded down: by 2^-30 * 2^33 / kCellMm.
+std::int64_t offset(std::int64_t q30_mm) {
+  return numeric::div_floor<std::int64_t>(-q30_mm * (200 / geometry::kCellMm), 25);
+}
+
+std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
+
+}  // namespace
+
+TilePlace::TilePlace(const pose::Pose& local_frame, window::TileNumber tile) {
+  const numeric::Rotation turn = numeric::rotation_of(local_frame.heading);
+  const std::int64_t cos = turn.cos_q30;
+  const std::int64_t sin = turn.sin_q30;
+  cos_ = coefficient(turn.cos_q30);
+  sin_ = coefficient(turn.sin_q30);
+  const auto corner = [](std::int32_t number) {
+    constexpr std::int64_t kHalfUnit = std::int64_t{1} << (kScaleBits - 1);
+    return kHalfUnit -
+           (std::int64_t{number} * window::kTileSide - kHalo) * (std::int64_t{kFine} << kScaleBits);
+  };
+  x_ = offset(cos * local_frame.x_mm + sin * local_frame.y_mm) + corner(tile.a);
+  y_ = offset(cos * local_frame.y_mm - sin * local_frame.x_mm) + corner(tile.b);
+
+  const std::int64_t x_mm = tile.a * kTileMm + kTileMm / 2;
+  const std::int64_t y_mm = tile.b * kTileMm + kTileMm / 2;
+  middle_x_mm_ = local_frame.x_mm + ((cos * x_mm - sin * y_mm) >> numeric::kSineFractionBits);
+  middle_y_mm_ = local_frame.y_mm + ((sin * x_mm + cos * y_mm) >> numeric::kSineFractionBits);
+  // The table's rotations are not quite orthogonal: 2^-20 of the way to the tile, once more.
+  slack_mm_ = 20 + ((magnitude(x_mm) + magnitude(y_mm)) >> 19);
+  reach_q30_ = magnitude(cos) + magnitude(sin);
+}
+
+// Not part of its callers: in their loops the compiler keeps coefficients as 64 bits, and
+// multiplies such.
+FinePoint TilePlace::fine(PointCm point) const {
+  const std::int64_t x = std::int64_t{cos_} * point.x + std::int64_t{sin_} * point.y + x_;
+  const std::int64_t y = std::int64_t{cos_} * point.y - std::int64_t{sin_} * point.x + y_;
+  return {static_cast<std::int32_t>(x >> kScaleBits), static_cast<std::int32_t>(y >> kScaleBits)};
+}
+
+FineBox TilePlace::fine_box(const BoxCm& box) const {
+  const bool is_right = cos_ >= 0;
+  const bool is_up = sin_ >= 0;
+  const FinePoint x_low = fine({is_right ? box.low.x : box.high.x, is_up ? box.low.y : box.high.y});
+  const FinePoint x_high =
+      fine({is_right ? box.high.x : box.low.x, is_up ? box.high.y : box.low.y});
+  const FinePoint y_low = fine({is_up ? box.high.x : box.low.x, is_right ? box.low.y : box.high.y});
+  const FinePoint y_high =
+      fine({is_up ? box.low.x : box.high.x, is_right ? box.high.y : box.low.y});
+  return {{x_low.x, y_low.y}, {x_high.x, y_high.y}};
+}
+
+BoxCm TilePlace::box(std::int32_t cells_around) const {
+  const std::int64_t half_mm =
+      std::int64_t{window::kTileSide / 2 + cells_around} * geometry::kCellMm;
+  const std::int64_t reach_mm = ((half_mm * reach_q30_) >> numeric::kSineFractionBits) + slack_mm_;
+  const auto low = [reach_mm](std::int64_t middle_mm) {
+    return static_cast<std::int32_t>(numeric::div_floor<std::int64_t>(middle_mm - reach_mm, 10));
+  };
+  const auto high = [reach_mm](std::int64_t middle_mm) {
+    return static_cast<std::int32_t>(numeric::div_floor<std::int64_t>(middle_mm + reach_mm, 10));
+  };
+  return {{low(middle_x_mm_), low(middle_y_mm_)}, {high(middle_x_mm_), high(middle_y_mm_)}};
+}
+
+// A corner c moves by d + (R' - R) c. In 2^-30 mm: |c| < 2^30 mm and |d| < 2^31 mm, so each of the
+// three terms is at most 2^61. What is not far is below 2^8 mm, 2^18 after the shift.
+bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to) {
+  constexpr int kDropped = 20;
+  constexpr std::int64_t kCell = geometry::kCellMm * (kOne >> kDropped);
+  const numeric::Rotation before = numeric::rotation_of(from.heading);
+  const numeric::Rotation after = numeric::rotation_of(to.heading);
+  const std::int64_t cos = std::int64_t{after.cos_q30} - before.cos_q30;
+  const std::int64_t sin = std::int64_t{after.sin_q30} - before.sin_q30;
+  const std::int64_t x = (std::int64_t{to.x_mm} - from.x_mm) * kOne;
+  const std::int64_t y = (std::int64_t{to.y_mm} - from.y_mm) * kOne;
+  for (std::int32_t corner = 0; corner < 4; ++corner) {
+    const std::int64_t corner_x = (tile.a + corner % 2) * kTileMm;
+    const std::int64_t corner_y = (tile.b + corner / 2) * kTileMm;
+    const std::int64_t by_x = (x + cos * corner_x - sin * corner_y) >> kDropped;
+    const std::int64_t by_y = (y + sin * corner_x + cos * corner_y) >> kDropped;
+    const bool is_near = magnitude(by_x) <= kCell && magnitude(by_y) <= kCell;
+    if (!is_near || by_x * by_x + by_y * by_y > kCell * kCell) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace iog::map

@@ -1,0 +1,32 @@
+#include "tools/map/map_readers.hpp"
+
+#include "tools/program/exit_status.hpp"
+
+namespace iog::tools {
+
+GeoMap read_map(const std::string& path, std::optional<map::Kind> kind) {
+  if (path.ends_with(".geojson") || path.ends_with(".json")) {
+    return read_geojson(path, kind);
+  }
+  if (path.ends_with(".shp")) {
+    return read_shapefile(path, kind);
+  }
+  if (kind) {
+    throw UsageError(
+        "--kind is for GeoJSON and Shapefiles; OpenStreetMap says itself what is what");
+  }
+  return read_osm(path);
+}
+
+std::optional<map::Kind> kind_of_word(const std::string& word) {
+  if (word == "building") {
+    return map::Kind::kBuilding;
+  }
+  return word == "road" ? std::optional(map::Kind::kRoad) : std::nullopt;
+}
+
+const char* census_name(map::Kind kind) {
+  return kind == map::Kind::kRoad ? "areas of roads" : "buildings";
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,31 @@
+// Where maps come from. UsageError from each if the file cannot be read or is not of its format;
+// single objects that are of no use are counted in the map's census.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tools/map/geo_map.hpp"
+
+namespace iog::tools {
+
+// OpenStreetMap, XML or PBF, plain or compressed (.osm, .osm.gz, .osm.bz2, .osm.pbf).
+[[nodiscard]] GeoMap read_osm(const std::string& path);
+
+// Polygons and MultiPolygons of GeoJSON (RFC 7946). A feature's property "kind" ("building" or
+// "road") goes before `kind`.
+[[nodiscard]] GeoMap read_geojson(const std::string& path, std::optional<map::Kind> kind);
+
+// Polygons of an ESRI Shapefile in latitude and longitude, all of one kind.
+[[nodiscard]] GeoMap read_shapefile(const std::string& path, std::optional<map::Kind> kind);
+
+// By the end of its name.
+[[nodiscard]] GeoMap read_map(const std::string& path, std::optional<map::Kind> kind);
+
+// What the census calls areas of a kind.
+[[nodiscard]] const char* census_name(map::Kind kind);
+
+// "building" or "road"; empty for any other word.
+[[nodiscard]] std::optional<map::Kind> kind_of_word(const std::string& word);
+
+}  // namespace iog::tools
