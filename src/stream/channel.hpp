@@ -10,7 +10,7 @@
 namespace iog::stream {
 
 // The major version of the format. A receiver refuses any other.
-inline constexpr std::uint8_t kInterfaceVersion = 2;
+inline constexpr std::uint8_t kInterfaceVersion = 3;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
 // A receiver is alarmed when more messages than these are missing in a row. A frame of a wide road

@@ -73,6 +73,7 @@ std::size_t write_header(const Header& header, std::span<std::byte> buffer) {
   out.u32_be(header.points_other);
   out.u32_be(header.packets_fused);
   out.u32_be(header.packets_dropped);
+  out.u32_be(header.run_number);
   return written_bytes(out);
 }
 
@@ -98,6 +99,7 @@ ReadStatus read_header(std::span<const std::byte> content, Header& header,
   header.points_other = in.u32_be();
   header.packets_fused = in.u32_be();
   header.packets_dropped = in.u32_be();
+  header.run_number = in.u32_be();
   if (!in.ok() || header_bytes < kHeaderBytes || header_bytes > content.size()) {
     return ReadStatus::kTooShort;
   }
@@ -118,7 +120,8 @@ std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
   out.u8(vehicle::kFateCount);
   out.u8(intake::kPacketDropCount);
   out.u8(end.link_counter_count);
-  write_counters(std::array{end.ticks.fuse, end.ticks.mark, end.ticks.publish}, out);
+  write_counters(std::array{end.ticks.fuse, end.ticks.mark, end.ticks.publish, end.ticks.perceive},
+                 out);
   write_counters(end.fates, out);
   write_counters(end.packet_drops, out);
   write_counters(std::span(end.link_counters).first(end.link_counter_count), out);
@@ -145,7 +148,7 @@ ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_c
   const std::uint8_t link_counters = in.u8();
   std::array<std::uint32_t, kStageCount> ticks{};
   read_counters(stages, ticks, in);
-  end.ticks = {.fuse = ticks[0], .mark = ticks[1], .publish = ticks[2]};
+  end.ticks = {.fuse = ticks[0], .mark = ticks[1], .publish = ticks[2], .perceive = ticks[3]};
   read_counters(fates, end.fates, in);
   read_counters(packet_drops, end.packet_drops, in);
   read_counters(link_counters, end.link_counters, in);

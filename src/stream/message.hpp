@@ -17,13 +17,20 @@
 
 namespace iog::stream {
 
-inline constexpr std::size_t kHeaderBytes = 44;
+inline constexpr std::size_t kHeaderBytes = 48;
 
-enum class MessageType : std::uint8_t { kTiles = 1, kFrameEnd = 2 };
+enum class MessageType : std::uint8_t {
+  kTiles = 1,
+  kFrameEnd = 2,
+  kClassEnd = 3,
+  kCarRefused = 4,  // instead of all others (stream/car_refusal.hpp)
+};
 
 // Bits of Header::flags.
-inline constexpr std::uint8_t kFlagTimedOut = 0x01;  // closed by time, not by its sensors
-inline constexpr std::uint8_t kFlagBayes = 0x02;     // fused by the rule bayes, not hits_win
+inline constexpr std::uint8_t kFlagTimedOut = 0x01;   // closed by time, not by its sensors
+inline constexpr std::uint8_t kFlagBayes = 0x02;      // fused by the rule bayes, not hits_win
+inline constexpr std::uint8_t kFlagClasses = 0x04;    // the frame has messages of classes
+inline constexpr std::uint8_t kFlagNoIndexes = 0x08;  // and no tiles of occupancy indexes
 
 struct Header {
   MessageType type = MessageType::kTiles;
@@ -31,7 +38,7 @@ struct Header {
   std::uint32_t sequence = 0;      // of messages of any type, wraps; low half: the E2E counter
   std::uint32_t frame_number = 0;  // wraps
   std::uint64_t closed_us = 0;     // when the frame closed, by the target's clock
-  std::uint32_t vehicle_id = 0;    // CRC-32 of the vehicle description's name
+  std::uint32_t vehicle_id = 0;    // CRC-32 of the vehicle's compiled description
   std::uint8_t sensor_count = 0;
   std::uint8_t complete_sensors = 0;  // bit i: sensor i has delivered its whole scan
   std::uint8_t partial_sensors = 0;   // bit i: sensor i has delivered a part of it
@@ -39,22 +46,31 @@ struct Header {
   std::uint32_t points_other = 0;     // scan points of this frame with any other fate
   std::uint32_t packets_fused = 0;    // of this frame
   std::uint32_t packets_dropped = 0;  // datagrams dropped since start, whatever the cause
+  std::uint32_t run_number = 0;       // of the target: another one after each of its starts
 
   // Whether any sensor took part.
   [[nodiscard]] constexpr bool has_evidence() const {
     return (complete_sensors | partial_sensors) != 0;
   }
+  // Which grids the frame has messages of.
+  [[nodiscard]] constexpr bool has_classes() const { return (flags & kFlagClasses) != 0; }
+  [[nodiscard]] constexpr bool has_indexes() const { return (flags & kFlagNoIndexes) == 0; }
 };
 
 // Time on the target, in ticks of a stopwatch whose rate is in the message.
 struct StageTicks {
-  std::uint32_t fuse = 0;     // decode, to beams, carve, remember marks: sum over the packets
-  std::uint32_t mark = 0;     // apply the marks
-  std::uint32_t publish = 0;  // find the known tiles, encode, hash, send, clear
+  std::uint32_t fuse = 0;      // decode, to beams, carve, remember marks: sum over the packets
+  std::uint32_t mark = 0;      // apply the marks, join slices
+  std::uint32_t publish = 0;   // find the known tiles, encode, hash, send, clear
+  std::uint32_t perceive = 0;  // place slices in the window, update its masses, decide
 };
-inline constexpr std::size_t kStageCount = 3;
+inline constexpr std::size_t kStageCount = 4;
 
-inline constexpr std::size_t kMaxLinkCounters = 40;
+inline constexpr std::size_t kMaxLinkCounters = 56;
+
+// Where the counters of the cores are among the link counters: cores at work, items done for lost
+// cores, and those done by core 0 to 3.
+inline constexpr std::size_t kCoreCounters = 42;
 
 // The last message of a frame.
 struct FrameEnd {

@@ -34,6 +34,7 @@ bool is_a_grid(const Geometry& geometry) {
 
 bool are_sound(const TilesHeader& header, TileRecords records, std::size_t bytes) {
   const std::size_t raw_bytes = std::size_t{1} << (2 * header.geometry.tile_side_log2);
+  const std::size_t record_bytes = header.window ? kClassTileRecordBytes : kTileRecordBytes;
   std::uint32_t lowest = header.first_tile;
   std::uint32_t count = 0;
   std::size_t read = 0;
@@ -43,7 +44,7 @@ bool are_sound(const TilesHeader& header, TileRecords records, std::size_t bytes
       return false;
     }
     lowest = record.tile + 1U;
-    read += kTileRecordBytes + record.payload.size();
+    read += record_bytes + record.payload.size();
   }
   return count == header.tile_count && read == bytes;
 }
@@ -51,31 +52,60 @@ bool are_sound(const TilesHeader& header, TileRecords records, std::size_t bytes
 }  // namespace
 
 void TilesWriter::begin_grid(const Header& header, const Geometry& geometry) {
+  require(geometry.storage != Storage::kClass);
+  write_head(header, geometry);
+  records_ = kRecords;
+  begin_message(0);
+}
+
+void TilesWriter::begin_classes(const Header& header, const ClassWindow& window) {
+  write_head(header, geometry_of_classes());
+  write_class_window(window, std::span(message_).subspan<kRecords, kClassWindowBytes>());
+  records_ = kRecords + kClassWindowBytes;
+  begin_message(0);
+}
+
+void TilesWriter::write_head(const Header& header, const Geometry& geometry) {
   Header of_tiles = header;
   of_tiles.type = MessageType::kTiles;
   const std::span content = std::span(message_).subspan<kContent>();
   write_header(of_tiles, content);
   write_geometry(geometry, content.subspan<kHeaderBytes, kTilesHeaderBytes>());
-  begin_message(0);
 }
 
 void TilesWriter::begin_message(std::size_t first_tile) {
   first_tile_ = static_cast<std::uint16_t>(first_tile);
   tile_count_ = 0;
-  bytes_ = kRecords;
+  bytes_ = records_;
 }
 
 bool TilesWriter::append(std::size_t tile, Encoding encoding, std::span<const std::byte> payload) {
+  require(records_ == kRecords);
+  return append_record(tile, encoding, std::nullopt, payload);
+}
+
+bool TilesWriter::append(std::size_t tile, Encoding encoding, std::uint8_t age_frames,
+                         std::span<const std::byte> payload) {
+  require(records_ != kRecords);
+  return append_record(tile, encoding, age_frames, payload);
+}
+
+bool TilesWriter::append_record(std::size_t tile, Encoding encoding,
+                                std::optional<std::uint8_t> age,
+                                std::span<const std::byte> payload) {
   wire::ByteWriter out{std::span(message_).subspan(bytes_)};
   out.u16_be(static_cast<std::uint16_t>(tile));
   out.u8(static_cast<std::uint8_t>(encoding));
+  if (age) {
+    out.u8(*age);
+  }
   out.u16_be(static_cast<std::uint16_t>(payload.size()));
   out.bytes(payload);
   if (!out.ok()) {
     require(tile_count_ > 0);
     return false;
   }
-  bytes_ += kTileRecordBytes + payload.size();
+  bytes_ += out.written().size();
   ++tile_count_;
   return true;
 }
@@ -97,6 +127,7 @@ bool TileRecords::next(TileRecord& record) {
   }
   record.tile = in_.u16_be();
   record.encoding = static_cast<Encoding>(in_.u8());
+  record.age_frames = have_age_ ? in_.u8() : std::uint8_t{0};
   record.payload = in_.bytes(in_.u16_be());
   return in_.ok();
 }
@@ -114,16 +145,21 @@ ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header, Tile
   in.skip(2);
   header.geometry.origin_x_mm = in.i32_be();
   header.geometry.origin_y_mm = in.i32_be();
+  header.window.reset();
+  if (header.geometry.storage == Storage::kClass &&
+      !read_class_window(in, header.window.emplace())) {
+    return ReadStatus::kTooShort;
+  }
   if (!in.ok()) {
     return ReadStatus::kTooShort;
   }
-  records = TileRecords(body.subspan(kTilesHeaderBytes));
+  const std::span tiles = body.last(in.remaining());
+  records = TileRecords(header.geometry.storage, tiles);
   const bool speaks_of_its_grid = is_a_grid(header.geometry) &&
                                   header.first_tile <= header.end_tile &&
                                   header.end_tile <= header.geometry.tile_count();
-  return speaks_of_its_grid && are_sound(header, records, body.size() - kTilesHeaderBytes)
-             ? ReadStatus::kOk
-             : ReadStatus::kInconsistent;
+  return speaks_of_its_grid && are_sound(header, records, tiles.size()) ? ReadStatus::kOk
+                                                                        : ReadStatus::kInconsistent;
 }
 
 }  // namespace iog::stream

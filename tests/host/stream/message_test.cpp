@@ -27,12 +27,14 @@ const Header kHeader{.type = MessageType::kFrameEnd,
                      .points_used = 0x31323334,
                      .points_other = 0x41424344,
                      .packets_fused = 0x51525354,
-                     .packets_dropped = 0x61626364};
+                     .packets_dropped = 0x61626364,
+                     .run_number = 0x71727374};
 
-const std::vector<std::byte> kHeaderWire = bytes_of(
-    {2,    1,    0,    44,   0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x11, 0x12, 0x13,
-     0x14, 0x15, 0x16, 0x17, 0x18, 0x21, 0x22, 0x23, 0x24, 4,    0x0B, 0x04, 0,    0x31, 0x32,
-     0x33, 0x34, 0x41, 0x42, 0x43, 0x44, 0x51, 0x52, 0x53, 0x54, 0x61, 0x62, 0x63, 0x64});
+const std::vector<std::byte> kHeaderWire =
+    bytes_of({2,    1,    0,    48,   0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08,
+              0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x18, 0x21, 0x22, 0x23, 0x24,
+              4,    0x0B, 0x04, 0,    0x31, 0x32, 0x33, 0x34, 0x41, 0x42, 0x43, 0x44,
+              0x51, 0x52, 0x53, 0x54, 0x61, 0x62, 0x63, 0x64, 0x71, 0x72, 0x73, 0x74});
 
 TEST(Message, TheHeaderIsAsTheSpecificationSays) {
   std::vector<std::byte> wire(kHeaderBytes);
@@ -50,11 +52,12 @@ TEST(Message, TheHeaderIsAsTheSpecificationSays) {
   EXPECT_EQ(read.closed_us, kHeader.closed_us);
   EXPECT_EQ(read.complete_sensors, kHeader.complete_sensors);
   EXPECT_EQ(read.packets_dropped, kHeader.packets_dropped);
+  EXPECT_EQ(read.run_number, kHeader.run_number);
 }
 
 TEST(Message, ALongerHeaderOfALaterDayIsSkipped) {
   auto wire = kHeaderWire;
-  wire.at(3) = std::byte{48};
+  wire.at(3) = std::byte{52};
   wire.insert(wire.end(), {std::byte{9}, std::byte{9}, std::byte{9}, std::byte{9}, std::byte{42}});
   Header read;
   std::span<const std::byte> body;
@@ -67,7 +70,7 @@ TEST(Message, AShorterHeaderIsRefused) {
   Header read;
   std::span<const std::byte> body;
   auto wire = kHeaderWire;
-  wire.at(3) = std::byte{43};
+  wire.at(3) = std::byte{47};
   EXPECT_EQ(read_header(wire, read, body), ReadStatus::kTooShort);
   for (std::size_t size = 0; size < kHeaderBytes; ++size) {
     EXPECT_EQ(read_header(std::span(kHeaderWire).first(size), read, body), ReadStatus::kTooShort);
@@ -77,9 +80,9 @@ TEST(Message, AShorterHeaderIsRefused) {
 FrameEnd some_frame_end() {
   FrameEnd end{.tiles_sent = 241, .tiles_lost = 2, .grid_crc = 0xDEADBEEF, .opened_us = 123456};
   end.stopwatch_hz = 100'000'000;
-  end.ticks = {.fuse = 1, .mark = 2, .publish = 3};
+  end.ticks = {.fuse = 1, .mark = 2, .publish = 3, .perceive = 4};
   end.fates = {10, 11, 12, 13, 14, 15, 16, 17};
-  end.packet_drops = {20, 21, 22, 23, 24, 25, 26, 27};
+  end.packet_drops = {20, 21, 22, 23, 24, 25, 26, 27, 28};
   end.link_counter_count = 3;
   end.link_counters[2] = 99;
   end.sensors[1] = {.state = intake::SensorState::kPartial,
@@ -101,8 +104,9 @@ TEST(Message, AFrameEndSurvivesTheWire) {
   EXPECT_EQ(read.grid_crc, 0xDEADBEEFU);
   EXPECT_EQ(read.opened_us, 123456U);
   EXPECT_EQ(read.ticks.publish, 3U);
+  EXPECT_EQ(read.ticks.perceive, 4U);
   EXPECT_EQ(read.fates[7], 17U);
-  EXPECT_EQ(read.packet_drops[7], 27U);
+  EXPECT_EQ(read.packet_drops[8], 28U);
   EXPECT_EQ(read.link_counters[2], 99U);
   EXPECT_EQ(read.sensors[1].points, 420U);
   EXPECT_EQ(read.sensors[1].scan_number, 65'535U);

@@ -1,0 +1,25 @@
+#include "stream/class_hash.hpp"
+
+#include <array>
+#include <span>
+
+#include "wire/byte_order.hpp"
+
+namespace iog::stream {
+
+ClassHash::ClassHash(window::TileNumber corner) {
+  std::array<std::byte, 8> place{};
+  wire::store_be32(std::span(place).first<4>(), static_cast<std::uint32_t>(corner.a));
+  wire::store_be32(std::span(place).last<4>(), static_cast<std::uint32_t>(corner.b));
+  crc_.update(place);
+}
+
+void ClassHash::add(std::size_t number, tile_coding::TileCells cells) {
+  std::array<std::byte, 2> place{};
+  wire::store_be16(place, static_cast<std::uint16_t>(number));
+  crc_.update(place);
+  crc_.update(cells);
+  is_empty_ = false;
+}
+
+}  // namespace iog::stream
