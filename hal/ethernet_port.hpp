@@ -12,11 +12,12 @@ namespace iog::hal {
 
 // What a port has seen and lost since it was opened. Every counter wraps.
 struct PortCounters {
-  std::uint32_t received = 0;        // good frames handed to the caller
-  std::uint32_t receive_errors = 0;  // frames the controller marked bad: CRC, length, overrun
-  std::uint32_t oversized = 0;       // frames longer than one receive buffer, dropped
-  std::uint32_t sent = 0;            // frames committed for sending
-  std::uint32_t send_refused = 0;    // acquire() found the transmit ring full
+  std::uint32_t received = 0;           // good frames handed to the caller
+  std::uint32_t receive_errors = 0;     // frames the controller marked bad: CRC, length, overrun
+  std::uint32_t oversized = 0;          // frames longer than one receive buffer, dropped
+  std::uint32_t sent = 0;               // frames committed for sending
+  std::uint32_t send_refused = 0;       // acquire() found the transmit ring full
+  std::uint32_t receive_overflows = 0;  // frames that the controller had no room for
 };
 
 // receive():  the oldest frame that has arrived, empty if there is none. The view stays valid and

@@ -1,0 +1,62 @@
+// Who does the items of a round: a team, a platform that has one, or core 0 alone.
+//
+// A reference, so that a room that divides its work need not know by whom it is done.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+
+#include "hal/cores.hpp"
+#include "work/round.hpp"
+
+namespace iog::work {
+
+inline constexpr std::size_t kMaxCores = hal::kMaxCores;
+
+// As work::Team.
+template <typename T>
+concept Sharer = requires(T& sharer, std::size_t items, Work work) {
+  { sharer.cores() } -> std::same_as<std::size_t>;
+  { sharer.share(items, work) } -> std::same_as<void>;
+};
+
+class Crew {
+ public:
+  // Core 0 alone.
+  Crew() = default;
+
+  // sharer outlives the crew.
+  template <Sharer S>
+  explicit Crew(S& sharer)
+      : sharer_(&sharer),
+        cores_([](void* its) { return static_cast<S*>(its)->cores(); }),
+        share_([](void* its, std::size_t items, Work work) {
+          static_cast<S*>(its)->share(items, work);
+        }) {}
+
+  // How many cores may work now, core 0 included.
+  [[nodiscard]] std::size_t cores() const { return sharer_ == nullptr ? 1 : cores_(sharer_); }
+  [[nodiscard]] bool is_one() const { return cores() == 1; }
+
+  // Does every item, at most Round::kMaxItems: do_item(item, core). Returns when all are done.
+  template <typename DoItem>
+  void share(std::size_t items, DoItem do_item) const {
+    if (sharer_ == nullptr) {
+      do_alone(items, work_of(do_item));
+    } else {
+      share_(sharer_, items, work_of(do_item));
+    }
+  }
+
+ private:
+  void* sharer_ = nullptr;
+  std::size_t (*cores_)(void* sharer) = nullptr;
+  void (*share_)(void* sharer, std::size_t items, Work work) = nullptr;
+};
+
+// How many items hold so many things, if each holds `in_each` but perhaps the last.
+[[nodiscard]] constexpr std::size_t items_of(std::size_t things, std::size_t in_each) {
+  return (things + in_each - 1) / in_each;
+}
+
+}  // namespace iog::work
