@@ -1,21 +1,10 @@
 #include "app/frame_engine.hpp"
 
-#include <span>
-#include <string_view>
-
-#include "stream/crc32.hpp"
-
 namespace iog::app {
 namespace {
 
 // Silence is reported at half the rate of frames.
 constexpr std::uint64_t kSilentPeriods = 2;
-
-std::uint32_t id_of(std::string_view name) {
-  stream::Crc32 crc;
-  crc.update(std::as_bytes(std::span(name)));
-  return crc.value();
-}
 
 }  // namespace
 
@@ -24,8 +13,7 @@ FrameEngine::FrameEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer
     : fusion_(vehicle),
       vehicle_(&vehicle),
       intake_(vehicle.sensors, replayer_ipv4),
-      opened_us_(start_us),
-      vehicle_id_(id_of(vehicle.name)) {}
+      opened_us_(start_us) {}
 
 std::optional<intake::SensorPacket> FrameEngine::receive(const intake::Datagram& datagram) {
   return intake_.receive(datagram);
@@ -41,15 +29,28 @@ FrameEngine::Outcome FrameEngine::classify(const intake::SensorPacket& packet) {
   return outcome;
 }
 
-void FrameEngine::fuse(const intake::SensorPacket& packet, std::uint64_t now_us) {
+void FrameEngine::accept(const intake::SensorPacket& packet, std::uint64_t now_us) {
   if (intake_.packets_accepted() == 0) {
     opened_us_ = now_us;
   }
   intake_.accept(packet);
-  const vehicle::Sensor& sensor = vehicle_->sensors[packet.sensor];
-  packet.packet.for_each_point([&](const lidar::ScanPoint& point) {
-    ++fates_[static_cast<std::size_t>(fusion_.add(sensor, point))];
+}
+
+void FrameEngine::add_points(std::size_t sensor, const intake::Packet& packet) {
+  add_points_to(fusion_, vehicle_->sensors[sensor], packet, fates_);
+}
+
+void FrameEngine::add_points_to(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
+                                const intake::Packet& packet, Fates& fates) {
+  packet.for_each_point([&](const lidar::ScanPoint& point) {
+    ++fates[static_cast<std::size_t>(fusion.add(sensor, point))];
   });
+}
+
+void FrameEngine::count(const Fates& fates) {
+  for (std::size_t fate = 0; fate < fates.size(); ++fate) {
+    fates_[fate] += fates[fate];
+  }
 }
 
 std::uint64_t FrameEngine::deadline_us() const {
@@ -62,14 +63,18 @@ FrameReport FrameEngine::report(std::uint64_t now_us) const {
                      .opened_us = opened_us_,
                      .closed_us = now_us,
                      .is_timed_out = is_overdue(now_us) && !is_complete(),
-                     .vehicle_id = vehicle_id_,
+                     .vehicle_id = vehicle_->id,
                      .rule = vehicle_->rule,
+                     .grids = vehicle_->grids,
                      .sensor_count = vehicle_->sensors.size(),
                      .packets_fused = intake_.packets_accepted(),
                      .packets_dropped = intake_.packets_dropped(),
                      .packet_drops = intake_.packet_drops(),
                      .fates = fates_};
-  report.fates[static_cast<std::size_t>(vehicle::Fate::kMalformed)] += intake_.points_dropped();
+  using vehicle::Fate;
+  for (const Fate fate : {Fate::kMalformed, Fate::kStale, Fate::kNotTaken}) {
+    report.fates[static_cast<std::size_t>(fate)] += intake_.points_dropped(fate);
+  }
   for (std::size_t i = 0; i < report.sensor_count; ++i) {
     report.sensors[i] = intake_.report_of(i);
   }

@@ -31,7 +31,8 @@ stream::Header header_of(const FrameReport& report) {
           .points_used = used,
           .points_other = points - used,
           .packets_fused = report.packets_fused,
-          .packets_dropped = report.packets_dropped + report.vitals.link_drops};
+          .packets_dropped = report.packets_dropped + report.vitals.link_drops,
+          .run_number = report.run_number};
 }
 
 stream::FrameEnd frame_end_of(const FrameReport& report) {

@@ -22,12 +22,14 @@ struct Vitals {
 };
 
 struct FrameReport {
+  std::uint32_t run_number = 0;
   std::uint32_t number = 0;     // wraps
   std::uint64_t opened_us = 0;  // by the target's clock
   std::uint64_t closed_us = 0;
   bool is_timed_out = false;     // closed by time, not by its sensors
-  std::uint32_t vehicle_id = 0;  // CRC-32 of the vehicle description's name
+  std::uint32_t vehicle_id = 0;  // Vehicle::id
   vehicle::FusionRule rule = vehicle::FusionRule::kHitsWin;
+  vehicle::Grids grids = vehicle::Grids::kIndexes;  // that its vehicle asks for
 
   std::size_t sensor_count = 0;
   std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};

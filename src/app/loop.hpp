@@ -1,9 +1,11 @@
 // The loop: everything the firmware does after start-up, on one page.
 //
 //     wire bytes -> datagram -> scan points -> beams -> cells -> indexes -> tiles -> wire bytes
+//                          '-> poses -> slices -> masses of the window -> classes -^
 //
 // It never waits: datagrams are taken as they have come, messages go into the transmit ring, and
-// only when nothing is left to do does the processor sleep until the next frame or tick.
+// only when nothing is left to do does the processor sleep until the next frame or tick. What it is
+// too slow for is left, and counted (app/backlog.hpp).
 #pragma once
 
 #include <algorithm>
@@ -15,13 +17,20 @@
 #include <type_traits>
 #include <utility>
 
+#include "app/backlog.hpp"
+#include "app/core_report.hpp"
 #include "app/pipeline.hpp"
 #include "app/serial_sink.hpp"
 #include "hal/clock.hpp"
+#include "hal/console.hpp"
+#include "hal/cores.hpp"
 #include "hal/ethernet_port.hpp"
+#include "hal/run_number.hpp"
 #include "hal/serial_port.hpp"
 #include "hal/watchdog.hpp"
 #include "net/host.hpp"
+#include "require/require.hpp"
+#include "work/team.hpp"
 
 namespace iog::app {
 
@@ -33,6 +42,9 @@ concept Machine = requires(T& machine) {
   requires hal::Watchdog<std::remove_reference_t<decltype(machine.watchdog())>>;
   requires hal::EthernetPort<std::remove_reference_t<decltype(machine.ethernet())>>;
   requires hal::SerialPort<std::remove_reference_t<decltype(machine.serial())>>;
+  requires hal::RunNumber<T>;
+  requires hal::Cores<std::remove_reference_t<decltype(machine.cores())>>;
+  requires hal::Console<std::remove_reference_t<decltype(machine.console())>>;
   { machine.stack_used_bytes() } -> std::convertible_to<std::uint32_t>;
   { machine.idle() } -> std::same_as<void>;
 };
@@ -41,14 +53,24 @@ concept Machine = requires(T& machine) {
 // its watchdog: a frame of four LUX is 24, a full receive ring 256.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
+// And this many are left at once by a loop that does not keep up: a receive ring, and as much as
+// comes meanwhile.
+inline constexpr int kMaxDatagramsLeft = 512;
+
 // The machine as the pipeline's platform.
 template <Machine M>
 class MachinePlatform {
  public:
   using Port = std::remove_reference_t<decltype(std::declval<M&>().ethernet())>;
 
-  MachinePlatform(M& machine, const net::Config& config)
-      : machine_(machine), host_(machine.ethernet(), config) {}
+  using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
+
+  // cores: how many are to work, if the machine has as many.
+  MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1)
+      : machine_(machine), host_(machine.ethernet(), config), team_(machine.cores(), kPatienceUs) {
+    team_.start(cores);
+    report_cores(machine_.console(), team_);
+  }
 
   [[nodiscard]] net::Host<Port>& host() { return host_; }
 
@@ -58,8 +80,18 @@ class MachinePlatform {
     return host_.send_message(message);
   }
 
+  [[nodiscard]] std::size_t cores() const { return team_.cores(); }
+  void share(std::size_t items, work::Work work) {
+    const std::uint32_t before = team_.troubles();
+    team_.share(items, work);
+    if (team_.troubles() != before) {
+      report_cores(machine_.console(), team_);
+    }
+  }
+
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
+  std::uint32_t run_number() { return machine_.run_number(); }
 
   // The link's counters in the order of docs/spec.md; damaged datagrams count as dropped packets.
   [[nodiscard]] Vitals vitals() {
@@ -77,8 +109,17 @@ class MachinePlatform {
     append(net.refusals);
     append(std::array{port.received, port.receive_errors, port.oversized, port.sent,
                       port.send_refused});
+    const net::FragmentCounters& fragments = net.fragments;
+    append(std::array{fragments.joined, fragments.duplicates, fragments.overlaps, fragments.bad,
+                      fragments.refused, fragments.completed, fragments.expired,
+                      fragments.displaced});
+    require(vitals.link_counters.size() - out.size() == stream::kCoreCounters);
+    append(std::array{static_cast<std::uint32_t>(team_.cores()), team_.redone(), team_.items(0),
+                      team_.items(1), team_.items(2), team_.items(3)});
+    append(std::array{port.receive_overflows});
     vitals.link_counter_count = vitals.link_counters.size() - out.size();
-    vitals.link_drops = port.receive_errors + port.oversized;
+    vitals.link_drops = port.receive_errors + port.oversized + port.receive_overflows +
+                        fragments.expired + fragments.displaced;
     for (const net::Drop cause : kDamaged) {
       vitals.link_drops += net.drops[static_cast<std::size_t>(cause)];
     }
@@ -93,19 +134,28 @@ class MachinePlatform {
       net::Drop::kBadUdpChecksum,
   };
 
+  // A frame's period, in which every tile is encoded many times over.
+  static constexpr std::uint32_t kPatienceUs = 40'000;
+
   M& machine_;
   net::Host<Port> host_;
+  Team team_;
 };
 
-// The target's pipeline: every frame goes to the network, and to the serial link what it can carry.
-template <Machine M>
-using MachinePipeline = Pipeline<MachinePlatform<M>, SerialSink>;
+// The target's pipeline: every frame goes to the network, with classes if its vehicle asks for
+// them, and to the serial link what it can carry of the frame's grid.
+template <Machine M, vehicle::Grids kGrids>
+using MachinePipeline = std::conditional_t<vehicle::have_classes(kGrids),
+                                           PerceptionPipeline<MachinePlatform<M>, SerialSink>,
+                                           Pipeline<MachinePlatform<M>, SerialSink>>;
 
-// One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
-template <Machine M>
-bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
-          MachinePipeline<M>& pipeline) {
-  const std::uint64_t now_us = machine.clock().now_us();
+// What has come, as far as one pass goes: kMaxDatagramsPerPass, or until the open frame's time runs
+// out, so that it is closed on time however slow its points are, or until too much has waited.
+template <Machine M, typename ItsPipeline>
+void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& backlog,
+                    ItsPipeline& pipeline) {
+  std::uint64_t now_us = machine.clock().now_us();
+  const bool was_overdue = now_us >= pipeline.deadline_us();
   for (int taken = 0; taken < kMaxDatagramsPerPass; ++taken) {
     const auto datagram = platform.host().poll(now_us);
     if (!datagram) {
@@ -113,20 +163,55 @@ bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
     }
     pipeline.take({datagram->source.value, datagram->destination_port, datagram->payload}, now_us);
     machine.serial().pump();
+    now_us = machine.clock().now_us();
+    const bool is_overdue = !was_overdue && now_us >= pipeline.deadline_us();
+    if (is_overdue || backlog.is_too_long(now_us)) {
+      break;
+    }
   }
-  pipeline.tick(now_us);
+}
+
+// Leaves what waits in the receive ring.
+template <Machine M, typename ItsPipeline>
+void leave_datagrams(M& machine, MachinePlatform<M>& platform, ItsPipeline& pipeline) {
+  const std::uint64_t now_us = machine.clock().now_us();
+  for (int left = 0; left < kMaxDatagramsLeft; ++left) {
+    const auto datagram = platform.host().poll(now_us);
+    if (!datagram) {
+      break;
+    }
+    pipeline.leave({datagram->source.value, datagram->destination_port, datagram->payload}, now_us);
+  }
+}
+
+// One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
+template <Machine M, typename ItsPipeline>
+bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial, Backlog& backlog,
+          ItsPipeline& pipeline) {
+  backlog.begin_pass(machine.clock().now_us());
+  take_datagrams(machine, platform, backlog, pipeline);
+  pipeline.tick(machine.clock().now_us());
   machine.ethernet().pump();
-  serial.pump(now_us, machine.serial());
+  serial.pump(machine.clock().now_us(), machine.serial());
   machine.watchdog().service();
-  return !machine.ethernet().receive().empty();
+  if (machine.ethernet().receive().empty()) {
+    backlog.clear();
+    return false;
+  }
+  if (backlog.is_too_long(machine.clock().now_us())) {
+    leave_datagrams(machine, platform, pipeline);
+    backlog.clear();
+  }
+  return true;
 }
 
 // Never returns. The pipeline holds the grid and belongs into static memory.
-template <Machine M>
+template <Machine M, typename ItsPipeline>
 [[noreturn]] void run(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
-                      MachinePipeline<M>& pipeline) {
+                      ItsPipeline& pipeline) {
+  Backlog backlog;
   for (;;) {
-    if (!pass(machine, platform, serial, pipeline)) {
+    if (!pass(machine, platform, serial, backlog, pipeline)) {
       machine.idle();
     }
   }

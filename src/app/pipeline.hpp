@@ -1,63 +1,84 @@
 // The pipeline: the walk of the data, from a datagram to the last message of its frame.
 //
 //     wire bytes -> [intake] packet -> scan points -> [fusion] grid -> tiles -> [sinks] wire bytes
+//                                                       '-> [window] classes -> tiles --^
 //
 // The machine comes through one seam, app::Platform, so that the target and the PC run this very
 // file. A closed frame goes to the network, and to whatever other sinks there are.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <tuple>
+#include <type_traits>
 
 #include "app/frame_engine.hpp"
 #include "app/network_sink.hpp"
+#include "app/perception_engine.hpp"
+#include "app/perception_sink.hpp"
 #include "app/platform.hpp"
+#include "app/stage_watch.hpp"
+#include "work/crew.hpp"
 
 namespace iog::app {
 
-template <Platform P, FrameSink... Sinks>
-class Pipeline {
+// Of any engine with the functions of FrameEngine. Classes go to every sink that takes them in.
+template <typename Engine, Platform P, FrameSink... Sinks>
+class EnginePipeline {
  public:
-  // vehicle, platform and sinks outlive the pipeline. start_us: the time from which silence is
-  // counted.
-  Pipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
-           std::uint64_t start_us, Coding coding, Sinks&... sinks)
+  // vehicle, platform and sinks outlive the pipeline. replayer_ipv4 may send in the name of every
+  // sensor, 0: nobody may. start_us: the time from which silence is counted.
+  EnginePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
+                 std::uint64_t start_us, Coding coding, Sinks&... sinks)
       : engine_(vehicle, replayer_ipv4, start_us),
         network_(platform, coding),
         sinks_(sinks...),
-        platform_(&platform) {}
-  Pipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
-           std::uint64_t start_us, Sinks&... sinks)
-      : Pipeline(vehicle, replayer_ipv4, platform, start_us, Coding::kShortest, sinks...) {}
+        platform_(&platform),
+        watch_(platform) {}
+  EnginePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
+                 std::uint64_t start_us, Sinks&... sinks)
+      : EnginePipeline(vehicle, replayer_ipv4, platform, start_us, Coding::kShortest, sinks...) {}
+
+  // Before the first datagram: the map that is there from the start, if it is of use to the engine.
+  // It outlives the pipeline.
+  void begin_with_map(std::span<const std::uint8_t> block) { engine_.begin_with_map(block); }
 
   // One datagram. Closes the frame before it, after it, or not at all.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
-    using Outcome = FrameEngine::Outcome;
-    std::uint32_t start = platform_->ticks();
-    const std::optional<intake::SensorPacket> packet = engine_.receive(datagram);
+    using Outcome = typename Engine::Outcome;
+    watch_.start();
+    const std::optional<intake::SensorPacket> packet = engine_.receive(datagram, now_us);
     Outcome outcome = packet ? engine_.classify(*packet) : Outcome::kDropped;
     if (outcome == Outcome::kNextFrame) {
-      ticks_.fuse += platform_->ticks() - start;
+      watch_.lap(&stream::StageTicks::fuse);
       close_frame(now_us);
-      start = platform_->ticks();
       outcome = engine_.classify(*packet);
     }
     if (outcome == Outcome::kThisFrame) {
       engine_.fuse(*packet, now_us);
     }
-    ticks_.fuse += platform_->ticks() - start;
+    watch_.lap(&stream::StageTicks::fuse);
     if (engine_.is_complete()) {
       close_frame(now_us);
     }
   }
 
+  // One datagram that has waited too long. A packet of a sensor is counted and left; poses and maps
+  // are taken as always.
+  void leave(const intake::Datagram& datagram, std::uint64_t now_us) {
+    watch_.start();
+    if (const std::optional<intake::SensorPacket> packet = engine_.receive(datagram, now_us)) {
+      engine_.leave(*packet);
+    }
+    watch_.lap(&stream::StageTicks::fuse);
+  }
+
   // Time has passed.
   void tick(std::uint64_t now_us) {
     if (engine_.is_overdue(now_us)) {
+      watch_.start();
       close_frame(now_us);
     }
   }
@@ -68,19 +89,20 @@ class Pipeline {
   void forget_lines() { engine_.fusion().forget_lines(); }
 
  private:
+  static constexpr bool kPerceives = requires(const Engine& engine) { engine.classes(); };
+  using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
+
   void close_frame(std::uint64_t now_us) {
-    const std::uint32_t start = platform_->ticks();
-    engine_.finish();
-    const std::uint32_t finished = platform_->ticks();
-    ticks_.mark = finished - start;
+    engine_.finish(now_us, work::Crew(*platform_), [this](auto stage) { watch_.lap(stage); });
     publish(report(now_us));
     engine_.start_next(now_us);
-    ticks_ = {.fuse = 0, .mark = 0, .publish = platform_->ticks() - finished};
+    watch_.begin_frame(&stream::StageTicks::publish);
   }
 
   [[nodiscard]] FrameReport report(std::uint64_t now_us) {
     FrameReport report = engine_.report(now_us);
-    report.ticks = ticks_;
+    report.run_number = platform_->run_number();
+    report.ticks = watch_.ticks();
     report.ticks_hz = platform_->ticks_hz();
     report.vitals = platform_->vitals();
     return report;
@@ -93,6 +115,13 @@ class Pipeline {
       for_each_sink([&](auto& sink) { sink.take_tile(tile, cells); });
     });
     for_each_sink([](auto& sink) { sink.end_frame(); });
+    if constexpr (kPerceives) {
+      for_each_sink([this]<typename Sink>(Sink& sink) {
+        if constexpr (ClassSink<Sink>) {
+          sink.take_classes(engine_.perception(), engine_.classes());
+        }
+      });
+    }
   }
 
   template <typename Visit>
@@ -101,11 +130,19 @@ class Pipeline {
     std::apply([&](Sinks&... sinks) { (visit(sinks), ...); }, sinks_);
   }
 
-  FrameEngine engine_;
-  NetworkSink<P> network_;
+  Engine engine_;
+  Network network_;
   std::tuple<Sinks&...> sinks_;
   P* platform_;
-  stream::StageTicks ticks_;
+  StageWatch<P> watch_;
 };
+
+// Of the frames' grids.
+template <Platform P, FrameSink... Sinks>
+using Pipeline = EnginePipeline<FrameEngine, P, Sinks...>;
+
+// With the classes of the window. The vehicle is fit for them; the replayer may send poses, too.
+template <Platform P, FrameSink... Sinks>
+using PerceptionPipeline = EnginePipeline<PerceptionEngine, P, Sinks...>;
 
 }  // namespace iog::app

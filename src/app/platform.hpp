@@ -7,7 +7,10 @@
 #include <span>
 
 #include "app/frame_report.hpp"
+#include "app/perception_report.hpp"
 #include "tile_coding/tile_cells.hpp"
+#include "window/window_view.hpp"
+#include "work/round.hpp"
 
 namespace iog::app {
 
@@ -15,12 +18,18 @@ namespace iog::app {
 //                   out.
 // ticks(), ticks_hz(): a stopwatch, as hal::Stopwatch.
 // vitals(): once for each frame, before its first message.
+// run_number(): as hal::RunNumber.
+// cores(): how many work now; share(items, work): does them all, as work::Team.
 template <typename T>
-concept Platform = requires(T& platform, std::span<const std::byte> message) {
+concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
+                            work::Work work) {
   { platform.send_message(message) } -> std::same_as<bool>;
   { platform.ticks() } -> std::same_as<std::uint32_t>;
   { platform.ticks_hz() } -> std::same_as<std::uint32_t>;
   { platform.vitals() } -> std::same_as<Vitals>;
+  { platform.run_number() } -> std::same_as<std::uint32_t>;
+  { platform.cores() } -> std::same_as<std::size_t>;
+  { platform.share(items, work) } -> std::same_as<void>;
 };
 
 // Takes in a closed frame: what it says of itself, each tile in which something is known, in rising
@@ -31,6 +40,13 @@ concept FrameSink = requires(T& sink, const FrameReport& report, std::size_t til
   { sink.begin_frame(report) } -> std::same_as<void>;
   { sink.take_tile(tile, cells) } -> std::same_as<void>;
   { sink.end_frame() } -> std::same_as<void>;
+};
+
+// A sink that takes in classes, too, after the frame's own grid. The view changes after the call.
+template <typename T>
+concept ClassSink = FrameSink<T> &&
+    requires(T& sink, const PerceptionReport& report, const window::WindowView& classes) {
+  { sink.take_classes(report, classes) } -> std::same_as<void>;
 };
 
 }  // namespace iog::app

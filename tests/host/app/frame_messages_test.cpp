@@ -22,6 +22,7 @@ TEST(FrameMessages, TheHeaderHasABitForEachSensorAndSumsOfPoints) {
   report.packets_fused = 6;
   report.packets_dropped = 10;
   report.vitals.link_drops = 4;
+  report.run_number = 0xF0000001;
   const stream::Header header = header_of(report);
   EXPECT_EQ(header.frame_number, 9U);
   EXPECT_EQ(header.closed_us, 77U);
@@ -34,6 +35,7 @@ TEST(FrameMessages, TheHeaderHasABitForEachSensorAndSumsOfPoints) {
   EXPECT_EQ(header.packets_fused, 6U);
   EXPECT_EQ(header.packets_dropped, 14U);
   EXPECT_EQ(header.flags, 0);
+  EXPECT_EQ(header.run_number, 0xF0000001U);
 }
 
 TEST(FrameMessages, FlagsSayHowTheFrameWasClosedAndFused) {

@@ -304,7 +304,7 @@ TEST(Pipeline, LostTilesAreCountedAndLeaveNoTrace) {
 }
 
 // A number is given to what could not be sent, too: so a receiver misses it.
-TEST(Pipeline, EveryMessageIsNumbered) {
+TEST(Pipeline, EveryMessageIsNumberedAndOfThisRun) {
   tests::Random random(81);
   Bench bench;
   bench.platform.allow_messages(3);
@@ -317,6 +317,7 @@ TEST(Pipeline, EveryMessageIsNumbered) {
   }
   const auto& sequences = bench.platform.sequences();
   ASSERT_GT(sequences.size(), 4U);
+  EXPECT_EQ(bench.platform.frames.back().header.run_number, tests::FakePlatform::kRunNumber);
   EXPECT_EQ(sequences[2], 2U);
   EXPECT_GT(sequences[3], 3U);
   for (std::size_t i = 4; i < sequences.size(); ++i) {

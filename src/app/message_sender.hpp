@@ -1,0 +1,54 @@
+// The messages of a target on their way to the network: each is numbered and protected.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "app/platform.hpp"
+#include "protection/protected_message.hpp"
+#include "require/require.hpp"
+#include "stream/channel.hpp"
+#include "stream/message.hpp"
+
+namespace iog::app {
+
+template <Platform P>
+class MessageSender {
+ public:
+  // platform outlives the sender.
+  explicit MessageSender(P& platform) : platform_(&platform) {}
+
+  // The number of the next message.
+  [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
+
+  // A whole message with room for what protects it. False if the network took none. It is numbered
+  // all the same, so that a receiver misses it.
+  [[nodiscard]] bool send(std::span<std::byte> message) {
+    sender_.protect(message);
+    ++sequence_;
+    return platform_->send_message(message);
+  }
+
+  // A message of a header and the body that write(buffer) puts behind it, returning its bytes. If
+  // it cannot go, the number of the next one shows it.
+  template <typename Write>
+  void send(stream::Header header, stream::MessageType type, Write&& write) {
+    std::array<std::byte, protection::kMaxMessageBytes> message;
+    const auto content = std::span<std::byte>(message).subspan(protection::kProtectionBytes);
+    header.type = type;
+    header.sequence = sequence_;
+    const std::size_t head = stream::write_header(header, content);
+    const std::size_t body = write(content.subspan(head));
+    require(body > 0);
+    static_cast<void>(send(std::span(message).first(protection::kProtectionBytes + head + body)));
+  }
+
+ private:
+  P* platform_;
+  std::uint32_t sequence_ = 0;
+  protection::Sender sender_{stream::kNetworkChannel};
+};
+
+}  // namespace iog::app

@@ -1,0 +1,192 @@
+#include "app/perception_engine.hpp"
+
+#include <algorithm>
+
+#include "intake/measurement_time.hpp"
+#include "pose/limits.hpp"
+#include "require/require.hpp"
+
+namespace iog::app {
+
+static_assert(grid::kMaxMarks >= kMaxFrameMarks, "a frame's marks fit, too");
+
+Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
+  if (vehicle.rule != vehicle::FusionRule::kHitsWin) {
+    return Unfit::kFusionRule;
+  }
+  return vehicle.quantisation == index::Quantisation::kBlurring ? Unfit::kNone
+                                                                : Unfit::kQuantisation;
+}
+
+PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
+                                   std::uint64_t start_us)
+    : frame_(vehicle, replayer_ipv4, start_us),
+      window_(vehicle.window),
+      shared_(vehicle),
+      maps_(vehicle.maps, replayer_ipv4),
+      moved_us_(start_us),
+      poses_(vehicle.poses, replayer_ipv4),
+      packets_(vehicle.sensors),
+      vehicle_(&vehicle) {
+  require(unfit_for_perception(vehicle) == Unfit::kNone);
+  report_.log2_slice_ms = vehicle.poses.log2_slice_ms;
+}
+
+std::optional<intake::SensorPacket> PerceptionEngine::receive(const intake::Datagram& datagram,
+                                                              std::uint64_t now_us) {
+  if (poses_.listens_to(datagram.destination_port)) {
+    static_cast<void>(poses_.receive(datagram.source_ipv4, datagram.payload, now_us));
+    return std::nullopt;
+  }
+  if (maps_.listens_to(datagram.destination_port)) {
+    static_cast<void>(maps_.receive(datagram.source_ipv4, datagram.payload, now_us));
+    return std::nullopt;
+  }
+  return frame_.receive(datagram);
+}
+
+PerceptionEngine::Outcome PerceptionEngine::classify(const intake::SensorPacket& packet) {
+  const Outcome outcome = frame_.classify(packet);
+  if (outcome == Outcome::kThisFrame && !packets_.fits(packet)) {
+    frame_.refuse(packet);
+    return Outcome::kDropped;
+  }
+  return outcome;
+}
+
+// A VLP-16 counts from the hour, and the newest pose says of which.
+void PerceptionEngine::fuse(const intake::SensorPacket& packet, std::uint64_t now_us) {
+  frame_.accept(packet, now_us);
+  const vehicle::Sensor& sensor = vehicle_->sensors[packet.sensor];
+  const std::optional<pose::Message> newest = poses_.newest();
+  packets_.keep(packet, sensor.is_synchronised ? intake::measured_us(sensor, packet.packet.info(),
+                                                                     newest ? newest->clock_us : 0)
+                                               : now_us - sensor.latency_us);
+}
+
+// The slices of the frame, each with its place, and the frame's stamp.
+void PerceptionEngine::open_slices(std::uint64_t now_us) {
+  const std::optional<std::uint64_t> end_us =
+      slices_.measure(vehicle_->sensors, packets_.packets(), poses_);
+  if (!end_us) {
+    poses_.pass_silence(now_us);
+  }
+  // A scanner whose clock is ahead cannot take the window's time with it. Without any it is the
+  // time of the newest pose, so that a pause of all who send is none for the window.
+  std::optional<std::uint64_t> time_us = poses_.source_time(now_us);
+  if (time_us) {
+    time_us = end_us ? std::min(*end_us, *time_us + pose::kLateUs) : poses_.newest()->clock_us;
+  }
+  move_time(time_us, now_us);
+  slices_.place(packets_.packets(), poses_);
+  report_slices();
+  report_causes();
+  if (report_.slice_count > 0) {
+    time_us = slices_.placed().back().slice.end_us;
+    window_.follow(slices_.placed().back().pose);
+  }
+  report_.end = time_us ? poses_.pose_at(*time_us) : pose::Placed{};
+}
+
+// To the frame's stamp. When the poses break off, the window is unknown. Its time goes on, also if
+// the clock of another run begins anew.
+void PerceptionEngine::move_time(std::optional<std::uint64_t> time_us, std::uint64_t now_us) {
+  if (time_us) {
+    poses_.pass(*time_us);
+  }
+  const std::uint64_t passed_us = report_.stamp_us + (now_us - moved_us_);
+  report_.is_forgotten = poses_.epoch() != epoch_;
+  if (report_.is_forgotten) {
+    epoch_ = poses_.epoch();
+    window_.forget();
+    if (time_us && *time_us + offset_us_ < report_.stamp_us) {
+      offset_us_ = passed_us - *time_us;
+    }
+  }
+  const std::uint64_t stamp_us = time_us ? *time_us + offset_us_ : passed_us;
+  if (stamp_us > report_.stamp_us) {
+    report_.stamp_us = stamp_us;
+    moved_us_ = now_us;
+  }
+}
+
+void PerceptionEngine::report_slices() {
+  report_.packets_placed = 0;
+  report_.slice_count = slices_.placed().size();
+  report_.slices_over_budget = slices_.over_budget();
+  std::ranges::copy(slices_.placed(), report_.slices.begin());
+}
+
+// The report still has the counts of the frame before.
+void PerceptionEngine::report_causes() {
+  unsigned causes = 0;
+  for (std::size_t cause = 0; cause < pose::kCauseCount; ++cause) {
+    const pose::Tally tally = poses_.tally(static_cast<pose::Cause>(cause));
+    const bool is_met = tally.times != report_.tallies[cause].times ||
+                        poses_.slices()[cause] != report_.slice_causes[cause];
+    causes |= is_met ? 1U << cause : 0U;
+    report_.tallies[cause] = tally;
+  }
+  constexpr unsigned kPlaced = 1U << static_cast<unsigned>(pose::Cause::kNone);
+  report_.causes = static_cast<std::uint8_t>(causes & ~kPlaced);
+  report_.pose_fates = poses_.fates();
+  report_.slice_causes = poses_.slices();
+}
+
+// The points of a group's packets, and how many packets they are. What has no place is one group,
+// because it only counts in the frame's own grid.
+std::uint32_t PerceptionEngine::fuse_group(std::uint8_t group) {
+  std::uint32_t packets = 0;
+  for (const KeptPacket& packet : packets_.packets()) {
+    if (packet.group == group) {
+      frame_.add_points(packet.sensor, packets_.decoded(packet));
+      ++packets;
+    }
+  }
+  return packets;
+}
+
+// Each tile is looked at once, while it is at hand.
+void PerceptionEngine::join_group(std::size_t group) {
+  frame_.finish();
+  frame_.fusion().release([this, group](std::size_t tile, auto indexes) {
+    joined_.add(tile, indexes);
+    if (group != FrameSlices::kNowhere) {
+      window_.take(tile, indexes);
+    }
+  });
+}
+
+// The slice at hand of those that were fused together.
+void PerceptionEngine::hand_to_window(const work::Crew& crew) {
+  shared_.share_tiles(crew,
+                      [this](std::size_t tile, auto indexes) { window_.copy(tile, indexes); });
+  shared_.for_each_tile([this](std::size_t tile) { window_.note(tile); });
+}
+
+void PerceptionEngine::place_group(std::size_t group, const work::Crew& crew) {
+  window_.add(window::placement_of(report_.slices[group].pose), crew);
+}
+
+// The window has followed the vehicle, and another block comes into use only here.
+void PerceptionEngine::lay_map() {
+  maps_.work();
+  const std::optional<pose::Message> newest = poses_.newest();
+  const auto transform = newest ? newest->map : std::nullopt;
+  if (window_.is_frame(report_.stamp_us)) {
+    layer_.work(maps_.in_use(), transform, window_);
+  } else {
+    layer_.look(maps_.in_use(), transform, window_);
+  }
+  report_.map_block = maps_.in_use();
+  report_.map = layer_.report();
+  report_.map_delivery = maps_.report();
+}
+
+void PerceptionEngine::start_next(std::uint64_t now_us) {
+  packets_.clear();
+  frame_.start_next(now_us);
+  report_.number = frame_.number();
+}
+
+}  // namespace iog::app

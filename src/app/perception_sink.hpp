@@ -1,0 +1,77 @@
+// The network as a sink of frames with classes: between the tiles of a frame and its end those of
+// the classes and their end.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "app/class_messages.hpp"
+#include "app/network_sink.hpp"
+#include "app/perception_report.hpp"
+#include "stream/class_end.hpp"
+#include "stream/class_hash.hpp"
+#include "stream/message.hpp"
+#include "vehicle/description.hpp"
+#include "window/window_view.hpp"
+
+namespace iog::app {
+
+// Holds what was sent, 2 MB: belongs into static memory.
+template <Platform P>
+class PerceptionSink : private NetworkSink<P> {
+  using Indexes = NetworkSink<P>;
+
+ public:
+  // platform outlives the sink.
+  PerceptionSink(P& platform, Coding coding)
+      : Indexes(platform, coding), classes_(platform, this->messages(), coding) {}
+
+  void begin_frame(const FrameReport& report) {
+    has_indexes_ = vehicle::have_indexes(report.grids);
+    constexpr auto kClassesAlone =
+        static_cast<std::uint8_t>(stream::kFlagClasses | stream::kFlagNoIndexes);
+    Indexes::begin_frame(report, has_indexes_ ? stream::kFlagClasses : kClassesAlone);
+  }
+
+  void take_tile(std::size_t tile, tile_coding::TileCells cells) {
+    if (has_indexes_) {
+      Indexes::take_tile(tile, cells);
+    }
+  }
+
+  // That the frame ends is said behind its classes.
+  void end_frame() {
+    if (has_indexes_) {
+      this->end_tiles();
+    }
+  }
+
+  void take_classes(const PerceptionReport& report, const window::WindowView& classes) {
+    const window::TileNumber corner = classes.area().corner();
+    const stream::ClassWindow window = class_window_of(report, corner);
+    stream::ClassEnd end = class_end_of(report, window);
+    stream::ClassHash hash(corner);
+    classes_.begin(this->header(), window);
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
+      if (const auto cells = classes.class_bytes(slot)) {
+        hash.add(slot, *cells);
+        classes_.add(slot, *cells, classes.age_frames(slot));
+      }
+    }
+    const auto counts = classes_.finish();
+    end.tiles_sent = counts.sent;
+    end.tiles_lost = counts.lost;
+    end.classes_crc = hash.value();
+    this->messages().send(
+        this->header(), stream::MessageType::kClassEnd,
+        [&](std::span<std::byte> body) { return stream::write_class_end(end, body); });
+    this->send_frame_end();
+  }
+
+ private:
+  bool has_indexes_ = true;
+  TileSender<P> classes_;
+};
+
+}  // namespace iog::app

@@ -1,0 +1,182 @@
+// What becomes of the window when poses or sensors are silent, jump, or begin anew.
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <vector>
+
+#include "fakes/test_vehicles.hpp"
+#include "perception_bench.hpp"
+
+namespace iog::app {
+namespace {
+
+using testing::Car;
+using testing::ClassName;
+using testing::drive_at_wall;
+using testing::kPeriodUs;
+using testing::kStartUs;
+using testing::kWallM;
+using testing::PerceptionBench;
+using testing::TimedDatagram;
+
+// Nothing is fused without a pose: what was known fades, and after a second it has no place.
+TEST(PerceptionTime, WithoutPosesTheWindowAgesAndIsLost) {
+  const Car car(tests::OneLux::kVehicle, true);
+  PerceptionBench bench(car.vehicle());
+  bench.take(drive_at_wall(20));
+  const std::size_t known = bench.classes.cells.size();
+  for (int frame = 21; frame <= 40; ++frame) {
+    bench.take(testing::scan_of_wall(100, frame, 4, static_cast<std::uint64_t>(frame) * kPeriodUs,
+                                     kWallM));
+  }
+  EXPECT_EQ(bench.report().packets_placed, 0U);
+  EXPECT_EQ(bench.report().packets_not_placed, 4U);
+  EXPECT_GT(bench.slices_by(pose::Cause::kLate), 30U);
+  EXPECT_LT(bench.classes.cells.size(), known / 2);
+  EXPECT_GT(bench.classes.cells.size(), 0U);
+  int forgotten = 0;
+  for (int frame = 41; frame <= 50; ++frame) {
+    bench.take(testing::scan_of_wall(100, frame, 4, static_cast<std::uint64_t>(frame) * kPeriodUs,
+                                     kWallM));
+    forgotten += bench.report().is_forgotten ? 1 : 0;
+  }
+  EXPECT_EQ(forgotten, 1);
+  EXPECT_EQ(bench.classes.names.back(), ClassName{});
+  EXPECT_EQ(bench.report().tallies[static_cast<std::size_t>(pose::Cause::kLost)].times, 1U);
+}
+
+// Silence is a frame, too. A tile is refreshed in one of eight frames, and in silence a frame takes
+// 80 ms.
+TEST(PerceptionTime, InSilenceOfTheSensorsTheWindowAges) {
+  const Car car(tests::OneLux::kVehicle, true);
+  PerceptionBench bench(car.vehicle());
+  const std::uint64_t end_us = 20 * kPeriodUs;
+  bench.take(drive_at_wall(20));
+  const std::uint64_t stamp_us = bench.report().stamp_us;
+  const std::size_t known = bench.classes.cells.size();
+  bench.take(testing::poses(end_us, end_us + 1'000'000));
+  bench.pass_until(end_us + 1'000'000);
+  EXPECT_NEAR(static_cast<double>(bench.report().stamp_us - stamp_us), 1'000'000, 90'000);
+  EXPECT_LT(bench.classes.cells.size(), known * 2 / 3);
+}
+
+// When the poses are silent, too, nobody says that time has passed, and a pause of whoever plays a
+// drive does not show. After a second the poses are lost, and the target's own clock says it.
+TEST(PerceptionTime, InASilenceOfAllNothingChangesUntilThePosesAreLost) {
+  const Car car(tests::OneLux::kVehicle, true);
+  PerceptionBench bench(car.vehicle());
+  const std::uint64_t end_us = 20 * kPeriodUs;
+  bench.take(drive_at_wall(20));
+  const std::uint64_t stamp_us = bench.report().stamp_us;
+  const ClassName name = bench.classes.names.back();
+  bench.pass_until(end_us + 900'000);
+  EXPECT_EQ(bench.classes.names.size(), 31U);
+  EXPECT_EQ(bench.report().stamp_us, stamp_us);
+  EXPECT_EQ(bench.classes.names.back(), name);
+  bench.pass_until(end_us + 2'000'000);
+  EXPECT_NEAR(static_cast<double>(bench.report().stamp_us - stamp_us), 2'000'000, 90'000);
+  EXPECT_EQ(bench.classes.names.back(), ClassName{});
+}
+
+TEST(PerceptionTime, AJumpOfThePosesForgetsTheWindow) {
+  const Car car(tests::OneLux::kVehicle, true);
+  PerceptionBench bench(car.vehicle());
+  auto drive = drive_at_wall(20);
+  for (TimedDatagram& datagram : drive) {
+    if (datagram.port == pose::kPosePort && datagram.now_us > 600'000) {
+      pose::Message message = testing::pose_at(datagram.now_us - testing::kPoseAgeUs);
+      message.pose.y_mm += 500;
+      datagram = testing::datagram_of(message);
+    }
+  }
+  bench.take(drive);
+  std::vector<std::size_t> forgotten;
+  for (std::size_t frame = 0; frame < bench.classes.reports.size(); ++frame) {
+    if (bench.classes.reports[frame].is_forgotten) {
+      forgotten.push_back(frame);
+    }
+  }
+  // The first pose beside comes at 602 ms, in the frame that ends at 640 ms, the sixteenth.
+  EXPECT_EQ(forgotten, std::vector<std::size_t>{15});
+  EXPECT_EQ(bench.report().tallies[static_cast<std::size_t>(pose::Cause::kJump)].times, 1U);
+  // What is known now is what was seen since: nothing beside the old place.
+  EXPECT_GT(bench.classes.cells.size(), 1000U);
+}
+
+// The clock of a source that was started anew begins at 0: the window's time goes on.
+TEST(PerceptionTime, AfterARestartOfThePosesTheWindowLivesOn) {
+  const Car car(tests::OneLux::kVehicle, false, 1'000);
+  PerceptionBench bench(car.vehicle());
+  const auto scans = [](int first, int last) {
+    std::vector<TimedDatagram> datagrams;
+    for (int frame = first; frame <= last; ++frame) {
+      std::ranges::move(testing::scan_of_wall(
+                            100, frame, 4, static_cast<std::uint64_t>(frame) * kPeriodUs, kWallM),
+                        std::back_inserter(datagrams));
+    }
+    return datagrams;
+  };
+  auto drive = scans(1, 40);
+  std::ranges::move(testing::poses(0, 800'000), std::back_inserter(drive));
+  const auto anew = [](std::uint64_t begin_us, std::uint64_t end_us) {
+    std::vector<TimedDatagram> datagrams = testing::poses(begin_us, end_us);
+    for (TimedDatagram& datagram : datagrams) {
+      const std::uint64_t now_us = datagram.now_us;
+      pose::Message message = testing::pose_at(now_us - testing::kPoseAgeUs, 2);
+      message.clock_us -= kStartUs + 800'000 - 5'000;
+      datagram = testing::datagram_of(message);
+      datagram.now_us = now_us;
+    }
+    return datagrams;
+  };
+  std::ranges::move(anew(800'000, 1'600'000), std::back_inserter(drive));
+  bench.take(drive);
+  EXPECT_EQ(bench.report().tallies[static_cast<std::size_t>(pose::Cause::kRestart)].times, 1U);
+  EXPECT_EQ(bench.report().packets_placed, 4U);
+  for (std::size_t frame = 1; frame < bench.classes.reports.size(); ++frame) {
+    const std::uint64_t elapsed_us =
+        bench.classes.reports[frame].stamp_us - bench.classes.reports[frame - 1].stamp_us;
+    ASSERT_LT(elapsed_us, 100'000U) << frame;
+  }
+  EXPECT_NEAR(static_cast<double>(bench.report().stamp_us - bench.classes.reports[20].stamp_us),
+              19.0 * kPeriodUs, 20'000);
+  // It fades as it should: without anything new for a while, most is unknown.
+  const std::size_t known = bench.classes.cells.size();
+  EXPECT_GT(known, 1000U);
+  bench.take(anew(1'600'000, 2'600'000));
+  EXPECT_LT(bench.classes.cells.size(), known / 2);
+}
+
+// A scanner whose clock is hours ahead is not placed and does not take the window's time with it.
+TEST(PerceptionTime, AStrangeClockPlacesNothingAndMovesNoTime) {
+  const Car car(tests::ThreeLux::kVehicle, true);
+  PerceptionBench alone(car.vehicle());
+  PerceptionBench disturbed(car.vehicle());
+  constexpr std::uint64_t kHours = 7'200'000'000;
+  for (int number = 1; number <= 6; ++number) {
+    const std::uint64_t end_us = static_cast<std::uint64_t>(number) * kPeriodUs;
+    const auto poses = testing::poses(end_us - kPeriodUs, end_us);
+    const auto good = testing::scan_of_wall(100, number, 2, end_us - 5'000, 28);
+    auto strange = testing::scan_of_wall(101, number, 2, end_us + kHours, 28 + 10.0 * 7200);
+    for (PerceptionBench* const bench : {&alone, &disturbed}) {
+      bench->take(poses);
+      bench->take(good);
+      if (bench == &disturbed) {
+        for (TimedDatagram& datagram : strange) {
+          datagram.now_us = end_us - 4'000;
+        }
+        bench->take(strange);
+      }
+      bench->pass_until(end_us + 39'000);
+    }
+  }
+  ASSERT_EQ(alone.classes.reports.size(), disturbed.classes.reports.size());
+  const std::uint64_t ahead_us = disturbed.report().stamp_us - alone.report().stamp_us;
+  EXPECT_LE(ahead_us, pose::kLateUs + 40'000);
+  EXPECT_EQ(disturbed.slices_by(pose::Cause::kNone), alone.slices_by(pose::Cause::kNone));
+  EXPECT_GT(disturbed.slices_by(pose::Cause::kLate), 0U);
+  EXPECT_FALSE(disturbed.report().is_forgotten);
+}
+
+}  // namespace
+}  // namespace iog::app

@@ -1,0 +1,90 @@
+// A grid encoded by several cores: the same messages as from one, byte for byte.
+#include <array>
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+#include "app/network_sink.hpp"
+#include "fakes/random.hpp"
+#include "sharing_platform.hpp"
+
+namespace iog::app {
+namespace {
+
+using testing::Accident;
+using testing::kAnyTimeUs;
+using testing::kShortlyUs;
+using testing::SharingPlatform;
+using Message = SharingPlatform::Message;
+
+// Tiles of a made-up drive: most stay as they were, some change a little, some all over.
+class Drive {
+ public:
+  void next() {
+    for (auto& tile : tiles_) {
+      const int changes = random_.one_in(8) ? 1024 : random_.one_in(2) ? 5 : 0;
+      for (int i = 0; i < changes; ++i) {
+        tile[random_.below(tile.size())] = static_cast<std::byte>(random_.between(-14, 2));
+      }
+    }
+  }
+
+  void publish(std::uint32_t number, NetworkSink<SharingPlatform>& sink) const {
+    FrameReport report{};
+    report.number = number;
+    sink.begin_frame(report);
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+      sink.take_tile(3 * i, tiles_[i]);
+    }
+    sink.end_frame();
+  }
+
+ private:
+  tests::Random random_{7};
+  std::array<std::array<std::byte, tile_coding::kTileBytes>, 150> tiles_{};
+};
+
+void play(int frames, SharingPlatform& platform) {
+  const auto sink = std::make_unique<NetworkSink<SharingPlatform>>(platform, Coding::kShortest);
+  const auto drive = std::make_unique<Drive>();
+  for (int frame = 0; frame < frames; ++frame) {
+    drive->next();
+    drive->publish(static_cast<std::uint32_t>(frame), *sink);
+  }
+}
+
+constexpr int kFrames = 20;
+
+std::vector<Message> messages_of_one_core() {
+  SharingPlatform alone(1, kAnyTimeUs);
+  play(kFrames, alone);
+  return alone.messages;
+}
+
+class PublishBy : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(PublishBy, CoresGivesTheMessagesOfOne) {
+  SharingPlatform platform(GetParam(), kAnyTimeUs);
+  play(kFrames, platform);
+  EXPECT_EQ(platform.messages, messages_of_one_core());
+  EXPECT_GT(platform.items_of_helpers(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(TwoToFour, PublishBy, ::testing::Values(2U, 3U, 4U));
+
+class PublishDespite : public ::testing::TestWithParam<Accident> {};
+
+TEST_P(PublishDespite, TheLossOfACoreGivesTheMessagesOfOne) {
+  SharingPlatform platform(3, kShortlyUs);
+  platform.let_happen(GetParam());
+  play(kFrames, platform);
+  EXPECT_EQ(platform.messages, messages_of_one_core());
+  EXPECT_NE(platform.fate_of_victim(), work::Loss::kNone);
+}
+
+INSTANTIATE_TEST_SUITE_P(Accidents, PublishDespite,
+                         ::testing::Values(Accident::kFaultBefore, Accident::kFaultAfter,
+                                           Accident::kHangBefore, Accident::kHangAfter));
+
+}  // namespace
+}  // namespace iog::app
