@@ -2,6 +2,7 @@
 
 #include "clocks.hpp"
 #include "gic.hpp"
+#include "mac_fuses.hpp"
 #include "memory.hpp"
 #include "peripherals.hpp"
 #include "pins.hpp"
@@ -23,10 +24,16 @@ std::string_view name(BootReason reason) {
   return "unknown";
 }
 
+// core_start.S.
+extern "C" void Helper_Start();  // NOLINT(readability-identifier-naming): as the vectors' handlers
+
+std::uint32_t helper_entry() { return reinterpret_cast<std::uint32_t>(&Helper_Start); }
+
 }  // namespace
 
 Board::Board(const MacAddress& address)
-    : clock_(gpt),
+    : mac_address_(address),
+      clock_(gpt),
       stopwatch_(global_timer),
       console_(uart2),
       serial_(uart1),
@@ -34,7 +41,8 @@ Board::Board(const MacAddress& address)
       tick_(epit1),
       l2_cache_(pl310),
       ethernet_(enet, enet_memory.receive_descriptors, enet_memory.receive_buffers,
-                enet_memory.transmit_descriptors, enet_memory.transmit_buffers, l2_cache_, clock_) {
+                enet_memory.transmit_descriptors, enet_memory.transmit_buffers, l2_cache_, clock_),
+      cores_(src, scu, gic_distributor, clock_, all_helpers, helper_entry()) {
   // The watchdog first, so that no later step can hang for good.
   watchdog_.start();
   reset_status_ = src.srsr.read();
@@ -47,9 +55,16 @@ Board::Board(const MacAddress& address)
   clock_.start();
   stopwatch_.start(clock_);
   start_ethernet_pins(iomuxc, gpio3, gpio6, clock_);
-  ethernet_.start(address);
+  if (const auto fused = mac_of_fuses(ocotp)) {
+    mac_address_ = *fused;
+    mac_is_of_fuses_ = true;
+  }
+  ethernet_.start(mac_address_);
   tick_.start();
   start_gic(gic_distributor, gic_cpu);
+  // Last, when the stopwatch has run beside clocks that it knows nothing of.
+  run_number_ = begin_run(boot_record,
+                          {.noise = boot_noise, .ticks = stopwatch_.ticks(), .mac = mac_address_});
 }
 
 void Board::idle() {
@@ -66,12 +81,20 @@ std::uint32_t Board::stack_bytes() const { return main_stack_bytes(); }
 void Board::print_banner() {
   TextLine line;
   line.text("iogrid ").text(kVersion).text(" on i.MX6Q, boot ").decimal(boot_.number);
-  line.text(": ").text(name(boot_.reason)).text(", SRSR ").hex(reset_status_).text("\n");
+  line.text(": ").text(name(boot_.reason)).text(", SRSR ").hex(reset_status_);
+  line.text(", run ").hex(run_number_).text("\n");
   console_.write(line.view());
   line = {};
   line.text("clock 1 MHz, stopwatch ").decimal(stopwatch_.ticks_hz() / 1'000'000);
   line.text(" MHz, L2 ").text(l2_cache_is_on() ? "on" : "off");
   line.text(", PHY ").hex(ethernet_.phy_id()).text("\n");
+  console_.write(line.view());
+  line = {};
+  line.text("MAC ");
+  for (const std::uint8_t octet : mac_address_) {
+    line.octet(octet);
+  }
+  line.text(mac_is_of_fuses_ ? " of the fuses\n" : " of the image\n");
   console_.write(line.view());
   if (boot_.reason == BootReason::kAfterLastWord) {
     console_.write("previous run: LAST WORD ");

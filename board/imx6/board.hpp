@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "boot_record.hpp"
+#include "cores.hpp"
 #include "ethernet/enet_port.hpp"
 #include "gpt_clock.hpp"
 #include "l2_cache.hpp"
@@ -22,7 +23,8 @@ namespace iog::imx6 {
 class Board {
  public:
   // Starts everything, in the order in which the parts need each other. Takes some 15 ms, most of
-  // it the reset of the PHY. The watchdog runs from here on.
+  // it the reset of the PHY. The watchdog runs from here on. The address is for a chip whose fuses
+  // hold none.
   explicit Board(const MacAddress& address);
 
   GptClock& clock() { return clock_; }
@@ -31,6 +33,9 @@ class Board {
   SerialLink& serial() { return serial_; }
   Watchdog& watchdog() { return watchdog_; }
   EnetPort& ethernet() { return ethernet_; }
+  Cores& cores() { return cores_; }
+
+  const MacAddress& mac_address() const { return mac_address_; }
 
   // What the boot record said, and SRC_SRSR as this boot found it (QEMU always says 1, power-on).
   const Boot& boot() const { return boot_; }
@@ -41,15 +46,20 @@ class Board {
   // after it and before the next call.
   void idle();
 
+  // Of this run, as hal::RunNumber.
+  std::uint32_t run_number() const { return run_number_; }
+
   // The deepest the main stack has been since start, and how deep it may be.
   std::uint32_t stack_used_bytes() const;
   std::uint32_t stack_bytes() const;
 
-  // Version, clock rates, whether the L2 cache is on, why this boot, and the previous run's last
-  // word if it left one.
+  // Version, clock rates, whether the L2 cache is on, the MAC address, why this boot, and the
+  // previous run's last word if it left one.
   void print_banner();
 
  private:
+  MacAddress mac_address_;
+  bool mac_is_of_fuses_ = false;
   GptClock clock_;
   Stopwatch stopwatch_;
   Uart console_;
@@ -58,8 +68,10 @@ class Board {
   Tick tick_;
   L2Cache l2_cache_;
   EnetPort ethernet_;
+  Cores cores_;
   Boot boot_;
   std::uint32_t reset_status_ = 0;
+  std::uint32_t run_number_ = 0;
 };
 
 }  // namespace iog::imx6

@@ -13,6 +13,7 @@ std::uint32_t seal_of(const BootRecord& record) {
   std::uint32_t hash = 0x811c'9dc5;
   const auto add = [&hash](std::uint32_t value) { hash = (hash ^ value) * 0x0100'0193; };
   add(record.boots);
+  add(record.run_number);
   add(record.last_word_bytes);
   const std::size_t used =
       std::min<std::size_t>(record.last_word_bytes, BootRecord::kLastWordBytes);
@@ -20,6 +21,25 @@ std::uint32_t seal_of(const BootRecord& record) {
     add(static_cast<unsigned char>(record.last_word[index]));
   }
   return hash;
+}
+
+// Every bit of a word reaches every bit of the result: the finaliser of MurmurHash3 (Appleby,
+// public domain), which maps the 2^32 words one to one.
+std::uint32_t stirred(std::uint32_t hash) {
+  hash = (hash ^ hash >> 16) * 0x85eb'ca6b;
+  hash = (hash ^ hash >> 13) * 0xc2b2'ae35;
+  return hash ^ hash >> 16;
+}
+
+std::uint32_t number_drawn_from(const Differences& differences) {
+  std::uint32_t number = stirred(differences.ticks);
+  for (const std::uint32_t word : differences.noise) {
+    number = stirred(number ^ word);
+  }
+  for (const std::uint8_t octet : differences.mac) {
+    number = stirred(number ^ octet);
+  }
+  return number;
 }
 
 void close(BootRecord& record) {
@@ -41,9 +61,18 @@ Boot open_boot_record(BootRecord& record) {
         record.last_word_bytes != 0 ? BootReason::kAfterLastWord : BootReason::kWithoutAWord;
   }
   record.boots = boot.number;
+  record.run_number = valid ? record.run_number : 0;
   record.last_word_bytes = 0;
   close(record);
   return boot;
+}
+
+std::uint32_t begin_run(BootRecord& record, const Differences& differences) {
+  const bool has_one = record.run_number != 0;
+  const std::uint32_t number = has_one ? record.run_number + 1 : number_drawn_from(differences);
+  record.run_number = number != 0 ? number : 1;
+  close(record);
+  return record.run_number;
 }
 
 void write_last_word(BootRecord& record, std::string_view text) {

@@ -1,4 +1,5 @@
 // What a run leaves to the next one: a record in DDR that no reset clears and no loader overwrites.
+// It has the run's number, too, so that receivers tell one run from another (hal/run_number.hpp).
 //
 // After power-up DDR holds anything, so a record counts only if its seal fits its contents. The
 // region is mapped uncached. So what is written is in memory even if nothing is left that could
@@ -7,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace iog::imx6 {
@@ -21,13 +23,18 @@ struct BootRecord {
   static constexpr std::size_t kLastWordBytes = 240;
 
   std::uint32_t seal;
-  std::uint32_t boots;  // since the cold start
+  std::uint32_t boots;       // since the cold start
+  std::uint32_t run_number;  // of the last run that had one, 0: none since the cold start
   std::uint32_t last_word_bytes;
   std::array<char, kLastWordBytes> last_word;
 };
 
 // The record, at an address of linker/imx6.ld. It is deliberately never initialised.
-extern "C" BootRecord boot_record;  // NOLINT(bugprone-dynamic-static-initializers)
+extern "C" BootRecord boot_record;
+
+// DDR behind the record that nobody ever writes: what the power-up left there.
+// NOLINTNEXTLINE(readability-identifier-naming): a symbol of the linker script
+extern "C" const std::array<std::uint32_t, 1024> boot_noise;
 
 // What a boot learns about the run before it.
 struct Boot {
@@ -41,6 +48,18 @@ struct Boot {
 
 // Reads the record once, removes its last word and counts this boot.
 Boot open_boot_record(BootRecord& record);
+
+// What differs from one cold start to the next, if it is read when the board has started.
+struct Differences {
+  // DDR as the power-up left it: some cells fall to either side. All else may be the same.
+  std::span<const std::uint32_t> noise{};
+  std::uint32_t ticks = 0;  // of a fast clock, after waits for other clocks
+  std::array<std::uint8_t, 6> mac{};
+};
+
+// The number of this run, never 0: one more than that of the run before. If the record has none, a
+// number drawn from the differences, each bit of it from all of them.
+std::uint32_t begin_run(BootRecord& record, const Differences& differences);
 
 // Leaves a last word for the next boot; it is cut to the space there is.
 void write_last_word(BootRecord& record, std::string_view text);

@@ -10,7 +10,7 @@ namespace iog::imx6 {
 void start_clocks(CcmRegisters& ccm) {
   using R = CcmRegisters;
   ccm.ccgr[1].set_bits(R::kCcgr1Enet | R::kCcgr1Epit1 | R::kCcgr1Gpt | R::kCcgr1GptSerial);
-  ccm.ccgr[2].set_bits(R::kCcgr2Iomux);
+  ccm.ccgr[2].set_bits(R::kCcgr2Iomux | R::kCcgr2Ocotp);
   ccm.ccgr[5].set_bits(R::kCcgr5Uart | R::kCcgr5UartSerial);
   ccm.cscdr1.clear_bits(R::kCscdr1UartPodf);
   // LPM resets to WAIT: a WFI would stop the buses too, and by erratum ERR006687 the Ethernet

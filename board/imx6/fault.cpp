@@ -3,6 +3,7 @@
 #include "fault.hpp"
 
 #include "boot_record.hpp"
+#include "helper.hpp"
 #include "memory.hpp"
 #include "peripherals.hpp"
 #include "require/require.hpp"
@@ -55,9 +56,16 @@ void end_with_last_word(std::string_view text) {
   wait_for_reset();
 }
 
+// A helper ends alone; core 0 does its work.
+void end_core(const TextLine& last_word) {
+  if (core_number() != 0) {
+    end_helper(hal::CoreState::kFaulted, last_word);
+  }
+  end_with_last_word(last_word.view());
+}
+
 void report_fault(const FaultFrame* frame) {
-  const TextLine line = describe(*frame, read_status(frame->kind), memory_map());
-  end_with_last_word(line.view());
+  end_core(describe(*frame, read_status(frame->kind), memory_map()));
 }
 
 }  // namespace iog::imx6
@@ -67,5 +75,5 @@ void iog::programmer_error(const char* file, int line) {
   imx6::TextLine text;
   text.text("requirement broken at ").text(file).text(":");
   text.decimal(static_cast<std::uint32_t>(line));
-  imx6::end_with_last_word(text.view());
+  imx6::end_core(text);
 }

@@ -43,6 +43,9 @@ TextLine describe(const FaultFrame& frame, const FaultStatus& status, const mmu:
 // Prints and records the line and waits for the watchdog to reset the chip.
 [[noreturn]] void end_with_last_word(std::string_view text);
 
+// Ends the run if this is core 0, else this helper.
+[[noreturn]] void end_core(const TextLine& last_word);
+
 // Called by startup.S on the stack of the exception's mode.
 extern "C" [[noreturn]] void report_fault(const FaultFrame* frame);
 

@@ -1,9 +1,10 @@
 // Interrupts wake the loop; nothing is ever interrupted.
 //
-// The whole firmware is one loop on one core. CPSR masks interrupts from the first instruction on,
-// and nothing unmasks them. The GIC passes three interrupts to the core all the same, because WFI
-// returns when an interrupt is pending, masked or not (ARM ARM B1.8.13): a received frame, the 1 ms
-// tick, and a transmitter of UART1 that has room while bytes wait for it.
+// On core 0 the firmware is one loop; the interrupts of the other cores are in helper.hpp. CPSR
+// masks interrupts from the first instruction on, and nothing unmasks them. The GIC passes three
+// interrupts to the core all the same, because WFI returns when an interrupt is pending, masked or
+// not (ARM ARM B1.8.13): a received frame, the 1 ms tick, and a transmitter of UART1 that has room
+// while bytes wait for it.
 //
 // After waking, the loop first clears the event flags of frame and tick in their devices and then
 // polls everything. The order matters: an event between the two is found by the poll, and an event

@@ -1,36 +1,79 @@
-// The firmware: the board, the network it lives in, the vehicle it was built for, and the loop.
+// The firmware: the board, the car of its image with the network it lives in, and the loop.
 #include "app/loop.hpp"
+#include "app/refused_car.hpp"
+#include "baked_map.hpp"
 #include "board.hpp"
+#include "car_block/car_block.hpp"
+#include "car_of_image.hpp"
+#include "core_count.hpp"
 #include "net/config.hpp"
 #include "selected_vehicle.hpp"
+#include "text_line.hpp"
 
 namespace {
 
-// The addresses of this box. As they stand they are those of QEMU's user network, whose gateway is
-// the PC; give each box of a real network its own. The peer is the only destination that the
-// firmware ever sends messages to, and it may replay recordings in the name of the sensors.
-constexpr iog::net::Config kNetwork{
-    .mac = {{0x02, 0x69, 0x6F, 0x67, 0x00, 0x01}},  // locally administered
-    .address = iog::net::ipv4(10, 0, 2, 15),
-    .prefix_bits = 24,
-    .peer = iog::net::ipv4(10, 0, 2, 2),
-    .peer_port = 15'000,
-    .source_port = 15'001,
-};
-static_assert(iog::net::is_valid(kNetwork));
+namespace car_block = iog::car_block;
+using iog::imx6::Board;
+using iog::imx6::TextLine;
 
-using Platform = iog::app::MachinePlatform<iog::imx6::Board>;
-using Pipeline = iog::app::MachinePipeline<iog::imx6::Board>;
+// Which grids a firmware makes is compiled in, and any car that asks for these runs.
+constexpr iog::vehicle::Grids kGrids = iog::vehicles::kDescription.grids;
+using Platform = iog::app::MachinePlatform<Board>;
+using Pipeline = iog::app::MachinePipeline<Board, kGrids>;
+
+// The fuses' address, if there is one, in the place of the description's.
+iog::net::Config with_mac(iog::net::Config network, const iog::imx6::MacAddress& address) {
+  network.mac.octets = address;
+  return network;
+}
+
+void print_car(Board& board, const iog::vehicle::Vehicle& car, const iog::net::Config& network) {
+  TextLine line;
+  line.text("car ").text(car.name).text(" ").hex(car.id).text(", ");
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    line.decimal(network.address.value >> shift & 0xFFU).text(shift > 0 ? "." : "\n");
+  }
+  board.console().write(line.view());
+}
+
+// No grid without a car. Whoever is to be told is, if the network at least is known.
+[[noreturn]] void refuse(Board& board, const std::optional<iog::net::Config>& network,
+                         const car_block::Verdict& verdict) {
+  static const car_block::Words words(verdict);
+  TextLine line;
+  line.text("CAR REFUSED: ").text(words.view()).text("\n");
+  board.console().write(line.view());
+  if (!network) {
+    iog::app::run_mute(board);
+  }
+  static Platform platform(board, with_mac(*network, board.mac_address()));
+  iog::app::run_refused(
+      board, platform,
+      {.reason = static_cast<std::uint8_t>(verdict.refusal), .words = words.view()});
+}
 
 }  // namespace
 
 int main() {
-  // Static: together they are 6 MB, and the stack is small.
-  static iog::imx6::Board board(kNetwork.mac.octets);
-  static Platform platform(board, kNetwork);
-  static iog::app::SerialSink serial;
-  static Pipeline pipeline(iog::vehicles::kVehicle, kNetwork.peer.value, platform,
-                           board.clock().now_us(), serial);
+  // Static: together they are up to 105 MB, and the stack is small.
+  static car_block::SensorMemory sensors;
+  static iog::vehicle::Vehicle car;
+  const car_block::Block block = iog::imx6::car_of_image();
+  const std::optional<iog::net::Config> network = car_block::read_network(block);
+  const car_block::Verdict verdict = car_block::read_car(block, kGrids, sensors, car);
+  static Board board(network ? network->mac.octets : iog::imx6::MacAddress{});
   board.print_banner();
+  if (verdict.refusal != car_block::Refusal::kNone) {
+    refuse(board, network, verdict);
+  }
+  print_car(board, car, *network);
+  static Platform platform(board, with_mac(*network, board.mac_address()), iog::imx6::kCores);
+  static iog::app::SerialSink serial;
+  // The peer is the only destination that the firmware ever sends messages to, and it may replay
+  // recordings in the name of the sensors.
+  static Pipeline pipeline(car, network->peer.value, platform, board.clock().now_us(), serial);
+  if (const auto map = iog::imx6::map_of_image(); !map.empty()) {
+    pipeline.begin_with_map(map);
+  }
   iog::app::run(board, platform, serial, pipeline);
 }

@@ -9,7 +9,9 @@
 #include "registers/gpt.hpp"
 #include "registers/iomuxc.hpp"
 #include "registers/mpcore.hpp"
+#include "registers/ocotp.hpp"
 #include "registers/pl310.hpp"
+#include "registers/src.hpp"
 #include "registers/uart.hpp"
 #include "registers/watchdog.hpp"
 
@@ -32,6 +34,7 @@ extern EpitRegisters epit1;
 extern SrcRegisters src;
 extern IomuxcRegisters iomuxc;
 extern EnetRegisters enet;
+extern OcotpRegisters ocotp;
 extern UartRegisters uart1;
 extern UartRegisters uart2;
 }

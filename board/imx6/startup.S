@@ -10,11 +10,7 @@
         .syntax unified
         .arm
 
-        .set  kModeFiq,        0x11
-        .set  kModeIrq,        0x12
-        .set  kModeSupervisor, 0x13
-        .set  kModeAbort,      0x17
-        .set  kModeUndefined,  0x1b
+#include "processor_modes.inc"
 
         .set  kSctlrMmu,       1 << 0
         .set  kSctlrAlignment, 1 << 1
@@ -34,6 +30,8 @@
         .set  kPl310Sync,      0x730
         .set  kPl310CleanInvalidateWays, 0x7fc
         .set  kPl310Polls,     1000000
+
+        .set  kWatchdogService, 0x02    // WSR
 
         // What an untouched word of a stack looks like (memory.cpp looks for it).
         .set  kStackPaint,     0x5ac4ed01
@@ -60,7 +58,7 @@ Reset_Handler:
         // Supervisor mode; interrupts, fast interrupts and asynchronous aborts masked, for ever.
         cpsid aif, #kModeSupervisor
 
-        // One core does all the work. Another one that comes here sleeps.
+        // Core 0 comes up here, the others in core_start.S. Another one that comes here sleeps.
         mrc   p15, 0, r0, c0, c0, 5     // MPIDR
         ands  r0, r0, #3
         bne   park
@@ -132,11 +130,16 @@ Reset_Handler:
         dsb
         isb
 
-        // Erratum 743622 of Cortex-A9 r2: hazard checks in the store buffer may fail and corrupt
-        // data unless bit 6 of the diagnostic register is set. The i.MX6Q has r2p10.
-        mrc   p15, 0, r0, c15, c0, 1
-        orr   r0, r0, #(1 << 6)
-        mcr   p15, 0, r0, c15, c0, 1
+        // A loader's watchdog may have little left, and zeroing memory takes time. The service sequence
+        // of WDOG1 means nothing to one that is off.
+        movw  r0, #:lower16:wdog1
+        movt  r0, #:upper16:wdog1
+        movw  r1, #0x5555
+        strh  r1, [r0, #kWatchdogService]
+        movw  r1, #0xaaaa
+        strh  r1, [r0, #kWatchdogService]
+
+        bl    start_without_errata
 
         ldr   r0, =Vectors
         mcr   p15, 0, r0, c12, c0, 0    // VBAR
@@ -154,14 +157,7 @@ Reset_Handler:
         cps   #kModeSupervisor
         ldr   sp, =main_stack_top
 
-        // NEON: access to coprocessors 10 and 11 for privileged and user code, all 32 registers.
-        mrc   p15, 0, r0, c1, c0, 2     // CPACR
-        orr   r0, r0, #(0xf << 20)
-        bic   r0, r0, #(3 << 30)        // ASEDIS, D32DIS
-        mcr   p15, 0, r0, c1, c0, 2
-        isb
-        mov   r0, #(1 << 30)
-        vmsr  fpexc, r0
+        bl    start_neon
 
         // Zeroed data. The linker script keeps both ends on 16 bytes.
         ldr   r0, =bss_begin
@@ -193,25 +189,30 @@ park:   wfi
         .size Reset_Handler, . - Reset_Handler
 
 // Exceptions. No exception is expected, none returns: each one ends in report_fault() (fault.cpp),
-// which prints, records and waits for the watchdog. The numbers are those of FaultKind in
+// which prints, records and waits for the watchdog. Those of the helpers come here, too, but for
+// their interrupts. The numbers are those of FaultKind in
 // fault.hpp. r0 = kind, r1 = address of the instruction at fault: the link register minus what the
 // ARM ARM, table B1-7, says the processor added.
 
+        .global Undefined_Handler
         .type Undefined_Handler, %function
 Undefined_Handler:
         mov   r0, #1
         sub   r1, lr, #4
         b     report
+        .global SVC_Handler
         .type SVC_Handler, %function
 SVC_Handler:
         mov   r0, #2
         sub   r1, lr, #4
         b     report
+        .global PrefetchAbort_Handler
         .type PrefetchAbort_Handler, %function
 PrefetchAbort_Handler:
         mov   r0, #3
         sub   r1, lr, #4
         b     report
+        .global DataAbort_Handler
         .type DataAbort_Handler, %function
 DataAbort_Handler:
         mov   r0, #4
@@ -222,6 +223,7 @@ IRQ_Handler:
         mov   r0, #5
         sub   r1, lr, #4
         b     report
+        .global FIQ_Handler
         .type FIQ_Handler, %function
 FIQ_Handler:
         mov   r0, #6

@@ -13,11 +13,15 @@ TextLine& TextLine::text(std::string_view characters) {
 }
 
 TextLine& TextLine::hex(std::uint32_t value) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  for (int shift = 28; shift >= 0; shift -= 4) {
-    text(kDigits.substr((value >> shift) & 0xf, 1));
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    octet(static_cast<std::uint8_t>(value >> shift & 0xff));
   }
   return *this;
+}
+
+TextLine& TextLine::octet(std::uint8_t value) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  return text(kDigits.substr(value >> 4, 1)).text(kDigits.substr(value & 0xf, 1));
 }
 
 TextLine& TextLine::decimal(std::uint32_t value) {

@@ -12,6 +12,7 @@ class TextLine {
  public:
   TextLine& text(std::string_view characters);
   TextLine& hex(std::uint32_t value);      // eight digits, no prefix
+  TextLine& octet(std::uint8_t value);     // two digits
   TextLine& decimal(std::uint32_t value);  // no leading zeros
 
   std::string_view view() const { return {characters_.data(), length_}; }

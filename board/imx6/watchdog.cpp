@@ -15,10 +15,12 @@ using R = WatchdogRegisters;
 constexpr std::uint16_t kTimeoutField = Watchdog::kTimeoutMs / 500 - 1;
 static_assert((kTimeoutField + 1) * 500 == Watchdog::kTimeoutMs && kTimeoutField <= 0xff);
 
+constexpr std::uint16_t kTimeout = kTimeoutField << R::kWcrTimeoutShift;
+constexpr std::uint16_t kTimeoutBits = 0xff << R::kWcrTimeoutShift;
+
 // SRS and WDA are active low: leaving them high means neither a reset at once nor the WDOG_B pin.
 constexpr std::uint16_t kControl =
-    static_cast<std::uint16_t>((kTimeoutField << R::kWcrTimeoutShift) | R::kWcrNoExternalAssert |
-                               R::kWcrNoSoftwareReset | R::kWcrEnable);
+    kTimeout | R::kWcrNoExternalAssert | R::kWcrNoSoftwareReset | R::kWcrEnable;
 
 }  // namespace
 
@@ -26,10 +28,15 @@ void Watchdog::start() {
   // The power-down counter runs from reset and would assert WDOG_B after 16 s. PDE can be cleared
   // once.
   registers_.wmcr.write(0);
-  // WDE, WDA and SRS can be written once after reset, so a second call must not try (and QEMU
-  // checks the wrong register there). If a loader enabled it, the loader's period stays.
-  if ((registers_.wcr.read() & R::kWcrEnable) == 0) {
-    registers_.wcr.write(kControl);
+  // The mode bits and WDE can be written once after reset, and a loader may have done so. WT can be
+  // written at any time and counts from the next service on; the other bits stay as they are.
+  // A fault starts it again: no write then, because QEMU's model takes a second one for its end.
+  const std::uint16_t control = registers_.wcr.read();
+  const bool runs = (control & R::kWcrEnable) != 0;
+  const std::uint16_t wanted =
+      runs ? static_cast<std::uint16_t>((control & ~kTimeoutBits) | kTimeout) : kControl;
+  if (control != wanted) {
+    registers_.wcr.write(wanted);
   }
   service();
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "board.hpp"
+#include "deep_stack.hpp"
 #include "require/require.hpp"
 #include "text_line.hpp"
 
@@ -24,19 +25,6 @@ void call(std::uintptr_t address) {
   __asm__ volatile("blx %0" ::"r"(address) : "r0", "r1", "r2", "r3", "ip", "lr", "memory");
 }
 
-bool never() {
-  bool answer = false;
-  __asm__ volatile("" : "+r"(answer));
-  return answer;
-}
-
-// Deeper than any stack: 1 KiB a step, and each step needs the one below it.
-std::uint32_t overflow(std::uint32_t depth) {
-  std::array<volatile std::uint32_t, 256> frame{};
-  frame[depth % frame.size()] = depth;
-  return never() ? 0 : overflow(depth + 1) + frame[depth % frame.size()];
-}
-
 alignas(64) constinit std::array<std::uint32_t, 16> no_code{};
 
 void end_of_boot(std::uint32_t number, Board& board) {
@@ -45,7 +33,7 @@ void end_of_boot(std::uint32_t number, Board& board) {
       read(0);  // null is not mapped
       return;
     case 2:
-      overflow(1);
+      iog::tests::overflow(1);
       return;
     case 3:
       __asm__ volatile("udf #0");
@@ -64,7 +52,7 @@ void end_of_boot(std::uint32_t number, Board& board) {
       __asm__ volatile("cpsie i");
       return;
     case 8:
-      iog::require(never());
+      iog::require(iog::tests::never());
       return;
     case 9:
       board.ethernet().commit(60);  // without acquire()

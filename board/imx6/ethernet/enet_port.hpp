@@ -70,7 +70,7 @@ class EnetPort {
   std::span<std::byte> acquire();
   void commit(std::size_t frame_bytes);
   void pump();
-  hal::PortCounters counters() const { return counters_; }
+  hal::PortCounters counters() const;
 
   // Withdraws the wake-up request of the frames received so far. Poll the rings after it.
   void clear_event() { registers_.eir.clear(EnetRegisters::kEirReceivedFrame); }

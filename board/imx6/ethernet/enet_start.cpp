@@ -48,8 +48,10 @@ void EnetPort::reset() {
   }
   registers_.eimr.write(0);
   registers_.eir.clear(R::kEirAll);
-  // The statistics are not used, and reset does not clear them.
+  // The statistics count from 0; reset does not clear them. One is used.
+  registers_.mibc.write(R::kMibcDisable | R::kMibcClear);
   registers_.mibc.write(R::kMibcDisable);
+  registers_.mibc.write(0);
 }
 
 // The filter lets our address and broadcast through. All hash tables empty: no group is joined and

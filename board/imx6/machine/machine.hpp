@@ -26,6 +26,9 @@ inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
 // Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
 inline void wait_for_interrupt() { __asm__ volatile("dsb sy\n\twfi" ::: "memory"); }
 
+// A hint that this core waits for another one: QEMU lets another core run, silicon does nothing.
+inline void yield() { __asm__ volatile("yield" ::: "memory"); }
+
 // The address as the bus sees it: memory is mapped one to one, so it is the pointer.
 template <typename T>
 inline std::uint32_t bus_address(const T& object) {

@@ -1,5 +1,4 @@
-// Clock Controller Module, i.MX6DQRM chapter "Clock Controller Module (CCM)", and the reset status
-// of the System Reset Controller.
+// Clock Controller Module, i.MX6DQRM chapter "Clock Controller Module (CCM)".
 #pragma once
 
 #include <cstddef>
@@ -23,6 +22,7 @@ struct CcmRegisters {
   static constexpr std::uint32_t kCcgr1Epit1 = 3u << 12;
   static constexpr std::uint32_t kCcgr1Gpt = 3u << 20;
   static constexpr std::uint32_t kCcgr1GptSerial = 3u << 22;
+  static constexpr std::uint32_t kCcgr2Ocotp = 3u << 12;  // iim_clk
   static constexpr std::uint32_t kCcgr2Iomux = 3u << 14;  // iomux_ipt_clk_io
   static constexpr std::uint32_t kCcgr5Uart = 3u << 24;
   static constexpr std::uint32_t kCcgr5UartSerial = 3u << 26;
@@ -31,17 +31,5 @@ struct CcmRegisters {
 static_assert(offsetof(CcmRegisters, cscdr1) == 0x24);
 static_assert(offsetof(CcmRegisters, clpcr) == 0x54);
 static_assert(offsetof(CcmRegisters, ccgr) == 0x68);
-
-// System Reset Controller.
-struct SrcRegisters {
-  Rw32 scr;
-  Ro32 sbmr1;
-  Ro32 srsr;
-
-  static constexpr std::uint32_t kSrsrPowerOn = 1u << 0;   // ipp_reset_b
-  static constexpr std::uint32_t kSrsrWatchdog = 1u << 4;  // wdog_rst_b
-};
-
-static_assert(offsetof(SrcRegisters, srsr) == 0x08);
 
 }  // namespace iog::imx6

@@ -45,6 +45,8 @@ struct EnetRegisters {
   Gap<0x1b4, 0x1c0> gap_1b4;
   Rw32 tacc;
   Rw32 racc;
+  Gap<0x1c8, 0x2d8> gap_1c8;
+  Rw32 ieee_r_macerr;  // frames that the receive FIFO had no room for
 
   static constexpr std::uint32_t kEirMii = 1u << 23;
   static constexpr std::uint32_t kEirReceivedFrame = 1u << 25;     // RXF
@@ -63,6 +65,7 @@ struct EnetRegisters {
   static constexpr unsigned kMmfrRegisterShift = 18;
   static constexpr std::uint32_t kMmfrTurnaround = 2u << 16;  // TA = 10
   static constexpr std::uint32_t kMibcDisable = 1u << 31;
+  static constexpr std::uint32_t kMibcClear = 1u << 29;           // does not clear itself
   static constexpr std::uint32_t kRcrHalfDuplexNoEcho = 1u << 1;  // DRT
   static constexpr std::uint32_t kRcrMiiMode = 1u << 2;           // "must always be set"
   static constexpr std::uint32_t kRcrRgmii = 1u << 6;
@@ -87,5 +90,6 @@ static_assert(offsetof(EnetRegisters, rdsr) == 0x180);
 static_assert(offsetof(EnetRegisters, mrbr) == 0x188);
 static_assert(offsetof(EnetRegisters, ftrl) == 0x1b0);
 static_assert(offsetof(EnetRegisters, racc) == 0x1c4);
+static_assert(offsetof(EnetRegisters, ieee_r_macerr) == 0x2d8);
 
 }  // namespace iog::imx6

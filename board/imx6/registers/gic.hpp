@@ -26,8 +26,11 @@ struct GicDistributorRegisters {
   Rw<std::uint8_t> itargetsr[kInterrupts];
   Gap<0x8a0, 0xc00> gap_8a0;
   Rw32 icfgr[kInterrupts / 16];
+  Gap<0xc28, 0xf00> gap_c28;
+  Wo32 sgir;
 
   static constexpr std::uint32_t kCtlrEnable = 1u << 0;
+  static constexpr unsigned kSgirTargetShift = 16;  // CPUTargetList, one bit a core
 };
 
 static_assert(offsetof(GicDistributorRegisters, igroupr) == 0x080);
@@ -37,12 +40,14 @@ static_assert(offsetof(GicDistributorRegisters, icpendr) == 0x280);
 static_assert(offsetof(GicDistributorRegisters, ipriorityr) == 0x400);
 static_assert(offsetof(GicDistributorRegisters, itargetsr) == 0x800);
 static_assert(offsetof(GicDistributorRegisters, icfgr) == 0xc00);
+static_assert(offsetof(GicDistributorRegisters, sgir) == 0xf00);
 
 struct GicCpuRegisters {
   Rw32 ctlr;
   Rw32 pmr;
   Rw32 bpr;
   Ro32 iar;
+  Wo32 eoir;
 
   static constexpr std::uint32_t kCtlrEnable = 1u << 0;
   static constexpr std::uint32_t kPmrAll = 0xff;
@@ -50,5 +55,6 @@ struct GicCpuRegisters {
 
 static_assert(offsetof(GicCpuRegisters, pmr) == 0x04);
 static_assert(offsetof(GicCpuRegisters, iar) == 0x0c);
+static_assert(offsetof(GicCpuRegisters, eoir) == 0x10);
 
 }  // namespace iog::imx6

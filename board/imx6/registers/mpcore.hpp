@@ -14,6 +14,7 @@ struct ScuRegisters {
   Wo32 invalidate_all;
 
   static constexpr std::uint32_t kControlEnable = 1u << 0;
+  static constexpr std::uint32_t kConfigurationCores = 0x3;  // their number less one
   static constexpr std::uint32_t kInvalidateAllWaysAllCores = 0xffff;
 };
 

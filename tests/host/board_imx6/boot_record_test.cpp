@@ -1,8 +1,11 @@
 // What one run leaves to the next.
 #include "boot_record.hpp"
 
+#include <array>
+#include <bit>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <set>
 #include <string>
 
 namespace iog::imx6 {
@@ -38,6 +41,103 @@ TEST(BootRecord, ALastWordIsReportedOnce) {
   EXPECT_EQ(third.reason, BootReason::kWithoutAWord);
   EXPECT_EQ(third.number, 3u);
   EXPECT_EQ(third.last_word_text(), "");
+}
+
+TEST(RunNumber, AResetAddsOne) {
+  BootRecord record{};
+  open_boot_record(record);
+  const std::uint32_t first = begin_run(record, {.ticks = 5});
+  for (std::uint32_t reset = 1; reset <= 3; ++reset) {
+    EXPECT_EQ(open_boot_record(record).number, reset + 1);
+    EXPECT_EQ(begin_run(record, {.ticks = 77 * reset}), first + reset) << "whatever differs";
+  }
+}
+
+TEST(RunNumber, ALastWordAndABootThatEndsBeforeItsRunKeepIt) {
+  BootRecord record{};
+  open_boot_record(record);
+  const std::uint32_t first = begin_run(record, {.ticks = 5});
+  write_last_word(record, "watch out");
+  open_boot_record(record);
+  open_boot_record(record);
+  EXPECT_EQ(begin_run(record, {}), first + 1);
+}
+
+// A cold start that ends in a fault before its run has begun leaves a sound record without a
+// number.
+TEST(RunNumber, IsDrawnWhenTheColdStartDidNotGetThatFar) {
+  BootRecord record{};
+  std::memset(static_cast<void*>(&record), 0x5a, sizeof(record));
+  open_boot_record(record);
+  write_last_word(record, "data abort");
+  ASSERT_EQ(open_boot_record(record).reason, BootReason::kAfterLastWord);
+  BootRecord fresh{};
+  open_boot_record(fresh);
+  EXPECT_EQ(begin_run(record, {.ticks = 9}), begin_run(fresh, {.ticks = 9}));
+}
+
+TEST(RunNumber, IsNeverZero) {
+  BootRecord record{};
+  open_boot_record(record);
+  begin_run(record, {});
+  record.run_number = 0xFFFFFFFE;
+  EXPECT_EQ(begin_run(record, {}), 0xFFFFFFFF);
+  EXPECT_EQ(begin_run(record, {}), 1u);
+  BootRecord cold{};
+  open_boot_record(cold);
+  EXPECT_NE(begin_run(cold, {}), 0u) << "nothing differs from nothing";
+}
+
+std::uint32_t number_after_cold_start(const Differences& differences) {
+  BootRecord record{};
+  std::memset(static_cast<void*>(&record), 0xa5, sizeof(record));
+  open_boot_record(record);
+  return begin_run(record, differences);
+}
+
+// One cell of DDR, one tick, one bit of the address: half of the number's bits are others. Of some
+// 8000 single bits each, the mean must be within 16 +- 0.2, that is six deviations of 2.83 / sqrt
+// n.
+TEST(RunNumber, EveryBitThatDiffersChangesAllOfIt) {
+  std::array<std::uint32_t, 256> noise{};
+  Differences differences{.noise = noise, .ticks = 0x1234'5678, .mac = {2, 0x69, 0x6f, 0x67, 0, 1}};
+  const std::uint32_t before = number_after_cold_start(differences);
+  int changed = 0;
+  int cases = 0;
+  const auto look = [&] {
+    const std::uint32_t number = number_after_cold_start(differences);
+    EXPECT_NE(number, before);
+    changed += std::popcount(number ^ before);
+    ++cases;
+  };
+  for (std::uint32_t& word : noise) {
+    for (unsigned bit = 0; bit < 32; ++bit) {
+      word ^= 1u << bit;
+      look();
+      word ^= 1u << bit;
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(changed) / cases, 16.0, 0.2);
+  for (unsigned bit = 0; bit < 32; ++bit) {
+    differences.ticks ^= 1u << bit;
+    look();
+    differences.ticks ^= 1u << bit;
+  }
+  for (std::uint8_t& octet : differences.mac) {
+    octet ^= 1u;
+    look();
+    octet ^= 1u;
+  }
+}
+
+// As many power-ups as a car has in its life; of 20,000 numbers drawn from 2^32, 0.05 pairs are
+// alike on the mean.
+TEST(RunNumber, TicksAloneTellPowerUpsApart) {
+  std::set<std::uint32_t> numbers;
+  for (std::uint32_t ticks = 1'500'000; ticks < 1'520'000; ++ticks) {
+    numbers.insert(number_after_cold_start({.ticks = ticks}));
+  }
+  EXPECT_EQ(numbers.size(), 20'000u) << "each step maps one to one";
 }
 
 TEST(BootRecord, ALongLastWordIsCut) {

@@ -61,7 +61,7 @@ TEST(Clocks, OpenTheGatesAndKeepWfiFromStoppingTheBuses) {
   EXPECT_EQ(peek<std::uint32_t>(ccm.clpcr), 0x78u);
   EXPECT_EQ(peek<std::uint32_t>(ccm.cscdr1), 0x0049'0b00u);
   EXPECT_EQ(peek<std::uint32_t>(ccm.ccgr[1]), 0x00f0'3c00u);
-  EXPECT_EQ(peek<std::uint32_t>(ccm.ccgr[2]), 0x0000'c000u);
+  EXPECT_EQ(peek<std::uint32_t>(ccm.ccgr[2]), 0x0000'f000u);
   EXPECT_EQ(peek<std::uint32_t>(ccm.ccgr[5]), 0x0f00'0000u);
 }
 

@@ -79,7 +79,8 @@ TEST_F(Console, DropsTheTextOfADeadTransmitterInsteadOfHanging) {
 TEST(TextLine, WritesWhatAPersonReads) {
   TextLine line;
   line.text("pc=").hex(0x1010'00ab).text(" n=").decimal(0).text("/").decimal(4'294'967'295u);
-  EXPECT_EQ(line.view(), "pc=101000ab n=0/4294967295");
+  line.text(" ").octet(0x0a).octet(0xf0);
+  EXPECT_EQ(line.view(), "pc=101000ab n=0/4294967295 0af0");
 }
 
 TEST(TextLine, CutsWhatDoesNotFit) {

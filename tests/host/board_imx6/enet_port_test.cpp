@@ -96,6 +96,12 @@ TEST_F(Port, StartsByTheManualWithEtherenNearTheEnd) {
   EXPECT_EQ(last_write(registers_, 0x1b0), 2032u);
   EXPECT_EQ(last_write(registers_, 0x180), machine::bus_address(receive_[0]));
   EXPECT_EQ(last_write(registers_, 0x184), machine::bus_address(transmit_[0]));
+  std::vector<Write> statistics;
+  std::ranges::copy_if(writes, std::back_inserter(statistics),
+                       [](const Write& write) { return write.offset == 0x064; });
+  EXPECT_EQ(statistics,
+            (std::vector<Write>{{0x064, 0xa000'0000}, {0x064, 0x8000'0000}, {0x064, 0}}))
+      << "cleared, then counting";
   const std::vector<Write> end(writes.end() - 3, writes.end());
   const std::vector<Write> expected = {
       {0x024, 0x102},        // ECR: DBSWP, ETHEREN
@@ -146,6 +152,12 @@ TEST_F(Port, FramesMarkedBadAreCountedAndDropped) {
   EXPECT_EQ(port_.receive().size(), 60u);
   EXPECT_EQ(port_.counters().receive_errors, 5u);
   EXPECT_EQ(port_.counters().received, 1u);
+}
+
+TEST_F(Port, FramesThatTheControllerHadNoRoomForAreItsOwnCount) {
+  EXPECT_EQ(port_.counters().receive_overflows, 0u);
+  poke(registers_.ieee_r_macerr, 7u);
+  EXPECT_EQ(port_.counters().receive_overflows, 7u);
 }
 
 TEST_F(Port, AFrameInSeveralBuffersCountsOnce) {

@@ -35,6 +35,16 @@ TEST(Watchdog, WritesTheWriteOnceBitsOnce) {
   }
 }
 
+TEST(Watchdog, GivesALoadersWatchdogItsOwnPeriodAndNoOtherBits) {
+  WatchdogRegisters registers{};
+  registers.wcr.write(0xff3d);  // 128 s; WDE and WDZST, which can be written once
+  recorder.reset();
+  Watchdog(registers).start();
+  const std::vector<Write> expected = {
+      {0x08, 0x0000}, {0x00, 0x033d}, {0x02, 0x5555}, {0x02, 0xaaaa}};
+  EXPECT_EQ(machine::writes_to(registers), expected);
+}
+
 TEST(Watchdog, ServiceIsTheSequence5555Aaaa) {
   recorder.reset();
   WatchdogRegisters registers{};

@@ -1,0 +1,15 @@
+// The car's block of the image (car_block.S.in), which may be any bytes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+// NOLINTNEXTLINE(readability-identifier-naming): a symbol of the assembly
+extern "C" const std::array<std::byte, 65'536> car_block_bytes;
+
+namespace iog::imx6 {
+
+[[nodiscard]] inline std::span<const std::byte, 65'536> car_of_image() { return car_block_bytes; }
+
+}  // namespace iog::imx6

@@ -1,0 +1,32 @@
+// System Reset Controller, i.MX6DQRM chapter "System Reset Controller (SRC)".
+#pragma once
+
+#include <cstddef>
+
+#include "register.hpp"
+
+namespace iog::imx6 {
+
+struct SrcRegisters {
+  // Where the boot ROM sends a core that has left reset, and what it hands it.
+  struct Entry {
+    Rw32 address;   // PERSISTENT_ENTRYn: SRC_GPR1, 3, 5, 7
+    Rw32 argument;  // PERSISTENT_ARGn: SRC_GPR2, 4, 6, 8
+  };
+
+  Rw32 scr;
+  Ro32 sbmr1;
+  Ro32 srsr;
+  Gap<0x0c, 0x20> gap_0c;
+  Entry entry[4];  // one a core
+
+  static constexpr std::uint32_t kSrsrPowerOn = 1u << 0;   // ipp_reset_b
+  static constexpr std::uint32_t kSrsrWatchdog = 1u << 4;  // wdog_rst_b
+  static constexpr unsigned kScrCore1EnableShift = 22;     // core2_enable is 23, core3_enable 24
+};
+
+static_assert(offsetof(SrcRegisters, srsr) == 0x08);
+static_assert(offsetof(SrcRegisters, entry) == 0x20);
+static_assert(sizeof(SrcRegisters) == 0x40);
+
+}  // namespace iog::imx6

@@ -1,0 +1,74 @@
+// What the start-up made of the state that a loader left: printed, for loader_states_test to judge.
+#include <array>
+#include <cstdint>
+
+#include "board.hpp"
+#include "memory.hpp"
+#include "peripherals.hpp"
+#include "text_line.hpp"
+
+namespace {
+
+using iog::imx6::Board;
+using iog::imx6::TextLine;
+
+constexpr unsigned kNaps = 1000;
+constexpr unsigned kWords = 30;
+constexpr unsigned kNapsInAWord = 100;
+
+// Zeroed memory as large as a firmware with classes has, because writing it takes time.
+constinit std::array<std::uint8_t, 36u << 20> as_much_as_a_firmware{};
+
+void print(Board& board, std::string_view name, std::uint32_t value) {
+  TextLine line;
+  line.text(name).text(" ").hex(value).text("\n");
+  board.console().write(line.view());
+}
+
+std::uint32_t system_control() {
+  std::uint32_t sctlr = 0;
+  __asm__ volatile("mrc p15, 0, %0, c1, c0, 0" : "=r"(sctlr));
+  return sctlr;
+}
+
+std::uint32_t program_status() {
+  std::uint32_t cpsr = 0;
+  __asm__ volatile("mrs %0, cpsr" : "=r"(cpsr));
+  return cpsr;
+}
+
+}  // namespace
+
+int main() {
+  static Board board({0x02, 0, 0, 0, 0, 1});
+  board.print_banner();
+  print(board, "sctlr", system_control());
+  print(board, "cpsr", program_status());
+  // The test has linked the PL310 into RAM, where nothing answers and everything is kept.
+  print(board, "l2 cleaned", iog::imx6::pl310.clean_invalidate_by_way.read());
+  print(board, "l2 control", iog::imx6::pl310.control.read());
+  print(board, "zeroed", iog::imx6::machine::load(as_much_as_a_firmware.back()));
+  // What nobody writes would be a constant.
+  iog::imx6::machine::store(as_much_as_a_firmware.back(), std::uint8_t{1});
+  const std::uint64_t begin_us = board.clock().now_us();
+  for (unsigned nap = 0; nap < kNaps; ++nap) {
+    board.idle();
+    board.watchdog().service();
+  }
+  TextLine line;
+  line.decimal(kNaps).text(" naps of ");
+  line.decimal(static_cast<std::uint32_t>((board.clock().now_us() - begin_us) / kNaps))
+      .text(" us\n");
+  board.console().write(line.view());
+  // The watchdog ends this, and how many words there are says when.
+  for (unsigned word = 0; word < kWords; ++word) {
+    for (unsigned nap = 0; nap < kNapsInAWord; ++nap) {
+      board.idle();
+    }
+    board.console().write("unserved\n");
+  }
+  board.console().write("no watchdog\n");
+  for (;;) {
+    board.idle();
+  }
+}
