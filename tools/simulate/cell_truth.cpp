@@ -36,8 +36,11 @@ bool goes_before(TrueClass a, TrueClass b) {
   return b == TrueClass::kFree || (a != TrueClass::kFree && a < b);
 }
 
-void draw(const Solid& solid, const TrueCell& truth, const CellArea& area,
-          std::vector<TrueCell>& cells) {
+TrueClass class_of(const TrueCell& cell) { return cell.what; }
+TrueClass class_of(TrueClass what) { return what; }
+
+template <typename Cell>
+void draw(const Solid& solid, const Cell& truth, const CellArea& area, std::vector<Cell>& cells) {
   const double reach =
       std::sqrt(solid.half_length * solid.half_length + solid.half_width * solid.half_width);
   const std::int32_t first_x = std::max(cell_of(solid.at.x - reach), area.x);
@@ -49,12 +52,27 @@ void draw(const Solid& solid, const TrueCell& truth, const CellArea& area,
       const auto index =
           static_cast<std::size_t>(y - area.y) * static_cast<std::size_t>(area.width) +
           static_cast<std::size_t>(x - area.x);
-      if (goes_before(truth.what, cells[index].what) &&
+      if (goes_before(class_of(truth), class_of(cells[index])) &&
           covers(solid, (x + 0.5) * kCellM, (y + 0.5) * kCellM)) {
         cells[index] = truth;
       }
     }
   }
+}
+
+// truth(solid): what is in the cells that it covers.
+template <typename Cell, typename Truth>
+std::vector<Cell> cells_of(const Scene& scene, double time_s, const CellArea& area,
+                           const vehicle::Description& description, Truth&& truth) {
+  std::vector<Cell> cells(static_cast<std::size_t>(area.width) *
+                          static_cast<std::size_t>(area.height));
+  for (const MovingSolid& solid :
+       scene.solids_between(time_s - kMoment / 2, time_s + kMoment / 2)) {
+    if (solid.begin.z_low <= description.z_max_m && solid.begin.z_high >= description.z_min_m) {
+      draw<Cell>(solid.at(0.5), truth(solid), area, cells);
+    }
+  }
+  return cells;
 }
 
 constexpr std::array<std::string_view, 4> kClassNames{"free", "moving", "movable",
@@ -69,15 +87,13 @@ CellArea cells_around(const EgoPose& ego) {
 
 std::vector<TrueCell> true_cells(const Scene& scene, double time_s, const CellArea& area,
                                  const vehicle::Description& description) {
-  std::vector<TrueCell> cells(static_cast<std::size_t>(area.width) *
-                              static_cast<std::size_t>(area.height));
-  for (const MovingSolid& solid :
-       scene.solids_between(time_s - kMoment / 2, time_s + kMoment / 2)) {
-    if (solid.begin.z_low <= description.z_max_m && solid.begin.z_high >= description.z_min_m) {
-      draw(solid.at(0.5), truth_of(solid), area, cells);
-    }
-  }
-  return cells;
+  return cells_of<TrueCell>(scene, time_s, area, description, truth_of);
+}
+
+std::vector<TrueClass> true_classes(const Scene& scene, double time_s, const CellArea& area,
+                                    const vehicle::Description& description) {
+  return cells_of<TrueClass>(scene, time_s, area, description,
+                             [](const MovingSolid& solid) { return truth_of(solid).what; });
 }
 
 CellTruthFile::CellTruthFile(const std::string& path) : file_(path) {

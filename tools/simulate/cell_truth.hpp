@@ -53,6 +53,11 @@ struct CellArea {
                                                const CellArea& area,
                                                const vehicle::Description& description);
 
+// Their classes alone, in a byte each.
+[[nodiscard]] std::vector<TrueClass> true_classes(const Scene& scene, double time_s,
+                                                  const CellArea& area,
+                                                  const vehicle::Description& description);
+
 // A CSV of what is not free: frame, time_us, y, x, cells, class, thing, speed_mm_s. A row is of so
 // many cells side by side, from x on.
 class CellTruthFile {

@@ -81,7 +81,7 @@ Scene make_city(std::uint64_t seed, double drive_s) {
   add_walkers(drive_m, random, traffic);
   add_oncomers(drive_m, drive_s, random, traffic);
   add_crossers(street.junctions, random, traffic);
-  return {road, kCruise, std::move(street.landscape), std::move(traffic)};
+  return {road, kCruise, std::move(street.landscape), std::move(traffic), std::move(street.plan)};
 }
 
 }  // namespace iog::tools

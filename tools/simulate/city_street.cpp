@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kParkingCentre = 4.65;
 constexpr double kKerb = 5.80;
+constexpr double kKerbWidth = 0.15;
+constexpr double kKerbToKerb = 2 * kKerb - kKerbWidth;
 constexpr double kHalfJunction = 8.0;
 
 constexpr double kSlot = 6.3;          // length of road for one parked car
@@ -52,23 +54,41 @@ class Builder {
                                   moved(cross, kKerb + 0.6, bank * 7.2).y, 0.09, 0, 4.5));
       }
       const double front = random_.between(0.6, 1.0) * kCrossStreet;
-      fresh_.push_back(box(Material::kWall, moved(cross, front + 5, 0), 10, 26, 0, 12));
+      add_house(box(Material::kWall, moved(cross, front + 5, 0), 10, 26, 0, 12));
+      plan_.roads.push_back({.kind = "residential",
+                             .lanes = 2,
+                             .width_m = kKerbToKerb,
+                             .line = {cross, moved(cross, front, 0)}});
       keep(station);
     }
   }
 
-  [[nodiscard]] Landscape take() {
+  // The street itself, between two junctions or from an end to one.
+  void add_street(double from, double to) {
+    plan_.roads.push_back({.kind = "tertiary",
+                           .lanes = 2,
+                           .width_m = kKerbToKerb,
+                           .line = line_beside(*road_, from, to, 0)});
+  }
+
+  void finish(CityStreet& street) {
     landscape_.sort();
-    return std::move(landscape_);
+    street.landscape = std::move(landscape_);
+    street.plan = std::move(plan_);
   }
 
  private:
   void keep(double station) { landscape_.place(station, fresh_); }
 
+  void add_house(const Solid& walls) {
+    fresh_.push_back(walls);
+    plan_.houses.push_back(house_of(walls));
+  }
+
   void add_kerb(double from, double to, double side) {
     for (const double station : stations(from, to, kKerbPiece)) {
       fresh_.push_back(box(Material::kKerb, road_->at(station + kKerbPiece / 2, side * kKerb),
-                           kKerbPiece, 0.15, 0, 0.12));
+                           kKerbPiece, kKerbWidth, 0, 0.12));
       keep(station);
     }
   }
@@ -113,7 +133,7 @@ class Builder {
       const double depth = random_.between(12, 30);
       const double front = random_.between(9.4, 11.5);
       const Placement at = road_->at(station + length / 2, side * (front + depth / 2));
-      fresh_.push_back(box(Material::kWall, at, length, depth, 0, random_.between(6, 18)));
+      add_house(box(Material::kWall, at, length, depth, 0, random_.between(6, 18)));
       keep(station);
       station += length + (random_.chance(0.3) ? random_.between(3, 6) : 0.0);
     }
@@ -137,6 +157,7 @@ class Builder {
   Random random_;
   std::vector<Solid> fresh_;  // of which the station is not noted yet
   Landscape landscape_;
+  SitePlan plan_;
 };
 
 }  // namespace
@@ -146,16 +167,19 @@ CityStreet make_city_street(const Road& road, std::uint64_t seed, double drive_m
   Builder builder(road, seed);
   CityStreet street;
   double station = -kSight;
+  double street_from = station;
   while (station < drive_m + kSight) {
     // The first block ends 45 m ahead of the start: every drive meets a junction early.
     const double length = street.junctions.empty() ? kSight + 45 : random.between(80, 150);
     builder.add_block(station, station + length);
     const double junction = station + length + kHalfJunction;
     builder.add_junction(junction);
+    builder.add_street(street_from, junction);
+    street_from = junction;
     street.junctions.push_back(junction);
     station = junction + kHalfJunction;
   }
-  street.landscape = builder.take();
+  builder.finish(street);
   return street;
 }
 

@@ -7,6 +7,7 @@
 
 #include "tools/simulate/landscape.hpp"
 #include "tools/simulate/road.hpp"
+#include "tools/simulate/site_plan.hpp"
 
 namespace iog::tools {
 
@@ -16,6 +17,7 @@ inline constexpr double kPavementCentre = 7.60;
 
 struct CityStreet {
   Landscape landscape;
+  SitePlan plan;
   std::vector<double> junctions;  // stations of their middles, ascending
 };
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lidar/formats.hpp"
 #include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
@@ -15,8 +16,9 @@ std::vector<LuxScanner> scanners_of(const CatalogueEntry& car) {
   std::vector<LuxScanner> scanners;
   for (const vehicle::SensorConfig& sensor : car.sensors) {
     if (sensor.format != lidar::Format::kIbeoLux) {
-      throw UsageError("only ibeo LUX scanners are simulated, and " +
-                       std::string(car.vehicle->name) + " has a VLP-16; use a recording for it");
+      throw UsageError("such drives are simulated for ibeo LUX scanners, and " +
+                       std::string(car.vehicle->name) + " has a " +
+                       std::string(lidar::name_of(sensor.format)));
     }
     scanners.emplace_back(sensor);
   }

@@ -6,7 +6,6 @@
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
 #include "tools/simulate/echo_model.hpp"
-#include "vehicle/compile.hpp"
 
 namespace iog::tools {
 namespace {
@@ -15,13 +14,6 @@ constexpr double kHalfBeam = 0.04 * numeric::kPi / 180;  // radians; the LUX's b
 constexpr double kInFront = 0.05;                        // metres ahead of the sensor
 constexpr double kSeparation = 0.9;  // echoes nearer to one another than this are one
 constexpr double kFoliagePass = 0.45;
-
-Vector3 combined(const Vector3& x_axis, const Vector3& y_axis, const Vector3& z_axis,
-                 const Vector3& v) {
-  return {x_axis.x * v.x + y_axis.x * v.y + z_axis.x * v.z,
-          x_axis.y * v.x + y_axis.y * v.y + z_axis.y * v.z,
-          x_axis.z * v.x + y_axis.z * v.y + z_axis.z * v.z};
-}
 
 double angle_of(std::size_t column) {
   const auto ticks = kLuxEdgeTicks - static_cast<std::int32_t>(column) * kLuxStepTicks;
@@ -55,12 +47,7 @@ Outline outline_of(double x, double y, double reach_x, double reach_y, double re
 
 }  // namespace
 
-LuxScanner::LuxScanner(const vehicle::SensorConfig& config) {
-  const auto turn = vehicle::compile_detail::rotation_of(config.mount);
-  mount_ = {.origin = {config.mount.x_m, config.mount.y_m, config.mount.z_m},
-            .forward = {turn.forward[0], turn.forward[1], turn.forward[2]},
-            .left = {turn.left[0], turn.left[1], turn.left[2]},
-            .up = {turn.up[0], turn.up[1], turn.up[2]}};
+LuxScanner::LuxScanner(const vehicle::SensorConfig& config) : mount_(frame_of(config.mount)) {
   for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
     const double angle = angle_of(column);
     tangents_[column] = -numeric::sin(angle) / numeric::cos(angle);  // ascending to the right
@@ -76,18 +63,6 @@ LuxScanner::LuxScanner(const vehicle::SensorConfig& config) {
   }
 }
 
-LuxScanner::Frame LuxScanner::frame_of(const EgoPose& ego) const {
-  const Placement& at = ego.at;
-  const Vector3 forward{at.cos * ego.pitch_cos, at.sin * ego.pitch_cos, -ego.pitch_sin};
-  const Vector3 left{-at.sin, at.cos, 0};
-  const Vector3 up{at.cos * ego.pitch_sin, at.sin * ego.pitch_sin, ego.pitch_cos};
-  const Vector3 offset = combined(forward, left, up, mount_.origin);
-  return {.origin = {at.x + offset.x, at.y + offset.y, offset.z},
-          .forward = combined(forward, left, up, mount_.forward),
-          .left = combined(forward, left, up, mount_.left),
-          .up = combined(forward, left, up, mount_.up)};
-}
-
 void LuxScanner::clear_columns() {
   for (auto& column : columns_) {
     column.clear();
@@ -96,7 +71,7 @@ void LuxScanner::clear_columns() {
 
 // Adds a solid to the columns of beams that may meet it, so that a beam asks only few. A column of
 // margin on both sides covers the beam's width and the pitch's effect on azimuth.
-void LuxScanner::add_to_columns(const Frame& frame, const Solid& solid, const Slack& slack,
+void LuxScanner::add_to_columns(const SensorFrame& frame, const Solid& solid, const Slack& slack,
                                 const Candidate& candidate) {
   const double norm =
       std::sqrt(frame.forward.x * frame.forward.x + frame.forward.y * frame.forward.y);
@@ -140,11 +115,11 @@ void LuxScanner::sort_into_columns(const Sweep& sweep) {
   constexpr double kTurning = 0.05;  // metres that a solid's corner goes by its own turn, at most
   const double column_sin = numeric::sin(-angle_of(1) + angle_of(0));
   clear_columns();
-  const Frame middle = frame_of(sweep.ego[kLuxAzimuths / 2]);
+  const SensorFrame middle = placed(mount_, sweep.ego[kLuxAzimuths / 2]);
   double way = 0;
   double turn_sin = 0;
   for (const EgoPose* const pose : {&sweep.ego.front(), &sweep.ego.back()}) {
-    const Frame end = frame_of(*pose);
+    const SensorFrame end = placed(mount_, *pose);
     const double dx = end.origin.x - middle.origin.x;
     const double dy = end.origin.y - middle.origin.y;
     way = std::max(way, std::sqrt(dx * dx + dy * dy));
@@ -193,13 +168,12 @@ LuxScanner::Hit LuxScanner::first_hit(const Ray& ray, std::size_t column, double
 }
 
 // Finds the echoes of one beam, nearest first and apart from one another.
-void LuxScanner::follow(const Frame& frame, std::size_t column, std::size_t layer, Random& random) {
+void LuxScanner::follow(const SensorFrame& frame, std::size_t column, std::size_t layer,
+                        Random& random) {
   echoes_.clear();
   std::array<Hit, 2> hits;
   for (std::size_t edge = 0; edge < 2; ++edge) {
-    const Vector3 along =
-        combined(frame.forward, frame.left, frame.up, edges_[column][layer][edge]);
-    const Ray ray{frame.origin, along};
+    const Ray ray{frame.origin, frame.direction(edges_[column][layer][edge])};
     hits[edge] = first_hit(ray, column, 0);
     if (hits[edge].material == Material::kFoliage && random.chance(kFoliagePass)) {
       const double beyond = hits[edge].distance + random.between(0.2, 1.5);
@@ -242,7 +216,7 @@ void LuxScanner::add_points(std::size_t column, std::size_t layer, Random& rando
 
 std::vector<LuxPoint> LuxScanner::scan(const EgoPose& ego, std::span<const Solid> solids,
                                        Random& random) {
-  const Frame frame = frame_of(ego);
+  const SensorFrame frame = placed(mount_, ego);
   clear_columns();
   for (const Solid& solid : solids) {
     add_to_columns(frame, solid, {}, {0, &solid, nullptr});
@@ -262,7 +236,7 @@ std::vector<LuxPoint> LuxScanner::scan(const Sweep& sweep, Random& random) {
   sort_into_columns(sweep);
   std::vector<LuxPoint> points;
   for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
-    const Frame frame = frame_of(sweep.ego[column]);
+    const SensorFrame frame = placed(mount_, sweep.ego[column]);
     place_movers(column);
     for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
       follow(frame, column, layer, random);

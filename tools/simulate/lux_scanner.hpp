@@ -13,6 +13,7 @@
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/simulate/moving_solid.hpp"
 #include "tools/simulate/random.hpp"
+#include "tools/simulate/sensor_frame.hpp"
 #include "tools/simulate/solid.hpp"
 #include "tools/simulate/traffic.hpp"
 #include "vehicle/description.hpp"
@@ -42,13 +43,6 @@ class LuxScanner {
   [[nodiscard]] std::vector<LuxPoint> scan(const Sweep& sweep, Random& random);
 
  private:
-  // The sensor's axes and place in the world.
-  struct Frame {
-    Vector3 origin;
-    Vector3 forward;
-    Vector3 left;
-    Vector3 up;
-  };
   // A solid that a column of beams may meet, nearest first.
   struct Candidate {
     double nearest;  // no point of it is nearer
@@ -71,19 +65,18 @@ class LuxScanner {
   };
   using Echoes = std::vector<Echo>;
 
-  [[nodiscard]] Frame frame_of(const EgoPose& ego) const;
   void clear_columns();
-  void add_to_columns(const Frame& frame, const Solid& solid, const Slack& slack,
+  void add_to_columns(const SensorFrame& frame, const Solid& solid, const Slack& slack,
                       const Candidate& candidate);
   void sort_columns();
   void sort_into_columns(const Sweep& sweep);
   void place_movers(std::size_t column);
-  void follow(const Frame& frame, std::size_t column, std::size_t layer, Random& random);
+  void follow(const SensorFrame& frame, std::size_t column, std::size_t layer, Random& random);
   [[nodiscard]] Hit first_hit(const Ray& ray, std::size_t column, double beyond) const;
   void add_points(std::size_t column, std::size_t layer, Random& random,
                   std::vector<LuxPoint>& points);
 
-  Frame mount_;  // in the vehicle
+  SensorFrame mount_;  // in the vehicle
   std::array<double, kLuxAzimuths> tangents_{};
   // Directions in the sensor frame of the right and the left edge of every beam.
   std::array<std::array<std::array<Vector3, 2>, kLuxLayers>, kLuxAzimuths> edges_{};

@@ -35,10 +35,14 @@ double seconds_of(double time_us) { return time_us / 1'000'000; }
 
 MovingDrive::MovingDrive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds,
                          const SceneEntry& scene)
+    : MovingDrive(car, seed, seconds, scene.make(seed, seconds)) {}
+
+MovingDrive::MovingDrive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds,
+                         Scene scene)
     : car_(&car),
       seed_(seed),
       frame_count_(seconds * kLuxFramesPerSecond),
-      scene_(scene.make(seed, seconds)),
+      scene_(std::move(scene)),
       scanners_(scanners_of(car)),
       phases_us_(phases_of(scanners_.size(), seed)) {}
 

@@ -24,6 +24,8 @@ class MovingDrive {
   // not a LUX.
   MovingDrive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds,
               const SceneEntry& scene = find_scene(kDefaultScene));
+  // In a scene that was made for a drive of that length.
+  MovingDrive(const CatalogueEntry& car, std::uint64_t seed, std::uint32_t seconds, Scene scene);
 
   [[nodiscard]] std::uint32_t frame_count() const { return frame_count_; }
   [[nodiscard]] const Scene& scene() const { return scene_; }

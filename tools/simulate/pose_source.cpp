@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "numeric/elementary.hpp"
@@ -111,6 +112,7 @@ std::vector<PoseSample> simulated_poses(const Scene& scene, const PoseOptions& o
     sample.yaw_rate_rps += options.sigma_heading_rad * random.bell();
     sample.sigma_m = options.sigma_m;
     sample.sigma_heading_rad = options.sigma_heading_rad;
+    sample.map = options.map;
     if (!is_in_gap(options, time_s)) {
       samples.push_back(sample);
     }
@@ -125,6 +127,12 @@ std::vector<CapturedDatagram> PoseFeed::take_until(std::uint64_t time_us) {
   while (next_ < samples_.size() && samples_[next_].time_us + samples_[next_].age_us <= time_us) {
     datagrams.push_back(encoder_.datagram_of(samples_[next_++]));
   }
+  return datagrams;
+}
+
+std::vector<CapturedDatagram> with_poses(std::vector<CapturedDatagram> datagrams, PoseFeed& poses) {
+  std::ranges::move(poses.take_until(datagrams.back().time_us), std::back_inserter(datagrams));
+  std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
   return datagrams;
 }
 

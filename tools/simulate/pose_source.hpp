@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "tools/formats/capture/datagram.hpp"
@@ -36,7 +37,8 @@ struct PoseOptions {
   double sigma_heading_rad = 0.001;
   std::vector<Gap> gaps{};
   std::vector<Jump> jumps{};
-  std::vector<double> restarts_s{};  // from then on the source has another run
+  std::vector<double> restarts_s{};         // from then on the source has another run
+  std::optional<pose::MapTransform> map{};  // what each message says of the map
 };
 
 // What is true of the car at that time: its pose, speed and yaw rate. Time and run are left alone.
@@ -61,5 +63,9 @@ class PoseFeed {
   std::size_t next_ = 0;
   PoseEncoder encoder_;
 };
+
+// The datagrams of a frame and the poses that are sent until its last one, in order of time.
+[[nodiscard]] std::vector<CapturedDatagram> with_poses(std::vector<CapturedDatagram> datagrams,
+                                                       PoseFeed& poses);
 
 }  // namespace iog::tools

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/ring_road_verge.hpp"
@@ -64,12 +66,35 @@ Traffic make_traffic(std::uint64_t seed, double drive_s) {
   return traffic;
 }
 
+// Pieces of some hundred metres, as maps have them.
+std::vector<PlannedRoad> make_carriageways(const Road& road, double from, double to) {
+  constexpr double kPiece = 200;
+  std::vector<PlannedRoad> roads;
+  for (const double station : stations(from, to, kPiece)) {
+    const double end = std::min(station + kPiece, to);
+    for (const double side : {1.0, -1.0}) {
+      roads.push_back({.kind = "trunk",
+                       .lanes = kRingRoadLanes.size(),
+                       .is_oneway = true,
+                       .width_m = kCarriagewayWidth,
+                       .line = line_beside(road, station, end, side * kCarriagewayMiddle)});
+      if (side > 0) {
+        std::ranges::reverse(roads.back().line);
+      }
+    }
+  }
+  return roads;
+}
+
 }  // namespace
 
 Scene make_ring_road(std::uint64_t seed, double drive_s) {
   const double drive_m = kCruise.station_at(drive_s);
   const Road road(kCourse, -2 * kSight, drive_m + 2 * kSight);
-  return {road, kCruise, make_ring_road_verge(road, seed, drive_m), make_traffic(seed, drive_s)};
+  RingRoadVerge verge = make_ring_road_verge(road, seed, drive_m);
+  SitePlan plan{.roads = make_carriageways(road, -kSight, drive_m + kSight),
+                .houses = std::move(verge.houses)};
+  return {road, kCruise, std::move(verge.landscape), make_traffic(seed, drive_s), std::move(plan)};
 }
 
 }  // namespace iog::tools

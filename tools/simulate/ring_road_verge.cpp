@@ -76,9 +76,9 @@ class Builder {
     }
   }
 
-  [[nodiscard]] Landscape take() {
+  [[nodiscard]] RingRoadVerge take() {
     landscape_.sort();
-    return std::move(landscape_);
+    return {std::move(landscape_), std::move(houses_)};
   }
 
  private:
@@ -160,6 +160,7 @@ class Builder {
     for (const double house : stations(from, to, kHouseDistance)) {
       const Placement at = road_->at(house, side * (kOuterRail + random_.between(30, 65)));
       fresh_.push_back(box(Material::kWall, at, 18, 14, 0, 8));
+      houses_.push_back(house_of(fresh_.back()));
       keep(house);
     }
   }
@@ -168,11 +169,12 @@ class Builder {
   Random random_;
   std::vector<Solid> fresh_;  // of which the station is not noted yet
   Landscape landscape_;
+  std::vector<PlannedHouse> houses_;
 };
 
 }  // namespace
 
-Landscape make_ring_road_verge(const Road& road, std::uint64_t seed, double drive_m) {
+RingRoadVerge make_ring_road_verge(const Road& road, std::uint64_t seed, double drive_m) {
   Builder builder(road, seed);
   const double from = -kSight - 60;
   const double to = drive_m + kSight + 60;

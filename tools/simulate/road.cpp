@@ -1,16 +1,13 @@
 #include "tools/simulate/road.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
+#include <utility>
 
 #include "numeric/elementary.hpp"
+#include "require/require.hpp"
 
 namespace iog::tools {
-namespace {
-
-constexpr double kStep = 0.5;
-
-}  // namespace
 
 double Course::heading_at(double station) const {
   const double turn = 2 * numeric::kPi;
@@ -33,10 +30,31 @@ Road::Road(const Course& course, double first_m, double last_m) : course_(course
   Point point{0, 0};
   for (const double station : stations(first_m, last_m + 2 * kStep, kStep)) {
     points_.push_back(point);
-    const double heading = course_.heading_at(station + kStep / 2);
+    const double heading = course.heading_at(station + kStep / 2);
     point.x += kStep * numeric::cos(heading);
     point.y += kStep * numeric::sin(heading);
   }
+}
+
+Road::Road(std::vector<Point> points, std::size_t zero)
+    : first_(-kStep * static_cast<double>(zero)), points_(std::move(points)) {
+  require(points_.size() >= 4);
+}
+
+Placement Road::heading_at(double station, std::size_t before, double share) const {
+  if (course_) {
+    const double heading = course_->heading_at(station);
+    return {.cos = numeric::cos(heading), .sin = numeric::sin(heading)};
+  }
+  const std::size_t inner = std::clamp<std::size_t>(before, 1, points_.size() - 3);
+  const Point& a = points_[inner - 1];
+  const Point& b = points_[inner];
+  const Point& c = points_[inner + 1];
+  const Point& d = points_[inner + 2];
+  const double x = (c.x - a.x) * (1 - share) + (d.x - b.x) * share;
+  const double y = (c.y - a.y) * (1 - share) + (d.y - b.y) * share;
+  const double norm = std::sqrt(x * x + y * y);
+  return {.cos = x / norm, .sin = y / norm};
 }
 
 Placement Road::at(double station, double left) const {
@@ -45,11 +63,9 @@ Placement Road::at(double station, double left) const {
   const double share = position - static_cast<double>(before);
   const Point& a = points_[before];
   const Point& b = points_[before + 1];
-  const double heading = course_.heading_at(station);
-  const Placement centre{.x = a.x + (b.x - a.x) * share,
-                         .y = a.y + (b.y - a.y) * share,
-                         .cos = numeric::cos(heading),
-                         .sin = numeric::sin(heading)};
+  Placement centre = heading_at(station, before, std::min(share, 1.0));
+  centre.x = a.x + (b.x - a.x) * share;
+  centre.y = a.y + (b.y - a.y) * share;
   return moved(centre, 0, left);
 }
 

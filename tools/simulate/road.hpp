@@ -1,8 +1,10 @@
-// The centre line of a simulated road: a gentle curve without end, measured by its station, the way
-// along it in metres.
+// The centre line of a simulated road, measured by its station, the way along it in metres: a
+// gentle curve without end, or a line of a map.
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tools/simulate/solid.hpp"
@@ -30,22 +32,29 @@ struct Course {
 
 class Road {
  public:
+  struct Point {
+    double x;
+    double y;
+  };
+  static constexpr double kStep = 0.5;  // metres from one point to the next
+
   // A road that is known from first_m to last_m.
   Road(const Course& course, double first_m, double last_m);
+
+  // A road through at least four points, kStep apart; at one of them its station is 0.
+  Road(std::vector<Point> points, std::size_t zero);
 
   // `left` metres to the left of the centre line, pointing along the road. station: within the
   // road's length.
   [[nodiscard]] Placement at(double station, double left) const;
 
  private:
-  struct Point {
-    double x;
-    double y;
-  };
+  // The unit vector along the road, as a placement's heading.
+  [[nodiscard]] Placement heading_at(double station, std::size_t before, double share) const;
 
-  Course course_;
+  std::optional<Course> course_;  // none: the heading is that of the points
   double first_;
-  std::vector<Point> points_;  // every half metre
+  std::vector<Point> points_;
 };
 
 // `by`: cosine and sine of a further turn to the left.

@@ -8,6 +8,7 @@
 #include "tools/simulate/landscape.hpp"
 #include "tools/simulate/moving_solid.hpp"
 #include "tools/simulate/road.hpp"
+#include "tools/simulate/site_plan.hpp"
 #include "tools/simulate/traffic.hpp"
 
 namespace iog::tools {
@@ -17,6 +18,7 @@ struct Scene {
   Cruise cruise;
   Landscape landscape;
   Traffic traffic;
+  SitePlan plan{};
 
   [[nodiscard]] EgoPose ego_at(double time_s) const { return cruise.pose_at(road, time_s); }
 

@@ -139,16 +139,16 @@ void add_passers_by(double drive_s, double drive_m, Random& random, Traffic& tra
 Scene make_street(std::uint64_t seed, double drive_s) {
   const double drive_m = kCruise.station_at(drive_s);
   const Road road(kCourse, -kSight - 60, drive_m + kSight + 300);
-  Landscape landscape = make_city_street(road, seed, drive_m).landscape;
+  CityStreet street = make_city_street(road, seed, drive_m);
   Random random(seed, 6);
   Traffic traffic;
   add_passers_by(drive_s, drive_m, random, traffic);
   for (int number = -1; number * kStreetActM < drive_m + kSight; ++number) {
     Act act(number, traffic);
     act.add();
-    act.make_room(road, landscape);
+    act.make_room(road, street.landscape);
   }
-  return {road, kCruise, std::move(landscape), std::move(traffic)};
+  return {road, kCruise, std::move(street.landscape), std::move(traffic), std::move(street.plan)};
 }
 
 }  // namespace iog::tools
