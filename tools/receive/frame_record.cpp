@@ -5,11 +5,13 @@
 #include <iomanip>
 #include <sstream>
 
-#include "tools/program/exit_status.hpp"
-#include "tools/program/file.hpp"
+#include "tools/receive/record_file.hpp"
 
 namespace iog::tools {
 namespace {
+
+constexpr const char* kRecordHeading =
+    "# frame complete_sensors partial_sensors points_used tiles grid_crc";
 
 std::string sensors_of(const FrameRecord& record) {
   std::ostringstream text;
@@ -42,7 +44,12 @@ FrameRecord record_of(const GridFrame& frame) {
           .points_used = frame.header.points_used,
           .tiles = frame.tiles,
           .grid_crc = grid_crc_of(frame),
-          .is_timed_out = (frame.header.flags & stream::kFlagTimedOut) != 0};
+          .is_timed_out = (frame.header.flags & stream::kFlagTimedOut) != 0,
+          .is_too_slow = frame.has_end && points_not_taken(frame.end) > 0};
+}
+
+std::uint32_t points_not_taken(const stream::FrameEnd& end) {
+  return end.fates[static_cast<std::size_t>(vehicle::Fate::kNotTaken)];
 }
 
 std::string hex(std::uint32_t value) {
@@ -60,35 +67,36 @@ std::string line_of(const FrameRecord& record) {
 }
 
 std::vector<FrameRecord> read_records(const std::string& path) {
-  std::vector<FrameRecord> records;
-  for (const std::string& line : read_lines(path)) {
-    if (line.empty() || line.front() == '#') {
-      continue;
-    }
-    const std::optional<FrameRecord> record = parsed(line);
-    if (!record || record->number != records.size()) {
-      throw UsageError(path + ": line for frame " + std::to_string(records.size()) +
-                       " expected; give a file that --hashes has written");
-    }
-    records.push_back(*record);
-  }
-  return records;
+  return read_record_file<FrameRecord>(path, parsed, "--hashes");
 }
 
 void write_records(const std::string& path, const std::vector<FrameRecord>& records) {
-  OutputFile file(path);
-  file.write(std::string(kRecordHeading) + "\n");
-  for (const FrameRecord& record : records) {
-    file.write(line_of(record) + "\n");
-  }
-  file.finish();
+  write_record_file(path, kRecordHeading, records);
 }
 
-void RunHash::add(const FrameRecord& record) {
+void RunHash::add(std::uint32_t grid_crc) {
   std::array<std::byte, 4> bytes{};
-  wire::store_be32(bytes, record.grid_crc);
+  wire::store_be32(bytes, grid_crc);
   crc_.update(bytes);
 }
+
+namespace {
+
+// Why other packets took part in a frame than should have. The points that a target leaves are
+// counted in the frame that it works on next.
+const char* cause_of(const std::vector<FrameRecord>& received, std::size_t frame) {
+  constexpr std::size_t kAround = 3;
+  for (std::size_t i = frame - std::min(frame, kAround);
+       i < std::min(frame + kAround + 1, received.size()); ++i) {
+    if (received[i].is_too_slow) {
+      return "the target is too slow for its sensors;";
+    }
+  }
+  return received[frame].is_timed_out ? "closed by time on the target; was the host stalled?"
+                                      : "other packets took part";
+}
+
+}  // namespace
 
 std::optional<std::string> first_difference(const std::vector<FrameRecord>& received,
                                             const std::vector<FrameRecord>& expected) {
@@ -96,11 +104,8 @@ std::optional<std::string> first_difference(const std::vector<FrameRecord>& rece
   for (std::size_t i = 0; i < common; ++i) {
     const std::string name = "frame " + std::to_string(i);
     if (!received[i].has_same_participation(expected[i])) {
-      const char* const cause = received[i].is_timed_out
-                                    ? "closed by time on the target; was the host stalled?"
-                                    : "other packets took part";
-      return name + ": " + cause + " received " + sensors_of(received[i]) + "; expected " +
-             sensors_of(expected[i]);
+      return name + ": " + cause_of(received, i) + " received " + sensors_of(received[i]) +
+             "; expected " + sensors_of(expected[i]);
     }
     if (!received[i].has_same_grid(expected[i])) {
       return name + ": same packets, another grid: received " + hex(received[i].grid_crc) +

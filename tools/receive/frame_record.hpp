@@ -19,7 +19,9 @@ struct FrameRecord {
   std::uint32_t points_used = 0;
   std::uint32_t tiles = 0;
   std::uint32_t grid_crc = 0;
-  bool is_timed_out = false;  // not in the line: a fact of the run, not of the packets
+  // Not in the line: facts of the run, not of the packets.
+  bool is_timed_out = false;
+  bool is_too_slow = false;  // the target has left points that it had no time for
 
   // The same sensors took part, with the same points.
   [[nodiscard]] bool has_same_participation(const FrameRecord& other) const {
@@ -33,9 +35,8 @@ struct FrameRecord {
 
 [[nodiscard]] FrameRecord record_of(const GridFrame& frame);
 
-// The first line of a file of records.
-inline constexpr const char* kRecordHeading =
-    "# frame complete_sensors partial_sensors points_used tiles grid_crc";
+// Scan points that the target has left in this frame, because it is too slow for its sensors.
+[[nodiscard]] std::uint32_t points_not_taken(const stream::FrameEnd& end);
 
 // "17 f 0 2871 433 9ac01b22"
 [[nodiscard]] std::string line_of(const FrameRecord& record);
@@ -44,11 +45,11 @@ inline constexpr const char* kRecordHeading =
 [[nodiscard]] std::vector<FrameRecord> read_records(const std::string& path);
 void write_records(const std::string& path, const std::vector<FrameRecord>& records);
 
-// The name of a whole run: CRC-32 over the grid CRCs of its frames with evidence, each four bytes,
-// big endian.
+// The name of a whole run: CRC-32 over the names of the grids of its frames with evidence, each
+// four bytes, big endian.
 class RunHash {
  public:
-  void add(const FrameRecord& record);
+  void add(std::uint32_t grid_crc);
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }
 
  private:

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,10 +12,10 @@
 #include "grid/frame_fusion.hpp"
 #include "stream/message.hpp"
 #include "tile_coding/tile_cells.hpp"
+#include "tools/receive/class_grid.hpp"
+#include "tools/receive/tile_set.hpp"
 
 namespace iog::tools {
-
-using TileSet = std::bitset<geometry::kTileCount>;  // by y * kTilesPerSide + x
 
 struct GridFrame {
   // Among the frames with evidence, from 0; meaningless in a frame without.
@@ -25,16 +25,21 @@ struct GridFrame {
   bool has_end = false;
   // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;
+  // Sets of tiles are by y * kTilesPerSide + x.
   TileSet valid_tiles;      // whose cells are those of this frame; all others are missing
   TileSet known_tiles;      // of these, those in which something is known
   std::uint32_t tiles = 0;  // how many these are
   // Row by row from the lowest y; a cell of a missing tile is 0.
   std::vector<index::OccupancyIndex> cells =
       std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
+  // If the target sends classes (stream::kFlagClasses).
+  std::optional<ClassGrid> classes{};
 
-  // Everything that the target knows has arrived.
+  // Everything that the target knows of the grid has arrived, or it sends none; of its classes see
+  // there.
   [[nodiscard]] bool is_whole() const {
-    return has_end && end.tiles_lost == 0 && valid_tiles.all() && tiles == end.tiles_sent;
+    const bool has_tiles = end.tiles_lost == 0 && valid_tiles.all() && tiles == end.tiles_sent;
+    return has_end && (has_tiles || !header.has_indexes());
   }
   [[nodiscard]] std::span<const index::OccupancyIndex, geometry::kCellCount> grid() const {
     return std::span(cells).first<geometry::kCellCount>();

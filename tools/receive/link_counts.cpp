@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/receive/run_statistics.hpp"
+#include "tools/receive/table.hpp"
 
 namespace iog::tools {
 
@@ -15,6 +15,7 @@ LinkCounts link_counts(const FrameAssembler& assembler) {
           {"messages_late", counts.late},
           {"messages_repeated", counts.repeated},
           {"messages_too_late", counts.too_late},
+          {"messages_of_another_run", counts.other_run},
           {"messages_corrupt", counts.corrupt},
           {"messages_malformed", counts.malformed},
           {"messages_not_ours", counts.not_ours},

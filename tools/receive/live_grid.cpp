@@ -5,6 +5,10 @@
 namespace iog::tools {
 
 void LiveGrid::take(const GridFrame& frame) {
+  if (frame.header.run_number != run_number_) {
+    forget();
+    run_number_ = frame.header.run_number;
+  }
   newest_frame_ = frame.header.frame_number;
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (!frame.valid_tiles.test(tile)) {

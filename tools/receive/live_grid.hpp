@@ -15,10 +15,10 @@ namespace iog::tools {
 
 class LiveGrid {
  public:
-  // The next frame, in order, as FrameAssembler hands them over.
+  // The next frame, in order, as FrameAssembler hands them over. Of another run nothing is kept.
   void take(const GridFrame& frame);
 
-  // To be called when the target has restarted or has been silent: nothing that is known is of now.
+  // To be called when the target has been silent: nothing that is known is of now.
   void forget();
 
   // How many frames older than the newest frame the tile's cells are; 0 is fresh. Nothing if the
@@ -27,6 +27,7 @@ class LiveGrid {
 
   [[nodiscard]] std::size_t stale_tiles() const;  // older than the newest frame, or never arrived
   [[nodiscard]] std::uint32_t newest_frame() const { return newest_frame_; }
+  [[nodiscard]] std::uint32_t run_number() const { return run_number_; }
 
   // Row by row from the lowest y; a cell of a tile that has never arrived is 0.
   [[nodiscard]] std::span<const index::OccupancyIndex> cells() const { return cells_; }
@@ -36,6 +37,7 @@ class LiveGrid {
       std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
   std::array<std::optional<std::uint32_t>, geometry::kTileCount> frame_of_{};
   std::uint32_t newest_frame_ = 0;
+  std::uint32_t run_number_ = 0;
 };
 
 }  // namespace iog::tools

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <iterator>
+#include <numeric>
 #include <sstream>
 #include <string_view>
 
@@ -11,20 +13,13 @@ namespace iog::tools {
 namespace {
 
 constexpr std::array<std::string_view, vehicle::kFateCount> kFateNames{
-    "used",        "no return", "too near",   "too far",
-    "height band", "flagged",   "later echo", "malformed"};
+    "used",    "no return",  "too near",  "too far", "height band",
+    "flagged", "later echo", "malformed", "stale",   "not taken"};
 constexpr std::array<std::string_view, intake::kPacketDropCount> kDropNames{
-    "stranger",    "wrong length", "wrong type", "wrong angle",
-    "wrong point", "duplicate",    "late",       "over budget"};
+    "stranger",  "wrong length", "wrong type",  "wrong angle", "wrong point",
+    "duplicate", "late",         "over budget", "other unit",  "not taken"};
 constexpr std::array<std::string_view, 4> kStateNames{"never seen", "silent", "partial",
                                                       "complete"};
-
-// "too_far" for "too far".
-std::string key_of(std::string_view prefix, std::string_view name) {
-  std::string key = std::string(prefix) + std::string(name);
-  std::ranges::replace(key, ' ', '_');
-  return key;
-}
 
 std::string fixed(double value) {
   std::ostringstream text;
@@ -34,18 +29,6 @@ std::string fixed(double value) {
 
 std::string times(const TimeStatistics& statistics) {
   return fixed(statistics.mean()) + " us mean, " + fixed(statistics.max()) + " us max";
-}
-
-// "2871 used, 17 too far", without what is 0; "none" if all are.
-template <typename Counts, typename Names>
-std::string list_of(const Counts& counts, const Names& names) {
-  std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] > 0) {
-      text += (text.empty() ? "" : ", ") + std::to_string(counts[i]) + " " + std::string(names[i]);
-    }
-  }
-  return text.empty() ? "none" : text;
 }
 
 }  // namespace
@@ -61,13 +44,16 @@ void RunStatistics::add(const GridFrame& frame) {
   incomplete_ += frame.is_whole() || frame.is_damaged ? 0U : 1U;
   damaged_ += frame.is_damaged ? 1U : 0U;
   tiles_ += frame.tiles;
+  classes_.add(frame);
   if (frame.has_end) {
     tiles_not_sent_ += frame.end.tiles_lost;
     for (std::size_t i = 0; i < fates_.size(); ++i) {
       fates_[i] += frame.end.fates[i];
     }
+    too_slow_ += points_not_taken(frame.end) > 0 ? 1U : 0U;
     packet_drops_ = frame.end.packet_drops;
     stack_used_bytes_ = std::max(stack_used_bytes_, frame.end.stack_used_bytes);
+    core_shares_ = core_shares_of(frame.end);
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);
     add_states(frame);
@@ -78,7 +64,7 @@ void RunStatistics::add(const GridFrame& frame) {
   const FrameRecord record = record_of(frame);
   timed_out_ += record.is_timed_out ? 1U : 0U;
   records_.push_back(record);
-  hash_.add(record);
+  hash_.add(record.grid_crc);
 }
 
 // States count in frames with evidence; before the first of these, in reports of silence.
@@ -102,13 +88,16 @@ void RunStatistics::add_times(const GridFrame& frame) {
     if (frame.header.has_evidence()) {
       fuse_us_.add(frame.end.ticks.fuse * us_per_tick);
       mark_us_.add(frame.end.ticks.mark * us_per_tick);
+      if (frame.header.has_classes()) {
+        perceive_us_.add(frame.end.ticks.perceive * us_per_tick);
+      }
     }
-    if (was_evidence_ && frame.header.frame_number == last_number_ + 1) {
+    if (last_ && last_->has_evidence() && last_->run_number == frame.header.run_number &&
+        last_->frame_number + 1 == frame.header.frame_number) {
       publish_us_.add(frame.end.ticks.publish * us_per_tick);
     }
   }
-  was_evidence_ = frame.header.has_evidence();
-  last_number_ = frame.header.frame_number;
+  last_ = frame.header;
 }
 
 std::uint64_t RunStatistics::points_used() const {
@@ -119,6 +108,7 @@ RunStatistics::Facts RunStatistics::facts() const {
   Facts facts{{"frames", std::to_string(frames_)},
               {"frames_with_evidence", std::to_string(records_.size())},
               {"frames_timed_out", std::to_string(timed_out_)},
+              {"frames_too_slow", std::to_string(too_slow_)},
               {"frames_incomplete", std::to_string(incomplete_)},
               {"frames_damaged", std::to_string(damaged_)},
               {"tiles", std::to_string(tiles_)},
@@ -130,27 +120,41 @@ RunStatistics::Facts RunStatistics::facts() const {
     facts.emplace_back(key_of("packets_", kDropNames[i]), std::to_string(packet_drops_[i]));
   }
   const std::array stages{std::pair{"fuse", &fuse_us_}, std::pair{"mark", &mark_us_},
-                          std::pair{"publish", &publish_us_}};
+                          std::pair{"perceive", &perceive_us_}, std::pair{"publish", &publish_us_}};
   for (const auto& [name, statistics] : stages) {
     facts.emplace_back(std::string(name) + "_us_mean", fixed(statistics->mean()));
     facts.emplace_back(std::string(name) + "_us_max", fixed(statistics->max()));
   }
   facts.emplace_back("stack_used_bytes", std::to_string(stack_used_bytes_));
+  if (core_shares_) {
+    facts.emplace_back("cores_at_work", std::to_string(core_shares_->at_work));
+    facts.emplace_back("items_for_lost_cores", std::to_string(core_shares_->for_lost));
+    for (std::size_t core = 0; core < core_shares_->items.size(); ++core) {
+      facts.emplace_back("items_of_core_" + std::to_string(core),
+                         std::to_string(core_shares_->items[core]));
+    }
+  }
   facts.emplace_back("run_hash", hex(run_hash()));
+  std::ranges::move(classes_.facts(), std::back_inserter(facts));
   return facts;
-}
-
-std::string row(const std::string& name, const std::string& value) {
-  constexpr std::size_t kNameWidth = 22;
-  std::string text = name;
-  text.append(kNameWidth - std::min(kNameWidth - 1, name.size()), ' ');
-  return text + value + "\n";
 }
 
 void RunStatistics::append_sensors(std::string& text) const {
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     text += row("sensor " + std::to_string(i), list_of(sensor_frames_[i], kStateNames));
   }
+}
+
+void RunStatistics::append_too_slow(std::string& text) const {
+  const std::uint64_t left = fates_[static_cast<std::size_t>(vehicle::Fate::kNotTaken)];
+  if (left == 0) {
+    return;
+  }
+  const std::uint64_t all = std::accumulate(fates_.begin(), fates_.end(), std::uint64_t{0});
+  text += row("TARGET TOO SLOW", std::to_string(left) + " points not taken, " +
+                                     std::to_string((100 * left + all / 2) / all) +
+                                     " % of all, in " + std::to_string(too_slow_) + " of " +
+                                     std::to_string(frames_) + " frames");
 }
 
 std::string RunStatistics::table(bool has_target) const {
@@ -164,6 +168,7 @@ std::string RunStatistics::table(bool has_target) const {
   }
   append_sensors(text);
   text += row("scan points", list_of(fates_, kFateNames));
+  append_too_slow(text);
   text += row("packets dropped", list_of(packet_drops_, kDropNames));
   text += row("tiles", std::to_string(tiles_));
   if (tiles_not_sent_ > 0) {
@@ -172,11 +177,17 @@ std::string RunStatistics::table(bool has_target) const {
   const std::string where = has_target ? " on target" : " here";
   text += row("fuse" + where, times(fuse_us_));
   text += row("mark" + where, times(mark_us_));
+  if (perceive_us_.count() > 0) {
+    text += row("perceive" + where, times(perceive_us_));
+  }
   text += row("publish" + where, times(publish_us_));
   if (has_target) {
     text += row("deepest stack", std::to_string(stack_used_bytes_) + " bytes");
   }
-  return text + row("run hash", hex(run_hash()));
+  if (core_shares_) {
+    text += row("cores at work", words_of(*core_shares_));
+  }
+  return text + row("run hash", hex(run_hash())) + classes_.table();
 }
 
 void write_facts(const std::string& path, const RunStatistics::Facts& facts) {

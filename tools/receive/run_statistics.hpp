@@ -3,13 +3,16 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/class_statistics.hpp"
+#include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/grid_frame.hpp"
+#include "tools/receive/table.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::tools {
@@ -18,6 +21,7 @@ namespace iog::tools {
 class TimeStatistics {
  public:
   void add(double micros);
+  [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }
   [[nodiscard]] double max() const { return max_; }
 
@@ -38,6 +42,7 @@ class RunStatistics {
   [[nodiscard]] std::uint64_t damaged() const { return damaged_; }
   [[nodiscard]] std::uint64_t points_used() const;
   [[nodiscard]] std::uint32_t run_hash() const { return hash_.value(); }
+  [[nodiscard]] const ClassStatistics& classes() const { return classes_; }
 
   // Names and values, for a script: "frames_with_evidence" and "250".
   using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -50,29 +55,30 @@ class RunStatistics {
   void add_times(const GridFrame& frame);
   void add_states(const GridFrame& frame);
   void append_sensors(std::string& text) const;
+  void append_too_slow(std::string& text) const;
 
   std::uint64_t frames_ = 0;
   std::uint64_t timed_out_ = 0;
   std::uint64_t incomplete_ = 0;  // a message of them is missing
   std::uint64_t damaged_ = 0;     // not the grid that the target says, though all has come
+  std::uint64_t too_slow_ = 0;    // the target has left points that it had no time for
   std::uint64_t tiles_ = 0;
   std::uint64_t tiles_not_sent_ = 0;  // the target's network took no message
   std::array<std::uint64_t, vehicle::kFateCount> fates_{};
   std::array<std::uint32_t, intake::kPacketDropCount> packet_drops_{};  // since the target's start
   TimeStatistics fuse_us_;
   TimeStatistics mark_us_;
+  TimeStatistics perceive_us_;
   TimeStatistics publish_us_;
-  bool was_evidence_ = false;  // of the frame before
-  std::uint32_t last_number_ = 0;
+  std::optional<stream::Header> last_;  // of the last frame with an end
   std::uint32_t stack_used_bytes_ = 0;
+  std::optional<CoreShares> core_shares_;  // since the target's start
   std::uint8_t sensor_count_ = 0;
   std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state
   std::vector<FrameRecord> records_;
   RunHash hash_;
+  ClassStatistics classes_;
 };
-
-// One line of a table: the name padded, then the value.
-[[nodiscard]] std::string row(const std::string& name, const std::string& value);
 
 // "key=value" lines. UsageError if the file cannot be written.
 void write_facts(const std::string& path, const RunStatistics::Facts& facts);

@@ -1,36 +1,39 @@
 #include "tools/receive/sequence_watch.hpp"
 
+#include <algorithm>
+
 namespace iog::tools {
 
 SequenceWatch::Arrival SequenceWatch::arrive(std::uint32_t sequence) {
   if (!has_started_) {
     has_started_ = true;
+    first_ = sequence;
+    wait_for(sequence - std::min(sequence, kBeginning), sequence);
     expected_ = sequence + 1;
     return Arrival::kInOrder;
   }
   const std::uint32_t ahead = sequence - expected_;
   if (ahead < 0x80000000U) {
     lost_ += ahead;
-    const std::uint32_t first = ahead > kPatience ? sequence - kPatience : expected_;
-    for (std::uint32_t missing = first; missing != sequence; ++missing) {
-      missing_.insert(missing);
-    }
-    while (missing_.size() > kPatience) {
-      missing_.erase(missing_.begin());
-    }
+    wait_for(sequence - std::min(ahead, kPatience), sequence);
     expected_ = sequence + 1;
     return Arrival::kInOrder;
   }
-  if (missing_.erase(sequence) > 0) {
-    --lost_;
-    return Arrival::kLate;
+  if (missing_.erase(sequence) == 0) {
+    return Arrival::kRepeated;
   }
-  return Arrival::kRepeated;
+  const bool was_lost = sequence - first_ < 0x80000000U;
+  lost_ -= was_lost ? 1U : 0U;
+  return Arrival::kLate;
 }
 
-bool SequenceWatch::is_missing(std::uint32_t first, std::uint32_t end) const {
-  const auto next = missing_.lower_bound(first);
-  return next != missing_.end() && *next < end;
+void SequenceWatch::wait_for(std::uint32_t first, std::uint32_t end) {
+  for (std::uint32_t missing = first; missing != end; ++missing) {
+    missing_.insert(missing);
+  }
+  while (missing_.size() > kPatience) {
+    missing_.erase(missing_.begin());
+  }
 }
 
 void SequenceWatch::restart() {

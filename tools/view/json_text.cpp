@@ -14,7 +14,7 @@ std::string quoted(std::string_view text) {
     if (letter == '"' || letter == '\\') {
       result += '\\';
       result += letter;
-    } else if (byte >= 0x20 && byte < 0x7F) {
+    } else if (byte >= 0x20 && byte != 0x7F) {
       result += letter;
     } else {
       result += "\\u00";

@@ -8,8 +8,8 @@
 
 namespace iog::tools::view {
 
-// `text` in quotes. What is not printable ASCII is escaped, bytes above 0x7F one by one; so the
-// result is valid whatever the text.
+// `text`, UTF-8, in quotes. What is not printable is escaped; so the result is valid wherever the
+// text is UTF-8, and where it is not the page has a character of replacement for it.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 // Members one after the other; str() closes it.

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lidar/ibeo_lux.hpp"
-#include "lidar/velodyne_vlp16.hpp"
+#include "intake/packet.hpp"
+#include "lidar/formats.hpp"
 #include "vehicle/compile.hpp"
 
 namespace iog::tools::view {
@@ -17,20 +17,21 @@ class Placer {
   Placer(const CatalogueEntry& car, std::size_t sensor, std::vector<SeenPoint>& points)
       : sensor_(&car.vehicle->sensors[sensor]),
         mount_(car.sensors[sensor].mount),
+        lasers_(car.sensors[sensor].lasers),
         turn_(vehicle::compile_detail::rotation_of(mount_)),
         points_(&points) {}
 
-  template <typename Decoder>
   void append(std::span<const std::byte> payload) {
-    Decoder decoder;
-    if (decoder.decode(payload) != lidar::DecodeStatus::kOk) {
-      return;
-    }
-    decoder.for_each_point([this](const lidar::ScanPoint& point) {
-      if (point.range_mm != 0) {
-        place(point, 2 * std::numbers::pi / Decoder::kTicksPerTurn,
-              Decoder::kElevationsDeg.at(point.layer) * std::numbers::pi / 180);
-      }
+    const intake::Packet packet = intake::Packet::decode(sensor_->format, payload, sensor_->unit());
+    lidar::with_decoder(sensor_->format, [&]<typename Decoder>(std::type_identity<Decoder>) {
+      packet.for_each_point([&](const lidar::ScanPoint& point) {
+        const double elevation_deg = lasers_.empty() ? Decoder::kElevationsDeg.at(point.layer)
+                                                     : lasers_[point.layer].elevation_deg;
+        if (point.range_mm != 0) {
+          place(point, 2 * std::numbers::pi / Decoder::kTicksPerTurn,
+                elevation_deg * std::numbers::pi / 180);
+        }
+      });
     });
   }
 
@@ -58,6 +59,7 @@ class Placer {
 
   const vehicle::Sensor* sensor_;
   vehicle::MountConfig mount_;
+  std::span<const lidar::Laser> lasers_;
   vehicle::compile_detail::Rotation turn_;
   std::vector<SeenPoint>* points_;
 };
@@ -70,15 +72,7 @@ void append_points(const CatalogueEntry& car, const CapturedDatagram& packet,
   if (sensor == car.sensors.size()) {
     return;
   }
-  Placer placer(car, sensor, points);
-  switch (car.sensors[sensor].format) {
-    case lidar::Format::kIbeoLux:
-      placer.append<lidar::IbeoLux>(packet.payload);
-      break;
-    case lidar::Format::kVelodyneVlp16:
-      placer.append<lidar::VelodyneVlp16>(packet.payload);
-      break;
-  }
+  Placer(car, sensor, points).append(packet.payload);
 }
 
 }  // namespace iog::tools::view

@@ -1,6 +1,7 @@
 #include "tools/view/scene.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <utility>
 
@@ -10,8 +11,12 @@ namespace {
 constexpr std::uint32_t kHasFrame = 1;
 constexpr std::uint32_t kIsKey = 2;
 constexpr std::uint32_t kHasTruth = 4;
-constexpr std::uint8_t kCellLayer = 0;
-constexpr std::uint8_t kTruthLayer = 1;
+constexpr std::uint32_t kHasClasses = 8;
+constexpr std::uint32_t kHasTrueClasses = 16;
+constexpr std::uint8_t kNever = 255;
+constexpr std::size_t kRow = geometry::kTileSide;
+constexpr std::int64_t kSide = kRow;
+static_assert(sizeof(TrueClass) == 1 && sizeof(index::OccupancyIndex) == 1);
 
 // Little endian, as every browser's typed arrays are.
 template <typename Number>
@@ -27,13 +32,33 @@ void append_bytes(std::string& message, std::span<const std::byte> bytes) {
   }
 }
 
-// Everything but the tiles, whose end is the message's.
 void append_points(std::string& message, const std::vector<SeenPoint>& points) {
   append(message, static_cast<std::uint32_t>(points.size()));
   for (const SeenPoint& point : points) {
     append(message, point.x_cm);
     append(message, point.y_cm);
     append(message, static_cast<std::uint8_t>(point.fate));
+  }
+}
+
+std::uint8_t byte_of_age(std::optional<std::uint32_t> age_frames) {
+  return age_frames ? static_cast<std::uint8_t>(std::min<std::uint32_t>(*age_frames, kNever - 1))
+                    : kNever;
+}
+
+// What the truth says of a row of a tile, from cell (x, y) of the world on. What it does not know
+// stays as it is.
+void copy_true_row(const Truth& truth, std::int64_t x, std::int64_t y,
+                   std::span<std::byte, kRow> row) {
+  const std::int64_t width = truth.area.width;
+  const std::int64_t right = x - truth.area.x;
+  const std::int64_t up = y - truth.area.y;
+  const std::int64_t first = std::max<std::int64_t>(0, -right);
+  const std::int64_t end = std::min(kSide, width - right);
+  if (up >= 0 && up < truth.area.height && first < end) {
+    std::memcpy(&row[static_cast<std::size_t>(first)],
+                &truth.classes[static_cast<std::size_t>(up * width + right + first)],
+                static_cast<std::size_t>(end - first));
   }
 }
 
@@ -44,23 +69,22 @@ void Scene::on_news(std::function<void()> handler) {
   on_news_ = std::move(handler);
 }
 
-template <typename Cell>
-void Scene::set_layer(Layer& layer, Cell&& cell) {
-  std::array<std::byte, tile_coding::kTileBytes> cells{};
-  std::array<std::byte, tile_coding::kTileBytes> payload{};
-  for (std::size_t number = 0; number < layer.size(); ++number) {
-    bool is_known = false;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      cells[i] = cell(cell_of_tile(number, i));
-      is_known = is_known || cells[i] != std::byte{0};
-    }
+template <typename Copy>
+void Scene::set_layer(LayerName name, Copy&& copy) {
+  Layer& layer = layers_.at(static_cast<std::size_t>(name));
+  layer.is_known = true;
+  Cells cells{};
+  Cells payload{};
+  for (std::size_t number = 0; number < layer.tiles.size(); ++number) {
+    copy(number, cells);
     tile_coding::EncodedTile encoded{.encoding = tile_coding::Encoding::kRaw, .bytes = 0};
-    if (is_known) {
+    if (cells != Cells{}) {
       encoded = encoder_.encode_as(tile_coding::Encoding::kRunLength, cells, std::nullopt, payload);
     }
     const auto bytes = std::span(payload).first(encoded.bytes);
-    Tile& tile = layer.at(number);
-    if (!std::ranges::equal(bytes, tile.payload)) {
+    Tile& tile = layer.tiles.at(number);
+    // A page may have read a key in which the layer was not.
+    if (!layer.was_known || !std::ranges::equal(bytes, tile.payload)) {
       tile = {.changed = update_,
               .encoding = encoded.encoding,
               .payload = std::vector(bytes.begin(), bytes.end())};
@@ -68,24 +92,64 @@ void Scene::set_layer(Layer& layer, Cell&& cell) {
   }
 }
 
-void Scene::publish_frame(const LiveGrid& grid, const Surroundings& surroundings,
-                          std::string status) {
+void Scene::set_index_layers(const LiveGrid& grid, const Surroundings& surroundings) {
+  const auto cells = grid.cells();
+  set_layer(LayerName::kIndexes, [&](std::size_t tile, Cells& to) {
+    for (std::size_t i = 0; i < to.size(); i += kRow) {
+      std::memcpy(&to[i], &cells[cell_of_tile(tile, i)], kRow);
+    }
+  });
+  const Truth* const truth = surroundings.truth.get();
+  if (truth != nullptr) {
+    set_layer(LayerName::kOccupied, [&](std::size_t tile, Cells& to) {
+      for (std::size_t i = 0; i < to.size(); i += kRow) {
+        const std::size_t first = cell_of_tile(tile, i);
+        for (std::size_t x = 0; x < kRow; ++x) {
+          to[i + x] = static_cast<std::byte>(truth->occupied[first + x]);
+        }
+      }
+    });
+  }
+  for (std::size_t tile = 0; tile < ages_.size(); ++tile) {
+    ages_.at(tile) = byte_of_age(grid.age_of(tile));
+  }
+}
+
+void Scene::set_class_layers(const LiveClasses& classes, const Surroundings& surroundings) {
+  if (!classes.window()) {
+    return;
+  }
+  set_layer(LayerName::kClasses, [&](std::size_t slot, Cells& to) {
+    std::memcpy(to.data(), classes.tile(slot).data(), to.size());
+  });
+  const Truth* const truth = surroundings.truth.get();
+  if (truth != nullptr && !truth->classes.empty()) {
+    set_layer(LayerName::kTrueClasses, [&](std::size_t slot, Cells& to) {
+      to.fill(std::byte{0});
+      const window::TileNumber tile = stream::area_of(*classes.window()).tile_at(slot);
+      for (std::size_t i = 0; i < to.size(); i += kRow) {
+        copy_true_row(*truth, tile.a * kSide, tile.b * kSide + static_cast<std::int64_t>(i / kRow),
+                      std::span(to).subspan(i).first<kRow>());
+      }
+    });
+  }
+  for (std::size_t slot = 0; slot < class_ages_.size(); ++slot) {
+    class_ages_.at(slot) = byte_of_age(classes.age_of(slot));
+    decided_ago_.at(slot) = classes.decided_ago(slot).value_or(kNever);
+  }
+}
+
+void Scene::publish_frame(const LiveGrid& grid, const LiveClasses& classes,
+                          const Surroundings& surroundings, std::string status) {
   std::function<void()> tell;
   {
     const std::lock_guard lock(mutex_);
     frame_update_ = ++update_;
-    const auto cells = grid.cells();
-    set_layer(cells_, [&](std::size_t cell) { return static_cast<std::byte>(cells[cell]); });
-    has_truth_ = !surroundings.truth.empty();
-    if (has_truth_) {
-      set_layer(truth_, [&](std::size_t cell) {
-        return surroundings.truth[cell] ? std::byte{1} : std::byte{0};
-      });
+    for (Layer& layer : layers_) {
+      layer.was_known = std::exchange(layer.is_known, false);
     }
-    for (std::size_t tile = 0; tile < ages_.size(); ++tile) {
-      const auto age = grid.age_of(tile);
-      ages_.at(tile) = age ? static_cast<std::uint8_t>(std::min<std::uint32_t>(*age, 254)) : 255;
-    }
+    set_index_layers(grid, surroundings);
+    set_class_layers(classes, surroundings);
     points_ = surroundings.points;
     status_ = std::move(status);
     tell = on_news_;
@@ -113,18 +177,34 @@ void Scene::set_vehicle(std::string vehicle) {
   vehicle_ = std::move(vehicle);
 }
 
-void Scene::append_tiles(const Layer& layer, std::uint8_t number, const Place& place, bool is_key,
+void Scene::append_tiles(LayerName name, const Place& place, bool is_key,
                          std::string& message) const {
-  for (std::size_t i = 0; i < layer.size(); ++i) {
-    const Tile& tile = layer.at(i);
+  if (!is_known(name)) {
+    return;
+  }
+  const auto& tiles = layers_.at(static_cast<std::size_t>(name)).tiles;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const Tile& tile = tiles.at(i);
     const bool is_needed = is_key ? !tile.payload.empty() : tile.changed > place.update;
     if (is_needed) {
-      append(message, number);
+      append(message, static_cast<std::uint8_t>(name));
       append(message, static_cast<std::uint8_t>(tile.encoding));
       append(message, static_cast<std::uint16_t>(i));
       append(message, static_cast<std::uint16_t>(tile.payload.size()));
       append_bytes(message, tile.payload);
     }
+  }
+}
+
+void Scene::append_frame(const Place& place, bool is_key, std::string& message) const {
+  append_bytes(message, std::as_bytes(std::span(ages_)));
+  if (is_known(LayerName::kClasses)) {
+    append_bytes(message, std::as_bytes(std::span(class_ages_)));
+    append_bytes(message, std::as_bytes(std::span(decided_ago_)));
+  }
+  append_points(message, points_);
+  for (std::size_t layer = 0; layer < kLayerCount; ++layer) {
+    append_tiles(static_cast<LayerName>(layer), place, is_key, message);
   }
 }
 
@@ -138,20 +218,15 @@ std::string Scene::message_since(Place& place) const {
   const std::string words =
       R"({"status":)" + status_ + (is_key ? R"(,"vehicle":)" + vehicle_ : "") + "}";
   std::string message;
-  const std::uint32_t flags =
-      (has_frame ? kHasFrame : 0U) | (is_key ? kIsKey : 0U) | (has_truth_ ? kHasTruth : 0U);
+  const std::uint32_t flags = (has_frame ? kHasFrame : 0U) | (is_key ? kIsKey : 0U) |
+                              (is_known(LayerName::kOccupied) ? kHasTruth : 0U) |
+                              (is_known(LayerName::kClasses) ? kHasClasses : 0U) |
+                              (is_known(LayerName::kTrueClasses) ? kHasTrueClasses : 0U);
   append(message, flags);
   append(message, static_cast<std::uint32_t>(words.size()));
   message += words;
   if (has_frame) {
-    append_bytes(message, std::as_bytes(std::span(ages_)));
-    append_points(message, points_);
-    append_tiles(cells_, kCellLayer, place, is_key, message);
-    if (has_truth_) {
-      append_tiles(truth_, kTruthLayer, place, is_key, message);
-    }
-  }
-  if (has_frame) {
+    append_frame(place, is_key, message);
     place.frames_to_key = (is_key ? kFramesPerKey : place.frames_to_key) - 1;
   }
   place.update = update_;

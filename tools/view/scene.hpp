@@ -10,22 +10,33 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tile_coding/encode.hpp"
+#include "tools/receive/live_classes.hpp"
 #include "tools/receive/live_grid.hpp"
+#include "tools/simulate/cell_truth.hpp"
 #include "tools/view/scan_points.hpp"
 
 namespace iog::tools::view {
 
+// A simulated world at the end of a frame.
+struct Truth {
+  std::vector<bool> occupied;        // of each cell of the vehicle's grid
+  CellArea area{};                   // of the world
+  std::vector<TrueClass> classes{};  // of its cells, row by row from the lowest y; may be empty
+};
+
 // What comes with a frame if the sensors' packets, or the simulated world, are at hand.
 struct Surroundings {
   std::vector<SeenPoint> points;
-  std::vector<bool> truth;  // of each cell, whether it is occupied in truth; empty: not known
+  std::shared_ptr<const Truth> truth;  // null: not known
 };
 
 class Scene {
@@ -39,10 +50,14 @@ class Scene {
   // Called after each publication, by the thread that publishes.
   void on_news(std::function<void()> handler);
 
-  // A new frame: the grid as it is now, with the ages of its tiles.
-  void publish_frame(const LiveGrid& grid, const Surroundings& surroundings, std::string status);
+  // A new frame: the grid and the classes as they are now, with the ages of their tiles.
+  void publish_frame(const LiveGrid& grid, const LiveClasses& classes,
+                     const Surroundings& surroundings, std::string status);
   // Only the words have changed.
   void publish_status(std::string status);
+  // The map block of this PC, of which pages draw outlines; before pages are served.
+  void set_map(std::vector<std::uint8_t> block) { map_ = std::move(block); }
+  [[nodiscard]] const std::vector<std::uint8_t>& map() const { return map_; }  // empty: none
   // The vehicle as JSON. It goes into each message that is whole in itself.
   void set_vehicle(std::string vehicle);
 
@@ -68,26 +83,42 @@ class Scene {
     tile_coding::Encoding encoding = tile_coding::Encoding::kRaw;
     std::vector<std::byte> payload;  // empty: 0 in all cells
   };
-  using Layer = std::array<Tile, geometry::kTileCount>;
+  struct Layer {
+    bool is_known = false;
+    bool was_known = false;  // in the frame before
+    std::array<Tile, geometry::kTileCount> tiles{};
+  };
+  // As they are numbered in messages. Tiles of the last two are by slot (window::slot_of).
+  enum class LayerName : std::uint8_t { kIndexes, kOccupied, kClasses, kTrueClasses };
+  static constexpr std::size_t kLayerCount = 4;
+  using Ages = std::array<std::uint8_t, geometry::kTileCount>;  // frames, 255: never came
 
-  // cell(number): its value.
-  template <typename Cell>
-  void set_layer(Layer& layer, Cell&& cell);
-  void append_tiles(const Layer& layer, std::uint8_t number, const Place& place, bool is_key,
-                    std::string& message) const;
+  using Cells = std::array<std::byte, tile_coding::kTileBytes>;
+
+  // copy(tile, cells): writes the cells of that tile.
+  template <typename Copy>
+  void set_layer(LayerName name, Copy&& copy);
+  void set_index_layers(const LiveGrid& grid, const Surroundings& surroundings);
+  void set_class_layers(const LiveClasses& classes, const Surroundings& surroundings);
+  [[nodiscard]] bool is_known(LayerName name) const {
+    return layers_.at(static_cast<std::size_t>(name)).is_known;
+  }
+  void append_tiles(LayerName name, const Place& place, bool is_key, std::string& message) const;
+  void append_frame(const Place& place, bool is_key, std::string& message) const;
 
   std::atomic<bool> is_watched_ = false;
   std::function<void()> on_news_;
   mutable std::mutex mutex_;
   std::uint64_t update_ = 0;
   std::uint64_t frame_update_ = 0;  // the last one with a frame
-  Layer cells_;
-  Layer truth_;
-  bool has_truth_ = false;
-  std::array<std::uint8_t, geometry::kTileCount> ages_{};  // frames, 254: or more, 255: never came
+  std::array<Layer, kLayerCount> layers_{};
+  Ages ages_{};         // of index tiles, since they came
+  Ages class_ages_{};   // of class tiles, since they came
+  Ages decided_ago_{};  // and since they were decided
   std::vector<SeenPoint> points_;
   std::string status_ = "{}";
   std::string vehicle_ = "null";
+  std::vector<std::uint8_t> map_;
   std::vector<std::string> requests_;
   tile_coding::Encoder encoder_;
 };

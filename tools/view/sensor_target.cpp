@@ -24,11 +24,11 @@ void SensorTarget::show_until(std::size_t held) {
 }
 
 // Frames that the packet has closed without being in them hold the packets before it.
-void SensorTarget::take(const CapturedDatagram& packet, const std::vector<bool>& truth) {
+void SensorTarget::take(const CapturedDatagram& packet, std::shared_ptr<const Truth> truth) {
   const OfflineTarget::Closed closed = target_.take(packet);
   hand_over();
   show_until(closed.after);
-  surroundings_.truth = truth;
+  surroundings_.truth = std::move(truth);
   append_points(*car_, packet, surroundings_.points);
   show_until(0);
 }

@@ -15,8 +15,8 @@ class SensorTarget {
   // Both outlive the target.
   SensorTarget(const CatalogueEntry& car, Viewer& viewer);
 
-  // The next packet of a sensor. truth: of the world at that time, or empty.
-  void take(const CapturedDatagram& packet, const std::vector<bool>& truth);
+  // The next packet of a sensor, or the next pose. truth: of the world at that time, or null.
+  void take(const CapturedDatagram& packet, std::shared_ptr<const Truth> truth);
 
   // No more packets come.
   void finish();

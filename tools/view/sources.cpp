@@ -12,8 +12,6 @@
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
-#include "tools/simulate/drive.hpp"
-#include "tools/simulate/truth.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/vehicles/vehicle_fit.hpp"
 #include "tools/view/sensor_target.hpp"
@@ -28,7 +26,7 @@ class StreamSource : public Source {
   StreamSource(const std::string& address, std::uint16_t port, std::uint16_t forward_port)
       : receiver_(address, port) {
     if (forward_port != 0) {
-      forward_.emplace("127.0.0.1", forward_port);
+      forward_.emplace("127.0.0.1", std::vector{forward_port});
     }
   }
 
@@ -78,7 +76,7 @@ class CaptureSource : public Source {
       throw UsageError(options_.path + ": no grid to port " + std::to_string(options_.port) +
                        ", and " + words_of_misfit(*car_, others));
     }
-    is_of_target_ = !is_of_sensor(*first);
+    is_of_target_ = !takes_port(*car_, first->destination.port);
   }
 
   [[nodiscard]] std::string kind() const override {
@@ -90,9 +88,13 @@ class CaptureSource : public Source {
     while (!viewer.is_watched() && !was_interrupted()) {
       rest(viewer);
     }
-    do {
+    play(viewer);
+    while (options_.loops && !was_interrupted()) {
+      if (is_of_target_) {
+        viewer.begin_again();
+      }
       play(viewer);
-    } while (options_.loops && !was_interrupted());
+    }
     if (target_) {
       target_->finish();
     }
@@ -109,15 +111,12 @@ class CaptureSource : public Source {
     std::this_thread::sleep_for(kTendEvery);
   }
 
-  [[nodiscard]] bool is_of_sensor(const CapturedDatagram& datagram) const {
-    return sensor_of_port(*car_, datagram.destination.port) < car_->sensors.size();
-  }
-
   // The next datagram that can be shown. others: where the ports of those before it are counted.
   [[nodiscard]] std::optional<CapturedDatagram> next(PcapReader& capture,
                                                      PortCounts* others = nullptr) const {
     while (std::optional<CapturedDatagram> datagram = capture.next()) {
-      if (is_of_sensor(*datagram) || datagram->destination.port == options_.port) {
+      if (takes_port(*car_, datagram->destination.port) ||
+          datagram->destination.port == options_.port) {
         return datagram;
       }
       if (others != nullptr) {
@@ -144,14 +143,14 @@ class CaptureSource : public Source {
   }
 
   void show(const CapturedDatagram& datagram, Viewer& viewer) {
-    if (!is_of_sensor(datagram)) {
+    if (!takes_port(*car_, datagram.destination.port)) {
       viewer.take(datagram.payload);
       return;
     }
     if (!target_) {
       target_ = std::make_unique<SensorTarget>(*car_, viewer);
     }
-    target_->take(datagram, {});
+    target_->take(datagram, nullptr);
   }
 
   CaptureOptions options_;
@@ -163,50 +162,6 @@ class CaptureSource : public Source {
   std::uint64_t now_us_ = 0;
 };
 
-class DriveSource : public Source {
- public:
-  DriveSource(const std::string& scene, const std::string& vehicle, std::uint64_t seed)
-      : car_(&find_vehicle(vehicle)), scene_(&find_scene(scene)), seed_(seed), drive_(next()) {}
-
-  [[nodiscard]] std::string kind() const override { return "drive"; }
-
-  void run(Viewer& viewer) override {
-    const auto target = std::make_unique<SensorTarget>(*car_, viewer);  // too large for the stack
-    Pace pace(1);
-    for (std::uint64_t frame = 0; !was_interrupted(); ++frame) {
-      if (frame - first_frame_ == drive_.frame_count()) {
-        drive_ = next();
-        first_frame_ = frame;
-      }
-      pace.wait_for(frame * kFrameUs);
-      play(static_cast<std::uint32_t>(frame - first_frame_), *target);
-      viewer.tend();
-    }
-  }
-
- private:
-  static constexpr std::uint64_t kFrameUs = 1'000'000 / Drive::kFramesPerSecond;
-
-  // Another drive, as long as one can be, with another seed.
-  [[nodiscard]] Drive next() { return {*car_, seed_++, Drive::kMaxSeconds, *scene_}; }
-
-  void play(std::uint32_t frame, SensorTarget& target) {
-    drive_.move_to(frame);
-    const std::vector<bool> truth =
-        true_occupancy(drive_.ego(), drive_.solids(), *car_->description);
-    for (CapturedDatagram& packet : drive_.datagrams()) {
-      packet.time_us += first_frame_ * kFrameUs;
-      target.take(packet, truth);
-    }
-  }
-
-  const CatalogueEntry* car_;
-  const SceneEntry* scene_;
-  std::uint64_t seed_;
-  Drive drive_;
-  std::uint64_t first_frame_ = 0;  // of this drive
-};
-
 }  // namespace
 
 std::unique_ptr<Source> make_stream_source(const std::string& address, std::uint16_t port,
@@ -216,11 +171,6 @@ std::unique_ptr<Source> make_stream_source(const std::string& address, std::uint
 
 std::unique_ptr<Source> make_capture_source(const CaptureOptions& options) {
   return std::make_unique<CaptureSource>(options);
-}
-
-std::unique_ptr<Source> make_drive_source(const std::string& scene, const std::string& vehicle,
-                                          std::uint64_t seed) {
-  return std::make_unique<DriveSource>(scene, vehicle, seed);
 }
 
 }  // namespace iog::tools::view

@@ -1,17 +1,37 @@
 // What the page shows in words and charts, as JSON.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/live_classes.hpp"
 #include "tools/receive/live_grid.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/view/recorder.hpp"
 #include "tools/view/stream_health.hpp"
 
 namespace iog::tools::view {
+
+using SlicesByCause = std::array<std::uint32_t, pose::kCauseCount>;
+
+// Of the classes of the frame that is shown.
+struct ClassFacts {
+  stream::ClassWindow window{};
+  std::optional<stream::ClassEnd> end{};
+  SlicesByCause not_placed{};  // slices since the frame before that had no place; kNone: 0
+  bool is_whole = false;
+  bool is_damaged = false;
+  std::size_t missing_tiles = 0;
+  std::size_t stale_tiles = 0;
+  std::size_t known_tiles = 0;
+};
+
+// before: the facts of the frame before, null if there was none.
+[[nodiscard]] ClassFacts class_facts_of(const ClassGrid& frame, const LiveClasses& classes,
+                                        const ClassFacts* before);
 
 // Of the frame that is shown.
 struct FrameFacts {
@@ -26,6 +46,7 @@ struct FrameFacts {
   std::size_t known_tiles = 0;
   stream::Header header{};
   std::optional<stream::FrameEnd> end{};
+  std::optional<ClassFacts> classes{};
 };
 
 // breaks_off: the recording ends in this frame, so that the tiles behind its last one are not lost.
@@ -40,6 +61,7 @@ struct StatusParts {
   const std::optional<FrameFacts>* frame;
   std::string source;          // such as "UDP 127.0.0.1:15000"
   std::string kind;            // Source::kind()
+  std::string block;           // of the map of this PC, its CRC; empty: none
   std::string problem;         // of the last request of the page; empty: none
   std::uint64_t overflow = 0;  // messages that this PC dropped
   std::int64_t now_ms = 0;
@@ -47,7 +69,8 @@ struct StatusParts {
 
 [[nodiscard]] std::string status_json(const StatusParts& parts);
 
-// Mounts, fields of view, footprint. nullptr: {"name": "unknown", ...} with nothing in it.
-[[nodiscard]] std::string vehicle_json(const CatalogueEntry* car);
+// Mounts, fields of view, footprint. Of a car that is not known: its name says so, and nothing is
+// in it.
+[[nodiscard]] std::string vehicle_json(std::uint32_t vehicle_id);
 
 }  // namespace iog::tools::view

@@ -61,6 +61,10 @@ bool StreamHealth::is_corrupt_lately(std::int64_t now_ms) const {
   return corrupt_.is_recent(now_ms);
 }
 
+bool StreamHealth::is_too_slow_lately(std::int64_t now_ms) const {
+  return too_slow_.is_recent(now_ms);
+}
+
 bool StreamHealth::has_other_version_lately(std::int64_t now_ms) const {
   return other_version_.is_recent(now_ms);
 }

@@ -27,6 +27,10 @@ class StreamHealth {
   static constexpr std::int64_t kRecentMs = 3000;
 
   void note_frame(std::int64_t now_ms) { last_frame_ms_ = now_ms; }
+  // Of a frame, also if nothing of it can be shown.
+  void note_points_not_taken(std::uint32_t points, std::int64_t now_ms) {
+    too_slow_.note(too_slow_.count + points, now_ms);
+  }
   void note_counts(const MessageCounts& counts, std::int64_t now_ms);
   void note_end() { has_ended_ = true; }
 
@@ -36,6 +40,8 @@ class StreamHealth {
 
   [[nodiscard]] bool has_restarted_lately(std::int64_t now_ms) const;
   [[nodiscard]] bool is_corrupt_lately(std::int64_t now_ms) const;
+  // The target has left points that it had no time for.
+  [[nodiscard]] bool is_too_slow_lately(std::int64_t now_ms) const;
   // Messages of another version, or of another grid, arrive or have just arrived.
   [[nodiscard]] bool has_other_version_lately(std::int64_t now_ms) const;
   [[nodiscard]] bool has_strange_grid_lately(std::int64_t now_ms) const;
@@ -54,6 +60,7 @@ class StreamHealth {
   bool has_ended_ = false;
   Watch restarts_;
   Watch corrupt_;
+  Watch too_slow_;
   Watch other_version_;
   Watch not_understood_;
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/receive/frame_record.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools::view {
@@ -42,25 +43,34 @@ void Viewer::show_next(const Surroundings& surroundings) {
 
 void Viewer::show(const GridFrame& frame, const Surroundings& surroundings, bool breaks_off) {
   const MessageCounts& counts = assembler_.counts();
-  if (counts.restarts != restarts_) {
-    grid_.forget();
-    restarts_ = counts.restarts;
-  }
   grid_.take(frame);
-  frame_ = facts_of(frame, grid_, counts.bytes - bytes_before_, breaks_off);
+  FrameFacts facts = facts_of(frame, grid_, counts.bytes - bytes_before_, breaks_off);
+  facts.classes = take_classes(frame);
+  frame_ = facts;
   bytes_before_ = counts.bytes;
   if (vehicle_id_ != frame.header.vehicle_id) {
     vehicle_id_ = frame.header.vehicle_id;
-    scene_->set_vehicle(vehicle_json(vehicle_of_id(*vehicle_id_)));
+    scene_->set_vehicle(vehicle_json(*vehicle_id_));
   }
   const std::int64_t now = now_ms();
   // A frame of which no tile can be shown makes no picture of now.
-  if (frame.valid_tiles.any() || frame.is_damaged) {
+  const bool shows_classes = frame.classes && frame.classes->valid_tiles.any();
+  if (frame.valid_tiles.any() || frame.is_damaged || shows_classes) {
     health_.note_frame(now);
   }
+  health_.note_points_not_taken(frame.has_end ? points_not_taken(frame.end) : 0, now);
   health_.note_counts(counts, now);
   last_status_ms_ = now;
-  scene_->publish_frame(grid_, surroundings, status());
+  scene_->publish_frame(grid_, classes_, surroundings, status());
+}
+
+std::optional<ClassFacts> Viewer::take_classes(const GridFrame& frame) {
+  classes_.take(frame);
+  if (!frame.classes || !frame.classes->has_window()) {
+    return std::nullopt;
+  }
+  const bool had_classes = frame_ && frame_->classes;
+  return class_facts_of(*frame.classes, classes_, had_classes ? &*frame_->classes : nullptr);
 }
 
 void Viewer::obey(const std::string& request) {
@@ -93,6 +103,13 @@ void Viewer::tend(std::uint64_t overflow) {
 void Viewer::note_silence() {
   assembler_.note_silence();
   grid_.forget();
+  classes_.forget();
+}
+
+void Viewer::begin_again() {
+  assembler_.forget();
+  grid_.forget();
+  classes_.forget();
 }
 
 void Viewer::note_end() {
@@ -114,6 +131,7 @@ std::string Viewer::status() const {
                       .frame = &frame_,
                       .source = origin_.words,
                       .kind = origin_.kind,
+                      .block = origin_.block,
                       .problem = problem_,
                       .overflow = overflow_,
                       .now_ms = now_ms()});

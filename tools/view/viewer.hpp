@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/live_classes.hpp"
 #include "tools/receive/live_grid.hpp"
 #include "tools/view/recorder.hpp"
 #include "tools/view/scene.hpp"
@@ -22,6 +23,7 @@ namespace iog::tools::view {
 struct Origin {
   std::string kind;  // Source::kind()
   std::string words;
+  std::string block{};  // the CRC of the map block of this PC, in hexadecimal; empty: there is none
 };
 
 class Viewer {
@@ -48,6 +50,8 @@ class Viewer {
   // Nothing has come for longer than a running target is silent. The picture stays; the next one
   // says nothing of tiles that are not in it.
   void note_silence();
+  // The recording is played from its beginning once more.
+  void begin_again();
   // The recording is over, perhaps in the middle of a frame.
   void note_end();
 
@@ -61,6 +65,7 @@ class Viewer {
   [[nodiscard]] std::int64_t now_ms() const;
   // breaks_off: the recording ends before the frame does.
   void show(const GridFrame& frame, const Surroundings& surroundings, bool breaks_off = false);
+  [[nodiscard]] std::optional<ClassFacts> take_classes(const GridFrame& frame);
   void obey(const std::string& request);
   [[nodiscard]] std::string status() const;
 
@@ -69,13 +74,13 @@ class Viewer {
   Recorder recorder_;
   FrameAssembler assembler_;
   LiveGrid grid_;
+  LiveClasses classes_;
   StreamHealth health_;
   std::optional<FrameFacts> frame_;
   std::vector<GridFrame> held_;
   bool is_holding_ = false;
   std::optional<std::uint32_t> vehicle_id_;
   std::string problem_;
-  std::uint64_t restarts_ = 0;
   std::uint64_t bytes_before_ = 0;
   std::uint64_t overflow_ = 0;
   std::int64_t last_status_ms_ = 0;

@@ -15,11 +15,13 @@
 #include <boost/beast/websocket.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/view/literal_host.hpp"
 #include "tools/view/page_files.hpp"
 
 namespace iog::tools::view {
@@ -55,13 +57,23 @@ Response plain_answer(const Request& request, http::status status, std::string w
   return response;
 }
 
-Response answer(const Request& request) {
+Response binary_answer(const Request& request, std::span<const std::uint8_t> bytes) {
+  Response response{http::status::ok, request.version()};
+  response.set(http::field::content_type, "application/octet-stream");
+  response.body().assign(bytes.begin(), bytes.end());
+  return response;
+}
+
+Response answer(const Request& request, const Scene& scene) {
   if (!is_literal_host(text_of(request[http::field::host]))) {
     return plain_answer(request, http::status::forbidden,
                         "Open this page by its address, such as http://127.0.0.1:8080/\n");
   }
   if (request.method() != http::verb::get && request.method() != http::verb::head) {
     return plain_answer(request, http::status::method_not_allowed, "Only GET and HEAD.\n");
+  }
+  if (request.target() == "/map.iogmap" && !scene.map().empty()) {
+    return binary_answer(request, scene.map());
   }
   const PageFile* const file = page_file(text_of(request.target()));
   if (file == nullptr) {
@@ -218,7 +230,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
  private:
   void serve(const Request& request) {
     if (!websocket::is_upgrade(request)) {
-      write(complete(request, answer(request)));
+      write(complete(request, answer(request, *scene_)));
       return;
     }
     if (!is_own_page(request)) {
@@ -323,22 +335,5 @@ WebServer::WebServer(const std::string& address, std::uint16_t port, Scene& scen
 WebServer::~WebServer() = default;
 
 std::uint16_t WebServer::port() const { return implementation_->port(); }
-
-bool is_literal_host(std::string_view host) {
-  const std::size_t bracket = host.rfind(']');
-  const std::size_t colon = host.rfind(':');
-  const bool has_port =
-      colon != std::string_view::npos && (bracket == std::string_view::npos || colon > bracket);
-  std::string name(has_port ? host.substr(0, colon) : host);
-  if (name.size() >= 2 && name.front() == '[' && name.back() == ']') {
-    name = name.substr(1, name.size() - 2);
-  }
-  if (name == "localhost") {
-    return true;
-  }
-  beast::error_code error;
-  static_cast<void>(asio::ip::make_address(name, error));
-  return !error;
-}
 
 }  // namespace iog::tools::view

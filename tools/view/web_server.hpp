@@ -30,7 +30,4 @@ class WebServer {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// "localhost", "127.0.0.1:8080", "[::1]:8080": a host that no name service can have invented.
-[[nodiscard]] bool is_literal_host(std::string_view host);
-
 }  // namespace iog::tools::view

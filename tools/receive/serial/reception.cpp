@@ -14,6 +14,7 @@
 #include "tools/program/file.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/receive/serial/serial_input.hpp"
 #include "tools/receive/serial/serial_link.hpp"
@@ -85,6 +86,9 @@ class SerialReception {
   }
 
   void check() const {
+    if (link_.counts().messages == 0 && link_.version_sent()) {
+      throw CheckFailed("the target sends " + words_of_version(*link_.version_sent()));
+    }
     if (link_.counts().messages == 0) {
       throw CheckFailed("no message came; is this the grid's line, and " +
                         std::to_string(options_->baud) + " its rate?");
@@ -119,8 +123,8 @@ class SerialReception {
       return;
     }
     last_frame_ = newest->frame_number;
-    if (!first_frame_ || link_.counts().restarts != restarts_) {
-      restarts_ = link_.counts().restarts;
+    if (!first_frame_ || newest->run_number != run_number_) {
+      run_number_ = newest->run_number;
       first_frame_ = newest->frame_number;
       first_closed_us_ = newest->closed_us;
     }
@@ -168,6 +172,7 @@ class SerialReception {
     add("messages_damaged", counts.damaged, true);
     add("messages_repeated", counts.repeated);
     add("messages_not_ours", counts.not_ours);
+    add("messages_other_version", counts.other_version);
     add("messages_malformed", counts.malformed);
     add("messages_not_understood", counts.not_understood);
     add("tiles_unreadable", counts.unreadable_tiles);
@@ -187,7 +192,7 @@ class SerialReception {
   std::optional<std::uint32_t> first_frame_;
   std::optional<std::uint32_t> last_frame_;
   std::uint64_t first_closed_us_ = 0;
-  std::uint64_t restarts_ = 0;
+  std::uint32_t run_number_ = 0;
 };
 
 }  // namespace

@@ -59,13 +59,16 @@ SerialCounts SerialLink::counts() const {
 }
 
 // Bytes come in their order or not at all, so a wrong sequence is a gap, a receiver that joins, or
-// a target that has started over; which of them, the sequence number tells.
+// a new run of the target; which of them, the numbers tell.
 void SerialLink::take_message(std::span<const std::byte> message) {
   using protection::CheckStatus;
   using protection::SomeIpStatus;
   const protection::Received received = receiver_.receive(message);
-  if (received.header == SomeIpStatus::kNotOurs || received.header == SomeIpStatus::kWrongVersion) {
+  if (received.header == SomeIpStatus::kNotOurs) {
     ++counts_.not_ours;
+  } else if (received.header == SomeIpStatus::kWrongVersion) {
+    ++counts_.other_version;
+    version_sent_ = received.interface_version;
   } else if (received.header != SomeIpStatus::kOk || received.check == CheckStatus::kError) {
     ++counts_.damaged;
   } else if (received.check == CheckStatus::kRepeated) {
@@ -82,7 +85,10 @@ void SerialLink::take_content(std::span<const std::byte> content) {
     ++counts_.malformed;
     return;
   }
-  follow(header);
+  if (!follow(header)) {
+    ++counts_.repeated;
+    return;
+  }
   if (header.type != stream::MessageType::kTiles) {
     ++counts_.not_understood;
     return;
@@ -90,19 +96,21 @@ void SerialLink::take_content(std::span<const std::byte> content) {
   take_tiles(header, body);
 }
 
-// A line changes no order, so numbers and time that go back are those of another run.
-void SerialLink::follow(const stream::Header& header) {
-  const std::uint32_t ahead = header.sequence - expected_.value_or(header.sequence);
-  const auto& newest = grid_.newest();
-  const bool is_older = newest && (header.closed_us < newest->closed_us ||
-                                   header.frame_number - newest->frame_number >= 1U << 31);
-  if (ahead >= 1U << 31 || is_older) {
-    ++counts_.restarts;
+// Nothing comes late on a line, so another number is that of a new run. False: an old message.
+bool SerialLink::follow(const stream::Header& header) {
+  if (run_number_ != header.run_number) {
+    counts_.restarts += run_number_ ? 1U : 0U;
     grid_.forget();
-  } else {
-    counts_.lost += ahead;
+    run_number_ = header.run_number;
+    expected_ = header.sequence;
   }
+  const std::uint32_t ahead = header.sequence - expected_;
+  if (ahead >= 1U << 31) {
+    return false;
+  }
+  counts_.lost += ahead;
   expected_ = header.sequence + 1;
+  return true;
 }
 
 void SerialLink::take_tiles(const stream::Header& header, std::span<const std::byte> body) {

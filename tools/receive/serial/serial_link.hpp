@@ -26,7 +26,8 @@ struct SerialCounts {
   std::uint64_t damaged = 0;         // what ended between two zeros and is no whole message
   std::uint64_t lost = 0;            // numbers that never came
   std::uint64_t repeated = 0;        // dropped
-  std::uint64_t not_ours = 0;        // another service, event or version
+  std::uint64_t not_ours = 0;        // another protocol, service or event
+  std::uint64_t other_version = 0;   // of ours: another version of the interface
   std::uint64_t malformed = 0;       // lengths or numbers that contradict each other
   std::uint64_t not_understood = 0;  // a type or a grid that is new to us
   std::uint64_t unreadable_tiles = 0;
@@ -48,11 +49,13 @@ class SerialLink {
 
   [[nodiscard]] const LayeredGrid& grid() const { return grid_; }
   [[nodiscard]] SerialCounts counts() const;
+  // The interface version of the last message of another one; nothing if none has come.
+  [[nodiscard]] std::optional<std::uint8_t> version_sent() const { return version_sent_; }
 
  private:
   void take_message(std::span<const std::byte> message);
   void take_content(std::span<const std::byte> content);
-  void follow(const stream::Header& header);
+  [[nodiscard]] bool follow(const stream::Header& header);
   void take_tiles(const stream::Header& header, std::span<const std::byte> body);
 
   TileHandler on_tile_;
@@ -61,7 +64,9 @@ class SerialLink {
   std::array<std::byte, protection::kMaxMessageBytes> buffer_{};
   framing::CobsDecoder decoder_{buffer_};
   protection::Receiver receiver_{stream::kSerialChannel};
-  std::optional<std::uint32_t> expected_;  // sequence number
+  std::optional<std::uint8_t> version_sent_;
+  std::optional<std::uint32_t> run_number_;
+  std::uint32_t expected_ = 0;  // sequence number
   LayeredGrid grid_;
 };
 

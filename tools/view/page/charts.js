@@ -1,11 +1,12 @@
 // The strip of charts: the last minute of what the target and the network say of themselves.
 
 import { FATES, SERIES } from "./palette.js";
+import { causesOf, deviationOf, slicesOf } from "./place.js";
 import { factsOf, isOfTarget } from "./status.js";
 
 const SPAN_MS = 60000;
 const ROW = 19; // pixels for a sensor
-const STAGES = ["fuse", "mark", "publish"];
+const STAGES = ["fuse", "mark", "perceive", "publish"];
 
 const compact = (value) =>
   Number.isInteger(value) || value >= 100 ? Math.round(value).toLocaleString("en")
@@ -16,6 +17,17 @@ const exact = (value, unit) => (unit === "ms" ? value.toFixed(value < 9.995 ? 2 
 
 // A chart is a name, a unit, and for each frame a list of values that are stacked.
 const CHARTS = [
+  {
+    id: "places",
+    isOfClasses: true,
+    title: () => "Place of the scans",
+    unit: "",
+    series: [{ name: "slices placed", colour: SERIES.placed },
+             { name: "not placed", colour: SERIES.loss }],
+    values: ({ status }) => (classesOf(status) ? slicesOf(classesOf(status)) : []),
+    head: ({ status }) => (classesOf(status) ? deviationOf(classesOf(status)) : "–"),
+    notes: ({ status }) => (classesOf(status) ? causesOf(classesOf(status)) : []),
+  },
   {
     id: "times",
     title: (kind) => (isOfTarget(kind) ? "Time on the target" : "Time on this PC"),
@@ -58,6 +70,8 @@ const CHARTS = [
   },
 ];
 
+const classesOf = (status) => status.frame && status.frame.classes;
+
 const make = (tag, className, text = "") =>
   Object.assign(document.createElement(tag), { className, textContent: text });
 
@@ -81,22 +95,28 @@ export class Charts {
     const value = make("span", "number quiet");
     const canvas = make("canvas", "");
     const keys = make("div", "chart-keys");
+    const notes = make("div", "chart-notes");
     head.append(title, value);
-    box.append(head, canvas, keys);
+    box.append(head, canvas, keys, notes);
     parent.append(box);
-    return { ...chart, box, titleBox: title, value, canvas, keys, words: "" };
+    return { ...chart, box, titleBox: title, value, canvas, keys, notesBox: notes, words: "" };
   }
 
-  // frames: of the history; at: the frame that is shown; status: the newest.
-  draw(frames, at, status, vehicle, theme) {
+  // frames: of the history; at: the frame that is shown; said: the one of which numbers are; status:
+  // the newest.
+  draw({ frames, at, said, status }, { vehicle, theme }) {
     const end = frames.length > 0 ? frames[frames.length - 1].timeMs : 0;
     for (const chart of this.charts) {
+      chart.box.hidden = Boolean(chart.isOfClasses) && !(said && classesOf(said.status));
+      if (chart.box.hidden) {
+        continue;
+      }
       chart.titleBox.textContent = chart.title(status ? status.kind : "");
-      this.drawSeries(chart, frames, at, end, theme);
+      this.drawSeries(chart, { frames, at, said }, end, theme);
     }
-    this.drawSensors(frames, at, end, vehicle, theme);
+    this.drawSensors({ frames, at, said }, end, vehicle, theme);
     if (status) {
-      this.showFacts(at ? { ...status, frame: at.status.frame } : status);
+      this.showFacts(said ? { ...status, frame: said.status.frame } : status);
     }
   }
 
@@ -115,7 +135,7 @@ export class Charts {
     return { context, width, height };
   }
 
-  drawSeries(chart, frames, at, end, theme) {
+  drawSeries(chart, { frames, at, said }, end, theme) {
     const { context, width, height } = this.prepare(chart);
     const columns = new Array(Math.max(1, Math.ceil(width)));
     frames.forEach((frame, i) => {
@@ -139,14 +159,24 @@ export class Charts {
       });
     });
     drawCursor(context, width, 0, height, at, end, theme);
-    this.showKeys(chart, at ? chart.values(at, null) : [], theme);
+    this.showKeys(chart, said ? chart.values(said, null) : [], theme);
+    if (chart.head && said) {
+      chart.value.textContent = chart.head(said);
+      this.showNotes(chart, chart.notes(said));
+    }
+  }
+
+  showNotes({ notesBox }, notes) {
+    if (notesBox.textContent !== notes.join("")) {
+      notesBox.replaceChildren(...notes.map((words) => make("span", "", words)));
+    }
   }
 
   showKeys(chart, values, theme) {
     const sum = values.reduce((a, b) => a + b, 0);
     chart.value.textContent = values.length > 0 ? `${exact(sum, chart.unit)} ${chart.unit}` : "–";
     const shown = chart.series.map((series, i) => ({ ...series, value: values[i] ?? 0 }))
-        .filter(({ value }, i) => chart.series.length <= 3 || i === 0 || value > 0);
+        .filter(({ value }, i) => chart.series.length <= 4 || i === 0 || value > 0);
     const words = theme + shown.map(({ name, value }) => `${name} ${exact(value, chart.unit)}`).join();
     if (words === chart.words || chart.series.length < 2) {
       return;
@@ -161,13 +191,13 @@ export class Charts {
     }));
   }
 
-  drawSensors(frames, at, end, vehicle, theme) {
+  drawSensors({ frames, at, said }, end, vehicle, theme) {
     const chart = this.sensors;
     const last = [...frames].reverse().find(({ status }) => status.frame && status.frame.end);
     const count = last ? last.status.frame.end.sensors.length : 0;
     chart.canvas.style.height = `${Math.max(1, count) * ROW}px`;
     const { context, width, height } = this.prepare(chart);
-    const shown = at && at.status.frame && at.status.frame.end ? at : last;
+    const shown = said && said.status.frame && said.status.frame.end ? said : last;
     let complete = 0;
     for (let i = 0; i < count; ++i) {
       const names = vehicle ? vehicle.sensors.map(({ name }) => name) : [];

@@ -14,6 +14,7 @@ const KEYS = [
   [["-"], "farther", "farther"],
   [["f"], "follow", "follow the car"],
   [["0"], "showAll", "the whole grid"],
+  [["v"], "layer", "classes, or the index grid of each single frame"],
   [["i"], "scale", "occupancy index or probability"],
   [["d"], "theme", "dark or light"],
   [["c"], "charts", "charts on or off"],

@@ -1,14 +1,29 @@
-// The picture: the grid as an image that is moved and scaled, and what is drawn on it.
+// The picture: a grid as an image that is moved, turned and scaled, and what is drawn on it.
 //
-// Seen from above, the car drives upwards: x of the vehicle frame points up, y to the left.
+// It shows the index grid, which is the vehicle's, or the classes of the window, which stand in the
+// local frame. There are three kinds of coordinates in metres: of the vehicle, whose x points
+// forward; of the ground, which is the local frame; and of the view, whose x points up on the
+// screen, y to the left, with the car at its origin. `turn` is how far the car is turned in the
+// view, counter-clockwise: not at all, unless the ground stands still.
 
-import { SIDE, TILES_PER_SIDE, TILE_SIDE } from "./messages.js";
-import { css, paletteOf, pixelTable } from "./palette.js";
+import { LAYERS, SIDE, TILES_PER_SIDE, TILE_SIDE } from "./messages.js";
+import { CLASS_COUNT, MOVING, classOf, classTable, colourOfClass, css, isSomething, paletteOf,
+         pixelTable } from "./palette.js";
 import * as overlays from "./overlays.js";
+import { TileImage } from "./tile_image.js";
 
 const MIN_SCALE = 3; // pixels a metre
 const MAX_SCALE = 400;
 const START_HEIGHT_M = 62;
+
+const coloursOfMarks = () =>
+  Array.from({ length: 8 * CLASS_COUNT }, (_, byte) => css(colourOfClass(byte)));
+
+const rotated = (x, y, angle) => {
+  const cos = Math.cos(angle);
+  const sin = Math.sin(angle);
+  return [cos * x - sin * y, sin * x + cos * y];
+};
 
 export class GridCanvas {
   constructor(canvas, grid) {
@@ -18,20 +33,20 @@ export class GridCanvas {
     this.vehicle = null;
     this.theme = "dark";
     this.scale = "index";
+    this.wantsClasses = true; // where there are any
     this.isStale = false;
-    this.overlays = new Set(["mounts", "rings", "ages"]);
-    this.centre = { x: 0, y: 0 }; // metres
+    this.overlays = new Set(["mounts", "rings", "ages", "track", "up", "outlines"]);
+    this.track = []; // where the car was: x, y and how many seconds ago, or null where it breaks off
+    this.map = null; // what the target says of it, if it ever did
+    this.outlines = null; // of the map of this PC, if it has one
+    this.place = null; // the vehicle's last pose on the ground, if it ever had one
+    this.pose = { x: 0, y: 0, heading: 0 }; // the same, or the middle of the window
+    this.centre = { x: 0, y: 0 }; // metres of the view
+    this.turn = 0;
     this.pixelsPerMetre = 0;
     this.isFollowing = true;
     this.scaleBar = null; // left, top, right and bottom of where it is drawn
-    this.drawn = -1; // version of the grid that the image holds
-    this.image = document.createElement("canvas");
-    this.image.width = SIDE;
-    this.image.height = SIDE;
-    this.imageContext = this.image.getContext("2d", { alpha: false, willReadFrequently: true });
-    this.pixels = this.imageContext.createImageData(SIDE, SIDE);
-    this.words = new Uint32Array(this.pixels.data.buffer);
-    this.occupied = []; // of each tile, the numbers of its occupied cells
+    this.images = { indexes: new TileImage(), classes: new TileImage(), truth: new TileImage() };
     this.restyle();
   }
 
@@ -43,15 +58,37 @@ export class GridCanvas {
     return this.vehicle ? this.vehicle.epsilon : 0.05;
   }
 
-  get palette() {
-    return paletteOf(this.theme);
+  get showsClasses() {
+    const { classes, frame } = this.grid;
+    return classes !== null && (this.wantsClasses || !frame.status.frame.sends_indexes);
   }
 
-  // After a change of theme, scale, vehicle or state.
+  // What is unknown is dark in a picture of classes, whatever the theme of the page.
+  get palette() {
+    return paletteOf(this.pictureTheme);
+  }
+
+  get pictureTheme() {
+    return this.showsClasses ? "dark" : this.theme;
+  }
+
+  // Whether something of the frame was placed; the index grid needs no place.
+  get hasPlace() {
+    return !this.showsClasses || this.grid.classes.slices > 0;
+  }
+
+  // By tile of what is shown, frames since it came.
+  get ages() {
+    return this.showsClasses ? this.grid.classAges : this.grid.ages;
+  }
+
+  // After a change of theme, scale, vehicle, overlays or state.
   restyle() {
     this.table = pixelTable(this.theme, this.scale, this.epsilon, this.isStale);
-    this.grid.changed.fill(1);
-    this.drawn = -1;
+    this.classTable = classTable(this.isStale);
+    this.markColours = this.isStale ? null : coloursOfMarks();
+    this.grid.redrawAll();
+    Object.values(this.images).forEach((image) => (image.painted = ""));
   }
 
   resize() {
@@ -71,8 +108,33 @@ export class GridCanvas {
     }
   }
 
-  // From metres in the vehicle frame to pixels of the page and back.
-  toScreen(x, y) {
+  // Where the car is now, and how it is turned. What is in the middle of the view stays there, as
+  // long as the ground stands still and the car is not followed.
+  takePose() {
+    const before = this.pose;
+    const isFixed = this.showsClasses && !this.overlays.has("up");
+    this.pose = this.place ?? this.middleOfWindow();
+    this.turn = isFixed ? this.pose.heading : 0;
+    if (isFixed && !this.isFollowing) {
+      this.centre.x -= this.pose.x - before.x;
+      this.centre.y -= this.pose.y - before.y;
+      this.keepInSight();
+    }
+  }
+
+  middleOfWindow() {
+    const { corner_a: a, corner_b: b } = this.grid.classes ?? { corner_a: 0, corner_b: 0 };
+    const metres = (corner) => (corner + TILES_PER_SIDE / 2) * TILE_SIDE * this.cellM;
+    return { x: metres(a), y: metres(b), heading: 0 };
+  }
+
+  // How far the picture's x is turned in the view.
+  get pictureTurn() {
+    return this.showsClasses ? this.turn - this.pose.heading : 0;
+  }
+
+  // From metres of the view to pixels of the page and back.
+  project([x, y]) {
     return [this.width / 2 - (y - this.centre.y) * this.pixelsPerMetre,
             this.height / 2 - (x - this.centre.x) * this.pixelsPerMetre];
   }
@@ -82,13 +144,61 @@ export class GridCanvas {
              y: this.centre.y + (this.width / 2 - column) / this.pixelsPerMetre };
   }
 
-  // The cell at a place of the page; null outside of the grid.
+  // From metres of the vehicle and of the ground to pixels of the page.
+  toScreen(x, y) {
+    return this.project(rotated(x, y, this.turn));
+  }
+
+  groundToScreen(x, y) {
+    return this.project(rotated(x - this.pose.x, y - this.pose.y, this.pictureTurn));
+  }
+
+  // From cells of the picture, whose x and y begin at its lowest corner, to pixels of the page.
+  cellToScreen(x, y) {
+    const { classes } = this.grid;
+    return this.showsClasses
+        ? this.groundToScreen((classes.corner_a * TILE_SIDE + x) * this.cellM,
+                              (classes.corner_b * TILE_SIDE + y) * this.cellM)
+        : this.toScreen((x - SIDE / 2) * this.cellM, (y - SIDE / 2) * this.cellM);
+  }
+
+  // What is at a place of the page: its place in metres of the vehicle, x and y of its cell in the
+  // picture, and the number of that cell in its layer. null outside of the grid.
   cellAt(column, row) {
     const { x, y } = this.toMetres(column, row);
-    const cellX = Math.floor(x / this.cellM) + SIDE / 2;
-    const cellY = Math.floor(y / this.cellM) + SIDE / 2;
+    const vehicle = rotated(x, y, -this.turn);
+    const place = this.showsClasses ? this.windowPlaceOf(vehicle) : vehicle.map(
+        (metres) => metres / this.cellM + SIDE / 2);
+    const [cellX, cellY] = place.map(Math.floor);
     const isInside = cellX >= 0 && cellX < SIDE && cellY >= 0 && cellY < SIDE;
-    return isInside ? { x: cellX, y: cellY } : null;
+    return isInside ? { x: cellX, y: cellY, vehicle, number: this.numberOf(cellX, cellY) } : null;
+  }
+
+  windowPlaceOf([x, y]) {
+    const { corner_a: a, corner_b: b } = this.grid.classes;
+    const [right, up] = rotated(x, y, this.pose.heading);
+    return [(this.pose.x + right) / this.cellM - a * TILE_SIDE,
+            (this.pose.y + up) / this.cellM - b * TILE_SIDE];
+  }
+
+  // Of a cell of the picture its number in the layer, where tiles of the window lie by slot.
+  numberOf(x, y) {
+    if (!this.showsClasses) {
+      return y * SIDE + x;
+    }
+    const { corner_a: a, corner_b: b } = this.grid.classes;
+    return ((b * TILE_SIDE + y) & (SIDE - 1)) * SIDE + ((a * TILE_SIDE + x) & (SIDE - 1));
+  }
+
+  // Of a tile of the layer its number in the picture.
+  placeOf(tile) {
+    if (!this.showsClasses) {
+      return tile;
+    }
+    const { corner_a: a, corner_b: b } = this.grid.classes;
+    const within = TILES_PER_SIDE - 1;
+    return ((Math.floor(tile / TILES_PER_SIDE) - b) & within) * TILES_PER_SIDE +
+           ((tile - a) & within);
   }
 
   pan(columns, rows) {
@@ -132,43 +242,28 @@ export class GridCanvas {
     this.pixelsPerMetre = this.height / START_HEIGHT_M;
   }
 
-  // Brings the image up to the grid that is shown.
-  paintTiles() {
-    const { cells, changed } = this.grid;
-    let any = false;
-    for (let tile = 0; tile < changed.length; ++tile) {
-      if (changed[tile] === 0) {
-        continue;
-      }
-      changed[tile] = 0;
-      any = true;
-      this.paintTile(tile, cells);
-    }
-    if (any) {
-      this.imageContext.putImageData(this.pixels, 0, 0);
-    }
-    this.drawn = this.grid.version;
+  // A name of the frame that is shown and of where its tiles lie: what has the same name looks alike.
+  get pictureName() {
+    const { classes, version } = this.grid;
+    return this.showsClasses ? `${version} ${classes.corner_a} ${classes.corner_b}` : `${version}`;
   }
 
-  paintTile(tile, cells) {
-    const { words, table } = this;
-    const firstX = (tile % TILES_PER_SIDE) * TILE_SIDE;
-    const firstY = Math.floor(tile / TILES_PER_SIDE) * TILE_SIDE;
-    const occupied = [];
-    for (let y = firstY; y < firstY + TILE_SIDE; ++y) {
-      let pixel = (SIDE - 1 - firstX) * SIDE + SIDE - 1 - y;
-      let cell = y * SIDE + firstX;
-      for (let i = 0; i < TILE_SIDE; ++i) {
-        const index = cells[cell];
-        words[pixel] = table[index & 0xff];
-        if (index > 0) {
-          occupied.push(cell);
-        }
-        pixel -= SIDE;
-        cell += 1;
-      }
+  // Brings an image up to a layer of the frame that is shown.
+  paint(image, layer, table, isMarked) {
+    const corner = this.pictureName.replace(/^\d+/, "");
+    if (image.corner !== corner) {
+      image.corner = corner; // all tiles have moved
+      this.grid.changed[layer].fill(1);
     }
-    this.occupied[tile] = occupied;
+    image.paint(this.pictureName, this.grid.layers[layer], this.grid.changed[layer],
+                { table, isMarked, placeOf: (tile) => this.placeOf(tile) });
+    return image;
+  }
+
+  paintPicture() {
+    return this.showsClasses
+        ? this.paint(this.images.classes, LAYERS.CLASSES, this.classTable, isSomething)
+        : this.paint(this.images.indexes, LAYERS.INDEXES, this.table, (index) => index > 0);
   }
 
   draw() {
@@ -176,49 +271,87 @@ export class GridCanvas {
     if (this.width === 0 || this.height === 0) {
       return;
     }
-    if (this.drawn !== this.grid.version) {
-      this.paintTiles();
-    }
+    this.takePose();
+    this.shown = this.paintPicture();
     const { context, palette } = this;
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.fillStyle = palette.outside;
     context.fillRect(0, 0, this.width, this.height);
-    this.drawImage(this.image);
-    const half = SIDE / 2 * this.cellM;
-    const [left, top] = this.toScreen(half, half);
-    const side = 2 * half * this.pixelsPerMetre;
-    context.strokeStyle = palette.gridEdge;
-    context.lineWidth = 1;
-    context.strokeRect(left, top, side, side);
+    this.drawImage(this.shown);
+    this.inPicture((side) => {
+      context.strokeStyle = palette.gridEdge;
+      context.lineWidth = 1;
+      context.strokeRect(0, 0, side, side);
+    });
     overlays.draw(this);
   }
 
-  // An image of the whole grid.
-  drawImage(image) {
+  // Calls paint with the picture's upper left corner as the origin and its edges along the axes.
+  inPicture(paint) {
     const { context } = this;
-    const half = SIDE / 2 * this.cellM;
-    const [left, top] = this.toScreen(half, half);
-    const side = 2 * half * this.pixelsPerMetre;
-    context.imageSmoothingEnabled = this.pixelsPerMetre * this.cellM < 1;
-    context.imageSmoothingQuality = "medium";
-    context.drawImage(image, left, top, side, side);
+    context.save();
+    context.translate(...this.cellToScreen(SIDE, SIDE));
+    context.rotate(-this.pictureTurn);
+    paint(SIDE * this.cellM * this.pixelsPerMetre);
+    context.restore();
   }
 
-  // So that a hit is seen from afar, too: occupied cells are at least so many pixels wide.
+  // Calls paint with the car as the origin and up as forward.
+  inVehicle(paint) {
+    const { context } = this;
+    context.save();
+    context.translate(...this.toScreen(0, 0));
+    context.rotate(-this.turn);
+    paint(this.pixelsPerMetre);
+    context.restore();
+  }
+
+  // An image of the whole grid. A cell that is turned has ragged edges, unless it is large.
+  drawImage({ canvas }) {
+    const { context } = this;
+    this.inPicture((side) => {
+      context.imageSmoothingEnabled = side / SIDE < (this.pictureTurn === 0 ? 1 : 2.5);
+      context.imageSmoothingQuality = "medium";
+      context.drawImage(canvas, 0, 0, side, side);
+    });
+  }
+
+  // So that a hit is seen from afar, too: occupied cells are at least so many pixels wide, and what
+  // moves is wider, and on top.
   drawMarks() {
-    const smallest = 2.4;
-    const size = this.pixelsPerMetre * this.cellM;
-    if (size >= smallest) {
+    const grey = css(this.palette.occupiedStale);
+    if (!this.showsClasses) {
+      const colour = this.isStale ? grey : this.palette.mark;
+      this.drawMarksOf(2.4, () => true, () => colour);
       return;
     }
+    const colour = this.isStale ? () => grey : (byte) => this.markColours[byte];
+    this.drawMarksOf(2.4, (byte) => classOf(byte) !== MOVING, colour);
+    this.drawMarksOf(3.2, (byte) => classOf(byte) === MOVING, colour);
+  }
+
+  drawMarksOf(smallest, isWanted, colourOf) {
     const { context } = this;
-    context.fillStyle = this.isStale ? css(this.palette.occupiedStale) : this.palette.mark;
-    for (const cells of this.occupied) {
-      for (const cell of cells || []) {
-        const [column, row] = this.toScreen(((cell % SIDE) - SIDE / 2 + 0.5) * this.cellM,
-                                            (Math.floor(cell / SIDE) - SIDE / 2 + 0.5) *
-                                                this.cellM);
-        context.fillRect(column - smallest / 2, row - smallest / 2, smallest, smallest);
+    if (this.pixelsPerMetre * this.cellM >= smallest) {
+      return;
+    }
+    const [column, row] = this.cellToScreen(0.5, 0.5);
+    const [columnX, rowX] = this.cellToScreen(1.5, 0.5).map((to, i) => to - [column, row][i]);
+    const [columnY, rowY] = this.cellToScreen(0.5, 1.5).map((to, i) => to - [column, row][i]);
+    let last = null;
+    for (const marks of this.shown.marks) {
+      for (let i = 0; i < (marks ? marks.length : 0); i += 3) {
+        const value = marks[i + 2];
+        if (!isWanted(value)) {
+          continue;
+        }
+        if (value !== last) {
+          context.fillStyle = colourOf(value);
+          last = value;
+        }
+        const [x, y] = [marks[i], marks[i + 1]];
+        context.fillRect(column + x * columnX + y * columnY - smallest / 2,
+                         row + x * rowX + y * rowY - smallest / 2, smallest, smallest);
       }
     }
   }

@@ -1,10 +1,11 @@
 // The frames of the last minute, as they came: messages, most of which hold only the tiles that have
 // changed. A key among them is whole in itself, so any frame is at most a second of tiles away.
 
-import { LAYER_CELLS, LAYER_TRUTH, TILE_COUNT, decodeTile, forEachTile } from "./messages.js";
+import { LAYERS, LAYER_COUNT, SIDE, TILE_COUNT, decodeTile, forEachTile } from "./messages.js";
 
 const KEPT_MS = 60000;
 const KEPT_BYTES = 192 * 1024 * 1024;
+const NEVER = 255; // the age of what never came
 
 export class History {
   constructor() {
@@ -58,18 +59,25 @@ export class History {
   }
 }
 
-// The grid of one frame: its cells, and what is drawn with them.
+// One frame: the cells of its layers, and what is drawn with them.
 export class ShownGrid {
-  constructor(side) {
-    this.cells = new Int8Array(side * side);
-    this.truth = new Int8Array(side * side);
+  constructor() {
+    this.layers = Array.from({ length: LAYER_COUNT }, () => new Int8Array(SIDE * SIDE));
+    this.changed = this.layers.map(() => new Uint8Array(TILE_COUNT)); // tiles to draw anew
     this.hasTruth = false;
-    this.ages = new Uint8Array(TILE_COUNT).fill(255);
+    this.hasTrueClasses = false;
+    this.ages = new Uint8Array(TILE_COUNT).fill(NEVER);
+    this.classAges = this.ages;
+    this.decidedAgo = this.ages;
+    this.classes = null; // what the target says of them
     this.points = null;
     this.number = -1;
     this.frame = null;
-    this.changed = new Uint8Array(TILE_COUNT); // tiles to draw anew
     this.version = 0; // another one: something has changed
+  }
+
+  get cells() {
+    return this.layers[LAYERS.INDEXES];
   }
 
   // Shows frame `number` of the history: by the tiles that have come since the one that is shown, or
@@ -87,30 +95,57 @@ export class ShownGrid {
       begin -= 1;
     }
     if (history.frames[begin].message.isKey) {
-      this.cells.fill(0);
-      this.truth.fill(0);
-      this.changed.fill(1);
+      this.layers.forEach((cells) => cells.fill(0));
+      this.redrawAll();
     }
     this.apply(history.frames.slice(begin, number - first + 1));
-    this.hasTruth = frame.message.hasTruth;
-    this.ages = frame.message.ages;
-    this.points = frame.message.points;
+    this.take(frame);
     this.number = number;
-    this.frame = frame;
     this.version += 1;
+  }
+
+  take(frame) {
+    const { message, status } = frame;
+    this.hasTruth = message.hasTruth;
+    this.hasTrueClasses = message.hasTrueClasses;
+    this.ages = message.ages;
+    this.classAges = message.classAges ?? this.classAges;
+    this.decidedAgo = message.decidedAgo ?? this.decidedAgo;
+    this.points = message.points;
+    const { classes, sends_classes: isExpected } = status.frame ?? {};
+    if (message.hasClasses) {
+      this.classes = classes;
+    } else if (isExpected && this.classes) {
+      this.loseClasses();
+    } else {
+      this.classes = null;
+    }
+    this.frame = frame;
+  }
+
+  // Not even where the window is has come.
+  loseClasses() {
+    this.classes = { ...this.classes, slices: 0, causes: 0, end: null };
+    this.layers[LAYERS.CLASSES].fill(0);
+    this.changed[LAYERS.CLASSES].fill(1);
+    this.classAges = new Uint8Array(TILE_COUNT).fill(NEVER);
+  }
+
+  redrawAll() {
+    this.changed.forEach((tiles) => tiles.fill(1));
   }
 
   // Newest first, each tile once.
   apply(frames) {
-    const seen = [new Uint8Array(TILE_COUNT), new Uint8Array(TILE_COUNT)];
+    const seen = this.layers.map(() => new Uint8Array(TILE_COUNT));
     for (let i = frames.length - 1; i >= 0; --i) {
       forEachTile(frames[i].message, (layer, tile, encoding, payload) => {
-        if (layer > LAYER_TRUTH || seen[layer][tile] !== 0) {
+        if (layer >= LAYER_COUNT || seen[layer][tile] !== 0) {
           return;
         }
         seen[layer][tile] = 1;
-        this.changed[tile] = 1;
-        decodeTile(tile, encoding, payload, layer === LAYER_CELLS ? this.cells : this.truth);
+        this.changed[layer][tile] = 1;
+        decodeTile(tile, encoding, payload, this.layers[layer]);
       });
     }
   }

@@ -1,15 +1,78 @@
 // What the colours mean: the scale of the cells, and what only some overlays need.
 
-import { quadtreeLeaves } from "./overlays.js";
-import { FATES, colourOfIndex, css, probabilityOf } from "./palette.js";
+import { hasTruth, quadtreeLeaves } from "./overlays.js";
+import { CLASS_COUNT, FATES, MOVING, classOf, colourOfClass, colourOfIndex, css, nameOfClass,
+         probabilityOf } from "./palette.js";
 import { isOfTarget } from "./status.js";
 
 const [LOW, HIGH] = [-56, 14]; // colours do not change beyond
 const NO_RETURN = 1; // fates that have no place
-const MALFORMED = 7;
+const DROPPED = 7; // from here on: with their packets
 const NEVER = 255;
 
 const TITLES = { index: "Occupancy index", probability: "Probability of occupancy" };
+
+// Where one may drive first, then what is there.
+const ORDER = [1, 2, 3, MOVING, 5, 6, 7, 8];
+const ALWAYS = [3, MOVING];
+
+// Words of which those from some place on are left out where there is little room.
+function withDetail(words, begin) {
+  const [short, rest] = words.split(begin, 2);
+  const whole = Object.assign(document.createElement("span"), { textContent: short });
+  whole.append(Object.assign(document.createElement("span"),
+                             { className: "detail", textContent: rest ? begin + rest : "" }));
+  return whole;
+}
+
+// The classes that the stream has named so far, each from unsure to sure.
+function elementsOfClasses({ images }) {
+  const seen = new Set(ALWAYS);
+  images.classes.seen.forEach((isSeen, byte) => isSeen && seen.add(classOf(byte)));
+  const names = ORDER.filter((number) => number < CLASS_COUNT && seen.has(number));
+  return [...names, 0].map((number) => {
+    const line = Object.assign(document.createElement("span"), { className: "key" });
+    const swatch = document.createElement("i");
+    const [weak, strong] = [0, 7].map((sureness) => css(colourOfClass(number * 8 + sureness)));
+    swatch.style.background = `linear-gradient(90deg, ${weak}, ${strong})`;
+    line.append(swatch, withDetail(nameOfClass(number), ", not yet"));
+    return line;
+  });
+}
+
+export function showClasses(view, { title, list }) {
+  const elements = elementsOfClasses(view);
+  if (list.childElementCount !== elements.length || title.childElementCount === 0) {
+    title.replaceChildren(withDetail("What is there – the brighter, the surer", " –"));
+    list.replaceChildren(...elements);
+  }
+}
+
+// What the map is and whose it is, or why there is none. Whose it is stays, however small the page.
+function wordsOfMap({ in_use: isInUse, attribution, cause, delivery, tiles_waiting: waiting,
+                      refused, crc }, outlines) {
+  const way = delivery === "" ? "" : `Another is on its way: ${delivery}.`;
+  if (!isInUse) {
+    const words = delivery === "" ? "No map: what is road or house is not told." : `No map yet: ${delivery}.`;
+    return [words, refused > 0 ? "A map that came was refused." : ""];
+  }
+  const state = cause === "" ? (waiting > 0 ? `${waiting} tiles wait for it.` : "")
+                             : `Not used: ${cause}.`;
+  const other = outlines !== null && outlines.crc !== crc
+      ? `No outlines: the target uses map ${crc}, this PC has ${outlines.crc}.` : "";
+  return [`Map: ${attribution}`, [state, way].join(" ").trim(), other];
+}
+
+// view.map: what the target has said last.
+export function showMap({ map, outlines }, element) {
+  const words = map ? wordsOfMap(map, outlines).filter((line) => line !== "") : [];
+  if (element.dataset.words !== words.join("\n")) {
+    element.dataset.words = words.join("\n");
+    element.replaceChildren(...words.map(
+        (textContent, i) => Object.assign(document.createElement("span"),
+                                          { textContent, className: i > 0 ? "quiet" : "" })));
+  }
+}
 
 export function showScale(view, { title, bar, ticks }) {
   const { theme, scale, epsilon } = view;
@@ -34,13 +97,21 @@ function linesOfPoints(view, kind) {
   if (isOfTarget(kind) || !points || points.byteLength === 0) {
     return [[null, "scan points: the stream has none; --pcap has"]];
   }
-  return FATES.filter((_, fate) => fate !== NO_RETURN && fate !== MALFORMED)
-      .map(({ name, colour }) => [colour[view.theme], name]);
+  return FATES.filter((_, fate) => fate !== NO_RETURN && fate < DROPPED)
+      .map(({ name, colour }) => [colour[view.pictureTheme], name]);
 }
 
-function linesOfTruth({ grid, overlays, palette }) {
-  if (!grid.hasTruth) {
+function linesOfTruth(view) {
+  const { overlays, palette, showsClasses } = view;
+  if (!hasTruth(view)) {
     return [[null, "truth: only a simulated drive has it"]];
+  }
+  if (showsClasses) {
+    return overlays.has("difference")
+        ? [[css(palette.agreed), "called moving, and moves"],
+           [css(palette.invented), "called moving, does not move"],
+           [css(palette.missed), "moves, not called so"]]
+        : [[css(palette.missed), "moves in truth"]];
   }
   if (!overlays.has("difference")) {
     return [[css(palette.missed), "occupied in truth"]];
@@ -51,9 +122,9 @@ function linesOfTruth({ grid, overlays, palette }) {
           [css(palette.missed, 0.4), "occupied in truth, not seen"]];
 }
 
-function linesOfAges({ grid, palette }) {
-  const isOld = grid.ages.some((age) => age !== 0 && age !== NEVER);
-  const isNew = grid.number < 0 || !grid.ages.includes(NEVER);
+function linesOfAges({ ages, grid, palette }) {
+  const isOld = ages.some((age) => age !== 0 && age !== NEVER);
+  const isNew = grid.number < 0 || !ages.includes(NEVER);
   return [...(isOld ? [[palette.stale, "hatched: not of the newest frame"]] : []),
           ...(isNew ? [] : [[palette.stale, "crossed: never received"]])];
 }
@@ -72,7 +143,7 @@ export function linesOf(view, kind) {
     lines.push(...linesOfTruth(view));
   }
   if (overlays.has("leaves")) {
-    lines.push([null, `${(quadtreeLeaves(view.grid).length / 3).toLocaleString("en")} leaves`]);
+    lines.push([null, `${(quadtreeLeaves(view).length / 3).toLocaleString("en")} leaves`]);
   }
   return lines;
 }

@@ -10,11 +10,15 @@ export const TILE_COUNT = TILES_PER_SIDE * TILES_PER_SIDE;
 export const SIDE = TILE_SIDE * TILES_PER_SIDE;
 const TILE_CELLS = TILE_SIDE * TILE_SIDE;
 
-export const LAYER_CELLS = 0;
-export const LAYER_TRUTH = 1;
+// Layers of tiles. Those of the last two are numbered by slot: b mod 32 * 32 + a mod 32 for tile
+// (a, b) of the local frame, wherever the window is.
+export const LAYERS = { INDEXES: 0, OCCUPIED: 1, CLASSES: 2, TRUE_CLASSES: 3 };
+export const LAYER_COUNT = 4;
 const HAS_FRAME = 1;
 const IS_KEY = 2;
 const HAS_TRUTH = 4;
+const HAS_CLASSES = 8;
+const HAS_TRUE_CLASSES = 16;
 const POINT_BYTES = 5;
 
 const words = new TextDecoder();
@@ -32,7 +36,11 @@ export function readMessage(buffer) {
     hasFrame: (flags & HAS_FRAME) !== 0,
     isKey: (flags & IS_KEY) !== 0,
     hasTruth: (flags & HAS_TRUTH) !== 0,
+    hasClasses: (flags & HAS_CLASSES) !== 0,
+    hasTrueClasses: (flags & HAS_TRUE_CLASSES) !== 0,
     ages: null,
+    classAges: null, // since the tiles came
+    decidedAgo: null, // and since they were decided
     points: null,
     tilesAt: buffer.byteLength,
   };
@@ -40,6 +48,11 @@ export function readMessage(buffer) {
   if (result.hasFrame) {
     result.ages = new Uint8Array(buffer, at, TILE_COUNT);
     at += TILE_COUNT;
+    if (result.hasClasses) {
+      result.classAges = new Uint8Array(buffer, at, TILE_COUNT);
+      result.decidedAgo = new Uint8Array(buffer, at + TILE_COUNT, TILE_COUNT);
+      at += 2 * TILE_COUNT;
+    }
     const count = view.getUint32(at, true);
     at += 4;
     result.points = new DataView(buffer, at, count * POINT_BYTES);

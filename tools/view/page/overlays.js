@@ -1,27 +1,39 @@
 // What is drawn on the grid, from the ground up. Each overlay can be switched off by itself.
 
-import { SIDE, TILES_PER_SIDE, TILE_SIDE, forEachPoint } from "./messages.js";
-import { FATES, css } from "./palette.js";
+import { drawOutlines } from "./map_outlines.js";
+import { LAYERS, SIDE, TILES_PER_SIDE, TILE_SIDE, forEachPoint } from "./messages.js";
+import { FATES, MOVING, classOf, css } from "./palette.js";
+import { drawCar, drawDeviation, drawTrack, drawViews } from "./vehicle_overlays.js";
 
+// isOfClasses: it says nothing of the index grid. isOfMap: it needs a map block of this PC.
 export const OVERLAYS = [
   { id: "mounts", key: "m", name: "car, fields of view" },
   { id: "rings", key: "g", name: "distances" },
+  { id: "track", key: "k", name: "track, pose", isOfClasses: true },
+  { id: "up", key: "u", name: "car drives upwards", isOfClasses: true },
+  { id: "outlines", key: "o", name: "map outlines", isOfClasses: true, isOfMap: true },
   { id: "ages", key: "a", name: "tile ages, stale tiles" },
   { id: "points", key: "p", name: "scan points" },
   { id: "leaves", key: "q", name: "quadtree leaves" },
-  { id: "truth", key: "t", name: "true occupancy" },
+  { id: "truth", key: "t", name: "true occupancy", nameOfClasses: "true movers" },
   { id: "difference", key: "x", name: "difference to truth" },
 ];
 
 const FONT = "12px system-ui, sans-serif";
+const NEVER = 255;
+const USUAL_AGE = 8; // frames in which each tile is decided anew
 
 export function draw(view) {
   const on = (id) => view.overlays.has(id);
+  const isOfClasses = view.showsClasses;
   if (on("truth") || on("difference")) {
     drawTruth(view, on("difference"));
   }
   if (on("leaves")) {
     drawLeaves(view);
+  }
+  if (isOfClasses && on("outlines")) {
+    drawOutlines(view);
   }
   if (on("rings")) {
     drawRings(view);
@@ -29,8 +41,14 @@ export function draw(view) {
   if (on("mounts")) {
     drawViews(view);
   }
+  if (isOfClasses && on("track")) {
+    drawTrack(view);
+  }
   if (!on("difference")) {
     view.drawMarks();
+  }
+  if (isOfClasses) {
+    fadeOldTiles(view);
   }
   if (on("points") && view.grid.points) {
     drawPoints(view);
@@ -40,6 +58,9 @@ export function draw(view) {
   }
   if (on("rings")) {
     drawDistances(view);
+  }
+  if (isOfClasses && on("track")) {
+    drawDeviation(view);
   }
   drawCar(view, on("mounts"));
   drawScaleBar(view);
@@ -53,57 +74,53 @@ export function judgement(index, isTrue) {
   return index < 0 && isTrue ? "missed" : "";
 }
 
-let layer = null; // of the truth, as an image
-let layerOf = "";
+// It is called moving, and moves; it is called moving, and does not; it is something, and moves
+// without being called so.
+export const TRUE_MOVING = 1; // of tools/simulate/cell_truth.hpp: 2 may move, 3 never does
+
+export function judgementOfClass(byte, truth) {
+  if (classOf(byte) === MOVING) {
+    return truth === TRUE_MOVING ? "agreed" : "invented";
+  }
+  return classOf(byte) > MOVING && truth === TRUE_MOVING ? "missed" : "";
+}
+
+export const hasTruth = ({ grid, showsClasses }) =>
+  showsClasses ? grid.hasTrueClasses : grid.hasTruth;
 
 function drawTruth(view, isDifference) {
-  if (!view.grid.hasTruth) {
+  if (!hasTruth(view)) {
     return;
   }
-  const name = `${view.grid.version} ${isDifference} ${view.theme}`;
-  if (layerOf !== name) {
-    layerOf = name;
-    paintTruth(view, isDifference);
-  }
-  view.drawImage(layer);
+  const [red, green, blue] = view.palette.missed;
+  const colour = (((isDifference ? 0x55 : 0xb0) << 24) | (blue << 16) | (green << 8) | red) >>> 0;
+  const table = new Uint32Array(256);
+  table[TRUE_MOVING] = colour; // which is the layer's "occupied", too
+  view.drawImage(view.paint(view.images.truth,
+                            view.showsClasses ? LAYERS.TRUE_CLASSES : LAYERS.OCCUPIED, table,
+                            () => false));
   if (isDifference) {
     drawJudged(view);
   }
 }
 
-function paintTruth(view, isDifference) {
-  layer ??= Object.assign(document.createElement("canvas"), { width: SIDE, height: SIDE });
-  const context = layer.getContext("2d", { willReadFrequently: true });
-  const pixels = context.createImageData(SIDE, SIDE);
-  const words = new Uint32Array(pixels.data.buffer);
-  const { truth } = view.grid;
-  const [red, green, blue] = view.palette.missed;
-  const colour = (((isDifference ? 0x55 : 0xb0) << 24) | (blue << 16) | (green << 8) | red) >>> 0;
-  for (let cell = 0; cell < truth.length; ++cell) {
-    if (truth[cell] !== 0) {
-      words[(SIDE - 1 - (cell & (SIDE - 1))) * SIDE + SIDE - 1 - (cell >> 10)] = colour;
-    }
-  }
-  context.putImageData(pixels, 0, 0);
-}
-
 function drawJudged(view) {
-  const { context, grid, palette } = view;
+  const { context, grid, palette, showsClasses } = view;
+  const cells = grid.layers[showsClasses ? LAYERS.CLASSES : LAYERS.INDEXES];
+  const truth = grid.layers[showsClasses ? LAYERS.TRUE_CLASSES : LAYERS.OCCUPIED];
+  const judge = showsClasses ? judgementOfClass : (index, isTrue) => judgement(index, isTrue !== 0);
   const size = Math.max(2.4, view.pixelsPerMetre * view.cellM);
-  for (let cell = 0; cell < grid.cells.length; ++cell) {
-    const index = grid.cells[cell];
-    if (index === 0 || (index < 0 && grid.truth[cell] === 0)) {
-      continue;
+  for (let y = 0; y < SIDE; ++y) {
+    for (let x = 0; x < SIDE; ++x) {
+      const number = view.numberOf(x, y);
+      const verdict = cells[number] === 0 ? "" : judge(cells[number], truth[number]);
+      if (verdict !== "") {
+        const [column, row] = view.cellToScreen(x + 0.5, y + 0.5);
+        context.fillStyle = css(palette[verdict]);
+        context.fillRect(column - size / 2, row - size / 2, size, size);
+      }
     }
-    const [column, row] = placeOfCell(view, cell);
-    context.fillStyle = css(palette[judgement(index, grid.truth[cell] !== 0)]);
-    context.fillRect(column - size / 2, row - size / 2, size, size);
   }
-}
-
-function placeOfCell(view, cell) {
-  return view.toScreen(((cell & (SIDE - 1)) - SIDE / 2 + 0.5) * view.cellM,
-                       ((cell >> 10) - SIDE / 2 + 0.5) * view.cellM);
 }
 
 // Blocks of one value, as a quadtree over a tile would have them.
@@ -125,15 +142,18 @@ function leavesOf(cells, x, y, side, found) {
 }
 
 let leaves = [];
-let leavesVersion = -1;
+let shownLeaves = "";
 
-export function quadtreeLeaves(grid) {
-  if (leavesVersion !== grid.version) {
-    leavesVersion = grid.version;
+// x, y and side of each, in cells of the layer that is shown.
+export function quadtreeLeaves({ grid, showsClasses }) {
+  const name = `${grid.version} ${showsClasses}`;
+  if (shownLeaves !== name) {
+    const cells = grid.layers[showsClasses ? LAYERS.CLASSES : LAYERS.INDEXES];
+    shownLeaves = name;
     leaves = [];
     for (let y = 0; y < SIDE; y += TILE_SIDE) {
       for (let x = 0; x < SIDE; x += TILE_SIDE) {
-        leavesOf(grid.cells, x, y, TILE_SIDE, leaves);
+        leavesOf(cells, x, y, TILE_SIDE, leaves);
       }
     }
   }
@@ -143,24 +163,32 @@ export function quadtreeLeaves(grid) {
 function drawLeaves(view) {
   const { context } = view;
   const pixelsPerCell = view.pixelsPerMetre * view.cellM;
-  const found = quadtreeLeaves(view.grid);
-  context.beginPath();
-  for (let i = 0; i < found.length; i += 3) {
-    const side = found[i + 2] * pixelsPerCell;
-    if (side < 4) {
-      continue;
+  const found = quadtreeLeaves(view);
+  view.inPicture(() => {
+    context.beginPath();
+    for (let i = 0; i < found.length; i += 3) {
+      const side = found[i + 2];
+      const tile = (found[i + 1] >> 5) * TILES_PER_SIDE + (found[i] >> 5);
+      const place = view.placeOf(tile);
+      const x = (place % TILES_PER_SIDE) * TILE_SIDE + (found[i] & (TILE_SIDE - 1));
+      const y = (place >> 5) * TILE_SIDE + (found[i + 1] & (TILE_SIDE - 1));
+      if (side * pixelsPerCell >= 4 && isSeen(view, x + side / 2, y + side / 2, side)) {
+        context.rect((SIDE - y - side) * pixelsPerCell, (SIDE - x - side) * pixelsPerCell,
+                     side * pixelsPerCell, side * pixelsPerCell);
+      }
     }
-    const [right, bottom] = view.toScreen((found[i] - SIDE / 2) * view.cellM,
-                                          (found[i + 1] - SIDE / 2) * view.cellM);
-    const isSeen = right > 0 && bottom > 0 && right - side < view.width &&
-                   bottom - side < view.height;
-    if (isSeen) {
-      context.rect(right - side, bottom - side, side, side);
-    }
-  }
-  context.strokeStyle = view.palette.leaf;
-  context.lineWidth = 1;
-  context.stroke();
+    context.strokeStyle = view.palette.leaf;
+    context.lineWidth = 1;
+    context.stroke();
+  });
+}
+
+// Whether some of a square around that cell may be on the screen.
+function isSeen(view, x, y, side) {
+  const [column, row] = view.cellToScreen(x, y);
+  const reach = side * view.pixelsPerMetre * view.cellM;
+  return column > -reach && row > -reach && column < view.width + reach &&
+         row < view.height + reach;
 }
 
 const ringStep = (view) => (view.pixelsPerMetre > 60 ? 1 : view.pixelsPerMetre > 24 ? 5 : 10);
@@ -199,69 +227,13 @@ function drawDistances(view) {
   }
 }
 
-function drawViews(view) {
-  const { context, palette, vehicle } = view;
-  for (const sensor of vehicle ? vehicle.sensors : []) {
-    const [column, row] = view.toScreen(sensor.x, sensor.y);
-    const middle = -Math.PI / 2 - sensor.yaw_deg * Math.PI / 180;
-    const half = sensor.width_deg * Math.PI / 360;
-    const reach = Math.min(sensor.range, 80) * view.pixelsPerMetre;
-    context.beginPath();
-    context.moveTo(column, row);
-    context.arc(column, row, reach, middle - half, middle + half);
-    context.closePath();
-    context.setLineDash([2, 5]);
-    context.strokeStyle = palette.viewEdge;
-    context.lineWidth = 1;
-    context.stroke();
-    context.setLineDash([]);
-  }
-}
-
-function drawCar(view, hasMounts) {
-  const { context, palette, vehicle } = view;
-  const body = vehicle && vehicle.footprint;
-  if (body) {
-    const [left, top] = view.toScreen(body.x_max, body.y_max);
-    const [right, bottom] = view.toScreen(body.x_min, body.y_min);
-    const width = right - left;
-    const height = bottom - top;
-    context.beginPath();
-    context.roundRect(left, top, width, height, width * 0.22);
-    context.fillStyle = palette.carBody;
-    context.strokeStyle = palette.carLine;
-    context.lineWidth = 1.5;
-    context.fill();
-    context.stroke();
-    context.fillStyle = palette.carLine;
-    context.globalAlpha = 0.75;
-    context.beginPath(); // the windscreen, which is in front
-    context.roundRect(left + width * 0.14, top + height * 0.26, width * 0.72, height * 0.13,
-                      width * 0.08);
-    context.roundRect(left + width * 0.18, top + height * 0.8, width * 0.64, height * 0.08,
-                      width * 0.06);
-    context.fill();
-    context.globalAlpha = 1;
-  }
-  for (const sensor of hasMounts && vehicle ? vehicle.sensors : []) {
-    const [column, row] = view.toScreen(sensor.x, sensor.y);
-    context.beginPath();
-    context.arc(column, row, Math.max(3, view.pixelsPerMetre * 0.12), 0, 2 * Math.PI);
-    context.fillStyle = palette.sensor;
-    context.strokeStyle = palette.carLine;
-    context.lineWidth = 1;
-    context.fill();
-    context.stroke();
-  }
-}
-
 function drawPoints(view) {
-  const { context, theme } = view;
+  const { context, pictureTheme } = view;
   const size = Math.max(2.5, Math.min(6, view.pixelsPerMetre * 0.08));
   let last = -1;
   forEachPoint(view.grid.points, (x, y, fate) => {
     if (fate !== last && FATES[fate]) {
-      context.fillStyle = FATES[fate].colour[theme];
+      context.fillStyle = FATES[fate].colour[pictureTheme];
       last = fate;
     }
     const [column, row] = view.toScreen(x, y);
@@ -269,30 +241,53 @@ function drawPoints(view) {
   });
 }
 
+// Calls paint(column, row, side, tile) for each tile of the picture, in its own coordinates.
+function forEachTileOf(view, paint) {
+  view.inPicture((all) => {
+    const side = all / TILES_PER_SIDE;
+    for (let tile = 0; tile < view.ages.length; ++tile) {
+      const place = view.placeOf(tile);
+      paint((TILES_PER_SIDE - 1 - Math.floor(place / TILES_PER_SIDE)) * side,
+            (TILES_PER_SIDE - 1 - (place % TILES_PER_SIDE)) * side, side, tile);
+    }
+  });
+}
+
+// The older what a tile of classes says, the fainter. What did not come with the newest frame is
+// faint at once.
+function fadeOldTiles(view) {
+  const { context, grid, palette } = view;
+  context.fillStyle = palette.outside;
+  forEachTileOf(view, (left, top, side, tile) => {
+    const missed = grid.classAges[tile];
+    const overdue = Math.max(0, grid.decidedAgo[tile] - USUAL_AGE);
+    const fade = (missed > 0 ? 0.25 : 0) + Math.max(missed, overdue) * 0.03;
+    if (fade > 0 && missed !== NEVER) {
+      context.globalAlpha = Math.min(0.85, fade);
+      context.fillRect(left, top, side, side);
+    }
+  });
+}
+
 // Tiles that are not of the newest frame are hatched, the denser the older; tiles that never came
 // carry a cross.
 function drawAges(view) {
-  const { context, grid, palette } = view;
-  const side = TILE_SIDE * view.cellM;
+  const { context, palette } = view;
   context.strokeStyle = palette.stale;
   context.lineWidth = 1;
-  for (let tile = 0; tile < grid.ages.length; ++tile) {
-    const age = grid.ages[tile];
+  forEachTileOf(view, (left, top, side, tile) => {
+    const age = view.ages[tile];
     if (age === 0) {
-      continue;
+      return;
     }
-    const x = ((tile % TILES_PER_SIDE) - TILES_PER_SIDE / 2) * side;
-    const y = (Math.floor(tile / TILES_PER_SIDE) - TILES_PER_SIDE / 2) * side;
-    const [left, top] = view.toScreen(x + side, y + side);
-    const length = side * view.pixelsPerMetre;
     context.beginPath();
-    if (age === 255) {
-      cross(context, left, top, length);
+    if (age === NEVER) {
+      cross(context, left, top, side);
     } else {
-      hatch(context, left, top, length, age < 5 ? 3 : 5);
+      hatch(context, left, top, side, age < 5 ? 3 : 5);
     }
     context.stroke();
-  }
+  });
 }
 
 function cross(context, left, top, side) {

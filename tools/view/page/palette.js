@@ -16,6 +16,12 @@ const THEMES = {
     ring: "rgba(128, 150, 172, 0.38)",
     ringText: "#9fb0c0",
     mark: "#ff9a3c",
+    track: "#ffffff",
+    trackEdge: "rgba(16, 24, 34, 0.75)",
+    doubt: "rgba(255, 214, 64, 0.28)",
+    doubtEdge: "#ffd640",
+    mapRoad: "rgba(120, 190, 255, 0.75)",
+    mapHouse: "rgba(255, 176, 96, 0.85)",
     carBody: "#f6f7f8",
     carLine: "#20262d",
     sensor: "#12b5a0",
@@ -69,14 +75,43 @@ export const FATES = [
   { name: "flagged", colour: { dark: "#cc79a7", light: "#b04a86" } },
   { name: "later echo", colour: { dark: "#35d6a4", light: "#009e73" } },
   { name: "malformed", colour: { dark: "#ff5a36", light: "#d55e00" } },
+  { name: "stale", colour: { dark: "#b98a5a", light: "#8a5a2b" } },
+  { name: "not taken", colour: { dark: "#ff8fb0", light: "#b3003c" } },
 ];
+
+// Of classes by their number, at their surest; the surer, the stronger. Names and colours are those
+// of tools/formats/picture/class_picture.cpp. What is unknown is dark in either theme.
+const CLASSES = [
+  { name: "unknown", colour: [30, 33, 38] },
+  { name: "drivable", colour: [150, 214, 170] },
+  { name: "free, not drivable", colour: [120, 150, 130] },
+  { name: "free", colour: [172, 200, 222] },
+  { name: "moving", colour: [255, 40, 160] },
+  { name: "stopped", colour: [250, 190, 40] },
+  { name: "standing", colour: [214, 120, 40] },
+  { name: "infrastructure", colour: [140, 80, 40] },
+  { name: "occupied, not yet known by what", colour: [240, 230, 120] },
+];
+const WEAKEST = 0.55;
+const SUREST = 7;
+export const CLASS_COUNT = CLASSES.length;
+export const MOVING = 4;
+
+// A class byte is class * 8 + sureness (docs/spec.md, 3.9).
+export const classOf = (byte) => byte >> 3;
+export const surenessOf = (byte) => byte & 7;
+export const isFree = (byte) => byte > 0 && classOf(byte) < MOVING;
+export const isSomething = (byte) => classOf(byte) >= MOVING;
+export const nameOfClass = (number) => CLASSES[number].name;
 
 // Of the target's stages and of everything else that charts draw.
 export const SERIES = {
   fuse: { dark: "#56b4e9", light: "#0072b2" },
   mark: { dark: "#f0a030", light: "#c46a00" },
+  perceive: { dark: "#d884c8", light: "#a8457f" },
   publish: { dark: "#35d6a4", light: "#009e73" },
   bytes: { dark: "#8fb8d8", light: "#386f98" },
+  placed: { dark: "#2fb59b", light: "#00866f" },
   loss: { dark: "#ff5a36", light: "#c8321a" },
   state: {
     dark: ["#3a424b", "#ff5a36", "#f0c040", "#2fb59b"],
@@ -113,14 +148,34 @@ function staleColour(theme, index) {
   return index === 0 ? unknown : index < 0 ? freeStale : occupiedStale;
 }
 
+// A pixel as ImageData holds it.
+const pixelOf = ([red, green, blue]) => (0xff000000 | (blue << 16) | (green << 8) | red) >>> 0;
+
 // 256 pixels as ImageData holds them, by index as an unsigned byte.
 export function pixelTable(theme, scale, epsilon, isStale) {
   const table = new Uint32Array(256);
   for (let byte = 0; byte < 256; ++byte) {
     const index = (byte << 24) >> 24;
-    const [red, green, blue] = isStale ? staleColour(theme, index)
-                                       : colourOfIndex(theme, scale, epsilon, index);
-    table[byte] = (0xff000000 | (blue << 16) | (green << 8) | red) >>> 0;
+    table[byte] = pixelOf(isStale ? staleColour(theme, index)
+                                  : colourOfIndex(theme, scale, epsilon, index));
+  }
+  return table;
+}
+
+export function colourOfClass(byte) {
+  const known = CLASSES[classOf(byte)] ?? CLASSES[0];
+  const strength = WEAKEST + (1 - WEAKEST) * surenessOf(byte) / SUREST;
+  return byte < 8 ? CLASSES[0].colour : mixed(CLASSES[0].colour, known.colour, strength);
+}
+
+// As pixelTable(), by class byte.
+export function classTable(isStale) {
+  const { freeStale, occupiedStale } = THEMES.dark;
+  const table = new Uint32Array(256);
+  for (let byte = 0; byte < 256; ++byte) {
+    const isKnown = byte >= 8 && classOf(byte) < CLASS_COUNT;
+    const stale = !isKnown ? CLASSES[0].colour : isFree(byte) ? freeStale : occupiedStale;
+    table[byte] = pixelOf(isStale ? stale : colourOfClass(byte));
   }
   return table;
 }

@@ -1,6 +1,8 @@
 // The state of things in words: what the banner says, and what the pill says. A picture that is not
 // of now never looks as if it were.
 
+import { describePlace } from "./place.js";
+
 const SERVER_SILENT_MS = 2500;
 
 const seconds = (ms) => (ms < 10000 ? (ms / 1000).toFixed(1) : Math.round(ms / 1000)) + " s";
@@ -18,6 +20,11 @@ export function describe(status, serverSilentMs, isConnected) {
   if (!status) {
     return { state: "waiting", word: "connecting", title: "", text: "" };
   }
+  if (status.car_refused) {
+    return { state: "incompatible", word: "car refused",
+             title: "The target has refused the car of its image and sends no grid",
+             text: status.car_refused };
+  }
   switch (status.state) {
     case "live":
       return describeLive(status);
@@ -30,7 +37,8 @@ export function describe(status, serverSilentMs, isConnected) {
                title: status.other_version ? "Another version of the stream"
                                            : "A grid or encoding that is new to this program",
                text: status.other_version
-                   ? `The sender does not speak version ${status.version}, which this page shows.`
+                   ? `The target sends interface version ${status.version_sent}; ` +
+                     `this iog reads ${status.version}.`
                    : "What comes cannot be shown." };
     case "ended":
       return describeEnd(status.frame);
@@ -51,6 +59,22 @@ function describeEnd(frame) {
                ? `${frame.unfinished_tiles} of 1024 tiles of frame ${frame.number} are not in it; ` +
                  "they are shown as they were before."
                : `The last message of frame ${frame.number} is not in it.` };
+}
+
+const FATE_NOT_TAKEN = 9; // docs/spec.md 1.3
+
+// Frames without a packet of any sensor before that is called silence.
+const SILENT_FRAMES = 5;
+
+const hasEvidence = ({ status: { frame } }) =>
+  Boolean(frame) && (frame.complete !== 0 || frame.partial !== 0);
+
+// The frame of which numbers beside the picture are, so that they do not flicker where every other
+// frame is empty: the newest of the last few with a packet in it, else the one that is shown.
+export function frameOfNumbers(frames, shown) {
+  const end = frames.findIndex(({ number }) => shown && number > shown.number);
+  const lately = frames.slice(0, end < 0 ? frames.length : end).slice(-SILENT_FRAMES);
+  return lately.reverse().find(hasEvidence) ?? shown;
 }
 
 // Of the tab, where the beginning is what can be read.
@@ -75,36 +99,69 @@ function describeLive(status) {
     return { ...live, state: "corrupt", word: "live, two senders?",
              title: "Messages of another version come, too", text: "They are left out." };
   }
-  if (frame && frame.damaged) {
+  if (frame && (frame.damaged || (frame.classes && frame.classes.damaged))) {
     return { ...live, state: "corrupt", word: "live, wrong grid",
              title: "This grid is not the one that the target has hashed", text: "" };
   }
-  if (frame && frame.complete === 0 && frame.partial === 0) {
+  if (status.too_slow) {
+    const left = frame && frame.end ? frame.end.fates[FATE_NOT_TAKEN] : 0;
+    return { ...live, state: "corrupt", word: "live, target too slow",
+             title: "The target is too slow for its sensors",
+             text: left > 0 ? `It has left ${left.toLocaleString("en")} scan points of this frame.`
+                            : "It leaves scan points that it has no time for." };
+  }
+  // A target that waits for its packets closes an empty frame now and then.
+  if (frame && frame.complete === 0 && frame.partial === 0 &&
+      !(frame.end ? frame.end.sensors : []).some(({ age }) => age < SILENT_FRAMES)) {
     return { ...live, state: "silent", word: "live, sensors silent",
              title: "No sensor delivers", text: "The target runs and has nothing to fuse." };
   }
-  if (frame && frame.missing_tiles > 0) {
+  const place = describePlace(frame && frame.classes);
+  if (place) {
+    return { ...live, ...place, state: place.word === "" ? "live" : "silent",
+             word: place.word === "" ? "live" : `live, ${place.word}` };
+  }
+  if (frame && (frame.missing_tiles > 0 || (frame.classes && frame.classes.missing_tiles > 0))) {
     return { ...live, word: "live, tiles missing" };
   }
   return live;
+}
+
+// of: a frame, or its classes.
+const crcWords = (of) =>
+  (of && of.end ? of.end.crc + (of.whole ? (of.damaged ? " WRONG" : " ok") : "") : "–");
+
+function factsOfClasses(classes) {
+  const [used, , ...dropped] = classes.end ? classes.end.poses : [0, 0];
+  return [
+    ["class grid CRC", crcWords(classes)],
+    ["class tiles known", `${classes.known_tiles} of 1024`],
+    ["class tiles missing, stale", `${classes.missing_tiles}, ${classes.stale_tiles}`],
+    ["poses used, dropped", `${used.toLocaleString("en")}, ${dropped.reduce((a, b) => a + b, 0)}`],
+  ];
 }
 
 export function factsOf(status) {
   const { counts, frame } = status;
   const end = frame && frame.end;
   const rows = [
-    ["grid CRC", end ? end.crc + (frame.whole ? (frame.damaged ? " WRONG" : " ok") : "") : "–"],
+    ["grid CRC", crcWords(frame)],
     ["tiles known", frame ? `${frame.known_tiles} of 1024` : "–"],
     ["tiles missing, stale", frame ? `${frame.missing_tiles}, ${frame.stale_tiles}` : "–"],
     ...(frame && frame.breaks_off
         ? [["tiles not recorded", String(frame.unfinished_tiles)]] : []),
+    ...(frame && frame.classes ? factsOfClasses(frame.classes) : []),
     ["messages", counts.messages.toLocaleString("en")],
     ["lost, late", `${counts.lost}, ${counts.late}`],
     ["corrupt, malformed", `${counts.corrupt}, ${counts.malformed}`],
     ["other version, not ours", `${counts.other_version}, ${counts.not_ours}`],
     ["restarts of the target", String(counts.restarts)],
+    ["of another run", String(counts.other_run)],
     ["E2E channel", status.channel],
   ];
+  if (end && end.cores) {
+    rows.push(["cores at work", end.cores]);
+  }
   if (end && end.stack_bytes > 0) {
     rows.push(["deepest stack", `${end.stack_bytes.toLocaleString("en")} bytes`]);
   }

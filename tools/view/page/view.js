@@ -6,12 +6,14 @@ import { Charts } from "./charts.js";
 import { addOverlaySwitches, listKeys, listenToKeys, onPress } from "./controls.js";
 import { GridCanvas } from "./grid_canvas.js";
 import { History, ShownGrid } from "./history.js";
-import { elementsOf, linesOf, showScale } from "./legend.js";
-import { SIDE, TILES_PER_SIDE, TILE_SIDE, readMessage } from "./messages.js";
+import { HoverText } from "./hover.js";
+import { elementsOf, linesOf, showClasses, showMap, showScale } from "./legend.js";
+import { fetchOutlines } from "./map_outlines.js";
+import { readMessage } from "./messages.js";
 import { OVERLAYS } from "./overlays.js";
-import { probabilityOf } from "./palette.js";
+import { lastPlaceOf, trackOf } from "./place.js";
 import { listenToPointers } from "./pointers.js";
-import { describe, titleOf } from "./status.js";
+import { describe, frameOfNumbers, titleOf } from "./status.js";
 
 const CHARTS_EVERY_MS = 200;
 const HIDDEN_EVERY_MS = 1000;
@@ -24,20 +26,13 @@ const setText = (element, words) => {
   }
 };
 
-// No cell is certain.
-function probabilityWords(p) {
-  if (p < 0.0001 || p > 0.9999) {
-    return p < 0.5 ? "p < 0.0001" : "p > 0.9999";
-  }
-  return `p ${p.toFixed(4)}`;
-}
-
 class Page {
   constructor() {
     this.history = new History();
-    this.grid = new ShownGrid(SIDE);
+    this.grid = new ShownGrid();
     this.view = new GridCanvas(byId("grid"), this.grid);
     this.strip = new Charts(byId("charts"));
+    this.hover = new HoverText(byId("hover"));
     this.status = null;
     this.socket = null;
     this.lastMessageMs = 0;
@@ -49,6 +44,7 @@ class Page {
     this.pictures = 0; // drawn so far
     this.drawMs = 0; // that it took
     this.errors = 0; // messages that made no sense
+    this.hasMap = false;
     this.overlayButtons = addOverlaySwitches(byId("overlays"), this);
     this.setTheme(matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
     this.listen();
@@ -59,7 +55,7 @@ class Page {
   listen() {
     listenToKeys(this);
     listKeys(byId("keys"));
-    for (const id of ["pause", "back", "step", "record", "scale", "theme", "live", "follow"]) {
+    for (const id of ["pause", "back", "step", "record", "layer", "scale", "theme", "live", "follow"]) {
       onPress(byId(id), () => this[id]());
     }
     onPress(byId("help-open"), () => this.help());
@@ -97,6 +93,7 @@ class Page {
         this.view.restyle();
         this.showLegend();
       }
+      this.fetchMap();
       if (message.hasFrame) {
         this.history.add(message, message.status.now_ms);
         if (!this.isHeld) {
@@ -109,6 +106,15 @@ class Page {
     this.isDirty = true;
     this.showStateIfHidden();
     this.socket.send("ready");
+  }
+
+  // Once, if the server has one.
+  fetchMap() {
+    if (this.status.block !== "" && !this.hasMap) {
+      this.hasMap = true;
+      fetchOutlines().then((outlines) => (this.view.outlines = outlines, this.restyle()),
+                           () => (this.errors += 1));
+    }
   }
 
   // Nothing is drawn then, but the tab's title is still seen.
@@ -144,8 +150,15 @@ class Page {
       return;
     }
     const number = Math.min(history.last, Math.max(history.first, this.wanted));
+    const showedClasses = this.view.showsClasses;
     try {
       grid.show(history, number);
+      this.view.track = grid.classes ? trackOf(history.frames, grid.frame) : [];
+      this.view.map = (grid.classes && grid.classes.end && grid.classes.end.map) ?? this.view.map;
+      this.view.place = grid.classes ? lastPlaceOf(history.frames, grid.frame) : null;
+      if (this.view.showsClasses !== showedClasses) {
+        this.restyle();
+      }
     } catch {
       this.errors += 1;
       grid.number = -1;
@@ -178,7 +191,8 @@ class Page {
   // What need not change with each picture.
   showWords() {
     const { status, history, grid } = this;
-    this.strip.draw(history.frames, grid.frame, status, this.view.vehicle, this.view.theme);
+    const said = this.isHeld ? grid.frame : frameOfNumbers(history.frames, grid.frame);
+    this.strip.draw({ frames: history.frames, at: grid.frame, said, status }, this.view);
     this.showScrub();
     if (status) {
       setText(byId("origin"), status.problem || `${status.source}`);
@@ -231,35 +245,28 @@ class Page {
 
   showHover() {
     const cell = this.pointer && this.view.width ? this.view.cellAt(...this.pointer) : null;
-    byId("hover").hidden = cell === null;
-    if (cell === null) {
-      return;
-    }
-    const { cellM, epsilon } = this.view;
-    const index = this.grid.cells[cell.y * SIDE + cell.x];
-    const age = this.grid.ages[Math.floor(cell.y / TILE_SIDE) * TILES_PER_SIDE +
-                               Math.floor(cell.x / TILE_SIDE)];
-    const x = (cell.x - SIDE / 2 + 0.5) * cellM;
-    const y = (cell.y - SIDE / 2 + 0.5) * cellM;
-    setText(byId("hover-verdict"), index === 0 ? "unknown" : index < 0 ? "free" : "occupied");
-    setText(byId("hover-place"), `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`);
-    setText(byId("hover-cell"), `cell ${cell.x}, ${cell.y}`);
-    setText(byId("hover-value"),
-            `index ${index}, ${probabilityWords(probabilityOf(index, epsilon))}`);
-    setText(byId("hover-age"), age === 0 ? "" : age === 255 ? "never received" : `${age} frames old`);
-    byId("hover").dataset.index = String(index);
-    byId("hover").dataset.cell = `${cell.x},${cell.y}`;
+    this.hover.show(cell, this.view);
   }
 
   showLegend() {
-    showScale(this.view, { title: byId("legend-title"), bar: byId("legend-scale"),
-                           ticks: byId("legend-ticks") });
+    const { view } = this;
+    byId("legend").classList.toggle("of-classes", view.showsClasses);
+    if (view.showsClasses) {
+      showClasses(view, { title: byId("legend-title"), list: byId("legend-classes") });
+      showMap(view, byId("legend-map"));
+    } else {
+      showScale(view, { title: byId("legend-title"), bar: byId("legend-scale"),
+                        ticks: byId("legend-ticks") });
+    }
   }
 
   // What only some overlays need.
   showLegendMore() {
+    if (this.view.showsClasses) {
+      this.showLegend(); // another class may have come
+    }
     const lines = linesOf(this.view, this.status ? this.status.kind : "stream");
-    const words = this.view.theme + lines.join();
+    const words = this.view.pictureTheme + lines.join();
     if (words !== this.legendWords) {
       this.legendWords = words;
       byId("legend-more").replaceChildren(...elementsOf(lines));
@@ -320,6 +327,11 @@ class Page {
     }
   }
 
+  layer() {
+    this.view.wantsClasses = !this.view.wantsClasses;
+    this.restyle();
+  }
+
   scale() {
     this.view.scale = this.view.scale === "index" ? "probability" : "index";
     setText(byId("scale"), this.view.scale === "index" ? "Probability" : "Index");
@@ -339,10 +351,24 @@ class Page {
     this.view.restyle();
     this.showLegend();
     this.chartsMs = 0;
-    for (const { id } of OVERLAYS) {
-      this.overlayButtons.get(id).setAttribute("aria-pressed", String(this.view.overlays.has(id)));
-    }
+    this.showButtons();
     this.redraw();
+  }
+
+  // Those that say something of what is shown.
+  showButtons() {
+    const { showsClasses, overlays } = this.view;
+    for (const { id, name, nameOfClasses, isOfClasses, isOfMap } of OVERLAYS) {
+      const button = this.overlayButtons.get(id);
+      button.hidden = (Boolean(isOfClasses) && !showsClasses) ||
+                      (Boolean(isOfMap) && this.view.outlines === null);
+      button.setAttribute("aria-pressed", String(overlays.has(id)));
+      setText(button.querySelector("span"), showsClasses ? nameOfClasses ?? name : name);
+    }
+    const { classes, frame } = this.grid;
+    byId("layer").hidden = !classes || !frame.status.frame.sends_indexes;
+    setText(byId("layer"), showsClasses ? "Index grid" : "Classes");
+    byId("scale").hidden = showsClasses;
   }
 
   overlay(id) {

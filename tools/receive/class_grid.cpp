@@ -1,0 +1,36 @@
+#include "tools/receive/class_grid.hpp"
+
+#include <optional>
+
+#include "stream/class_hash.hpp"
+#include "tools/receive/grid_frame.hpp"
+#include "tools/receive/tile_messages.hpp"
+
+namespace iog::tools {
+namespace {
+
+// Nothing if no cell of it has a class.
+std::optional<TileBytes> classes_of_tile(const ClassGrid& classes, std::size_t slot) {
+  const std::size_t tile = tile_in_window(classes.window, slot);
+  TileBytes cells{};
+  bool has_class = false;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] = static_cast<std::byte>(classes.cells[cell_of_tile(tile, i)]);
+    has_class = has_class || cells[i] != std::byte{0};
+  }
+  return has_class ? std::optional(cells) : std::nullopt;
+}
+
+}  // namespace
+
+std::uint32_t class_crc_of(const ClassGrid& classes) {
+  stream::ClassHash hash({.a = classes.window.corner_a, .b = classes.window.corner_b});
+  for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
+    if (const std::optional<TileBytes> cells = classes_of_tile(classes, slot)) {
+      hash.add(slot, *cells);
+    }
+  }
+  return hash.value();
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,124 @@
+#include "tools/receive/class_statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+
+#include "tools/receive/map_words.hpp"
+#include "tools/receive/table.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::array<std::string_view, pose::kCauseCount> kCauseNames{"placed", "late", "imprecise",
+                                                                      "lost",   "jump", "restart"};
+constexpr std::array<std::string_view, pose::kFateCount> kPoseNames{
+    "used",    "unconfirmed",  "stranger",    "too short",    "not ours",     "wrong version",
+    "damaged", "wrong length", "wrong flags", "not zero",     "out of range", "no sigma",
+    "too old", "not newer",    "flood",       "of a past run"};
+
+std::array<std::uint32_t, pose::kCauseCount> slices_of(const stream::ClassEnd& end) {
+  std::array<std::uint32_t, pose::kCauseCount> slices{};
+  std::ranges::transform(end.causes, slices.begin(), &stream::CauseRecord::slices);
+  return slices;
+}
+
+// How often each began; that a slice was placed is no cause.
+std::array<std::uint32_t, pose::kCauseCount> spells_of(const stream::ClassEnd& end) {
+  std::array<std::uint32_t, pose::kCauseCount> spells{};
+  std::ranges::transform(end.causes, spells.begin(),
+                         [](const auto& cause) { return cause.began.times; });
+  spells[0] = 0;
+  return spells;
+}
+
+}  // namespace
+
+void ClassStatistics::add(const GridFrame& frame) {
+  if (!frame.classes) {
+    return;
+  }
+  const ClassGrid& classes = *frame.classes;
+  ++frames_;
+  incomplete_ += classes.is_whole() || classes.is_damaged ? 0U : 1U;
+  damaged_ += classes.is_damaged ? 1U : 0U;
+  tiles_ += classes.known_tiles.count();
+  if (classes.has_end) {
+    tiles_not_sent_ += classes.end.tiles_lost;
+    packets_placed_ += classes.end.packets_placed;
+    packets_not_placed_ += classes.end.packets_not_placed;
+    slices_over_budget_ += classes.end.slices_over_budget;
+    groups_left_ += classes.end.groups_left;
+    last_ = classes.end;
+  }
+  if (frame.header.has_evidence()) {
+    records_.push_back(class_record_of(frame, frames_of_time_));
+    hash_.add(records_.back().class_crc);
+  } else if (!records_.empty() && classes.window.slices_end_us > stamp_us_) {
+    ++frames_of_time_;
+  }
+  stamp_us_ = classes.window.slices_end_us;
+}
+
+std::vector<std::pair<std::string, std::string>> ClassStatistics::facts() const {
+  std::vector<std::pair<std::string, std::string>> facts;
+  const auto add = [&](const std::string& name, std::uint64_t value) {
+    facts.emplace_back(name, std::to_string(value));
+  };
+  add("class_frames", frames_);
+  add("class_frames_incomplete", incomplete_);
+  add("class_frames_damaged", damaged_);
+  add("class_tiles", tiles_);
+  add("class_tiles_not_sent", tiles_not_sent_);
+  add("packets_placed", packets_placed_);
+  add("packets_not_placed", packets_not_placed_);
+  add("slices_over_budget", slices_over_budget_);
+  add("groups_over_budget", groups_left_);
+  for (std::size_t i = 0; i < kCauseNames.size(); ++i) {
+    add(key_of("slices_", kCauseNames[i]), last_.causes[i].slices);
+  }
+  for (std::size_t i = 1; i < kCauseNames.size(); ++i) {
+    add(key_of("times_", kCauseNames[i]), last_.causes[i].began.times);
+  }
+  for (std::size_t i = 0; i < kPoseNames.size(); ++i) {
+    add(key_of("poses_", kPoseNames[i]), last_.pose_fates[i]);
+  }
+  if (last_.map) {
+    std::ranges::move(map_facts(*last_.map), std::back_inserter(facts));
+  }
+  facts.emplace_back("class_run_hash", hex(run_hash()));
+  return facts;
+}
+
+std::string ClassStatistics::table() const {
+  if (frames_ == 0) {
+    return {};
+  }
+  std::string text = row("class frames", std::to_string(frames_));
+  if (incomplete_ + damaged_ > 0) {
+    text += row("class frames not whole", std::to_string(incomplete_) + " incomplete, " +
+                                              std::to_string(damaged_) + " damaged");
+  }
+  text += row("class tiles", std::to_string(tiles_));
+  if (tiles_not_sent_ > 0) {
+    text += row("class tiles not sent", std::to_string(tiles_not_sent_));
+  }
+  text += row("packets placed", std::to_string(packets_placed_) + ", and " +
+                                    std::to_string(packets_not_placed_) + " without a place");
+  text += row("slices", list_of(slices_of(last_), kCauseNames));
+  if (slices_over_budget_ + groups_left_ > 0) {
+    text += row("over budget", std::to_string(slices_over_budget_) + " slices, " +
+                                   std::to_string(groups_left_) + " groups of cells");
+  }
+  const auto spells = spells_of(last_);
+  if (std::ranges::any_of(spells, [](std::uint32_t times) { return times > 0; })) {
+    text += row("times without a place", list_of(spells, kCauseNames));
+  }
+  text += row("poses", list_of(last_.pose_fates, kPoseNames));
+  text += last_.map ? map_table(*last_.map) : std::string();
+  return text + row("class run hash", hex(run_hash()));
+}
+
+}  // namespace iog::tools

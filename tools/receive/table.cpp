@@ -1,0 +1,20 @@
+#include "tools/receive/table.hpp"
+
+#include <algorithm>
+
+namespace iog::tools {
+
+std::string row(const std::string& name, const std::string& value) {
+  constexpr std::size_t kNameWidth = 22;
+  std::string text = name;
+  text.append(kNameWidth - std::min(kNameWidth - 1, name.size()), ' ');
+  return text + value + "\n";
+}
+
+std::string key_of(std::string_view prefix, std::string_view name) {
+  std::string key = std::string(prefix) + std::string(name);
+  std::ranges::replace(key, ' ', '_');
+  return key;
+}
+
+}  // namespace iog::tools

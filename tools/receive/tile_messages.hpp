@@ -1,0 +1,64 @@
+// The tiles of one grid: out of the messages of a frame, and against those of earlier frames.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "stream/references.hpp"
+#include "stream/tiles.hpp"
+#include "tile_coding/tile_cells.hpp"
+#include "tools/receive/message_counts.hpp"
+#include "tools/receive/tile_set.hpp"
+
+namespace iog::tools {
+
+using TileBytes = std::array<std::byte, tile_coding::kTileBytes>;
+
+// Decodes the tiles of a grid, frame by frame, and keeps what later ones refer to.
+class TileDecoder {
+ public:
+  explicit TileDecoder(stream::Storage storage)
+      : storage_(storage), references_(std::make_unique<stream::References>()) {}
+
+  // False, and counted, if that is no tile of this storage. Nothing refers to such a tile then.
+  [[nodiscard]] bool decode(const stream::TileRecord& record, std::uint32_t frame_number,
+                            TileBytes& cells, MessageCounts& counts);
+
+  void forget() { references_->forget(); }
+
+ private:
+  stream::Storage storage_;
+  std::unique_ptr<stream::References> references_;
+};
+
+// The messages of tiles of one grid in one frame. They are decoded when the frame is handed over:
+// frames are in order by then, and so are the tiles that others refer to.
+class TileMessages {
+ public:
+  // The body of a message that stream::read_tiles() has found sound. False if there are more of
+  // them than the grid has tiles.
+  [[nodiscard]] bool take(const stream::TilesHeader& header, std::span<const std::byte> body);
+
+  // Whether every tile of the grid has been spoken of.
+  [[nodiscard]] bool are_complete() const { return spoken_of_.all(); }
+
+  struct Tiles {
+    TileSet valid;  // all that were spoken of, but for those that could not be decoded
+    TileSet known;  // of these, those that came
+  };
+  using TileHandler = std::function<void(const stream::TileRecord&, const TileBytes&)>;
+  // Calls on_tile for each that can be decoded.
+  [[nodiscard]] Tiles decode(TileDecoder& decoder, std::uint32_t frame_number,
+                             MessageCounts& counts, const TileHandler& on_tile) const;
+
+ private:
+  TileSet spoken_of_;
+  std::vector<std::vector<std::byte>> bodies_;
+};
+
+}  // namespace iog::tools
