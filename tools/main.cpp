@@ -15,11 +15,15 @@ int main(int argc, char** argv) {
   tools::add_fuse(program);
   tools::add_pose(program);
   tools::add_replay(program);
+  tools::add_send_map(program);
   tools::add_receive(program);
   tools::add_record(program);
   tools::add_convert(program);
   tools::add_info(program);
+  tools::add_map(program);
   tools::add_vehicles(program);
+  tools::add_budget(program);
+  tools::add_image(program);
   tools::add_view(program);
   return tools::run_program(program, argc, argv);
 }

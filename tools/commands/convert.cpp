@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/lux/raw_recording.hpp"
 #include "tools/program/exit_status.hpp"
@@ -15,7 +16,7 @@
 namespace iog::tools {
 namespace {
 
-struct Options {
+struct ConvertOptions {
   std::vector<std::string> raw;
   std::string vehicle = kDefaultVehicle;
   std::string out;
@@ -48,7 +49,7 @@ Input input_of(const std::string& text, const CatalogueEntry& car) {
   return {text.substr(0, colon), sensor};
 }
 
-void convert(const Options& options) {
+void convert(const ConvertOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   std::vector<CapturedDatagram> datagrams;
   for (const std::string& text : options.raw) {
@@ -75,20 +76,19 @@ void convert(const Options& options) {
 void add_convert(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "convert", "Make a capture of raw messages that were recorded sensor by sensor");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertOptions>();
   command
       ->add_option("--raw", options->raw,
                    "A recording and its sensor, by name or number; once for each")
       ->option_text("FILE:SENSOR  (required)")
       ->required()
       ->take_all();
-  command->add_option("--vehicle", options->vehicle, vehicle_option_help())
-      ->option_text("NAME  (default reference_car)");
+  add_vehicle_options(*command, options->vehicle);
   command->add_option("--out", options->out, "The capture to write (.pcap)")
       ->option_text("FILE  (required)")
       ->required();
   command->footer(
-      "A recording is, back to back, ibeo 0x2202 messages of a LUX or VLP-16 payloads of 1206 "
+      "A recording is, back to back, ibeo 0x2202 messages of a LUX or Velodyne payloads of 1206 "
       "bytes.\n"
       "Packets are put in order of the sensors' own times. A LUX message that is longer than a\n"
       "datagram of 1400 bytes becomes several of the same scan number, each with its own sector.");

@@ -7,23 +7,30 @@
 #include <string>
 #include <utility>
 
+#include "pose/message.hpp"
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/formats/picture/class_picture.hpp"
 #include "tools/formats/picture/frame_writer.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/fuse/stream_recorder.hpp"
+#include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/receive/chosen_frame.hpp"
+#include "tools/receive/class_record.hpp"
 #include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/vehicles/vehicle_fit.hpp"
+#include "tools/vehicles/vehicle_likeness.hpp"
 
 namespace iog::tools {
 namespace {
 
-struct Options {
+struct FuseOptions {
   std::string pcap;
   std::string vehicle = kDefaultVehicle;
   std::optional<std::uint64_t> frame;
@@ -31,7 +38,11 @@ struct Options {
   std::string hashes;
   std::string rule;
   std::string stream;
+  std::uint32_t run_number = OfflineTarget::kRunNumber;
   PictureOptions pictures;
+  std::string classes_hashes;
+  std::string classes_png;
+  std::string map;
 };
 
 vehicle::Vehicle vehicle_with_rule(const CatalogueEntry& car, const std::string& rule) {
@@ -42,36 +53,24 @@ vehicle::Vehicle vehicle_with_rule(const CatalogueEntry& car, const std::string&
   return vehicle;
 }
 
-// Keeps the frame that was asked for, or the last one with evidence.
-class Chosen {
- public:
-  explicit Chosen(std::optional<std::uint64_t> number) : number_(number) {}
-
-  void offer(GridFrame&& frame) {
-    if (frame.header.has_evidence() && (!number_ || frame.evidence_number == *number_)) {
-      frame_ = std::move(frame);
-    }
+const GridFrame& demanded(const ChosenFrame& chosen, std::optional<std::uint64_t> number,
+                          std::size_t count) {
+  if (!chosen.get()) {
+    throw UsageError(number ? "no frame " + std::to_string(*number) + "; the capture has " +
+                                  std::to_string(count) + " frames with evidence"
+                            : "no frame has evidence");
   }
+  return *chosen.get();
+}
 
-  [[nodiscard]] const GridFrame& get(std::size_t count) const {
-    if (!frame_) {
-      throw UsageError(number_ ? "no frame " + std::to_string(*number_) + "; the capture has " +
-                                     std::to_string(count) + " frames with evidence"
-                               : "no frame has evidence");
-    }
-    return *frame_;
-  }
-
- private:
-  std::optional<std::uint64_t> number_;
-  std::optional<GridFrame> frame_;
-};
-
-std::uint64_t feed(PcapReader& capture, const CatalogueEntry& car, OfflineTarget& target) {
+// What the target has no port for is left out.
+std::uint64_t feed(PcapReader& capture, const CatalogueEntry& car, OfflineTarget& target,
+                   VehicleLikeness& likeness) {
   Progress progress("packets");
   std::uint64_t other_ports = 0;
   while (const std::optional<CapturedDatagram> datagram = capture.next()) {
-    if (sensor_of_port(car, datagram->destination.port) < car.sensors.size()) {
+    likeness.add(*datagram);
+    if (takes_port(car, datagram->destination.port)) {
       static_cast<void>(target.take(*datagram));
     } else {
       ++other_ports;
@@ -82,9 +81,43 @@ std::uint64_t feed(PcapReader& capture, const CatalogueEntry& car, OfflineTarget
   return other_ports;
 }
 
+// The classes that are drawn: of the frame that was asked for, or of the last one with a place.
+class ClassDrawing {
+ public:
+  explicit ClassDrawing(const FuseOptions& options) : options_(&options) {}
+
+  void offer(const GridFrame& frame) {
+    if (options_->classes_png.empty() || !frame.classes || !frame.header.has_evidence()) {
+      return;
+    }
+    const bool is_chosen = options_->frame ? frame.evidence_number == *options_->frame
+                                           : frame.classes->window.slices > 0;
+    if (is_chosen) {
+      number_ = frame.evidence_number;
+      classes_ = frame.classes;
+    }
+  }
+
+  void write() const {
+    if (options_->classes_png.empty()) {
+      return;
+    }
+    if (!classes_) {
+      throw CheckFailed("no frame to draw has a place: does the capture have poses, on UDP port " +
+                        std::to_string(pose::kPosePort) + "?");
+    }
+    picture_of(*classes_, number_, options_->pictures.scale).write_png(options_->classes_png);
+  }
+
+ private:
+  const FuseOptions* options_;
+  std::uint64_t number_ = 0;
+  std::optional<ClassGrid> classes_;
+};
+
 void print_input(const PcapReader& capture, std::uint64_t other_ports) {
   std::cout << row("packets", std::to_string(capture.counts().datagrams - other_ports) +
-                                  " for the sensors' ports, " + std::to_string(other_ports) +
+                                  " for the vehicle's ports, " + std::to_string(other_ports) +
                                   " for others");
   if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {
     std::cout << row("not looked at", skipped);
@@ -94,48 +127,65 @@ void print_input(const PcapReader& capture, std::uint64_t other_ports) {
   }
 }
 
-void fuse(const Options& options) {
+void fuse(const FuseOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const vehicle::Vehicle vehicle = vehicle_with_rule(car, options.rule);
   demand_fit(options.pcap, car);
   PcapReader capture(options.pcap);
   RunStatistics statistics;
-  Chosen chosen(options.frame);
+  ChosenFrame chosen(options.frame);
   FrameWriter pictures(options.pictures);
+  ClassDrawing drawing(options);
   FrameAssembler assembler([&](GridFrame&& frame) {
     statistics.add(frame);
     pictures.offer(frame);
+    drawing.offer(frame);
     chosen.offer(std::move(frame));
   });
   std::optional<StreamRecorder> recorder;
   if (!options.stream.empty()) {
     recorder.emplace(options.stream);
   }
+  const auto on_message = [&](std::span<const std::byte> message) {
+    assembler.take(message);
+    if (recorder) {
+      recorder->take(message);
+    }
+  };
   const auto target =
-      std::make_unique<OfflineTarget>(vehicle, [&](std::span<const std::byte> message) {
-        assembler.take(message);
-        if (recorder) {
-          recorder->take(message);
-        }
-      });
-  const std::uint64_t other_ports = feed(capture, car, *target);
+      std::make_unique<OfflineTarget>(vehicle, on_message, Stopwatch::kRuns, options.run_number);
+  if (!options.map.empty()) {
+    if (!vehicle::have_classes(vehicle.grids)) {
+      throw UsageError("--map: " + options.vehicle + " has no classes, so it has no use for one");
+    }
+    target->begin_with_map(read_block(options.map));
+  }
+  VehicleLikeness likeness;
+  const std::uint64_t other_ports = feed(capture, car, *target, likeness);
   assembler.finish();
   if (recorder) {
     recorder->finish();
   }
 
   print_input(capture, other_ports);
+  if (const std::string words = likeness.words(car); !words.empty()) {
+    std::cout << row("OTHER VEHICLE?", words);
+  }
   std::cout << statistics.table(false);
   if (!options.hashes.empty()) {
     write_records(options.hashes, statistics.records());
   }
+  if (!options.classes_hashes.empty()) {
+    write_class_records(options.classes_hashes, statistics.classes().records());
+  }
+  drawing.write();
   if (statistics.records().empty()) {
     throw CheckFailed(options.pcap + ": no frame has evidence: what came to the ports of " +
                       options.vehicle + " holds no scan of its sensors; `iog info " + options.pcap +
                       "` says what it is");
   }
   if (!options.out_raw.empty() || !options.pictures.folder.empty()) {
-    const GridFrame& frame = chosen.get(statistics.records().size());
+    const GridFrame& frame = demanded(chosen, options.frame, statistics.records().size());
     pictures.write_last(frame);
     if (!options.out_raw.empty()) {
       OutputFile file(options.out_raw);
@@ -150,15 +200,15 @@ void fuse(const Options& options) {
 void add_fuse(CLI::App& program) {
   auto* const command =
       program.add_subcommand("fuse", "Fuse a capture on this PC, with the target's own code");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FuseOptions>();
   command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")
       ->option_text("FILE  (required)")
       ->required();
-  command->add_option("--vehicle", options->vehicle, vehicle_option_help())
-      ->option_text("NAME  (default reference_car)");
+  add_vehicle_options(*command, options->vehicle);
   command
-      ->add_option("--frame", options->frame,
-                   "The frame to write, from 0 among those with evidence; else the last")
+      ->add_option(
+          "--frame", options->frame,
+          "The frame to write, from 0 among those with evidence; else the last of whole scans")
       ->option_text("N")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--out-raw", options->out_raw, "Write its occupancy indexes as bytes")
@@ -173,13 +223,35 @@ void add_fuse(CLI::App& program) {
       ->add_option("--stream", options->stream,
                    "Write the messages that the target would send, as a capture")
       ->option_text("FILE");
+  command
+      ->add_option("--run-number", options->run_number,
+                   "The number of the run in these messages, as if the target had started anew")
+      ->option_text("N  (default 1)")
+      ->needs("--stream");
+  command
+      ->add_option("--classes-hashes", options->classes_hashes,
+                   "Write one line per frame of the class grid; needs poses in the capture")
+      ->option_text("FILE");
+  command
+      ->add_option("--classes-png", options->classes_png,
+                   "Draw the class grid of the frame, or of the last one that has a place")
+      ->option_text("FILE");
+  command
+      ->add_option("--map", options->map,
+                   "The map that the target has from the start, made by `iog map`")
+      ->option_text("FILE");
   command->footer(
       "The capture stands for its replay: sensors are told apart by destination port, their "
       "source\n"
       "addresses are not compared. Time is that of the capture; a pause counts as 1 s at most.\n"
       "--out-raw: 1024 x 1024 int8, row by row from the lowest y. --hashes: number, complete and\n"
       "partial sensors (hex), points used, tiles, grid CRC; the run hash is the CRC-32 of these "
-      "CRCs.\n" +
+      "CRCs.\n"
+      "--classes-hashes: number, stamp on the poses' clock, slices and packets placed, packets "
+      "without a\n"
+      "pose, causes (hex, docs/spec.md 3.9), the window's corner in tiles, tiles, CRC of the "
+      "classes,\n"
+      "frames without evidence since the first in which the window's time went on.\n" +
       std::string(kPictureFooter));
   command->callback([options] { fuse(*options); });
 }

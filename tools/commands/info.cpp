@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
 #include "tools/info/file_summary.hpp"
 
 namespace iog::tools {
@@ -16,9 +17,11 @@ void add_info(CLI::App& program) {
   command->add_option("FILE", *path, "The file or folder to read")->option_text(" ")->required();
   // `iog info --pcap FILE` is how other commands name a capture; the word alone says nothing here.
   command->add_flag("--pcap")->group("");
+  add_vehicle_file_option(*command);
   command->footer(
       "Captures (pcap or pcapng) of sensors and of a target's stream, MCAP files, maps of ROS\n"
-      "map_server (their YAML or PGM), and folders that `iog record --out FOLDER` has written.\n");
+      "map_server (their YAML or PGM), maps of `iog map`, and folders that `iog record --out "
+      "FOLDER` has\nwritten.\n");
   command->callback([path] { std::cout << summary_of_file(*path); });
 }
 

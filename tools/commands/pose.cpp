@@ -6,9 +6,12 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "map/block.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/poses/pose_encoder.hpp"
@@ -22,7 +25,7 @@
 namespace iog::tools {
 namespace {
 
-struct Options {
+struct PoseLogOptions {
   std::string from;
   std::string format;
   std::string out;
@@ -33,10 +36,14 @@ struct Options {
   double heading_sigma_mrad = 2;
   std::vector<double> mount_m{0, 0};
   std::optional<std::uint32_t> run;
+  std::string map;
+  std::string origin;
+  std::optional<double> map_sigma_mm;
+  double map_heading_sigma_mrad = 2;
 };
 
 // By the name of what is to be read.
-std::string format_of(const Options& options) {
+std::string format_of(const PoseLogOptions& options) {
   if (!options.format.empty()) {
     return options.format;
   }
@@ -50,7 +57,7 @@ std::string format_of(const Options& options) {
   throw UsageError(options.from + ": give --format csv, oxts, nmea or ubx");
 }
 
-PoseLog log_of(const Options& options) {
+PoseLog log_of(const PoseLogOptions& options) {
   const std::string format = format_of(options);
   if (format == "csv") {
     return read_csv_log(options.from);
@@ -63,7 +70,7 @@ PoseLog log_of(const Options& options) {
 }
 
 // What a file says does not depend on the day; a target must know one sending from the next.
-std::uint32_t run_of(const Options& options) {
+std::uint32_t run_of(const PoseLogOptions& options) {
   if (options.run) {
     return *options.run;
   }
@@ -75,6 +82,28 @@ std::uint32_t run_of(const Options& options) {
       std::chrono::duration_cast<std::chrono::milliseconds>(now).count());
 }
 
+MapOrigin origin_in_block(const std::string& path) {
+  const std::vector<std::byte> bytes = read_file(path);
+  const std::span block(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  if (map::check(block) != map::Refusal::kNone) {
+    throw UsageError(path + ": no map as iog map makes it");
+  }
+  return {map::Block(block).latitude(), map::Block(block).longitude()};
+}
+
+std::optional<PoseConversion::Map> map_of(const PoseLogOptions& options) {
+  if (options.map.empty() && options.origin.empty()) {
+    return std::nullopt;
+  }
+  if (!options.map_sigma_mm) {
+    throw UsageError("give --map-sigma: how well the log knows where on the earth it is");
+  }
+  return PoseConversion::Map{
+      .origin = options.map.empty() ? map_origin_in("--origin", options.origin)
+                                    : origin_in_block(options.map),
+      .sigma = wire_sigma(*options.map_sigma_mm / 1000, options.map_heading_sigma_mrad / 1000)};
+}
+
 // "; not used: 3 poses without a heading, ..."
 std::string joined(const std::vector<std::string>& remarks) {
   std::string text;
@@ -84,7 +113,7 @@ std::string joined(const std::vector<std::string>& remarks) {
   return text;
 }
 
-void print_remarks(const Options& options, const ConvertedLog& log) {
+void print_remarks(const PoseLogOptions& options, const ConvertedLog& log) {
   for (const std::string& remark : log.remarks) {
     std::cout << options.from << ": not used: " << remark << '\n';
   }
@@ -108,9 +137,9 @@ void write(const std::vector<CapturedDatagram>& datagrams, const std::string& pa
   std::cout << datagrams.size() << " poses in " << path << '\n';
 }
 
-void send(const std::vector<CapturedDatagram>& datagrams, const Options& options) {
+void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& options) {
   catch_interrupts();
-  UdpSender sender(options.target, options.port);
+  UdpSender sender(options.target, {options.port});
   Pace pace(options.speed);
   std::size_t sent = 0;
   std::size_t refused = 0;
@@ -125,16 +154,22 @@ void send(const std::vector<CapturedDatagram>& datagrams, const Options& options
             << pace.worst_delay_us() << " us\n";
 }
 
-void convert(const Options& options) {
+void convert(const PoseLogOptions& options) {
   if (options.out.empty() == options.target.empty()) {
     throw UsageError("give either --out FILE or --target ADDRESS");
   }
+  PoseLog read = log_of(options);
+  const std::optional<PoseConversion::Map> map = map_of(options);
+  if (map && !read.plane && !read.poses.empty()) {
+    throw UsageError(options.from + ": no latitudes in it, so no place on a map");
+  }
   const ConvertedLog log =
-      converted(log_of(options), {.mount_x_m = options.mount_m[0],
+      converted(std::move(read), {.mount_x_m = options.mount_m[0],
                                   .mount_y_m = options.mount_m[1],
                                   .sigma_m = options.sigma_mm / 1000,
                                   .sigma_heading_rad = options.heading_sigma_mrad / 1000,
-                                  .run = run_of(options)});
+                                  .run = run_of(options),
+                                  .map = map});
   if (log.samples.empty()) {
     throw UsageError(options.from + ": no pose in it" + joined(log.remarks));
   }
@@ -147,12 +182,33 @@ void convert(const Options& options) {
   options.out.empty() ? send(datagrams, options) : write(datagrams, options.out);
 }
 
+void add_map_options(CLI::App& command, PoseLogOptions& options) {
+  CLI::Option* const map =
+      command
+          .add_option("--map", options.map,
+                      "Say where the poses are on that map, made by iog map; oxts, nmea and ubx")
+          ->option_text("FILE");
+  command.add_option("--origin", options.origin, "Or on a map whose plane is there")
+      ->option_text("LAT,LON  (degrees)")
+      ->excludes(map);
+  command
+      .add_option("--map-sigma", options.map_sigma_mm,
+                  "Standard deviation of the log's place on the earth")
+      ->option_text("MM  (required with a map)")
+      ->check(CLI::Range(1.0, 65'535.0));
+  command
+      .add_option("--map-heading-sigma", options.map_heading_sigma_mrad,
+                  "And of its directions against east and north")
+      ->option_text("MRAD  (default 2)")
+      ->check(CLI::Range(0.01, 655.35));
+}
+
 }  // namespace
 
 void add_pose(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "pose", "Make pose messages of a log of where the car was, or send them to a target");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PoseLogOptions>();
   command->add_option("--from", options->from, "The log to read")
       ->option_text("FILE | FOLDER  (required)")
       ->required();
@@ -190,6 +246,7 @@ void add_pose(CLI::App& program) {
                    "Number of the source's run; with --target else one of the clock's")
       ->option_text("N  (default 1)")
       ->check(CLI::Range(1U, 0xFFFFFFFFU));
+  add_map_options(*command, *options);
   command->footer(
       "csv: the first line names the columns, at least time_s,x_m,y_m,heading_deg; speed_m_s,\n"
       "yaw_rate_deg_s, sigma_m and sigma_heading_deg if known. oxts: a folder of KITTI with\n"

@@ -10,21 +10,24 @@
 #include <vector>
 
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/picture/frame_writer.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/receive/chosen_frame.hpp"
 #include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/link_counts.hpp"
 #include "tools/receive/nothing_came.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/receive/serial/reception.hpp"
 #include "tools/receive/udp_receiver.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {
 
-struct Options {
+struct ReceiveOptions {
   std::uint16_t port = 0;
   std::string bind = "127.0.0.1";
   PictureOptions pictures;
@@ -35,6 +38,8 @@ struct Options {
   std::string hashes;
   std::string summary;
   std::string expect;
+  std::string classes_hashes;
+  std::string expect_classes;
   SerialOptions serial;
 };
 
@@ -42,7 +47,7 @@ using Clock = std::chrono::steady_clock;
 
 class Reception {
  public:
-  explicit Reception(const Options& options)
+  explicit Reception(const ReceiveOptions& options)
       : options_(&options),
         pictures_(options.pictures),
         assembler_([this](GridFrame&& frame) { take(std::move(frame)); }),
@@ -51,6 +56,10 @@ class Reception {
     if (!options.expect.empty()) {
       expected_ = read_records(options.expect);
       frames_wanted_ = frames_wanted_ > 0 ? frames_wanted_ : expected_.size();
+    }
+    if (!options.expect_classes.empty()) {
+      expected_classes_ = read_class_records(options.expect_classes);
+      frames_wanted_ = frames_wanted_ > 0 ? frames_wanted_ : expected_classes_.size();
     }
   }
 
@@ -64,7 +73,9 @@ class Reception {
     while (!is_done() && !was_interrupted() && !is_idle()) {
       const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
       for (const std::vector<std::byte>& message : messages) {
-        assembler_.take(message);
+        if (!is_done()) {  // what has begun of the frame behind the last is no loss
+          assembler_.take(message);
+        }
       }
       datagrams_ += messages.size();
       note_arrival(!messages.empty());
@@ -75,11 +86,14 @@ class Reception {
   }
 
   void write_results() {
-    if (last_) {
-      pictures_.write_last(*last_);
+    if (chosen_.get()) {
+      pictures_.write_last(*chosen_.get());
     }
     if (!options_->hashes.empty()) {
       write_records(options_->hashes, statistics_.records());
+    }
+    if (!options_->classes_hashes.empty()) {
+      write_class_records(options_->classes_hashes, statistics_.classes().records());
     }
     if (!options_->summary.empty()) {
       RunStatistics::Facts facts = statistics_.facts();
@@ -95,40 +109,70 @@ class Reception {
     if (datagrams_ == 0) {
       throw CheckFailed(words_of_silence(options_->bind, options_->port, end_ - begin_));
     }
+    if (assembler_.car_refusal()) {
+      throw CheckFailed("the target has refused the car of its image and sends no grid: " +
+                        *assembler_.car_refusal() + "; iog image puts another one there");
+    }
+    if (assembler_.counts().messages == 0 && assembler_.version_sent()) {
+      throw CheckFailed("the target sends " + words_of_version(*assembler_.version_sent()));
+    }
     if (assembler_.counts().messages == 0) {
       throw CheckFailed("no message of a grid came, and " + std::to_string(datagrams_) +
                         " other datagrams; who else sends to port " +
                         std::to_string(options_->port) + "?");
     }
-    if (statistics_.damaged() > 0) {
-      throw CheckFailed(std::to_string(statistics_.damaged()) +
-                        " frames arrived whole and are not the grid that the target has hashed");
-    }
-    const std::uint64_t lost = assembler_.messages_lost() + statistics_.incomplete();
-    if (options_->strict && (lost > 0 || overflow_ > 0)) {
-      throw CheckFailed("messages were lost: " + std::to_string(assembler_.messages_lost()) +
-                        " missing, " + std::to_string(statistics_.incomplete()) +
-                        " frames incomplete");
-    }
-    if (options_->expect.empty()) {
+    check_wholeness();
+    if (options_->expect.empty() && options_->expect_classes.empty()) {
       if (!is_done() && frames_wanted_ > 0) {
         throw CheckFailed("only " + std::to_string(statistics_.records().size()) + " of " +
                           std::to_string(frames_wanted_) + " frames came");
       }
       return;
     }
-    if (options_->frames > 0 && options_->frames < expected_.size()) {
-      expected_.resize(options_->frames);
+    if (!options_->expect.empty()) {
+      check_equal(statistics_.records(), expected_, "frames");
     }
-    if (const auto difference = first_difference(statistics_.records(), expected_)) {
-      throw CheckFailed(*difference);
+    if (!options_->expect_classes.empty()) {
+      check_equal(statistics_.classes().records(), expected_classes_, "frames' classes");
     }
-    table() << row("expected", "all " + std::to_string(expected_.size()) + " frames are equal");
   }
 
  private:
   [[nodiscard]] bool is_done() const {
     return frames_wanted_ > 0 && statistics_.records().size() >= frames_wanted_;
+  }
+
+  void check_wholeness() const {
+    const ClassStatistics& classes = statistics_.classes();
+    if (statistics_.damaged() + classes.damaged() > 0) {
+      throw CheckFailed(std::to_string(statistics_.damaged()) + " frames, and the classes of " +
+                        std::to_string(classes.damaged()) +
+                        ", arrived whole and are not the grid that the target has hashed");
+    }
+    const std::uint64_t incomplete = statistics_.incomplete() + classes.incomplete();
+    if (options_->strict && (assembler_.messages_lost() + incomplete > 0 || overflow_ > 0)) {
+      throw CheckFailed("messages were lost: " + std::to_string(assembler_.messages_lost()) +
+                        " missing, " + std::to_string(statistics_.incomplete()) +
+                        " frames incomplete, and the classes of " +
+                        std::to_string(classes.incomplete()));
+    }
+  }
+
+  // With --frames the first ones are compared.
+  template <typename Record>
+  void check_equal(const std::vector<Record>& received, std::vector<Record> expected,
+                   const std::string& what) const {
+    if (received.empty() && expected.empty()) {
+      return;  // of a car without classes
+    }
+    if (options_->frames > 0 && options_->frames < expected.size()) {
+      expected.resize(options_->frames);
+    }
+    if (const auto difference = first_difference(received, expected)) {
+      throw CheckFailed(*difference);
+    }
+    table() << row("expected",
+                   "all " + std::to_string(expected.size()) + " " + what + " are equal");
   }
 
   [[nodiscard]] bool is_idle() const {
@@ -151,6 +195,7 @@ class Reception {
       return;
     }
     statistics_.add(frame);
+    vehicle_id_ = frame.header.vehicle_id;
     if (!frame.header.has_evidence()) {
       return;
     }
@@ -160,7 +205,7 @@ class Reception {
     last_evidence_ = Clock::now();
     progress_.show(frame.evidence_number + 1);
     pictures_.offer(frame);
-    last_ = std::move(frame);
+    chosen_.offer(std::move(frame));
   }
 
   [[nodiscard]] LinkCounts all_counts() const {
@@ -172,16 +217,23 @@ class Reception {
   // With --notify standard output belongs to whoever reads the notes, such as `iog replay --step`.
   [[nodiscard]] std::ostream& table() const { return options_->notify ? std::cerr : std::cout; }
 
-  void print_table() const { table() << statistics_.table(true) << rows_of(all_counts()); }
+  void print_table() const {
+    if (vehicle_id_) {
+      table() << row("vehicle", words_of_vehicle(*vehicle_id_));
+    }
+    table() << statistics_.table(true) << rows_of(all_counts());
+  }
 
-  const Options* options_;
+  const ReceiveOptions* options_;
   RunStatistics statistics_;
+  std::optional<std::uint32_t> vehicle_id_;  // of the last frame
   FrameWriter pictures_;
   FrameAssembler assembler_;
   std::vector<FrameRecord> expected_;
+  std::vector<ClassRecord> expected_classes_;
   std::uint64_t frames_wanted_;
   Progress progress_;
-  std::optional<GridFrame> last_;
+  ChosenFrame chosen_;
   Clock::time_point begin_;
   Clock::time_point end_;
   Clock::time_point last_evidence_;
@@ -212,7 +264,7 @@ void add_serial_options(CLI::App& command, SerialOptions& options) {
       ->needs("--serial");
 }
 
-void receive(Options& options) {
+void receive(ReceiveOptions& options) {
   if (!options.serial.path.empty()) {
     options.serial.pictures = options.pictures;
     options.serial.frames = options.frames;
@@ -235,13 +287,14 @@ void receive(Options& options) {
 void add_receive(CLI::App& program) {
   auto* const command =
       program.add_subcommand("receive", "Receive the grids of a target, check and draw them");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReceiveOptions>();
   command->add_option("--port", options->port, "UDP port to receive on")
       ->option_text("PORT  (this or --serial)")
       ->check(CLI::Range(1, 65'535));
   command->add_option("--bind", options->bind, "IPv4 address to receive on")
       ->option_text("ADDRESS  (default 127.0.0.1)");
   add_serial_options(*command, options->serial);
+  add_vehicle_file_option(*command);
   add_picture_options(*command, options->pictures);
   command
       ->add_option("--frames", options->frames,
@@ -261,6 +314,14 @@ void add_receive(CLI::App& program) {
       ->option_text("FILE");
   command
       ->add_option("--expect", options->expect,
+                   "Compare with such a file; exit status 1 if they differ")
+      ->option_text("FILE");
+  command
+      ->add_option("--classes-hashes", options->classes_hashes,
+                   "Write one line per frame of its classes, as `iog fuse --classes-hashes` does")
+      ->option_text("FILE");
+  command
+      ->add_option("--expect-classes", options->expect_classes,
                    "Compare with such a file; exit status 1 if they differ")
       ->option_text("FILE");
   command->add_flag("--strict", options->strict, "Exit status 1 also if a message was lost");

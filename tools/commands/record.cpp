@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/record/mcap_recording.hpp"
@@ -22,12 +23,17 @@
 namespace iog::tools {
 namespace {
 
-std::vector<std::string> all_topics() {
-  return {std::string(kOccupancyTopic), std::string(kImageTopic), std::string(kCellsTopic),
-          std::string(kMessagesTopic)};
+std::vector<std::string> all_topics() { return {kAllTopics.begin(), kAllTopics.end()}; }
+
+std::string list_of_topics() {
+  std::string list;
+  for (const std::string_view topic : kAllTopics) {
+    list.append(list.empty() ? "" : ",").append(topic);
+  }
+  return list;
 }
 
-struct Options {
+struct RecordOptions {
   LiveSource live;
   std::string pcap;
   std::string vehicle = kDefaultVehicle;
@@ -40,7 +46,7 @@ struct Options {
 };
 
 // Of one that is not written yet by its name; of anything else that is not a folder, an error.
-std::unique_ptr<Recording> recording_of(const std::string& path, const Options& options) {
+std::unique_ptr<Recording> recording_of(const std::string& path, const RecordOptions& options) {
   const std::string suffix = std::filesystem::path(path).extension();
   if (suffix == ".mcap") {
     return std::make_unique<McapRecording>(
@@ -59,7 +65,7 @@ std::unique_ptr<Recording> recording_of(const std::string& path, const Options& 
 }
 
 // What is being read is not written over, and nothing is written twice at once.
-void check_out(const Options& options) {
+void check_out(const RecordOptions& options) {
   std::set<std::filesystem::path> places;
   for (const std::string& path : options.out) {
     std::error_code error;
@@ -79,7 +85,7 @@ void check_out(const Options& options) {
 }
 
 // From wherever it comes. The number of datagrams that were dropped on the way.
-std::uint64_t record_from_source(const Options& options, Recorder& recorder) {
+std::uint64_t record_from_source(const RecordOptions& options, Recorder& recorder) {
   if (!options.pcap.empty()) {
     record_capture(options.pcap, options.vehicle, recorder);
   } else if (!options.stream.empty()) {
@@ -91,7 +97,7 @@ std::uint64_t record_from_source(const Options& options, Recorder& recorder) {
 }
 
 // A file without a datagram is no recording, and would look like one.
-void remove_empty_files(const Options& options) {
+void remove_empty_files(const RecordOptions& options) {
   for (const std::string& path : options.out) {
     std::error_code ignored;
     if (std::filesystem::is_regular_file(path, ignored)) {
@@ -100,7 +106,7 @@ void remove_empty_files(const Options& options) {
   }
 }
 
-void record(const Options& options) {
+void record(const RecordOptions& options) {
   check_out(options);
   if (!options.pcap.empty()) {
     demand_fit(options.pcap, find_vehicle(options.vehicle));
@@ -134,7 +140,7 @@ void record(const Options& options) {
   }
 }
 
-void add_sources(CLI::App& command, Options& options) {
+void add_sources(CLI::App& command, RecordOptions& options) {
   auto* const sources = command.add_option_group("source");
   sources->add_option("--port", options.live.port, "Record what comes to this UDP port")
       ->option_text("PORT")
@@ -148,8 +154,7 @@ void add_sources(CLI::App& command, Options& options) {
                    "Record what has been recorded as FILE.pcap or FILE.mcap")
       ->option_text("FILE");
   sources->require_option(1);
-  command.add_option("--vehicle", options.vehicle, vehicle_option_help())
-      ->option_text("NAME  (with --pcap; default reference_car)");
+  add_vehicle_options(command, options.vehicle, "NAME  (with --pcap; default reference_car)");
   command.add_option("--bind", options.live.bind, "IPv4 address to receive on")
       ->option_text("ADDRESS  (with --port; default 127.0.0.1)");
   command.add_option("--frames", options.live.frames, "End after so many frames with evidence")
@@ -164,14 +169,14 @@ void add_sources(CLI::App& command, Options& options) {
                    "Say `listening`, then `frame N` for each frame, on standard output");
 }
 
-void add_destinations(CLI::App& command, Options& options) {
+void add_destinations(CLI::App& command, RecordOptions& options) {
   command
       .add_option("--out", options.out,
                   "What to write: FILE.mcap, FILE.pcap or a folder of pictures; may be repeated")
       ->option_text("FILE | FOLDER  (required)")
       ->required();
   command.add_option("--topics", options.topics, "What an MCAP file is to hold")
-      ->option_text("/grid,/iogrid/image,/iogrid/grid,/iogrid/messages  (default all)")
+      ->option_text(list_of_topics() + "  (default all)")
       ->delimiter(',')
       ->check(CLI::IsMember(all_topics()));
   command.add_flag("--uncompressed", options.is_uncompressed, "Do not compress MCAP files (zstd)");
@@ -197,7 +202,7 @@ void add_destinations(CLI::App& command, Options& options) {
 void add_record(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "record", "Record grids for other tools: MCAP, pictures and maps, or the stream itself");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RecordOptions>();
   add_sources(*command, *options);
   add_destinations(*command, *options);
   command->footer(
@@ -206,9 +211,9 @@ void add_record(CLI::App& program) {
       "most.\n"
       "With --pcap and --stream the same input gives the same bytes. A folder gets "
       "frame_NNNNNN.png\n"
-      "for every frame with evidence, and the last one as map.pgm and map.yaml; those of an "
-      "earlier\n"
-      "run go.\n");
+      "for every frame with evidence, classes_NNNNNN.png where it has classes, and the last one "
+      "as\n"
+      "map.pgm and map.yaml; those of an earlier run go.\n");
   command->callback([options] {
     catch_interrupts();
     record(*options);

@@ -1,20 +1,31 @@
 // iog replay: a capture on its way to a target, packet by packet, in its own time.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <iostream>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <random>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/info/capture_census.hpp"
+#include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/replay/frame_grouper.hpp"
+#include "tools/replay/map_sender.hpp"
 #include "tools/replay/pace.hpp"
+#include "tools/replay/pose_rounds.hpp"
 #include "tools/replay/udp_sender.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/vehicles/vehicle_fit.hpp"
@@ -22,32 +33,54 @@
 namespace iog::tools {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   std::string pcap;
   std::string vehicle = kDefaultVehicle;
-  std::string target = "127.0.0.1";
-  std::uint16_t port_base = 0;
+  std::string target;
+  std::uint16_t port_base = 0;  // 0: the vehicle's own ports
   std::optional<double> speed;
   bool step = false;
   bool loop = false;
+  std::string map;
 };
+
+// Where nobody says more, the target of the vehicle's own description; with --port-base a PC's own
+// QEMU.
+std::string target_of(const ReplayOptions& options, const CatalogueEntry& car) {
+  if (!options.target.empty()) {
+    return options.target;
+  }
+  return options.port_base != 0 ? "127.0.0.1" : dotted(car.network->address.value);
+}
+
+std::vector<std::uint16_t> target_ports(const ReplayOptions& options,
+                                        std::vector<std::uint16_t> ports) {
+  if (options.port_base == 0) {
+    return ports;
+  }
+  if (std::size_t{options.port_base} + ports.size() > 0x10000) {
+    throw UsageError("--port-base leaves no room for " + std::to_string(ports.size()) +
+                     " ports; give a lower one");
+  }
+  std::iota(ports.begin(), ports.end(), options.port_base);
+  return ports;
+}
 
 class Replay {
  public:
-  explicit Replay(const Options& options)
+  explicit Replay(const ReplayOptions& options)
       : options_(&options),
         car_(&find_vehicle(options.vehicle)),
-        sender_(options.target, options.port_base),
+        ports_(ports_of(*car_)),
+        poses_(options.loop ? rounds_before() : 0),
+        sender_(target_of(options, *car_), target_ports(options, ports_)),
         pace_(options.speed.value_or(options.step ? 0.0 : 1.0)),
         progress_("packets") {
-    if (std::size_t{options.port_base} + car_->sensors.size() > 0x10000) {
-      throw UsageError("--port-base leaves no room for " + std::to_string(car_->sensors.size()) +
-                       " ports; give a lower one");
-    }
     demand_fit(options.pcap, *car_);
   }
 
   void run() {
+    send_map();
     do {
       PcapReader capture(options_->pcap);
       const std::uint64_t sent_before = sent_;
@@ -73,9 +106,14 @@ class Replay {
   }
 
  private:
-  std::optional<CapturedDatagram> next_of_sensor(PcapReader& capture) {
+  // The next datagram that the vehicle has a port for.
+  std::optional<CapturedDatagram> next_of(PcapReader& capture) {
     while (std::optional<CapturedDatagram> datagram = capture.next()) {
-      if (sensor_of_port(*car_, datagram->destination.port) < car_->sensors.size()) {
+      if (is_pose_port(*car_, datagram->destination.port)) {
+        datagram->payload = poses_.in_round(std::move(datagram->payload));
+        return datagram;
+      }
+      if (takes_port(*car_, datagram->destination.port)) {
         return datagram;
       }
       ++other_ports_;
@@ -87,19 +125,39 @@ class Replay {
   void send(const CapturedDatagram& datagram) {
     last_time_us_ = clock_.move_to(datagram.time_us) + time_offset_;
     pace_.wait_for(last_time_us_);
-    const std::size_t sensor = sensor_of_port(*car_, datagram.destination.port);
-    if (sender_.send(sensor, datagram.payload)) {
+    const auto port = std::ranges::find(ports_, datagram.destination.port);
+    if (sender_.send(static_cast<std::size_t>(port - ports_.begin()), datagram.payload)) {
       ++sent_;
       bytes_ += datagram.payload.size();
     } else {
       ++refused_;
     }
+    if (is_pose_port(*car_, datagram.destination.port)) {
+      last_pose_ = std::chrono::steady_clock::now();
+    }
     progress_.show(sent_);
+  }
+
+  // Twice, because nobody says what has arrived. Classes are named as soon as the target uses it.
+  void send_map() {
+    const auto port = std::ranges::find(ports_, car_->vehicle->maps.udp_port);
+    if (options_->map.empty()) {
+      return;
+    }
+    if (port == ports_.end()) {
+      throw UsageError("--map: " + options_->vehicle + " has no classes, so it has no use for one");
+    }
+    const std::vector<std::uint8_t> block = read_block(options_->map);
+    MapSender map(block, sender_, static_cast<std::size_t>(port - ports_.begin()));
+    for (int round = 0; round < 2; ++round) {
+      refused_ += map.send_all(kChunksPerSecond);
+    }
+    std::cout << map.chunks() << " chunks of " << options_->map << " sent twice" << std::endl;
   }
 
   void play(PcapReader& capture) {
     start_round();
-    while (const auto datagram = next_of_sensor(capture)) {
+    while (const auto datagram = next_of(capture)) {
       if (was_interrupted()) {
         return;
       }
@@ -109,19 +167,37 @@ class Replay {
 
   void play_stepwise(PcapReader& capture) {
     start_round();
-    FrameGrouper grouper(*car_->vehicle, [&] { return next_of_sensor(capture); });
+    FrameGrouper grouper(*car_->vehicle, [&] { return next_of(capture); });
     std::vector<CapturedDatagram> frame = grouper.next();
     while (!frame.empty() && !was_interrupted()) {
       for (const CapturedDatagram& datagram : frame) {
+        if (&datagram == &frame.back()) {
+          let_poses_arrive();
+        }
         send(datagram);
       }
-      ++frames_;
+      const bool has_packets = has_sensor_packet(frame);
+      frames_ += has_packets ? 1U : 0U;
       frame = grouper.next();
-      if ((options_->loop || !frame.empty()) && !wait_for_line()) {
+      if (has_packets && (options_->loop || !frame.empty()) && !wait_for_line()) {
         has_stopped_ = true;
         return;
       }
     }
+  }
+
+  // The target closes the frame with its last packet, and the poses before it must be there by
+  // then. What goes to different ports may overtake one another.
+  void let_poses_arrive() const {
+    constexpr std::chrono::milliseconds kOnTheWay{5};
+    std::this_thread::sleep_until(last_pose_ + kOnTheWay);
+  }
+
+  // The last poses of a capture are behind its last frame, and nobody answers to them.
+  [[nodiscard]] bool has_sensor_packet(const std::vector<CapturedDatagram>& frame) const {
+    return std::ranges::any_of(frame, [this](const CapturedDatagram& datagram) {
+      return sensor_of_port(*car_, datagram.destination.port) < car_->sensors.size();
+    });
   }
 
   // False: there will be no more. That the receiver listens is no notice of a frame.
@@ -135,14 +211,24 @@ class Replay {
     return true;
   }
 
+  // A target may have heard this recording already, and forgets none of the runs that it heard.
+  static std::uint32_t rounds_before() {
+    constexpr std::uint32_t kMost = 0x7FFF;
+    return std::random_device()() % kMost + 1;
+  }
+
   // Another round begins one frame after the last one's end.
   void start_round() {
     time_offset_ = sent_ == 0 ? 0 : last_time_us_ + car_->vehicle->frame_period_us;
     clock_ = CaptureClock();
+    poses_.start_round();
   }
 
-  const Options* options_;
+  const ReplayOptions* options_;
   const CatalogueEntry* car_;
+  std::vector<std::uint16_t> ports_;
+  PoseRounds poses_;
+  std::chrono::steady_clock::time_point last_pose_;
   UdpSender sender_;
   Pace pace_;
   Progress progress_;
@@ -163,19 +249,19 @@ class Replay {
 void add_replay(CLI::App& program) {
   auto* const command =
       program.add_subcommand("replay", "Send the packets of a capture to a target");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReplayOptions>();
   command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")
       ->option_text("FILE  (required)")
       ->required();
-  command->add_option("--vehicle", options->vehicle, vehicle_option_help())
-      ->option_text("NAME  (default reference_car)");
+  add_vehicle_options(*command, options->vehicle);
   command->add_option("--target", options->target, "IPv4 address to send to")
-      ->option_text("ADDRESS  (default 127.0.0.1)");
+      ->option_text("ADDRESS  (default the vehicle's, with --port-base 127.0.0.1)");
   command
       ->add_option("--port-base", options->port_base,
-                   "UDP port of the vehicle's sensor 0, its next sensor's is the next")
-      ->option_text("PORT  (required)")
-      ->required()
+                   "Instead of the vehicle's own ports: that of its sensor 0, its next sensor's is "
+                   "the next; "
+                   "behind them those of its poses and its maps")
+      ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
   command
       ->add_option("--speed", options->speed,
@@ -183,12 +269,15 @@ void add_replay(CLI::App& program) {
       ->option_text("X")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--step", options->step, "After each frame wait for a line on standard input");
+  command->add_option("--map", options->map, "Send this map first, made by `iog map`")
+      ->option_text("FILE");
   command->add_flag("--loop", options->loop, "Begin again at the end, until interrupted");
   command->footer(
       "--speed is 1, with --step 0. For --step press Enter, or let `iog receive --notify` write "
       "there.\n"
       "A pause of the capture lasts 1 s at most. With --loop a capture should be longer than 30\n"
-      "frames: a target takes a repeated packet for a duplicate and drops it.");
+      "frames: a target takes a repeated packet for a duplicate and drops it. Each round is\n"
+      "another run of whoever sends the poses.");
   command->callback([options] {
     catch_interrupts();
     Replay replay(*options);

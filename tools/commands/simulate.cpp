@@ -1,33 +1,39 @@
 // iog simulate: a drive that never was, as the capture that its scanners would have sent.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "tools/commands/osm_options.hpp"
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/lux/lux_burst.hpp"
+#include "tools/map/map_readers.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/simulate/cell_truth.hpp"
 #include "tools/simulate/drive.hpp"
+#include "tools/simulate/mixed_drive.hpp"
 #include "tools/simulate/moving_drive.hpp"
+#include "tools/simulate/osm_file.hpp"
 #include "tools/simulate/pose_source.hpp"
+#include "tools/simulate/spinning_drive.hpp"
+#include "tools/simulate/town.hpp"
 #include "tools/simulate/truth.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {
 
-struct Options {
+struct SimulateOptions {
   std::uint64_t seed = 1;
   std::uint32_t seconds = 10;
   std::string out;
@@ -43,6 +49,9 @@ struct Options {
   std::vector<std::string> pose_gaps;
   std::vector<std::string> pose_jumps;
   std::vector<double> pose_restarts_s;
+  OsmOptions osm;
+  std::string town;
+  std::string town_origin;
 };
 
 // The two numbers of "2.5:0.3".
@@ -59,7 +68,7 @@ std::pair<double, double> pair_of(const std::string& option, const std::string& 
   throw UsageError(option + " " + text + ": give seconds of the drive, a colon and a number");
 }
 
-PoseOptions pose_options(const Options& options) {
+PoseOptions pose_options(const SimulateOptions& options) {
   PoseOptions poses{.rate_hz = options.pose_rate_hz,
                     .sigma_m = options.pose_sigma_mm / 1000,
                     .sigma_heading_rad = options.pose_heading_sigma_mrad / 1000,
@@ -111,13 +120,13 @@ class Recording {
 };
 
 // Only when it is known that the drive can be made.
-void make_truth_folder(const Options& options) {
+void make_truth_folder(const SimulateOptions& options) {
   if (!options.truth.empty()) {
     make_folder(options.truth);
   }
 }
 
-void write_occupancy(const Options& options, std::uint32_t frame, const EgoPose& ego,
+void write_occupancy(const SimulateOptions& options, std::uint32_t frame, const EgoPose& ego,
                      const std::vector<Solid>& solids, const CatalogueEntry& car) {
   if (!options.truth.empty() && frame % options.truth_every == 0) {
     write_truth(numbered(options.truth, "truth", frame, ".pgm"),
@@ -125,7 +134,19 @@ void write_occupancy(const Options& options, std::uint32_t frame, const EgoPose&
   }
 }
 
-void simulate_standing(const Options& options, const CatalogueEntry& car) {
+void write_osm(const SimulateOptions& options, const Scene& scene) {
+  const MapPlace place = map_place_of(options.osm);
+  const DrawnMap map = drawn_map(scene, map_errors_of(options.osm),
+                                 options.osm.seed.value_or(options.seed), options.seconds);
+  OutputFile file(options.osm.out);
+  file.write(std::string_view(osm_text(map, place, options.scene)));
+  file.finish();
+  std::cout << options.osm.out << ": " << summary_of(map) << "; plane at " << text_of(place.origin)
+            << '\n';
+}
+
+template <typename Drive>
+void simulate_standing(const SimulateOptions& options, const CatalogueEntry& car) {
   Drive drive(car, options.seed, options.seconds, find_scene(options.scene));
   Recording recording(options.out);
   make_truth_folder(options);
@@ -139,17 +160,43 @@ void simulate_standing(const Options& options, const CatalogueEntry& car) {
   recording.finish(drive.frame_count());
 }
 
-// The datagrams of the frame, and the poses that are sent until its last one.
-std::vector<CapturedDatagram> with_poses(std::vector<CapturedDatagram> datagrams, PoseFeed& poses) {
-  std::ranges::move(poses.take_until(datagrams.back().time_us), std::back_inserter(datagrams));
-  std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
-  return datagrams;
+Town town_of(const SimulateOptions& options) {
+  const GeoMap map = read_osm(options.town);
+  std::optional<MapOrigin> origin;
+  if (!options.town_origin.empty()) {
+    origin = map_origin_in("--town-origin", options.town_origin);
+  }
+  Town town = make_town(map, origin, options.seed, options.seconds);
+  std::cout << options.town << ": " << summary_of(town) << "\n" << map.attribution << '\n';
+  return town;
 }
 
-void simulate_moving(const Options& options, const CatalogueEntry& car) {
-  MovingDrive drive(car, options.seed, options.seconds, find_scene(options.scene));
-  PoseFeed poses(
-      simulated_poses(drive.scene(), pose_options(options), options.seed, options.seconds + 0.1));
+// The drive, and where it is on a map, if it is on one.
+struct PlacedDrive {
+  MovingDrive drive;
+  std::optional<pose::MapTransform> map{};
+};
+
+PlacedDrive placed_drive(const SimulateOptions& options, const CatalogueEntry& car) {
+  if (!options.town.empty()) {
+    Town town = town_of(options);
+    return {MovingDrive(car, options.seed, options.seconds, std::move(town.scene)),
+            town.place.transform()};
+  }
+  PlacedDrive placed{MovingDrive(car, options.seed, options.seconds, find_scene(options.scene))};
+  if (!options.osm.out.empty()) {
+    write_osm(options, placed.drive.scene());
+    placed.map = map_place_of(options.osm).transform();
+  }
+  return placed;
+}
+
+void simulate_moving(const SimulateOptions& options, const CatalogueEntry& car) {
+  PlacedDrive placed = placed_drive(options, car);
+  MovingDrive& drive = placed.drive;
+  PoseOptions feed = pose_options(options);
+  feed.map = placed.map;
+  PoseFeed poses(simulated_poses(drive.scene(), feed, options.seed, options.seconds + 0.1));
   Recording recording(options.out);
   make_truth_folder(options);
   std::optional<CellTruthFile> cells;
@@ -178,12 +225,20 @@ void simulate_moving(const Options& options, const CatalogueEntry& car) {
   recording.finish(drive.frame_count());
 }
 
-void simulate(const Options& options) {
+void simulate(const SimulateOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
-  options.is_moving ? simulate_moving(options, car) : simulate_standing(options, car);
+  if (options.is_moving) {
+    simulate_moving(options, car);
+  } else if (spins(car)) {
+    simulate_standing<SpinningDrive>(options, car);
+  } else if (spins_partly(car)) {
+    simulate_standing<MixedDrive>(options, car);
+  } else {
+    simulate_standing<Drive>(options, car);
+  }
 }
 
-void add_truth_options(CLI::App& command, Options& options, CLI::Option* moving) {
+void add_truth_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving) {
   command
       .add_option("--truth", options.truth, "Write the true occupancy there, as truth_NNNNNN.pgm")
       ->option_text("FOLDER");
@@ -198,7 +253,7 @@ void add_truth_options(CLI::App& command, Options& options, CLI::Option* moving)
       ->check(CLI::PositiveNumber);
 }
 
-void add_pose_options(CLI::App& command, Options& options, CLI::Option* moving) {
+void add_pose_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving) {
   command.add_option("--pose-rate", options.pose_rate_hz, "Poses a second")
       ->option_text("HZ  (1 to 125, default 100)")
       ->check(CLI::Range(1.0, 125.0))
@@ -230,12 +285,30 @@ void add_pose_options(CLI::App& command, Options& options, CLI::Option* moving) 
       ->needs(moving);
 }
 
+void add_town_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving,
+                      CLI::Option* scene) {
+  CLI::Option* const town =
+      command
+          .add_option("--town", options.town,
+                      "Drive through this town instead, of an extract of OpenStreetMap")
+          ->option_text("FILE  (.osm, .osm.pbf, ...; needs --moving)")
+          ->needs(moving)
+          ->excludes(scene)
+          ->excludes(command.get_option("--osm"));
+  command
+      .add_option("--town-origin", options.town_origin,
+                  "Where the plane of its map is and the drive begins; give iog map --origin the "
+                  "same")
+      ->option_text("LAT,LON  (default the middle)")
+      ->needs(town);
+}
+
 }  // namespace
 
 void add_simulate(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "simulate", "Make up a drive and write what the car's scanners send as a capture");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimulateOptions>();
   command->add_option("--out", options->out, "The capture to write (.pcap)")
       ->option_text("FILE  (required)")
       ->required();
@@ -245,15 +318,16 @@ void add_simulate(CLI::App& program) {
   command->add_option("--seconds", options->seconds, "Length of the drive, 25 frames a second")
       ->option_text("N  (1 to 600, default 10)")
       ->check(CLI::Range(1U, Drive::kMaxSeconds));
-  command->add_option("--scene", options->scene, scene_option_help())
-      ->option_text("NAME  (default city)");
-  command->add_option("--vehicle", options->vehicle, vehicle_option_help())
-      ->option_text("NAME  (default reference_car)");
+  CLI::Option* const scene = command->add_option("--scene", options->scene, scene_option_help())
+                                 ->option_text("NAME  (default city)");
+  add_vehicle_options(*command, options->vehicle);
   CLI::Option* const moving = command->add_flag(
       "--moving", options->is_moving,
       "Let everything move while the scanners sweep, and write the car's poses, too");
   add_truth_options(*command, *options, moving);
   add_pose_options(*command, *options, moving);
+  add_osm_options(*command, options->osm, moving);
+  add_town_options(*command, *options, moving, scene);
   command->footer(
       "Without --moving the world stands still during a scan, and all scanners scan at once. With "
       "it\n"
@@ -264,7 +338,9 @@ void add_simulate(CLI::App& program) {
       "the cell's centre is covered by something within the vehicle's height band, 255 elsewhere.\n"
       "docs/drives.md explains --truth-cells, and what happens in the scene 'street' when.\n"
       "The same scene, seed, length, vehicle and options give the same bytes on every machine.\n"
-      "Only ibeo LUX scanners are simulated.");
+      "Scanners that turn, which --moving cannot, do so ten times a second, with one return a "
+      "beam;\n"
+      "a car of such alone has ten frames a second.");
   command->callback([options] { simulate(*options); });
 }
 

@@ -11,11 +11,15 @@ void add_simulate(CLI::App& program);
 void add_fuse(CLI::App& program);
 void add_pose(CLI::App& program);
 void add_replay(CLI::App& program);
+void add_send_map(CLI::App& program);
 void add_receive(CLI::App& program);
 void add_record(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_info(CLI::App& program);
+void add_map(CLI::App& program);
 void add_vehicles(CLI::App& program);
+void add_budget(CLI::App& program);
+void add_image(CLI::App& program);
 void add_view(CLI::App& program);
 
 }  // namespace iog::tools

@@ -1,11 +1,16 @@
 // iog vehicles: the vehicle descriptions and their sensors.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <string>
 
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/receive/frame_record.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -13,7 +18,8 @@ namespace {
 
 void show_all() {
   for (const CatalogueEntry& entry : all_vehicles()) {
-    std::cout << entry.vehicle->name << '\n';
+    std::cout << entry.vehicle->name << '\n'
+              << "  in a stream    " << hex(entry.vehicle->id) << '\n';
     for (const vehicle::SensorConfig& sensor : entry.sensors) {
       const vehicle::MountConfig& mount = sensor.mount;
       std::cout << "  " << std::left << std::setw(14) << sensor.name << " UDP " << sensor.udp_port
@@ -21,13 +27,36 @@ void show_all() {
                 << " m, yaw " << mount.yaw_deg << " deg, up to " << sensor.range_max_mm / 1000.0
                 << " m\n";
     }
+    if (vehicle::have_classes(entry.vehicle->grids)) {
+      std::cout << "  " << std::left << std::setw(14) << "poses"
+                << " UDP " << entry.vehicle->poses.udp_port << '\n'
+                << "  " << std::left << std::setw(14) << "maps"
+                << " UDP " << entry.vehicle->maps.udp_port << '\n';
+    }
   }
 }
 
 void show_ports(const std::string& name) {
-  for (const vehicle::SensorConfig& sensor : find_vehicle(name).sensors) {
-    std::cout << sensor.udp_port << '\n';
+  for (const std::uint16_t port : ports_of(find_vehicle(name))) {
+    std::cout << port << '\n';
   }
+}
+
+// Its own if the build makes one, else one that takes it.
+void show_firmware(const std::string& name) {
+  const vehicle::Vehicle& car = *find_vehicle(name).vehicle;
+  const auto find = [](auto&& fits) {
+    return std::ranges::find_if(vehicles::kAll,
+                                [&](const auto& entry) { return fits(*entry.vehicle); });
+  };
+  const auto* found = find([&](const vehicle::Vehicle& other) { return other.id == car.id; });
+  if (found == vehicles::kAll.end()) {
+    found = find([&](const vehicle::Vehicle& other) { return other.grids == car.grids; });
+  }
+  if (found == vehicles::kAll.end()) {
+    throw UsageError("no firmware of the build makes the grids of " + name);
+  }
+  std::cout << found->vehicle->name << '\n';
 }
 
 }  // namespace
@@ -36,8 +65,20 @@ void add_vehicles(CLI::App& program) {
   auto* const command = program.add_subcommand("vehicles", "List the vehicles and their sensors");
   const auto name = std::make_shared<std::string>();
   command->add_option("--ports", *name,
-                      "Only the UDP ports of this vehicle's sensors, one a line, for scripts");
-  command->callback([name] { name->empty() ? show_all() : show_ports(*name); });
+                      "Only the UDP ports of this vehicle, one a line, for scripts: those of its "
+                      "sensors, then those of its poses and its maps, if it takes them");
+  const auto carried = std::make_shared<std::string>();
+  command->add_option("--firmware", *carried,
+                      "Only the vehicle whose firmware `iog image` can put this one into, for "
+                      "scripts");
+  add_vehicle_file_option(*command);
+  command->callback([name, carried] {
+    if (!carried->empty()) {
+      show_firmware(*carried);
+    } else {
+      name->empty() ? show_all() : show_ports(*name);
+    }
+  });
 }
 
 }  // namespace iog::tools

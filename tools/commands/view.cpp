@@ -7,9 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "map/block.hpp"
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
+#include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
+#include "tools/receive/frame_record.hpp"
 #include "tools/simulate/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/view/sources.hpp"
@@ -20,7 +24,7 @@ namespace {
 
 constexpr std::uint16_t kUsualHttpPort = 8080;
 
-struct Options {
+struct ViewOptions {
   std::string bind = "127.0.0.1";
   std::uint16_t port = 15'000;
   std::uint16_t forward = 0;
@@ -34,10 +38,11 @@ struct Options {
   double speed = 1;
   bool loop = false;
   std::string records = ".";
+  std::string map;
 };
 
 // The usual port, or where nobody has named one and it is taken, any free one.
-std::unique_ptr<view::WebServer> serve(const Options& options, view::Scene& scene) {
+std::unique_ptr<view::WebServer> serve(const ViewOptions& options, view::Scene& scene) {
   if (options.http) {
     return std::make_unique<view::WebServer>(options.http_bind, *options.http, scene);
   }
@@ -65,7 +70,7 @@ void open_browser(const std::string& address) {
   }
 }
 
-std::string words_of_origin(const Options& options) {
+std::string words_of_origin(const ViewOptions& options) {
   if (!options.pcap.empty()) {
     return options.pcap;
   }
@@ -75,7 +80,7 @@ std::string words_of_origin(const Options& options) {
   return "UDP " + options.bind + ":" + std::to_string(options.port);
 }
 
-std::unique_ptr<view::Source> source_of(const Options& options) {
+std::unique_ptr<view::Source> source_of(const ViewOptions& options) {
   if (!options.pcap.empty()) {
     return view::make_capture_source({.path = options.pcap,
                                       .vehicle = options.vehicle,
@@ -89,11 +94,15 @@ std::unique_ptr<view::Source> source_of(const Options& options) {
   return view::make_stream_source(options.bind, options.port, options.forward);
 }
 
-void view_grid(const Options& options) {
+void view_grid(const ViewOptions& options) {
   const std::unique_ptr<view::Source> source = source_of(options);
   view::Scene scene;
-  view::Viewer viewer(scene, {.kind = source->kind(), .words = words_of_origin(options)},
-                      view::Recorder(options.records, options.port));
+  view::Origin origin{.kind = source->kind(), .words = words_of_origin(options)};
+  if (!options.map.empty()) {
+    scene.set_map(read_block(options.map));
+    origin.block = hex(map::Block(scene.map()).crc());
+  }
+  view::Viewer viewer(scene, origin, view::Recorder(options.records, options.port));
   const std::unique_ptr<view::WebServer> server = serve(options, scene);
   const std::string host =
       options.http_bind == "0.0.0.0" || options.http_bind == "::" ? "127.0.0.1" : options.http_bind;
@@ -108,7 +117,7 @@ void view_grid(const Options& options) {
   viewer.finish();
 }
 
-void add_sources(CLI::App& command, Options& options) {
+void add_sources(CLI::App& command, ViewOptions& options) {
   command.add_option("--port", options.port, "UDP port to receive a target's grid on")
       ->option_text("PORT  (default 15000)")
       ->check(CLI::Range(1, 65'535));
@@ -128,8 +137,7 @@ void add_sources(CLI::App& command, Options& options) {
                   "Show a simulated drive instead, with its truth: " + scene_option_help())
       ->option_text("SCENE")
       ->excludes(pcap);
-  command.add_option("--vehicle", options.vehicle, vehicle_option_help())
-      ->option_text("NAME  (default reference_car)");
+  add_vehicle_options(command, options.vehicle);
   command.add_option("--seed", options.seed, "Of the simulated drive")
       ->option_text("N  (default 1)")
       ->check(CLI::NonNegativeNumber);
@@ -143,7 +151,7 @@ void add_sources(CLI::App& command, Options& options) {
 
 void add_view(CLI::App& program) {
   auto* const command = program.add_subcommand("view", "Show the grid in a browser, live");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ViewOptions>();
   add_sources(*command, *options);
   command->add_option("--http", options->http, "TCP port of the page, 0 for any free one")
       ->option_text("PORT  (default 8080, or a free one)")
@@ -152,6 +160,10 @@ void add_view(CLI::App& program) {
       ->add_option("--http-bind", options->http_bind,
                    "IP address of the page; others than this PC see it only if it is not loopback")
       ->option_text("ADDRESS  (default 127.0.0.1)");
+  command
+      ->add_option("--map", options->map,
+                   "Draw the outlines of this block while the target says that it uses it")
+      ->option_text("FILE.iogmap");
   command->add_flag("--open", options->open, "Open the page with xdg-open");
   command
       ->add_option("--records", options->records,

@@ -1,30 +1,72 @@
 #include "tools/fuse/offline_target.hpp"
 
 #include <chrono>
+#include <string>
 #include <utility>
 
+#include "tools/program/exit_status.hpp"
+
 namespace iog::tools {
+namespace {
+
+void demand_fit_for_classes(const vehicle::Vehicle& vehicle) {
+  switch (app::unfit_for_perception(vehicle)) {
+    case app::Unfit::kNone:
+      break;
+    case app::Unfit::kFusionRule:
+      throw UsageError(std::string(vehicle.name) +
+                       " has no class grid: its fusion rule is bayes, and slices of a frame join "
+                       "only by hits_win");
+    case app::Unfit::kQuantisation:
+      throw UsageError(std::string(vehicle.name) +
+                       " has no class grid: its quantisation is nearest, which calls cells behind "
+                       "a hit occupied, too; it needs blurring");
+  }
+}
+
+}  // namespace
 
 OfflineTarget::OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message,
-                             Stopwatch stopwatch)
+                             Stopwatch stopwatch, std::uint32_t run_number)
     : vehicle_(&vehicle),
-      platform_(std::move(on_message), stopwatch),
-      pipeline_(vehicle, kReplayer, platform_, 0) {}
+      platform_(std::move(on_message), stopwatch, run_number),
+      pipeline_(pipeline_of(vehicle)) {}
+
+OfflineTarget::AnyPipeline OfflineTarget::pipeline_of(const vehicle::Vehicle& vehicle) {
+  if (!vehicle::have_classes(vehicle.grids)) {
+    return std::make_unique<Indexes>(vehicle, kReplayer, platform_, std::uint64_t{0});
+  }
+  demand_fit_for_classes(vehicle);
+  return std::make_unique<Classes>(vehicle, kReplayer, platform_, std::uint64_t{0});
+}
+
+void OfflineTarget::begin_with_map(std::vector<std::uint8_t> block) {
+  map_ = std::move(block);
+  std::visit([this](auto& pipeline) { pipeline->begin_with_map(map_); }, pipeline_);
+}
+
+std::uint64_t OfflineTarget::deadline_us() const {
+  return std::visit([](const auto& pipeline) { return pipeline->deadline_us(); }, pipeline_);
+}
+
+void OfflineTarget::close_overdue() {
+  std::visit([](auto& pipeline) { pipeline->tick(pipeline->deadline_us()); }, pipeline_);
+}
 
 OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   Closed closed;
   const std::uint64_t now_us = clock_.move_to(datagram.time_us);
-  while (pipeline_.deadline_us() <= now_us) {
-    pipeline_.tick(pipeline_.deadline_us());
+  while (deadline_us() <= now_us) {
+    close_overdue();
   }
   closed.before = platform_.take_evidence_frames();
-  pipeline_.take({.source_ipv4 = kReplayer,
-                  .destination_port = datagram.destination.port,
-                  .payload = datagram.payload},
-                 now_us);
+  const intake::Datagram its{.source_ipv4 = kReplayer,
+                             .destination_port = datagram.destination.port,
+                             .payload = datagram.payload};
+  std::visit([&](auto& pipeline) { pipeline->take(its, now_us); }, pipeline_);
   // A frame that is open and one period old at most has begun with this datagram, so the frame that
   // was closed just now had been closed before it. Otherwise the datagram completed it.
-  const bool has_opened = pipeline_.deadline_us() == now_us + vehicle_->frame_period_us;
+  const bool has_opened = deadline_us() == now_us + vehicle_->frame_period_us;
   const unsigned by_datagram = platform_.take_evidence_frames();
   const bool began_next = by_datagram == 2 || (by_datagram == 1 && has_opened);
   closed.before += began_next ? 1U : 0U;
@@ -35,7 +77,7 @@ OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
 
 void OfflineTarget::finish() {
   if (is_open_) {
-    pipeline_.tick(pipeline_.deadline_us());
+    close_overdue();
     is_open_ = false;
   }
 }

@@ -7,14 +7,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "app/pipeline.hpp"
 #include "stream/message.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "vehicle/vehicle.hpp"
+#include "work/round.hpp"
 
 namespace iog::tools {
 
@@ -27,13 +31,16 @@ enum class Stopwatch : std::uint8_t { kRuns, kStands };
 // What the pipeline meets on a PC instead of a network and a stopwatch (app::Platform).
 class OfflinePlatform {
  public:
-  OfflinePlatform(MessageHandler on_message, Stopwatch stopwatch)
-      : on_message_(std::move(on_message)), stopwatch_(stopwatch) {}
+  OfflinePlatform(MessageHandler on_message, Stopwatch stopwatch, std::uint32_t run_number)
+      : on_message_(std::move(on_message)), stopwatch_(stopwatch), run_number_(run_number) {}
 
   [[nodiscard]] bool send_message(std::span<const std::byte> message);
   [[nodiscard]] std::uint32_t ticks() const;
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1'000'000; }
   [[nodiscard]] app::Vitals vitals() const { return {}; }
+  [[nodiscard]] std::uint32_t run_number() const { return run_number_; }
+  [[nodiscard]] std::size_t cores() const { return 1; }
+  void share(std::size_t items, work::Work work) { work::do_alone(items, work); }
 
   // Frames with evidence that have left since the last call.
   [[nodiscard]] unsigned take_evidence_frames() { return std::exchange(evidence_frames_, 0U); }
@@ -41,6 +48,7 @@ class OfflinePlatform {
  private:
   MessageHandler on_message_;
   Stopwatch stopwatch_;
+  std::uint32_t run_number_;
   unsigned evidence_frames_ = 0;
 };
 
@@ -52,13 +60,23 @@ class OfflineTarget {
     unsigned after = 0;   // they hold this one, too
   };
 
+  // The same capture gives the same messages, so its run always has the same number, unless
+  // somebody gives it another.
+  static constexpr std::uint32_t kRunNumber = 1;
+
   // vehicle outlives the target. on_message is called for each message that it would send.
+  // UsageError, with the reason, if the vehicle asks for classes and can have none.
   OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message,
-                Stopwatch stopwatch = Stopwatch::kRuns);
+                Stopwatch stopwatch = Stopwatch::kRuns, std::uint32_t run_number = kRunNumber);
   OfflineTarget(const OfflineTarget&) = delete;
   OfflineTarget& operator=(const OfflineTarget&) = delete;
 
-  // The next datagram of the capture. Lets the frames that are over by its time close first.
+  // Before the first datagram: the map that the target has from the start. Without classes it is of
+  // no use.
+  void begin_with_map(std::vector<std::uint8_t> block);
+
+  // The next datagram of the capture, of a sensor or of the poses. Lets the frames that are over by
+  // its time close first.
   Closed take(const CapturedDatagram& datagram);
 
   // The capture is over: lets its last frame time out, if one is open or has drops to report.
@@ -67,11 +85,20 @@ class OfflineTarget {
  private:
   static constexpr std::uint32_t kReplayer = 0x0A000202;
 
+  using Indexes = app::Pipeline<OfflinePlatform>;
+  using Classes = app::PerceptionPipeline<OfflinePlatform>;
+  using AnyPipeline = std::variant<std::unique_ptr<Indexes>, std::unique_ptr<Classes>>;
+
+  [[nodiscard]] AnyPipeline pipeline_of(const vehicle::Vehicle& vehicle);
+  [[nodiscard]] std::uint64_t deadline_us() const;
+  void close_overdue();
+
   const vehicle::Vehicle* vehicle_;
   OfflinePlatform platform_;
   CaptureClock clock_;
   bool is_open_ = false;
-  app::Pipeline<OfflinePlatform> pipeline_;
+  std::vector<std::uint8_t> map_;
+  AnyPipeline pipeline_;
 };
 
 }  // namespace iog::tools

@@ -14,9 +14,11 @@
 #include "tools/formats/mcap/reader.hpp"
 #include "tools/info/capture_census.hpp"
 #include "tools/info/stream_census.hpp"
+#include "tools/program/printable.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/record/mcap_recording.hpp"
 #include "tools/record/stream_file.hpp"
+#include "tools/vehicles/vehicle_likeness.hpp"
 
 namespace iog::tools {
 namespace {
@@ -78,7 +80,8 @@ struct McapCensus {
 
 // By the messages themselves; where they are not in the file, by what the recorder says of them.
 std::string stream_of(const mcap::Reader& file, const McapCensus& census) {
-  if (census.stream.assembler().counts().messages > 0) {
+  const FrameAssembler& assembler = census.stream.assembler();
+  if (assembler.counts().messages > 0 || assembler.version_sent()) {
     return row("\nstream on", std::string(kMessagesTopic)) + census.stream.table();
   }
   const auto run = file.metadata().find(std::string(kRunMetadata));
@@ -113,12 +116,6 @@ std::string condition_of(const mcap::Reader& file) {
 
 }  // namespace
 
-std::string printable(std::string text) {
-  std::ranges::replace_if(
-      text, [](char letter) { return letter < ' ' || letter == 0x7F; }, '?');
-  return text;
-}
-
 std::string seconds(std::uint64_t micros) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(3) << static_cast<double>(micros) / 1e6 << " s";
@@ -132,10 +129,13 @@ std::string summary_of_file(const std::string& path) {
   if (is_mcap_file(path)) {
     return summary_of_mcap(path);
   }
-  char magic[2] = {};
+  char magic[4] = {};
   std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
   if (magic[0] == 'P' && magic[1] == '5') {
     return summary_of_pgm(path);
+  }
+  if (std::string_view(magic, sizeof magic) == "IOGM") {
+    return summary_of_block_file(path);
   }
   const std::string suffix = std::filesystem::path(path).extension();
   return suffix == ".yaml" || suffix == ".yml" ? summary_of_map(path) : summary_of_capture(path);
@@ -144,12 +144,14 @@ std::string summary_of_file(const std::string& path) {
 std::string summary_of_capture(const std::string& path) {
   PcapReader capture(path);
   CaptureCensus census;
+  VehicleLikeness likeness;
   std::map<std::uint16_t, StreamCensus> streams;  // by port
   std::optional<std::uint64_t> first_us;
   std::uint64_t last_us = 0;
   Progress progress("packets");
   while (const std::optional<CapturedDatagram> datagram = capture.next()) {
     census.add(*datagram);
+    likeness.add(*datagram);
     const bool is_looked_into =
         streams.size() < kMaxStreams || streams.contains(datagram->destination.port);
     if (is_looked_into && StreamCensus::is_message(datagram->payload)) {
@@ -161,6 +163,9 @@ std::string summary_of_capture(const std::string& path) {
   }
   std::string text = row("kind", "capture, " + seconds(last_us - first_us.value_or(last_us)));
   text += census.table();
+  if (const std::string words = likeness.words_of_best(); !words.empty()) {
+    text += row("looks like", words);
+  }
   if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {
     text += skipped + "\n";
   }

@@ -9,7 +9,8 @@
 #include "tools/info/file_summary.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
-#include "tools/receive/run_statistics.hpp"
+#include "tools/program/printable.hpp"
+#include "tools/receive/table.hpp"
 
 namespace iog::tools {
 namespace {

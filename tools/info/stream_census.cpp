@@ -39,6 +39,12 @@ std::string StreamCensus::table() const {
   }
   text += statistics_.table(true);
   text += rows_of(link_counts(assembler_));
+  if (const auto version = assembler_.version_sent()) {
+    text += row("target sends", words_of_version(*version));
+  }
+  if (const auto& refusal = assembler_.car_refusal()) {
+    text += row("car refused", *refusal);
+  }
   return text;
 }
 
@@ -46,9 +52,7 @@ std::string StreamCensus::vehicle() const {
   if (!last_) {
     return {};
   }
-  const CatalogueEntry* const car = vehicle_of_id(last_->vehicle_id);
-  return car != nullptr ? std::string(car->vehicle->name)
-                        : "unknown (" + hex(last_->vehicle_id) + ")";
+  return words_of_vehicle(last_->vehicle_id);
 }
 
 }  // namespace iog::tools

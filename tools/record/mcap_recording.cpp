@@ -1,8 +1,7 @@
 #include "tools/record/mcap_recording.hpp"
 
-#include <algorithm>
-
 #include "protection/protected_message.hpp"
+#include "tools/formats/ros/class_messages.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -29,57 +28,72 @@ std::uint64_t sent_us(const CapturedDatagram& datagram) {
 
 McapRecording::McapRecording(const std::string& path, const std::vector<std::string>& topics,
                              mcap::Compression compression)
-    : file_(path, "ros2", compression) {
-  const auto is_wanted = [&](std::string_view topic) {
-    return std::ranges::find(topics, topic) != topics.end();
-  };
-  if (is_wanted(kOccupancyTopic)) {
-    add_topic(kOccupancyTopic, ros::kOccupancyGrid);
-  }
-  if (is_wanted(kImageTopic)) {
-    add_topic(kImageTopic, ros::kImage);
-  }
-  if (is_wanted(kCellsTopic)) {
-    add_topic(kCellsTopic, ros::kFoxgloveGrid);
-  }
-  if (is_wanted(kMessagesTopic)) {
-    add_topic(kMessagesTopic, ros::kUint8MultiArray);
-  }
-}
+    : file_(path, "ros2", compression), topics_(topics.begin(), topics.end()) {}
 
 // All in one encoding, cdr: `ros2 bag play` refuses files with several.
-void McapRecording::add_topic(std::string_view topic, const ros::MessageType& type) {
-  const std::uint16_t schema = file_.add_schema({.name = std::string(type.name),
-                                                 .encoding = "ros2msg",
-                                                 .text = std::string(type.definition)});
-  channels_[topic] = file_.add_channel({.schema_id = schema,
-                                        .topic = std::string(topic),
-                                        .message_encoding = "cdr",
-                                        .metadata = {{"offered_qos_profiles", ""}}});
+std::uint16_t McapRecording::channel_of(std::string_view topic, const ros::MessageType& type) {
+  if (const auto channel = channels_.find(topic); channel != channels_.end()) {
+    return channel->second;
+  }
+  auto schema = schemas_.find(type.name);
+  if (schema == schemas_.end()) {
+    const std::uint16_t id = file_.add_schema({.name = std::string(type.name),
+                                               .encoding = "ros2msg",
+                                               .text = std::string(type.definition)});
+    schema = schemas_.emplace(type.name, id).first;
+  }
+  return channels_[topic] = file_.add_channel({.schema_id = schema->second,
+                                               .topic = std::string(topic),
+                                               .message_encoding = "cdr",
+                                               .metadata = {{"offered_qos_profiles", ""}}});
+}
+
+void McapRecording::write(std::string_view topic, const ros::MessageType& type,
+                          const mcap::Writer::Times& times, const Message& message) {
+  if (topics_.contains(topic)) {
+    file_.write(channel_of(topic, type), times, message());
+  }
 }
 
 void McapRecording::take_datagram(const CapturedDatagram& datagram) {
-  if (const auto channel = channels_.find(kMessagesTopic); channel != channels_.end()) {
-    file_.write(channel->second,
-                {.log_ns = ns_of(datagram.time_us), .publish_ns = ns_of(sent_us(datagram))},
-                ros::uint8_multi_array(datagram.payload));
-  }
+  write(kMessagesTopic, ros::kUint8MultiArray,
+        {.log_ns = ns_of(datagram.time_us), .publish_ns = ns_of(sent_us(datagram))},
+        [&] { return ros::uint8_multi_array(datagram.payload); });
 }
 
 void McapRecording::take_frame(const RecordedFrame& recorded) {
-  const stream::Header& header = recorded.frame->header;
-  const ros::Percents& percents = percents_of(header.vehicle_id);
   const mcap::Writer::Times times{.log_ns = ns_of(recorded.time_us),
-                                  .publish_ns = ns_of(header.closed_us)};
-  if (const auto channel = channels_.find(kOccupancyTopic); channel != channels_.end()) {
-    file_.write(channel->second, times, ros::occupancy_grid(*recorded.frame, percents));
+                                  .publish_ns = ns_of(recorded.frame->header.closed_us)};
+  if (recorded.frame->header.has_indexes()) {
+    take_indexes(recorded, times);
   }
-  if (const auto channel = channels_.find(kImageTopic); channel != channels_.end()) {
-    file_.write(channel->second, times, ros::image(*recorded.frame, percents));
+  if (recorded.frame->classes && recorded.frame->classes->has_window()) {
+    take_classes(recorded, times);
   }
-  if (const auto channel = channels_.find(kCellsTopic); channel != channels_.end()) {
-    file_.write(channel->second, times, ros::foxglove_grid(*recorded.live, header, percents));
+}
+
+void McapRecording::take_indexes(const RecordedFrame& recorded, const mcap::Writer::Times& times) {
+  const GridFrame& frame = *recorded.frame;
+  const ros::Percents& percents = percents_of(frame.header.vehicle_id);
+  write(kOccupancyTopic, ros::kOccupancyGrid, times,
+        [&] { return ros::occupancy_grid(frame, percents); });
+  write(kImageTopic, ros::kImage, times, [&] { return ros::image(frame, percents); });
+  write(kCellsTopic, ros::kFoxgloveGrid, times,
+        [&] { return ros::foxglove_grid(*recorded.live, frame.header, percents); });
+}
+
+// The pose comes first: what places the grids must be there when they come.
+void McapRecording::take_classes(const RecordedFrame& recorded, const mcap::Writer::Times& times) {
+  const ClassGrid& classes = *recorded.frame->classes;
+  const std::uint64_t closed_us = recorded.frame->header.closed_us;
+  if (classes.window.slices > 0) {
+    write(kTransformTopic, ros::kTfMessage, times,
+          [&] { return ros::transform_of(classes.window.pose, closed_us); });
   }
+  write(kClassOccupancyTopic, ros::kOccupancyGrid, times,
+        [&] { return ros::class_occupancy_grid(classes, closed_us); });
+  write(kClassesTopic, ros::kFoxgloveGrid, times,
+        [&] { return ros::foxglove_class_grid(*recorded.classes, closed_us); });
 }
 
 void McapRecording::finish(const RunStatistics::Facts& facts) {

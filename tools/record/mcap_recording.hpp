@@ -1,7 +1,12 @@
 // A stream as an MCAP file that ROS 2 and Foxglove open (docs/recordings.md).
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,11 +17,17 @@
 
 namespace iog::tools {
 
-// What can be in it.
+// What can be in it. A topic that the stream has nothing for is not in the file.
 inline constexpr std::string_view kOccupancyTopic = "/grid";
 inline constexpr std::string_view kImageTopic = "/iogrid/image";
 inline constexpr std::string_view kCellsTopic = "/iogrid/grid";
+inline constexpr std::string_view kClassOccupancyTopic = "/classes";
+inline constexpr std::string_view kClassesTopic = "/iogrid/classes";
+inline constexpr std::string_view kTransformTopic = "/tf";
 inline constexpr std::string_view kMessagesTopic = "/iogrid/messages";
+inline constexpr std::array kAllTopics{kOccupancyTopic,      kImageTopic,   kCellsTopic,
+                                       kClassOccupancyTopic, kClassesTopic, kTransformTopic,
+                                       kMessagesTopic};
 inline constexpr std::string_view kRunMetadata = "iogrid";
 
 class McapRecording : public Recording {
@@ -30,10 +41,19 @@ class McapRecording : public Recording {
   void finish(const RunStatistics::Facts& facts) override;
 
  private:
-  void add_topic(std::string_view topic, const ros::MessageType& type);
+  using Message = std::function<std::vector<std::byte>()>;
+
+  // If the topic is wanted.
+  void write(std::string_view topic, const ros::MessageType& type, const mcap::Writer::Times& times,
+             const Message& message);
+  [[nodiscard]] std::uint16_t channel_of(std::string_view topic, const ros::MessageType& type);
+  void take_indexes(const RecordedFrame& recorded, const mcap::Writer::Times& times);
+  void take_classes(const RecordedFrame& recorded, const mcap::Writer::Times& times);
   [[nodiscard]] const ros::Percents& percents_of(std::uint32_t vehicle_id);
 
   mcap::Writer file_;
+  std::set<std::string, std::less<>> topics_;           // that are wanted
+  std::map<std::string_view, std::uint16_t> schemas_;   // by their types' names
   std::map<std::string_view, std::uint16_t> channels_;  // by topic
   std::map<double, ros::Percents> percents_;            // by epsilon
 };

@@ -20,7 +20,7 @@ void PictureRecording::take_frame(const RecordedFrame& recorded) {
     return;
   }
   pictures_.offer(frame);
-  if (with_maps_ && frame.evidence_number % options_.every == 0) {
+  if (with_maps_ && frame.header.has_indexes() && frame.evidence_number % options_.every == 0) {
     const std::string base =
         std::filesystem::path(numbered("", "map", frame.evidence_number, "")).filename();
     write_ros_map(options_.folder, base,

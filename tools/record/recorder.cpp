@@ -27,6 +27,7 @@ void Recorder::note_silence(std::uint64_t now_us) {
   now_us_ = now_us;
   census_.note_silence();
   live_.forget();
+  live_classes_.forget();
 }
 
 void Recorder::finish() {
@@ -37,13 +38,11 @@ void Recorder::finish() {
 }
 
 void Recorder::take_frame(const GridFrame& frame) {
-  if (const std::uint64_t restarts = census_.assembler().counts().restarts; restarts != restarts_) {
-    restarts_ = restarts;
-    live_.forget();
-  }
   live_.take(frame);
+  live_classes_.take(frame);
   for (const std::unique_ptr<Recording>& recording : recordings_) {
-    recording->take_frame({.frame = &frame, .live = &live_, .time_us = now_us_});
+    recording->take_frame(
+        {.frame = &frame, .live = &live_, .classes = &live_classes_, .time_us = now_us_});
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/info/stream_census.hpp"
+#include "tools/receive/live_classes.hpp"
 #include "tools/receive/live_grid.hpp"
 #include "tools/record/recording.hpp"
 
@@ -36,9 +37,9 @@ class Recorder {
 
   Recordings recordings_;
   LiveGrid live_;
+  LiveClasses live_classes_;
   StreamCensus census_;
   std::uint64_t now_us_ = 0;
-  std::uint64_t restarts_ = 0;  // that the live grid knows of
   std::uint64_t datagrams_ = 0;
   std::uint64_t too_long_ = 0;
 };

@@ -6,6 +6,7 @@
 
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/receive/grid_frame.hpp"
+#include "tools/receive/live_classes.hpp"
 #include "tools/receive/live_grid.hpp"
 #include "tools/receive/run_statistics.hpp"
 
@@ -14,8 +15,9 @@ namespace iog::tools {
 // A frame and what was known when it had been put together.
 struct RecordedFrame {
   const GridFrame* frame;
-  const LiveGrid* live;       // with the older states of tiles that are missing in it
-  std::uint64_t time_us = 0;  // since 1970, by the recorder's clock or the capture's
+  const LiveGrid* live;        // with the older states of tiles that are missing in it
+  const LiveClasses* classes;  // likewise, if the frame has classes
+  std::uint64_t time_us = 0;   // since 1970, by the recorder's clock or the capture's
 };
 
 class Recording {

@@ -137,7 +137,7 @@ void record_capture(const std::string& path, const std::string& vehicle, Recorde
   std::optional<CapturedDatagram> datagram;
   while (!was_interrupted() && (datagram = capture.next())) {
     time_us = datagram->time_us;
-    if (sensor_of_port(car, datagram->destination.port) < car.sensors.size()) {
+    if (takes_port(car, datagram->destination.port)) {
       static_cast<void>(target->take(*datagram));
     }
     progress.show(capture.counts().datagrams);

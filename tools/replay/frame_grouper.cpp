@@ -5,8 +5,10 @@
 namespace iog::tools {
 
 FrameGrouper::FrameGrouper(const vehicle::Vehicle& vehicle, Source source)
-    : source_(std::move(source)),
-      target_(std::make_unique<OfflineTarget>(vehicle, [](std::span<const std::byte>) {})) {}
+    : source_(std::move(source)), vehicle_(vehicle) {
+  vehicle_.grids = vehicle::Grids::kIndexes;
+  target_ = std::make_unique<OfflineTarget>(vehicle_, [](std::span<const std::byte>) {});
+}
 
 std::vector<CapturedDatagram> FrameGrouper::next() {
   if (std::exchange(is_begun_over_, false)) {

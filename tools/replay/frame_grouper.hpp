@@ -16,7 +16,8 @@ class FrameGrouper {
  public:
   using Source = std::function<std::optional<CapturedDatagram>()>;
 
-  // source: the datagrams for the vehicle's sensors, in their order. vehicle outlives the grouper.
+  // source: the datagrams for the vehicle, in their order; poses are of the frame in which they
+  // come.
   FrameGrouper(const vehicle::Vehicle& vehicle, Source source);
 
   // The datagrams of the next frame with evidence; with them those that are dropped on the way to
@@ -25,6 +26,7 @@ class FrameGrouper {
 
  private:
   Source source_;
+  vehicle::Vehicle vehicle_;  // its classes cut no frame
   std::unique_ptr<OfflineTarget> target_;
   std::vector<CapturedDatagram> begun_;  // of the frame that is open
   bool is_begun_over_ = false;

@@ -3,13 +3,14 @@
 #include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>
+#include <utility>
 
 #include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 
-UdpSender::UdpSender(const std::string& host, std::uint16_t port_base)
-    : socket_(-1), address_(0), port_base_(port_base) {
+UdpSender::UdpSender(const std::string& host, std::vector<std::uint16_t> ports)
+    : socket_(-1), address_(0), ports_(std::move(ports)) {
   in_addr address{};
   if (inet_pton(AF_INET, host.c_str(), &address) != 1) {
     throw UsageError("--target " + host + ": give an IPv4 address such as 127.0.0.1");
@@ -27,7 +28,7 @@ bool UdpSender::send(std::size_t index, std::span<const std::byte> payload) {
   sockaddr_in to{};
   to.sin_family = AF_INET;
   to.sin_addr.s_addr = address_;
-  to.sin_port = htons(static_cast<std::uint16_t>(port_base_ + index));
+  to.sin_port = htons(ports_.at(index));
   const auto sent = sendto(socket_, payload.data(), payload.size(), 0,
                            reinterpret_cast<const sockaddr*>(&to), sizeof to);
   return sent == static_cast<ssize_t>(payload.size());

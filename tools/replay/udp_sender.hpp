@@ -1,28 +1,29 @@
-// Sends datagrams to a host, one port for each sensor.
+// Sends datagrams to a host, a port for each sensor, for the poses and for maps.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace iog::tools {
 
 class UdpSender {
  public:
   // host: a dotted IPv4 address. UsageError if it is none, or without a socket.
-  UdpSender(const std::string& host, std::uint16_t port_base);
+  UdpSender(const std::string& host, std::vector<std::uint16_t> ports);
   ~UdpSender();
   UdpSender(const UdpSender&) = delete;
   UdpSender& operator=(const UdpSender&) = delete;
 
-  // To port_base + index. False if the system did not take it.
+  // To the port of that number, below ports.size(). False if the system did not take it.
   bool send(std::size_t index, std::span<const std::byte> payload);
 
  private:
   int socket_;
   std::uint32_t address_;  // in the byte order of the wire
-  std::uint16_t port_base_;
+  std::vector<std::uint16_t> ports_;
 };
 
 }  // namespace iog::tools

@@ -1,5 +1,6 @@
 #include "tools/formats/capture/pcap_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <pcap/pcap.h>
 #include <utility>
@@ -60,17 +61,6 @@ bool is_known_link(int link_type) {
          link_type == DLT_RAW || link_type == DLT_IPV4;
 }
 
-std::uint64_t& counter_of(net::Ipv4Status status, CaptureCounts& counts) {
-  switch (status) {
-    case net::Ipv4Status::kBadChecksum:
-      return counts.bad_checksum;
-    case net::Ipv4Status::kFragment:
-      return counts.fragments;
-    default:
-      return counts.malformed;
-  }
-}
-
 }  // namespace
 
 void PcapReader::Closer::operator()(pcap* file) const { pcap_close(file); }
@@ -102,6 +92,7 @@ std::optional<CapturedDatagram> PcapReader::next() {
     CapturedDatagram datagram;
     datagram.time_us = static_cast<std::uint64_t>(header->ts.tv_sec) * 1'000'000U +
                        static_cast<std::uint64_t>(header->ts.tv_usec);
+    newest_us_ = std::max(newest_us_, datagram.time_us);
     if (extract(std::as_bytes(std::span(bytes, header->caplen)), datagram)) {
       ++counts_.datagrams;
       return datagram;
@@ -111,28 +102,49 @@ std::optional<CapturedDatagram> PcapReader::next() {
   return std::nullopt;
 }
 
+std::optional<net::Ipv4Packet> PcapReader::whole_packet(std::span<const std::byte> packet) {
+  const net::Ipv4Result ip = net::parse_ipv4(packet);
+  const bool is_sound =
+      ip.status == net::Ipv4Status::kOk || ip.status == net::Ipv4Status::kFragment;
+  if (!is_sound) {
+    const bool is_changed = ip.status == net::Ipv4Status::kBadChecksum;
+    ++(is_changed ? counts_.bad_checksum : counts_.malformed);
+    return std::nullopt;
+  }
+  if (ip.packet.protocol != net::kProtocolUdp) {
+    ++counts_.not_udp;
+    return std::nullopt;
+  }
+  if (ip.status == net::Ipv4Status::kOk) {
+    return ip.packet;
+  }
+  ++counts_.fragments;
+  net::FragmentCounters ignored;
+  const net::Reassembly::Result result = reassembly_->take(ip.packet, newest_us_, ignored);
+  if (result.fate != net::Reassembly::Fate::kCompleted) {
+    return std::nullopt;
+  }
+  counts_.fragments -= result.pieces;
+  return result.packet;
+}
+
 bool PcapReader::extract(std::span<const std::byte> frame, CapturedDatagram& datagram) {
   const std::span<const std::byte> packet = ipv4_in(frame, link_type_);
   if (packet.empty() || std::to_integer<unsigned>(packet[0]) >> 4 != 4) {
     ++counts_.not_udp;
     return false;
   }
-  const net::Ipv4Result ip = net::parse_ipv4(packet);
-  if (ip.status != net::Ipv4Status::kOk) {
-    ++counter_of(ip.status, counts_);
+  const std::optional<net::Ipv4Packet> ip = whole_packet(packet);
+  if (!ip) {
     return false;
   }
-  if (ip.packet.protocol != net::kProtocolUdp) {
-    ++counts_.not_udp;
-    return false;
-  }
-  const net::UdpResult udp = net::parse_udp(ip.packet);
+  const net::UdpResult udp = net::parse_udp(*ip);
   if (udp.status != net::UdpStatus::kOk) {
     ++(udp.status == net::UdpStatus::kBadChecksum ? counts_.bad_checksum : counts_.malformed);
     return false;
   }
-  datagram.source = {ip.packet.source.value, udp.datagram.source_port};
-  datagram.destination = {ip.packet.destination.value, udp.datagram.destination_port};
+  datagram.source = {ip->source.value, udp.datagram.source_port};
+  datagram.destination = {ip->destination.value, udp.datagram.destination_port};
   datagram.payload.assign(udp.datagram.payload.begin(), udp.datagram.payload.end());
   return true;
 }

@@ -1,5 +1,6 @@
 // Reads the UDP datagrams of a capture file: pcap or pcapng, Ethernet (with or without VLAN tags),
-// Linux cooked, or raw IP. Everything else is skipped and counted.
+// Linux cooked, or raw IP. Fragments are joined by the target's own code, and their datagram has
+// the time of the last one that came. Everything else is skipped and counted.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "net/reassembly.hpp"
 #include "tools/formats/capture/datagram.hpp"
 
 struct pcap;
@@ -18,7 +20,7 @@ struct CaptureCounts {
   std::uint64_t datagrams = 0;
   std::uint64_t not_udp = 0;       // another protocol
   std::uint64_t cut_short = 0;     // the capture holds only the packet's beginning
-  std::uint64_t fragments = 0;     // of an IPv4 datagram: never a whole lidar packet
+  std::uint64_t fragments = 0;     // of a datagram that they do not make whole
   std::uint64_t malformed = 0;     // lengths that contradict each other
   std::uint64_t bad_checksum = 0;  // of IPv4 or UDP
 
@@ -45,10 +47,14 @@ class PcapReader {
   };
 
   [[nodiscard]] bool extract(std::span<const std::byte> frame, CapturedDatagram& datagram);
+  // The packet itself, or the one that it completes; nothing if it is counted among the skipped.
+  [[nodiscard]] std::optional<net::Ipv4Packet> whole_packet(std::span<const std::byte> packet);
 
   std::unique_ptr<pcap, Closer> file_;
   int link_type_ = 0;
   CaptureCounts counts_;
+  std::unique_ptr<net::Reassembly> reassembly_ = std::make_unique<net::Reassembly>();
+  std::uint64_t newest_us_ = 0;  // a capture may run backwards, reassembly does not
   bool is_cut_off_ = false;
 };
 

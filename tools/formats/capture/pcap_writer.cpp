@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <pcap/pcap.h>
+#include <vector>
 
 #include "net/ethernet.hpp"
 #include "net/ipv4.hpp"
@@ -23,28 +24,31 @@ net::MacAddress mac_of(std::uint32_t address) {
            static_cast<std::uint8_t>(address)}};
 }
 
-// Ethernet, IPv4, UDP and payload into `frame`; the bytes written.
-std::size_t build_frame(const CapturedDatagram& datagram, std::uint16_t identification,
-                        std::span<std::byte> frame) {
-  const std::size_t udp_bytes = net::kUdpHeaderBytes + datagram.payload.size();
-  net::write_ethernet_header(frame.first<net::kEthernetHeaderBytes>(),
-                             mac_of(datagram.destination.ipv4), mac_of(datagram.source.ipv4),
-                             net::kEtherTypeIpv4);
-  const auto packet = frame.subspan(net::kEthernetHeaderBytes);
-  net::write_ipv4_header(packet.first<net::kIpv4HeaderBytes>(),
-                         {.source = {datagram.source.ipv4},
-                          .destination = {datagram.destination.ipv4},
-                          .protocol = net::kProtocolUdp,
-                          .identification = identification,
-                          .payload_bytes = udp_bytes});
-  net::write_udp(packet.subspan(net::kIpv4HeaderBytes),
+// The UDP datagram, header and payload.
+std::vector<std::byte> udp_of(const CapturedDatagram& datagram) {
+  std::vector<std::byte> udp(net::kUdpHeaderBytes + datagram.payload.size());
+  net::write_udp(udp,
                  {.source = {datagram.source.ipv4},
                   .destination = {datagram.destination.ipv4},
                   .source_port = datagram.source.port,
                   .destination_port = datagram.destination.port},
                  datagram.payload);
-  return std::max(net::kEthernetHeaderBytes + net::kIpv4HeaderBytes + udp_bytes,
-                  net::kMinFrameBytes);
+  return udp;
+}
+
+// Ethernet, IPv4 and a part of the UDP datagram.
+std::vector<std::byte> frame_of(const CapturedDatagram& datagram, const net::Ipv4Header& header,
+                                std::span<const std::byte> part) {
+  std::vector<std::byte> frame(std::max(
+      net::kEthernetHeaderBytes + net::kIpv4HeaderBytes + part.size(), net::kMinFrameBytes));
+  const std::span<std::byte> bytes(frame);
+  net::write_ethernet_header(bytes.first<net::kEthernetHeaderBytes>(),
+                             mac_of(datagram.destination.ipv4), mac_of(datagram.source.ipv4),
+                             net::kEtherTypeIpv4);
+  const auto packet = bytes.subspan(net::kEthernetHeaderBytes);
+  net::write_ipv4_header(packet.first<net::kIpv4HeaderBytes>(), header);
+  std::ranges::copy(part, packet.subspan(net::kIpv4HeaderBytes).begin());
+  return frame;
 }
 
 }  // namespace
@@ -62,13 +66,28 @@ PcapWriter::PcapWriter(const std::string& path)
 }
 
 void PcapWriter::write(const CapturedDatagram& datagram) {
-  require(datagram.payload.size() <= net::kMaxUdpPayloadBytes);
-  std::array<std::byte, net::kMaxFrameBytes> frame{};
-  const std::size_t bytes = build_frame(datagram, identification_++, frame);
+  require(datagram.payload.size() <= kMaxPayloadBytes);
+  const std::vector<std::byte> udp = udp_of(datagram);
+  for (std::size_t at = 0; at < udp.size(); at += net::kMaxIpv4PayloadBytes) {
+    const auto part =
+        std::span(udp).subspan(at, std::min(udp.size() - at, net::kMaxIpv4PayloadBytes));
+    const net::Ipv4Header header{.source = {datagram.source.ipv4},
+                                 .destination = {datagram.destination.ipv4},
+                                 .protocol = net::kProtocolUdp,
+                                 .identification = identification_,
+                                 .payload_bytes = part.size(),
+                                 .fragment_offset = static_cast<std::uint16_t>(at),
+                                 .has_more_fragments = at + part.size() < udp.size()};
+    write_frame(datagram.time_us, frame_of(datagram, header, part));
+  }
+  ++identification_;
+}
+
+void PcapWriter::write_frame(std::uint64_t time_us, std::span<const std::byte> frame) {
   pcap_pkthdr header{};
-  header.ts.tv_sec = static_cast<time_t>(datagram.time_us / 1'000'000U);
-  header.ts.tv_usec = static_cast<suseconds_t>(datagram.time_us % 1'000'000U);
-  header.caplen = static_cast<bpf_u_int32>(bytes);
+  header.ts.tv_sec = static_cast<time_t>(time_us / 1'000'000U);
+  header.ts.tv_usec = static_cast<suseconds_t>(time_us % 1'000'000U);
+  header.caplen = static_cast<bpf_u_int32>(frame.size());
   header.len = header.caplen;
   errno = 0;
   // libpcap's callbacks take their file as unsigned char*.

@@ -1,4 +1,5 @@
 // Writes UDP datagrams as a standard capture file: pcap, Ethernet, microseconds, right checksums.
+// What does not fit into one frame becomes fragments, all of the datagram's time.
 //
 // The bytes depend on nothing but the datagrams.
 #pragma once
@@ -19,13 +20,18 @@ class PcapWriter {
   // UsageError if the file cannot be written.
   explicit PcapWriter(const std::string& path);
 
-  // Payloads of at most net::kMaxUdpPayloadBytes, 1472. UsageError if the disk is full.
+  // Payloads of at most 65,507 bytes. UsageError if the disk is full.
   void write(const CapturedDatagram& datagram);
 
   // UsageError if not all bytes have reached the file. Nothing may be written after it.
   void finish();
 
+  // The longest payload of UDP over IPv4.
+  static constexpr std::size_t kMaxPayloadBytes = 65'535 - 20 - 8;
+
  private:
+  void write_frame(std::uint64_t time_us, std::span<const std::byte> frame);
+
   struct Closer {
     void operator()(pcap* file) const;
     void operator()(pcap_dumper* file) const;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "lidar/velodyne_vlp16.hpp"
+#include "lidar/velodyne.hpp"
 #include "tools/formats/lux/lux_stream.hpp"
 #include "tools/formats/lux/ntp_time.hpp"
 #include "tools/program/exit_status.hpp"
@@ -17,7 +17,7 @@ constexpr std::uint32_t kUnnamedIpv4 = 0x0A000264;  // of a sensor whose descrip
 constexpr std::uint64_t kMessageGapUs = 70;         // between the messages of one scan
 constexpr std::uint64_t kHourStartUs = 1'714'564'800'000'000U;  // 2024-05-01 12:00 UTC
 constexpr std::uint64_t kHourUs = 3'600'000'000U;
-constexpr std::size_t kVlpTimeOffset = 1200;
+constexpr std::size_t kVelodyneTimeOffset = 1200;
 
 CapturedDatagram datagram_of(const vehicle::SensorConfig& sensor, std::uint64_t time_us,
                              std::vector<std::byte> payload) {
@@ -49,18 +49,18 @@ RawRecording read_lux(const std::string& path, const vehicle::SensorConfig& sens
   return recording;
 }
 
-RawRecording read_vlp16(const std::string& path, const vehicle::SensorConfig& sensor) {
-  constexpr std::size_t kBytes = lidar::VelodyneVlp16::kPacketBytes;
+RawRecording read_velodyne(const std::string& path, const vehicle::SensorConfig& sensor) {
+  constexpr std::size_t kBytes = lidar::VelodynePacket::kPacketBytes;
   const std::vector<std::byte> bytes = read_file(path);
   if (bytes.empty() || bytes.size() % kBytes != 0) {
-    throw UsageError(path + ": not a number of VLP-16 payloads of 1206 bytes");
+    throw UsageError(path + ": not a number of Velodyne payloads of 1206 bytes");
   }
   RawRecording recording;
   std::uint64_t hour_us = kHourStartUs;
   std::uint64_t last_us = 0;
   for (auto rest = std::span<const std::byte>(bytes); !rest.empty(); rest = rest.subspan(kBytes)) {
     const auto payload = rest.first<kBytes>();
-    const std::uint64_t in_hour_us = wire::load_le32(payload.subspan<kVlpTimeOffset, 4>());
+    const std::uint64_t in_hour_us = wire::load_le32(payload.subspan<kVelodyneTimeOffset, 4>());
     // The next hour has begun, unless two payloads are merely out of order.
     if (in_hour_us + kHourUs / 2 < last_us) {
       hour_us += kHourUs;
@@ -78,7 +78,7 @@ RawRecording read_raw_recording(const std::string& path, const CatalogueEntry& c
                                 std::size_t sensor) {
   const vehicle::SensorConfig& config = car.sensors[sensor];
   return config.format == lidar::Format::kIbeoLux ? read_lux(path, config)
-                                                  : read_vlp16(path, config);
+                                                  : read_velodyne(path, config);
 }
 
 }  // namespace iog::tools

@@ -79,7 +79,7 @@ void Canvas::circle(double column, double row, double radius, Colour colour, dou
 }
 
 void Canvas::text(int column, int row, std::string_view words, Colour colour, int scale) {
-  for (const char letter : words) {
+  for (const char letter : spelled(words)) {
     const Glyph glyph = glyph_of(letter);
     for (int y = 0; y < kGlyphHeight; ++y) {
       for (int x = 0; x < kGlyphWidth; ++x) {
@@ -93,7 +93,7 @@ void Canvas::text(int column, int row, std::string_view words, Colour colour, in
 }
 
 int Canvas::text_width(std::string_view words, int scale) {
-  return static_cast<int>(words.size()) * (kGlyphWidth + 1) * scale;
+  return static_cast<int>(spelled(words).size()) * (kGlyphWidth + 1) * scale;
 }
 
 void Canvas::write_png(const std::string& path) const {

@@ -36,7 +36,7 @@ class Canvas {
   void circle(double column, double row, double radius, Colour colour, double opacity = 1);
 
   // Letters of 5 by 7 dots, each dot `scale` pixels; (column, row) is the upper left corner. Small
-  // letters are shown as capitals, unknown ones as a space.
+  // letters are shown as capitals, a copyright sign as (C), unknown ones as a space.
   void text(int column, int row, std::string_view words, Colour colour, int scale = 1);
   [[nodiscard]] static int text_width(std::string_view words, int scale = 1);
 

@@ -69,4 +69,13 @@ Glyph glyph_of(char letter) {
   }
 }
 
+std::string spelled(std::string_view words) {
+  constexpr std::string_view kSign = "\u00A9";
+  std::string letters(words);
+  for (auto at = letters.find(kSign); at != std::string::npos; at = letters.find(kSign, at)) {
+    letters.replace(at, kSign.size(), "(C)");
+  }
+  return letters;
+}
+
 }  // namespace iog::tools

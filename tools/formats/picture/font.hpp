@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace iog::tools {
 
@@ -14,6 +16,9 @@ inline constexpr int kGlyphHeight = 7;
 using Glyph = std::array<std::uint8_t, kGlyphWidth>;
 
 [[nodiscard]] Glyph glyph_of(char letter);
+
+// UTF-8 in letters that there are: (C) for a copyright sign.
+[[nodiscard]] std::string spelled(std::string_view words);
 
 [[nodiscard]] constexpr bool is_dot(const Glyph& glyph, int column, int row) {
   return (glyph[static_cast<std::size_t>(column)] >> row & 1) != 0;

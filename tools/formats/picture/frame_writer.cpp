@@ -1,5 +1,6 @@
 #include "tools/formats/picture/frame_writer.hpp"
 
+#include "tools/formats/picture/class_picture.hpp"
 #include "tools/formats/picture/ros_map.hpp"
 #include "tools/program/file.hpp"
 
@@ -9,12 +10,19 @@ FrameWriter::FrameWriter(const PictureOptions& options) : options_(options) {
   if (!options_.folder.empty()) {
     make_folder(options_.folder);
     remove_numbered(options_.folder, "frame", ".png");
+    remove_numbered(options_.folder, "classes", ".png");
   }
 }
 
 void FrameWriter::draw(const GridFrame& frame) {
-  const Canvas picture = picture_of(frame, options_.scale);
-  picture.write_png(numbered(options_.folder, "frame", frame.evidence_number, ".png"));
+  const std::uint64_t number = frame.evidence_number;
+  if (frame.header.has_indexes()) {
+    picture_of(frame, options_.scale).write_png(numbered(options_.folder, "frame", number, ".png"));
+  }
+  if (frame.classes) {
+    picture_of(*frame.classes, number, options_.scale)
+        .write_png(numbered(options_.folder, "classes", number, ".png"));
+  }
   has_drawn_ = true;
   last_drawn_ = frame.evidence_number;
 }
@@ -34,6 +42,9 @@ void FrameWriter::write_last(const GridFrame& frame) {
   }
   if (!has_drawn_ || last_drawn_ != frame.evidence_number) {
     draw(frame);
+  }
+  if (!frame.header.has_indexes()) {
+    return;
   }
   write_ros_map(options_.folder, "map",
                 {.cells = frame.cells,

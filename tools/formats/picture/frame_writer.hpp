@@ -1,4 +1,5 @@
-// Pictures of a run: every so many frames, and a map of the last one.
+// Pictures of a run, frame_NNNNNN.png of occupancy indexes and classes_NNNNNN.png of classes: every
+// so many frames, and a map of the last one.
 #pragma once
 
 #include <cstdint>
@@ -46,8 +47,10 @@ inline constexpr const char* kPictureFooter =
     "m;\n"
     "pale blue is free, orange to red is occupied, dark is unknown; the stronger the index, the\n"
     "stronger the colour. An occupied cell is drawn 3 pixels wide at least. map.pgm and map.yaml "
-    "are the last frame for ROS map_server: x to the "
-    "right,\n"
-    "y up.\n";
+    "are the last frame of whole scans for ROS map_server: x to the\n"
+    "right, y up. classes_NNNNNN.png shows the classes of a target that sends them, in the world: "
+    "x to "
+    "the\n"
+    "right, y up.\n";
 
 }  // namespace iog::tools

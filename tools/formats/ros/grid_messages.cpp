@@ -8,33 +8,22 @@
 #include "index/recursive_set.hpp"
 #include "tile_coding/tile_cells.hpp"
 #include "tools/formats/ros/cdr_writer.hpp"
+#include "tools/formats/ros/grid_parts.hpp"
 #include "wire/byte_reader.hpp"
 
 namespace iog::tools::ros {
 namespace {
 
-constexpr double kCellM = geometry::kCellMm / 1000.0;
 constexpr double kOriginM = -geometry::kOriginCell * geometry::kCellMm / 1000.0;
 constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
-static_assert(std::size_t{kSide} * kSide == geometry::kCellCount &&
-              kSide == geometry::kCellsPerSide);
 
-// Numbers of foxglove_msgs/PackedElementField.
-constexpr std::uint8_t kUint8 = 1;
-constexpr std::uint8_t kInt8 = 2;
-constexpr std::uint32_t kBytesPerCell = 3;
+constexpr std::array kCellFields{Field{"index", FieldType::kInt8},
+                                 Field{"probability_percent", FieldType::kUint8},
+                                 Field{"age_frames", FieldType::kUint8}};
+constexpr std::size_t kBytesPerCell = kCellFields.size();
 
-// The target's clock, which counts from its start.
-void put_stamp(CdrWriter& out, std::uint64_t time_us) {
-  out.put(static_cast<std::int32_t>(time_us / 1'000'000));
-  out.put(static_cast<std::uint32_t>(time_us % 1'000'000 * 1000));
-}
-
-// The corner of lowest x and y in the vehicle frame, not turned.
-void put_corner(CdrWriter& out) {
-  for (const double value : {kOriginM, kOriginM, 0.0, 0.0, 0.0, 0.0, 1.0}) {
-    out.put(value);
-  }
+Place place_of(const stream::Header& header) {
+  return {.time_us = header.closed_us, .frame_id = kFrameId, .x_m = kOriginM, .y_m = kOriginM};
 }
 
 std::uint8_t age_of(const LiveGrid& grid, std::size_t tile) {
@@ -60,13 +49,7 @@ std::vector<std::byte> occupancy_grid(const GridFrame& frame, const Percents& pe
     return index == index::kUnknown ? kUnknown : std::byte{percents[index]};
   });
   CdrWriter out;
-  put_stamp(out, frame.header.closed_us);
-  out.put(kFrameId);
-  put_stamp(out, frame.header.closed_us);
-  out.put(static_cast<float>(kCellM));
-  out.put(kSide);
-  out.put(kSide);
-  put_corner(out);
+  put_occupancy_head(out, place_of(frame.header));
   out.put(cells);
   return out.take();
 }
@@ -107,23 +90,7 @@ std::vector<std::byte> foxglove_grid(const LiveGrid& grid, const stream::Header&
     }
   }
   CdrWriter out;
-  put_stamp(out, header.closed_us);
-  out.put(kFrameId);
-  put_corner(out);
-  out.put(kSide);
-  out.put(kCellM);
-  out.put(kCellM);
-  out.put(kSide * kBytesPerCell);
-  out.put(kBytesPerCell);
-  out.put(std::uint32_t{3});
-  std::uint32_t offset = 0;
-  for (const auto& [name, type] : {std::pair{std::string_view("index"), kInt8},
-                                   {std::string_view("probability_percent"), kUint8},
-                                   {std::string_view("age_frames"), kUint8}}) {
-    out.put(name);
-    out.put(offset++);
-    out.put(type);
-  }
+  put_foxglove_head(out, place_of(header), kCellFields);
   out.put(cells);
   return out.take();
 }

@@ -25,6 +25,7 @@ extern const MessageType kOccupancyGrid;    // nav_msgs/msg/OccupancyGrid
 extern const MessageType kImage;            // sensor_msgs/msg/Image
 extern const MessageType kFoxgloveGrid;     // foxglove_msgs/msg/Grid
 extern const MessageType kUint8MultiArray;  // std_msgs/msg/UInt8MultiArray
+extern const MessageType kTfMessage;        // tf2_msgs/msg/TFMessage
 
 // The probability in percent of each index from -127, rounded to the nearest; a half upwards.
 class Percents {

@@ -49,7 +49,9 @@ MSG: geometry_msgs/Point
 float64 x
 float64 y
 float64 z
+)";
 
+constexpr std::string_view kQuaternion = R"(
 ================================================================================
 MSG: geometry_msgs/Quaternion
 float64 x 0
@@ -130,18 +132,45 @@ uint32 size
 uint32 stride
 )";
 
+constexpr std::string_view kTfMessageFields = R"(geometry_msgs/TransformStamped[] transforms
+)";
+
+constexpr std::string_view kTransformStamped = R"(
+================================================================================
+MSG: geometry_msgs/TransformStamped
+std_msgs/Header header
+string child_frame_id
+Transform transform
+
+================================================================================
+MSG: geometry_msgs/Transform
+Vector3 translation
+Quaternion rotation
+
+================================================================================
+MSG: geometry_msgs/Vector3
+float64 x
+float64 y
+float64 z
+)";
+
 }  // namespace
 
 const MessageType kOccupancyGrid{
     .name = "nav_msgs/msg/OccupancyGrid",
-    .definition = Joined<kOccupancyGridFields, kHeader, kTime, kMapMetaData, kPose>::kText};
+    .definition =
+        Joined<kOccupancyGridFields, kHeader, kTime, kMapMetaData, kPose, kQuaternion>::kText};
 
 const MessageType kImage{.name = "sensor_msgs/msg/Image",
                          .definition = Joined<kImageFields, kHeader, kTime>::kText};
 
 const MessageType kFoxgloveGrid{
     .name = "foxglove_msgs/msg/Grid",
-    .definition = Joined<kFoxgloveGridFields, kTime, kPose, kCellTypes>::kText};
+    .definition = Joined<kFoxgloveGridFields, kTime, kPose, kQuaternion, kCellTypes>::kText};
+
+const MessageType kTfMessage{
+    .name = "tf2_msgs/msg/TFMessage",
+    .definition = Joined<kTfMessageFields, kTransformStamped, kQuaternion, kHeader, kTime>::kText};
 
 const MessageType kUint8MultiArray{.name = "std_msgs/msg/UInt8MultiArray",
                                    .definition = kUint8MultiArrayText};

@@ -1,0 +1,276 @@
+#include "tools/budget/frame_budget.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <span>
+#include <sstream>
+
+#include "geometry/grid.hpp"
+#include "tools/budget/unit_costs.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr double kMsPerCycle = 1e-6;  // at 1 GHz
+
+double ms_of(double cycles) { return cycles * kMsPerCycle; }
+
+// A unit whose azimuths never repeat may come by all lines of its azimuth steps, which are kept if
+// it is level.
+bool turns(const vehicle::Sensor& sensor) { return sensor.layers_share_lines; }
+
+// A LUX fires into the same directions in each scan. The others' heads turn as they like.
+bool repeats(const vehicle::SensorConfig& sensor) {
+  return sensor.format == lidar::Format::kIbeoLux;
+}
+
+// Echoes that a description allows a direction: those of a LUX, and the two of a dual return mode,
+// in which an HDL-64E cannot be used.
+double echoes_of(const vehicle::SensorConfig& sensor) {
+  const bool is_hdl64e = sensor.format == lidar::Format::kVelodyneHdl64eS2 ||
+                         sensor.format == lidar::Format::kVelodyneHdl64eS3;
+  if (is_hdl64e) {
+    return 1;
+  }
+  return repeats(sensor) ? 3 : 2;
+}
+
+// How far a layer's beams stay in the height band, and within the sensor's range, in metres; ahead,
+// which for a level sensor is everywhere.
+double reach_m(const CatalogueEntry& car, std::size_t number, const vehicle::Layer& layer) {
+  const double range_m = car.sensors[number].range_max_mm / 1000.0;
+  const double begin_m = car.vehicle->sensors[number].origin_z / geometry::kSubcellsPerMetre;
+  const double end_m = static_cast<double>(layer.z.base + layer.z.forward) /
+                       (1 << vehicle::kAxisFractionBits) / geometry::kSubcellsPerMetre;
+  const double rise = (end_m - begin_m) / range_m;
+  const double room_m =
+      rise < 0 ? begin_m - car.description->z_min_m : car.description->z_max_m - begin_m;
+  return room_m <= 0 || rise == 0 ? range_m : std::min(range_m, room_m / std::abs(rise));
+}
+
+std::span<const vehicle::Layer> layers_of(const CatalogueEntry& car, std::size_t sensor) {
+  const vehicle::Sensor& its = car.vehicle->sensors[sensor];
+  return std::span(its.layers).first(its.layer_count);
+}
+
+double longest_reach_m(const CatalogueEntry& car, std::size_t sensor) {
+  double longest = 0;
+  for (const vehicle::Layer& layer : layers_of(car, sensor)) {
+    longest = std::max(longest, reach_m(car, sensor, layer));
+  }
+  return longest;
+}
+
+double mean_reach_m(const CatalogueEntry& car, std::size_t sensor) {
+  double sum = 0;
+  for (const vehicle::Layer& layer : layers_of(car, sensor)) {
+    sum += reach_m(car, sensor, layer);
+  }
+  return sum / static_cast<double>(layers_of(car, sensor).size());
+}
+
+// Points of a frame, an echo a direction.
+double directions_of(const vehicle::SensorConfig& sensor) {
+  return sensor.max_points_per_scan / echoes_of(sensor);
+}
+
+bool sees(const CatalogueEntry& car, std::size_t sensor, double x_m, double y_m) {
+  const vehicle::MountConfig& mount = car.sensors[sensor].mount;
+  const double turn = static_cast<double>(car.vehicle->sensors[sensor].sines.ticks_per_turn());
+  const double half_width = 180.0 * car.sensors[sensor].scan_width_ticks / turn;
+  // From a tile's middle to its corner.
+  const double corner_m = geometry::kTileSide * geometry::kCellMm / 2000.0 * std::numbers::sqrt2;
+  const double distance_m = std::hypot(x_m - mount.x_m, y_m - mount.y_m);
+  if (distance_m <= 2 * corner_m) {
+    return true;
+  }
+  const double bearing = std::atan2(y_m - mount.y_m, x_m - mount.x_m) * 180 / std::numbers::pi;
+  const double off = std::abs(std::remainder(bearing - mount.yaw_deg, 360.0));
+  const double margin = std::asin(corner_m / distance_m) * 180 / std::numbers::pi;
+  return distance_m <= longest_reach_m(car, sensor) + corner_m && off <= half_width + margin;
+}
+
+// Tiles of the grid that some beam can reach.
+double tiles_in_reach(const CatalogueEntry& car) {
+  const double tile_m = geometry::kTileSide * geometry::kCellMm / 1000.0;
+  const double corner_m = -geometry::kOriginCell * geometry::kCellMm / 1000.0;
+  std::size_t count = 0;
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+    const auto column = static_cast<double>(tile % geometry::kTilesPerSide);
+    const std::size_t row_number = tile / geometry::kTilesPerSide;
+    const double x_m = corner_m + (column + 0.5) * tile_m;
+    const double y_m = corner_m + (static_cast<double>(row_number) + 0.5) * tile_m;
+    bool is_seen = false;
+    for (std::size_t sensor = 0; sensor < car.sensors.size(); ++sensor) {
+      is_seen = is_seen || sees(car, sensor, x_m, y_m);
+    }
+    count += is_seen ? 1U : 0U;
+  }
+  return static_cast<double>(count);
+}
+
+// Directions, and the metres that their beams could carve.
+struct Sight {
+  double directions = 0;
+  double metres = 0;
+};
+
+Sight sight_of(const CatalogueEntry& car) {
+  Sight sight;
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    const double directions = directions_of(car.sensors[i]);
+    sight.directions += directions;
+    sight.metres += directions * mean_reach_m(car, i);
+  }
+  return sight;
+}
+
+// Of the tiles in reach as many as on the drives, of a car with a unit that turns or of one
+// without.
+double typical_tiles(const CatalogueEntry& car) {
+  if (std::ranges::any_of(car.vehicle->sensors, turns)) {
+    return kTurnTiles * tiles_in_reach(car) / tiles_in_reach(find_vehicle("roof_hdl32e"));
+  }
+  return kTypicalTiles * tiles_in_reach(car) / tiles_in_reach(find_vehicle(kDefaultVehicle));
+}
+
+FrameWork typical_work(const CatalogueEntry& car) {
+  const CatalogueEntry& known = find_vehicle(kDefaultVehicle);
+  const Sight sight = sight_of(known);
+  const double share = kTypicalPoints / sight.directions;
+  const double cells_per_metre = kTypicalCells / sight.metres;
+  FrameWork work{.tiles = typical_tiles(car)};
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    const double directions = directions_of(car.sensors[i]);
+    if (turns(car.vehicle->sensors[i])) {
+      work.turn_steps += car.vehicle->sensors[i].azimuths.steps_per_turn();
+      work.turn_points += directions;  // it sends all of them, with an echo or without
+    } else if (repeats(car.sensors[i])) {
+      work.points += share * directions;
+      work.cells += cells_per_metre * directions * mean_reach_m(car, i);
+    } else {
+      work.points_once += share * directions;
+    }
+  }
+  const double seen = tiles_in_reach(car) / tiles_in_reach(known);
+  work.class_tiles = vehicle::have_classes(car.vehicle->grids) ? kTypicalClassTiles * seen : 0.0;
+  return work;
+}
+
+// What is worst comes at azimuths that never came before, of any sensor.
+FrameWork worst_work(const CatalogueEntry& car) {
+  FrameWork work{.tiles = tiles_in_reach(car)};
+  for (const vehicle::SensorConfig& sensor : car.sensors) {
+    work.points_once += directions_of(sensor);
+    work.later_echoes += sensor.max_points_per_scan - directions_of(sensor);
+  }
+  const auto all_tiles = static_cast<double>(geometry::kTileCount);
+  work.class_tiles = vehicle::have_classes(car.vehicle->grids) ? all_tiles : 0.0;
+  return work;
+}
+
+double worst_ms(const FrameWork& work) {
+  return ms_of(work.points_once * kPointOnceCycles + work.later_echoes * kLaterEchoCycles +
+               work.tiles * kDearestTileCycles + work.class_tiles * kDearestClassTileCycles);
+}
+
+std::string percent_of(double part, double whole) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << 100 * part / whole << " %";
+  return text.str();
+}
+
+std::string line_of(const std::string& name, const FrameBudget& frame, double period_ms) {
+  const FrameWork& work = frame.work;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << "  " << std::left << std::setw(9) << name
+       << std::right << std::setw(8)
+       << work.points + work.turn_points + work.points_once + work.later_echoes << " points"
+       << std::setw(6) << work.tiles << " tiles" << std::setw(6) << work.class_tiles
+       << " of classes" << std::setprecision(1) << std::setw(9) << frame.ms << " ms, "
+       << percent_of(frame.ms, period_ms) << " of the period"
+       << (frame.ms > period_ms ? ": TOO SLOW" : "") << '\n';
+  return text.str();
+}
+
+// " city +9.6 %, ring_road -5.2 %"
+template <typename Frames, typename Cycles>
+std::string errors_of(const Frames& frames, Cycles&& reckoned) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << std::showpos;
+  for (const ModelledFrame& frame : frames) {
+    text << (text.tellp() > 0 ? ", " : "") << frame.name << ' '
+         << 100 * (reckoned(frame) / ms_of(frame.cycles) - 1) << " %";
+  }
+  return text.str();
+}
+
+}  // namespace
+
+double typical_ms(const FrameWork& work) {
+  return ms_of(work.points * kPointCycles + work.turn_steps * kTurnStepCycles +
+               work.turn_points * kTurnPointCycles + work.points_once * kPointOnceCycles +
+               work.later_echoes * kLaterEchoCycles + work.cells * kCellCycles +
+               work.tiles * kTileCycles + work.class_tiles * kClassTileCycles);
+}
+
+VehicleBudget budget_of(const CatalogueEntry& car) {
+  VehicleBudget budget{.period_ms = car.vehicle->frame_period_us / 1000.0};
+  budget.typical.work = typical_work(car);
+  budget.typical.ms = typical_ms(budget.typical.work);
+  budget.worst.work = worst_work(car);
+  budget.worst.ms = worst_ms(budget.worst.work);
+  return budget;
+}
+
+std::string words_of_budget(const CatalogueEntry& car) {
+  const VehicleBudget budget = budget_of(car);
+  std::ostringstream text;
+  text << car.vehicle->name << ", a frame every " << budget.period_ms << " ms\n"
+       << line_of("typical", budget.typical, budget.period_ms)
+       << line_of("worst", budget.worst, budget.period_ms);
+  return text.str();
+}
+
+std::string warning_of_budget(const CatalogueEntry& car) {
+  const VehicleBudget budget = budget_of(car);
+  if (budget.typical.ms <= budget.period_ms) {
+    return {};
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "warning: " << car.vehicle->name
+       << ": frame_period_us: a typical frame takes " << budget.typical.ms
+       << " ms by the cost model, and the car wants one every " << budget.period_ms
+       << " ms; the target will leave packets (iog budget)\n";
+  return text.str();
+}
+
+std::string words_of_budget_errors() {
+  const auto whole = [](const ModelledFrame& frame) {
+    return typical_ms({.points = frame.points, .cells = frame.cells, .tiles = frame.tiles});
+  };
+  const auto fused = [](const ModelledFrame& frame) {
+    return typical_ms({.points = frame.points, .cells = frame.cells});
+  };
+  const auto turn = [](const ModelledFrame& frame) {
+    return typical_ms(
+        {.turn_steps = kTurnSteps, .turn_points = frame.points, .tiles = frame.tiles});
+  };
+  return "Modelled, not measured: one Cortex-A9 at 1 GHz, docs/a9_model.md, nominal variant, by "
+         "lab/data/cortex_a9.csv.\n"
+         "Off what the model says of whole frames of the reference car without classes: " +
+         errors_of(kWholeFrames, whole) +
+         ";\n"
+         "of decoding and fusing alone, where tiles were sent raw: " +
+         errors_of(kFusedFrames, fused) +
+         ";\n"
+         "of turns of units on a roof: " +
+         errors_of(kTurns, turn) +
+         ".\n"
+         "A unit that turns and is not level counts as if no azimuth came again.\n";
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,54 @@
+// iog image: the car of a firmware image, shown or replaced, without a compiler.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "tools/budget/frame_budget.hpp"
+#include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
+#include "tools/image/car_of_image.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+namespace {
+
+struct ImageOptions {
+  std::string path;
+  std::string vehicle;
+  std::string out;
+};
+
+void change_or_show(const ImageOptions& options) {
+  FirmwareImage image(options.path);
+  if (!options.vehicle.empty()) {
+    const CatalogueEntry& car = find_vehicle(options.vehicle);
+    put_car(car, image);
+    image.write(options.out.empty() ? options.path : options.out);
+    std::cerr << warning_of_budget(car);
+  }
+  std::cout << words_of_image(image);
+  demand_accepted(image);
+}
+
+}  // namespace
+
+void add_image(CLI::App& program) {
+  auto* const command =
+      program.add_subcommand("image", "Show the car of a firmware image, or put another one there");
+  const auto options = std::make_shared<ImageOptions>();
+  command->add_option("image", options->path, "ELF, raw image, U-Boot image or card")
+      ->option_text("FILE  (required)")
+      ->required();
+  add_vehicle_options(*command, options->vehicle, "NAME  (default: only show)");
+  auto* const out =
+      command->add_option("--out", options->out, "Write another file, leave this one");
+  out->option_text("FILE");
+  command->footer(
+      "The file is written whole or not at all. Sensors, mounts, calibrations, network: all of a\n"
+      "car's file can change without a compiler, but not `grids`, and not the size of the grid.\n"
+      "Exit status 1 if the firmware would refuse what is in the image.");
+  command->callback([options] { change_or_show(*options); });
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,115 @@
+// iog map: a city map to the block that the target takes.
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/commands/subcommands.hpp"
+#include "tools/info/file_summary.hpp"
+#include "tools/map/block_picture.hpp"
+#include "tools/map/map_maker.hpp"
+#include "tools/map/map_readers.hpp"
+#include "tools/map/refusal_text.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+
+namespace iog::tools {
+namespace {
+
+struct MapCommandOptions {
+  std::string from;
+  std::string out;
+  std::string png;
+  std::string kind;
+  std::string origin;
+  std::vector<double> extent;
+  std::optional<std::uint32_t> accuracy_mm;
+  std::string attribution;
+};
+
+MapOptions options_of(const MapCommandOptions& command) {
+  MapOptions options{.accuracy_mm = command.accuracy_mm, .attribution = command.attribution};
+  if (!command.origin.empty()) {
+    options.origin = map_origin_in("--origin", command.origin);
+  }
+  const std::vector<double>& extent = command.extent;
+  if (extent.size() == 1 && extent[0] > 0) {
+    options.radius_m = extent[0];
+  } else if (extent.size() == 4 && extent[0] < extent[2] && extent[1] < extent[3]) {
+    options.box = {.south = extent[0], .west = extent[1], .north = extent[2], .east = extent[3]};
+  } else if (!extent.empty()) {
+    throw UsageError(
+        "--extent: give METRES around the origin, or SOUTH,WEST,NORTH,EAST in degrees");
+  }
+  if (options.attribution.size() > map::kMaxAttributionBytes) {
+    throw UsageError("--attribution: " + std::to_string(map::kMaxAttributionBytes) +
+                     " bytes at most");
+  }
+  return options;
+}
+
+void write_block(const std::string& path, std::span<const std::uint8_t> block) {
+  OutputFile file(path);
+  file.write(std::as_bytes(block));
+  file.finish();
+}
+
+void make_map(const MapCommandOptions& command) {
+  const MapOptions options = options_of(command);
+  GeoMap source = read_map(command.from, kind_of_word(command.kind));
+  if (source.attribution.empty() && command.attribution.empty()) {
+    throw UsageError("--attribution: say whose data these are");
+  }
+  const MadeMap made = make_block(source, options);
+  const map::Refusal refusal = map::check(made.block);
+  if (refusal != map::Refusal::kNone) {
+    throw CheckFailed(std::string("the block would be refused: ") + refusal_text(refusal));
+  }
+  write_block(command.out, made.block);
+  if (!command.png.empty()) {
+    picture_of(map::Block(made.block)).write_png(command.png);
+  }
+  std::cout << source.census.table() << '\n' << made.remark << summary_of_block(made.block);
+}
+
+}  // namespace
+
+void add_map(CLI::App& program) {
+  auto* const command = program.add_subcommand(
+      "map", "Make the map of a target from OpenStreetMap, GeoJSON or a Shapefile");
+  const auto options = std::make_shared<MapCommandOptions>();
+  command->add_option("FILE", options->from, "The map to read")->option_text(" ")->required();
+  command->add_option("--out", options->out, "The block to write (.iogmap)")
+      ->option_text("FILE  (required)")
+      ->required();
+  command
+      ->add_option("--origin", options->origin,
+                   "Where its plane touches the earth, in degrees within 80 and 180")
+      ->option_text("LAT,LON  (default the middle)");
+  command
+      ->add_option("--extent", options->extent, "How much of it, around the origin or in degrees")
+      ->option_text("METRES or S,W,N,E  (default all)")
+      ->delimiter(',')
+      ->expected(1, 4);
+  command
+      ->add_option("--accuracy", options->accuracy_mm, "95 of 100 corners are nearer to the truth")
+      ->option_text("MM  (default 500 of OpenStreetMap, else 100)")
+      ->check(CLI::Range(1U, map::kMaxAccuracyMm));
+  command->add_option("--kind", options->kind, "What polygons are that do not say it")
+      ->option_text("building or road")
+      ->check(CLI::IsMember({"building", "road"}));
+  command->add_option("--attribution", options->attribution, "Whose data these are")
+      ->option_text("TEXT  (required but of OpenStreetMap)");
+  command->add_option("--png", options->png, "A picture of the block, too")->option_text("FILE");
+  command->footer(
+      "FILE is OpenStreetMap (.osm, .osm.pbf, .osm.gz, .osm.bz2), GeoJSON (.geojson) or a "
+      "Shapefile\n"
+      "(.shp) in latitude and longitude. What is taken of it, and what becomes of that, is in\n"
+      "docs/map.md.\n");
+  command->callback([options] { make_map(*options); });
+}
+
+}  // namespace iog::tools

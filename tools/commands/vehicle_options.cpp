@@ -1,0 +1,31 @@
+#include "tools/commands/vehicle_options.hpp"
+
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr const char* kFileHelp = "The car of this file (docs/vehicles.md)";
+
+}  // namespace
+
+void add_vehicle_options(CLI::App& command, std::string& name, const std::string& text) {
+  auto* const by_name = command.add_option("--vehicle", name, vehicle_option_help())
+                            ->option_text(text)
+                            ->each([](const std::string& given) { give_vehicle(given); });
+  command
+      .add_option_function<std::string>(
+          "--vehicle-file", [&name](const std::string& path) { name = add_vehicle_file(path); },
+          kFileHelp)
+      ->option_text("CAR.toml")
+      ->excludes(by_name);
+}
+
+CLI::Option* add_vehicle_file_option(CLI::App& command) {
+  return command
+      .add_option_function<std::string>(
+          "--vehicle-file", [](const std::string& path) { add_vehicle_file(path); }, kFileHelp)
+      ->option_text("CAR.toml");
+}
+
+}  // namespace iog::tools

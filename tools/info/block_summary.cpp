@@ -1,0 +1,97 @@
+// What is in a map block.
+#include <algorithm>
+#include <ctime>
+#include <iomanip>
+#include <sstream>
+
+#include "map/block.hpp"
+#include "tools/info/file_summary.hpp"
+#include "tools/map/refusal_text.hpp"
+#include "tools/program/file.hpp"
+#include "tools/program/printable.hpp"
+#include "tools/receive/table.hpp"
+
+namespace iog::tools {
+namespace {
+
+std::string day_of(std::uint32_t date_s) {
+  if (date_s == 0) {
+    return "not known";
+  }
+  const std::time_t time = date_s;
+  std::tm parts{};
+  gmtime_r(&time, &parts);
+  std::ostringstream text;
+  text << std::put_time(&parts, "%Y-%m-%d");
+  return text.str();
+}
+
+std::string degrees(std::int64_t units) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(9) << static_cast<double>(units) / 1e9;
+  return text.str();
+}
+
+std::string metres(std::int64_t cm) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << static_cast<double>(cm) / 100;
+  return text.str();
+}
+
+std::string hexadecimal(std::uint64_t value, int digits) {
+  std::ostringstream text;
+  text << std::hex << std::setfill('0') << std::setw(digits) << value;
+  return text.str();
+}
+
+std::string features_of(const map::Block& block) {
+  std::uint32_t buildings = 0;
+  std::uint64_t vertices = 0;
+  for (std::uint32_t number = 0; number < block.feature_count(); ++number) {
+    const map::Feature feature = block.feature(number);
+    buildings += feature.kind() == map::Kind::kBuilding ? 1U : 0U;
+    vertices += feature.edge_count();
+  }
+  return std::to_string(buildings) + " of buildings, " +
+         std::to_string(block.feature_count() - buildings) + " of roads, " +
+         std::to_string(vertices) + " vertices";
+}
+
+std::string source_of(const map::Block& block) {
+  const bool is_osm = block.source() == map::Source::kOpenStreetMap;
+  return std::string(is_osm ? "OpenStreetMap" : "surveyed") + ", believed " +
+         std::to_string(block.belief()) + "/256";
+}
+
+}  // namespace
+
+std::string summary_of_block(std::span<const std::uint8_t> bytes) {
+  std::string text = row("kind", "map block, " + std::to_string(bytes.size()) + " bytes");
+  const map::Refusal refusal = map::check(bytes);
+  text += row("check", refusal == map::Refusal::kNone
+                           ? "sound"
+                           : std::string("refused: ") + refusal_text(refusal));
+  if (refusal != map::Refusal::kNone) {
+    return text;
+  }
+  const map::Block block(bytes);
+  const map::BoxCm extent = block.extent();
+  return text +
+         row("origin", degrees(block.latitude()) + ", " + degrees(block.longitude()) +
+                           ", its name " + hexadecimal(block.origin(), 16)) +
+         row("extent", "east " + metres(extent.low.x) + " to " + metres(extent.high.x) +
+                           " m, north " + metres(extent.low.y) + " to " + metres(extent.high.y) +
+                           " m") +
+         row("features", features_of(block)) + row("source", source_of(block)) +
+         row("date", day_of(block.date_s())) +
+         row("accuracy", std::to_string(block.accuracy_mm()) + " mm") +
+         row("crc-32", hexadecimal(block.crc(), 8)) +
+         row("attribution", printable(std::string(block.attribution())));
+}
+
+std::string summary_of_block_file(const std::string& path) {
+  const std::vector<std::byte> bytes = read_file(path);
+  return summary_of_block({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,19 @@
+#include "tools/program/printable.hpp"
+
+namespace iog::tools {
+
+std::string printable(std::string text) {
+  unsigned char before = 0;
+  for (char& letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    // 0x80 ... 0x9F go on in a letter of UTF-8, but are commands by themselves and behind 0xC2.
+    const bool is_second = before >= 0x80 && before != 0xC2;
+    if (code < ' ' || code == 0x7F || (code >= 0x80 && code < 0xA0 && !is_second)) {
+      letter = '?';
+    }
+    before = code;
+  }
+  return text;
+}
+
+}  // namespace iog::tools

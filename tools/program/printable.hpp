@@ -1,0 +1,11 @@
+// Text of a file or a network on its way to a terminal.
+#pragma once
+
+#include <string>
+
+namespace iog::tools {
+
+// With "?" in place of everything that could command a terminal; letters of UTF-8 stay.
+[[nodiscard]] std::string printable(std::string text);
+
+}  // namespace iog::tools
