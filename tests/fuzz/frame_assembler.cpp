@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "law.hpp"
+#include "tools/receive/live_classes.hpp"
 #include "tools/receive/live_grid.hpp"
 
 namespace iog::fuzz {
@@ -27,6 +28,24 @@ std::vector<std::byte> protected_message(protection::Sender& sender,
 void check_frame(const tools::GridFrame& frame) {
   law((frame.known_tiles & ~frame.valid_tiles).none(), "what is known is valid");
   law(frame.tiles == frame.known_tiles.count(), "tiles are counted");
+  law(frame.classes.has_value() == frame.header.has_classes(), "classes are announced");
+  if (frame.classes) {
+    law((frame.classes->known_tiles & ~frame.classes->valid_tiles).none(), "likewise of classes");
+  }
+}
+
+// What is shown of the world is in the window, and as old as the frames since it came.
+void check_live(const tools::LiveClasses& live) {
+  law(live.stale_tiles() <= geometry::kTileCount, "tiles have an age");
+  for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
+    const auto age = live.age_of(slot);
+    law(age.has_value() == live.decided_ago(slot).has_value(), "and nothing else has");
+    law(!age || live.window().has_value(), "what is shown has a place");
+    law(!age || stream::are_class_bytes(std::as_bytes(std::span(live.tile(slot)))),
+        "and is classes");
+    law(!age || *live.decided_ago(slot) >= std::min<std::uint32_t>(*age, 255),
+        "nothing is decided after it came");
+  }
 }
 
 void check(std::span<const std::byte> input) {
@@ -34,6 +53,7 @@ void check(std::span<const std::byte> input) {
   bool has_frame = false;
   std::uint64_t restarts = 0;
   tools::LiveGrid live;
+  tools::LiveClasses live_classes;
   tools::FrameAssembler* running = nullptr;
   tools::FrameAssembler assembler([&](tools::GridFrame&& frame) {
     const bool is_same_run = running != nullptr && running->counts().restarts == restarts;
@@ -41,6 +61,8 @@ void check(std::span<const std::byte> input) {
         "frames come in their order");
     check_frame(frame);
     live.take(frame);
+    live_classes.take(frame);
+    check_live(live_classes);
     has_frame = true;
     last = frame.header.frame_number;
     restarts = running->counts().restarts;

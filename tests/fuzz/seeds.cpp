@@ -2,14 +2,19 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
-#include "fakes/vlp16_packet.hpp"
+#include "fakes/ouster_packet.hpp"
+#include "fakes/reference_block.hpp"
+#include "fakes/velodyne_packet.hpp"
 #include "geometry/grid.hpp"
 #include "net/frames.hpp"
 #include "pose/message.hpp"
+#include "stream/class_end.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
@@ -68,10 +73,48 @@ void add_lidar_seeds(Seeds& seeds) {
   const Bytes lux = lux_message(12);
   seeds.add("ibeo_lux", joined(piece_of(lux_message(0)), lux));
   seeds.add("lux_recording", joined(lux, lux_message(3)));
+}
+
+void add_velodyne_seeds(Seeds& seeds, const std::string& target, tests::VelodynePacket packet) {
+  packet.first_azimuth = 35'900;
+  packet.ranges.fill({1, 2, 3, 500, 60'000});
+  const Bytes first = packet.bytes();
+  packet.first_azimuth = 380;
+  packet.time_us = 1'327;
+  seeds.add(target, joined(piece_of(first), packet.bytes()));
+}
+
+void add_velodyne_seeds(Seeds& seeds) {
   for (const int mode : {0x37, 0x38, 0x39}) {
-    tests::Vlp16Packet packet{.first_azimuth = 35'900, .mode = mode};
-    packet.ranges.fill({1, 2, 3, 500, 60'000});
-    seeds.add("velodyne_vlp16", joined(piece_of(packet.bytes()), packet.bytes()));
+    add_velodyne_seeds(seeds, "velodyne_hdl32e", {.mode = mode, .product = 0x21});
+    add_velodyne_seeds(seeds, "velodyne_vlp16", {.mode = mode});
+    add_velodyne_seeds(seeds, "velodyne_vlp16", {.mode = mode, .product = 0x21});
+    add_velodyne_seeds(seeds, "velodyne_vlp32c", {.mode = mode, .product = 0x28});
+  }
+  for (const int blocks_of_azimuth : {2, 4}) {
+    add_velodyne_seeds(seeds, "velodyne_hdl64e",
+                       {.blocks_of_azimuth = blocks_of_azimuth, .has_two_banks = true});
+  }
+}
+
+void add_hesai_seeds(Seeds& seeds) {
+  for (const bool is_xt32 : {false, true}) {
+    for (const bool is_dual : {false, true}) {
+      const tests::HesaiPacket packet{
+          .is_xt32 = is_xt32, .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
+      seeds.add("hesai", joined({static_cast<std::byte>(is_xt32)}, packet.bytes()));
+    }
+  }
+}
+
+void add_ouster_seeds(Seeds& seeds) {
+  constexpr int k1024x10 = 12;  // as ouster.cpp chooses
+  int choice = k1024x10;
+  for (const lidar::Format format :
+       {lidar::Format::kOusterLegacy, lidar::Format::kOusterRng15, lidar::Format::kOusterRng19}) {
+    const Bytes packet = tests::OusterPacket{.format = format, .rows = 4}.bytes();
+    seeds.add("ouster", joined({static_cast<std::byte>(choice)}, packet));
+    ++choice;
   }
 }
 
@@ -91,6 +134,24 @@ void add_network_seeds(Seeds& seeds) {
   writer.write({.time_us = 1, .source = {1, 2}, .destination = {3, 4}, .payload = Bytes(20)});
   writer.write({.time_us = 2, .source = {1, 2}, .destination = {3, 4}, .payload = Bytes(7)});
   writer.finish();
+}
+
+// A piece as reassembly.cpp reads it: of datagram 0 of the first sender, 5 ms after the one before.
+Bytes fragment_of(bool has_more, std::size_t offset_bytes, std::size_t bytes) {
+  const Bytes head{has_more ? std::byte{0x80} : std::byte{0}, std::byte{10}, std::byte{0},
+                   static_cast<std::byte>(offset_bytes / 8)};
+  return joined(head, piece_of(Bytes(bytes, static_cast<std::byte>(offset_bytes))));
+}
+
+// A datagram of three pieces: in order, backwards, with one twice, with two that overlap.
+void add_reassembly_seeds(Seeds& seeds) {
+  const Bytes first = fragment_of(true, 0, 64);
+  const Bytes second = fragment_of(true, 64, 64);
+  const Bytes last = fragment_of(false, 128, 13);
+  seeds.add("reassembly", joined(joined(first, second), last));
+  seeds.add("reassembly", joined(joined(last, second), first));
+  seeds.add("reassembly", joined(joined(joined(first, first), last), second));
+  seeds.add("reassembly", joined(joined(first, fragment_of(true, 32, 64)), last));
 }
 
 void add_mcap_seeds(Seeds& seeds) {
@@ -129,6 +190,33 @@ Bytes tiles_content(std::uint32_t frame_number, tile_coding::Encoding encoding,
   return {message.begin() + protection::kProtectionBytes, message.end()};
 }
 
+constexpr stream::ClassWindow kWindow{
+    .causes = stream::kCauseLate, .corner_a = -3, .corner_b = 70, .slices = 2, .slice_ms = 8};
+
+stream::Header header_of_classes(stream::MessageType type, std::uint32_t sequence) {
+  return {.type = type,
+          .flags = stream::kFlagClasses | stream::kFlagNoIndexes,
+          .sequence = sequence,
+          .frame_number = 5};
+}
+
+Bytes class_end_content() {
+  Bytes head(stream::kHeaderBytes);
+  static_cast<void>(
+      stream::write_header(header_of_classes(stream::MessageType::kClassEnd, 11), head));
+  Bytes end(protection::kMaxContentBytes);
+  end.resize(stream::write_class_end({.window = kWindow, .tiles_sent = 1, .slice_count = 2}, end));
+  return joined(std::move(head), end);
+}
+
+Bytes classes_content() {
+  stream::TilesWriter writer;
+  writer.begin_classes(header_of_classes(stream::MessageType::kTiles, 10), kWindow);
+  static_cast<void>(writer.append(3, tile_coding::Encoding::kRaw, 2, Bytes(1024, std::byte{33})));
+  const auto message = writer.finish(geometry::kTileCount, 10);
+  return {message.begin() + protection::kProtectionBytes, message.end()};
+}
+
 // Two frames of one tile, the second against the first.
 void add_stream_seeds(Seeds& seeds) {
   const Bytes raw(1024, std::byte{3});
@@ -138,6 +226,11 @@ void add_stream_seeds(Seeds& seeds) {
   const Bytes second = tiles_content(6, tile_coding::Encoding::kChangedSince, since);
   seeds.add("stream_message", first);
   seeds.add("stream_message", end_content(5));
+  seeds.add("stream_message", classes_content());
+  seeds.add("stream_message", class_end_content());
+  seeds.add("frame_assembler",
+            joined(joined(piece_of(classes_content()), piece_of(class_end_content())),
+                   piece_of(end_content(6))));
   seeds.add("serial_line",
             joined(piece_of(first), piece_of(tiles_content(6, tile_coding::Encoding::kRaw, raw))));
   seeds.add("frame_assembler", joined(joined(piece_of(first), piece_of(end_content(5))),
@@ -184,6 +277,34 @@ void add_pose_seeds(Seeds& seeds) {
   seeds.add("pose_source", joined({std::byte{0}}, piece));
 }
 
+Bytes bytes_of_block(const tests::ReferenceBlock& block) {
+  const auto bytes = block.bytes();
+  const auto view = std::as_bytes(std::span(bytes));
+  return {view.begin(), view.end()};
+}
+
+// Three features, one of them with a hole and in several buckets.
+void add_map_seeds(Seeds& seeds) {
+  tests::ReferenceBlock block;
+  seeds.add("map_block", joined({std::byte{1}, std::byte{1}}, bytes_of_block(block)));
+  block.features = {
+      {map::Kind::kBuilding,
+       {{{-3'000, 0}, {-2'000, 0}, {-2'000, 900}}, {{-2'900, 1}, {-2'100, 1}, {-2'100, 90}}}},
+      {map::Kind::kRoad, {{{-5'000, -4'000}, {5'000, -4'000}, {4'500, 4'000}}}},
+      {map::Kind::kBuilding, {{{0, 0}, {1'000, 0}, {1'000, 900}, {0, 900}}}}};
+  seeds.add("map_block", joined({std::byte{1}, std::byte{9}}, bytes_of_block(block)));
+  seeds.add("map_block", joined({std::byte{8}, std::byte{255}}, bytes_of_block(block)));
+}
+
+// A block of two chunks, backwards and with one twice, frames, and once more after it.
+void add_delivery_seeds(Seeds& seeds) {
+  Bytes steps;
+  for (const int step : {5, 1, 5, 1, 3, 0xFF, 0xFF, 5, 0, 4, 4, 5, 0}) {
+    steps.push_back(static_cast<std::byte>(step));
+  }
+  seeds.add("map_delivery", steps);
+}
+
 }  // namespace
 }  // namespace iog::fuzz
 
@@ -193,11 +314,17 @@ int main(int argc, char** argv) {
     return 2;
   }
   iog::fuzz::Seeds seeds(argv[1]);
+  iog::fuzz::add_hesai_seeds(seeds);
   iog::fuzz::add_lidar_seeds(seeds);
+  iog::fuzz::add_velodyne_seeds(seeds);
   iog::fuzz::add_network_seeds(seeds);
+  iog::fuzz::add_ouster_seeds(seeds);
   iog::fuzz::add_mcap_seeds(seeds);
   iog::fuzz::add_stream_seeds(seeds);
   iog::fuzz::add_tile_seeds(seeds);
   iog::fuzz::add_pose_seeds(seeds);
+  iog::fuzz::add_reassembly_seeds(seeds);
+  iog::fuzz::add_delivery_seeds(seeds);
+  iog::fuzz::add_map_seeds(seeds);
   return 0;
 }

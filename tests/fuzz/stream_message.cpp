@@ -2,7 +2,9 @@
 #include <array>
 
 #include "law.hpp"
+#include "stream/class_end.hpp"
 #include "stream/tiles.hpp"
+#include "wire/byte_order.hpp"
 
 namespace iog::fuzz {
 namespace {
@@ -21,22 +23,60 @@ void check_again(const Part& part, Read read, Write write) {
   law(write(again, twice) == bytes && once == twice, "and is the same");
 }
 
+void check_window(const stream::ClassWindow& classes) {
+  std::array<std::byte, stream::kClassWindowBytes> bytes{};
+  stream::write_class_window(classes, bytes);
+  wire::ByteReader in(bytes);
+  stream::ClassWindow again;
+  law(stream::read_class_window(in, again) && again == classes, "a window survives the wire");
+  for (std::size_t slot = 0; slot < geometry::kTileCount; slot += 37) {
+    const window::TileNumber tile = stream::area_of(classes).tile_at(slot);
+    law(window::slot_of(tile) == slot, "a tile has the number of its place");
+  }
+}
+
 void check_tiles(std::span<const std::byte> body) {
   stream::TilesHeader header;
   stream::TileRecords records;
   if (stream::read_tiles(body, header, records) != stream::ReadStatus::kOk) {
     return;
   }
+  law(header.window.has_value() == (header.geometry.storage == stream::Storage::kClass),
+      "classes have a window, and nothing else has");
+  const std::size_t record_bytes =
+      header.window ? stream::kClassTileRecordBytes : stream::kTileRecordBytes;
   std::size_t bytes = stream::kTilesHeaderBytes;
+  if (header.window) {
+    // The window's header may be longer than we know it.
+    bytes += wire::load_be16(body.subspan<stream::kTilesHeaderBytes, 2>());
+    check_window(*header.window);
+  }
   std::uint32_t lowest = header.first_tile;
   std::uint32_t count = 0;
   for (stream::TileRecord record; records.next(record); ++count) {
     law(record.tile >= lowest && record.tile < header.end_tile, "tiles rise");
     lowest = record.tile + 1U;
-    bytes += stream::kTileRecordBytes + record.payload.size();
+    bytes += record_bytes + record.payload.size();
   }
   law(bytes == body.size() && count == header.tile_count, "tiles are as long as they say");
   law(header.end_tile <= header.geometry.tile_count(), "and lie in their grid");
+}
+
+void check_class_end(std::span<const std::byte> body) {
+  stream::ClassEnd end;
+  if (stream::read_class_end(body, end) != stream::ReadStatus::kOk) {
+    return;
+  }
+  law(end.slice_count <= stream::kMaxSlices, "slices have room");
+  check_window(end.window);
+  check_again(
+      end,
+      [](std::span<const std::byte> bytes, stream::ClassEnd& part) {
+        return stream::read_class_end(bytes, part) == stream::ReadStatus::kOk;
+      },
+      [](const stream::ClassEnd& part, Buffer& buffer) {
+        return stream::write_class_end(part, buffer);
+      });
 }
 
 void check_content(std::span<const std::byte> message) {
@@ -47,6 +87,7 @@ void check_content(std::span<const std::byte> message) {
   }
   law(body.size() + stream::kHeaderBytes <= message.size(), "the body is behind the header");
   check_tiles(body);
+  check_class_end(body);
   check_again(
       header,
       [](std::span<const std::byte> bytes, stream::Header& part) {

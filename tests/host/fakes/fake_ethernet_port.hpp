@@ -75,6 +75,9 @@ class FakeEthernetPort {
 
   void arrive(Frame frame) { arrived_.push_back(std::move(frame)); }
 
+  // A frame for which there is no room.
+  void overflow() { ++counters_.receive_overflows; }
+
   // Frames that can be committed before pump() makes room again.
   void set_ring_slots(std::size_t slots) { ring_slots_ = slots; }
 

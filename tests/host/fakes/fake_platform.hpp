@@ -4,30 +4,50 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/frame_report.hpp"
 #include "protection/protected_message.hpp"
 #include "stream/channel.hpp"
+#include "stream/class_end.hpp"
 #include "stream/message.hpp"
 #include "stream/references.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/decode.hpp"
+#include "work/round.hpp"
 
 namespace iog::tests {
+
+struct ReceivedClassTile {
+  std::uint8_t age_frames = 0;
+  std::array<std::byte, tile_coding::kTileBytes> cells{};
+};
 
 struct ReceivedFrame {
   stream::Header header;  // of its last message
   stream::FrameEnd end;
   std::vector<index::OccupancyIndex> cells;
+  std::optional<stream::ClassEnd> class_end{};
+  std::map<std::size_t, ReceivedClassTile> classes{};
+  std::vector<stream::ClassWindow> windows{};  // one a message of class tiles
+  std::vector<int> message_types{};            // 10 + storage for tiles, else the type
 };
 
 class FakePlatform {
  public:
+  static constexpr std::uint32_t kRunNumber = 0x00C0FFEE;
+
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     if (room_left_ == 0) {
+      return false;
+    }
+    if (refused_left_ > 0) {
+      --refused_left_;
       return false;
     }
     --room_left_;
@@ -37,6 +57,9 @@ class FakePlatform {
 
   std::uint32_t ticks() { return ++ticks_; }
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1000; }
+  [[nodiscard]] static std::uint32_t run_number() { return kRunNumber; }
+  [[nodiscard]] static std::size_t cores() { return 1; }
+  static void share(std::size_t items, work::Work work) { work::do_alone(items, work); }
   [[nodiscard]] app::Vitals vitals() const {
     return {.stack_used_bytes = 4711, .link_drops = link_drops};
   }
@@ -44,6 +67,8 @@ class FakePlatform {
   std::uint32_t link_drops = 0;
 
   void allow_messages(int count) { room_left_ = count; }
+  // Of the messages that come now.
+  void refuse_messages(int count) { refused_left_ = count; }
   [[nodiscard]] int unreadable() const { return unreadable_; }
   [[nodiscard]] int tile_messages() const { return tile_messages_; }
   [[nodiscard]] const std::vector<std::uint32_t>& sequences() const { return sequences_; }
@@ -67,12 +92,20 @@ class FakePlatform {
       take_tiles(header, body);
       return;
     }
-    ReceivedFrame frame{.header = header, .end = {}, .cells = std::move(cells_)};
-    unreadable_ +=
-        stream::read_frame_end(body, header.sensor_count, frame.end) != stream::ReadStatus::kOk ? 1
-                                                                                                : 0;
-    frames.push_back(std::move(frame));
+    open_.message_types.push_back(static_cast<int>(header.type));
+    if (header.type == stream::MessageType::kClassEnd) {
+      expect_ok(stream::read_class_end(body, open_.class_end.emplace()));
+      return;
+    }
+    open_.header = header;
+    expect_ok(stream::read_frame_end(body, header.sensor_count, open_.end));
+    open_.cells = std::move(cells_);
+    frames.push_back(std::exchange(open_, {}));
     cells_ = {};
+  }
+
+  void expect_ok(stream::ReadStatus status) {
+    unreadable_ += status != stream::ReadStatus::kOk ? 1 : 0;
   }
 
   void take_tiles(const stream::Header& header, std::span<const std::byte> body) {
@@ -83,17 +116,26 @@ class FakePlatform {
       return;
     }
     ++tile_messages_;
+    open_.message_types.push_back(10 + static_cast<int>(tiles.geometry.storage));
+    if (tiles.window) {
+      open_.windows.push_back(*tiles.window);
+    }
+    stream::References& references = tiles.window ? *class_references_ : *references_;
     for (stream::TileRecord record; records.next(record);) {
       std::array<std::byte, tile_coding::kTileBytes> cells{};
-      if (tile_coding::decode(record.encoding, record.payload, references_->find(record.tile),
+      if (tile_coding::decode(record.encoding, record.payload, references.find(record.tile),
                               cells) != tile_coding::DecodeStatus::kOk) {
         ++unreadable_;
         continue;
       }
       if (stream::stands_by_itself(record.encoding)) {
-        references_->keep(record.tile, cells, header.frame_number, record.payload.size());
+        references.keep(record.tile, cells, header.frame_number, record.payload.size());
       }
-      paste(record.tile, cells);
+      if (tiles.window) {
+        open_.classes[record.tile] = {record.age_frames, cells};
+      } else {
+        paste(record.tile, cells);
+      }
     }
   }
 
@@ -108,11 +150,14 @@ class FakePlatform {
   }
 
   int room_left_ = 1 << 30;
+  int refused_left_ = 0;
   int unreadable_ = 0;
   int tile_messages_ = 0;
   protection::Receiver receiver_{stream::kNetworkChannel};
   std::unique_ptr<stream::References> references_ = std::make_unique<stream::References>();
+  std::unique_ptr<stream::References> class_references_ = std::make_unique<stream::References>();
   std::uint32_t ticks_ = 0;
+  ReceivedFrame open_{};
   std::vector<std::uint32_t> sequences_;
   std::vector<index::OccupancyIndex> cells_;
 };

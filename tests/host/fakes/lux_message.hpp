@@ -21,6 +21,8 @@ struct LuxMessage {
   int start_ticks = 1600;
   int end_ticks = -1600;
   std::vector<LuxPoint> points{};
+  std::uint64_t start_ntp = 1;  // of the scan
+  std::uint64_t end_ntp = 2;
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
     std::vector<std::byte> out;
@@ -45,8 +47,8 @@ struct LuxMessage {
     little(scan_number, 2);
     little(0x030B, 2);  // status
     little(0, 2);       // synchronisation phase
-    little(1, 8);       // start
-    little(2, 8);       // end
+    little(static_cast<std::int64_t>(start_ntp), 8);
+    little(static_cast<std::int64_t>(end_ntp), 8);
     little(11520, 2);
     little(start_ticks, 2);
     little(end_ticks, 2);

@@ -50,6 +50,7 @@ inline void store(T& location, T value) {
 
 inline void barrier() { recorder.events.push_back({Event::Kind::kBarrier}); }
 inline void wait_for_interrupt() { recorder.events.push_back({Event::Kind::kSleep}); }
+inline void yield() {}
 
 // Half of a pointer of the PC: enough to tell buffers apart, and what the rings write in
 // descriptors.

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "evidence/assignment.hpp"
-#include "evidence/group.hpp"
+#include "fakes/group.hpp"
 #include "fakes/random.hpp"
 
 namespace iog::tests {
@@ -42,7 +42,15 @@ inline void make_random_cell(Random& random, evidence::Group& group, std::size_t
     (*planes[(first + j) % 4])[i] = static_cast<std::int16_t>(cuts[j] - below);
   }
   group.persistence[i] = random_mass(random);
-  group.ruled_out[i] = static_cast<std::uint8_t>(random.next() & 7);
+}
+
+// What a map rules out in the cells of a group.
+inline std::array<std::uint8_t, evidence::kGroupCells> random_masks(Random& random) {
+  std::array<std::uint8_t, evidence::kGroupCells> masks{};
+  for (std::uint8_t& mask : masks) {
+    mask = static_cast<std::uint8_t>(random.next() & 7);
+  }
+  return masks;
 }
 
 inline evidence::Group random_group(Random& random) {

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "evidence/group.hpp"
+#include "fakes/group.hpp"
 #include "fakes/reference_ageing.hpp"
 
 namespace iog::tests {

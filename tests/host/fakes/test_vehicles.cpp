@@ -25,4 +25,19 @@ constexpr vehicle::Vehicle TiltedLux::kVehicle =
 constexpr vehicle::Vehicle ThreeLux::kVehicle =
     compiled<ThreeLux::kConfigs, ThreeLux::kDescription>();
 
+constexpr vehicle::Vehicle LevelVlp16::kVehicle =
+    compiled<LevelVlp16::kConfigs, LevelVlp16::kDescription>();
+constexpr vehicle::Vehicle MixedCar::kVehicle =
+    compiled<MixedCar::kConfigs, MixedCar::kDescription>();
+
+// No format has so many layers: those of the VLP-16 are compiled again.
+constexpr std::array<vehicle::Sensor, 1> kManyLayers = [] {
+  auto sensors = vehicle::compile_sensors(ManyLayers::kConfigs, ManyLayers::kDescription);
+  vehicle::compile_detail::compile_layers(ManyLayers::kConfigs[0], ManyLayers::kElevationsDeg,
+                                          sensors[0]);
+  return sensors;
+}();
+constexpr vehicle::Vehicle ManyLayers::kVehicle =
+    vehicle::compile_vehicle(ManyLayers::kDescription, kManyLayers);
+
 }  // namespace iog::tests

@@ -74,4 +74,58 @@ struct ThreeLux {
   static const vehicle::Vehicle kVehicle;
 };
 
+constexpr vehicle::SensorConfig test_vlp16(std::uint16_t port, vehicle::MountConfig mount) {
+  auto config = vehicle::velodyne_vlp16("vlp16", 0, port, mount);
+  config.no_return_clears_mm = 20'000;
+  return config;
+}
+
+// One level VLP-16 off every border, turned, on a car with a footprint and a height band that cuts
+// most of its layers.
+struct LevelVlp16 {
+  static constexpr std::array kConfigs{
+      test_vlp16(100, {.x_m = 1.234, .y_m = -0.777, .z_m = 1.5, .yaw_deg = 23.7})};
+  static constexpr vehicle::Description kDescription{
+      .name = "level_vlp16",
+      .footprint = {.x_min_m = -3, .x_max_m = 2.5, .y_min_m = -2, .y_max_m = 2},
+      .z_min_m = 0.3,
+      .z_max_m = 2.2};
+  static const vehicle::Vehicle kVehicle;
+};
+
+// A VLP-16 on a cell's corner, one that is pitched, and a LUX.
+struct MixedCar {
+  static constexpr std::array kConfigs{
+      test_vlp16(100, {.z_m = 1.5}),
+      test_vlp16(101, {.x_m = 1.02, .y_m = 0.71, .z_m = 1.2, .yaw_deg = 80, .pitch_deg = 11}),
+      test_lux(102, {.x_m = 2.03, .y_m = 0.51, .z_m = 0.5, .yaw_deg = -5}),
+  };
+  static constexpr vehicle::Description kDescription{
+      .name = "mixed_car", .z_min_m = -2, .z_max_m = 3};
+  static const vehicle::Vehicle kVehicle;
+};
+
+consteval std::array<double, 128> elevations_of_many_layers() {
+  std::array<double, 128> elevations{};
+  for (std::size_t i = 0; i < elevations.size(); ++i) {
+    elevations[i] = -25 + 50.0 * static_cast<double>(i) / 127;
+  }
+  return elevations;
+}
+
+// A made-up lidar with 128 layers from -25 to 25 degrees, 50 m.
+struct ManyLayers {
+  static constexpr std::array<double, 128> kElevationsDeg = elevations_of_many_layers();
+  static constexpr std::array kConfigs{[] {
+    auto config = test_vlp16(100, {.x_m = 0.123, .y_m = 0.456, .z_m = 1.8});
+    config.range_max_mm = 50'000;
+    config.precision_mm = 100;
+    config.sigma_m = 0.10;
+    return config;
+  }()};
+  static constexpr vehicle::Description kDescription{
+      .name = "many_layers", .z_min_m = 0.3, .z_max_m = 2.2};
+  static const vehicle::Vehicle kVehicle;
+};
+
 }  // namespace iog::tests

@@ -56,7 +56,8 @@ TEST(Capture, WhatIsWrittenIsReadBack) {
   const tests::TemporaryFolder folder;
   const std::string path = folder / "round_trip.pcap";
   std::vector<CapturedDatagram> sent;
-  for (const std::size_t bytes : {0U, 1U, 17U, 18U, 19U, 1206U, 1400U, 1472U}) {
+  for (const std::size_t bytes :
+       {0U, 1U, 17U, 18U, 19U, 1206U, 1400U, 1472U, 1473U, 12'608U, 33'024U}) {
     sent.push_back(datagram_of(1'714'564'800'999'990U + bytes, bytes));
   }
   write_capture(path, sent);
@@ -73,6 +74,36 @@ TEST(Capture, WhatIsWrittenIsReadBack) {
   }
   EXPECT_EQ(reader.counts().skipped(), 0U);
   EXPECT_EQ(describe_skipped(reader.counts()), "");
+}
+
+// RFC 791, section 2.3: pieces of at most 1480 bytes, whole units of 8 but for the last; one name,
+// and each datagram another.
+TEST(Capture, WhatDoesNotFitIntoAFrameIsFragments) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "fragments.pcap";
+  write_capture(path, {datagram_of(1, 3000), datagram_of(2, 3000)});
+  auto bytes = read_file(path);
+  ASSERT_EQ(bytes.size(), kFileHeaderBytes + 2 * (3 * (16 + 34) + 3008));
+  const auto half = [&](std::size_t at) {
+    return wire::load_be16(std::span(bytes).subspan(at).first<2>());
+  };
+  std::size_t frame = kFirstFrame;
+  for (const unsigned flags : {0x2000U, 0x2000U | 185U, 370U}) {
+    EXPECT_EQ(half(frame + 18), half(kFirstFrame + 18));
+    EXPECT_EQ(half(frame + 20), flags);
+    frame += half(frame + 16) + 14U + 16U;
+  }
+  EXPECT_NE(half(frame + 18), half(kFirstFrame + 18));
+  // Without its second piece the first datagram is two fragments of nothing.
+  const auto second = bytes.begin() + kFileHeaderBytes + 16 + 1514;
+  bytes.erase(second, second + 16 + 1514);
+  write_bytes(path, bytes);
+  PcapReader reader(path);
+  const auto received = read_capture(reader);
+  ASSERT_EQ(received.size(), 1U);
+  EXPECT_EQ(received[0].payload, datagram_of(2, 3000).payload);
+  EXPECT_EQ(reader.counts().fragments, 2U);
+  EXPECT_EQ(reader.counts().skipped(), 2U);
 }
 
 TEST(Capture, VlanTagsAreSkipped) {

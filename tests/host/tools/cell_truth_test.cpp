@@ -71,6 +71,17 @@ TEST(CellTruth, SaysWhatIsThere) {
   EXPECT_EQ(counts[TrueClass::kMoving], 42 * 18);
 }
 
+TEST(CellTruth, TheClassesAloneAreThoseOfTheCells) {
+  const Scene scene = find_scene("street").make(1, 20);
+  const CellArea area = cells_around(scene.ego_at(12));
+  std::vector<TrueClass> expected;
+  for (const TrueCell& cell : true_cells(scene, 12, area, description())) {
+    expected.push_back(cell.what);
+  }
+  EXPECT_GT(std::ranges::count(expected, TrueClass::kMoving), 0);
+  EXPECT_EQ(true_classes(scene, 12, area, description()), expected);
+}
+
 // A solid, how fast it is, and the corners of its outline.
 struct Drawn {
   Solid solid;

@@ -7,6 +7,7 @@
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
+#include "tools/formats/picture/class_picture.hpp"
 #include "tools/formats/picture/frame_writer.hpp"
 #include "tools/formats/picture/grid_picture.hpp"
 #include "tools/formats/picture/ros_map.hpp"
@@ -157,6 +158,71 @@ TEST(Canvas, IgnoresWhatLiesOutside) {
   canvas.text(-3, 8, "edge", {0, 255, 0});
   canvas.fill(8, 8, 100, 100, {1, 2, 3});
   EXPECT_EQ(canvas.at(9, 9), (Colour{1, 2, 3}));
+}
+
+// Cell (i, j) of the window lies i to the right and j up; a mover is drawn three pixels wide.
+TEST(Canvas, SpellsEachCopyrightSign) {
+  const auto picture = [](std::string_view words) {
+    Canvas canvas(80, 9, {});
+    canvas.text(1, 1, words, {0, 255, 0});
+    std::vector<std::uint8_t> green;
+    for (int i = 0; i < canvas.width() * canvas.height(); ++i) {
+      green.push_back(canvas.at(i % canvas.width(), i / canvas.width()).green);
+    }
+    return green;
+  };
+  EXPECT_EQ(picture("\u00A9 A, \u00A9 B"), picture("(C) A, (C) B"));
+  EXPECT_NE(picture("\u00A9"), picture(""));
+  EXPECT_EQ(Canvas::text_width("\u00A9 A"), Canvas::text_width("(C) A"));
+}
+
+TEST(ClassPicture, ACellIsWhereItIsInTheWorld) {
+  ClassGrid classes;
+  const std::int8_t free = 3 * 8 + 7;
+  const std::int8_t moving = 4 * 8 + 5;
+  classes.cells[500 * 1024 + 600] = free;
+  classes.cells[700 * 1024 + 300] = moving;
+  const Canvas picture = picture_of(classes, 0, PictureScale{});
+  ASSERT_EQ(picture.width(), 1020);  // 51 m around the middle
+  EXPECT_EQ(picture.at(598, 1020 - 1 - 498), colour_of_class(free));
+  for (const int aside : {-1, 0, 1}) {
+    EXPECT_EQ(picture.at(298 + aside, 1020 - 1 - 698), colour_of_class(moving));
+  }
+  EXPECT_EQ(picture.at(598, 498), colour_of_class(0));
+}
+
+// A picture of 20 m a side around the car, which is near the window's corner at (-3.2, 6.4) m.
+TEST(ClassPicture, TheCarIsInTheMiddle) {
+  ClassGrid classes;
+  classes.window = {.corner_a = -1,
+                    .corner_b = 2,
+                    .pose = {.x_mm = 20'000, .y_mm = 30'000, .heading = 0},
+                    .slices = 1};
+  const std::int8_t moving = 4 * 8 + 7;
+  // At (25, 35) m: 28.2 m and 28.6 m from the corner; 15 m from the picture's.
+  classes.cells[286 * 1024 + 282] = moving;
+  const Canvas picture = picture_of(classes, 0, PictureScale{.radius_m = 10});
+  ASSERT_EQ(picture.width(), 200);
+  EXPECT_EQ(picture.at(150, 200 - 1 - 150), colour_of_class(moving));
+}
+
+TEST(FrameWriter, AFrameWithClassesHasTwoPictures) {
+  const tests::TemporaryFolder folder;
+  FrameWriter writer({.folder = folder.path(), .every = 1, .scale = {}});
+  GridFrame frame;
+  frame.header.complete_sensors = 1;
+  writer.offer(frame);
+  frame.evidence_number = 1;
+  frame.classes.emplace();
+  writer.offer(frame);
+  frame.evidence_number = 2;
+  frame.header.flags = stream::kFlagClasses | stream::kFlagNoIndexes;
+  writer.write_last(frame);
+  const auto exists = [&](const char* name) { return std::filesystem::exists(folder / name); };
+  EXPECT_TRUE(exists("frame_000000.png") && !exists("classes_000000.png"));
+  EXPECT_TRUE(exists("frame_000001.png") && exists("classes_000001.png"));
+  EXPECT_TRUE(!exists("frame_000002.png") && exists("classes_000002.png"));
+  EXPECT_FALSE(exists("map.pgm")) << "there are no indexes to map";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "gtest/gtest.h"
 
 #include "tools/poses/local_plane.hpp"
+#include "tools/poses/map_origin.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
@@ -70,23 +71,6 @@ TEST(TextFields, DaysAreThoseOfTheCalendar) {
   EXPECT_FALSE(unix_us_of(2001, 2, 29, 0));
   EXPECT_FALSE(unix_us_of(2001, 13, 1, 0));
   EXPECT_FALSE(unix_us_of(1969, 12, 31, 0));
-}
-
-// Radii of curvature of the ellipsoid, along the meridian and across it.
-TEST(LocalPlane, SmallAnglesAreArcsOfTheEllipsoid) {
-  constexpr double kA = 6'378'137.0;
-  constexpr double kE2 = 0.00669437999014;
-  for (const double latitude : {-75.0, -30.0, 0.0, 48.0, 80.0}) {
-    for (const double longitude : {-170.0, 0.0, 11.5, 95.0}) {
-      const double sin = std::sin(latitude * kDegree);
-      const double across = kA / std::sqrt(1 - kE2 * sin * sin);
-      const double along = across * (1 - kE2) / (1 - kE2 * sin * sin);
-      const auto place =
-          LocalPlane(latitude, longitude).place_of(latitude + 2e-4, longitude - 3e-4);
-      EXPECT_NEAR(place.north_m, along * 2e-4 * kDegree, 2e-3);
-      EXPECT_NEAR(place.east_m, -across * std::cos(latitude * kDegree) * 3e-4 * kDegree, 2e-3);
-    }
-  }
 }
 
 TEST(CsvLog, TakesItsColumnsByName) {
@@ -160,6 +144,8 @@ TEST(OxtsLog, TakesTheFieldsByTheirNumbers) {
   EXPECT_NEAR(log.poses[1].y_m, 11.12, 0.01);  // 1e-4 degrees of latitude
   EXPECT_NEAR(log.poses[1].x_m, 7.31, 0.01);   // and of longitude, at 49 degrees
   EXPECT_EQ(log.remarks, std::vector<std::string>{"1 times without a file in data/"});
+  ASSERT_TRUE(log.plane);
+  EXPECT_NEAR(log.plane->place_of(49.015003, 8.434297).east_m, 0, 1e-6);
 
   write_text(folder + "/data/0000000002.txt", "49 8 112\n");
   EXPECT_NE(error_of([&] {
@@ -217,6 +203,45 @@ TEST(ConvertedLog, WhatTheTargetWouldDropIsLeftOutAndCounted) {
             (std::vector<std::string>{"1 poses without a heading",
                                       "2 poses that are not newer than the one before",
                                       "1 poses less than 8 ms after the one before"}));
+}
+
+// A log in the plane of its first position, and a map whose plane is 5 km away: by the transform of
+// the messages every pose is where the map's own plane has it.
+TEST(ConvertedLog, PosesSayWhereTheyAreOnAMap) {
+  const MapOrigin origin = map_origin_in("", "49.03,8.46");
+  const LocalPlane plane(49, 8.4);
+  PoseLog log;
+  log.plane = plane;
+  std::vector<LocalPlane::Place> on_map;
+  for (int i = 0; i < 10; ++i) {
+    const double latitude = 49 + 3e-4 * i;
+    const double longitude = 8.4 - 4e-4 * i;
+    const LocalPlane::Place at = plane.place_of(latitude, longitude);
+    log.poses.push_back(logged(100'000U * static_cast<unsigned>(i), at.east_m, at.north_m, 0));
+    on_map.push_back(origin.plane().place_of(latitude, longitude));
+  }
+  EXPECT_FALSE(converted(log, {}).samples.front().map);
+  const pose::Sigma sigma{.position_mm = 80, .heading_10urad = 120};
+  const ConvertedLog result = converted(log, {.map = PoseConversion::Map{origin, sigma}});
+  for (std::size_t i = 0; i < on_map.size(); ++i) {
+    ASSERT_TRUE(result.samples[i].map);
+    const pose::MapTransform map = *result.samples[i].map;
+    EXPECT_EQ(map.origin, origin.name());
+    EXPECT_EQ(map.sigma, sigma);
+    const double turn = map.local_frame.heading / 0x1p32 * 360 * kDegree;
+    const double x = result.samples[i].x_m;
+    const double y = result.samples[i].y_m;
+    EXPECT_NEAR(map.local_frame.x_mm / 1e3 + x * std::cos(turn) - y * std::sin(turn),
+                on_map[i].east_m, 0.01);
+    EXPECT_NEAR(map.local_frame.y_mm / 1e3 + x * std::sin(turn) + y * std::cos(turn),
+                on_map[i].north_m, 0.01);
+  }
+}
+
+TEST(ConvertedLog, WithoutLatitudesThereIsNoPlaceOnAMap) {
+  PoseLog log;
+  log.poses = {logged(0, 10, 20, 0)};
+  EXPECT_FALSE(converted(log, {.map = PoseConversion::Map{}}).samples.front().map);
 }
 
 }  // namespace

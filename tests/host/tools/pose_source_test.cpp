@@ -63,6 +63,20 @@ TEST(SimulatedPoses, WithoutErrorsAreTrue) {
   }
 }
 
+TEST(SimulatedPoses, SayWhereTheyAreOnAMapOnlyIfTold) {
+  const pose::MapTransform map{
+      .origin = 7, .local_frame = {1, -2, 3}, .sigma = {.position_mm = 4, .heading_10urad = 5}};
+  PoseOptions options = kExact;
+  PoseEncoder encoder;
+  for (const PoseSample& sample : simulated_poses(circle(1), options, 1, 1)) {
+    EXPECT_FALSE(pose::decode(encoder.datagram_of(sample).payload).message.map);
+  }
+  options.map = map;
+  for (const PoseSample& sample : simulated_poses(circle(1), options, 1, 1)) {
+    EXPECT_EQ(pose::decode(encoder.datagram_of(sample).payload).message.map, map);
+  }
+}
+
 TEST(SimulatedPoses, ComeAtTheirRateAndALittleLate) {
   for (const double rate_hz : {10.0, 50.0, 100.0, 125.0}) {
     const auto samples = simulated_poses(circle(10), {.rate_hz = rate_hz}, 3, 10);

@@ -1,13 +1,20 @@
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
+#include "fake_class_target.hpp"
+#include "tools/formats/ros/class_messages.hpp"
 #include "tools/formats/ros/grid_messages.hpp"
 #include "tools/record/recorder.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
@@ -124,6 +131,32 @@ TEST(Recorder, AfterASilenceOldTilesAreNotPassedOffAsKnown) {
   EXPECT_GT(unknown_tiles_after(true), 0U);
 }
 
+// The numbers of ten frames of docs/spec.md 3.9 and 3.10, as FakeClassTarget makes them up.
+TEST(StreamCensus, SumsUpClasses) {
+  FakeClassTarget target({.seed = 1}, 7);
+  StreamCensus census;
+  for (const auto& message : target.frames(10)) {
+    census.take(message);
+  }
+  census.finish();
+  std::map<std::string, std::string> facts;
+  for (const auto& [name, value] : census.facts()) {
+    facts[name] = value;
+  }
+  EXPECT_EQ(facts["class_frames"], "10");
+  EXPECT_EQ(facts["class_frames_incomplete"], "0");
+  EXPECT_EQ(facts["packets_placed"], "245") << "20 + 21 + ... + 29";
+  EXPECT_EQ(facts["packets_not_placed"], "10");
+  EXPECT_EQ(facts["slices_late"], "3");
+  EXPECT_EQ(facts["times_jump"], "2");
+  EXPECT_EQ(facts["poses_used"], "400");
+  EXPECT_NE(facts["class_run_hash"], "00000000");
+  const std::string table = census.table();
+  EXPECT_NE(table.find("\nclass frames          10\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\nslices                50 placed, 3 late\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\nposes                 400 used\n"), std::string::npos) << table;
+}
+
 TEST(StreamCensus, TellsMessagesByServiceAndEvent) {
   std::vector<std::byte> message = sample_stream().front();
   EXPECT_TRUE(StreamCensus::is_message(message));
@@ -207,6 +240,96 @@ TEST(FoxgloveGrid, SaysHowOldEachCellIs) {
   EXPECT_EQ(cell(0), bytes(-7, 20, 254)) << "300 frames are more than can be said";
   EXPECT_EQ(cell(32), bytes(0, 50, 0)) << "arrived, and nothing is known";
   EXPECT_EQ(cell(64), bytes(0, 50, 255)) << "never arrived";
+}
+
+// A window whose corner is at (-3.2, 6.4) m, with one cell of a class.
+ClassGrid classes_of_one_cell(std::size_t cell, std::int8_t byte) {
+  ClassGrid classes;
+  classes.window = {.corner_a = -1, .corner_b = 2, .slices = 1};
+  classes.valid_tiles.set();
+  classes.cells[cell] = byte;
+  return classes;
+}
+
+double f64_at(std::span<const std::byte> message, std::size_t at) {
+  const std::span bytes = message.subspan(4 + at);
+  const std::uint64_t low = wire::load_le32(bytes.first<4>());
+  const std::uint64_t high = wire::load_le32(bytes.subspan<4, 4>());
+  return std::bit_cast<double>(high << 32 | low);
+}
+
+// Offsets as of the other grid, but for "odom\0": length and text 9, 3 to align, so the load time
+// is at 20, resolution, width and height at 28, the pose at 40, the length at 96.
+TEST(ClassOccupancyGrid, StandsInTheLocalFrame) {
+  const std::vector<std::byte> message = class_occupancy_grid(classes_of_one_cell(1024, 37), 5);
+  ASSERT_EQ(message.size(), 4U + 100U + 1024U * 1024U);
+  EXPECT_DOUBLE_EQ(f64_at(message, 40), -3.2);
+  EXPECT_DOUBLE_EQ(f64_at(message, 48), 6.4);
+  EXPECT_DOUBLE_EQ(f64_at(message, 88), 1.0) << "not turned";
+  EXPECT_EQ(message[4 + 100], std::byte{0xFF}) << "-1 where nothing is known";
+  EXPECT_EQ(message[4 + 100 + 1024], std::byte{90}) << "moving";
+}
+
+// nav2_map_server: below 0.196 is free, above 0.65 is occupied. Classes are those of docs/spec.md
+// 3.9.
+TEST(ClassOccupancyGrid, MapServersThresholdsTellFreeFromOccupied) {
+  EXPECT_EQ(percent_of_class(0), -1);
+  std::set<int> values;
+  for (int number = 1; number <= 8; ++number) {
+    for (int sureness = 0; sureness < 8; ++sureness) {
+      const int percent = percent_of_class(static_cast<std::int8_t>(8 * number + sureness));
+      values.insert(percent);
+      EXPECT_TRUE(number <= 3 ? percent >= 0 && percent < 19.6 : percent > 65 && percent <= 100);
+    }
+  }
+  EXPECT_EQ(values.size(), 8U) << "each class has a value of its own";
+}
+
+TEST(FoxgloveClassGrid, SaysClassSurenessAndAge) {
+  constexpr std::size_t kCellBytes = 3;
+  GridFrame frame;
+  frame.classes = classes_of_one_cell(0, 8 * 7 + 3);
+  frame.header.frame_number = 1;
+  // The corner's tile (-1, 2) is at slot 2 * 32 + 31.
+  frame.classes->age_frames.at(2 * 32 + 31) = 6;
+  LiveClasses live;
+  live.take(frame);
+  GridFrame next = frame;
+  next.header.frame_number = 2;
+  next.classes->valid_tiles.reset(2 * 32 + 31);
+  next.classes->window.corner_b = 3;  // the lowest row of tiles leaves the window
+  live.take(next);
+  next.header.frame_number = 3;
+  next.classes->window.corner_b = 2;  // and comes back, but for one of its tiles
+  live.take(next);
+  const std::vector<std::byte> message = foxglove_class_grid(live, 5);
+  const auto cells = std::span(message).last(kCellBytes * 1024 * 1024);
+  EXPECT_EQ(cells[2], std::byte{255}) << "it left the window";
+
+  LiveClasses kept;
+  kept.take(frame);
+  next.header.frame_number = 2;
+  kept.take(next);
+  const std::vector<std::byte> again = foxglove_class_grid(kept, 5);
+  const auto first = std::span(again).last(kCellBytes * 1024 * 1024);
+  EXPECT_EQ(first[0], std::byte{7});
+  EXPECT_EQ(first[1], std::byte{3});
+  EXPECT_EQ(first[2], std::byte{7}) << "six frames old when it came, a frame ago";
+  EXPECT_EQ(first[kCellBytes * 32 + 2], std::byte{0}) << "the next tile is fresh";
+}
+
+// A quarter of a turn to the left is (0, 0, sqrt(1/2), sqrt(1/2)). Offsets: count 4, stamp 8,
+// "odom\0" 9 and 3 to align, "base_link\0" 14, 2 to align.
+TEST(TfMessage, TurnsAndMoves) {
+  const std::vector<std::byte> message =
+      transform_of({.x_mm = -1500, .y_mm = 250, .heading = 1U << 30}, 7'000'002);
+  ASSERT_EQ(message.size(), 4U + 40U + 56U);
+  EXPECT_EQ(wire::load_le32(std::span(message).subspan<8, 4>()), 7U) << "seconds";
+  EXPECT_DOUBLE_EQ(f64_at(message, 40), -1.5);
+  EXPECT_DOUBLE_EQ(f64_at(message, 48), 0.25);
+  EXPECT_DOUBLE_EQ(f64_at(message, 64), 0.0);
+  EXPECT_NEAR(f64_at(message, 80), std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(f64_at(message, 88), std::sqrt(0.5), 1e-15);
 }
 
 TEST(Uint8MultiArray, CarriesAnyBytes) {

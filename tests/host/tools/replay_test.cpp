@@ -1,12 +1,15 @@
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
+#include "pose/message.hpp"
 #include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/replay/frame_grouper.hpp"
+#include "tools/replay/pose_rounds.hpp"
 
 namespace iog::tools {
 namespace {
@@ -84,6 +87,56 @@ TEST(FrameGrouper, NothingIsLostAndOrderIsKept) {
     }
   }
   EXPECT_EQ(next, datagrams.size());
+}
+
+// A pose cuts no frame and is lost in none: it goes with the packets among which it came.
+TEST(FrameGrouper, PosesStayWhereTheyCame) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  const auto packets = sample_drive(car, 1, 3);
+  pose::Encoder encoder;
+  const auto bytes = encoder.encode({.run = 1});
+  std::vector<CapturedDatagram> datagrams;
+  for (const CapturedDatagram& packet : packets) {
+    datagrams.push_back(packet);
+    CapturedDatagram pose = packet;
+    pose.destination.port = car.vehicle->poses.udp_port;
+    pose.payload.assign(bytes.begin(), bytes.end());
+    datagrams.push_back(pose);
+  }
+  const Frames frames = grouped(car, datagrams);
+  const Frames without = grouped(car, packets);
+  ASSERT_EQ(frames.size(), without.size() + 1);  // the pose behind the last packet
+  EXPECT_EQ(frames.back().size(), 1U);
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    // The first frame has no pose in front of it.
+    EXPECT_EQ(frames[i].size(), 2 * without[i].size() - (i == 0 ? 1 : 0)) << i;
+  }
+}
+
+TEST(PoseRounds, EachRoundIsAnotherRunAndNothingElse) {
+  pose::Encoder encoder;
+  PoseRounds rounds;
+  const pose::Message recorded{.run = 7,
+                               .age_us = 1'000,
+                               .clock_us = 1'000'000,
+                               .pose = {.x_mm = 1, .y_mm = 2, .heading = 3},
+                               .sigma = {10, 20}};
+  const auto encoded = encoder.encode(recorded);
+  const std::vector<std::byte> bytes(encoded.begin(), encoded.end());
+  rounds.start_round();
+  EXPECT_EQ(rounds.in_round(bytes), bytes);
+  std::set<std::uint32_t> runs{recorded.run};
+  for (int round = 2; round <= 5; ++round) {
+    rounds.start_round();
+    auto [fate, message] = pose::decode(rounds.in_round(bytes));
+    ASSERT_EQ(fate, pose::Fate::kUsed);
+    EXPECT_TRUE(runs.insert(message.run).second) << round;
+    message.run = recorded.run;
+    EXPECT_EQ(message, recorded);
+  }
+  std::vector<std::byte> damaged = bytes;
+  damaged.back() ^= std::byte{1};
+  EXPECT_EQ(rounds.in_round(damaged), damaged);
 }
 
 }  // namespace

@@ -35,10 +35,15 @@ struct Wire {
 
 class Target {
  public:
+  explicit Target(std::uint32_t run_number = 1) : run_number_{run_number} {}
+
   // Sends frames of these known tiles for a while, and returns the bytes on the line.
   std::vector<std::byte> send(const Grid& grid, int frames) {
     for (; frames > 0; --frames, ++frame_) {
-      sender_->begin_frame({.frame_number = frame_, .closed_us = now_us_, .complete_sensors = 1});
+      sender_->begin_frame({.frame_number = frame_,
+                            .closed_us = now_us_,
+                            .complete_sensors = 1,
+                            .run_number = run_number_});
       for (const auto& [tile, cells] : grid) {
         sender_->take_tile(tile, cells);
       }
@@ -53,6 +58,7 @@ class Target {
  private:
   std::unique_ptr<serial::GridSender> sender_ = std::make_unique<serial::GridSender>();
   Wire wire_;
+  std::uint32_t run_number_;
   std::uint32_t frame_ = 0;
   std::uint64_t now_us_ = 0;
 };
@@ -141,11 +147,11 @@ TEST(SerialLink, BelievesNothingThatIsDamaged) {
   EXPECT_GT(link.counts().messages, 10u);
 }
 
-TEST(SerialLink, ForgetsATargetThatHasStartedOver) {
+TEST(SerialLink, ANewRunReplacesTheOldOne) {
   SerialLink link;
-  Target first;
+  Target first(7);
   link.take(first.send(street(60), 60));
-  Target second;
+  Target second(8);
   link.take(second.send({}, 25));
   EXPECT_EQ(link.counts().restarts, 1u);
   EXPECT_EQ(link.counts().lost, 0u);
@@ -153,19 +159,54 @@ TEST(SerialLink, ForgetsATargetThatHasStartedOver) {
   expect_cells(link.grid().composed(kEver), {});
 }
 
-// The receiver was away while the new run sent more messages than the old one had.
-TEST(SerialLink, ForgetsATargetThatHasStartedOverUnheard) {
+// The receiver was away while the new run sent more messages than the old one had, for longer. No
+// number but that of the run tells.
+TEST(SerialLink, ANewRunReplacesTheOldOneThoughAllElseGoesOn) {
   SerialLink link;
-  Target first;
+  Target first(7);
   link.take(first.send(street(60), 15));
-  Target second;
-  static_cast<void>(second.send({}, 9));  // many short messages, in less time
+  const std::uint32_t last = link.grid().newest()->frame_number;
+  Target second(0xFFFFFFFF);
+  static_cast<void>(second.send({}, 60));  // many short messages
   link.take(second.send({}, 1));
   ASSERT_TRUE(link.grid().newest());
-  EXPECT_LT(link.grid().newest()->closed_us, 10 * kFrameUs);
-  EXPECT_GT(link.counts().messages, 5u);
+  EXPECT_GT(link.grid().newest()->frame_number, last);
   EXPECT_EQ(link.counts().restarts, 1u);
+  EXPECT_EQ(link.counts().lost, 0u);
   expect_cells(link.grid().composed(kEver), {});
+}
+
+// A file that was written twice, say.
+TEST(SerialLink, AnOldMessageOfTheRunIsDropped) {
+  const Grid grid = street(60);
+  Target target;
+  SerialLink link;
+  const std::vector<std::byte> bytes = target.send(grid, 30);
+  link.take(bytes);
+  const SerialCounts once = link.counts();
+  const std::uint32_t newest = link.grid().newest()->frame_number;
+  link.take(bytes);
+  EXPECT_EQ(link.counts().messages, once.messages);
+  EXPECT_EQ(link.counts().repeated + link.counts().damaged, once.messages)
+      << "the first may be cut, where the file ends and begins again";
+  EXPECT_EQ(link.counts().restarts, 0u);
+  EXPECT_EQ(link.grid().newest()->frame_number, newest);
+}
+
+TEST(SerialLink, AnotherVersionIsRefusedByName) {
+  protection::Channel old = stream::kSerialChannel;
+  old.event.interface_version = 2;
+  protection::Sender sender(old);
+  stream::TilesWriter writer;
+  writer.begin_grid({.complete_sensors = 1}, stream::geometry_of_level(5));
+  const auto message = writer.finish(1, 0);
+  sender.protect(message);
+  std::array<std::byte, framing::max_framed_bytes(protection::kMaxMessageBytes)> frame{};
+  SerialLink link;
+  link.take(std::span(frame).first(framing::encode_cobs(message, frame)));
+  EXPECT_EQ(link.version_sent(), 2);
+  EXPECT_EQ(link.counts().other_version, 1u);
+  EXPECT_EQ(link.counts().messages + link.counts().not_ours + link.counts().damaged, 0u);
 }
 
 ToldTile told(std::uint64_t closed_us, int value) {

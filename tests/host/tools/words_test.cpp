@@ -9,9 +9,11 @@
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
+#include "fakes/real_velodyne_packets.hpp"
 #include "fakes/temporary_folder.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/mcap/writer.hpp"
+#include "tools/info/file_summary.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/word_distance.hpp"
 #include "tools/receive/nothing_came.hpp"
@@ -91,6 +93,35 @@ TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
   EXPECT_EQ(complaint_of([&] { demand_fit(path, car); }), "");
   EXPECT_TRUE(contains(complaint_of([&] { demand_fit(path, find_vehicle("roof_vlp16")); }),
                        path + ": no packet is for a sensor of roof_vlp16"));
+}
+
+// Packets of a real HDL-32E to the port that roof_vlp16 has, too.
+TEST(VehicleFit, AnotherUnitIsNamedAndSoIsADoubt) {
+  const tests::TemporaryFolder folder;
+  const auto written = [&](const std::string& name, const std::vector<std::string_view>& packets) {
+    PcapWriter capture(folder / name);
+    for (const std::string_view hex : packets) {
+      capture.write({.time_us = 1,
+                     .source = {1, 2'368},
+                     .destination = {2, 2'368},
+                     .payload = tests::bytes_of_hex(hex)});
+    }
+    capture.finish();
+    return folder / name;
+  };
+  const std::string two = written("two.pcap", {tests::kHdl32eFirst, tests::kHdl32eSecond});
+  EXPECT_EQ(complaint_of([&] { demand_fit(two, find_vehicle("roof_hdl32e")); }), "");
+  EXPECT_EQ(complaint_of([&] { demand_fit(two, find_vehicle("roof_vlp16")); }),
+            two +
+                ": what comes to UDP port 2368 is of a Velodyne HDL-32E, and sensor roof of "
+                "roof_vlp16 is a Velodyne VLP-16: try --vehicle roof_hdl32e");
+  const std::string one = written("one.pcap", {tests::kHdl32eFirst});
+  for (const char* const car : {"roof_hdl32e", "roof_vlp16"}) {
+    EXPECT_TRUE(contains(complaint_of([&] { demand_fit(one, find_vehicle(car)); }),
+                         "is of a Velodyne HDL-32E or Velodyne VLP-16, and sensor roof of"));
+  }
+  EXPECT_TRUE(contains(summary_of_capture(two), "Velodyne HDL-32E        2 "));
+  EXPECT_TRUE(contains(summary_of_capture(one), "Velodyne HDL-32E or Velodyne VLP-16"));
 }
 
 // The system's words, which are those of strerror().

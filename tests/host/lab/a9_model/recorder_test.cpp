@@ -139,6 +139,24 @@ TEST(Recorder, WhatCameBeforeIsForgotten) {
   EXPECT_EQ(run.instructions_of("all"), 8);
 }
 
+// A round may end while a function is under way. What came before the first is in no round.
+TEST(Recorder, RoundsAreReportedOneByOne) {
+  Session run({{"f", 0x1000'2000}});
+  run.at(0x1000'0000, kCall);
+  run.at(0x1000'2000, kAdd, 7);
+  run.mark(0x1000'201c, kMarkerForget);
+  run.at(0x1000'2024, kAdd, 2);
+  run.at(0x1000'202c, kReturn);
+  run.at(0x1000'0004, kAdd, 9);
+  run.mark(0x1000'0028, kMarkerRound);
+  run.at(0x1000'0030, kCall);
+  run.at(0x1000'2000, kAdd, 4);
+  run.mark(0x1000'2010, kMarkerRound);
+  EXPECT_EQ(run.instructions_of("f", "round=0 of"), 3);
+  EXPECT_EQ(run.instructions_of("f", "round=1 of"), 4);
+  EXPECT_EQ(run.instructions_of("f", "round=2 of"), -1);
+}
+
 TEST(Recorder, AJumpToAFunctionReturnsToTheCallersCaller) {
   Session run({{"g", 0x1000'3000}});
   run.at(0x1000'0000, kCall);

@@ -21,7 +21,7 @@ constexpr vehicle::MountConfig kMount{.x_m = 0.05, .y_m = 0.05, .z_m = 0.5};
 const std::array kScanner{vehicle::ibeo_lux("front", 0, 1, kMount, 201)};
 constexpr vehicle::Description kDescription{.name = "test", .z_min_m = 0.2, .z_max_m = 2.0};
 const tools::CatalogueEntry kCar{
-    .vehicle = nullptr, .description = &kDescription, .sensors = kScanner};
+    .vehicle = nullptr, .description = &kDescription, .sensors = kScanner, .network = nullptr};
 
 std::vector<CellState> seen(const std::vector<tools::Solid>& solids,
                             const tools::EgoPose& ego = {}) {
@@ -80,7 +80,7 @@ TEST(Visibility, WhatLiesBelowTheBandIsFree) {
 TEST(Visibility, OnlyThePartOfABeamInsideTheBandCounts) {
   constexpr vehicle::Description kLowBand{.name = "test", .z_min_m = 0.2, .z_max_m = 0.51};
   const tools::CatalogueEntry car{
-      .vehicle = nullptr, .description = &kLowBand, .sensors = kScanner};
+      .vehicle = nullptr, .description = &kLowBand, .sensors = kScanner, .network = nullptr};
   // The upper layers leave the band after 0.01 / tan 1.2 degrees = 0.48 m and 1.4 m, the lower ones
   // see the ground below the solid.
   const auto cells = visibility(

@@ -11,7 +11,7 @@
 
 #include "fakes/random.hpp"
 #include "fakes/temporary_folder.hpp"
-#include "fakes/vlp16_packet.hpp"
+#include "fakes/velodyne_packet.hpp"
 #include "lab/evidence/fusion_rules.hpp"
 #include "lab/evidence/projection.hpp"
 #include "lab/evidence/values.hpp"
@@ -134,7 +134,7 @@ TEST(FramePoints, ATurnOfAVlp16IsAFrame) {
   Datagrams datagrams;
   for (int number = 0; number < 170; ++number) {
     const auto time_us = static_cast<std::uint32_t>(number) * 1327;
-    tests::Vlp16Packet packet{.first_azimuth = number * 478 % 36'000, .time_us = time_us};
+    tests::VelodynePacket packet{.first_azimuth = number * 478 % 36'000, .time_us = time_us};
     for (auto& block : packet.ranges) {
       for (int& range : block) {
         range = random.one_in(9) ? random.between(600, 20'000) : 0;

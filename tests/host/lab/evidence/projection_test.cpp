@@ -102,7 +102,7 @@ FramePoints random_points(const Vehicle& vehicle, std::uint64_t seed, int count)
   for (int i = 0; i < count; ++i) {
     const std::size_t place = random.below(vehicle.sensors.size());
     const vehicle::Sensor& sensor = vehicle.sensors[place];
-    const auto turn = static_cast<int>(sensor.sines.ticks_per_turn());
+    const auto turn = static_cast<int>(sensor.azimuths.ticks_per_turn());
     const auto range_mm = static_cast<int>(sensor.range.mm());
     lidar::ScanPoint point;
     point.azimuth_ticks = static_cast<std::uint16_t>(

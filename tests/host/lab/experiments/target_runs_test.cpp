@@ -78,7 +78,7 @@ class Accountant {
     if (!frame.header.has_evidence()) {
       return;  // it says that the other scanners' packets were dropped
     }
-    account_.hash.add(tools::record_of(frame));
+    account_.hash.add(tools::grid_crc_of(frame));
     ++account_.frames;
     account_.points_used += frame.header.points_used;
   }

@@ -7,7 +7,11 @@ import unittest
 from unittest import mock
 
 import laboratory
+import a9_cores
+import a9_map
+import a9_perception
 import a9_runs
+import a9_turning
 
 
 class Rows(unittest.TestCase):
@@ -33,6 +37,40 @@ class Rows(unittest.TestCase):
         self.assertEqual(set(whole.values()), {7})
 
 
+class DividedRounds(unittest.TestCase):
+    # Rounds of two, one and one items, and the end of a frame, as the image and the model print them.
+    # Two functions have one name.
+    PRINTED = ["perception_cost rounds=2,1,1,0"] + [
+        f"modelled variant=nominal round={number} of={name} cycles={cycles} l2_misses=0 "
+        f"ddr_reads={reads} ddr_writes=1"
+        for number, costs in enumerate([(3, 2, 0, 0), (0, 0, 40, 0), (0, 0, 60, 0), (7, 0, 0, 0),
+                                        (0, 0, 0, 30), (4, 0, 0, 0), (9, 0, 0, 0), (2, 0, 0, 0)])
+        for name, cycles, reads in zip(("other", "other", "fuse", "encode", "benchmark"),
+                                       (*costs, 1000), (1, 0, 2, 0, 500))]
+
+    def test_items_are_dealt_to_whoever_is_idle_first(self):
+        items = [a9_cores.Item(cycles, 0) for cycles in (4, 1, 1, 1, 1, 9)]
+        self.assertEqual(a9_cores.dealt(items, 2), [13, 4])
+        self.assertEqual(a9_cores.dealt(items, 1), [17])
+
+    def test_rounds_are_told_from_what_core_0_does_alone(self):
+        rounds = a9_cores.rounds_of(self.PRINTED)
+        self.assertEqual([(each.frame, each.stage, [item.cycles for item in each.items])
+                          for each in rounds],
+                         [(0, "alone", [5]), (0, "fuse", [40, 60]), (0, "alone", [7]),
+                          (0, "encode", [30]), (0, "alone", [4]), (0, "window", [9]),
+                          (0, "alone", [2])])
+        self.assertEqual(rounds[0].items[0].ddr_lines, (1 + 1) + (0 + 1) + (2 + 1) + (0 + 1))
+
+    def test_no_round_is_shorter_than_its_lines_take(self):
+        rows = {row.stage: row for row in
+                a9_cores.divided("city", "nominal", 2, a9_cores.rounds_of(self.PRINTED), 10)}
+        self.assertEqual(rows["fuse"].longest_cycles, 60)
+        self.assertEqual(rows["fuse"].bounded_cycles, 2 * 7 * 10)
+        self.assertEqual(rows["alone"].busy_cycles, 5 + 7 + 4 + 2)
+        self.assertEqual((rows["encode"].rounds, rows["encode"].items), (1, 1))
+
+
 def nothing_modelled(_place, _variant, functions, image, *arguments):
     """In place of the model: the pairs that an image prints, and no cost at all."""
     pairs = dict.fromkeys(("lines", "leaves", "bytes"), "0")
@@ -55,6 +93,23 @@ class Runs(unittest.TestCase):
         with mock.patch.object(a9_runs, "modelled", nothing_modelled):
             rows = a9_runs.results_of(a9_runs.modelled_runs(
                 place, {"city": "city.pcap", "ring_road": "ring_road.pcap"}, list(worst)))
+        with mock.patch.object(a9_runs, "printed_by_model",
+                               lambda *_: ["perception_cost groups_fused_after=0"]):
+            for variant in a9_perception.VARIANTS:
+                for drive in ("city", "ring_road"):
+                    rows += a9_perception.modelled(place, drive, variant, "drive.pcap")
+        with mock.patch.object(a9_runs, "printed_by_model",
+                               lambda *_: ["map_cost tiles=0", "modelled of=layer cycles=0"]):
+            for variant in a9_map.VARIANTS:
+                for name in a9_map.BEGINS:
+                    rows += a9_map.modelled(place, name, variant)
+        nothing = " ".join(f"{counter}=0" for counter in a9_runs.COUNTERS)
+        with mock.patch.object(a9_runs, "modelled", nothing_modelled), \
+                mock.patch.object(a9_runs, "printed_by_model",
+                                  lambda *_: [f"modelled region={region} {nothing}"
+                                              for region in a9_turning.REGIONS]):
+            rows += a9_runs.results_of(a9_turning.modelled_runs(
+                place, dict.fromkeys(a9_turning.VEHICLES, "drive.pcap")))
         self.assertEqual([tuple(row[:4]) for row in rows],
                          [key for key in stored if key[2] != "counted"])
 

@@ -101,6 +101,20 @@ class TargetDataTest(unittest.TestCase):
             for counter in ("frames", "points"):
                 self.assertEqual(A9.value(run, counter), A9.value(ours, counter), run)
 
+    def test_the_map_s_layer_is_modelled_on_the_drive_that_was_counted(self):
+        """The model leaves out the 64-bit division of the rasters."""
+        runs = A9.runs("map_cost")
+        self.assertGreater(len(runs), 0)
+        for run in runs:
+            counted = A9.value(run, "instructions", "layer")
+            for variant in ("nominal", "pessimistic"):
+                self.assertEqual(A9.value(run, "tiles", variant=variant), A9.value(run, "tiles"))
+                modelled = A9.value(run, "instructions", "layer", variant)
+                self.assertLessEqual(modelled, counted, run)
+                self.assertGreater(modelled, 0.9 * counted, run)
+            self.assertLess(A9.value(run, "cycles", "layer", "nominal"),
+                            A9.value(run, "cycles", "layer", "pessimistic"), run)
+
     def test_the_bound_is_not_far_from_a_frame_without_shared_lines(self):
         """One far above what can happen would say nothing. It counts with a walk for each beam: a
         frame whose beams share no line comes near to it, for its number of points."""

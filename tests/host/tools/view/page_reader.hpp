@@ -30,12 +30,19 @@ class PageReader {
   bool has_frame = false;  // of the last message
   bool is_key = false;
   bool has_truth = false;
+  bool has_classes = false;
+  bool has_true_classes = false;
   std::size_t tile_records = 0;
   std::size_t points = 0;
   std::string words;
   std::vector<std::uint8_t> ages;
+  std::vector<std::uint8_t> class_ages;
+  std::vector<std::uint8_t> decided_ago;
   std::vector<std::int8_t> cells = std::vector<std::int8_t>(geometry::kCellCount, 0);
   std::vector<std::int8_t> truth = std::vector<std::int8_t>(geometry::kCellCount, 0);
+  // By slot: cell_of_tile(slot, i).
+  std::vector<std::int8_t> classes = std::vector<std::int8_t>(geometry::kCellCount, 0);
+  std::vector<std::int8_t> true_classes = std::vector<std::int8_t>(geometry::kCellCount, 0);
 
  private:
   static std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t count) {
@@ -51,6 +58,8 @@ class PageReader {
     has_frame = (flags & 1U) != 0;
     is_key = (flags & 2U) != 0;
     has_truth = (flags & 4U) != 0;
+    has_classes = (flags & 8U) != 0;
+    has_true_classes = (flags & 16U) != 0;
     tile_records = 0;
     std::size_t at = 8 + number(bytes, 4, 4);
     words = bytes.substr(8, at - 8);
@@ -58,12 +67,15 @@ class PageReader {
       return;
     }
     if (is_key) {
-      cells.assign(cells.size(), 0);
-      truth.assign(truth.size(), 0);
+      for (auto* const layer : {&cells, &truth, &classes, &true_classes}) {
+        layer->assign(layer->size(), 0);
+      }
     }
-    ages.assign(bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                bytes.begin() + static_cast<std::ptrdiff_t>(at + geometry::kTileCount));
-    at += geometry::kTileCount;
+    at = read_ages(bytes, at, ages);
+    if (has_classes) {
+      at = read_ages(bytes, at, class_ages);
+      at = read_ages(bytes, at, decided_ago);
+    }
     points = number(bytes, at, 4);
     at += 4 + points * 5;
     while (at < bytes.size()) {
@@ -72,8 +84,15 @@ class PageReader {
     }
   }
 
+  static std::size_t read_ages(std::string_view bytes, std::size_t at,
+                               std::vector<std::uint8_t>& ages) {
+    const std::string_view part = bytes.substr(at, geometry::kTileCount);
+    ages.assign(part.begin(), part.end());
+    return at + geometry::kTileCount;
+  }
+
   std::size_t read_tile(std::string_view bytes, std::size_t at) {
-    auto& layer = number(bytes, at, 1) == 0 ? cells : truth;
+    auto& layer = *std::array{&cells, &truth, &classes, &true_classes}.at(number(bytes, at, 1));
     const auto encoding = static_cast<tile_coding::Encoding>(number(bytes, at + 1, 1));
     const std::size_t tile = number(bytes, at + 2, 2);
     const std::size_t size = number(bytes, at + 4, 2);

@@ -31,7 +31,7 @@ class SceneTest : public testing::Test {
  protected:
   void next_frame() {
     grid_->take(random_frame(random_, ++number_));
-    scene_->publish_frame(*grid_, {}, "{}");
+    scene_->publish_frame(*grid_, *classes_, {}, "{}");
   }
 
   bool shows_the_grid(const PageReader& page) {
@@ -41,6 +41,7 @@ class SceneTest : public testing::Test {
   Random random_{7};
   std::uint32_t number_ = 0;
   std::unique_ptr<LiveGrid> grid_ = std::make_unique<LiveGrid>();
+  std::unique_ptr<LiveClasses> classes_ = std::make_unique<LiveClasses>();
   std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();
 };
 
@@ -127,7 +128,7 @@ TEST_F(SceneTest, WhatAGridForgetsDisappears) {
   page.catch_up(*scene_);
   grid_->forget();
   grid_->take(GridFrame());
-  scene_->publish_frame(*grid_, {}, "{}");
+  scene_->publish_frame(*grid_, *classes_, {}, "{}");
   page.catch_up(*scene_);
   EXPECT_EQ(std::ranges::count(page.cells, 0), page.cells.size());
 }

@@ -1,11 +1,16 @@
 #include "tools/view/sensor_target.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <vector>
 
 #include "gtest/gtest.h"
 
 #include "../drive_sample.hpp"
 #include "page_reader.hpp"
+#include "tools/simulate/moving_drive.hpp"
+#include "tools/simulate/pose_source.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -47,7 +52,7 @@ TEST(SensorTarget, ShowsTheGridsOfTheTargetWithTheirPoints) {
     page.has_frame = false;
   };
   for (const CapturedDatagram& packet : drive) {
-    target->take(packet, {});
+    target->take(packet, nullptr);
     look();
   }
   target->finish();
@@ -57,13 +62,46 @@ TEST(SensorTarget, ShowsTheGridsOfTheTargetWithTheirPoints) {
   EXPECT_NE(page.words.find(R"("whole":true,"damaged":false)"), std::string::npos);
 }
 
+// The classes of a target that has the same packets and poses.
+TEST(SensorTarget, ShowsTheClassesOfADriveWithPoses) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  MovingDrive drive(car, 1, 1);
+  PoseFeed poses(simulated_poses(drive.scene(), {}, 1, 1));
+  std::vector<CapturedDatagram> packets;
+  for (std::uint32_t frame = 0; frame < 5; ++frame) {
+    std::ranges::move(with_poses(drive.datagrams(frame), poses), std::back_inserter(packets));
+  }
+  const std::vector<GridFrame> expected = frames_of(car, packets);
+  ASSERT_FALSE(expected.empty());
+  const ClassGrid& last = *expected.back().classes;
+  ASSERT_GT(std::ranges::count_if(last.cells, [](std::int8_t byte) { return byte != 0; }), 1000);
+
+  const auto scene = std::make_unique<Scene>();
+  Viewer viewer(*scene, {"drive", "test"}, Recorder("", 15000));
+  const auto target = std::make_unique<SensorTarget>(car, viewer);
+  for (const CapturedDatagram& packet : packets) {
+    target->take(packet, nullptr);
+  }
+  target->finish();
+  PageReader page;
+  page.catch_up(*scene);
+  ASSERT_TRUE(page.has_classes);
+  for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
+    const std::size_t tile = tile_in_window(last.window, slot);
+    for (std::size_t i = 0; i < geometry::kTileCells; ++i) {
+      ASSERT_EQ(page.classes.at(cell_of_tile(slot, i)), last.cells.at(cell_of_tile(tile, i)));
+    }
+  }
+}
+
 TEST(SensorTarget, TheTruthComesWithItsFrame) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   const auto scene = std::make_unique<Scene>();
   Viewer viewer(*scene, {"drive", "test"}, Recorder("", 15000));
   const auto target = std::make_unique<SensorTarget>(car, viewer);
-  std::vector<bool> truth(geometry::kCellCount, false);
-  truth[12345] = true;
+  auto truth = std::make_shared<Truth>();
+  truth->occupied.resize(geometry::kCellCount);
+  truth->occupied[12345] = true;
   for (const CapturedDatagram& packet : sample_drive(car, 1, 1)) {
     target->take(packet, truth);
   }

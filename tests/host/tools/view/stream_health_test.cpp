@@ -54,6 +54,19 @@ TEST(StreamHealth, RestartsAndCorruptMessagesAreSaidForThreeSeconds) {
   EXPECT_FALSE(health.has_restarted_lately(5000));
 }
 
+// A target that is too slow leaves points every 100 ms, not in every frame.
+TEST(StreamHealth, ATargetThatLeftPointsIsTooSlowForThreeSeconds) {
+  StreamHealth health;
+  health.note_points_not_taken(0, 0);
+  EXPECT_FALSE(health.is_too_slow_lately(0));
+  health.note_points_not_taken(384, 40);
+  health.note_points_not_taken(0, 80);
+  EXPECT_TRUE(health.is_too_slow_lately(3039));
+  EXPECT_FALSE(health.is_too_slow_lately(3040));
+  health.note_points_not_taken(1, 4000);
+  EXPECT_TRUE(health.is_too_slow_lately(4000));
+}
+
 TEST(StreamHealth, TheEndOfARecordingIsNoSilence) {
   StreamHealth health;
   health.note_frame(0);

@@ -1,4 +1,4 @@
-// Builds Velodyne VLP-16 data packets byte by byte from the format's description (docs/spec.md).
+// Builds Velodyne data packets byte by byte from the format's description (docs/spec.md).
 #pragma once
 
 #include <array>
@@ -8,13 +8,15 @@
 
 namespace iog::tests {
 
-struct Vlp16Packet {
+struct VelodynePacket {
   int first_azimuth = 0;  // 0.01 degrees, clockwise
-  int step = 40;          // from block to block, in dual mode from pair to pair
-  int mode = 0x37;
-  int product = 0x22;
+  int step = 40;          // from one azimuth to the next
+  int mode = 0x37;        // of an HDL-64E: the status type
+  int product = 0x22;     // of an HDL-64E: the status value
   std::uint32_t time_us = 0;
-  std::array<std::array<int, 32>, 12> ranges{};  // 2 mm
+  std::array<std::array<int, 32>, 12> ranges{};  // in units of range
+  int blocks_of_azimuth = 0;                     // 0: by the mode, 1 or, if dual, 2
+  bool has_two_banks = false;
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
     std::vector<std::byte> out;
@@ -23,10 +25,11 @@ struct Vlp16Packet {
         out.push_back(static_cast<std::byte>(value >> (8 * i)));
       }
     };
+    const int of_mode = mode == 0x39 ? 2 : 1;
+    const int together = blocks_of_azimuth == 0 ? of_mode : blocks_of_azimuth;
     for (int block = 0; block < 12; ++block) {
-      const int turned = (mode == 0x39 ? block / 2 : block) * step;
-      little(0xEEFF, 2);
-      little(static_cast<std::uint32_t>((first_azimuth + turned) % 36000), 2);
+      little(has_two_banks && block % 2 == 1 ? 0xDDFF : 0xEEFF, 2);
+      little(static_cast<std::uint32_t>((first_azimuth + block / together * step) % 36000), 2);
       for (const int range : ranges[static_cast<std::size_t>(block)]) {
         little(static_cast<std::uint32_t>(range), 2);
         little(50, 1);  // reflectivity

@@ -1,0 +1,39 @@
+// Cores (hal/cores.hpp) that do nothing but be what a test says.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "hal/cores.hpp"
+
+namespace iog::tests {
+
+struct ScriptedCores {
+  std::size_t machine_has = 1;
+  std::array<bool, hal::kMaxCores> comes_up{true, true, true, true};
+  std::array<hal::CoreState, hal::kMaxCores> states{};
+  std::uint64_t time_us = 0;
+
+  [[nodiscard]] std::size_t count() const { return machine_has; }
+  bool start(std::size_t core, hal::CoreJob /*job*/) {
+    states[core] = comes_up[core] ? hal::CoreState::kRunning : hal::CoreState::kOff;
+    return comes_up[core];
+  }
+  [[nodiscard]] hal::CoreState state(std::size_t core) const { return states[core]; }
+  void wake(std::size_t /*core*/) {}
+  bool stop(std::size_t core) {
+    states[core] = hal::CoreState::kStopped;
+    return true;
+  }
+  [[nodiscard]] std::string_view last_word(std::size_t core) const {
+    return states[core] == hal::CoreState::kFaulted ? "data abort" : "";
+  }
+  [[nodiscard]] std::uint64_t now_us() const { return time_us; }
+  void pause() { ++time_us; }
+};
+
+static_assert(hal::Cores<ScriptedCores>);
+
+}  // namespace iog::tests

@@ -1,0 +1,105 @@
+#include <array>
+#include <cstddef>
+#include <gtest/gtest.h>
+#include <sstream>
+
+#include "tools/budget/frame_budget.hpp"
+#include "tools/budget/unit_costs.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr double kCyclesPerMs = 1e6;
+
+// The two drives that the costs are made of differ by a third in what a cell takes: what both are
+// reckoned with is up to a tenth off either.
+TEST(Budget, IsATenthOffTheWholeFramesThatItIsMadeOf) {
+  for (const ModelledFrame& frame : kWholeFrames) {
+    const double ms =
+        typical_ms({.points = frame.points, .cells = frame.cells, .tiles = frame.tiles});
+    EXPECT_NEAR(ms / (frame.cycles / kCyclesPerMs), 1, 0.10) << frame.name;
+  }
+}
+
+// Frames that it is not made of: raw tiles leave the caches as they were, so fusing is cheaper, by
+// up to a third.
+TEST(Budget, IsUpToAThirdOffFusingAlone) {
+  for (const ModelledFrame& frame : kFusedFrames) {
+    const double ms = typical_ms({.points = frame.points, .cells = frame.cells});
+    EXPECT_NEAR(ms / (frame.cycles / kCyclesPerMs), 1, 0.35) << frame.name;
+  }
+}
+
+// Three turns, from the packet to the last tile. What a tile costs is that of the reference car's.
+TEST(Budget, IsAFifthOffTheTurnsThatItIsMadeOf) {
+  for (const ModelledFrame& turn : kTurns) {
+    const double ms =
+        typical_ms({.turn_steps = kTurnSteps, .turn_points = turn.points, .tiles = turn.tiles});
+    EXPECT_NEAR(ms / (turn.cycles / kCyclesPerMs), 1, 0.20) << turn.name;
+  }
+}
+
+// From the description alone, which allows some more points than the unit sends.
+TEST(Budget, OfAUnitThatTurnsIsThatOfItsTurn) {
+  constexpr std::array kVehicles{"roof_vlp16", "roof_hdl32e", "roof_hdl64e"};
+  ASSERT_EQ(kTurns.size(), kVehicles.size());
+  for (std::size_t i = 0; i < kTurns.size(); ++i) {
+    const FrameBudget typical = budget_of(find_vehicle(kVehicles[i])).typical;
+    EXPECT_NEAR(typical.work.turn_points / kTurns[i].points, 1, 0.10) << kTurns[i].name;
+    EXPECT_EQ(typical.work.turn_steps, kTurnSteps);
+    EXPECT_EQ(typical.work.points_once, 0);
+    EXPECT_NEAR(typical.ms / (kTurns[i].cycles / kCyclesPerMs), 1, 0.30) << kTurns[i].name;
+  }
+}
+
+// From the description alone: the mean of both drives.
+TEST(Budget, OfTheReferenceCarsDescriptionIsThatOfItsDrives) {
+  FrameWork work = budget_of(find_vehicle("reference_car")).typical.work;
+  work.class_tiles = 0;
+  double mean_ms = 0;
+  for (const ModelledFrame& frame : kWholeFrames) {
+    mean_ms += frame.cycles / kCyclesPerMs / static_cast<double>(kWholeFrames.size());
+  }
+  EXPECT_NEAR(typical_ms(work) / mean_ms, 1, 0.05);
+  EXPECT_EQ(work.points_once, 0);
+}
+
+TEST(Budget, NoFrameThatIsKnownIsWorseThanTheWorst) {
+  const FrameBudget worst = budget_of(find_vehicle("reference_car")).worst;
+  const double classes_ms = worst.work.class_tiles * kDearestClassTileCycles / kCyclesPerMs;
+  for (const ModelledFrame& frame : kWorstFrames) {
+    EXPECT_LT(frame.cycles / kCyclesPerMs, worst.ms - classes_ms) << frame.name;
+    EXPECT_LE(frame.points, worst.work.points_once + worst.work.later_echoes) << frame.name;
+    EXPECT_LE(frame.tiles, worst.work.tiles) << frame.name;
+  }
+}
+
+// 2 x 4 x 401 directions of three echoes; one sensor of 80 packets of 384 points, twice returned.
+TEST(Budget, CountsWhatDescriptionsAllow) {
+  const VehicleBudget lux = budget_of(find_vehicle("two_lux_parking"));
+  EXPECT_EQ(lux.period_ms, 40);
+  EXPECT_EQ(lux.worst.work.points_once, 2 * 4 * 401);
+  EXPECT_EQ(lux.worst.work.later_echoes, 2 * 2 * 4 * 401);
+  EXPECT_EQ(lux.worst.work.class_tiles, 0);
+  const VehicleBudget roof = budget_of(find_vehicle("roof_vlp16"));
+  EXPECT_EQ(roof.period_ms, 110);
+  EXPECT_EQ(roof.worst.work.points_once, 80 * 384);
+  EXPECT_EQ(roof.worst.work.tiles, 1024);
+  EXPECT_EQ(roof.typical.work.points, 0);
+}
+
+TEST(Budget, SaysThatItIsModelledAndOfWhichData) {
+  const std::string words = words_of_budget_errors();
+  EXPECT_NE(words.find("Modelled, not measured"), std::string::npos);
+  EXPECT_NE(words.find("lab/data/cortex_a9.csv"), std::string::npos);
+  for (const CatalogueEntry& car : all_vehicles()) {
+    const VehicleBudget budget = budget_of(car);
+    EXPECT_LT(budget.typical.ms, budget.worst.ms);
+    const bool is_too_slow = budget.worst.ms > budget.period_ms;
+    EXPECT_EQ(words_of_budget(car).find("TOO SLOW") != std::string::npos, is_too_slow)
+        << words_of_budget(car);
+  }
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,99 @@
+// Lines by which the classes of two runs are compared.
+#include "tools/receive/class_record.hpp"
+
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "fakes/temporary_folder.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/receive/class_statistics.hpp"
+#include "tools/receive/grid_frame.hpp"
+
+namespace iog::tools {
+namespace {
+
+std::vector<ClassRecord> some_records() {
+  return {{.number = 0,
+           .stamp_us = 1'000'680'000,
+           .slices = 5,
+           .packets_placed = 20,
+           .packets_not_placed = 3,
+           .causes = 0x21,
+           .corner_a = -16,
+           .corner_b = -15,
+           .tiles = 433,
+           .class_crc = 0x0AC01B22,
+           .frames_of_time = 2},
+          {.number = 1}};
+}
+
+TEST(ClassRecord, LinesAreReadBack) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "classes";
+  write_class_records(path, some_records());
+  EXPECT_FALSE(first_difference(read_class_records(path), some_records()).has_value());
+  EXPECT_EQ(line_of(some_records()[0]), "0 1000680000 5 20 3 21 -16 -15 433 0ac01b22 2");
+  EXPECT_EQ(read_class_records(path)[0].causes, 0x21);
+  EXPECT_EQ(read_class_records(path)[0].frames_of_time, 2U);
+  EXPECT_THROW(static_cast<void>(read_class_records(path + "_missing")), UsageError);
+}
+
+TEST(ClassRecord, ADifferenceSaysWhetherItIsThePlace) {
+  auto received = some_records();
+  received[0].causes = 0;
+  received[1].stamp_us = 7;  // nothing was placed then
+  EXPECT_FALSE(first_difference(received, some_records()).has_value());
+  received[0].class_crc = 1;
+  EXPECT_EQ(first_difference(received, some_records()).value(),
+            "classes of frame 0: same slices, other classes: received 00000001 (433 tiles from "
+            "-16, -15), expected 0ac01b22 (433 tiles from -16, -15)");
+  received[0].packets_placed = 19;
+  EXPECT_EQ(first_difference(received, some_records())
+                .value()
+                .find("classes of frame 0: other slices were placed: received 5 slices up to"),
+            0U);
+  received = some_records();
+  received.pop_back();
+  EXPECT_EQ(first_difference(received, some_records()).value(),
+            "1 frames with evidence and classes received, 2 expected; the common ones are equal");
+}
+
+// A host that stalls between a pose and the next scan has the target close a frame without scans.
+TEST(ClassRecord, ADifferenceSaysWhetherTimeWentOnWithoutEvidence) {
+  auto received = some_records();
+  received[0].frames_of_time = 3;
+  EXPECT_FALSE(first_difference(received, some_records()).has_value()) << "equal all the same";
+  received[0].class_crc = 1;
+  EXPECT_NE(first_difference(received, some_records())
+                .value()
+                .find("; until then the window's time went on in 3 frames without evidence, "
+                      "expected 2; was the host stalled?"),
+            std::string::npos);
+}
+
+GridFrame frame_of(bool has_evidence, std::uint64_t stamp_us) {
+  GridFrame frame;
+  frame.header.complete_sensors = has_evidence ? 1 : 0;
+  frame.classes.emplace().window.slices_end_us = stamp_us;
+  return frame;
+}
+
+TEST(ClassRecord, CountsFramesInWhichOnlyTimeWentOn) {
+  ClassStatistics statistics;
+  statistics.add(frame_of(false, 10));  // nothing has been seen yet
+  statistics.add(frame_of(true, 20));
+  statistics.add(frame_of(false, 20));  // silence altogether
+  statistics.add(frame_of(true, 30));
+  statistics.add(frame_of(false, 40));
+  statistics.add(frame_of(false, 50));
+  statistics.add(frame_of(true, 60));
+  ASSERT_EQ(statistics.records().size(), 3U);
+  EXPECT_EQ(statistics.records()[0].frames_of_time, 0U);
+  EXPECT_EQ(statistics.records()[1].frames_of_time, 0U);
+  EXPECT_EQ(statistics.records()[2].frames_of_time, 2U);
+}
+
+}  // namespace
+}  // namespace iog::tools

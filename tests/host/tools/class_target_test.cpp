@@ -1,0 +1,144 @@
+// Class grids of simulated drives in which the car moves: by the target's own pipeline, as
+// `iog fuse --classes-hashes` makes them.
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "fakes/random.hpp"
+#include "tools/fuse/offline_target.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/receive/class_record.hpp"
+#include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/run_statistics.hpp"
+#include "tools/simulate/moving_drive.hpp"
+#include "tools/simulate/pose_source.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+namespace {
+
+const CatalogueEntry& four_lux() { return find_vehicle("reference_car"); }
+
+// By frame, its packets in order, and the poses until its last packet.
+struct PlacedDrive {
+  explicit PlacedDrive(std::uint32_t frames) {
+    MovingDrive drive(four_lux(), 1, 1);
+    PoseFeed feed(simulated_poses(drive.scene(), {}, 1, 1.2));
+    for (std::uint32_t frame = 0; frame < frames; ++frame) {
+      packets.push_back(drive.datagrams(frame));
+      poses.push_back(feed.take_until(packets.back().back().time_us));
+    }
+  }
+  std::vector<std::vector<CapturedDatagram>> packets;
+  std::vector<std::vector<CapturedDatagram>> poses;
+};
+
+// pause_us: the sender waits so long before each frame.
+RunStatistics fused(const vehicle::Vehicle& vehicle, const PlacedDrive& drive,
+                    tests::Random* shuffled = nullptr, std::uint64_t pause_us = 0) {
+  RunStatistics statistics;
+  FrameAssembler assembler([&](const GridFrame& frame) { statistics.add(frame); });
+  const auto target = std::make_unique<OfflineTarget>(
+      vehicle, [&](std::span<const std::byte> message) { assembler.take(message); });
+  for (std::size_t frame = 0; frame < drive.packets.size(); ++frame) {
+    auto datagrams = drive.packets[frame];
+    if (shuffled != nullptr) {
+      const std::uint64_t end_us = datagrams.back().time_us;
+      for (std::size_t last = datagrams.size(); last > 1; --last) {
+        std::swap(datagrams[last - 1], datagrams[shuffled->below(last)]);
+      }
+      for (CapturedDatagram& datagram : datagrams) {
+        datagram.time_us = end_us;
+      }
+    }
+    datagrams.insert(datagrams.begin(), drive.poses[frame].begin(), drive.poses[frame].end());
+    std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
+    for (CapturedDatagram& datagram : datagrams) {
+      datagram.time_us += pause_us * frame;
+      static_cast<void>(target->take(datagram));
+    }
+  }
+  target->finish();
+  assembler.finish();
+  return statistics;
+}
+
+// docs/model.md, section 3: the join of a frame's slices is the frame.
+TEST(ClassTarget, TheGridsAreThoseWithoutClasses) {
+  const PlacedDrive drive(5);
+  vehicle::Vehicle plain = *four_lux().vehicle;
+  plain.grids = vehicle::Grids::kIndexes;
+  const RunStatistics without = fused(plain, drive);
+  const RunStatistics with = fused(*four_lux().vehicle, drive);
+  ASSERT_EQ(without.records().size(), 5U);
+  EXPECT_TRUE(without.classes().records().empty());
+  EXPECT_EQ(with.classes().records().size(), 5U);
+  EXPECT_EQ(with.run_hash(), without.run_hash());
+  EXPECT_EQ(with.points_used(), without.points_used());
+}
+
+TEST(ClassTarget, TheClassesAreThoseWithoutTheOtherGrid) {
+  const PlacedDrive drive(5);
+  vehicle::Vehicle alone = *four_lux().vehicle;
+  alone.grids = vehicle::Grids::kClasses;
+  const RunStatistics without = fused(alone, drive);
+  const RunStatistics with = fused(*four_lux().vehicle, drive);
+  ASSERT_EQ(without.classes().records().size(), 5U);
+  EXPECT_EQ(without.classes().run_hash(), with.classes().run_hash());
+  EXPECT_EQ(without.incomplete() + without.classes().incomplete(), 0U);
+}
+
+TEST(ClassTarget, NoOrderOfPacketsShows) {
+  const PlacedDrive drive(5);
+  const RunStatistics in_order = fused(*four_lux().vehicle, drive);
+  tests::Random random(841);
+  const RunStatistics shuffled = fused(*four_lux().vehicle, drive, &random);
+  ASSERT_EQ(in_order.classes().records().size(), 5U);
+  EXPECT_EQ(first_difference(shuffled.classes().records(), in_order.classes().records()),
+            std::nullopt);
+  for (const ClassRecord& record : in_order.classes().records()) {
+    EXPECT_EQ(record.packets_not_placed, 0U);
+    EXPECT_GT(record.slices, 3U);
+  }
+}
+
+// As in lockstep with a slow target: silent frames lie between those of the drive.
+TEST(ClassTarget, NoPauseOfTheSenderShows) {
+  const PlacedDrive drive(8);
+  const RunStatistics flowing = fused(*four_lux().vehicle, drive);
+  const RunStatistics pausing = fused(*four_lux().vehicle, drive, nullptr, 300'000);
+  ASSERT_EQ(flowing.classes().records().size(), 8U);
+  EXPECT_GT(pausing.classes().frames(), 2 * flowing.classes().frames());
+  EXPECT_EQ(first_difference(pausing.classes().records(), flowing.classes().records()),
+            std::nullopt);
+}
+
+// Every compiler and machine must get these classes; whoever changes the world or the rules on
+// purpose pins anew.
+TEST(ClassTarget, ClassesArePinned) {
+  const RunStatistics run = fused(*four_lux().vehicle, PlacedDrive(10));
+  ASSERT_EQ(run.classes().records().size(), 10U);
+  EXPECT_GT(run.classes().records().back().tiles, 100U);
+  EXPECT_EQ(run.classes().run_hash(), 0x674D75CCU);
+}
+
+TEST(ClassTarget, AnotherRuleIsRefusedWithItsReason) {
+  vehicle::Vehicle bayes = *four_lux().vehicle;
+  bayes.rule = vehicle::FusionRule::kBayes;
+  try {
+    const auto target = std::make_unique<OfflineTarget>(bayes, [](std::span<const std::byte>) {});
+    FAIL() << "it was taken";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("bayes"), std::string::npos) << error.what();
+  }
+  bayes.grids = vehicle::Grids::kIndexes;
+  EXPECT_NO_THROW(
+      static_cast<void>(std::make_unique<OfflineTarget>(bayes, [](std::span<const std::byte>) {})));
+}
+
+}  // namespace
+}  // namespace iog::tools
