@@ -18,6 +18,10 @@ FLAGS = ["--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disab
 ANSWER_S = 60  # a busy machine may take long to start a browser
 
 
+class PageGone(AssertionError):
+    """The page that was asked has just been left for the next one, or is loaded anew."""
+
+
 class Browser:
     """One process of Chromium. Use it in a `with` statement, or it stays."""
 
@@ -67,7 +71,9 @@ class Browser:
             answer = self._next(deadline)
             assert answer is not None, f"Chromium does not answer {method}"
             if answer.get("id") == self._number:
-                assert "error" not in answer, f"{method}: {answer['error']}"
+                if "error" in answer:
+                    words = f"{method}: {answer['error']}"
+                    raise (PageGone if "navigated" in words else AssertionError)(words)
                 return answer["result"]
             self._events.append(answer)
 
@@ -127,11 +133,17 @@ class Page:
         return answer["result"].get("value")
 
     def wait_for(self, expression: str, longest_s: float = 20) -> None:
-        """Until the expression is true."""
+        """Until the expression is true, if need be on the page that comes next."""
         deadline = time.monotonic() + longest_s
-        while not self.value(f"Boolean({expression})"):
+        while not self._is_true(expression):
             assert time.monotonic() < deadline, f"in vain waited for {expression}"
             time.sleep(0.02)
+
+    def _is_true(self, expression: str) -> bool:
+        try:
+            return self.value(f"Boolean({expression})")
+        except PageGone:
+            return False
 
     def complaints(self) -> list[str]:
         """Errors and warnings of the console, and exceptions that nobody caught."""

@@ -4,7 +4,7 @@ import dataclasses
 import struct
 
 FILE_HEADER = struct.pack("<IHHIIII", 0xA1B2C3D4, 2, 4, 0, 0, 0xFFFF, 1)
-SENSOR_PORTS = (12002, 12003, 12004, 12005)  # vehicles/reference_car.hpp
+SENSOR_PORTS = (12002, 12003, 12004, 12005)  # vehicles/reference_car.toml
 
 
 @dataclasses.dataclass(frozen=True)

@@ -4,13 +4,20 @@ import dataclasses
 import struct
 import zlib
 
+import map_state
 import protected_message
 import tile_coding
+import vehicle_id
 
-TILES, FRAME_END = 1, 2
+TILES, FRAME_END, CLASS_END = 1, 2, 3
 CLOSED_BY_TIME = 0x01
 BAYES = 0x02
-HEADER_BYTES = 44
+HAS_CLASSES = 0x04
+HAS_NO_INDEXES = 0x08
+CLASSES = 2  # a storage
+HEADER_BYTES = 48
+TILES_BYTES = 24
+WINDOW_BYTES = 48
 TILES_ACROSS = 32
 TILE_COUNT = TILES_ACROSS * TILES_ACROSS
 OLDEST_REFERENCE = 7  # frames
@@ -18,7 +25,7 @@ NEVER_SEEN, SILENT, PARTIAL, COMPLETE = range(4)
 NEVER = 0xFFFF  # the age of a sensor that was never seen
 
 PACKET_DROPS = ("stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
-                "late", "over budget")
+                "late", "over budget", "other unit", "not taken")
 NET_DROPS = ("short", "not for us (MAC)", "VLAN tagged", "neither IPv4 nor ARP", "bad IP header",
              "bad IP checksum", "fragment", "not for us (IP)", "bad source", "neither UDP nor ICMP",
              "bad UDP length", "bad UDP checksum", "bad ICMP", "ping ignored", "other ICMP",
@@ -26,10 +33,15 @@ NET_DROPS = ("short", "not for us (MAC)", "VLAN tagged", "neither IPv4 nor ARP",
 LINK_COUNTERS = ("frames received", "datagrams delivered", "ARP answered", "ARP learned",
                  "pings answered", "messages sent", "ARP requested", *NET_DROPS,
                  "peer unresolved", "ring full", "misuse",
-                 "port received", "receive errors", "oversized", "port sent", "port refused")
+                 "port received", "receive errors", "oversized", "port sent", "port refused",
+                 "fragments joined", "fragments duplicate", "fragments overlapping", "fragments bad",
+                 "fragments refused", "datagrams joined", "datagrams expired", "datagrams displaced",
+                 "cores at work", "items for lost cores",
+                 *(f"items of core {core}" for core in range(4)), "port without room")
 # What the header of a message counts as dropped, besides PACKET_DROPS: damaged datagrams.
 DAMAGED = ("short", "bad IP header", "bad IP checksum", "fragment", "bad source", "bad UDP length",
-           "bad UDP checksum", "receive errors", "oversized")
+           "bad UDP checksum", "receive errors", "oversized", "datagrams expired", "datagrams displaced",
+           "port without room")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -54,6 +66,7 @@ class Header:
     points_other: int
     packets_fused: int
     packets_dropped: int
+    run: int
 
 
 @dataclasses.dataclass(frozen=True)
@@ -75,6 +88,43 @@ class Tiles:
     first: int
     end: int
     tiles: list[Tile]
+
+
+@dataclasses.dataclass(frozen=True)
+class Window:
+    causes: int
+    a: int
+    b: int
+    x_mm: int
+    y_mm: int
+    heading: int
+    sigma_mm: int
+    sigma_10_urad: int
+    slices: int
+    slice_ms: int
+    begin_us: int
+    end_us: int
+
+
+@dataclasses.dataclass(frozen=True)
+class ClassTile(Tile):
+    age: int
+
+
+@dataclasses.dataclass(frozen=True)
+class ClassEnd:
+    window: Window
+    tiles_sent: int
+    tiles_lost: int
+    crc: int
+    packets_placed: int
+    packets_not_placed: int
+    slices_over_budget: int
+    groups: tuple[int, ...]  # fused, left, refreshed
+    pose_fates: tuple[int, ...]
+    causes: list[tuple[int, int, int]]  # slices, how often it began, when it did last
+    slices: list[tuple[int, ...]]  # middle, x, y, heading, deviations
+    map: map_state.MapState | None  # None: of a target that knows nothing of maps
 
 
 @dataclasses.dataclass(frozen=True)
@@ -109,6 +159,9 @@ class Frame:
     crc_of_tiles: int
     counters: dict[str, int]
     sensors: list[Sensor]
+    classes: ClassEnd | None  # what the target says of its classes
+    class_tiles_received: int
+    class_crc_of_tiles: int
 
     @property
     def has_evidence(self) -> bool:
@@ -126,16 +179,67 @@ class Frame:
 
 def read_header(content: bytes) -> Header:
     kind, flags, size, sequence, frame, closed_us, vehicle, sensors, complete, partial, zero, used, \
-        other, fused, dropped = struct.unpack_from(">BBHIIQIBBBBIIII", content)
-    assert size == HEADER_BYTES and flags <= CLOSED_BY_TIME | BAYES and zero == 0
-    assert vehicle == zlib.crc32(b"reference_car") and sensors == 4
+        other, fused, dropped, run = struct.unpack_from(">BBHIIQIBBBBIIIII", content)
+    known = CLOSED_BY_TIME | BAYES | HAS_CLASSES | HAS_NO_INDEXES
+    assert size == HEADER_BYTES and flags <= known and zero == 0
+    assert vehicle == vehicle_id.REFERENCE_CAR and sensors == 4
+    assert run != 0
     return Header(kind, flags, sequence, frame, closed_us, complete, partial, used, other, fused,
-                  dropped)
+                  dropped, run)
 
 
 def level_of(body: bytes) -> int:
     """Of the grid that the tiles are of: 0 cells, above it the coarse grids of the serial link."""
     return (struct.unpack_from(">H", body, 12)[0] // 100).bit_length() - 1
+
+
+def is_of_classes(body: bytes) -> bool:
+    """A body of tiles."""
+    return body[7] == CLASSES
+
+
+def read_window(data: bytes) -> Window:
+    size, causes, a, b, x_mm, y_mm, heading, sigma, sigma_heading, slices, slice_ms, zero, begin_us, \
+        end_us = struct.unpack_from(">HHiiiiIHHBBHQQ", data)
+    assert size == WINDOW_BYTES and zero == 0 and causes < 0x40
+    return Window(causes, a, b, x_mm, y_mm, heading, sigma, sigma_heading, slices, slice_ms, begin_us,
+                  end_us)
+
+
+def read_class_tiles(body: bytes) -> tuple[Window, Tiles]:
+    first, end, count, side_log2, storage, *geometry = struct.unpack_from(">HHHBBHHHHii", body)
+    assert (side_log2, storage, geometry) == (5, CLASSES, [1024, 1024, 100, 0, 0, 0])
+    assert first < end <= TILE_COUNT, f"tiles {first} to {end - 1}"
+    tiles = []
+    at = TILES_BYTES + WINDOW_BYTES
+    for _ in range(count):
+        number, encoding, age, size = struct.unpack_from(">HBBH", body, at)
+        tiles.append(ClassTile(number, encoding, body[at + 6:at + 6 + size], age))
+        at += 6 + size
+    assert at == len(body), f"{len(body) - at} bytes behind the last tile"
+    numbers = [tile.number for tile in tiles]
+    assert numbers == sorted(set(numbers)), "tiles out of order"
+    assert all(first <= number < end for number in numbers), "a tile of which nothing was said"
+    return read_window(body[TILES_BYTES:]), Tiles(first, end, tiles)
+
+
+def read_class_end(body: bytes) -> ClassEnd:
+    window = read_window(body)
+    *counts, fates, causes, cause_bytes, slices, slice_bytes, zeros = \
+        struct.unpack_from(">9I5B3s", body, WINDOW_BYTES)
+    assert (fates, causes, cause_bytes, slice_bytes, zeros) == (16, 6, 16, 24, b"\0\0\0")
+    assert slices == window.slices
+    at = WINDOW_BYTES + 44
+    pose_fates = struct.unpack_from(f">{fates}I", body, at)
+    at += 4 * fates
+    cause_records = list(struct.iter_unpack(">IIQ", body[at:at + 16 * causes]))
+    at += 16 * causes
+    end = at + 24 * slices
+    assert len(body) >= end
+    slice_records = list(struct.iter_unpack(">QiiIHH", body[at:end]))
+    of_map = map_state.read(body[end:]) if len(body) > end else None
+    return ClassEnd(window, *counts[:6], tuple(counts[6:]), pose_fates, cause_records, slice_records,
+                    of_map)
 
 
 def read_tiles(body: bytes, level: int = 0) -> Tiles:
@@ -161,7 +265,7 @@ def read_tiles(body: bytes, level: int = 0) -> Tiles:
 def read_frame_end(body: bytes) -> FrameEnd:
     sent, lost, crc, _, opened_us, _ = struct.unpack_from(">IIIIQI", body)
     stages, fates, causes, links = struct.unpack_from(">BBBB", body, 28)
-    assert (stages, fates) == (3, 8)
+    assert (stages, fates) == (4, 10)
     assert causes == len(PACKET_DROPS) and links in (0, len(LINK_COUNTERS)), "another spec.md"
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
     at = 32 + 4 * len(counts)
@@ -172,12 +276,19 @@ def read_frame_end(body: bytes) -> FrameEnd:
                     dict(zip(PACKET_DROPS + LINK_COUNTERS, counts[stages + fates:])), sensors)
 
 
+def ends_frame(message: bytes) -> bool:
+    """Of any message of a run's first 65,535."""
+    session = int.from_bytes(message[10:12], "big")
+    return read_header(protected_message.content(message, session - 1)).kind == FRAME_END
+
+
 class Assembler:
     """Takes every message in the order of arrival; a gap or a wrong byte is an AssertionError."""
 
     def __init__(self):
         self.messages = 0
-        self._own: dict[int, tuple[int, bytes]] = {}  # of each tile the last one sent by itself
+        # Of each tile the last one sent by itself: of indexes, of classes.
+        self._own: tuple[dict[int, tuple[int, bytes]], ...] = ({}, {})
         self._begin_frame()
 
     def _begin_frame(self) -> None:
@@ -185,6 +296,11 @@ class Assembler:
         self._spoken_of = 0
         self._crc = 0
         self._encodings = [0, 0, 0, 0]
+        self._window: Window | None = None
+        self._classes_spoken_of = 0
+        self._class_crc = 0
+        self._class_tiles = 0
+        self._class_end: ClassEnd | None = None
 
     def take(self, message: bytes) -> Frame | None:
         """The frame that this message ends, if it does."""
@@ -195,8 +311,14 @@ class Assembler:
         common = dataclasses.replace(header, kind=0, sequence=0)
         assert self._header in (None, common), "two messages of a frame disagree on it"
         self._header = common
+        if header.kind == TILES and is_of_classes(body):
+            self._take_classes(header.frame, *read_class_tiles(body))
+            return None
         if header.kind == TILES:
             self._take_tiles(header.frame, read_tiles(body))
+            return None
+        if header.kind == CLASS_END:
+            self._take_class_end(read_class_end(body))
             return None
         assert header.kind == FRAME_END, f"message type {header.kind}"
         frame = self._frame(header, read_frame_end(body))
@@ -207,27 +329,50 @@ class Assembler:
         assert message.first == self._spoken_of, f"{message.first} instead of {self._spoken_of}"
         self._spoken_of = message.end
         for tile in message.tiles:
-            cells = self._cells_of(frame, tile)
+            cells = self._cells_of(frame, tile, self._own[0])
             assert any(cells), "a tile in which nothing is known"
             self._encodings[tile.encoding] += 1
             place = struct.pack(">HH", tile.number % TILES_ACROSS, tile.number // TILES_ACROSS)
             self._crc = zlib.crc32(place + cells, self._crc)
 
-    def _cells_of(self, frame: int, tile: Tile) -> bytes:
+    def _take_classes(self, frame: int, window: Window, message: Tiles) -> None:
+        assert self._window in (None, window), "two messages of a frame disagree on its window"
+        if self._window is None:
+            self._window = window
+            self._class_crc = zlib.crc32(struct.pack(">ii", window.a, window.b))
+        assert message.first == self._classes_spoken_of, "tiles of classes are out of order"
+        self._classes_spoken_of = message.end
+        for tile in message.tiles:
+            cells = self._cells_of(frame, tile, self._own[1])
+            assert any(cells) and all(cell == 0 or 8 <= cell < 72 for cell in cells), "no classes"
+            self._class_tiles += 1
+            self._class_crc = zlib.crc32(struct.pack(">H", tile.number) + cells, self._class_crc)
+
+    def _take_class_end(self, end: ClassEnd) -> None:
+        assert end.window == self._window and self._class_end is None
+        assert self._classes_spoken_of == TILE_COUNT
+        assert end.tiles_lost > 0 or end.tiles_sent == self._class_tiles
+        self._class_end = end
+
+    @staticmethod
+    def _cells_of(frame: int, tile: Tile, own: dict[int, tuple[int, bytes]]) -> bytes:
         if tile.reference is None:
             cells = tile_coding.decode(tile.encoding, tile.payload, None)
-            self._own[tile.number] = (frame, cells)
+            own[tile.number] = (frame, cells)
             return cells
-        own_frame, own_cells = self._own[tile.number]
+        own_frame, own_cells = own[tile.number]
         assert tile.reference == own_frame, "not the last one that was sent by itself"
         assert frame - own_frame <= OLDEST_REFERENCE, f"frame {frame} refers to {own_frame}"
         return tile_coding.decode(tile.encoding, tile.payload, own_cells)
 
     def _frame(self, header: Header, end: FrameEnd) -> Frame:
-        assert self._spoken_of == TILE_COUNT, f"tile {self._spoken_of} has not been spoken of"
+        spoken_of = 0 if header.flags & HAS_NO_INDEXES else TILE_COUNT
+        assert self._spoken_of == spoken_of, f"tile {self._spoken_of} has not been spoken of"
+        assert (self._class_end is not None) == (header.flags & HAS_CLASSES != 0)
         assert header.points_used == end.fates[0]
         assert header.points_other == sum(end.fates[1:])
         return Frame(header.frame, header.closed_us, end.opened_us, header.complete, header.partial,
                      header.flags, header.points_used, header.packets_fused, header.packets_dropped,
                      end.tiles_sent, end.tiles_lost, sum(self._encodings), tuple(self._encodings),
-                     end.crc, self._crc, end.counters, end.sensors)
+                     end.crc, self._crc, end.counters, end.sensors, self._class_end,
+                     self._class_tiles, self._class_crc if self._class_tiles > 0 else 0)

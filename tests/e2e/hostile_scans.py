@@ -137,7 +137,9 @@ class HostileScans:
 
     def fragment(self):
         packet = self._packet()
-        flags_and_offset = self._random.choice([0x2000, 0x2001, 0x0001, 0x1FFF, 0x00B9])
+        # Not the last, and no whole units: no datagram has such a piece.
+        flags_and_offset = self._random.choice([0x2000, 0x2001, 0x20B9])
         datagram = ethernet.udp(packet.source, IP, *packet.ports, packet.payload)[20:]
+        datagram = datagram[:len(datagram) // 8 * 8 - self._random.randrange(1, 8)]
         piece = ethernet.ipv4(packet.source, IP, ethernet.UDP, datagram, flags_and_offset)
         return "fragment", to_board(ethernet.TYPE_IPV4, piece, FORGER_MAC)

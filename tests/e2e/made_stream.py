@@ -1,11 +1,14 @@
 """A target that is made by hand: whatever grid is wanted, sent as docs/spec.md section 3 says."""
 
+import itertools
 import socket
 import struct
 import zlib
 
 import grid_stream
+import made_classes
 import protected_message
+import vehicle_id
 
 SIDE = 1024
 TILE = 32
@@ -38,16 +41,22 @@ class Grid:
 
 
 class Target:
-    """Sends frames to a UDP port of this PC. A new one counts everything from 0, as after a reset."""
+    """Sends frames to a UDP port of this PC. A new one counts everything from 0, as after a reset,
+    and is another run."""
 
-    def __init__(self, port: int, vehicle: str = "reference_car"):
+    _runs = itertools.count(1)
+
+    def __init__(self, port: int, vehicle: int = vehicle_id.REFERENCE_CAR):
+        self.run = next(self._runs)
         self._to = ("127.0.0.1", port)
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._vehicle = zlib.crc32(vehicle.encode())
+        self._vehicle = vehicle
         self.messages = 0
         self.frames = 0
+        self.complete = 0b1111  # sensors, a bit each
 
-    def messages_of(self, grid: Grid, points_used: int = 0) -> list[bytes]:
+    def messages_of(self, grid: Grid, points_used: int = 0,
+                    window: made_classes.Window | None = None) -> list[bytes]:
         """The next frame's."""
         known = sorted(number for number, cells in grid.tiles.items() if any(cells))
         bodies = []
@@ -59,17 +68,20 @@ class Target:
             first = end
         if not known:
             bodies.append((grid_stream.TILES, self._tiles_header(0, grid_stream.TILE_COUNT, 0)))
+        bodies += window.bodies() if window else []
         bodies.append((grid_stream.FRAME_END, self._end(len(known), grid.crc, points_used)))
+        flags = made_classes.HAS_CLASSES if window else 0
         messages = []
         for kind, body in bodies:
-            content = self._header(kind, points_used) + body
+            content = self._header(kind, flags, points_used) + body
             messages.append(protected_message.protect(content, self.messages))
             self.messages += 1
         self.frames += 1
         return messages
 
-    def send(self, grid: Grid, points_used: int = 0) -> None:
-        for message in self.messages_of(grid, points_used):
+    def send(self, grid: Grid, points_used: int = 0,
+             window: made_classes.Window | None = None) -> None:
+        for message in self.messages_of(grid, points_used, window):
             self.send_bytes(message)
 
     def send_bytes(self, datagram: bytes) -> None:
@@ -79,10 +91,10 @@ class Target:
     def _closed_us(self) -> int:
         return (self.frames + 1) * FRAME_US
 
-    def _header(self, kind: int, points_used: int) -> bytes:
-        return struct.pack(">BBHIIQIBBBBIIII", kind, 0, grid_stream.HEADER_BYTES, self.messages,
-                           self.frames, self._closed_us, self._vehicle, 4, 0b1111, 0, 0,
-                           points_used, 0, 4, 0)
+    def _header(self, kind: int, flags: int, points_used: int) -> bytes:
+        return struct.pack(">BBHIIQIBBBBIIIII", kind, flags, grid_stream.HEADER_BYTES, self.messages,
+                           self.frames, self._closed_us, self._vehicle, 4, self.complete, 0, 0,
+                           points_used, 0, 4, 0, self.run)
 
     @staticmethod
     def _tiles_header(first: int, end: int, count: int) -> bytes:
@@ -90,10 +102,10 @@ class Target:
                            -51200)
 
     def _end(self, tiles: int, crc: int, points_used: int) -> bytes:
-        stages, fates, causes = (3, 8, 8)
+        stages, fates, causes = (4, 10, 9)
         head = struct.pack(">IIIIQIBBBB", tiles, 0, crc, 2048, self._closed_us - FRAME_US,
                            1_000_000, stages, fates, causes, 0)
-        counts = struct.pack(">3I8I8I", 3000, 40, 1500, points_used, *([0] * 15))
+        counts = struct.pack(">4I10I9I", 3000, 40, 1500, 0, points_used, *([0] * 18))
         sensor = struct.pack(">BxHHxxII", grid_stream.COMPLETE, 0, 1, points_used // 4, self.frames)
         return head + counts + b"\x10\0\0\0" + sensor * 4
 

@@ -13,6 +13,7 @@ import time
 
 import capture
 import made_stream
+import vehicle_id
 from browser import Browser
 from viewer import GridPage, Viewer, free_port
 
@@ -220,7 +221,7 @@ def check_unfinished(iog: str, folder: pathlib.Path, browser: Browser) -> None:
 
 
 def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
-    """Words from outside are words: a file's name and a vehicle that nobody knows."""
+    """Words from outside are words: a file's name; and a car that nobody knows is called so."""
     name = '<img src=x onerror="document.title=1"><b>&amp;.pcap'
     drive = folder / name
     subprocess.run([iog, "simulate", "--seconds", "1", "--out", drive], check=True,
@@ -237,8 +238,8 @@ def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
     port = free_port()
     with Viewer(iog, "--port", str(port)) as viewer:
         page = GridPage(browser.open(viewer.address))
-        made_stream.Target(port, vehicle="<script>").send(made_stream.Grid())
-        page.page.wait_for("document.getElementById('vehicle').textContent === 'unknown vehicle'")
+        made_stream.Target(port, vehicle=vehicle_id.NOBODY).send(made_stream.Grid())
+        page.page.wait_for("document.getElementById('vehicle').textContent.startsWith('unknown car 12345678')")
         assert not page.page.complaints(), page.page.complaints()
         page.page.close()
 

@@ -21,6 +21,8 @@ const foxglove = require("@foxglove/schemas/internal");
 const SIDE = 1024;
 const TILE = 32;
 const NEVER_ARRIVED = 255;
+const TILE_M = 3.2;
+const PERCENT_OF_CLASS = [-1, 0, 10, 5, 90, 85, 80, 100, 70]; // docs/recordings.md
 const decompressHandlers = { zstd: (bytes, size) => zstd.decompress(bytes, Number(size)) };
 
 // Table of CRC-32 as in zlib, which node offers from version 20.15 only.
@@ -52,6 +54,34 @@ function nameOfGrid(data, stride) {
     }
   }
   return crc.toString(16).padStart(8, "0");
+}
+
+// docs/spec.md 3.10, the name of a class grid, over cells of which `byteOf` says the byte.
+function nameOfClasses(a, b, byteOf) {
+  const corner = new Uint8Array(8);
+  new DataView(corner.buffer).setInt32(0, a);
+  new DataView(corner.buffer).setInt32(4, b);
+  let crc = crc32(corner);
+  let isEmpty = true;
+  const tile = new Uint8Array(2 + TILE * TILE);
+  for (let slot = 0; slot < (SIDE / TILE) ** 2; ++slot) {
+    const x = modulo((slot % TILE) - a, SIDE / TILE);
+    const y = modulo(Math.floor(slot / TILE) - b, SIDE / TILE);
+    let known = 0;
+    tile.set([slot >> 8, slot & 0xff]);
+    for (let i = 0; i < TILE * TILE; ++i) {
+      const cell = (y * TILE + Math.floor(i / TILE)) * SIDE + x * TILE + (i % TILE);
+      known |= tile[2 + i] = byteOf(cell);
+    }
+    if (known) {
+      crc = crc32(tile, crc);
+      isEmpty = false;
+    }
+  }
+  return (isEmpty ? 0 : crc).toString(16).padStart(8, "0");
+}
+function modulo(n, m) {
+  return ((n % m) + m) % m;
 }
 
 // Names and types of the fields, as parsed: what is only said in two ways is made one.
@@ -137,11 +167,53 @@ function checkImage(occupancy, image) {
   }
 }
 
+// The classes of a frame as JSON; /classes is held against them, and its place is in whole tiles.
+function checkClasses(occupancy, cells) {
+  assert.deepEqual(cells.fields, [
+    { name: "class", offset: 0, type: 1 },
+    { name: "sureness", offset: 1, type: 1 },
+    { name: "age_frames", offset: 2, type: 1 },
+  ]);
+  assert.equal(cells.data.length, 3 * SIDE * SIDE);
+  const { info, header } = occupancy;
+  assert.equal(cells.frame_id, "odom");
+  assert.equal(header.frame_id, "odom");
+  assert.deepEqual(header.stamp, cells.timestamp);
+  assert.deepEqual(info.origin, cells.pose);
+  assert.deepEqual(cells.pose.orientation, { x: 0, y: 0, z: 0, w: 1 });
+  const [a, b] = [cells.pose.position.x / TILE_M, cells.pose.position.y / TILE_M].map(Math.round);
+  assert.ok(Math.abs(cells.pose.position.x - a * TILE_M) < 1e-9);
+  assert.ok(Math.abs(cells.pose.position.y - b * TILE_M) < 1e-9);
+  const numbers = new Set();
+  for (let cell = 0; cell < SIDE * SIDE; ++cell) {
+    const number = cells.data[3 * cell];
+    assert.equal(occupancy.data[cell], PERCENT_OF_CLASS[number]);
+    numbers.add(number);
+  }
+  const name = nameOfClasses(a, b, (cell) => 8 * cells.data[3 * cell] + cells.data[3 * cell + 1]);
+  return { name, numbers: [...numbers].sort() };
+}
+
+// One transform, of a turn about z alone.
+function checkTransform({ transforms }) {
+  assert.equal(transforms.length, 1);
+  const [{ header, child_frame_id, transform }] = transforms;
+  assert.deepEqual([header.frame_id, child_frame_id], ["odom", "base_link"]);
+  const { translation, rotation } = transform;
+  assert.deepEqual([translation.z, rotation.x, rotation.y], [0, 0, 0]);
+  assert.ok(Math.abs(rotation.z ** 2 + rotation.w ** 2 - 1) < 1e-12);
+  const heading = 2 * Math.atan2(rotation.z, rotation.w);
+  return { x: translation.x, y: translation.y, heading };
+}
+
 class Contents {
   #readers = new Map();
   #topics = new Map();
   #occupancy;
+  #classOccupancy;
   frames = [];
+  classes = [];
+  poses = [];
   counts = {};
   messages = { count: 0, crc: 0 };
 
@@ -165,6 +237,9 @@ class Contents {
       const frame = checkFrame(this.#occupancy, message);
       this.frames.push({ ...frame, log_ns: String(record.logTime) });
     }
+    if (topic === "/classes") this.#classOccupancy = message;
+    if (topic === "/iogrid/classes") this.classes.push(checkClasses(this.#classOccupancy, message));
+    if (topic === "/tf") this.poses.push(checkTransform(message));
     if (topic === "/iogrid/messages") {
       this.messages.count += 1;
       this.messages.crc = crc32(message.data, this.messages.crc);
@@ -246,5 +321,5 @@ if (!isCut) {
   assert.deepEqual(indexed.contents.messages, contents.messages);
   metadata = indexed.metadata;
 }
-const { frames, counts, messages } = contents;
-console.log(JSON.stringify({ frames, counts, messages, metadata }));
+const { frames, classes, poses, counts, messages } = contents;
+console.log(JSON.stringify({ frames, classes, poses, counts, messages, metadata }));
