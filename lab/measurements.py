@@ -55,7 +55,7 @@ def target(folder: pathlib.Path, _recordings=()) -> None:
 
 
 def build_images() -> None:
-    vehicles = sorted(path.stem for path in (ROOT / "vehicles").glob("*.hpp"))
+    vehicles = sorted(path.stem for path in (ROOT / "vehicles").glob("*.toml"))
     build("imx6", *(f"iogrid-{vehicle}" for vehicle in vehicles))
 
 
@@ -95,8 +95,8 @@ STEPS = {
     "a9_model": Step("Asking the cost model what others know", a9_model),
 }
 # Which page shows what was measured by which steps.
-PAGES = {"results": ("experiments", "target"), "figures": ("target", "images"),
-         "a9_model": ("a9_model",), "peers": ("peers",)}
+PAGES = {"results": ("experiments", "target"), "evidential": ("experiments", "target"),
+         "figures": ("target", "images"), "a9_model": ("a9_model",), "peers": ("peers",)}
 
 
 def has_peers() -> bool:

@@ -17,6 +17,9 @@ inline constexpr unsigned kRegionIds = 0x80;
 // repeats itself has warmed up by then.
 inline constexpr std::uint8_t kMarkerForget = kMarkerEnd | 0x7F;
 
+// The end of region 126: a round is over. What each function cost in it is reported, too.
+inline constexpr std::uint8_t kMarkerRound = kMarkerEnd | 0x7E;
+
 #if defined(__arm__)
 template <unsigned kCode>
 [[gnu::always_inline]] inline void mark() {
@@ -25,17 +28,18 @@ template <unsigned kCode>
 
 template <unsigned kId>
 [[gnu::always_inline]] inline void begin_region() {
-  static_assert(kId < kRegionIds - 1);
+  static_assert(kId < kRegionIds - 2);
   mark<kId>();
 }
 
 template <unsigned kId>
 [[gnu::always_inline]] inline void end_region() {
-  static_assert(kId < kRegionIds - 1);
+  static_assert(kId < kRegionIds - 2);
   mark<kId | kMarkerEnd>();
 }
 
 [[gnu::always_inline]] inline void forget_so_far() { mark<kMarkerForget>(); }
+[[gnu::always_inline]] inline void end_round() { mark<kMarkerRound>(); }
 #endif
 
 }  // namespace iog::a9_model

@@ -62,6 +62,10 @@ void Recorder::note_marker(std::uint8_t half) {
     forget();
     return;
   }
+  if (code == kMarkerRound) {
+    end_round();
+    return;
+  }
   Region& region = marked_[code % kRegionIds];
   if ((code & kMarkerEnd) == 0) {
     open(region);
@@ -122,6 +126,7 @@ void Recorder::charge_innermost() {
 void Recorder::forget() {
   forgotten_ = pipeline_.counters();
   charged_ = forgotten_;
+  rounds_.clear();
   for (std::vector<Region>* const regions : {&marked_, &called_}) {
     for (Region& region : *regions) {
       region.sum = {};
@@ -129,6 +134,27 @@ void Recorder::forget() {
       region.begin = forgotten_;
       region.entries = region.open > 0 ? 1 : 0;
     }
+  }
+}
+
+void Recorder::end_round() {
+  charge_innermost();
+  std::vector<Counters>& round = rounds_.emplace_back();
+  for (const Region& function : called_) {
+    round.push_back(function.self);
+  }
+}
+
+void Recorder::report_rounds(std::ostream& out, std::string_view heading) const {
+  std::vector<Counters> before(functions_.size());
+  for (std::size_t number = 0; number < rounds_.size(); ++number) {
+    const std::string round = std::string(heading) + " round=" + std::to_string(number);
+    for (std::size_t index = 0; index < functions_.size(); ++index) {
+      Counters own;
+      add_difference(own, before[index], rounds_[number][index]);
+      print(out, round, functions_[index].name, 1, own, "of");
+    }
+    before = rounds_[number];
   }
 }
 
@@ -149,6 +175,7 @@ void Recorder::report(std::ostream& out, std::string_view heading) {
     print(out, heading, functions_[index].name, function.entries, function.sum);
     print(out, heading, functions_[index].name, function.entries, function.self, "self");
   }
+  report_rounds(out, heading);
   if (unsupported_ > 0) {
     out << heading << " unsupported=" << unsupported_ << " (not A32: neither counted nor timed)\n";
   }

@@ -39,7 +39,9 @@ class Recorder {
 
   // Executes the last instruction and writes a line for the whole run, one for each region that
   // was entered and two for each function, the second with self= for region=: key=value pairs after
-  // `heading`. What came before the program said kMarkerForget is left out.
+  // `heading`. What came before the program said kMarkerForget is left out. For each kMarkerRound
+  // since then there is a line for each function, with round= and of= for region=: what it cost on
+  // its own since the round before.
   void report(std::ostream& out, std::string_view heading);
 
  private:
@@ -59,6 +61,8 @@ class Recorder {
   void close(Region& region);
   void charge_innermost();
   void forget();
+  void end_round();
+  void report_rounds(std::ostream& out, std::string_view heading) const;
 
   Pipeline pipeline_;
   const ProgramInstruction* last_ = nullptr;
@@ -74,6 +78,7 @@ class Recorder {
   std::vector<std::size_t> open_;       // the functions under way, the innermost last
   Counters charged_;                    // up to here, to whoever was the innermost
   Counters forgotten_;
+  std::vector<std::vector<Counters>> rounds_;  // Region::self of each function at their ends
 };
 
 }  // namespace iog::a9_model

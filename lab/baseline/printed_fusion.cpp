@@ -87,13 +87,14 @@ void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
   if (!classification.carves && !classification.marks) {
     return;
   }
-  const std::optional<Segment> segment = segment_of(sensor, beam, point.range_mm);
+  const std::optional<Segment> segment = segment_of(sensor, beam, point);
   if (!segment) {
     return;
   }
   const std::int64_t squared_length = std::int64_t{segment->delta_l} * segment->delta_l +
                                       std::int64_t{segment->delta_m} * segment->delta_m;
-  const auto k = static_cast<std::int32_t>(sensor.precision.divide(point.range_mm));
+  const std::uint32_t along_mm = sensor.layers[point.layer].along_line_mm(point.range_mm);
+  const auto k = static_cast<std::int32_t>(sensor.precision.divide(along_mm));
   const bool stops = extent_ == Extent::kToScanPoint;
   const Tables& tables = tables_[static_cast<std::size_t>(&sensor - vehicle_->sensors.data())];
   traverse(*segment, {.l_s = segment->l_s,
@@ -105,15 +106,16 @@ void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
                       .table = &tables.of(classification)});
 }
 
-std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(const Sensor& sensor,
-                                                                const Beam& beam,
-                                                                std::uint32_t range_mm) const {
+std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(
+    const Sensor& sensor, const Beam& beam, const lidar::ScanPoint& point) const {
   const BeamLine& line = beam.line;
-  const bool has_echo = range_mm > 0;
+  const bool has_echo = point.range_mm > 0;
   const std::uint32_t reach_mm =
-      std::min(has_echo ? range_mm : sensor.no_return_clears_mm, sensor.range.mm());
+      std::min(sensor.layers[point.layer].along_line_mm(has_echo ? point.range_mm
+                                                                 : sensor.no_return_clears_mm),
+               sensor.range.mm());
   const std::optional<traversal::Stretch> stretch = line.clip(geometry::kGridArea);
-  const vehicle::BandPart part = vehicle::part_in_band(*vehicle_, sensor, beam, reach_mm);
+  const vehicle::BandPart part = vehicle::part_in_band(*vehicle_, sensor, beam.end_z, reach_mm);
   if (!stretch || part.is_empty) {
     return std::nullopt;
   }

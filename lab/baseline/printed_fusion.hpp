@@ -69,7 +69,7 @@ class PrintedFusion {
   // The part of a beam that counts, nothing if there is none.
   [[nodiscard]] std::optional<Segment> segment_of(const vehicle::Sensor& sensor,
                                                   const vehicle::Beam& beam,
-                                                  std::uint32_t range_mm) const;
+                                                  const lidar::ScanPoint& point) const;
   void traverse(const Segment& segment, const LocalGrid& local);
   bool sample(std::int32_t l, std::int32_t m, const LocalGrid& local);
 

@@ -62,7 +62,7 @@ class Sight {
     gather_near(origin, range_m);
     const int edge = sensor.scan_width_ticks / 2;
     for (const double elevation_deg : lidar::IbeoLux::kElevationsDeg) {
-      const double elevation = vehicle::compile_detail::radians(elevation_deg);
+      const double elevation = vehicle::radians(elevation_deg);
       for (int ticks = -edge; ticks <= edge; ticks += kTicksPerBeam) {
         const double azimuth = ticks * 2 * numeric::kPi / lidar::IbeoLux::kTicksPerTurn;
         const double forward = numeric::cos(elevation) * numeric::cos(azimuth);

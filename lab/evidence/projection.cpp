@@ -147,7 +147,7 @@ void read_as_model(const Sensor& sensor, const Places& places, std::uint32_t ran
 // The places that a beam may carve: up to its reach, inside the height band.
 void limit_carving(const vehicle::Vehicle& vehicle, const Sensor& sensor, const vehicle::Beam& beam,
                    const Places& places, std::uint32_t reach_mm, Plan& plan) {
-  const vehicle::BandPart part = vehicle::part_in_band(vehicle, sensor, beam, reach_mm);
+  const vehicle::BandPart part = vehicle::part_in_band(vehicle, sensor, beam.end_z, reach_mm);
   plan.carve_end = part.is_empty ? 0 : plan.path_end;
   if (!part.is_whole && !part.is_empty) {
     plan.carve_first = part.from.numerator > 0 ? places.through(part.from) : 0;
@@ -186,10 +186,10 @@ Plan plan_of_point(const Sensor& sensor, const BeamLine& line, const Places& pla
 }
 
 // A missing return that clears: as far before a scan point as can be, all the way.
-Plan plan_of_missing_return(const Sensor& sensor, const Places& places) {
+Plan plan_of_missing_return(const Sensor& sensor, const Places& places, std::uint32_t clears_mm) {
   Plan plan;
   plan.place = places.reading();
-  plan.path_end = places.end_before({sensor.no_return_clears_mm, sensor.range.mm()});
+  plan.path_end = places.end_before({clears_mm, sensor.range.mm()});
   plan.step_end.fill(kNever);
   return plan;
 }
@@ -259,16 +259,16 @@ class Projector {
     }
     const Places places(beam.line, geometry_.path);
     const bool is_missing = point.range_mm == 0;
-    Plan plan = is_missing
-                    ? plan_of_missing_return(sensor, places)
-                    : plan_of_point(sensor, beam.line, places, point.range_mm, geometry_.sampling);
+    const std::uint32_t along_mm = sensor.layers[point.layer].along_line_mm(
+        is_missing ? sensor.no_return_clears_mm : point.range_mm);
+    Plan plan = is_missing ? plan_of_missing_return(sensor, places, along_mm)
+                           : plan_of_point(sensor, beam.line, places, along_mm, geometry_.sampling);
     if (classification.carves) {
-      const std::uint32_t reach_mm = is_missing ? sensor.no_return_clears_mm : point.range_mm;
-      limit_carving(*vehicle_, sensor, beam, places, std::min(reach_mm, sensor.range.mm()), plan);
+      limit_carving(*vehicle_, sensor, beam, places, std::min(along_mm, sensor.range.mm()), plan);
     }
     if (classification.marks) {
       plan.marks = true;
-      remember_hit(sensor, beam.line, places, point.range_mm, plan);
+      remember_hit(sensor, beam.line, places, along_mm, plan);
     }
     path_.clear();
     if (geometry_.path == Path::kCrossed) {

@@ -16,9 +16,22 @@ constexpr auto kExperiments = std::to_array<Experiment>({
     {"quadtree", quadtree},
     {"stream", stream_of_tiles},
     {"many_core", many_core},
+    {"four_cores", four_cores},
     {"order_of_fusion", order_of_fusion},
     {"detection_quality", detection_quality},
     {"price_of_hits_win", price_of_hits_win},
+    {"perception_rules", perception_rules},
+    {"perception_street", perception_street},
+    {"perception_poses", perception_poses},
+    {"map_quality", map_quality},
+    {"free_on_things", free_on_things},
+    {"evidential_tables", evidential_tables},
+    {"evidential_cell", evidential_cell},
+    {"evidential_map", evidential_map},
+    {"evidential_city", evidential_city},
+    {"evidential_street", evidential_street},
+    {"evidential_roc", evidential_roc},
+    {"evidential_cells", evidential_cells},
 });
 
 }  // namespace

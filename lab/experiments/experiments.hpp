@@ -15,8 +15,22 @@ namespace iog::lab {
 [[nodiscard]] Tables quadtree(const Input& input);           // thesis, table 4.7, section 4.3.2.2
 [[nodiscard]] Tables stream_of_tiles(const Input& input);    // bytes of a frame, bad and slow links
 [[nodiscard]] Tables many_core(const Input& input);          // many-core paper, table I
+[[nodiscard]] Tables four_cores(const Input& input);         // how to divide it among cores
 [[nodiscard]] Tables order_of_fusion(const Input& input);    // equation 4.4
 [[nodiscard]] Tables detection_quality(const Input& input);  // what the choices cost
 [[nodiscard]] Tables price_of_hits_win(const Input& input);  // rain, ghosts, thin gaps
+[[nodiscard]] Tables perception_rules(const Input& input);   // classes of the perception grid
+[[nodiscard]] Tables perception_street(const Input& input);  // of what stops, and leaves
+[[nodiscard]] Tables perception_poses(const Input& input);   // and when poses are bad
+[[nodiscard]] Tables map_quality(const Input& input);        // names, by maps right and wrong
+[[nodiscard]] Tables free_on_things(const Input& input);     // and what is called free and is not
+// M. Kurdej's thesis on map-aided evidential grids.
+[[nodiscard]] Tables evidential_tables(const Input& input);  // tables 6.1 to 6.4
+[[nodiscard]] Tables evidential_cell(const Input& input);    // figures 4.7, 5.6, 5.7, table 7.1
+[[nodiscard]] Tables evidential_map(const Input& input);     // in every scan, or at the decision
+[[nodiscard]] Tables evidential_city(const Input& input);    // its choices on the same drives
+[[nodiscard]] Tables evidential_street(const Input& input);
+[[nodiscard]] Tables evidential_roc(const Input& input);    // the same, whatever the threshold
+[[nodiscard]] Tables evidential_cells(const Input& input);  // and with other cells
 
 }  // namespace iog::lab

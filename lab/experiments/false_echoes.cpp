@@ -29,8 +29,7 @@ std::uint32_t range_of_drop(const lidar::ScanPoint& first, const vehicle::Sensor
 double range_to_ghost(const SensorPoint& seen, const vehicle::SensorConfig& sensor,
                       const Ghost& ghost) {
   constexpr double kPerTick = 2 * numeric::kPi / lidar::IbeoLux::kTicksPerTurn;
-  const double yaw =
-      seen.point.azimuth_ticks * kPerTick + vehicle::compile_detail::radians(sensor.mount.yaw_deg);
+  const double yaw = seen.point.azimuth_ticks * kPerTick + vehicle::radians(sensor.mount.yaw_deg);
   const double ahead_m = ghost.x_m - sensor.mount.x_m;
   if (numeric::cos(yaw) <= 0 || ahead_m <= 0) {
     return 0;

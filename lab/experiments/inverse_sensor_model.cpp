@@ -72,18 +72,11 @@ double difference_of_firmware(double cell_length_sigmas) {
   return largest;
 }
 
-// The power of ten that a difference stays below, 1e-15 at least: the digits of what rounding
-// leaves differ from one C library to another.
-double bound(double difference) {
-  const double exponent = difference > 0 ? std::floor(std::log10(difference)) + 1 : -15;
-  return std::pow(10.0, std::max(exponent, -15.0));
-}
-
 Table enumeration() {
   Table table("inverse_sensor_model", {"cells", "difference_below", "configurations", "terms"});
   for (int cells = 2; cells <= kLargestN; ++cells) {
     const Comparison found = compare_grids(cells);
-    table.row(cells, bound(found.largest_difference), found.configurations, found.terms);
+    table.row(cells, difference_bound(found.largest_difference), found.configurations, found.terms);
   }
   return table;
 }
@@ -100,7 +93,7 @@ Table lux() {
 Table firmware() {
   Table table("inverse_sensor_model_in_firmware", {"cell_length_sigmas", "difference_below"});
   for (const double cell_length_sigmas : {0.5, 1.0, 2.0, 4.0}) {
-    table.row(cell_length_sigmas, bound(difference_of_firmware(cell_length_sigmas)));
+    table.row(cell_length_sigmas, difference_bound(difference_of_firmware(cell_length_sigmas)));
   }
   return table;
 }

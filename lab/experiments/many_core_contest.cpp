@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lab/evidence/frame_points.hpp"
+#include "lidar/ibeo_lux.hpp"
 
 namespace iog::lab {
 namespace {

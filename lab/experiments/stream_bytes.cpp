@@ -77,7 +77,9 @@ class Scale {
 
 void play(const tools::CatalogueEntry& car, const Feed& feed,
           const tools::MessageHandler& on_message) {
-  const auto target = std::make_unique<tools::OfflineTarget>(*car.vehicle, on_message);
+  vehicle::Vehicle vehicle = *car.vehicle;
+  vehicle.grids = vehicle::Grids::kIndexes;
+  const auto target = std::make_unique<tools::OfflineTarget>(vehicle, on_message);
   feed([&](const tools::CapturedDatagram& datagram) { static_cast<void>(target->take(datagram)); });
   target->finish();
 }

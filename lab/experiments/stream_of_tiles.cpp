@@ -13,6 +13,7 @@
 #include "lab/experiments/stream_bytes.hpp"
 #include "lab/scenarios/lossy_link.hpp"
 #include "stream/references.hpp"
+#include "tools/simulate/scene_catalogue.hpp"
 
 namespace iog::lab {
 namespace {
@@ -110,12 +111,7 @@ Table bad_link(const Input& input) {
 }
 
 std::vector<tools::GridFrame> frames_of(std::string_view scene, const Input& input) {
-  SentStream sent = sent_stream(messages_of(reference_car(), feed_of(scene, input)));
-  std::vector<tools::GridFrame> frames;
-  for (auto& [number, frame] : sent.frames) {
-    frames.push_back(std::move(frame));
-  }
-  return frames;
+  return sent_stream(messages_of(reference_car(), feed_of(scene, input))).frames;
 }
 
 // Rounds over the whole grid, by the side of the cells that the serial link sends.

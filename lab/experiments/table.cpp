@@ -1,12 +1,14 @@
 #include "lab/experiments/table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 
 namespace iog::lab {
 
-Table::Table(std::string name, std::vector<std::string> columns)
+Table::Table(std::string name, const std::vector<std::string>& columns)
     : name_(std::move(name)), columns_(columns.size()) {
   if (columns.empty()) {
     throw std::invalid_argument("table " + name_ + " has no columns");
@@ -43,5 +45,10 @@ void Table::append(double value) {
 }
 
 void Table::append_number(std::string_view digits) { text_.append(digits).push_back(','); }
+
+double difference_bound(double difference) {
+  const double exponent = difference > 0 ? std::floor(std::log10(difference)) + 1 : -15;
+  return std::pow(10.0, std::max(exponent, -15.0));
+}
 
 }  // namespace iog::lab

@@ -19,7 +19,7 @@ class Table {
   // name: of the file, without ".csv". Values that were timed or are peculiar to a machine stand in
   // a table *_on_this_pc, what comes from recordings in a table *_recordings; lab/check compares
   // all others with lab/data byte for byte.
-  Table(std::string name, std::vector<std::string> columns);
+  Table(std::string name, const std::vector<std::string>& columns);
 
   // One observation: a string or a number for each column. std::invalid_argument if there are more
   // or fewer.
@@ -44,5 +44,9 @@ class Table {
   std::size_t columns_;
   std::string text_;
 };
+
+// The power of ten that a difference stays below, 1e-15 at least: the digits of what rounding
+// leaves differ from one C library to another.
+[[nodiscard]] double difference_bound(double difference);
 
 }  // namespace iog::lab

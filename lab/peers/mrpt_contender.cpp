@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lab/peers/contender.hpp"
+#include "lidar/ibeo_lux.hpp"
 
 namespace iog::lab {
 namespace {

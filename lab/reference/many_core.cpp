@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lab/reference/fusion.hpp"
+#include "lidar/ibeo_lux.hpp"
 #include "numeric/division.hpp"
 #include "numeric/elementary.hpp"
 

@@ -1,5 +1,5 @@
-// A link that loses, doubles, damages and delays messages, always in the same way for one seed, and
-// what a receiver behind it shows.
+// A link that loses, doubles, damages and delays messages, always in the same way for one seed, a
+// target that starts over, and what a receiver behind them shows.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "tools/receive/grid_frame.hpp"
@@ -24,6 +25,7 @@ struct Harm {
   unsigned corrupt = 0;    // one to four bytes are others
   unsigned reorder = 0;    // up to 20 messages late
   unsigned delay = 0;      // up to 300 messages late
+  unsigned repeat = 0;     // comes once more, up to 4000 messages later: perhaps in another run
 };
 
 // What the receiver is tried with: docs/results.md shows what is left, the tests that no cell is
@@ -51,15 +53,22 @@ inline constexpr std::array kHarms{
          .delay = 30},
 };
 
-// A stream as it was sent, and the frames in it.
+// A stream as it was sent, and the frames in it. Frames are counted through all runs.
 struct SentStream {
+  using Name = std::pair<std::uint32_t, std::uint32_t>;  // run number and frame number
+
   std::vector<Message> messages;
-  std::vector<std::uint32_t> frame_of;  // each message's frame number
-  std::map<std::uint32_t, tools::GridFrame> frames;
+  std::vector<std::uint32_t> frame_of;  // of each message
+  std::vector<tools::GridFrame> frames;
+  std::map<Name, std::uint32_t> by_name;
 };
 
 // Of a stream from its first message on, over a link that does no harm.
-[[nodiscard]] SentStream sent_stream(std::vector<Message> messages);
+[[nodiscard]] SentStream sent_stream(const std::vector<Message>& messages);
+
+// Of several runs of a target, one after the other, each with another run number. Each but the last
+// ends in the middle of its last frame.
+[[nodiscard]] SentStream sent_stream_of_runs(const std::vector<std::vector<Message>>& runs);
 
 // What comes out at the other end if the link does harm to the frames before `quiet_from`.
 [[nodiscard]] std::vector<Message> carry(const SentStream& sent, const Harm& harm,
@@ -73,6 +82,7 @@ struct LinkTrial {
   std::uint64_t fresh_tiles = 0;  // of these, those of that frame; the others are known to be stale
   // All the time.
   std::uint64_t wrong_tiles = 0;       // shown as those of a frame and not equal to it
+  std::uint64_t old_frames = 0;        // shown after one that was sent later
   std::uint32_t incomplete_after = 0;  // frames from `quiet_from` on until all are whole
   std::uint64_t corrupt_found = 0;     // messages
   std::uint64_t restarts = 0;

@@ -2,6 +2,8 @@
 
 A run is one image of the benchmark in QEMU. It gives rows: of instructions, which QEMU counts, or of
 what the cost model of docs/a9_model.md says. lab/target/measure_a9 makes all of them, lab/check some.
+Runs of frames with classes are in a9_perception.py, those of the map's layer in a9_map.py, those of
+units that turn in a9_turning.py.
 """
 
 import concurrent.futures
@@ -18,8 +20,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 # benchmark itself does between two frames, and reading its stopwatch.
 STAGES = {
     "receive": ["iog::net::parse_ethernet(", "iog::net::parse_ipv4(", "iog::net::parse_udp("],
-    "decode": ["iog::app::FrameEngine::receive(", "iog::app::FrameEngine::classify("],
-    "beams": ["iog::app::FrameEngine::fuse("],
+    "decode": [f"iog::app::FrameEngine::{name}(" for name in ("receive", "classify", "accept")],
+    "beams": ["iog::app::FrameEngine::add_points("],
     "carve": ["iog::grid::carve_blocks(", "iog::grid::carve_cells("],
     "mark": ["iog::grid::FrameFusion::finish("],
     "encode": ["iog::lab::StagePass::take(", "iog::lab::StagePass::tick("],
@@ -88,7 +90,8 @@ def pairs_of(line: str) -> dict[str, str]:
 
 # What an image prints to say which run its line is of.
 NAMING = {"frame_cost": ("sensors",), "traversal_cost": ("walk", "r"),
-          "many_core": ("approach", "cell_mm"), "printed_cost": ("extent",),
+          "many_core": ("approach", "cell_mm"), "perception_cost": (), "map_cost": (),
+          "printed_cost": ("extent",),
           "scaling": ("cells_per_side", "cell_mm", "sensors", "azimuths", "range_cm")}
 # fuse_sum, fuse_min, fuse_max: of a stage over its frames. A mean follows from the sum.
 OF_FRAMES = re.compile(r"(\w+)_(sum|min|max)")
@@ -123,19 +126,27 @@ def counted_rows(line: str, run: str) -> list[Row]:
     return rows
 
 
-def modelled(place: Place, variant: str, functions: dict[str, list[str]], image: pathlib.Path,
-             *arguments) -> tuple[dict[str, str], dict[str, dict[str, int]]]:
-    """The pairs that the image printed, and what the model says of its functions without one
-    another."""
+def printed_by_model(place: Place, variant: str, functions: dict[str, list[str]],
+                     image: pathlib.Path, *arguments) -> list[str]:
     first, *others = arguments or [""]
     options = [word for other in others for word in ("--argument", other)]
     options += [word for name, symbols in functions.items() for symbol in symbols
                 for word in ("--function", f"{name}={symbol}")]
-    printed = output_of(HERE.parent / "a9_model/run", image, first, *options,
-                        "--build", place.model, "--lines", variant, cwd=place.work)
+    return output_of(HERE.parent / "a9_model/run", image, first, *options, "--build", place.model,
+                     "--lines", variant, cwd=place.work).splitlines()
+
+
+def modelled(place: Place, variant: str, functions: dict[str, list[str]], image: pathlib.Path,
+             *arguments) -> tuple[dict[str, str], dict[str, dict[str, int]]]:
+    """The pairs that the image printed, and what the model says of its functions without one
+    another."""
+    return own_of(printed_by_model(place, variant, functions, image, *arguments), functions)
+
+
+def own_of(printed: list[str], functions: dict[str, list[str]]):
     own = {name: dict.fromkeys(COUNTERS, 0) for name in functions}
     head = {}
-    for line in printed.splitlines():
+    for line in printed:
         pairs = pairs_of(line)
         if not line.startswith("modelled "):
             head.update(pairs)

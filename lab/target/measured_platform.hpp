@@ -10,14 +10,58 @@
 
 #include "app/frame_report.hpp"
 #include "instruction_counter.hpp"
+#include "lab/a9_model/marker.hpp"
 #include "net/config.hpp"
 #include "net/outbound.hpp"
+#include "require/require.hpp"
+#include "work/round.hpp"
 
 namespace iog::lab {
 
+// What was divided among cores since the model was last told to forget: items of each round of the
+// cores, in order, and kFrameEnd for the end of a frame. The model is told of the end of each item,
+// and of what one core did alone before the items.
+class SharedRounds {
+ public:
+  static constexpr std::uint16_t kFrameEnd = 0;
+  // All items are done as by a helper, which keeps what it changes as it was before.
+  static constexpr std::size_t kHelper = 1;
+
+  void share(std::size_t items, work::Work work) {
+    note(static_cast<std::uint16_t>(items));
+    a9_model::end_round();
+    for (std::size_t item = 0; item < items; ++item) {
+      work.run(work.context, item, kHelper);
+      a9_model::end_round();
+    }
+  }
+  void end_frame() {
+    note(kFrameEnd);
+    a9_model::end_round();
+  }
+  void forget() {
+    count_ = 0;
+    a9_model::forget_so_far();
+  }
+  [[nodiscard]] std::span<const std::uint16_t> rounds() const {
+    return std::span(rounds_).first(count_);
+  }
+
+ private:
+  void note(std::uint16_t items) {
+    require(count_ < rounds_.size());
+    rounds_[count_++] = items;
+  }
+
+  std::size_t count_ = 0;
+  std::array<std::uint16_t, 1024> rounds_{};
+};
+
 class MeasuredPlatform {
  public:
-  explicit MeasuredPlatform(InstructionCounter& counter) : counter_(counter) {}
+  // cores: as many as the pipeline is to think that there are. One does all of their work.
+  explicit MeasuredPlatform(InstructionCounter& counter, std::size_t cores = 1)
+      : counter_(counter), cores_(cores) {}
 
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     slots_[slot_].message_bytes = message.size();
@@ -31,6 +75,16 @@ class MeasuredPlatform {
   [[nodiscard]] std::uint32_t ticks_hz() const {
     return InstructionCounter::kInstructionsPerSecond;
   }
+  [[nodiscard]] std::uint32_t run_number() const { return 1; }
+  [[nodiscard]] std::size_t cores() const { return cores_; }
+  void share(std::size_t items, work::Work work) {
+    if (cores_ == 1 || items == 0) {
+      work::do_alone(items, work);
+    } else {
+      shared_.share(items, work);
+    }
+  }
+  [[nodiscard]] SharedRounds& shared() { return shared_; }
 
   // Called once for each frame, before its first message: a good moment to change the buffer, so
   // that the last message of a frame outlives the frame. One datagram closes two frames at most.
@@ -70,6 +124,8 @@ class MeasuredPlatform {
   static constexpr net::MacAddress kPeer{{0x02, 0, 0, 0, 0, 2}};
 
   InstructionCounter& counter_;
+  std::size_t cores_;
+  SharedRounds shared_;
   std::array<Slot, 2> slots_{};
   unsigned slot_ = 0;
   unsigned closed_ = 0;

@@ -78,14 +78,17 @@ void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
 void OperationPass::take_apart(const vehicle::Sensor& sensor, std::span<const std::byte> payload) {
   const auto each = [&](const lidar::ScanPoint& point) { take_apart(sensor, point); };
   measured(cost_.decode, [&] {
-    return intake::Packet::decode(sensor.format, payload);
+    return intake::Packet::decode(sensor.format, payload, sensor.unit());
   }).for_each_point(each);
 }
 
 void OperationPass::take_apart(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
   const vehicle::Beam beam =
       measured(cost_.aim, [&] { return vehicle::aim(sensor, point.layer, point.azimuth_ticks); });
-  static_cast<void>(measured(cost_.judge, [&] { return vehicle::classify(sensor, beam, point); }));
+  const vehicle::BeamRanges ranges =
+      measured(cost_.aim, [&] { return vehicle::ranges_of(sensor, beam); });
+  static_cast<void>(
+      measured(cost_.judge, [&] { return vehicle::classify(sensor, ranges, point); }));
   ++cost_.points;
   cost_.cells += carved_cells(sensor, beam, point);
 }

@@ -9,8 +9,7 @@
 #include "app/frame_engine.hpp"
 #include "grid/frame_fusion.hpp"
 #include "instruction_counter.hpp"
-#include "lidar/ibeo_lux.hpp"
-#include "lidar/velodyne_vlp16.hpp"
+#include "lidar/scan_point.hpp"
 #include "playback.hpp"
 #include "stream/grid_hash.hpp"
 

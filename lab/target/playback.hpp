@@ -39,32 +39,56 @@ inline const vehicle::Sensor* sensor_of_port(const vehicle::Vehicle& vehicle, st
   return found == vehicle.sensors.end() ? nullptr : &*found;
 }
 
-// Target: take(sensor, datagram, instructions spent on receiving it, now), tick(now),
-// deadline_us(). After the capture the open frame times out.
-template <typename Target>
-void play(Capture& capture, const vehicle::Vehicle& vehicle, InstructionCounter& counter,
-          Target& target) {
+// Target: take(datagram, instructions spent on receiving it, now), tick(now), deadline_us(). It
+// gets the datagrams to ports that are_played(port). After the capture the open frame times out.
+template <typename ArePlayed, typename Target>
+void play_ports(Capture& capture, ArePlayed&& are_played, InstructionCounter& counter,
+                Target& target) {
   tools::CaptureClock clock;
   while (const auto frame = capture.next()) {
     const std::uint32_t start = counter.now();
     const auto datagram = datagram_in(frame->bytes);
     const std::uint32_t received = counter.now() - start - counter.of_nothing();
-    const vehicle::Sensor* const sensor =
-        datagram ? sensor_of_port(vehicle, datagram->destination_port) : nullptr;
-    if (sensor == nullptr) {
+    if (!datagram || !are_played(datagram->destination_port)) {
       continue;
     }
     const std::uint64_t now_us = clock.move_to(frame->time_us);
     while (target.deadline_us() <= now_us) {
       target.tick(target.deadline_us());
     }
-    target.take(*sensor,
-                {.source_ipv4 = kReplayer,
+    target.take({.source_ipv4 = kReplayer,
                  .destination_port = datagram->destination_port,
                  .payload = datagram->payload},
                 received, now_us);
   }
   target.tick(target.deadline_us());
+}
+
+// A target of play_ports() that is told which sensor a datagram is of.
+template <typename Target>
+class BySensor {
+ public:
+  BySensor(const vehicle::Vehicle& vehicle, Target& target) : vehicle_(vehicle), target_(target) {}
+
+  void take(const intake::Datagram& datagram, std::uint32_t received, std::uint64_t now_us) {
+    target_.take(*sensor_of_port(vehicle_, datagram.destination_port), datagram, received, now_us);
+  }
+  void tick(std::uint64_t now_us) { target_.tick(now_us); }
+  [[nodiscard]] std::uint64_t deadline_us() const { return target_.deadline_us(); }
+
+ private:
+  const vehicle::Vehicle& vehicle_;
+  Target& target_;
+};
+
+// The datagrams of a vehicle's sensors. Target: take(sensor, datagram, ...) and the rest as above.
+template <typename Target>
+void play(Capture& capture, const vehicle::Vehicle& vehicle, InstructionCounter& counter,
+          Target& target) {
+  BySensor by_sensor(vehicle, target);
+  play_ports(
+      capture, [&vehicle](std::uint16_t port) { return sensor_of_port(vehicle, port) != nullptr; },
+      counter, by_sensor);
 }
 
 }  // namespace iog::lab

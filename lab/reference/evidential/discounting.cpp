@@ -59,7 +59,7 @@ MassFunction discounted_contextually(const MassFunction& mass, Rates rates) {
 
 MassFunction discounted(const MassFunction& mass, Scheme scheme, Rates rates) {
   MassFunction less = mass;
-  for (Set a = 0; a < mass.frame(); ++a) {
+  for (const Set a : Focals(mass)) {
     for (const Rate& rate : rates) {
       less[a] *= 1 - rate.alpha * weight(a, rate.theta, scheme);
     }

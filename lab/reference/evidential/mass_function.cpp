@@ -1,9 +1,25 @@
 #include "lab/reference/evidential/mass_function.hpp"
 
 #include <bit>
+#include <functional>
 #include <numeric>
 
 namespace iog::lab::reference::evidential {
+namespace {
+
+template <typename Join>
+MassFunction joined(const MassFunction& one, const MassFunction& other, const Join& join) {
+  MassFunction fused = MassFunction::empty(one.elements());
+  const Focals of_other(other);
+  for (const Set b : Focals(one)) {
+    for (const Set c : of_other) {
+      fused[join(b, c)] += one[b] * other[c];
+    }
+  }
+  return fused;
+}
+
+}  // namespace
 
 MassFunction::MassFunction(int elements, std::initializer_list<Focal> focals)
     : elements_(elements) {
@@ -24,29 +40,17 @@ double MassFunction::total() const { return std::accumulate(masses_.begin(), mas
 int cardinality(Set set) { return std::popcount(set); }
 
 MassFunction conjunctive(const MassFunction& one, const MassFunction& other) {
-  MassFunction fused = MassFunction::empty(one.elements());
-  for (Set b = 0; b <= one.frame(); ++b) {
-    for (Set c = 0; c <= other.frame(); ++c) {
-      fused[b & c] += one[b] * other[c];
-    }
-  }
-  return fused;
+  return joined(one, other, std::bit_and());
 }
 
 MassFunction disjunctive(const MassFunction& one, const MassFunction& other) {
-  MassFunction fused = MassFunction::empty(one.elements());
-  for (Set b = 0; b <= one.frame(); ++b) {
-    for (Set c = 0; c <= other.frame(); ++c) {
-      fused[b | c] += one[b] * other[c];
-    }
-  }
-  return fused;
+  return joined(one, other, std::bit_or());
 }
 
 MassFunction normalised(const MassFunction& subnormal) {
   MassFunction normal = MassFunction::empty(subnormal.elements());
-  for (Set a = 1; a <= subnormal.frame(); ++a) {
-    normal[a] = subnormal[a] / (1 - subnormal[0]);
+  for (const Set a : Focals(subnormal)) {
+    normal[a] = a == 0 ? 0 : subnormal[a] / (1 - subnormal[0]);
   }
   return normal;
 }
@@ -83,8 +87,8 @@ MassFunction refined(const MassFunction& coarse, std::span<const Set> images, in
 
 double pignistic(const MassFunction& mass, Set set) {
   double probability = 0;
-  for (Set a = 1; a <= mass.frame(); ++a) {
-    probability += mass[a] * cardinality(set & a) / cardinality(a);
+  for (const Set a : Focals(mass)) {
+    probability += a == 0 ? 0 : mass[a] * cardinality(set & a) / cardinality(a);
   }
   return probability;
 }

@@ -45,6 +45,23 @@ class MassFunction {
   std::array<double, std::size_t{1} << kMostElements> masses_{};
 };
 
+// The sets that have mass: of 64 they are few.
+class Focals {
+ public:
+  explicit Focals(const MassFunction& mass) {
+    for (Set a = 0; a <= mass.frame(); ++a) {
+      sets_[count_] = a;
+      count_ += mass[a] != 0 ? 1U : 0U;
+    }
+  }
+  [[nodiscard]] const Set* begin() const { return sets_.data(); }
+  [[nodiscard]] const Set* end() const { return sets_.data() + count_; }
+
+ private:
+  std::array<Set, (std::size_t{1} << MassFunction::kMostElements) + 1> sets_;
+  std::size_t count_ = 0;
+};
+
 [[nodiscard]] int cardinality(Set set);
 [[nodiscard]] inline bool is_subset(Set set, Set of) { return (set & ~of) == 0; }
 

@@ -9,8 +9,8 @@ namespace {
 
 double mass_within(const MassFunction& mass, Set set) {
   double sum = 0;
-  for (Set a = 1; a <= mass.frame(); ++a) {
-    sum += is_subset(a, set) ? mass[a] : 0;
+  for (const Set a : Focals(mass)) {
+    sum += a != 0 && is_subset(a, set) ? mass[a] : 0;
   }
   return sum;
 }
@@ -25,6 +25,21 @@ void add_conflict(TemporalFusion& fusion, Set before, Set now, double mass) {
   } else {
     fusion.other += mass;
   }
+}
+
+// Where the mass of the empty set goes.
+void place_conflict(TemporalFusion& fusion, TemporalRule rule) {
+  if (rule == TemporalRule::kConjunctive) {
+    return;
+  }
+  if (rule == TemporalRule::kDempster) {
+    fusion.mass = normalised(fusion.mass);
+    return;
+  }
+  const bool is_thesis = rule == TemporalRule::kThesis;
+  fusion.mass[0] = 0;
+  fusion.mass[kMoving] += is_thesis ? fusion.appeared : 0;
+  fusion.mass[kAnything] += fusion.disappeared + fusion.other + (is_thesis ? 0 : fusion.appeared);
 }
 
 }  // namespace
@@ -42,18 +57,21 @@ double free_mass(const MassFunction& mass) { return mass_within(mass, kFree); }
 
 double occupied_mass(const MassFunction& mass) { return mass_within(mass, kOccupied); }
 
-TemporalFusion fused_in_time(const MassFunction& before, const MassFunction& now) {
+TemporalFusion fused_in_time(const MassFunction& before, const MassFunction& now,
+                             TemporalRule rule) {
+  if (rule == TemporalRule::kDisjunctive) {
+    return {.mass = disjunctive(before, now)};
+  }
   TemporalFusion fusion{.mass = conjunctive(before, now)};
-  for (Set b = 0; b <= kAnything; ++b) {
-    for (Set c = 0; c <= kAnything; ++c) {
+  const Focals of_now(now);
+  for (const Set b : Focals(before)) {
+    for (const Set c : of_now) {
       if ((b & c) == 0) {
         add_conflict(fusion, b, c, before[b] * now[c]);
       }
     }
   }
-  fusion.mass[0] = 0;
-  fusion.mass[kMoving] += fusion.appeared;
-  fusion.mass[kAnything] += fusion.disappeared + fusion.other;
+  place_conflict(fusion, rule);
   return fusion;
 }
 
@@ -65,7 +83,7 @@ double accumulated(double accumulator, const TemporalFusion& fusion, double gain
 
 MassFunction specialised(const MassFunction& mass, double share, Specialised which) {
   MassFunction special = mass;
-  for (Set a = 1; a <= kAnything; ++a) {
+  for (const Set a : Focals(mass)) {
     const bool counts = which == Specialised::kEverySet || is_subset(a, kOccupied);
     if ((a & kMoving) != 0 && counts) {
       special[a] -= mass[a] * share;
@@ -96,10 +114,12 @@ MassFunction aged(const MassFunction& mass, const ScanParameters& parameters) {
   return discounted_classically(mass, parameters.dynamic_loss);
 }
 
-void PerceptionCell::scan(const MassFunction& sensor_grid, const ScanParameters& parameters) {
-  const TemporalFusion fusion = fused_in_time(aged(mass, parameters), sensor_grid);
+TemporalFusion PerceptionCell::scan(const MassFunction& sensor_grid,
+                                    const ScanParameters& parameters) {
+  TemporalFusion fusion = fused_in_time(aged(mass, parameters), sensor_grid, parameters.rule);
   accumulator = accumulated(accumulator, fusion, parameters.gain, parameters.decline);
   mass = specialised(fusion.mass, accumulator * parameters.specialised_share, parameters.which);
+  return fusion;
 }
 
 Set pignistic_decision(const MassFunction& mass) {

@@ -64,8 +64,14 @@ struct TemporalFusion {
   [[nodiscard]] double conflict() const { return appeared + disappeared + other; }
 };
 
-// Equation 5.9: the grid so far with the SensorGrid of a scan. Neither commutative nor associative.
-[[nodiscard]] TemporalFusion fused_in_time(const MassFunction& before, const MassFunction& now);
+// How a scan joins what is known: by equation 5.9, which is neither commutative nor associative, or
+// by one of the rules of section 3.5 in its place.
+enum class TemporalRule : std::uint8_t { kThesis, kConjunctive, kDempster, kYager, kDisjunctive };
+
+// The grid so far with the SensorGrid of a scan. By the conjunctive rule conflict stays with the
+// empty set, and is conflict of neither kind from then on; by the disjunctive one there is none.
+[[nodiscard]] TemporalFusion fused_in_time(const MassFunction& before, const MassFunction& now,
+                                           TemporalRule rule = TemporalRule::kThesis);
 
 // Equations 5.5 and 5.6. gain: delta; decline: gamma, how much faster the accumulator falls.
 [[nodiscard]] double accumulated(double accumulator, const TemporalFusion& fusion, double gain,
@@ -90,6 +96,7 @@ enum class Ageing : std::uint8_t {
 // Of one scan, however long after the last.
 struct ScanParameters {
   Ageing ageing = Ageing::kConservative;
+  TemporalRule rule = TemporalRule::kThesis;
   double dynamic_loss = 0.10;    // of the mass of a singleton out of D, N, M
   double static_loss = 0.01;     // out of I, S, U
   double gain = 0.02;            // delta
@@ -108,7 +115,8 @@ struct PerceptionCell {
   // thesis has it, dempster(source_evidence(...), map_evidence(...)) (equation 5.2): the map once
   // more in every scan. With source_evidence() alone the cell knows no map, and
   // dempster(mass, map_evidence(...)) is what it says together with the map.
-  void scan(const MassFunction& sensor_grid, const ScanParameters& parameters);
+  // What it returns is before the specialisation.
+  TemporalFusion scan(const MassFunction& sensor_grid, const ScanParameters& parameters);
 
   // Time alone.
   void pass(const ScanParameters& parameters) { mass = aged(mass, parameters); }

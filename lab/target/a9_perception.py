@@ -1,0 +1,73 @@
+"""The runs of lab/data/cortex_a9.csv that are of frames with classes; a9_runs.py says what a run is."""
+
+import re
+
+import a9_runs
+
+# A frame is taken apart as in a9_runs.py. What a stage calls that is no stage is its own.
+STAGES = {
+    "receive": a9_runs.STAGES["receive"],
+    "decode": [f"iog::app::PerceptionEngine::{name}(" for name in ("receive", "classify", "fuse")],
+    "slices": ["iog::app::PerceptionEngine::open_slices("],
+    "beams": a9_runs.STAGES["beams"],
+    "carve": a9_runs.STAGES["carve"],
+    "mark": a9_runs.STAGES["mark"],
+    "join": ["iog::app::PerceptionEngine::join_group("],
+    "pull": ["iog::window::FrameEvidence::pull("],
+    "push": ["iog::window::FrameEvidence::push("],
+    "clear": ["iog::window::SliceCells::clear(", "iog::window::FrameEvidence::clear()",
+              "iog::window::FrameEvidence::clear(unsigned int)"],
+    "arrivals": ["iog::window::Arrivals::find_new(", "iog::window::Arrivals::count_new("],
+    "list": [f"iog::window::WindowFusion::{name}("
+             for name in ("finish", "find_arrivals", "update_tiles", "end_tiles")],
+    "update": ["void iog::window::WindowFusion::fuse_groups<>("],
+    "refresh": ["void iog::window::WindowFusion::update_tile<>("],
+    "remember": ["iog::window::remember("],
+    "encode": ["iog::lab::PerceptionPass::take(", "iog::lab::PerceptionPass::tick("],
+    "encode_classes": ["iog::app::PerceptionSink<iog::lab::MeasuredPlatform>::take_classes("],
+    "send": a9_runs.STAGES["send"],
+}
+OUTSIDE = {
+    "benchmark": ["iog::lab::ClassLog::take_classes("],
+    "stopwatch": ["iog::lab::InstructionCounter::now("],
+}
+# What is likely, and what is safe; each takes minutes.
+VARIANTS = ("nominal", "pessimistic")
+# The window has to fill, too.
+WARM_UP = 12
+FRAMES = 4
+
+
+def modelled(place: a9_runs.Place, drive: str, variant: str, capture: str) -> list[a9_runs.Row]:
+    """A mean frame with classes, stage by stage, and the cycles of the dearest."""
+    functions = STAGES | OUTSIDE
+    printed = a9_runs.printed_by_model(place, variant, functions, place.images / "perception_cost",
+                                       capture, FRAMES, WARM_UP)
+    head, own = a9_runs.own_of(printed, functions)
+    rounds = [0] * FRAMES
+    for pairs in map(a9_runs.pairs_of, printed):
+        if pairs.get("of") in STAGES:
+            rounds[int(pairs["round"])] += int(pairs["cycles"])
+    run = f"perception_cost drive={drive}"
+    rows = a9_runs.modelled_rows(run, variant, {"frames": FRAMES, "before": WARM_UP,
+                                                "groups_fused": head["groups_fused_after"]},
+                                 a9_runs.with_whole({stage: own[stage] for stage in STAGES}, "frame"))
+    return [*rows, a9_runs.Row(run, "frame", variant, "cycles_max", str(max(rounds)))]
+
+
+def counted(place: a9_runs.Place, drive: str, capture: str) -> list[a9_runs.Row]:
+    """Fails if the classes are not those of `iog fuse`."""
+    line, = a9_runs.counted(place, "perception_cost", capture)
+    report = a9_runs.output_of(place.iog, "fuse", "--pcap", place.work / capture)
+    expected = re.search(r"^class run hash +(\w+)$", report, re.M).group(1)
+    if a9_runs.pairs_of(line)["class_run_hash"] != expected:
+        raise SystemExit(f"perception_cost {drive}: its classes are not those of iog fuse")
+    return a9_runs.counted_rows(line, f"perception_cost drive={drive}")
+
+
+def runs(place: a9_runs.Place, drives: dict[str, str], variants=VARIANTS) -> list:
+    """What is counted, and what is modelled."""
+    of_drives = [lambda d=drive, c=capture: counted(place, d, c)
+                 for drive, capture in drives.items()]
+    return of_drives + [lambda d=drive, c=capture, v=variant: modelled(place, d, v, c)
+                        for variant in variants for drive, capture in drives.items()]
