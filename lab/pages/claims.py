@@ -33,7 +33,7 @@ class Claim:
 
 
 def counts(claims: list[Claim]) -> str:
-    """54 claims, ...: 26 "equal", 12 "better", ..."""
+    """54 claims: 26 "equal", 12 "better", ..."""
     each = ", ".join(f'{sum(claim.verdict is verdict for claim in claims)} "{verdict.value}"'
                      for verdict in Verdict)
-    return f"{len(claims)} claims, those about recordings included: {each}."
+    return f"{len(claims)} claims: {each}."
