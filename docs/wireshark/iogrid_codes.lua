@@ -1,4 +1,4 @@
--- The codes inside iogrid's messages, on strings: CRCs, and how much a tile's payload holds.
+-- The codes inside iogrid's messages, on strings: the CRC, and how much a tile's payload holds.
 --
 -- A payload that is not what docs/spec.md 3.4 says is an error that is a table with a text.
 local codes = {}
@@ -6,32 +6,28 @@ local codes = {}
 local TILE_LEVELS = 5  -- a tile is 32 by 32 cells
 local TILE_CELLS = 1024
 
--- CRC-32, reflected, of any polynomial: a function that takes strings and returns their CRC.
-local function crc32_of(reflected_polynomial)
-  local table_of_bytes = {}
-  for byte = 0, 255 do
-    local crc = byte
-    for _ = 1, 8 do
-      local is_odd = bit.band(crc, 1) == 1
-      crc = bit.rshift(crc, 1)
-      if is_odd then crc = bit.bxor(crc, reflected_polynomial) end
-    end
-    table_of_bytes[byte] = crc
+local CRC_OF_BYTE = {}
+for byte = 0, 255 do
+  local crc = byte
+  for _ = 1, 8 do
+    local is_odd = bit.band(crc, 1) == 1
+    crc = bit.rshift(crc, 1)
+    if is_odd then crc = bit.bxor(crc, 0xC8DF352F) end  -- 0xF4ACFB13, its bits reversed
   end
-  return function(...)
-    local crc = bit.bnot(0)
-    for _, text in ipairs({ ... }) do
-      for i = 1, #text do
-        local byte = bit.band(bit.bxor(crc, text:byte(i)), 0xFF)
-        crc = bit.bxor(bit.rshift(crc, 8), table_of_bytes[byte])
-      end
-    end
-    return bit.bnot(crc) % 0x100000000
-  end
+  CRC_OF_BYTE[byte] = crc
 end
 
-codes.crc32_p4 = crc32_of(0xC8DF352F)  -- 0xF4ACFB13, its bits reversed
-codes.crc32_zlib = crc32_of(0xEDB88320)
+-- CRC-32/P4 of strings, one behind the other.
+function codes.crc32_p4(...)
+  local crc = bit.bnot(0)
+  for _, text in ipairs({ ... }) do
+    for i = 1, #text do
+      local byte = bit.band(bit.bxor(crc, text:byte(i)), 0xFF)
+      crc = bit.bxor(bit.rshift(crc, 8), CRC_OF_BYTE[byte])
+    end
+  end
+  return bit.bnot(crc) % 0x100000000
+end
 
 -- Ends what is being read.
 local function malformed(...)

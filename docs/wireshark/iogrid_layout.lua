@@ -4,15 +4,19 @@
 -- label, base and value names as ProtoField takes them. A field with a type alone is not shown.
 local layout = {}
 
-layout.TYPES = { [1] = "tiles", [2] = "frame end" }
-layout.STORAGES = { [0] = "occupancy index", [1] = "highest index of the cells below" }
+layout.TYPES = { [1] = "tiles", [2] = "frame end", [3] = "end of the classes" }
+layout.STORAGES = { [0] = "occupancy index", [1] = "highest index of the cells below",
+                    [2] = "class" }
+layout.CAUSES = { [0x01] = "late", [0x02] = "lost", [0x04] = "imprecise", [0x08] = "jump",
+                  [0x10] = "restart", [0x20] = "over budget" }
 layout.ENCODINGS = { [0] = "raw", [1] = "run length", [2] = "quadtree", [3] = "changed since" }
 layout.SENSOR_STATES = { [0] = "never seen", "silent", "partial", "complete" }
 layout.DATA_IDS = { [0x494F4701] = "stream over UDP", [0x494F4702] = "stream over the UART" }
-layout.VEHICLES = {}  -- by the CRC-32 of their names
-for _, name in ipairs({ "reference_car", "two_lux_parking", "roof_vlp16" }) do
-  layout.VEHICLES[require("iogrid_codes").crc32_zlib(name)] = name
-end
+
+layout.MAP_CAUSES = { [0] = "none: some may", "no map", "no transform", "other origin", "imprecise",
+                      "blurred", "no place", "outside" }
+layout.MAP_SOURCES = { [0] = "none", "OpenStreetMap", "surveyed" }
+layout.MAP_DELIVERIES = { [0] = "nothing on its way", "chunks are missing", "checked" }
 
 layout.PARTS = {}
 layout.PARTS.e2e = {
@@ -28,7 +32,7 @@ layout.PARTS.header = {
   { "uint32", "sequence", "Sequence number", base.DEC },
   { "uint32", "frame", "Frame", base.DEC },
   { "uint64", "closed_us", "Closed at, us", base.DEC },
-  { "uint32", "vehicle", "Vehicle", base.HEX, layout.VEHICLES },
+  { "uint32", "vehicle", "Vehicle", base.HEX },
   { "uint8", "sensors", "Sensors", base.DEC },
   { "uint8", "complete", "Sensors that delivered their whole scan", base.HEX },
   { "uint8", "partial", "Sensors that delivered a part of it", base.HEX },
@@ -37,6 +41,7 @@ layout.PARTS.header = {
   { "uint32", "points_other", "Scan points with another fate", base.DEC },
   { "uint32", "packets", "Packets fused", base.DEC },
   { "uint32", "dropped", "Datagrams dropped since start", base.DEC },
+  { "uint32", "run", "Number of the target's run", base.HEX },
 }
 layout.PARTS.tiles = {
   { "uint16", "tiles.first", "First tile spoken of", base.DEC },
@@ -51,9 +56,31 @@ layout.PARTS.tiles = {
   { "int32", "x_mm", "Lowest x, mm", base.DEC },
   { "int32", "y_mm", "Lowest y, mm", base.DEC },
 }
+layout.PARTS.window = {
+  { "uint16", "window.bytes", "Bytes of the window's header", base.DEC },
+  { "uint16", "window.causes", "Causes", base.HEX },
+  { "int32", "window.a", "Lowest tile a of the local frame", base.DEC },
+  { "int32", "window.b", "Lowest tile b of the local frame", base.DEC },
+  { "int32", "window.x_mm", "Pose: x, mm", base.DEC },
+  { "int32", "window.y_mm", "Pose: y, mm", base.DEC },
+  { "uint32", "window.heading", "Pose: heading, turns / 2^32", base.DEC },
+  { "uint16", "window.sigma_mm", "Deviation of the motion, mm", base.DEC },
+  { "uint16", "window.sigma_10_urad", "Deviation of the heading, 10 urad", base.DEC },
+  { "uint8", "window.slices", "Slices", base.DEC },
+  { "uint8", "window.slice_ms", "Length of a slice, ms", base.DEC },
+  { "uint16" },
+  { "uint64", "window.begin_us", "The first slice began at, us", base.DEC },
+  { "uint64", "window.end_us", "The last slice ended at, us", base.DEC },
+}
 layout.PARTS.tile = {
   { "uint16", "tile", "Tile number", base.DEC },
   { "uint8", "tile.encoding", "Encoding", base.DEC, layout.ENCODINGS },
+  { "uint16", "tile.bytes", "Payload bytes", base.DEC },
+}
+layout.PARTS.class_tile = {
+  { "uint16", "tile", "Tile number", base.DEC },
+  { "uint8", "tile.encoding", "Encoding", base.DEC, layout.ENCODINGS },
+  { "uint8", "tile.age", "Decided so many frames ago", base.DEC },
   { "uint16", "tile.bytes", "Payload bytes", base.DEC },
 }
 layout.PARTS.frame_end = {
@@ -67,6 +94,64 @@ layout.PARTS.frame_end = {
   { "uint8", "fates", "Fates", base.DEC },
   { "uint8", "drop_causes", "Drop causes", base.DEC },
   { "uint8", "link_counters", "Link counters", base.DEC },
+}
+layout.PARTS.class_end = {
+  { "uint32", "class_tiles_sent", "Tiles of classes sent", base.DEC },
+  { "uint32", "class_tiles_lost", "Tiles of classes known but not sent", base.DEC },
+  { "uint32", "class_crc", "Name of the class grid", base.HEX },
+  { "uint32", "packets_placed", "Packets that were placed", base.DEC },
+  { "uint32", "packets_not_placed", "Packets that were not placed", base.DEC },
+  { "uint32", "slices_over_budget", "Slices with a pose, and no room", base.DEC },
+  { "uint32", "groups.fused", "Groups of cells fused", base.DEC },
+  { "uint32", "groups.left", "Groups left: over budget", base.DEC },
+  { "uint32", "groups.refreshed", "Groups refreshed", base.DEC },
+  { "uint8", "pose_fates", "Fates of pose messages", base.DEC },
+  { "uint8", "causes", "Causes", base.DEC },
+  { "uint8", "cause_bytes", "Bytes of a cause", base.DEC },
+  { "uint8", "slices", "Slices", base.DEC },
+  { "uint8", "slice_bytes", "Bytes of a slice", base.DEC },
+  { "uint8" }, { "uint8" }, { "uint8" },
+}
+layout.PARTS.cause = {
+  { "uint32", "cause.slices", "Slices since start", base.DEC },
+  { "uint32", "cause.times", "How often it began", base.DEC },
+  { "uint64", "cause.since_us", "When it did last, us", base.DEC },
+}
+layout.PARTS.slice = {
+  { "uint64", "slice.middle_us", "Its middle, us", base.DEC },
+  { "int32", "slice.x_mm", "Pose: x, mm", base.DEC },
+  { "int32", "slice.y_mm", "Pose: y, mm", base.DEC },
+  { "uint32", "slice.heading", "Pose: heading, turns / 2^32", base.DEC },
+  { "uint16", "slice.sigma_mm", "Deviation, mm", base.DEC },
+  { "uint16", "slice.sigma_10_urad", "Deviation of the heading, 10 urad", base.DEC },
+}
+layout.PARTS.map = {
+  { "uint16", "map.bytes", "Bytes of this part", base.DEC },
+  { "uint8", "map.cause", "Why no cell has a class of the map", base.DEC, layout.MAP_CAUSES },
+  { "uint8", "map.blur_cells", "Blur, cells", base.DEC },
+  { "uint16", "map.tiles_drawn", "Tiles that have their part of the map", base.DEC },
+  { "uint16", "map.tiles_outside", "Tiles outside of the map", base.DEC },
+  { "uint16", "map.tiles_waiting", "Tiles that wait for their part", base.DEC },
+  { "uint8", "map.flags", "Flags", base.HEX },
+  { "uint8", "map.source", "Source of the map", base.DEC, layout.MAP_SOURCES },
+  { "uint32", "map.crc", "CRC of the map in use", base.HEX },
+  { "uint64", "map.origin", "Name of its plane's origin", base.HEX },
+  { "uint64", "map.pose_origin", "Origin that the poses name", base.HEX },
+  { "int32", "map.x_mm", "Local frame in that plane: x, mm", base.DEC },
+  { "int32", "map.y_mm", "Local frame in that plane: y, mm", base.DEC },
+  { "uint32", "map.heading", "Local frame in that plane: heading, turns / 2^32", base.DEC },
+  { "uint16", "map.sigma_mm", "Deviation of that, mm", base.DEC },
+  { "uint16", "map.sigma_10_urad", "Deviation of that heading, 10 urad", base.DEC },
+  { "uint8", "map.delivery", "Delivery", base.DEC, layout.MAP_DELIVERIES },
+  { "uint8", "map.refusal", "Why the last block was refused", base.DEC },
+  { "uint8", "map.causes", "Causes", base.DEC },
+  { "uint8", "map.fates", "Fates of chunks", base.DEC },
+  { "uint32", "map.refused", "Blocks refused since start", base.DEC },
+  { "uint32", "map.incoming_crc", "CRC of the block on its way", base.HEX },
+  { "uint32", "map.incoming_bytes", "Its bytes", base.DEC },
+  { "uint32", "map.chunks_there", "Its chunks that are there", base.DEC },
+  { "uint8", "map.attribution_bytes", "Bytes of the attribution", base.DEC },
+  { "uint8" }, { "uint8" }, { "uint8" },
 }
 layout.PARTS.sensor_size = {
   { "uint8", "sensor_bytes", "Bytes of a sensor record", base.DEC },
@@ -82,11 +167,12 @@ layout.PARTS.sensor = {
   { "uint32", "sensor.scan", "Scan number", base.DEC },
 }
 
-local STAGES = { "fuse", "mark", "publish" }
+local STAGES = { "fuse", "mark", "publish", "perceive" }
 local FATES = { "used", "no return", "too near", "too far", "outside the height band", "flagged",
-                "later echo", "malformed" }
+                "later echo", "malformed", "stale",
+                "not taken" }
 local DROPS = { "stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
-                "late", "over budget" }
+                "late", "over budget", "other unit", "not taken" }
 local LINK = {
   "frames received", "datagrams delivered", "ARP answered", "ARP learned", "pings answered",
   "messages sent", "ARP requested",
@@ -96,7 +182,23 @@ local LINK = {
   "ARP ignored", "address conflict", "reply without room",
   "peer unresolved", "ring full", "misuse",
   "port received", "receive errors", "oversized", "port sent", "port refused",
+  "fragments joined", "fragments duplicate", "fragments overlapping", "fragments bad",
+  "fragments refused", "datagrams joined", "datagrams expired", "datagrams displaced",
+  "cores at work", "items for lost cores", "items of core 0", "items of core 1", "items of core 2",
+  "items of core 3", "port without room",
 }
+local POSE_FATES = { "used", "unconfirmed", "stranger", "too short", "not ours", "wrong version",
+                     "damaged", "wrong length", "wrong flags", "not zero", "out of range",
+                     "no sigma", "too old", "not newer", "flood", "of a past run" }
+
+local MAP_BEGUN = { "in use", "no map", "no transform", "other origin", "imprecise", "blurred",
+                    "no place", "outside" }
+local CHUNK_FATES = { "taken", "repeated", "in use", "of another block", "stranger", "too short",
+                      "not ours", "wrong version", "damaged", "wrong length", "not zero",
+                      "out of range" }
+
+-- Why slices had no place; the first: they had one.
+layout.SLICE_CAUSES = { "placed", "late", "imprecise", "lost", "jump", "restart" }
 
 -- Lists of counters: name of the filter, heading, names in order.
 layout.COUNTERS = {
@@ -104,6 +206,9 @@ layout.COUNTERS = {
   fates = { "fate", "Scan points of this frame by fate", FATES },
   drop_causes = { "drop", "Datagrams dropped since start", DROPS },
   link_counters = { "link", "Link counters since start", LINK },
+  pose_fates = { "pose", "Pose messages since start by fate", POSE_FATES },
+  map_causes = { "map.times", "How often the map began to be used, or not, since start", MAP_BEGUN },
+  map_fates = { "map.chunk", "Chunks of maps since start by fate", CHUNK_FATES },
 }
 
 -- "not for us (MAC)" is counted in link.not_for_us_mac.
