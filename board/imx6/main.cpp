@@ -71,7 +71,7 @@ int main() {
   static iog::app::SerialSink serial;
   // The peer is the only destination that the firmware ever sends messages to, and it may replay
   // recordings in the name of the sensors.
-  static Pipeline pipeline(car, network->peer.value, platform, board.clock().now_us(), serial);
+  static Pipeline pipeline(car, network->peer.value, platform, serial);
   if (const auto map = iog::imx6::map_of_image(); !map.empty()) {
     pipeline.begin_with_map(map);
   }

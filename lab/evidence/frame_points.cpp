@@ -25,7 +25,7 @@ void append(std::size_t sensor, const intake::Packet& packet, FramePoints& point
 class FrameCutter {
  public:
   explicit FrameCutter(const tools::CatalogueEntry& car)
-      : engine_(*car.vehicle, kReplayer, 0), car_(&car) {}
+      : engine_(*car.vehicle, kReplayer), car_(&car) {}
 
   void take(const tools::CapturedDatagram& datagram) {
     using Outcome = app::FrameEngine::Outcome;

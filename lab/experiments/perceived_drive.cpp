@@ -122,7 +122,7 @@ class Perceiver {
  public:
   Perceiver(const tools::CatalogueEntry& car, const PerceptionRule& rule)
       : vehicle_(with_rules(*car.vehicle, rule.rules)),
-        engine_(std::make_unique<app::PerceptionEngine>(vehicle_, kReplayer, 0)) {
+        engine_(std::make_unique<app::PerceptionEngine>(vehicle_, kReplayer)) {
     if (!rule.map.empty()) {
       engine_->begin_with_map(rule.map);
     }

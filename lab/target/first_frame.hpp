@@ -24,7 +24,7 @@ struct SensorPoint {
 // A target of play().
 class FirstFrame {
  public:
-  explicit FirstFrame(const vehicle::Vehicle& vehicle) : engine_(vehicle, kReplayer, 0) {}
+  explicit FirstFrame(const vehicle::Vehicle& vehicle) : engine_(vehicle, kReplayer) {}
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {

@@ -16,7 +16,7 @@ template <typename Visit>
 class FusedFrames {
  public:
   FusedFrames(const vehicle::Vehicle& vehicle, Visit visit)
-      : visit_(std::move(visit)), engine_(vehicle, kReplayer, 0) {}
+      : visit_(std::move(visit)), engine_(vehicle, kReplayer) {}
 
   void take(const vehicle::Sensor& /*sensor*/, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {

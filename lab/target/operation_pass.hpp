@@ -33,7 +33,7 @@ struct OperationCost {
 class OperationPass {
  public:
   OperationPass(const vehicle::Vehicle& vehicle, InstructionCounter& counter)
-      : vehicle_(vehicle), counter_(counter), engine_(vehicle, kReplayer, 0), single_(vehicle) {}
+      : vehicle_(vehicle), counter_(counter), engine_(vehicle, kReplayer), single_(vehicle) {}
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
             std::uint64_t now_us);

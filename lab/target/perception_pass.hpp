@@ -59,7 +59,7 @@ class PerceptionPass {
       : counter_(counter),
         platform_(counter, cores),
         log_(counter),
-        pipeline_(vehicle, kReplayer, platform_, 0, log_) {}
+        pipeline_(vehicle, kReplayer, platform_, log_) {}
   PerceptionPass(const PerceptionPass&) = delete;
   PerceptionPass& operator=(const PerceptionPass&) = delete;
 

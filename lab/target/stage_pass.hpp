@@ -24,7 +24,7 @@ struct Spread {
 class StagePass {
  public:
   StagePass(const vehicle::Vehicle& vehicle, InstructionCounter& counter, app::Coding coding)
-      : platform_(counter), pipeline_(vehicle, kReplayer, platform_, 0, coding) {}
+      : platform_(counter), pipeline_(vehicle, kReplayer, platform_, coding) {}
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
             std::uint64_t now_us);

@@ -8,12 +8,8 @@ constexpr std::uint64_t kSilentPeriods = 2;
 
 }  // namespace
 
-FrameEngine::FrameEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
-                         std::uint64_t start_us)
-    : fusion_(vehicle),
-      vehicle_(&vehicle),
-      intake_(vehicle.sensors, replayer_ipv4),
-      opened_us_(start_us) {}
+FrameEngine::FrameEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
+    : fusion_(vehicle), vehicle_(&vehicle), intake_(vehicle.sensors, replayer_ipv4) {}
 
 std::optional<intake::SensorPacket> FrameEngine::receive(const intake::Datagram& datagram) {
   return intake_.receive(datagram);

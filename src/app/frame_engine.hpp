@@ -26,8 +26,10 @@ class FrameEngine {
   using Outcome = intake::Intake::Outcome;
 
   // vehicle outlives the engine. replayer_ipv4 may send in the name of every sensor, 0: nobody may.
-  // start_us: the time from which silence is counted.
-  FrameEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, std::uint64_t start_us);
+  FrameEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4);
+
+  // Before the first datagram: silence is counted from now on.
+  void start(std::uint64_t now_us) { opened_us_ = now_us; }
 
   // The datagram as a sensor's packet. Empty if it was dropped. The payload outlives the packet.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram);

@@ -210,6 +210,7 @@ template <Machine M, typename ItsPipeline>
 [[noreturn]] void run(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
                       ItsPipeline& pipeline) {
   Backlog backlog;
+  pipeline.start(machine.clock().now_us());
   for (;;) {
     if (!pass(machine, platform, serial, backlog, pipeline)) {
       machine.idle();

@@ -18,13 +18,11 @@ Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
                                                                 : Unfit::kQuantisation;
 }
 
-PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
-                                   std::uint64_t start_us)
-    : frame_(vehicle, replayer_ipv4, start_us),
+PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
+    : frame_(vehicle, replayer_ipv4),
       window_(vehicle.window),
       shared_(vehicle),
       maps_(vehicle.maps, replayer_ipv4),
-      moved_us_(start_us),
       poses_(vehicle.poses, replayer_ipv4),
       packets_(vehicle.sensors),
       vehicle_(&vehicle) {

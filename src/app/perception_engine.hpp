@@ -50,11 +50,16 @@ class PerceptionEngine {
   using Outcome = FrameEngine::Outcome;
 
   // As FrameEngine. The vehicle is fit; the replayer may send poses and maps, too.
-  PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
-                   std::uint64_t start_us);
+  PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4);
 
   // Before the first datagram: the map that is there from the start. It outlives the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
+
+  // Before the first datagram: silence and the window's age are counted from now on.
+  void start(std::uint64_t now_us) {
+    frame_.start(now_us);
+    moved_us_ = now_us;
+  }
 
   // The datagram as a sensor's packet. Empty if it was a pose or of a map, or was dropped.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,

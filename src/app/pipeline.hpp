@@ -29,21 +29,25 @@ template <typename Engine, Platform P, FrameSink... Sinks>
 class EnginePipeline {
  public:
   // vehicle, platform and sinks outlive the pipeline. replayer_ipv4 may send in the name of every
-  // sensor, 0: nobody may. start_us: the time from which silence is counted.
+  // sensor, 0: nobody may.
   EnginePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
-                 std::uint64_t start_us, Coding coding, Sinks&... sinks)
-      : engine_(vehicle, replayer_ipv4, start_us),
+                 Coding coding, Sinks&... sinks)
+      : engine_(vehicle, replayer_ipv4),
         network_(platform, coding),
         sinks_(sinks...),
         platform_(&platform),
         watch_(platform) {}
   EnginePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
-                 std::uint64_t start_us, Sinks&... sinks)
-      : EnginePipeline(vehicle, replayer_ipv4, platform, start_us, Coding::kShortest, sinks...) {}
+                 Sinks&... sinks)
+      : EnginePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
 
   // Before the first datagram: the map that is there from the start, if it is of use to the engine.
   // It outlives the pipeline.
   void begin_with_map(std::span<const std::uint8_t> block) { engine_.begin_with_map(block); }
+
+  // Before the first datagram, or time starts at 0. Silence is counted from now on; what it took to
+  // set the pipeline up is none.
+  void start(std::uint64_t now_us) { engine_.start(now_us); }
 
   // One datagram. Closes the frame before it, after it, or not at all.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {

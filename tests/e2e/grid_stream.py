@@ -276,12 +276,6 @@ def read_frame_end(body: bytes) -> FrameEnd:
                     dict(zip(PACKET_DROPS + LINK_COUNTERS, counts[stages + fates:])), sensors)
 
 
-def ends_frame(message: bytes) -> bool:
-    """Of any message of a run's first 65,535."""
-    session = int.from_bytes(message[10:12], "big")
-    return read_header(protected_message.content(message, session - 1)).kind == FRAME_END
-
-
 class Assembler:
     """Takes every message in the order of arrival; a gap or a wrong byte is an AssertionError."""
 

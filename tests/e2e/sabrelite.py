@@ -122,10 +122,7 @@ class Sabrelite:
                 stray = f"; it sent {self.strays[0]}" if self.strays else ""
                 raise AssertionError(f"the firmware fell silent{stray}; it said:\n{self.console()}")
             if self._assembler.messages == 0 and message[10:12] != FIRST_SESSION:
-                # The first frame was over before ARP was answered: from the next one on.
-                if grid_stream.ends_frame(message):
-                    self._assembler.messages = int.from_bytes(message[10:12], "big")
-                continue
+                raise HostStalled("the first frame was over before this PC answered ARP")
             if frame := self._assembler.take(message):
                 return frame
 

@@ -34,10 +34,10 @@ OfflineTarget::OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_
 
 OfflineTarget::AnyPipeline OfflineTarget::pipeline_of(const vehicle::Vehicle& vehicle) {
   if (!vehicle::have_classes(vehicle.grids)) {
-    return std::make_unique<Indexes>(vehicle, kReplayer, platform_, std::uint64_t{0});
+    return std::make_unique<Indexes>(vehicle, kReplayer, platform_);
   }
   demand_fit_for_classes(vehicle);
-  return std::make_unique<Classes>(vehicle, kReplayer, platform_, std::uint64_t{0});
+  return std::make_unique<Classes>(vehicle, kReplayer, platform_);
 }
 
 void OfflineTarget::begin_with_map(std::vector<std::uint8_t> block) {

@@ -152,6 +152,7 @@ class Bench {
  public:
   explicit Bench(std::uint64_t datagram_us) : slow_{*target_, machine_.clock(), datagram_us} {
     machine_.ethernet().arrive(net::testing::linux_arp_reply());
+    target_->start(machine_.clock().now_us());
   }
 
   void run(std::uint64_t duration_us) {
@@ -226,9 +227,8 @@ class Bench {
   MachinePlatform<FakeMachine> platform_{machine_, kConfig};
   std::unique_ptr<SerialSink> serial_ = std::make_unique<SerialSink>();
   Backlog backlog_;
-  std::unique_ptr<Target> target_ =
-      std::make_unique<Target>(ThreeLux::kVehicle, kConfig.peer.value, platform_,
-                               std::uint64_t{1'000'000}, Coding::kRaw, *serial_);
+  std::unique_ptr<Target> target_ = std::make_unique<Target>(ThreeLux::kVehicle, kConfig.peer.value,
+                                                             platform_, Coding::kRaw, *serial_);
   SlowTarget slow_;
 };
 
@@ -248,11 +248,26 @@ TEST(Loop, TheLinkCountersHoldThoseOfTheCores) {
   EXPECT_EQ(of_cores[2] + of_cores[3] + of_cores[4] + of_cores[5], 5U);
 }
 
+// It takes the emulated board longer to set up the pipeline's memory than two frames last.
+TEST(Loop, SilenceIsCountedFromTheStart) {
+  constexpr std::uint64_t kSetUpUs = 1'000'000;
+  tests::FakePlatform platform;
+  const auto pipeline = std::make_unique<Pipeline<tests::FakePlatform>>(
+      ThreeLux::kVehicle, kConfig.peer.value, platform);
+  pipeline->start(kSetUpUs);
+  EXPECT_EQ(pipeline->deadline_us(), kSetUpUs + 2 * kPeriodUs);
+  pipeline->tick(kSetUpUs + 2 * kPeriodUs - 1);
+  EXPECT_TRUE(platform.frames.empty());
+  pipeline->tick(kSetUpUs + 2 * kPeriodUs);
+  ASSERT_EQ(platform.frames.size(), 1U);
+  EXPECT_EQ(platform.frames[0].end.opened_us, kSetUpUs);
+}
+
 // In a sound packet or not, in time or not.
 TEST(Loop, EveryPointHasAFate) {
   tests::FakePlatform platform;
   const auto pipeline = std::make_unique<Pipeline<tests::FakePlatform>>(
-      ThreeLux::kVehicle, kConfig.peer.value, platform, std::uint64_t{0});
+      ThreeLux::kVehicle, kConfig.peer.value, platform);
   LuxMessage half{.scan_number = 1, .start_ticks = 1600, .end_ticks = 0, .points = {}};
   half.points.assign(40, {.angle_ticks = 5, .range_cm = 1000});
   const std::vector<std::byte> first = half.bytes();

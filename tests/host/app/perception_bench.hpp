@@ -61,7 +61,7 @@ class ClassList {
 struct PerceptionBench {
   explicit PerceptionBench(const vehicle::Vehicle& vehicle)
       : pipeline(std::make_unique<PerceptionPipeline<tests::FakePlatform, ClassList>>(
-            vehicle, kReplayer, platform, std::uint64_t{0}, classes)) {}
+            vehicle, kReplayer, platform, classes)) {}
 
   void take(std::vector<TimedDatagram> datagrams) {
     std::ranges::stable_sort(datagrams, {}, &TimedDatagram::now_us);

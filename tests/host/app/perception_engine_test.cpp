@@ -127,8 +127,8 @@ TEST(PerceptionEngine, TheFramesGridIsThatOfTheWholeFrame) {
   placed.take(shuffled_drive(nullptr));
   PerceptionBench lost(car.vehicle());
   tests::FakePlatform platform;
-  const auto whole = std::make_unique<Pipeline<tests::FakePlatform>>(car.vehicle(), kReplayer,
-                                                                     platform, std::uint64_t{0});
+  const auto whole =
+      std::make_unique<Pipeline<tests::FakePlatform>>(car.vehicle(), kReplayer, platform);
   for (int number = 1; number <= 4; ++number) {
     for (TimedDatagram datagram : frame_of_three_walls(number)) {
       datagram.now_us = static_cast<std::uint64_t>(number) * kPeriodUs;

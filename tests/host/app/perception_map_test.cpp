@@ -151,7 +151,7 @@ StateList driven(const Bytes* map, TransformAt transform, std::uint64_t pause_us
   tests::FakePlatform platform;
   StateList states;
   const auto pipeline = std::make_unique<PerceptionPipeline<tests::FakePlatform, StateList>>(
-      car.vehicle(), kReplayer, platform, std::uint64_t{0}, states);
+      car.vehicle(), kReplayer, platform, states);
   if (map != nullptr) {
     pipeline->begin_with_map(*map);
   }

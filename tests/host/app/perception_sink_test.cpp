@@ -59,7 +59,7 @@ struct ClassBench {
       : car(tests::OneLux::kVehicle, true), vehicle(car.vehicle()) {
     vehicle.grids = grids;
     pipeline = std::make_unique<PerceptionPipeline<FakePlatform, ShownClasses>>(
-        vehicle, testing::kReplayer, platform, std::uint64_t{0}, coding, shown);
+        vehicle, testing::kReplayer, platform, coding, shown);
   }
 
   void take(std::vector<TimedDatagram> datagrams) {
@@ -205,8 +205,8 @@ TEST(PerceptionSink, ClassesMayGoAlone) {
 TEST(PerceptionSink, TheFramesGridsAreThoseWithoutClasses) {
   ClassBench bench(vehicle::Grids::kBoth);
   FakePlatform plain_platform;
-  const auto plain = std::make_unique<Pipeline<FakePlatform>>(
-      bench.car.vehicle(), testing::kReplayer, plain_platform, std::uint64_t{0});
+  const auto plain = std::make_unique<Pipeline<FakePlatform>>(bench.car.vehicle(),
+                                                              testing::kReplayer, plain_platform);
   bench.take(class_drive(5));
   for (const TimedDatagram& datagram : scans(1, 5)) {
     plain->take({testing::kReplayer, datagram.port, datagram.bytes}, datagram.now_us);

@@ -33,8 +33,8 @@ struct Datagram {
 
 struct Bench {
   FakePlatform platform;
-  std::unique_ptr<Pipeline<FakePlatform>> pipeline = std::make_unique<Pipeline<FakePlatform>>(
-      ThreeLux::kVehicle, kReplayer, platform, std::uint64_t{0});
+  std::unique_ptr<Pipeline<FakePlatform>> pipeline =
+      std::make_unique<Pipeline<FakePlatform>>(ThreeLux::kVehicle, kReplayer, platform);
 
   void take(const Datagram& datagram, std::uint64_t now_us) {
     pipeline->take({datagram.source, datagram.port, datagram.bytes}, now_us);
@@ -350,7 +350,7 @@ TEST(Pipeline, EverySinkIsGivenEveryFrame) {
   FakePlatform platform;
   std::array<TileList, 2> sinks;
   const auto pipeline = std::make_unique<Pipeline<FakePlatform, TileList, TileList>>(
-      ThreeLux::kVehicle, kReplayer, platform, std::uint64_t{0}, sinks[0], sinks[1]);
+      ThreeLux::kVehicle, kReplayer, platform, sinks[0], sinks[1]);
   for (const Datagram& datagram : frame_of_three(1, 1, random)) {
     pipeline->take({datagram.source, datagram.port, datagram.bytes}, 40'000);
   }
@@ -369,7 +369,7 @@ TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
   Bench shortest;
   FakePlatform platform;
   const auto raw = std::make_unique<Pipeline<FakePlatform>>(ThreeLux::kVehicle, kReplayer, platform,
-                                                            std::uint64_t{0}, Coding::kRaw);
+                                                            Coding::kRaw);
   for (int number = 1; number <= 10; ++number) {
     const auto now_us = static_cast<std::uint64_t>(number) * 40'000;
     for (const Datagram& datagram : frame_of_three(number, 1, random)) {

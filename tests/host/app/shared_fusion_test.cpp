@@ -45,7 +45,7 @@ struct Bench {
   Bench(const vehicle::Vehicle& vehicle, std::size_t cores, std::uint32_t patience_us)
       : platform(cores, patience_us),
         pipeline(std::make_unique<PerceptionPipeline<SharingPlatform, ClassList>>(
-            vehicle, kReplayer, platform, std::uint64_t{0}, classes)) {}
+            vehicle, kReplayer, platform, classes)) {}
 
   void take(const std::vector<TimedDatagram>& drive) {
     for (const TimedDatagram& datagram : drive) {

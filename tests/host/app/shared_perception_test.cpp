@@ -126,8 +126,8 @@ struct Bench {
                  const window::Rules& rules = {})
       : vehicle(car.vehicle()), platform(cores, patience_us) {
     vehicle.window = rules;
-    pipeline = std::make_unique<Pipeline>(vehicle, testing::kReplayer, platform, 0U,
-                                          Coding::kShortest, masses);
+    pipeline = std::make_unique<Pipeline>(vehicle, testing::kReplayer, platform, Coding::kShortest,
+                                          masses);
   }
 
   void take(const TimedDatagram& datagram) {
