@@ -1,4 +1,5 @@
-// The car's block of the image (car_block.S.in), which may be any bytes.
+// The car's block of the image (car_block.S.in), which may be any bytes. That it has the size of
+// car_block::Block is checked where one is made of it.
 #pragma once
 
 #include <array>

@@ -6,7 +6,6 @@
 // whichever its parts are.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>

@@ -6,12 +6,9 @@
 #include <concepts>
 #include <cstddef>
 
-#include "hal/cores.hpp"
 #include "work/round.hpp"
 
 namespace iog::work {
-
-inline constexpr std::size_t kMaxCores = hal::kMaxCores;
 
 // As work::Team.
 template <typename T>
