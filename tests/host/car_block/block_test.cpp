@@ -72,7 +72,7 @@ TEST(CarBlock, IsWhatTheSpecificationSays) {
   EXPECT_EQ(bytes.be32(0), 0x494F4746U);
   EXPECT_EQ(bytes.be32(4), 0x00010000U);
   EXPECT_EQ(bytes.be32(8), 8U);
-  EXPECT_EQ(bytes.be32(12), tests::crc_of(bytes.block().subspan(16, 8)));
+  EXPECT_EQ(bytes.be32(12), tests::BitwiseCrc32().add(bytes.block().subspan(16, 8)).value());
   EXPECT_EQ(bytes.be32(16), std::uint32_t{geometry::kCellMm} << 16 | geometry::kCellsPerSide);
   EXPECT_EQ(bytes.be32(20), std::uint32_t{geometry::kResolution} << 16 | 2U << 8);
   EXPECT_EQ(bytes.be32(64), 0x494F474EU);

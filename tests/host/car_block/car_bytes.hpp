@@ -7,21 +7,10 @@
 #include <vector>
 
 #include "car_block/car_block.hpp"
+#include "fakes/bitwise_crc32.hpp"
 #include "vehicles/all_vehicles.hpp"
 
 namespace iog::tests {
-
-// CRC-32/ISO-HDLC bit by bit, as its parameters in the catalogue of CRCs say.
-inline std::uint32_t crc_of(std::span<const std::byte> bytes) {
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (const std::byte byte : bytes) {
-    crc ^= std::to_integer<std::uint32_t>(byte);
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
-    }
-  }
-  return ~crc;
-}
 
 class CarBytes {
  public:
@@ -52,7 +41,7 @@ class CarBytes {
     return std::span(bytes_).subspan(kContentAt, be32(kCarAt + 8));
   }
   // After its content has been changed.
-  void mend_crc() { put_be32(kCarAt + 12, crc_of(content())); }
+  void mend_crc() { put_be32(kCarAt + 12, BitwiseCrc32().add(content()).value()); }
 
   // What the firmware makes of it.
   car_block::Verdict read() { return read(grids_); }

@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "fakes/bitwise_crc32.hpp"
 
 namespace iog::tests {
 
@@ -36,19 +39,12 @@ class MessageBytes {
     return put_lengths();
   }
 
-  // Makes the CRC right: CRC-32/P4, bit by bit, over bytes 8 ... 23 and from 28 on.
+  // Makes the CRC right: CRC-32/P4 over bytes 8 ... 23 and from 28 on.
   Derived& seal() {
-    std::uint32_t crc = 0xFFFFFFFF;
-    for (std::size_t i = 8; i < bytes_.size(); ++i) {
-      if (i >= 24 && i < 28) {
-        continue;
-      }
-      crc ^= std::to_integer<std::uint32_t>(bytes_[i]);
-      for (int bit = 0; bit < 8; ++bit) {
-        crc = (crc >> 1) ^ ((crc & 1U) != 0 ? 0xC8DF352FU : 0U);  // 0xF4ACFB13, mirrored
-      }
-    }
-    return put(24, 4, std::int64_t{~crc});
+    const std::span<const std::byte> all(bytes_);
+    BitwiseCrc32 crc(BitwiseCrc32::kP4);
+    crc.add(all.subspan(8, 16)).add(all.subspan(28));
+    return put(24, 4, std::int64_t{crc.value()});
   }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "fakes/bitwise_crc32.hpp"
 #include "map/feature.hpp"
 #include "map/plane.hpp"
 
@@ -113,20 +115,11 @@ inline std::uint32_t crc_of(const std::vector<std::uint8_t>& block) {
          std::uint32_t{block.at(14)} << 8 | block.at(15);
 }
 
-// Says how long the block is, and its CRC-32 (ISO-HDLC, bit by bit) without bytes 12 ... 15.
+// Says how long the block is, and its CRC-32 without bytes 12 ... 15.
 inline std::vector<std::uint8_t> sealed(std::vector<std::uint8_t> bytes) {
   put(bytes, 8, bytes.size(), 4);
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    if (i >= 12 && i < 16) {
-      continue;
-    }
-    crc ^= bytes[i];
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xEDB88320 : 0);
-    }
-  }
-  put(bytes, 12, ~crc, 4);
+  const auto all = std::as_bytes(std::span(bytes));
+  put(bytes, 12, BitwiseCrc32().add(all.first(12)).add(all.subspan(16)).value(), 4);
   return bytes;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "car_block/car_block.hpp"
+#include "fakes/bitwise_crc32.hpp"
 #include "fakes/temporary_folder.hpp"
 #include "tools/image/car_of_image.hpp"
 #include "tools/image/firmware_image.hpp"
@@ -29,18 +30,6 @@ std::uint32_t be32(const Image& image, std::size_t at) {
     value = value << 8 | std::to_integer<std::uint32_t>(image.at(at + i));
   }
   return value;
-}
-
-// CRC-32 as in zlib, bit by bit.
-std::uint32_t crc_of(std::span<const std::byte> bytes) {
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (const std::byte byte : bytes) {
-    crc ^= std::to_integer<std::uint32_t>(byte);
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
-    }
-  }
-  return ~crc;
 }
 
 Image raw_image() {
@@ -76,9 +65,9 @@ Image legacy_image() {
   put(image, 0, 0x27051956, true);
   put(image, 12, static_cast<std::uint32_t>(content.size()), true);
   put(image, 16, 0x10100000, true);
-  put(image, 24, crc_of(content), true);
+  put(image, 24, tests::BitwiseCrc32().add(content).value(), true);
   put(image, 28, 17U << 24 | 2U << 16 | 1U << 8, true);
-  put(image, 4, crc_of(image), true);
+  put(image, 4, tests::BitwiseCrc32().add(image).value(), true);
   image.insert(image.end(), content.begin(), content.end());
   return image;
 }
@@ -156,10 +145,10 @@ TEST_F(ImageFile, OfEachKindIsFoundAndChanged) {
       Image header(after.begin() + static_cast<std::ptrdiff_t>(each.header_at),
                    after.begin() + static_cast<std::ptrdiff_t>(each.header_at) + 64);
       const auto data = std::span(after).subspan(each.header_at + 64, be32(header, 12));
-      EXPECT_EQ(be32(header, 24), crc_of(data));
+      EXPECT_EQ(be32(header, 24), tests::BitwiseCrc32().add(data).value());
       const std::uint32_t own = be32(header, 4);
       put(header, 4, 0, true);
-      EXPECT_EQ(own, crc_of(header));
+      EXPECT_EQ(own, tests::BitwiseCrc32().add(header).value());
     }
   }
 }
