@@ -19,6 +19,8 @@
 #include "tile_coding/encode.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/mcap/writer.hpp"
+#include "vehicle/content.hpp"
+#include "vehicles/all_vehicles.hpp"
 
 namespace iog::fuzz {
 namespace {
@@ -164,6 +166,16 @@ void add_mcap_seeds(Seeds& seeds) {
       writer.write(channel, {.log_ns = second * 1'000'000'000}, Bytes(10));
     }
     writer.finish("g", {{"h", "i"}});
+  }
+}
+
+// Every car that the build knows.
+void add_car_seeds(Seeds& seeds) {
+  for (const vehicles::Entry& entry : vehicles::kAll) {
+    Bytes content;
+    vehicle::write_content(*entry.vehicle,
+                           [&](std::uint8_t byte) { content.push_back(std::byte{byte}); });
+    seeds.add("car_block", content);
   }
 }
 
@@ -314,6 +326,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   iog::fuzz::Seeds seeds(argv[1]);
+  iog::fuzz::add_car_seeds(seeds);
   iog::fuzz::add_hesai_seeds(seeds);
   iog::fuzz::add_lidar_seeds(seeds);
   iog::fuzz::add_velodyne_seeds(seeds);
