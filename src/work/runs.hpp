@@ -1,0 +1,53 @@
+// Things cut into runs, each an item of a round: long ones first, then shorter and shorter ones.
+//
+// Cores take items in their order. So there are few of them, and whoever takes one of the last
+// keeps the others waiting for little: guided self-scheduling (Polychronopoulos and Kuck, IEEE
+// Transactions on Computers C-36, 1987), with half of its share.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/cores.hpp"
+#include "require/require.hpp"
+#include "work/round.hpp"
+
+namespace iog::work {
+
+struct Run {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  friend bool operator==(const Run&, const Run&) = default;
+};
+
+class Runs {
+ public:
+  struct Lengths {
+    std::size_t shortest = 1;  // at least 1; only the last run of all may be shorter
+    std::size_t longest = Round::kMaxItems;
+  };
+
+  // At most Round::kMaxItems things.
+  Runs(std::size_t things, Lengths lengths) {
+    require(things <= Round::kMaxItems && lengths.shortest > 0);
+    for (std::size_t first = 0; first < things;) {
+      const std::size_t left = things - first;
+      const std::size_t share = std::min(left / (2 * hal::kMaxCores), lengths.longest);
+      first += std::min(left, std::max(share, lengths.shortest));
+      ends_[count_++] = static_cast<std::uint16_t>(first);
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] Run operator[](std::size_t item) const {
+    return {.first = item == 0 ? 0U : std::size_t{ends_[item - 1]}, .end = ends_[item]};
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::array<std::uint16_t, Round::kMaxItems> ends_;  // of the first `count_` alone
+};
+
+}  // namespace iog::work
