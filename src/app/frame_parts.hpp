@@ -16,6 +16,8 @@ struct FramePart {
   std::uint16_t first = 0;  // its packets, in FrameParts::packets_of()
   std::uint16_t end = 0;
   std::uint8_t group = 0;  // KeptPacket::group of all of them
+
+  [[nodiscard]] std::uint32_t packets() const { return std::uint32_t{end} - first; }
 };
 
 class FrameParts {

@@ -155,15 +155,17 @@ void PerceptionEngine::join_group(std::size_t group) {
   });
 }
 
-// The slice at hand of those that were fused together.
-void PerceptionEngine::hand_to_window(const work::Crew& crew) {
-  shared_.share_tiles(crew,
-                      [this](std::size_t tile, auto indexes) { window_.copy(tile, indexes); });
-  shared_.for_each_tile([this](std::size_t tile) { window_.note(tile); });
-}
-
-void PerceptionEngine::place_group(std::size_t group, const work::Crew& crew) {
-  window_.add(window::placement_of(report_.slices[group].pose), crew);
+// Those that were fused together.
+void PerceptionEngine::place_slices(const work::Crew& crew) {
+  for (auto fused = shared_.next_slices(crew); !fused.empty(); fused = shared_.next_slices(crew)) {
+    std::array<window::PlacedCells, window::FrameEvidence::kMostAtOnce> placed;
+    for (std::size_t i = 0; i < fused.size(); ++i) {
+      const pose::Pose& pose = report_.slices[fused[i].group].pose;
+      placed[i] = {.cells = fused[i].cells, .at = window::placement_of(pose)};
+      report_.packets_placed += fused[i].packets;
+    }
+    window_.add(std::span(placed).first(fused.size()), crew);
+  }
 }
 
 // The window has followed the vehicle, and another block comes into use only here.

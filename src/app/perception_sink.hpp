@@ -17,7 +17,7 @@
 
 namespace iog::app {
 
-// Holds what was sent, 2 MB: belongs into static memory.
+// Holds what was sent, and batches, 3 MB: belongs into static memory.
 template <Platform P>
 class PerceptionSink : private NetworkSink<P> {
   using Indexes = NetworkSink<P>;

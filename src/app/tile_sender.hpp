@@ -23,6 +23,7 @@
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
 #include "work/round.hpp"
+#include "work/runs.hpp"
 
 namespace iog::app {
 
@@ -30,7 +31,7 @@ namespace iog::app {
 // makes a tenth of the bytes.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
-// Holds what was sent, 1 MB: belongs into static memory.
+// Holds what was sent, and a batch, 1.4 MB: belongs into static memory.
 template <Platform P>
 class TileSender {
  public:
@@ -77,8 +78,11 @@ class TileSender {
   }
 
  private:
-  // A round of encoding: so many tiles that waiting for the last of them costs little.
-  static constexpr std::size_t kBatch = 64;
+  // A round of encoding: so many tiles that there are few rounds, and that what is read and written
+  // of them stays in the second level cache.
+  static constexpr std::size_t kBatch = 192;
+  // Of them one core has so many together.
+  static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
   struct Entry {
     std::size_t tile = 0;
@@ -88,17 +92,21 @@ class TileSender {
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> payload{};
   };
 
-  // Reads what no other item writes, and writes its own entry and its core's encoder alone.
+  // An item reads what no other writes, and writes its own entries and its core's encoder alone.
   void encode(Entry& entry, tile_coding::Encoder& encoder) const {
     entry.encoded =
         encoder.encode(entry.cells, references_.usable(entry.tile, frame_number_), entry.payload);
   }
 
   void encode_batch() {
-    auto encode_one = [this](std::size_t item, std::size_t core) {
-      encode(batch_[item], encoders_[core]);
+    const work::Runs runs(batched_, kEncoded);
+    auto encode_run = [this, &runs](std::size_t item, std::size_t core) {
+      const work::Run run = runs[item];
+      for (Entry& entry : std::span(batch_).subspan(run.first, run.end - run.first)) {
+        encode(entry, encoders_[core]);
+      }
     };
-    platform_->share(batched_, work::work_of(encode_one));
+    platform_->share(runs.count(), work::work_of(encode_run));
     for (const Entry& entry : std::span(batch_).first(batched_)) {
       const auto [encoding, bytes] = entry.encoded;
       if (stream::stands_by_itself(encoding)) {

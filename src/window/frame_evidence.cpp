@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "require/require.hpp"
 #include "window/eight_bytes.hpp"
 #include "window/look_up.hpp"
 
@@ -130,18 +131,31 @@ void FrameEvidence::clear(std::size_t slot) {
   }
 }
 
-void FrameEvidence::add(const SliceCells& slice, const Area& area, const Placement& at,
+void FrameEvidence::add(std::span<const PlacedCells> slices, const Area& area,
                         const work::Crew& crew) {
-  const Adding adding(slice, area, at);
+  require(slices.size() <= kMostAtOnce);
+  Addings addings;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    addings[i].emplace(slices[i], area);
+  }
   if (crew.is_one()) {
-    pull(adding, {});
-    push(adding, {});
+    add_to({}, addings);
     return;
   }
   before_.begin();
-  crew.share(kRegionCount, [this, &adding](std::size_t item, std::size_t core) {
-    add_region(adding, item, core);
+  crew.share(kRegionCount, [this, &area, &addings](std::size_t item, std::size_t core) {
+    keep_before(area, item, core);
+    add_to(region_of(item), addings);
   });
+}
+
+void FrameEvidence::add_to(const Region& region, const Addings& addings) {
+  for (const std::optional<Adding>& adding : addings) {
+    if (adding) {
+      pull(*adding, region);
+      push(*adding, region);
+    }
+  }
 }
 
 FrameEvidence::Region FrameEvidence::region_of(std::size_t item) {
@@ -150,21 +164,18 @@ FrameEvidence::Region FrameEvidence::region_of(std::size_t item) {
           .tiles_across = kRegionAcross};
 }
 
-void FrameEvidence::add_region(const Adding& adding, std::size_t item, std::size_t core) {
-  const Region region = region_of(item);
+void FrameEvidence::keep_before(const Area& area, std::size_t item, std::size_t core) {
   if (Before* const before = before_.of(core)) {
-    remember(adding, region, *before);
+    remember(area, region_of(item), *before);
     before_.keep(core, item);
   } else if (const Before* const left = before_.of_lost(item)) {
-    put_back(adding, region, *left);
+    put_back(area, region_of(item), *left);
   }
-  pull(adding, region);
-  push(adding, region);
 }
 
-void FrameEvidence::remember(const Adding& adding, const Region& region, Before& before) const {
+void FrameEvidence::remember(const Area& area, const Region& region, Before& before) const {
   for (std::size_t i = 0; i < kRegionTiles; ++i) {
-    const std::size_t slot = adding.slot_at(region.tile(i));
+    const std::size_t slot = slot_in(area, region.tile(i));
     before.is_touched[i] = is_touched_[slot];
     before.has_hit[i] = has_hit_[slot];
     if (is_touched_[slot]) {
@@ -173,9 +184,9 @@ void FrameEvidence::remember(const Adding& adding, const Region& region, Before&
   }
 }
 
-void FrameEvidence::put_back(const Adding& adding, const Region& region, const Before& before) {
+void FrameEvidence::put_back(const Area& area, const Region& region, const Before& before) {
   for (std::size_t i = 0; i < kRegionTiles; ++i) {
-    const std::size_t slot = adding.slot_at(region.tile(i));
+    const std::size_t slot = slot_in(area, region.tile(i));
     is_touched_[slot] = before.is_touched[i];
     has_hit_[slot] = before.has_hit[i];
     cells_[slot] = before.is_touched[i] ? before.cells[i] : TileIndexes{};

@@ -10,14 +10,15 @@
 // erases what was pulled. Sums of one sign saturate alike in any order, so slices may come in any.
 // The window bounds it all: a byte for each of its cells, by slot, 1 MB.
 //
-// Several cores add a slice region by region of the window: whoever has a region pulls its tiles
-// and looks through the slice for what is pushed into it. One core alone takes all of the window as
-// one region.
+// Several cores add slices region by region of the window: whoever has a region pulls its tiles
+// and looks through the slices for what is pushed into it. One core alone takes all of the window
+// as one region.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "window/area.hpp"
@@ -28,13 +29,27 @@
 
 namespace iog::window {
 
+// A slice and where the vehicle was then.
+struct PlacedCells {
+  const SliceCells* cells = nullptr;
+  Placement at{};
+};
+
 class FrameEvidence {
  public:
   using TileIndexes = std::array<std::int8_t, geometry::kTileCells>;
 
-  // Adds a slice. The vehicle is inside of the area, which stays the same for a frame.
-  void add(const SliceCells& slice, const Area& area, const Placement& at,
+  // As many slices as are added at once: those of a frame of 40 ms, each of 8 ms or a part of it.
+  static constexpr std::size_t kMostAtOnce = 6;
+
+  // Adds slices, at most kMostAtOnce. The vehicle is inside of the area, which stays the same for a
+  // frame.
+  void add(std::span<const PlacedCells> slices, const Area& area,
            const work::Crew& crew = work::Crew());
+  void add(const SliceCells& slice, const Area& area, const Placement& at) {
+    const PlacedCells only{.cells = &slice, .at = at};
+    add(std::span(&only, 1), area);
+  }
 
   // Nothing is said of any cell, and of any of the tile at a slot.
   void clear();
@@ -80,7 +95,7 @@ class FrameEvidence {
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static Region region_of(std::size_t item);
 
-  // A region before a slice was added to it. Of a tile that was not touched the cells were 0.
+  // A region before slices were added to it. Of a tile that was not touched the cells were 0.
   struct Before {
     std::array<bool, kRegionTiles> is_touched{};
     std::array<bool, kRegionTiles> has_hit{};
@@ -89,14 +104,14 @@ class FrameEvidence {
 
   // A slice on its way into the window.
   struct Adding {
-    Adding(const SliceCells& its_slice, const Area& its_area, const Placement& at)
-        : slice(&its_slice),
+    Adding(const PlacedCells& slice_of, const Area& its_area)
+        : slice(slice_of.cells),
           area(&its_area),
-          to_grid(CellMap::to_grid(its_area, at)),
-          to_window(CellMap::to_window(its_area, at)) {}
+          to_grid(CellMap::to_grid(its_area, slice_of.at)),
+          to_window(CellMap::to_window(its_area, slice_of.at)) {}
 
     [[nodiscard]] std::size_t slot_at(TileNumber in_window) const {
-      return slot_of({area->corner().a + in_window.a, area->corner().b + in_window.b});
+      return slot_in(*area, in_window);
     }
 
     const SliceCells* slice;
@@ -104,10 +119,16 @@ class FrameEvidence {
     CellMap to_grid;
     CellMap to_window;
   };
+  using Addings = std::array<std::optional<Adding>, kMostAtOnce>;
 
-  void add_region(const Adding& adding, std::size_t item, std::size_t core);
-  void remember(const Adding& adding, const Region& region, Before& before) const;
-  void put_back(const Adding& adding, const Region& region, const Before& before);
+  [[nodiscard]] static std::size_t slot_in(const Area& area, TileNumber in_window) {
+    return slot_of({area.corner().a + in_window.a, area.corner().b + in_window.b});
+  }
+
+  void keep_before(const Area& area, std::size_t item, std::size_t core);
+  void remember(const Area& area, const Region& region, Before& before) const;
+  void put_back(const Area& area, const Region& region, const Before& before);
+  void add_to(const Region& region, const Addings& addings);
   void pull(const Adding& adding, const Region& region);
   void pull_tile(const SliceCells& slice, bool is_inside, FinePoint first, FinePoint step,
                  std::size_t slot);

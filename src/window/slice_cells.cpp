@@ -106,20 +106,28 @@ void SliceCells::note_extent(std::size_t tile) {
              {std::max(extent_.high.x, x), std::max(extent_.high.y, y)}};
 }
 
-void SliceCells::clear(const work::Crew& crew) {
-  constexpr std::size_t kTilesInEach = 16;
+void SliceCells::clear() {
+  begin();
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+    leave(tile);
+  }
+}
+
+void SliceCells::begin() {
   is_near_.fill(0);
   extent_ = {};
   hit_tile_count_ = 0;
-  crew.share(work::items_of(geometry::kTileCount, kTilesInEach),
-             [this](std::size_t item, std::size_t /*core*/) {
-               for (std::size_t i = 0; i < kTilesInEach; ++i) {
-                 clear_tile(item * kTilesInEach + i);
-               }
-             });
 }
 
-void SliceCells::clear_tile(std::size_t tile) {
+void SliceCells::note_all() {
+  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+    if (is_known_[tile]) {
+      note(tile);
+    }
+  }
+}
+
+void SliceCells::leave(std::size_t tile) {
   if (!is_known_[tile]) {
     return;
   }

@@ -13,7 +13,6 @@
 
 #include "geometry/cell.hpp"
 #include "geometry/grid.hpp"
-#include "work/crew.hpp"
 
 namespace iog::window {
 
@@ -37,8 +36,14 @@ class SliceCells {
   void copy(std::size_t tile, TileIndexes indexes);
   void note(std::size_t tile);
 
-  // All cells are unknown again, each item done by any core.
-  void clear(const work::Crew& crew = work::Crew());
+  // All cells are unknown again.
+  void clear();
+
+  // The same of a slice of which every tile is said anew: first begin(), then copy() or leave() of
+  // each tile by any core, and again if one is lost, then note_all().
+  void begin();
+  void leave(std::size_t tile);
+  void note_all();
 
   // Whether something is known in a tile of the grid, by number, or by column and row.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
@@ -89,7 +94,6 @@ class SliceCells {
   static constexpr std::size_t kBlocksOfTile = geometry::kTileSide / kBlockSide;
   static_assert(kBlocksOfTile * kBlocksOfTile == 16);
 
-  void clear_tile(std::size_t tile);
   void note_extent(std::size_t tile);
   void note_known(std::size_t tile);
 

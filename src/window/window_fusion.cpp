@@ -8,6 +8,7 @@
 #include "window/bring.hpp"
 #include "window/eight_bytes.hpp"
 #include "window/ground.hpp"
+#include "work/runs.hpp"
 
 namespace iog::window {
 namespace {
@@ -53,14 +54,27 @@ void WindowFusion::follow(const pose::Pose& pose) {
   window_.follow(cell_of(pose));
 }
 
-void WindowFusion::add(const Placement& at, const work::Crew& crew) {
-  if (window_.is_centred() && window_.area().contains(cell_of(at.pose))) {
-    evidence_.add(cells_, window_.area(), at, crew);
-    ++counts_.slices;
-  } else {
-    ++counts_.slices_outside;
+void WindowFusion::add(const Placement& at) {
+  const PlacedCells taken{.cells = &cells_, .at = at};
+  add(std::span(&taken, 1), work::Crew());
+  cells_.clear();
+}
+
+void WindowFusion::add(std::span<const PlacedCells> slices, const work::Crew& crew) {
+  require(slices.size() <= FrameEvidence::kMostAtOnce);
+  std::array<PlacedCells, FrameEvidence::kMostAtOnce> inside;
+  std::size_t count = 0;
+  for (const PlacedCells& slice : slices) {
+    if (window_.is_centred() && window_.area().contains(cell_of(slice.at.pose))) {
+      inside[count++] = slice;
+    } else {
+      ++counts_.slices_outside;
+    }
   }
-  cells_.clear(crew);
+  if (count > 0) {
+    evidence_.add(std::span(inside).first(count), window_.area(), crew);
+    counts_.slices += static_cast<std::uint32_t>(count);
+  }
 }
 
 void WindowFusion::forget() {
@@ -89,7 +103,6 @@ FrameCounts WindowFusion::finish(std::uint64_t stamp_us, const work::Crew& crew)
 
 // Groups are counted only where evidence might not fit.
 void WindowFusion::find_arrivals(const work::Crew& crew) {
-  constexpr std::size_t kInEach = 8;
   due_.count = 0;
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     slot_counts_[slot] = {};
@@ -99,10 +112,9 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
   }
   const bool is_tight = due_.count * kGroupsPerTile > rules_.group_budget;
   const bool are_shared = !crew.is_one();
-  crew.share(work::items_of(due_.count, kInEach), [&](std::size_t item, std::size_t /*core*/) {
-    const std::size_t end = std::min(due_.count, (item + 1) * kInEach);
-    for (std::size_t i = item * kInEach; i < end; ++i) {
-      const std::size_t slot = due_.slots[i];
+  const work::Runs runs(due_.count, kFound);
+  crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
+    for (const std::uint16_t slot : due_.of(runs[item])) {
       arrivals_.find_new(window_, evidence_, slot);
       if (is_tight) {
         count_groups(slot, are_shared);
@@ -159,19 +171,23 @@ void WindowFusion::update_tiles(const work::Crew& crew) {
   }
   deal_out(budget);
   tiles_before_.begin();
-  crew.share(due_.count, [&](std::size_t item, std::size_t core) {
-    const std::size_t slot = due_.slots[item];
-    Budget of_slot = budget ? Budget(slot_counts_[slot].allowed) : std::nullopt;
-    if (TileBefore* const before = tiles_before_.of(core)) {
-      before->begin(window_.is_known(slot));
+  const work::Runs runs(due_.count, kUpdated);
+  crew.share(runs.count(), [&](std::size_t item, std::size_t core) {
+    TilesBefore* const before = tiles_before_.of(core);
+    if (before != nullptr) {
+      before->begun = 0;
       tiles_before_.keep(core, item);
-      update_tile(update, slot, of_slot, *before);
-      return;
+    } else if (const TilesBefore* const left = tiles_before_.of_lost(item)) {
+      put_back(runs[item], *left);
     }
-    if (const TileBefore* const left = tiles_before_.of_lost(item)) {
-      put_back(slot, *left);
+    for (const std::uint16_t slot : due_.of(runs[item])) {
+      Budget of_slot = budget ? Budget(slot_counts_[slot].allowed) : std::nullopt;
+      if (before != nullptr) {
+        update_tile(update, slot, of_slot, before->begin(window_.is_known(slot)));
+      } else {
+        update_tile(update, slot, of_slot);
+      }
     }
-    update_tile(update, slot, of_slot);
   });
 }
 
@@ -183,6 +199,13 @@ void WindowFusion::deal_out(Budget budget) {
           static_cast<std::uint8_t>(std::min<std::uint32_t>(counts.without_hits, *budget));
       *budget -= counts.allowed;
     }
+  }
+}
+
+// The tiles that the run had come to, the last of them perhaps in part.
+void WindowFusion::put_back(work::Run run, const TilesBefore& before) {
+  for (std::size_t i = 0; i < before.begun; ++i) {
+    put_back(due_.slots[run.first + i], before.tiles[i]);
   }
 }
 
@@ -297,25 +320,30 @@ void WindowFusion::end_tiles(const work::Crew& crew) {
   const bool is_new_period = last_turns_[parity].value_or(period) != period;
   last_turns_[parity] = period;
   ground_before_.begin();
-  crew.share(work::items_of(kSlotCount, kSlotsInEach),
-             [&](std::size_t item, std::size_t core) { end_slots(item, core, is_new_period); });
+  const work::Runs runs(kSlotCount, kEnded);
+  crew.share(runs.count(), [&](std::size_t item, std::size_t core) {
+    keep_ground(runs[item], item, core);
+    end_slots(runs[item], is_new_period);
+  });
 }
 
-void WindowFusion::end_slots(std::size_t item, std::size_t core, bool is_new_period) {
-  const std::size_t first = item * kSlotsInEach;
+void WindowFusion::keep_ground(work::Run run, std::size_t item, std::size_t core) {
   if (GroundBefore* const before = ground_before_.of(core)) {
-    for (std::size_t i = 0; i < kSlotsInEach; ++i) {
-      (*before)[i] = window_.tile(first + i).ground;
+    for (std::size_t slot = run.first; slot < run.end; ++slot) {
+      (*before)[slot - run.first] = window_.tile(slot).ground;
     }
     ground_before_.keep(core, item);
   } else if (const GroundBefore* const left = ground_before_.of_lost(item)) {
-    for (std::size_t i = 0; i < kSlotsInEach; ++i) {
-      if (window_.is_known(first + i)) {
-        window_.open(first + i).ground = (*left)[i];
+    for (std::size_t slot = run.first; slot < run.end; ++slot) {
+      if (window_.is_known(slot)) {
+        window_.open(slot).ground = (*left)[slot - run.first];
       }
     }
   }
-  for (std::size_t slot = first; slot < first + kSlotsInEach; ++slot) {
+}
+
+void WindowFusion::end_slots(work::Run run, bool is_new_period) {
+  for (std::size_t slot = run.first; slot < run.end; ++slot) {
     evidence_.clear(slot);
     if (slot % 2 == fused_frames_ % 2 && window_.is_known(slot)) {
       remember(window_, slot, is_new_period);

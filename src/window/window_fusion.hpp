@@ -9,8 +9,8 @@
 //      fused frames, this one included, are even in sum remember their ground.
 // Nothing depends on the order of slices or tiles.
 //
-// Each step is a round of its own, divided by tiles; ageing, evidence and refresh are one step of a
-// tile. What a step asks of neighbours, none of its items writes.
+// Each step is a round of its own, divided into runs of tiles; ageing, evidence and refresh are one
+// step of a tile. What a step asks of neighbours, none of its items writes.
 //
 // A frame has a budget of groups. Those with hits are always fused; of the others those beyond the
 // budget are left, in the order of slots and numbers, and age.
@@ -35,6 +35,7 @@
 #include "window/window_view.hpp"
 #include "work/before_images.hpp"
 #include "work/crew.hpp"
+#include "work/runs.hpp"
 
 namespace iog::window {
 
@@ -67,12 +68,11 @@ class WindowFusion {
   // Takes a tile of the next slice's index grid, row by row from its lowest y.
   void take(std::size_t tile, SliceCells::TileIndexes indexes) { cells_.take(tile, indexes); }
 
-  // The two steps of it: several cores may copy tiles, and copy one again; core 0 then notes each.
-  void copy(std::size_t tile, SliceCells::TileIndexes indexes) { cells_.copy(tile, indexes); }
-  void note(std::size_t tile) { cells_.note(tile); }
-
   // Adds the slice of which the tiles were taken since the one before.
-  void add(const Placement& at, const work::Crew& crew = work::Crew());
+  void add(const Placement& at);
+
+  // Adds slices that another has taken, at most FrameEvidence::kMostAtOnce.
+  void add(std::span<const PlacedCells> slices, const work::Crew& crew);
 
   // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts
   // as the newest. A frame without slices and without time changes nothing and is none.
@@ -95,9 +95,28 @@ class WindowFusion {
   [[nodiscard]] WindowView view() const { return {window_, refreshed_, clock_}; }
 
  private:
-  // Slots of which one core ends the frame together.
-  static constexpr std::size_t kSlotsInEach = 8;
-  using GroundBefore = std::array<Ground, kSlotsInEach>;
+  // Of several cores: the least and the most tiles that one of them has together. What changes in
+  // place is kept before, so the most say how large that is.
+  static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
+  static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
+  static constexpr work::Runs::Lengths kEnded{.shortest = 8, .longest = 32};
+
+  // The tiles of a run before a frame changed them, as far as the run has come.
+  struct TilesBefore {
+    std::size_t begun = 0;
+    std::array<TileBefore, kUpdated.longest> tiles{};
+
+    // The next tile is about to be changed.
+    TileBefore& begin(bool is_known) {
+      TileBefore& next = tiles[begun];
+      next.begin(is_known);
+      work::keep_order();
+      ++begun;
+      work::keep_order();
+      return next;
+    }
+  };
+  using GroundBefore = std::array<Ground, kEnded.longest>;
 
   // Groups from one that is aged to the one whose memory is asked for meanwhile.
   static constexpr std::size_t kGroupsAhead = 2;
@@ -134,6 +153,9 @@ class WindowFusion {
     [[nodiscard]] std::span<const std::uint16_t> all() const {
       return std::span(slots).first(count);
     }
+    [[nodiscard]] std::span<const std::uint16_t> of(work::Run run) const {
+      return std::span(slots).subspan(run.first, run.end - run.first);
+    }
   };
 
   void find_arrivals(const work::Crew& crew);
@@ -141,6 +163,7 @@ class WindowFusion {
   [[nodiscard]] Budget budget_without_hits() const;
   void update_tiles(const work::Crew& crew);
   void deal_out(Budget budget);
+  void put_back(work::Run run, const TilesBefore& before);
   void put_back(std::size_t slot, const TileBefore& before);
   // With a TileBefore whoever may have to do it again puts everything back.
   template <typename... Before>
@@ -157,11 +180,12 @@ class WindowFusion {
   }
   Tile& open(std::size_t slot);
   void end_tiles(const work::Crew& crew);
-  void end_slots(std::size_t item, std::size_t core, bool is_new_period);
+  void keep_ground(work::Run run, std::size_t item, std::size_t core);
+  void end_slots(work::Run run, bool is_new_period);
   void add_up();
 
   // What is aligned to a cache line comes first.
-  work::BeforeImages<TileBefore> tiles_before_;
+  work::BeforeImages<TilesBefore> tiles_before_;
   work::BeforeImages<GroundBefore> ground_before_;
   FrameEvidence evidence_;
   Window window_;

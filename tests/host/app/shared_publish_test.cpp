@@ -17,7 +17,8 @@ using testing::kShortlyUs;
 using testing::SharingPlatform;
 using Message = SharingPlatform::Message;
 
-// Tiles of a made-up drive: most stay as they were, some change a little, some all over.
+// Tiles of a made-up drive: most stay as they were, some change a little, some all over. They are
+// more than are encoded in a round.
 class Drive {
  public:
   void next() {
@@ -41,7 +42,7 @@ class Drive {
 
  private:
   tests::Random random_{7};
-  std::array<std::array<std::byte, tile_coding::kTileBytes>, 150> tiles_{};
+  std::array<std::array<std::byte, tile_coding::kTileBytes>, 300> tiles_{};
 };
 
 void play(int frames, SharingPlatform& platform) {
