@@ -9,7 +9,8 @@ namespace iog::tests {
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool kIsQuick = false;
 #elif defined(__has_feature)
-constexpr bool kIsQuick = sizeof(void*) == 8 && !__has_feature(address_sanitizer);
+constexpr bool kIsQuick =
+    sizeof(void*) == 8 && !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool kIsQuick = sizeof(void*) == 8;
 #endif
