@@ -162,7 +162,7 @@ def _goal_rows(table, splits, ddr_ns):
     fusing = {drive: Frames(table, drive, "nominal").undivided("fusing") /
               Frames(table, drive, "nominal").fusing(MOST) for drive in SCENES}
     imbalance = max(Frames(table, drive, "nominal").imbalance(stage, MOST) for drive in SCENES
-                    for stage in ("fuse", "join"))
+                    for stage in STAGES if stage != "alone")
     slower = [drive for drive in SCENES if Frames(table, drive, "nominal").whole(MOST) >=
               Frames(table, drive, "nominal").undivided("frame")]
     alone = percent(road.sum("bounded_cycles", "alone", MOST) / road.whole(MOST), 0)
@@ -178,7 +178,7 @@ def _goal_rows(table, splits, ddr_ns):
                 _memory_reason(Frames(table, drive, "nominal"), ddr_ns, ("fuse", "join"),
                                Frames(table, drive, "nominal").fusing(MOST)))
           for drive, found in fusing.items()),
-        _goal("imbalance of fusing, the most", f"< {percent(GOAL_IMBALANCE, 0)}",
+        _goal("imbalance of a stage, the most", f"< {percent(GOAL_IMBALANCE, 0)}",
               percent(imbalance, 1), imbalance < GOAL_IMBALANCE),
         _goal("drives whose mean frame is slower than on one core", "none",
               ", ".join(slower) or "none", not slower),
