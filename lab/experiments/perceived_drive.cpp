@@ -144,7 +144,7 @@ class Perceiver {
       outcome = engine_->classify(*packet);
     }
     if (outcome == Outcome::kThisFrame) {
-      engine_->fuse(*packet, now_us);
+      engine_->fuse(*packet, now_us, work::Crew());
     }
     if (engine_->is_complete()) {
       close_frame(now_us);

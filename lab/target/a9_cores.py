@@ -15,8 +15,8 @@ import a9_runs
 # A frame is taken apart into the items of its rounds. What is not in one of these functions is the
 # pass's own; what the benchmark does is left out.
 FUNCTIONS = {
-    "fuse": ["iog::app::SharedFusion::fuse("],
-    "join": ["iog::work::work_of<iog::app::SharedFusion::join("],
+    "fuse": ["iog::app::PartsFusion::fuse_part("],
+    "join": ["iog::work::work_of<iog::app::PartsFusion::join("],
     "encode": ["iog::tile_coding::Encoder::encode("],
     "other": ["iog::lab::PerceptionPass::take(", "iog::lab::PerceptionPass::tick("],
 }

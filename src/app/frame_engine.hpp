@@ -69,6 +69,9 @@ class FrameEngine {
   // The packet has waited too long; its points are counted as not taken.
   void leave(const intake::SensorPacket& packet) { intake_.leave(packet); }
 
+  // Whether a packet has been counted in since the frame before.
+  [[nodiscard]] bool is_begun() const { return intake_.packets_accepted() > 0; }
+
   // Whether every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const { return intake_.is_complete(); }
 

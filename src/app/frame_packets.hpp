@@ -50,6 +50,9 @@ class FramePackets {
 
   void clear();
 
+  // The most cells that their points can mark.
+  [[nodiscard]] std::uint64_t marks() const { return marks_; }
+
   // In the order in which they came.
   [[nodiscard]] std::span<KeptPacket> packets() { return std::span(packets_).first(count_); }
 

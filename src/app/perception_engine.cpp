@@ -53,7 +53,8 @@ PerceptionEngine::Outcome PerceptionEngine::classify(const intake::SensorPacket&
 }
 
 // A VLP-16 counts from the hour, and the newest pose says of which.
-void PerceptionEngine::fuse(const intake::SensorPacket& packet, std::uint64_t now_us) {
+void PerceptionEngine::fuse(const intake::SensorPacket& packet, std::uint64_t now_us,
+                            const work::Crew& /*crew*/) {
   frame_.accept(packet, now_us);
   const vehicle::Sensor& sensor = vehicle_->sensors[packet.sensor];
   const std::optional<pose::Message> newest = poses_.newest();

@@ -65,7 +65,8 @@ class PerceptionEngine {
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
                                                             std::uint64_t now_us);
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet);
-  void fuse(const intake::SensorPacket& packet, std::uint64_t now_us);
+  // Keeps the packet until the frame ends: there is nothing to do yet for a crew.
+  void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
   void leave(const intake::SensorPacket& packet) { frame_.leave(packet); }
   [[nodiscard]] bool is_complete() const { return frame_.is_complete(); }
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return frame_.is_overdue(now_us); }

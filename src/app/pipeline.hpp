@@ -14,7 +14,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "app/frame_engine.hpp"
+#include "app/grid_engine.hpp"
 #include "app/network_sink.hpp"
 #include "app/perception_engine.hpp"
 #include "app/perception_sink.hpp"
@@ -61,7 +61,7 @@ class EnginePipeline {
       outcome = engine_.classify(*packet);
     }
     if (outcome == Outcome::kThisFrame) {
-      engine_.fuse(*packet, now_us);
+      engine_.fuse(*packet, now_us, work::Crew(*platform_));
     }
     watch_.lap(&stream::StageTicks::fuse);
     if (engine_.is_complete()) {
@@ -143,7 +143,7 @@ class EnginePipeline {
 
 // Of the frames' grids.
 template <Platform P, FrameSink... Sinks>
-using Pipeline = EnginePipeline<FrameEngine, P, Sinks...>;
+using Pipeline = EnginePipeline<GridEngine, P, Sinks...>;
 
 // With the classes of the window. The vehicle is fit for them; the replayer may send poses, too.
 template <Platform P, FrameSink... Sinks>

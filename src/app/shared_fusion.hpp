@@ -1,13 +1,10 @@
-// The fusing of a frame's packets by several cores: each with a fusion of its own.
+// The fusing of a frame's packets, slice by slice, by several cores (app/parts_fusion.hpp).
 //
-//     packets -> [FrameParts] parts -> any core's fusion -> tiles of a part      one round
+//     packets -> [FrameParts] parts -> [PartsFusion] tiles of a part            one round
 //                                      tiles of all parts -> the frame's grid    one round
-//                                      tiles of some slices -> their cells       one round each
+//                                      tiles of up to six slices -> their cells  one round
 //
-// Saturated sums of one sign do not mind in which grid they were begun (grid/joined_grid.hpp), so
-// which core has which part does not show. A part that a core has left can be fused again from its
-// start: what it wrote is its core's fusion, which nobody uses again, and its own place here.
-// Joining and copying write what they have not read.
+// Copying writes what it has not read, so an item can be done again from its start.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +16,7 @@
 #include "app/frame_engine.hpp"
 #include "app/frame_packets.hpp"
 #include "app/frame_parts.hpp"
+#include "app/parts_fusion.hpp"
 #include "grid/frame_tiles.hpp"
 #include "grid/joined_grid.hpp"
 #include "hal/cores.hpp"
@@ -40,10 +38,7 @@ struct FusedSlice {
 class SharedFusion {
  public:
   // vehicle outlives it.
-  explicit SharedFusion(const vehicle::Vehicle& vehicle)
-      : fusions_{grid::FrameFusion(vehicle), grid::FrameFusion(vehicle),
-                 grid::FrameFusion(vehicle)},
-        vehicle_(&vehicle) {}
+  explicit SharedFusion(const vehicle::Vehicle& vehicle) : fused_(vehicle) {}
 
   // A frame's packets, of which so many groups have a place.
   void begin(FramePackets& packets, std::size_t placed_groups) {
@@ -57,8 +52,7 @@ class SharedFusion {
   // there were any.
   [[nodiscard]] bool fuse_next(const work::Crew& crew, FrameEngine& frame);
 
-  // Adds them to the frame's grid, which nothing was added to before the first round. Later ones
-  // add to what is there, which cannot be done again from its start: core 0 does it alone.
+  // Adds them to the frame's grid, which nothing was added to before the first round.
   void join(const work::Crew& crew, grid::JoinedGrid& grid);
 
   // Of those that were fused: packets that are in no slice.
@@ -69,12 +63,6 @@ class SharedFusion {
   [[nodiscard]] std::span<const FusedSlice> next_slices(const work::Crew& crew);
 
  private:
-  // What fusing a part makes. Whoever does it writes it.
-  struct Result {
-    FrameEngine::Fates fates{};
-    grid::FrameTiles tiles;
-  };
-
   using JoinedTile = std::array<index::OccupancyIndex, geometry::kTileCells>;
 
   // Of a slice: its parts among those of the round.
@@ -85,16 +73,12 @@ class SharedFusion {
 
   static constexpr std::size_t kMostSlices = window::FrameEvidence::kMostAtOnce;
 
-  void fuse(std::size_t item, grid::FrameFusion& fusion);
-  void join_row(std::size_t row, grid::JoinedGrid& grid) const;
   void find_slices();
   void copy_tile(std::size_t tile, std::size_t slice, JoinedTile& memory);
 
-  std::array<grid::FrameFusion, hal::kMaxCores - 1> fusions_;  // of the helpers
-  std::array<Result, FrameParts::kMostOfARound> results_{};
+  PartsFusion fused_;
   std::array<window::SliceCells, kMostSlices> cells_{};
   alignas(32) std::array<JoinedTile, hal::kMaxCores> joined_tiles_{};  // by core
-  const vehicle::Vehicle* vehicle_;
   FramePackets* packets_ = nullptr;
   FrameParts parts_;
   std::span<const FramePart> round_;

@@ -35,6 +35,9 @@ class FrameFusion {
     return marks_.fits(sensor, points);
   }
 
+  // How many cells are to be marked so far; none after finish().
+  [[nodiscard]] std::size_t marks() const { return marks_.count(); }
+
   // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
   // vehicle's; the point's layer and azimuth are those of its format. Only if fits() said so.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {

@@ -45,6 +45,8 @@ class PendingMarks {
     return needed <= kMaxMarks - count_;
   }
 
+  [[nodiscard]] std::size_t count() const { return count_; }
+
   // Remembers what a scan point marks: the cell that holds it and, for some sensors, the next cells
   // behind it. hit: the point's position on its line.
   void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,

@@ -15,6 +15,7 @@ namespace iog::tools {
 namespace {
 
 constexpr double kMsPerCycle = 1e-6;  // at 1 GHz
+constexpr double kTurnMs = 100;       // at 10 Hz
 
 double ms_of(double cycles) { return cycles * kMsPerCycle; }
 
@@ -137,6 +138,12 @@ double typical_tiles(const CatalogueEntry& car) {
   return kTypicalTiles * tiles_in_reach(car) / tiles_in_reach(find_vehicle(kDefaultVehicle));
 }
 
+// A unit that turns ends its frames itself, long before their time is over.
+double period_ms(const CatalogueEntry& car) {
+  const double most_ms = car.vehicle->frame_period_us / 1000.0;
+  return std::ranges::any_of(car.vehicle->sensors, turns) ? std::min(most_ms, kTurnMs) : most_ms;
+}
+
 FrameWork typical_work(const CatalogueEntry& car) {
   const CatalogueEntry& known = find_vehicle(kDefaultVehicle);
   const Sight sight = sight_of(known);
@@ -218,7 +225,7 @@ double typical_ms(const FrameWork& work) {
 }
 
 VehicleBudget budget_of(const CatalogueEntry& car) {
-  VehicleBudget budget{.period_ms = car.vehicle->frame_period_us / 1000.0};
+  VehicleBudget budget{.period_ms = period_ms(car)};
   budget.typical.work = typical_work(car);
   budget.typical.ms = typical_ms(budget.typical.work);
   budget.worst.work = worst_work(car);

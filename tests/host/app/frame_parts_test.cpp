@@ -77,5 +77,33 @@ TEST(FrameParts, EveryPacketIsInOnePart) {
   }
 }
 
+TEST(FrameParts, OneSliceIsDealtEvenly) {
+  const auto parts = std::make_unique<FrameParts>();
+  tests::Random random(6);
+  for (int trial = 0; trial < 300; ++trial) {
+    std::vector<KeptPacket> packets;
+    std::size_t bytes = 0;
+    for (std::size_t i = random.below(200); i > 0; --i) {
+      packets.push_back(packet_of(0, static_cast<std::uint16_t>(1 + random.below(1500))));
+      bytes += packets.back().bytes;
+    }
+    const std::size_t most = 1 + random.below(FrameParts::kMostOfARound);
+    parts->deal_evenly(packets, most);
+    const auto round = parts->next_round();
+    EXPECT_LE(round.size(), most);
+    std::size_t next = 0;
+    for (const FramePart& part : round) {
+      std::size_t part_bytes = 0;
+      for (const std::uint16_t number : parts->packets_of(part)) {
+        EXPECT_EQ(number, next++);
+        part_bytes += packets[number].bytes;
+      }
+      EXPECT_LE(part_bytes, bytes / most + 1 + 1500);
+    }
+    EXPECT_EQ(next, packets.size());
+    EXPECT_TRUE(parts->next_round().empty());
+  }
+}
+
 }  // namespace
 }  // namespace iog::app

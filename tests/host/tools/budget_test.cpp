@@ -82,7 +82,7 @@ TEST(Budget, CountsWhatDescriptionsAllow) {
   EXPECT_EQ(lux.worst.work.later_echoes, 2 * 2 * 4 * 401);
   EXPECT_EQ(lux.worst.work.class_tiles, 0);
   const VehicleBudget roof = budget_of(find_vehicle("roof_vlp16"));
-  EXPECT_EQ(roof.period_ms, 110);
+  EXPECT_EQ(roof.period_ms, 100);
   EXPECT_EQ(roof.worst.work.points_once, 80 * 384);
   EXPECT_EQ(roof.worst.work.tiles, 1024);
   EXPECT_EQ(roof.typical.work.points, 0);

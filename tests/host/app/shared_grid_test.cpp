@@ -1,0 +1,197 @@
+// Frames of dense lidars that several cores fuse while they come: the same messages as of one core,
+// byte for byte.
+#include <gtest/gtest.h>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "app/pipeline.hpp"
+#include "fakes/random.hpp"
+#include "fakes/test_vehicles.hpp"
+#include "fakes/velodyne_packet.hpp"
+#include "sharing_platform.hpp"
+
+namespace iog::app {
+namespace {
+
+using testing::Accident;
+using testing::kAnyTimeUs;
+using testing::kShortlyUs;
+using testing::SharingPlatform;
+using tests::LevelVlp16;
+using tests::MixedCar;
+using tests::VelodynePacket;
+using Message = SharingPlatform::Message;
+
+constexpr std::uint32_t kReplayer = 0x0A000202;
+constexpr std::uint64_t kTurnUs = 200'000;
+
+struct TimedDatagram {
+  std::uint64_t now_us = 0;
+  std::uint16_t port = 0;
+  std::vector<std::byte> bytes;
+};
+
+// What a frame said of itself, beside its messages.
+struct Reports {
+  void begin_frame(const FrameReport& report) { all.push_back(report); }
+  void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
+  void end_frame() {}
+  std::vector<FrameReport> all;
+};
+
+// Turns of a VLP-16 at 5 Hz (User Manual 63-9243): an azimuth in 110.592 us and 0.2 degrees on.
+// With two returns a packet has six of them, with one twelve. Walls are everywhere, at any range up
+// to so many units of 2 mm; every fifth shot comes back from nowhere.
+std::vector<TimedDatagram> turns_of_vlp16(std::uint16_t port, int turns, bool is_dual, int range) {
+  constexpr int kStep = 20;
+  const int azimuths = is_dual ? 6 : 12;
+  tests::Random random(port);
+  std::vector<TimedDatagram> drive;
+  for (int packet = 0; packet < turns * 36'000 / (azimuths * kStep); ++packet) {
+    const int us = static_cast<int>(packet * azimuths * 110.592);
+    VelodynePacket sent{.first_azimuth = packet * azimuths * kStep % 36'000,
+                        .step = kStep,
+                        .mode = is_dual ? 0x39 : 0x37,
+                        .time_us = static_cast<std::uint32_t>(us)};
+    for (auto& block : sent.ranges) {
+      for (int& unit : block) {
+        unit = random.one_in(5) ? 0 : 1'500 + static_cast<int>(random.below(
+                                          static_cast<std::uint32_t>(range - 1'500)));
+      }
+    }
+    drive.push_back({1'000'000 + static_cast<std::uint64_t>(us), port, sent.bytes()});
+  }
+  return drive;
+}
+
+// One unit, three turns: six parts each for four cores, and what is left.
+std::vector<TimedDatagram> three_turns() { return turns_of_vlp16(100, 3, false, 25'000); }
+
+// Two units with two returns: their points in a frame are more than it can mark.
+std::vector<TimedDatagram> more_than_a_frame_marks() {
+  std::vector<TimedDatagram> drive = turns_of_vlp16(100, 2, true, 4'000);
+  std::ranges::move(turns_of_vlp16(101, 2, true, 4'000), std::back_inserter(drive));
+  std::ranges::stable_sort(drive, {}, &TimedDatagram::now_us);
+  return drive;
+}
+
+struct Played {
+  std::vector<Message> messages;
+  std::vector<FrameReport> reports;
+  std::uint32_t helped = 0;
+  std::size_t rounds = 0;
+  work::Loss fate = work::Loss::kNone;
+};
+
+struct Mishap {
+  Accident accident = Accident::kNone;
+  std::size_t round = 0;
+  std::uint32_t delay_us = 0;
+};
+
+Played play(vehicle::Vehicle car, const std::vector<TimedDatagram>& drive, std::size_t cores,
+            const Mishap& mishap = {}) {
+  car.frame_period_us = kTurnUs + kTurnUs / 2;
+  SharingPlatform platform(cores, mishap.accident == Accident::kNone ? kAnyTimeUs : kShortlyUs);
+  Reports reports;
+  const auto pipeline =
+      std::make_unique<Pipeline<SharingPlatform, Reports>>(car, kReplayer, platform, reports);
+  platform.let_happen(mishap.accident, mishap.round);
+  platform.delay(mishap.delay_us);
+  pipeline->start(drive.front().now_us);
+  for (const TimedDatagram& datagram : drive) {
+    pipeline->take({kReplayer, datagram.port, datagram.bytes}, datagram.now_us);
+  }
+  pipeline->tick(pipeline->deadline_us());
+  return {platform.messages, reports.all, platform.items_of_helpers(), platform.rounds,
+          platform.fate_of_victim()};
+}
+
+class FuseDenseBy : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(FuseDenseBy, CoresGivesTheMessagesOfOne) {
+  const Played alone = play(LevelVlp16::kVehicle, three_turns(), 1);
+  const Played together = play(LevelVlp16::kVehicle, three_turns(), GetParam());
+  ASSERT_GE(alone.reports.size(), 3U);
+  EXPECT_EQ(alone.reports[1].packets_fused, 150U);
+  EXPECT_GT(alone.messages.size(), 30U);
+  EXPECT_TRUE(together.messages == alone.messages);
+  EXPECT_GT(together.helped, 0U);
+}
+
+// 57,600 points of a turn, 6,144 a part: rounds of a part for each core while they come, one of
+// what is left, one that joins; and those of encoding.
+TEST_P(FuseDenseBy, CoresDoesMostOfItBeforeTheFrameEnds) {
+  std::vector<TimedDatagram> turn = three_turns();
+  turn.resize(149);
+  SharingPlatform platform(GetParam(), kAnyTimeUs);
+  vehicle::Vehicle car = LevelVlp16::kVehicle;
+  car.frame_period_us = kTurnUs + kTurnUs / 2;
+  const auto pipeline = std::make_unique<Pipeline<SharingPlatform>>(car, kReplayer, platform);
+  pipeline->start(turn.front().now_us);
+  for (const TimedDatagram& datagram : turn) {
+    pipeline->take({kReplayer, datagram.port, datagram.bytes}, datagram.now_us);
+  }
+  EXPECT_EQ(platform.rounds, 149 * 384 / (GetParam() * 6'144));
+}
+
+// The units' own limits, of a turn at 10 Hz, are not to be what drops.
+TEST_P(FuseDenseBy, CoresDropsWhatOneDrops) {
+  vehicle::Vehicle car = MixedCar::kVehicle;
+  std::vector<vehicle::Sensor> sensors(car.sensors.begin(), car.sensors.end());
+  for (vehicle::Sensor& sensor : sensors) {
+    sensor.max_points_per_scan = grid::kMaxMarks;
+  }
+  car.sensors = sensors;
+  const std::vector<TimedDatagram> drive = more_than_a_frame_marks();
+  const Played alone = play(car, drive, 1);
+  const Played together = play(car, drive, GetParam());
+  constexpr auto kNoRoom = static_cast<std::size_t>(intake::PacketDrop::kOverBudget);
+  EXPECT_GT(alone.reports.back().packet_drops[kNoRoom], 10U);
+  EXPECT_GT(alone.reports.front().packets_fused, 400U);
+  EXPECT_TRUE(together.messages == alone.messages);
+  EXPECT_GT(together.helped, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(TwoToFour, FuseDenseBy, ::testing::Values(2U, 3U, 4U));
+
+TEST(FuseDense, DelaysDoNotShow) {
+  const Mishap delays{.delay_us = 300};
+  EXPECT_TRUE(play(LevelVlp16::kVehicle, three_turns(), 4, delays).messages ==
+              play(LevelVlp16::kVehicle, three_turns(), 1).messages);
+}
+
+// Evidence of both signs that is added one after the other does not join of parts: core 0 alone.
+TEST(FuseDense, ByAnotherRuleIsForCore0) {
+  vehicle::Vehicle car = LevelVlp16::kVehicle;
+  car.rule = vehicle::FusionRule::kBayes;
+  EXPECT_FALSE(is_fused_together(car));
+  EXPECT_TRUE(play(car, three_turns(), 3).messages == play(car, three_turns(), 1).messages);
+}
+
+TEST(FuseDense, IsForDenseLidars) {
+  EXPECT_TRUE(is_fused_together(LevelVlp16::kVehicle));
+  EXPECT_TRUE(is_fused_together(MixedCar::kVehicle));
+  EXPECT_FALSE(is_fused_together(tests::ThreeLux::kVehicle));
+}
+
+// Of three cores' first turn, rounds 0 to 2 fuse parts as they come, 3 what is left, 4 joins.
+class FuseDenseDespite : public ::testing::TestWithParam<std::tuple<Accident, std::size_t>> {};
+
+TEST_P(FuseDenseDespite, TheLossOfACoreGivesTheMessagesOfOne) {
+  const auto [accident, round] = GetParam();
+  const Played hurt = play(LevelVlp16::kVehicle, three_turns(), 3,
+                           {.accident = accident, .round = round});
+  EXPECT_TRUE(hurt.messages == play(LevelVlp16::kVehicle, three_turns(), 1).messages);
+  EXPECT_NE(hurt.fate, work::Loss::kNone);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Phases, FuseDenseDespite,
+    ::testing::Combine(::testing::Values(Accident::kFaultBefore, Accident::kFaultAfter,
+                                         Accident::kHangBefore, Accident::kHangAfter),
+                       ::testing::Values(0U, 1U, 3U, 4U)));
+
+}  // namespace
+}  // namespace iog::app
