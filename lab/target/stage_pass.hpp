@@ -48,7 +48,8 @@ class StagePass {
   // As `iog fuse` computes it: CRC-32 over the frames' grid CRCs.
   [[nodiscard]] std::uint32_t run_hash() const { return run_hash_.value(); }
 
-  using Pipeline = app::Pipeline<MeasuredPlatform>;
+  // That of one core.
+  using Pipeline = app::EnginePipeline<app::FrameEngine, MeasuredPlatform>;
 
   // Makes the core forget what it keeps of lines from one frame to the next. Between two frames.
   void forget_lines() { pipeline_.forget_lines(); }

@@ -51,6 +51,10 @@ class FrameEngine {
     accept(packet, now_us);
     add_points(packet.sensor, packet.packet);
   }
+  // An engine is given all cores; this one has a use for one.
+  void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& /*crew*/) {
+    fuse(packet, now_us);
+  }
   // The two steps of it, for those who add points later; or the packet is dropped, because there is
   // no room for it.
   void accept(const intake::SensorPacket& packet, std::uint64_t now_us);

@@ -14,6 +14,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "app/frame_engine.hpp"
 #include "app/grid_engine.hpp"
 #include "app/network_sink.hpp"
 #include "app/perception_engine.hpp"
@@ -141,9 +142,10 @@ class EnginePipeline {
   StageWatch<P> watch_;
 };
 
-// Of the frames' grids.
+// Of the frames' grids. What several cores need of memory is not there for one alone.
 template <Platform P, FrameSink... Sinks>
-using Pipeline = EnginePipeline<GridEngine, P, Sinks...>;
+using Pipeline =
+    EnginePipeline<std::conditional_t<HasOneCore<P>, FrameEngine, GridEngine>, P, Sinks...>;
 
 // With the classes of the window. The vehicle is fit for them; the replayer may send poses, too.
 template <Platform P, FrameSink... Sinks>

@@ -39,7 +39,8 @@ class OfflinePlatform {
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1'000'000; }
   [[nodiscard]] app::Vitals vitals() const { return {}; }
   [[nodiscard]] std::uint32_t run_number() const { return run_number_; }
-  [[nodiscard]] std::size_t cores() const { return 1; }
+  static constexpr std::size_t kMostCores = 1;
+  [[nodiscard]] std::size_t cores() const { return kMostCores; }
   void share(std::size_t items, work::Work work) { work::do_alone(items, work); }
 
   // Frames with evidence that have left since the last call.

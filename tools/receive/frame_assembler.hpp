@@ -45,7 +45,7 @@ class FrameAssembler {
   // Takes one datagram; it may hold any bytes.
   void take(std::span<const std::byte> datagram);
 
-  // A running target reports even silence every two frame periods; those of vehicles/ are 150 ms at most.
+  // A running target reports even silence every two frame periods, which are 150 ms at most.
   static constexpr std::chrono::milliseconds kLongestSilence{500};
   // To be called when nothing has come for longer than that. Hands over the frames that still wait.
   void note_silence();

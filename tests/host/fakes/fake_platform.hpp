@@ -58,7 +58,8 @@ class FakePlatform {
   std::uint32_t ticks() { return ++ticks_; }
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1000; }
   [[nodiscard]] static std::uint32_t run_number() { return kRunNumber; }
-  [[nodiscard]] static std::size_t cores() { return 1; }
+  static constexpr std::size_t kMostCores = 1;
+  [[nodiscard]] static std::size_t cores() { return kMostCores; }
   static void share(std::size_t items, work::Work work) { work::do_alone(items, work); }
   [[nodiscard]] app::Vitals vitals() const {
     return {.stack_used_bytes = 4711, .link_drops = link_drops};
