@@ -45,7 +45,6 @@ Board::Board(const MacAddress& address)
       cores_(src, scu, gic_distributor, clock_, all_helpers, helper_entry()) {
   // The watchdog first, so that no later step can hang for good.
   watchdog_.start();
-  widen_translations();
   reset_status_ = src.srsr.read();
   boot_ = open_boot_record(boot_record);
   start_clocks(ccm);

@@ -1,6 +1,5 @@
 #include "helper.hpp"
 
-#include "memory.hpp"
 #include "peripherals.hpp"
 
 namespace iog::imx6 {
@@ -55,7 +54,6 @@ void run_helper() {
   gic_cpu.pmr.write(GicCpuRegisters::kPmrAll);
   gic_cpu.ctlr.write(GicCpuRegisters::kCtlrEnable);
   helper.state.store(hal::CoreState::kRunning, std::memory_order_release);
-  widen_translations();
   std::uint32_t served = 0;
   for (;;) {
     served = sleep(helper, served);

@@ -2,7 +2,6 @@
 // tables, snoop control unit, L2, then ACTLR.SMP and everything in SCTLR at once.
 #include "memory.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "hal/cores.hpp"
@@ -69,25 +68,6 @@ void read_the_linker() {
 const mmu::MemoryMap& memory_map() { return map; }
 
 bool l2_cache_is_on() { return l2_cache_on; }
-
-void widen_translations() {
-  if (l2_cache_on) {
-    return;
-  }
-  std::uint32_t full = 256;
-  const std::uint32_t all = (map.data.end - map.data.begin) / mmu::kPageBytes;
-  for (;;) {
-    for (std::uint32_t page = 0; page < std::min(full, all); ++page) {
-      const std::uint32_t address = map.data.begin + page * mmu::kPageBytes;
-      static_cast<void>(machine::load(*reinterpret_cast<const std::uint32_t*>(address)));
-    }
-    if (full >= all) {
-      return;
-    }
-    __asm__ volatile("mcr p15, 0, %0, c8, c7, 0\n\tdsb\n\tisb" ::"r"(0) : "memory");  // TLBIALL
-    full *= 2;
-  }
-}
 
 std::uint32_t main_stack_bytes() {
   return address_of(main_stack_top) - address_of(main_stack_bottom);

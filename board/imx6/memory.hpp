@@ -12,14 +12,6 @@ const mmu::MemoryMap& memory_map();
 // Whether the L2 cache came on. QEMU has none.
 bool l2_cache_is_on();
 
-// For this core, in an emulator; on the chip, which has an L2 cache, it returns at once.
-//
-// QEMU keeps a table of translations for each core, of 256 pages at first: 1 MiB of the tens that a
-// frame touches, so that a third of its time goes to looking up the others. The table doubles when
-// the core invalidates its TLB while it is full, and at no other time. So it is filled and
-// invalidated until it holds all data.
-void widen_translations();
-
 // Bytes of the main stack that were ever used. startup.S painted the stack; what is still painted
 // was never used.
 std::uint32_t main_stack_used_bytes();
