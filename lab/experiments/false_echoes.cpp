@@ -112,7 +112,8 @@ StandingCar::StandingCar(const tools::CatalogueEntry& car) {
 FramePoints StandingCar::look_at(std::span<const tools::Solid> solids, tools::Random& random) {
   FramePoints points;
   for (std::size_t sensor = 0; sensor < scanners_.size(); ++sensor) {
-    for (const tools::LuxPoint& seen : scanners_[sensor].scan({}, solids, random)) {
+    for (const tools::LuxPoint& seen :
+         scanners_[sensor].scan({}, solids, tools::MirrorSide::kFront, random)) {
       points.push_back({.sensor = sensor, .point = point_of(seen)});
     }
   }

@@ -68,13 +68,18 @@ void check_place(const vehicle::Footprint& its, const vehicle::Sensor& sensor, s
   }
 }
 
-bool is_length(std::uint32_t range_mm) {
-  return range_mm <= vehicle::kLongestRangeMm && vehicle::walk_fits(range_mm);
+bool is_length(const vehicle::Sensor& sensor) {
+  const std::uint32_t range_mm = sensor.range.mm();
+  if (range_mm > vehicle::kLongestRangeMm) {
+    return false;
+  }
+  const std::uint32_t longest_mm = vehicle::longest_line_mm(sensor.format, range_mm);
+  return longest_mm <= vehicle::kLongestRangeMm && vehicle::walk_fits(longest_mm);
 }
 
 void check_numbers(const vehicle::Sensor& sensor, std::size_t number, const First& tell) {
   const std::uint32_t range_mm = sensor.range.mm();
-  if (!is_length(range_mm) || range_mm <= sensor.range_min_mm) {
+  if (!is_length(sensor) || range_mm <= sensor.range_min_mm) {
     tell({number, "range_max_mm", "more than range_min_mm, at most 130000, and a walk that fits"});
   }
   if (sensor.no_return_clears_mm > range_mm) {
@@ -150,15 +155,23 @@ std::int64_t product(const Vector& a, const Vector& b) { return a.x * b.x + a.y 
 // rotation makes the three at right angles, and each of the first two with the third as long as
 // the beam. They are rounded to 1 unit, `up` to a subcell of kUnit. Then the end is within 6
 // subcells of its length.
+//
+// Those of a tilted mirror are fitted, and not quite at right angles: the squares may be of a
+// length that is a 128th longer, and the products a 512th of its square. Then the square of an end
+// is at most 1 + 5 / 512 times that of this length, and the end within vehicle::longest_line_mm().
 bool are_beams(const Vector& forward, const Vector& left, const Vector& up,
-               std::uint32_t range_mm) {
-  const auto length = static_cast<std::int64_t>(vehicle::subcells_up(range_mm) + 2) * kUnit;
+               const vehicle::Sensor& sensor) {
+  const bool is_fitted = vehicle::facts_of(sensor.format).has_beam_tilt;
+  const std::uint32_t range_mm = sensor.range.mm();
+  const std::uint32_t length_mm = is_fitted ? range_mm + range_mm / 128 : range_mm;
+  const auto length = static_cast<std::int64_t>(vehicle::subcells_up(length_mm) + 2) * kUnit;
   if (!forward.is_within(length) || !left.is_within(length) || !up.is_within(length)) {
     return false;
   }
   const auto most = static_cast<std::uint64_t>(length) * static_cast<std::uint64_t>(length);
+  const std::int64_t askew = is_fitted ? length * (length / 512) : length * kUnit;
   const auto is_right = [&](const Vector& a, const Vector& b) {
-    return vehicle::is_within(product(a, b), -length * kUnit, length * kUnit);
+    return vehicle::is_within(product(a, b), -askew, askew);
   };
   return forward.square() + up.square() <= most && left.square() + up.square() <= most &&
          is_right(forward, left) && is_right(forward, up) && is_right(left, up);
@@ -180,7 +193,7 @@ bool is_sound(const vehicle::Sensor& sensor, const vehicle::Layer& layer) {
   const Vector left{layer.x.left, layer.y.left, shares ? 0 : layer.z.left};
   const Vector up{layer.x.base - sensor.origin.x * kUnit, layer.y.base - sensor.origin.y * kUnit,
                   shares ? 0 : up_z};
-  if (!are_beams(forward, left, up, sensor.range.mm())) {
+  if (!are_beams(forward, left, up, sensor)) {
     return false;
   }
   constexpr std::uint32_t kWhole = std::uint32_t{1} << numeric::kSineFractionBits;
@@ -198,7 +211,7 @@ void check_layers(const vehicle::Sensor& sensor, std::size_t number, const First
   if (sensor.layers_share_lines && !vehicle::facts_of(sensor.format).turns) {
     tell({number, "type", "a scanner that turns, because its layers share lines"});
   }
-  if (!is_length(sensor.range.mm())) {
+  if (!is_length(sensor)) {
     return;  // told already, and squares of it may overflow
   }
   for (std::size_t i = 0; i < layers.size(); ++i) {

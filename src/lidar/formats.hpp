@@ -9,6 +9,7 @@
 
 #include "lidar/hesai.hpp"
 #include "lidar/ibeo_lux.hpp"
+#include "lidar/ibeo_lux8.hpp"
 #include "lidar/ouster.hpp"
 #include "lidar/scan_point.hpp"
 #include "lidar/velodyne_hdl32e.hpp"
@@ -23,6 +24,7 @@ enum class Format : std::uint8_t {
   kHesaiPandar64,     // data packets of 1194 or 1198 bytes
   kHesaiXt32,         // PandarXT-32, data packets of 1080 bytes
   kIbeoLux,           // 0x2202 messages
+  kIbeoLux8,          // the same, of a tilted mirror
   kOusterLegacy,      // OS, the profile before firmware 2.0
   kOusterRng15,       // OS, low data rate
   kOusterRng19,       // OS, single return
@@ -36,6 +38,7 @@ enum class Format : std::uint8_t {
 using AnyDecoder = std::variant<HesaiPandar64,     //
                                 HesaiXt32,         //
                                 IbeoLux,           //
+                                IbeoLux8,          //
                                 OusterLegacy,      //
                                 OusterRng15,       //
                                 OusterRng19,       //
@@ -56,6 +59,8 @@ constexpr void with_decoder(Format format, Visit&& visit) {
       return visit(std::type_identity<HesaiXt32>());
     case Format::kIbeoLux:
       return visit(std::type_identity<IbeoLux>());
+    case Format::kIbeoLux8:
+      return visit(std::type_identity<IbeoLux8>());
     case Format::kOusterLegacy:
       return visit(std::type_identity<OusterLegacy>());
     case Format::kOusterRng15:

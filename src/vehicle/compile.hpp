@@ -17,6 +17,7 @@
 #include "vehicle/identity.hpp"
 #include "vehicle/limits.hpp"
 #include "vehicle/scanner_facts.hpp"
+#include "vehicle/tilted_mirror.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::vehicle {
@@ -87,6 +88,24 @@ constexpr Layer shared_layer_of(const MountConfig& mount, const Rotation& turn, 
   return layer;
 }
 
+// The beams of a layer of a tilted mirror.
+constexpr Layer fitted_layer_of(const MountConfig& mount, const Rotation& turn, double length_m,
+                                const FittedDirections& fit) {
+  const double unit = geometry::kSubcellsPerMetre * (1 << kAxisFractionBits);
+  const auto coordinate = [&](double origin_m, std::size_t axis) -> EndCoordinate {
+    const auto reach = [&](const std::array<double, 3>& part) {
+      return length_m *
+             (part[0] * turn.forward[axis] + part[1] * turn.left[axis] + part[2] * turn.up[axis]);
+    };
+    return {.base = numeric::round((origin_m + reach(fit.base)) * unit),
+            .forward = static_cast<std::int32_t>(numeric::round(reach(fit.forward) * unit)),
+            .left = static_cast<std::int32_t>(numeric::round(reach(fit.left) * unit))};
+  };
+  return {.x = coordinate(grid_metres(mount.x_m), 0),
+          .y = coordinate(grid_metres(mount.y_m), 1),
+          .z = coordinate(mount.z_m, 2)};
+}
+
 // How high over the unit's origin its beams start, on the average. They differ by some centimetres,
 // and the height band is asked of all alike.
 constexpr double mean_height_m(std::span<const lidar::Laser> lasers) {
@@ -131,6 +150,34 @@ constexpr void compile_corrections(const SensorConfig& config, std::int32_t tick
   }
 }
 
+// Says of the layer whose lines it has.
+constexpr void add_layer(const Layer& layer, std::size_t number, Sensor& sensor) {
+  sensor.layers[number] = layer;
+  const auto same_line = [&](const Layer& other) {
+    return other.x == layer.x && other.y == layer.y;
+  };
+  const auto first = std::ranges::find_if(sensor.layers, same_line);
+  sensor.layers[number].line = static_cast<std::uint8_t>(first - sensor.layers.begin());
+}
+
+template <typename Decoder>
+constexpr void compile_tilted_layers(const SensorConfig& config, Sensor& sensor) {
+  const Rotation turn = rotation_of(config.mount);
+  const double length_m = config.range_max_mm / 1000.0;
+  const auto angle_of = [](std::int32_t ticks) {
+    return radians(ticks * 360.0 / Decoder::kTicksPerTurn);
+  };
+  sensor.layer_count = static_cast<std::uint8_t>(Decoder::kElevationsDeg.size());
+  for (std::size_t i = 0; i < Decoder::kElevationsDeg.size(); ++i) {
+    const FittedDirections fit = fit_directions(
+        angle_of(Decoder::kRightmostTicks), angle_of(Decoder::kLeftmostTicks), [&](double azimuth) {
+          return tilted_elevation(radians(Decoder::kElevationsDeg[i]), Decoder::looks_up(i),
+                                  radians(config.beam_tilt_deg), azimuth);
+        });
+    add_layer(fitted_layer_of(config.mount, turn, length_m, fit), i, sensor);
+  }
+}
+
 constexpr void compile_layers(const SensorConfig& config, std::span<const double> elevations_deg,
                               Sensor& sensor) {
   const Rotation turn = rotation_of(config.mount);
@@ -140,13 +187,9 @@ constexpr void compile_layers(const SensorConfig& config, std::span<const double
   sensor.layer_count = static_cast<std::uint8_t>(elevations_deg.size());
   for (std::size_t i = 0; i < elevations_deg.size(); ++i) {
     const double elevation = radians(elevations_deg[i]);
-    sensor.layers[i] = sensor.layers_share_lines ? shared_layer_of(mount, turn, length_m, elevation)
-                                                 : layer_of(mount, turn, length_m, elevation);
-    const auto same_line = [&](const Layer& layer) {
-      return layer.x == sensor.layers[i].x && layer.y == sensor.layers[i].y;
-    };
-    const auto first = std::ranges::find_if(sensor.layers, same_line);
-    sensor.layers[i].line = static_cast<std::uint8_t>(first - sensor.layers.begin());
+    add_layer(sensor.layers_share_lines ? shared_layer_of(mount, turn, length_m, elevation)
+                                        : layer_of(mount, turn, length_m, elevation),
+              i, sensor);
   }
 }
 
@@ -206,8 +249,12 @@ constexpr Sensor compile_sensor(const SensorConfig& config, const Description& d
     compile_detail::compile_mode<Decoder>(config, sensor);
     compile_detail::compile_azimuths<Decoder>(config, sensor);
     compile_detail::compile_corrections(config, Decoder::kTicksPerTurn, sensor);
-    compile_detail::compile_layers(config, std::span(elevations.deg).first(elevations.count),
-                                   sensor);
+    if constexpr (HasBeamTilt<Decoder>) {
+      compile_detail::compile_tilted_layers<Decoder>(config, sensor);
+    } else {
+      compile_detail::compile_layers(config, std::span(elevations.deg).first(elevations.count),
+                                     sensor);
+    }
   });
   return sensor;
 }

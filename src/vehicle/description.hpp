@@ -52,6 +52,8 @@ struct SensorConfig {
   // has them. Of static storage.
   std::span<const lidar::Laser> lasers{};
   lidar::TurnMode mode{};  // what an Ouster is set to
+  // Of a scanner with a tilted mirror: how far its front's beams look down ahead, its rear's up.
+  double beam_tilt_deg = 0;
   // Its clock is that of the poses, and both count from 1970-01-01 UTC. Else its packets were
   // measured so long before they came.
   bool is_synchronised = false;

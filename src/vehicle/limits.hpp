@@ -15,6 +15,7 @@
 #include "vehicle/description.hpp"
 #include "vehicle/fault.hpp"
 #include "vehicle/scanner_facts.hpp"
+#include "vehicle/tilted_mirror.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::vehicle {
@@ -37,6 +38,13 @@ constexpr bool walk_fits(std::uint32_t range_mm) {
   return span * geometry::kResolution < std::uint64_t{1} << 31;
 }
 
+// No end of a beam is farther away: those of a tilted mirror are fitted
+// (vehicle/tilted_mirror.hpp), and at azimuths that it cannot see they may lie beyond the range.
+// range_mm <= kLongestRangeMm.
+constexpr std::uint32_t longest_line_mm(lidar::Format format, std::uint32_t range_mm) {
+  return facts_of(format).has_beam_tilt ? range_mm + range_mm / 64 + 1 : range_mm;
+}
+
 namespace limits_detail {
 
 constexpr void check_range(const SensorConfig& config, std::size_t number, auto&& tell) {
@@ -47,7 +55,10 @@ constexpr void check_range(const SensorConfig& config, std::size_t number, auto&
   if (config.no_return_clears_mm > config.range_max_mm) {
     tell(Fault{number, "no_return_clears_mm", "at most range_max_mm"});
   }
-  if (!walk_fits(config.range_max_mm)) {
+  const std::uint32_t longest_mm = longest_line_mm(config.format, config.range_max_mm);
+  if (longest_mm > kLongestRangeMm) {
+    tell(Fault{number, "range_max_mm", "at most 127999, because its mirror is tilted"});
+  } else if (!walk_fits(longest_mm)) {
     tell(Fault{number, "range_max_mm",
                "less: the error term of the walk along the longest beam overflows"});
   }
@@ -119,8 +130,26 @@ constexpr void check_mode(const SensorConfig& config, std::size_t number, auto&&
   }
 }
 
+constexpr void check_tilt(const SensorConfig& config, std::size_t number, auto&& tell) {
+  if (!facts_of(config.format).has_beam_tilt) {
+    if (config.beam_tilt_deg != 0) {
+      tell(Fault{number, "beam_tilt_deg", "0, because the mirror of this scanner is not tilted"});
+    }
+    return;
+  }
+  if (!is_within(config.beam_tilt_deg, kLeastBeamTiltDeg, kMostBeamTiltDeg)) {
+    tell(Fault{number, "beam_tilt_deg", "0.2 ... 2, as the unit's parameter 0x3302 has it"});
+  }
+}
+
 constexpr void check_lasers(const SensorConfig& config, std::size_t number, auto&& tell) {
   const ScannerFacts facts = facts_of(config.format);
+  if (facts.has_beam_tilt) {
+    if (!config.lasers.empty()) {
+      tell(Fault{number, "lasers", "none, because beam_tilt_deg says where its beams go"});
+    }
+    return;
+  }
   const bool are_nominal = config.lasers.empty() && facts.has_elevations;
   if (!are_nominal && !can_have_layers(config.format, config.lasers.size())) {
     tell(Fault{number, "lasers",
@@ -153,6 +182,7 @@ constexpr void check_sensor(const Description& car, const SensorConfig& config, 
   limits_detail::check_mount(config.mount, number, tell);
   limits_detail::check_azimuths(config, number, tell);
   limits_detail::check_mode(config, number, tell);
+  limits_detail::check_tilt(config, number, tell);
   limits_detail::check_lasers(config, number, tell);
   if (config.udp_port == 0) {
     tell(Fault{number, "udp_port", "1 ... 65535"});

@@ -27,6 +27,7 @@ struct ScannerFacts {
   bool turns = false;
   bool has_elevations = false;  // of its format; else they are each unit's own
   bool has_modes = false;       // its packets do not say how fast it turns
+  bool has_beam_tilt = false;   // its mirror is tilted
 };
 
 template <typename Decoder>
@@ -42,6 +43,11 @@ concept HasOneLayerCount = requires {
 template <typename Decoder>
 concept HasModes = requires {
   Decoder::kHasModes;
+};
+
+template <typename Decoder>
+concept HasBeamTilt = requires {
+  Decoder::kHasBeamTilt;
 };
 
 // None of a format whose packets leave open how many there are.
@@ -73,10 +79,10 @@ constexpr ScannerFacts facts_of(lidar::Format format) {
              .ticks_per_turn = Decoder::kTicksPerTurn,
              .turns = Decoder::kTurns,
              .has_elevations = Decoder::kElevationsDeg.size() != 0,
-             .has_modes = requires {Decoder::kHasModes; }
-};
-});
-return facts;
+             .has_modes = HasModes<Decoder>,
+             .has_beam_tilt = HasBeamTilt<Decoder>};
+  });
+  return facts;
 }
 
 // The fewest steps of a turn, in powers of two, that are at most a cell wide at this range: step

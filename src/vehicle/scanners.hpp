@@ -29,6 +29,18 @@ constexpr SensorConfig ibeo_lux(std::string_view name, std::uint32_t source_ipv4
           .max_points_per_scan = 4 * azimuths * 3};
 }
 
+// An ibeo LUX or a SICK LD-MRS with eight layers. A frame is a scan of one side of its mirror,
+// which has four layers of them. beam_tilt_deg: of the unit, which tells it as its parameter
+// 0x3302.
+constexpr SensorConfig ibeo_lux_8l(std::string_view name, std::uint32_t source_ipv4,
+                                   std::uint16_t udp_port, const MountConfig& mount,
+                                   std::uint32_t azimuths, double beam_tilt_deg) {
+  SensorConfig config = ibeo_lux(name, source_ipv4, udp_port, mount, azimuths);
+  config.format = lidar::Format::kIbeoLux8;
+  config.beam_tilt_deg = beam_tilt_deg;
+  return config;
+}
+
 // The same scanner, whose clock is that of the poses.
 constexpr SensorConfig synchronised(SensorConfig config) {
   config.is_synchronised = true;
@@ -138,9 +150,11 @@ inline constexpr std::array kScannerTypes{
     ScannerType{"hesai_pandar64", hesai_pandar64("", 0, 0, {}, {})},
     ScannerType{"hesai_xt32", hesai_xt32("", 0, 0, {})},
     ScannerType{"ibeo_lux", ibeo_lux("", 0, 0, {}, 0)},
+    ScannerType{"ibeo_lux_8l", ibeo_lux_8l("", 0, 0, {}, 0, 0)},
     ScannerType{"ouster_legacy", ouster(lidar::Format::kOusterLegacy, "", 0, 0, {}, {}, {})},
     ScannerType{"ouster_rng15", ouster(lidar::Format::kOusterRng15, "", 0, 0, {}, {}, {})},
     ScannerType{"ouster_rng19", ouster(lidar::Format::kOusterRng19, "", 0, 0, {}, {}, {})},
+    ScannerType{"sick_ld_mrs_8l", ibeo_lux_8l("", 0, 0, {}, 0, 0)},
     ScannerType{"velodyne_hdl32e", velodyne_hdl32e("", 0, 0, {})},
     ScannerType{"velodyne_hdl64e_s2",
                 velodyne_hdl64e(lidar::Format::kVelodyneHdl64eS2, "", 0, 0, {}, {})},

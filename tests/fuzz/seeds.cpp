@@ -74,6 +74,10 @@ Bytes lux_message(int points) {
 void add_lidar_seeds(Seeds& seeds) {
   const Bytes lux = lux_message(12);
   seeds.add("ibeo_lux", joined(piece_of(lux_message(0)), lux));
+  for (const int flags : {0x002, 0x402}) {
+    const auto half = tests::LuxMessage{.points = {{.layer = 3}, {.echo = 1}}, .flags = flags};
+    seeds.add("ibeo_lux8", joined(piece_of(lux), half.bytes()));
+  }
   seeds.add("lux_recording", joined(lux, lux_message(3)));
 }
 

@@ -9,6 +9,7 @@
 
 #include "geometry/grid.hpp"
 #include "tools/budget/unit_costs.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tools {
@@ -24,9 +25,7 @@ double ms_of(double cycles) { return cycles * kMsPerCycle; }
 bool turns(const vehicle::Sensor& sensor) { return sensor.layers_share_lines; }
 
 // A LUX fires into the same directions in each scan. The others' heads turn as they like.
-bool repeats(const vehicle::SensorConfig& sensor) {
-  return sensor.format == lidar::Format::kIbeoLux;
-}
+bool repeats(const vehicle::SensorConfig& sensor) { return sends_lux_scans(sensor.format); }
 
 // Echoes that a description allows a direction: those of a LUX, and the two of a dual return mode,
 // in which an HDL-64E cannot be used.

@@ -15,7 +15,7 @@ Random noise_of_scan(std::uint64_t seed, std::uint32_t frame, std::size_t sensor
 std::vector<LuxScanner> scanners_of(const CatalogueEntry& car) {
   std::vector<LuxScanner> scanners;
   for (const vehicle::SensorConfig& sensor : car.sensors) {
-    if (sensor.format != lidar::Format::kIbeoLux) {
+    if (!sends_lux_scans(sensor.format)) {
       throw UsageError("such drives are simulated for ibeo LUX scanners, and " +
                        std::string(car.vehicle->name) + " has a " +
                        std::string(lidar::name_of(sensor.format)));
@@ -44,7 +44,7 @@ void Drive::move_to(std::uint32_t frame) {
 std::vector<CapturedDatagram> Drive::datagrams() {
   return lux_burst(*car_, frame_, [this](std::size_t sensor) {
     Random random = noise_of_scan(seed_, frame_, sensor);
-    return scanners_[sensor].scan(ego_, solids_, random);
+    return scanners_[sensor].scan(ego_, solids_, side_of_scan(frame_ + 1), random);
   });
 }
 

@@ -6,6 +6,8 @@
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
 #include "tools/simulate/echo_model.hpp"
+#include "vehicle/scanner_facts.hpp"
+#include "vehicle/tilted_mirror.hpp"
 
 namespace iog::tools {
 namespace {
@@ -48,16 +50,20 @@ Outline outline_of(double x, double y, double reach_x, double reach_y, double re
 }  // namespace
 
 LuxScanner::LuxScanner(const vehicle::SensorConfig& config) : mount_(frame_of(config.mount)) {
+  const double tilt = vehicle::radians(config.beam_tilt_deg);
   for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
     const double angle = angle_of(column);
     tangents_[column] = -numeric::sin(angle) / numeric::cos(angle);  // ascending to the right
     for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
-      const double elevation = lidar::IbeoLux::kElevationsDeg[layer] * numeric::kPi / 180;
-      for (std::size_t edge = 0; edge < 2; ++edge) {
-        const double azimuth = edge == 0 ? angle - kHalfBeam : angle + kHalfBeam;
-        edges_[column][layer][edge] = {numeric::cos(elevation) * numeric::cos(azimuth),
-                                       numeric::cos(elevation) * numeric::sin(azimuth),
-                                       numeric::sin(elevation)};
+      const double flat = lidar::IbeoLux::kElevationsDeg[layer] * numeric::kPi / 180;
+      for (const bool looks_up : {false, true}) {
+        const double elevation = vehicle::tilted_elevation(flat, looks_up, tilt, angle);
+        for (std::size_t edge = 0; edge < 2; ++edge) {
+          const double azimuth = edge == 0 ? angle - kHalfBeam : angle + kHalfBeam;
+          edges_[looks_up ? 1 : 0][column][layer][edge] = {
+              numeric::cos(elevation) * numeric::cos(azimuth),
+              numeric::cos(elevation) * numeric::sin(azimuth), numeric::sin(elevation)};
+        }
       }
     }
   }
@@ -168,12 +174,12 @@ LuxScanner::Hit LuxScanner::first_hit(const Ray& ray, std::size_t column, double
 }
 
 // Finds the echoes of one beam, nearest first and apart from one another.
-void LuxScanner::follow(const SensorFrame& frame, std::size_t column, std::size_t layer,
-                        Random& random) {
+void LuxScanner::follow(const SensorFrame& frame, std::size_t column,
+                        const std::array<Vector3, 2>& edges, Random& random) {
   echoes_.clear();
   std::array<Hit, 2> hits;
   for (std::size_t edge = 0; edge < 2; ++edge) {
-    const Ray ray{frame.origin, frame.direction(edges_[column][layer][edge])};
+    const Ray ray{frame.origin, frame.direction(edges[edge])};
     hits[edge] = first_hit(ray, column, 0);
     if (hits[edge].material == Material::kFoliage && random.chance(kFoliagePass)) {
       const double beyond = hits[edge].distance + random.between(0.2, 1.5);
@@ -215,7 +221,7 @@ void LuxScanner::add_points(std::size_t column, std::size_t layer, Random& rando
 }
 
 std::vector<LuxPoint> LuxScanner::scan(const EgoPose& ego, std::span<const Solid> solids,
-                                       Random& random) {
+                                       MirrorSide side, Random& random) {
   const SensorFrame frame = placed(mount_, ego);
   clear_columns();
   for (const Solid& solid : solids) {
@@ -225,21 +231,21 @@ std::vector<LuxPoint> LuxScanner::scan(const EgoPose& ego, std::span<const Solid
   std::vector<LuxPoint> points;
   for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
     for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
-      follow(frame, column, layer, random);
+      follow(frame, column, edges_of(side)[column][layer], random);
       add_points(column, layer, random, points);
     }
   }
   return points;
 }
 
-std::vector<LuxPoint> LuxScanner::scan(const Sweep& sweep, Random& random) {
+std::vector<LuxPoint> LuxScanner::scan(const Sweep& sweep, MirrorSide side, Random& random) {
   sort_into_columns(sweep);
   std::vector<LuxPoint> points;
   for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
     const SensorFrame frame = placed(mount_, sweep.ego[column]);
     place_movers(column);
     for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
-      follow(frame, column, layer, random);
+      follow(frame, column, edges_of(side)[column][layer], random);
       add_points(column, layer, random, points);
     }
   }

@@ -1,6 +1,7 @@
 // A simulated ibeo LUX: what it would send of the solids around it.
 //
-// 100 degrees in steps of 0.5, four layers, up to three echoes per beam. A beam is as wide as the
+// 100 degrees in steps of 0.5, four layers a scan, up to three echoes per beam. A unit of eight
+// layers scans with the lower and the upper four of them in turns. A beam is as wide as the
 // real one's: its left and right edge are followed apart, so that an edge gives two echoes.
 #pragma once
 
@@ -23,7 +24,7 @@ namespace iog::tools {
 inline constexpr std::int32_t kLuxEdgeTicks = 1600;  // 50 degrees to either side
 inline constexpr std::int32_t kLuxStepTicks = 16;    // 0.5 degrees
 inline constexpr std::size_t kLuxAzimuths = 2 * kLuxEdgeTicks / kLuxStepTicks + 1;
-inline constexpr std::size_t kLuxLayers = 4;
+inline constexpr std::size_t kLuxLayers = 4;  // of a scan
 
 // What a scanner meets while its mirror sweeps from left to right.
 struct Sweep {
@@ -37,10 +38,10 @@ class LuxScanner {
 
   // The points of one scan, from left to right, as if all its beams were sent at once.
   [[nodiscard]] std::vector<LuxPoint> scan(const EgoPose& ego, std::span<const Solid> solids,
-                                           Random& random);
+                                           MirrorSide side, Random& random);
 
   // The points of a scan that takes its time: car and solids move between its columns.
-  [[nodiscard]] std::vector<LuxPoint> scan(const Sweep& sweep, Random& random);
+  [[nodiscard]] std::vector<LuxPoint> scan(const Sweep& sweep, MirrorSide side, Random& random);
 
  private:
   // A solid that a column of beams may meet, nearest first.
@@ -64,6 +65,8 @@ class LuxScanner {
     Material material;
   };
   using Echoes = std::vector<Echo>;
+  // Directions in the sensor frame of the right and the left edge of every beam.
+  using Edges = std::array<std::array<std::array<Vector3, 2>, kLuxLayers>, kLuxAzimuths>;
 
   void clear_columns();
   void add_to_columns(const SensorFrame& frame, const Solid& solid, const Slack& slack,
@@ -71,15 +74,19 @@ class LuxScanner {
   void sort_columns();
   void sort_into_columns(const Sweep& sweep);
   void place_movers(std::size_t column);
-  void follow(const SensorFrame& frame, std::size_t column, std::size_t layer, Random& random);
+  void follow(const SensorFrame& frame, std::size_t column, const std::array<Vector3, 2>& edges,
+              Random& random);
   [[nodiscard]] Hit first_hit(const Ray& ray, std::size_t column, double beyond) const;
   void add_points(std::size_t column, std::size_t layer, Random& random,
                   std::vector<LuxPoint>& points);
 
   SensorFrame mount_;  // in the vehicle
   std::array<double, kLuxAzimuths> tangents_{};
-  // Directions in the sensor frame of the right and the left edge of every beam.
-  std::array<std::array<std::array<Vector3, 2>, kLuxLayers>, kLuxAzimuths> edges_{};
+  [[nodiscard]] const Edges& edges_of(MirrorSide side) const {
+    return edges_[side == MirrorSide::kRear ? 1 : 0];
+  }
+
+  std::array<Edges, 2> edges_{};  // by the side of the mirror
   std::array<std::vector<Candidate>, kLuxAzimuths> columns_;
   std::vector<Solid> placed_;  // the movers of one column, at its time
   Echoes echoes_;              // of the beam that is followed

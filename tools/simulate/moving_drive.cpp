@@ -72,9 +72,11 @@ std::vector<CapturedDatagram> MovingDrive::datagrams(std::uint32_t frame) {
   for (std::size_t sensor = 0; sensor < scanners_.size(); ++sensor) {
     const std::uint64_t end_us = scan_end_us(sensor, frame);
     Random random = noise_of_scan(seed_, frame, sensor);
-    append_lux_scan(*car_, {sensor, frame, kDriveStartUs + end_us},
-                    scanners_[sensor].scan(sweep_until(end_us), random), kDriveStartUs + end_us,
-                    datagrams);
+    const LuxScanTime time{sensor, frame, kDriveStartUs + end_us};
+    append_lux_scan(
+        *car_, time,
+        scanners_[sensor].scan(sweep_until(end_us), side_of_scan(time.number()), random),
+        time.end_us, datagrams);
   }
   std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
   return datagrams;

@@ -77,7 +77,8 @@ void write_sensor(std::ostream& out, const Car& car, std::size_t which) {
       << ",\n        .lasers = " << (sensor.lasers.empty() ? "{}" : lasers_name(which))
       << ",\n        .mode = {" << sensor.mode.columns_per_turn << ", "
       << sensor.mode.turns_per_second
-      << "},\n        .is_synchronised = " << truth(sensor.is_synchronised)
+      << "},\n        .beam_tilt_deg = " << number(sensor.beam_tilt_deg)
+      << ",\n        .is_synchronised = " << truth(sensor.is_synchronised)
       << ",\n        .latency_us = " << sensor.latency_us << "},\n";
 }
 

@@ -82,6 +82,7 @@ void read_sensor(TomlTable& table, Car& car) {
   table.read("azimuth_steps_per_turn", sensor.azimuth_steps_per_turn);
   table.read("max_points_per_scan", sensor.max_points_per_scan);
   table.read("mode", sensor.mode, kModeWords);
+  table.read("beam_tilt_deg", sensor.beam_tilt_deg);
   sensor.lasers = car.lasers.emplace_back(read_lasers(table.tables("lasers")));
   table.read("is_synchronised", sensor.is_synchronised);
   table.read("latency_us", sensor.latency_us);

@@ -5,6 +5,7 @@
 
 #include "intake/packet.hpp"
 #include "lidar/ibeo_lux.hpp"
+#include "tools/formats/lux/lux_scan.hpp"
 
 namespace iog::tools {
 namespace {
@@ -25,7 +26,8 @@ std::vector<const vehicle::Sensor*> sensors_on(std::uint16_t udp_port) {
   return sensors;
 }
 
-// From one direction to the next, by the description of a LUX: layers and echoes share directions.
+// From one direction to the next, by the description of a LUX, whose scans have four layers: they
+// and echoes share directions.
 std::int32_t step_of(const vehicle::SensorConfig& sensor) {
   const auto directions =
       static_cast<std::int32_t>(sensor.max_points_per_scan / lidar::IbeoLux::kElevationsDeg.size() /
@@ -66,7 +68,7 @@ void VehicleLikeness::add(const CapturedDatagram& datagram) {
       continue;
     }
     port.formats.insert(sensor->format);
-    if (sensor->format != lidar::Format::kIbeoLux) {
+    if (!sends_lux_scans(sensor->format)) {
       continue;
     }
     std::set<std::int32_t> directions;
@@ -92,8 +94,7 @@ std::string VehicleLikeness::misfit_of(const vehicle::SensorConfig& sensor) cons
   const auto& steps = found->second.steps;
   const auto usual = std::ranges::max_element(
       steps, {}, [](const auto& step_and_count) { return step_and_count.second; });
-  if (sensor.format != lidar::Format::kIbeoLux || usual == steps.end() ||
-      usual->first == step_of(sensor)) {
+  if (!sends_lux_scans(sensor.format) || usual == steps.end() || usual->first == step_of(sensor)) {
     return {};
   }
   return "directions on " + port + " are " + degrees(usual->first) + " degrees apart, not " +

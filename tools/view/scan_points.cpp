@@ -18,6 +18,7 @@ class Placer {
       : sensor_(&car.vehicle->sensors[sensor]),
         mount_(car.sensors[sensor].mount),
         lasers_(car.sensors[sensor].lasers),
+        tilt_rad_(vehicle::radians(car.sensors[sensor].beam_tilt_deg)),
         turn_(vehicle::compile_detail::rotation_of(mount_)),
         points_(&points) {}
 
@@ -27,17 +28,23 @@ class Placer {
       packet.for_each_point([&](const lidar::ScanPoint& point) {
         const double elevation_deg = lasers_.empty() ? Decoder::kElevationsDeg.at(point.layer)
                                                      : lasers_[point.layer].elevation_deg;
+        const double azimuth_rad =
+            point.azimuth_ticks * (2 * std::numbers::pi / Decoder::kTicksPerTurn);
+        double elevation_rad = elevation_deg * std::numbers::pi / 180;
+        if constexpr (vehicle::HasBeamTilt<Decoder>) {
+          elevation_rad =
+              vehicle::tilted_elevation(elevation_rad, Decoder::looks_up(point.layer), tilt_rad_,
+                                        std::remainder(azimuth_rad, 2 * std::numbers::pi));
+        }
         if (point.range_mm != 0) {
-          place(point, 2 * std::numbers::pi / Decoder::kTicksPerTurn,
-                elevation_deg * std::numbers::pi / 180);
+          place(point, azimuth_rad, elevation_rad);
         }
       });
     });
   }
 
  private:
-  void place(const lidar::ScanPoint& point, double tick_rad, double elevation_rad) {
-    const double azimuth_rad = point.azimuth_ticks * tick_rad;
+  void place(const lidar::ScanPoint& point, double azimuth_rad, double elevation_rad) {
     const double range_m = point.range_mm / 1000.0;
     const double forward = range_m * std::cos(elevation_rad) * std::cos(azimuth_rad);
     const double left = range_m * std::cos(elevation_rad) * std::sin(azimuth_rad);
@@ -60,6 +67,7 @@ class Placer {
   const vehicle::Sensor* sensor_;
   vehicle::MountConfig mount_;
   std::span<const lidar::Laser> lasers_;
+  double tilt_rad_;
   vehicle::compile_detail::Rotation turn_;
   std::vector<SeenPoint>* points_;
 };

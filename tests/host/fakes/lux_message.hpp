@@ -23,6 +23,8 @@ struct LuxMessage {
   std::vector<LuxPoint> points{};
   std::uint64_t start_ntp = 1;  // of the scan
   std::uint64_t end_ntp = 2;
+  int status = 0x030B;
+  int flags = 2;
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
     std::vector<std::byte> out;
@@ -45,8 +47,8 @@ struct LuxMessage {
     big(0x2202, 2);
     big(0, 8);  // time
     little(scan_number, 2);
-    little(0x030B, 2);  // status
-    little(0, 2);       // synchronisation phase
+    little(status, 2);
+    little(0, 2);  // synchronisation phase
     little(static_cast<std::int64_t>(start_ntp), 8);
     little(static_cast<std::int64_t>(end_ntp), 8);
     little(11520, 2);
@@ -56,7 +58,7 @@ struct LuxMessage {
     for (int field = 0; field < 6; ++field) {
       little(0, 2);  // mounting: yaw, pitch, roll, x, y, z
     }
-    little(2, 2);  // flags
+    little(flags, 2);
     for (const LuxPoint& point : points) {
       little(point.layer | point.echo << 4, 1);
       little(point.flags, 1);

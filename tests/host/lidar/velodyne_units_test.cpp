@@ -253,6 +253,7 @@ TEST(VelodyneUnits, AreTotalOnDamagedPackets) {
 
 TEST(Formats, EachHasANameOfItsOwn) {
   EXPECT_EQ(name_of(Format::kIbeoLux), "ibeo LUX");
+  EXPECT_EQ(name_of(Format::kIbeoLux8), "ibeo LUX 8L");
   EXPECT_EQ(name_of(Format::kVelodyneHdl32e), "Velodyne HDL-32E");
   EXPECT_EQ(name_of(Format::kVelodyneHdl64eS3), "Velodyne HDL-64E S3");
   EXPECT_EQ(name_of(static_cast<Format>(200)), "");

@@ -134,7 +134,9 @@ TEST(Sweep, InWhichNothingMovesIsTheScanOfThatMoment) {
       LuxScanner scanner(sensor);
       Random random(1);
       Random same(1);
-      EXPECT_EQ(scanner.scan(sweep, random), scanner.scan(ego, solids, same)) << sensor.name;
+      EXPECT_EQ(scanner.scan(sweep, MirrorSide::kFront, random),
+                scanner.scan(ego, solids, MirrorSide::kFront, same))
+          << sensor.name;
     }
   }
 }

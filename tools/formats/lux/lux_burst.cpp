@@ -20,6 +20,7 @@ constexpr std::uint16_t kHealthy = 0x030B;
 constexpr std::uint16_t kGroundLabelled = 0x0001;
 constexpr std::uint16_t kDirtDetected = 0x0002;
 constexpr std::uint16_t kRainDetected = 0x0004;
+constexpr std::uint16_t kRearSide = 0x0400;
 
 // Yaw, pitch and roll in ticks, then x, y and z in centimetres.
 std::array<std::int16_t, 6> mounting_of(const vehicle::MountConfig& mount) {
@@ -43,13 +44,17 @@ void append_lux_scan(const CatalogueEntry& car, const LuxScanTime& time,
   LuxScan scan;
   scan.device_id = static_cast<std::uint8_t>(time.sensor + 1);
   scan.sent_ntp = ntp_of_unix_us(time.end_us);
-  scan.scan_number = static_cast<std::uint16_t>(time.frame + 1);
+  scan.scan_number = static_cast<std::uint16_t>(time.number());
   scan.status = kHealthy;
   scan.start_ntp = ntp_of_unix_us(time.end_us - kLuxSweepUs);
   scan.end_ntp = ntp_of_unix_us(time.end_us);
   scan.mounting = mounting_of(config.mount);
   scan.points = std::move(points);
   scan.flags = kGroundLabelled | kDirtDetected | kRainDetected;
+  if (config.format == lidar::Format::kIbeoLux8 &&
+      side_of_scan(time.number()) == MirrorSide::kRear) {
+    scan.flags |= kRearSide;
+  }
   std::vector<std::vector<std::byte>> messages = split_lux_scan(std::move(scan));
   std::uint64_t sent_us = first_sent_us;
   for (std::vector<std::byte>& message : messages) {

@@ -29,9 +29,12 @@ struct LuxScanTime {
   std::size_t sensor = 0;
   std::uint32_t frame = 0;   // the scan's number less one
   std::uint64_t end_us = 0;  // since 1970-01-01 UTC
+
+  [[nodiscard]] constexpr std::uint32_t number() const { return frame + 1; }
 };
 
-// Appends the datagrams of one scan. The first leaves at that time, the others 70 us apart.
+// Appends the datagrams of one scan. A unit of eight layers says by which side of its mirror. The
+// first leaves at that time, the others 70 us apart.
 void append_lux_scan(const CatalogueEntry& car, const LuxScanTime& time,
                      std::vector<LuxPoint> points, std::uint64_t first_sent_us,
                      std::vector<CapturedDatagram>& datagrams);

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "lidar/formats.hpp"
+
 namespace iog::tools {
 
 // Bits of LuxPoint::flags.
@@ -15,8 +17,20 @@ inline constexpr std::uint8_t kLuxRain = 0x02;
 inline constexpr std::uint8_t kLuxGround = 0x04;
 inline constexpr std::uint8_t kLuxDirt = 0x08;
 
+// Units of four layers and of eight send the same messages.
+[[nodiscard]] constexpr bool sends_lux_scans(lidar::Format format) {
+  return format == lidar::Format::kIbeoLux || format == lidar::Format::kIbeoLux8;
+}
+
+// The mirror has two sides, which scan in turns: the scans with odd numbers are the rear's, as in
+// recordings of LUX.
+enum class MirrorSide : std::uint8_t { kFront, kRear };
+[[nodiscard]] constexpr MirrorSide side_of_scan(std::uint32_t number) {
+  return number % 2 == 0 ? MirrorSide::kFront : MirrorSide::kRear;
+}
+
 struct LuxPoint {
-  std::uint8_t layer = 0;  // 0 ... 3, 0 is the lowest
+  std::uint8_t layer = 0;  // 0 ... 3, 0 is the lowest of its side of the mirror
   std::uint8_t echo = 0;   // 0 ... 2
   std::uint8_t flags = 0;
   std::int16_t angle_ticks = 0;  // 1/32 degree, positive to the left

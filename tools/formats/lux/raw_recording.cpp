@@ -77,8 +77,7 @@ RawRecording read_velodyne(const std::string& path, const vehicle::SensorConfig&
 RawRecording read_raw_recording(const std::string& path, const CatalogueEntry& car,
                                 std::size_t sensor) {
   const vehicle::SensorConfig& config = car.sensors[sensor];
-  return config.format == lidar::Format::kIbeoLux ? read_lux(path, config)
-                                                  : read_velodyne(path, config);
+  return sends_lux_scans(config.format) ? read_lux(path, config) : read_velodyne(path, config);
 }
 
 }  // namespace iog::tools
