@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   tools::add_fuse(program);
   tools::add_pose(program);
   tools::add_replay(program);
+  tools::add_relay(program);
   tools::add_send_map(program);
   tools::add_receive(program);
   tools::add_record(program);

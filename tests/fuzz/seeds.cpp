@@ -78,6 +78,7 @@ void add_lidar_seeds(Seeds& seeds) {
     const auto half = tests::LuxMessage{.points = {{.layer = 3}, {.echo = 1}}, .flags = flags};
     seeds.add("ibeo_lux8", joined(piece_of(lux), half.bytes()));
   }
+  seeds.add("scan_stream", joined({std::byte{50}}, joined(lux, lux_message(3))));
   seeds.add("lux_recording", joined(lux, lux_message(3)));
 }
 
