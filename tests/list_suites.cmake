@@ -1,0 +1,25 @@
+# Asks an executable of GoogleTest for its suites, and writes for ctest one test for each,
+# `<room>/<Suite>`. It is run when the executable has been built:
+#
+#   cmake -D EXECUTABLE=<path> [-D RUNNER=<path>] -D ROOM=<room> -D OUTPUT=<file> -P list_suites.cmake
+#
+# RUNNER: what starts the executable where this machine cannot.
+execute_process(COMMAND ${RUNNER} ${EXECUTABLE} --gtest_list_tests
+  TIMEOUT 60 OUTPUT_VARIABLE listed RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${EXECUTABLE} does not list its tests (${status}):\n${listed}")
+endif()
+
+# A suite begins its line, as `Suite.` or `Suite/0.  # TypeParam = int`; its cases are indented.
+string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\." suites "${listed}")
+if(NOT suites)
+  message(FATAL_ERROR "${EXECUTABLE} has no tests:\n${listed}")
+endif()
+set(script "")
+foreach(suite IN LISTS suites)
+  string(REGEX REPLACE "[\n.]" "" suite "${suite}")
+  string(APPEND script
+    "add_test([[${ROOM}/${suite}]] ${RUNNER} [[${EXECUTABLE}]] [[--gtest_filter=${suite}.*]])\n"
+    "set_tests_properties([[${ROOM}/${suite}]] PROPERTIES LABELS unit TIMEOUT 600)\n")
+endforeach()
+file(WRITE ${OUTPUT} "${script}")
