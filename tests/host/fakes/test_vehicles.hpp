@@ -1,5 +1,5 @@
 // Vehicles for tests, chosen so that what must happen can be worked out by hand. Their tables are
-// computed in test_vehicles.cpp, once for all tests.
+// computed in test_vehicles.cpp and test_larger_vehicles.cpp, once for all tests.
 #pragma once
 
 #include "vehicle/scanners.hpp"
