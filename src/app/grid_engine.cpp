@@ -51,9 +51,8 @@ void GridEngine::fuse(const intake::SensorPacket& packet, std::uint64_t now_us,
 // As one core says, which knows what all points before have marked: where that decides, they are
 // fused first.
 bool GridEngine::has_room(const intake::SensorPacket& packet, const work::Crew& crew) {
-  const std::uint64_t needed =
-      std::uint64_t{packet.packet.info().point_count} *
-      grid::max_marks_per_point(vehicle_->sensors[packet.sensor]);
+  const std::uint64_t needed = std::uint64_t{packet.packet.info().point_count} *
+                               grid::max_marks_per_point(vehicle_->sensors[packet.sensor]);
   if (marks_ + packets_.marks() + needed > grid::kMaxMarks) {
     fuse_kept(crew);
   }

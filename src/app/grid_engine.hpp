@@ -5,8 +5,8 @@
 // with several, its packets are kept until there is a part for each of them, fused in a round while
 // the next ones come, and joined when the frame ends (app/parts_fusion.hpp): the same bytes.
 //
-//     packets -> [FramePackets] a part for each core -> [PartsFusion] tiles of each   while they come
-//                                                       tiles -> [JoinedGrid] grid    at the end
+//     packets -> [FramePackets] a part for each core -> [PartsFusion] its tiles  while they come
+//                                                tiles -> [JoinedGrid] grid       at the end
 #pragma once
 
 #include <cstddef>

@@ -42,9 +42,8 @@ void PartsFusion::join(const work::Crew& crew, std::size_t count, grid::JoinedGr
                        bool is_first) const {
   const work::Crew alone;
   (is_first ? crew : alone)
-      .share(geometry::kTilesPerSide, [&](std::size_t row, std::size_t /*core*/) {
-        join_row(row, count, grid, is_first);
-      });
+      .share(geometry::kTilesPerSide,
+             [&](std::size_t row, std::size_t /*core*/) { join_row(row, count, grid, is_first); });
 }
 
 void PartsFusion::join_row(std::size_t row, std::size_t count, grid::JoinedGrid& grid,

@@ -34,7 +34,9 @@ concept Platform = requires(T& platform, std::span<const std::byte> message, std
 
 // A platform that says so: it will never have more than one.
 template <typename T>
-concept HasOneCore = requires { requires T::kMostCores == 1; };
+concept HasOneCore = requires {
+  requires T::kMostCores == 1;
+};
 
 // Takes in a closed frame: what it says of itself, each tile in which something is known, in rising
 // order, and that this was all. The cells are another's, and change after the call.

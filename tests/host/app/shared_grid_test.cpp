@@ -56,8 +56,10 @@ std::vector<TimedDatagram> turns_of_vlp16(std::uint16_t port, int turns, bool is
                         .time_us = static_cast<std::uint32_t>(us)};
     for (auto& block : sent.ranges) {
       for (int& unit : block) {
-        unit = random.one_in(5) ? 0 : 1'500 + static_cast<int>(random.below(
-                                          static_cast<std::uint32_t>(range - 1'500)));
+        unit =
+            random.one_in(5)
+                ? 0
+                : 1'500 + static_cast<int>(random.below(static_cast<std::uint32_t>(range - 1'500)));
       }
     }
     drive.push_back({1'000'000 + static_cast<std::uint64_t>(us), port, sent.bytes()});
@@ -181,8 +183,8 @@ class FuseDenseDespite : public ::testing::TestWithParam<std::tuple<Accident, st
 
 TEST_P(FuseDenseDespite, TheLossOfACoreGivesTheMessagesOfOne) {
   const auto [accident, round] = GetParam();
-  const Played hurt = play(LevelVlp16::kVehicle, three_turns(), 3,
-                           {.accident = accident, .round = round});
+  const Played hurt =
+      play(LevelVlp16::kVehicle, three_turns(), 3, {.accident = accident, .round = round});
   EXPECT_TRUE(hurt.messages == play(LevelVlp16::kVehicle, three_turns(), 1).messages);
   EXPECT_NE(hurt.fate, work::Loss::kNone);
 }
