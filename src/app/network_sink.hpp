@@ -15,7 +15,7 @@
 
 namespace iog::app {
 
-// Holds what was sent, 1 MB: belongs into static memory.
+// Holds what was sent, and a batch, 1.4 MB: belongs into static memory.
 template <Platform P>
 class NetworkSink {
  public:
