@@ -17,6 +17,7 @@ constexpr auto kExperiments = std::to_array<Experiment>({
     {"stream", stream_of_tiles},
     {"many_core", many_core},
     {"four_cores", four_cores},
+    {"two_threads", two_threads, true},
     {"order_of_fusion", order_of_fusion},
     {"detection_quality", detection_quality},
     {"price_of_hits_win", price_of_hits_win},

@@ -22,15 +22,17 @@ class Work {
   // Runs in every thread.
   void share() {
     for (std::size_t i = next_++; i < experiments_.size(); i = next_++) {
-      try {
-        found_[i] = experiments_[i].run(*input_);
-        const std::lock_guard lock(mutex_);
-        (*on_done_)(++done_);
-      } catch (const tools::UsageError&) {
-        fail(std::current_exception());
-      } catch (const std::exception& error) {
-        fail(std::make_exception_ptr(std::runtime_error(
-            "experiment " + std::string(experiments_[i].name) + " failed: " + error.what())));
+      if (!experiments_[i].is_of_several_threads) {
+        run(i);
+      }
+    }
+  }
+
+  // After all threads.
+  void run_the_others() {
+    for (std::size_t i = 0; i < experiments_.size() && !failure_; ++i) {
+      if (experiments_[i].is_of_several_threads) {
+        run(i);
       }
     }
   }
@@ -44,6 +46,19 @@ class Work {
   }
 
  private:
+  void run(std::size_t i) {
+    try {
+      found_[i] = experiments_[i].run(*input_);
+      const std::lock_guard lock(mutex_);
+      (*on_done_)(++done_);
+    } catch (const tools::UsageError&) {
+      fail(std::current_exception());
+    } catch (const std::exception& error) {
+      fail(std::make_exception_ptr(std::runtime_error(
+          "experiment " + std::string(experiments_[i].name) + " failed: " + error.what())));
+    }
+  }
+
   void fail(std::exception_ptr failure) {
     const std::lock_guard lock(mutex_);
     if (!failure_) {
@@ -75,6 +90,7 @@ std::vector<Tables> run_side_by_side(std::span<const Experiment> experiments, co
     }
     work.share();
   }
+  work.run_the_others();
   return work.take();
 }
 
