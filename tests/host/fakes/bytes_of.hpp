@@ -17,4 +17,12 @@ inline Bytes bytes_of(std::initializer_list<int> values) {
   return bytes;
 }
 
+inline Bytes joined(std::initializer_list<Bytes> parts) {
+  Bytes all;
+  for (const Bytes& part : parts) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
 }  // namespace iog::tests

@@ -15,6 +15,7 @@ namespace {
 
 using tests::Bytes;
 using tests::bytes_of;
+using tests::joined;
 
 // first, first + 1 ... last, modulo 256
 Bytes counting(int first, int last) {
@@ -23,14 +24,6 @@ Bytes counting(int first, int last) {
     bytes.push_back(static_cast<std::byte>(value));
   }
   return bytes;
-}
-
-Bytes joined(std::initializer_list<Bytes> parts) {
-  Bytes all;
-  for (const Bytes& part : parts) {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
 }
 
 Bytes frame_of(const Bytes& message) {

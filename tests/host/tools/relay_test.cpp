@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "fakes/bytes_of.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/random.hpp"
 #include "lidar/ibeo_lux.hpp"
@@ -22,8 +23,9 @@
 namespace iog::tools {
 namespace {
 
-using Bytes = std::vector<std::byte>;
 using std::chrono::milliseconds;
+using tests::Bytes;
+using tests::joined;
 
 Bytes scan(int number, int points = 3) {
   tests::LuxMessage message{.scan_number = number};
@@ -41,14 +43,6 @@ Bytes other_message() {
   bytes[14] = std::byte{0x20};
   bytes[15] = std::byte{0x30};
   return bytes;
-}
-
-Bytes joined(std::initializer_list<Bytes> parts) {
-  Bytes all;
-  for (const Bytes& part : parts) {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
 }
 
 Bytes letters(const std::string& text) {
