@@ -25,8 +25,8 @@ struct LaserCorrection {
   if (range_mm == 0) {
     return 0;
   }
-  const std::int32_t sum = static_cast<std::int32_t>(range_mm) + correction_mm;
-  return sum > 1 ? static_cast<std::uint32_t>(sum) : 1;
+  const std::uint32_t sum = range_mm + static_cast<std::uint32_t>(correction_mm);
+  return static_cast<std::int32_t>(sum) > 1 ? sum : 1;
 }
 
 }  // namespace iog::lidar

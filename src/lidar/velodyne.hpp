@@ -58,24 +58,60 @@ class VelodynePacket {
   [[nodiscard]] DecodeStatus read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
-  // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
-  [[nodiscard]] ScanPoint point(const VelodyneUnit& unit, std::size_t block,
-                                std::size_t channel) const {
-    const std::size_t bank = block & (unit.banks - 1U);
-    ScanPoint point;
-    point.layer = static_cast<std::uint8_t>((bank * kPointsPerBlock + channel) % unit.layers);
-    point.range_mm = range_mm(unit, block, channel);
-    if (is_dual_) {
-      point.echo = static_cast<std::uint8_t>(block / unit.banks % 2);
-      point.range_mm =
-          range_of_echo(point.range_mm, range_mm(unit, block ^ unit.banks, channel), point.echo);
+  // How far the unit has turned, and looks to the side, when each channel of a block fires.
+  struct Firing {
+    std::uint32_t step = 0xFFFF;  // azimuth gained in the block; no packet has this one
+    std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
+  };
+  static void turn(const VelodyneUnit& unit, std::uint32_t step, Firing& firing) {
+    firing.step = step;
+    for (std::size_t channel = 0; channel < kPointsPerBlock; ++channel) {
+      const std::uint32_t turned =
+          (step * unit.fires_at[channel] + unit.block_parts / 2) / unit.block_parts;
+      firing.ticks[channel] = static_cast<std::int16_t>(unit.azimuth_offsets[channel] +
+                                                        static_cast<std::int32_t>(turned));
     }
-    std::int32_t clockwise =
-        azimuths_[block] + unit.azimuth_offsets[channel] +
-        static_cast<std::int32_t>((steps_[block] * unit.fires_at[channel] + unit.block_parts / 2) /
-                                  unit.block_parts);
-    if (!corrections_.empty()) {
-      const LaserCorrection& laser = corrections_[point.layer];
+  }
+
+  // What the points of a block have in common, so that each asks for little.
+  struct Block {
+    std::span<const std::byte, kBlockBytes> bytes;
+    std::span<const std::byte, kBlockBytes> other;  // with the other echo of each of its points
+    std::span<const LaserCorrection> corrections;   // of its channels, or none
+    std::int32_t azimuth;
+    std::uint8_t first_layer;
+    std::uint8_t echo;
+  };
+
+  [[nodiscard]] std::uint32_t step(std::size_t block) const { return steps_[block]; }
+
+  [[nodiscard]] Block block(const VelodyneUnit& unit, std::size_t number) const {
+    const std::size_t first_layer = number % unit.banks * kPointsPerBlock;
+    const auto bytes_of = [&](std::size_t block) {
+      return packet_.subspan(block * kBlockBytes).first<kBlockBytes>();
+    };
+    return {.bytes = bytes_of(number),
+            .other = bytes_of(is_dual_ ? number ^ unit.banks : number),
+            .corrections = corrections_.empty() ? corrections_ : corrections_.subspan(first_layer),
+            .azimuth = azimuths_[number],
+            .first_layer = static_cast<std::uint8_t>(first_layer),
+            .echo = static_cast<std::uint8_t>(is_dual_ ? number / unit.banks % 2 : 0)};
+  }
+
+  // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
+  [[nodiscard]] static ScanPoint point(const VelodyneUnit& unit, const Block& block,
+                                       const Firing& firing, std::size_t channel) {
+    ScanPoint point;
+    point.layer = static_cast<std::uint8_t>((block.first_layer + channel) % unit.layers);
+    point.echo = block.echo;
+    point.range_mm = range_mm(unit, block.bytes, channel);
+    if (block.other.data() != block.bytes.data()) {
+      point.range_mm =
+          range_of_echo(point.range_mm, range_mm(unit, block.other, channel), point.echo);
+    }
+    std::int32_t clockwise = block.azimuth + firing.ticks[channel];
+    if (!block.corrections.empty()) {
+      const LaserCorrection& laser = block.corrections[channel % unit.layers];
       clockwise -= laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
@@ -88,10 +124,10 @@ class VelodynePacket {
   }
 
  private:
-  [[nodiscard]] std::uint32_t range_mm(const VelodyneUnit& unit, std::size_t block,
-                                       std::size_t channel) const {
-    return std::uint32_t{
-               wire::load_le16(packet_.subspan(block * kBlockBytes + 4 + 3 * channel).first<2>())} *
+  [[nodiscard]] static std::uint32_t range_mm(const VelodyneUnit& unit,
+                                              std::span<const std::byte, kBlockBytes> block,
+                                              std::size_t channel) {
+    return std::uint32_t{wire::load_le16(block.subspan(4 + 3 * channel).first<2>())} *
            unit.range_unit_mm;
   }
 
@@ -125,9 +161,16 @@ class VelodyneDecoder : public VelodynePacket {
   // was kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
-    for (std::size_t block = 0; block < kBlocks; ++block) {
+    std::array<Firing, 2>
+        firings;  // a head that turns evenly has two steps, one more than the other
+    for (std::size_t number = 0; number < kBlocks; ++number) {
+      const Block its = block(kUnit, number);
+      Firing& firing = firings[step(number) % 2];
+      if (firing.step != step(number)) {
+        turn(kUnit, step(number), firing);
+      }
       for (std::size_t channel = 0; channel < kPointsPerBlock; ++channel) {
-        visit(point(kUnit, block, channel));
+        visit(point(kUnit, its, firing, channel));
       }
     }
   }
