@@ -43,7 +43,7 @@ struct Dda {
   // Goes on to the next column. `bits` shifted by one, and 1 more if the line rises by a row. The
   // core's add with carry does this in one instruction, if it is one addition of 64 bits.
   [[nodiscard]] constexpr std::uint32_t advance(std::uint32_t bits) {
-    const std::uint64_t shifted = std::uint64_t{bits} << 32;
+    const std::uint64_t shifted = static_cast<std::uint64_t>(bits) << 32;
     const std::uint64_t sum = (shifted | phase) + (shifted | step);
     phase = static_cast<std::uint32_t>(sum);
     return static_cast<std::uint32_t>(sum >> 32);

@@ -26,7 +26,6 @@
 
 #include "geometry/cell.hpp"
 #include "numeric/division.hpp"
-#include "numeric/divisor.hpp"
 #include "numeric/reciprocal.hpp"
 
 namespace iog::traversal {
@@ -106,17 +105,6 @@ class Axis {
                         : static_cast<std::uint32_t>((reached - 1) / (share.denominator * kSide));
   }
 
-  // Both with the divisor of the share's denominator, which is below 2^32, at hand.
-  [[nodiscard]] constexpr std::uint32_t through(Share share,
-                                                const numeric::Divisor& denominator) const {
-    return denominator.divide(scaled(share) / kSide);
-  }
-  [[nodiscard]] constexpr std::uint32_t before(Share share,
-                                               const numeric::Divisor& denominator) const {
-    const std::uint64_t reached = scaled(share);
-    return reached == 0 ? 0 : denominator.divide((reached - 1) / kSide);
-  }
-
   // The same before the end of the line, without a division.
   [[nodiscard]] constexpr std::uint32_t before_end() const {
     const std::uint32_t reached = offset_ + length_;
@@ -182,14 +170,6 @@ class Line {
   // The last cell whose interior the line has entered before this share of its length.
   [[nodiscard]] constexpr Position before(Share share) const {
     return {x_.before(share), y_.before(share)};
-  }
-
-  // Both with the divisor of the share's denominator, which is below 2^32, at hand.
-  [[nodiscard]] constexpr Position through(Share share, const numeric::Divisor& denominator) const {
-    return {x_.through(share, denominator), y_.through(share, denominator)};
-  }
-  [[nodiscard]] constexpr Position before(Share share, const numeric::Divisor& denominator) const {
-    return {x_.before(share, denominator), y_.before(share, denominator)};
   }
 
   [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }

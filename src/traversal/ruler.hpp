@@ -21,15 +21,19 @@
 // integer part is exact. Otherwise the line itself is asked. That happens once in 2^12 distances,
 // and where a distance ends on a border.
 //
-// A share of the length is read at its distance in units of 2^-14 mm, rounded down. That lacks less
-// than 2^-14 mm, so the estimate less than 2^-14 slope + 1 < 2^17 + 1 more: together still less
-// than kSlack.
+// A share of the length is read at its distance in units of 2^-14 mm, rounded down, and of its
+// product with the slope only the upper word is taken: both axes are read in units of 2^-14
+// borders. The distance lacks less than 2^-14 mm, which is less than 2^-14 borders; base and
+// product lack less than one unit each, and slope less than 2 in 2^-32 borders a millimetre,
+// altogether less than 2^19 of those or 2 units. So less than kShareSlack = 5 units lack.
 //
-// Ranges. q < 2^32, w < 2^31 and f <= r; slope < 2^31, base <= 2^32, T < 2^31.
+// Ranges. q < 2^32, w < 2^31 and f <= r; slope < 2^31, base <= 2^32. A line of L < 2^18 mm crosses
+// less than 2^17 borders of an axis.
 #pragma once
 
 #include <cstdint>
 
+#include "numeric/divisor.hpp"
 #include "traversal/line.hpp"
 
 namespace iog::traversal {
@@ -59,6 +63,9 @@ template <std::int32_t kResolution>
 class AxisRuler {
   static constexpr auto kSide = static_cast<std::uint32_t>(kResolution);
   static constexpr std::uint64_t kSlack = std::uint64_t{1} << 20;
+  static constexpr std::uint32_t kShareSlack = 5;
+  static constexpr std::uint32_t kShareFraction =
+      (std::uint32_t{1} << MeasuredShare::kFractionBits) - 1;
 
  public:
   constexpr AxisRuler(const Axis<kResolution>& axis, const LineLength& length)
@@ -71,11 +78,18 @@ class AxisRuler {
   [[nodiscard]] constexpr std::uint64_t estimate(std::uint32_t distance_mm) const {
     return base_ + std::uint64_t{distance_mm} * slope_;
   }
-  [[nodiscard]] constexpr std::uint64_t estimate(const MeasuredShare& share) const {
-    return base_ + (std::uint64_t{share.distance()} * slope_ >> MeasuredShare::kFractionBits);
-  }
   [[nodiscard]] static constexpr bool is_exact(std::uint64_t estimate) {
     return static_cast<std::uint32_t>(estimate) <= ~static_cast<std::uint32_t>(kSlack);
+  }
+
+  // The same up to and including a share, but in units of 2^-14 borders.
+  [[nodiscard]] constexpr std::uint32_t estimate(const MeasuredShare& share) const {
+    const std::uint64_t product = std::uint64_t{share.distance()} * slope_;
+    return static_cast<std::uint32_t>(base_ >> (32 - MeasuredShare::kFractionBits)) +
+           static_cast<std::uint32_t>(product >> 32);
+  }
+  [[nodiscard]] static constexpr bool is_exact_share(std::uint32_t estimate) {
+    return (estimate & kShareFraction) <= kShareFraction - kShareSlack;
   }
 
  private:
@@ -105,25 +119,29 @@ class Ruler {
   // fraction is 0.
   [[nodiscard]] constexpr Position through(const MeasuredShare& share,
                                            const Line<kResolution>& line) const {
-    const std::uint64_t x = x_.estimate(share);
-    const std::uint64_t y = y_.estimate(share);
-    if (AxisRuler<kResolution>::is_exact(x) && AxisRuler<kResolution>::is_exact(y)) [[likely]] {
-      return position_of(x, y);
-    }
-    return line.through(share.share());
+    const Position at = read(share, 0);
+    return at == kNotExact ? line.through(share.share()) : at;
   }
   [[nodiscard]] constexpr Position before(const MeasuredShare& share,
                                           const Line<kResolution>& line) const {
-    const std::uint64_t x = x_.estimate(share);
-    const std::uint64_t y = y_.estimate(share);
-    if (AxisRuler<kResolution>::is_exact(x - 1) && AxisRuler<kResolution>::is_exact(y - 1))
-        [[likely]] {
-      return position_of(x - 1, y - 1);
-    }
-    return line.before(share.share());
+    const Position at = read(share, 1);
+    return at == kNotExact ? line.before(share.share()) : at;
   }
 
  private:
+  static constexpr Position kNotExact{~std::uint32_t{0}, 0};
+
+  // So many units before the share.
+  [[nodiscard]] constexpr Position read(const MeasuredShare& share, std::uint32_t before) const {
+    const std::uint32_t x = x_.estimate(share) - before;
+    const std::uint32_t y = y_.estimate(share) - before;
+    if (AxisRuler<kResolution>::is_exact_share(x) && AxisRuler<kResolution>::is_exact_share(y))
+        [[likely]] {
+      return {x >> MeasuredShare::kFractionBits, y >> MeasuredShare::kFractionBits};
+    }
+    return kNotExact;
+  }
+
   static constexpr Position position_of(std::uint64_t x, std::uint64_t y) {
     return {static_cast<std::uint32_t>(x >> 32), static_cast<std::uint32_t>(y >> 32)};
   }
