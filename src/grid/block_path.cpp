@@ -31,9 +31,8 @@ void BlockPath::begin(const BeamLine& line) {
                   .x_is_negative = line.x().step() < 0,
                   .y_is_negative = line.y().step() < 0};
   const auto into_tile = [](std::int32_t coordinate, bool is_negative) {
-    constexpr std::uint32_t kSide = geometry::kTileSide;
-    const std::uint32_t inner = static_cast<std::uint32_t>(coordinate) % kSide;
-    return static_cast<std::uint8_t>(is_negative ? kSide - 1 - inner : inner);
+    const auto ahead = static_cast<std::uint32_t>(is_negative ? ~coordinate : coordinate);
+    return static_cast<std::uint8_t>(ahead % geometry::kTileSide);
   };
   x_in_tile_ = into_tile(start_.x, orientation_.x_is_negative);
   y_in_tile_ = into_tile(start_.y, orientation_.y_is_negative);
@@ -78,13 +77,16 @@ void BlockPath::skip_cell_above(std::uint32_t u, std::uint32_t v) {
     first_cells_.bytes[orientation_.inner(u, v + 1)] = 0;
     return;
   }
-  extend_to(1);
+  find_up_to(1);
   const BlockCode code = codes_[1];
   const std::uint32_t shape = shape_of(entered_from_below(u + 1), code >> 2U & 7U);
   codes_[1] = static_cast<BlockCode>(2 * shape + code % 2U);
 }
 
 void BlockPath::find_up_to(std::uint32_t block) {
+  if (block < count_) {
+    return;
+  }
   require(block < kMaxBlocks);
   traversal::Dda dda{.phase = dda_.phase, .step = dda_.step};
   std::uint32_t v = v_;

@@ -18,13 +18,30 @@
 
 namespace iog::grid {
 
-// Blocks of a line, one after the other. The code of a block says whether the next one lies
-// u_stride or v_stride blocks (as stored) further. The line's cells in a block are masks[code / 2].
-struct BlockRun {
-  const BlockCode* code;
+// A place on the way through the blocks of a line: the block, its code, and the codes of the blocks
+// after it. A code says whether the next block lies u_stride or v_stride blocks (as stored)
+// further. The line's cells in a block are masks[code / 2].
+struct Way {
   const LaneBytes* masks;
   std::ptrdiff_t u_stride;
   std::ptrdiff_t v_stride;
+  LaneBytes* block;
+  std::uint32_t code;
+  const BlockCode* next_codes;
+
+  [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
+  // The block after this one. Both candidates are computed first, so that only the choice waits for
+  // the code.
+  [[nodiscard]] LaneBytes* next() const {
+    LaneBytes* const by_u = block + u_stride;
+    LaneBytes* const by_v = block + v_stride;
+    return (code & 1U) != 0 ? by_v : by_u;
+  }
+  void step() {
+    block = next();
+    code = *next_codes;
+    ++next_codes;
+  }
 };
 
 class BlockPath {
@@ -45,11 +62,7 @@ class BlockPath {
   }
 
   // Finds the blocks up to this one, which lies in the grid.
-  void extend_to(std::uint32_t block) {
-    if (block >= count_) {
-      find_up_to(block);
-    }
-  }
+  void find_up_to(std::uint32_t block);
 
   // Where the line begins.
   [[nodiscard]] std::uint32_t start_offset() const { return offset_of(start_); }
@@ -59,12 +72,15 @@ class BlockPath {
   // The line's cells in its first block.
   [[nodiscard]] const LaneBytes& first_cells() const { return first_cells_; }
 
-  // The way through the blocks that were found.
-  [[nodiscard]] BlockRun run_from_start() const {
-    const std::ptrdiff_t along_x = orientation_.x_is_negative ? -1 : 1;
-    const std::ptrdiff_t along_y = orientation_.y_is_negative ? -kBlockStride : kBlockStride;
-    return {codes_.data(), kShapeMasks[orientation_.number()].data(),
-            orientation_.is_steep ? along_y : along_x, orientation_.is_steep ? along_x : along_y};
+  // The way through the blocks that were found, from the one with this offset: start_offset().
+  [[nodiscard]] Way way_from(LaneBytes* start) const {
+    const auto [u_stride, v_stride] = orientation_.strides(kBlockStride);
+    return {kShapeMasks[orientation_.number()].data(),
+            u_stride,
+            v_stride,
+            start,
+            codes_[0],
+            &codes_[1]};
   }
 
   // Calls visit(tile) for each tile that the line enters up to this position. The heights of the
@@ -74,29 +90,26 @@ class BlockPath {
   void for_each_tile(traversal::Position last, Visit&& visit) const {
     const std::uint32_t columns_x = (last.x + x_in_tile_) / geometry::kTileSide;
     const std::uint32_t columns_y = (last.y + y_in_tile_) / geometry::kTileSide;
-    constexpr std::int32_t kTileRow = geometry::kTilesPerSide;
-    const std::int32_t along_x = orientation_.x_is_negative ? -1 : 1;
-    const std::int32_t along_y = orientation_.y_is_negative ? -kTileRow : kTileRow;
-    const std::int32_t along_u = orientation_.is_steep ? along_y : along_x;
-    const std::int32_t along_v = orientation_.is_steep ? along_x : along_y;
-    auto tile = static_cast<std::int32_t>(geometry::tile_of(start_));
-    visit(static_cast<std::size_t>(tile));
+    const std::uint32_t columns = orientation_.is_steep ? columns_y : columns_x;
+    const auto [along_u, along_v] = orientation_.strides(geometry::kTilesPerSide);
+    auto tile = static_cast<std::ptrdiff_t>(geometry::tile_of(start_));
     std::uint64_t height = height_at_tile_;
     std::uint32_t row = 0;
-    const auto climb_to = [&](std::uint32_t next_row) {
+    for (std::uint32_t column = 0;; ++column) {
+      visit(static_cast<std::size_t>(tile));
+      const auto risen = static_cast<std::uint32_t>(height >> (32 + geometry::kTileSideLog2));
+      const std::uint32_t next_row = column < columns ? risen : columns_x + columns_y - columns;
       if (next_row != row) {
         row = next_row;
         tile += along_v;
         visit(static_cast<std::size_t>(tile));
       }
-    };
-    for (std::uint32_t n = orientation_.is_steep ? columns_y : columns_x; n > 0; --n) {
-      climb_to(static_cast<std::uint32_t>(height >> (32 + geometry::kTileSideLog2)));
+      if (column == columns) {
+        return;
+      }
       tile += along_u;
-      visit(static_cast<std::size_t>(tile));
       height += std::uint64_t{dda_.step} << geometry::kTileSideLog2;
     }
-    climb_to(orientation_.is_steep ? columns_x : columns_y);
   }
 
  private:
@@ -107,7 +120,6 @@ class BlockPath {
 
   void find_first_column(const vehicle::BeamLine& line);
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
-  void find_up_to(std::uint32_t block);
 
   geometry::Cell start_;
   Orientation orientation_;

@@ -64,6 +64,16 @@ struct Orientation {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U);
   }
   [[nodiscard]] constexpr std::size_t number() const { return quadrant() + (is_steep ? 4U : 0U); }
+  // How far the next place along u lies, and that along v, in rows of so many places.
+  struct Strides {
+    std::ptrdiff_t u;
+    std::ptrdiff_t v;
+  };
+  [[nodiscard]] constexpr Strides strides(std::ptrdiff_t row) const {
+    const std::ptrdiff_t along_x = x_is_negative ? -1 : 1;
+    const std::ptrdiff_t along_y = y_is_negative ? -row : row;
+    return is_steep ? Strides{along_y, along_x} : Strides{along_x, along_y};
+  }
   // The place of a cell in its block, 4 y + x. It is so far along each axis in the line's own
   // direction.
   [[nodiscard]] constexpr std::uint32_t inner_of(std::uint32_t along_x,

@@ -64,8 +64,8 @@ void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
       "  bne   1b\n"
       : [a] "+&r"(a), [b] "=&r"(b), [c] "=&r"(c), [d] "=&r"(d), [codes] "+&r"(codes),
         [word] "=&r"(word), [shape] "=&r"(shape)
-      : [end] "r"(end), [masks] "r"(way.run.masks), [u] "r"(way.run.u_stride * kBlockBytes),
-        [v] "r"(way.run.v_stride * kBlockBytes), [amount] "w"(amount.native())
+      : [end] "r"(end), [masks] "r"(way.masks), [u] "r"(way.u_stride * kBlockBytes),
+        [v] "r"(way.v_stride * kBlockBytes), [amount] "w"(amount.native())
       : "q8", "q9", "q10", "q11", "q12", "q13", "q14", "q15", "cc", "memory");
   way.block = d;
   way.code = word >> 24;

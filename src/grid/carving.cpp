@@ -10,9 +10,11 @@ namespace {
 
 constexpr std::uint32_t kSide = kBlockSide;
 
-// An amount of 127 is enough: a cell that is carved is 0 or below.
+// More than this is no more: a cell that is carved is 0 or below.
+constexpr std::int32_t kMostFreer = index::kIndexMax<OccupancyIndex>;
+
 std::int8_t amount_of(std::int32_t freer) {
-  return static_cast<std::int8_t>(std::min<std::int32_t>(freer, index::kIndexMax<OccupancyIndex>));
+  return static_cast<std::int8_t>(std::min(freer, kMostFreer));
 }
 
 }  // namespace
@@ -21,7 +23,7 @@ std::int8_t amount_of(std::int32_t freer) {
 // line enters the block the amount of before, and from each change on the new one.
 void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
   const traversal::Position last = steps.last().at();
-  path.extend_to(path.block_at(last));
+  path.find_up_to(path.block_at(last));
   path.for_each_tile(last, [&](std::size_t tile) { grid.touch(tile); });
 
   const traversal::Position corner = path.from_corner({});
@@ -29,14 +31,18 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
   const std::uint32_t mirrored = orientation.inner_of(0, 0);
   const InnerMasks& from_masks = kFromMasks[orientation.quadrant()];
   const InnerMasks& after_masks = kAfterMasks[orientation.quadrant()];
-  const BlockRun run = path.run_from_start();
-  Way way{run, grid.block_at(path.start_offset()), *run.code, run.code + 1};
+  Way way = path.way_from(grid.block_at(path.start_offset()));
   const LaneBytes* cells = &path.first_cells();
   std::uint32_t number = 0;
   std::int32_t freer = steps.from_start();
   Lanes amount = Lanes::all(amount_of(freer));
   Lanes in_block = amount;
   steps.take_changes([&](Between point, std::int32_t change) {
+    const std::int32_t before = freer;
+    freer += change;
+    if (std::min(before, freer) >= kMostFreer) {
+      return;
+    }
     const traversal::Position at = point.at();
     const std::uint32_t x = at.x + corner.x;
     const std::uint32_t y = at.y + corner.y;
@@ -45,11 +51,10 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
       carve_block(*way.block, Lanes::load(*cells), in_block);
       carve_run(way, its_number - number - 1, amount);
       way.step();
-      cells = &run.masks[way.code / 2U];
+      cells = &way.cells();
       number = its_number;
       in_block = amount;
     }
-    freer += change;
     amount = Lanes::all(amount_of(freer));
     const std::uint32_t inner = (kSide * (y % kSide) + x % kSide) ^ mirrored;
     const Lanes rest = Lanes::load((point.is_after() ? after_masks : from_masks)[inner]);

@@ -63,8 +63,8 @@ std::vector<Position> positions_of(const BeamLine& line, const std::vector<Cell>
 }
 
 const LaneBytes& cells_of(const BlockPath& path, std::uint32_t block) {
-  const BlockRun run = path.run_from_start();
-  return block == 0 ? path.first_cells() : run.masks[run.code[block] / 2U];
+  const Way way = path.way_from(nullptr);
+  return block == 0 ? path.first_cells() : way.masks[way.next_codes[block - 1] / 2U];
 }
 
 // The cells of a path, one block after the other, are those of the walk, in the order of blocks.
@@ -79,7 +79,7 @@ TEST(BlockPath, GoesThroughTheCellsOfTheWalk) {
     const std::vector<Cell> cells = cells_of_walk(line, end);
     BlockPath path;
     path.begin(line);
-    path.extend_to(path.block_at(positions_of(line, cells).back()));
+    path.find_up_to(path.block_at(positions_of(line, cells).back()));
     std::size_t at = 0;
     const std::vector<Position> positions = positions_of(line, cells);
     for (std::uint32_t block = 0; at < cells.size(); ++block) {

@@ -48,14 +48,15 @@ Way2 way_of(const vehicle::Sensor& sensor, const vehicle::BeamLine& line) {
 
 // The first blocks of a path, numbered without the two that a row is stored longer.
 std::vector<std::uint32_t> blocks_of(grid::BlockPath& path, std::size_t count) {
-  path.extend_to(static_cast<std::uint32_t>(count) - 1);
-  const grid::BlockRun run = path.run_from_start();
+  path.find_up_to(static_cast<std::uint32_t>(count) - 1);
+  const grid::Way way = path.way_from(nullptr);
+  const grid::BlockCode* const codes = way.next_codes - 1;
   auto stored = static_cast<std::ptrdiff_t>(path.start_offset() / grid::kLaneCount);
   std::vector<std::uint32_t> blocks;
   for (std::size_t i = 0; i < count; ++i) {
     const auto number = static_cast<std::uint32_t>(stored);
     blocks.push_back(number / grid::kBlockStride * 256 + number % grid::kBlockStride);
-    stored += (run.code[i] & 1U) != 0 ? run.v_stride : run.u_stride;
+    stored += (codes[i] & 1U) != 0 ? way.v_stride : way.u_stride;
   }
   return blocks;
 }
