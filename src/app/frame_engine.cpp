@@ -38,9 +38,8 @@ void FrameEngine::add_points(std::size_t sensor, const intake::Packet& packet) {
 
 void FrameEngine::add_points_to(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
                                 const intake::Packet& packet, Fates& fates) {
-  packet.for_each_point([&](const lidar::ScanPoint& point) {
-    ++fates[static_cast<std::size_t>(fusion.add(sensor, point))];
-  });
+  fusion.add_all(sensor, packet,
+                 [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
 }
 
 void FrameEngine::count(const Fates& fates) {

@@ -25,6 +25,7 @@ void PartsFusion::fuse_part(std::span<const std::uint16_t> numbers, FramePackets
     FrameEngine::add_points_to(fusion, vehicle_->sensors[packet.sensor], packets.decoded(packet),
                                result.fates);
   }
+  fusion.carve_waiting();
   result.marks = fusion.marks();
   fusion.finish();
   result.tiles.take(fusion);

@@ -11,38 +11,36 @@ using traversal::Position;
 using vehicle::Sensor;
 
 Carver::Carver(const vehicle::Vehicle& vehicle, BlockGrid& grid, PendingMarks& marks)
-    : lines_(vehicle.sensors),
-      turn_lines_(vehicle),
+    : turn_lines_(vehicle),
+      lines_(vehicle.sensors),
       vehicle_(&vehicle),
       grid_(&grid),
       marks_(&marks) {}
 
-// All layers are on the line of the azimuth, each at its own height.
-vehicle::Fate Carver::add_turning(const Sensor& sensor, const lidar::ScanPoint& point) {
-  if (sensor_ != &sensor) [[unlikely]] {
-    carve_waiting();
-    sensor_ = &sensor;
-    kept_ = nullptr;
-    turn_lines_at_hand_ = turn_lines_.lines_of(sensor);
-    turn_layers_at_hand_ = turn_lines_.layers_of(sensor);
+void Carver::begin_turning(const Sensor& sensor) {
+  carve_waiting();
+  sensor_ = &sensor;
+  kept_ = nullptr;
+  turn_lines_at_hand_ = turn_lines_.lines_of(sensor);
+  turn_layers_at_hand_ = turn_lines_.layers_of(sensor);
+}
+
+// Another line in its place is carved and makes room.
+void Carver::begin_line(std::uint32_t azimuth_step) {
+  waiting_lines_.take(azimuth_step, [&](std::uint32_t step, std::span<const WaitingPoint> points) {
+    carve_turn(step, points);
+  });
+  TurnLine& turn = turn_lines_at_hand_[azimuth_step];
+  if (!turn.is_found) {
+    TurnLines::find(*sensor_, azimuth_step, turn);
   }
-  const std::uint32_t step = sensor.azimuths.nearest(point.azimuth_ticks);
-  TurnLine& turn = turn_lines_at_hand_[step];
-  if (!turn.is_found) [[unlikely]] {
-    TurnLines::find(sensor, step, turn);
-  }
-  const TurnLayer& layer = turn_layers_at_hand_[point.layer];
-  const std::uint32_t along_mm = sensor.layers[point.layer].along_line_mm(point.range_mm);
-  const vehicle::BeamRanges ranges{.on_car = turn.on_car, .in_band = layer.in_band};
-  const vehicle::Classification its = vehicle::classify(sensor, ranges, point, along_mm);
-  if (along_mm == 0 && point.range_mm != 0) {  // in front of it there is nothing to carve
-    if (its.marks) {
-      marks_->mark(sensor, turn.line, turn.line.through(sensor, 0), 0);
-    }
-  } else if (its.carves || its.marks) {
-    take(TurnBeam(step, turn, layer), its, along_mm);
-  }
-  return its.fate;
+  waiting_lines_.begin(azimuth_step, turn.on_car);
+}
+
+// A point that is not a millimetre away has nothing before it to carve.
+void Carver::mark_at_start(std::uint32_t azimuth_step) {
+  const KeptLine& line = turn_lines_at_hand_[azimuth_step].line;
+  marks_->mark(*sensor_, line, line.through(*sensor_, 0), 0);
 }
 
 void Carver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {
@@ -80,6 +78,39 @@ KeptLine& Carver::further_line(const vehicle::Layer& layer) {
     further.line.find(*sensor_, layer, azimuth_step_);
   }
   return further.line;
+}
+
+// Adds a beam to the steps of its line. A cell before the scan point * takes the index of the 1D
+// cell in which the line leaves it, at most k - 1. For a LUX:
+//
+//    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
+//    the line  S ----------+-----------+-----------+-------*---+-------> E
+//    its cells     a   |   b    |  c  |    d    |   e   |    f     |
+//    freer by      14      7       7       0        0     marked, not carved
+//    steps     +14       -7 at b         -7 at d
+//
+// The line leaves a cell in 1D cell j or earlier exactly if it crosses the cell's far border at
+// distance (j + 1) Delta or before. `through` counts those crossings. So the zone of 1D cell k - 2
+// begins in the cell that holds the point at (k - 2) Delta, here b.
+inline void Carver::carve_later(FreeSteps& steps, const KeptLine& line, const LinePart& part,
+                                std::uint32_t range_mm) const {
+  const sensor_model::Profile& profile = sensor_->profile;
+  std::int32_t freer = -profile.free;
+  steps.begin_beam(part.first, freer);
+  const std::uint32_t k = sensor_->precision.divide(range_mm);
+  for (std::uint32_t back = range_mm > 0 ? profile.near_before_count : 0; back > 0; --back) {
+    // 1D cells from k - back on, which begin at (k - back) Delta.
+    const Between zone =
+        k < back ? part.first
+                 : Between::before(line.through(*sensor_, (k - back) * sensor_->precision_mm));
+    const std::int32_t in_zone = -profile.near_before[back - 1];
+    steps.add(std::clamp(zone, part.first, part.end), in_zone - freer);
+    freer = in_zone;
+  }
+  if (freer != 0) {
+    steps.add(part.end, -freer);
+  }
+  steps.end_beam(part.end);
 }
 
 // Carves and marks as its fate says.
@@ -135,16 +166,6 @@ inline FreeSteps& Carver::steps_of(const KeptBeam& beam, Between end) {
 }
 
 // Another line in the place is carved and makes room.
-inline WaitingSteps& Carver::steps_of(const TurnBeam& beam, Between /*end*/) {
-  OpenTurnLine& open = open_turn_lines_[beam.azimuth_step() % kOpenTurnLines];
-  if (open.line != &beam.line() || !open.steps.has_room()) {
-    carve(open);
-    open.line = &beam.line();
-  }
-  return open.steps;
-}
-
-// Another line in the place is carved and makes room.
 inline FreeSteps& Carver::steps_on(std::uint32_t number, KeptLine& line) {
   const std::uint32_t place = place_of(number);
   OpenLine& open = open_lines_[place];
@@ -167,65 +188,35 @@ void Carver::carve_place(std::uint32_t place) {
   }
 }
 
-// Adds a beam to the steps of its line. A cell before the scan point * takes the index of the 1D
-// cell in which the line leaves it, at most k - 1. For a LUX:
-//
-//    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
-//    the line  S ----------+-----------+-----------+-------*---+-------> E
-//    its cells     a   |   b    |  c  |    d    |   e   |    f     |
-//    freer by      14      7       7       0        0     marked, not carved
-//    steps     +14       -7 at b         -7 at d
-//
-// The line leaves a cell in 1D cell j or earlier exactly if it crosses the cell's far border at
-// distance (j + 1) Delta or before. `through` counts those crossings. So the zone of 1D cell k - 2
-// begins in the cell that holds the point at (k - 2) Delta, here b.
-template <typename Steps>
-void Carver::carve_later(Steps& steps, const KeptLine& line, const LinePart& part,
-                         std::uint32_t range_mm) const {
-  const sensor_model::Profile& profile = sensor_->profile;
-  std::int32_t freer = -profile.free;
-  steps.begin_beam(part.first, freer);
-  Between last = part.end;
-  const std::uint32_t k = sensor_->precision.divide(range_mm);
-  for (std::uint32_t back = range_mm > 0 ? profile.near_before_count : 0; back > 0; --back) {
-    // 1D cells from k - back on, which begin at (k - back) Delta.
-    const Between zone =
-        k < back ? part.first
-                 : Between::before(line.through(*sensor_, (k - back) * sensor_->precision_mm));
-    if (zone >= part.end) {
-      break;
-    }
-    last = std::max(zone, part.first);
-    const std::int32_t in_zone = -profile.near_before[back - 1];
-    steps.add(last, in_zone - freer);
-    freer = in_zone;
-  }
-  if (freer > 0) {
-    last = part.end;
-    steps.add(last, -freer);
-  }
-  steps.end_beam(last);
-}
-
 void Carver::carve_waiting() {
   while (lines_in_use_ != 0) {
     carve_place(static_cast<std::uint32_t>(std::countr_zero(lines_in_use_)));
   }
   if (turn_lines_at_hand_ != nullptr) {
-    for (OpenTurnLine& open : open_turn_lines_) {
-      carve(open);
-    }
+    waiting_lines_.take_all([&](std::uint32_t step, std::span<const WaitingPoint> points) {
+      carve_turn(step, points);
+    });
   }
 }
 
 // Only one such line is carved at a time: it takes the steps of a line of which none waits.
-void Carver::carve(OpenTurnLine& open) {
-  if (open.line != nullptr) {
-    FreeSteps& steps = open_lines_[0].steps;
-    steps.begin_at(open.line->in_grid().first);
-    open.steps.move_to(steps);
-    carve(*open.line, steps);
-    open.line = nullptr;
+void Carver::carve_turn(std::uint32_t azimuth_step, std::span<const WaitingPoint> points) {
+  KeptLine& line = turn_lines_at_hand_[azimuth_step].line;
+  FreeSteps& steps = open_lines_[0].steps;
+  steps.begin_at(line.in_grid().first);
+  for (const WaitingPoint point : points) {
+    const TurnLayer& layer = turn_layers_at_hand_[point.layer()];
+    const std::uint32_t reach_mm = std::min(point.along_mm(), sensor_->range.mm());
+    take(TurnBeam(line, layer),
+         {.fate = point.fate(),
+          .carves = point.carves(),
+          .marks = point.marks(),
+          .is_whole_in_band =
+              reach_mm > 0 && layer.in_band.first == 0 && layer.in_band.contain(reach_mm)},
+         point.along_mm());
+  }
+  if (!steps.is_empty()) {
+    carve(line, steps);
   }
 }
 
@@ -243,10 +234,7 @@ void Carver::drop_waiting() {
     open.line = nullptr;
   }
   lines_in_use_ = 0;
-  for (OpenTurnLine& open : open_turn_lines_) {
-    open.steps.clear();
-    open.line = nullptr;
-  }
+  waiting_lines_.drop();
 }
 
 }  // namespace iog::grid

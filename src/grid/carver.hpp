@@ -10,13 +10,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "grid/beam_lines.hpp"
 #include "grid/block_grid.hpp"
 #include "grid/free_steps.hpp"
 #include "grid/pending_marks.hpp"
 #include "grid/turn_lines.hpp"
-#include "grid/waiting_steps.hpp"
+#include "grid/waiting_lines.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
@@ -30,22 +31,21 @@ class Carver {
 
   // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
   // vehicle's; the point's layer and azimuth are those of its format. Only if the marks have room.
-  // Inline, so that a point is taken apart in registers.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
+    return sensor.layers_share_lines ? turn_to(sensor).add(point) : add_kept(sensor, point);
+  }
+
+  // The same for all points of a packet: for_each_point(visit) calls visit(point) for each of them.
+  // count(fate) is called for each. Inline, so that a point is taken apart in registers.
+  template <typename Packet, typename Count>
+  void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
-      return add_turning(sensor, point);
+      packet.for_each_point([&count, turn = turn_to(sensor)](const lidar::ScanPoint& point) {
+        count(turn.add(point));
+      });
+    } else {
+      packet.for_each_point([&](const lidar::ScanPoint& point) { count(add_kept(sensor, point)); });
     }
-    if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
-      turn_to(sensor, point.azimuth_ticks);
-    }
-    KeptBeam& beam =
-        kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
-    const vehicle::Classification its =
-        vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
-    if (its.carves || its.marks) {
-      take_kept(beam, its, point.range_mm);
-    }
-    return its.fate;
   }
 
   // Carves the beams that still wait.
@@ -53,6 +53,13 @@ class Carver {
 
   // Forgets the beams that still wait, without carving them.
   void drop_waiting();
+
+  // How many cells the points that wait can mark, at most.
+  [[nodiscard]] std::uint64_t most_marks_waiting() const {
+    return turn_lines_at_hand_ == nullptr
+               ? 0
+               : std::uint64_t{waiting_lines_.count()} * max_marks_per_point(*sensor_);
+  }
 
   // Finds all lines again when they are next asked for, as after the start.
   void forget_lines() {
@@ -75,48 +82,69 @@ class Carver {
     FreeSteps steps;
   };
 
-  // The same of an azimuth step, if layers share lines. So many follow one another at a time:
-  // lasers of an HDL-64E look up to 17 degrees to the side of one another, 390 of 8,192 steps.
-  static constexpr std::uint32_t kOpenTurnLines = 512;
-  struct OpenTurnLine {
-    KeptLine* line = nullptr;
-    WaitingSteps steps;
-  };
-
   // A line beyond what a KeptAzimuth keeps, by Layer::line.
   struct FurtherLine {
     KeptLine line;
     std::uint32_t number = 0;
   };
 
-  vehicle::Fate add_turning(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
+  // The sensor at hand, if its layers share lines: what its points ask for, near to one another.
+  class Turn {
+   public:
+    Turn(Carver& carver, const vehicle::Sensor& sensor)
+        : carver_(&carver),
+          sensor_(&sensor),
+          lines_(&carver.waiting_lines_),
+          layers_(carver.turn_layers_at_hand_),
+          azimuths_(sensor.azimuths) {}
+    [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
+
+   private:
+    Carver* carver_;
+    const vehicle::Sensor* sensor_;
+    WaitingLines* lines_;
+    const TurnLayer* layers_;
+    vehicle::AzimuthSteps azimuths_;
+  };
+
+  [[gnu::always_inline]] vehicle::Fate add_kept(const vehicle::Sensor& sensor,
+                                                const lidar::ScanPoint& point);
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
+  Turn turn_to(const vehicle::Sensor& sensor) {
+    if (sensor_ != &sensor) {
+      begin_turning(sensor);
+    }
+    return {*this, sensor};
+  }
+  void begin_turning(const vehicle::Sensor& sensor);
+  // What few points need is not inlined, so that the others have the registers.
+  [[gnu::noinline]] void begin_line(std::uint32_t azimuth_step);
+  [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step);
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
   template <typename Beam>
   void take(Beam&& beam, vehicle::Classification its, std::uint32_t range_mm);
   void take_kept(KeptBeam& beam, vehicle::Classification its, std::uint32_t range_mm);
   FreeSteps& steps_of(const KeptBeam& beam, Between end);
-  WaitingSteps& steps_of(const TurnBeam& beam, Between end);
+  FreeSteps& steps_of(const TurnBeam& /*beam*/, Between /*end*/) { return open_lines_[0].steps; }
   FreeSteps& steps_on(std::uint32_t number, KeptLine& line);
   KeptLine& further_line(const vehicle::Layer& layer);
   void carve_place(std::uint32_t place);
-  // Not inlined, so that it has the registers for itself.
-  template <typename Steps>
-  [[gnu::noinline]] void carve_later(Steps& steps, const KeptLine& line, const LinePart& part,
-                                     std::uint32_t range_mm) const;
+  // Inline, because a call costs as much as a zone.
+  [[gnu::always_inline]] void carve_later(FreeSteps& steps, const KeptLine& line,
+                                          const LinePart& part, std::uint32_t range_mm) const;
   void carve(OpenLine& open) { carve(*open.line, open.steps); }
-  void carve(OpenTurnLine& open);
+  void carve_turn(std::uint32_t azimuth_step, std::span<const WaitingPoint> points);
   void carve(KeptLine& line, FreeSteps& steps);
 
-  // Few points need it. It is not inlined, so that the others have the registers.
   [[nodiscard, gnu::noinline]] Between end_without_hit(const KeptLine& line,
                                                        std::uint32_t clears_mm,
                                                        std::uint32_t range_mm) const;
 
   // What is aligned to a cache line comes first.
+  TurnLines turn_lines_;
+  WaitingLines waiting_lines_;
   std::array<FurtherLine, kOpenLines> further_lines_;
   BeamLines lines_;
-  TurnLines turn_lines_;
   const vehicle::Vehicle* vehicle_;
   BlockGrid* grid_;
   PendingMarks* marks_;
@@ -134,7 +162,42 @@ class Carver {
   const TurnLayer* turn_layers_at_hand_ = nullptr;
   KeptBeam further_beam_;
   std::array<OpenLine, kOpenLines> open_lines_{};
-  std::array<OpenTurnLine, kOpenTurnLines> open_turn_lines_{};
 };
+
+inline vehicle::Fate Carver::add_kept(const vehicle::Sensor& sensor,
+                                      const lidar::ScanPoint& point) {
+  if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
+    turn_to(sensor, point.azimuth_ticks);
+  }
+  KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
+  const vehicle::Classification its =
+      vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
+  if (its.carves || its.marks) {
+    take_kept(beam, its, point.range_mm);
+  }
+  return its.fate;
+}
+
+// All layers are on the line of the azimuth, each at its own height.
+inline vehicle::Fate Carver::Turn::add(const lidar::ScanPoint& point) const {
+  const std::uint32_t step = azimuths_.nearest(point.azimuth_ticks);
+  if (!lines_->has_room(step)) [[unlikely]] {
+    carver_->begin_line(step);
+  }
+  const TurnLayer& layer = layers_[point.layer];
+  const std::uint32_t along_mm = vehicle::along_line_mm(point.range_mm, layer.range_share);
+  const vehicle::BeamRanges ranges{.on_car = lines_->on_car(step), .in_band = layer.in_band};
+  const vehicle::Classification its = vehicle::classify(*sensor_, ranges, point, along_mm);
+  if (its.carves || its.marks) {
+    if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
+      if (its.marks) {
+        carver_->mark_at_start(step);
+      }
+    } else {
+      lines_->add(step, {along_mm, point.layer, its.fate});
+    }
+  }
+  return its.fate;
+}
 
 }  // namespace iog::grid

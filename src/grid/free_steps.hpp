@@ -61,6 +61,8 @@ class FreeSteps {
     map_[number / 32] |= kFirstBit >> number % 32;
   }
 
+  [[nodiscard]] bool is_empty() const { return beam_count_ == 0; }
+
   // How much freer the line is from where it enters the grid, and where the last change is, after
   // which nothing is left to carve.
   [[nodiscard]] std::int32_t from_start() const { return from_start_; }

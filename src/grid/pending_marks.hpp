@@ -39,12 +39,6 @@ inline constexpr std::size_t kMaxMarks = 147'456;
 
 class PendingMarks {
  public:
-  // Whether that many points of this sensor can still be marked.
-  [[nodiscard]] bool fits(const vehicle::Sensor& sensor, std::uint32_t points) const {
-    const std::uint64_t needed = std::uint64_t{points} * max_marks_per_point(sensor);
-    return needed <= kMaxMarks - count_;
-  }
-
   [[nodiscard]] std::size_t count() const { return count_; }
 
   // Remembers what a scan point marks: the cell that holds it and, for some sensors, the next cells

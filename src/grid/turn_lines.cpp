@@ -14,7 +14,8 @@ TurnLines::TurnLines(const vehicle::Vehicle& vehicle) : first_sensor_(vehicle.se
       for (std::size_t layer = 0; layer < sensor.layer_count; ++layer) {
         const vehicle::Layer& its = sensor.layers[layer];
         const std::int32_t end_z = vehicle::end_height_of(its, {});
-        layers_[i][layer] = {.in_band = vehicle::ranges_in_band(sensor, end_z),
+        layers_[i][layer] = {.range_share = its.range_share,
+                             .in_band = vehicle::ranges_in_band(sensor, end_z),
                              .clears_mm = its.along_line_mm(sensor.no_return_clears_mm),
                              .band = BandLimits(vehicle, sensor, end_z)};
       }

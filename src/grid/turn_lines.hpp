@@ -14,17 +14,19 @@
 namespace iog::grid {
 
 // The line of an azimuth step, and the ranges along it that end on the car itself. As a turn comes
-// by all lines, each is fetched from memory anew: what every point asks for are two cache lines.
+// by all lines, each is fetched from memory anew: once when its first point comes, and once when it
+// is carved.
 struct alignas(32) TurnLine {
   vehicle::Ranges on_car;
   bool is_found = false;
   KeptLine line;
 };
 
-// What the beams of a layer have in common, whatever their azimuth: the ranges along the line that
-// are in the height band, the part of the line that is, and how far along it they carve without an
-// echo.
-struct TurnLayer {
+// What the beams of a layer have in common, whatever their azimuth: the share of a range that is
+// along the line, the ranges along the line that are in the height band, how far along it they
+// carve without an echo, and the part of the line that is in the band.
+struct alignas(64) TurnLayer {
+  std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;
   std::uint32_t clears_mm = 0;
   BandLimits band;
@@ -33,11 +35,9 @@ struct TurnLayer {
 // A beam of such a sensor, as the carver asks of it.
 class TurnBeam {
  public:
-  TurnBeam(std::uint32_t azimuth_step, TurnLine& line, const TurnLayer& layer)
-      : azimuth_step_(azimuth_step), line_(&line.line), layer_(&layer) {}
+  TurnBeam(const KeptLine& line, const TurnLayer& layer) : line_(&line), layer_(&layer) {}
 
-  [[nodiscard]] std::uint32_t azimuth_step() const { return azimuth_step_; }
-  [[nodiscard]] KeptLine& line() const { return *line_; }
+  [[nodiscard]] const KeptLine& line() const { return *line_; }
   [[nodiscard]] std::uint32_t clears_mm() const { return layer_->clears_mm; }
   [[nodiscard]] LinePart in_band(const vehicle::Vehicle& /*vehicle*/,
                                  const vehicle::Sensor& /*sensor*/) const {
@@ -46,8 +46,7 @@ class TurnBeam {
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return layer_->band.is_free_before_mm(); }
 
  private:
-  std::uint32_t azimuth_step_;
-  KeptLine* line_;
+  const KeptLine* line_;
   const TurnLayer* layer_;
 };
 

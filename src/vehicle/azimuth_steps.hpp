@@ -36,7 +36,7 @@ class AzimuthSteps {
   // The step of an azimuth: 0 ... steps_per_turn() - 1. azimuth_ticks < one turn.
   [[nodiscard]] constexpr std::uint32_t nearest(std::uint32_t azimuth_ticks) const {
     const std::uint32_t step = whole_.divide(azimuth_ticks * factor_ + half_);
-    return step == steps_per_turn_ ? 0 : step;
+    return step - (step == steps_per_turn_ ? step : 0);
   }
 
  private:

@@ -9,9 +9,6 @@
 namespace iog::vehicle {
 namespace {
 
-// No wire format says more: a LUX counts 65,535 cm.
-constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
-
 // The end of a beam along one axis, rounded to the nearest subcell, a tie towards plus infinity.
 std::int32_t end_of(const EndCoordinate& axis, Direction direction) {
   constexpr int kFractionBits = kAxisFractionBits + numeric::kSineFractionBits;

@@ -41,6 +41,11 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
+// How far a range gets along a line, rounded down. The share is in units of 2^-30.
+[[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
+  return static_cast<std::uint32_t>(std::uint64_t{range_mm} * share >> numeric::kSineFractionBits);
+}
+
 struct Layer {
   EndCoordinate x;
   EndCoordinate y;
@@ -52,10 +57,8 @@ struct Layer {
   // layers share the line of elevation 0, else 1.
   std::uint32_t range_share = std::uint32_t{1} << numeric::kSineFractionBits;
 
-  // Rounded down.
   [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm) const {
-    return static_cast<std::uint32_t>(std::uint64_t{range_mm} * range_share >>
-                                      numeric::kSineFractionBits);
+    return vehicle::along_line_mm(range_mm, range_share);
   }
 };
 
@@ -74,7 +77,6 @@ struct Sensor {
   geometry::SubcellPoint origin;  // S, in grid subcells
   std::int32_t origin_z = 0;      // height in subcells
   std::uint8_t layer_count = 0;
-  std::array<Layer, kMaxLayers> layers{};
   bool layers_share_lines = false;  // it turns and is level: one line an azimuth for all layers
   AzimuthSteps azimuths;
   numeric::SineTable sines;     // of the steps
@@ -87,7 +89,6 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   // Where its maker calibrated each of its lasers.
   bool is_calibrated = false;
-  std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
   // Of an Ouster, see lidar::Unit.
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;
@@ -97,6 +98,9 @@ struct Sensor {
   RangeProducts on_car_x;  // together: within the vehicle's footprint
   RangeProducts on_car_y;
   RangeProducts in_band;  // within its height band
+  // What is long comes last, so that the rest is near.
+  std::array<Layer, kMaxLayers> layers{};
+  std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
 
   // A view of this sensor.
   [[nodiscard]] constexpr lidar::Unit unit() const {

@@ -365,7 +365,7 @@ TEST(Turning, NeitherWaitingNorKeepingALineShows) {
       const vehicle::Sensor& sensor =
           car.sensors[static_cast<std::size_t>(i / 50) % car.sensors.size()];
       lidar::ScanPoint point = random_point(random, sensor.layer_count, 40'000);
-      point.azimuth_ticks = static_cast<std::uint16_t>(random.below(150));
+      point.azimuth_ticks = static_cast<std::uint16_t>(random.below(100));
       point.echo = random.one_in(8) ? std::uint8_t{1} : std::uint8_t{0};
       const Fate fate = waits->add(sensor, point);
       ASSERT_EQ(alone->add(sensor, point), fate);
@@ -376,6 +376,22 @@ TEST(Turning, NeitherWaitingNorKeepingALineShows) {
     alone->finish();
     ASSERT_EQ(tests::cells_of(*waits), tests::cells_of(*alone)) << car.name;
   }
+}
+
+// A point that waits takes the room of its mark, but only if it marks.
+TEST(Turning, PointsThatWaitTakeTheRoomOfTheirMarks) {
+  const auto fusion = std::make_unique<FrameFusion>(LevelVlp16::kVehicle);
+  const vehicle::Sensor& sensor = LevelVlp16::kVehicle.sensors[0];
+  ASSERT_EQ(max_marks_per_point(sensor), 1U);
+  // Layer 1 is at +1 degree, layer 0 at -15 degrees: at 30 m it would be 8 m below the sensor.
+  ASSERT_EQ(fusion->add(sensor, {.range_mm = 10'000, .azimuth_ticks = 100, .layer = 1}),
+            Fate::kUsed);
+  ASSERT_EQ(fusion->add(sensor, {.range_mm = 30'000, .azimuth_ticks = 100, .layer = 0}),
+            Fate::kOutsideHeightBand);
+  EXPECT_FALSE(fusion->fits(sensor, kMaxMarks));
+  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks - 1));
+  fusion->finish();
+  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks));
 }
 
 }  // namespace

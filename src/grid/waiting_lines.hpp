@@ -1,0 +1,114 @@
+// What waits to be carved of a lidar that turns: hundreds of lines, and of each line its points. A
+// point is a word, so that they fit into the caches; what becomes of it on its line is worked out
+// when the line is carved.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "grid/free_steps.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::grid {
+
+// A point that carves or marks: its range along the line, its layer and its fate, in one word.
+class WaitingPoint {
+ public:
+  WaitingPoint() = default;
+  // along_mm is at most vehicle::kMaxRangeMm.
+  WaitingPoint(std::uint32_t along_mm, std::uint32_t layer, vehicle::Fate fate)
+      : word_(static_cast<std::uint32_t>(fate) << kFateAt | layer << kLayerAt | along_mm) {}
+
+  [[nodiscard]] std::uint32_t along_mm() const { return word_ & vehicle::kMaxRangeMm; }
+  [[nodiscard]] std::uint32_t layer() const {
+    return word_ >> kLayerAt & (vehicle::kMaxLayers - 1);
+  }
+  [[nodiscard]] vehicle::Fate fate() const { return static_cast<vehicle::Fate>(word_ >> kFateAt); }
+  // As vehicle::Classification says of the fate.
+  [[nodiscard]] bool carves() const { return fate() != vehicle::Fate::kLaterEcho; }
+  [[nodiscard]] bool marks() const { return fate() == vehicle::Fate::kUsed || !carves(); }
+
+ private:
+  static constexpr int kLayerAt = 20;
+  static constexpr int kFateAt = 27;
+  static_assert(vehicle::kMaxRangeMm < 1U << kLayerAt &&
+                vehicle::kMaxLayers <= 1U << (kFateAt - kLayerAt) &&
+                vehicle::kFateCount <= 1U << (32 - kFateAt));
+
+  std::uint32_t word_ = 0;
+};
+
+// The lines of a lidar that turns that wait at a time, each in the place that its azimuth step
+// gives it. So many follow one another: lasers of an HDL-64E look up to 17 degrees to the side of
+// one another, 390 of 8,192 steps.
+class WaitingLines {
+ public:
+  // What a point asks of the line in its place. Two are in a cache line; their points are apart.
+  struct Line {
+    std::uint32_t azimuth_step = kNone;
+    std::uint32_t count = 0;
+    vehicle::Ranges on_car;
+  };
+
+  // Whether points of this line can be added.
+  [[nodiscard]] bool has_room(std::uint32_t azimuth_step) const {
+    const Line& line = lines_[azimuth_step % kPlaces];
+    return line.azimuth_step == azimuth_step && line.count < kMostPoints;
+  }
+  // Begins it in its place, where none waits.
+  void begin(std::uint32_t azimuth_step, const vehicle::Ranges& on_car) {
+    lines_[azimuth_step % kPlaces] = {.azimuth_step = azimuth_step, .count = 0, .on_car = on_car};
+  }
+  // Only if it has room.
+  [[nodiscard]] const vehicle::Ranges& on_car(std::uint32_t azimuth_step) const {
+    return lines_[azimuth_step % kPlaces].on_car;
+  }
+  void add(std::uint32_t azimuth_step, WaitingPoint point) {
+    const std::uint32_t place = azimuth_step % kPlaces;
+    points_[place][lines_[place].count] = point;
+    ++lines_[place].count;
+    ++count_;
+  }
+
+  // How many points wait.
+  [[nodiscard]] std::uint32_t count() const { return count_; }
+
+  // Calls carve(azimuth_step, points) for the line that waits in the place of this one, if any, and
+  // then it waits no more.
+  template <typename Carve>
+  void take(std::uint32_t azimuth_step, Carve&& carve) {
+    const std::uint32_t place = azimuth_step % kPlaces;
+    Line& line = lines_[place];
+    if (line.azimuth_step != kNone) {
+      carve(line.azimuth_step, std::span(points_[place]).first(line.count));
+      line.azimuth_step = kNone;
+      count_ -= line.count;
+    }
+  }
+  template <typename Carve>
+  void take_all(Carve&& carve) {
+    for (std::uint32_t place = 0; place < kPlaces; ++place) {
+      take(place, carve);
+    }
+  }
+  void drop() {
+    lines_.fill({});
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  static constexpr std::uint32_t kPlaces = 512;
+  // An odd number of cache lines, so that places do not share the sets of a cache.
+  static constexpr std::size_t kMostPoints = 136;
+  static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
+                kMostPoints <= FreeSteps::kMaxBeams);
+
+  alignas(32) std::array<Line, kPlaces> lines_{};
+  alignas(32) std::array<std::array<WaitingPoint, kMostPoints>, kPlaces> points_{};
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace iog::grid
