@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "decode.hpp"
+#include "larger_tlb.hpp"
 #include "qemu_plugin.hpp"
 #include "recorder.hpp"
 
@@ -150,6 +151,7 @@ void watch(qemu_plugin_insn* translated) {
 }
 
 void on_translate(qemu_plugin_id_t /*id*/, qemu_plugin_tb* block) {
+  watch_supervisor_calls(block);
   const bool thumb = is_thumb(block);
   for (std::size_t index = 0; index < qemu_plugin_tb_n_insns(block); ++index) {
     qemu_plugin_insn* const translated = qemu_plugin_tb_get_insn(block, index);
