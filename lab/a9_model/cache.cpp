@@ -8,7 +8,8 @@ Cache::Cache(std::uint32_t bytes, std::uint32_t ways, Replacement replacement)
     : ways_(ways),
       set_mask_(bytes / ways / kLineBytes - 1),
       replacement_(replacement),
-      lines_(bytes / kLineBytes) {}
+      lines_(bytes / kLineBytes),
+      recent_(lines_.data()) {}
 
 Cache::Allocation Cache::allocate(LineAddress address) {
   Line& line = victim(&lines_[std::size_t{address & set_mask_} * ways_]);

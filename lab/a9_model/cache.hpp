@@ -29,14 +29,22 @@ class Cache {
 
   // The number of sets, bytes / ways / kLineBytes, is a power of two.
   Cache(std::uint32_t bytes, std::uint32_t ways, Replacement replacement);
+  Cache(const Cache&) = delete;
+  Cache& operator=(const Cache&) = delete;
+  ~Cache() = default;
 
   // The line, now the most recently used one of its set; null: not here. Valid until allocate().
   Line* find(LineAddress address) {
+    if (recent_->address == address && recent_->valid) {
+      recent_->used = ++clock_;
+      return recent_;
+    }
     Line* const set = &lines_[std::size_t{address & set_mask_} * ways_];
     for (std::uint32_t way = 0; way < ways_; ++way) {
       if (set[way].address == address && set[way].valid) {
         set[way].used = ++clock_;
-        return &set[way];
+        recent_ = &set[way];
+        return recent_;
       }
     }
     return nullptr;
@@ -59,6 +67,7 @@ class Cache {
   std::uint64_t clock_ = 0;
   std::uint32_t shift_register_ = 1;
   std::vector<Line> lines_;
+  Line* recent_;  // found last; it may have become another line
 };
 
 }  // namespace iog::a9_model

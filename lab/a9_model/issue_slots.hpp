@@ -15,6 +15,13 @@ class IssueSlots {
   // Takes one pipeline for some cycles in a row, as early as possible; says when that begins.
   Cycle take(Cycle from, std::uint32_t cycles = 1) {
     Cycle start = from;
+    if (cycles == 1) {
+      while (taken(start) >= pipelines_) {
+        ++start;
+      }
+      ++at(start);
+      return start;
+    }
     for (std::uint32_t done = 0; done < cycles;) {
       if (taken(start + done) < pipelines_) {
         ++done;

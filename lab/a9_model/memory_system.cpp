@@ -1,6 +1,7 @@
 #include "memory_system.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace iog::a9_model {
@@ -22,6 +23,7 @@ Cache::Replacement replacement(const Constants& constants) {
 
 MemorySystem::MemorySystem(const Constants& constants)
     : constants_(constants),
+      hazard_shift_(static_cast<std::uint32_t>(std::countr_zero(constants.store_hazard_bytes))),
       code_(kL1Bytes, kL1Ways, replacement(constants)),
       data_(kL1Bytes, kL1Ways, replacement(constants)),
       l2_(kL2Bytes, kL2Ways, replacement(constants)),
@@ -38,7 +40,7 @@ Cycle MemorySystem::load(std::uint32_t address, Cycle now) {
     ready = line->ready;
   }
   // A store on its way to the cache: its data is forwarded.
-  const std::uint32_t hazard = address / constants_.store_hazard_bytes;
+  const std::uint32_t hazard = hazard_of(address);
   for (std::uint32_t back = 1; back <= constants_.store_buffer; ++back) {
     const Slot& slot = slots_[(next_slot_ + slots_.size() - back) % slots_.size()];
     if (slot.hazard == hazard && slot.done > now) {
@@ -59,7 +61,7 @@ Cycle MemorySystem::store(std::uint32_t address, std::uint32_t bytes, Cycle now)
   Slot& newest = slots_[(next_slot_ + slots_.size() - 1) % slots_.size()];
   if (newest.doubleword == doubleword && newest.done > now) {
     newest.data = now;
-    newest.hazard = address / constants_.store_hazard_bytes;
+    newest.hazard = hazard_of(address);
     return now;
   }
   const Slot& oldest =
@@ -76,7 +78,7 @@ Cycle MemorySystem::store(std::uint32_t address, std::uint32_t bytes, Cycle now)
     done = std::max(done, line->ready);
   }
   slots_[next_slot_] = {.doubleword = doubleword,
-                        .hazard = address / constants_.store_hazard_bytes,
+                        .hazard = hazard_of(address),
                         .data = now,
                         .done = done};
   next_slot_ = (next_slot_ + 1) % slots_.size();

@@ -48,6 +48,9 @@ class MemorySystem {
     Cycle done = 0;                      // when it has been written
   };
 
+  [[nodiscard]] std::uint32_t hazard_of(std::uint32_t address) const {
+    return address >> hazard_shift_;
+  }
   Cache::Line* line_for_data(std::uint32_t address, Cycle now);
   struct Arrival {
     Cycle ready;
@@ -62,6 +65,7 @@ class MemorySystem {
   Cycle write_past_l1(LineAddress line, Cycle now);
 
   Constants constants_;
+  std::uint32_t hazard_shift_;
   Cache code_;
   Cache data_;
   Cache l2_;

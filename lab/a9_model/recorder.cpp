@@ -21,13 +21,19 @@ void print(std::ostream& out, std::string_view heading, std::string_view region,
 // A program that never returns, or one with computed returns, must not grow the stack for ever.
 constexpr std::size_t kMaxCalls = 4096;
 
+constexpr std::size_t place_of(std::uint32_t instruction) { return instruction / 4; }
+
 }  // namespace
 
 Recorder::Recorder(const Constants& constants, std::span<const Function> functions)
     : pipeline_(constants),
       marked_(kRegionIds),
       functions_(functions.begin(), functions.end()),
-      called_(functions.size()) {}
+      called_(functions.size()) {
+  for (const Function& function : functions_) {
+    maybe_entry_.set(place_of(function.entry) % maybe_entry_.size());
+  }
+}
 
 void Recorder::begin(const ProgramInstruction& instruction) {
   finish_last(instruction.address);
@@ -39,7 +45,8 @@ void Recorder::begin(const ProgramInstruction& instruction) {
   last_ = &instruction;
 }
 
-void Recorder::finish_last(std::uint32_t next) {
+// All of the model becomes one function: it is called for each instruction.
+[[gnu::flatten]] void Recorder::finish_last(std::uint32_t next) {
   if (last_ == nullptr) {
     return;
   }
@@ -82,14 +89,11 @@ void Recorder::follow_calls(const ProgramInstruction& from, std::uint32_t to) {
     if (returns_.size() < kMaxCalls) {
       returns_.push_back(from.address + 4);
     }
-  } else if (const auto found = std::find(returns_.rbegin(), returns_.rend(), to);
-             flow != Flow::kJump && found != returns_.rend()) {
-    returns_.erase(std::prev(found.base()), returns_.end());
-    while (!open_.empty() && returns_.size() < called_[open_.back()].depth) {
-      charge_innermost();
-      close(called_[open_.back()]);
-      open_.pop_back();
-    }
+  } else if (flow != Flow::kJump) {
+    follow_return(to);
+  }
+  if (!maybe_entry_[place_of(to) % maybe_entry_.size()]) {
+    return;
   }
   for (std::size_t index = 0; index < functions_.size(); ++index) {
     if (functions_[index].entry == to && called_[index].open == 0) {
@@ -98,6 +102,19 @@ void Recorder::follow_calls(const ProgramInstruction& from, std::uint32_t to) {
       open(called_[index]);
       open_.push_back(index);
     }
+  }
+}
+
+void Recorder::follow_return(std::uint32_t to) {
+  const auto found = std::find(returns_.rbegin(), returns_.rend(), to);
+  if (found == returns_.rend()) {
+    return;
+  }
+  returns_.erase(std::prev(found.base()), returns_.end());
+  while (!open_.empty() && returns_.size() < called_[open_.back()].depth) {
+    charge_innermost();
+    close(called_[open_.back()]);
+    open_.pop_back();
   }
 }
 

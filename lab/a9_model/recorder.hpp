@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <iosfwd>
 #include <span>
@@ -57,6 +58,7 @@ class Recorder {
   void finish_last(std::uint32_t next);
   void note_marker(std::uint8_t half);
   void follow_calls(const ProgramInstruction& from, std::uint32_t to);
+  void follow_return(std::uint32_t to);
   void open(Region& region);
   void close(Region& region);
   void charge_innermost();
@@ -73,6 +75,7 @@ class Recorder {
   int marker_ = -1;  // the upper half of a code, once it has been seen
   std::vector<Region> marked_;
   std::vector<Function> functions_;
+  std::bitset<4096> maybe_entry_;       // by the address: false where no function begins
   std::vector<Region> called_;          // parallel to functions_
   std::vector<std::uint32_t> returns_;  // where the calls under way will return to
   std::vector<std::size_t> open_;       // the functions under way, the innermost last
