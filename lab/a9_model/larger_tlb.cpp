@@ -1,10 +1,9 @@
 #include "larger_tlb.hpp"
 
-#include <dlfcn.h>
-
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <dlfcn.h>
 
 namespace iog::a9_model {
 namespace {

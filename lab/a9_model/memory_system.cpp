@@ -77,10 +77,8 @@ Cycle MemorySystem::store(std::uint32_t address, std::uint32_t bytes, Cycle now)
     line->dirty = true;
     done = std::max(done, line->ready);
   }
-  slots_[next_slot_] = {.doubleword = doubleword,
-                        .hazard = hazard_of(address),
-                        .data = now,
-                        .done = done};
+  slots_[next_slot_] = {
+      .doubleword = doubleword, .hazard = hazard_of(address), .data = now, .done = done};
   next_slot_ = (next_slot_ + 1) % slots_.size();
   return taken;
 }

@@ -128,13 +128,14 @@ constexpr std::uint8_t kFromRight = 2;
 constexpr std::uint8_t kFromBelow = 4;
 constexpr std::uint8_t kFromAbove = 8;
 
-bool is_between(std::uint8_t from) {
-  return (from & (kFromLeft | kFromRight)) == (kFromLeft | kFromRight) ||
-         (from & (kFromBelow | kFromAbove)) == (kFromBelow | kFromAbove);
+// 1 if it is: from the left and the right, or from below and above.
+std::uint32_t is_between(std::uint8_t from) {
+  static_assert(kFromRight == kFromLeft << 1 && kFromAbove == kFromBelow << 1);
+  return (from & from >> 1 & (kFromLeft | kFromBelow)) != 0 ? 1 : 0;
 }
 
 // From which sides a known cell is near, which may be the cell itself. Lines are followed away from
-// each side, with how far back the last known cell was.
+// each side, with where the last known cell was.
 class KnownSides {
  public:
   KnownSides(std::span<const std::int8_t> cells, std::size_t side, std::size_t reach)
@@ -143,10 +144,8 @@ class KnownSides {
     std::vector<std::uint8_t> from_above(side, kNoneYet);
     for (std::size_t row = 0; row < side; ++row) {
       follow_row(row * side, side);
-      for (std::size_t x = 0; x < side; ++x) {
-        visit(row * side + x, from_below[x], kFromBelow);
-        visit((side - 1 - row) * side + x, from_above[x], kFromAbove);
-      }
+      follow_columns(row * side, from_below, kFromBelow);
+      follow_columns((side - 1 - row) * side, from_above, kFromAbove);
     }
   }
 
@@ -156,18 +155,40 @@ class KnownSides {
   static constexpr std::uint8_t kNoneYet = 0xFF;
 
   void follow_row(std::size_t first, std::size_t side) {
-    std::uint8_t from_left = kNoneYet;
-    std::uint8_t from_right = kNoneYet;
+    const std::int8_t* const cells = &cells_[first];
+    std::uint8_t* const from = &from_[first];
+    const std::size_t reach = reach_;
+    const std::size_t none = 0 - std::size_t{kNoneYet};
+    std::size_t last = none;
     for (std::size_t x = 0; x < side; ++x) {
-      visit(first + x, from_left, kFromLeft);
-      visit(first + side - 1 - x, from_right, kFromRight);
+      last = cells[x] != 0 ? x : last;
+      from[x] = with(from[x], x - last <= reach, kFromLeft);
+    }
+    last = none;  // from the right end
+    for (std::size_t x = 0; x < side; ++x) {
+      const std::size_t mirrored = side - 1 - x;
+      last = cells[mirrored] != 0 ? x : last;
+      from[mirrored] = with(from[mirrored], x - last <= reach, kFromRight);
     }
   }
 
-  // back: cells since the last known one, at most kNoneYet.
-  void visit(std::size_t place, std::uint8_t& back, std::uint8_t bit) {
-    back = static_cast<std::uint8_t>(cells_[place] != 0 ? 0 : back + (back < kNoneYet ? 1 : 0));
-    from_[place] = static_cast<std::uint8_t>(from_[place] | (back <= reach_ ? bit : 0));
+  // All columns by one cell, which the compiler does for many at a time. backs: cells since the
+  // last known one, at most kNoneYet.
+  void follow_columns(std::size_t first, std::vector<std::uint8_t>& backs, std::uint8_t bit) {
+    const std::int8_t* const cells = &cells_[first];
+    std::uint8_t* const from = &from_[first];
+    std::uint8_t* const back = backs.data();
+    const std::uint8_t reach = reach_;
+    const std::size_t side = backs.size();
+    for (std::size_t x = 0; x < side; ++x) {
+      back[x] =
+          static_cast<std::uint8_t>(cells[x] != 0 ? 0 : back[x] + (back[x] < kNoneYet ? 1 : 0));
+      from[x] = with(from[x], back[x] <= reach, bit);
+    }
+  }
+
+  static std::uint8_t with(std::uint8_t from, bool is_near, std::uint8_t bit) {
+    return static_cast<std::uint8_t>(from | (is_near ? bit : 0));
   }
 
   std::span<const std::int8_t> cells_;
@@ -189,12 +210,16 @@ GapCounts gaps_in(std::span<const std::int8_t> cells, std::size_t side, const Ga
   std::size_t place = 0;
   for (std::int32_t y = -range.middle.y; place < cells.size(); ++y) {
     const std::size_t end = place + side;
+    std::uint32_t between = 0;
+    std::uint32_t unknown = 0;
     for (std::int32_t x = -range.middle.x; place < end; ++x, ++place) {
-      if (x * x + y * y >= range.far_cells * range.far_cells && is_between(from.at(place))) {
-        ++counts.between;
-        counts.unknown += cells[place] == 0 ? 1U : 0U;
-      }
+      const std::uint32_t is_far = x * x + y * y >= range.far_cells * range.far_cells ? 1 : 0;
+      const std::uint32_t counts_here = is_far & is_between(from.at(place));
+      between += counts_here;
+      unknown += cells[place] == 0 ? counts_here : 0;
     }
+    counts.between += between;
+    counts.unknown += unknown;
   }
   return counts;
 }
