@@ -8,6 +8,7 @@ units that turn in a9_turning.py.
 
 import concurrent.futures
 import dataclasses
+import os
 import pathlib
 import re
 import subprocess
@@ -304,15 +305,21 @@ def worst_names(place: Place) -> list[str]:
     return output_of(place.worst_frames, "--names").split()
 
 
-def worst_capture(place: Place, name: str) -> str:
-    capture = f"worst_{name}.pcap"
-    output_of(place.worst_frames, "--name", name, "--out", place.work / capture)
-    return capture
+def worst_capture(name: str) -> str:
+    return f"worst_{name}.pcap"
+
+
+def make_worst(place: Place) -> list[str]:
+    """Their captures; returns their names."""
+    names = worst_names(place)
+    for name in names:
+        output_of(place.worst_frames, "--name", name, "--out", place.work / worst_capture(name))
+    return names
 
 
 def worst_run(place: Place, name: str) -> list[Row]:
-    """Fails if a grid is not that of `iog fuse`."""
-    capture = worst_capture(place, name)
+    """Fails if a grid is not that of `iog fuse`; of make_worst()."""
+    capture = worst_capture(name)
     rows = frame_cost(place, f"worst={name}", capture, "raw", ALL_SENSORS)
     check_grids(place, rows, capture)
     return rows
@@ -335,11 +342,11 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
         for kind in worst:
             for paths, frames in (("kept", WORST_FRAMES), ("forgotten", 1)):
                 runs.append(lambda k=kind, v=variant, n=frames, p=paths: frame(
-                    place, f"frame_cost worst={k}", v, f"worst_{k}.pcap", ALL_SENSORS, n, p))
+                    place, f"frame_cost worst={k}", v, worst_capture(k), ALL_SENSORS, n, p))
         runs.append(lambda v=variant: walks(place, v))
     for kind in worst:
         runs.append(lambda k=kind: floor(
-            place, f"floor worst={k}", f"worst_{k}.pcap", WORST_FRAMES))
+            place, f"floor worst={k}", worst_capture(k), WORST_FRAMES))
     for scene, capture in scenes.items():
         runs.append(lambda s=scene, c=capture: frame(
             place, f"long_run scene={s}", "nominal", c, ALL_SENSORS, LONG_FRAMES, before=WARM_UP))
@@ -371,7 +378,14 @@ def few_frames(place: Place, scenes: dict[str, str]) -> list[Row]:
                  FEW_FRAMES)
 
 
-def results_of(runs: list, processors: int = 2) -> list[Row]:
-    """Their rows in the order of the runs, so many at a time."""
-    with concurrent.futures.ThreadPoolExecutor(processors) as pool:
-        return [row for rows in pool.map(lambda run: run(), runs) for row in rows]
+def results_of(parts: dict[str, list]) -> dict[str, list]:
+    """Of each part the rows in the order of its runs. As many at a time as the PC has processors,
+    begun in the order of the parts: the longest first, so that none is left alone at the end."""
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = {name: [pool.submit(run) for run in runs] for name, runs in parts.items()}
+        try:
+            return {name: [row for run in runs for row in run.result()]
+                    for name, runs in found.items()}
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise

@@ -91,8 +91,9 @@ class Runs(unittest.TestCase):
                               for run, *_ in stored if " worst=" in run)
         place = a9_runs.Place(*map(pathlib.Path, ("iog", "images", "model", "work")))
         with mock.patch.object(a9_runs, "modelled", nothing_modelled):
-            rows = a9_runs.results_of(a9_runs.modelled_runs(
-                place, {"city": "city.pcap", "ring_road": "ring_road.pcap"}, list(worst)))
+            rows = a9_runs.results_of({"modelled": a9_runs.modelled_runs(
+                place, {"city": "city.pcap", "ring_road": "ring_road.pcap"},
+                list(worst))})["modelled"]
         with mock.patch.object(a9_runs, "printed_by_model",
                                lambda *_: ["perception_cost groups_fused_after=0"]):
             for variant in a9_perception.VARIANTS:
@@ -108,8 +109,8 @@ class Runs(unittest.TestCase):
                 mock.patch.object(a9_runs, "printed_by_model",
                                   lambda *_: [f"modelled region={region} {nothing}"
                                               for region in a9_turning.REGIONS]):
-            rows += a9_runs.results_of(a9_turning.modelled_runs(
-                place, dict.fromkeys(a9_turning.VEHICLES, "drive.pcap")))
+            rows += a9_runs.results_of({"turning": a9_turning.modelled_runs(
+                place, dict.fromkeys(a9_turning.VEHICLES, "drive.pcap"))})["turning"]
         self.assertEqual([tuple(row[:4]) for row in rows],
                          [key for key in stored if key[2] != "counted"])
 
