@@ -35,7 +35,7 @@ struct Experiment {
   bool is_of_several_threads = false;  // and times them, so that no other may run beside it
 };
 
-// In the order of the page that shows them. Names are unique.
+// In the order in which they are begun. Names are unique.
 [[nodiscard]] std::span<const Experiment> all_experiments();
 
 }  // namespace iog::lab
