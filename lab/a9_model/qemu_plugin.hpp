@@ -1,4 +1,4 @@
-// The part of QEMU's plugin interface, version 1 (QEMU 4.2 to 8.x), that this plugin calls. Names
+// The part of QEMU's plugin interface, version 1 (QEMU 4.2 to 8.x), that these plugins call. Names
 // and types are those of QEMU's manual, "TCG Plugins"; qemu-system-arm exports the functions.
 // Debian installs no header for them.
 #pragma once
