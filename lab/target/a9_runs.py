@@ -329,7 +329,8 @@ def worst_run(place: Place, name: str) -> list[Row]:
 
 def check_grids(place: Place, rows: list[Row], capture: str,
                 vehicle: str = "reference_car") -> None:
-    report = output_of(place.iog, "fuse", "--pcap", place.work / capture, "--vehicle", vehicle)
+    option = "--vehicle-file" if vehicle.endswith(".toml") else "--vehicle"
+    report = output_of(place.iog, "fuse", "--pcap", place.work / capture, option, vehicle)
     expected = re.search(r"^run hash +(\w+)$", report, re.M).group(1)
     found = next(row.value for row in rows if row.counter == "run_hash")
     if found != expected:

@@ -1,12 +1,14 @@
 """The runs of lab/data/cortex_a9.csv that are of units that turn; a9_runs.py says what a run is.
 
-Whole frames are of drives of `iog simulate`, with tiles as the firmware sends them. Frames of
+Whole frames are of drives of `iog simulate`, with tiles as the firmware sends them, by the lines of
+the car and by lines of 50 m. Frames of
 turning_cost are made up: no wire format, no stream, ranges of 5 to 50 m at random.
 """
 
 import a9_runs
 
 VEHICLES = ("roof_vlp16", "roof_hdl32e", "roof_hdl64e")
+SHORT_LINES = "_50m"  # of the image and the car that lab/target/CMakeLists.txt makes of a car
 WARM_UP = 2
 FRAMES = 1
 # Layers, azimuths, way of firing, height band.
@@ -21,9 +23,12 @@ def drive(vehicle: str) -> str:
 
 def counted(place: a9_runs.Place, vehicle: str, capture: str) -> list[a9_runs.Row]:
     """Fails if a grid is not that of `iog fuse`."""
+    car = vehicle
+    if vehicle.endswith(SHORT_LINES):
+        car = str(place.images / f"vehicles/{vehicle}.toml")
     line, = a9_runs.counted(place, f"frame_cost-{vehicle}", capture, "shortest")
     rows = a9_runs.counted_rows(line, f"turning vehicle={vehicle}")
-    a9_runs.check_grids(place, rows, capture, vehicle)
+    a9_runs.check_grids(place, rows, capture, car)
     return rows
 
 
@@ -60,11 +65,20 @@ def made_up_modelled(place: a9_runs.Place, made_up: tuple[str, ...]) -> list[a9_
                                  a9_runs.with_whole(stages, "frame"))
 
 
+def images() -> list[str]:
+    return [vehicle + lines for vehicle in VEHICLES for lines in ("", SHORT_LINES)]
+
+
+def _of_images(place: a9_runs.Place, captures: dict[str, str], run) -> list:
+    return [lambda v=vehicle: run(place, v, captures[v.removesuffix(SHORT_LINES)])
+            for vehicle in images()]
+
+
 def counted_runs(place: a9_runs.Place, captures: dict[str, str]) -> list:
-    runs = [lambda v=vehicle, c=capture: counted(place, v, c) for vehicle, capture in captures.items()]
-    return runs + [lambda m=made_up: made_up_counted(place, m) for made_up in MADE_UP]
+    return (_of_images(place, captures, counted) +
+            [lambda m=made_up: made_up_counted(place, m) for made_up in MADE_UP])
 
 
 def modelled_runs(place: a9_runs.Place, captures: dict[str, str]) -> list:
-    runs = [lambda v=vehicle, c=capture: modelled(place, v, c) for vehicle, capture in captures.items()]
-    return runs + [lambda m=made_up: made_up_modelled(place, m) for made_up in MADE_UP]
+    return (_of_images(place, captures, modelled) +
+            [lambda m=made_up: made_up_modelled(place, m) for made_up in MADE_UP])
