@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -146,7 +147,7 @@ Bytes street() {
 constexpr int kFrames = tests::effort(50, 26);
 
 // Frames towards a wall, 30 m away. After each of them whoever sends pauses.
-StateList driven(const Bytes* map, TransformAt transform, std::uint64_t pause_us = 0) {
+StateList drive(const Bytes* map, TransformAt transform, std::uint64_t pause_us = 0) {
   const Car car(tests::OneLux::kVehicle, true);
   tests::FakePlatform platform;
   StateList states;
@@ -155,10 +156,10 @@ StateList driven(const Bytes* map, TransformAt transform, std::uint64_t pause_us
   if (map != nullptr) {
     pipeline->begin_with_map(*map);
   }
-  auto drive = drive_at_wall(kFrames);
-  std::ranges::stable_sort(drive, {}, &TimedDatagram::now_us);
+  auto datagrams = drive_at_wall(kFrames);
+  std::ranges::stable_sort(datagrams, {}, &TimedDatagram::now_us);
   std::uint64_t paused_us = 0;
-  for (TimedDatagram datagram : drive) {
+  for (TimedDatagram datagram : datagrams) {
     if (datagram.port == pose::kPosePort) {
       pose::Message message = pose::decode(datagram.bytes).message;
       message.map = transform((message.clock_us - testing::kStartUs) / testing::kPeriodUs);
@@ -177,6 +178,20 @@ StateList driven(const Bytes* map, TransformAt transform, std::uint64_t pause_us
   return states;
 }
 
+// Most tests compare the same drives, so each is made once.
+const StateList& driven_without_map() {
+  static const StateList states = drive(nullptr, steady);
+  return states;
+}
+const StateList& driven_with_map(TransformAt transform) {
+  static std::map<TransformAt, StateList> drives;
+  if (!drives.contains(transform)) {
+    const Bytes map = street();
+    drives.emplace(transform, drive(&map, transform));
+  }
+  return drives.at(transform);
+}
+
 std::size_t count(const Seen& seen, Class what) {
   std::size_t cells = 0;
   for (const auto& tile : seen.classes) {
@@ -187,11 +202,10 @@ std::size_t count(const Seen& seen, Class what) {
 }
 
 TEST(PerceptionMap, WhatIsKnownIsTheSameWithAnyMap) {
-  const Bytes map = street();
-  const StateList without = driven(nullptr, steady);
+  const StateList& without = driven_without_map();
   ASSERT_EQ(without.frames.size(), std::size_t{kFrames});
   for (const TransformAt transform : {&steady, &restless, &until_20}) {
-    const StateList with = driven(&map, transform);
+    const StateList& with = driven_with_map(transform);
     ASSERT_EQ(with.frames.size(), without.frames.size());
     for (std::size_t frame = 0; frame < with.frames.size(); ++frame) {
       ASSERT_EQ(with.frames[frame].state, without.frames[frame].state) << frame;
@@ -204,8 +218,8 @@ TEST(PerceptionMap, WhatIsKnownIsTheSameWithAnyMap) {
 // every name, is as without them.
 TEST(PerceptionMap, APauseLeavesNoTrace) {
   const Bytes map = street();
-  const StateList without = driven(&map, restless);
-  StateList with = driven(&map, restless, 300'000);
+  const StateList& without = driven_with_map(restless);
+  StateList with = drive(&map, restless, 300'000);
   EXPECT_GT(with.frames.size(), 2 * without.frames.size());
   std::erase_if(with.frames, [](const Seen& seen) { return !seen.is_placed; });
   ASSERT_EQ(with.frames.size(), without.frames.size());
@@ -219,17 +233,15 @@ TEST(PerceptionMap, APauseLeavesNoTrace) {
 }
 
 TEST(PerceptionMap, NamesAreAtOnceThoseOfTheMasksOfNow) {
-  const Bytes map = street();
   for (const TransformAt transform : {&steady, &restless, &until_20}) {
-    const StateList with = driven(&map, transform);
+    const StateList& with = driven_with_map(transform);
     EXPECT_EQ(with.wrong_names, 0U);
   }
 }
 
 TEST(PerceptionMap, NamesWhatTheSensorsSee) {
-  const Bytes map = street();
-  const StateList with = driven(&map, steady);
-  const StateList without = driven(nullptr, steady);
+  const StateList& with = driven_with_map(steady);
+  const StateList& without = driven_without_map();
   const Seen& named = with.frames.back();
   const Seen& unnamed = without.frames.back();
   EXPECT_EQ(named.map.cause, map::Cause::kNone);
@@ -248,9 +260,8 @@ TEST(PerceptionMap, NamesWhatTheSensorsSee) {
 }
 
 TEST(PerceptionMap, WithoutATransformClassesAreAtOnceAsWithoutAMap) {
-  const Bytes map = street();
-  const StateList with = driven(&map, until_20);
-  const StateList without = driven(nullptr, steady);
+  const StateList& with = driven_with_map(until_20);
+  const StateList& without = driven_without_map();
   for (std::size_t frame = 0; frame < without.frames.size(); ++frame) {
     const bool is_lost = with.frames[frame].map.cause == map::Cause::kNoTransform;
     ASSERT_EQ(is_lost, frame >= 20) << frame;

@@ -110,10 +110,16 @@ Played play(vehicle::Vehicle car, const std::vector<TimedDatagram>& drive, std::
           platform.fate_of_victim()};
 }
 
+// By one core that nothing happens to: what the others are compared with.
+const Played& three_turns_alone() {
+  static const Played alone = play(LevelVlp16::kVehicle, three_turns(), 1);
+  return alone;
+}
+
 class FuseDenseBy : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(FuseDenseBy, CoresGivesTheMessagesOfOne) {
-  const Played alone = play(LevelVlp16::kVehicle, three_turns(), 1);
+  const Played& alone = three_turns_alone();
   const Played together = play(LevelVlp16::kVehicle, three_turns(), GetParam());
   ASSERT_GE(alone.reports.size(), 3U);
   EXPECT_EQ(alone.reports[1].packets_fused, 150U);
@@ -147,7 +153,7 @@ TEST_P(FuseDenseBy, CoresDropsWhatOneDrops) {
   }
   car.sensors = sensors;
   const std::vector<TimedDatagram> drive = more_than_a_frame_marks();
-  const Played alone = play(car, drive, 1);
+  static const Played alone = play(car, drive, 1);
   const Played together = play(car, drive, GetParam());
   constexpr auto kNoRoom = static_cast<std::size_t>(intake::PacketDrop::kOverBudget);
   EXPECT_GT(alone.reports.back().packet_drops[kNoRoom], 10U);
@@ -161,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(TwoToFour, FuseDenseBy, ::testing::Values(2U, 3U, 4U));
 TEST(FuseDense, DelaysDoNotShow) {
   const Mishap delays{.delay_us = 300};
   EXPECT_TRUE(play(LevelVlp16::kVehicle, three_turns(), 4, delays).messages ==
-              play(LevelVlp16::kVehicle, three_turns(), 1).messages);
+              three_turns_alone().messages);
 }
 
 // Evidence of both signs that is added one after the other does not join of parts: core 0 alone.
@@ -185,7 +191,7 @@ TEST_P(FuseDenseDespite, TheLossOfACoreGivesTheMessagesOfOne) {
   const auto [accident, round] = GetParam();
   const Played hurt =
       play(LevelVlp16::kVehicle, three_turns(), 3, {.accident = accident, .round = round});
-  EXPECT_TRUE(hurt.messages == play(LevelVlp16::kVehicle, three_turns(), 1).messages);
+  EXPECT_TRUE(hurt.messages == three_turns_alone().messages);
   EXPECT_NE(hurt.fate, work::Loss::kNone);
 }
 

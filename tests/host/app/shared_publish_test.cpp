@@ -56,10 +56,13 @@ void play(int frames, SharingPlatform& platform) {
 
 constexpr int kFrames = 20;
 
-std::vector<Message> messages_of_one_core() {
-  SharingPlatform alone(1, kAnyTimeUs);
-  play(kFrames, alone);
-  return alone.messages;
+const std::vector<Message>& messages_of_one_core() {
+  static const std::vector<Message> messages = [] {
+    SharingPlatform alone(1, kAnyTimeUs);
+    play(kFrames, alone);
+    return alone.messages;
+  }();
+  return messages;
 }
 
 class PublishBy : public ::testing::TestWithParam<std::size_t> {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -64,9 +65,9 @@ std::size_t wrong_tiles(const GridFrame& frame) {
     if (is_right && classes.known_tiles.test(place.slot)) {
       is_right = classes.age_frames.at(place.slot) == FakeClassWorld::age_of(place.slot, number);
     }
-    for (std::size_t i = 0; i < 1024 && is_right; ++i) {
-      const auto shown = static_cast<std::byte>(classes.cells[(y + i / 32) * 1024 + x + i % 32]);
-      is_right = shown == (is_valid && cells ? (*cells)[i] : std::byte{0});
+    const auto expected = is_valid && cells ? *cells : FakeClassWorld::Cells{};
+    for (std::size_t row = 0; row < 32 && is_right; ++row) {
+      is_right = std::memcmp(&classes.cells[(y + row) * 1024 + x], &expected[32 * row], 32) == 0;
     }
     wrong += is_right ? 0U : 1U;
   }
