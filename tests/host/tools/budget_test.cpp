@@ -21,12 +21,12 @@ TEST(Budget, IsATenthOffTheWholeFramesThatItIsMadeOf) {
   }
 }
 
-// Frames that it is not made of: raw tiles leave the caches as they were, so fusing is cheaper, by
-// up to a third.
-TEST(Budget, IsUpToAThirdOffFusingAlone) {
+// Frames that it is not made of: raw tiles leave the caches as they were, so fusing is cheaper, and
+// the budget up to two fifths above it.
+TEST(Budget, IsUpToTwoFifthsOffFusingAlone) {
   for (const ModelledFrame& frame : kFusedFrames) {
     const double ms = typical_ms({.points = frame.points, .cells = frame.cells});
-    EXPECT_NEAR(ms / (frame.cycles / kCyclesPerMs), 1, 0.35) << frame.name;
+    EXPECT_NEAR(ms / (frame.cycles / kCyclesPerMs), 1, 0.40) << frame.name;
   }
 }
 
