@@ -9,6 +9,7 @@
 #include <span>
 
 #include "grid/free_steps.hpp"
+#include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::grid {
@@ -17,11 +18,11 @@ namespace iog::grid {
 class WaitingPoint {
  public:
   WaitingPoint() = default;
-  // along_mm is at most vehicle::kMaxRangeMm.
+  // along_mm is at most lidar::kMaxRangeMm.
   WaitingPoint(std::uint32_t along_mm, std::uint32_t layer, vehicle::Fate fate)
       : word_(static_cast<std::uint32_t>(fate) << kFateAt | layer << kLayerAt | along_mm) {}
 
-  [[nodiscard]] std::uint32_t along_mm() const { return word_ & vehicle::kMaxRangeMm; }
+  [[nodiscard]] std::uint32_t along_mm() const { return word_ & lidar::kMaxRangeMm; }
   [[nodiscard]] std::uint32_t layer() const {
     return word_ >> kLayerAt & (vehicle::kMaxLayers - 1);
   }
@@ -33,7 +34,7 @@ class WaitingPoint {
  private:
   static constexpr int kLayerAt = 20;
   static constexpr int kFateAt = 27;
-  static_assert(vehicle::kMaxRangeMm < 1U << kLayerAt &&
+  static_assert(lidar::kMaxRangeMm < 1U << kLayerAt &&
                 vehicle::kMaxLayers <= 1U << (kFateAt - kLayerAt) &&
                 vehicle::kFateCount <= 1U << (32 - kFateAt));
 

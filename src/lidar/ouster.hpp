@@ -11,6 +11,7 @@
 // moves a point by less than 1 mm.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -100,7 +101,7 @@ class OusterPacket {
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     const std::uint32_t range_mm = (word & profile.range_mask) << profile.range_shift;
-    return {.range_mm = corrected_range_mm(range_mm, laser.range_mm),
+    return {.range_mm = std::min(corrected_range_mm(range_mm, laser.range_mm), kMaxRangeMm),
             .azimuth_ticks = static_cast<std::uint16_t>(azimuth),
             .layer = static_cast<std::uint8_t>(row)};
   }

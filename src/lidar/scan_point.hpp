@@ -9,8 +9,11 @@
 
 namespace iog::lidar {
 
+// No unit sees as far. What a packet and its unit's correction make more of is this.
+inline constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
+
 struct ScanPoint {
-  std::uint32_t range_mm = 0;       // along the beam, 0: no return
+  std::uint32_t range_mm = 0;       // along the beam, 0: no return; at most kMaxRangeMm
   std::uint16_t azimuth_ticks = 0;  // 0 ... ticks_per_turn - 1 of its format
   std::uint8_t layer = 0;           // the elevation's place in the format's list
   std::uint8_t echo = 0;            // 0: the first echo of its beam, 1, 2: later ones

@@ -82,8 +82,8 @@ Ranges ranges_between(const RangeProducts& limits, std::int32_t extent, std::uin
 
 Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line) {
   const Ranges x =
-      ranges_between(sensor.on_car_x, extent(line.x()), sensor.range_min_mm, kMaxRangeMm);
-  if (x.first > kMaxRangeMm) {
+      ranges_between(sensor.on_car_x, extent(line.x()), sensor.range_min_mm, lidar::kMaxRangeMm);
+  if (x.first > lidar::kMaxRangeMm) {
     return {};
   }
   return ranges_between(sensor.on_car_y, extent(line.y()), x.first, x.first + x.width);

@@ -48,9 +48,6 @@ struct Beam {
   std::int32_t end_z;  // height of the line's end in subcells
 };
 
-// No wire format says more: a LUX counts 65,535 cm.
-inline constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
-
 // The ranges from one to another, mm, both included; or none.
 struct Ranges {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();

@@ -27,7 +27,7 @@ void check(unsigned mode, std::span<const std::byte> bytes) {
     decoder.for_each_point([&](const lidar::ScanPoint& point) {
       law(point.azimuth_ticks < Decoder::kTicksPerTurn, "an azimuth is within a turn");
       law(point.layer < kCorrections.size(), "a layer is one of the unit");
-      law(point.range_mm < (1U << 20) + 30'000, "a range has 20 bits, and is corrected");
+      law(point.range_mm <= lidar::kMaxRangeMm, "a range has 20 bits, corrected or not");
       ++count;
     });
     law(count == decoder.info().point_count && count > 0, "as many points as it says");

@@ -143,6 +143,17 @@ TEST(Ouster, RangesAreCorrectedByRow) {
   EXPECT_EQ(packet.points[3].range_mm, 0U);
 }
 
+// 20 bits are the most that a range has; with its correction it would have 21.
+TEST(Ouster, NoCorrectionTakesARangeBeyondTheFarthest) {
+  Sent sent{.rows = 16};
+  sent.ranges[0][1] = 0x0F'FFFF;
+  TestUnit unit(sent);
+  unit.correct_range(1, 10'000);
+  const Decoded packet(sent.bytes(), unit);
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  EXPECT_EQ(packet.points[1].range_mm, 0x0F'FFFFU);
+}
+
 // Software Manual, "Lidar Range to XYZ": theta = 360 deg (1 - id / W), a beam at theta minus its
 // own azimuth; the lidar's axes are the sensor's, turned by 180 deg. To a tick's rounding.
 TEST(Ouster, AzimuthsAreThoseOfTheManual) {
