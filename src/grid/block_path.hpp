@@ -72,7 +72,7 @@ class BlockPath {
   // The line's cells in its first block.
   [[nodiscard]] const LaneBytes& first_cells() const { return first_cells_; }
 
-  // The way through the blocks that were found, from the one with this offset: start_offset().
+  // The way through the blocks that were found. start: the first one as stored, at start_offset().
   [[nodiscard]] Way way_from(LaneBytes* start) const {
     const auto [u_stride, v_stride] = orientation_.strides(kBlockStride);
     return {kShapeMasks[orientation_.number()].data(),

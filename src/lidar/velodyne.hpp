@@ -161,8 +161,8 @@ class VelodyneDecoder : public VelodynePacket {
   // was kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
-    std::array<Firing, 2>
-        firings;  // a head that turns evenly has two steps, one more than the other
+    // A head that turns evenly has two steps from block to block, one more than the other.
+    std::array<Firing, 2> firings;
     for (std::size_t number = 0; number < kBlocks; ++number) {
       const Block its = block(kUnit, number);
       Firing& firing = firings[step(number) % 2];
