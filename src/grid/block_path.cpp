@@ -8,22 +8,19 @@
 namespace iog::grid {
 namespace {
 
-using vehicle::BeamLine;
-
 // The length of the longest line in subcells, and the columns in which its heights are asked for.
 // vehicle/compile.hpp sees to it that the error term fits, sqrt(2) L r < 2^31, and that a range is
 // at most 130 m. A path stays in the grid, but for a column of blocks before its start and one
 // behind its end.
-constexpr std::int64_t kLongestByError = (std::int64_t{1} << 31) / geometry::kResolution * 5 / 7;
-constexpr std::int64_t kLongestByRange =
-    std::int64_t{130'000} / geometry::kCellMm * geometry::kResolution + 1;
-constexpr std::uint32_t kLongest = std::min(kLongestByError, kLongestByRange);
+constexpr std::uint32_t kLongest =
+    std::min((std::int64_t{1} << 31) / geometry::kResolution * 5 / 7,
+             std::int64_t{130'000} / geometry::kCellMm * geometry::kResolution + 1);
 constexpr std::int32_t kMostColumns =
     std::min<std::int32_t>(geometry::kCellsPerSide, kLongest / geometry::kResolution + 1);
 static_assert(kMostColumns + 2 * kBlockSide <= std::int64_t{traversal::most_columns(kLongest)});
 }  // namespace
 
-void BlockPath::begin(const BeamLine& line) {
+void BlockPath::begin(const vehicle::BeamLine& line) {
   start_ = line.cell({});
   require(geometry::kGridArea.contains(start_));
   require(std::max(line.x().length(), line.y().length()) <= kLongest);
@@ -42,7 +39,7 @@ void BlockPath::begin(const BeamLine& line) {
 // The line is followed from where it would have entered the column of blocks that its start lies
 // in, had it come from further back. Its own cells are those from the start on. It may have come
 // through the block below, which is not on its path.
-void BlockPath::find_first_column(const BeamLine& line) {
+void BlockPath::find_first_column(const vehicle::BeamLine& line) {
   constexpr std::uint32_t kSide = kBlockSide;
   const std::uint32_t u_in_tile = orientation_.is_steep ? y_in_tile_ : x_in_tile_;
   const std::uint32_t v_in_tile = orientation_.is_steep ? x_in_tile_ : y_in_tile_;
@@ -59,11 +56,7 @@ void BlockPath::find_first_column(const BeamLine& line) {
     codes_[0] = codes_[1];
     --count_;
   }
-  const std::uint32_t start = orientation_.inner(before, v_in_tile % kSide);
-  const LaneBytes& after_start = kFromMasks[orientation_.quadrant()][start];
-  Lanes::load(kShapeMasks[orientation_.number()][codes_[0] / 2U])
-      .bit_and(Lanes::load(after_start))
-      .store(first_cells_);
+  start_mask_ = masks().from[orientation_.inner(before, v_in_tile % kSide)];
   if (traversal::starts_on_corner(line)) {
     skip_cell_above(before, v_in_tile % kSide);
   }
@@ -74,7 +67,7 @@ void BlockPath::find_first_column(const BeamLine& line) {
 // first one of another block, the line enters that block in the next column, if at all.
 void BlockPath::skip_cell_above(std::uint32_t u, std::uint32_t v) {
   if (v + 1 < kBlockSide) {
-    first_cells_.bytes[orientation_.inner(u, v + 1)] = 0;
+    start_mask_.bytes[orientation_.inner(u, v + 1)] = 0;
     return;
   }
   find_up_to(1);

@@ -19,12 +19,11 @@
 namespace iog::grid {
 
 // A place on the way through the blocks of a line: the block, its code, and the codes of the blocks
-// after it. A code says whether the next block lies u_stride or v_stride blocks (as stored)
-// further. The line's cells in a block are masks[code / 2].
+// after it. A code says along which stride (in blocks, as stored) the next block lies. The line's
+// cells in a block are masks[code / 2].
 struct Way {
   const LaneBytes* masks;
-  std::ptrdiff_t u_stride;
-  std::ptrdiff_t v_stride;
+  Orientation::Strides strides;
   LaneBytes* block;
   std::uint32_t code;
   const BlockCode* next_codes;
@@ -33,8 +32,8 @@ struct Way {
   // The block after this one. Both candidates are computed first, so that only the choice waits for
   // the code.
   [[nodiscard]] LaneBytes* next() const {
-    LaneBytes* const by_u = block + u_stride;
-    LaneBytes* const by_v = block + v_stride;
+    LaneBytes* const by_u = block + strides.u;
+    LaneBytes* const by_v = block + strides.v;
     return (code & 1U) != 0 ? by_v : by_u;
   }
   void step() {
@@ -69,17 +68,14 @@ class BlockPath {
 
   [[nodiscard]] const Orientation& orientation() const { return orientation_; }
 
-  // The line's cells in its first block.
-  [[nodiscard]] const LaneBytes& first_cells() const { return first_cells_; }
+  [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
+
+  // The mask of the first block's cells that are not before the line's start.
+  [[nodiscard]] const LaneBytes& start_mask() const { return start_mask_; }
 
   // The way through the blocks that were found. start: the first one as stored, at start_offset().
   [[nodiscard]] Way way_from(LaneBytes* start) const {
-    const auto [u_stride, v_stride] = orientation_.strides(kBlockStride);
-    return {kShapeMasks[orientation_.number()].data(),
-            u_stride,
-            v_stride,
-            start,
-            codes_[0],
+    return {masks().of_shape.data(), orientation_.strides(kBlockStride), start, codes_[0],
             &codes_[1]};
   }
 
@@ -98,9 +94,9 @@ class BlockPath {
     for (std::uint32_t column = 0;; ++column) {
       visit(static_cast<std::size_t>(tile));
       const auto risen = static_cast<std::uint32_t>(height >> (32 + geometry::kTileSideLog2));
-      const std::uint32_t next_row = column < columns ? risen : columns_x + columns_y - columns;
-      if (next_row != row) {
-        row = next_row;
+      const std::uint32_t last_row = column < columns ? risen : columns_x + columns_y - columns;
+      if (row != last_row) {
+        row = last_row;
         tile += along_v;
         visit(static_cast<std::size_t>(tile));
       }
@@ -116,7 +112,6 @@ class BlockPath {
   // A line runs one way on each axis. So it enters at most as many blocks as both axes have
   // together. A column of blocks is found at once: two codes are stored, even if one counts.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
-  static constexpr std::size_t kMaxCodes = kMaxBlocks + 1;
 
   void find_first_column(const vehicle::BeamLine& line);
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
@@ -132,8 +127,8 @@ class BlockPath {
   // Of the line where it leaves the first tile's columns, from the first tile's lowest row, in
   // 2^-32 rows.
   std::uint64_t height_at_tile_ = 0;
-  LaneBytes first_cells_;
-  std::array<BlockCode, kMaxCodes> codes_{};
+  LaneBytes start_mask_;
+  std::array<BlockCode, kMaxBlocks + 1> codes_{};
 };
 
 }  // namespace iog::grid

@@ -11,7 +11,7 @@ constexpr std::array<BlockColumn, 64> make_block_columns() {
   std::array<BlockColumn, 64> columns{};
   for (std::uint32_t i = 0; i < columns.size(); ++i) {
     std::uint32_t v = i / 16;
-    std::array<std::uint32_t, 2> shapes{shape_of(entered_from_the_left(v), 0)};
+    std::array<std::uint32_t, 2> shapes{shape_of(v, 0)};
     std::uint32_t first_u = 0;
     for (std::uint32_t u = 0; u < kSideCells; ++u) {
       if ((i >> (kSideCells - 1 - u) & 1U) != 0) {
@@ -31,49 +31,41 @@ constexpr std::array<BlockColumn, 64> make_block_columns() {
   return columns;
 }
 
-constexpr Orientation orientation_of(std::size_t number) {
-  return {.is_steep = (number & 4U) != 0,
-          .x_is_negative = (number & 1U) != 0,
-          .y_is_negative = (number & 2U) != 0};
-}
-
-constexpr ShapeMasks make_shape_masks(const Orientation& orientation) {
-  ShapeMasks masks{};
+// A line runs towards plus u and plus v only. So the cells that can still come after a cell are
+// those that are not before it on either axis.
+constexpr BlockMasks make_block_masks(const Orientation& orientation) {
+  BlockMasks masks;
   for (std::uint32_t shape = 0; shape < kShapeCount; ++shape) {
     const BlockEntry entry = shape >> 4;
     std::uint32_t u = entry < kSideCells ? 0 : entry - (kSideCells - 1);
     std::uint32_t v = entry < kSideCells ? entry : 0;
     for (std::uint32_t bits = shape & 15U; u < kSideCells && v < kSideCells; bits >>= 1, ++u) {
-      masks[shape].bytes[orientation.inner(u, v)] = -1;
+      masks.of_shape[shape].bytes[orientation.inner(u, v)] = -1;
       v += bits & 1U;
       if (v < kSideCells) {
-        masks[shape].bytes[orientation.inner(u, v)] = -1;
+        masks.of_shape[shape].bytes[orientation.inner(u, v)] = -1;
       }
     }
   }
-  return masks;
-}
-
-// A line runs towards plus u and plus v only. So the cells that can still come after a cell are
-// those that are not before it on either axis.
-constexpr InnerMasks make_inner_masks(const Orientation& orientation, bool with_itself) {
-  InnerMasks masks{};
   for (std::uint32_t cell = 0; cell < kLaneCount; ++cell) {
+    const std::uint32_t place = orientation.inner(cell % kSideCells, cell / kSideCells);
     for (std::uint32_t later = cell; later < kLaneCount; ++later) {
-      if (later % kSideCells >= cell % kSideCells && (with_itself || later != cell)) {
-        masks[orientation.inner(cell % kSideCells, cell / kSideCells)]
-            .bytes[orientation.inner(later % kSideCells, later / kSideCells)] = -1;
+      if (later % kSideCells >= cell % kSideCells) {
+        masks.from[place].bytes[orientation.inner(later % kSideCells, later / kSideCells)] = -1;
       }
     }
+    masks.after[place] = masks.from[place];
+    masks.after[place].bytes[place] = 0;
   }
   return masks;
 }
 
-template <std::size_t kCount, typename Make>
-constexpr auto of_each_orientation(Make&& make) {
-  std::array<decltype(make(Orientation{})), kCount> masks{};
-  for (std::size_t number = 0; number < kCount; ++number) {
-    masks[number] = make(orientation_of(number));
+constexpr std::array<BlockMasks, 8> make_all_block_masks() {
+  std::array<BlockMasks, 8> masks;
+  for (std::size_t number = 0; number < masks.size(); ++number) {
+    masks[number] = make_block_masks({.is_steep = (number & 4U) != 0,
+                                      .x_is_negative = (number & 1U) != 0,
+                                      .y_is_negative = (number & 2U) != 0});
   }
   return masks;
 }
@@ -81,10 +73,6 @@ constexpr auto of_each_orientation(Make&& make) {
 }  // namespace
 
 constexpr std::array<BlockColumn, 64> kBlockColumns = make_block_columns();
-constexpr std::array<ShapeMasks, 8> kShapeMasks = of_each_orientation<8>(make_shape_masks);
-constexpr std::array<InnerMasks, 4> kFromMasks =
-    of_each_orientation<4>([](const Orientation& its) { return make_inner_masks(its, true); });
-constexpr std::array<InnerMasks, 4> kAfterMasks =
-    of_each_orientation<4>([](const Orientation& its) { return make_inner_masks(its, false); });
+constexpr std::array<BlockMasks, 8> kBlockMasks = make_all_block_masks();
 
 }  // namespace iog::grid

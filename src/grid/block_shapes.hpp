@@ -29,8 +29,6 @@ namespace iog::grid {
 // The cell in which a line enters a block: 0 ... 3 is (u, v) = (0, entry), 4 ... 7 is (entry - 3,
 // 0).
 using BlockEntry = std::uint32_t;
-
-[[nodiscard]] constexpr BlockEntry entered_from_the_left(std::uint32_t v) { return v; }
 [[nodiscard]] constexpr BlockEntry entered_from_below(std::uint32_t u) {
   return u == 0 ? 0 : u + 3;
 }
@@ -60,10 +58,9 @@ struct Orientation {
   bool x_is_negative = false;
   bool y_is_negative = false;
 
-  [[nodiscard]] constexpr std::size_t quadrant() const {
-    return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U);
+  [[nodiscard]] constexpr std::size_t number() const {
+    return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U) + (is_steep ? 4U : 0U);
   }
-  [[nodiscard]] constexpr std::size_t number() const { return quadrant() + (is_steep ? 4U : 0U); }
   // How far the next place along u lies, and that along v, in rows of so many places.
   struct Strides {
     std::ptrdiff_t u;
@@ -86,20 +83,21 @@ struct Orientation {
   }
 };
 
-using ShapeMasks = std::array<LaneBytes, kShapeCount>;
-using InnerMasks = std::array<LaneBytes, kLaneCount>;
+// Cells of a block, for lines of one orientation. A byte is -1 for a cell that counts, else 0.
+struct BlockMasks {
+  // By shape: the cells through which the line goes.
+  std::array<LaneBytes, kShapeCount> of_shape{};
+  // By a cell's place in the block: the cells that a line can still go through from this cell on,
+  // itself included; and without itself.
+  std::array<LaneBytes, kLaneCount> from{};
+  std::array<LaneBytes, kLaneCount> after{};
+};
 
 // By v where the line enters the column of blocks from the left, times 16, and four bits, one for
 // each column of cells: set if the line crosses a border of v there, the first one uppermost.
 extern const std::array<BlockColumn, 64> kBlockColumns;
 
-// By Orientation::number(): the masks of the shapes. A byte of a mask is -1 if the line goes
-// through its cell, else 0.
-extern const std::array<ShapeMasks, 8> kShapeMasks;
-
-// By Orientation::quadrant() and a cell's place in the block: the cells that a line can still go
-// through from this cell on, itself included; and without itself.
-extern const std::array<InnerMasks, 4> kFromMasks;
-extern const std::array<InnerMasks, 4> kAfterMasks;
+// By Orientation::number().
+extern const std::array<BlockMasks, 8> kBlockMasks;
 
 }  // namespace iog::grid

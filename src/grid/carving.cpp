@@ -28,11 +28,9 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
 
   const traversal::Position corner = path.from_corner({});
   const Orientation orientation = path.orientation();
-  const std::uint32_t mirrored = orientation.inner_of(0, 0);
-  const InnerMasks& from_masks = kFromMasks[orientation.quadrant()];
-  const InnerMasks& after_masks = kAfterMasks[orientation.quadrant()];
+  const BlockMasks& masks = path.masks();
   Way way = path.way_from(grid.block_at(path.start_offset()));
-  const LaneBytes* cells = &path.first_cells();
+  Lanes cells = Lanes::load(way.cells()).bit_and(Lanes::load(path.start_mask()));
   std::uint32_t number = 0;
   std::int32_t freer = steps.from_start();
   Lanes amount = Lanes::all(amount_of(freer));
@@ -48,19 +46,19 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
     const std::uint32_t y = at.y + corner.y;
     const std::uint32_t its_number = x / kSide + y / kSide;
     if (its_number != number) {
-      carve_block(*way.block, Lanes::load(*cells), in_block);
+      carve_block(*way.block, cells, in_block);
       carve_run(way, its_number - number - 1, amount);
       way.step();
-      cells = &way.cells();
+      cells = Lanes::load(way.cells());
       number = its_number;
       in_block = amount;
     }
     amount = Lanes::all(amount_of(freer));
-    const std::uint32_t inner = (kSide * (y % kSide) + x % kSide) ^ mirrored;
-    const Lanes rest = Lanes::load((point.is_after() ? after_masks : from_masks)[inner]);
+    const std::uint32_t inner = orientation.inner_of(x % kSide, y % kSide);
+    const Lanes rest = Lanes::load((point.is_after() ? masks.after : masks.from)[inner]);
     in_block = in_block.and_not(rest).bit_or(amount.bit_and(rest));
   });
-  carve_block(*way.block, Lanes::load(*cells), in_block);
+  carve_block(*way.block, cells, in_block);
 }
 
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,

@@ -67,19 +67,17 @@ template <std::int32_t kResolution>
   const std::int32_t error = (is_steep ? -line.error({}) : line.error({})) - (starts_above ? 1 : 0);
   std::int32_t y = numeric::div_floor(error, kResolution) + around - rise -
                    static_cast<std::int32_t>(columns_before) * rise;
-  Dda dda;
-  for (; y < 0; --dda.row) {
+  std::int32_t row = 0;
+  for (; y < 0; --row) {
     y += around;
   }
   if (rise == around) {
-    dda.phase = std::uint32_t{1} << 31;
-    dda.step = std::numeric_limits<std::uint32_t>::max();
-    return dda;
+    return {row, std::uint32_t{1} << 31, std::numeric_limits<std::uint32_t>::max()};
   }
   const numeric::Divisor divisor(u.length());
-  dda.phase = divisor.divide(std::uint64_t{static_cast<std::uint32_t>(y)} << 32) + 1;
-  dda.step = divisor.divide(std::uint64_t{v.length()} << 32) + 1;
-  return dda;
+  const std::uint64_t height = static_cast<std::uint32_t>(y);
+  return {row, divisor.divide(height << 32) + 1,
+          divisor.divide(std::uint64_t{v.length()} << 32) + 1};
 }
 
 }  // namespace iog::traversal

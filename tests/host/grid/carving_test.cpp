@@ -62,9 +62,14 @@ std::vector<Position> positions_of(const BeamLine& line, const std::vector<Cell>
   return positions;
 }
 
-const LaneBytes& cells_of(const BlockPath& path, std::uint32_t block) {
+LaneBytes cells_of(const BlockPath& path, std::uint32_t block) {
   const Way way = path.way_from(nullptr);
-  return block == 0 ? path.first_cells() : way.masks[way.next_codes[block - 1] / 2U];
+  if (block > 0) {
+    return way.masks[way.next_codes[block - 1] / 2U];
+  }
+  LaneBytes cells;
+  Lanes::load(way.cells()).bit_and(Lanes::load(path.start_mask())).store(cells);
+  return cells;
 }
 
 // The cells of a path, one block after the other, are those of the walk, in the order of blocks.

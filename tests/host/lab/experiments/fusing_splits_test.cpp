@@ -56,7 +56,7 @@ std::vector<std::uint32_t> blocks_of(grid::BlockPath& path, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto number = static_cast<std::uint32_t>(stored);
     blocks.push_back(number / grid::kBlockStride * 256 + number % grid::kBlockStride);
-    stored += (codes[i] & 1U) != 0 ? way.v_stride : way.u_stride;
+    stored += (codes[i] & 1U) != 0 ? way.strides.v : way.strides.u;
   }
   return blocks;
 }
