@@ -108,16 +108,20 @@ bool KeptAzimuth::find_common(std::uint32_t cells) {
   return is_so;
 }
 
-BeamLines::BeamLines(std::span<const Sensor> sensors) : first_sensor_(sensors.data()) {
-  places_per_sensor_ =
-      static_cast<std::uint32_t>(kPlaces / std::bit_ceil(std::max<std::size_t>(sensors.size(), 1)));
-}
+// A LUX sees 110 degrees, which are 3,520 of its steps. Its places are those of 4,096 steps that
+// follow one another.
+BeamLines::BeamLines(std::span<const Sensor> sensors)
+    : first_sensor_(sensors.data()),
+      places_per_sensor_(kPlaces / std::bit_ceil(static_cast<std::uint32_t>(sensors.size()))),
+      steps_per_place_log2_(
+          static_cast<std::uint32_t>(std::countr_zero(4096 / places_per_sensor_))) {}
 
-// The azimuths of a LUX differ by multiples of a quarter of a degree. They have different places as
-// long as there are enough places.
 KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint32_t step) {
   const auto number = static_cast<std::uint32_t>(&sensor - first_sensor_);
-  const std::uint32_t place = (step / 8U ^ step / 2048U) & (places_per_sensor_ - 1);
+  // What lies to the right of a sensor comes before what lies to its left.
+  const std::uint32_t turn = sensor.azimuths.steps_per_turn();
+  const std::uint32_t in_order = step < turn / 2 ? step + turn : step;
+  const std::uint32_t place = in_order >> steps_per_place_log2_ & (places_per_sensor_ - 1);
   KeptAzimuth& azimuth = azimuths_[number * places_per_sensor_ + place];
   if (!azimuth.is_of(sensor, step)) {
     azimuth.begin(sensor, step);

@@ -188,7 +188,8 @@ class KeptAzimuth {
   std::array<KeptLine, kMaxLines> lines_;
 };
 
-// A fixed number of azimuths for each sensor; each has one place.
+// A fixed number of azimuths for each sensor; each has one place. Those of a LUX in steps of a
+// quarter of a degree have different places, if there are at most four.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);
@@ -199,10 +200,11 @@ class BeamLines {
   void forget();
 
  private:
-  static constexpr std::size_t kPlaces = 2048;
+  static constexpr std::uint32_t kPlaces = 2048;
 
   const vehicle::Sensor* first_sensor_;
-  std::uint32_t places_per_sensor_ = kPlaces;  // a power of two
+  std::uint32_t places_per_sensor_;  // a power of two
+  std::uint32_t steps_per_place_log2_;
   std::array<KeptAzimuth, kPlaces> azimuths_;
 };
 
