@@ -17,8 +17,8 @@ class Goal:
     ratio: float  # at least so many times our time
 
 
-GOALS = (Goal("mrpt", "fuse", 3), Goal("octomap_clouds", "both", 400),
-         Goal("octomap_rays", "both", 1000))
+GOALS = (Goal("mrpt", "fuse", 4), Goal("octomap_clouds", "both", 400),
+         Goal("octomap_rays", "both", 600))
 # In the order of the page.
 NAMES = {
     OURS: "**ours**, hits_win",

@@ -94,7 +94,7 @@ def pairs_of(line: str) -> dict[str, str]:
 # What an image prints to say which run its line is of.
 NAMING = {"frame_cost": ("sensors",), "traversal_cost": ("walk", "r"),
           "many_core": ("approach", "cell_mm"), "perception_cost": (), "map_cost": (),
-          "printed_cost": ("extent",),
+          "printed_cost": ("extent",), "path_cost": (),
           "scaling": ("cells_per_side", "cell_mm", "sensors", "azimuths", "range_cm")}
 # fuse_sum, fuse_min, fuse_max: of a stage over its frames. A mean follows from the sum.
 OF_FRAMES = re.compile(r"(\w+)_(sum|min|max)")
@@ -298,6 +298,7 @@ def counted_runs(place: Place, scenes: dict[str, str], ring_road_sensors=(2, 3, 
     runs += [lambda s=scene, c=capture: serial_cost(place, s, c)
              for scene, capture in scenes.items()]
     runs.append(lambda: named_by_itself(place, "traversal_cost"))
+    runs.append(lambda: named_by_itself(place, "path_cost"))
     runs.append(lambda: named_by_itself(place, "many_core", scenes["city"]))
     runs.append(lambda: printed_cost(place, "ring_road", scenes["ring_road"]))
     return runs
