@@ -13,7 +13,7 @@ std::uint16_t half_at(std::span<const std::byte> bytes, std::size_t offset) {
   return wire::load_le16(bytes.subspan(offset).first<2>());
 }
 
-std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
+std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t offset) {
   return wire::load_le32(bytes.subspan(offset).first<4>());
 }
 
@@ -42,12 +42,12 @@ OusterPacket::Column OusterPacket::column_at(const OusterProfile& profile,
   const std::size_t column_bytes = profile.column_bytes(corrections_.size());
   const auto bytes = packet_.subspan(profile.header_bytes + column * column_bytes, column_bytes);
   Column it;
-  it.time_ns = word_at(bytes, 0) | std::uint64_t{word_at(bytes, 4)} << 32;
+  it.time_ns = number_at(bytes, 0) | std::uint64_t{number_at(bytes, 4)} << 32;
   it.number = half_at(bytes, 8);
   if (profile.is_legacy()) {
     it.frame = half_at(bytes, 10);
-    it.encoder = word_at(bytes, 12);
-    it.is_measured = word_at(bytes, column_bytes - 4) == kMeasuredLegacy;
+    it.encoder = number_at(bytes, 12);
+    it.is_measured = number_at(bytes, column_bytes - 4) == kMeasuredLegacy;
   } else {
     it.frame = half_at(packet_, 2);
     it.is_measured = (half_at(bytes, 10) & kMeasured) != 0;
