@@ -1,16 +1,19 @@
 // The azimuths to which a sensor's points are rounded (docs/model.md section 5).
 //
 // Azimuth t, one of T ticks of a turn, is rounded to the nearest of N steps, a tie upwards:
-//     floor(t N / T + 1 / 2) = floor((2 t N' + T') / 2 T')   with N' = N / g, T' = T / g,
-// g their greatest common divisor; a whole turn is step 0 again. Where N = T, steps are ticks.
+//     floor(t N / T + 1 / 2);
+// a whole turn is step 0 again. Where N = T, steps are ticks.
 //
-// Range: 2 (T - 1) N' + T' < 2^31, which is_valid() says.
+// With one product of two words. Let s be as large as m = ceil(2^(16 + s) N / T) < 2^32 allows.
+// Then
+//     floor((2^16 t m + 2^(31 + s)) / 2^(32 + s))
+// is that step. m is too large by less than 1, so the quotient is by less than t / 2^(16 + s). Let
+// T' = T / gcd(T, N). What is rounded down is a multiple of 1 / 2T', so nothing shows as long as
+// (T - 1) 2T' <= 2^(16 + s). is_valid() says so, and that no word overflows.
 #pragma once
 
 #include <cstdint>
 #include <numeric>
-
-#include "numeric/reciprocal.hpp"
 
 namespace iog::vehicle {
 
@@ -19,15 +22,21 @@ class AzimuthSteps {
   constexpr AzimuthSteps() = default;
   // Both are above 0 and below 2^30.
   constexpr AzimuthSteps(std::uint32_t ticks_per_turn, std::uint32_t steps_per_turn)
-      : ticks_per_turn_(ticks_per_turn), steps_per_turn_(steps_per_turn) {
-    const std::uint32_t divisor = std::gcd(ticks_per_turn, steps_per_turn);
-    half_ = ticks_per_turn / divisor;
-    factor_ = 2 * (steps_per_turn / divisor);
-    whole_ = numeric::Reciprocal(2 * half_);
+      : ticks_per_turn_(ticks_per_turn), steps_per_turn_(steps_per_turn), shift_(1) {
+    while (std::uint64_t{steps_per_turn} << (17 + shift_) < std::uint64_t{ticks_per_turn} << 32) {
+      ++shift_;
+    }
+    factor_ = static_cast<std::uint32_t>(
+        ((std::uint64_t{steps_per_turn} << (16 + shift_)) + ticks_per_turn - 1) / ticks_per_turn);
+    half_ = std::uint32_t{1} << (shift_ - 1);
   }
 
   [[nodiscard]] constexpr bool is_valid() const {
-    return std::uint64_t{ticks_per_turn_ - 1} * factor_ + half_ < std::uint64_t{1} << 31;
+    const std::uint64_t last = ticks_per_turn_ - 1;
+    const std::uint64_t parts =
+        std::uint64_t{2} * (ticks_per_turn_ / std::gcd(ticks_per_turn_, steps_per_turn_));
+    return last < 1U << 16 && last * parts <= std::uint64_t{1} << (16 + shift_) &&
+           last * factor_ + (std::uint64_t{half_} << 16) < std::uint64_t{1} << 48;
   }
 
   [[nodiscard]] constexpr std::uint32_t ticks_per_turn() const { return ticks_per_turn_; }
@@ -35,16 +44,18 @@ class AzimuthSteps {
 
   // The step of an azimuth: 0 ... steps_per_turn() - 1. azimuth_ticks < one turn.
   [[nodiscard]] constexpr std::uint32_t nearest(std::uint32_t azimuth_ticks) const {
-    const std::uint32_t step = whole_.divide(azimuth_ticks * factor_ + half_);
-    return step - (step == steps_per_turn_ ? step : 0);
+    const std::uint64_t sum =
+        std::uint64_t{azimuth_ticks << 16} * factor_ + (std::uint64_t{half_} << 32);
+    const std::uint32_t step = static_cast<std::uint32_t>(sum >> 32) >> shift_;
+    return step == steps_per_turn_ ? 0 : step;
   }
 
  private:
   std::uint32_t ticks_per_turn_ = 1;
   std::uint32_t steps_per_turn_ = 1;
-  std::uint32_t factor_ = 2;
-  std::uint32_t half_ = 1;
-  numeric::Reciprocal whole_{2};
+  int shift_ = 15;
+  std::uint32_t factor_ = std::uint32_t{1} << 31;
+  std::uint32_t half_ = std::uint32_t{1} << 14;
 };
 
 }  // namespace iog::vehicle

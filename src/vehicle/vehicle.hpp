@@ -41,9 +41,12 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// How far a range gets along a line, rounded down. The share is in units of 2^-30.
+// How far a range gets along a line, rounded down. The share is in units of 2^-30, and the range
+// below 2^30, so that the upper word of one product of words is the answer.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
-  return static_cast<std::uint32_t>(std::uint64_t{range_mm} * share >> numeric::kSineFractionBits);
+  constexpr int kWordBits = 32;
+  const std::uint32_t scaled = range_mm << (kWordBits - numeric::kSineFractionBits);
+  return static_cast<std::uint32_t>(std::uint64_t{scaled} * share >> kWordBits);
 }
 
 struct Layer {
