@@ -109,17 +109,16 @@ class VelodynePacket {
       point.range_mm =
           range_of_echo(point.range_mm, range_mm(unit, block.other, channel), point.echo);
     }
-    std::int32_t clockwise = block.azimuth + firing.ticks[channel];
+    std::int32_t azimuth = kTicksPerTurn - block.azimuth - firing.ticks[channel];
     if (!block.corrections.empty()) {
       const LaserCorrection& laser = block.corrections[channel % unit.layers];
-      clockwise -= laser.azimuth_ticks;
+      azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // An azimuth below a turn, 3 degrees of turning and at most 34.2 of offsets: one turn off.
-    clockwise += clockwise < 0 ? kTicksPerTurn : 0;
-    clockwise -= clockwise >= kTicksPerTurn ? kTicksPerTurn : 0;
-    point.azimuth_ticks =
-        static_cast<std::uint16_t>(clockwise == 0 ? 0 : kTicksPerTurn - clockwise);
+    // An azimuth of up to a turn, 3 degrees of turning and at most 34.2 of offsets: one turn off.
+    azimuth += azimuth < 0 ? kTicksPerTurn : 0;
+    azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
+    point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);
     return point;
   }
 
