@@ -38,12 +38,24 @@ class BandLimits {
     }
     return {is_from_start_ ? part.first
                            : std::max(part.first, Between::before(ruler.through(from_, line))),
-            std::min(part.end, Between::after(ruler.before(to_, line)))};
+            end_within(part, line, ruler)};
+  }
+  // Where it ends, if it is not empty.
+  [[nodiscard]] Between end_within(const LinePart& part, const vehicle::BeamLine& line,
+                                   const traversal::Ruler<geometry::kResolution>& ruler) const {
+    return std::max(part.first, std::min(part.end, Between::after(ruler.before(to_, line))));
   }
 
   // Points at this distance and beyond leave all of that part free: even the zones before them are
   // behind it.
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
+
+  // Whether it ends farther along a line than that of another layer.
+  [[nodiscard]] bool ends_behind(const BandLimits& other) const {
+    const traversal::Share& its = to_.share();
+    const traversal::Share& others = other.to_.share();
+    return its.numerator * others.denominator > others.numerator * its.denominator;
+  }
 
  private:
   traversal::MeasuredShare to_;
@@ -73,6 +85,10 @@ class KeptLine {
   // The part of that in which a beam is in the height band.
   [[nodiscard]] LinePart in_band(const BandLimits& limits) const {
     return limits.within(in_grid_, line_, ruler_);
+  }
+  // The end of that part, if it is not empty.
+  [[nodiscard]] Between end_in_band(const BandLimits& limits) const {
+    return limits.end_within(in_grid_, line_, ruler_);
   }
 
   // Whether the line has a path: if it begins in the grid and meets no corner.

@@ -21,31 +21,24 @@ void Carver::begin_turning(const Sensor& sensor) {
   carve_waiting();
   sensor_ = &sensor;
   kept_ = nullptr;
-  turn_lines_at_hand_ = turn_lines_.lines_of(sensor);
-  turn_layers_at_hand_ = turn_lines_.layers_of(sensor);
+  turn_layers_at_hand_ = &turn_lines_.layers_of(sensor);
 }
 
 // Another line in its place is carved and makes room.
 void Carver::begin_line(std::uint32_t azimuth_step) {
-  waiting_lines_.take(azimuth_step, [&](std::uint32_t step, std::span<const WaitingPoint> points) {
-    carve_turn(step, points);
-  });
-  TurnLine& turn = turn_lines_at_hand_[azimuth_step];
-  if (!turn.is_found) {
-    TurnLines::find(*sensor_, azimuth_step, turn);
-  }
-  waiting_lines_.begin(azimuth_step, turn.on_car);
+  waiting_lines_.take(azimuth_step, [&](auto&&... line) { carve_turn(line...); });
+  waiting_lines_.begin(azimuth_step, turn_lines_.on_car(*sensor_, azimuth_step));
 }
 
 // A point that is not a millimetre away has nothing before it to carve.
 void Carver::mark_at_start(std::uint32_t azimuth_step) {
-  const KeptLine& line = turn_lines_at_hand_[azimuth_step].line;
+  const KeptLine& line = turn_lines_.line(*sensor_, azimuth_step);
   marks_->mark(*sensor_, line, line.through(*sensor_, 0), 0);
 }
 
 void Carver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {
   carve_waiting();
-  turn_lines_at_hand_ = nullptr;
+  turn_layers_at_hand_ = nullptr;
   sensor_ = &sensor;
   azimuth_ticks_ = azimuth_ticks;
   further_found_ = 0;
@@ -94,15 +87,23 @@ KeptLine& Carver::further_line(const vehicle::Layer& layer) {
 // begins in the cell that holds the point at (k - 2) Delta, here b.
 inline void Carver::carve_later(FreeSteps& steps, const KeptLine& line, const LinePart& part,
                                 std::uint32_t range_mm) const {
+  steps.begin_beam(part.first, -sensor_->profile.free);
+  add_zones(steps, line, part, range_mm);
+  steps.end_beam(part.end);
+}
+
+// The changes behind the beginning.
+inline void Carver::add_zones(FreeSteps& steps, const KeptLine& line, const LinePart& part,
+                              std::uint32_t range_mm) const {
   const sensor_model::Profile& profile = sensor_->profile;
   std::int32_t freer = -profile.free;
-  steps.begin_beam(part.first, freer);
   const std::uint32_t k = sensor_->precision.divide(range_mm);
-  for (std::uint32_t back = range_mm > 0 ? profile.near_before_count : 0; back > 0; --back) {
+  const std::uint32_t delta_mm = sensor_->precision_mm;
+  const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
+  std::uint32_t begin_mm = (k - zones) * delta_mm;
+  for (std::uint32_t back = zones; back > 0; --back, begin_mm += delta_mm) {
     // 1D cells from k - back on, which begin at (k - back) Delta.
-    const Between zone =
-        k < back ? part.first
-                 : Between::before(line.through(*sensor_, (k - back) * sensor_->precision_mm));
+    const Between zone = k < back ? part.first : Between::before(line.through(*sensor_, begin_mm));
     const std::int32_t in_zone = -profile.near_before[back - 1];
     steps.add(std::clamp(zone, part.first, part.end), in_zone - freer);
     freer = in_zone;
@@ -110,7 +111,6 @@ inline void Carver::carve_later(FreeSteps& steps, const KeptLine& line, const Li
   if (freer != 0) {
     steps.add(part.end, -freer);
   }
-  steps.end_beam(part.end);
 }
 
 // Carves and marks as its fate says.
@@ -192,32 +192,85 @@ void Carver::carve_waiting() {
   while (lines_in_use_ != 0) {
     carve_place(static_cast<std::uint32_t>(std::countr_zero(lines_in_use_)));
   }
-  if (turn_lines_at_hand_ != nullptr) {
-    waiting_lines_.take_all([&](std::uint32_t step, std::span<const WaitingPoint> points) {
-      carve_turn(step, points);
-    });
+  if (turn_layers_at_hand_ != nullptr) {
+    waiting_lines_.take_all([&](auto&&... line) { carve_turn(line...); });
   }
 }
 
 // Only one such line is carved at a time: it takes the steps of a line of which none waits.
-void Carver::carve_turn(std::uint32_t azimuth_step, std::span<const WaitingPoint> points) {
-  KeptLine& line = turn_lines_at_hand_[azimuth_step].line;
+void Carver::carve_turn(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
+                        const RankSet& behind_band) {
+  KeptLine& line = turn_lines_.line(*sensor_, azimuth_step);
   FreeSteps& steps = open_lines_[0].steps;
   steps.begin_at(line.in_grid().first);
-  for (const WaitingPoint point : points) {
-    const TurnLayer& layer = turn_layers_at_hand_[point.layer()];
-    const std::uint32_t reach_mm = std::min(point.along_mm(), sensor_->range.mm());
-    take(TurnBeam(line, layer),
-         {.fate = point.fate(),
-          .carves = point.carves(),
-          .marks = point.marks(),
-          .is_whole_in_band =
-              reach_mm > 0 && layer.in_band.first == 0 && layer.in_band.contain(reach_mm)},
-         point.along_mm());
-  }
+  const std::uint32_t far_hits = take_points(steps, line, points);
+  take_behind_band(steps, line, behind_band, far_hits);
   if (!steps.is_empty()) {
     carve(line, steps);
   }
+}
+
+// Returns how many of them are hits at TurnLayers::far_mm or beyond. Nearly all are hits, whose
+// beams are in the band from the start.
+std::uint32_t Carver::take_points(FreeSteps& steps, const KeptLine& line,
+                                  std::span<const WaitingPoint> points) {
+  const TurnLayers& turn = *turn_layers_at_hand_;
+  const LinePart in_grid = line.in_grid();
+  std::uint32_t beams = 0;
+  std::uint32_t far_hits = 0;
+  Between last = in_grid.first;
+  for (const WaitingPoint point : points) {
+    if (point.fate() != vehicle::Fate::kUsed || !turn.start_in_band) {
+      take_rare(line, point);
+      continue;
+    }
+    const std::uint32_t range_mm = point.along_mm();
+    const Position hit = line.through(*sensor_, range_mm);
+    const LinePart part{in_grid.first, std::min(in_grid.end, Between::before(hit))};
+    if (!part.is_empty()) {
+      add_zones(steps, line, part, range_mm);
+      last = std::max(last, part.end);
+      ++beams;
+      far_hits += range_mm >= turn.far_mm ? 1U : 0U;
+    }
+    marks_->mark(*sensor_, line, hit, range_mm);
+  }
+  steps.add_beams(beams, -sensor_->profile.free, last);
+  return far_hits;
+}
+
+// What a beam frees, those of lower rank free, too, and from some rank on so do far hits. After
+// enough of them it adds nothing, and neither does one of higher rank.
+void Carver::take_behind_band(FreeSteps& steps, const KeptLine& line, const RankSet& ranks,
+                              std::uint32_t far_hits) const {
+  const TurnLayers& turn = *turn_layers_at_hand_;
+  const std::int32_t freer = -sensor_->profile.free;
+  std::uint32_t beams = 0;
+  Between last = line.in_grid().first;
+  ranks.visit_while([&](std::uint32_t rank) {
+    if (beams + (rank < turn.near_rank ? 0 : far_hits) >= turn.enough_beams) {
+      return false;
+    }
+    const Between end = line.end_in_band(turn.layers[turn.by_rank[rank]].band);
+    steps.add(end, -freer);
+    last = std::max(last, end);
+    ++beams;
+    return true;
+  });
+  steps.add_beams(beams, freer, last);
+}
+
+// What is no hit with all of its beam in the band, and carves or marks nevertheless.
+void Carver::take_rare(const KeptLine& line, WaitingPoint point) {
+  const TurnLayer& layer = turn_layers_at_hand_->layers[point.layer()];
+  const std::uint32_t reach_mm = std::min(point.along_mm(), sensor_->range.mm());
+  take(TurnBeam(line, layer),
+       {.fate = point.fate(),
+        .carves = point.carves(),
+        .marks = point.marks(),
+        .is_whole_in_band =
+            reach_mm > 0 && layer.in_band.first == 0 && layer.in_band.contain(reach_mm)},
+       point.along_mm());
 }
 
 void Carver::carve(KeptLine& line, FreeSteps& steps) {

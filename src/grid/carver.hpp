@@ -40,7 +40,7 @@ class Carver {
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
-      packet.for_each_point([&count, turn = turn_to(sensor)](const lidar::ScanPoint& point) {
+      packet.for_each_point([count, turn = turn_to(sensor)](const lidar::ScanPoint& point) {
         count(turn.add(point));
       });
     } else {
@@ -56,7 +56,7 @@ class Carver {
 
   // How many cells the points that wait can mark, at most.
   [[nodiscard]] std::uint64_t most_marks_waiting() const {
-    return turn_lines_at_hand_ == nullptr
+    return turn_layers_at_hand_ == nullptr
                ? 0
                : std::uint64_t{waiting_lines_.count()} * max_marks_per_point(*sensor_);
   }
@@ -95,7 +95,7 @@ class Carver {
         : carver_(&carver),
           sensor_(&sensor),
           lines_(&carver.waiting_lines_),
-          layers_(carver.turn_layers_at_hand_),
+          layers_(carver.turn_layers_at_hand_->layers.data()),
           azimuths_(sensor.azimuths) {}
     [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
 
@@ -132,8 +132,17 @@ class Carver {
   // Inline, because a call costs as much as a zone.
   [[gnu::always_inline]] void carve_later(FreeSteps& steps, const KeptLine& line,
                                           const LinePart& part, std::uint32_t range_mm) const;
+  [[gnu::always_inline]] void add_zones(FreeSteps& steps, const KeptLine& line,
+                                        const LinePart& part, std::uint32_t range_mm) const;
   void carve(OpenLine& open) { carve(*open.line, open.steps); }
-  void carve_turn(std::uint32_t azimuth_step, std::span<const WaitingPoint> points);
+  void carve_turn(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
+                  const RankSet& behind_band);
+  // Not inlined, so that the steps' address is in a register and not computed for each change.
+  [[gnu::noinline]] std::uint32_t take_points(FreeSteps& steps, const KeptLine& line,
+                                              std::span<const WaitingPoint> points);
+  [[gnu::noinline]] void take_behind_band(FreeSteps& steps, const KeptLine& line,
+                                          const RankSet& ranks, std::uint32_t far_hits) const;
+  [[gnu::noinline]] void take_rare(const KeptLine& line, WaitingPoint point);
   void carve(KeptLine& line, FreeSteps& steps);
 
   [[nodiscard, gnu::noinline]] Between end_without_hit(const KeptLine& line,
@@ -158,8 +167,7 @@ class Carver {
   std::uint32_t lines_in_use_ = 0;
   std::uint16_t azimuth_ticks_ = 0;
   std::uint32_t azimuth_step_ = 0;
-  TurnLine* turn_lines_at_hand_ = nullptr;
-  const TurnLayer* turn_layers_at_hand_ = nullptr;
+  const TurnLayers* turn_layers_at_hand_ = nullptr;
   KeptBeam further_beam_;
   std::array<OpenLine, kOpenLines> open_lines_{};
 };
@@ -180,6 +188,9 @@ inline vehicle::Fate Carver::add_kept(const vehicle::Sensor& sensor,
 
 // All layers are on the line of the azimuth, each at its own height.
 inline vehicle::Fate Carver::Turn::add(const lidar::ScanPoint& point) const {
+  if (point.range_mm == 0 && sensor_->no_return_clears_mm == 0) {
+    return vehicle::Fate::kNoReturn;
+  }
   const std::uint32_t step = azimuths_.nearest(point.azimuth_ticks);
   if (!lines_->has_room(step)) [[unlikely]] {
     carver_->begin_line(step);
@@ -193,7 +204,8 @@ inline vehicle::Fate Carver::Turn::add(const lidar::ScanPoint& point) const {
       if (its.marks) {
         carver_->mark_at_start(step);
       }
-    } else {
+    } else if (its.is_whole_in_band || along_mm < layer.behind_mm || !its.carves ||
+               !lines_->add_behind_band(step, layer.rank)) {
       lines_->add(step, {along_mm, point.layer, its.fate});
     }
   }

@@ -50,6 +50,12 @@ class FreeSteps {
     add(from, freer);
   }
   void end_beam(Between end) { last_ = std::max(last_, end); }
+  // Begins and ends so many that begin where the line enters the grid.
+  void add_beams(std::uint32_t count, std::int32_t freer, Between last_end) {
+    beam_count_ += count;
+    from_start_ += static_cast<std::int32_t>(count) * freer;
+    end_beam(last_end);
+  }
   void add(Between from, std::int32_t freer) {
     if (from.crossed() == first_.crossed()) {
       from_start_ += freer;

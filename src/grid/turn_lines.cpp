@@ -1,8 +1,41 @@
 #include "grid/turn_lines.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "index/occupancy_index.hpp"
 #include "require/require.hpp"
 
 namespace iog::grid {
+namespace {
+
+// Says what each layer is among the others.
+void rank(const vehicle::Sensor& sensor, TurnLayers& its) {
+  const auto layers = std::span(its.layers).first(sensor.layer_count);
+  const auto by_rank = std::span(its.by_rank).first(sensor.layer_count);
+  std::iota(by_rank.begin(), by_rank.end(), std::uint8_t{0});
+  std::ranges::sort(by_rank, [&](std::uint8_t a, std::uint8_t b) {
+    return layers[a].band.ends_behind(layers[b].band);
+  });
+  for (std::uint32_t rank = 0; rank < by_rank.size(); ++rank) {
+    layers[by_rank[rank]].rank = rank;
+  }
+  const std::int32_t freer = -sensor.profile.free;
+  its.enough_beams =
+      static_cast<std::uint32_t>((index::kIndexMax<OccupancyIndex> + freer - 1) / freer);
+  its.near_rank = sensor.layer_count / 2U;
+  its.far_mm = layers[by_rank[its.near_rank]].band.is_free_before_mm();
+  its.start_in_band =
+      std::ranges::all_of(layers, [](const TurnLayer& layer) { return layer.in_band.first == 0; });
+  if (its.start_in_band) {
+    for (TurnLayer& layer : layers) {
+      layer.behind_mm = layer.band.is_free_before_mm();
+    }
+  }
+}
+
+}  // namespace
 
 TurnLines::TurnLines(const vehicle::Vehicle& vehicle) : first_sensor_(vehicle.sensors.data()) {
   std::uint32_t places = 0;
@@ -14,26 +47,24 @@ TurnLines::TurnLines(const vehicle::Vehicle& vehicle) : first_sensor_(vehicle.se
       for (std::size_t layer = 0; layer < sensor.layer_count; ++layer) {
         const vehicle::Layer& its = sensor.layers[layer];
         const std::int32_t end_z = vehicle::end_height_of(its, {});
-        layers_[i][layer] = {.range_share = its.range_share,
-                             .in_band = vehicle::ranges_in_band(sensor, end_z),
-                             .clears_mm = its.along_line_mm(sensor.no_return_clears_mm),
-                             .band = BandLimits(vehicle, sensor, end_z)};
+        layers_[i].layers[layer] = {.range_share = its.range_share,
+                                    .in_band = vehicle::ranges_in_band(sensor, end_z),
+                                    .clears_mm = its.along_line_mm(sensor.no_return_clears_mm),
+                                    .band = BandLimits(vehicle, sensor, end_z)};
       }
+      rank(sensor, layers_[i]);
     }
   }
   require(places <= vehicle::kMaxTurnLines);
 }
 
-void TurnLines::find(const vehicle::Sensor& sensor, std::uint32_t azimuth_step, TurnLine& line) {
-  line.line.find(sensor, sensor.layers[0], azimuth_step);
-  line.on_car = vehicle::ranges_on_car(sensor, line.line.line());
-  line.is_found = true;
+void TurnLines::find(const vehicle::Sensor& sensor, std::uint32_t azimuth_step,
+                     std::uint32_t place) {
+  KeptLine& line = lines_[place].line;
+  line.find(sensor, sensor.layers[0], azimuth_step);
+  on_car_[place] = {.ranges = vehicle::ranges_on_car(sensor, line.line()), .is_known = true};
 }
 
-void TurnLines::forget() {
-  for (TurnLine& line : lines_) {
-    line.is_found = false;
-  }
-}
+void TurnLines::forget() { on_car_.fill({}); }
 
 }  // namespace iog::grid

@@ -11,6 +11,8 @@ constexpr vehicle::Vehicle LevelVlp16::kVehicle =
     compiled<LevelVlp16::kConfigs, LevelVlp16::kDescription>();
 constexpr vehicle::Vehicle MixedCar::kVehicle =
     compiled<MixedCar::kConfigs, MixedCar::kDescription>();
+constexpr vehicle::Vehicle HighAndFar::kVehicle =
+    compiled<HighAndFar::kConfigs, HighAndFar::kDescription>();
 
 // No format has so many layers: those of the VLP-16 are compiled again.
 constexpr std::array<vehicle::Sensor, 1> kManyLayers = [] {

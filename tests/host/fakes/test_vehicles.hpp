@@ -105,6 +105,20 @@ struct MixedCar {
   static const vehicle::Vehicle kVehicle;
 };
 
+// Two VLP-16 with lines of 50 m, one above the height band and one beside the grid.
+struct HighAndFar {
+  static constexpr std::array kConfigs = [] {
+    std::array configs{test_vlp16(100, {.z_m = 3}), test_vlp16(101, {.x_m = 62, .z_m = 1.5})};
+    for (vehicle::SensorConfig& config : configs) {
+      config.range_max_mm = 50'000;
+    }
+    return configs;
+  }();
+  static constexpr vehicle::Description kDescription{
+      .name = "high_and_far", .z_min_m = 0.3, .z_max_m = 2.2};
+  static const vehicle::Vehicle kVehicle;
+};
+
 consteval std::array<double, 128> elevations_of_many_layers() {
   std::array<double, 128> elevations{};
   for (std::size_t i = 0; i < elevations.size(); ++i) {
