@@ -44,9 +44,9 @@ struct EndCoordinate {
 // How far a range gets along a line, rounded down. The share is in units of 2^-30, and the range
 // below 2^30, so that the upper word of one product of words is the answer.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
-  constexpr int kWordBits = 32;
-  const std::uint32_t scaled = range_mm << (kWordBits - numeric::kSineFractionBits);
-  return static_cast<std::uint32_t>(std::uint64_t{scaled} * share >> kWordBits);
+  const std::uint32_t scaled = range_mm << (32 - numeric::kSineFractionBits);
+  const std::uint64_t product = std::uint64_t{scaled} * share;
+  return static_cast<std::uint32_t>(product >> 32);
 }
 
 struct Layer {
