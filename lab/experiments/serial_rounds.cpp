@@ -73,7 +73,7 @@ void hand_over(const tools::GridFrame& frame, serial::GridSender& sender) {
   sender.begin_frame(frame.header);
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (frame.known_tiles.test(tile)) {
-      sender.take_tile(tile, tools::cells_of_tile(frame, tile));
+      sender.take_tile(tile, tools::cells_of_tile(frame.cells, tile));
     }
   }
   sender.end_frame();

@@ -62,7 +62,7 @@ class Scale {
       }
       ++bytes_.tiles;
       bytes_.bytes_alone +=
-          encoder_->encode(tools::cells_of_tile(frame, tile), std::nullopt, payload_).bytes;
+          encoder_->encode(tools::cells_of_tile(frame.cells, tile), std::nullopt, payload_).bytes;
       for (std::size_t i = 0; i < bytes_.bytes_by.size(); ++i) {
         bytes_.bytes_by.at(i) += std::min(encoder_->sizes().at(i), tile_coding::kTileBytes);
       }

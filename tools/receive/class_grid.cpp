@@ -11,14 +11,8 @@ namespace {
 
 // Nothing if no cell of it has a class.
 std::optional<TileBytes> classes_of_tile(const ClassGrid& classes, std::size_t slot) {
-  const std::size_t tile = tile_in_window(classes.window, slot);
-  TileBytes cells{};
-  bool has_class = false;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    cells[i] = static_cast<std::byte>(classes.cells[cell_of_tile(tile, i)]);
-    has_class = has_class || cells[i] != std::byte{0};
-  }
-  return has_class ? std::optional(cells) : std::nullopt;
+  const TileBytes cells = cells_of_tile(classes.cells, tile_in_window(classes.window, slot));
+  return cells != TileBytes{} ? std::optional(cells) : std::nullopt;
 }
 
 }  // namespace

@@ -251,13 +251,11 @@ bool FrameAssembler::WaitingFrame::agree_on(const stream::ClassWindow& window) {
 
 void FrameAssembler::decode_indexes(WaitingFrame& waiting) {
   GridFrame& frame = waiting.frame;
-  const auto tiles = waiting.indexes.decode(
-      indexes_, frame.header.frame_number, counts_,
-      [&](const stream::TileRecord& record, const TileBytes& cells) {
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-          frame.cells[cell_of_tile(record.tile, i)] = static_cast<index::OccupancyIndex>(cells[i]);
-        }
-      });
+  const auto tiles =
+      waiting.indexes.decode(indexes_, frame.header.frame_number, counts_,
+                             [&](const stream::TileRecord& record, const TileBytes& cells) {
+                               put_tile(cells, record.tile, frame.cells);
+                             });
   frame.valid_tiles = tiles.valid;
   frame.known_tiles = tiles.known;
   frame.tiles = static_cast<std::uint32_t>(tiles.known.count());
@@ -269,10 +267,7 @@ void FrameAssembler::decode_classes(WaitingFrame& waiting) {
   const auto tiles = waiting.classes.decode(
       classes_, waiting.frame.header.frame_number, counts_,
       [&](const stream::TileRecord& record, const TileBytes& cells) {
-        const std::size_t tile = tile_in_window(classes.window, record.tile);
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-          classes.cells[cell_of_tile(tile, i)] = static_cast<std::int8_t>(cells[i]);
-        }
+        put_tile(cells, tile_in_window(classes.window, record.tile), classes.cells);
         classes.age_frames.at(record.tile) = record.age_frames;
       });
   classes.valid_tiles = tiles.valid;

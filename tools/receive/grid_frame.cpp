@@ -1,16 +1,25 @@
 #include "tools/receive/grid_frame.hpp"
 
+#include <cstring>
+
 #include "stream/grid_hash.hpp"
 
 namespace iog::tools {
 
-std::array<std::byte, tile_coding::kTileBytes> cells_of_tile(const GridFrame& frame,
+std::array<std::byte, tile_coding::kTileBytes> cells_of_tile(std::span<const std::int8_t> grid,
                                                              std::size_t tile) {
   std::array<std::byte, tile_coding::kTileBytes> cells{};
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    cells[i] = static_cast<std::byte>(frame.cells[cell_of_tile(tile, i)]);
+  for (std::size_t row = 0; row < cells.size(); row += geometry::kTileSide) {
+    std::memcpy(&cells[row], &grid[cell_of_tile(tile, row)], geometry::kTileSide);
   }
   return cells;
+}
+
+void put_tile(std::span<const std::byte, tile_coding::kTileBytes> cells, std::size_t tile,
+              std::span<std::int8_t> grid) {
+  for (std::size_t row = 0; row < cells.size(); row += geometry::kTileSide) {
+    std::memcpy(&grid[cell_of_tile(tile, row)], &cells[row], geometry::kTileSide);
+  }
 }
 
 std::uint32_t grid_crc_of(const GridFrame& frame) {
@@ -18,7 +27,7 @@ std::uint32_t grid_crc_of(const GridFrame& frame) {
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (frame.known_tiles.test(tile)) {
       hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
-               cells_of_tile(frame, tile));
+               cells_of_tile(frame.cells, tile));
     }
   }
   return hash.value();

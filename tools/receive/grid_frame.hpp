@@ -55,9 +55,13 @@ struct GridFrame {
   return y * geometry::kCellsPerSide + x;
 }
 
-// The cells of a tile as they travel.
-[[nodiscard]] std::array<std::byte, tile_coding::kTileBytes> cells_of_tile(const GridFrame& frame,
-                                                                           std::size_t tile);
+// The cells of a tile of this grid, as they travel.
+[[nodiscard]] std::array<std::byte, tile_coding::kTileBytes> cells_of_tile(
+    std::span<const std::int8_t> grid, std::size_t tile);
+
+// Puts them back.
+void put_tile(std::span<const std::byte, tile_coding::kTileBytes> cells, std::size_t tile,
+              std::span<std::int8_t> grid);
 
 // The name of the grid as it has arrived. The name that the target gave it is end.grid_crc.
 [[nodiscard]] std::uint32_t grid_crc_of(const GridFrame& frame);

@@ -145,7 +145,7 @@ Shown show(const Messages& messages, const std::map<Name, GridFrame>& right = tr
       return;
     }
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
-      const bool is_equal = cells_of_tile(frame, tile) == cells_of_tile(expected, tile);
+      const bool is_equal = cells_of_tile(frame.cells, tile) == cells_of_tile(expected.cells, tile);
       shown.wrong_tiles += frame.valid_tiles.test(tile) && !is_equal ? 1U : 0U;
     }
   });
