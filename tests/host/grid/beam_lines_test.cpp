@@ -1,3 +1,4 @@
+// Which lines are kept from scan to scan.
 #include "grid/beam_lines.hpp"
 
 #include <cstdint>
