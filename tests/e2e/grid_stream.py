@@ -173,7 +173,8 @@ class Frame:
 
     def record(self, number: int) -> str:
         """The line that `iog fuse --hashes` writes for this frame."""
-        return (f"{number} {self.complete:x} {self.partial:x} {self.points_used} "
+        packets = ",".join(str(sensor.packets) for sensor in self.sensors)
+        return (f"{number} {self.complete:x} {self.partial:x} {packets} {self.points_used} "
                 f"{self.tiles_received} {self.crc_of_tiles:08x}")
 
 

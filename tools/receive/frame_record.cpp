@@ -4,6 +4,7 @@
 #include <array>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "tools/receive/record_file.hpp"
 
@@ -11,12 +12,42 @@ namespace iog::tools {
 namespace {
 
 constexpr const char* kRecordHeading =
-    "# frame complete_sensors partial_sensors points_used tiles grid_crc";
+    "# frame complete_sensors partial_sensors packets points_used tiles grid_crc";
+
+std::string packets_of(const FrameRecord& record) {
+  std::string text;
+  for (const std::uint16_t packets : record.packets) {
+    text += (text.empty() ? "" : ",") + std::to_string(packets);
+  }
+  return text.empty() ? "-" : text;
+}
+
+// Nothing if these are no such numbers.
+std::optional<std::vector<std::uint16_t>> packets_in(const std::string& text) {
+  std::vector<std::uint16_t> packets;
+  if (text == "-") {
+    return packets;
+  }
+  std::istringstream in(text);
+  char between = ',';
+  while (between == ',') {
+    std::uint16_t of_sensor = 0;
+    in >> of_sensor;
+    packets.push_back(of_sensor);
+    if (in.fail() || packets.size() > vehicle::kMaxSensors) {
+      return std::nullopt;
+    }
+    between = '.';
+    in >> between;
+  }
+  return in.eof() ? std::optional(packets) : std::nullopt;
+}
 
 std::string sensors_of(const FrameRecord& record) {
   std::ostringstream text;
   text << std::hex << "sensors complete " << unsigned{record.complete_sensors} << ", partial "
-       << unsigned{record.partial_sensors} << std::dec << ", points " << record.points_used;
+       << unsigned{record.partial_sensors} << std::dec << ", packets " << packets_of(record)
+       << ", points " << record.points_used;
   return text.str();
 }
 
@@ -24,12 +55,15 @@ std::optional<FrameRecord> parsed(const std::string& line) {
   FrameRecord record;
   unsigned complete = 0;
   unsigned partial = 0;
+  std::string packets_text;
   std::istringstream text(line);
-  text >> record.number >> std::hex >> complete >> partial >> std::dec >> record.points_used >>
-      record.tiles >> std::hex >> record.grid_crc;
-  if (text.fail() || complete > 0xFF || partial > 0xFF) {
+  text >> record.number >> std::hex >> complete >> partial >> std::dec >> packets_text >>
+      record.points_used >> record.tiles >> std::hex >> record.grid_crc;
+  auto packets = packets_in(packets_text);
+  if (text.fail() || complete > 0xFF || partial > 0xFF || !packets) {
     return std::nullopt;
   }
+  record.packets = *std::move(packets);
   record.complete_sensors = static_cast<std::uint8_t>(complete);
   record.partial_sensors = static_cast<std::uint8_t>(partial);
   return record;
@@ -38,9 +72,18 @@ std::optional<FrameRecord> parsed(const std::string& line) {
 }  // namespace
 
 FrameRecord record_of(const GridFrame& frame) {
+  std::vector<std::uint16_t> packets;
+  if (frame.has_end) {
+    const std::size_t sensors =
+        std::min<std::size_t>(frame.header.sensor_count, vehicle::kMaxSensors);
+    for (const intake::SensorReport& sensor : std::span(frame.end.sensors).first(sensors)) {
+      packets.push_back(sensor.packets);
+    }
+  }
   return {.number = frame.evidence_number,
           .complete_sensors = frame.header.complete_sensors,
           .partial_sensors = frame.header.partial_sensors,
+          .packets = std::move(packets),
           .points_used = frame.header.points_used,
           .tiles = frame.tiles,
           .grid_crc = grid_crc_of(frame),
@@ -61,8 +104,8 @@ std::string hex(std::uint32_t value) {
 std::string line_of(const FrameRecord& record) {
   std::ostringstream text;
   text << record.number << ' ' << std::hex << unsigned{record.complete_sensors} << ' '
-       << unsigned{record.partial_sensors} << ' ' << std::dec << record.points_used << ' '
-       << record.tiles << ' ' << hex(record.grid_crc);
+       << unsigned{record.partial_sensors} << ' ' << std::dec << packets_of(record) << ' '
+       << record.points_used << ' ' << record.tiles << ' ' << hex(record.grid_crc);
   return text.str();
 }
 

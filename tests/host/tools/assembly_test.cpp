@@ -8,6 +8,7 @@
 #include "drive_sample.hpp"
 #include "fakes/temporary_folder.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 #include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/sequence_watch.hpp"
@@ -283,12 +284,19 @@ TEST(FrameRecord, LinesAreReadBack) {
   EXPECT_EQ(line_of({.number = 17,
                      .complete_sensors = 0xF,
                      .partial_sensors = 0,
+                     .packets = {6, 6, 12, 600},
                      .points_used = 2871,
                      .tiles = 433,
                      .grid_crc = 0x9AC01B,
                      .is_timed_out = false}),
-            "17 f 0 2871 433 009ac01b");
+            "17 f 0 6,6,12,600 2871 433 009ac01b");
   EXPECT_THROW(static_cast<void>(read_records(path + "_missing")), UsageError);
+  for (const char* packets : {"6,", ",6", "6,,6", "6;6", "6,70000", "1,2,3,4,5,6,7,8,9", "f"}) {
+    OutputFile file(path);
+    file.write("0 f 0 " + std::string(packets) + " 2871 433 009ac01b\n");
+    file.finish();
+    EXPECT_THROW(static_cast<void>(read_records(path)), UsageError) << packets;
+  }
 }
 
 TEST(FrameRecord, ADifferenceSaysWhetherItIsParticipation) {
@@ -303,7 +311,15 @@ TEST(FrameRecord, ADifferenceSaysWhetherItIsParticipation) {
                 .value()
                 .find("frame 2: the target is too slow for its sensors; received"),
             0U);
+  received = undisturbed();
+  --received[1].packets[3];
+  received[1].grid_crc = 0;
+  EXPECT_EQ(
+      first_difference(received, undisturbed()).value().find("frame 1: other packets took part"),
+      0U)
+      << "a packet none of whose points is used";
   received.resize(2);
+  received[1] = undisturbed()[1];
   EXPECT_EQ(first_difference(received, undisturbed()).value(),
             "2 frames with evidence received, 4 expected; the common ones are equal");
 }
