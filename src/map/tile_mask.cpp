@@ -22,7 +22,7 @@ consteval std::array<std::uint64_t, 256> bytes_of_bits() {
 }
 constexpr std::array<std::uint64_t, 256> kBytes = bytes_of_bits();
 
-constexpr std::uint64_t kAnywhere = 0x0101010101010101U * decision::kAnywhere;
+constexpr std::uint64_t kEightAnywhere = 0x0101010101010101U * decision::kAnywhere;
 
 }  // namespace
 
@@ -32,8 +32,8 @@ void rule_out(const TileMask& mask, window::TileRuledOut& to) {
     for (std::size_t i = 0; i < window::kGroupsPerRow; ++i) {
       const auto bytes = [i](std::uint32_t bits) { return kBytes[bits >> (8 * i) & 0xFF]; };
       const std::uint64_t ruled_out =
-          kAnywhere & ~(bytes(mask.building[row]) | bytes(mask.road[row]) << 1 |
-                        bytes(mask.intermediate[row]) << 2);
+          kEightAnywhere & ~(bytes(mask.building[row]) | bytes(mask.road[row]) << 1 |
+                             bytes(mask.intermediate[row]) << 2);
       __builtin_memcpy(to[row * window::kGroupsPerRow + i].data(), &ruled_out, sizeof ruled_out);
     }
   }

@@ -18,7 +18,7 @@ constexpr std::array<std::int8_t, kSide> kUnknown{};
 
 // What a band has in each column: the bits that an index has, and those that its negative has, of
 // which the sign says that a cell is hit.
-struct alignas(8) Band {
+struct alignas(8) BandBits {
   std::array<std::int8_t, kSide> bits;
   std::array<std::int8_t, kSide> negative;
 };
@@ -39,8 +39,8 @@ consteval ByteByBit make_byte_by_bit() {
 constexpr ByteByBit kByteByBit = make_byte_by_bit();
 
 template <std::size_t... kRows>
-Band band_of(const std::int8_t* rows, std::index_sequence<kRows...> /*all*/) {
-  Band band;
+BandBits band_of(const std::int8_t* rows, std::index_sequence<kRows...> /*all*/) {
+  BandBits band;
   for (std::size_t x = 0; x < kSide; ++x) {
     band.bits[x] = static_cast<std::int8_t>((rows[kRows * kSide + x] | ...));
     band.negative[x] = static_cast<std::int8_t>((-rows[kRows * kSide + x] | ...));
@@ -59,7 +59,7 @@ void SliceCells::copy(std::size_t tile, TileIndexes indexes) {
     for (std::size_t y = 0; y < kBlock; ++y) {
       bring_line(&row[y * kStride]);
     }
-    const Band band = band_of(in, std::make_index_sequence<kBlock>());
+    const BandBits band = band_of(in, std::make_index_sequence<kBlock>());
     for (std::size_t y = 0; y < kBlock; ++y, in += kSide, row += kStride) {
       __builtin_memcpy(row, in, kSide);
     }
