@@ -114,13 +114,13 @@ def _numbers(a9: CortexA9) -> dict[str, tuple[str, float]]:
     }
 
 
-def _frame(a9: CortexA9, name: str, run: str, stages) -> str:
-    units = ", ".join(f"{a9.mean(run, unit):.0f}" for unit in ("points", "cells", "tiles"))
+def _frame(a9: CortexA9, name: str, run: str, stages, counts=("points", "cells", "tiles")) -> str:
+    units = ", ".join(f"{a9.mean(run, unit):.0f}" for unit in counts)
     return f'    {{"{name}", {units}, {_cycles(a9, run, *stages):.0f}}},\n'
 
 
-def _array(words: str, name: str, rows: list[str]) -> str:
-    return (f"// {words}\ninline constexpr std::array<ModelledFrame, {len(rows)}> {name}{{{{\n"
+def _array(words: str, name: str, rows: list[str], of: str = "ModelledFrame") -> str:
+    return (f"// {words}\ninline constexpr std::array<{of}, {len(rows)}> {name}{{{{\n"
             f"{''.join(rows)}}}}};\n\n")
 
 
@@ -135,7 +135,8 @@ def text(data) -> str:
              for scene in SCENES for sensors in (2, 3, 4)]
     worst = [_frame(a9, run.split(" ")[1].removeprefix("worst="), run, ("frame",))
              for run in a9.runs("frame_cost") if " worst=" in run and "paths=" not in run]
-    turns = [_frame(a9, name, _turning(vehicle), ("frame",)) for vehicle, name in UNITS.items()]
+    turns = [_frame(a9, name, _turning(vehicle), ("frame",), ("points", "tiles"))
+             for vehicle, name in UNITS.items()]
     return (HEAD + numbers +
             "\n// A mean frame of the reference car without classes, by the same model.\n"
             "struct ModelledFrame {\n  std::string_view name;\n  double points;\n  double cells;\n"
@@ -143,8 +144,10 @@ def text(data) -> str:
             _array("Whole frames, from which the costs above are made.", "kWholeFrames", whole) +
             _array("Frames without their tiles, which were sent raw.", "kFusedFrames", fused) +
             _array("The worst frames, with tiles sent raw.", "kWorstFrames", worst) +
+            "struct ModelledTurn {\n  std::string_view name;\n  double points;\n  double tiles;\n"
+            "  double cycles;\n};\n\n"
             f"// Azimuth steps of each of these turns.\ninline constexpr double kTurnSteps = {AZIMUTH_STEPS};\n" +
-            _array("Whole frames of units that turn.", "kTurns", turns) +
+            _array("Whole frames of units that turn.", "kTurns", turns, "ModelledTurn") +
             "}  // namespace iog::tools\n")
 
 

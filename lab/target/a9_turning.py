@@ -26,7 +26,7 @@ def counted(place: a9_runs.Place, vehicle: str, capture: str) -> list[a9_runs.Ro
     car = vehicle
     if vehicle.endswith(SHORT_LINES):
         car = str(place.images / f"vehicles/{vehicle}.toml")
-    line, = a9_runs.counted(place, f"frame_cost-{vehicle}", capture, "shortest")
+    line, = a9_runs.counted(place, f"frame_cost-{vehicle}", capture, "shortest", 1, "stages")
     rows = a9_runs.counted_rows(line, f"turning vehicle={vehicle}")
     a9_runs.check_grids(place, rows, capture, car)
     return rows

@@ -1,10 +1,11 @@
 // frame_cost: what a frame costs the Cortex-A9, in instructions, by stage. Runs in QEMU with
 // instruction counting (lab/target/run_image); prints one line of key=value pairs.
 //
-//   frame_cost <capture> [<coding> [<sensors> [<frames> <paths> <frames before>]]]
+//   frame_cost <capture> [<coding> [<sensors> [stages | <frames> <paths> <frames before>]]]
 //
 // The coding is how tiles are sent: "shortest", as the firmware does and as without it, or "raw".
-// Sensors are the number of them, the first ones of the description.
+// Sensors are the number of them, the first ones of the description. With "stages" these are not
+// taken apart into operations, which takes many times longer, as each point is fused by itself.
 // With a number of frames only the firmware's own pipeline runs, over the frames before to warm up
 // and then over so many: what the cost model of the Cortex-A9, which takes its time, is to see.
 // Paths are what the core keeps of a line from frame to frame: "kept", or "forgotten" after every
@@ -50,6 +51,7 @@ void print_stages(const StagePass& pass) {
   print("packets", pass.packets());
   print("points", pass.points());
   print("points_used", pass.points_used());
+  print("tiles", pass.tiles());
   print("messages", pass.platform().messages());
   print("sent_bytes", pass.platform().sent_bytes());
   print_stage("receive", pass.receive(), pass.frames());
@@ -69,7 +71,6 @@ void print_operations(const OperationCost& cost) {
   print("find_sum", cost.find);
   print("hash_sum", cost.hash);
   print("clear_sum", cost.clear);
-  print("tiles", cost.tiles);
 }
 
 void print_sizes() {
@@ -96,6 +97,7 @@ struct Request {
   std::size_t sensors = 0;
   std::size_t frames = 0;  // 0: all, in both passes
   std::size_t before = 0;
+  bool has_operations = true;
   bool forgets = false;
   app::Coding coding = app::Coding::kShortest;
 };
@@ -190,18 +192,22 @@ int run(const Request& request) {
   const std::uint32_t stack_bytes = stack.used_bytes();
   // An empty frame more: it says what publishing the last one cost.
   stages.tick(stages.deadline_us());
-  if (stages.frames() == 0 || !capture.open(request.capture)) {
+  if (stages.frames() == 0 || (request.has_operations && !capture.open(request.capture))) {
     std::printf("frame_cost: no frame has evidence; is %s the vehicle of the capture?\n",
                 vehicle.name.data());
     return 1;
   }
-  play(capture, vehicle, counter, operations);
+  if (request.has_operations) {
+    play(capture, vehicle, counter, operations);
+  }
 
   // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned int
   std::printf("frame_cost sensors=%u vehicle=%s run_hash=%08lx", request.sensors,
               vehicle.name.data(), stages.run_hash());
   print_stages(stages);
-  print_operations(operations.cost());
+  if (request.has_operations) {
+    print_operations(operations.cost());
+  }
   print_sizes();
   print("stack_bytes", stack_bytes);
   print("counter_instructions", counter.of_nothing());
@@ -216,7 +222,7 @@ int main(int argc, char** argv) {
   constexpr std::size_t kMostFrames = 100'000;
   const std::size_t all = iog::vehicles::kVehicle.sensors.size();
   iog::lab::Request request{.capture = argv[1], .sensors = all};
-  bool is_right = (argc >= 2 && argc <= 4) || argc == 7;
+  bool is_right = (argc >= 2 && argc <= 5) || argc == 7;
   if (is_right && argc >= 3) {
     const bool is_raw = std::strcmp(argv[2], "raw") == 0;
     request.coding = is_raw ? iog::app::Coding::kRaw : iog::app::Coding::kShortest;
@@ -225,6 +231,10 @@ int main(int argc, char** argv) {
   if (is_right && argc >= 4) {
     request.sensors = iog::lab::number_in(argv[3], all);
     is_right = request.sensors > 0;
+  }
+  if (is_right && argc == 5) {
+    request.has_operations = false;
+    is_right = std::strcmp(argv[4], "stages") == 0;
   }
   if (is_right && argc == 7) {
     request.frames = iog::lab::number_in(argv[4], kMostFrames);
@@ -236,8 +246,8 @@ int main(int argc, char** argv) {
   if (!is_right) {
     // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned long
     std::printf(
-        "frame_cost: expected a capture, raw or shortest, 1 to %u for the sensors, and a number "
-        "of frames with what becomes of paths and the frames before\n",
+        "frame_cost: expected a capture, raw or shortest, 1 to %u for the sensors, and stages or a "
+        "number of frames with what becomes of paths and the frames before\n",
         all);
     return 2;
   }

@@ -60,19 +60,18 @@ void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
     return;
   }
   std::array<grid::OccupancyIndex, tile_coding::kTileBytes> cells;
-  const bool is_known = measured(cost_.hash, [&] {
-    const bool found = frame.copy_tile(tile, cells);
-    if (found) {
+  measured(cost_.hash, [&] {
+    const bool is_known = frame.copy_tile(tile, cells);
+    if (is_known) {
       hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
                std::as_bytes(std::span(cells)));
     }
-    return found;
+    return is_known;
   });
   measured(cost_.clear, [&] {
     engine_.fusion().clear_tile(tile);
     return true;
   });
-  cost_.tiles += is_known ? 1U : 0U;
 }
 
 void OperationPass::take_apart(const vehicle::Sensor& sensor, std::span<const std::byte> payload) {

@@ -27,7 +27,6 @@ struct OperationCost {
   std::uint64_t find = 0;   // of publishing: find the tiles in which something is known
   std::uint64_t hash = 0;   // of publishing: copy those and add them to the grid's CRC
   std::uint64_t clear = 0;  // of publishing: set them back to unknown
-  std::uint64_t tiles = 0;  // in which something is known
 };
 
 class OperationPass {

@@ -56,6 +56,7 @@ void StagePass::add_end(std::span<const std::byte> message) {
     packets_ += header.packets_fused;
     points_ += header.points_used + header.points_other;
     points_used_ += header.points_used;
+    tiles_ += end.tiles_sent;
     std::array<std::byte, 4> crc{};
     wire::store_be32(crc, end.grid_crc);
     run_hash_.update(crc);

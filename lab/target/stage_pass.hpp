@@ -31,11 +31,13 @@ class StagePass {
   void tick(std::uint64_t now_us);
   [[nodiscard]] std::uint64_t deadline_us() const { return pipeline_.deadline_us(); }
 
-  // Frames with evidence, and what they had: scan points with any fate, those used, messages.
+  // Frames with evidence, and what they had: scan points with any fate, those used, messages, tiles
+  // in which something is known.
   [[nodiscard]] std::uint64_t frames() const { return frames_; }
   [[nodiscard]] std::uint64_t packets() const { return packets_; }
   [[nodiscard]] std::uint64_t points() const { return points_; }
   [[nodiscard]] std::uint64_t points_used() const { return points_used_; }
+  [[nodiscard]] std::uint64_t tiles() const { return tiles_; }
   [[nodiscard]] const MeasuredPlatform& platform() const { return platform_; }
 
   // Their instructions. Receiving is charged to the frame that closes next.
@@ -72,6 +74,7 @@ class StagePass {
   std::uint64_t packets_ = 0;
   std::uint64_t points_ = 0;
   std::uint64_t points_used_ = 0;
+  std::uint64_t tiles_ = 0;
   Spread receive_;
   Spread fuse_;
   Spread mark_;

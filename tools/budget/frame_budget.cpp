@@ -207,7 +207,7 @@ template <typename Frames, typename Cycles>
 std::string errors_of(const Frames& frames, Cycles&& reckoned) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << std::showpos;
-  for (const ModelledFrame& frame : frames) {
+  for (const auto& frame : frames) {
     text << (text.tellp() > 0 ? ", " : "") << frame.name << ' '
          << 100 * (reckoned(frame) / ms_of(frame.cycles) - 1) << " %";
   }
@@ -261,9 +261,8 @@ std::string words_of_budget_errors() {
   const auto fused = [](const ModelledFrame& frame) {
     return typical_ms({.points = frame.points, .cells = frame.cells});
   };
-  const auto turn = [](const ModelledFrame& frame) {
-    return typical_ms(
-        {.turn_steps = kTurnSteps, .turn_points = frame.points, .tiles = frame.tiles});
+  const auto turned = [](const ModelledTurn& turn) {
+    return typical_ms({.turn_steps = kTurnSteps, .turn_points = turn.points, .tiles = turn.tiles});
   };
   return "Modelled, not measured: one Cortex-A9 at 1 GHz, docs/a9_model.md, nominal variant, by "
          "lab/data/cortex_a9.csv.\n"
@@ -274,7 +273,7 @@ std::string words_of_budget_errors() {
          errors_of(kFusedFrames, fused) +
          ";\n"
          "of turns of units on a roof: " +
-         errors_of(kTurns, turn) +
+         errors_of(kTurns, turned) +
          ".\n"
          "A unit that turns and is not level counts as if no azimuth came again.\n";
 }

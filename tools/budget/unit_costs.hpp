@@ -78,13 +78,20 @@ inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
     {"flood", 9648, 6805584, 126, 9483852},
 }};
 
+struct ModelledTurn {
+  std::string_view name;
+  double points;
+  double tiles;
+  double cycles;
+};
+
 // Azimuth steps of each of these turns.
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn.
-inline constexpr std::array<ModelledFrame, 3> kTurns{{
-    {"VLP-16", 28954, 2305644, 323, 22514872},
-    {"HDL-32E", 69466, 5238874, 460, 37949698},
-    {"HDL-64E S3", 111130, 11623997, 466, 54753414},
+inline constexpr std::array<ModelledTurn, 3> kTurns{{
+    {"VLP-16", 28954, 323, 22514872},
+    {"HDL-32E", 69466, 460, 37949698},
+    {"HDL-64E S3", 111130, 466, 54753414},
 }};
 
 }  // namespace iog::tools

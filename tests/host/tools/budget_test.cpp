@@ -32,7 +32,7 @@ TEST(Budget, IsUpToTwoFifthsOffFusingAlone) {
 
 // Three turns, from the packet to the last tile. What a tile costs is that of the reference car's.
 TEST(Budget, IsAFifthOffTheTurnsThatItIsMadeOf) {
-  for (const ModelledFrame& turn : kTurns) {
+  for (const ModelledTurn& turn : kTurns) {
     const double ms =
         typical_ms({.turn_steps = kTurnSteps, .turn_points = turn.points, .tiles = turn.tiles});
     EXPECT_NEAR(ms / (turn.cycles / kCyclesPerMs), 1, 0.20) << turn.name;
