@@ -42,12 +42,15 @@ void Recorder::begin(const ProgramInstruction& instruction) {
     return;
   }
   marker_ = -1;
-  last_ = &instruction;
+  if (!is_paused_) {
+    last_ = &instruction;
+  }
 }
 
 // All of the model becomes one function: it is called for each instruction.
 [[gnu::flatten]] void Recorder::finish_last(std::uint32_t next) {
   if (last_ == nullptr) {
+    access_count_ = 0;
     return;
   }
   pipeline_.execute(*last_, {accesses_.data(), access_count_}, next);
@@ -71,6 +74,10 @@ void Recorder::note_marker(std::uint8_t half) {
   }
   if (code == kMarkerRound) {
     end_round();
+    return;
+  }
+  if (code == kMarkerPause || code == kMarkerResume) {
+    is_paused_ = code == kMarkerPause;
     return;
   }
   Region& region = marked_[code % kRegionIds];

@@ -72,6 +72,7 @@ class Recorder {
   std::size_t access_count_ = 0;
   std::uint64_t unsupported_ = 0;
 
+  bool is_paused_ = false;
   int marker_ = -1;  // the upper half of a code, once it has been seen
   std::vector<Region> marked_;
   std::vector<Function> functions_;

@@ -139,6 +139,25 @@ TEST(Recorder, WhatCameBeforeIsForgotten) {
   EXPECT_EQ(run.instructions_of("all"), 8);
 }
 
+// The program comes back from another call than the one that it paused in.
+TEST(Recorder, BetweenPauseAndResumeNothingIsModelled) {
+  Session run({{"f", 0x1000'2000}});
+  run.at(0x1000'0000, kAdd, 3);
+  run.mark(0x1000'000c, kMarkerPause);
+  run.at(0x1000'0014, kCall);
+  run.at(0x1000'2000, kAdd, 4);
+  run.mark(0x1000'2010, kMarkerResume);
+  run.at(0x1000'2018, kAdd, 2);
+  run.at(0x1000'2020, kReturn);
+  run.at(0x1000'0018, kCall);
+  run.at(0x1000'2000, kAdd, 5);
+  run.at(0x1000'2014, kReturn);
+  run.at(0x1000'001c, kAdd, 1);
+  EXPECT_EQ(run.instructions_of("all"), 3 + 3 + 1 + 6 + 1);
+  EXPECT_EQ(run.instructions_of("f"), 6);
+  EXPECT_EQ(run.instructions_of("f", "self"), 6);
+}
+
 // A round may end while a function is under way. What came before the first is in no round.
 TEST(Recorder, RoundsAreReportedOneByOne) {
   Session run({{"f", 0x1000'2000}});
