@@ -31,7 +31,7 @@ namespace iog::app {
 // divided it.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
-// Holds 78 MB: belongs into static memory.
+// Holds 80 MB: belongs into static memory.
 class GridEngine {
  public:
   using Outcome = FrameEngine::Outcome;

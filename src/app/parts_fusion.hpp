@@ -22,7 +22,7 @@
 
 namespace iog::app {
 
-// Holds 63 MB: belongs into static memory.
+// Holds 65 MB: belongs into static memory.
 class PartsFusion {
  public:
   // So many parts can be there at once.

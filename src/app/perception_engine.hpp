@@ -44,7 +44,7 @@ enum class Unfit : std::uint8_t {
 };
 [[nodiscard]] Unfit unfit_for_perception(const vehicle::Vehicle& vehicle);
 
-// Holds 109 MB: belongs into static memory.
+// Holds 112 MB: belongs into static memory.
 class PerceptionEngine {
  public:
   using Outcome = FrameEngine::Outcome;

@@ -34,7 +34,7 @@ struct FusedSlice {
   const window::SliceCells* cells = nullptr;
 };
 
-// Holds 70 MB: belongs into static memory.
+// Holds 72 MB: belongs into static memory.
 class SharedFusion {
  public:
   // vehicle outlives it.

@@ -1,7 +1,6 @@
 #include "grid/beam_lines.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "geometry/grid.hpp"
 #include "traversal/corner.hpp"
@@ -76,19 +75,18 @@ void KeptBeam::find_part(const vehicle::Vehicle& vehicle, const Sensor& sensor) 
 void KeptAzimuth::begin(const Sensor& sensor, std::uint32_t step) {
   sensor_ = &sensor;
   step_ = step;
-  lines_found_ = 0;
+  has_line_ = {};
   beams_found_ = 0;
   common_ = 0;
   different_ = 0;
+  is_asked_for_ = true;
 }
 
 KeptLine& KeptAzimuth::line_of(const Sensor& sensor, const vehicle::Layer& layer) {
-  constexpr std::uint32_t kBoth = 0b11;
-  const std::uint32_t bit = 1U << layer.line;
-  if ((lines_found_ & bit) == 0) {
+  if (!has_line_[layer.line]) {
     lines_[layer.line].find(sensor, layer, step_);
-    lines_found_ |= bit;
-    if (lines_found_ == kBoth && lines_[0].has_path()) {
+    has_line_[layer.line] = true;
+    if (has_line_[0] && has_line_[1] && lines_[0].has_path()) {
       different_ = kNotKnown;
     }
   }
@@ -108,24 +106,29 @@ bool KeptAzimuth::find_common(std::uint32_t cells) {
   return is_so;
 }
 
-// A LUX sees 110 degrees, which are 3,520 of its steps. Its places are those of 4,096 steps that
-// follow one another.
 BeamLines::BeamLines(std::span<const Sensor> sensors)
     : first_sensor_(sensors.data()),
-      places_per_sensor_(kPlaces / std::bit_ceil(static_cast<std::uint32_t>(sensors.size()))),
-      steps_per_place_log2_(
-          static_cast<std::uint32_t>(std::countr_zero(4096 / places_per_sensor_))) {}
+      places_per_sensor_(kPlaces /
+                         static_cast<std::uint32_t>(std::max<std::size_t>(sensors.size(), 1))) {}
 
+// A LUX sees 110 degrees, which are 3,520 of its steps. Its places are those of 3,584 steps that
+// follow one another: what goes beyond 32 bits is whole rounds.
 KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint32_t step) {
   const auto number = static_cast<std::uint32_t>(&sensor - first_sensor_);
   // What lies to the right of a sensor comes before what lies to its left.
   const std::uint32_t turn = sensor.azimuths.steps_per_turn();
   const std::uint32_t in_order = step < turn / 2 ? step + turn : step;
-  const std::uint32_t place = in_order >> steps_per_place_log2_ & (places_per_sensor_ - 1);
-  KeptAzimuth& azimuth = azimuths_[number * places_per_sensor_ + place];
-  if (!azimuth.is_of(sensor, step)) {
-    azimuth.begin(sensor, step);
+  constexpr std::uint32_t kShareOfStep = (std::uint64_t{1} << 32) / 3584 + 1;
+  const std::uint32_t round = in_order * kShareOfStep;
+  const std::uint64_t places = std::uint64_t{round} * places_per_sensor_;
+  const auto place = static_cast<std::uint32_t>(places >> 32);
+  KeptAzimuth& its_place = azimuths_[number * places_per_sensor_ + place];
+  if (its_place.is_of(sensor, step)) {
+    its_place.stay();
+    return its_place;
   }
+  KeptAzimuth& azimuth = its_place.gives_way() ? its_place : homeless_;
+  azimuth.begin(sensor, step);
   return azimuth;
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "grid/block_path.hpp"
 #include "grid/line_part.hpp"
@@ -167,7 +168,15 @@ class KeptAzimuth {
     return sensor_ == &sensor && step_ == step;
   }
   void begin(const vehicle::Sensor& sensor, std::uint32_t step);
-  void forget() { sensor_ = nullptr; }
+  void forget() {
+    sensor_ = nullptr;
+    is_asked_for_ = false;
+  }
+
+  // Of two azimuths that want one place the first one stays for as long as it is asked for between
+  // two times that the other one is.
+  void stay() { is_asked_for_ = true; }
+  [[nodiscard]] bool gives_way() { return !std::exchange(is_asked_for_, false); }
 
   // Layer::line of the layer is below kMaxLines.
   KeptLine& line_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer);
@@ -196,7 +205,8 @@ class KeptAzimuth {
 
   const vehicle::Sensor* sensor_ = nullptr;
   std::uint32_t step_ = 0;
-  std::uint32_t lines_found_ = 0;  // a bit each
+  std::array<bool, kMaxLines> has_line_{};
+  bool is_asked_for_ = false;
   std::uint32_t beams_found_ = 0;
   std::uint32_t common_ = 0;     // the lines have so many cells in common,
   std::uint32_t different_ = 0;  // but may not have so many
@@ -204,8 +214,9 @@ class KeptAzimuth {
   std::array<KeptLine, kMaxLines> lines_;
 };
 
-// A fixed number of azimuths for each sensor; each has one place. Those of a LUX in steps of a
-// quarter of a degree have different places, if there are at most four.
+// A fixed number of azimuths for each sensor; each has one place. Those of a LUX have different
+// places in steps of a quarter of a degree, if there are at most six sensors, and in its finest, an
+// eighth, if there are at most three. With four, nearly all have.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);
@@ -216,12 +227,12 @@ class BeamLines {
   void forget();
 
  private:
-  static constexpr std::uint32_t kPlaces = 2048;
+  static constexpr std::uint32_t kPlaces = 3328;
 
   const vehicle::Sensor* first_sensor_;
-  std::uint32_t places_per_sensor_;  // a power of two
-  std::uint32_t steps_per_place_log2_;
+  std::uint32_t places_per_sensor_;
   std::array<KeptAzimuth, kPlaces> azimuths_;
+  KeptAzimuth homeless_;  // whose place another one has
 };
 
 }  // namespace iog::grid

@@ -218,7 +218,7 @@ TEST(Fusion, BeamsThatWaitCarveAsIfTheyHadNot) {
 }
 
 // Lines are kept per azimuth, and found again where another azimuth took their place: 11,520
-// azimuths share 2,048 places. Nothing of that shows in the grid.
+// azimuths share 3,328 places. Nothing of that shows in the grid.
 TEST(Fusion, ALineThatWasKeptIsTheLineThatIsFound) {
   tests::Random random(43);
   for (const Vehicle& vehicle : {LevelLux::kVehicle, ThreeLux::kVehicle, TiltedLux::kVehicle}) {
