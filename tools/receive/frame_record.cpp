@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -14,39 +15,29 @@ namespace {
 constexpr const char* kRecordHeading =
     "# frame complete_sensors partial_sensors packets points_used tiles grid_crc";
 
-std::string packets_of(const FrameRecord& record) {
+// "6,6,6,6"
+std::string list_of(const std::vector<std::uint16_t>& packets) {
   std::string text;
-  for (const std::uint16_t packets : record.packets) {
-    text += (text.empty() ? "" : ",") + std::to_string(packets);
+  for (const std::uint16_t of_sensor : packets) {
+    text += (text.empty() ? "" : ",") + std::to_string(of_sensor);
   }
   return text.empty() ? "-" : text;
 }
 
-// Nothing if these are no such numbers.
-std::optional<std::vector<std::uint16_t>> packets_in(const std::string& text) {
-  std::vector<std::uint16_t> packets;
-  if (text == "-") {
-    return packets;
-  }
-  std::istringstream in(text);
-  char between = ',';
-  while (between == ',') {
-    std::uint16_t of_sensor = 0;
-    in >> of_sensor;
-    packets.push_back(of_sensor);
-    if (in.fail() || packets.size() > vehicle::kMaxSensors) {
-      return std::nullopt;
-    }
-    between = '.';
-    in >> between;
-  }
-  return in.eof() ? std::optional(packets) : std::nullopt;
+// Nothing if it is not the list of what it holds.
+std::optional<std::vector<std::uint16_t>> packets_in(const std::string& list) {
+  std::string numbers = list;
+  std::ranges::replace(numbers, ',', ' ');
+  std::istringstream in(numbers);
+  std::vector<std::uint16_t> packets(std::istream_iterator<std::uint16_t>(in), {});
+  const bool is_list = packets.size() <= vehicle::kMaxSensors && list_of(packets) == list;
+  return is_list ? std::optional(std::move(packets)) : std::nullopt;
 }
 
 std::string sensors_of(const FrameRecord& record) {
   std::ostringstream text;
   text << std::hex << "sensors complete " << unsigned{record.complete_sensors} << ", partial "
-       << unsigned{record.partial_sensors} << std::dec << ", packets " << packets_of(record)
+       << unsigned{record.partial_sensors} << std::dec << ", packets " << list_of(record.packets)
        << ", points " << record.points_used;
   return text.str();
 }
@@ -104,7 +95,7 @@ std::string hex(std::uint32_t value) {
 std::string line_of(const FrameRecord& record) {
   std::ostringstream text;
   text << record.number << ' ' << std::hex << unsigned{record.complete_sensors} << ' '
-       << unsigned{record.partial_sensors} << ' ' << std::dec << packets_of(record) << ' '
+       << unsigned{record.partial_sensors} << ' ' << std::dec << list_of(record.packets) << ' '
        << record.points_used << ' ' << record.tiles << ' ' << hex(record.grid_crc);
   return text.str();
 }
