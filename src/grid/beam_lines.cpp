@@ -119,8 +119,8 @@ KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint32_t step) {
   const std::uint32_t turn = sensor.azimuths.steps_per_turn();
   const std::uint32_t in_order = step < turn / 2 ? step + turn : step;
   constexpr std::uint32_t kShareOfStep = (std::uint64_t{1} << 32) / 3584 + 1;
-  const std::uint32_t round = in_order * kShareOfStep;
-  const std::uint64_t places = std::uint64_t{round} * places_per_sensor_;
+  const std::uint32_t share_of_round = in_order * kShareOfStep;
+  const std::uint64_t places = std::uint64_t{share_of_round} * places_per_sensor_;
   const auto place = static_cast<std::uint32_t>(places >> 32);
   KeptAzimuth& its_place = azimuths_[number * places_per_sensor_ + place];
   if (its_place.is_of(sensor, step)) {

@@ -173,10 +173,10 @@ class KeptAzimuth {
     is_asked_for_ = false;
   }
 
-  // Of two azimuths that want one place the first one stays for as long as it is asked for between
-  // two times that the other one is.
-  void stay() { is_asked_for_ = true; }
+  // Whether another azimuth may have this place: if this one was not asked for since the last time
+  // that another one wanted it.
   [[nodiscard]] bool gives_way() { return !std::exchange(is_asked_for_, false); }
+  void stay() { is_asked_for_ = true; }
 
   // Layer::line of the layer is below kMaxLines.
   KeptLine& line_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer);
