@@ -136,8 +136,17 @@ class Page:
         """Until the expression is true, if need be on the page that comes next."""
         deadline = time.monotonic() + longest_s
         while not self._is_true(expression):
-            assert time.monotonic() < deadline, f"in vain waited for {expression}"
+            assert time.monotonic() < deadline, (
+                f"in vain waited for {expression}; the page says: {self._words()}")
             time.sleep(0.02)
+
+    def _words(self) -> str:
+        """What can be read on it, and what its console said."""
+        try:
+            text = " ".join(self.value("document.body.innerText").split())
+            return f"{text}; {self.complaints()}"
+        except PageGone:
+            return "nothing, it is gone"
 
     def _is_true(self, expression: str) -> bool:
         try:

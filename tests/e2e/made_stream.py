@@ -54,6 +54,7 @@ class Target:
         self.messages = 0
         self.frames = 0
         self.complete = 0b1111  # sensors, a bit each
+        self.points_other = 0  # scan points that were not used
 
     def messages_of(self, grid: Grid, points_used: int = 0,
                     window: made_classes.Window | None = None) -> list[bytes]:
@@ -94,7 +95,7 @@ class Target:
     def _header(self, kind: int, flags: int, points_used: int) -> bytes:
         return struct.pack(">BBHIIQIBBBBIIIII", kind, flags, grid_stream.HEADER_BYTES, self.messages,
                            self.frames, self._closed_us, self._vehicle, 4, self.complete, 0, 0,
-                           points_used, 0, 4, 0, self.run)
+                           points_used, self.points_other, 4, 0, self.run)
 
     @staticmethod
     def _tiles_header(first: int, end: int, count: int) -> bytes:

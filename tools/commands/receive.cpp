@@ -17,6 +17,7 @@
 #include "tools/program/progress.hpp"
 #include "tools/receive/chosen_frame.hpp"
 #include "tools/receive/frame_assembler.hpp"
+#include "tools/receive/frame_notes.hpp"
 #include "tools/receive/link_counts.hpp"
 #include "tools/receive/nothing_came.hpp"
 #include "tools/receive/run_statistics.hpp"
@@ -50,6 +51,7 @@ class Reception {
   explicit Reception(const ReceiveOptions& options)
       : options_(&options),
         pictures_(options.pictures),
+        notes_(options.notify),
         assembler_([this](GridFrame&& frame) { take(std::move(frame)); }),
         frames_wanted_(options.frames),
         progress_("frames", options.frames) {
@@ -66,9 +68,7 @@ class Reception {
   // Until enough frames have come, or none for too long, or somebody interrupts.
   void run() {
     UdpReceiver receiver(options_->bind, options_->port);
-    if (options_->notify) {
-      std::cout << "listening" << std::endl;
-    }
+    notes_.say_listening();
     begin_ = last_evidence_ = Clock::now();
     while (!is_done() && !was_interrupted() && !is_idle()) {
       const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
@@ -195,12 +195,10 @@ class Reception {
       return;
     }
     statistics_.add(frame);
+    notes_.say_frames(statistics_);
     vehicle_id_ = frame.header.vehicle_id;
     if (!frame.header.has_evidence()) {
       return;
-    }
-    if (options_->notify) {
-      std::cout << "frame " << frame.evidence_number << std::endl;
     }
     last_evidence_ = Clock::now();
     progress_.show(frame.evidence_number + 1);
@@ -228,6 +226,7 @@ class Reception {
   RunStatistics statistics_;
   std::optional<std::uint32_t> vehicle_id_;  // of the last frame
   FrameWriter pictures_;
+  FrameNotes notes_;
   FrameAssembler assembler_;
   std::vector<FrameRecord> expected_;
   std::vector<ClassRecord> expected_classes_;
@@ -306,8 +305,9 @@ void add_receive(CLI::App& program) {
                    "End after so many seconds without such a frame")
       ->option_text("SECONDS")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--notify", options->notify,
-                    "Say `listening`, then `frame N` for each frame, on standard output");
+  command->add_flag(
+      "--notify", options->notify,
+      "Say `listening`, then for each frame `frame N` or `nothing taken`, on standard output");
   command
       ->add_option("--hashes", options->hashes,
                    "Write one line per frame, as `iog fuse --hashes` does")

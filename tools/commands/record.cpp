@@ -165,8 +165,9 @@ void add_sources(CLI::App& command, RecordOptions& options) {
                   "End after so many seconds without such a frame")
       ->option_text("SECONDS  (with --port)")
       ->check(CLI::PositiveNumber);
-  command.add_flag("--notify", options.live.notify,
-                   "Say `listening`, then `frame N` for each frame, on standard output");
+  command.add_flag(
+      "--notify", options.live.notify,
+      "Say `listening`, then for each frame `frame N` or `nothing taken`, on standard output");
 }
 
 void add_destinations(CLI::App& command, RecordOptions& options) {

@@ -59,6 +59,7 @@ void RunStatistics::add(const GridFrame& frame) {
     add_states(frame);
   }
   if (!frame.header.has_evidence()) {
+    nothing_taken_ += frame.header.points_other > 0 ? 1U : 0U;
     return;
   }
   const FrameRecord record = record_of(frame);

@@ -40,6 +40,8 @@ class RunStatistics {
   [[nodiscard]] std::uint64_t frames() const { return frames_; }
   [[nodiscard]] std::uint64_t incomplete() const { return incomplete_; }
   [[nodiscard]] std::uint64_t damaged() const { return damaged_; }
+  // Frames without evidence that scan points came for.
+  [[nodiscard]] std::uint64_t nothing_taken() const { return nothing_taken_; }
   [[nodiscard]] std::uint64_t points_used() const;
   [[nodiscard]] std::uint32_t run_hash() const { return hash_.value(); }
   [[nodiscard]] const ClassStatistics& classes() const { return classes_; }
@@ -62,6 +64,7 @@ class RunStatistics {
   std::uint64_t incomplete_ = 0;  // a message of them is missing
   std::uint64_t damaged_ = 0;     // not the grid that the target says, though all has come
   std::uint64_t too_slow_ = 0;    // the target has left points that it had no time for
+  std::uint64_t nothing_taken_ = 0;
   std::uint64_t tiles_ = 0;
   std::uint64_t tiles_not_sent_ = 0;  // the target's network took no message
   std::array<std::uint64_t, vehicle::kFateCount> fates_{};

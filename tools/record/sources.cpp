@@ -12,6 +12,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/receive/frame_notes.hpp"
 #include "tools/receive/nothing_came.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/record/stream_file.hpp"
@@ -43,12 +44,11 @@ class LiveRecording {
         recorder_(&recorder),
         receiver_(source.bind, source.port),
         destination_(endpoint_of(source)),
+        notes_(source.notify),
         progress_("frames", source.frames) {}
 
   void run() {
-    if (source_->notify) {
-      std::cout << "listening" << std::endl;
-    }
+    notes_.say_listening();
     while (!is_done() && !was_interrupted() && !is_idle()) {
       UdpReceiver::Messages messages = receiver_.take(kLongestWait);
       const std::uint64_t time_us = now_us();
@@ -81,11 +81,11 @@ class LiveRecording {
   }
 
   void note_frames() {
-    for (; frames_ < recorder_->census().statistics().records().size(); ++frames_) {
+    const RunStatistics& statistics = recorder_->census().statistics();
+    notes_.say_frames(statistics);
+    if (statistics.records().size() > frames_) {
+      frames_ = statistics.records().size();
       last_frame_ = Clock::now();
-      if (source_->notify) {
-        std::cout << "frame " << frames_ << std::endl;
-      }
     }
     progress_.show(frames_);
   }
@@ -105,6 +105,7 @@ class LiveRecording {
   Recorder* recorder_;
   UdpReceiver receiver_;
   Endpoint destination_;
+  FrameNotes notes_;
   Progress progress_;
   std::size_t frames_ = 0;  // with evidence
   Clock::time_point begin_ = Clock::now();

@@ -15,7 +15,7 @@ struct LiveSource {
   std::string bind = "127.0.0.1";
   std::uint64_t frames = 0;   // end after so many with evidence; 0: do not
   double idle_timeout_s = 0;  // end after so long without one; 0: do not
-  bool notify = false;        // say `listening`, and `frame N` for each
+  bool notify = false;        // say `listening`, and a line for each (frame_notes.hpp)
 };
 
 // UsageError if that address and port cannot be bound, CheckFailed if nothing has come. The number
