@@ -5,8 +5,9 @@ find_program(IOG_CCACHE_PROGRAM ccache)
 if(IOG_CCACHE AND IOG_CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Paths below the clone become relative before they are compared; precompiled headers are told by
   # what is in them, not by their time; the compiler's own list of headers is believed, so that a
-  # source that was never compiled is not read twice.
+  # source that was never compiled is not read twice; and what a file held is remembered by its inode,
+  # or each compilation would read a precompiled header's tens of megabytes for its name alone.
   set(CMAKE_CXX_COMPILER_LAUNCHER
     env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
-    CCACHE_SLOPPINESS=pch_defines,time_macros ${IOG_CCACHE_PROGRAM})
+    CCACHE_INODECACHE=1 CCACHE_SLOPPINESS=pch_defines,time_macros ${IOG_CCACHE_PROGRAM})
 endif()
