@@ -14,12 +14,17 @@ DATA = ROOT / "lab/data"
 WORK = ROOT / "build/lab"
 MADE_FROM = DATA / "made_from"
 
-# What figures depend on. Words (lab/pages, *.md) do not change them, and those rooms of tools/ that
-# no experiment links have no part in them. What lab/pages makes of lab/data is no source of it.
+# What figures and the laboratory's tests depend on. Words (lab/pages, *.md) do not change them, and
+# those rooms of tools/ that no experiment links have no part in them. What lab/pages makes of
+# lab/data is no source of it.
 SOURCES = ("CMakeLists.txt", "CMakePresets.json", "board", "hal", "lab", "linker", "qemu", "src",
-           "tests/programmer_error.cpp", "tests/target/start.S", "toolchain", "tools", "vehicles")
-NOT_SOURCES = ("lab/check", "lab/data", "lab/pages", "lab/run", "tools/budget/unit_costs.hpp",
-               "tools/info", "tools/record", "tools/replay", "tools/view")
+           "tests/CMakeLists.txt", "tests/e2e/wrong_use", "tests/host/fakes", "tests/host/lab",
+           "tests/host/tools/drive_sample.cpp", "tests/host/tools/drive_sample.hpp",
+           "tests/host/tree/built_quadtree.hpp", "tests/host/tree/grid_drawing.hpp",
+           "tests/list_suites.cmake", "tests/programmer_error.cpp", "tests/target/start.S",
+           "tests/test_headers.cpp", "toolchain", "tools", "vehicles")
+NOT_SOURCES = ("lab/check", "lab/data", "lab/pages", "lab/run", "tests/host/lab/pages",
+               "tools/budget/unit_costs.hpp", "tools/info", "tools/record", "tools/replay", "tools/view")
 
 
 class Failed(Exception):

@@ -1,7 +1,8 @@
 # Asks an executable of GoogleTest for its suites, and writes for ctest one test for each,
 # `<room>/<Suite>`. It is run when the executable has been built:
 #
-#   cmake -D EXECUTABLE=<path> [-D RUNNER=<path>] -D ROOM=<room> -D OUTPUT=<file> -P list_suites.cmake
+#   cmake -D EXECUTABLE=<path> [-D RUNNER=<path>] -D ROOM=<room> -D LABEL=<label> -D OUTPUT=<file>
+#     -P list_suites.cmake
 #
 # RUNNER: what starts the executable where this machine cannot.
 execute_process(COMMAND ${RUNNER} ${EXECUTABLE} --gtest_list_tests
@@ -30,6 +31,6 @@ foreach(suite IN LISTS suites)
   string(REGEX REPLACE "[\n.]" "" suite "${suite}")
   string(APPEND script
     "add_test([[${ROOM}/${suite}]] ${RUNNER} [[${EXECUTABLE}]] [[--gtest_filter=${suite}.*]])\n"
-    "set_tests_properties([[${ROOM}/${suite}]] PROPERTIES LABELS unit TIMEOUT 600${environment})\n")
+    "set_tests_properties([[${ROOM}/${suite}]] PROPERTIES LABELS ${LABEL} TIMEOUT 600${environment})\n")
 endforeach()
 file(WRITE ${OUTPUT} "${script}")
