@@ -1,5 +1,6 @@
 // Ranges. Grid coordinates stay below 2^21 subcells (the grid is 2^20 wide, a line at most 2^20
-// long), lengths below 2^18 mm, so every product of the two below fits 64 bits with room.
+// long), heights below 2^27 (those of beams of 89 degrees that end over a line of 2^20), lengths
+// below 2^18 mm, so every product of the two below fits 64 bits with room.
 
 #include "vehicle/beam.hpp"
 
@@ -10,13 +11,16 @@ namespace iog::vehicle {
 namespace {
 
 // The end of a beam along one axis, rounded to the nearest subcell, a tie towards plus infinity.
+// The base's whole subcells are added last: in units of 2^-40 subcells 64 bits hold 2^23 of them.
 std::int32_t end_of(const EndCoordinate& axis, Direction direction) {
   constexpr int kFractionBits = kAxisFractionBits + numeric::kSineFractionBits;
-  const std::int64_t end = axis.base * (std::int64_t{1} << numeric::kSineFractionBits) +
-                           std::int64_t{axis.forward} * direction.cosine +
-                           std::int64_t{axis.left} * direction.sine;
-  return static_cast<std::int32_t>((end + (std::int64_t{1} << (kFractionBits - 1))) >>
-                                   kFractionBits);
+  constexpr std::int64_t kFractionMask = (std::int64_t{1} << kAxisFractionBits) - 1;
+  const std::int64_t end =
+      (axis.base & kFractionMask) * (std::int64_t{1} << numeric::kSineFractionBits) +
+      std::int64_t{axis.forward} * direction.cosine + std::int64_t{axis.left} * direction.sine;
+  return static_cast<std::int32_t>(
+      (axis.base >> kAxisFractionBits) +
+      ((end + (std::int64_t{1} << (kFractionBits - 1))) >> kFractionBits));
 }
 
 // Is low <= start + (end - start) * range / length <= high ? Exact.

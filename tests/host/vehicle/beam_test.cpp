@@ -8,12 +8,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "geometry/grid.hpp"
 #include "lidar/ibeo_lux.hpp"
+#include "vehicle/compile.hpp"
 
 namespace iog::vehicle {
 namespace {
@@ -73,6 +75,26 @@ void expect_every_direction_right() {
 
 TEST(Beam, EndsWhereTrigonometrySaysStraight) { expect_every_direction_right<OneLux>(); }
 TEST(Beam, EndsWhereTrigonometrySaysTilted) { expect_every_direction_right<TiltedLux>(); }
+
+// The longest range and the steepest lasers that a description may have: their beams end 7.4 km
+// over and under the grid, and are in the band for 3 / tan 89 degrees = 0.052 m.
+TEST(Beam, EndsWhereTrigonometrySaysSteep) {
+  std::array<lidar::Laser, 16> lasers{};
+  lasers.front().elevation_deg = -89;
+  lasers.back().elevation_deg = 89;
+  SensorConfig config = tests::test_vlp16(100, {});
+  config.range_max_mm = kLongestRangeMm;
+  config.lasers = lasers;
+  const Description car{.name = "steep", .z_min_m = -3, .z_max_m = 3};
+  check_sensor(car, config, 0, [](const Fault& fault) { ADD_FAILURE() << fault.field; });
+  const Sensor sensor = compile_sensor(config, car);
+  const double end_m = 130 * std::tan(89 * std::acos(-1.0) / 180);
+  for (const auto& [layer, side] : {std::pair{0, -1}, {15, 1}}) {
+    const Beam beam = aim(sensor, static_cast<std::uint8_t>(layer), 0);
+    EXPECT_NEAR(beam.end_z, side * end_m * geometry::kSubcellsPerMetre, 0.503);
+    EXPECT_EQ(ranges_in_band(sensor, beam.end_z), (Ranges{0, 52}));
+  }
+}
 
 Classification fate_of(const lidar::ScanPoint& point) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
