@@ -19,6 +19,7 @@
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
+#include "steep_vlp16.hpp"
 
 namespace iog::grid {
 namespace {
@@ -30,6 +31,7 @@ using geometry::SubcellPoint;
 using tests::LevelVlp16;
 using tests::ManyLayers;
 using tests::Rational;
+using tests::SteepVlp16;
 using vehicle::Fate;
 
 constexpr std::int64_t kTicks = 36'000;
@@ -303,6 +305,11 @@ TEST(Turning, EveryCellIsAsTheRuleSaysForAVlp16) {
 TEST(Turning, EveryCellIsAsTheRuleSaysFor128Layers) {
   expect_every_cell_as_the_rule_says<ManyLayers>(ManyLayers::kElevationsDeg, 52,
                                                  tests::effort(120, 8));
+}
+
+TEST(Turning, EveryCellIsAsTheRuleSaysAtTheLimits) {
+  expect_every_cell_as_the_rule_says<SteepVlp16>(SteepVlp16::kElevationsDeg, 53,
+                                                 tests::effort(60, 8));
 }
 
 // Where the car's own border lies is asked of what was measured, as the sensor's minimum is, and
