@@ -19,7 +19,7 @@
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
-#include "steep_vlp16.hpp"
+#include "vehicle/steep_vlp16.hpp"
 
 namespace iog::grid {
 namespace {

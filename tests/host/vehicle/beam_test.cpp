@@ -8,19 +8,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
-#include <utility>
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "geometry/grid.hpp"
 #include "lidar/ibeo_lux.hpp"
-#include "vehicle/compile.hpp"
+#include "vehicle/steep_vlp16.hpp"
 
 namespace iog::vehicle {
 namespace {
 
 using tests::OneLux;
+using tests::SteepVlp16;
 using tests::TiltedLux;
 
 struct Vector {
@@ -76,24 +76,17 @@ void expect_every_direction_right() {
 TEST(Beam, EndsWhereTrigonometrySaysStraight) { expect_every_direction_right<OneLux>(); }
 TEST(Beam, EndsWhereTrigonometrySaysTilted) { expect_every_direction_right<TiltedLux>(); }
 
-// The longest range and the steepest lasers that a description may have: their beams end 7.4 km
-// over and under the grid, and are in the band for 3 / tan 89 degrees = 0.052 m.
+// From 1.5 m above the ground the steepest leave the height band, 0.3 to 2.2 m, after
+// 1.2 / tan 89 degrees = 0.0209 m downwards and 0.7 / tan 89 degrees = 0.0122 m upwards.
 TEST(Beam, EndsWhereTrigonometrySaysSteep) {
-  std::array<lidar::Laser, 16> lasers{};
-  lasers.front().elevation_deg = -89;
-  lasers.back().elevation_deg = 89;
-  SensorConfig config = tests::test_vlp16(100, {});
-  config.range_max_mm = kLongestRangeMm;
-  config.lasers = lasers;
-  const Description car{.name = "steep", .z_min_m = -3, .z_max_m = 3};
-  check_sensor(car, config, 0, [](const Fault& fault) { ADD_FAILURE() << fault.field; });
-  const Sensor sensor = compile_sensor(config, car);
-  const double end_m = 130 * std::tan(89 * std::acos(-1.0) / 180);
-  for (const auto& [layer, side] : {std::pair{0, -1}, {15, 1}}) {
-    const Beam beam = aim(sensor, static_cast<std::uint8_t>(layer), 0);
-    EXPECT_NEAR(beam.end_z, side * end_m * geometry::kSubcellsPerMetre, 0.503);
-    EXPECT_EQ(ranges_in_band(sensor, beam.end_z), (Ranges{0, 52}));
+  const Sensor& sensor = SteepVlp16::kVehicle.sensors[0];
+  for (std::uint8_t layer = 0; layer < sensor.layer_count; ++layer) {
+    const double elevation = SteepVlp16::kElevationsDeg.at(layer) * std::acos(-1.0) / 180;
+    EXPECT_NEAR(aim(sensor, layer, 0).end_z,
+                (1.5 + 130 * std::tan(elevation)) * geometry::kSubcellsPerMetre, 0.503);
   }
+  EXPECT_EQ(ranges_in_band(sensor, aim(sensor, 0, 0).end_z), (Ranges{0, 20}));
+  EXPECT_EQ(ranges_in_band(sensor, aim(sensor, 15, 0).end_z), (Ranges{0, 12}));
 }
 
 Classification fate_of(const lidar::ScanPoint& point) {
