@@ -25,6 +25,9 @@ SOURCES = ("CMakeLists.txt", "CMakePresets.json", "board", "hal", "lab", "linker
            "tests/test_headers.cpp", "toolchain", "tools", "vehicles")
 NOT_SOURCES = ("lab/check", "lab/data", "lab/pages", "lab/run", "tests/host/lab/pages",
                "tools/budget/unit_costs.hpp", "tools/info", "tools/record", "tools/replay", "tools/view")
+# What lab/peers times, what that is made of, and what makes the beams.
+PEERS_SOURCES = ("CMakeLists.txt", "CMakePresets.json", "lab/baseline", "lab/evidence", "lab/peers",
+                 "lab/reference", "src", "tools/simulate", "tools/vehicles", "vehicles")
 
 
 class Failed(Exception):
@@ -119,8 +122,7 @@ def measure(name: str, recordings: typing.Sequence[str] = ()) -> None:
     DATA.mkdir(exist_ok=True)
     for path in sorted(folder.iterdir()):
         shutil.move(path, DATA / path.name)
-    if name != "peers":  # times on a PC are of a day, not of the sources
-        write_stamp(name)
+    write_stamp(name)
 
 
 def files_of(room: str) -> list[pathlib.Path]:
@@ -143,9 +145,10 @@ def digest(paths: list[pathlib.Path]) -> str:
     return total.hexdigest()
 
 
-def sources() -> str:
-    """One number for the content of all that figures depend on."""
-    return digest([path for room in SOURCES for path in files_of(room)])
+def sources(step: str = "") -> str:
+    """One number for the content of all that the figures of a step depend on."""
+    rooms = PEERS_SOURCES if step == "peers" else SOURCES
+    return digest([path for room in rooms for path in files_of(room)])
 
 
 def tables() -> str:
@@ -161,17 +164,22 @@ def stamps() -> dict[str, str]:
 
 def write_stamp(step: str) -> None:
     """lab/data/made_from: per step the sources that its tables were measured from."""
-    now = {**stamps(), step: sources(), "tables": tables()}
+    now = {**stamps(), step: sources(step), "tables": tables()}
     MADE_FROM.write_text("".join(f"{name} {now[name]}\n" for name in sorted(now)))
 
 
 def what_changed() -> str:
-    """In words, what lab/data is not of; empty if it is of these sources."""
+    """In words, what lab/data is not of; empty if it is of these sources. Times of other libraries
+    are not among it: nobody can measure them again and compare."""
     kept, now = stamps(), sources()
     stale = [name for name in STEPS if name != "peers" and kept.get(name) != now]
     if stale:
         return f"other sources than lab/data was made from ({', '.join(stale)})"
     return "" if kept.get("tables") == tables() else "a table of lab/data was changed by hand"
+
+
+def are_peers_current() -> bool:
+    return stamps().get("peers") == sources("peers")
 
 
 def complain(program: str, text: str, status: int) -> typing.NoReturn:

@@ -37,10 +37,12 @@ def _cells(times):
 def section(data) -> Section:
     times = PeerTimes(data)
     context = times.context
+    made_with = dict(data["peers_made_with"].itertuples(index=False))
     return Section(found={
         "city": _scene(times, "city"), "ring_road": _scene(times, "ring_road"),
         "goals": _goals(times), "cells": _cells(times),
         "repetitions": len(times.of("city", OURS).both),
         "load": f"{context['load_avg'][0]:.1f}", "processors": context["num_cpus"],
         "date": context["date"][:10],
-        "made_with": [list(row) for row in data["peers_made_with"].itertuples(index=False)]})
+        "commit": made_with["commit"], "processor": made_with["processor"],
+        "made_with": [list(row) for row in made_with.items()]})

@@ -3,6 +3,7 @@
 import importlib.machinery
 import importlib.util
 import pathlib
+import re
 import tempfile
 import unittest
 from unittest import mock
@@ -72,6 +73,55 @@ class Stamp(unittest.TestCase):
     def test_one_step_alone_leaves_the_others_stale(self):
         measurements.write_stamp("images")
         self.assertIn("(experiments, target, a9_model)", measurements.what_changed())
+
+
+    def test_times_beside_other_libraries_are_of_what_they_time(self):
+        """Another page, view or simulator command does not make them old; src/ does."""
+        self.assertFalse(measurements.are_peers_current())
+        self.stamp_all()
+        for name in ("tools/view/page.js", "lab/pages/build", "src/README.md", "lab/target/run"):
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / name).write_text("other")
+            self.assertTrue(measurements.are_peers_current(), name)
+        (self.root / "src/a.cpp").write_text("other")
+        self.assertFalse(measurements.are_peers_current())
+        measurements.write_stamp("experiments")
+        self.assertFalse(measurements.are_peers_current())
+        measurements.write_stamp("peers")
+        self.assertTrue(measurements.are_peers_current())
+
+    def test_old_times_leave_the_other_tables_current(self):
+        self.stamp_all()
+        stale = measurements.stamps() | {"peers": "0"}
+        measurements.MADE_FROM.write_text("".join(f"{key} {stale[key]}\n" for key in stale))
+        self.assertEqual(measurements.what_changed(), "")
+        self.assertFalse(measurements.are_peers_current())
+
+
+def room_of(name: str) -> pathlib.Path | None:
+    """The file that an #include "name" of the peers program means, if it is one of ours."""
+    found = [base / name for base in (laboratory.ROOT / "src", laboratory.ROOT)]
+    return next((path for path in found if path.is_file()), None)
+
+
+class Peers(unittest.TestCase):
+    def test_all_that_is_timed_is_among_the_sources(self):
+        """Whoever is included by what is timed, and the .cpp beside it, but for tools/: its part is
+        to make the beams."""
+        rooms = measurements.PEERS_SOURCES
+        self.assertTrue({"tools/simulate", "tools/vehicles", "vehicles"} <= set(rooms))
+        waiting, seen = sorted((laboratory.ROOT / "lab/peers").glob("*.cpp")), set()
+        while waiting:
+            path = waiting.pop()
+            name = path.relative_to(laboratory.ROOT).as_posix()
+            if path in seen or name.startswith("tools/"):
+                continue
+            seen.add(path)
+            self.assertTrue(any(name.startswith(f"{room}/") for room in rooms), name)
+            includes = re.findall(r'^#include "([^"]+)"', path.read_text(), re.M)
+            waiting += [found for each in includes if (found := room_of(each))]
+            waiting += [beside for beside in [path.with_suffix(".cpp")] if beside.is_file()]
+        self.assertGreater(len(seen), 50)
 
 
 class Programs(unittest.TestCase):
