@@ -116,10 +116,18 @@ constexpr double mean_height_m(std::span<const lidar::Laser> lasers) {
   return lasers.empty() ? 0 : sum / static_cast<double>(lasers.size());
 }
 
+// The tick nearest to a laser's azimuth, a tie away from 0. Half a hundredth of a degree is no
+// double, so the degrees are taken for the decimal number that was meant: to 1e-9.
+constexpr std::int16_t nearest_tick(double azimuth_deg, std::int32_t ticks_per_turn) {
+  constexpr std::int64_t kPartsPerTurn = 360'000'000'000;
+  const std::int64_t doubled = 2 * numeric::round(azimuth_deg * 1e9) * ticks_per_turn;
+  const std::int64_t half = azimuth_deg < 0 ? -kPartsPerTurn : kPartsPerTurn;
+  return static_cast<std::int16_t>((doubled + half) / (2 * kPartsPerTurn));
+}
+
 constexpr lidar::LaserCorrection correction_of(const lidar::Laser& laser,
                                                std::int32_t ticks_per_turn) {
-  return {.azimuth_ticks =
-              static_cast<std::int16_t>(numeric::round(laser.azimuth_deg * ticks_per_turn / 360)),
+  return {.azimuth_ticks = nearest_tick(laser.azimuth_deg, ticks_per_turn),
           .range_mm = static_cast<std::int16_t>(numeric::round(horizontal_range_m(laser) * 1000))};
 }
 

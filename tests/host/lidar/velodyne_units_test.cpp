@@ -59,6 +59,17 @@ TEST(VelodyneUnits, AnHdl32eFiresItsLasersOneAfterAnother) {
   }
 }
 
+// docs/spec.md 1.2: a head that gains 0.2 degrees a block has gained k / 2 hundredths when laser k
+// fires.
+TEST(VelodyneUnits, ATieOfTheTurnGoesClockwise) {
+  Packet packet = turning(kHdl32e);
+  packet.step = 20;
+  const auto points = points_of<VelodyneHdl32e>(packet.bytes());
+  for (std::size_t laser = 0; laser < 32; ++laser) {
+    EXPECT_EQ(turned(points[laser]), static_cast<double>((laser + 1) / 2));
+  }
+}
+
 // The manual's table of elevations by firing order begins -30.67, -9.33, -29.33, -8.00 and ends
 // -12.00, 9.33, -10.67, 10.67.
 TEST(VelodyneUnits, AnHdl32eLooksFromFarBelowToALittleUp) {
