@@ -65,7 +65,8 @@ class TileSender {
     entry.tile = tile;
     entry.age_frames = age_frames;
     std::ranges::copy(cells, entry.cells.begin());
-    if (batched_ == (platform_->cores() == 1 ? 1 : kBatch)) {
+    // Helpers may be lost while a batch fills.
+    if (batched_ >= (platform_->cores() == 1 ? 1 : kBatch)) {
       encode_batch();
     }
   }

@@ -30,7 +30,8 @@ class Drive {
     }
   }
 
-  void publish(std::uint32_t number, NetworkSink<SharingPlatform>& sink) const {
+  template <typename AnyPlatform>
+  void publish(std::uint32_t number, NetworkSink<AnyPlatform>& sink) const {
     FrameReport report{};
     report.number = number;
     sink.begin_frame(report);
@@ -45,8 +46,9 @@ class Drive {
   std::array<std::array<std::byte, tile_coding::kTileBytes>, 300> tiles_{};
 };
 
-void play(int frames, SharingPlatform& platform) {
-  const auto sink = std::make_unique<NetworkSink<SharingPlatform>>(platform, Coding::kShortest);
+template <typename AnyPlatform>
+void play(int frames, AnyPlatform& platform) {
+  const auto sink = std::make_unique<NetworkSink<AnyPlatform>>(platform, Coding::kShortest);
   const auto drive = std::make_unique<Drive>();
   for (int frame = 0; frame < frames; ++frame) {
     drive->next();
@@ -89,6 +91,29 @@ TEST_P(PublishDespite, TheLossOfACoreGivesTheMessagesOfOne) {
 INSTANTIATE_TEST_SUITE_P(Accidents, PublishDespite,
                          ::testing::Values(Accident::kFaultBefore, Accident::kFaultAfter,
                                            Accident::kHangBefore, Accident::kHangAfter));
+
+// Does all alone, and has lost its helpers when it has been asked often enough for its cores.
+class LonelyPlatform : public SharingPlatform {
+ public:
+  explicit LonelyPlatform(int asked_with_helpers)
+      : SharingPlatform(1, kAnyTimeUs), asked_with_helpers_(asked_with_helpers) {}
+
+  [[nodiscard]] std::size_t cores() const { return --asked_with_helpers_ >= 0 ? 3 : 1; }
+
+ private:
+  mutable int asked_with_helpers_;
+};
+
+class PublishFrom : public ::testing::TestWithParam<int> {};
+
+TEST_P(PublishFrom, ABatchThatLosesItsHelpersGivesTheMessagesOfOne) {
+  LonelyPlatform platform(GetParam());
+  play(kFrames, platform);
+  EXPECT_EQ(platform.messages, messages_of_one_core());
+}
+
+// Tiles that are in the batch by then: none, one, some, nearly all of a batch.
+INSTANTIATE_TEST_SUITE_P(Tiles, PublishFrom, ::testing::Values(0, 1, 50, 191));
 
 }  // namespace
 }  // namespace iog::app
