@@ -6,6 +6,7 @@
         .syntax unified
         .arm
 
+#include "control_registers.inc"
 #include "processor_modes.inc"
 
         .text
@@ -41,16 +42,13 @@ start_neon:
         bx    lr
         .size start_neon, . - start_neon
 
-// MMU and level 1, with the tables that core 0 has built. ACTLR.SMP (bit 6) makes shareable
-// write-back memory really cacheable, and the snoop control unit must be on by then; FW (bit 0)
-// broadcasts maintenance, bit 2 is the L1 prefetch hint. Table walks are cached like the tables:
-// write-back, write-allocate, shareable (TTBR0 bits 6, 3, 1). All of domain 0 is a client, so the
-// permissions in the descriptors count. Uses r0, r1.
+// MMU and level 1, with the tables that core 0 has built. The snoop control unit must be on before
+// ACTLR.SMP is. Table walks are cached like the tables: write-back, write-allocate, shareable (TTBR0
+// bits 6, 3, 1). All of domain 0 is a client, so the permissions in the descriptors count. Uses r0, r1.
         .global start_mmu
         .type   start_mmu, %function
 start_mmu:
-        mrc   p15, 0, r0, c1, c0, 1     // ACTLR
-        orr   r0, r0, #((1 << 6) | (1 << 2) | (1 << 0))
+        mov   r0, #kActlr
         mcr   p15, 0, r0, c1, c0, 1
         isb
         dsb
@@ -66,9 +64,7 @@ start_mmu:
         mcr   p15, 0, r1, c7, c5, 6     // BPIALL
         dsb
         isb
-        mrc   p15, 0, r0, c1, c0, 0     // SCTLR: MMU, data cache, branches, instruction cache
-        orr   r0, r0, #((1 << 0) | (1 << 2))
-        orr   r0, r0, #((1 << 11) | (1 << 12))
+        ldr   r0, =kSctlrOn
         mcr   p15, 0, r0, c1, c0, 0
         isb
         bx    lr
@@ -80,6 +76,9 @@ start_mmu:
         .type   Helper_Start, %function
 Helper_Start:
         cpsid aif, #kModeSupervisor
+        ldr   r0, =kSctlrOff
+        mcr   p15, 0, r0, c1, c0, 0
+        isb
 
         // The level 1 data cache holds whatever the power-up left: invalidated by set and way, 32-byte
         // lines, 4 ways, the operand is way << 30 | set << 5. The number of sets comes from CCSIDR.

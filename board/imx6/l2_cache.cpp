@@ -23,7 +23,11 @@ bool L2Cache::start() {
   registers_.data_ram_control.write(R::kLatency132);
   // Bit 22: without it the PL310 treats shared uncached accesses as cacheable without allocation,
   // and the DMA region would be read from lines that a speculative access once brought in.
-  registers_.aux_control.set_bits(R::kAuxSharedOverride);
+  // The cores' ACTLR has neither lines of zeros in one write nor exclusive caches: both sides or
+  // none.
+  const std::uint32_t left = registers_.aux_control.read();
+  registers_.aux_control.write((left & ~(R::kAuxFullLineOfZeros | R::kAuxExclusive)) |
+                               R::kAuxSharedOverride);
   // Prefetch for code and data. Double linefill off: erratum 752271 of r3p1 corrupts data with it.
   registers_.prefetch_control.clear_bits(R::kPrefetchDoubleLinefill);
   registers_.prefetch_control.set_bits(R::kPrefetchData | R::kPrefetchInstruction);

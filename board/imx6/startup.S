@@ -10,18 +10,8 @@
         .syntax unified
         .arm
 
+#include "control_registers.inc"
 #include "processor_modes.inc"
-
-        .set  kSctlrMmu,       1 << 0
-        .set  kSctlrAlignment, 1 << 1
-        .set  kSctlrDataCache, 1 << 2
-        .set  kSctlrBranches,  1 << 11
-        .set  kSctlrInstructionCache, 1 << 12
-        .set  kSctlrHighVectors, 1 << 13
-        .set  kSctlrBigEndianExceptions, 1 << 25
-        .set  kSctlrTexRemap,  1 << 28
-        .set  kSctlrAccessFlag, 1 << 29
-        .set  kSctlrThumbExceptions, 1 << 30
 
         // PL310 (ARM DDI 0246): offsets, and how often a busy flag is read before giving up.
         // Cleaning 32768 dirty lines takes a few milliseconds; a million reads of a device take at
@@ -113,14 +103,9 @@ Reset_Handler:
         str   r0, [r4, #kPl310Control]
         dsb
 4:
-        // MMU, instruction cache and branch prediction off; exceptions little-endian, in ARM state,
-        // through VBAR; short descriptors mean what the ARM ARM says with TEX remap and access
-        // flag off.
-        bic   r0, r10, #(kSctlrMmu | kSctlrAlignment | kSctlrDataCache)
-        bic   r0, r0, #(kSctlrInstructionCache | kSctlrBranches)
-        bic   r0, r0, #kSctlrHighVectors
-        bic   r0, r0, #kSctlrBigEndianExceptions
-        bic   r0, r0, #(kSctlrTexRemap | kSctlrAccessFlag | kSctlrThumbExceptions)
+        // MMU, instruction cache and branch prediction off, and nothing left of the loader's.
+        movw  r0, #(kSctlrOff & 0xffff)
+        movt  r0, #(kSctlrOff >> 16)
         mcr   p15, 0, r0, c1, c0, 0
         isb
         mov   r0, #0

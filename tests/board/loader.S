@@ -7,7 +7,8 @@
         .arm
 
         .set  kMmuAndCaches,  1 << 0    // as U-Boot: flat, SCTLR 0x00c5187d
-        .set  kOddControl,    1 << 1    // alignment check, high vectors, TEX remap, access flag, Thumb
+        .set  kOddControl,    1 << 1    // alignment check, high vectors, TEX remap, access flag, Thumb,
+                                        // SWP, round-robin replacement
         .set  kBigEndian,     1 << 2    // exceptions big-endian, which holds for table walks too
         .set  kL2,            1 << 3    // the PL310 says that it is on
         .set  kPending,       1 << 4    // timers run, their interrupts are enabled and wait
@@ -132,7 +133,7 @@ loader:
 7:
         mrc   p15, 0, r0, c1, c0, 0
         tst   r11, #kOddControl
-        ldrne r1, =0x70002002
+        ldrne r1, =0x70006402
         orrne r0, r0, r1
         tst   r11, #kBigEndian
         orrne r0, r0, #(1 << 25)

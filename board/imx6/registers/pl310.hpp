@@ -31,6 +31,8 @@ struct Pl310Registers {
 
   static constexpr std::uint32_t kControlEnable = 1u << 0;
   static constexpr std::uint32_t kAllWays = 0xffff;  // 16 ways of 64 KiB
+  static constexpr std::uint32_t kAuxFullLineOfZeros = 1u << 0;
+  static constexpr std::uint32_t kAuxExclusive = 1u << 12;
   static constexpr std::uint32_t kAuxSharedOverride = 1u << 22;
   static constexpr std::uint32_t kLatency132 = 0x132;
   static constexpr std::uint32_t kPrefetchData = 1u << 28;

@@ -88,6 +88,15 @@ TEST_F(L2, IsConfiguredWhileOffInvalidatedAndThenOn) {
   EXPECT_EQ(machine::writes_to(registers_), expected);
 }
 
+// ARM DDI 0246, Auxiliary Control Register: lines of zeros in one write (bit 0) and exclusive
+// caches (bit 12) must be set in the cores' ACTLR as well, which core_start.S writes without them.
+// The size of the ways (bits 19:17) and what else a loader has chosen stays.
+TEST_F(L2, ForgetsWhatTheCoresWouldHaveToAgreeWith) {
+  poke(registers_.aux_control, 0x3247'1001u);
+  static_cast<void>(cache_.start());
+  EXPECT_EQ(last_write(registers_, 0x104), 0x3247'0000u);
+}
+
 TEST_F(L2, StaysOffIfInvalidatingNeverEnds) {
   EXPECT_FALSE(cache_.start());
   EXPECT_EQ(last_write(registers_, 0x100), 0u);
