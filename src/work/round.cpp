@@ -38,7 +38,7 @@ Round::Ticket Round::help(std::size_t core, std::atomic<std::uint32_t>& done) {
     if (const std::optional<std::size_t> item = claim(seen)) {
       run(*item, core);
       finish(*item);
-      done.fetch_add(1, std::memory_order_relaxed);
+      count_up(done, 1);
       seen = look();
     }
   }

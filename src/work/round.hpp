@@ -40,6 +40,12 @@ template <typename Callable>
           .context = &callable};
 }
 
+// Adds to what one core alone counts and others may read. A load and a store, because nobody else
+// writes in between; so there is no exclusive access that could follow a store to a device.
+inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
+  counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
+}
+
 class Round {
  public:
   static constexpr std::size_t kMaxItems = 1024;
@@ -63,8 +69,8 @@ class Round {
   void run(std::size_t item, std::size_t core) { work_.run(work_.context, item, core); }
   void finish(std::size_t item) { is_done_[item].store(true, std::memory_order_release); }
 
-  // This core: does items until none is left, and returns the ticket that said so. Adds to `done`
-  // what it did.
+  // This core: does items until none is left, and returns the ticket that said so. Adds to `done`,
+  // which this core alone writes, what it did.
   Ticket help(std::size_t core, std::atomic<std::uint32_t>& done);
 
   // Core 0: whether every item has its flag. What was stored for them is then visible.

@@ -58,7 +58,7 @@ class Team {
     look_around();
     if (items < 2 || cores() == 1) {
       do_alone(items, work);
-      seats_[0].items.fetch_add(static_cast<std::uint32_t>(items), std::memory_order_relaxed);
+      count_up(seats_[0].items, static_cast<std::uint32_t>(items));
       return;
     }
     round_.open(items, work);

@@ -38,7 +38,7 @@ class Pile {
 
   void operator()(std::size_t item, std::size_t core) {
     make(item, 0, kWords / 2);
-    begun_.fetch_or(1u << core, std::memory_order_relaxed);
+    begun_.fetch_or(1u << core, std::memory_order_acq_rel);
     wait_for_all();
     if (core != 0 && core == lost_) {
       lose(core);
