@@ -1,6 +1,7 @@
-// SRC by IMX6DQRM, chapter "System Reset Controller (SRC)": a core is held in reset until its
-// enable bit in SRC_SCR is set; then the boot ROM jumps to the address in its register
-// PERSISTENT_ENTRY. Software-generated interrupts by ARM IHI 0048, GICD_SGIR.
+// SRC by IMX6DQRM, chapter "System Reset Controller (SRC)": a core is held back until its enable
+// bit in SRC_SCR is set, and begins anew when its reset bit is, which clears itself; then the boot
+// ROM jumps to the address in its register PERSISTENT_ENTRY. Software-generated interrupts by ARM
+// IHI 0048, GICD_SGIR.
 #include "cores.hpp"
 
 namespace iog::imx6 {
@@ -26,13 +27,17 @@ bool Cores::start(std::size_t core, hal::CoreJob job) {
   helper.wakes.store(0, std::memory_order_relaxed);
   helper.state.store(hal::CoreState::kOff, std::memory_order_relaxed);
   const std::uint32_t enable = 1u << (SrcRegisters::kScrCore1EnableShift + core - 1);
-  // A loader may have used the core: it begins again only if it was in reset.
-  src_.scr.clear_bits(enable);
+  const std::uint32_t reset = 1u << (SrcRegisters::kScrCore1ResetShift + core - 1);
+  // Another core's reset that still shows would be asked for again.
+  const std::uint32_t others = src_.scr.read() & ~(SrcRegisters::kScrCoreResets | enable);
+  // A loader may have used the core, so it is stopped first.
+  src_.scr.write(others);
   src_.entry[core].address.write(entry_);
   // A helper knows its number from MPIDR and needs no argument.
   src_.entry[core].argument.write(0);
   machine::barrier();
-  src_.scr.set_bits(enable);
+  // With its reset: enabling alone need not begin it anew.
+  src_.scr.write(others | enable | reset);
   const std::uint64_t begin_us = now_us();
   while (state(core) != hal::CoreState::kRunning) {
     if (now_us() - begin_us > kMaxStartUs) {

@@ -20,9 +20,11 @@ struct SrcRegisters {
   Gap<0x0c, 0x20> gap_0c;
   Entry entry[4];  // one a core
 
-  static constexpr std::uint32_t kSrsrPowerOn = 1u << 0;   // ipp_reset_b
-  static constexpr std::uint32_t kSrsrWatchdog = 1u << 4;  // wdog_rst_b
-  static constexpr unsigned kScrCore1EnableShift = 22;     // core2_enable is 23, core3_enable 24
+  static constexpr std::uint32_t kSrsrPowerOn = 1u << 0;       // ipp_reset_b
+  static constexpr std::uint32_t kSrsrWatchdog = 1u << 4;      // wdog_rst_b
+  static constexpr unsigned kScrCore1ResetShift = 14;          // core2_rst is 15, core3_rst 16
+  static constexpr std::uint32_t kScrCoreResets = 0xfu << 13;  // of all four; they clear themselves
+  static constexpr unsigned kScrCore1EnableShift = 22;  // core2_enable is 23, core3_enable 24
 };
 
 static_assert(offsetof(SrcRegisters, srsr) == 0x08);
