@@ -46,7 +46,7 @@ Board::Board(const MacAddress& address)
   // The watchdog first, so that no later step can hang for good.
   watchdog_.start();
   reset_status_ = src.srsr.read();
-  boot_ = open_boot_record(boot_record);
+  boot_ = open_boot_record(boot_record, l2_cache_);
   start_clocks(ccm);
   start_console_pins(iomuxc);
   console_.start();
@@ -63,8 +63,9 @@ Board::Board(const MacAddress& address)
   tick_.start();
   start_gic(gic_distributor, gic_cpu);
   // Last, when the stopwatch has run beside clocks that it knows nothing of.
-  run_number_ = begin_run(boot_record,
-                          {.noise = boot_noise, .ticks = stopwatch_.ticks(), .mac = mac_address_});
+  run_number_ =
+      begin_run(boot_record,
+                {.noise = boot_noise, .ticks = stopwatch_.ticks(), .mac = mac_address_}, l2_cache_);
 }
 
 void Board::idle() {

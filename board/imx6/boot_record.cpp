@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "machine.hpp"
-
 namespace iog::imx6 {
 namespace {
 
@@ -42,14 +40,15 @@ std::uint32_t number_drawn_from(const Differences& differences) {
   return number;
 }
 
-void close(BootRecord& record) {
+// A barrier alone leaves it in the PL310's store buffer (erratum 769419).
+void close(BootRecord& record, L2Cache& cache) {
   record.seal = seal_of(record);
-  machine::barrier();
+  cache.drain_stores();
 }
 
 }  // namespace
 
-Boot open_boot_record(BootRecord& record) {
+Boot open_boot_record(BootRecord& record, L2Cache& cache) {
   Boot boot;
   const bool valid =
       record.last_word_bytes <= BootRecord::kLastWordBytes && record.seal == seal_of(record);
@@ -63,23 +62,23 @@ Boot open_boot_record(BootRecord& record) {
   record.boots = boot.number;
   record.run_number = valid ? record.run_number : 0;
   record.last_word_bytes = 0;
-  close(record);
+  close(record, cache);
   return boot;
 }
 
-std::uint32_t begin_run(BootRecord& record, const Differences& differences) {
+std::uint32_t begin_run(BootRecord& record, const Differences& differences, L2Cache& cache) {
   const bool has_one = record.run_number != 0;
   const std::uint32_t number = has_one ? record.run_number + 1 : number_drawn_from(differences);
   record.run_number = number != 0 ? number : 1;
-  close(record);
+  close(record, cache);
   return record.run_number;
 }
 
-void write_last_word(BootRecord& record, std::string_view text) {
+void write_last_word(BootRecord& record, std::string_view text, L2Cache& cache) {
   const std::size_t bytes = std::min(text.size(), BootRecord::kLastWordBytes);
   std::copy_n(text.begin(), bytes, record.last_word.begin());
   record.last_word_bytes = static_cast<std::uint32_t>(bytes);
-  close(record);
+  close(record, cache);
 }
 
 }  // namespace iog::imx6

@@ -2,14 +2,16 @@
 // It has the run's number, too, so that receivers tell one run from another (hal/run_number.hpp).
 //
 // After power-up DDR holds anything, so a record counts only if its seal fits its contents. The
-// region is mapped uncached. So what is written is in memory even if nothing is left that could
-// clean a cache.
+// region is mapped uncached, and whatever writes to it ends by draining the store buffers through
+// the PL310. So what is written is in memory when the function returns.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
+
+#include "l2_cache.hpp"
 
 namespace iog::imx6 {
 
@@ -47,7 +49,7 @@ struct Boot {
 };
 
 // Reads the record once, removes its last word and counts this boot.
-Boot open_boot_record(BootRecord& record);
+Boot open_boot_record(BootRecord& record, L2Cache& cache);
 
 // What differs from one cold start to the next, if it is read when the board has started.
 struct Differences {
@@ -59,9 +61,9 @@ struct Differences {
 
 // The number of this run, never 0: one more than that of the run before. If the record has none, a
 // number drawn from the differences, each bit of it from all of them.
-std::uint32_t begin_run(BootRecord& record, const Differences& differences);
+std::uint32_t begin_run(BootRecord& record, const Differences& differences, L2Cache& cache);
 
 // Leaves a last word for the next boot; it is cut to the space there is.
-void write_last_word(BootRecord& record, std::string_view text);
+void write_last_word(BootRecord& record, std::string_view text, L2Cache& cache);
 
 }  // namespace iog::imx6

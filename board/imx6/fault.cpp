@@ -45,7 +45,8 @@ void end_with_last_word(std::string_view text) {
   }
   ending = true;
   // Recorded before it is printed, because recording cannot block.
-  write_last_word(boot_record, text);
+  L2Cache cache(pl310);
+  write_last_word(boot_record, text, cache);
   // If the end came before Board started the watchdog, somebody has to.
   Watchdog(wdog1).start();
   Uart console(uart2);
