@@ -42,6 +42,38 @@ start_neon:
         bx    lr
         .size start_neon, . - start_neon
 
+// Asynchronous aborts, which nobody waits for when they come: a store to memory that is not there, or a
+// parity error. One that the ROM or a loader has caused may be pending; it is taken here, says nothing
+// of this firmware, and is dropped. From here on one ends the run or the helper like any other abort.
+// r0: the vectors from then on. Uses r1, and the link register of Abort mode.
+        .global start_aborts
+        .type   start_aborts, %function
+start_aborts:
+        ldr   r1, =Pending_Abort_Vectors
+        dsb                             // what was stored so far has its answer
+        mcr   p15, 0, r1, c12, c0, 0    // VBAR, each core's own
+        isb
+        cpsie a
+        isb
+        mcr   p15, 0, r0, c12, c0, 0
+        isb
+        bx    lr
+        .size start_aborts, . - start_aborts
+
+        .balign 32
+        .global Pending_Abort_Vectors
+        .type   Pending_Abort_Vectors, %function
+Pending_Abort_Vectors:
+        b     .
+        b     Undefined_Handler
+        b     SVC_Handler
+        b     PrefetchAbort_Handler
+        subs  pc, lr, #8                // to where it was taken, with the state of there
+        b     .
+        b     .
+        b     .
+        .size Pending_Abort_Vectors, . - Pending_Abort_Vectors
+
 // MMU and level 1, with the tables that core 0 has built. The snoop control unit must be on before
 // ACTLR.SMP is. Table walks are cached like the tables: write-back, write-allocate, shareable (TTBR0
 // bits 6, 3, 1). All of domain 0 is a client, so the permissions in the descriptors count. Uses r0, r1.
@@ -102,10 +134,6 @@ Helper_Start:
         bl    start_mmu
         bl    start_neon
 
-        ldr   r0, =Helper_Vectors
-        mcr   p15, 0, r0, c12, c0, 0    // VBAR, each core's own
-        isb
-
         // Two stacks: one for Supervisor mode, one for exceptions, of which the first ends the helper.
         mrc   p15, 0, r0, c0, c0, 5     // MPIDR
         and   r0, r0, #3
@@ -127,6 +155,8 @@ Helper_Start:
         cps   #kModeSupervisor
         mov   sp, r2
 
+        ldr   r0, =Helper_Vectors
+        bl    start_aborts
         bl    run_helper
         b     .
         .size Helper_Start, . - Helper_Start

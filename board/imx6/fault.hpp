@@ -37,7 +37,8 @@ struct FaultStatus {
 
 // "data abort pc=... lr=... sp=... spsr=... fsr=... far=..." and, if the address lies below a
 // stack,
-// "(stack guard)".
+// "(stack guard)". An "asynchronous abort" has no address, and pc is where the core was when it
+// heard of it.
 TextLine describe(const FaultFrame& frame, const FaultStatus& status, const mmu::MemoryMap& map);
 
 // Prints and records the line and waits for the watchdog to reset the chip.

@@ -22,17 +22,29 @@ std::string_view name(FaultKind kind) {
   return "unknown exception";
 }
 
+// The fault status of the short descriptors: DFSR bits 10 and 3 to 0 (ARM ARM, table B3-23).
+bool is_asynchronous(const FaultFrame& frame, const FaultStatus& status) {
+  constexpr std::uint32_t kExternal = 0x406;
+  constexpr std::uint32_t kParity = 0x408;
+  const std::uint32_t cause = status.status & 0x40f;
+  return frame.kind == FaultKind::kDataAbort && (cause == kExternal || cause == kParity);
+}
+
 }  // namespace
 
 TextLine describe(const FaultFrame& frame, const FaultStatus& status, const mmu::MemoryMap& map) {
   TextLine line;
-  line.text(name(frame.kind));
+  const bool unawaited = is_asynchronous(frame, status);
+  line.text(unawaited ? "asynchronous abort" : name(frame.kind));
   line.text(" pc=").hex(frame.pc).text(" lr=").hex(frame.lr).text(" sp=").hex(frame.sp);
   line.text(" spsr=").hex(frame.spsr);
   const bool aborted =
       frame.kind == FaultKind::kDataAbort || frame.kind == FaultKind::kPrefetchAbort;
   if (aborted) {
-    line.text(" fsr=").hex(status.status).text(" far=").hex(status.address);
+    line.text(" fsr=").hex(status.status);
+  }
+  if (aborted && !unawaited) {
+    line.text(" far=").hex(status.address);
     if (mmu::in_stack_guard(map, status.address)) {
       line.text(" (stack guard)");
     }

@@ -45,7 +45,8 @@ Vectors:
         .global Reset_Handler
         .type   Reset_Handler, %function
 Reset_Handler:
-        // Supervisor mode; interrupts, fast interrupts and asynchronous aborts masked, for ever.
+        // Supervisor mode. Interrupts and fast interrupts are masked for ever, asynchronous aborts until
+        // there are stacks to report them on.
         cpsid aif, #kModeSupervisor
 
         // Core 0 comes up here, the others in core_start.S. Another one that comes here sleeps.
@@ -126,10 +127,6 @@ Reset_Handler:
 
         bl    start_without_errata
 
-        ldr   r0, =Vectors
-        mcr   p15, 0, r0, c12, c0, 0    // VBAR
-        isb
-
         // A stack for every mode that an exception can enter.
         cps   #kModeFiq
         ldr   sp, =fiq_stack_top
@@ -142,6 +139,8 @@ Reset_Handler:
         cps   #kModeSupervisor
         ldr   sp, =main_stack_top
 
+        ldr   r0, =Vectors
+        bl    start_aborts
         bl    start_neon
 
         // Zeroed data. The linker script keeps both ends on 16 bytes.
@@ -200,6 +199,7 @@ PrefetchAbort_Handler:
         .global DataAbort_Handler
         .type DataAbort_Handler, %function
 DataAbort_Handler:
+        dsb                             // erratum 775420: before any ISB
         mov   r0, #4
         sub   r1, lr, #8
         b     report

@@ -25,6 +25,22 @@ void call(std::uintptr_t address) {
   __asm__ volatile("blx %0" ::"r"(address) : "r0", "r1", "r2", "r3", "ip", "lr", "memory");
 }
 
+// An asynchronous abort as the processor takes one (ARM ARM, B1.9.8), which QEMU has none of: the
+// fault status is that of an external one, and Abort mode is entered at its vector.
+void abort_asynchronously() {
+  __asm__ volatile(
+      "movw r0, #0x406\n\t"
+      "mcr p15, 0, r0, c5, c0, 0\n\t"
+      "mrs r0, cpsr\n\t"
+      "mov r1, pc\n\t"
+      "cpsid aif, #0x17\n\t"
+      "msr spsr_cxsf, r0\n\t"
+      "mov lr, r1\n\t"
+      "mrc p15, 0, r0, c12, c0, 0\n\t"
+      "add pc, r0, #0x10" ::
+          : "r0", "r1", "memory");
+}
+
 alignas(64) constinit std::array<std::uint32_t, 16> no_code{};
 
 void end_of_boot(std::uint32_t number, Board& board) {
@@ -58,6 +74,9 @@ void end_of_boot(std::uint32_t number, Board& board) {
       board.ethernet().commit(60);  // without acquire()
       return;
     case 10:
+      abort_asynchronously();
+      return;
+    case 11:
       board.console().write("silence\n");
       for (;;) {
         board.idle();

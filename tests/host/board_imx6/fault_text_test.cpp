@@ -32,6 +32,28 @@ TEST(LastWord, OfAStackOverflowSaysSo) {
   EXPECT_TRUE(line.view().ends_with("far=10300ffc (stack guard)"));
 }
 
+// ARM DDI 0406, table B3-23: FS (bits 10, 3 to 0 of DFSR) is 0b10110 for an asynchronous external
+// abort, 0b11000 for an asynchronous parity error. B3.12.6: DFAR is unknown then, and so a guard
+// page that it happens to name means nothing.
+TEST(LastWord, OfAnAsynchronousAbortSaysSoAndNamesNoAddress) {
+  for (const std::uint32_t status : {0x406U, 0x1c06U, 0x408U}) {
+    TextLine expected;
+    expected.text("asynchronous abort pc=10100abc lr=10100def sp=10340ff0 spsr=600001d3 fsr=");
+    expected.hex(status);
+    EXPECT_EQ(
+        describe(frame(FaultKind::kDataAbort), {.status = status, .address = 0x1030'0ffc}, kMap)
+            .view(),
+        expected.view());
+  }
+}
+
+TEST(LastWord, OfASynchronousExternalAbortNamesTheAddress) {
+  EXPECT_TRUE(
+      describe(frame(FaultKind::kDataAbort), {.status = 0x1008, .address = 0x0220'0000}, kMap)
+          .view()
+          .ends_with("fsr=00001008 far=02200000"));
+}
+
 TEST(LastWord, HasNoFaultAddressWhereThereIsNone) {
   EXPECT_EQ(describe(frame(FaultKind::kInterrupt), {}, kMap).view(),
             "interrupt taken pc=10100abc lr=10100def sp=10340ff0 spsr=600001d3");
