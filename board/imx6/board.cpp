@@ -43,8 +43,8 @@ Board::Board(const MacAddress& address)
       ethernet_(enet, enet_memory.receive_descriptors, enet_memory.receive_buffers,
                 enet_memory.transmit_descriptors, enet_memory.transmit_buffers, l2_cache_, clock_),
       cores_(src, scu, gic_distributor, clock_, all_helpers, helper_entry()) {
-  // The watchdog first, so that no later step can hang for good.
-  watchdog_.start();
+  // It has run since start_memory().
+  watchdog_.service();
   reset_status_ = src.srsr.read();
   boot_ = open_boot_record(boot_record, l2_cache_);
   start_clocks(ccm);

@@ -23,8 +23,8 @@ namespace iog::imx6 {
 class Board {
  public:
   // Starts everything, in the order in which the parts need each other. Takes some 15 ms, most of
-  // it the reset of the PHY. The watchdog runs from here on. The address is for a chip whose fuses
-  // hold none.
+  // it the reset of the PHY. The watchdog, which the start-up has started, is serviced once. The
+  // address is for a chip whose fuses hold none.
   explicit Board(const MacAddress& address);
 
   GptClock& clock() { return clock_; }

@@ -47,7 +47,7 @@ void end_with_last_word(std::string_view text) {
   // Recorded before it is printed, because recording cannot block.
   L2Cache cache(pl310);
   write_last_word(boot_record, text, cache);
-  // If the end came before Board started the watchdog, somebody has to.
+  // If the end came before start_memory() started the watchdog, somebody has to.
   Watchdog(wdog1).start();
   Uart console(uart2);
   console.write("\nLAST WORD ");

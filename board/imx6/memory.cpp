@@ -7,6 +7,7 @@
 #include "hal/cores.hpp"
 #include "l2_cache.hpp"
 #include "peripherals.hpp"
+#include "watchdog.hpp"
 
 namespace iog::imx6 {
 namespace {
@@ -82,7 +83,10 @@ std::uint32_t main_stack_used_bytes() {
   return address_of(main_stack_top) - machine::bus_address(*word);
 }
 
+// What is kept here and in fault.cpp is zeroed before this, all other static data after it
+// (linker/imx6.ld).
 extern "C" void start_memory() {
+  Watchdog(wdog1).start();
   read_the_linker();
   mmu::build(tables, map, machine::bus_address(tables.stack_pages));
   // SCU first: with ACTLR.SMP set and the SCU off, coherent requests would have nobody to answer

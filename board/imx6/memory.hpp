@@ -17,8 +17,9 @@ bool l2_cache_is_on();
 std::uint32_t main_stack_used_bytes();
 std::uint32_t main_stack_bytes();
 
-// Called once by startup.S, before main(). All of it is off when it is called; when it returns,
-// MMU, L1, L2 and branch prediction are on.
+// Called once by startup.S, before static data is zeroed and before main(). All of it is off when
+// it is called; when it returns, MMU, L1, L2 and branch prediction are on. The watchdog is started
+// first, so that no step from here on can hang for good.
 extern "C" void start_memory();
 
 }  // namespace iog::imx6

@@ -116,14 +116,8 @@ Reset_Handler:
         dsb
         isb
 
-        // A loader's watchdog may have little left, and zeroing memory takes time. The service sequence
-        // of WDOG1 means nothing to one that is off.
-        movw  r0, #:lower16:wdog1
-        movt  r0, #:upper16:wdog1
-        movw  r1, #0x5555
-        strh  r1, [r0, #kWatchdogService]
-        movw  r1, #0xaaaa
-        strh  r1, [r0, #kWatchdogService]
+        // A loader's watchdog may have little left, and painting takes time.
+        bl    serve_watchdog
 
         bl    start_without_errata
 
@@ -143,16 +137,11 @@ Reset_Handler:
         bl    start_aborts
         bl    start_neon
 
-        // Zeroed data. The linker script keeps both ends on 16 bytes.
-        ldr   r0, =bss_begin
-        ldr   r1, =bss_end
-        mov   r2, #0
-        mov   r3, #0
-        mov   r4, #0
-        mov   r5, #0
-5:      cmp   r0, r1
-        stmialo r0!, {r2-r5}
-        blo   5b
+        // What start_memory() and the report of a fault keep. All else of the zeroed data has to wait
+        // for the caches: it is up to 112 MiB.
+        ldr   r0, =early_bss_begin
+        ldr   r1, =early_bss_end
+        bl    zero_data
 
         // The main stack, painted: how deep it was ever used is read off later.
         ldr   r0, =main_stack_bottom
@@ -161,16 +150,50 @@ Reset_Handler:
         mov   r3, r2
         mov   r4, r2
         mov   r5, r2
-6:      cmp   r0, r1
+5:      cmp   r0, r1
         stmialo r0!, {r2-r5}
-        blo   6b
+        blo   5b
 
-        bl    start_memory              // MMU and caches: memory.cpp
+        bl    start_memory              // watchdog, MMU and caches: memory.cpp
+        ldr   r0, =bss_begin
+        ldr   r1, =bss_end
+        bl    zero_data
         bl    main
         // main() of a firmware does not return. If it does, the watchdog speaks.
 park:   wfi
         b     park
         .size Reset_Handler, . - Reset_Handler
+
+// The service sequence of WDOG1, which means nothing to one that is off. Uses r6, r7.
+        .type   serve_watchdog, %function
+serve_watchdog:
+        movw  r6, #:lower16:wdog1
+        movt  r6, #:upper16:wdog1
+        movw  r7, #0x5555
+        strh  r7, [r6, #kWatchdogService]
+        movw  r7, #0xaaaa
+        strh  r7, [r6, #kWatchdogService]
+        bx    lr
+        .size serve_watchdog, . - serve_watchdog
+
+// Zeroes from r0 to r1, which the linker script keeps on 16 bytes, and serves the watchdog every 64 KiB:
+// 112 MiB may take longer than its period. Uses r2 to r8.
+        .global zero_data
+        .type   zero_data, %function
+zero_data:
+        mov   r8, lr
+        mov   r2, #0
+        mov   r3, #0
+        mov   r4, #0
+        mov   r5, #0
+6:      cmp   r0, r1
+        bxhs  r8
+        stmia r0!, {r2-r5}
+        tst   r0, #0xff00
+        tsteq r0, #0xff
+        bleq  serve_watchdog
+        b     6b
+        .size zero_data, . - zero_data
 
 // Exceptions. No exception is expected, none returns: each one ends in report_fault() (fault.cpp),
 // which prints, records and waits for the watchdog. Those of the helpers come here, too, but for

@@ -1,7 +1,8 @@
 // A loader that leaves the machine in a state that it is told, and starts the firmware.
 //
 // QEMU starts it as a loader is started: Supervisor mode, secure, MMU and caches off. What it leaves
-// is the word at loader_state, where QEMU has put it (loader_states_test); one bit each:
+// stands at loader_state, where QEMU has put it (loader_states_test): two addresses, between which
+// memory is filled with noise, and a word of one bit each:
 
         .syntax unified
         .arm
@@ -17,6 +18,8 @@
         .set  kSystemMode,    1 << 7    // System mode, all interrupts unmasked, no stack
         .set  kNonSecure,     1 << 8    // as U-Boot leaves it for Linux: all interrupts in group 1
 
+        .set  kNoise, 0xa5a5a5a5
+
         .set  kModeMonitor,    0x16
         .set  kModeSupervisor, 0x13
         .set  kModeSystem,     0x1f
@@ -26,8 +29,14 @@
         .text
         .global loader
 loader:
-        ldr   r11, =loader_state
-        ldr   r11, [r11]
+        ldr   r0, =loader_state
+        ldm   r0, {r1, r2, r11}         // noise from, noise to, state
+
+        // What a loader or the power-up leaves where the image has no content. QEMU's memory is zero.
+        ldr   r3, =kNoise
+0:      cmp   r1, r2
+        strlo r3, [r1], #4
+        blo   0b
 
         tst   r11, #kL2
         ldrne r0, =pl310
