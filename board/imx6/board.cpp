@@ -88,7 +88,11 @@ void Board::print_banner() {
   line = {};
   line.text("clock 1 MHz, stopwatch ").decimal(stopwatch_.ticks_hz() / 1'000'000);
   line.text(" MHz, L2 ").text(l2_cache_is_on() ? "on" : "off");
-  line.text(", PHY ").hex(ethernet_.phy_id()).text("\n");
+  if (const phy::Identity& phy = ethernet_.phy(); phy.answers()) {
+    line.text(", PHY ").hex(phy.id).text(" at ").decimal(phy.address).text("\n");
+  } else {
+    line.text(", no PHY\n");
+  }
   console_.write(line.view());
   line = {};
   line.text("MAC ");

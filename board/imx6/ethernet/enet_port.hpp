@@ -76,7 +76,7 @@ class EnetPort {
   void clear_event() { registers_.eir.clear(EnetRegisters::kEirReceivedFrame); }
 
   const Link& link() const { return link_monitor_.link(); }
-  std::uint32_t phy_id() const { return phy_id_; }
+  const phy::Identity& phy() const { return phy_; }
 
  private:
   void reset();
@@ -98,7 +98,7 @@ class EnetPort {
   std::span<const std::byte> frame_;  // what receive() returned and release() has not taken back
   std::span<std::byte> acquired_;     // what acquire() returned and commit() has not queued
   bool in_long_frame_ = false;        // the buffers up to the next "last" belong to a dropped frame
-  std::uint32_t phy_id_ = 0;
+  phy::Identity phy_;
 };
 
 }  // namespace iog::imx6

@@ -28,7 +28,7 @@ void EnetPort::start(const MacAddress& address) {
   registers_.rdsr.write(receive_ring_.bus_address());
   registers_.tdsr.write(transmit_ring_.bus_address());
   mdio_.start();
-  phy_id_ = phy::start(mdio_);
+  phy_ = phy::start(mdio_);
   // DBSWP: descriptors are little-endian, like the core. QEMU ignores the bit, silicon does not.
   registers_.ecr.write(R::kEcrDescriptorSwap);
   apply(Link{});

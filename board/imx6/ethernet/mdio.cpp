@@ -38,7 +38,7 @@ void Mdio::begin_read(unsigned phy_register) { begin(R::kMmfrRead, phy_register,
 void Mdio::begin(std::uint32_t operation, unsigned phy_register, std::uint16_t value) {
   // The flag of the previous access, or the end of this one could not be told.
   registers_.eir.clear(R::kEirMii);
-  registers_.mmfr.write(R::kMmfrStart | operation | kPhyAddress << R::kMmfrPhyShift |
+  registers_.mmfr.write(R::kMmfrStart | operation | phy_address_ << R::kMmfrPhyShift |
                         phy_register << R::kMmfrRegisterShift | R::kMmfrTurnaround | value);
 }
 

@@ -10,13 +10,13 @@ namespace iog::imx6 {
 
 class Mdio {
  public:
-  // Where the SABRE Lite's straps put its KSZ9021; QEMU answers at the same address.
-  static constexpr unsigned kPhyAddress = 6;
-
   explicit Mdio(EnetRegisters& registers) : registers_(registers) {}
 
   // Clocks the bus at no more than the 2.5 MHz of IEEE 802.3.
   void start();
+
+  // Whom every access from here on is for, 0 to 31.
+  void select(unsigned phy_address) { phy_address_ = phy_address; }
 
   // One access after the other, bounded waits (27 us each on the board). For start-up.
   std::optional<std::uint16_t> read(unsigned phy_register);
@@ -34,6 +34,7 @@ class Mdio {
   bool wait() const;
 
   EnetRegisters& registers_;
+  unsigned phy_address_ = 6;  // as U-Boot finds the SABRE Lite's; QEMU's answers there, too
 };
 
 }  // namespace iog::imx6

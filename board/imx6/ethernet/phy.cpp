@@ -28,22 +28,63 @@ constexpr std::array<Skew, 3> kSkews{{
     {0x106, 0x0000},  // TXD3 to TXD0
 }};
 
-}  // namespace
+// The board drives PHYAD2 high while the PHY is in reset (pins.cpp). PHYAD1 and PHYAD0 are at the
+// LED pins, and what pulls them is the board's affair: U-Boot, too, looks at these four addresses.
+constexpr unsigned kFirstAddress = 4;
+constexpr unsigned kLastAddress = 7;
 
-std::uint32_t start(Mdio& mdio) {
+// CLK125_NDO of the PHY is the MAC's RGMII transmit clock. As the slave of a 1000BASE-T link the
+// PHY makes it of the clock that it recovers from the line, and it jitters too much to transmit by
+// (a fault of the KSZ9021 that U-Boot's driver avoids in the same way). So the PHY is always the
+// master. With a partner that insists on being the master, too, there is no link at 1000 Mbit/s.
+constexpr std::uint16_t kManualMaster = 1u << 12;
+constexpr std::uint16_t kMaster = 1u << 11;
+constexpr std::uint16_t kMultiport = 1u << 10;  // prefers to be master, where that is negotiated
+constexpr std::uint16_t kGigabitFull = 1u << 9;
+constexpr std::uint16_t kGigabitHalf = 1u << 8;
+constexpr std::uint16_t kBeMaster =
+    kManualMaster | kMaster | kMultiport | kGigabitFull | kGigabitHalf;
+constexpr std::uint16_t kNegotiateAnew = 1u << 12 | 1u << 9;
+
+// A PHY that was found answers; a failed write shows as a link that is down or loses frames, and
+// there is nothing else to do about it here.
+void write(Mdio& mdio, unsigned phy_register, std::uint16_t value) {
+  static_cast<void>(mdio.write(phy_register, value));
+}
+
+std::uint32_t identifier(Mdio& mdio) {
   const std::uint32_t high = mdio.read(kIdHigh).value_or(0xffff);
   const std::uint32_t low = mdio.read(kIdLow).value_or(0xffff);
   const std::uint32_t id = high << 16 | low;
-  if ((id & kIdWithoutRevision) != kKsz9021Id) {
-    return id;  // QEMU's PHY has no RGMII to delay
+  return id == 0 ? Identity::kNobody : id;  // a wire that is held low
+}
+
+// The first that answers.
+Identity find(Mdio& mdio) {
+  for (unsigned address = kFirstAddress; address <= kLastAddress; ++address) {
+    mdio.select(address);
+    if (const std::uint32_t id = identifier(mdio); id != Identity::kNobody) {
+      return {.address = address, .id = id};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Identity start(Mdio& mdio) {
+  const Identity found = find(mdio);
+  if ((found.id & kIdWithoutRevision) != kKsz9021Id) {
+    return found;  // QEMU's PHY has no RGMII to delay and no clock to be master of
   }
   for (const Skew& skew : kSkews) {
-    // A failed write shows as a link that loses frames; there is nothing else to do about it here.
-    static_cast<void>(mdio.write(
-        kExtendedControl, static_cast<std::uint16_t>(kExtendedWriteBit | skew.extended_register)));
-    static_cast<void>(mdio.write(kExtendedWrite, skew.value));
+    write(mdio, kExtendedControl,
+          static_cast<std::uint16_t>(kExtendedWriteBit | skew.extended_register));
+    write(mdio, kExtendedWrite, skew.value);
   }
-  return id;
+  write(mdio, kGigabitControl, kBeMaster);
+  write(mdio, kBasicControl, kNegotiateAnew);
+  return found;
 }
 
 }  // namespace iog::imx6::phy

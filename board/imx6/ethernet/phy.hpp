@@ -19,6 +19,7 @@ struct Link {
 namespace phy {
 
 // Registers of clause 22.
+inline constexpr unsigned kBasicControl = 0;
 inline constexpr unsigned kBasicStatus = 1;
 inline constexpr unsigned kIdHigh = 2;
 inline constexpr unsigned kIdLow = 3;
@@ -46,9 +47,19 @@ constexpr Link resolve(std::uint16_t advertised, std::uint16_t partner,
   return {.up = true, .speed = Link::Speed::k10, .full_duplex = (common & 1u << 6) != 0};
 }
 
-// Identifies the PHY and, if it is the KSZ9021, sets its RGMII delays. Returns the 32-bit
-// identifier, 0xffffffff if nobody answers.
-std::uint32_t start(Mdio& mdio);
+// Who is on the management bus.
+struct Identity {
+  static constexpr std::uint32_t kNobody = 0xffff'ffff;
+
+  unsigned address = 0;
+  std::uint32_t id = kNobody;  // both identifier registers
+
+  bool answers() const { return id != kNobody; }
+};
+
+// Finds the PHY and selects its address; every later access of `mdio` is for it. If it is the
+// KSZ9021, sets its RGMII delays and has it negotiate as the master of 1000BASE-T. Bounded.
+Identity start(Mdio& mdio);
 
 }  // namespace phy
 }  // namespace iog::imx6

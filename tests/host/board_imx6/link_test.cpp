@@ -32,10 +32,34 @@ class Phy : public testing::Test {
   void answer(std::uint32_t frame) {
     frames_.push_back(frame);
     const std::uint32_t number = frame >> 18 & 0x1f;
+    const bool is_ours = (frame >> 23 & 0x1f) == address_;
     if ((frame >> 28 & 3) == 2) {
-      poke(registers_.mmfr, (frame & 0xffff'0000u) | table_[number]);
+      // Nobody drives the wire for another address, and a pull-up holds it.
+      poke(registers_.mmfr, (frame & 0xffff'0000u) | (is_ours ? table_[number] : 0xffffu));
     }
     poke(registers_.eir, EnetRegisters::kEirMii);
+  }
+
+  void be_ksz9021() {
+    table_[2] = 0x0022;
+    table_[3] = 0x1611;  // revision 1
+  }
+
+  // What was written since the last read, without start, operation, address and turnaround.
+  struct PhyWrite {
+    unsigned phy_register;
+    unsigned value;
+    bool operator==(const PhyWrite&) const = default;
+  };
+  [[nodiscard]] std::vector<PhyWrite> writes() const {
+    std::vector<PhyWrite> found;
+    for (const std::uint32_t frame : frames_) {
+      if ((frame >> 28 & 3) == 1) {
+        EXPECT_EQ(frame >> 23 & 0x1f, address_);
+        found.push_back({frame >> 18 & 0x1f, frame & 0xffff});
+      }
+    }
+    return found;
   }
 
   // Polls until the monitor has nothing left to read in this round.
@@ -64,6 +88,7 @@ class Phy : public testing::Test {
   std::array<std::uint16_t, 32> table_{};
   std::vector<std::uint32_t> frames_;
   bool alive_ = true;
+  std::uint32_t address_ = 6;
   std::uint64_t now_us_ = 0;
 };
 
@@ -80,28 +105,74 @@ TEST_F(Phy, FramesAreThoseOfClause22) {
   EXPECT_EQ(mdio_.read(2), 0x0022);
   EXPECT_TRUE(mdio_.write(11, 0x8104));
   EXPECT_EQ(frames_, (std::vector<std::uint32_t>{0x630a'0000, 0x532e'8104}));
+  mdio_.select(5);
+  EXPECT_EQ(mdio_.read(2), 0xffff);
+  EXPECT_EQ(frames_.back(), 0x628a'0000u) << "PHY 00101";
 }
 
 TEST_F(Phy, ADeadBusIsReportedAndDoesNotHang) {
   alive_ = false;
   EXPECT_EQ(mdio_.read(2), std::nullopt);
   EXPECT_FALSE(mdio_.write(11, 0));
-  EXPECT_EQ(phy::start(mdio_), 0xffff'ffffu);
+  EXPECT_FALSE(phy::start(mdio_).answers());
 }
 
-TEST_F(Phy, OnlyTheBoardsPhyGetsItsSkews) {
+// KSZ9021 data sheet, "Strapping options": PHYAD2 is at RXC, which the board drives; PHYAD1 and 0
+// are at the LED pins.
+TEST_F(Phy, IsFoundAtEachAddressThatItsStrapsMayGive) {
+  be_ksz9021();
+  for (address_ = 4; address_ <= 7; ++address_) {
+    frames_.clear();
+    const phy::Identity found = phy::start(mdio_);
+    EXPECT_EQ(found.address, address_);
+    EXPECT_EQ(found.id, 0x0022'1611u);
+    EXPECT_EQ(writes().size(), 8u) << "to that address";
+    plug_in(0x45e1, 0x0800);
+    EXPECT_EQ(mdio_.read(phy::kPartnerAbility), 0x45e1) << "and so is what is read later";
+    be_ksz9021();
+  }
+}
+
+TEST_F(Phy, NobodyBetweenTheseAddressesIsSaid) {
+  be_ksz9021();
+  for (const std::uint32_t elsewhere : {0u, 3u, 8u, 31u}) {
+    address_ = elsewhere;
+    frames_.clear();
+    EXPECT_FALSE(phy::start(mdio_).answers());
+    EXPECT_EQ(frames_.size(), 8u) << "two identifiers at each of four addresses";
+  }
+}
+
+// A bus held low answers with zeros; that is nobody, too (802.3 22.2.4.3.1 has no such identifier).
+TEST_F(Phy, ABusHeldLowIsNobody) {
+  for (address_ = 4; address_ <= 7; ++address_) {
+    EXPECT_FALSE(phy::start(mdio_).answers());
+  }
+}
+
+TEST_F(Phy, AnotherPhyIsLeftAlone) {
   table_[2] = 0x0007;
   table_[3] = 0xc0d1;  // QEMU's
-  EXPECT_EQ(phy::start(mdio_), 0x0007'c0d1u);
-  EXPECT_EQ(frames_.size(), 2u);
+  const phy::Identity found = phy::start(mdio_);
+  EXPECT_EQ(found.address, 6u);
+  EXPECT_EQ(found.id, 0x0007'c0d1u);
+  EXPECT_TRUE(writes().empty());
+}
 
-  frames_.clear();
-  table_[2] = 0x0022;
-  table_[3] = 0x1611;  // KSZ9021, revision 1
-  EXPECT_EQ(phy::start(mdio_), 0x0022'1611u);
-  const std::vector<std::uint32_t> written(frames_.begin() + 2, frames_.end());
-  EXPECT_EQ(written, (std::vector<std::uint32_t>{0x532e'8104, 0x5332'f0f0, 0x532e'8105, 0x5332'0000,
-                                                 0x532e'8106, 0x5332'0000}));
+// Extended registers 0x104 to 0x106 by registers 11 and 12 (data sheet, "MMD and extended
+// registers"). Register 9 is of 802.3 40.5.1.1: bit 12 manual, 11 master, 10 multiport device, 9
+// and 8 1000BASE-T full and half duplex. Register 0 is of 22.2.4.1: bit 12 negotiation on, 9 anew.
+TEST_F(Phy, TheBoardsPhyGetsItsSkewsAndIsMaster) {
+  be_ksz9021();
+  phy::start(mdio_);
+  EXPECT_EQ(writes(), (std::vector<PhyWrite>{{11, 0x8104},
+                                             {12, 0xf0f0},
+                                             {11, 0x8105},
+                                             {12, 0x0000},
+                                             {11, 0x8106},
+                                             {12, 0x0000},
+                                             {9, 0x1f00},
+                                             {0, 0x1200}}));
 }
 
 // 802.3 annex 28B.3: the best both can do.
