@@ -22,7 +22,7 @@ struct PortCounters {
 
 // receive():  the oldest frame that has arrived, empty if there is none. The view stays valid and
 //             the same frame is returned until release().
-// release():  gives that frame's buffer back to the controller. Only after a non-empty receive().
+// release():  done with that frame. Only after a non-empty receive().
 // acquire():  a free transmit buffer of at least 1514 bytes, empty when the ring is full (counted).
 //             Calling it again before commit() returns the same buffer.
 // commit(n):  queues the first n bytes of the acquired buffer, 14 <= n <= 1514.

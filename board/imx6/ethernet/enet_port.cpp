@@ -13,6 +13,10 @@ using R = EnetRegisters;
 
 constexpr std::size_t kFcsBytes = 4;
 
+// A copy reads whole bursts, of the buffer that holds the frame alone.
+static_assert(EnetPort::kFrameBursts * machine::kBurstBytes <= ReceiveRing::kBufferBytes);
+static_assert(ReceiveRing::kBufferBytes % machine::kBurstBytes == 0);
+
 }  // namespace
 
 std::span<const std::byte> EnetPort::receive() {
@@ -22,26 +26,25 @@ std::span<const std::byte> EnetPort::receive() {
     if (!receive_ring_.filled()) {
       break;
     }
-    if (!accept()) {
-      receive_ring_.recycle();
-    }
+    accept();
+    give_back();
   }
   return frame_;
 }
 
-// Looks at the next filled buffer; true if it holds a good frame, which is then frame_.
-bool EnetPort::accept() {
+// Looks at the next filled buffer. If it holds a good frame, its copy is frame_.
+void EnetPort::accept() {
   const std::uint16_t flags = receive_ring_.flags();
   const std::size_t bytes = receive_ring_.length();
   const bool last = (flags & receive_flag::kLast) != 0;
   if (in_long_frame_) {
     in_long_frame_ = !last;  // counted at its first buffer
-    return false;
+    return;
   }
   if (!last || (flags & (receive_flag::kTooLong | receive_flag::kTruncated)) != 0) {
     in_long_frame_ = !last;
     ++counters_.oversized;
-    return false;
+    return;
   }
   constexpr std::uint16_t kBad =
       receive_flag::kNonOctet | receive_flag::kBadCrc | receive_flag::kOverrun;
@@ -50,11 +53,21 @@ bool EnetPort::accept() {
   if ((flags & kBad) != 0 || bytes < kMinFrameBytes + kFcsBytes ||
       bytes > kMaxFrameBytes + kFcsBytes) {
     ++counters_.receive_errors;
-    return false;
+    return;
   }
   ++counters_.received;
-  frame_ = receive_ring_.buffer().first(bytes - kFcsBytes);
-  return true;
+  const std::size_t frame_bytes = bytes - kFcsBytes;
+  machine::copy_bursts(copy_.data(), receive_ring_.buffer().data(),
+                       (frame_bytes + machine::kBurstBytes - 1) / machine::kBurstBytes);
+  frame_ = std::span(copy_).first(frame_bytes);
+}
+
+// The controller stops looking when it finds no empty buffer; RDAR makes it look again. Also after
+// a bad frame: a ring of those would be its last.
+void EnetPort::give_back() {
+  receive_ring_.recycle();
+  cache_.drain_stores();
+  registers_.rdar.write(R::kRdarActive);
 }
 
 // With no empty buffer, or none in time, frames fill the controller's FIFO, and what comes then is
@@ -68,10 +81,6 @@ hal::PortCounters EnetPort::counters() const {
 void EnetPort::release() {
   require(!frame_.empty());
   frame_ = {};
-  receive_ring_.recycle();
-  // The controller stops looking when it finds no empty buffer; this makes it look again.
-  cache_.drain_stores();
-  registers_.rdar.write(R::kRdarActive);
 }
 
 std::span<std::byte> EnetPort::acquire() {

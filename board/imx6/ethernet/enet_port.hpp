@@ -1,5 +1,13 @@
 // The Ethernet controller as a hal::EthernetPort. It has its own memory, and it limits how fast
 // frames leave (transmit_shaper.hpp).
+//
+// The controller's memory is uncached, so a received frame is copied once, in bursts, into cached
+// memory, and parsed there; its buffer goes back at once. 1500 bytes are 47 bursts of some 150
+// cycles (docs/a9_model.md), 7 us. Parsed in place, each of the 800 fields of a LUX packet and each
+// of the 370 words of its checksum would take as long as a burst: 170 us, 4 ms for the 24 packets
+// of a frame. Cached buffers would save most of the 7 us and cost an invalidation of both cache
+// levels of each of the 47 lines, before and after (the PL310's by its slow port), with erratum
+// 764369 to mind: no less, and much more to get wrong.
 #pragma once
 
 #include <array>
@@ -48,6 +56,8 @@ class EnetPort {
  public:
   static constexpr std::size_t kMinFrameBytes = 14;
   static constexpr std::size_t kMaxFrameBytes = 1514;
+  static constexpr std::size_t kFrameBursts =
+      (kMaxFrameBytes + machine::kBurstBytes - 1) / machine::kBurstBytes;
 
   EnetPort(EnetRegisters& registers, std::span<Descriptor> receive_descriptors,
            std::span<std::byte> receive_buffers, std::span<Descriptor> transmit_descriptors,
@@ -83,7 +93,8 @@ class EnetPort {
   void set_address(const MacAddress& address);
   void set_frame_limits();
   void apply(const Link& link);
-  bool accept();
+  void accept();
+  void give_back();
   void kick_transmitter();
 
   EnetRegisters& registers_;
@@ -95,7 +106,9 @@ class EnetPort {
   Mdio mdio_{registers_};
   LinkMonitor link_monitor_{mdio_};
   hal::PortCounters counters_;
-  std::span<const std::byte> frame_;  // what receive() returned and release() has not taken back
+  // The newest good frame, in whole bursts.
+  alignas(64) std::array<std::byte, kFrameBursts * machine::kBurstBytes> copy_{};
+  std::span<const std::byte> frame_;  // of copy_, until release()
   std::span<std::byte> acquired_;     // what acquire() returned and commit() has not queued
   bool in_long_frame_ = false;        // the buffers up to the next "last" belong to a dropped frame
   phy::Identity phy_;

@@ -1,11 +1,14 @@
-// The only door to the machine: one load or store of a device register or a DMA descriptor, the
-// barriers, and sleep. Tests on the PC are built against another file of this name
-// (tests/host/fakes/machine.hpp), which records the same calls; CMake chooses.
+// The only door to the machine: one load or store of a device register or a DMA descriptor, a copy
+// out of a DMA buffer, the barriers, and sleep. Tests on the PC are built against another file of
+// this name (tests/host/fakes/machine.hpp), which records the same calls; CMake chooses.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace iog::imx6::machine {
+
+inline constexpr std::size_t kBurstBytes = 32;
 
 // One access of exactly the width of T, never merged, split or dropped by the compiler.
 template <typename T>
@@ -16,6 +19,20 @@ inline T load(const T& location) {
 template <typename T>
 inline void store(T& location, T value) {
   *static_cast<volatile T*>(&location) = value;
+}
+
+// Copies `bursts` times kBurstBytes, at least one; both sides are aligned to 8 bytes. Of uncached
+// memory an LDM is one burst of the bus, up to nine times 64 bits (Cortex-A9 TRM, ARM DDI 0388I,
+// 8.1.2), where loads of single fields are a journey to the DDR each.
+inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
+  __asm__ volatile(
+      "1: ldmia %[from]!, {r4, r5, r6, r7, r8, r9, r10, r12}\n\t"
+      "subs %[bursts], %[bursts], #1\n\t"
+      "stmia %[to]!, {r4, r5, r6, r7, r8, r9, r10, r12}\n\t"
+      "bne 1b"
+      : [to] "+r"(to), [from] "+r"(from), [bursts] "+r"(bursts)
+      :
+      : "r4", "r5", "r6", "r7", "r8", "r9", "r10", "r12", "cc", "memory");
 }
 
 // Makes everything that this core has stored visible to every DMA engine before anything after it

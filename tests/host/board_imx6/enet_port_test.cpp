@@ -118,14 +118,44 @@ TEST_F(Port, ShowsTheOldestFrameUntilItIsReleased) {
   EXPECT_EQ(port_.receive().size(), 60u) << "without FCS";
   EXPECT_EQ(port_.receive().size(), 60u);
   EXPECT_EQ(port_.receive()[0], std::byte{0});
-  recorder.reset();
   port_.release();
-  EXPECT_EQ(last_write(registers_, 0x010), 0x0100'0000u)
-      << "the controller looks for buffers again";
   EXPECT_EQ(port_.receive().size(), 96u);
+  EXPECT_EQ(port_.receive()[0], std::byte{1});
   port_.release();
   EXPECT_TRUE(port_.receive().empty());
   EXPECT_EQ(port_.counters().received, 2u);
+}
+
+// Of every length: what is shown is the whole frame, and not the controller's any more.
+TEST_F(Port, AFrameIsCopiedOnceAndItsBufferGivenBackAtOnce) {
+  for (std::size_t bytes = 14; bytes <= 1514; ++bytes) {
+    const std::size_t at = arrived_ % kReceive;
+    const std::span<std::byte> buffer =
+        std::span(receive_bytes_).subspan(at * ReceiveRing::kBufferBytes, bytes);
+    std::ranges::generate(buffer, [value = bytes]() mutable { return std::byte(value++ * 37); });
+    const std::vector<std::byte> sent(buffer.begin() + 1, buffer.end());
+    arrive(bytes + 4);
+    poke(registers_.rdar, 0u);
+    const std::span<const std::byte> frame = port_.receive();
+    EXPECT_NE(receive_[at].flags & receive_flag::kEmpty, 0);
+    EXPECT_EQ(peek<std::uint32_t>(registers_.rdar), 0x0100'0000u) << "it looks for buffers again";
+    std::ranges::fill(buffer, std::byte{0xee});  // the controller fills it anew
+    ASSERT_EQ(frame.size(), bytes);
+    ASSERT_TRUE(std::ranges::equal(frame.subspan(1), sent)) << bytes;
+    port_.release();
+  }
+}
+
+// The controller stops looking when no buffer is empty. Whoever frees one has to wake it, whatever
+// was in it, or a ring full of bad frames would be its last.
+TEST_F(Port, ARingFullOfBadFramesIsGivenBackToo) {
+  for (std::size_t count = 0; count < kReceive; ++count) {
+    arrive(64, receive_flag::kLast | receive_flag::kBadCrc);
+  }
+  poke(registers_.rdar, 0u);
+  EXPECT_TRUE(port_.receive().empty());
+  EXPECT_EQ(port_.counters().receive_errors, kReceive);
+  EXPECT_EQ(peek<std::uint32_t>(registers_.rdar), 0x0100'0000u);
 }
 
 TEST_F(Port, TheRingTurnsForEver) {

@@ -5,6 +5,7 @@
 // and both may change the registers with poke().
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -46,6 +47,11 @@ inline void store(T& location, T value) {
   if (recorder.on_store) {
     recorder.on_store(&location, value);
   }
+}
+
+inline constexpr std::size_t kBurstBytes = 32;
+inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
+  std::memcpy(to, from, bursts * kBurstBytes);
 }
 
 inline void barrier() { recorder.events.push_back({Event::Kind::kBarrier}); }
