@@ -1,11 +1,9 @@
 // The Ethernet port against a controller made of RAM: hal/ethernet_port.hpp, the drops, the start.
-#include "ethernet/enet_port.hpp"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "trace.hpp"
+#include "port_on_ram.hpp"
 
 namespace iog::imx6 {
 namespace {
@@ -13,75 +11,9 @@ namespace {
 using machine::last_write;
 using machine::peek;
 using machine::poke;
-using machine::recorder;
 using machine::Write;
 
-constexpr std::size_t kReceive = 4;
-constexpr std::size_t kTransmit = 40;  // more than one burst of the shaper
-constexpr MacAddress kAddress = {0x02, 0x11, 0x22, 0x33, 0x44, 0x55};
-
-class Port : public testing::Test {
- protected:
-  Port() {
-    recorder.reset();
-    recorder.on_store = [this](const void* address, std::uint32_t value) {
-      if (address == &registers_.ecr && (value & EnetRegisters::kEcrReset) != 0) {
-        poke(registers_.ecr, 0u);
-      }
-      if (address == &registers_.mmfr) {
-        poke(registers_.eir, EnetRegisters::kEirMii);
-      }
-    };
-    port_.start(kAddress);
-  }
-
-  // What the controller does with a frame: the bytes, the length with FCS, E cleared.
-  void arrive(std::size_t bytes_with_fcs, std::uint16_t flags = receive_flag::kLast) {
-    Descriptor& descriptor = receive_[arrived_ % kReceive];
-    ASSERT_NE(descriptor.flags & receive_flag::kEmpty, 0) << "the controller has no buffer";
-    receive_bytes_[arrived_ % kReceive * ReceiveRing::kBufferBytes] = std::byte{arrived_};
-    descriptor.length = static_cast<std::uint16_t>(bytes_with_fcs);
-    descriptor.flags = static_cast<std::uint16_t>((descriptor.flags & receive_flag::kWrap) | flags);
-    ++arrived_;
-  }
-
-  // The controller sends what it owns; returns how many frames.
-  std::size_t send_all() {
-    std::size_t sent = 0;
-    for (Descriptor& descriptor : transmit_) {
-      if ((descriptor.flags & transmit_flag::kReady) != 0) {
-        descriptor.flags &= static_cast<std::uint16_t>(~transmit_flag::kReady);
-        ++sent;
-      }
-    }
-    poke(registers_.tdar, 0u);
-    return sent;
-  }
-
-  void queue(std::size_t frames) {
-    for (std::size_t count = 0; count < frames; ++count) {
-      ASSERT_FALSE(port_.acquire().empty());
-      port_.commit(60);
-    }
-  }
-
-  void pump_at(std::uint32_t now_us) {
-    poke(gpt_.cnt, now_us);
-    port_.pump();
-  }
-
-  EnetRegisters registers_{};
-  GptRegisters gpt_{};
-  Pl310Registers pl310_{};
-  GptClock clock_{gpt_};
-  L2Cache cache_{pl310_};
-  std::array<Descriptor, kReceive> receive_{};
-  std::array<Descriptor, kTransmit> transmit_{};
-  std::vector<std::byte> receive_bytes_{kReceive * ReceiveRing::kBufferBytes};
-  std::vector<std::byte> transmit_bytes_{kTransmit * TransmitRing::kBufferBytes};
-  EnetPort port_{registers_, receive_, receive_bytes_, transmit_, transmit_bytes_, cache_, clock_};
-  std::uint8_t arrived_ = 0;
-};
+using Port = PortOnRam;
 
 TEST_F(Port, StartsByTheManualWithEtherenNearTheEnd) {
   const std::vector<Write> writes = machine::writes_to(registers_);
@@ -250,7 +182,7 @@ TEST_F(Port, AWakeUpThatWasLostIsRepeated) {
 }
 
 TEST_F(Port, ClearingTheEventTouchesNoOtherFlag) {
-  recorder.reset();
+  forget();
   port_.clear_event();
   EXPECT_EQ(machine::writes_to(registers_), (std::vector<Write>{{0x004, 0x0200'0000}}));
 }
