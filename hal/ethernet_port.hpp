@@ -18,6 +18,9 @@ struct PortCounters {
   std::uint32_t sent = 0;               // frames committed for sending
   std::uint32_t send_refused = 0;       // acquire() found the transmit ring full
   std::uint32_t receive_overflows = 0;  // frames that the controller had no room for
+  std::uint32_t restarts = 0;           // pump() started the controller anew
+  std::uint32_t lost_received = 0;      // buffers of frames that had come and were lost by that
+  std::uint32_t lost_unsent = 0;        // frames that were sent or queued, and lost by that
 };
 
 // receive():  the oldest frame that has arrived, empty if there is none. The view stays valid and
@@ -27,6 +30,7 @@ struct PortCounters {
 //             Calling it again before commit() returns the same buffer.
 // commit(n):  queues the first n bytes of the acquired buffer, 14 <= n <= 1514.
 // pump():     hands a bounded number of queued frames to the controller. Once per pass of the loop.
+//             May start a controller anew that has stopped, but not while a buffer is acquired.
 template <typename Port>
 concept EthernetPort = requires(Port& port, const Port& view, std::size_t frame_bytes) {
   { port.receive() } -> std::same_as<std::span<const std::byte>>;

@@ -1,11 +1,12 @@
 // An image that exercises the Ethernet port alone: it returns every frame it gets, and answers a
 // frame of type 0x88b5 (IEEE 802 local experiment 1) by as many numbered frames as the frame asks
-// for.
+// for. A frame of type 0x88b6 (experiment 2) stops the controller behind the port's back.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 #include "board.hpp"
+#include "peripherals.hpp"
 #include "text_line.hpp"
 
 namespace {
@@ -45,12 +46,15 @@ void echo(EnetPort& port, std::span<const std::byte> received) {
 }
 
 void serve(EnetPort& port, std::span<const std::byte> received) {
-  const bool is_burst = received.size() >= 16 && big_endian_16(received, kTypeAt) == 0x88b5;
-  if (is_burst) {
+  const std::uint16_t type = received.size() >= 16 ? big_endian_16(received, kTypeAt) : 0;
+  if (type == 0x88b5) {
     answer_burst(port, received, big_endian_16(received, kCountAt));
-  } else {
-    echo(port, received);
+    return;
   }
+  if (type == 0x88b6) {
+    iog::imx6::enet.ecr.clear_bits(iog::imx6::EnetRegisters::kEcrEtherEn);
+  }
+  echo(port, received);
 }
 
 void report(Board& board) {
@@ -60,7 +64,9 @@ void report(Board& board) {
   line.text(" errors ").decimal(counters.receive_errors);
   line.text(" oversized ").decimal(counters.oversized);
   line.text(" sent ").decimal(counters.sent);
-  line.text(" refused ").decimal(counters.send_refused).text("\n");
+  line.text(" refused ").decimal(counters.send_refused);
+  line.text(" restarts ").decimal(counters.restarts);
+  line.text(" unsent ").decimal(counters.lost_unsent).text("\n");
   board.console().write(line.view());
 }
 

@@ -1,4 +1,4 @@
-// Moving frames. Bringing the controller up is in enet_start.cpp.
+// Moving frames. Bringing the controller up, for the first time and again, is in enet_start.cpp.
 #include "ethernet/enet_port.hpp"
 
 #include "require/require.hpp"
@@ -74,7 +74,7 @@ void EnetPort::give_back() {
 // lost before anybody sees it (IMX6DQRM, ENET_IEEE_R_MACERR: "Receive FIFO overflow count").
 hal::PortCounters EnetPort::counters() const {
   hal::PortCounters counters = counters_;
-  counters.receive_overflows = registers_.ieee_r_macerr.read();
+  counters.receive_overflows += registers_.ieee_r_macerr.read();
   return counters;
 }
 
@@ -106,10 +106,11 @@ void EnetPort::commit(std::size_t frame_bytes) {
 
 void EnetPort::pump() {
   const std::uint64_t now_us = clock_.now_us();
-  if (const std::optional<Link> changed = link_monitor_.poll(now_us)) {
-    apply(*changed);
-  }
+  link_monitor_.poll(now_us);
   transmit_ring_.reclaim();
+  if (must_start_anew(now_us)) {
+    start_anew(now_us);
+  }
   const std::size_t handed = transmit_ring_.hand_over_queued(shaper_.allowed(now_us));
   shaper_.spend(handed);
   if (handed != 0 || transmit_ring_.in_flight() != 0) {

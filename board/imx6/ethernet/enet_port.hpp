@@ -89,10 +89,15 @@ class EnetPort {
   const phy::Identity& phy() const { return phy_; }
 
  private:
+  void set_up(const Link& mode);
+  void run();
   void reset();
-  void set_address(const MacAddress& address);
+  void set_address();
   void set_frame_limits();
-  void apply(const Link& link);
+  void set_mode(const Link& mode);
+  bool must_start_anew(std::uint64_t now_us);
+  bool is_stuck(std::uint64_t now_us);
+  void start_anew(std::uint64_t now_us);
   void accept();
   void give_back();
   void kick_transmitter();
@@ -112,6 +117,11 @@ class EnetPort {
   std::span<std::byte> acquired_;     // what acquire() returned and commit() has not queued
   bool in_long_frame_ = false;        // the buffers up to the next "last" belong to a dropped frame
   phy::Identity phy_;
+  MacAddress address_{};
+  Link mode_;                        // the speed and duplex that the controller is set to
+  std::uint64_t restarted_us_ = 0;   // never: 0
+  std::uint64_t progress_us_ = 0;    // when a frame was last seen to leave, or none was in flight
+  std::uint32_t progress_sent_ = 0;  // frames that had left by then
 };
 
 }  // namespace iog::imx6

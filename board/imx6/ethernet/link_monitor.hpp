@@ -19,6 +19,9 @@ class LinkMonitor {
   // The new state of the link if it has changed, nothing otherwise. Once per pass of the loop.
   std::optional<Link> poll(std::uint64_t now_us);
 
+  // The access that has begun will not end: the controller was reset. The next round asks again.
+  void abandon() { reading_ = false; }
+
   const Link& link() const { return link_; }
 
  private:

@@ -18,7 +18,13 @@ constexpr unsigned kMaxPolls = 10'000;
 
 }  // namespace
 
-void Mdio::start() { registers_.mscr.write(kMiiSpeed << 1); }
+// A speed that comes while MMFR still holds an access sends it once more, and its end would be
+// taken for that of the next one. So the clock stops first.
+void Mdio::start() {
+  registers_.mscr.write(0);
+  registers_.mmfr.write(0);
+  registers_.mscr.write(kMiiSpeed << 1);
+}
 
 std::optional<std::uint16_t> Mdio::read(unsigned phy_register) {
   begin_read(phy_register);

@@ -12,7 +12,8 @@ class Mdio {
  public:
   explicit Mdio(EnetRegisters& registers) : registers_(registers) {}
 
-  // Clocks the bus at no more than the 2.5 MHz of IEEE 802.3.
+  // Clocks the bus at no more than the 2.5 MHz of IEEE 802.3. Also after a reset of the controller,
+  // which ends an access that has begun.
   void start();
 
   // Whom every access from here on is for, 0 to 31.

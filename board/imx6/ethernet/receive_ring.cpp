@@ -1,5 +1,7 @@
 #include "ethernet/receive_ring.hpp"
 
+#include <algorithm>
+
 namespace iog::imx6 {
 
 void ReceiveRing::start() {
@@ -12,8 +14,12 @@ void ReceiveRing::start() {
   cache_.drain_stores();
 }
 
+std::size_t ReceiveRing::waiting() const {
+  return static_cast<std::size_t>(std::ranges::count_if(descriptors_, is_filled));
+}
+
 bool ReceiveRing::filled() const {
-  if ((flags() & receive_flag::kEmpty) != 0) {
+  if (!is_filled(next())) {
     return false;
   }
   // The buffer must not be read earlier than the flag that says it is ours.

@@ -29,6 +29,9 @@ class ReceiveRing {
   // What the controller is told (RDSR).
   std::uint32_t bus_address() const { return machine::bus_address(descriptors_.front()); }
 
+  // How many buffers it has filled that were not recycled.
+  std::size_t waiting() const;
+
   // Whether the controller has filled the next buffer.
   bool filled() const;
 
@@ -42,6 +45,9 @@ class ReceiveRing {
 
  private:
   Descriptor& next() const { return descriptors_[next_]; }
+  static bool is_filled(const Descriptor& descriptor) {
+    return (machine::load(descriptor.flags) & receive_flag::kEmpty) == 0;
+  }
   std::uint16_t wrap() const;
 
   std::span<Descriptor> descriptors_;

@@ -49,6 +49,7 @@ void TransmitRing::reclaim() {
          (machine::load(descriptors_[oldest].flags) & transmit_flag::kReady) == 0) {
     oldest = after(oldest, 1);
     --in_flight_;
+    ++sent_;
   }
 }
 

@@ -25,6 +25,7 @@ class TransmitRing {
   TransmitRing(std::span<Descriptor> descriptors, std::span<std::byte> buffers, L2Cache& cache)
       : descriptors_(descriptors), buffers_(buffers), cache_(cache) {}
 
+  // All buffers are free; what was queued or in flight is forgotten.
   void start();
 
   // What the controller is told (TDSR).
@@ -33,6 +34,8 @@ class TransmitRing {
   bool full() const { return queued_ + in_flight_ == descriptors_.size(); }
   std::size_t queued() const { return queued_; }
   std::size_t in_flight() const { return in_flight_; }
+  // Frames that have left since the ring was made; wraps.
+  std::uint32_t sent() const { return sent_; }
 
   // The buffer to fill next. Only while not full().
   std::span<std::byte> buffer() const {
@@ -58,6 +61,7 @@ class TransmitRing {
   std::size_t next_ = 0;       // the first free one, unless full
   std::size_t queued_ = 0;     // counted back from next_
   std::size_t in_flight_ = 0;  // counted back from the queued ones
+  std::uint32_t sent_ = 0;
 };
 
 }  // namespace iog::imx6

@@ -48,6 +48,7 @@ struct EnetRegisters {
   Gap<0x1c8, 0x2d8> gap_1c8;
   Rw32 ieee_r_macerr;  // frames that the receive FIFO had no room for
 
+  static constexpr std::uint32_t kEirBusError = 1u << 22;  // EBERR
   static constexpr std::uint32_t kEirMii = 1u << 23;
   static constexpr std::uint32_t kEirReceivedFrame = 1u << 25;     // RXF
   static constexpr std::uint32_t kEirTransmittedFrame = 1u << 27;  // TXF
