@@ -116,10 +116,10 @@ class MachinePlatform {
     require(vitals.link_counters.size() - out.size() == stream::kCoreCounters);
     append(std::array{static_cast<std::uint32_t>(team_.cores()), team_.redone(), team_.items(0),
                       team_.items(1), team_.items(2), team_.items(3)});
-    append(std::array{port.receive_overflows});
+    append(std::array{port.receive_overflows, port.restarts, port.lost_received, port.lost_unsent});
     vitals.link_counter_count = vitals.link_counters.size() - out.size();
     vitals.link_drops = port.receive_errors + port.oversized + port.receive_overflows +
-                        fragments.expired + fragments.displaced;
+                        port.lost_received + fragments.expired + fragments.displaced;
     for (const net::Drop cause : kDamaged) {
       vitals.link_drops += net.drops[static_cast<std::size_t>(cause)];
     }

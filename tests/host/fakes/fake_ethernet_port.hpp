@@ -78,6 +78,13 @@ class FakeEthernetPort {
   // A frame for which there is no room.
   void overflow() { ++counters_.receive_overflows; }
 
+  // As a driver does whose controller has stopped.
+  void start_anew(std::uint32_t lost_received, std::uint32_t lost_unsent) {
+    ++counters_.restarts;
+    counters_.lost_received += lost_received;
+    counters_.lost_unsent += lost_unsent;
+  }
+
   // Frames that can be committed before pump() makes room again.
   void set_ring_slots(std::size_t slots) { ring_slots_ = slots; }
 
