@@ -87,12 +87,13 @@ PoseOptions pose_options(const SimulateOptions& options) {
 // The capture, and what is in it.
 class Recording {
  public:
-  explicit Recording(const std::string& path) : path_(path), capture_(path) {}
+  Recording(const std::string& path, const CatalogueEntry& car)
+      : path_(path), car_(&car), capture_(path) {}
 
   void write(const std::vector<CapturedDatagram>& datagrams) {
     for (const CapturedDatagram& datagram : datagrams) {
       capture_.write(datagram);
-      if (datagram.destination.port == pose::kPosePort) {
+      if (is_pose_port(*car_, datagram.destination.port)) {
         ++poses_;
       } else {
         ++packets_;
@@ -113,6 +114,7 @@ class Recording {
 
  private:
   std::string path_;
+  const CatalogueEntry* car_;
   PcapWriter capture_;
   std::uint64_t packets_ = 0;
   std::uint64_t bytes_ = 0;
@@ -148,7 +150,7 @@ void write_osm(const SimulateOptions& options, const Scene& scene) {
 template <typename Drive>
 void simulate_standing(const SimulateOptions& options, const CatalogueEntry& car) {
   Drive drive(car, options.seed, options.seconds, find_scene(options.scene));
-  Recording recording(options.out);
+  Recording recording(options.out, car);
   make_truth_folder(options);
   Progress progress("frames", drive.frame_count());
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
@@ -196,8 +198,9 @@ void simulate_moving(const SimulateOptions& options, const CatalogueEntry& car) 
   MovingDrive& drive = placed.drive;
   PoseOptions feed = pose_options(options);
   feed.map = placed.map;
-  PoseFeed poses(simulated_poses(drive.scene(), feed, options.seed, options.seconds + 0.1));
-  Recording recording(options.out);
+  PoseFeed poses(simulated_poses(drive.scene(), feed, options.seed, options.seconds + 0.1),
+                 car.vehicle->poses.udp_port);
+  Recording recording(options.out, car);
   make_truth_folder(options);
   std::optional<CellTruthFile> cells;
   if (!options.truth_cells.empty()) {

@@ -11,6 +11,8 @@
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/receive/frame_record.hpp"
+#include "tools/vehicles/car_words.hpp"
+#include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -42,6 +44,10 @@ void show_ports(const std::string& name) {
   }
 }
 
+std::string_view word_of_grids(vehicle::Grids grids) {
+  return std::ranges::find(kGridsWords, grids, &Choice<vehicle::Grids>::value)->word;
+}
+
 // Its own if the build makes one, else one that takes it.
 void show_firmware(const std::string& name) {
   const vehicle::Vehicle& car = *find_vehicle(name).vehicle;
@@ -67,14 +73,27 @@ void add_vehicles(CLI::App& program) {
   command->add_option("--ports", *name,
                       "Only the UDP ports of this vehicle, one a line, for scripts: those of its "
                       "sensors, then those of its poses and its maps, if it takes them");
+  const auto connected = std::make_shared<std::string>();
+  command->add_option("--network", *connected,
+                      "Only the network of this vehicle's box, in a line, for scripts: its MAC, "
+                      "address and bits of the prefix, its peer and the peer's port, and the port "
+                      "that it sends from");
+  const auto asking = std::make_shared<std::string>();
+  command->add_option(
+      "--grids", *asking,
+      "Only which grids this vehicle asks for, for scripts: indexes, classes or both");
   const auto carried = std::make_shared<std::string>();
   command->add_option("--firmware", *carried,
                       "Only the vehicle whose firmware `iog image` can put this one into, for "
                       "scripts");
   add_vehicle_file_option(*command);
-  command->callback([name, carried] {
+  command->callback([name, connected, asking, carried] {
     if (!carried->empty()) {
       show_firmware(*carried);
+    } else if (!asking->empty()) {
+      std::cout << word_of_grids(find_vehicle(*asking).vehicle->grids) << '\n';
+    } else if (!connected->empty()) {
+      std::cout << network_line(*find_vehicle(*connected).network) << '\n';
     } else {
       name->empty() ? show_all() : show_ports(*name);
     }

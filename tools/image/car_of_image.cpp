@@ -8,6 +8,7 @@
 #include "tools/program/printable.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/table.hpp"
+#include "tools/vehicles/network_words.hpp"
 
 namespace iog::tools {
 namespace {
@@ -45,13 +46,9 @@ std::string words_of_firmware(const car_block::Firmware& firmware) {
 }
 
 std::string words_of_network(const net::Config& network) {
-  std::string mac;
-  for (const std::uint8_t octet : network.mac.octets) {
-    mac.append(mac.empty() ? "" : ":").append(hex(octet), 6);
-  }
-  return mac + ", " + dotted(network.address.value) + "/" + std::to_string(network.prefix_bits) +
-         ", to " + dotted(network.peer.value) + ":" + std::to_string(network.peer_port) +
-         " from port " + std::to_string(network.source_port);
+  return words_of(network.mac) + ", " + dotted(network.address.value) + "/" +
+         std::to_string(network.prefix_bits) + ", to " + dotted(network.peer.value) + ":" +
+         std::to_string(network.peer_port) + " from port " + std::to_string(network.source_port);
 }
 
 std::string words_of_sensor(const vehicle::Sensor& sensor) {

@@ -120,12 +120,14 @@ std::vector<PoseSample> simulated_poses(const Scene& scene, const PoseOptions& o
   return samples;
 }
 
-PoseFeed::PoseFeed(std::vector<PoseSample> samples) : samples_(std::move(samples)) {}
+PoseFeed::PoseFeed(std::vector<PoseSample> samples, std::uint16_t udp_port)
+    : samples_(std::move(samples)), udp_port_(udp_port) {}
 
 std::vector<CapturedDatagram> PoseFeed::take_until(std::uint64_t time_us) {
   std::vector<CapturedDatagram> datagrams;
   while (next_ < samples_.size() && samples_[next_].time_us + samples_[next_].age_us <= time_us) {
     datagrams.push_back(encoder_.datagram_of(samples_[next_++]));
+    datagrams.back().destination.port = udp_port_;
   }
   return datagrams;
 }

@@ -50,16 +50,17 @@ struct PoseOptions {
                                                       const PoseOptions& options,
                                                       std::uint64_t seed, double drive_s);
 
-// Samples on their way into a capture.
+// Samples on their way into a capture, to the car's UDP port.
 class PoseFeed {
  public:
-  explicit PoseFeed(std::vector<PoseSample> samples);
+  explicit PoseFeed(std::vector<PoseSample> samples, std::uint16_t udp_port = pose::kPosePort);
 
   // The datagrams that are sent up to that time and have not been taken before.
   [[nodiscard]] std::vector<CapturedDatagram> take_until(std::uint64_t time_us);
 
  private:
   std::vector<PoseSample> samples_;
+  std::uint16_t udp_port_;
   std::size_t next_ = 0;
   PoseEncoder encoder_;
 };

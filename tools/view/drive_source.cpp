@@ -48,7 +48,8 @@ class PlacedDrive : public ShownDrive {
   PlacedDrive(const CatalogueEntry& car, std::uint64_t seed, const SceneEntry& scene)
       : car_(&car),
         drive_(car, seed, Drive::kMaxSeconds, scene),
-        poses_(simulated_poses(drive_.scene(), {}, seed, Drive::kMaxSeconds)) {}
+        poses_(simulated_poses(drive_.scene(), {}, seed, Drive::kMaxSeconds),
+               car.vehicle->poses.udp_port) {}
 
   [[nodiscard]] std::vector<CapturedDatagram> datagrams(std::uint32_t frame) override {
     time_s_ = static_cast<double>(drive_.frame_end_us(frame)) / 1e6;

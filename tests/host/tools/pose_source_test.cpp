@@ -232,6 +232,13 @@ std::uint32_t fates(const pose::Source& source, pose::Fate fate) {
   return source.fates()[static_cast<std::size_t>(fate)];
 }
 
+TEST(PoseFeed, GoesToTheCarsPort) {
+  PoseFeed feed(simulated_poses(circle(10), {}, 1, 1), 15'110);
+  for (const CapturedDatagram& datagram : feed.take_until(kDriveStartUs + 100'000)) {
+    EXPECT_EQ(datagram.destination.port, 15'110);
+  }
+}
+
 TEST(PoseFeed, TheTargetUsesEveryMessage) {
   const pose::Source source = target_after({});
   EXPECT_EQ(fates(source, pose::Fate::kUsed) + fates(source, pose::Fate::kUnconfirmed), 1001U);
