@@ -97,11 +97,16 @@ Firmware firmware_of(vehicle::Grids grids) {
           .grids = grids};
 }
 
-void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block) {
+void write_block_without_car(vehicle::Grids grids, const net::Config& network,
+                             WritableBlock block) {
   std::ranges::fill(block, std::byte{0});
-  write_firmware(firmware_of(vehicle.grids), block);
+  write_firmware(firmware_of(grids), block);
   write_network(network, block, kNetworkRecord);
   write_network(network, block, kNetworkCopy);
+}
+
+void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block) {
+  write_block_without_car(vehicle.grids, network, block);
   wire::ByteWriter out = content_of(block, kCarRecord);
   vehicle::write_content(vehicle, [&out](std::uint8_t byte) { out.u8(byte); });
   frame_record(block, kCarRecord, out.written().size());

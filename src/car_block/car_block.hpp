@@ -32,6 +32,9 @@ struct Firmware {
 // Writes all of the block. The vehicle is sound, and the network valid.
 void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block);
 
+// The same of a firmware for cars to come, which is refused until there is one.
+void write_block_without_car(vehicle::Grids grids, const net::Config& network, WritableBlock block);
+
 // Nothing: the block does not say.
 [[nodiscard]] std::optional<Firmware> read_firmware(Block block);
 

@@ -44,25 +44,12 @@ void show_ports(const std::string& name) {
   }
 }
 
-std::string_view word_of_grids(vehicle::Grids grids) {
-  return std::ranges::find(kGridsWords, grids, &Choice<vehicle::Grids>::value)->word;
-}
-
-// Its own if the build makes one, else one that takes it.
+// Its own if the build makes one, else that for cars of its kind.
 void show_firmware(const std::string& name) {
   const vehicle::Vehicle& car = *find_vehicle(name).vehicle;
-  const auto find = [](auto&& fits) {
-    return std::ranges::find_if(vehicles::kAll,
-                                [&](const auto& entry) { return fits(*entry.vehicle); });
-  };
-  const auto* found = find([&](const vehicle::Vehicle& other) { return other.id == car.id; });
-  if (found == vehicles::kAll.end()) {
-    found = find([&](const vehicle::Vehicle& other) { return other.grids == car.grids; });
-  }
-  if (found == vehicles::kAll.end()) {
-    throw UsageError("no firmware of the build makes the grids of " + name);
-  }
-  std::cout << found->vehicle->name << '\n';
+  const bool has_own = std::ranges::any_of(
+      vehicles::kAll, [&](const auto& entry) { return entry.vehicle->id == car.id; });
+  std::cout << (has_own ? car.name : word_of(car.grids)) << '\n';
 }
 
 }  // namespace
@@ -84,14 +71,14 @@ void add_vehicles(CLI::App& program) {
       "Only which grids this vehicle asks for, for scripts: indexes, classes or both");
   const auto carried = std::make_shared<std::string>();
   command->add_option("--firmware", *carried,
-                      "Only the vehicle whose firmware `iog image` can put this one into, for "
+                      "Only the firmware of the build that `iog image` can put this one into, for "
                       "scripts");
   add_vehicle_file_option(*command);
   command->callback([name, connected, asking, carried] {
     if (!carried->empty()) {
       show_firmware(*carried);
     } else if (!asking->empty()) {
-      std::cout << word_of_grids(find_vehicle(*asking).vehicle->grids) << '\n';
+      std::cout << word_of(find_vehicle(*asking).vehicle->grids) << '\n';
     } else if (!connected->empty()) {
       std::cout << network_line(*find_vehicle(*connected).network) << '\n';
     } else {

@@ -8,6 +8,7 @@
 #include "tools/program/printable.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/table.hpp"
+#include "tools/vehicles/car_words.hpp"
 #include "tools/vehicles/network_words.hpp"
 
 namespace iog::tools {
@@ -45,6 +46,19 @@ std::string words_of_firmware(const car_block::Firmware& firmware) {
          std::string(words_of_grids(firmware.grids));
 }
 
+// What to build, or what to change in the car.
+std::string words_of_way_out(car_block::Firmware firmware, const car_block::Firmware& needed) {
+  const std::string grids(word_of(needed.grids));
+  const std::string others(word_of(firmware.grids));
+  firmware.grids = needed.grids;
+  if (firmware != needed) {
+    return ". Build image and iog of the same sources";
+  }
+  return ".\nIts image is build/imx6/board/imx6/images/" + grids +
+         "/iogrid.img, made by `cmake --build --preset imx6 --target images-" + grids +
+         "`; or let its file say grids = \"" + others + "\"";
+}
+
 std::string words_of_network(const net::Config& network) {
   return words_of(network.mac) + ", " + dotted(network.address.value) + "/" +
          std::to_string(network.prefix_bits) + ", to " + dotted(network.peer.value) + ":" +
@@ -70,7 +84,7 @@ void put_car(const CatalogueEntry& car, FirmwareImage& image) {
   if (*firmware != needed) {
     throw UsageError("the firmware is of another kind than " + std::string(car.vehicle->name) +
                      ": " + words_of_firmware(*firmware) + "; the car needs " +
-                     words_of_firmware(needed));
+                     words_of_firmware(needed) + words_of_way_out(*firmware, needed));
   }
   std::vector<std::byte> block(car_block::kBlockBytes);
   const auto bytes = std::span(block).first<car_block::kBlockBytes>();

@@ -14,16 +14,6 @@ namespace {
 
 using Mistakes = std::vector<Mistake>;
 
-// Those of QEMU's user network, whose gateway is the PC. A real network gives each box its own.
-constexpr net::Config kUsualNetwork{
-    .mac = {{0x02, 0x69, 0x6F, 0x67, 0x00, 0x01}},  // locally administered
-    .address = net::ipv4(10, 0, 2, 15),
-    .prefix_bits = 24,
-    .peer = net::ipv4(10, 0, 2, 2),
-    .peer_port = 15'000,
-    .source_port = 15'001,
-};
-
 void read_source(TomlTable& table, std::uint32_t& source_ipv4) {
   net::Ipv4Address address{source_ipv4};
   table.read("source_ipv4", address);

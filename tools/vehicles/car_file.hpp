@@ -30,6 +30,16 @@ struct Car {
   ~Car() = default;
 };
 
+// That of QEMU's user network, whose gateway is the PC. A real network gives each box its own.
+inline constexpr net::Config kUsualNetwork{
+    .mac = {{0x02, 0x69, 0x6F, 0x67, 0x00, 0x01}},  // locally administered
+    .address = net::ipv4(10, 0, 2, 15),
+    .prefix_bits = 24,
+    .peer = net::ipv4(10, 0, 2, 2),
+    .peer_port = 15'000,
+    .source_port = 15'001,
+};
+
 // A description that keeps to all its limits, with its tables. UsageError with every mistake of the
 // file, a line each: "car.toml:12: sensors[0].udp_port: allowed is ...".
 [[nodiscard]] Car read_car(const std::string& path);

@@ -1,18 +1,24 @@
 // The words of a car's file and what they stand for.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "tools/vehicles/toml_table.hpp"
 #include "vehicle/description.hpp"
 
 namespace iog::tools {
 
+using GridsWord = Choice<vehicle::Grids>;
 inline constexpr std::array kGridsWords{
-    Choice<vehicle::Grids>{"indexes", vehicle::Grids::kIndexes},
-    Choice<vehicle::Grids>{"classes", vehicle::Grids::kClasses},
-    Choice<vehicle::Grids>{"both", vehicle::Grids::kBoth},
+    GridsWord{"indexes", vehicle::Grids::kIndexes},
+    GridsWord{"classes", vehicle::Grids::kClasses},
+    GridsWord{"both", vehicle::Grids::kBoth},
 };
+[[nodiscard]] constexpr std::string_view word_of(vehicle::Grids grids) {
+  return std::ranges::find(kGridsWords, grids, &GridsWord::value)->word;
+}
 inline constexpr std::array kRuleWords{
     Choice<vehicle::FusionRule>{"hits_win", vehicle::FusionRule::kHitsWin},
     Choice<vehicle::FusionRule>{"bayes", vehicle::FusionRule::kBayes},

@@ -44,6 +44,19 @@ TEST(CarBlock, EachCarComesBackAsItIs) {
   }
 }
 
+// An image for cars to come says what it takes, and that it has none (docs/spec.md, section 8).
+TEST(CarBlock, WithoutACarItIsRefused) {
+  const vehicles::Entry& entry = kAll[0];
+  for (const auto grids :
+       {vehicle::Grids::kIndexes, vehicle::Grids::kClasses, vehicle::Grids::kBoth}) {
+    CarBytes bytes(*entry.vehicle, *entry.network);
+    write_block_without_car(grids, *entry.network, bytes.writable());
+    EXPECT_EQ(read_firmware(bytes.block()), firmware_of(grids));
+    EXPECT_TRUE(read_network(bytes.block()));
+    EXPECT_EQ(Words(bytes.read()).view(), "description: it is not there");
+  }
+}
+
 TEST(CarBlock, TheNetworkStandsTwice) {
   const vehicles::Entry& entry = kAll[0];
   CarBytes bytes(*entry.vehicle, *entry.network);

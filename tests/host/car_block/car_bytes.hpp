@@ -24,6 +24,9 @@ class CarBytes {
   [[nodiscard]] car_block::Block block() const {
     return std::span<const std::byte>(bytes_).first<car_block::kBlockBytes>();
   }
+  [[nodiscard]] car_block::WritableBlock writable() {
+    return std::span(bytes_).first<car_block::kBlockBytes>();
+  }
   [[nodiscard]] std::byte& at(std::size_t offset) { return bytes_.at(offset); }
   [[nodiscard]] std::uint32_t be32(std::size_t offset) const {
     std::uint32_t value = 0;
@@ -52,8 +55,6 @@ class CarBytes {
   vehicle::Vehicle car;  // after read()
 
  private:
-  car_block::WritableBlock writable() { return std::span(bytes_).first<car_block::kBlockBytes>(); }
-
   vehicle::Grids grids_;
   std::vector<std::byte> bytes_ = std::vector<std::byte>(car_block::kBlockBytes);
   std::unique_ptr<car_block::SensorMemory> memory_ = std::make_unique<car_block::SensorMemory>();
