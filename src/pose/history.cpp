@@ -32,6 +32,11 @@ constexpr Fate fate_after(const Message& before, const Message& message) {
   return message.clock_us - before.clock_us < kMinSpacingUs ? Fate::kFlood : Fate::kUsed;
 }
 
+// Negative if `time` is before `from`.
+constexpr std::int64_t difference_us(std::uint64_t time_us, std::uint64_t from_us) {
+  return static_cast<std::int64_t>(time_us - from_us);
+}
+
 }  // namespace
 
 Fate History::take(const Message& message, std::uint64_t arrival_us) {
@@ -39,45 +44,70 @@ Fate History::take(const Message& message, std::uint64_t arrival_us) {
                    .offset_us = arrival_us - message.age_us - message.clock_us,
                    .residual = {}};
   if (!runs_.is_present(message.run)) {
-    return runs_.is_past(message.run) ? Fate::kPastRun : take_of_new_run(next);
+    return runs_.is_past(message.run) && !is_silent(arrival_us) ? Fate::kPastRun
+                                                                : take_candidate(next, arrival_us);
   }
-  if (const Fate fate = fate_after(entry(0).message, message); fate != Fate::kUsed) {
+  const Fate fate = fate_after(entry(0).message, message);
+  if (fate == Fate::kFlood || (fate == Fate::kNotNewer && !is_silent(arrival_us))) {
     return fate;
   }
-  candidate_count_ = 0;  // the present run goes on
+  if (fate == Fate::kNotNewer || has_leapt(entry(0), next)) {
+    return take_candidate(next, arrival_us);
+  }
+  candidate_count_ = 0;  // the present course goes on
   append(next);
+  arrival_us_ = arrival_us;
   return Fate::kUsed;
 }
 
-// Candidates are messages in a row of one run, none more than kLostUs after the one before.
-Fate History::take_of_new_run(const Entry& candidate) {
-  const bool is_next = candidate_count_ > 0 && candidates_[0].message.run == candidate.message.run;
-  const Message& before = candidates_[is_next ? candidate_count_ - 1 : 0].message;
-  if (is_next) {
-    if (const Fate fate = fate_after(before, candidate.message); fate != Fate::kUsed) {
-      return fate;
-    }
-  }
-  if (!is_next || candidate.message.clock_us - before.clock_us > kLostUs) {
+// The target's clock says so. What it has not seen yet is no silence.
+bool History::is_silent(std::uint64_t arrival_us) const {
+  return difference_us(arrival_us, arrival_us_) > std::int64_t{kLostUs};
+}
+
+// From one message to the next: a drive may be played much faster or slower than it was recorded,
+// and then the clocks drift apart.
+bool History::has_leapt(const Entry& before, const Entry& next) {
+  return difference_us(before.offset_us, next.offset_us) > std::int64_t{kMaxLeapUs};
+}
+
+// Candidates are messages in a row of one run, none more than kLostUs after the one before. What is
+// farther away in time, whether later or earlier, begins another row: else a single message could
+// keep its run waiting.
+Fate History::take_candidate(const Entry& candidate, std::uint64_t arrival_us) {
+  const Message& message = candidate.message;
+  const Message& before = candidates_[candidate_count_ > 0 ? candidate_count_ - 1 : 0].message;
+  const std::int64_t later_us = difference_us(message.clock_us, before.clock_us);
+  const bool is_near = later_us <= std::int64_t{kLostUs} && later_us >= -std::int64_t{kLostUs};
+  if (candidate_count_ == 0 || before.run != message.run || !is_near) {
     candidate_count_ = 0;
+  } else if (const Fate fate = fate_after(before, message); fate != Fate::kUsed) {
+    return fate;
   }
   candidates_[candidate_count_] = candidate;
   ++candidate_count_;
   if (candidate_count_ < kConfirmations) {
     return Fate::kUnconfirmed;
   }
-  begin_run();
+  begin_course();
+  arrival_us_ = arrival_us;
   return Fate::kUsed;
 }
 
-void History::begin_run() {
-  const bool is_first = count_ == 0;
-  runs_.begin(candidates_[0].message.run);
+// Within a run the course before was lost: it has been silent, or by its own clock it is long past.
+void History::begin_course() {
+  const Message& first = candidates_[0].message;
+  const bool is_of_present_run = runs_.is_present(first.run);
+  if (!is_of_present_run) {
+    runs_.begin(first.run);
+  }
+  if (count_ > 0 && !is_of_present_run) {
+    break_off(Cause::kRestart, first.clock_us);
+  } else if (unbroken_ > 0) {
+    break_off(Cause::kLost, entry(0).message.clock_us);
+  }
   count_ = 0;
   candidate_count_ = 0;
-  if (!is_first) {
-    break_off(Cause::kRestart, candidates_[0].message.clock_us);
-  }
   for (const Entry& candidate : candidates_) {
     append(candidate);
   }

@@ -4,6 +4,10 @@
 // Messages come in the order of that clock; one that is not newer than the newest is dropped. Poses
 // belong together as long as nothing breaks them apart: a silence of kLostUs, a jump, or a new run
 // of the source. What was placed before a break has lost its place, and its window is unknown.
+//
+// Who may be forged may not blind for good: what does not continue the present course, being of
+// another run or of another time, is believed by kConfirmations messages in a row. If it goes back,
+// in time or to a run of before, it has to wait until the present course is silent for kLostUs.
 #pragma once
 
 #include <array>
@@ -36,8 +40,8 @@ struct Tally {
 
 class History {
  public:
-  // A sound message and its arrival by the target's clock. kUsed, kUnconfirmed, or kNotNewer,
-  // kFlood or kPastRun, which change nothing.
+  // A sound message and its arrival by the target's clock. kUsed, or kUnconfirmed, kNotNewer,
+  // kFlood or kPastRun, which place nothing.
   [[nodiscard]] Fate take(const Message& message, std::uint64_t arrival_us);
 
   // Time has passed, by the clock of the source: the end of the newest slice, or source_time() of
@@ -80,8 +84,10 @@ class History {
     Residual residual{};          // to what the message before it predicts
   };
 
-  [[nodiscard]] Fate take_of_new_run(const Entry& candidate);
-  void begin_run();
+  [[nodiscard]] Fate take_candidate(const Entry& candidate, std::uint64_t arrival_us);
+  void begin_course();
+  [[nodiscard]] static bool has_leapt(const Entry& before, const Entry& next);
+  [[nodiscard]] bool is_silent(std::uint64_t arrival_us) const;
   void append(Entry next);
   void break_off(Cause cause, std::uint64_t since_us);
   [[nodiscard]] bool is_jump_to(const Entry& next) const;
@@ -94,12 +100,13 @@ class History {
 
   std::array<Entry, kHistoryMessages> entries_{};  // a ring, the oldest is overwritten
   std::size_t next_ = 0;
-  std::size_t count_ = 0;                           // entries of the run
+  std::size_t count_ = 0;                           // entries of the course
   std::size_t unbroken_ = 0;                        // the newest of them, which belong together
   Cause began_by_ = Cause::kLost;                   // what the unbroken ones follow
   bool is_whole_ = true;                            // none of the unbroken ones was overwritten
-  std::array<Entry, kConfirmations> candidates_{};  // of a run that is not believed yet
+  std::array<Entry, kConfirmations> candidates_{};  // of a course that is not believed yet
   std::size_t candidate_count_ = 0;
+  std::uint64_t arrival_us_ = 0;  // of the newest message, by the target's clock
   RunMemory runs_;
   std::uint32_t epoch_ = 0;
   std::array<Tally, kCauseCount> breaks_{};

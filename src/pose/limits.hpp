@@ -14,18 +14,22 @@ inline constexpr std::int32_t kMaxCoordinateMm = 1'000'000'000;
 inline constexpr std::int32_t kMaxSpeedMmPerS = 100'000;
 inline constexpr std::int32_t kMaxYawRateUradPerS = 10'000'000;
 inline constexpr std::uint32_t kMaxAgeUs = 200'000;
+// 146,000 years: sums and differences of clocks and of the target's time do not wrap.
+inline constexpr std::uint64_t kMaxClockUs = (std::uint64_t{1} << 62) - 1;
 
 // How close in time a slice must be to a message, and how far a message is moved ahead.
 inline constexpr std::uint64_t kLateUs = 100'000;
 // A silence as long as this breaks the history.
 inline constexpr std::uint64_t kLostUs = 1'000'000;
+// A clock that is so much ahead of what it was by the target's has leapt.
+inline constexpr std::uint64_t kMaxLeapUs = 2 * kLostUs;
 // Messages of one run are at least this far apart, by their own clock; closer ones are dropped.
 inline constexpr std::uint64_t kMinSpacingUs = 8'000;
 // So many messages cover more than the second that is asked of them.
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 
-// A run is believed when so many of its messages have come in a row.
+// Another run, or another clock, is believed when so many of its messages have come in a row.
 inline constexpr std::size_t kConfirmations = 3;
 
 // A pose less certain than this places nothing: 150 mm, or as much at kReachMm.

@@ -25,7 +25,8 @@ constexpr bool has_sigma(const Sigma& sigma) {
 // What the fields say of themselves, in the order of docs/spec.md.
 Fate fate_of(const Message& message) {
   const bool has_map = message.map.has_value();
-  if (!is_within(message.pose) || (has_map && !is_within(message.map->local_frame)) ||
+  if (message.clock_us > kMaxClockUs || !is_within(message.pose) ||
+      (has_map && !is_within(message.map->local_frame)) ||
       !is_within(message.speed_mm_per_s, kMaxSpeedMmPerS) ||
       !is_within(message.yaw_urad_per_s, kMaxYawRateUradPerS)) {
     return Fate::kOutOfRange;

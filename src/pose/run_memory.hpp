@@ -22,7 +22,7 @@ class RunMemory {
     return !is_present(run) && std::ranges::find(known, run) != known.end();
   }
 
-  // A run that was neither of the two becomes the present one.
+  // Another run than the present one becomes the present one, perhaps again.
   void begin(std::uint32_t run) {
     runs_[next_] = run;
     next_ = (next_ + 1) % kRuns;

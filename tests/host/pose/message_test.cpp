@@ -94,6 +94,8 @@ TEST(PoseMessage, EveryFaultHasItsName) {
                                   {"the highest flag", 29, 1, 0x81, Fate::kWrongFlags},
                                   {"reserved bytes", 96, 4, 1, Fate::kNotZero},
                                   {"age", 36, 4, 200'001, Fate::kTooOld},
+                                  {"a clock of 2^62", 40, 8, 0x4000000000000000, Fate::kOutOfRange},
+                                  {"the last clock", 40, 8, -1, Fate::kOutOfRange},
                                   {"x above", 48, 4, 1'000'000'001, Fate::kOutOfRange},
                                   {"x below", 48, 4, -1'000'000'001, Fate::kOutOfRange},
                                   {"y above", 52, 4, 0x7FFFFFFF, Fate::kOutOfRange},
@@ -118,6 +120,7 @@ TEST(PoseMessage, TheLastValuesThatMayBe) {
   PoseBytes bytes;
   bytes.put(29, 1, 1).put(36, 4, 200'000).put(48, 4, 1'000'000'000).put(52, 4, -1'000'000'000);
   bytes.put(64, 4, 100'000).put(68, 4, -10'000'000).put(92, 2, 0xFFFF).put(94, 2, 1);
+  bytes.put(40, 8, 0x3FFFFFFFFFFFFFFF);
   EXPECT_EQ(fate_of(bytes), Fate::kUsed);
 }
 
@@ -152,7 +155,7 @@ TEST(PoseMessage, ComesBackAsItWasSent) {
   for (int i = 0; i < 2'000; ++i) {
     Message message{.run = static_cast<std::uint32_t>(random.next()),
                     .age_us = static_cast<std::uint32_t>(random.between(0, 220'000)),
-                    .clock_us = random.next(),
+                    .clock_us = random.next() >> 1U,
                     .pose = {random.between(-1'050'000'000, 1'050'000'000), 5,
                              static_cast<std::uint32_t>(random.next())},
                     .sigma = {static_cast<std::uint16_t>(random.below(4)), 9},
@@ -160,7 +163,8 @@ TEST(PoseMessage, ComesBackAsItWasSent) {
     if (random.one_in(2)) {
       message.map = MapTransform{.origin = random.next(), .sigma = {1, 1}};
     }
-    const bool is_sound = message.age_us <= 200'000 && message.sigma.position_mm > 0 &&
+    const bool is_sound = message.age_us <= 200'000 && message.clock_us >> 62U == 0 &&
+                          message.sigma.position_mm > 0 &&
                           std::abs(message.pose.x_mm) <= 1'000'000'000 &&
                           std::abs(message.speed_mm_per_s) <= 100'000;
     const Decoded decoded = decode(encoder.encode(message));
