@@ -70,11 +70,14 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   if (!end_us) {
     poses_.pass_silence(now_us);
   }
-  // A scanner whose clock is ahead cannot take the window's time with it. Without any it is the
-  // time of the newest pose, so that a pause of all who send is none for the window.
+  // A scanner whose clock is ahead cannot take the window's time with it, nor one that is behind
+  // keep it. Without any it is the time of the newest pose, so that a pause of all who send is none
+  // for the window.
   std::optional<std::uint64_t> time_us = poses_.source_time(now_us);
   if (time_us) {
-    time_us = end_us ? std::min(*end_us, *time_us + pose::kLateUs) : poses_.newest()->clock_us;
+    const std::uint64_t newest_us = poses_.newest()->clock_us;
+    const std::uint64_t least_us = newest_us - std::min(newest_us, pose::kLostUs);
+    time_us = end_us ? std::max(std::min(*end_us, *time_us + pose::kLateUs), least_us) : newest_us;
   }
   move_time(time_us, now_us);
   slices_.place(packets_.packets(), poses_);
@@ -87,8 +90,9 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   report_.end = time_us ? poses_.pose_at(*time_us) : pose::Placed{};
 }
 
-// To the frame's stamp. When the poses break off, the window is unknown. Its time goes on, also if
-// the clock of another run begins anew.
+// To the frame's stamp. When the poses break off, the window is unknown. Its time begins with the
+// first clock of the poses, and goes on by the target's where that clock begins anew or leaps: no
+// clock of a message takes it far ahead.
 void PerceptionEngine::move_time(std::optional<std::uint64_t> time_us, std::uint64_t now_us) {
   if (time_us) {
     poses_.pass(*time_us);
@@ -98,9 +102,16 @@ void PerceptionEngine::move_time(std::optional<std::uint64_t> time_us, std::uint
   if (report_.is_forgotten) {
     epoch_ = poses_.epoch();
     window_.forget();
-    if (time_us && *time_us + offset_us_ < report_.stamp_us) {
+  }
+  if (time_us) {
+    const bool may_be_behind = has_time_ && !report_.is_forgotten;
+    const std::uint64_t least_us = may_be_behind ? 0 : report_.stamp_us;
+    const std::uint64_t most_us = has_time_ ? passed_us + pose::kMaxLeapUs : ~std::uint64_t{0};
+    const std::uint64_t stamp_us = *time_us + offset_us_;
+    if (stamp_us < least_us || stamp_us > most_us) {
       offset_us_ = passed_us - *time_us;
     }
+    has_time_ = true;
   }
   const std::uint64_t stamp_us = time_us ? *time_us + offset_us_ : passed_us;
   if (stamp_us > report_.stamp_us) {

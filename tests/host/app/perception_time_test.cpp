@@ -178,5 +178,27 @@ TEST(PerceptionTime, AStrangeClockPlacesNothingAndMovesNoTime) {
   EXPECT_FALSE(disturbed.report().is_forgotten);
 }
 
+// The only scanner's clock falls back by hours: it places nothing, and what was known fades.
+TEST(PerceptionTime, AClockThatIsBehindKeepsNoTime) {
+  const Car car(tests::OneLux::kVehicle, true);
+  PerceptionBench bench(car.vehicle());
+  constexpr std::uint64_t kHours = 7'200'000'000;
+  constexpr int kLastFrame = 20 + 10 * 25;
+  auto drive = drive_at_wall(20);
+  std::ranges::move(testing::poses(20 * kPeriodUs, kLastFrame * kPeriodUs),
+                    std::back_inserter(drive));
+  for (int frame = 21; frame <= kLastFrame; ++frame) {
+    const std::uint64_t end_us = static_cast<std::uint64_t>(frame) * kPeriodUs;
+    for (TimedDatagram& late : testing::scan_of_wall(100, frame, 4, end_us - kHours, kWallM)) {
+      late.now_us = end_us;
+      drive.push_back(std::move(late));
+    }
+  }
+  bench.take(drive);
+  EXPECT_EQ(bench.report().packets_not_placed, 4U);
+  EXPECT_EQ(bench.classes.cells.size(), 0U);
+  EXPECT_EQ(bench.report().tallies[static_cast<std::size_t>(pose::Cause::kLost)].times, 0U);
+}
+
 }  // namespace
 }  // namespace iog::app
