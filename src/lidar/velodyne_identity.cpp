@@ -58,6 +58,11 @@ VelodyneCandidates candidates_of(std::span<const std::byte> packet) {
     return candidates;
   }
   const unsigned banks = has_two_banks(packet) ? 2 : 1;
+  // Two banks take turns; a VLS-128 goes on with a third one.
+  if (banks == 2 &&
+      velodyne::word_at(packet, 2 * VelodynePacket::kBlockBytes) != velodyne::kBlockFlag) {
+    return candidates;
+  }
   const std::uint8_t product = velodyne::byte_at(packet, velodyne::kProductOffset);
   for (const Claim& claim : std::span(kClaims.list).first(kClaims.count)) {
     const bool has_product = banks == 2 || product == claim.product || product == claim.old_product;

@@ -23,9 +23,9 @@
 #include "tools/receive/class_record.hpp"
 #include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
+#include "tools/vehicles/capture_identity.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/vehicles/vehicle_fit.hpp"
-#include "tools/vehicles/vehicle_likeness.hpp"
 
 namespace iog::tools {
 namespace {
@@ -65,11 +65,11 @@ const GridFrame& demanded(const ChosenFrame& chosen, std::optional<std::uint64_t
 
 // What the target has no port for is left out.
 std::uint64_t feed(PcapReader& capture, const CatalogueEntry& car, OfflineTarget& target,
-                   VehicleLikeness& likeness) {
+                   CaptureIdentity& identity) {
   Progress progress("packets");
   std::uint64_t other_ports = 0;
   while (const std::optional<CapturedDatagram> datagram = capture.next()) {
-    likeness.add(*datagram);
+    identity.add(*datagram);
     if (takes_port(car, datagram->destination.port)) {
       static_cast<void>(target.take(*datagram));
     } else {
@@ -160,15 +160,15 @@ void fuse(const FuseOptions& options) {
     }
     target->begin_with_map(read_block(options.map));
   }
-  VehicleLikeness likeness;
-  const std::uint64_t other_ports = feed(capture, car, *target, likeness);
+  CaptureIdentity identity;
+  const std::uint64_t other_ports = feed(capture, car, *target, identity);
   assembler.finish();
   if (recorder) {
     recorder->finish();
   }
 
   print_input(capture, other_ports);
-  if (const std::string words = likeness.words(car); !words.empty()) {
+  if (const std::string words = identity.words(car); !words.empty()) {
     std::cout << row("OTHER VEHICLE?", words);
   }
   std::cout << statistics.table(false);

@@ -5,11 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "intake/packet.hpp"
-#include "lidar/ibeo_lux.hpp"
-#include "lidar/velodyne.hpp"
 #include "pose/message.hpp"
-#include "tools/formats/lidar/format_names.hpp"
 #include "tools/info/stream_census.hpp"
 
 namespace iog::tools {
@@ -18,7 +14,7 @@ namespace {
 std::string format_of(const PortCensus& port) {
   std::map<std::string, std::uint64_t> kinds = port.kinds;
   if (port.in_doubt > 0) {
-    kinds[names_of(port.doubted)] = port.in_doubt;
+    kinds[port.doubted] = port.in_doubt;
   }
   std::string text;
   for (const auto& [name, count] : kinds) {
@@ -31,19 +27,21 @@ std::string format_of(const PortCensus& port) {
 }
 
 std::string rate_of(const PortCensus& port) {
-  if (port.scans < 2 || port.last_us == port.first_us) {
+  double hertz = 0;
+  for (const auto& [source, sender] : port.senders) {
+    hertz += sender.hertz();
+  }
+  if (hertz == 0) {
     return "-";
   }
-  const double seconds = static_cast<double>(port.last_us - port.first_us) / 1e6;
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << static_cast<double>(port.scans - 1) / seconds
-       << " Hz";
+  text << std::fixed << std::setprecision(1) << hertz << " Hz";
   return text.str();
 }
 
 std::string sources_of(const PortCensus& port) {
   std::string text;
-  for (const std::uint32_t source : port.sources) {
+  for (const auto& [source, sender] : port.senders) {
     text += (text.empty() ? "" : ", ") + dotted(source);
   }
   return text;
@@ -59,69 +57,85 @@ std::string dotted(std::uint32_t ipv4) {
   return text;
 }
 
+void SenderCensus::add(const SeenUnit& seen, std::uint64_t time_us) {
+  const bool is_first = scans == 0 && swept_ticks == 0;
+  const lidar::PacketInfo& info = seen.info;
+  if (is_first) {
+    first_us = time_us;
+  }
+  if (seen.turns) {
+    // The wire's sweeps are clockwise, and end where, counter-clockwise, their sector begins.
+    const std::uint32_t turn = seen.ticks_per_turn;
+    const std::uint32_t gained = is_first ? 0 : (at_ticks + turn - info.sector.first_ticks) % turn;
+    const bool is_late = gained > turn / 8 * 7;  // it was overtaken
+    gained_ticks += is_late ? 0 : gained;
+    at_ticks = is_late ? at_ticks : info.sector.first_ticks;
+    last_us = std::max(last_us, is_late ? 0 : time_us);
+    swept_ticks += info.sector.width_ticks;
+    ticks_per_turn = turn;
+  }
+  if (seen.is_numbered && (is_first || info.scan_number != last_scan_number)) {
+    ++scans;
+    last_us = std::max(last_us, time_us);
+  } else if (!seen.is_numbered) {
+    scans = swept_ticks / seen.ticks_per_turn;
+  }
+  last_scan_number = info.scan_number;
+}
+
+double SenderCensus::hertz() const {
+  if (last_us <= first_us) {
+    return 0;
+  }
+  const double seconds = static_cast<double>(last_us - first_us) / 1e6;
+  if (ticks_per_turn == 0) {
+    return scans < 2 ? 0 : static_cast<double>(scans - 1) / seconds;
+  }
+  // Of less than a quarter of a turn the times of arrival say little.
+  return gained_ticks < ticks_per_turn / 4
+             ? 0
+             : static_cast<double>(gained_ticks) / ticks_per_turn / seconds;
+}
+
+std::uint64_t PortCensus::scans() const {
+  std::uint64_t all = 0;
+  for (const auto& [source, sender] : senders) {
+    all += sender.scans;
+  }
+  return all;
+}
+
 void CaptureCensus::add(const CapturedDatagram& datagram) {
   PortCensus& port = ports_[datagram.destination.port];
-  if (port.datagrams++ == 0) {
-    port.first_us = datagram.time_us;
-  }
-  port.last_us = std::max(port.last_us, datagram.time_us);
+  ++port.datagrams;
   port.bytes += datagram.payload.size();
-  port.sources.insert(datagram.source.ipv4);
-  lidar::IbeoLux lux;
-  if (lux.decode(datagram.payload) == lidar::DecodeStatus::kOk) {
-    add_numbered(std::string(lidar::IbeoLux::kName), lux.info(), port);
-  } else if (pose::decode(datagram.payload).fate == pose::Fate::kUsed) {
+  if (pose::decode(datagram.payload).fate == pose::Fate::kUsed) {
     ++port.kinds["poses"];
   } else if (StreamCensus::is_message(datagram.payload)) {
     ++port.kinds["grid stream"];
-  } else if (const auto guessed = guess_unit(datagram.payload)) {
-    add_guessed(*guessed, port);
   } else {
-    add_velodyne(datagram, port);
+    add_unit(datagram, port);
+    return;
   }
-}
-
-void CaptureCensus::add_numbered(const std::string& kind, const lidar::PacketInfo& info,
-                                 PortCensus& port) {
-  std::uint64_t& count = port.kinds[kind];
-  port.scans += count == 0 || info.scan_number != port.last_scan_number ? 1U : 0U;
-  port.last_scan_number = info.scan_number;
-  port.points += info.point_count;
-  ++count;
-}
-
-void CaptureCensus::add_swept(const lidar::PacketInfo& info, std::uint32_t ticks_per_turn,
-                              PortCensus& port) {
-  port.swept_ticks += info.sector.width_ticks;
-  port.scans = port.swept_ticks / ticks_per_turn;
-  port.points += info.point_count;
-}
-
-void CaptureCensus::add_guessed(const GuessedPacket& guessed, PortCensus& port) {
-  if (guessed.is_numbered) {
-    add_numbered(guessed.name, guessed.info, port);
-  } else {
-    add_swept(guessed.info, guessed.ticks_per_turn, port);
-    ++port.kinds[guessed.name];
-  }
+  port.senders.try_emplace(datagram.source.ipv4);
 }
 
 // Which unit it is often shows with the second packet only; the first is of it, too.
-void CaptureCensus::add_velodyne(const CapturedDatagram& datagram, PortCensus& port) {
-  const lidar::FormatSet possible = port.identities[datagram.source.ipv4].take(datagram.payload);
-  if (possible.is_empty()) {
+void CaptureCensus::add_unit(const CapturedDatagram& datagram, PortCensus& port) {
+  SenderCensus& sender = port.senders[datagram.source.ipv4];
+  const SeenUnit seen = sender.unit.take(datagram.payload);
+  if (seen.name.empty() || (!seen.is_sound && !seen.formats.is_empty())) {
     return;
   }
-  const intake::Packet packet = intake::Packet::decode(possible.first(), datagram.payload);
-  if (!packet.is_sound()) {
-    return;
+  if (seen.is_sound) {
+    sender.add(seen, datagram.time_us);
+    port.points += seen.info.point_count;
   }
-  add_swept(packet.info(), lidar::VelodynePacket::kTicksPerTurn, port);
-  if (possible == lidar::FormatSet(possible.first())) {
-    port.kinds[names_of(possible)] += 1 + std::exchange(port.in_doubt, 0U);
-  } else {
+  if (seen.is_in_doubt) {
     ++port.in_doubt;
-    port.doubted = possible;
+    port.doubted = seen.name;
+  } else {
+    port.kinds[seen.name] += 1 + std::exchange(port.in_doubt, 0U);
   }
 }
 
@@ -135,7 +149,7 @@ std::string CaptureCensus::table() const {
   line("port", "format", "packets", "bytes", "points", "scans", "rate");
   text << "from\n";
   for (const auto& [number, port] : ports_) {
-    line(number, format_of(port) + " ", port.datagrams, port.bytes, port.points, port.scans,
+    line(number, format_of(port) + " ", port.datagrams, port.bytes, port.points, port.scans(),
          rate_of(port));
     text << sources_of(port) << '\n';
   }

@@ -3,30 +3,41 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 
-#include "lidar/velodyne_identity.hpp"
 #include "tools/formats/capture/datagram.hpp"
-#include "tools/info/unit_guess.hpp"
+#include "tools/formats/lidar/unit_watch.hpp"
 
 namespace iog::tools {
+
+// What one sender sends to a port.
+struct SenderCensus {
+  UnitWatch unit;
+  // Of sound packets. Scans are changes of scan number, or, of packets without one, turns begun.
+  std::uint64_t scans = 0;
+  std::uint32_t last_scan_number = 0;
+  std::uint64_t first_us = 0;
+  std::uint64_t last_us = 0;  // of those of units that turn; of others that of the last new scan
+  std::uint64_t swept_ticks = 0;
+  std::uint64_t gained_ticks = 0;  // by a unit that turns, from the first packet to the last
+  std::uint32_t at_ticks = 0;
+  std::uint32_t ticks_per_turn = 0;  // 0: it does not turn
+
+  void add(const SeenUnit& seen, std::uint64_t time_us);
+  // Scans or turns a second, by what lies between the first and the last; 0: too little came.
+  [[nodiscard]] double hertz() const;
+};
 
 struct PortCensus {
   std::uint64_t datagrams = 0;
   std::uint64_t bytes = 0;
   std::map<std::string, std::uint64_t> kinds{};  // datagrams of a known kind, by its name
   std::uint64_t in_doubt = 0;  // Velodyne packets of which it is not known which unit's they are
-  lidar::FormatSet doubted;    // those that they may be of
+  std::string doubted;         // those that they may be of
   std::uint64_t points = 0;
-  // Changes of scan number, or, of packets without one, turns, rounded down.
-  std::uint64_t scans = 0;
-  std::uint64_t swept_ticks = 0;  // of packets without scan number
-  std::uint32_t last_scan_number = 0;
-  std::uint64_t first_us = 0;
-  std::uint64_t last_us = 0;
-  std::set<std::uint32_t> sources;
-  std::map<std::uint32_t, lidar::VelodyneIdentity> identities;  // by source
+  std::map<std::uint32_t, SenderCensus> senders;
+
+  [[nodiscard]] std::uint64_t scans() const;
 };
 
 class CaptureCensus {
@@ -37,12 +48,7 @@ class CaptureCensus {
   [[nodiscard]] std::string table() const;
 
  private:
-  static void add_numbered(const std::string& kind, const lidar::PacketInfo& info,
-                           PortCensus& port);
-  static void add_swept(const lidar::PacketInfo& info, std::uint32_t ticks_per_turn,
-                        PortCensus& port);
-  static void add_guessed(const GuessedPacket& guessed, PortCensus& port);
-  static void add_velodyne(const CapturedDatagram& datagram, PortCensus& port);
+  static void add_unit(const CapturedDatagram& datagram, PortCensus& port);
 
   std::map<std::uint16_t, PortCensus> ports_;
 };

@@ -18,7 +18,7 @@
 #include "tools/program/progress.hpp"
 #include "tools/record/mcap_recording.hpp"
 #include "tools/record/stream_file.hpp"
-#include "tools/vehicles/vehicle_likeness.hpp"
+#include "tools/vehicles/capture_identity.hpp"
 
 namespace iog::tools {
 namespace {
@@ -144,14 +144,14 @@ std::string summary_of_file(const std::string& path) {
 std::string summary_of_capture(const std::string& path) {
   PcapReader capture(path);
   CaptureCensus census;
-  VehicleLikeness likeness;
+  CaptureIdentity identity;
   std::map<std::uint16_t, StreamCensus> streams;  // by port
   std::optional<std::uint64_t> first_us;
   std::uint64_t last_us = 0;
   Progress progress("packets");
   while (const std::optional<CapturedDatagram> datagram = capture.next()) {
     census.add(*datagram);
-    likeness.add(*datagram);
+    identity.add(*datagram);
     const bool is_looked_into =
         streams.size() < kMaxStreams || streams.contains(datagram->destination.port);
     if (is_looked_into && StreamCensus::is_message(datagram->payload)) {
@@ -163,7 +163,7 @@ std::string summary_of_capture(const std::string& path) {
   }
   std::string text = row("kind", "capture, " + seconds(last_us - first_us.value_or(last_us)));
   text += census.table();
-  if (const std::string words = likeness.words_of_best(); !words.empty()) {
+  if (const std::string words = identity.words_of_best(); !words.empty()) {
     text += row("looks like", words);
   }
   if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {

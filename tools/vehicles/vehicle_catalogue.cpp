@@ -75,6 +75,11 @@ std::string add_vehicle_file(const std::string& path) {
   return std::string(car.description.name);
 }
 
+bool is_of_file(const CatalogueEntry& entry) {
+  return std::ranges::any_of(catalogue().of_files,
+                             [&](const Car& car) { return entry.vehicle == &car.vehicle; });
+}
+
 void give_vehicle(const std::string& name) {
   catalogue().given.emplace_back(find_vehicle(name).vehicle->name);
 }

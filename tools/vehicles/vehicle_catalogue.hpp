@@ -30,6 +30,9 @@ using CatalogueEntry = vehicles::Entry;
 // all its mistakes. References to entries end here: it is for the command line, before all else.
 std::string add_vehicle_file(const std::string& path);
 
+// Whether a user's file describes the car, and not this program.
+[[nodiscard]] bool is_of_file(const CatalogueEntry& entry);
+
 // The user expects a stream to be of the vehicle of that name. UsageError as find_vehicle().
 void give_vehicle(const std::string& name);
 

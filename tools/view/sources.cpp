@@ -12,6 +12,7 @@
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
+#include "tools/vehicles/capture_identity.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/vehicles/vehicle_fit.hpp"
 #include "tools/view/sensor_target.hpp"
@@ -70,13 +71,16 @@ class CaptureSource : public Source {
   explicit CaptureSource(const CaptureOptions& options)
       : options_(options), car_(&find_vehicle(options.vehicle)), pace_(options.speed) {
     PcapReader capture(options_.path);
-    PortCounts others;
+    CaptureIdentity others;
     const std::optional<CapturedDatagram> first = next(capture, &others);
     if (!first) {
       throw UsageError(options_.path + ": no grid to port " + std::to_string(options_.port) +
-                       ", and " + words_of_misfit(*car_, others));
+                       ", and " + others.refusal(*car_));
     }
     is_of_target_ = !takes_port(*car_, first->destination.port);
+    if (!is_of_target_) {
+      demand_fit(options_.path, *car_);
+    }
   }
 
   [[nodiscard]] std::string kind() const override {
@@ -111,16 +115,16 @@ class CaptureSource : public Source {
     std::this_thread::sleep_for(kTendEvery);
   }
 
-  // The next datagram that can be shown. others: where the ports of those before it are counted.
+  // The next datagram that can be shown. others: who is told of those before it.
   [[nodiscard]] std::optional<CapturedDatagram> next(PcapReader& capture,
-                                                     PortCounts* others = nullptr) const {
+                                                     CaptureIdentity* others = nullptr) const {
     while (std::optional<CapturedDatagram> datagram = capture.next()) {
       if (takes_port(*car_, datagram->destination.port) ||
           datagram->destination.port == options_.port) {
         return datagram;
       }
       if (others != nullptr) {
-        ++(*others)[datagram->destination.port];
+        others->add(*datagram);
       }
     }
     return std::nullopt;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fakes/effort.hpp"
+#include "fakes/foreign_packets.hpp"
 #include "fakes/random.hpp"
 #include "fakes/real_velodyne_packets.hpp"
 #include "fakes/velodyne_packet.hpp"
@@ -80,6 +81,7 @@ TEST(VelodyneIdentity, WhatSaysItsNameIsBelieved) {
   EXPECT_EQ(identity.take(Packet{}.bytes()), kVlp16);
   EXPECT_TRUE(identity.take(Packet{.product = 0x24}.bytes()).is_empty());
   EXPECT_TRUE(identity.take({}).is_empty());
+  EXPECT_TRUE(identity.take(tests::vls128_packet()).is_empty());
 }
 
 // Whatever was lost, repeated or came late, and at whatever speed: a packet is called the other

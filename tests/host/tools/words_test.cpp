@@ -60,25 +60,18 @@ TEST(WordDistance, OnlyWhatIsNearIsMeant) {
   EXPECT_EQ(nearest_words("", known), Words{});
 }
 
-TEST(VehicleFit, NamesTheVehicleThatThePacketsAreFor) {
+TEST(VehicleFit, NamesNoVehicleWhereNothingIsKnown) {
+  const tests::TemporaryFolder folder;
   const CatalogueEntry& car = find_vehicle("reference_car");
-  const CatalogueEntry& other = find_vehicle("roof_vlp16");
-  PortCounts ports;
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
-    ports[sensor.udp_port] = 10;
-  }
-  const std::string words = words_of_misfit(other, ports);
-  EXPECT_TRUE(contains(words, "no packet is for a sensor of roof_vlp16 (UDP port 2368)")) << words;
-  EXPECT_TRUE(contains(words, std::to_string(car.sensors[0].udp_port))) << words;
-  EXPECT_TRUE(contains(words, "try --vehicle reference_car")) << words;
-}
-
-TEST(VehicleFit, NamesNoVehicleWhereNoneFits) {
-  const CatalogueEntry& car = find_vehicle("reference_car");
-  const std::string strange = words_of_misfit(car, {{5000, 3}});
-  EXPECT_TRUE(contains(strange, "port 5000; `iog info FILE`")) << strange;
-  EXPECT_FALSE(contains(strange, "--vehicle")) << strange;
-  EXPECT_TRUE(contains(words_of_misfit(car, {}), "no UDP packet at all"));
+  const std::string empty = folder / "empty.pcap";
+  PcapWriter(empty).finish();
+  EXPECT_TRUE(contains(complaint_of([&] { demand_fit(empty, car); }), "no UDP packet at all"));
+  const std::string strange = folder / "strange.pcap";
+  PcapWriter capture(strange);
+  capture.write({.time_us = 1, .source = {1, 1}, .destination = {2, 5000}, .payload = {}});
+  capture.finish();
+  EXPECT_TRUE(contains(complaint_of([&] { demand_fit(strange, car); }),
+                       "its packets go to port 5000, of no lidar that iog knows"));
 }
 
 TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
@@ -92,7 +85,11 @@ TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
   capture.finish();
   EXPECT_EQ(complaint_of([&] { demand_fit(path, car); }), "");
   EXPECT_TRUE(contains(complaint_of([&] { demand_fit(path, find_vehicle("roof_vlp16")); }),
-                       path + ": no packet is for a sensor of roof_vlp16"));
+                       path + ": no packet is for a sensor of roof_vlp16 (UDP port 2368); what "
+                              "comes to UDP port 12002 is of an ibeo LUX"));
+  EXPECT_TRUE(complaint_of([&] {
+                demand_fit(path, find_vehicle("roof_vlp16"));
+              }).ends_with("try --vehicle reference_car"));
 }
 
 // Packets of a real HDL-32E to the port that roof_vlp16 has, too.

@@ -1,0 +1,86 @@
+// Packets of lidars that are not taken, byte by byte as their makers describe the beginnings of
+// theirs; what a header does not name is left 0.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "fakes/velodyne_packet.hpp"
+
+namespace iog::tests {
+
+inline void put(std::vector<std::byte>& bytes, std::size_t at, std::initializer_list<int> values) {
+  std::ranges::transform(values, bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                         [](int value) { return static_cast<std::byte>(value); });
+}
+
+// VLS-128 User Manual (63-9483), "Packet structure": four banks of 32 lasers, each with its flag.
+inline std::vector<std::byte> vls128_packet() {
+  auto bytes = VelodynePacket{.product = 0xA1, .blocks_of_azimuth = 4}.bytes();
+  for (std::size_t block = 0; block < 12; ++block) {
+    put(bytes, 100 * block, {0xFF, 0xEE - static_cast<int>(block % 4) * 0x11});
+  }
+  return bytes;
+}
+
+// Pandar40P User Manual, "Point cloud UDP data": 10 blocks of a flag, an azimuth and 40 channels of
+// 3 bytes, then 22 bytes, the 16th of which is 0x42.
+inline std::vector<std::byte> pandar40p_packet() {
+  std::vector<std::byte> bytes(1262);
+  for (std::size_t block = 0; block < 10; ++block) {
+    put(bytes, 124 * block, {0xFF, 0xEE, static_cast<int>(20 * block), 0});
+  }
+  put(bytes, 1255, {0x42});
+  return bytes;
+}
+
+// Hesai's later units, "Pre-header" and "Header": start, protocol, lasers, blocks, unit of range.
+inline std::vector<std::byte> hesai_header_packet(int major, int minor, int lasers, int blocks,
+                                                  std::size_t size) {
+  std::vector<std::byte> bytes(size);
+  put(bytes, 0, {0xEE, 0xFF, major, minor, 0, 0, lasers, blocks, 0, 4, 1, 0});
+  return bytes;
+}
+
+// Ouster "Firmware User Manual", "Dual return": header, 16 columns of 12 bytes and 16 for each row,
+// footer; columns are numbered.
+inline std::vector<std::byte> ouster_dual_packet(std::size_t rows) {
+  std::vector<std::byte> bytes(64 + 16 * (12 + 16 * rows));
+  put(bytes, 0, {1, 0, 7, 0});
+  for (std::size_t column = 0; column < 16; ++column) {
+    put(bytes, 32 + column * (12 + 16 * rows) + 8, {static_cast<int>(32 + column), 0, 1, 0});
+  }
+  return bytes;
+}
+
+// RS-LiDAR-16 User Guide, "MSOP": header, 12 blocks, index and tail.
+inline std::vector<std::byte> robosense_packet() {
+  std::vector<std::byte> bytes(1248);
+  put(bytes, 0, {0x55, 0xAA, 0x05, 0x0A, 0x5A, 0xA5, 0x50, 0xA0});
+  return bytes;
+}
+
+struct ForeignPacket {
+  std::string_view name;
+  std::vector<std::byte> bytes;
+};
+
+inline std::vector<ForeignPacket> foreign_packets() {
+  return {{"Velodyne VLS-128", vls128_packet()},
+          {"Velodyne Puck Hi-Res", VelodynePacket{.product = 0x24}.bytes()},
+          {"Hesai Pandar40P", pandar40p_packet()},
+          {"Hesai PandarXT-16", hesai_header_packet(6, 1, 16, 8, 568)},
+          {"Hesai PandarXT-32M", hesai_header_packet(6, 1, 32, 6, 820)},
+          {"Hesai PandarQT-64", hesai_header_packet(3, 1, 64, 4, 1072)},
+          {"Hesai QT128", hesai_header_packet(3, 2, 128, 2, 1127)},
+          {"Hesai Pandar128 or OT128", hesai_header_packet(1, 4, 128, 2, 893)},
+          {"Ouster OS, two returns 64", ouster_dual_packet(64)},
+          {"Ouster OS, two returns 128", ouster_dual_packet(128)},
+          {"RoboSense RS-16, RS-32 or Bpearl", robosense_packet()}};
+}
+
+}  // namespace iog::tests

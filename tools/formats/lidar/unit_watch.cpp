@@ -1,0 +1,104 @@
+#include "tools/formats/lidar/unit_watch.hpp"
+
+#include <array>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "intake/packet.hpp"
+#include "lidar/formats.hpp"
+#include "tools/formats/lidar/foreign_unit.hpp"
+#include "tools/formats/lidar/format_names.hpp"
+
+namespace iog::tools {
+namespace {
+
+using Payload = std::span<const std::byte>;
+
+constexpr std::array<std::size_t, 4> kRows{16, 32, 64, 128};
+
+template <typename Decoder>
+SeenUnit sound(const Decoder& decoder, std::string name, lidar::FormatSet formats) {
+  return {.name = std::move(name),
+          .formats = formats,
+          .is_sound = true,
+          .info = decoder.info(),
+          .ticks_per_turn = static_cast<std::uint32_t>(Decoder::kTicksPerTurn),
+          .is_numbered = !Decoder::kTurns || std::is_base_of_v<lidar::OusterPacket, Decoder>,
+          .turns = Decoder::kTurns};
+}
+
+template <typename Decoder>
+std::optional<SeenUnit> seen_ouster(Payload payload, lidar::Format format) {
+  for (const std::size_t rows : kRows) {
+    if (payload.size() != Decoder::packet_bytes(rows)) {
+      continue;
+    }
+    const std::vector<lidar::LaserCorrection> corrections(rows);
+    for (const lidar::TurnMode& mode : lidar::kTurnModes) {
+      Decoder decoder;
+      if (decoder.decode(payload, {.corrections = corrections,
+                                   .columns_per_turn = mode.columns_per_turn,
+                                   .column_ns = mode.column_ns()}) == lidar::DecodeStatus::kOk) {
+        std::string name(Decoder::kName);
+        name.append(" ").append(std::to_string(rows));
+        return sound(decoder, std::move(name), lidar::FormatSet(format));
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// As one of the format's. Nothing in the packets of a LUX tells four layers from eight, and a
+// Velodyne is not known by a packet alone.
+std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
+  std::optional<SeenUnit> seen;
+  lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
+      seen = seen_ouster<Decoder>(payload, format);
+    } else if constexpr (std::is_same_v<lidar::IbeoLux, Decoder> ||
+                         std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
+      Decoder decoder;
+      lidar::FormatSet formats(format);
+      if (format == lidar::Format::kIbeoLux) {
+        formats.add(lidar::Format::kIbeoLux8);
+      }
+      if (decoder.decode(payload) == lidar::DecodeStatus::kOk) {
+        seen = sound(decoder, std::string(Decoder::kName), formats);
+      }
+    }
+  });
+  return seen;
+}
+
+// Of formats that a Velodyne's packet may have.
+SeenUnit seen_velodyne(lidar::FormatSet possible, Payload payload) {
+  const intake::Packet packet = intake::Packet::decode(possible.first(), payload);
+  return {.name = names_of(possible),
+          .formats = possible,
+          .is_in_doubt = possible != lidar::FormatSet(possible.first()),
+          .is_sound = packet.is_sound(),
+          .info = packet.info(),
+          .ticks_per_turn = lidar::VelodynePacket::kTicksPerTurn,
+          .turns = true};
+}
+
+}  // namespace
+
+SeenUnit UnitWatch::take(Payload payload) {
+  const lidar::FormatSet possible = velodyne_.take(payload);
+  if (!possible.is_empty()) {
+    return seen_velodyne(possible, payload);
+  }
+  for (unsigned number = 0; number < lidar::FormatSet::kMost; ++number) {
+    if (const auto seen = seen_as(static_cast<lidar::Format>(number), payload)) {
+      return *seen;
+    }
+  }
+  SeenUnit foreign;
+  foreign.name = name_of_foreign(payload);
+  return foreign;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,93 @@
+// Whose capture this is: which units send what comes to each port, and which vehicle's sensors they
+// are. Vehicles may share UDP ports, and a recording of another one is fused without a complaint:
+// each packet is sound. So what comes is compared with what each vehicle's sensors would send: on
+// which ports, of which unit, and, of LUX, how far apart their directions are.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/formats/lidar/unit_watch.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+
+class CaptureIdentity {
+ public:
+  // A datagram of the capture, of whatever port.
+  void add(const CapturedDatagram& datagram);
+
+  // Whether more of the capture would hardly tell more of the car's sensors.
+  [[nodiscard]] bool is_settled(const CatalogueEntry& car) const;
+
+  // What of the packets is not as the vehicle's sensors would send them, one reason each; nothing
+  // if all of it is.
+  [[nodiscard]] std::vector<std::string> misfits(const CatalogueEntry& car) const;
+
+  // The vehicle with the fewest misfits of those of which at least one sensor sends, if it has
+  // fewer than the car; nullptr: none.
+  [[nodiscard]] const CatalogueEntry* better_than(const CatalogueEntry& car) const;
+
+  // "the packets look like those of two_lux_parking: no scan comes to UDP port 12004; ..."; empty
+  // if no vehicle fits better than the car.
+  [[nodiscard]] std::string words(const CatalogueEntry& car) const;
+
+  // The vehicles that fit best, and what does not fit even them; empty if nothing of a lidar has
+  // come.
+  [[nodiscard]] std::string words_of_best() const;
+
+  // Why the capture cannot be the car's, and which vehicle's it is; empty if it may be. What is of
+  // no lidar that is known is left to the decoders.
+  [[nodiscard]] std::string refusal(const CatalogueEntry& car) const;
+
+ private:
+  // What has come to a port.
+  struct Port {
+    std::uint64_t datagrams = 0;
+    std::map<std::uint32_t, UnitWatch> watches;  // by source
+    std::set<std::string> names;                 // of the units that are certain
+    std::string doubted;                         // of the last one that is in doubt
+    lidar::FormatSet doubted_formats;
+    bool has_ours = false;                         // of a unit that iogrid takes
+    std::set<const vehicle::Sensor*> its_senders;  // that would send what came, of any vehicle
+    // How often two neighbouring directions of a message were so many ticks apart.
+    std::map<std::int32_t, std::uint64_t> steps;
+
+    [[nodiscard]] bool is_of_lidar() const { return !names.empty() || !doubted.empty(); }
+    [[nodiscard]] std::string name() const;
+  };
+
+  struct Misfit {
+    enum class Kind : std::uint8_t {
+      kNone,
+      kSilent,   // nothing comes from the sensor, or from one that the vehicle does not have
+      kCoarser,  // directions are farther apart
+      kFiner,    // nearer together
+      kInDoubt,  // of two units it may be either
+      kOther,    // of another unit
+    };
+    Kind kind = Kind::kNone;
+    std::string words{};
+  };
+
+  static void note_directions(std::span<const std::byte> scan, Port& port);
+  [[nodiscard]] Misfit misfit_of(const CatalogueEntry& car, std::size_t sensor) const;
+  [[nodiscard]] std::vector<Misfit> all_misfits(const CatalogueEntry& car) const;
+  // Whether anything is of a unit that iogrid takes.
+  [[nodiscard]] bool has_ours() const;
+  // Whether anything is of one of the car's sensors.
+  [[nodiscard]] bool has_sender(const CatalogueEntry& car) const;
+  [[nodiscard]] std::string words_of_ports() const;
+  [[nodiscard]] std::string words_without_packet_for(const CatalogueEntry& car) const;
+  [[nodiscard]] std::string advice(const CatalogueEntry& car) const;
+
+  std::map<std::uint16_t, Port> ports_;
+  std::uint64_t datagrams_ = 0;
+};
+
+}  // namespace iog::tools
