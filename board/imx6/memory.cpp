@@ -7,6 +7,7 @@
 #include "hal/cores.hpp"
 #include "l2_cache.hpp"
 #include "peripherals.hpp"
+#include "stack_gauge.hpp"
 #include "watchdog.hpp"
 
 namespace iog::imx6 {
@@ -39,6 +40,8 @@ constexpr std::array<mmu::Range, 2> kDevices{
 constinit mmu::MemoryMap map{};
 
 constinit bool l2_cache_on = false;
+
+constinit StackGauge main_stack_gauge{};
 
 void read_the_linker() {
   auto stack = stacks.begin();
@@ -75,12 +78,7 @@ std::uint32_t main_stack_bytes() {
 }
 
 std::uint32_t main_stack_used_bytes() {
-  constexpr std::uint32_t kStackPaint = 0x5ac4'ed01;  // as in startup.S
-  const std::uint32_t* word = &main_stack_bottom;
-  while (word != &main_stack_top && machine::load(*word) == kStackPaint) {
-    ++word;
-  }
-  return address_of(main_stack_top) - machine::bus_address(*word);
+  return main_stack_gauge.used_bytes({&main_stack_bottom, main_stack_bytes() / 4});
 }
 
 // What is kept here and in fault.cpp is zeroed before this, all other static data after it

@@ -12,8 +12,8 @@ const mmu::MemoryMap& memory_map();
 // Whether the L2 cache came on. QEMU has none.
 bool l2_cache_is_on();
 
-// Bytes of the main stack that were ever used. startup.S painted the stack; what is still painted
-// was never used.
+// Bytes of the main stack that were ever used, as StackGauge::used_bytes() finds them. startup.S
+// has painted the stack.
 std::uint32_t main_stack_used_bytes();
 std::uint32_t main_stack_bytes();
 

@@ -23,7 +23,7 @@
 
         .set  kWatchdogService, 0x02    // WSR
 
-        // What an untouched word of a stack looks like (memory.cpp looks for it).
+        // What an untouched word of a stack looks like (stack_gauge.hpp looks for it).
         .set  kStackPaint,     0x5ac4ed01
 
         .section .vectors, "ax", %progbits
