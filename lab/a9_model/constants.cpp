@@ -96,6 +96,17 @@ constexpr std::array kTable{
              "lines ahead of a stream; set so that reading reaches 7-cpu's 1010 MB/s"},
     Constant{"device_extra", &C::device_extra, 40, 20, 80, kAssumed,
              "reading a register beside L1, such as a timer; no source"},
+    Constant{"uncached_reads", &C::uncached_reads, 1, 2, 1, kAssumed,
+             "reads of uncached memory under way; TRM 8.1.3: all have one AXI ID, so they come in "
+             "order; each takes as long as a line from the DDR, as the PL310 passes it on"},
+    Constant{
+        "uncached_beat", &C::uncached_beat, 2, 1, 4, kAssumed,
+        "each further doubleword of one instruction's burst (TRM 8.1.2: INCR, up to nine of 64 "
+        "bits); nominal: l2_read_line is 7 for four; pessimistic: twice that"},
+    Constant{
+        "uncached_write", &C::uncached_write, 5, 2, 32, kAssumed,
+        "the memory channel for a doubleword (TRM 8.1.2: INCR 1); nominal: a quarter of "
+        "ddr_line, as the PL310's store buffer gathers lines; pessimistic: each goes by itself"},
     Constant{"micro_tlb", &C::micro_tlb, 32, 32, 8, kManual,
              "TRM 6.1: 32 entries; 7-cpu: perhaps 8 in the first revision"},
     Constant{"main_tlb_extra", &C::main_tlb_extra, 7, 7, 7, kPublished, "7-cpu: 7 cycles"},

@@ -66,6 +66,10 @@ struct Constants {
   std::uint32_t ddr_line = 0;
   std::uint32_t prefetch_lines = 0;
   std::uint32_t device_extra = 0;
+  // Uncached memory.
+  std::uint32_t uncached_reads = 0;
+  std::uint32_t uncached_beat = 0;
+  std::uint32_t uncached_write = 0;
   // Translation.
   std::uint32_t micro_tlb = 0;
   std::uint32_t main_tlb_extra = 0;

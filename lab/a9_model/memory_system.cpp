@@ -30,11 +30,14 @@ MemorySystem::MemorySystem(const Constants& constants)
       code_tlb_(constants, main_tlb_, tlb_counts_),
       data_tlb_(constants, main_tlb_, tlb_counts_) {}
 
-Cycle MemorySystem::load(std::uint32_t address, Cycle now) {
+Cycle MemorySystem::load(std::uint32_t address, Cycle now, bool goes_on) {
   if (address < kMemoryBegin) {
     return now + constants_.device_extra;
   }
   now += data_tlb_.extra_cycles(address);
+  if (is_uncached(address)) {
+    return read_uncached(address, now, goes_on);
+  }
   Cycle ready = now;
   if (const Cache::Line* const line = line_for_data(address, now); line->ready > ready) {
     ready = line->ready;
@@ -69,8 +72,9 @@ Cycle MemorySystem::store(std::uint32_t address, std::uint32_t bytes, Cycle now)
   const Cycle taken = std::max(now, oldest.done);
   drain_ = std::max(taken, drain_ + 1);
   Cycle done = drain_ + 1;
-  Cache::Line* line = data_.find(line_of(address));
-  if (line == nullptr && streams) {
+  if (is_uncached(address)) {
+    done = write_uncached(drain_);
+  } else if (Cache::Line* line = data_.find(line_of(address)); line == nullptr && streams) {
     done = std::max(done, write_past_l1(line_of(address), drain_));
   } else {
     line = line != nullptr ? line : line_for_data(address, drain_);
@@ -81,6 +85,29 @@ Cycle MemorySystem::store(std::uint32_t address, std::uint32_t bytes, Cycle now)
       .doubleword = doubleword, .hazard = hazard_of(address), .data = now, .done = done};
   next_slot_ = (next_slot_ + 1) % slots_.size();
   return taken;
+}
+
+// A journey to the DDR, through the PL310. Whatever its size, it occupies the memory channel like a
+// line; another one begins when one of those under way has ended.
+Cycle MemorySystem::read_uncached(std::uint32_t address, Cycle now, bool goes_on) {
+  const std::uint32_t doubleword = address / 8;
+  if (goes_on && doubleword - burst_doubleword_ <= 1) {
+    burst_ready_ += doubleword == burst_doubleword_ ? 0 : constants_.uncached_beat;
+  } else {
+    const auto* const first = uncached_free_.begin();
+    reading_ = static_cast<std::size_t>(std::min_element(first, first + constants_.uncached_reads) -
+                                        first);
+    burst_ready_ = read_memory(std::max(now, uncached_free_[reading_]));
+  }
+  uncached_free_[reading_] = burst_ready_;
+  burst_doubleword_ = doubleword;
+  return burst_ready_;
+}
+
+Cycle MemorySystem::write_uncached(Cycle now) {
+  ddr_free_ = std::max(ddr_free_, now) + constants_.uncached_write;
+  uncached_written_ = ddr_free_;
+  return ddr_free_;
 }
 
 Cycle MemorySystem::fetch(std::uint32_t address, Cycle now) {

@@ -27,13 +27,22 @@ class MemorySystem {
  public:
   explicit MemorySystem(const Constants& constants);
 
-  // A load reaches L1 at a time; when it can be answered like a hit of that time.
-  Cycle load(std::uint32_t address, Cycle now);
+  // From here on, and nothing of it is in a cache.
+  void set_uncached(std::uint32_t begin, std::uint32_t bytes) {
+    uncached_begin_ = begin;
+    uncached_bytes_ = bytes;
+  }
+
+  // A load reaches L1 at a time; when it can be answered like a hit of that time. What goes on with
+  // the access before, of the same instruction, is of one burst with it, if uncached.
+  Cycle load(std::uint32_t address, Cycle now, bool goes_on = false);
   // A preload: the line is wanted, nobody waits.
   void preload(std::uint32_t address, Cycle now) { static_cast<void>(line_for_data(address, now)); }
   // A store within one aligned doubleword is known to happen at a time; when the store buffer has
   // taken it.
   Cycle store(std::uint32_t address, std::uint32_t bytes, Cycle now);
+  // When every store to uncached memory so far has been written: what a barrier waits for.
+  [[nodiscard]] Cycle uncached_written() const { return uncached_written_; }
   // When the instruction at an address can be fetched.
   Cycle fetch(std::uint32_t address, Cycle now);
 
@@ -51,6 +60,11 @@ class MemorySystem {
   [[nodiscard]] std::uint32_t hazard_of(std::uint32_t address) const {
     return address >> hazard_shift_;
   }
+  [[nodiscard]] bool is_uncached(std::uint32_t address) const {
+    return address - uncached_begin_ < uncached_bytes_;
+  }
+  Cycle read_uncached(std::uint32_t address, Cycle now, bool goes_on);
+  Cycle write_uncached(Cycle now);
   Cache::Line* line_for_data(std::uint32_t address, Cycle now);
   struct Arrival {
     Cycle ready;
@@ -81,6 +95,14 @@ class MemorySystem {
   LineAddress fetched_line_ = 0xffff'ffff;
 
   std::array<LineAddress, 2> streams_{};  // the next line of each, the more recent first
+
+  std::uint32_t uncached_begin_ = 0;
+  std::uint32_t uncached_bytes_ = 0;
+  std::array<Cycle, 4> uncached_free_{};  // when each read that may be under way has ended
+  std::size_t reading_ = 0;               // the newest of them
+  std::uint32_t burst_doubleword_ = 0;    // the newest of the burst that is read
+  Cycle burst_ready_ = 0;                 // when it has come
+  Cycle uncached_written_ = 0;
 
   std::array<Slot, 8> slots_{};
   std::size_t next_slot_ = 0;

@@ -54,7 +54,7 @@ void Pipeline::execute(const ProgramInstruction& what, std::span<const MemoryAcc
       done = execute_memory(what, accesses, dispatched);
       break;
     case Unit::kSerial:
-      done = std::max({dispatched, retired_, vector_free_}) + 1;
+      done = std::max({dispatched, retired_, vector_free_, memory_.uncached_written()}) + 1;
       dispatched_ = done;
       write(what.instruction.writes, done, 0);
       break;
@@ -209,9 +209,9 @@ Cycle Pipeline::load(const ProgramInstruction& what, std::span<const MemoryAcces
     at += access.address / 8 != doubleword ? 1 : 0;
     doubleword = access.address / 8;
     const std::uint32_t last = access.address + access.bytes - 1;
-    Cycle hit = memory_.load(access.address, at);
+    Cycle hit = memory_.load(access.address, at, &access != &accesses.front());
     if (last / 8 != access.address / 8) {
-      hit = std::max(hit, memory_.load(last, at)) +
+      hit = std::max(hit, memory_.load(last, at, true)) +
             (narrow || instruction.kind == Kind::kLoad ? constants_.cross_doubleword_extra : 1);
     } else if (last / 4 != access.address / 4 && access.bytes <= 4) {
       hit += constants_.cross_word_extra;

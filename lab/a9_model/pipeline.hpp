@@ -37,6 +37,11 @@ class Pipeline {
   void execute(const ProgramInstruction& what, std::span<const MemoryAccess> accesses,
                std::uint32_t next);
 
+  // See MemorySystem.
+  void set_uncached(std::uint32_t begin, std::uint32_t bytes) {
+    memory_.set_uncached(begin, bytes);
+  }
+
   [[nodiscard]] Counters counters() const;
 
  private:

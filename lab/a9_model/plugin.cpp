@@ -4,6 +4,7 @@
 //
 // out       the report; standard error without it
 // variant   nominal (default), optimistic, pessimistic; must come before single constants
+// uncached  BEGIN:BYTES in hexadecimal: memory that is in no cache
 // function  a function's name for the report and its entry; may be repeated
 // others    constants by name, in decimal
 #include <charconv>
@@ -29,12 +30,16 @@ struct Options {
   std::string heading = "modelled variant=nominal";
   Constants constants = constants_of(Variant::kNominal);
   std::vector<Function> functions;
+  std::uint32_t uncached_begin = 0;
+  std::uint32_t uncached_bytes = 0;
 };
 
 // One machine, one processor: QEMU calls back from one thread.
 struct Session {
   explicit Session(Options chosen)
-      : options(std::move(chosen)), recorder(options.constants, options.functions) {}
+      : options(std::move(chosen)), recorder(options.constants, options.functions) {
+    recorder.set_uncached(options.uncached_begin, options.uncached_bytes);
+  }
 
   Options options;
   Recorder recorder;
@@ -72,6 +77,13 @@ bool add_function(Options& options, std::string_view value) {
   return true;
 }
 
+bool set_uncached(Options& options, std::string_view value) {
+  const std::size_t colon = value.find(':');
+  return colon != std::string_view::npos &&
+         parse_number(value.substr(0, colon), 16, options.uncached_begin) &&
+         parse_number(value.substr(colon + 1), 16, options.uncached_bytes);
+}
+
 bool add_option(Options& options, std::string_view argument) {
   const std::size_t equals = argument.find('=');
   if (equals == std::string_view::npos) {
@@ -88,6 +100,9 @@ bool add_option(Options& options, std::string_view argument) {
   }
   if (key == "function") {
     return add_function(options, value);
+  }
+  if (key == "uncached") {
+    return set_uncached(options, value);
   }
   std::uint32_t number = 0;
   if (!parse_number(value, 10, number) || !set_constant(options.constants, key, number)) {

@@ -27,6 +27,11 @@ class Recorder {
  public:
   Recorder(const Constants& constants, std::span<const Function> functions);
 
+  // See MemorySystem.
+  void set_uncached(std::uint32_t begin, std::uint32_t bytes) {
+    pipeline_.set_uncached(begin, bytes);
+  }
+
   // An instruction begins; it stays valid until the next one begins. Accesses that follow are its
   // own, in ascending order.
   void begin(const ProgramInstruction& instruction);

@@ -116,5 +116,54 @@ TEST(MemorySystem, RegistersAreNotCached) {
   EXPECT_EQ(memory.counts().data_refills, 0u);
 }
 
+constexpr std::uint32_t kUncached = 0x1020'0000;
+
+struct WithUncached : MemorySystem {
+  explicit WithUncached(const Constants& constants = quiet()) : MemorySystem(constants) {
+    set_uncached(kUncached, 0x1000);
+  }
+};
+
+// Nothing of it stays: the same field costs the same again. TRM 8.1.3: one after the other.
+TEST(MemorySystem, EachFieldOfUncachedMemoryIsAJourneyToTheDdr) {
+  WithUncached memory;
+  EXPECT_EQ(memory.load(kUncached, 1000), 1129u);
+  EXPECT_EQ(memory.load(kUncached, 2000), 2129u);
+  EXPECT_EQ(memory.load(kUncached + 2, 2001), 2129u + 129);
+  EXPECT_EQ(memory.counts().data_refills, 0u);
+  EXPECT_EQ(memory.counts().ddr_reads, 3u);
+  EXPECT_EQ(memory.load(kUncached - 4, 3000), 3129u);
+  EXPECT_EQ(memory.load(kUncached - 4, 4000), 4000u) << "beside it memory is cached";
+  EXPECT_EQ(memory.load(kUncached + 0x1000, 5000), 5129u);
+  EXPECT_EQ(memory.load(kUncached + 0x1000, 6000), 6000u);
+}
+
+// TRM 8.1.2: INCR, up to nine times 64 bits. An LDM of eight words is four of them.
+TEST(MemorySystem, OneInstructionReadsUncachedMemoryInOneBurst) {
+  WithUncached memory;
+  Cycle ready = 0;
+  for (std::uint32_t word = 0; word < 8; ++word) {
+    ready = memory.load(kUncached + 4 * word, 1000, word != 0);
+  }
+  EXPECT_EQ(ready, 1129u + 3 * 2);
+  EXPECT_EQ(memory.counts().ddr_reads, 1u);
+  EXPECT_EQ(memory.load(kUncached + 32, 1001), ready + 129) << "the next instruction's";
+}
+
+TEST(MemorySystem, UncachedStoresAreWrittenOneDoublewordAtATime) {
+  Constants constants = quiet();
+  constants.uncached_write = 30;
+  WithUncached memory(constants);
+  Cycle now = 1000;
+  for (std::uint32_t word = 0; word < 64; ++word) {
+    now = memory.store(kUncached + 4 * word, 4, now + 1);
+  }
+  EXPECT_GE(now, 1000u + 27 * 30) << "32 doublewords, of which the store buffer holds some";
+  EXPECT_GE(memory.uncached_written(), 1000u + 32 * 30);
+  EXPECT_LT(memory.uncached_written(), 1000u + 33 * 30);
+  EXPECT_EQ(memory.counts().data_refills, 0u);
+  EXPECT_EQ(memory.load(kUncached, 5000), 5129u) << "nor do they bring a line";
+}
+
 }  // namespace
 }  // namespace iog::a9_model
