@@ -20,13 +20,15 @@ HERE = pathlib.Path(__file__).resolve().parent
 # that it is called from, so that the stages add up to the frame. Two lie outside it: what the
 # benchmark itself does between two frames, and reading its stopwatch.
 STAGES = {
-    "receive": ["iog::net::parse_ethernet(", "iog::net::parse_ipv4(", "iog::net::parse_udp("],
+    "receive": ["iog::imx6::EnetPort::receive(", "iog::net::parse_ethernet(",
+                "iog::net::parse_ipv4(", "iog::net::parse_udp("],
     "decode": [f"iog::app::FrameEngine::{name}(" for name in ("receive", "classify", "accept")],
     "beams": ["iog::app::FrameEngine::add_points("],
     "carve": ["iog::grid::carve_blocks(", "iog::grid::carve_cells("],
     "mark": ["iog::grid::FrameFusion::finish("],
     "encode": ["iog::lab::StagePass::take(", "iog::lab::StagePass::tick("],
-    "send": ["iog::net::build_message("],
+    "send": ["iog::net::build_message(",
+             *(f"iog::imx6::EnetPort::{name}(" for name in ("acquire", "commit", "pump"))],
     "clear": ["iog::grid::BlockGrid::clear_tile("],
 }
 OUTSIDE = {

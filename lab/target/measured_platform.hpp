@@ -1,5 +1,5 @@
-// What the pipeline meets in the benchmark (app::Platform): messages are wrapped into Ethernet
-// frames as on the target, in one static buffer, and go nowhere.
+// What the pipeline meets in the benchmark (app::Platform): messages go into Ethernet frames of the
+// firmware's port, as on the target, and from there nowhere.
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 #include "net/config.hpp"
 #include "net/outbound.hpp"
 #include "require/require.hpp"
+#include "wire.hpp"
 #include "work/round.hpp"
 
 namespace iog::lab {
@@ -64,10 +65,18 @@ class MeasuredPlatform {
       : counter_(counter), cores_(cores) {}
 
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
-    slots_[slot_].message_bytes = message.size();
-    sent_bytes_ +=
-        net::build_message(slots_[slot_].frame, kNetwork, kPeer, identification_++, message);
+    imx6::EnetPort& port = Wire::of_machine().port();
+    const std::span<std::byte> buffer = port.acquire();
+    require(buffer.size() >= net::kMaxFrameBytes);
+    const std::size_t frame_bytes = net::build_message(buffer.first<net::kMaxFrameBytes>(),
+                                                       kNetwork, kPeer, identification_++, message);
+    last_messages_[slot_] = buffer.subspan(net::kMessageOffset, message.size());
+    port.commit(frame_bytes);
+    sent_bytes_ += frame_bytes;
     ++messages_;
+    if (messages_ % imx6::TransmitShaper::kFramesPerWindow == 0) {
+      port.pump();
+    }
     return true;
   }
 
@@ -86,8 +95,8 @@ class MeasuredPlatform {
   }
   [[nodiscard]] SharedRounds& shared() { return shared_; }
 
-  // Called once for each frame, before its first message: a good moment to change the buffer, so
-  // that the last message of a frame outlives the frame. One datagram closes two frames at most.
+  // Called once for each frame, before its first message. One datagram closes two frames at most,
+  // the second of which is all but empty, so that the last message of either is still in the ring.
   [[nodiscard]] app::Vitals vitals() {
     slot_ ^= 1U;
     ++closed_;
@@ -98,9 +107,7 @@ class MeasuredPlatform {
   template <typename Visit>
   void for_each_closed(Visit&& visit) {
     for (unsigned count = std::exchange(closed_, 0U); count > 0; --count) {
-      const Slot& slot = slots_[(slot_ + count - 1) % slots_.size()];
-      visit(
-          std::span<const std::byte>(slot.frame).subspan(net::kMessageOffset, slot.message_bytes));
+      visit(last_messages_[(slot_ + count - 1) % last_messages_.size()]);
     }
   }
 
@@ -108,11 +115,6 @@ class MeasuredPlatform {
   [[nodiscard]] std::uint64_t sent_bytes() const { return sent_bytes_; }  // whole Ethernet frames
 
  private:
-  struct Slot {
-    std::array<std::byte, net::kMaxFrameBytes> frame{};
-    std::size_t message_bytes = 0;
-  };
-
   // Addresses change no instruction count.
   static constexpr net::Config kNetwork{.mac = {{0x02, 0, 0, 0, 0, 1}},
                                         .address = net::ipv4(10, 0, 2, 15),
@@ -126,7 +128,7 @@ class MeasuredPlatform {
   InstructionCounter& counter_;
   std::size_t cores_;
   SharedRounds shared_;
-  std::array<Slot, 2> slots_{};
+  std::array<std::span<const std::byte>, 2> last_messages_{};
   unsigned slot_ = 0;
   unsigned closed_ = 0;
   std::uint16_t identification_ = 0;

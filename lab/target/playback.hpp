@@ -14,6 +14,7 @@
 #include "net/udp.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
 #include "vehicle/vehicle.hpp"
+#include "wire.hpp"
 
 namespace iog::lab {
 
@@ -39,6 +40,13 @@ inline const vehicle::Sensor* sensor_of_port(const vehicle::Vehicle& vehicle, st
   return found == vehicle.sensors.end() ? nullptr : &*found;
 }
 
+// The next frame's datagram, through the port's uncached memory as on the target. A capture may
+// hold frames that are longer than those of Ethernet, as of a loopback device; these are read in
+// place.
+inline std::optional<net::Datagram> receive(const CapturedFrame& frame, bool fits) {
+  return datagram_in(fits ? Wire::of_machine().receive() : frame.bytes);
+}
+
 // Target: take(datagram, instructions spent on receiving it, now), tick(now), deadline_us(). It
 // gets the datagrams to ports that are_played(port). After the capture the open frame times out.
 template <typename ArePlayed, typename Target>
@@ -46,8 +54,9 @@ void play_ports(Capture& capture, ArePlayed&& are_played, InstructionCounter& co
                 Target& target) {
   tools::CaptureClock clock;
   while (const auto frame = capture.next()) {
+    const bool fits = Wire::of_machine().deliver(frame->bytes);
     const std::uint32_t start = counter.now();
-    const auto datagram = datagram_in(frame->bytes);
+    const auto datagram = receive(*frame, fits);
     const std::uint32_t received = counter.now() - start - counter.of_nothing();
     if (!datagram || !are_played(datagram->destination_port)) {
       continue;
