@@ -134,6 +134,7 @@ class Replay {
     }
     if (is_pose_port(*car_, datagram.destination.port)) {
       last_pose_ = std::chrono::steady_clock::now();
+      has_sent_pose_ = true;
     }
     progress_.show(sent_);
   }
@@ -187,10 +188,25 @@ class Replay {
   }
 
   // The target closes the frame with its last packet, and the poses before it must be there by
-  // then. What goes to different ports may overtake one another.
-  void let_poses_arrive() const {
+  // then. What goes to different ports may overtake one another: QEMU looks at them in an order of
+  // its own. So on this PC they have to be read first; others have the time that a wire takes.
+  void let_poses_arrive() {
     constexpr std::chrono::milliseconds kOnTheWay{5};
-    std::this_thread::sleep_until(last_pose_ + kOnTheWay);
+    constexpr std::chrono::seconds kPatience{1};  // for who has paused, and takes them later
+    constexpr std::chrono::microseconds kPause{200};
+    if (!std::exchange(has_sent_pose_, false)) {
+      return;
+    }
+    const auto port = std::ranges::find(ports_, car_->vehicle->poses.udp_port) - ports_.begin();
+    std::optional<bool> taken = sender_.has_been_taken(static_cast<std::size_t>(port));
+    while (taken == false && !was_interrupted() &&
+           std::chrono::steady_clock::now() < last_pose_ + kPatience) {
+      std::this_thread::sleep_for(kPause);
+      taken = sender_.has_been_taken(static_cast<std::size_t>(port));
+    }
+    if (!taken) {
+      std::this_thread::sleep_until(last_pose_ + kOnTheWay);
+    }
   }
 
   // The last poses of a capture are behind its last frame, and nobody answers to them.
@@ -229,6 +245,7 @@ class Replay {
   std::vector<std::uint16_t> ports_;
   PoseRounds poses_;
   std::chrono::steady_clock::time_point last_pose_;
+  bool has_sent_pose_ = false;  // that the target may not have yet
   UdpSender sender_;
   Pace pace_;
   Progress progress_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/replay/port_queue.hpp"
 
 namespace iog::tools {
 
@@ -32,6 +33,15 @@ bool UdpSender::send(std::size_t index, std::span<const std::byte> payload) {
   const auto sent = sendto(socket_, payload.data(), payload.size(), 0,
                            reinterpret_cast<const sockaddr*>(&to), sizeof to);
   return sent == static_cast<ssize_t>(payload.size());
+}
+
+std::optional<bool> UdpSender::has_been_taken(std::size_t index) const {
+  constexpr std::uint32_t kLoopback = 127;  // 127.0.0.0/8 (RFC 1122, 3.2.1.3)
+  if (ntohl(address_) >> 24U != kLoopback) {
+    return std::nullopt;
+  }
+  const std::optional<std::size_t> waiting = bytes_waiting(address_, ports_.at(index));
+  return waiting ? std::optional(*waiting == 0) : std::nullopt;
 }
 
 }  // namespace iog::tools

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@ class UdpSender {
 
   // To the port of that number, below ports.size(). False if the system did not take it.
   bool send(std::size_t index, std::span<const std::byte> payload);
+
+  // Whether a program on this PC has read all that was sent to the port of that number. Empty of
+  // another host, or where the system does not say.
+  [[nodiscard]] std::optional<bool> has_been_taken(std::size_t index) const;
 
  private:
   int socket_;

@@ -1,5 +1,6 @@
 #include <memory>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -9,6 +10,7 @@
 #include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/replay/frame_grouper.hpp"
+#include "tools/replay/port_queue.hpp"
 #include "tools/replay/pose_rounds.hpp"
 
 namespace iog::tools {
@@ -137,6 +139,23 @@ TEST(PoseRounds, EachRoundIsAnotherRunAndNothingElse) {
   std::vector<std::byte> damaged = bytes;
   damaged.back() ^= std::byte{1};
   EXPECT_EQ(rounds.in_round(damaged), damaged);
+}
+
+// Two lines of Linux 6.1: 900 bytes and 1 byte wait in the first port, and nothing in the second.
+TEST(PortQueue, IsReadFromTheSystemsTable) {
+  const std::vector<std::string> lines{
+      "   sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid  timeout "
+      "inode ref pointer drops",
+      " 1159: 0100007F:9585 00000000:0000 07 00000000:00000C40 00:00000000 00000000     0        0 "
+      "120552 2 000000001081fb51 0",
+      "15595: 00000000:CDE9 00000000:0000 07 00000000:00000000 00:00000000 00000000     0        0 "
+      "120553 2 00000000f00f0d70 0"};
+  constexpr std::uint32_t kThisPc = 0x0100'007F;  // 127.0.0.1 as a PC reads it
+  EXPECT_EQ(bytes_waiting(lines, kThisPc, 0x9585), 0xC40U);
+  EXPECT_EQ(bytes_waiting(lines, kThisPc, 0xCDE9), 0U) << "bound to all addresses";
+  EXPECT_EQ(bytes_waiting(lines, kThisPc + 1, 0x9585), std::nullopt) << "another address";
+  EXPECT_EQ(bytes_waiting(lines, kThisPc, 0x9586), std::nullopt) << "nobody listens";
+  EXPECT_EQ(bytes_waiting({}, kThisPc, 0x9585), std::nullopt) << "no such table";
 }
 
 }  // namespace
