@@ -24,6 +24,10 @@ struct ClassRecord {
   std::uint32_t class_crc = 0;
   // Frames without evidence in which the window's time went on, since the first record of the run.
   std::uint32_t frames_of_time = 0;
+  // Pose messages that were used until then, since start: as many poses could place the slices.
+  std::uint32_t poses_used = 0;
+  // The pose of each slice that was placed, by a CRC; none if the end of the classes was lost.
+  std::vector<std::uint32_t> slice_poses{};
 
   // The same packets were placed at the same time. The stamp of a frame in which none was is of the
   // target's clock.
@@ -31,6 +35,10 @@ struct ClassRecord {
     return slices == other.slices && packets_placed == other.packets_placed &&
            packets_not_placed == other.packets_not_placed &&
            (slices == 0 || stamp_us == other.stamp_us);
+  }
+  // Where both are known.
+  [[nodiscard]] bool has_same_poses(const ClassRecord& other) const {
+    return slice_poses == other.slice_poses || slice_poses.empty() || other.slice_poses.empty();
   }
   [[nodiscard]] bool has_same_classes(const ClassRecord& other) const {
     return corner_a == other.corner_a && corner_b == other.corner_b && tiles == other.tiles &&
@@ -41,7 +49,8 @@ struct ClassRecord {
 // frame.classes has a value.
 [[nodiscard]] ClassRecord class_record_of(const GridFrame& frame, std::uint32_t frames_of_time);
 
-// "17 1000680000 5 20 0 0 -16 -15 433 9ac01b22 0"; causes are hexadecimal.
+// "17 1000680000 2 20 0 0 -16 -15 433 9ac01b22 0 70 0c1f2a3b,9ac01b22"; causes are hexadecimal, and
+// where the slices' poses are not known "-" stands for them.
 [[nodiscard]] std::string line_of(const ClassRecord& record);
 
 // Reads a file that --classes-hashes has written. UsageError if it is another kind of file.

@@ -25,7 +25,9 @@ std::vector<ClassRecord> some_records() {
            .corner_b = -15,
            .tiles = 433,
            .class_crc = 0x0AC01B22,
-           .frames_of_time = 2},
+           .frames_of_time = 2,
+           .poses_used = 70,
+           .slice_poses = {0x0C1F2A3B, 2, 3, 4, 5}},
           {.number = 1}};
 }
 
@@ -34,7 +36,10 @@ TEST(ClassRecord, LinesAreReadBack) {
   const std::string path = folder / "classes";
   write_class_records(path, some_records());
   EXPECT_FALSE(first_difference(read_class_records(path), some_records()).has_value());
-  EXPECT_EQ(line_of(some_records()[0]), "0 1000680000 5 20 3 21 -16 -15 433 0ac01b22 2");
+  EXPECT_EQ(line_of(some_records()[0]),
+            "0 1000680000 5 20 3 21 -16 -15 433 0ac01b22 2 70 "
+            "0c1f2a3b,00000002,00000003,00000004,00000005");
+  EXPECT_EQ(line_of(some_records()[1]), "1 0 0 0 0 0 0 0 0 00000000 0 0 -");
   EXPECT_EQ(read_class_records(path)[0].causes, 0x21);
   EXPECT_EQ(read_class_records(path)[0].frames_of_time, 2U);
   EXPECT_THROW(static_cast<void>(read_class_records(path + "_missing")), UsageError);
@@ -71,6 +76,51 @@ TEST(ClassRecord, ADifferenceSaysWhetherTimeWentOnWithoutEvidence) {
                 .find("; until then the window's time went on in 3 frames without evidence, "
                       "expected 2; was the host stalled?"),
             std::string::npos);
+}
+
+// A target that closes a frame before all of its poses have come extrapolates older ones. That is
+// found before the classes that follow from it, and it is no fault of the target.
+TEST(ClassRecord, ADifferenceSaysWhetherPosesCameLate) {
+  auto received = some_records();
+  received[0].slice_poses = {0x0C1F2A3B, 2, 7, 8, 5};
+  received[0].poses_used = 68;
+  EXPECT_EQ(first_difference(received, some_records()).value(),
+            "classes of frame 0: slices 3 to 4 of 5 were placed by other poses; until then 68 "
+            "poses had come, of 70: the others came late; was the host stalled?")
+      << "although the classes are equal by chance";
+  received[0].class_crc = 1;
+  EXPECT_EQ(first_difference(received, some_records()).value().find("classes of frame 0: slices"),
+            0U);
+  received[0].slices = 2;
+  EXPECT_NE(first_difference(received, some_records()).value().find("68 poses had come, of 70"),
+            std::string::npos)
+      << "slices that were not placed at all for it";
+}
+
+// The same poses have one result, whatever the host did.
+TEST(ClassRecord, OtherPlacesByTheSamePosesAreADefect) {
+  auto received = some_records();
+  received[0].slice_poses[4] = 7;
+  EXPECT_EQ(first_difference(received, some_records()).value(),
+            "classes of frame 0: slices 5 to 5 of 5 were placed elsewhere by the same poses");
+  received[0].slice_poses.clear();  // the end of the classes was lost, which is told elsewhere
+  EXPECT_FALSE(first_difference(received, some_records()).has_value());
+}
+
+TEST(ClassRecord, TheWirePosesOfItsSlicesNameTheFrame) {
+  GridFrame frame;
+  ClassGrid& classes = frame.classes.emplace();
+  classes.has_end = true;
+  classes.end.slice_count = 2;
+  classes.end.slices[0] = {.middle_us = 4'000, .pose = {.x_mm = -1, .y_mm = 2, .heading = 3}};
+  classes.end.slices[1] = {.middle_us = 4'000, .pose = {.x_mm = 2, .y_mm = -1, .heading = 3}};
+  classes.end.pose_fates[0] = 12;
+  const ClassRecord record = class_record_of(frame, 0);
+  EXPECT_EQ(record.poses_used, 12U);
+  ASSERT_EQ(record.slice_poses.size(), 2U);
+  EXPECT_NE(record.slice_poses[0], record.slice_poses[1]);
+  classes.end.slices[1] = classes.end.slices[0];
+  EXPECT_EQ(class_record_of(frame, 0).slice_poses[1], record.slice_poses[0]);
 }
 
 GridFrame frame_of(bool has_evidence, std::uint64_t stamp_us) {
