@@ -1,10 +1,13 @@
 // iog receive: the grids of a target, put together, checked, counted and drawn.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,7 +72,7 @@ class Reception {
   void run() {
     UdpReceiver receiver(options_->bind, options_->port);
     notes_.say_listening();
-    begin_ = last_evidence_ = Clock::now();
+    begin_ = last_evidence_ = last_message_ = Clock::now();
     while (!is_done() && !was_interrupted() && !is_idle()) {
       const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
       for (const std::vector<std::byte>& message : messages) {
@@ -97,6 +100,7 @@ class Reception {
     }
     if (!options_->summary.empty()) {
       RunStatistics::Facts facts = statistics_.facts();
+      facts.emplace_back("frames_missing", std::to_string(missing()));
       for (const auto& [name, count] : all_counts()) {
         facts.emplace_back(name, std::to_string(count));
       }
@@ -107,7 +111,8 @@ class Reception {
 
   void check() {
     if (datagrams_ == 0) {
-      throw CheckFailed(words_of_silence(options_->bind, options_->port, end_ - begin_));
+      throw CheckFailed(words_of_silence(options_->bind, options_->port, end_ - begin_,
+                                         missing() > 0 ? "; " + words_of_missing() : ""));
     }
     if (assembler_.car_refusal()) {
       throw CheckFailed("the target has refused the car of its image and sends no grid: " +
@@ -124,8 +129,7 @@ class Reception {
     check_wholeness();
     if (options_->expect.empty() && options_->expect_classes.empty()) {
       if (!is_done() && frames_wanted_ > 0) {
-        throw CheckFailed("only " + std::to_string(statistics_.records().size()) + " of " +
-                          std::to_string(frames_wanted_) + " frames came");
+        throw CheckFailed(words_before_silence() + words_of_missing());
       }
       return;
     }
@@ -142,6 +146,29 @@ class Reception {
     return frames_wanted_ > 0 && statistics_.records().size() >= frames_wanted_;
   }
 
+  // Frames with evidence that should have come, as far as anybody has said how many.
+  [[nodiscard]] std::uint64_t missing() const {
+    return frames_wanted_ - std::min<std::uint64_t>(frames_wanted_, statistics_.records().size());
+  }
+
+  [[nodiscard]] std::string words_of_missing() const {
+    return std::to_string(missing()) + " of " + std::to_string(frames_wanted_) +
+           " frames never came";
+  }
+
+  // A target that runs says every two frame periods that it has no evidence.
+  [[nodiscard]] std::string words_before_silence() const {
+    constexpr std::chrono::duration<double> kSilent{1.0};
+    const std::chrono::duration<double> silent = end_ - last_message_;
+    if (silent < kSilent) {
+      return {};
+    }
+    std::ostringstream text;
+    text << "the target sent nothing in the last " << std::fixed << std::setprecision(1)
+         << silent.count() << " s: ";
+    return text.str();
+  }
+
   void check_wholeness() const {
     const ClassStatistics& classes = statistics_.classes();
     if (statistics_.damaged() + classes.damaged() > 0) {
@@ -151,10 +178,12 @@ class Reception {
     }
     const std::uint64_t incomplete = statistics_.incomplete() + classes.incomplete();
     if (options_->strict && (assembler_.messages_lost() + incomplete > 0 || overflow_ > 0)) {
-      throw CheckFailed("messages were lost: " + std::to_string(assembler_.messages_lost()) +
-                        " missing, " + std::to_string(statistics_.incomplete()) +
-                        " frames incomplete, and the classes of " +
-                        std::to_string(classes.incomplete()));
+      throw CheckFailed(words_before_silence() +
+                        "messages were lost: " + std::to_string(assembler_.messages_lost()) +
+                        " by their numbers; incomplete are " +
+                        std::to_string(statistics_.incomplete()) + " frames and the classes of " +
+                        std::to_string(classes.incomplete()) +
+                        (missing() > 0 ? "; " + words_of_missing() : ""));
     }
   }
 
@@ -169,7 +198,7 @@ class Reception {
       expected.resize(options_->frames);
     }
     if (const auto difference = first_difference(received, expected)) {
-      throw CheckFailed(*difference);
+      throw CheckFailed(words_before_silence() + *difference);
     }
     table() << row("expected",
                    "all " + std::to_string(expected.size()) + " " + what + " are equal");
@@ -183,7 +212,7 @@ class Reception {
   void note_arrival(bool has_arrived) {
     const auto now = Clock::now();
     if (has_arrived) {
-      last_arrival_ = now;
+      last_arrival_ = last_message_ = now;
     } else if (now - last_arrival_ > FrameAssembler::kLongestSilence) {
       assembler_.note_silence();
       last_arrival_ = now;
@@ -220,6 +249,9 @@ class Reception {
       table() << row("vehicle", words_of_vehicle(*vehicle_id_));
     }
     table() << statistics_.table(true) << rows_of(all_counts());
+    if (missing() > 0) {
+      table() << row("frames missing", words_of_missing());
+    }
   }
 
   const ReceiveOptions* options_;
@@ -236,7 +268,8 @@ class Reception {
   Clock::time_point begin_;
   Clock::time_point end_;
   Clock::time_point last_evidence_;
-  Clock::time_point last_arrival_ = Clock::now();
+  Clock::time_point last_arrival_ = Clock::now();  // or when a silence was noted
+  Clock::time_point last_message_;
   std::uint64_t datagrams_ = 0;
   std::uint64_t overflow_ = 0;
 };
