@@ -197,7 +197,7 @@ Placed History::pose_at(std::uint64_t time_us) const {
   const bool is_late = since_us > kLateUs && (age == 0 || after.clock_us - time_us > kLateUs);
   const Sigma sigma = larger_of(before.sigma, after.sigma);
   if (is_late || is_imprecise(sigma)) {
-    return {.cause = is_late ? Cause::kLate : Cause::kImprecise, .sigma = sigma};
+    return {.cause = is_late ? Cause::kLate : Cause::kImprecise};
   }
   return {.cause = Cause::kNone,
           .pose = age == 0 ? moved(before.pose, motion_of(before), since_us)

@@ -26,7 +26,8 @@ namespace iog::pose {
 // The pose of a time, or the cause why there is none.
 struct Placed {
   Cause cause = Cause::kLost;
-  Pose pose{};    // if the cause is kNone
+  // If the cause is kNone. Else the pose is zero, and nothing says how well it is known.
+  Pose pose{};
   Sigma sigma{};  // the larger ones of the messages that the pose is made of
   [[nodiscard]] constexpr bool has_pose() const { return cause == Cause::kNone; }
   friend constexpr bool operator==(const Placed&, const Placed&) = default;

@@ -27,13 +27,15 @@ struct ClassWindow {
   // Tile of lowest x and y: tile (a, b) begins at a and b times a tile's side in the local frame.
   std::int32_t corner_a = 0;
   std::int32_t corner_b = 0;
-  pose::Pose pose{};                  // when the last slice ended
-  pose::Sigma sigma{};                // of the motion in the second before
+  pose::Pose pose{};                  // when the last slice ended, zero if it is not known
+  pose::Sigma sigma{};                // of the motion in the second before, the largest likewise
   std::uint8_t slices = 0;            // of this frame that were placed
   std::uint8_t slice_ms = 0;          // how long each is
   std::uint64_t slices_begin_us = 0;  // of the first, by the clock of the pose source
   std::uint64_t slices_end_us = 0;    // of the last: the stamp of the frame
 
+  // Whether something was placed, and the pose behind it is known.
+  [[nodiscard]] constexpr bool has_place() const { return slices > 0 && sigma != pose::Sigma{}; }
   friend constexpr bool operator==(const ClassWindow&, const ClassWindow&) = default;
 };
 inline constexpr std::size_t kClassWindowBytes = 48;

@@ -42,7 +42,7 @@ class Window:
     def __init__(self, x_m: float = 0, y_m: float = 0, turns: float = 0, corner=(-16, -16)):
         self.pose = (x_m, y_m, turns)
         self.corner = corner
-        self.sigma_mm = 20
+        self.sigma_mm, self.sigma_10_urad = 20, 100
         self.slices = 6
         self.causes = 0
         self.not_placed = 0  # packets
@@ -58,6 +58,12 @@ class Window:
                 tile = self.tiles.setdefault((x // TILE, y // TILE), bytearray(TILE * TILE))
                 tile[y % TILE * TILE + x % TILE] = byte
 
+    def without_pose(self) -> "Window":
+        """The same, where the pose at the end is not known."""
+        self.pose = (0, 0, 0)
+        self.sigma_mm, self.sigma_10_urad = 65535, 65535
+        return self
+
     def without_place(self, cause: int, since_us: int, times: int = 1) -> "Window":
         """The same, where nothing was placed because of that."""
         self.slices, self.not_placed, self.causes = 0, 20, cause
@@ -68,7 +74,7 @@ class Window:
     def header(self) -> bytes:
         x_m, y_m, turns = self.pose
         return struct.pack(">HHiiiiIHHBBHQQ", 48, self.causes, *self.corner, round(x_m * 1000),
-                           round(y_m * 1000), round(turns * 2**32) % 2**32, self.sigma_mm, 100,
+                           round(y_m * 1000), round(turns * 2**32) % 2**32, self.sigma_mm, self.sigma_10_urad,
                            self.slices, 8, 0, self.stamp_us - 40_000, self.stamp_us)
 
     @property

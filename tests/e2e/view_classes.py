@@ -196,6 +196,14 @@ def check_track(street: Street) -> None:
         street.show(picture_of_window(x_m=x_m))
     ends = page.page.value("iogPage.view.track.map((at) => at && at.x).slice(-9)")
     assert ends == list(range(-8, 1)), ends
+    far = picture_of_window(x_m=-9)
+    street.show(far)
+    street.show(picture_of_window().without_pose())  # it is not at the origin all of a sudden
+    assert page.page.value("!iogPage.view.hasPlace && iogPage.view.pose.x") == -9
+    assert page.page.value("iogPage.view.track.at(-1).x") == -9
+    page.page.wait_for("document.querySelector('#chart-places .chart-head').textContent"
+                       ".includes('no place')")
+    street.show(picture_of_window())
     street.expect(picture_of_window(), -5, 0, (255, 255, 255))
     jumped = picture_of_window(y_m=5)
     jumped.causes = JUMP

@@ -86,7 +86,7 @@ void McapRecording::take_indexes(const RecordedFrame& recorded, const mcap::Writ
 void McapRecording::take_classes(const RecordedFrame& recorded, const mcap::Writer::Times& times) {
   const ClassGrid& classes = *recorded.frame->classes;
   const std::uint64_t closed_us = recorded.frame->header.closed_us;
-  if (classes.window.slices > 0) {
+  if (classes.window.has_place()) {
     write(kTransformTopic, ros::kTfMessage, times,
           [&] { return ros::transform_of(classes.window.pose, closed_us); });
   }

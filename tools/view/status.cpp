@@ -140,6 +140,7 @@ std::string classes_json(const FrameFacts& frame) {
       .real("sigma_m", window.sigma.position_mm / 1000.0)
       .real("sigma_deg", window.sigma.heading_10urad * 1e-5 * 180 / std::numbers::pi)
       .number("causes", window.causes)
+      .truth("has_place", window.has_place())
       .number("slices", window.slices)
       .number("stamp_us", window.slices_end_us)
       .truth("whole", classes.is_whole)

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <vector>
 
+#include "app/class_messages.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "perception_bench.hpp"
 
@@ -76,6 +77,38 @@ TEST(PerceptionTime, InASilenceOfAllNothingChangesUntilThePosesAreLost) {
   bench.pass_until(end_us + 2'000'000);
   EXPECT_NEAR(static_cast<double>(bench.report().stamp_us - stamp_us), 2'000'000, 90'000);
   EXPECT_EQ(bench.classes.names.back(), ClassName{});
+}
+
+// Poses that come rarely, or just in time for a slice's middle: whatever was placed, the window's
+// header has a pose that is one, or says that it is not known (docs/spec.md, 3.9).
+TEST(PerceptionTime, WhatIsNotKnownAtTheEndIsNotStated) {
+  const auto rare = [](const TimedDatagram& datagram) {
+    return datagram.port == pose::kPosePort && datagram.now_us % 200'000 >= 10'000;
+  };
+  for (const bool are_late : {false, true}) {
+    const Car car(tests::OneLux::kVehicle, true);
+    PerceptionBench bench(car.vehicle());
+    auto drive = drive_at_wall(100);
+    if (!are_late) {
+      std::erase_if(drive, rare);
+    }
+    for (TimedDatagram& datagram : drive) {
+      if (are_late && datagram.port == pose::kPosePort) {
+        datagram.now_us += 107'000;
+      }
+    }
+    bench.take(drive);
+    int not_known = 0;
+    for (const PerceptionReport& report : bench.classes.reports) {
+      const stream::ClassWindow window = class_window_of(report, {});
+      const bool is_known = window.sigma != pose::Sigma{};
+      not_known += is_known ? 0 : 1;
+      EXPECT_EQ(report.end.has_pose(), is_known);
+      EXPECT_EQ(window.sigma, is_known ? (pose::Sigma{10, 10}) : (pose::Sigma{0xFFFF, 0xFFFF}));
+      EXPECT_EQ(window.pose == pose::Pose{}, !is_known);
+    }
+    EXPECT_GT(not_known, 10);
+  }
 }
 
 TEST(PerceptionTime, AJumpOfThePosesForgetsTheWindow) {

@@ -65,6 +65,22 @@ TEST(PoseOfATime, OfMoreThanASecondAgoIsThereForASourceOfAHundredHertz) {
   EXPECT_EQ(driven.cause_at(driven.newest_us - 1'270 * kMs - 1), Cause::kLate) << "overwritten";
 }
 
+// A pose that is not known is not stated, nor how well it is known.
+TEST(PoseOfATime, ThatIsNotKnownIsNothing) {
+  Driven driven;
+  Message imprecise = message_at(driven.newest_us + 10 * kMs);
+  imprecise.sigma = {151, 1};
+  ASSERT_EQ(driven.take(imprecise), Fate::kUsed);
+  for (std::uint64_t time_us = kStartUs - 50 * kMs; time_us < driven.newest_us + 1'500 * kMs;
+       time_us += 9'700) {
+    const Placed placed = driven.history.pose_at(time_us);
+    if (!placed.has_pose()) {
+      EXPECT_EQ(placed.pose, Pose{}) << time_us;
+      EXPECT_EQ(placed.sigma, Sigma{}) << time_us;
+    }
+  }
+}
+
 struct SigmaCase {
   Sigma sigma;
   Cause cause;
@@ -85,9 +101,10 @@ TEST(Imprecise, IsAboveOneHundredAndFiftyMillimetres) {
     EXPECT_EQ(driven.cause_at(message.clock_us), expected.cause);
     EXPECT_EQ(driven.cause_at(message.clock_us - 1), expected.cause) << "on the way to it";
     EXPECT_EQ(driven.cause_at(driven.newest_us - 1), Cause::kNone) << "before that way";
+    const Sigma larger{std::max<std::uint16_t>(10, expected.sigma.position_mm),
+                       std::max<std::uint16_t>(10, expected.sigma.heading_10urad)};
     EXPECT_EQ(driven.history.pose_at(message.clock_us - 1).sigma,
-              (Sigma{std::max<std::uint16_t>(10, expected.sigma.position_mm),
-                     std::max<std::uint16_t>(10, expected.sigma.heading_10urad)}));
+              expected.cause == Cause::kNone ? larger : Sigma{});
     EXPECT_EQ(driven.history.epoch(), 0U) << "the window keeps what it has";
   }
 }

@@ -203,6 +203,21 @@ TEST(ClassTiles, GoThroughEveryEncoding) {
   EXPECT_TRUE(std::ranges::none_of(taken, [](int count) { return count == 0; }));
 }
 
+// docs/spec.md 3.9: without a pose both deviations are 65535.
+TEST(ClassWindow, HasAPlaceIfSomethingWasPlacedAndThePoseIsKnown) {
+  EXPECT_TRUE(kWindow.has_place());
+  ClassWindow window = kWindow;
+  window.sigma = {0xFFFF, 0x3132};
+  EXPECT_TRUE(window.has_place());
+  window.pose = {};
+  EXPECT_TRUE(window.has_place()) << "the origin is a place";
+  window.sigma = {0xFFFF, 0xFFFF};
+  EXPECT_FALSE(window.has_place());
+  window = kWindow;
+  window.slices = 0;
+  EXPECT_FALSE(window.has_place());
+}
+
 // docs/spec.md 3.9: 0, or class times 8 and sureness, of the classes 1 to 8.
 TEST(ClassBytes, AreUnknownOrAClassWithItsSureness) {
   int valid = 0;

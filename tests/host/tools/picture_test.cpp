@@ -197,6 +197,7 @@ TEST(ClassPicture, TheCarIsInTheMiddle) {
   classes.window = {.corner_a = -1,
                     .corner_b = 2,
                     .pose = {.x_mm = 20'000, .y_mm = 30'000, .heading = 0},
+                    .sigma = {20, 30},
                     .slices = 1};
   const std::int8_t moving = 4 * 8 + 7;
   // At (25, 35) m: 28.2 m and 28.6 m from the corner; 15 m from the picture's.
@@ -204,6 +205,19 @@ TEST(ClassPicture, TheCarIsInTheMiddle) {
   const Canvas picture = picture_of(classes, 0, PictureScale{.radius_m = 10});
   ASSERT_EQ(picture.width(), 200);
   EXPECT_EQ(picture.at(150, 200 - 1 - 150), colour_of_class(moving));
+}
+
+// Where the car is is not known though something was placed: all of the window, and no car.
+TEST(ClassPicture, ACarWhosePoseIsNotKnownIsNowhere) {
+  ClassGrid classes;
+  const Canvas nowhere = picture_of(classes, 0, PictureScale{});
+  classes.window = {.slices = 1};
+  const Canvas unknown = picture_of(classes, 0, PictureScale{});
+  for (int row = 0; row < nowhere.height(); ++row) {
+    for (int column = 0; column < nowhere.width(); ++column) {
+      ASSERT_EQ(unknown.at(column, row), nowhere.at(column, row)) << column << " " << row;
+    }
+  }
 }
 
 TEST(FrameWriter, AFrameWithClassesHasTwoPictures) {

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -14,8 +16,11 @@
 
 #include "drive_sample.hpp"
 #include "fake_class_target.hpp"
+#include "fakes/temporary_folder.hpp"
+#include "tools/formats/mcap/reader.hpp"
 #include "tools/formats/ros/class_messages.hpp"
 #include "tools/formats/ros/grid_messages.hpp"
+#include "tools/record/mcap_recording.hpp"
 #include "tools/record/recorder.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "wire/byte_order.hpp"
@@ -330,6 +335,34 @@ TEST(TfMessage, TurnsAndMoves) {
   EXPECT_DOUBLE_EQ(f64_at(message, 64), 0.0);
   EXPECT_NEAR(f64_at(message, 80), std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(f64_at(message, 88), std::sqrt(0.5), 1e-15);
+}
+
+// A frame whose pose is not known moves no frame of a recording to the origin.
+TEST(TfMessage, IsOnlyOfAPlaceThatIsKnown) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "poses.mcap";
+  McapRecording recording(path, {std::string(kTransformTopic)}, mcap::Compression::kNone);
+  GridFrame frame;
+  frame.classes = classes_of_one_cell(0, 8);
+  const LiveGrid live;
+  const LiveClasses live_classes;
+  const pose::Pose pose{.x_mm = 1'000, .y_mm = 0, .heading = 0};
+  for (const stream::ClassWindow& window :
+       {stream::ClassWindow{.pose = pose, .sigma = {20, 30}, .slices = 5},
+        stream::ClassWindow{.slices = 5}, stream::ClassWindow{},
+        stream::ClassWindow{.pose = pose, .sigma = {20, 30}, .slices = 1}}) {
+    frame.classes->window = window;
+    recording.take_frame({.frame = &frame, .live = &live, .classes = &live_classes});
+  }
+  recording.finish({});
+  std::ifstream in(path, std::ios::binary);
+  mcap::Reader reader(in);
+  int count = 0;
+  while (const std::optional<mcap::Message> message = reader.next()) {
+    EXPECT_DOUBLE_EQ(f64_at(message->data, 40), 1.0);
+    ++count;
+  }
+  EXPECT_EQ(count, 2);
 }
 
 TEST(Uint8MultiArray, CarriesAnyBytes) {

@@ -70,7 +70,7 @@ class ClassPainter {
   }
 
  private:
-  [[nodiscard]] bool has_car() const { return classes_->window.slices > 0; }
+  [[nodiscard]] bool has_car() const { return classes_->window.has_place(); }
   [[nodiscard]] const pose::Pose& pose() const { return classes_->window.pose; }
   // In cells of the window.
   [[nodiscard]] double car_x() const {

@@ -72,9 +72,9 @@ export class GridCanvas {
     return this.showsClasses ? "dark" : this.theme;
   }
 
-  // Whether something of the frame was placed; the index grid needs no place.
+  // Whether it is known where the car is; the index grid needs no place.
   get hasPlace() {
-    return !this.showsClasses || this.grid.classes.slices > 0;
+    return !this.showsClasses || this.grid.classes.has_place;
   }
 
   // By tile of what is shown, frames since it came.

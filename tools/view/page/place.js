@@ -76,9 +76,9 @@ export function describePlace(classes) {
 }
 
 // How well the pose is known, as numbers.
-export const deviationOf = ({ slices, sigma_m: m, sigma_deg: deg }) =>
-  (slices === 0 ? "no place"
-                : `±${m < 0.1 ? `${(m * 100).toFixed(1)} cm` : `${m.toFixed(2)} m`}, ±${deg.toFixed(2)}°`);
+export const deviationOf = ({ has_place: isKnown, sigma_m: m, sigma_deg: deg }) =>
+  (!isKnown ? "no place"
+            : `±${m < 0.1 ? `${(m * 100).toFixed(1)} cm` : `${m.toFixed(2)} m`}, ±${deg.toFixed(2)}°`);
 
 // Of the frame: slices that were placed, and those that were not by any cause.
 export const slicesOf = ({ slices, end }) =>
@@ -99,7 +99,7 @@ export function causesOf(classes) {
 export function lastPlaceOf(frames, shown) {
   for (let i = frames.length - 1; i >= 0; --i) {
     const { number, status: { frame } } = frames[i];
-    if (number <= shown.number && frame && frame.classes && frame.classes.slices > 0) {
+    if (number <= shown.number && frame && frame.classes && frame.classes.has_place) {
       const { x_m: x, y_m: y, heading_deg: heading } = frame.classes;
       return { x, y, heading: heading * Math.PI / 180 };
     }
@@ -117,13 +117,13 @@ export function trackOf(frames, shown) {
     if (number > shown.number || agoS < 0 || agoS > TRACK_S) {
       continue;
     }
-    const { causes, slices, x_m: x, y_m: y } = frame.classes;
+    const { causes, has_place: isKnown, x_m: x, y_m: y } = frame.classes;
     if ((causes & BREAKS) !== 0) {
       track.push(null);
     }
     const last = track.length > 0 ? track[track.length - 1] : null;
     const isNear = last !== null && Math.hypot(x - last.x, y - last.y) < NEAREST_M;
-    if (slices > 0 && (!isNear || number === shown.number)) {
+    if (isKnown && (!isNear || number === shown.number)) {
       track.push({ x, y, agoS });
     }
   }

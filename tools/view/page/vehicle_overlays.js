@@ -87,7 +87,7 @@ function drawSensors(view, sensors) {
 export function drawDeviation(view) {
   const { context, palette, vehicle } = view;
   const sigma = view.grid.classes.sigma_m;
-  if (!vehicle || !vehicle.footprint || sigma <= view.cellM) {
+  if (!vehicle || !vehicle.footprint || !view.hasPlace || sigma <= view.cellM) {
     return;
   }
   view.inVehicle((scale) => {

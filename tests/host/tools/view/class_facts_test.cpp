@@ -1,5 +1,5 @@
 // What a page is told of a frame's place.
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "gtest/gtest.h"
@@ -42,6 +42,33 @@ TEST(ClassFacts, AFrameWithoutItsEndHasNone) {
   EXPECT_FALSE(facts.end || facts.is_whole);
   EXPECT_EQ(facts.missing_tiles, 1U);
   EXPECT_EQ(class_facts_of(grid_with(20), classes, &facts).not_placed.at(kLate), 0U);
+}
+
+// Beside the pose a page is told whether it is one.
+TEST(ClassFacts, APoseThatIsNotKnownIsNoPlace) {
+  for (const bool is_known : {true, false}) {
+    GridFrame frame;
+    frame.classes = grid_with(0);
+    frame.classes->window.slices = 5;
+    if (is_known) {
+      frame.classes->window.sigma = {20, 30};
+    }
+    const StreamHealth health;
+    const FrameAssembler assembler([](const GridFrame& /*frame*/) {});
+    const Recorder recorder("", 15000);
+    std::optional<FrameFacts> facts = facts_of(frame, LiveGrid(), 0);
+    facts->classes = class_facts_of(*frame.classes, LiveClasses(), nullptr);
+    const std::string words = status_json({.health = &health,
+                                           .assembler = &assembler,
+                                           .recorder = &recorder,
+                                           .frame = &facts,
+                                           .source = "",
+                                           .kind = "",
+                                           .block = "",
+                                           .problem = ""});
+    EXPECT_NE(words.find(is_known ? R"("has_place":true)" : R"("has_place":false)"),
+              std::string::npos);
+  }
 }
 
 // A grid that no one sends is not missing.
