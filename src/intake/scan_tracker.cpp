@@ -19,7 +19,7 @@ ScanTracker::Outcome ScanTracker::classify(const lidar::PacketInfo& packet) cons
   }
   // Scan numbers are 16 bits on the wire and wrap.
   const auto behind = static_cast<std::uint16_t>(scan_number_ - packet.scan_number);
-  const bool is_numbered = packet.scan_number != 0 || scan_number_ != 0;
+  const bool is_numbered = has_numbers_ || packet.scan_number != 0;
   if (is_numbered && behind != 0) {
     if (behind <= kLateScans) {
       return Outcome::kLate;
@@ -38,6 +38,7 @@ ScanTracker::Outcome ScanTracker::classify(const lidar::PacketInfo& packet) cons
 void ScanTracker::accept(const lidar::PacketInfo& packet) {
   swept_.add(packet.sector);
   scan_number_ = packet.scan_number;
+  has_numbers_ = has_numbers_ || packet.scan_number != 0;
   points_ += packet.point_count;
   packets_ = packets_ < 0xFFFF ? static_cast<std::uint16_t>(packets_ + 1) : packets_;
   fingerprints_[fingerprint_next_] = packet.fingerprint;

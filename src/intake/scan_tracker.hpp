@@ -64,6 +64,7 @@ class ScanTracker {
   std::uint16_t packets_ = 0;
   std::uint32_t points_ = 0;
   std::uint32_t scan_number_ = 0;
+  bool has_numbers_ = false;  // a format without them says 0 in every packet
   std::uint16_t age_frames_ = 0;
   std::array<std::uint64_t, kMaxRemembered> fingerprints_{};  // a ring, the oldest is overwritten
   std::size_t fingerprint_count_ = 0;

@@ -91,6 +91,20 @@ TEST(ScanTracker, APartOfAnEarlierScanIsLate) {
   EXPECT_EQ(tracker.classify(lux_packet(3, 10'920, 1000)), Outcome::kPartOfFrame);
 }
 
+// Where numbers wrap, 0 is a number as any other.
+TEST(ScanTracker, APartOfAnEarlierScanIsLateThoughItsNumberIsZero) {
+  ScanTracker tracker = lux_tracker();
+  tracker.accept(lux_packet(65'535, 9920, 1000));
+  tracker.start_frame();
+  tracker.accept(lux_packet(0, 9920, 1000));
+  EXPECT_EQ(tracker.classify(lux_packet(0, 9920, 1000)), Outcome::kPartOfFrame)
+      << "the same sector twice is the same scan where scans have numbers";
+  tracker.start_frame();
+  EXPECT_EQ(tracker.classify(lux_packet(0, 10'920, 1000)), Outcome::kLate);
+  EXPECT_EQ(tracker.classify(lux_packet(65'535, 10'920, 1000)), Outcome::kLate);
+  EXPECT_EQ(tracker.classify(lux_packet(1, 9920, 1000)), Outcome::kPartOfFrame);
+}
+
 TEST(ScanTracker, ARestartedSensorIsNotLateForEver) {
   ScanTracker tracker = lux_tracker();
   tracker.accept(lux_packet(40'000, 9920, 3200));
