@@ -94,8 +94,8 @@ void check_numbers(const vehicle::Sensor& sensor, std::size_t number, const Firs
   if (!is_within<std::uint32_t>(sensor.scan_width_ticks, 1, sensor.azimuths.ticks_per_turn())) {
     tell({number, "scan_width_ticks", "1 ... a whole turn in ticks of the scanner"});
   }
-  if (sensor.max_points_per_scan == 0) {
-    tell({number, "max_points_per_scan", "1 or more"});
+  if (sensor.max_points_per_scan < vehicle::fewest_points(sensor.format, sensor.layer_count)) {
+    tell({number, "max_points_per_scan", "at least the points of a packet, of a LUX 12"});
   }
 }
 

@@ -197,6 +197,13 @@ constexpr void check_car(const vehicle::Description& car,
 
 // Of the tables.
 constexpr void check_tables(const vehicle::Vehicle& car, auto&& tell) {
+  const auto marks_of = [](const vehicle::Sensor& sensor) {
+    return std::uint64_t{sensor.max_points_per_scan} * grid::max_marks_per_point(sensor);
+  };
+  std::uint64_t all_marks = 0;
+  for (const vehicle::Sensor& sensor : car.sensors) {
+    all_marks += marks_of(sensor);
+  }
   std::uint64_t marks_left = grid::kMaxMarks;  // endless once it has been told
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     const vehicle::Sensor& sensor = car.sensors[i];
@@ -206,11 +213,10 @@ constexpr void check_tables(const vehicle::Vehicle& car, auto&& tell) {
         })) {
       tell(Fault{i, "mount.z_m", "a height and tilt of which some beam meets z_min_m ... z_max_m"});
     }
-    const std::uint64_t marks =
-        std::uint64_t{sensor.max_points_per_scan} * grid::max_marks_per_point(sensor);
+    const std::uint64_t marks = marks_of(sensor);
     if (marks > marks_left) {
       tell(Fault{i, "max_points_per_scan",
-                 "fewer: all sensors together mark at most 147456 cells a frame"});
+                 "fewer: all sensors together mark at most 147456 cells a frame", all_marks});
       marks_left = std::numeric_limits<std::uint64_t>::max();
     }
     marks_left -= marks;

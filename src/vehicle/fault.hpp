@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace iog::vehicle {
@@ -12,6 +13,7 @@ struct Fault {
   std::size_t sensor = kCar;  // by its number; kCar: a field of the car itself
   std::string_view field;     // as in a car's file: "udp_port", "mount.yaw_deg"
   std::string_view allowed;   // "1 ... 65535"
+  std::uint64_t sum = 0;      // what is too much, where several fields make it together; else 0
 };
 
 // Every check is a function that calls tell(Fault) for each fault it finds. It is written so that

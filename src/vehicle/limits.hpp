@@ -191,9 +191,9 @@ constexpr void check_sensor(const Description& car, const SensorConfig& config, 
       config.scan_width_ticks > facts_of(config.format).ticks_per_turn) {
     tell(Fault{number, "scan_width_ticks", "1 ... a whole turn in ticks of the scanner"});
   }
-  if (config.max_points_per_scan == 0) {
-    tell(Fault{number, "max_points_per_scan",
-               "1 or more: layers, directions and echoes multiplied"});
+  if (config.max_points_per_scan <
+      std::max(fewest_points(config.format, config.lasers.size()), std::size_t{1})) {
+    tell(Fault{number, "max_points_per_scan", kFewestPointsWords});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "geometry/grid.hpp"
@@ -84,6 +85,27 @@ constexpr ScannerFacts facts_of(lidar::Format format) {
   });
   return facts;
 }
+
+// The points of one packet, of a LUX those of one direction: a limit below it lets nothing pass.
+// layers: of the unit.
+constexpr std::size_t fewest_points(lidar::Format format, std::size_t layers) {
+  std::size_t points = 0;
+  lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
+      points = Decoder::kPointsPerPacket;
+    } else if constexpr (std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
+      points = std::size_t{Decoder::unit().blocks} * Decoder::unit().lasers;
+    } else if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
+      points = Decoder::kColumns * layers;
+    } else {
+      points = lidar::IbeoLux::kElevationsDeg.size() * lidar::IbeoLux::kMaxEchoes;
+    }
+  });
+  return points;
+}
+inline constexpr std::string_view kFewestPointsWords =
+    "at least the points of a packet: 384 of a Velodyne or Pandar64, 256 of an XT-32, 16 a row of "
+    "an Ouster, and of a LUX 12 a direction: layers, directions and echoes multiplied";
 
 // The fewest steps of a turn, in powers of two, that are at most a cell wide at this range: step
 // times range over 2 is half a cell or less.

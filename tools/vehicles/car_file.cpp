@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "description/car_checks.hpp"
 #include "tools/program/exit_status.hpp"
@@ -13,6 +14,9 @@ namespace iog::tools {
 namespace {
 
 using Mistakes = std::vector<Mistake>;
+
+// More is not a car's file, or has one mistake in all its lines.
+constexpr std::size_t kMostTold = 50;
 
 void read_source(TomlTable& table, std::uint32_t& source_ipv4) {
   net::Ipv4Address address{source_ipv4};
@@ -173,9 +177,12 @@ toml::table parse(const std::string& path) {
 std::string words_of(const std::string& path, Mistakes& mistakes) {
   std::ranges::stable_sort(mistakes, {}, &Mistake::line);
   std::string words;
-  for (const Mistake& mistake : mistakes) {
+  for (const Mistake& mistake : std::span(mistakes).first(std::min(mistakes.size(), kMostTold))) {
     words += (words.empty() ? "" : "\n") + path + ':' + std::to_string(mistake.line) + ": " +
              mistake.text;
+  }
+  if (mistakes.size() > kMostTold) {
+    words += "\n" + path + ": and " + std::to_string(mistakes.size() - kMostTold) + " more";
   }
   return words;
 }
@@ -208,9 +215,10 @@ class Telling {
     const std::string sensor = fault.sensor == vehicle::Fault::kCar
                                    ? ""
                                    : "sensors[" + std::to_string(fault.sensor) + "].";
-    mistakes_->push_back(
-        {std::max(node_of(*file_, fault).source().begin.line, std::uint32_t{1}),
-         sensor + std::string(fault.field) + ": allowed is " + std::string(fault.allowed)});
+    mistakes_->push_back({std::max(node_of(*file_, fault).source().begin.line, std::uint32_t{1}),
+                          sensor + std::string(fault.field) + ": allowed is " +
+                              std::string(fault.allowed) +
+                              (fault.sum > 0 ? "; here it is " + std::to_string(fault.sum) : "")});
   }
 
  private:

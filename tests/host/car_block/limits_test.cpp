@@ -90,6 +90,8 @@ TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {
             "0.scan_width_ticks");
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].max_points_per_scan = 0; }),
             "0.max_points_per_scan");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].max_points_per_scan = 11; }),
+            "0.max_points_per_scan");
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].max_points_per_scan = 147'457; }),
             "0.max_points_per_scan");
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layer_count = 3; }), "0.lasers");

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "fakes/temporary_folder.hpp"
 #include "tools/program/exit_status.hpp"
 #include "vehicle/identity.hpp"
 #include "vehicles/all_vehicles.hpp"
@@ -69,6 +70,22 @@ TEST(CarFile, EachMistakeIsToldWithItsLineItsFieldAndWhatIsAllowed) {
       EXPECT_TRUE(told[i].starts_with(expected[i])) << path << ":" << told[i];
     }
   }
+}
+
+// A wrong file of a gigabyte is not told line by line.
+TEST(CarFile, OfManyMistakesTheFirstAreToldAndTheOthersCounted) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "keys.toml";
+  std::ofstream file(path);
+  for (int i = 0; i < 1000; ++i) {
+    file << "key_" << i << " = 1\n";
+  }
+  file.close();
+  const Lines told = told_of(path);
+  ASSERT_EQ(told.size(), 51U);
+  // Five keys of a car are missing as well.
+  EXPECT_EQ(told.back(), " and 955 more");
+  EXPECT_TRUE(told[40].starts_with("36: key_35: no such key"));
 }
 
 TEST(CarFile, AFileThatIsNotThereIsTold) {
