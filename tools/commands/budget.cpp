@@ -7,6 +7,7 @@
 #include "tools/budget/frame_budget.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/vehicles/two_returns.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -15,10 +16,10 @@ namespace {
 void show_budgets(const std::string& name) {
   if (name.empty()) {
     for (const CatalogueEntry& car : all_vehicles()) {
-      std::cout << words_of_budget(car);
+      std::cout << words_of_budget(car) << warning_of_two_returns(car);
     }
   } else {
-    std::cout << words_of_budget(find_vehicle(name));
+    std::cout << words_of_budget(find_vehicle(name)) << warning_of_two_returns(find_vehicle(name));
   }
   std::cout << words_of_budget_errors();
 }

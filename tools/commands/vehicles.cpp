@@ -13,6 +13,7 @@
 #include "tools/receive/frame_record.hpp"
 #include "tools/vehicles/car_words.hpp"
 #include "tools/vehicles/network_words.hpp"
+#include "tools/vehicles/two_returns.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -29,6 +30,7 @@ void show_all() {
                 << " m, yaw " << mount.yaw_deg << " deg, up to " << sensor.range_max_mm / 1000.0
                 << " m\n";
     }
+    std::cout << warning_of_two_returns(entry);
     if (vehicle::have_classes(entry.vehicle->grids)) {
       std::cout << "  " << std::left << std::setw(14) << "poses"
                 << " UDP " << entry.vehicle->poses.udp_port << '\n'

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "tools/program/file.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {
@@ -57,6 +58,7 @@ void RunStatistics::add(const GridFrame& frame) {
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);
     add_states(frame);
+    add_points(frame.end);
   }
   if (!frame.header.has_evidence()) {
     nothing_taken_ += frame.header.points_other > 0 ? 1U : 0U;
@@ -79,6 +81,17 @@ void RunStatistics::add_states(const GridFrame& frame) {
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const auto state = static_cast<std::size_t>(frame.end.sensors[i].state);
     sensor_frames_[i][std::min(state, kStateNames.size() - 1)] += 1;
+  }
+}
+
+void RunStatistics::add_points(const stream::FrameEnd& end) {
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const intake::SensorReport& sensor = end.sensors[i];
+    packets_fused_ += sensor.packets;
+    most_points_[i] = std::max(most_points_[i], sensor.points);
+    if (sensor.packets > 0) {
+      most_packet_points_[i] = std::max(most_packet_points_[i], sensor.points / sensor.packets);
+    }
   }
 }
 
@@ -158,6 +171,35 @@ void RunStatistics::append_too_slow(std::string& text) const {
                                      std::to_string(frames_) + " frames");
 }
 
+// The stream does not say whose packets they were: a sensor is named in whose fullest frame another
+// packet had no room.
+void RunStatistics::append_over_budget(std::string& text) const {
+  const std::uint64_t over =
+      packet_drops_[static_cast<std::size_t>(intake::PacketDrop::kOverBudget)];
+  if (over == 0) {
+    return;
+  }
+  const std::uint64_t all = packets_fused_ + over;
+  std::string words = std::to_string(over) + " of " + std::to_string(all) + " packets dropped, " +
+                      std::to_string((100 * over + all / 2) / all) + " %: ";
+  const CatalogueEntry* const car = last_ ? vehicle_of_id(last_->vehicle_id) : nullptr;
+  bool is_named = false;
+  for (std::size_t i = 0; car != nullptr && i < std::min(car->sensors.size(), most_points_.size());
+       ++i) {
+    const vehicle::SensorConfig& sensor = car->sensors[i];
+    if (most_points_[i] + most_packet_points_[i] > sensor.max_points_per_scan) {
+      words += "sensor " + std::string(sensor.name) + " may have " +
+               std::to_string(sensor.max_points_per_scan) +
+               " points a scan (max_points_per_scan), and sends more; ";
+      is_named = true;
+    }
+  }
+  words += is_named
+               ? "a unit of two returns sends twice as many as one of one return"
+               : "more points than the car's file (max_points_per_scan) or a frame's marks allow";
+  text += row("OVER BUDGET", words);
+}
+
 std::string RunStatistics::table(bool has_target) const {
   std::string text;
   text +=
@@ -170,6 +212,7 @@ std::string RunStatistics::table(bool has_target) const {
   append_sensors(text);
   text += row("scan points", list_of(fates_, kFateNames));
   append_too_slow(text);
+  append_over_budget(text);
   text += row("packets dropped", list_of(packet_drops_, kDropNames));
   text += row("tiles", std::to_string(tiles_));
   if (tiles_not_sent_ > 0) {

@@ -56,8 +56,10 @@ class RunStatistics {
  private:
   void add_times(const GridFrame& frame);
   void add_states(const GridFrame& frame);
+  void add_points(const stream::FrameEnd& end);
   void append_sensors(std::string& text) const;
   void append_too_slow(std::string& text) const;
+  void append_over_budget(std::string& text) const;
 
   std::uint64_t frames_ = 0;
   std::uint64_t timed_out_ = 0;
@@ -78,6 +80,9 @@ class RunStatistics {
   std::optional<CoreShares> core_shares_;  // since the target's start
   std::uint8_t sensor_count_ = 0;
   std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state
+  std::uint64_t packets_fused_ = 0;
+  std::array<std::uint32_t, vehicle::kMaxSensors> most_points_{};         // in a frame
+  std::array<std::uint32_t, vehicle::kMaxSensors> most_packet_points_{};  // the mean of its packets
   std::vector<FrameRecord> records_;
   RunHash hash_;
   ClassStatistics classes_;

@@ -1,0 +1,46 @@
+#include "tools/vehicles/two_returns.hpp"
+
+#include <type_traits>
+
+#include "lidar/formats.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint64_t kTenHertzNs = 100'000'000;
+
+}  // namespace
+
+std::uint32_t points_with_two_returns(lidar::Format format) {
+  std::uint64_t points = 0;
+  lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
+      constexpr lidar::VelodyneUnit kUnit = Decoder::unit();
+      points = 2 * kTenHertzNs * lidar::VelodynePacket::kPointsPerBlock * kUnit.banks / kUnit.block_ns;
+    } else if constexpr (std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
+      constexpr lidar::HesaiUnit kUnit = Decoder::unit();
+      points = 2 * kTenHertzNs * kUnit.lasers / static_cast<std::uint64_t>(kUnit.firing_ns);
+    }
+  });
+  // An S2 has one return (manual 63-HDL64ES2).
+  return format == lidar::Format::kVelodyneHdl64eS2 ? 0 : static_cast<std::uint32_t>(points);
+}
+
+std::string warning_of_two_returns(const CatalogueEntry& car) {
+  std::string text;
+  for (const vehicle::SensorConfig& sensor : car.sensors) {
+    const std::uint32_t points = points_with_two_returns(sensor.format);
+    if (points > sensor.max_points_per_scan) {
+      const std::uint64_t dropped = points - sensor.max_points_per_scan;
+      text.append("warning: ").append(car.vehicle->name).append(": sensor ").append(sensor.name);
+      text += ": with two returns it sends " + std::to_string(points) +
+              " points a turn at 10 Hz, and its max_points_per_scan is " +
+              std::to_string(sensor.max_points_per_scan) + ": " +
+              std::to_string((100 * dropped + points / 2) / points) +
+              " % of a turn would be dropped, over budget; set it to one return\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace iog::tools
