@@ -8,6 +8,7 @@
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/image/car_of_image.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -20,6 +21,10 @@ struct ImageOptions {
 };
 
 void change_or_show(const ImageOptions& options) {
+  if (options.vehicle.empty() && !options.out.empty()) {
+    throw UsageError(
+        "--out needs --vehicle or --vehicle-file: without a car there is nothing to write");
+  }
   FirmwareImage image(options.path);
   if (!options.vehicle.empty()) {
     const CatalogueEntry& car = find_vehicle(options.vehicle);

@@ -117,34 +117,38 @@ void view_grid(const ViewOptions& options) {
   viewer.finish();
 }
 
+// An option of one kind of source does nothing for another.
 void add_sources(CLI::App& command, ViewOptions& options) {
   command.add_option("--port", options.port, "UDP port to receive a target's grid on")
       ->option_text("PORT  (default 15000)")
       ->check(CLI::Range(1, 65'535));
-  command.add_option("--bind", options.bind, "IPv4 address to receive on")
-      ->option_text("ADDRESS  (default 127.0.0.1)");
-  command
-      .add_option("--forward", options.forward,
-                  "Hand each datagram on to this port of this PC, for `iog receive`")
-      ->option_text("PORT")
-      ->check(CLI::Range(1, 65'535));
+  auto* const bind = command.add_option("--bind", options.bind, "IPv4 address to receive on");
+  bind->option_text("ADDRESS  (default 127.0.0.1)");
+  auto* const forward =
+      command.add_option("--forward", options.forward,
+                         "Hand each datagram on to this port of this PC, for `iog receive`");
+  forward->option_text("PORT")->check(CLI::Range(1, 65'535));
   auto* const pcap =
       command
           .add_option("--pcap", options.pcap, "Show a capture instead: of sensors, or of a grid")
           ->option_text("FILE");
-  command
-      .add_option("--simulate", options.simulate,
-                  "Show a simulated drive instead, with its truth: " + scene_option_help())
-      ->option_text("SCENE")
-      ->excludes(pcap);
+  auto* const simulate =
+      command.add_option("--simulate", options.simulate,
+                         "Show a simulated drive instead, with its truth: " + scene_option_help());
+  simulate->option_text("SCENE")->excludes(pcap);
+  for (auto* const of_network : {bind, forward}) {
+    of_network->excludes(pcap)->excludes(simulate);
+  }
   add_vehicle_options(command, options.vehicle);
   command.add_option("--seed", options.seed, "Of the simulated drive")
       ->option_text("N  (default 1)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber)
+      ->needs(simulate);
   command.add_option("--speed", options.speed, "Of the capture: 2 is twice as fast as recorded")
       ->option_text("FACTOR  (default 1)")
-      ->check(CLI::Range(0.01, 100.0));
-  command.add_flag("--loop", options.loop, "The capture again and again");
+      ->check(CLI::Range(0.01, 100.0))
+      ->needs(pcap);
+  command.add_flag("--loop", options.loop, "The capture again and again")->needs(pcap);
 }
 
 }  // namespace

@@ -52,6 +52,37 @@ void write_bytes(const std::string& path, const std::vector<std::byte>& bytes) {
 constexpr std::size_t kFileHeaderBytes = 24;
 constexpr std::size_t kFirstFrame = kFileHeaderBytes + 16;
 
+// The first bytes by the formats' own descriptions (RFC 1952, RFC 8878, and so on).
+TEST(Capture, WhatIsNoCaptureIsNamedWithWhatToDo) {
+  using namespace std::string_literals;
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "some.file";
+  const std::string velodyne = "\xFF\xEE"s + std::string(1204, '\0');
+  const std::vector<std::pair<std::string, std::string>> known{
+      {"\x1F\x8B\x08"s, "gunzip"},
+      {"\x28\xB5\x2F\xFD"s, "unzstd"},
+      {"\xFD"s + "7zXZ\0"s, "unxz"},
+      {"BZh91AY&SY", "bunzip2"},
+      {"#ROSBAG V2.0\n", "a bag of ROS 1; iog reads what was on the network"},
+      {"SQLite format 3\0"s, "a bag of ROS 2 is; iog reads what was on the network"},
+      {"\x89MCAP0\r\n", "an MCAP file"},
+      {"\xAF\xFE\xC0\xC2", "iog convert --raw"},
+      {velodyne, "iog convert --raw"},
+      {velodyne + velodyne, "iog convert --raw"}};
+  for (const auto& [begin, words] : known) {
+    const std::string bytes = begin == velodyne ? begin : begin + std::string(100, 'x');
+    OutputFile file(path);
+    file.write(bytes);
+    file.finish();
+    try {
+      const PcapReader reader(path);
+      ADD_FAILURE() << words;
+    } catch (const UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(Capture, WhatIsWrittenIsReadBack) {
   const tests::TemporaryFolder folder;
   const std::string path = folder / "round_trip.pcap";

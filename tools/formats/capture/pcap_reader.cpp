@@ -8,6 +8,7 @@
 #include "net/ethernet.hpp"
 #include "net/ipv4.hpp"
 #include "net/udp.hpp"
+#include "tools/formats/capture/file_hint.hpp"
 #include "tools/program/exit_status.hpp"
 #include "wire/byte_reader.hpp"
 
@@ -69,8 +70,13 @@ PcapReader::PcapReader(const std::string& path) {
   std::array<char, PCAP_ERRBUF_SIZE> error{};
   file_.reset(pcap_open_offline(path.c_str(), error.data()));
   if (!file_) {
+    if (const std::string hint = hint_of_file(path); !hint.empty()) {
+      throw UsageError(path + ": " + hint);
+    }
     const std::string reason = error.data();
-    throw UsageError(reason.find(path) != std::string::npos ? reason : path + ": " + reason);
+    throw UsageError(reason.find(path) != std::string::npos
+                         ? reason
+                         : path + ": " + reason + "; captures are pcap or pcapng files");
   }
   link_type_ = pcap_datalink(file_.get());
   if (!is_known_link(link_type_)) {

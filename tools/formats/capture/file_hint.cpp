@@ -1,0 +1,69 @@
+#include "tools/formats/capture/file_hint.hpp"
+
+#include <array>
+#include <fstream>
+#include <string_view>
+
+namespace iog::tools {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Kind {
+  std::string_view begin;
+  std::string_view hint;
+};
+
+constexpr std::string_view kOfRos =
+    "; iog reads what was on the network: record it with tcpdump or Wireshark, or write the "
+    "payloads of the driver's packet topic out one behind the other, and `iog convert` makes a "
+    "capture of those of a LUX or a Velodyne";
+
+// RFC 1952, RFC 8878, the file formats of xz, bzip2, lz4, ZIP, ROS bags 2.0, SQLite and MCAP;
+// docs/spec.md 1 and 6.
+constexpr std::array<Kind, 11> kKinds{
+    {{"\x1F\x8B"sv, "a gzip file: unpack it first, `gunzip -k FILE`"},
+     {"\x28\xB5\x2F\xFD"sv, "a zstd file: unpack it first, `unzstd FILE`"},
+     {"\xFD\x37\x7A\x58\x5A\x00"sv, "an xz file: unpack it first, `unxz -k FILE`"},
+     {"BZh"sv, "a bzip2 file: unpack it first, `bunzip2 -k FILE`"},
+     {"\x04\x22\x4D\x18"sv, "an lz4 file: unpack it first, `unlz4 FILE`"},
+     {"PK\x03\x04"sv, "a ZIP file: unpack it first, `unzip FILE`"},
+     {"#ROSBAG V"sv, "a bag of ROS 1"},
+     {"SQLite format 3\x00"sv, "an SQLite file, as a bag of ROS 2 is"},
+     {"\x89MCAP0\r\n"sv,
+      "an MCAP file: of those that `iog record` has written, `iog info` and `iog record --stream` "
+      "take it; of one of ROS 2, record the network instead, with tcpdump or Wireshark"},
+     {"\xAF\xFE\xC0\xC2"sv,
+      "raw ibeo messages: `iog convert --raw FILE:SENSOR --out drive.pcap` makes a capture of "
+      "scans "
+      "0x2202"},
+     {"IOGM"sv, "a map of `iog map`, and no capture"}}};
+
+// Payloads of 1206 bytes one behind the other, of which each begins with the flag of a block.
+bool is_raw_velodyne(std::string_view bytes) {
+  constexpr std::size_t kPayload = 1206;
+  constexpr auto kFlag = "\xFF\xEE"sv;
+  return bytes.starts_with(kFlag) &&
+         (bytes.size() == kPayload ||
+          bytes.substr(std::min(kPayload, bytes.size())).starts_with(kFlag));
+}
+
+}  // namespace
+
+std::string hint_of_file(const std::string& path) {
+  std::array<char, 1208> begin{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), begin.size());
+  const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
+  for (const Kind& kind : kKinds) {
+    if (bytes.starts_with(kind.begin)) {
+      const bool is_of_ros = kind.begin.starts_with('#') || kind.begin.starts_with('S');
+      return std::string(kind.hint).append(is_of_ros ? kOfRos : "");
+    }
+  }
+  return is_raw_velodyne(bytes) ? "raw Velodyne payloads: `iog convert --raw FILE:SENSOR --vehicle "
+                                  "NAME --out drive.pcap` makes a capture of them"
+                                : "";
+}
+
+}  // namespace iog::tools
