@@ -14,9 +14,11 @@ namespace iog::lab {
 // |p_integer - p_float| of the cells of some grids.
 struct Differences {
   std::uint64_t cells = 0;  // all
-  std::uint64_t known = 0;  // those that some beam has said anything of
+  std::uint64_t known = 0;  // those of which some beam says another probability than 1/2
   double sum = 0;
   double squares = 0;
+  double sum_known = 0;
+  double squares_known = 0;
   double sum_near = 0;            // in cells nearer to a scan point than its free ones
   double largest = 0;             // of all
   std::uint32_t largest_of = 0;   // how many measurements the cell of it has
@@ -24,7 +26,7 @@ struct Differences {
   std::int64_t largest_index = 0;
 
   [[nodiscard]] double mean() const { return sum / static_cast<double>(cells); }
-  [[nodiscard]] double mean_of_known() const { return sum / static_cast<double>(known); }
+  [[nodiscard]] double mean_of_known() const { return sum_known / static_cast<double>(known); }
   [[nodiscard]] double standard_deviation() const;
   [[nodiscard]] double root_mean_square_of_known() const;
 };

@@ -57,6 +57,24 @@ TEST(IndexDifferences, FreeCellsAreNotNear) {
   EXPECT_EQ(found.cells, 2 * geometry::kCellCount);
 }
 
+// Of the profile of table 4.3 only k - 3 to k + 2 differ from 1/2 by 0.001 or more. What a beam
+// says of the cells behind them counts in the sums, but makes nothing known.
+TEST(IndexDifferences, WhatABeamSaysNothingOfIsNotKnown) {
+  const auto model = probabilities({});
+  std::vector<QuantisedModel> rows{{model, 1e-6, Quantisation::kBlurring}};
+  FrameEvidence evidence{.cells = {}, .hits = {}};
+  for (int step = -3; step <= kFarSteps; ++step) {
+    EXPECT_EQ(std::abs(model[slot_of(step)] - 0.5) >= 0.001, step <= 2) << step;
+    evidence.cells.push_back(
+        {static_cast<std::uint32_t>(10 + step), static_cast<std::int8_t>(step)});
+  }
+  compare(evidence, model, rows);
+  const Differences& found = rows[0].differences;
+  EXPECT_EQ(found.known, 6U);
+  EXPECT_GT(found.sum, found.sum_known);
+  EXPECT_NEAR(found.mean_of_known(), found.sum_known / 6, 1e-18);
+}
+
 // N measurements are wrong by less than N steps of the set, of which none is worth more than
 // epsilon (property 3.3.5); by more than one as soon as their errors have the same sign.
 TEST(IndexDifferences, NMeasurementsAreWrongByNEpsilonAtMost) {
