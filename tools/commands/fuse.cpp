@@ -93,7 +93,7 @@ class ClassDrawing {
     const bool is_chosen = options_->frame ? frame.evidence_number == *options_->frame
                                            : frame.classes->window.slices > 0;
     if (is_chosen) {
-      number_ = frame.evidence_number;
+      title_ = title_of(frame);
       classes_ = frame.classes;
     }
   }
@@ -106,12 +106,12 @@ class ClassDrawing {
       throw CheckFailed("no frame to draw has a place: does the capture have poses, on UDP port " +
                         std::to_string(pose::kPosePort) + "?");
     }
-    picture_of(*classes_, number_, options_->pictures.scale).write_png(options_->classes_png);
+    picture_of(*classes_, title_, options_->pictures.scale).write_png(options_->classes_png);
   }
 
  private:
   const FuseOptions* options_;
-  std::uint64_t number_ = 0;
+  FrameTitle title_;
   std::optional<ClassGrid> classes_;
 };
 

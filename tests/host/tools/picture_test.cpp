@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -12,6 +13,7 @@
 #include "tools/formats/picture/grid_picture.hpp"
 #include "tools/formats/picture/ros_map.hpp"
 #include "tools/program/file.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {
@@ -160,7 +162,6 @@ TEST(Canvas, IgnoresWhatLiesOutside) {
   EXPECT_EQ(canvas.at(9, 9), (Colour{1, 2, 3}));
 }
 
-// Cell (i, j) of the window lies i to the right and j up; a mover is drawn three pixels wide.
 TEST(Canvas, SpellsEachCopyrightSign) {
   const auto picture = [](std::string_view words) {
     Canvas canvas(80, 9, {});
@@ -176,19 +177,96 @@ TEST(Canvas, SpellsEachCopyrightSign) {
   EXPECT_EQ(Canvas::text_width("\u00A9 A"), Canvas::text_width("(C) A"));
 }
 
+// Cell (i, j) of the window lies i to the right and j up; a mover is drawn three pixels wide.
 TEST(ClassPicture, ACellIsWhereItIsInTheWorld) {
   ClassGrid classes;
   const std::int8_t free = 3 * 8 + 7;
   const std::int8_t moving = 4 * 8 + 5;
   classes.cells[500 * 1024 + 600] = free;
   classes.cells[700 * 1024 + 300] = moving;
-  const Canvas picture = picture_of(classes, 0, PictureScale{});
+  const Canvas picture = picture_of(classes, {}, PictureScale{});
   ASSERT_EQ(picture.width(), 1020);  // 51 m around the middle
   EXPECT_EQ(picture.at(598, 1020 - 1 - 498), colour_of_class(free));
   for (const int aside : {-1, 0, 1}) {
     EXPECT_EQ(picture.at(298 + aside, 1020 - 1 - 698), colour_of_class(moving));
   }
   EXPECT_EQ(picture.at(598, 498), colour_of_class(0));
+}
+
+// One pixel of a wall is not seen among free cells. What moves lies over what stands.
+TEST(ClassPicture, AWallIsSeenAmongFreeCells) {
+  const std::int8_t free = 3 * 8 + 7;
+  const std::int8_t moving = 4 * 8 + 7;
+  for (const int standing : {5, 6, 7, 8}) {
+    ClassGrid classes;
+    classes.cells.assign(geometry::kCellCount, free);
+    const auto wall = static_cast<std::int8_t>(standing * 8 + 7);
+    classes.cells[500 * 1024 + 600] = wall;
+    classes.cells[500 * 1024 + 603] = moving;
+    for (const int scale : {1, 2, 3}) {
+      const Canvas picture = picture_of(classes, {}, PictureScale{.pixels_per_cell = scale});
+      const int row = (1020 - 1 - 498) * scale;
+      for (int aside = 0; aside < 3; ++aside) {
+        const int first = 598 * scale - (3 - scale) / 2;
+        EXPECT_EQ(picture.at(first + aside, row), colour_of_class(wall)) << standing << scale;
+      }
+      EXPECT_EQ(picture.at(601 * scale, row), colour_of_class(moving)) << standing << scale;
+    }
+  }
+}
+
+TEST(FrameTitle, SaysNumberTimeAndCar) {
+  EXPECT_EQ(words_of(FrameTitle{.number = 50, .closed_us = 2'071'999}), "frame 50, 2.071 s");
+  EXPECT_EQ(words_of({.number = 0, .closed_us = 5'000, .vehicle_id = 0x01FFB0CD}),
+            "frame 0, 0.005 s, reference_car");
+}
+
+// reference_car is 4.1 m long; of a car of nobody's an arrow of 4 m is drawn. Both look to the left
+// (a quarter of a turn), that is up.
+TEST(ClassPicture, TheCarHasItsOutline) {
+  ClassGrid classes;
+  classes.window = {.pose = {.x_mm = 20'000, .y_mm = 30'000, .heading = 0x40000000},
+                    .sigma = {20, 30},
+                    .slices = 1};
+  const auto& body = vehicle_of_id(0x01FFB0CD)->description->footprint;
+  const auto is_drawn = [&](const Canvas& picture, double ahead_m, double left_m) {
+    const int column = static_cast<int>(std::floor(250 - left_m * 50));
+    const int row = static_cast<int>(std::floor(250 - ahead_m * 50));
+    return picture.at(column, row) == Colour{250, 250, 250};
+  };
+  const PictureScale scale{.pixels_per_cell = 5, .radius_m = 5};
+  const Canvas known = picture_of(classes, {.vehicle_id = 0x01FFB0CD}, scale);
+  ASSERT_EQ(known.width(), 500);
+  const double length = body.x_max_m - body.x_min_m;
+  const double width = body.y_max_m - body.y_min_m;
+  for (const double share : {0.06, 0.5, 0.94}) {
+    const bool is_nose = share == 0.5;
+    EXPECT_EQ(is_drawn(known, body.x_max_m - 0.02, body.y_min_m + share * width), !is_nose);
+    EXPECT_TRUE(is_drawn(known, body.x_min_m + 0.2 * length, body.y_min_m + share * width));
+    EXPECT_FALSE(is_drawn(known, body.x_max_m + 0.06, body.y_min_m + share * width));
+    EXPECT_FALSE(is_drawn(known, body.x_min_m - 0.06, body.y_min_m + share * width));
+  }
+  const Canvas arrow = picture_of(classes, {}, scale);
+  EXPECT_TRUE(is_drawn(arrow, 2, 0) && is_drawn(arrow, -2, 0.5));
+  EXPECT_FALSE(is_drawn(arrow, 1, 0.9) || is_drawn(arrow, 2, 0.5));
+}
+
+// The bar is as long as it says: 20 m of 102, 10 m of 40, 2 m of 10; and a quarter at most.
+TEST(ClassPicture, ItsBarHasALength) {
+  struct Example {
+    PictureScale scale;
+    int metres;
+  };
+  for (const Example& example : {Example{{.radius_m = 51}, 20}, Example{{.radius_m = 20}, 10},
+                                 Example{{.pixels_per_cell = 4, .radius_m = 5}, 2}}) {
+    const Canvas picture = picture_of(ClassGrid{}, {}, example.scale);
+    int length = 0;
+    for (int column = 0; column < picture.width(); ++column) {
+      const bool is_bar = picture.at(column, picture.height() - 11) == Colour{235, 235, 230};
+      length += is_bar && column > picture.width() / 2 ? 1 : 0;
+    }
+    EXPECT_EQ(length, example.metres * 10 * example.scale.pixels_per_cell);
+  }
 }
 
 // A picture of 20 m a side around the car, which is near the window's corner at (-3.2, 6.4) m.
@@ -202,7 +280,7 @@ TEST(ClassPicture, TheCarIsInTheMiddle) {
   const std::int8_t moving = 4 * 8 + 7;
   // At (25, 35) m: 28.2 m and 28.6 m from the corner; 15 m from the picture's.
   classes.cells[286 * 1024 + 282] = moving;
-  const Canvas picture = picture_of(classes, 0, PictureScale{.radius_m = 10});
+  const Canvas picture = picture_of(classes, {}, PictureScale{.radius_m = 10});
   ASSERT_EQ(picture.width(), 200);
   EXPECT_EQ(picture.at(150, 200 - 1 - 150), colour_of_class(moving));
 }
@@ -210,9 +288,9 @@ TEST(ClassPicture, TheCarIsInTheMiddle) {
 // Where the car is is not known though something was placed: all of the window, and no car.
 TEST(ClassPicture, ACarWhosePoseIsNotKnownIsNowhere) {
   ClassGrid classes;
-  const Canvas nowhere = picture_of(classes, 0, PictureScale{});
+  const Canvas nowhere = picture_of(classes, {}, PictureScale{});
   classes.window = {.slices = 1};
-  const Canvas unknown = picture_of(classes, 0, PictureScale{});
+  const Canvas unknown = picture_of(classes, {}, PictureScale{});
   for (int row = 0; row < nowhere.height(); ++row) {
     for (int column = 0; column < nowhere.width(); ++column) {
       ASSERT_EQ(unknown.at(column, row), nowhere.at(column, row)) << column << " " << row;

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "geometry/grid.hpp"
 #include "tools/formats/picture/font.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {
@@ -35,7 +37,25 @@ constexpr std::array<Colour, stream::kClassCount> kClassColours{{
 
 constexpr auto kSides = static_cast<int>(geometry::kCellsPerSide);
 constexpr int kCellsInMetre = 1000 / geometry::kCellMm;
-constexpr int kSmallestMover = 3;  // pixels
+constexpr int kSmallestThing = 3;  // pixels; a smaller one is not seen among free cells
+
+// What is painted over what.
+enum class Coat : std::uint8_t { kGround, kOccupied, kStanding, kMoving };
+
+Coat coat_of(Class what) {
+  switch (what) {
+    case Class::kMoving:
+      return Coat::kMoving;
+    case Class::kStopped:
+    case Class::kStoppedOrUnmapped:
+    case Class::kInfrastructure:
+      return Coat::kStanding;
+    case Class::kOccupied:
+      return Coat::kOccupied;
+    default:
+      return Coat::kGround;
+  }
+}
 
 Class class_of(std::int8_t byte) {
   return static_cast<Class>(stream::class_of(static_cast<std::byte>(byte)));
@@ -44,9 +64,9 @@ Class class_of(std::int8_t byte) {
 // From cells of the window to pixels.
 class ClassPainter {
  public:
-  ClassPainter(const ClassGrid& classes, std::uint64_t number, const PictureScale& scale)
+  ClassPainter(const ClassGrid& classes, const FrameTitle& title, const PictureScale& scale)
       : classes_(&classes),
-        number_(number),
+        title_(title),
         scale_(scale.pixels_per_cell),
         side_(std::min(kSides, 2 * scale.radius_m * kCellsInMetre)),
         canvas_(side_ * scale_, side_ * scale_, kNothing) {
@@ -60,12 +80,14 @@ class ClassPainter {
   }
 
   Canvas paint() {
-    paint_cells(false);
-    paint_cells(true);
+    for (const Coat coat : {Coat::kGround, Coat::kOccupied, Coat::kStanding, Coat::kMoving}) {
+      paint_cells(coat);
+    }
     if (has_car()) {
       paint_car();
     }
     paint_legend();
+    paint_bar();
     return canvas_;
   }
 
@@ -87,14 +109,14 @@ class ClassPainter {
   [[nodiscard]] double column(double x) const { return (x - x_) * scale_; }
   [[nodiscard]] double row(double y) const { return canvas_.height() - (y - y_) * scale_; }
 
-  void paint_cells(bool is_of_movers) {
-    const int side = is_of_movers ? std::max(scale_, kSmallestMover) : scale_;
+  void paint_cells(Coat coat) {
+    const int side = coat == Coat::kGround ? scale_ : std::max(scale_, kSmallestThing);
     const int margin = (side - scale_) / 2;
     for (int up = 0; up < side_; ++up) {
       for (int right = 0; right < side_; ++right) {
         const std::int8_t byte = classes_->cells[static_cast<std::size_t>(y_ + up) * kSides +
                                                  static_cast<std::size_t>(x_ + right)];
-        if (byte != 0 && (class_of(byte) == Class::kMoving) == is_of_movers) {
+        if (byte != 0 && coat_of(class_of(byte)) == coat) {
           canvas_.fill(right * scale_ - margin, (side_ - 1 - up) * scale_ - margin, side, side,
                        colour_of_class(byte));
         }
@@ -102,20 +124,44 @@ class ClassPainter {
     }
   }
 
-  // An arrow, 4 m long.
-  void paint_car() {
+  // A place in the vehicle frame, in pixels.
+  [[nodiscard]] std::pair<double, double> seen_from_above(double x_m, double y_m) const {
     const double angle = pose().heading * std::numbers::pi / 0x1p31;
-    const double half = 2.0 * kCellsInMetre;
-    const auto at = [&](double forward, double left) {
-      return std::pair{column(car_x() + forward * std::cos(angle) - left * std::sin(angle)),
-                       row(car_y() + forward * std::sin(angle) + left * std::cos(angle))};
-    };
-    const auto draw = [&](std::pair<double, double> from, std::pair<double, double> to) {
-      canvas_.line(from.first, from.second, to.first, to.second, kBody);
-    };
-    draw(at(-half, 9), at(half, 0));
-    draw(at(-half, -9), at(half, 0));
-    draw(at(-half, 9), at(-half, -9));
+    const double forward = x_m * kCellsInMetre;
+    const double left = y_m * kCellsInMetre;
+    return {column(car_x() + forward * std::cos(angle) - left * std::sin(angle)),
+            row(car_y() + forward * std::sin(angle) + left * std::cos(angle))};
+  }
+
+  void draw(std::pair<double, double> from, std::pair<double, double> to, Colour colour) {
+    canvas_.line(from.first, from.second, to.first, to.second, colour);
+  }
+
+  void paint_arrow(const vehicle::FootprintConfig& body, Colour colour) {
+    const auto nose = seen_from_above(body.x_max_m, (body.y_min_m + body.y_max_m) / 2);
+    const auto left = seen_from_above(body.x_min_m, body.y_max_m);
+    const auto right = seen_from_above(body.x_min_m, body.y_min_m);
+    draw(left, right, colour);
+    draw(left, nose, colour);
+    draw(right, nose, colour);
+  }
+
+  // Every pixel in it, by steps of less than one; the arrow shows where its front is.
+  void paint_body(const vehicle::FootprintConfig& body) {
+    const double step_m = 0.5 / (kCellsInMetre * scale_);
+    for (double x = body.x_min_m; x <= body.x_max_m; x += step_m) {
+      draw(seen_from_above(x, body.y_min_m), seen_from_above(x, body.y_max_m), kBody);
+    }
+    paint_arrow(body, kNothing);
+  }
+
+  void paint_car() {
+    const CatalogueEntry* const car = vehicle_of_id(title_.vehicle_id);
+    if (car != nullptr) {
+      paint_body(car->description->footprint);
+    } else {
+      paint_arrow({.x_min_m = -2, .x_max_m = 2, .y_min_m = -0.9, .y_max_m = 0.9}, kBody);
+    }
     canvas_.circle(column(car_x()), row(car_y()), 10.0 * kCellsInMetre * scale_, kFrame, 0.45);
   }
 
@@ -138,7 +184,7 @@ class ClassPainter {
     const int scale = letter_scale();
     const int line = (kGlyphHeight + 4) * scale;
     const int side = kGlyphHeight * scale;
-    put_words(10, 10, "frame " + std::to_string(number_));
+    put_words(10, 10, words_of(title_));
     put_words(10, 10 + line, has_car() ? "circle: 10 m around the car" : "the car has no place");
     if (const std::string map = attribution(); !map.empty()) {
       put_words(10, 10 + 2 * line, "map: " + map);
@@ -151,8 +197,27 @@ class ClassPainter {
     }
   }
 
+  // As long as can be read, and a quarter of the picture at most.
+  void paint_bar() {
+    int metres = 1;
+    for (const int longer : {2, 5, 10, 20}) {
+      metres = longer * kCellsInMetre * 4 <= side_ ? longer : metres;
+    }
+    const int scale = letter_scale();
+    const int length = metres * kCellsInMetre * scale_;
+    const int right = canvas_.width() - 10;
+    const int bottom = canvas_.height() - 10;
+    canvas_.fill(right - length, bottom - 2 * scale, length, 2 * scale, kWords);
+    for (const int end : {right - length, right - scale}) {
+      canvas_.fill(end, bottom - 6 * scale, scale, 6 * scale, kWords);
+    }
+    const std::string words = std::to_string(metres) + " m";
+    put_words(right - length / 2 - Canvas::text_width(words, scale) / 2,
+              bottom - (kGlyphHeight + 9) * scale, words);
+  }
+
   const ClassGrid* classes_;
-  std::uint64_t number_;
+  FrameTitle title_;
   int scale_;
   int side_;   // cells on a side of the picture
   int x_ = 0;  // the first of them
@@ -181,8 +246,8 @@ const char* name_of_class(Class what) {
   return name;
 }
 
-Canvas picture_of(const ClassGrid& classes, std::uint64_t number, const PictureScale& scale) {
-  return ClassPainter(classes, number, scale).paint();
+Canvas picture_of(const ClassGrid& classes, const FrameTitle& title, const PictureScale& scale) {
+  return ClassPainter(classes, title, scale).paint();
 }
 
 }  // namespace iog::tools

@@ -6,6 +6,7 @@
 
 #include "decision/decision.hpp"
 #include "tools/formats/picture/canvas.hpp"
+#include "tools/formats/picture/frame_title.hpp"
 #include "tools/formats/picture/grid_picture.hpp"
 #include "tools/receive/class_grid.hpp"
 
@@ -17,9 +18,11 @@ namespace iog::tools {
 // What a class is called in the legend.
 [[nodiscard]] const char* name_of_class(decision::Class what);
 
-// The picture of frame `number` shows scale.radius_m around the car, or around the window's middle
-// if no slice of the frame has a place. A cell that moves is at least three pixels wide.
-[[nodiscard]] Canvas picture_of(const ClassGrid& classes, std::uint64_t number,
+// The picture shows scale.radius_m around the car, or around the window's middle if no slice of the
+// frame has a place. A cell that is occupied is at least three pixels wide, and what moves lies
+// over what stands. The car has the outline of its description, or is an arrow of 4 m if nobody
+// here knows it. A bar has the length that stands beside it.
+[[nodiscard]] Canvas picture_of(const ClassGrid& classes, const FrameTitle& title,
                                 const PictureScale& scale);
 
 }  // namespace iog::tools

@@ -20,7 +20,7 @@ void FrameWriter::draw(const GridFrame& frame) {
     picture_of(frame, options_.scale).write_png(numbered(options_.folder, "frame", number, ".png"));
   }
   if (frame.classes) {
-    picture_of(*frame.classes, number, options_.scale)
+    picture_of(*frame.classes, title_of(frame), options_.scale)
         .write_png(numbered(options_.folder, "classes", number, ".png"));
   }
   has_drawn_ = true;

@@ -51,6 +51,7 @@ inline constexpr const char* kPictureFooter =
     "right, y up. classes_NNNNNN.png shows the classes of a target that sends them, in the world: "
     "x to "
     "the\n"
-    "right, y up.\n";
+    "right, y up, with the car's outline and a bar for scale; what is occupied is 3 pixels wide at "
+    "least.\n";
 
 }  // namespace iog::tools

@@ -7,6 +7,7 @@
 
 #include "geometry/grid.hpp"
 #include "tools/formats/picture/font.hpp"
+#include "tools/formats/picture/frame_title.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -131,11 +132,7 @@ class Painter {
   void paint_texts() {
     const int scale = letter_scale();
     const int line = (kGlyphHeight + 4) * scale;
-    const CatalogueEntry* const car = vehicle_of_id(frame_->header.vehicle_id);
-    put_text(10, 10,
-             "frame " + std::to_string(frame_->evidence_number) + ", " + time_text() +
-                 (car != nullptr ? ", " + std::string(car->vehicle->name) : ""),
-             kInk);
+    put_text(10, 10, words_of(title_of(*frame_)), kInk);
     put_text(10, 10 + line, words_of_sensors(frame_->header), kInk);
     put_text(10, 10 + 2 * line, std::to_string(frame_->header.points_used) + " points used", kInk);
     const int row = canvas_.height() - 10 - 3 * line;
@@ -156,13 +153,6 @@ class Painter {
       column += side;
     }
     put_text(column + 4 * scale, row, words, kInk);
-  }
-
-  [[nodiscard]] std::string time_text() const {
-    const std::uint64_t milliseconds = frame_->header.closed_us / 1000;
-    std::string fraction = std::to_string(milliseconds % 1000);
-    fraction.insert(0, 3 - fraction.size(), '0');
-    return std::to_string(milliseconds / 1000) + "." + fraction + " s";
   }
 
   static constexpr int kRingM = 10;
