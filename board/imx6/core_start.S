@@ -17,12 +17,13 @@
 //   761320  bit 21  two cores that write full lines to the same region may deadlock
 //   794072  bit 4   a short loop with a DMB may keep another core from its own DMB
 //   845369  bit 22  a switch to streaming mode may corrupt data
-// The last four need several cores. Uses r0, r1.
+//   743623  bit 20  seven PLD and an LDM from uncached memory may deadlock
+// Those of bits 4, 11, 21 and 22 need several cores. Uses r0, r1.
         .global start_without_errata
         .type   start_without_errata, %function
 start_without_errata:
         mrc   p15, 0, r0, c15, c0, 1
-        ldr   r1, =((1 << 4) | (1 << 6) | (1 << 11) | (1 << 21) | (1 << 22))
+        ldr   r1, =((1 << 4) | (1 << 6) | (1 << 11) | (1 << 20) | (1 << 21) | (1 << 22))
         orr   r0, r0, r1
         mcr   p15, 0, r0, c15, c0, 1
         bx    lr
