@@ -195,6 +195,9 @@ PlacedDrive placed_drive(const SimulateOptions& options, const CatalogueEntry& c
 
 void simulate_moving(const SimulateOptions& options, const CatalogueEntry& car) {
   PlacedDrive placed = placed_drive(options, car);
+  if (options.out.empty()) {
+    return;
+  }
   MovingDrive& drive = placed.drive;
   PoseOptions feed = pose_options(options);
   feed.map = placed.map;
@@ -229,6 +232,9 @@ void simulate_moving(const SimulateOptions& options, const CatalogueEntry& car) 
 }
 
 void simulate(const SimulateOptions& options) {
+  if (options.out.empty() && options.osm.out.empty()) {
+    throw UsageError("--out is required: the capture to write");
+  }
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   if (options.is_moving) {
     simulate_moving(options, car);
@@ -313,8 +319,7 @@ void add_simulate(CLI::App& program) {
       "simulate", "Make up a drive and write what the car's scanners send as a capture");
   const auto options = std::make_shared<SimulateOptions>();
   command->add_option("--out", options->out, "The capture to write (.pcap)")
-      ->option_text("FILE  (required)")
-      ->required();
+      ->option_text("FILE  (required, but not with --osm: then only the map is written)");
   command->add_option("--seed", options->seed, "Another seed, another world")
       ->option_text("N  (default 1)")
       ->check(CLI::NonNegativeNumber);

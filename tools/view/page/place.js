@@ -3,7 +3,7 @@
 const BREAKS = 0x02 | 0x08 | 0x10; // causes after which the window begins anew: lost, jump, restart
 export const TRACK_S = 30;
 const NEAREST_M = 0.15; // places of a track that are closer are one
-const LATELY_S = 6;
+const LATELY_S = 2;
 const LONGEST_S = 86400; // longer ago: the clock of the poses has begun anew since
 
 // In the order in which the target counts them, with the bit by which a frame names each.
