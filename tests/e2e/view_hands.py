@@ -110,8 +110,9 @@ def check_keys(page: GridPage) -> None:
     page.page.press("r", modifiers=CTRL)
     page.page.press("d", modifiers=CTRL)
     page.page.value("document.getElementById('help-open').focus(); 0")
-    page.page.press("Tab")  # from the last of the header to the first of the overlays
-    assert page.page.value("left.every(([, isTaken]) => !isTaken) && left.length") == 3
+    page.page.press("Tab")  # from the last of the header to the panel of the overlays
+    page.page.press("Tab")  # and to the first of them
+    assert page.page.value("left.every(([, isTaken]) => !isTaken) && left.length") == 4
     assert page.page.value("document.documentElement.dataset.theme") == "dark"
     assert not page.page.value("iogPage.status.recording.open")
     assert page.page.value("document.activeElement.dataset.overlay") == "mounts"

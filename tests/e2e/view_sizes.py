@@ -5,8 +5,20 @@ import pathlib
 from browser import Browser
 from viewer import GridPage, Viewer
 
-SIZES = [(1366, 768), (1280, 800), (1024, 600), (800, 500), (640, 400), (360, 640), (390, 844),
+SIZES = [(1366, 768), (1280, 800), (1024, 600), (800, 500), (640, 400), (360, 640), (390, 844), (420, 800),
          (844, 390), (768, 1024), (1920, 1080), (3840, 2160)]
+MOST_COVERED = 0.35  # of the grid, by what lies on it
+FOLDS = ("overlays", "legend", "charts")
+
+# A banner as long as any, which stays.
+SAY = """(() => {
+  iogPage.showState = () => {};
+  const show = (id, words) => { document.getElementById(id).textContent = words; };
+  show('banner-title', 'The source of the poses started anew 1.2 s ago');
+  show('banner-text', 'What was known has lost its place: the window began anew.');
+  document.getElementById('banner').dataset.state = 'live';
+  document.getElementById('banner').hidden = false;
+})()"""
 
 # Boxes of what lies on the grid and is seen, with those that they must stay within.
 BOXES = """(() => {
@@ -25,6 +37,10 @@ BOXES = """(() => {
     controls: Object.fromEntries([...document.querySelectorAll('header button, footer *')]
         .filter((e) => getComputedStyle(e).display !== 'none').map((e) => [e.id, box(e)])),
     charts: box(document.getElementById('charts')),
+    car: ((scale, {x_min: rear, x_max: nose, y_min: right, y_max: left}) =>
+        [x + iogPage.view.width / 2 - left * scale, y + iogPage.view.height / 2 - nose * scale,
+         x + iogPage.view.width / 2 - right * scale, y + iogPage.view.height / 2 - rear * scale])(
+        iogPage.view.pixelsPerMetre, iogPage.view.vehicle.footprint),
     page: [0, 0, innerWidth, innerHeight],
     scrolls: document.documentElement.scrollWidth > innerWidth ||
              document.documentElement.scrollHeight > innerHeight,
@@ -56,14 +72,51 @@ def faults_of(boxes: dict) -> list[str]:
     return faults + (["the page has to be scrolled"] if boxes["scrolls"] else [])
 
 
+def area(box: list[float]) -> float:
+    return max(0, box[2] - box[0]) * max(0, box[3] - box[1])
+
+
+def faults_of_begin(boxes: dict) -> list[str]:
+    """Of a page that has just been opened, in which the car is in the middle of the grid."""
+    seen = {name: box for name, box in boxes["cards"].items() if name not in ("follow", "hover")}
+    faults = [f"{name} over the car" for name, box in seen.items() if overlap(box, boxes["car"])]
+    covered = sum(map(area, seen.values())) / area(boxes["stage"])
+    return faults + ([f"{covered:.0%} of the grid are covered"] if covered > MOST_COVERED else [])
+
+
+def faults_of_folds(page: GridPage) -> list[str]:
+    """Each panel can be folded away and back, by its button, and then what it covered is seen."""
+    faults = []
+    for panel in FOLDS:
+        areas = []
+        for _ in range(3):
+            areas.append(area(page.page.value(BOXES)["charts"] if panel == "charts" else page.page.value(
+                f"(({{left, top, right, bottom}}) => [left, top, right, bottom])"
+                f"(document.getElementById('{panel}').getBoundingClientRect())")))
+            page.page.click(f"#{panel}-fold")
+        page.page.click(f"#{panel}-fold")
+        if areas[0] != areas[2] or min(areas) > 0.6 * max(areas):
+            faults.append(f"{panel} cannot be folded: {areas}")
+        expanded = page.page.value(f"document.getElementById('{panel}-fold').ariaExpanded")
+        if expanded != str(areas[0] > areas[1]).lower():
+            faults.append(f"{panel} says that it is expanded: {expanded}")
+    return faults
+
+
 def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
-    """Nothing covers anything else: with a cell under the mouse, the picture moved away from the car,
-    and the legends of two overlays."""
+    """Nothing covers anything else, and no words the car: at the beginning, and with a cell under the mouse, the
+    picture moved away from the car, and the legends of two overlays. Panels fold."""
     faults = []
     with Viewer(iog, "--simulate", "city") as viewer:
         for width, height in SIZES:
             page = GridPage(browser.open(viewer.address, width, height))
-            page.page.wait_for("iogPage.history.count > 2")
+            page.page.wait_for("iogPage.history.count > 2 && iogPage.view.scaleBar && iogPage.view.vehicle")
+            page.page.value(SAY)
+            page.page.screenshot(folder / f"begin_{width}x{height}.png")
+            boxes = page.page.value(BOXES)
+            faults += [f"{width}x{height}: {fault}" for fault in
+                       faults_of(boxes) + faults_of_begin(boxes) + faults_of_folds(page)]
+            page.page.value("delete iogPage.showState")
             page.page.press("p")
             page.page.press(" ")
             page.page.value("iogPage.view.pan(20, 20); iogPage.redraw(); 0")

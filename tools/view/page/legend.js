@@ -68,9 +68,10 @@ export function showMap({ map, outlines }, element) {
   const words = map ? wordsOfMap(map, outlines).filter((line) => line !== "") : [];
   if (element.dataset.words !== words.join("\n")) {
     element.dataset.words = words.join("\n");
+    const first = map && map.in_use ? "attribution" : "";
     element.replaceChildren(...words.map(
         (textContent, i) => Object.assign(document.createElement("span"),
-                                          { textContent, className: i > 0 ? "quiet" : "" })));
+                                          { textContent, className: i > 0 ? "quiet" : first })));
   }
 }
 

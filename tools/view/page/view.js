@@ -11,6 +11,7 @@ import { elementsOf, linesOf, showClasses, showMap, showScale } from "./legend.j
 import { fetchOutlines } from "./map_outlines.js";
 import { readMessage } from "./messages.js";
 import { OVERLAYS } from "./overlays.js";
+import { foldSome, listenToFolds, toggle } from "./panels.js";
 import { lastPlaceOf, trackOf } from "./place.js";
 import { listenToPointers } from "./pointers.js";
 import { describe, frameOfNumbers, titleOf } from "./status.js";
@@ -45,7 +46,7 @@ class Page {
     this.drawMs = 0; // that it took
     this.errors = 0; // messages that made no sense
     this.hasMap = false;
-    this.overlayButtons = addOverlaySwitches(byId("overlays"), this);
+    this.overlayButtons = addOverlaySwitches(byId("switches"), this);
     this.setTheme(matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
     this.listen();
     this.connect();
@@ -54,6 +55,8 @@ class Page {
 
   listen() {
     listenToKeys(this);
+    listenToFolds();
+    foldSome();
     listKeys(byId("keys"));
     for (const id of ["pause", "back", "step", "record", "layer", "scale", "theme", "live", "follow"]) {
       onPress(byId(id), () => this[id]());
@@ -379,10 +382,7 @@ class Page {
     this.restyle();
   }
 
-  charts() {
-    document.body.classList.toggle("wide");
-    this.redraw();
-  }
+  charts() { toggle("charts"); }
 
   help() {
     const dialog = byId("help");
