@@ -155,9 +155,6 @@ void fuse(const FuseOptions& options) {
   const auto target =
       std::make_unique<OfflineTarget>(vehicle, on_message, Stopwatch::kRuns, options.run_number);
   if (!options.map.empty()) {
-    if (!vehicle::have_classes(vehicle.grids)) {
-      throw UsageError("--map: " + options.vehicle + " has no classes, so it has no use for one");
-    }
     target->begin_with_map(read_block(options.map));
   }
   CaptureIdentity identity;

@@ -41,6 +41,8 @@ struct RecordOptions {
   std::vector<std::string> out;
   std::vector<std::string> topics = all_topics();
   bool is_uncompressed = false;
+  std::string stamp = "target";
+  std::string map;
   PictureOptions pictures{.folder = {}, .every = 1, .scale = {}};
   bool with_maps = false;
 };
@@ -51,7 +53,8 @@ std::unique_ptr<Recording> recording_of(const std::string& path, const RecordOpt
   if (suffix == ".mcap") {
     return std::make_unique<McapRecording>(
         path, options.topics,
-        options.is_uncompressed ? mcap::Compression::kNone : mcap::Compression::kZstd);
+        options.is_uncompressed ? mcap::Compression::kNone : mcap::Compression::kZstd,
+        options.stamp == "arrival" ? Stamp::kArrival : Stamp::kTarget);
   }
   if (suffix == ".pcap") {
     return std::make_unique<PcapRecording>(path);
@@ -74,7 +77,7 @@ void check_out(const RecordOptions& options) {
       throw UsageError("--out " + path + ": given twice");
     }
   }
-  for (const std::string& source : {options.pcap, options.stream}) {
+  for (const std::string& source : {options.pcap, options.stream, options.map}) {
     for (const std::string& path : options.out) {
       std::error_code error;
       if (!source.empty() && std::filesystem::equivalent(source, path, error)) {
@@ -87,7 +90,7 @@ void check_out(const RecordOptions& options) {
 // From wherever it comes. The number of datagrams that were dropped on the way.
 std::uint64_t record_from_source(const RecordOptions& options, Recorder& recorder) {
   if (!options.pcap.empty()) {
-    record_capture(options.pcap, options.vehicle, recorder);
+    record_capture(options.pcap, options.vehicle, options.map, recorder);
   } else if (!options.stream.empty()) {
     record_stream(options.stream, recorder);
   } else {
@@ -145,16 +148,22 @@ void add_sources(CLI::App& command, RecordOptions& options) {
   sources->add_option("--port", options.live.port, "Record what comes to this UDP port")
       ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
-  sources
-      ->add_option("--pcap", options.pcap,
-                   "Fuse this capture of sensors (pcap or pcapng), and record that")
-      ->option_text("FILE");
+  auto* const pcap =
+      sources
+          ->add_option("--pcap", options.pcap,
+                       "Fuse this capture of sensors (pcap or pcapng), and record that")
+          ->option_text("FILE");
   sources
       ->add_option("--stream", options.stream,
                    "Record what has been recorded as FILE.pcap or FILE.mcap")
       ->option_text("FILE");
   sources->require_option(1);
   add_vehicle_options(command, options.vehicle, "NAME  (with --pcap; default reference_car)");
+  command
+      .add_option("--map", options.map,
+                  "The map that the target has from the start, made by `iog map`")
+      ->option_text("FILE  (with --pcap)")
+      ->needs(pcap);
   command.add_option("--bind", options.live.bind, "IPv4 address to receive on")
       ->option_text("ADDRESS  (with --port; default 127.0.0.1)");
   command.add_option("--frames", options.live.frames, "End after so many frames with evidence")
@@ -181,6 +190,13 @@ void add_destinations(CLI::App& command, RecordOptions& options) {
       ->delimiter(',')
       ->check(CLI::IsMember(all_topics()));
   command.add_flag("--uncompressed", options.is_uncompressed, "Do not compress MCAP files (zstd)");
+  command
+      .add_option(
+          "--stamp", options.stamp,
+          "The clock of the stamps in an MCAP file: the target's, which begins when it starts, "
+          "or that of the log time, to be joined with what others record")
+      ->option_text("target | arrival  (default target)")
+      ->check(CLI::IsMember({"target", "arrival"}));
   command.add_option("--every", options.pictures.every, "Draw every Nth frame")
       ->option_text("N  (default 1)")
       ->check(CLI::PositiveNumber);

@@ -41,6 +41,10 @@ OfflineTarget::AnyPipeline OfflineTarget::pipeline_of(const vehicle::Vehicle& ve
 }
 
 void OfflineTarget::begin_with_map(std::vector<std::uint8_t> block) {
+  if (!vehicle::have_classes(vehicle_->grids)) {
+    throw UsageError("--map: " + std::string(vehicle_->name) +
+                     " has no classes, so it has no use for one");
+  }
   map_ = std::move(block);
   std::visit([this](auto& pipeline) { pipeline->begin_with_map(map_); }, pipeline_);
 }

@@ -72,8 +72,8 @@ class OfflineTarget {
   OfflineTarget(const OfflineTarget&) = delete;
   OfflineTarget& operator=(const OfflineTarget&) = delete;
 
-  // Before the first datagram: the map that the target has from the start. Without classes it is of
-  // no use.
+  // Before the first datagram: the map that the target has from the start. UsageError if the
+  // vehicle has no classes and so no use for one.
   void begin_with_map(std::vector<std::uint8_t> block);
 
   // The next datagram of the capture, of a sensor or of the poses. Lets the frames that are over by

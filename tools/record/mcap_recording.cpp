@@ -12,6 +12,10 @@ constexpr double kDefaultEpsilon = vehicle::Description{}.epsilon;
 
 constexpr std::uint64_t ns_of(std::uint64_t time_us) { return time_us * 1000; }
 
+mcap::Writer::Times times_of(const RecordedFrame& recorded, std::uint64_t stamp_us) {
+  return {.log_ns = ns_of(recorded.time_us), .publish_ns = ns_of(stamp_us)};
+}
+
 // When the frame of a message closed, by the target's clock; otherwise, for what is no message of
 // ours, the time at which it came.
 std::uint64_t sent_us(const CapturedDatagram& datagram) {
@@ -27,8 +31,8 @@ std::uint64_t sent_us(const CapturedDatagram& datagram) {
 }  // namespace
 
 McapRecording::McapRecording(const std::string& path, const std::vector<std::string>& topics,
-                             mcap::Compression compression)
-    : file_(path, "ros2", compression), topics_(topics.begin(), topics.end()) {}
+                             mcap::Compression compression, Stamp stamp)
+    : file_(path, "ros2", compression), stamp_(stamp), topics_(topics.begin(), topics.end()) {}
 
 // All in one encoding, cdr: `ros2 bag play` refuses files with several.
 std::uint16_t McapRecording::channel_of(std::string_view topic, const ros::MessageType& type) {
@@ -56,48 +60,52 @@ void McapRecording::write(std::string_view topic, const ros::MessageType& type,
 }
 
 void McapRecording::take_datagram(const CapturedDatagram& datagram) {
+  const std::uint64_t stamp_us = stamp_ == Stamp::kArrival ? datagram.time_us : sent_us(datagram);
   write(kMessagesTopic, ros::kUint8MultiArray,
-        {.log_ns = ns_of(datagram.time_us), .publish_ns = ns_of(sent_us(datagram))},
+        {.log_ns = ns_of(datagram.time_us), .publish_ns = ns_of(stamp_us)},
         [&] { return ros::uint8_multi_array(datagram.payload); });
 }
 
 void McapRecording::take_frame(const RecordedFrame& recorded) {
-  const mcap::Writer::Times times{.log_ns = ns_of(recorded.time_us),
-                                  .publish_ns = ns_of(recorded.frame->header.closed_us)};
+  const std::uint64_t stamp_us =
+      stamp_ == Stamp::kArrival ? recorded.time_us : recorded.frame->header.closed_us;
   if (recorded.frame->header.has_indexes()) {
-    take_indexes(recorded, times);
+    take_indexes(recorded, stamp_us);
   }
   if (recorded.frame->classes && recorded.frame->classes->has_window()) {
-    take_classes(recorded, times);
+    take_classes(recorded, stamp_us);
   }
 }
 
-void McapRecording::take_indexes(const RecordedFrame& recorded, const mcap::Writer::Times& times) {
+void McapRecording::take_indexes(const RecordedFrame& recorded, std::uint64_t stamp_us) {
+  const mcap::Writer::Times times = times_of(recorded, stamp_us);
   const GridFrame& frame = *recorded.frame;
   const ros::Percents& percents = percents_of(frame.header.vehicle_id);
   write(kOccupancyTopic, ros::kOccupancyGrid, times,
-        [&] { return ros::occupancy_grid(frame, percents); });
-  write(kImageTopic, ros::kImage, times, [&] { return ros::image(frame, percents); });
+        [&] { return ros::occupancy_grid(frame, stamp_us, percents); });
+  write(kImageTopic, ros::kImage, times, [&] { return ros::image(frame, stamp_us, percents); });
   write(kCellsTopic, ros::kFoxgloveGrid, times,
-        [&] { return ros::foxglove_grid(*recorded.live, frame.header, percents); });
+        [&] { return ros::foxglove_grid(*recorded.live, stamp_us, percents); });
 }
 
 // The pose comes first: what places the grids must be there when they come.
-void McapRecording::take_classes(const RecordedFrame& recorded, const mcap::Writer::Times& times) {
+void McapRecording::take_classes(const RecordedFrame& recorded, std::uint64_t stamp_us) {
+  const mcap::Writer::Times times = times_of(recorded, stamp_us);
   const ClassGrid& classes = *recorded.frame->classes;
-  const std::uint64_t closed_us = recorded.frame->header.closed_us;
   if (classes.window.has_place()) {
     write(kTransformTopic, ros::kTfMessage, times,
-          [&] { return ros::transform_of(classes.window.pose, closed_us); });
+          [&] { return ros::transform_of(classes.window.pose, stamp_us); });
   }
   write(kClassOccupancyTopic, ros::kOccupancyGrid, times,
-        [&] { return ros::class_occupancy_grid(classes, closed_us); });
+        [&] { return ros::class_occupancy_grid(classes, stamp_us); });
   write(kClassesTopic, ros::kFoxgloveGrid, times,
-        [&] { return ros::foxglove_class_grid(*recorded.classes, closed_us); });
+        [&] { return ros::foxglove_class_grid(*recorded.classes, stamp_us); });
 }
 
 void McapRecording::finish(const RunStatistics::Facts& facts) {
-  file_.finish(kRunMetadata, {facts.begin(), facts.end()});
+  std::map<std::string, std::string> known(facts.begin(), facts.end());
+  known["stamps"] = stamp_ == Stamp::kArrival ? "arrival" : "target";
+  file_.finish(kRunMetadata, known);
 }
 
 const ros::Percents& McapRecording::percents_of(std::uint32_t vehicle_id) {

@@ -30,11 +30,15 @@ inline constexpr std::array kAllTopics{kOccupancyTopic,      kImageTopic,   kCel
                                        kMessagesTopic};
 inline constexpr std::string_view kRunMetadata = "iogrid";
 
+// Which clock header.stamp and the publish time are of: the target's, which begins when it starts,
+// or the recorder's, at which the frame had arrived.
+enum class Stamp : std::uint8_t { kTarget, kArrival };
+
 class McapRecording : public Recording {
  public:
   // UsageError if the file cannot be written.
   McapRecording(const std::string& path, const std::vector<std::string>& topics,
-                mcap::Compression compression);
+                mcap::Compression compression, Stamp stamp = Stamp::kTarget);
 
   void take_datagram(const CapturedDatagram& datagram) override;
   void take_frame(const RecordedFrame& frame) override;
@@ -47,11 +51,12 @@ class McapRecording : public Recording {
   void write(std::string_view topic, const ros::MessageType& type, const mcap::Writer::Times& times,
              const Message& message);
   [[nodiscard]] std::uint16_t channel_of(std::string_view topic, const ros::MessageType& type);
-  void take_indexes(const RecordedFrame& recorded, const mcap::Writer::Times& times);
-  void take_classes(const RecordedFrame& recorded, const mcap::Writer::Times& times);
+  void take_indexes(const RecordedFrame& recorded, std::uint64_t stamp_us);
+  void take_classes(const RecordedFrame& recorded, std::uint64_t stamp_us);
   [[nodiscard]] const ros::Percents& percents_of(std::uint32_t vehicle_id);
 
   mcap::Writer file_;
+  Stamp stamp_;
   std::set<std::string, std::less<>> topics_;           // that are wanted
   std::map<std::string_view, std::uint16_t> schemas_;   // by their types' names
   std::map<std::string_view, std::uint16_t> channels_;  // by topic

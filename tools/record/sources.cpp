@@ -9,6 +9,7 @@
 
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/fuse/offline_target.hpp"
+#include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
@@ -121,7 +122,8 @@ std::uint64_t record_live(const LiveSource& source, Recorder& recorder) {
   return recording.overflow();
 }
 
-void record_capture(const std::string& path, const std::string& vehicle, Recorder& recorder) {
+void record_capture(const std::string& path, const std::string& vehicle, const std::string& map,
+                    Recorder& recorder) {
   const CatalogueEntry& car = find_vehicle(vehicle);
   PcapReader capture(path);
   std::uint64_t time_us = 0;
@@ -134,6 +136,9 @@ void record_capture(const std::string& path, const std::string& vehicle, Recorde
                        .payload = {message.begin(), message.end()}});
       },
       Stopwatch::kStands);
+  if (!map.empty()) {
+    target->begin_with_map(read_block(map));
+  }
   Progress progress("packets");
   std::optional<CapturedDatagram> datagram;
   while (!was_interrupted() && (datagram = capture.next())) {

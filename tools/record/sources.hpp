@@ -23,8 +23,10 @@ struct LiveSource {
 [[nodiscard]] std::uint64_t record_live(const LiveSource& source, Recorder& recorder);
 
 // UsageError if the capture cannot be read. The same capture gives the same datagrams, at the times
-// of the capture.
-void record_capture(const std::string& path, const std::string& vehicle, Recorder& recorder);
+// of the capture. map: a file of `iog map`, which the target has from the start; empty: none.
+// UsageError if that cannot be read, or the vehicle has no classes.
+void record_capture(const std::string& path, const std::string& vehicle, const std::string& map,
+                    Recorder& recorder);
 
 // UsageError if the file is no recording, or has no stream in it.
 void record_stream(const std::string& path, Recorder& recorder);

@@ -245,7 +245,8 @@ class Contents {
     if (topic === "/iogrid/image") checkImage(this.#occupancy, message);
     if (topic === "/iogrid/grid") {
       const frame = checkFrame(this.#occupancy, message);
-      this.frames.push({ ...frame, log_ns: String(record.logTime) });
+      const { logTime, publishTime } = record;
+      this.frames.push({ ...frame, log_ns: String(logTime), publish_ns: String(publishTime) });
     }
     if (topic === "/classes") this.#classOccupancy = message;
     if (topic === "/iogrid/classes") this.classes.push(checkClasses(this.#classOccupancy, message));

@@ -196,11 +196,10 @@ TEST(Percents, AreProbabilitiesOfTheRecursiveSet) {
 // 8, resolution, width and height 12, 4 to align, pose 56, length 4; behind 4 of the encapsulation.
 TEST(OccupancyGrid, IsSerialisedAsRos2Does) {
   GridFrame frame;
-  frame.header.closed_us = 7'000'002;
   frame.cells[0] = -14;
   frame.cells[1] = 2;
   frame.cells[1024] = 127;
-  const std::vector<std::byte> message = occupancy_grid(frame, Percents(0.05));
+  const std::vector<std::byte> message = occupancy_grid(frame, 7'000'002, Percents(0.05));
   ASSERT_EQ(message.size(), 4U + 108U + 1024U * 1024U);
   const auto u32_at = [&](std::size_t at) {
     return wire::load_le32(std::span(message).subspan(4 + at).first<4>());
@@ -233,7 +232,7 @@ TEST(FoxgloveGrid, SaysHowOldEachCellIs) {
   next.header.frame_number = 310;
   next.valid_tiles.set(1);
   live.take(next);
-  const std::vector<std::byte> message = foxglove_grid(live, next.header, Percents(0.05));
+  const std::vector<std::byte> message = foxglove_grid(live, 0, Percents(0.05));
   const auto cells = std::span(message).last(kCellBytes * 1024 * 1024);
   const auto cell = [&](std::size_t number) {
     return std::vector(cells.begin() + static_cast<std::ptrdiff_t>(number * kCellBytes),

@@ -20,8 +20,8 @@ constexpr std::size_t kBytesPerClassCell = kClassFields.size();
 // infrastructure; occupied.
 constexpr std::array<std::int8_t, stream::kClassCount> kPercents{-1, 0, 10, 5, 90, 85, 80, 100, 70};
 
-Place place_of(const stream::ClassWindow& window, std::uint64_t closed_us) {
-  return {.time_us = closed_us,
+Place place_of(const stream::ClassWindow& window, std::uint64_t stamp_us) {
+  return {.time_us = stamp_us,
           .frame_id = kLocalFrameId,
           .x_m = window.corner_a * kTileM,
           .y_m = window.corner_b * kTileM};
@@ -38,18 +38,18 @@ std::int8_t percent_of_class(std::int8_t class_byte) {
   return kPercents.at(stream::class_of(static_cast<std::byte>(class_byte)));
 }
 
-std::vector<std::byte> class_occupancy_grid(const ClassGrid& classes, std::uint64_t closed_us) {
+std::vector<std::byte> class_occupancy_grid(const ClassGrid& classes, std::uint64_t stamp_us) {
   std::vector<std::byte> cells(classes.cells.size());
   std::ranges::transform(classes.cells, cells.begin(), [](std::int8_t byte) {
     return static_cast<std::byte>(percent_of_class(byte));
   });
   CdrWriter out;
-  put_occupancy_head(out, place_of(classes.window, closed_us));
+  put_occupancy_head(out, place_of(classes.window, stamp_us));
   out.put(cells);
   return out.take();
 }
 
-std::vector<std::byte> foxglove_class_grid(const LiveClasses& classes, std::uint64_t closed_us) {
+std::vector<std::byte> foxglove_class_grid(const LiveClasses& classes, std::uint64_t stamp_us) {
   const stream::ClassWindow& window = classes.window().value();
   std::vector<std::byte> cells(geometry::kCellCount * kBytesPerClassCell);
   for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
@@ -64,17 +64,17 @@ std::vector<std::byte> foxglove_class_grid(const LiveClasses& classes, std::uint
     }
   }
   CdrWriter out;
-  put_foxglove_head(out, place_of(window, closed_us), kClassFields);
+  put_foxglove_head(out, place_of(window, stamp_us), kClassFields);
   out.put(cells);
   return out.take();
 }
 
 // A turn about z by an angle is the quaternion of half of it.
-std::vector<std::byte> transform_of(const pose::Pose& pose, std::uint64_t closed_us) {
+std::vector<std::byte> transform_of(const pose::Pose& pose, std::uint64_t stamp_us) {
   const double half = pose.heading * (numeric::kPi / 0x1p32);
   CdrWriter out;
   out.put(std::uint32_t{1});  // transforms
-  put_stamp(out, closed_us);
+  put_stamp(out, stamp_us);
   out.put(kLocalFrameId);
   out.put(kFrameId);
   for (const double value : {pose.x_mm / 1000.0, pose.y_mm / 1000.0, 0.0, 0.0, 0.0,

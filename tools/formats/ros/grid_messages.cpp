@@ -22,8 +22,8 @@ constexpr std::array kCellFields{Field{"index", FieldType::kInt8},
                                  Field{"age_frames", FieldType::kUint8}};
 constexpr std::size_t kBytesPerCell = kCellFields.size();
 
-Place place_of(const stream::Header& header) {
-  return {.time_us = header.closed_us, .frame_id = kFrameId, .x_m = kOriginM, .y_m = kOriginM};
+Place place_at(std::uint64_t stamp_us) {
+  return {.time_us = stamp_us, .frame_id = kFrameId, .x_m = kOriginM, .y_m = kOriginM};
 }
 
 std::uint8_t age_of(const LiveGrid& grid, std::size_t tile) {
@@ -42,19 +42,21 @@ Percents::Percents(double epsilon) {
   }
 }
 
-std::vector<std::byte> occupancy_grid(const GridFrame& frame, const Percents& percents) {
+std::vector<std::byte> occupancy_grid(const GridFrame& frame, std::uint64_t stamp_us,
+                                      const Percents& percents) {
   constexpr std::byte kUnknown{0xFF};  // -1
   std::vector<std::byte> cells(geometry::kCellCount);
   std::ranges::transform(frame.cells, cells.begin(), [&](index::OccupancyIndex index) {
     return index == index::kUnknown ? kUnknown : std::byte{percents[index]};
   });
   CdrWriter out;
-  put_occupancy_head(out, place_of(frame.header));
+  put_occupancy_head(out, place_at(stamp_us));
   out.put(cells);
   return out.take();
 }
 
-std::vector<std::byte> image(const GridFrame& frame, const Percents& percents) {
+std::vector<std::byte> image(const GridFrame& frame, std::uint64_t stamp_us,
+                             const Percents& percents) {
   constexpr std::uint32_t kWhite = 255;
   std::vector<std::byte> pixels;
   pixels.reserve(geometry::kCellCount);
@@ -65,7 +67,7 @@ std::vector<std::byte> image(const GridFrame& frame, const Percents& percents) {
     }
   }
   CdrWriter out;
-  put_stamp(out, frame.header.closed_us);
+  put_stamp(out, stamp_us);
   out.put(kFrameId);
   out.put(kSide);
   out.put(kSide);
@@ -76,7 +78,7 @@ std::vector<std::byte> image(const GridFrame& frame, const Percents& percents) {
   return out.take();
 }
 
-std::vector<std::byte> foxglove_grid(const LiveGrid& grid, const stream::Header& header,
+std::vector<std::byte> foxglove_grid(const LiveGrid& grid, std::uint64_t stamp_us,
                                      const Percents& percents) {
   std::vector<std::byte> cells(geometry::kCellCount * kBytesPerCell);
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
@@ -90,7 +92,7 @@ std::vector<std::byte> foxglove_grid(const LiveGrid& grid, const stream::Header&
     }
   }
   CdrWriter out;
-  put_foxglove_head(out, place_of(header), kCellFields);
+  put_foxglove_head(out, place_at(stamp_us), kCellFields);
   out.put(cells);
   return out.take();
 }

@@ -40,20 +40,21 @@ class Percents {
   std::array<std::uint8_t, 256> percents_{};  // by the index as a byte
 };
 
+// stamp_us: what header.stamp is to be.
+
 // nav_msgs/msg/OccupancyGrid: 0 ... 100, the probability in percent; -1 where the index is 0 or the
 // tile is missing.
-[[nodiscard]] std::vector<std::byte> occupancy_grid(const GridFrame& frame,
+[[nodiscard]] std::vector<std::byte> occupancy_grid(const GridFrame& frame, std::uint64_t stamp_us,
                                                     const Percents& percents);
 
 // sensor_msgs/msg/Image, mono8, a pixel a cell, seen from above with x (forward) up: white is free,
 // black is occupied, 128 is unknown or missing.
-[[nodiscard]] std::vector<std::byte> image(const GridFrame& frame, const Percents& percents);
+[[nodiscard]] std::vector<std::byte> image(const GridFrame& frame, std::uint64_t stamp_us,
+                                           const Percents& percents);
 
 // foxglove_msgs/msg/Grid, three bytes a cell: `index`, int8; `probability_percent`, uint8;
 // `age_frames`, uint8: frames since the cell's tile arrived, 254 that many or more, 255 never.
-// header: of the newest frame in the grid.
-[[nodiscard]] std::vector<std::byte> foxglove_grid(const LiveGrid& grid,
-                                                   const stream::Header& header,
+[[nodiscard]] std::vector<std::byte> foxglove_grid(const LiveGrid& grid, std::uint64_t stamp_us,
                                                    const Percents& percents);
 inline constexpr std::uint8_t kOldestAge = 254;
 inline constexpr std::uint8_t kNeverArrived = 255;
