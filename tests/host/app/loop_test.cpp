@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "app/refused_car.hpp"
+#include "fake_machine.hpp"
 #include "fakes/fake_ethernet_port.hpp"
 #include "fakes/fake_platform.hpp"
 #include "fakes/lux_message.hpp"
-#include "fakes/scripted_cores.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "net/frames.hpp"
 
@@ -20,6 +20,8 @@ namespace {
 
 using net::testing::Frame;
 using net::testing::kConfig;
+using testing::FakeClock;
+using testing::FakeMachine;
 using tests::LuxMessage;
 using tests::ThreeLux;
 using vehicle::Fate;
@@ -28,56 +30,6 @@ constexpr std::uint64_t kPeriodUs = 40'000;
 constexpr int kParts = 8;  // messages of a scan
 constexpr std::size_t kPointsPerMessage = 25;
 constexpr std::size_t kRingFrames = 256;
-
-struct FakeClock {
-  std::uint64_t time_us = 1'000'000;
-  [[nodiscard]] std::uint64_t now_us() const { return time_us; }
-};
-
-struct FakeStopwatch {
-  [[nodiscard]] std::uint32_t ticks() const { return 0; }
-  [[nodiscard]] std::uint32_t ticks_hz() const { return 1'000'000; }
-};
-
-struct FakeConsole {
-  std::string text{};
-  void write(std::string_view line) { text += line; }
-};
-
-struct FakeWatchdog {
-  void service() {}
-};
-
-struct FakeLine {
-  [[nodiscard]] std::uint32_t bytes_per_second() const { return 11'520; }
-  [[nodiscard]] std::size_t free_bytes() const { return 0; }
-  void write(std::span<const std::byte> /*bytes*/) {}
-  void pump() {}
-};
-
-class FakeMachine {
- public:
-  FakeMachine() { port_.set_ring_slots(100'000); }
-  FakeClock& clock() { return clock_; }
-  const FakeStopwatch& stopwatch() { return stopwatch_; }
-  FakeWatchdog& watchdog() { return watchdog_; }
-  fakes::FakeEthernetPort& ethernet() { return port_; }
-  FakeLine& serial() { return line_; }
-  tests::ScriptedCores& cores() { return cores_; }
-  FakeConsole& console() { return console_; }
-  [[nodiscard]] std::uint32_t run_number() const { return 1; }
-  [[nodiscard]] std::uint32_t stack_used_bytes() const { return 0; }
-  void idle() { clock_.time_us += 100; }
-
- private:
-  FakeClock clock_;
-  FakeStopwatch stopwatch_;
-  FakeWatchdog watchdog_;
-  fakes::FakeEthernetPort port_;
-  FakeLine line_;
-  tests::ScriptedCores cores_;
-  FakeConsole console_;
-};
 
 using Target = Pipeline<MachinePlatform<FakeMachine>, SerialSink>;
 
