@@ -62,8 +62,8 @@ constexpr std::uint8_t kGpio = 5;              // the alternative of every pad t
 constexpr std::uint16_t kPhyResetMux = 0x0ac;  // EIM_D23
 constexpr std::uint32_t kPhyReset = 1u << 23;  // GPIO3_23, active low
 // The receive pads are the PHY's strapping pins while it is in reset. All high: RXC is PHYAD2
-// (address 4 to 7, phy.cpp), RD0 to RD3 are MODE 1111 (RGMII, every speed), RX_CTL switches the 125 MHz output
-// on.
+// (address 4 to 7, phy.cpp), RD0 to RD3 are MODE 1111 (RGMII, every speed), RX_CTL switches the 125
+// MHz output on.
 constexpr std::uint32_t kPhyStraps =
     1u << 30 | 1u << 25 | 1u << 27 | 1u << 28 | 1u << 29 | 1u << 24;  // GPIO6
 

@@ -16,7 +16,8 @@ std::uint32_t points_with_two_returns(lidar::Format format) {
   lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
     if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
       constexpr lidar::VelodyneUnit kUnit = Decoder::unit();
-      points = 2 * kTenHertzNs * lidar::VelodynePacket::kPointsPerBlock * kUnit.banks / kUnit.block_ns;
+      points =
+          2 * kTenHertzNs * lidar::VelodynePacket::kPointsPerBlock * kUnit.banks / kUnit.block_ns;
     } else if constexpr (std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
       constexpr lidar::HesaiUnit kUnit = Decoder::unit();
       points = 2 * kTenHertzNs * kUnit.lasers / static_cast<std::uint64_t>(kUnit.firing_ns);
