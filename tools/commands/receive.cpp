@@ -101,6 +101,9 @@ class Reception {
     if (!options_->summary.empty()) {
       RunStatistics::Facts facts = statistics_.facts();
       facts.emplace_back("frames_missing", std::to_string(missing()));
+      if (const CatalogueEntry* const car = vehicle_of_id(vehicle_id_.value_or(0))) {
+        facts.emplace_back("frame_period_us", std::to_string(car->vehicle->frame_period_us));
+      }
       for (const auto& [name, count] : all_counts()) {
         facts.emplace_back(name, std::to_string(count));
       }

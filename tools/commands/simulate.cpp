@@ -193,7 +193,20 @@ PlacedDrive placed_drive(const SimulateOptions& options, const CatalogueEntry& c
   return placed;
 }
 
+void demand_lux_alone(const CatalogueEntry& car) {
+  for (const vehicle::SensorConfig& sensor : car.sensors) {
+    if (!sends_lux_scans(sensor.format)) {
+      throw UsageError(
+          "drives with poses are simulated for ibeo LUX alone, and " +
+          std::string(car.vehicle->name) + " has a " + std::string(lidar::name_of(sensor.format)) +
+          ": without --moving, and with grids = \"indexes\" in qemu/run, there are its packets; "
+          "classes need a recording with poses, --pcap");
+    }
+  }
+}
+
 void simulate_moving(const SimulateOptions& options, const CatalogueEntry& car) {
+  demand_lux_alone(car);
   PlacedDrive placed = placed_drive(options, car);
   if (options.out.empty()) {
     return;
