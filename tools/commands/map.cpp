@@ -38,8 +38,12 @@ MapOptions options_of(const MapCommandOptions& command) {
   const std::vector<double>& extent = command.extent;
   if (extent.size() == 1 && extent[0] > 0) {
     options.radius_m = extent[0];
-  } else if (extent.size() == 4 && extent[0] < extent[2] && extent[1] < extent[3]) {
-    options.box = {.south = extent[0], .west = extent[1], .north = extent[2], .east = extent[3]};
+  } else if (extent.size() == 4 && extent[0] < extent[2] &&
+             (extent[1] < extent[3] || (extent[1] > 0 && extent[3] < 0))) {
+    // From the west of 180 degrees to its east.
+    const double turn = extent[1] < extent[3] ? 0 : 360;
+    options.box = {
+        .south = extent[0], .west = extent[1], .north = extent[2], .east = extent[3] + turn};
   } else if (!extent.empty()) {
     throw UsageError(
         "--extent: give METRES around the origin, or SOUTH,WEST,NORTH,EAST in degrees");
@@ -64,6 +68,7 @@ void make_map(const MapCommandOptions& command) {
     throw UsageError("--attribution: say whose data these are");
   }
   const MadeMap made = make_block(source, options);
+  demand_features(source, made);
   const map::Refusal refusal = map::check(made.block);
   if (refusal != map::Refusal::kNone) {
     throw CheckFailed(std::string("the block would be refused: ") + refusal_text(refusal));

@@ -32,8 +32,26 @@ class MapPlane {
            around * std::cos(latitude_ * std::acos(-1.0) / 180) <= kFarDegrees;
   }
 
+  // Of a box, how much is near; nothing if there is none. Longitudes come out near the origin's.
+  [[nodiscard]] GeoBox near_part_of(const GeoBox& box) const {
+    constexpr double kNear = 0.999 * kFarDegrees;
+    const double aside = kNear / std::cos(latitude_ * std::acos(-1.0) / 180);
+    GeoBox part;
+    for (const double turn : {0.0, -360.0, 360.0}) {
+      part = {.south = std::max(box.south, latitude_ - kNear),
+              .west = std::max(box.west + turn, longitude_ - aside),
+              .north = std::min(box.north, latitude_ + kNear),
+              .east = std::min(box.east + turn, longitude_ + aside)};
+      if (!part.is_empty()) {
+        break;
+      }
+    }
+    return part;
+  }
+
   [[nodiscard]] PlanePoint operator()(const GeoPoint& point) const {
-    const LocalPlane::Place place = plane_.place_of(point.latitude, point.longitude);
+    const double turn = point.longitude > 180 ? -360 : point.longitude < -180 ? 360 : 0;
+    const LocalPlane::Place place = plane_.place_of(point.latitude, point.longitude + turn);
     return {place.east_m * 100, place.north_m * 100};
   }
 
@@ -73,7 +91,9 @@ PlaneBox inside_of(const GeoBox& box, const MapPlane& plane) {
     for (const GeoPoint& point : {GeoPoint{latitude, box.west}, GeoPoint{latitude, box.east},
                                   GeoPoint{box.south, longitude}, GeoPoint{box.north, longitude}}) {
       if (!plane.is_near(point)) {
-        throw UsageError("the data reach too far from the origin; give --extent");
+        throw UsageError(
+            "what is asked for reaches more than 3 degrees from the origin; give a smaller "
+            "--extent, or another --origin");
       }
     }
     inside.low.x = std::max(inside.low.x, plane({latitude, box.west}).x);
@@ -93,11 +113,19 @@ GeoBox data_box(const GeoMap& map) {
   if (map.box.is_empty()) {
     throw UsageError("the file has no places in it");
   }
-  return map.bounds.value_or(map.box);
+  return map.bounds.value_or(map.box).box(map.box.crosses_180());
 }
 
 MapOrigin middle_of(const GeoBox& box) {
-  return {units((box.south + box.north) / 2), units((box.west + box.east) / 2)};
+  const double longitude = (box.west + box.east) / 2;
+  const MapOrigin middle{units((box.south + box.north) / 2),
+                         units(longitude > 180 ? longitude - 360 : longitude)};
+  if (std::abs(middle.latitude) > kMostLatitude) {
+    throw UsageError("the middle of what is asked for is at " + text_of(middle) +
+                     ", and a plane can touch the earth within 80 degrees of latitude alone; give "
+                     "another --origin");
+  }
+  return middle;
 }
 
 MapOrigin origin_of(const GeoMap& map, const MapOptions& options) {
@@ -107,10 +135,13 @@ MapOrigin origin_of(const GeoMap& map, const MapOptions& options) {
   return options.box ? middle_of(*options.box) : tools::middle_of(map);
 }
 
+constexpr const char* kNothingInCommon =
+    "the data and the extent that is asked for have nothing in common";
+
 void demand_fit(const PlaneBox& box) {
   constexpr double kLimit = map::kMaxCoordinateCm;
   if (box.low.x + 1 > box.high.x || box.low.y + 1 > box.high.y) {
-    throw UsageError("the data and the extent that is asked for have nothing in common");
+    throw UsageError(kNothingInCommon);
   }
   const double buckets = ((box.high.x - box.low.x) / map::kBucketCm + 1) *
                          ((box.high.y - box.low.y) / map::kBucketCm + 1);
@@ -128,7 +159,13 @@ void demand_fit(const PlaneBox& box) {
 
 map::BoxCm extent_of(const GeoMap& map, const MapOptions& options, const MapPlane& plane,
                      std::string& remark) {
-  const PlaneBox data = inside_of(data_box(map), plane);
+  const bool is_all = !options.box && !options.radius_m;
+  const GeoBox all = data_box(map);
+  const GeoBox near = is_all ? all : plane.near_part_of(all);
+  if (near.is_empty()) {
+    throw UsageError(kNothingInCommon);
+  }
+  const PlaneBox data = inside_of(near, plane);
   PlaneBox wanted = data;
   if (options.box) {
     wanted = inside_of(*options.box, plane);
@@ -253,6 +290,18 @@ MadeMap make_block(GeoMap& map, const MapOptions& options) {
                      " that a target takes; give a smaller --extent");
   }
   return made;
+}
+
+void demand_features(const GeoMap& map, const MadeMap& made) {
+  if (map::Block(made.block).feature_count() > 0) {
+    return;
+  }
+  const std::uint64_t outside =
+      map.census.of(Census::Column::kRefused, why(BlockWriter::Fate::kOutside));
+  const std::uint64_t all = map.census.sum(Census::Column::kRefused);
+  throw UsageError(
+      "nothing of the file is a building or a road within the extent: " + std::to_string(outside) +
+      " are outside of it, " + std::to_string(all - outside) + " are not taken for other reasons");
 }
 
 }  // namespace iog::tools

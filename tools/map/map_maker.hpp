@@ -39,4 +39,8 @@ struct MadeMap {
 // or if it does not fit.
 [[nodiscard]] MadeMap make_block(GeoMap& map, const MapOptions& options);
 
+// UsageError if the block has nothing in it: it would say of all its extent that there is neither a
+// building nor a road. map: of which it was made.
+void demand_features(const GeoMap& map, const MadeMap& made);
+
 }  // namespace iog::tools

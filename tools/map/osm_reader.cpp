@@ -224,13 +224,15 @@ osmium::TagsFilter areas_of_interest() {
   return filter;
 }
 
-std::optional<GeoBox> bounds_of(const osmium::io::Header& header) {
-  const osmium::Box box = header.joined_boxes();
-  if (!box.valid()) {
-    return std::nullopt;
+std::optional<GeoExtent> bounds_of(const osmium::io::Header& header) {
+  GeoExtent bounds;
+  for (const osmium::Box& box : header.boxes()) {
+    if (box.valid()) {
+      bounds.extend(point_of(box.bottom_left()));
+      bounds.extend(point_of(box.top_right()));
+    }
   }
-  return GeoBox{box.bottom_left().lat(), box.bottom_left().lon(), box.top_right().lat(),
-                box.top_right().lon()};
+  return bounds.is_empty() ? std::nullopt : std::optional(bounds);
 }
 
 // A file whose objects are in the usual order: by type, then by number.
@@ -243,7 +245,7 @@ class OrderedFile {
     osmium::relations::read_relations(file_, areas);
   }
   template <typename... Handlers>
-  std::optional<GeoBox> read(Handlers&&... handlers) {
+  std::optional<GeoExtent> read(Handlers&&... handlers) {
     osmium::io::Reader reader(file_);
     const auto bounds = bounds_of(reader.header());
     osmium::apply(reader, handlers...);
@@ -277,7 +279,7 @@ class SortedFile {
     areas.prepare_for_lookup();
   }
   template <typename... Handlers>
-  std::optional<GeoBox> read(Handlers&&... handlers) {
+  std::optional<GeoExtent> read(Handlers&&... handlers) {
     osmium::apply(objects_.begin(), objects_.end(), handlers...);
     return bounds_;
   }
@@ -286,7 +288,7 @@ class SortedFile {
   static constexpr std::size_t kBytesAtFirst = 1 << 20;
   osmium::memory::Buffer buffer_{kBytesAtFirst, osmium::memory::Buffer::auto_grow::yes};
   osmium::ObjectPointerCollection objects_;
-  std::optional<GeoBox> bounds_;
+  std::optional<GeoExtent> bounds_;
 };
 
 template <typename File>

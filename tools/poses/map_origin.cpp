@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kDegreeDecimals = 9;
 constexpr std::int64_t kDegree = 1'000'000'000;
-constexpr std::int64_t kMaxLatitude = 80 * kDegree;
 constexpr std::int64_t kMaxLongitude = 180 * kDegree;
 
 // Digits alone, at most `most` of them; none is 0.
@@ -59,7 +58,7 @@ MapOrigin map_origin_in(const std::string& option, std::string_view text) {
   if (parts.size() == 2) {
     const auto latitude = angle_in(trimmed(parts[0]));
     const auto longitude = angle_in(trimmed(parts[1]));
-    if (latitude && longitude && std::abs(*latitude) <= kMaxLatitude &&
+    if (latitude && longitude && std::abs(*latitude) <= kMostLatitude &&
         std::abs(*longitude) <= kMaxLongitude) {
       return {*latitude, *longitude};
     }

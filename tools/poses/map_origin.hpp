@@ -20,9 +20,11 @@ struct MapOrigin {
   friend bool operator==(const MapOrigin&, const MapOrigin&) = default;
 };
 
+// Of its latitude: near a pole east is everywhere.
+inline constexpr std::int64_t kMostLatitude = 80'000'000'000;
+
 // "49.0,-8.4": decimal degrees, at most nine decimals, exactly as they stand there. UsageError,
-// which begins with the option's name, if it is not so, or beyond 80 or 180 degrees: near
-// a pole east is everywhere.
+// which begins with the option's name, if it is not so, or beyond 80 or 180 degrees.
 [[nodiscard]] MapOrigin map_origin_in(const std::string& option, std::string_view text);
 
 // As map_origin_in() reads it.

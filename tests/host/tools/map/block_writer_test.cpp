@@ -184,7 +184,7 @@ TEST(BlockWriter, RefusesAFeatureOfTooManyVertices) {
 TEST(MapMaker, StaysWithinTheBounds) {
   GeoMap geo;
   geo.attribution = "nobody";
-  geo.bounds = GeoBox{59.95, 9.9, 60.05, 10.1};
+  geo.bounds = GeoExtent(GeoBox{59.95, 9.9, 60.05, 10.1});
   geo.box = *geo.bounds;
   const MadeMap made = make_block(geo, {});
   const map::Block block(made.block);
