@@ -2,8 +2,8 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "intake/packet.hpp"
@@ -19,8 +19,8 @@ using Payload = std::span<const std::byte>;
 constexpr std::array<std::size_t, 4> kRows{16, 32, 64, 128};
 
 template <typename Decoder>
-SeenUnit sound(const Decoder& decoder, std::string name, lidar::FormatSet formats) {
-  return {.name = std::move(name),
+SeenUnit sound(const Decoder& decoder, std::string_view name, lidar::FormatSet formats) {
+  return {.name = std::string(name),
           .formats = formats,
           .is_sound = true,
           .info = decoder.info(),
@@ -43,7 +43,7 @@ std::optional<SeenUnit> seen_ouster(Payload payload, lidar::Format format) {
                                    .column_ns = mode.column_ns()}) == lidar::DecodeStatus::kOk) {
         std::string name(Decoder::kName);
         name.append(" ").append(std::to_string(rows));
-        return sound(decoder, std::move(name), lidar::FormatSet(format));
+        return sound(decoder, name, lidar::FormatSet(format));
       }
     }
   }
@@ -65,7 +65,7 @@ std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
         formats.add(lidar::Format::kIbeoLux8);
       }
       if (decoder.decode(payload) == lidar::DecodeStatus::kOk) {
-        seen = sound(decoder, std::string(Decoder::kName), formats);
+        seen = sound(decoder, Decoder::kName, formats);
       }
     }
   });
