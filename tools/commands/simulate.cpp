@@ -47,6 +47,7 @@ struct SimulateOptions {
   double pose_sigma_mm = 20;
   double pose_heading_sigma_mrad = 1;
   std::vector<std::string> pose_gaps;
+  std::vector<std::string> pose_freezes;
   std::vector<std::string> pose_jumps;
   std::vector<double> pose_restarts_s;
   OsmOptions osm;
@@ -76,6 +77,10 @@ PoseOptions pose_options(const SimulateOptions& options) {
   for (const std::string& text : options.pose_gaps) {
     const auto [begin_s, length_s] = pair_of("--pose-gap", text);
     poses.gaps.push_back({begin_s, length_s});
+  }
+  for (const std::string& text : options.pose_freezes) {
+    const auto [begin_s, length_s] = pair_of("--pose-freeze", text);
+    poses.freezes.push_back({begin_s, length_s});
   }
   for (const std::string& text : options.pose_jumps) {
     const auto [time_s, metres] = pair_of("--pose-jump", text);
@@ -293,6 +298,11 @@ void add_pose_options(CLI::App& command, SimulateOptions& options, CLI::Option* 
       ->check(CLI::Range(0.0, 500.0))
       ->needs(moving);
   command.add_option("--pose-gap", options.pose_gaps, "No poses from then on for so long")
+      ->option_text("SECOND:SECONDS ...")
+      ->needs(moving);
+  command
+      .add_option("--pose-freeze", options.pose_freezes,
+                  "From then on for so long all poses are that of then, and standing")
       ->option_text("SECOND:SECONDS ...")
       ->needs(moving);
   command

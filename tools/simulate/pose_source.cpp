@@ -69,6 +69,18 @@ Vector3 jumped(const Scene& scene, const PoseOptions& options, double time_s) {
   return sum;
 }
 
+PoseSample stuck_pose(const Scene& scene, const PoseOptions& options, double time_s) {
+  for (const PoseOptions::Freeze& freeze : options.freezes) {
+    if (time_s >= freeze.begin_s && time_s < freeze.begin_s + freeze.length_s) {
+      PoseSample sample = true_pose(scene, freeze.begin_s);
+      sample.speed_mps = 0;
+      sample.yaw_rate_rps = 0;
+      return sample;
+    }
+  }
+  return true_pose(scene, time_s);
+}
+
 }  // namespace
 
 PoseSample true_pose(const Scene& scene, double time_s) {
@@ -99,7 +111,7 @@ std::vector<PoseSample> simulated_poses(const Scene& scene, const PoseOptions& o
   const auto count = static_cast<std::size_t>(std::max(drive_s * options.rate_hz, 0.0));
   for (std::size_t i = 0; i <= count; ++i) {
     const double time_s = static_cast<double>(i) / options.rate_hz;
-    PoseSample sample = true_pose(scene, time_s);
+    PoseSample sample = stuck_pose(scene, options, time_s);
     const Vector3 jump = jumped(scene, options, time_s);
     sample.time_us = kDriveStartUs + static_cast<std::uint64_t>(numeric::round(time_s * 1e6));
     sample.age_us = kLeastAgeUs + static_cast<std::uint32_t>(random.below(kAgeSpanUs));

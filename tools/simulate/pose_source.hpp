@@ -32,11 +32,18 @@ struct PoseOptions {
     double metres;
   };
 
+  // What is measured from begin_s on for so long is where the car was at begin_s, and standing.
+  struct Freeze {
+    double begin_s;
+    double length_s;
+  };
+
   double rate_hz = 100;  // 1 ... 125
   double sigma_m = 0.02;
   double sigma_heading_rad = 0.001;
   std::vector<Gap> gaps{};
   std::vector<Jump> jumps{};
+  std::vector<Freeze> freezes{};
   std::vector<double> restarts_s{};         // from then on the source has another run
   std::optional<pose::MapTransform> map{};  // what each message says of the map
 };
