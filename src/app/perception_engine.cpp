@@ -91,8 +91,8 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
 }
 
 // To the frame's stamp. When the poses break off, the window is unknown. Its time begins with the
-// first clock of the poses, and goes on by the target's where that clock begins anew or leaps: no
-// clock of a message takes it far ahead.
+// first clock of the poses, and goes on by the target's where that clock is not known, begins anew
+// or leaps: no clock of a message takes it far ahead, or keeps it.
 void PerceptionEngine::move_time(std::optional<std::uint64_t> time_us, std::uint64_t now_us) {
   if (time_us) {
     poses_.pass(*time_us);
@@ -104,7 +104,7 @@ void PerceptionEngine::move_time(std::optional<std::uint64_t> time_us, std::uint
     window_.forget();
   }
   if (time_us) {
-    const bool may_be_behind = has_time_ && !report_.is_forgotten;
+    const bool may_be_behind = had_time_ && !report_.is_forgotten;
     const std::uint64_t least_us = may_be_behind ? 0 : report_.stamp_us;
     const std::uint64_t most_us = has_time_ ? passed_us + pose::kMaxLeapUs : ~std::uint64_t{0};
     const std::uint64_t stamp_us = *time_us + offset_us_;
@@ -113,6 +113,7 @@ void PerceptionEngine::move_time(std::optional<std::uint64_t> time_us, std::uint
     }
     has_time_ = true;
   }
+  had_time_ = time_us.has_value();
   const std::uint64_t stamp_us = time_us ? *time_us + offset_us_ : passed_us;
   if (stamp_us > report_.stamp_us) {
     report_.stamp_us = stamp_us;

@@ -149,6 +149,7 @@ class PerceptionEngine {
   std::uint64_t offset_us_ = 0;  // of the window's time to the poses' clock, modulo 2^64
   std::uint64_t moved_us_ = 0;   // when the window's time moved last, by the target's clock
   bool has_time_ = false;        // the window's time has begun with a clock of the poses
+  bool had_time_ = false;        // which was known in the frame before
   FrameSlices slices_;
   PerceptionReport report_;
   pose::Source poses_;

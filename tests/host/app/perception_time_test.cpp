@@ -111,6 +111,35 @@ TEST(PerceptionTime, WhatIsNotKnownAtTheEndIsNotStated) {
   }
 }
 
+// A PC that paused for 20 s in lockstep: the target's clock went on, that of the poses did not.
+TEST(PerceptionTime, AfterALongPauseOfAllTheWindowAges) {
+  const Car car(tests::OneLux::kVehicle, true);
+  PerceptionBench bench(car.vehicle());
+  constexpr std::uint64_t kPauseUs = 20'000'000;
+  bench.take(drive_at_wall(20));
+  bench.pass_until(20 * kPeriodUs + kPauseUs);
+  const auto later = [](std::vector<TimedDatagram> datagrams) {
+    for (TimedDatagram& datagram : datagrams) {
+      datagram.now_us += kPauseUs;
+    }
+    return datagrams;
+  };
+  const std::uint64_t end_us = 40 * kPeriodUs;
+  auto drive = later(testing::poses(20 * kPeriodUs, end_us));
+  for (int frame = 21; frame <= 40; ++frame) {
+    std::ranges::move(later(testing::scan_of_wall(
+                          100, frame, 4, static_cast<std::uint64_t>(frame) * kPeriodUs, kWallM)),
+                      std::back_inserter(drive));
+  }
+  bench.take(drive);
+  EXPECT_GT(bench.classes.cells.size(), 1'000U);
+  const std::uint64_t stamp_us = bench.report().stamp_us;
+  bench.take(later(testing::poses(end_us, end_us + 10'000'000)));
+  bench.pass_until(end_us + kPauseUs + 10'000'000);
+  EXPECT_EQ(bench.classes.cells.size(), 0U);
+  EXPECT_NEAR(static_cast<double>(bench.report().stamp_us - stamp_us), 10e6, 100e3);
+}
+
 TEST(PerceptionTime, AJumpOfThePosesForgetsTheWindow) {
   const Car car(tests::OneLux::kVehicle, true);
   PerceptionBench bench(car.vehicle());
