@@ -38,8 +38,11 @@ class EightBytes {
   // The product gathers bits 8 i: shifted by 7 k, k = 1 ... 8, bit i reaches 56 + i for k = 8 - i
   // alone. No two of the 64 sums 8 i + 7 k are the same, so nothing carries.
   [[nodiscard]] std::uint8_t positive() const {
-    return static_cast<std::uint8_t>((tops_of_positive() >> 7) * kGather >> 56);
+    return gathered(tops_of_positive());
   }
+
+  // The same of those below 0.
+  [[nodiscard]] std::uint8_t negative() const { return gathered(word_ & kTopBits); }
 
  private:
   static constexpr std::uint64_t kSevenBits = 0x7F7F7F7F7F7F7F7FU;
@@ -48,6 +51,10 @@ class EightBytes {
   static_assert(std::endian::native == std::endian::little, "the first byte is the lowest");
 
   explicit EightBytes(std::uint64_t word) : word_(word) {}
+
+  [[nodiscard]] static std::uint8_t gathered(std::uint64_t tops) {
+    return static_cast<std::uint8_t>((tops >> 7) * kGather >> 56);
+  }
 
   // Bit 7 of each byte that is above 0. Adding 127 to the low seven bits carries into it exactly if
   // one of them is set, and never into the next byte.

@@ -116,6 +116,9 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
   crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
     for (const std::uint16_t slot : due_.of(runs[item])) {
       arrivals_.find_new(window_, evidence_, slot);
+      if (window_.is_known(slot)) {
+        slot_counts_[slot].standing = standing_counts(window_.tile(slot), evidence_.tile(slot));
+      }
       if (is_tight) {
         count_groups(slot, are_shared);
       }
@@ -306,6 +309,7 @@ void WindowFusion::refresh_tile(const TileUpdate& update, std::size_t slot, Befo
 
 void WindowFusion::add_up() {
   for (const std::uint16_t slot : due_.all()) {
+    counts_.standing += slot_counts_[slot].standing;
     counts_.groups_fused += slot_counts_[slot].fused;
     counts_.groups_left += slot_counts_[slot].left;
     counts_.groups_refreshed += slot_counts_[slot].refreshed;

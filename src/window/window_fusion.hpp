@@ -29,6 +29,7 @@
 #include "window/placement.hpp"
 #include "window/rules.hpp"
 #include "window/slice_cells.hpp"
+#include "window/standing.hpp"
 #include "window/tile_before.hpp"
 #include "window/tile_update.hpp"
 #include "window/window.hpp"
@@ -51,6 +52,7 @@ struct FrameCounts {
   std::uint32_t groups_fused = 0;
   std::uint32_t groups_left = 0;       // they had evidence, but were over budget
   std::uint32_t groups_refreshed = 0;  // without evidence
+  StandingCounts standing{};
   friend bool operator==(const FrameCounts&, const FrameCounts&) = default;
 };
 
@@ -138,6 +140,7 @@ class WindowFusion {
     std::uint8_t fused = 0;
     std::uint8_t left = 0;
     std::uint8_t refreshed = 0;
+    StandingCounts standing{};
   };
   static_assert(kGroupsPerTile <= 0xFF);
 

@@ -1,0 +1,57 @@
+// What a frame says of what stands: whether it is still there.
+//
+// All of it is asked of the state before the frame, tile by tile, so that no order shows.
+#pragma once
+
+#include <cstdint>
+
+#include "window/frame_evidence.hpp"
+#include "window/tile.hpp"
+
+namespace iog::window {
+
+// Cells that stand and have evidence.
+struct StandingCounts {
+  std::uint32_t met = 0;      // something was hit within two cells
+  std::uint32_t crossed = 0;  // a beam has gone through, and nothing was hit within two cells
+  StandingCounts& operator+=(const StandingCounts& other) {
+    met += other.met;
+    crossed += other.crossed;
+    return *this;
+  }
+  friend bool operator==(const StandingCounts&, const StandingCounts&) = default;
+};
+
+// Of a tile that is known. The outermost two rows and columns are left out, because what is near
+// them may be of another tile.
+[[nodiscard]] StandingCounts standing_counts(const Tile& tile,
+                                             const FrameEvidence::TileIndexes& indexes);
+
+// Whether beams go through what stands, all around: then the poses by which it was placed are
+// wrong, whatever they say. The counts of some eight frames are held against each other, those of a
+// frame half as much after five. A car that drives off is crossed, too, but walls, poles and other
+// cars are met meanwhile.
+class Contradiction {
+ public:
+  void add(const StandingCounts& frame) {
+    met_ += kUnit * frame.met - met_ / kFrames;
+    crossed_ += kUnit * frame.crossed - crossed_ / kFrames;
+  }
+  void clear() { *this = {}; }
+
+  [[nodiscard]] bool is_met() const {
+    const std::uint32_t all = met_ + crossed_;
+    return all >= kUnit * kFewest && crossed_ > all / kShare;
+  }
+
+ private:
+  static constexpr std::uint32_t kUnit = 16;
+  static constexpr std::uint32_t kFrames = 8;
+  static constexpr std::uint32_t kFewest = 500;  // cells: of fewer nothing is said
+  static constexpr std::uint32_t kShare = 16;    // of all of them, which may be crossed
+
+  std::uint32_t met_ = 0;
+  std::uint32_t crossed_ = 0;
+};
+
+}  // namespace iog::window

@@ -1,0 +1,99 @@
+// What of that which stands is met, what is crossed, and when the poses are contradicted.
+#include "window/standing.hpp"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace iog::window {
+namespace {
+
+struct Frame {
+  void stand(int x, int y) {
+    tile->found.stands.at(static_cast<std::size_t>(y)) |= std::uint32_t{1} << x;
+  }
+  void index(int x, int y, std::int8_t value) {
+    const int place = y * static_cast<int>(geometry::kTileSide) + x;
+    indexes.at(static_cast<std::size_t>(place)) = value;
+  }
+  [[nodiscard]] StandingCounts counts() const { return standing_counts(*tile, indexes); }
+
+  std::unique_ptr<Tile> tile = std::make_unique<Tile>();
+  FrameEvidence::TileIndexes indexes{};
+};
+
+TEST(Standing, IsMetIfSomethingIsHitWithinTwoCells) {
+  for (int dx = -3; dx <= 3; ++dx) {
+    for (int dy = -3; dy <= 3; ++dy) {
+      Frame frame;
+      frame.stand(16, 9);
+      frame.index(16, 9, -5);
+      frame.index(16 + dx, 9 + dy, 4);
+      const bool is_near = std::abs(dx) <= 2 && std::abs(dy) <= 2;
+      EXPECT_EQ(frame.counts(), (is_near ? StandingCounts{.met = 1, .crossed = 0}
+                                         : StandingCounts{.met = 0, .crossed = 1}))
+          << dx << " " << dy;
+    }
+  }
+}
+
+TEST(Standing, OfWhichNothingIsSaidIsNeither) {
+  Frame frame;
+  frame.stand(10, 10);
+  frame.index(11, 10, -5);
+  EXPECT_EQ(frame.counts(), StandingCounts{});
+  Frame nothing_stands;
+  nothing_stands.index(10, 10, -5);
+  nothing_stands.index(20, 10, 5);
+  EXPECT_EQ(nothing_stands.counts(), StandingCounts{});
+}
+
+// Whoever is at the border may have been hit beyond it.
+TEST(Standing, AtTheBorderOfATileIsLeftOut) {
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      Frame frame;
+      frame.stand(x, y);
+      frame.index(x, y, -128);
+      const bool is_inside = x >= 2 && x < 30 && y >= 2 && y < 30;
+      EXPECT_EQ(frame.counts().crossed, is_inside ? 1U : 0U) << x << " " << y;
+    }
+  }
+}
+
+// Frames until the poses are contradicted, at most 100.
+int frames_until_met(const StandingCounts& frame) {
+  Contradiction contradiction;
+  int frames = 0;
+  while (!contradiction.is_met() && frames < 100) {
+    contradiction.add(frame);
+    ++frames;
+  }
+  return frames;
+}
+
+TEST(Contradiction, IsAShareOfASixteenthOfFiveHundredCells) {
+  EXPECT_EQ(frames_until_met({.met = 940, .crossed = 60}), 100) << "6 %";
+  EXPECT_EQ(frames_until_met({.met = 930, .crossed = 70}), 1) << "7 %";
+  EXPECT_LE(frames_until_met({.met = 0, .crossed = 70}), 20);
+  EXPECT_EQ(frames_until_met({.met = 0, .crossed = 60}), 100) << "fewer than 500 in eight frames";
+  EXPECT_EQ(frames_until_met({}), 100);
+}
+
+TEST(Contradiction, BeginsWithinHalfASecondAndIsOverWhenItIsForgotten) {
+  Contradiction contradiction;
+  for (int frame = 0; frame < 100; ++frame) {
+    contradiction.add({.met = 400, .crossed = 4});
+    ASSERT_FALSE(contradiction.is_met());
+  }
+  int frames = 0;
+  for (; !contradiction.is_met(); ++frames) {
+    contradiction.add({.met = 300, .crossed = 60});
+  }
+  EXPECT_LE(frames, 12) << "of 40 ms";
+  contradiction.clear();
+  EXPECT_FALSE(contradiction.is_met());
+}
+
+}  // namespace
+}  // namespace iog::window
