@@ -74,8 +74,9 @@ std::vector<PoseTrouble> pose_troubles() {
   };
 }
 
-constexpr std::array<std::string_view, pose::kCauseCount> kCauseNames{"none", "late", "imprecise",
-                                                                      "lost", "jump", "restart"};
+// What can become of these drives: no source of them is stuck.
+constexpr std::array<std::string_view, 6> kCauseNames{"none", "late", "imprecise",
+                                                      "lost", "jump", "restart"};
 
 // Hits by half seconds since their thing stopped, and from when on most hits of a frame were called
 // standing, in all frames that followed.
@@ -156,7 +157,7 @@ Tables perception_poses(const Input& /*input*/) {
                                .poses = trouble.poses};
     const ScoredDrive scored = score_drive(drive, rules, false);
     tables.add(drive, trouble.name, rules, scored.scorer);
-    for (std::size_t cause = 1; cause < pose::kCauseCount; ++cause) {
+    for (std::size_t cause = 1; cause < kCauseNames.size(); ++cause) {
       causes.row(trouble.name, kCauseNames[cause], scored.last.tallies[cause].times,
                  scored.last.slice_causes[cause]);
     }

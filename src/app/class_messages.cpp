@@ -12,6 +12,7 @@ constexpr std::array<std::pair<pose::Cause, std::uint16_t>, pose::kCauseCount - 
     {pose::Cause::kLost, stream::kCauseLost},
     {pose::Cause::kJump, stream::kCauseJump},
     {pose::Cause::kRestart, stream::kCauseRestart},
+    {pose::Cause::kContradicted, stream::kCauseContradicted},
 }};
 
 std::uint16_t causes_of(const PerceptionReport& report) {

@@ -79,6 +79,9 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
     const std::uint64_t least_us = newest_us - std::min(newest_us, pose::kLostUs);
     time_us = end_us ? std::max(std::min(*end_us, *time_us + pose::kLateUs), least_us) : newest_us;
   }
+  if (contradiction_.is_met()) {
+    poses_.contradict();
+  }
   move_time(time_us, now_us);
   slices_.place(packets_.packets(), poses_);
   report_slices();
@@ -102,6 +105,7 @@ void PerceptionEngine::move_time(std::optional<std::uint64_t> time_us, std::uint
   if (report_.is_forgotten) {
     epoch_ = poses_.epoch();
     window_.forget();
+    contradiction_.clear();
   }
   if (time_us) {
     const bool may_be_behind = had_time_ && !report_.is_forgotten;

@@ -84,6 +84,7 @@ class PerceptionEngine {
     }
     lay_map();
     report_.window = window_.finish(report_.stamp_us, crew);
+    contradiction_.add(report_.window.standing);
     lap(&stream::StageTicks::perceive);
   }
   [[nodiscard]] FrameReport report(std::uint64_t now_us) const { return frame_.report(now_us); }
@@ -148,14 +149,15 @@ class PerceptionEngine {
   map::Layer layer_;
   std::uint64_t offset_us_ = 0;  // of the window's time to the poses' clock, modulo 2^64
   std::uint64_t moved_us_ = 0;   // when the window's time moved last, by the target's clock
-  bool has_time_ = false;        // the window's time has begun with a clock of the poses
-  bool had_time_ = false;        // which was known in the frame before
   FrameSlices slices_;
   PerceptionReport report_;
   pose::Source poses_;
   FramePackets packets_;
   const vehicle::Vehicle* vehicle_;
-  std::uint32_t epoch_ = 0;  // of the poses that the window was made by
+  window::Contradiction contradiction_;  // of the poses, by what they have placed
+  std::uint32_t epoch_ = 0;              // of the poses that the window was made by
+  bool has_time_ = false;                // the window's time has begun with a clock of the poses
+  bool had_time_ = false;                // which was known in the frame before
 };
 
 }  // namespace iog::app

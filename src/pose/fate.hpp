@@ -31,12 +31,13 @@ inline constexpr std::size_t kFateCount = 16;
 // Why a slice has no pose, or why what was placed before has lost its place.
 enum class Cause : std::uint8_t {
   kNone,
-  kLate,       // no message within kLateUs of the slice: the slice is not placed
-  kImprecise,  // a standard deviation above kMaxSigma...: the slice is not placed
-  kLost,       // no message for kLostUs: the window is unknown
-  kJump,       // off the prediction: the window is unknown
-  kRestart,    // a new run of the sender: the window is unknown
+  kLate,          // no message within kLateUs of the slice: the slice is not placed
+  kImprecise,     // a standard deviation above kMaxSigma...: the slice is not placed
+  kLost,          // no message for kLostUs: the window is unknown
+  kJump,          // off the prediction: the window is unknown
+  kRestart,       // a new run of the sender: the window is unknown
+  kContradicted,  // beams go through what stood, all around: the window is unknown
 };
-inline constexpr std::size_t kCauseCount = 6;
+inline constexpr std::size_t kCauseCount = 7;
 
 }  // namespace iog::pose

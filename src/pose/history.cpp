@@ -108,6 +108,7 @@ void History::begin_course() {
   }
   count_ = 0;
   candidate_count_ = 0;
+  stuck_.reset();
   for (const Entry& candidate : candidates_) {
     append(candidate);
   }
@@ -128,11 +129,15 @@ void History::append(Entry next) {
       }
     }
   }
+  const bool is_believed = !is_stuck(next.message);
+  if (is_believed) {
+    stuck_.reset();
+  }
   entries_[next_] = next;
   next_ = (next_ + 1) % kHistoryMessages;
   count_ = std::min(count_ + 1, kHistoryMessages);
   is_whole_ = is_whole_ && unbroken_ < kHistoryMessages;
-  unbroken_ = std::min(unbroken_ + 1, kHistoryMessages);
+  unbroken_ = is_believed ? std::min(unbroken_ + 1, kHistoryMessages) : 0;
 }
 
 // The mean of both motions foretells braking and the beginning of a curve, and so many small
@@ -181,6 +186,18 @@ void History::pass_silence(std::uint64_t target_us) {
   }
 }
 
+void History::contradict() {
+  if (unbroken_ > 0) {
+    stuck_ = entry(0).message;
+    break_off(Cause::kContradicted, stuck_->clock_us);
+  }
+}
+
+bool History::is_stuck(const Message& next) const {
+  return stuck_ && next.clock_us - stuck_->clock_us <= kMaxStuckUs &&
+         !is_jump(residual(next.pose, stuck_->pose));
+}
+
 Cause History::cause_before_the_oldest() const { return is_whole_ ? began_by_ : Cause::kLate; }
 
 Placed History::pose_at(std::uint64_t time_us) const {
@@ -189,7 +206,7 @@ Placed History::pose_at(std::uint64_t time_us) const {
     ++age;
   }
   if (age == unbroken_) {
-    return {.cause = unbroken_ == 0 ? Cause::kLost : cause_before_the_oldest()};
+    return {.cause = cause_before_the_oldest()};
   }
   const Message& before = entry(age).message;
   const Message& after = age == 0 ? before : entry(age - 1).message;

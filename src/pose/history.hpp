@@ -2,8 +2,9 @@
 //
 // Times are of the clock of the poses' source, us, unless they are said to be the target's.
 // Messages come in the order of that clock; one that is not newer than the newest is dropped. Poses
-// belong together as long as nothing breaks them apart: a silence of kLostUs, a jump, or a new run
-// of the source. What was placed before a break has lost its place, and its window is unknown.
+// belong together as long as nothing breaks them apart: a silence of kLostUs, a jump, a new run
+// of the source, or that the sensors contradict them. What was placed before a break has lost its
+// place, and its window is unknown.
 //
 // Who may be forged may not blind for good: what does not continue the present course, being of
 // another run or of another time, is believed by kConfirmations messages in a row. If it goes back,
@@ -53,10 +54,13 @@ class History {
   // newest message came.
   void pass_silence(std::uint64_t target_us);
 
+  // What the poses have placed contradicts itself: whatever they say, they were wrong. The source
+  // may be stuck, so there are none before it says another place than now, or kMaxStuckUs later.
+  void contradict();
+
   // The pose of a time: between two messages on the straight way; after the newest, at most kLateUs
-  // after it, moved by its speed and yaw rate. kLost: nothing has come since the last break; kJump,
-  // kRestart: the time is before the break; kLate, kImprecise. Before the first message it is
-  // kLost.
+  // after it, moved by its speed and yaw rate. kLost, kJump, kRestart, kContradicted: the time is
+  // before the first message since that break; kLate, kImprecise. Without any break it is kLost.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
   // The clock of the source at a time of the target's clock: measured, as seen by the message of
@@ -67,8 +71,8 @@ class History {
   // Rises with each break: whatever was placed under another epoch is unknown now.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
-  // Of kLost (since the last message before it), kJump and kRestart (since the first message after
-  // it); the others are of slices.
+  // Of kLost and kContradicted (since the last message before it), kJump and kRestart (since the
+  // first message after it); the others are of slices.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }
@@ -91,6 +95,7 @@ class History {
   [[nodiscard]] bool is_silent(std::uint64_t arrival_us) const;
   void append(Entry next);
   void break_off(Cause cause, std::uint64_t since_us);
+  [[nodiscard]] bool is_stuck(const Message& next) const;
   [[nodiscard]] bool is_jump_to(const Entry& next) const;
   [[nodiscard]] Cause cause_before_the_oldest() const;
 
@@ -107,7 +112,8 @@ class History {
   bool is_whole_ = true;                            // none of the unbroken ones was overwritten
   std::array<Entry, kConfirmations> candidates_{};  // of a course that is not believed yet
   std::size_t candidate_count_ = 0;
-  std::uint64_t arrival_us_ = 0;  // of the newest message, by the target's clock
+  std::uint64_t arrival_us_ = 0;    // of the newest message, by the target's clock
+  std::optional<Message> stuck_{};  // where the source was contradicted, while nothing is believed
   RunMemory runs_;
   std::uint32_t epoch_ = 0;
   std::array<Tally, kCauseCount> breaks_{};

@@ -36,6 +36,10 @@ inline constexpr std::size_t kConfirmations = 3;
 inline constexpr std::uint16_t kMaxSigmaMm = 150;
 inline constexpr std::uint16_t kMaxSigmaHeading = kMaxSigmaMm * 100'000 / kReachMm;  // 10 urad
 
+// Who was contradicted by the sensors is not believed before so long, or a way that would be a
+// jump.
+inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
+
 // Residuals above this are a jump: 300 mm, or as much at kReachMm.
 inline constexpr std::int64_t kMaxResidualMm = 300;
 inline constexpr std::int64_t kAnglePerRadian = 683'565'276;  // 2^32 / (2 pi), to the nearest

@@ -36,6 +36,7 @@ class Source {
   // As in History.
   void pass(std::uint64_t now_us) { history_.pass(now_us); }
   void pass_silence(std::uint64_t target_us) { history_.pass_silence(target_us); }
+  void contradict() { history_.contradict(); }
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const {
     return history_.source_time(target_us);
   }

@@ -15,12 +15,13 @@
 namespace iog::stream {
 
 // Bits of ClassWindow::causes: what happened since the frame before. The values are on the wire.
-inline constexpr std::uint16_t kCauseLate = 0x0001;        // no pose within 100 ms of a slice
-inline constexpr std::uint16_t kCauseLost = 0x0002;        // none for 1 s: the window is unknown
-inline constexpr std::uint16_t kCauseImprecise = 0x0004;   // the pose's deviation is too large
-inline constexpr std::uint16_t kCauseJump = 0x0008;        // against its prediction: unknown
-inline constexpr std::uint16_t kCauseRestart = 0x0010;     // of the pose source: unknown
-inline constexpr std::uint16_t kCauseOverBudget = 0x0020;  // cells were left to the next frames
+inline constexpr std::uint16_t kCauseLate = 0x0001;          // no pose within 100 ms of a slice
+inline constexpr std::uint16_t kCauseLost = 0x0002;          // none for 1 s: the window is unknown
+inline constexpr std::uint16_t kCauseImprecise = 0x0004;     // the pose's deviation is too large
+inline constexpr std::uint16_t kCauseJump = 0x0008;          // against its prediction: unknown
+inline constexpr std::uint16_t kCauseRestart = 0x0010;       // of the pose source: unknown
+inline constexpr std::uint16_t kCauseOverBudget = 0x0020;    // cells were left to the next frames
+inline constexpr std::uint16_t kCauseContradicted = 0x0040;  // by the sensors: unknown
 
 struct ClassWindow {
   std::uint16_t causes = 0;

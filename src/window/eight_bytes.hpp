@@ -37,9 +37,7 @@ class EightBytes {
   //
   // The product gathers bits 8 i: shifted by 7 k, k = 1 ... 8, bit i reaches 56 + i for k = 8 - i
   // alone. No two of the 64 sums 8 i + 7 k are the same, so nothing carries.
-  [[nodiscard]] std::uint8_t positive() const {
-    return gathered(tops_of_positive());
-  }
+  [[nodiscard]] std::uint8_t positive() const { return gathered(tops_of_positive()); }
 
   // The same of those below 0.
   [[nodiscard]] std::uint8_t negative() const { return gathered(word_ & kTopBits); }

@@ -12,8 +12,8 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::array<std::string_view, pose::kCauseCount> kCauseNames{"placed", "late", "imprecise",
-                                                                      "lost",   "jump", "restart"};
+constexpr std::array<std::string_view, pose::kCauseCount> kCauseNames{
+    "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted"};
 constexpr std::array<std::string_view, pose::kFateCount> kPoseNames{
     "used",    "unconfirmed",  "stranger",    "too short",    "not ours",     "wrong version",
     "damaged", "wrong length", "wrong flags", "not zero",     "out of range", "no sigma",

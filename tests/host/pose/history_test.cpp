@@ -152,6 +152,56 @@ TEST(Lost, EndsWithTheNextMessageWhereverItIs) {
   EXPECT_EQ(driven.history.epoch(), 1U) << "no jump from a place that is lost";
 }
 
+// Whatever was placed has lost its place, and what the source says is not believed before it says
+// that the car has moved: 10 mm a millisecond.
+TEST(Contradicted, BreaksTheHistoryUntilThePoseHasMoved) {
+  Driven driven;
+  driven.history.contradict();
+  EXPECT_EQ(driven.history.epoch(), 1U);
+  EXPECT_EQ(driven.cause_at(driven.newest_us), Cause::kContradicted);
+  EXPECT_EQ(driven.history.breaks(Cause::kContradicted).times, 1U);
+  EXPECT_EQ(driven.history.breaks(Cause::kContradicted).since_us, driven.newest_us);
+  driven.history.contradict();
+  EXPECT_EQ(driven.history.epoch(), 1U) << "once";
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    ASSERT_EQ(driven.take_at(driven.newest_us + i * 10 * kMs), Fate::kUsed);
+    EXPECT_EQ(driven.cause_at(driven.newest_us + i * 10 * kMs), Cause::kContradicted);
+    EXPECT_EQ(driven.history.source_time(1), std::nullopt);
+  }
+  const std::uint64_t again_us = driven.newest_us + 40 * kMs;
+  ASSERT_EQ(driven.take_at(again_us), Fate::kUsed);
+  EXPECT_EQ(driven.cause_at(again_us), Cause::kNone);
+  EXPECT_EQ(driven.cause_at(again_us - 1), Cause::kContradicted);
+  EXPECT_EQ(driven.history.epoch(), 1U);
+}
+
+// A car may stand, too, and who contradicted it may have been a crowd that left.
+TEST(Contradicted, IsForgivenAfterTenSeconds) {
+  Driven driven;
+  Message stuck = message_at(driven.newest_us);
+  stuck.speed_mm_per_s = 0;
+  driven.history.contradict();
+  for (std::uint64_t i = 1; i <= 1'000; ++i) {
+    stuck.clock_us = driven.newest_us + i * 10 * kMs;
+    ASSERT_EQ(driven.take(stuck), Fate::kUsed);
+    ASSERT_EQ(driven.cause_at(stuck.clock_us), Cause::kContradicted);
+  }
+  stuck.clock_us += 10 * kMs;
+  ASSERT_EQ(driven.take(stuck), Fate::kUsed);
+  EXPECT_EQ(driven.cause_at(stuck.clock_us), Cause::kNone);
+}
+
+TEST(Contradicted, IsForgivenToAnotherRun) {
+  Driven driven;
+  driven.history.contradict();
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    Message message = message_at(driven.newest_us, 2);
+    message.clock_us += i * 10 * kMs;
+    static_cast<void>(driven.take(message));
+  }
+  EXPECT_EQ(driven.cause_at(driven.newest_us + 30 * kMs), Cause::kNone);
+}
+
 void expect_unchanged(const Driven& driven, const Driven& before) {
   for (std::uint64_t time_us = kStartUs - 20 * kMs; time_us < driven.newest_us + 120 * kMs;
        time_us += 3'300) {

@@ -25,9 +25,10 @@ const CatalogueEntry& four_lux() { return find_vehicle("reference_car"); }
 
 // By frame, its packets in order, and the poses until its last packet.
 struct PlacedDrive {
-  explicit PlacedDrive(std::uint32_t frames) {
-    MovingDrive drive(four_lux(), 1, 1);
-    PoseFeed feed(simulated_poses(drive.scene(), {}, 1, 1.2));
+  explicit PlacedDrive(std::uint32_t frames, const PoseOptions& options = {}) {
+    const std::uint32_t seconds = frames / 25 + 1;
+    MovingDrive drive(four_lux(), 1, seconds);
+    PoseFeed feed(simulated_poses(drive.scene(), options, 1, seconds + 0.2));
     for (std::uint32_t frame = 0; frame < frames; ++frame) {
       packets.push_back(drive.datagrams(frame));
       poses.push_back(feed.take_until(packets.back().back().time_us));
@@ -124,6 +125,31 @@ TEST(ClassTarget, ClassesArePinned) {
   ASSERT_EQ(run.classes().records().size(), 10U);
   EXPECT_GT(run.classes().records().back().tiles, 100U);
   EXPECT_EQ(run.classes().run_hash(), 0x674D75CCU);
+}
+
+// A source of poses that is stuck while the car drives on says nothing wrong of itself. Beams go
+// through what stands, and within half a second the window is not believed.
+TEST(ClassTarget, PosesThatAreStuckAreContradictedByTheSensors) {
+  constexpr double kStuckS = 3;
+  const auto run = [](const PoseOptions& options) {
+    const RunStatistics statistics = fused(*four_lux().vehicle, PlacedDrive(90, options));
+    return statistics.classes().records();
+  };
+  const auto is_contradicted = [](const ClassRecord& record) {
+    return (record.causes & stream::kCauseContradicted) != 0;
+  };
+  EXPECT_TRUE(std::ranges::none_of(run({}), is_contradicted));
+  const auto stuck = run({.freezes = {{.begin_s = kStuckS, .length_s = 10}}});
+  const auto first = std::ranges::find_if(stuck, is_contradicted);
+  ASSERT_NE(first, stuck.end());
+  const double after_s = static_cast<double>(first - stuck.begin()) / 25 - kStuckS;
+  EXPECT_GT(after_s, 0);
+  EXPECT_LE(after_s, 0.5);
+  for (auto record = first; record != stuck.end(); ++record) {
+    ASSERT_TRUE(is_contradicted(*record));
+    ASSERT_EQ(record->packets_placed, 0U);
+    ASSERT_EQ(record->tiles, 0U) << "what was known has lost its place";
+  }
 }
 
 TEST(ClassTarget, AnotherRuleIsRefusedWithItsReason) {

@@ -102,8 +102,8 @@ TEST(LiveClasses, WhatIsLostIsStaleAndGoesWhenItLeavesTheWindow) {
 }
 
 TEST(LiveClasses, NothingIsKeptWhenTheTargetHasLostItsWay) {
-  for (const std::uint16_t cause :
-       {stream::kCauseLost, stream::kCauseJump, stream::kCauseRestart}) {
+  for (const std::uint16_t cause : {stream::kCauseLost, stream::kCauseJump, stream::kCauseRestart,
+                                    stream::kCauseContradicted}) {
     FakeClassTarget target(kWorld, kRun);
     Receiver receiver;
     receiver.take(target.next());

@@ -1,16 +1,17 @@
 // Where the car is, how well that is known, and why it is not, in words (docs/spec.md, 5.5).
 
-const BREAKS = 0x02 | 0x08 | 0x10; // causes after which the window begins anew: lost, jump, restart
+// Causes after which the window begins anew: lost, jump, restart, contradicted.
+const BREAKS = 0x02 | 0x08 | 0x10 | 0x40;
 export const TRACK_S = 30;
 const NEAREST_M = 0.15; // places of a track that are closer are one
 const LATELY_S = 2;
 const LONGEST_S = 86400; // longer ago: the clock of the poses has begun anew since
 
 // In the order in which the target counts them, with the bit by which a frame names each.
-const [LATE, IMPRECISE, LOST, JUMP, RESTART] = [0, 1, 2, 3, 4];
-const BITS = [0x01, 0x04, 0x02, 0x08, 0x10];
+const [LATE, IMPRECISE, LOST, JUMP, RESTART, CONTRADICTED] = [0, 1, 2, 3, 4, 5];
+const BITS = [0x01, 0x04, 0x02, 0x08, 0x10, 0x40];
 const NAMES = ["no pose in time", "pose too imprecise", "poses lost", "pose jumped",
-               "pose source restarted"];
+               "pose source restarted", "poses contradicted by the sensors"];
 
 const span = (s) =>
   (s < 10 ? `${s.toFixed(1)} s` : s < 120 ? `${Math.round(s)} s` : `${Math.round(s / 60)} min`);
@@ -26,7 +27,7 @@ function causeOf({ slices, causes, end }) {
   if (slices > 0 || !end || end.packets_not_placed === 0) {
     return null;
   }
-  const order = [LOST, IMPRECISE, LATE, JUMP, RESTART];
+  const order = [LOST, IMPRECISE, LATE, JUMP, RESTART, CONTRADICTED];
   return order.find((cause) => end.causes[cause].slices > 0) ??
          order.find((cause) => (causes & BITS[cause]) !== 0) ?? LOST;
 }
@@ -57,6 +58,7 @@ function describeCause(classes, cause) {
 function describeBreak(cause, s) {
   const what = cause === JUMP ? `The pose jumped${ago(s)}`
       : cause === RESTART ? `The source of the poses started anew${ago(s)}`
+      : cause === CONTRADICTED ? `The sensors contradicted the poses${ago(s)}`
       : `Poses were lost${ago(s)}, and are back`;
   return { word: "", title: what, text: "What was known has lost its place: the window began anew." };
 }
@@ -70,7 +72,7 @@ export function describePlace(classes) {
   if (cause !== null) {
     return describeCause(classes, cause);
   }
-  const breaks = [JUMP, RESTART, LOST].map((one) => [one, agoOf(classes, one)])
+  const breaks = [JUMP, RESTART, LOST, CONTRADICTED].map((one) => [one, agoOf(classes, one)])
       .filter(([, s]) => s !== null && s < LATELY_S).sort(([, a], [, b]) => a - b);
   return breaks.length > 0 ? describeBreak(...breaks[0]) : null;
 }
