@@ -199,7 +199,7 @@ local CHUNK_FATES = { "taken", "repeated", "in use", "of another block", "strang
                       "out of range" }
 
 -- Why slices had no place; the first: they had one.
-layout.SLICE_CAUSES = { "placed", "late", "imprecise", "lost", "jump", "restart" }
+layout.SLICE_CAUSES = { "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted" }
 
 -- Lists of counters: name of the filter, heading, names in order.
 layout.COUNTERS = {
