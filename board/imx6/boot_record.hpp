@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-#include "l2_cache.hpp"
+#include "memory/l2_cache.hpp"
 
 namespace iog::imx6 {
 

@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <string_view>
 
-#include "gpt_clock.hpp"
 #include "hal/cores.hpp"
 #include "helper.hpp"
 #include "registers/gic.hpp"
 #include "registers/mpcore.hpp"
 #include "registers/src.hpp"
+#include "time/gpt_clock.hpp"
 
 namespace iog::imx6 {
 

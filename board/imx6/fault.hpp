@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "mmu.hpp"
+#include "memory/mmu.hpp"
 #include "text_line.hpp"
 
 namespace iog::imx6 {

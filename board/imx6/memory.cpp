@@ -5,7 +5,7 @@
 #include <array>
 
 #include "hal/cores.hpp"
-#include "l2_cache.hpp"
+#include "memory/l2_cache.hpp"
 #include "peripherals.hpp"
 #include "stack_gauge.hpp"
 #include "watchdog.hpp"

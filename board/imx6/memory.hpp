@@ -2,7 +2,7 @@
 // MMU and caches.
 #pragma once
 
-#include "mmu.hpp"
+#include "memory/mmu.hpp"
 
 namespace iog::imx6 {
 

@@ -1,8 +1,8 @@
 // The pads of the SABRE Lite that this firmware uses, and the hardware reset of its PHY.
 #pragma once
 
-#include "gpt_clock.hpp"
 #include "registers/iomuxc.hpp"
+#include "time/gpt_clock.hpp"
 
 namespace iog::imx6 {
 

@@ -114,7 +114,7 @@ constexpr std::array kTable{
         "walk_extra", &C::walk_extra, 25, 14, 60, kAssumed,
         "a walk looks up one or two descriptors in L1 (TRM 6.1) or behind it; 7-cpu: at least 7"},
     Constant{"page_kb", &C::page_kb, 1024, 1024, 4, kManual,
-             "board/imx6/mmu.hpp: sections; pessimistic: pages of an operating system"},
+             "board/imx6/memory/mmu.hpp: sections; pessimistic: pages of an operating system"},
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-#include "l2_cache.hpp"
 #include "machine.hpp"
+#include "memory/l2_cache.hpp"
 
 namespace iog::imx6 {
 

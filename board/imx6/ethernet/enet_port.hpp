@@ -20,10 +20,10 @@
 #include "ethernet/receive_ring.hpp"
 #include "ethernet/transmit_ring.hpp"
 #include "ethernet/transmit_shaper.hpp"
-#include "gpt_clock.hpp"
 #include "hal/ethernet_port.hpp"
-#include "l2_cache.hpp"
+#include "memory/l2_cache.hpp"
 #include "registers/enet.hpp"
+#include "time/gpt_clock.hpp"
 
 namespace iog::imx6 {
 

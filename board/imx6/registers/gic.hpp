@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "register.hpp"
+#include "registers/register.hpp"
 
 namespace iog::imx6 {
 

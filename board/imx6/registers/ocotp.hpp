@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "register.hpp"
+#include "registers/register.hpp"
 
 namespace iog::imx6 {
 

@@ -4,7 +4,7 @@
 
 #include "clocks.hpp"
 #include "gic.hpp"
-#include "l2_cache.hpp"
+#include "memory/l2_cache.hpp"
 #include "pins.hpp"
 #include "trace.hpp"
 

@@ -1,5 +1,5 @@
 // Translation tables against the ARM Architecture Reference Manual (ARM DDI 0406C, B3.5).
-#include "mmu.hpp"
+#include "memory/mmu.hpp"
 
 #include <array>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // GPT clock, stopwatch and tick, with a counter that runs while it is read.
 #include <gtest/gtest.h>
 
-#include "gpt_clock.hpp"
-#include "stopwatch.hpp"
-#include "tick.hpp"
+#include "time/gpt_clock.hpp"
+#include "time/stopwatch.hpp"
+#include "time/tick.hpp"
 #include "trace.hpp"
 
 namespace iog::imx6 {

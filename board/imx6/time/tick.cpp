@@ -1,5 +1,5 @@
 // EPIT1 by IMX6DQRM, chapter "Enhanced Periodic Interrupt Timer (EPIT)", "Initialization sequence".
-#include "tick.hpp"
+#include "time/tick.hpp"
 
 namespace iog::imx6 {
 namespace {

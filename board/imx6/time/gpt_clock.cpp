@@ -1,5 +1,5 @@
 // GPT by IMX6DQRM, chapter "General Purpose Timer (GPT)", section "Initialization".
-#include "gpt_clock.hpp"
+#include "time/gpt_clock.hpp"
 
 #include "hal/clock.hpp"
 

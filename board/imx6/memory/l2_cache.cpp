@@ -1,6 +1,6 @@
 // PL310 by ARM DDI 0246, section 3.1 "Initialization sequence"; settings for the i.MX6Q's
 // r3p1-50rel0.
-#include "l2_cache.hpp"
+#include "memory/l2_cache.hpp"
 
 namespace iog::imx6 {
 namespace {

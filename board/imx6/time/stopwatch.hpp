@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
-#include "gpt_clock.hpp"
 #include "registers/mpcore.hpp"
+#include "time/gpt_clock.hpp"
 
 namespace iog::imx6 {
 

@@ -1,5 +1,5 @@
 // Global timer by ARM DDI 0407, chapter 4.
-#include "stopwatch.hpp"
+#include "time/stopwatch.hpp"
 
 #include "hal/clock.hpp"
 
