@@ -5,6 +5,7 @@
 #include "intake/packet.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/simulate/lux_scanner.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/beam.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "numeric/elementary.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 namespace iog::lab {
 

@@ -8,8 +8,8 @@
 #include "protection/protected_message.hpp"
 #include "stream/tiles.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
-#include "tools/receive/frame_assembler.hpp"
 #include "tools/simulate/drive.hpp"
 
 namespace iog::lab {

@@ -3,8 +3,8 @@
 #include <set>
 #include <utility>
 
-#include "tools/receive/frame_assembler.hpp"
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/frame_assembler.hpp"
+#include "tools/frames/live_grid.hpp"
 
 namespace iog::lab {
 namespace {

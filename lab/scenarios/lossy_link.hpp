@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::lab {

@@ -1,13 +1,13 @@
 // The assembler of frames on a series of messages. A CRC keeps random bytes out; so the input's
 // messages are protected by a sender of ours, unless they say that they come as they are.
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "law.hpp"
-#include "tools/receive/live_classes.hpp"
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/live_classes.hpp"
+#include "tools/frames/live_grid.hpp"
 
 namespace iog::fuzz {
 namespace {

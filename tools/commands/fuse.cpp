@@ -13,19 +13,19 @@
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/formats/picture/class_picture.hpp"
 #include "tools/formats/picture/frame_writer.hpp"
+#include "tools/frames/chosen_frame.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/fuse/stream_recorder.hpp"
+#include "tools/identity/capture_identity.hpp"
+#include "tools/identity/vehicle_fit.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
-#include "tools/receive/chosen_frame.hpp"
 #include "tools/receive/class_record.hpp"
-#include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
-#include "tools/vehicles/capture_identity.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "tools/vehicles/vehicle_fit.hpp"
 
 namespace iog::tools {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/identity/vehicle_fit.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/record/mcap_recording.hpp"
@@ -18,7 +19,6 @@
 #include "tools/record/picture_recording.hpp"
 #include "tools/record/sources.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "tools/vehicles/vehicle_fit.hpp"
 
 namespace iog::tools {
 namespace {

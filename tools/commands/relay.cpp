@@ -14,10 +14,10 @@
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
-#include "tools/info/capture_census.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/replay/udp_sender.hpp"
+#include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {

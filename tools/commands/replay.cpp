@@ -17,7 +17,7 @@
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
-#include "tools/info/capture_census.hpp"
+#include "tools/identity/vehicle_fit.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
@@ -27,8 +27,8 @@
 #include "tools/replay/pace.hpp"
 #include "tools/replay/pose_rounds.hpp"
 #include "tools/replay/udp_sender.hpp"
+#include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "tools/vehicles/vehicle_fit.hpp"
 
 namespace iog::tools {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "map/chunk.hpp"
 #include "tools/commands/subcommands.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/map/refusal_text.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
-#include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/map_words.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/replay/map_sender.hpp"

@@ -10,6 +10,7 @@
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/vehicles/car_words.hpp"
 #include "tools/vehicles/network_words.hpp"

@@ -12,6 +12,7 @@
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/simulate/scene_catalogue.hpp"

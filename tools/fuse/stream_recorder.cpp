@@ -4,14 +4,9 @@
 
 #include "protection/protected_message.hpp"
 #include "stream/message.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 
 namespace iog::tools {
-namespace {
-
-constexpr Endpoint kTarget{.ipv4 = 0x0A00020F, .port = 15001};
-constexpr Endpoint kPeer{.ipv4 = 0x0A000202, .port = 15000};
-
-}  // namespace
 
 void StreamRecorder::take(std::span<const std::byte> message) {
   stream::Header header;
@@ -21,8 +16,8 @@ void StreamRecorder::take(std::span<const std::byte> message) {
     throw std::logic_error("the pipeline has made a message without a header");
   }
   file_.write({.time_us = header.closed_us,
-               .source = kTarget,
-               .destination = kPeer,
+               .source = kStreamSource,
+               .destination = kStreamDestination,
                .payload = {message.begin(), message.end()}});
 }
 

@@ -3,11 +3,10 @@
 #include <memory>
 
 #include "car_block/car_block.hpp"
-#include "tools/info/capture_census.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/program/printable.hpp"
-#include "tools/receive/frame_record.hpp"
-#include "tools/receive/table.hpp"
+#include "tools/program/table.hpp"
 #include "tools/vehicles/car_words.hpp"
 #include "tools/vehicles/network_words.hpp"
 

@@ -8,8 +8,9 @@
 #include "tools/info/file_summary.hpp"
 #include "tools/map/refusal_text.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/program/printable.hpp"
-#include "tools/receive/table.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 namespace {
@@ -35,12 +36,6 @@ std::string degrees(std::int64_t units) {
 std::string metres(std::int64_t cm) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << static_cast<double>(cm) / 100;
-  return text.str();
-}
-
-std::string hexadecimal(std::uint64_t value, int digits) {
-  std::ostringstream text;
-  text << std::hex << std::setfill('0') << std::setw(digits) << value;
   return text.str();
 }
 
@@ -78,14 +73,14 @@ std::string summary_of_block(std::span<const std::uint8_t> bytes) {
   const map::BoxCm extent = block.extent();
   return text +
          row("origin", degrees(block.latitude()) + ", " + degrees(block.longitude()) +
-                           ", its name " + hexadecimal(block.origin(), 16)) +
+                           ", its name " + hex(block.origin(), 16)) +
          row("extent", "east " + metres(extent.low.x) + " to " + metres(extent.high.x) +
                            " m, north " + metres(extent.low.y) + " to " + metres(extent.high.y) +
                            " m") +
          row("features", features_of(block)) + row("source", source_of(block)) +
          row("date", day_of(block.date_s())) +
          row("accuracy", std::to_string(block.accuracy_mm()) + " mm") +
-         row("crc-32", hexadecimal(block.crc(), 8)) +
+         row("crc-32", hex(block.crc())) +
          row("attribution", printable(std::string(block.attribution())));
 }
 

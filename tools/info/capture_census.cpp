@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "pose/message.hpp"
-#include "tools/info/stream_census.hpp"
+#include "tools/receive/stream_census.hpp"
+#include "tools/vehicles/network_words.hpp"
 
 namespace iog::tools {
 namespace {
@@ -48,14 +49,6 @@ std::string sources_of(const PortCensus& port) {
 }
 
 }  // namespace
-
-std::string dotted(std::uint32_t ipv4) {
-  std::string text;
-  for (int shift = 24; shift >= 0; shift -= 8) {
-    text += std::to_string(ipv4 >> shift & 0xFF) + (shift > 0 ? "." : "");
-  }
-  return text;
-}
 
 void SenderCensus::add(const SeenUnit& seen, std::uint64_t time_us) {
   const bool is_first = scans == 0 && swept_ticks == 0;

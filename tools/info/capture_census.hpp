@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tools/formats/capture/datagram.hpp"
-#include "tools/formats/lidar/unit_watch.hpp"
+#include "tools/identity/unit_watch.hpp"
 
 namespace iog::tools {
 
@@ -52,8 +52,5 @@ class CaptureCensus {
 
   std::map<std::uint16_t, PortCensus> ports_;
 };
-
-// "10.0.2.15"
-[[nodiscard]] std::string dotted(std::uint32_t ipv4);
 
 }  // namespace iog::tools

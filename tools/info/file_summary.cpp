@@ -12,13 +12,13 @@
 
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/formats/mcap/reader.hpp"
+#include "tools/identity/capture_identity.hpp"
 #include "tools/info/capture_census.hpp"
-#include "tools/info/stream_census.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/receive/stream_census.hpp"
 #include "tools/record/mcap_recording.hpp"
 #include "tools/record/stream_file.hpp"
-#include "tools/vehicles/capture_identity.hpp"
 
 namespace iog::tools {
 namespace {

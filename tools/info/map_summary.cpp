@@ -10,7 +10,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/printable.hpp"
-#include "tools/receive/table.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 namespace {

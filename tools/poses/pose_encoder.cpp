@@ -7,7 +7,7 @@
 
 #include "numeric/elementary.hpp"
 #include "pose/limits.hpp"
-#include "tools/formats/lux/lux_burst.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
 
 namespace iog::tools {

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "tools/program/hexadecimal.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/record_file.hpp"
 #include "wire/byte_order.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 namespace iog::tools {
 

@@ -6,8 +6,9 @@
 #include <iterator>
 #include <string_view>
 
+#include "tools/program/hexadecimal.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/map_words.hpp"
-#include "tools/receive/table.hpp"
 
 namespace iog::tools {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "tools/frames/grid_frame.hpp"
 #include "tools/receive/class_record.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/receive/grid_frame.hpp"
 
 namespace iog::tools {
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "tools/program/hexadecimal.hpp"
 #include "tools/receive/record_file.hpp"
 
 namespace iog::tools {
@@ -84,12 +85,6 @@ FrameRecord record_of(const GridFrame& frame) {
 
 std::uint32_t points_not_taken(const stream::FrameEnd& end) {
   return end.fates[static_cast<std::size_t>(vehicle::Fate::kNotTaken)];
-}
-
-std::string hex(std::uint32_t value) {
-  std::ostringstream text;
-  text << std::hex << std::setw(8) << std::setfill('0') << value;
-  return text.str();
 }
 
 std::string line_of(const FrameRecord& record) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stream/crc32.hpp"
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 namespace iog::tools {
 
@@ -58,9 +58,6 @@ class RunHash {
  private:
   stream::Crc32 crc_;
 };
-
-// Eight digits.
-[[nodiscard]] std::string hex(std::uint32_t value);
 
 // Compares two runs. Nothing if they are equal; otherwise one sentence on the first difference.
 [[nodiscard]] std::optional<std::string> first_difference(const std::vector<FrameRecord>& received,

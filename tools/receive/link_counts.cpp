@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/receive/table.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 
 namespace iog::tools {
 

@@ -5,9 +5,10 @@
 #include <numeric>
 
 #include "tools/map/refusal_text.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/program/printable.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/receive/table.hpp"
 
 namespace iog::tools {
 namespace {

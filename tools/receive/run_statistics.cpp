@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "tools/program/file.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {

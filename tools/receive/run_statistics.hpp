@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "tools/frames/grid_frame.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/class_statistics.hpp"
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/receive/grid_frame.hpp"
-#include "tools/receive/table.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::tools {

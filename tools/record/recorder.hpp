@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "tools/formats/capture/datagram.hpp"
-#include "tools/info/stream_census.hpp"
-#include "tools/receive/live_classes.hpp"
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/live_classes.hpp"
+#include "tools/frames/live_grid.hpp"
+#include "tools/receive/stream_census.hpp"
 #include "tools/record/recording.hpp"
 
 namespace iog::tools {

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "tools/formats/capture/datagram.hpp"
-#include "tools/receive/grid_frame.hpp"
-#include "tools/receive/live_classes.hpp"
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/grid_frame.hpp"
+#include "tools/frames/live_classes.hpp"
+#include "tools/frames/live_grid.hpp"
 #include "tools/receive/run_statistics.hpp"
 
 namespace iog::tools {

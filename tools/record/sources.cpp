@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/map/block_file.hpp"

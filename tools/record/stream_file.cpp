@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "tools/info/stream_census.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/receive/stream_census.hpp"
 #include "tools/record/mcap_recording.hpp"
 
 namespace iog::tools {

@@ -32,11 +32,6 @@ class StreamFile {
   std::unique_ptr<mcap::Reader> mcap_;
 };
 
-// Where a stream comes from and goes to if the recording does not say it: from the reference board
-// to its peer (board/imx6/main.cpp).
-inline constexpr Endpoint kStreamSource{.ipv4 = 0x0A00020F, .port = 15001};
-inline constexpr Endpoint kStreamDestination{.ipv4 = 0x0A000202, .port = 15000};
-
 // Whether the file begins as an MCAP file does.
 [[nodiscard]] bool is_mcap_file(const std::string& path);
 

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/lux/lux_burst.hpp"
 #include "tools/simulate/random.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "numeric/elementary.hpp"
 #include "require/require.hpp"
-#include "tools/formats/lux/lux_burst.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 
 namespace iog::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "numeric/elementary.hpp"
-#include "tools/formats/lux/lux_burst.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::tools {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
-#include "tools/formats/lux/lux_burst.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/simulate/drive.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr std::uint32_t kUnnamedIpv4 = 0x0A000264;  // of a scanner whose description takes any
 constexpr std::uint64_t kFrameNs = 1'000'000'000 / SpinningDrive::kFramesPerSecond;
 
 bool turns(const vehicle::SensorConfig& sensor) { return sender_of(sensor) != nullptr; }

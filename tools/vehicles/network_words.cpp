@@ -1,14 +1,21 @@
 #include "tools/vehicles/network_words.hpp"
 
-#include "tools/info/capture_census.hpp"
-#include "tools/receive/frame_record.hpp"
+#include "tools/program/hexadecimal.hpp"
 
 namespace iog::tools {
+
+std::string dotted(std::uint32_t ipv4) {
+  std::string text;
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    text += std::to_string(ipv4 >> shift & 0xFF) + (shift > 0 ? "." : "");
+  }
+  return text;
+}
 
 std::string words_of(const net::MacAddress& mac) {
   std::string words;
   for (const std::uint8_t octet : mac.octets) {
-    words.append(words.empty() ? "" : ":").append(hex(octet), 6);
+    words.append(words.empty() ? "" : ":").append(hex(octet, 2));
   }
   return words;
 }

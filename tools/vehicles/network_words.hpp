@@ -1,11 +1,15 @@
-// A car's network in words.
+// Addresses and a car's network in words.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "net/config.hpp"
 
 namespace iog::tools {
+
+// "10.0.2.15"
+[[nodiscard]] std::string dotted(std::uint32_t ipv4);
 
 // "02:69:6f:67:00:01"
 [[nodiscard]] std::string words_of(const net::MacAddress& mac);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tools/program/exit_status.hpp"
-#include "tools/receive/frame_record.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/vehicles/car_file.hpp"
 
 namespace iog::tools {

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "tile_coding/encode.hpp"
-#include "tools/receive/live_classes.hpp"
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/live_classes.hpp"
+#include "tools/frames/live_grid.hpp"
 #include "tools/simulate/cell_truth.hpp"
 #include "tools/view/scan_points.hpp"
 

@@ -7,14 +7,14 @@
 
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/identity/capture_identity.hpp"
+#include "tools/identity/vehicle_fit.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
-#include "tools/vehicles/capture_identity.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "tools/vehicles/vehicle_fit.hpp"
 #include "tools/view/sensor_target.hpp"
 
 namespace iog::tools::view {

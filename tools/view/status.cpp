@@ -5,6 +5,7 @@
 
 #include "geometry/grid.hpp"
 #include "lidar/formats.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/map_words.hpp"

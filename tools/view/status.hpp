@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "tools/receive/frame_assembler.hpp"
-#include "tools/receive/live_classes.hpp"
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/frame_assembler.hpp"
+#include "tools/frames/live_classes.hpp"
+#include "tools/frames/live_grid.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/view/recorder.hpp"
 #include "tools/view/stream_health.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 
 namespace iog::tools::view {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/receive/frame_assembler.hpp"
-#include "tools/receive/live_classes.hpp"
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/frame_assembler.hpp"
+#include "tools/frames/live_classes.hpp"
+#include "tools/frames/live_grid.hpp"
 #include "tools/view/recorder.hpp"
 #include "tools/view/scene.hpp"
 #include "tools/view/status.hpp"

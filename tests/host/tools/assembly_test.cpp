@@ -7,11 +7,12 @@
 
 #include "drive_sample.hpp"
 #include "fakes/temporary_folder.hpp"
+#include "tools/frames/frame_assembler.hpp"
+#include "tools/frames/sequence_watch.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/receive/sequence_watch.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::tools {

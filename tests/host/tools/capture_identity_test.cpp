@@ -1,6 +1,6 @@
 // Whose capture is this? `iog info` and what refuses a capture give one answer, and vehicles that
 // share UDP ports are told apart by what their sensors send.
-#include "tools/vehicles/capture_identity.hpp"
+#include "tools/identity/capture_identity.hpp"
 
 #include <gtest/gtest.h>
 #include <optional>
@@ -14,10 +14,10 @@
 #include "fakes/temporary_folder.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/identity/vehicle_fit.hpp"
 #include "tools/info/file_summary.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "tools/vehicles/vehicle_fit.hpp"
 
 namespace iog::tools {
 namespace {

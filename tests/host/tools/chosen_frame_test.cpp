@@ -1,4 +1,4 @@
-#include "tools/receive/chosen_frame.hpp"
+#include "tools/frames/chosen_frame.hpp"
 
 #include <gtest/gtest.h>
 #include <initializer_list>

@@ -12,7 +12,7 @@
 #include "gtest/gtest.h"
 
 #include "fake_class_target.hpp"
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 
 namespace iog::tools {
 namespace {

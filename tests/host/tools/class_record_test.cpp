@@ -7,9 +7,9 @@
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
+#include "tools/frames/grid_frame.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/receive/class_statistics.hpp"
-#include "tools/receive/grid_frame.hpp"
 
 namespace iog::tools {
 namespace {

@@ -9,10 +9,10 @@
 #include "gtest/gtest.h"
 
 #include "fakes/random.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/receive/class_record.hpp"
-#include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/simulate/moving_drive.hpp"
 #include "tools/simulate/pose_source.hpp"

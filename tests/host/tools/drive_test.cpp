@@ -11,8 +11,8 @@
 #include "drive_sample.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "stream/crc32.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/receive/frame_assembler.hpp"
 #include "tools/simulate/truth.hpp"
 
 namespace iog::tools {

@@ -1,5 +1,5 @@
 // What a receiver shows of the world while the window moves and messages are lost.
-#include "tools/receive/live_classes.hpp"
+#include "tools/frames/live_classes.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "gtest/gtest.h"
 
 #include "fake_class_target.hpp"
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 
 namespace iog::tools {
 namespace {

@@ -18,8 +18,8 @@
 #include "drive_sample.hpp"
 #include "stream/crc32.hpp"
 #include "tools/formats/lux/ntp_time.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/receive/frame_assembler.hpp"
 
 namespace iog::tools {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "pose/source.hpp"
 #include "stream/crc32.hpp"
-#include "tools/formats/lux/lux_burst.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/simulate/scene_catalogue.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "drive_sample.hpp"
 #include "pose/message.hpp"
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/replay/frame_grouper.hpp"
 #include "tools/replay/port_queue.hpp"

@@ -13,7 +13,7 @@
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {

@@ -14,7 +14,7 @@
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
 #include "lidar/velodyne_identity.hpp"
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 
 namespace iog::tools {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "fakes/hesai_packet.hpp"
 #include "tools/budget/frame_budget.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
-#include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
 
 namespace iog::tools {

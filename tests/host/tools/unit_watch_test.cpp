@@ -1,5 +1,5 @@
 // Packets are known without a description of their unit; those of nobody have no name.
-#include "tools/formats/lidar/unit_watch.hpp"
+#include "tools/identity/unit_watch.hpp"
 
 #include <gtest/gtest.h>
 #include <string>

@@ -5,6 +5,7 @@
 
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/lux/ntp_time.hpp"
 
 namespace iog::tools {

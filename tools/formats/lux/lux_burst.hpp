@@ -17,10 +17,6 @@ inline constexpr std::uint32_t kLuxFramesPerSecond = 25;
 inline constexpr std::uint64_t kLuxPeriodUs = 1'000'000 / kLuxFramesPerSecond;
 inline constexpr std::uint64_t kLuxSweepUs = 11'111;  // 100 degrees at 25 Hz
 
-// 2024-05-01 12:00:00 UTC: every drive begins then, so that its bytes do not depend on the day.
-inline constexpr std::uint64_t kDriveStartUs = 1'714'564'800'000'000U;
-inline constexpr std::uint32_t kTargetIpv4 = 0x0A00020F;  // 10.0.2.15
-
 // The points of that sensor's scan.
 using ScanOfSensor = std::function<std::vector<LuxPoint>(std::size_t sensor)>;
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lidar/velodyne.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/lux/lux_stream.hpp"
 #include "tools/formats/lux/ntp_time.hpp"
 #include "tools/program/exit_status.hpp"
@@ -12,10 +13,7 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::uint32_t kTargetIpv4 = 0x0A00020F;   // 10.0.2.15
-constexpr std::uint32_t kUnnamedIpv4 = 0x0A000264;  // of a sensor whose description takes any
-constexpr std::uint64_t kMessageGapUs = 70;         // between the messages of one scan
-constexpr std::uint64_t kHourStartUs = 1'714'564'800'000'000U;  // 2024-05-01 12:00 UTC
+constexpr std::uint64_t kMessageGapUs = 70;  // between the messages of one scan
 constexpr std::uint64_t kHourUs = 3'600'000'000U;
 constexpr std::size_t kVelodyneTimeOffset = 1200;
 
@@ -56,7 +54,7 @@ RawRecording read_velodyne(const std::string& path, const vehicle::SensorConfig&
     throw UsageError(path + ": not a number of Velodyne payloads of 1206 bytes");
   }
   RawRecording recording;
-  std::uint64_t hour_us = kHourStartUs;
+  std::uint64_t hour_us = kDriveStartUs;
   std::uint64_t last_us = 0;
   for (auto rest = std::span<const std::byte>(bytes); !rest.empty(); rest = rest.subspan(kBytes)) {
     const auto payload = rest.first<kBytes>();

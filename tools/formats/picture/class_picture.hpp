@@ -8,7 +8,7 @@
 #include "tools/formats/picture/canvas.hpp"
 #include "tools/formats/picture/frame_title.hpp"
 #include "tools/formats/picture/grid_picture.hpp"
-#include "tools/receive/class_grid.hpp"
+#include "tools/frames/class_grid.hpp"
 
 namespace iog::tools {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 namespace iog::tools {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tools/formats/picture/grid_picture.hpp"
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 namespace CLI {
 class App;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tools/formats/ros/grid_messages.hpp"
-#include "tools/receive/class_grid.hpp"
-#include "tools/receive/live_classes.hpp"
+#include "tools/frames/class_grid.hpp"
+#include "tools/frames/live_classes.hpp"
 
 namespace iog::tools::ros {
 

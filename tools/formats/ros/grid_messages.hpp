@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/receive/grid_frame.hpp"
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/grid_frame.hpp"
+#include "tools/frames/live_grid.hpp"
 
 namespace iog::tools::ros {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "stream/tiles.hpp"
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 namespace iog::tools {
 

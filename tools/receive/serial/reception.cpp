@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "stream/crc32.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
-#include "tools/receive/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/receive/serial/serial_input.hpp"
 #include "tools/receive/serial/serial_link.hpp"

@@ -16,9 +16,9 @@
 #include "lab/evidence/projection.hpp"
 #include "lab/evidence/values.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/receive/frame_assembler.hpp"
 
 namespace iog::lab {
 namespace {

@@ -15,8 +15,9 @@
 #include "lab/reference/many_core.hpp"
 #include "lab/scenarios/worst_frames.hpp"
 #include "lidar/ibeo_lux.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/program/hexadecimal.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/simulate/drive.hpp"
 

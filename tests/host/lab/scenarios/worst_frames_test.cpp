@@ -18,9 +18,9 @@
 #include "lab/evidence/projection.hpp"
 #include "lab/evidence/values.hpp"
 #include "lidar/ibeo_lux.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/receive/frame_assembler.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {

@@ -10,7 +10,7 @@
 
 #include "geometry/grid.hpp"
 #include "tile_coding/decode.hpp"
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 #include "tools/view/scene.hpp"
 
 namespace iog::tools::view {

@@ -1,4 +1,4 @@
-#include "tools/formats/lidar/foreign_unit.hpp"
+#include "tools/identity/foreign_unit.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
-#include "tools/receive/class_grid.hpp"
+#include "tools/frames/class_grid.hpp"
 
 #include <optional>
 
 #include "stream/class_hash.hpp"
-#include "tools/receive/grid_frame.hpp"
-#include "tools/receive/tile_messages.hpp"
+#include "tools/frames/grid_frame.hpp"
+#include "tools/frames/tile_messages.hpp"
 
 namespace iog::tools {
 namespace {

@@ -24,11 +24,11 @@
 #include "protection/supervision.hpp"
 #include "stream/channel.hpp"
 #include "stream/tiles.hpp"
-#include "tools/receive/grid_frame.hpp"
-#include "tools/receive/message_counts.hpp"
-#include "tools/receive/run_watch.hpp"
-#include "tools/receive/sequence_watch.hpp"
-#include "tools/receive/tile_messages.hpp"
+#include "tools/frames/grid_frame.hpp"
+#include "tools/frames/message_counts.hpp"
+#include "tools/frames/run_watch.hpp"
+#include "tools/frames/sequence_watch.hpp"
+#include "tools/frames/tile_messages.hpp"
 
 namespace iog::tools {
 

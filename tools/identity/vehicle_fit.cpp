@@ -1,11 +1,11 @@
-#include "tools/vehicles/vehicle_fit.hpp"
+#include "tools/identity/vehicle_fit.hpp"
 
 #include <filesystem>
 #include <optional>
 
 #include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/identity/capture_identity.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/vehicles/capture_identity.hpp"
 
 namespace iog::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/receive/run_watch.hpp"
+#include "tools/frames/run_watch.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "tools/formats/lidar/format_names.hpp"
+#include "tools/identity/format_names.hpp"
 
 #include "lidar/formats.hpp"
 

@@ -12,8 +12,8 @@
 #include "grid/frame_fusion.hpp"
 #include "stream/message.hpp"
 #include "tile_coding/tile_cells.hpp"
-#include "tools/receive/class_grid.hpp"
-#include "tools/receive/tile_set.hpp"
+#include "tools/frames/class_grid.hpp"
+#include "tools/frames/tile_set.hpp"
 
 namespace iog::tools {
 

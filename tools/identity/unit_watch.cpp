@@ -1,4 +1,4 @@
-#include "tools/formats/lidar/unit_watch.hpp"
+#include "tools/identity/unit_watch.hpp"
 
 #include <array>
 #include <optional>
@@ -8,8 +8,8 @@
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
-#include "tools/formats/lidar/foreign_unit.hpp"
-#include "tools/formats/lidar/format_names.hpp"
+#include "tools/identity/foreign_unit.hpp"
+#include "tools/identity/format_names.hpp"
 
 namespace iog::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/info/stream_census.hpp"
+#include "tools/receive/stream_census.hpp"
 
 #include "tools/receive/link_counts.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"

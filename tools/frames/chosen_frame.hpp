@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 namespace iog::tools {
 

@@ -9,7 +9,7 @@
 #include "geometry/grid.hpp"
 #include "stream/class_end.hpp"
 #include "stream/class_window.hpp"
-#include "tools/receive/tile_set.hpp"
+#include "tools/frames/tile_set.hpp"
 
 namespace iog::tools {
 

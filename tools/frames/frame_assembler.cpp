@@ -1,4 +1,4 @@
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 
 #include <algorithm>
 #include <utility>

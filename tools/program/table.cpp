@@ -1,4 +1,4 @@
-#include "tools/receive/table.hpp"
+#include "tools/program/table.hpp"
 
 #include <algorithm>
 

@@ -12,8 +12,8 @@
 #include "stream/references.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/tile_cells.hpp"
-#include "tools/receive/message_counts.hpp"
-#include "tools/receive/tile_set.hpp"
+#include "tools/frames/message_counts.hpp"
+#include "tools/frames/tile_set.hpp"
 
 namespace iog::tools {
 

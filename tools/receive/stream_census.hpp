@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/receive/frame_assembler.hpp"
+#include "tools/frames/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"
 
 namespace iog::tools {

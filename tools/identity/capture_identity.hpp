@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tools/formats/capture/datagram.hpp"
-#include "tools/formats/lidar/unit_watch.hpp"
+#include "tools/identity/unit_watch.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {

@@ -1,4 +1,4 @@
-#include "tools/receive/tile_messages.hpp"
+#include "tools/frames/tile_messages.hpp"
 
 #include "tile_coding/decode.hpp"
 

@@ -1,4 +1,4 @@
-#include "tools/vehicles/capture_identity.hpp"
+#include "tools/identity/capture_identity.hpp"
 
 #include <algorithm>
 #include <iterator>

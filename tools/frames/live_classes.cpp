@@ -1,4 +1,4 @@
-#include "tools/receive/live_classes.hpp"
+#include "tools/frames/live_classes.hpp"
 
 #include <algorithm>
 

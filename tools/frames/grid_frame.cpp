@@ -1,4 +1,4 @@
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 #include <cstring>
 

@@ -1,4 +1,4 @@
-#include "tools/receive/sequence_watch.hpp"
+#include "tools/frames/sequence_watch.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "tools/receive/live_grid.hpp"
+#include "tools/frames/live_grid.hpp"
 
 #include <algorithm>
 

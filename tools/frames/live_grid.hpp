@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "tools/receive/grid_frame.hpp"
+#include "tools/frames/grid_frame.hpp"
 
 namespace iog::tools {
 
