@@ -41,6 +41,18 @@ bool is_any_on(const Plane& hits, const Ground& ground) {
   return bits != 0;
 }
 
+// Of the hits of a tile those that something made which is tall and came where a low beam had been.
+void keep_arriving(const Window& window, const FrameEvidence& evidence, std::size_t slot,
+                   Plane& hits) {
+  const Plane tall = middle_of(dilated<kRadius>(gather<kRadius>(window.around(
+      slot, [&](std::size_t at) { return evidence.has_hit(at); },
+      [&](std::size_t at) -> const Plane& { return evidence.tall(at); }))));
+  const Plane& from_below = window.tile(slot).from_below;
+  for (std::size_t y = 0; y < hits.size(); ++y) {
+    hits[y] &= from_below[y] & tall[y];
+  }
+}
+
 // The new hits in the square around a cell of a tile. The mask is of the cell's column.
 int count_around(const Rows& rows, std::size_t y, int x) {
   int count = 0;
@@ -73,9 +85,12 @@ void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std
   if (!window.is_known(slot) || !evidence.has_hit(slot)) {
     return;
   }
-  const Plane hits = hits_of(evidence.tile(slot));
+  Plane hits = hits_of(evidence.tile(slot));
   if (!is_any_on(hits, window.tile(slot).ground)) {
     return;
+  }
+  if (is_from_below_) {
+    keep_arriving(window, evidence, slot, hits);
   }
   const Plane beside = middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));
   const Tile& tile = window.tile(slot);

@@ -1,6 +1,10 @@
 // Which hits of a frame are on something that moved there, and which on the flickering edges of
 // what stands.
 //
+// Where ground is opened only from below (window/opening.hpp), a hit counts only if its cell was,
+// and if one of the hits in the 7 by 7 is tall: what lies so low that beams go over it does not
+// move.
+//
 // All of it is asked of the state before the frame. A hit is *beside* if one of the 3 by 3 cells
 // stands. It is *new* if its cell is open, freed, and it is not beside. It has moved if it is not
 // beside and its cell is dense, or open with enough new hits in the 7 by 7: two where the ground
@@ -18,6 +22,9 @@ namespace iog::window {
 
 class Arrivals {
  public:
+  // is_from_below: ground is opened only from below.
+  explicit Arrivals(bool is_from_below = false) : is_from_below_(is_from_below) {}
+
   // Of all hits of a frame, before any tile is changed.
   void find(const Window& window, const FrameEvidence& evidence);
 
@@ -36,6 +43,7 @@ class Arrivals {
  private:
   void count_new(const Window& window, std::size_t slot);
 
+  bool is_from_below_;
   // Of a tile without new hits, or without open ones, what is stored is of an older frame.
   std::array<bool, kSlotCount> has_new_{};
   std::array<bool, kSlotCount> has_open_{};

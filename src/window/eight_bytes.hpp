@@ -42,6 +42,12 @@ class EightBytes {
   // The same of those below 0.
   [[nodiscard]] std::uint8_t negative() const { return gathered(word_ & kTopBits); }
 
+  // The same of bytes that are free from below (window/slice_byte.hpp): of those below 0 down to
+  // -63 bit 5 is set down to -31, and not from -33 on.
+  [[nodiscard]] std::uint8_t from_below() const {
+    return gathered(word_ & ~(word_ << 2U) & kTopBits);
+  }
+
  private:
   static constexpr std::uint64_t kSevenBits = 0x7F7F7F7F7F7F7F7FU;
   static constexpr std::uint64_t kTopBits = 0x8080808080808080U;

@@ -1,4 +1,4 @@
-// Ranges. A stored index is -127 ... 127, and so is one of a slice. Points are below 2^13 cells,
+// Ranges. A stored byte is -63 ... 63, and so is one of a slice. Points are below 2^13 cells,
 // which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and 62 steps of at most
 // 2^16. Points that are eight steps apart are eight additions of one step apart, exactly. Eight
 // by eight cells reach 7 sqrt(2) cells far, and so are within a square of 11 cells of the grid.
@@ -13,9 +13,6 @@
 
 namespace iog::window {
 namespace {
-
-constexpr std::int8_t kLeast = -127;
-constexpr std::int32_t kMost = 127;
 
 std::int32_t less(std::int32_t a) { return a < 0 ? a : 0; }
 std::int32_t more(std::int32_t a) { return a > 0 ? a : 0; }
@@ -98,20 +95,27 @@ void look_up_anywhere(const SliceCells& slice, FinePoint first, FinePoint step, 
   }
 }
 
-// The larger of `before` and kLeast - index plus the index is their sum, never less than kLeast,
-// and nothing on the way leaves eight bits.
+// Two free bytes: their indexes are added, their bits joined. All is of eight bits without a sign,
+// so that the compiler does many at once.
 void join_free(const Band& found, std::span<std::int8_t, kBandCells> evidence) {
+  constexpr std::uint8_t kMost = kMostIndex;
+  constexpr std::uint8_t kBit = kBeside;
+  const auto freedom = [](std::int8_t byte) {
+    return static_cast<std::uint8_t>(byte < 0 ? -byte : 0);
+  };
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::int8_t before = evidence[i];
-    const std::int8_t negative = found[i] < 0 ? found[i] : std::int8_t{0};
-    const std::int8_t index = before > 0 ? std::int8_t{0} : negative;
-    const auto least = static_cast<std::int8_t>(kLeast - index);
-    evidence[i] = static_cast<std::int8_t>((before > least ? before : least) + index);
+    const std::uint8_t before = freedom(evidence[i]);
+    const std::uint8_t next = freedom(found[i]);
+    const auto sum = static_cast<std::uint8_t>((before & kMost) + (next & kMost));
+    const auto bit = static_cast<std::uint8_t>((before | next) & kBit);
+    const auto joined = static_cast<std::uint8_t>((sum < kMost ? sum : kMost) | bit);
+    evidence[i] = evidence[i] > 0 ? evidence[i] : static_cast<std::int8_t>(-joined);
   }
 }
 
 void join_hit(std::int32_t index, std::int8_t& evidence) {
-  evidence = static_cast<std::int8_t>(std::min(std::max<std::int32_t>(evidence, 0) + index, kMost));
+  evidence =
+      static_cast<std::int8_t>(std::min(std::max<std::int32_t>(evidence, 0) + index, kMostIndex));
 }
 
 }  // namespace
@@ -125,9 +129,17 @@ void FrameEvidence::clear() {
 void FrameEvidence::clear(std::size_t slot) {
   if (is_touched_[slot]) {
     cells_[slot].fill(0);
+    tall_[slot].fill(0);
     has_hit_[slot] = false;
     work::keep_order();
     is_touched_[slot] = false;
+  }
+}
+
+void FrameEvidence::leave_out(std::size_t slot, std::size_t group, std::uint8_t cells) {
+  for (unsigned left = cells; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    cells_[slot][group * evidence::kGroupCells + i] = 0;
   }
 }
 
@@ -180,6 +192,7 @@ void FrameEvidence::remember(const Area& area, const Region& region, Before& bef
     before.has_hit[i] = has_hit_[slot];
     if (is_touched_[slot]) {
       before.cells[i] = cells_[slot];
+      before.tall[i] = tall_[slot];
     }
   }
 }
@@ -190,6 +203,7 @@ void FrameEvidence::put_back(const Area& area, const Region& region, const Befor
     is_touched_[slot] = before.is_touched[i];
     has_hit_[slot] = before.has_hit[i];
     cells_[slot] = before.is_touched[i] ? before.cells[i] : TileIndexes{};
+    tall_[slot] = before.is_touched[i] ? before.tall[i] : Plane{};
   }
 }
 
@@ -294,7 +308,8 @@ void FrameEvidence::push_eight(const std::int8_t* indexes, FinePoint first, cons
     const auto y = static_cast<std::uint32_t>(cell.y) & kInTile;
     is_touched_[slot] = true;
     has_hit_[slot] = true;
-    join_hit(indexes[i], cells_[slot][y * geometry::kTileSide + x]);
+    join_hit(index_of(indexes[i]), cells_[slot][y * geometry::kTileSide + x]);
+    tall_[slot][y] |= (is_tall(indexes[i]) ? 1U : 0U) << x;
   }
 }
 

@@ -6,9 +6,10 @@
 // degrees), and a pole must not vanish. What lies outside of the window is dropped.
 //
 // A cell's evidence is the saturated sum of the positive indexes if there are any, else of the
-// negative ones. A byte is enough for both: what is above zero counts hits alone, and the first hit
-// erases what was pulled. Sums of one sign saturate alike in any order, so slices may come in any.
-// The window bounds it all: a byte for each of its cells, by slot, 1 MB.
+// negative ones. A byte is enough for both (window/slice_byte.hpp): what is above zero counts hits
+// alone, and the first hit erases what was pulled. Sums of one sign saturate alike in any order,
+// and the bit of a free cell is that of any slice, so slices may come in any. Whether a hit was
+// tall is a bit a cell of its own. The window bounds it all, by slot, 1.1 MB.
 //
 // Several cores add slices region by region of the window: whoever has a region pulls its tiles
 // and looks through the slices for what is pushed into it. One core alone takes all of the window
@@ -61,8 +62,14 @@ class FrameEvidence {
   // Whether a cell of it was hit.
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
-  // The joined indexes of the tile at a slot, row by row from the lowest y.
+  // The joined bytes of the tile at a slot, row by row from the lowest y.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
+
+  // Its cells in which a hit was tall. Only if it is touched.
+  [[nodiscard]] const Plane& tall(std::size_t slot) const { return tall_[slot]; }
+
+  // Nothing is said any more of these cells of a group; bit i is of cell i.
+  void leave_out(std::size_t slot, std::size_t group, std::uint8_t cells);
 
  private:
   // Some tiles of the window, counted from its lowest corner.
@@ -100,6 +107,7 @@ class FrameEvidence {
     std::array<bool, kRegionTiles> is_touched{};
     std::array<bool, kRegionTiles> has_hit{};
     alignas(32) std::array<TileIndexes, kRegionTiles> cells{};
+    std::array<Plane, kRegionTiles> tall{};
   };
 
   // A slice on its way into the window.
@@ -140,6 +148,7 @@ class FrameEvidence {
                   const Region& region);
 
   alignas(32) std::array<TileIndexes, kSlotCount> cells_{};
+  std::array<Plane, kSlotCount> tall_{};
   std::array<bool, kSlotCount> is_touched_{};
   std::array<bool, kSlotCount> has_hit_{};
   work::BeforeImages<Before> before_;

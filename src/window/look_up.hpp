@@ -1,5 +1,5 @@
-// Looks up what a square of the window's cells finds in the vehicle's grid. look_up.cpp says what;
-// CMake chooses how, look_up.cpp or look_up_arm.cpp.
+// Opening up what a square of the window's cells finds in the vehicle's grid. look_up.cpp says
+// what; CMake chooses how, look_up.cpp or look_up_arm.cpp.
 #pragma once
 
 #include <array>

@@ -30,6 +30,9 @@ struct Rules {
   // Masses by index; without it all hits have one mass. Of static storage.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
+  // Ground is opened only from below (window/opening.hpp): one of the sensors says how low and how
+  // tall.
+  bool is_opened_from_below = false;
   std::uint32_t group_budget = kGroupBudget;
 };
 

@@ -1,6 +1,7 @@
 #include "window/slice_cells.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "window/bring.hpp"
@@ -48,9 +49,22 @@ BandBits band_of(const std::int8_t* rows, std::index_sequence<kRows...> /*all*/)
   return band;
 }
 
+// The bytes of a row's indexes. Most rows have no bit, or one in each cell that is free.
+void write_row(const std::int8_t* indexes, std::uint32_t low, std::uint32_t tall,
+               std::int8_t* row) {
+  constexpr std::int8_t kMost = kMostIndex;
+  for (std::size_t x = 0; x < kSide; ++x) {
+    row[x] = std::clamp<std::int8_t>(indexes[x], -kMost, kMost);
+  }
+  for (std::uint32_t left = low | tall; left != 0; left &= left - 1) {
+    const auto x = static_cast<std::size_t>(std::countr_zero(left));
+    row[x] = byte_of(indexes[x], (low >> x & 1U) != 0, (tall >> x & 1U) != 0);
+  }
+}
+
 }  // namespace
 
-void SliceCells::copy(std::size_t tile, TileIndexes indexes) {
+void SliceCells::copy(std::size_t tile, TileIndexes indexes, const TileHeights& heights) {
   unsigned hit_bands = 0;
   unsigned known_blocks = 0;
   const std::int8_t* in = indexes.data();
@@ -60,8 +74,10 @@ void SliceCells::copy(std::size_t tile, TileIndexes indexes) {
       bring_line(&row[y * kStride]);
     }
     const BandBits band = band_of(in, std::make_index_sequence<kBlock>());
-    for (std::size_t y = 0; y < kBlock; ++y, in += kSide, row += kStride) {
-      __builtin_memcpy(row, in, kSide);
+    for (std::size_t y = block_y * kBlock; y < (block_y + 1) * kBlock; ++y) {
+      write_row(in, heights.low[y], heights.tall[y], row);
+      in += kSide;
+      row += kStride;
     }
     for (std::size_t block_x = 0; block_x < kBlocksOfTile; ++block_x) {
       const bool is_known = !EightBytes::load(&band.bits[block_x * kBlock]).is_zero();

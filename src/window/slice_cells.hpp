@@ -1,5 +1,5 @@
-// The index grid of a slice row by row, so that a cell is found by one multiplication, and where
-// something is known in it at all.
+// The index grid of a slice row by row, a byte a cell (window/slice_byte.hpp), so that a cell is
+// found by one multiplication, and where something is known in it at all.
 //
 // It is a copy: a slice's cells are looked up four times as often as they are copied. Rows are
 // stored two cache lines longer than they are, otherwise the cells of a column would compete for a
@@ -13,6 +13,7 @@
 
 #include "geometry/cell.hpp"
 #include "geometry/grid.hpp"
+#include "window/slice_byte.hpp"
 
 namespace iog::window {
 
@@ -27,13 +28,13 @@ class SliceCells {
 
   // Takes over a tile of a grid, row by row from its lowest y. Before, all of its cells are
   // unknown.
-  void take(std::size_t tile, TileIndexes indexes) {
-    copy(tile, indexes);
+  void take(std::size_t tile, TileIndexes indexes, const TileHeights& heights = {}) {
+    copy(tile, indexes, heights);
     note(tile);
   }
   // The two steps of it: several cores may copy tiles at the same time, and copy one again; then
   // each is noted once.
-  void copy(std::size_t tile, TileIndexes indexes);
+  void copy(std::size_t tile, TileIndexes indexes, const TileHeights& heights = {});
   void note(std::size_t tile);
 
   // All cells are unknown again.
@@ -77,7 +78,7 @@ class SliceCells {
     return is_near_[(y + kBlocksBefore) * kNearStride + x + kBlocksBefore] != 0;
   }
 
-  // The grid's cells, kStride from one row to the next.
+  // A byte for each of the grid's cells (window/slice_byte.hpp), kStride from one row to the next.
   [[nodiscard]] const std::int8_t* cells() const { return cells_.data(); }
 
   // The first cell of a tile.

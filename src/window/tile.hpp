@@ -66,6 +66,8 @@ struct Tile {
   std::array<bool, kGroupsPerTile> is_free_alone{};
   Found found{};
   Ground ground{};
+  // A beam that was low has freed the cell since the tile is known, and nothing stood there since.
+  Plane from_below{};
 };
 
 inline void Tile::clear() {
@@ -75,6 +77,7 @@ inline void Tile::clear() {
   decided.fill({});
   found = {};
   ground = {};
+  from_below = {};
 }
 
 }  // namespace iog::window

@@ -46,7 +46,9 @@ EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
 }  // namespace
 
 WindowFusion::WindowFusion(const Rules& rules)
-    : rules_(rules), clock_(rules.discounting, rules.weighing) {}
+    : rules_(rules),
+      clock_(rules.discounting, rules.weighing),
+      arrivals_(rules.is_opened_from_below) {}
 
 // Evidence lies by slot, and would be of other tiles if the window moved under it.
 void WindowFusion::follow(const pose::Pose& pose) {
@@ -110,8 +112,6 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
       due_.add(slot);
     }
   }
-  const bool is_tight = due_.count * kGroupsPerTile > rules_.group_budget;
-  const bool are_shared = !crew.is_one();
   const work::Runs runs(due_.count, kFound);
   crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
     for (const std::uint16_t slot : due_.of(runs[item])) {
@@ -119,11 +119,32 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
       if (window_.is_known(slot)) {
         slot_counts_[slot].standing = standing_counts(window_.tile(slot), evidence_.tile(slot));
       }
-      if (is_tight) {
-        count_groups(slot, are_shared);
+      if (rules_.is_opened_from_below) {
+        opening_.find(window_, evidence_, slot);
       }
     }
   });
+  if (due_.count * kGroupsPerTile > rules_.group_budget) {
+    count_groups(crew);
+  }
+}
+
+void WindowFusion::count_groups(const work::Crew& crew) {
+  const bool are_shared = !crew.is_one();
+  const work::Runs runs(due_.count, kFound);
+  crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
+    for (const std::uint16_t slot : due_.of(runs[item])) {
+      leave_out_high(slot);
+      count_groups(slot, are_shared);
+    }
+  });
+}
+
+// What is taken gives way to low beams alone.
+void WindowFusion::leave_out_high(std::size_t slot) {
+  if (rules_.is_opened_from_below) {
+    opening_.leave_out_high(evidence_, slot);
+  }
 }
 
 // Who fuses all slots in their order need not count those without hits.
@@ -225,10 +246,14 @@ void WindowFusion::update_tile(const TileUpdate& update, std::size_t slot, Budge
                                Before&... before) {
   if (evidence_.is_touched(slot)) {
     arrivals_.find_moved(window_, slot);
+    leave_out_high(slot);
     fuse_tile(update, slot, budget, before...);
   }
   if (is_turn_to_refresh(slot) && window_.is_known(slot)) {
     refresh_tile(update, slot, before...);
+  }
+  if (rules_.is_opened_from_below && window_.is_known(slot)) {
+    opening_.remember(window_.open(slot), evidence_.is_touched(slot), slot);
   }
 }
 

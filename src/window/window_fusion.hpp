@@ -1,7 +1,8 @@
 // The window in time: slices of frames in, masses and classes out.
 //
 // In a frame the window follows the vehicle, slices are added, and the frame is finished:
-//   1. what is asked of neighbours is answered from the state before the frame;
+//   1. what is asked of neighbours is answered from the state before the frame, and where ground is
+//      opened only from below (window/opening.hpp) what does not count is left out;
 //   2. groups with evidence age, take it in, and are decided;
 //   3. the tiles of which slot and number of frames, since the first that was placed, are a
 //   multiple of 8 in sum are refreshed: its other groups age and are decided without evidence;
@@ -26,6 +27,7 @@
 #include "pose/pose.hpp"
 #include "window/arrivals.hpp"
 #include "window/frame_evidence.hpp"
+#include "window/opening.hpp"
 #include "window/placement.hpp"
 #include "window/rules.hpp"
 #include "window/slice_cells.hpp"
@@ -68,7 +70,9 @@ class WindowFusion {
   void follow(const pose::Pose& pose);
 
   // Takes a tile of the next slice's index grid, row by row from its lowest y.
-  void take(std::size_t tile, SliceCells::TileIndexes indexes) { cells_.take(tile, indexes); }
+  void take(std::size_t tile, SliceCells::TileIndexes indexes, const TileHeights& heights = {}) {
+    cells_.take(tile, indexes, heights);
+  }
 
   // Adds the slice of which the tiles were taken since the one before.
   void add(const Placement& at);
@@ -162,7 +166,9 @@ class WindowFusion {
   };
 
   void find_arrivals(const work::Crew& crew);
+  void count_groups(const work::Crew& crew);
   void count_groups(std::size_t slot, bool are_shared);
+  void leave_out_high(std::size_t slot);
   [[nodiscard]] Budget budget_without_hits() const;
   void update_tiles(const work::Crew& crew);
   void deal_out(Budget budget);
@@ -203,10 +209,11 @@ class WindowFusion {
   FrameCounts counts_{};
   Refreshed refreshed_{};
   Arrivals arrivals_;
+  Opening opening_;
   SlotList due_;  // slots that this step is about
   std::array<SlotCounts, kSlotCount> slot_counts_{};
 };
 inline constexpr std::size_t kWindowBytes = sizeof(WindowFusion);
-static_assert(geometry::kCellsPerSide > 1024 || kWindowBytes <= 17'000'000);
+static_assert(geometry::kCellsPerSide > 1024 || kWindowBytes <= 17'600'000);
 
 }  // namespace iog::window

@@ -24,6 +24,7 @@ struct GroundCell {
   bool dense = false;
   int ticks = 0;
   bool is_hit = false;
+  bool is_from_below = false;
   friend bool operator==(const GroundCell&, const GroundCell&) = default;
 };
 

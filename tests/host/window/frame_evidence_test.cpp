@@ -44,6 +44,13 @@ class Evidence {
     return evidence_->tile(
         slot_of(tile))[static_cast<std::uint32_t>(in_tile.y * kTileSide + in_tile.x)];
   }
+  [[nodiscard]] bool is_tall(Cell cell) const {
+    const TileNumber tile{numeric::div_floor(cell.x, kTileSide),
+                          numeric::div_floor(cell.y, kTileSide)};
+    const std::uint32_t row =
+        evidence_->tall(slot_of(tile))[static_cast<std::uint32_t>(cell.y - tile.b * kTileSide)];
+    return (row >> (cell.x - tile.a * kTileSide) & 1U) != 0;
+  }
 
   // '.' free, '#' hit, ' ' nothing.
   [[nodiscard]] std::vector<std::string> picture(Cell low, std::int32_t width,
@@ -73,7 +80,8 @@ class Evidence {
 
   friend bool operator==(const Evidence& a, const Evidence& b) {
     for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      if (a.evidence_->tile(slot) != b.evidence_->tile(slot)) {
+      if (a.evidence_->tile(slot) != b.evidence_->tile(slot) ||
+          (a.evidence_->has_hit(slot) && a.evidence_->tall(slot) != b.evidence_->tall(slot))) {
         return false;
       }
     }
@@ -112,23 +120,53 @@ TEST(FrameEvidence, AQuarterTurnTurnsAPicture) {
 
 TEST(FrameEvidence, HitsAreAddedAndEraseWhatIsFree) {
   Slice free_cell;
-  free_cell.set(kOrigin, -100);
+  free_cell.set(kOrigin, -20);
   Slice hit;
-  hit.set(kOrigin, 80);
+  hit.set(kOrigin, 16);
   const Placement at = placed(0, 0);
   Evidence evidence;
   evidence.add(free_cell, at);
-  EXPECT_EQ(evidence.at({0, 0}), -100);
+  EXPECT_EQ(evidence.at({0, 0}), -20);
   evidence.add(free_cell, at);
-  EXPECT_EQ(evidence.at({0, 0}), -127);
+  EXPECT_EQ(evidence.at({0, 0}), -31);
   evidence.add(hit, at);
-  EXPECT_EQ(evidence.at({0, 0}), 80);
+  EXPECT_EQ(evidence.at({0, 0}), 16);
   evidence.add(free_cell, at);
-  EXPECT_EQ(evidence.at({0, 0}), 80);
+  EXPECT_EQ(evidence.at({0, 0}), 16);
   evidence.add(hit, at);
-  EXPECT_EQ(evidence.at({0, 0}), 127);
+  EXPECT_EQ(evidence.at({0, 0}), 31);
   evidence.clear();
   EXPECT_EQ(evidence.at({0, 0}), 0);
+}
+
+// A cell is free from below if one of the beams was low, and a cell is hit by something tall if one
+// of the hits was; a hit erases both what was free and how.
+TEST(FrameEvidence, HowLowAndHowTallIsThatOfAnySlice) {
+  Slice from_below;
+  from_below.draw(kOrigin, {","});
+  Slice from_above;
+  from_above.draw(kOrigin, {"."});
+  Slice hit;
+  hit.draw(kOrigin, {"#"});
+  Slice tall;
+  tall.draw(kOrigin, {"T"});
+  const Placement at = placed(0, 0);
+  Evidence evidence;
+  evidence.add(from_above, at);
+  EXPECT_EQ(evidence.at({0, 0}), byte_of(-14, false, false));
+  evidence.add(from_below, at);
+  evidence.add(from_above, at);
+  EXPECT_EQ(evidence.at({0, 0}), byte_of(-31, true, false));
+  evidence.add(hit, at);
+  EXPECT_EQ(evidence.at({0, 0}), 2);
+  EXPECT_FALSE(evidence.is_tall({0, 0}));
+  evidence.add(tall, at);
+  evidence.add(hit, at);
+  evidence.add(from_below, at);
+  EXPECT_EQ(evidence.at({0, 0}), 6);
+  EXPECT_TRUE(evidence.is_tall({0, 0}));
+  evidence.clear();
+  EXPECT_FALSE(evidence.is_tall({0, 0}));
 }
 
 // What is said to be nowhere near, and not to be hit, is not; and nothing is left behind.
@@ -187,9 +225,12 @@ Slice random_slice(tests::Random& random, int cells, int reach) {
   Slice slice;
   for (int i = 0; i < cells; ++i) {
     const int index = random.one_in(3) ? random.between(1, 127) : random.between(-127, -1);
-    slice.set({kOrigin.x + random.between(-reach, reach - 1),
-               kOrigin.y + random.between(-reach, reach - 1)},
-              index);
+    const Cell cell{kOrigin.x + random.between(-reach, reach - 1),
+                    kOrigin.y + random.between(-reach, reach - 1)};
+    slice.set(cell, index);
+    if (random.one_in(2)) {
+      index > 0 ? slice.set_tall(cell) : slice.set_low(cell);
+    }
   }
   return slice;
 }
@@ -245,11 +286,13 @@ void expect_by_the_rule(const Slice& slice, const Placement& at, std::int32_t re
   Evidence evidence(area);
   evidence.add(slice, at);
   std::map<std::pair<int, int>, int> pushed;
+  std::map<std::pair<int, int>, bool> tall;
   std::map<std::pair<int, int>, bool> doubtful;
   slice.for_each([&](Cell cell, int index) {
     const tests::ExactPoint to = tests::exact_in_frame(cell, at);
     if (index > 0) {
-      pushed[{to.cell().x, to.cell().y}] += index;
+      pushed[{to.cell().x, to.cell().y}] += std::min(index, 31);
+      tall[{to.cell().x, to.cell().y}] |= is_tall(slice.byte_at(cell));
     }
     for (int i = 0; i < 9 && index > 0 && !to.is_clear(); ++i) {
       doubtful[{to.cell().x + i % 3 - 1, to.cell().y + i / 3 - 1}] = true;
@@ -264,10 +307,11 @@ void expect_by_the_rule(const Slice& slice, const Placement& at, std::int32_t re
         continue;
       }
       const bool is_inside = geometry::kGridArea.contains(from.cell());
-      const int pulled = is_inside ? std::min(slice.at(from.cell()), 0) : 0;
+      const int pulled = is_inside ? std::min<int>(slice.byte_at(from.cell()), 0) : 0;
       const auto hit = pushed.find({x, y});
-      const int expected = hit == pushed.end() ? pulled : std::min(hit->second, 127);
+      const int expected = hit == pushed.end() ? pulled : std::min(hit->second, 31);
       ASSERT_EQ(evidence.at({x, y}), expected) << x << " " << y;
+      ASSERT_EQ(evidence.is_tall({x, y}), hit != pushed.end() && tall.at({x, y})) << x << " " << y;
       ++compared;
     }
   }

@@ -23,7 +23,7 @@ class RandomGrid {
     std::array<std::int8_t, geometry::kTileCells> tile{};
     for (std::size_t number = 0; number < geometry::kTileCount; ++number) {
       for (std::int8_t& index : tile) {
-        index = static_cast<std::int8_t>(random.between(-127, 127));
+        index = static_cast<std::int8_t>(random.between(-31, 31));
       }
       cells_->take(number, tile);
       tiles_.push_back(tile);

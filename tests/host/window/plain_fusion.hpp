@@ -45,6 +45,9 @@ struct PlainTile {
 
 class PlainFusion {
  public:
+  // Whether ground is opened only from below.
+  explicit PlainFusion(bool is_opened_from_below = false) : is_from_below_(is_opened_from_below) {}
+
   using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, PlainTile>;  // by b, a
 
   void follow(Cell vehicle) {
@@ -58,9 +61,14 @@ class PlainFusion {
   void frame(const std::vector<PlacedSlice>& slices, std::uint64_t stamp_us) {
     now_us_ = std::max(now_us_, stamp_us);
     ++frames_;
-    const Evidence evidence = joined(slices);
-    fuse(evidence, moved_of(evidence));
+    Evidence evidence = joined(slices);
+    const Moved moved = moved_of(evidence);
+    const Opened opened = is_from_below_ ? opened_by(evidence) : Opened{};
+    fuse(evidence, moved);
     refresh();
+    if (is_from_below_) {
+      open(opened);
+    }
     if (!slices.empty()) {
       ++fused_;
       remember();
@@ -73,7 +81,13 @@ class PlainFusion {
  private:
   [[nodiscard]] std::uint64_t now_ms() const { return now_us_ / 1000; }
 
-  using Evidence = std::map<std::pair<std::int32_t, std::int32_t>, int>;  // by y, x
+  struct Said {
+    int index = 0;
+    bool is_low = false;
+    bool is_tall = false;
+  };
+  using Evidence = std::map<std::pair<std::int32_t, std::int32_t>, Said>;  // by y, x
+  using Opened = std::map<std::pair<std::int32_t, std::int32_t>, bool>;
   using Moved = std::map<std::pair<std::int32_t, std::int32_t>, bool>;
   static constexpr std::int32_t kSide = geometry::kTileSide;
 
@@ -86,15 +100,19 @@ class PlainFusion {
         const Cell at{cell.x - geometry::kOriginCell + vehicle.x,
                       cell.y - geometry::kOriginCell + vehicle.y};
         if (area_.contains(at)) {
-          (index > 0 ? hits : free)[{at.y, at.x}] += index;
+          Said& said = (index > 0 ? hits : free)[{at.y, at.x}];
+          const std::int8_t byte = placed.slice.byte_at(cell);
+          said.index += index;
+          said.is_low |= window::is_from_below(byte);
+          said.is_tall |= window::is_tall(byte);
         }
       });
     }
-    for (const auto& [cell, index] : hits) {
-      free.insert_or_assign(cell, index);
+    for (const auto& [cell, said] : hits) {
+      free.insert_or_assign(cell, said);
     }
-    for (auto& [cell, index] : free) {
-      index = std::clamp(index, -127, 127);
+    for (auto& [cell, said] : free) {
+      said.index = std::clamp(said.index, -31, 31);
     }
     return free;
   }
@@ -134,15 +152,62 @@ class PlainFusion {
     const auto in_copy = [&](const auto& cell) {
       return Cell{cell.second - copy.low.x, cell.first - copy.low.y};
     };
-    for (const auto& [cell, index] : evidence) {
-      if (index > 0 && copy.flat.area().contains(in_copy(cell))) {
-        copy.flat.at(in_copy(cell)).is_hit = true;
+    for (const auto& [cell, said] : evidence) {
+      if (said.index > 0 && copy.flat.area().contains(in_copy(cell))) {
+        GroundCell& is = copy.flat.at(in_copy(cell));
+        is.is_hit = !is_from_below_ || (is.is_from_below && is_tall_around(evidence, cell));
       }
     }
-    for (const auto& [cell, index] : evidence) {
+    for (const auto& [cell, said] : evidence) {
       moved[cell] = copy.flat.has_moved(in_copy(cell));
     }
     return moved;
+  }
+
+  static bool is_tall_around(const Evidence& evidence,
+                             const std::pair<std::int32_t, std::int32_t>& cell) {
+    for (std::int32_t i = 0; i < 49; ++i) {
+      const auto near = evidence.find({cell.first + i / 7 - 3, cell.second + i % 7 - 3});
+      if (near != evidence.end() && near->second.is_tall) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // From the state before the frame: which cells are from below after it. What is taken and free by
+  // beams that are not low is left out.
+  Opened opened_by(Evidence& evidence) {
+    Opened opened;
+    std::erase_if(evidence, [&](const auto& one) {
+      const auto& [cell, said] = one;
+      const std::pair number{numeric::div_floor(cell.first, kSide),
+                             numeric::div_floor(cell.second, kSide)};
+      const auto tile = tiles_.find(number);
+      const auto in_tile = static_cast<std::size_t>((cell.first - number.first * kSide) * kSide +
+                                                    cell.second - number.second * kSide);
+      const GroundCell is = tile == tiles_.end() ? GroundCell{} : tile->second.ground[in_tile];
+      if (said.index < 0 && said.is_low) {
+        opened[cell] = true;
+      } else if (said.index > 0 && is.stands) {
+        opened[cell] = false;
+      }
+      return said.index < 0 && !said.is_low && is.taken;
+    });
+    return opened;
+  }
+
+  void open(const Opened& opened) {
+    for (auto& [number, tile] : tiles_) {
+      for (std::int32_t i = 0; i < kSide * kSide; ++i) {
+        GroundCell& is = tile.ground[static_cast<std::size_t>(i)];
+        const auto change =
+            opened.find({number.first * kSide + i / kSide, number.second * kSide + i % kSide});
+        is.is_from_below = change == opened.end() ? is.is_from_below : change->second;
+        is.freed = is.freed && is.is_from_below;
+        is.seen = is.seen && is.is_from_below;
+      }
+    }
   }
 
   void age(PlainGroup& group) const {
@@ -173,12 +238,12 @@ class PlainFusion {
 
   void fuse(const Evidence& evidence, const Moved& moved) {
     std::map<std::pair<std::int32_t, std::int32_t>, std::map<std::size_t, GroupEvidence>> tiles;
-    for (const auto& [at, index] : evidence) {
+    for (const auto& [at, said] : evidence) {
       const auto [y, x] = at;
       const std::pair tile{numeric::div_floor(y, kSide), numeric::div_floor(x, kSide)};
       const std::int32_t in_tile = (y - tile.first * kSide) * kSide + x - tile.second * kSide;
       GroupEvidence& group = tiles[tile][static_cast<std::size_t>(in_tile / 8)];
-      group.indexes[static_cast<std::size_t>(in_tile % 8)] = static_cast<std::int8_t>(index);
+      group.indexes[static_cast<std::size_t>(in_tile % 8)] = static_cast<std::int8_t>(said.index);
       const auto found = moved.find(at);
       if (found != moved.end() && found->second) {
         group.moved = static_cast<std::uint8_t>(group.moved | 1U << in_tile % 8);
@@ -246,6 +311,7 @@ class PlainFusion {
     }
   }
 
+  bool is_from_below_;
   window::Area area_;
   bool is_placed_ = false;
   Tiles tiles_;

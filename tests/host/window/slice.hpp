@@ -13,6 +13,7 @@
 
 #include "geometry/grid.hpp"
 #include "window/placement.hpp"
+#include "window/slice_byte.hpp"
 
 namespace iog::tests {
 
@@ -24,6 +25,15 @@ class Slice {
   [[nodiscard]] int at(geometry::Cell cell) const {
     const auto tile = tiles_.find(geometry::tile_of(cell));
     return tile == tiles_.end() ? 0 : int{tile->second[in_tile(cell)]};
+  }
+
+  // A beam that freed the cell was low; its hit is tall.
+  void set_low(geometry::Cell cell) { set_bit(heights_[geometry::tile_of(cell)].low, cell); }
+  void set_tall(geometry::Cell cell) { set_bit(heights_[geometry::tile_of(cell)].tall, cell); }
+  // The byte by which the window knows the cell.
+  [[nodiscard]] std::int8_t byte_at(geometry::Cell cell) const {
+    const window::TileHeights heights = heights_of(geometry::tile_of(cell));
+    return window::byte_of(at(cell), is_set(heights.low, cell), is_set(heights.tall, cell));
   }
 
   // All cells that are not 0: visit(cell, index).
@@ -43,34 +53,51 @@ class Slice {
     }
   }
 
-  // Draws a picture, its lower left cell at `at`: '.' free, '#' hit, 'o' two hits; ' ' is left as
-  // it is. The first line is the uppermost row.
+  // Draws a picture, its lower left cell at `at`: '.' free, ',' free from below, '#' hit, 'o' two
+  // hits, 'T' a tall hit; ' ' is left as it is. The first line is the uppermost row.
   Slice& draw(geometry::Cell at, const std::vector<std::string>& picture) {
     for (std::size_t row = 0; row < picture.size(); ++row) {
       const std::string& line = picture[picture.size() - 1 - row];
       for (std::size_t column = 0; column < line.size(); ++column) {
         const char what = line[column];
-        const int index = what == '#' ? 2 : what == 'o' ? 4 : -14;
+        const int index = what == '#' || what == 'T' ? 2 : what == 'o' ? 4 : -14;
+        const geometry::Cell cell{at.x + static_cast<std::int32_t>(column),
+                                  at.y + static_cast<std::int32_t>(row)};
         if (what != ' ') {
-          set({at.x + static_cast<std::int32_t>(column), at.y + static_cast<std::int32_t>(row)},
-              index);
+          set(cell, index);
+        }
+        if (what == ',') {
+          set_low(cell);
+        }
+        if (what == 'T') {
+          set_tall(cell);
         }
       }
     }
     return *this;
   }
 
-  // As grid::FrameFusion: visit(tile, indexes) for each tile in which a cell is not 0.
+  // visit(tile, indexes, heights) for each tile in which a cell is not 0.
   template <typename Visit>
   void release(Visit&& visit) const {
     for (const auto& [tile, indexes] : tiles_) {
       if (std::ranges::any_of(indexes, [](std::int8_t index) { return index != 0; })) {
-        visit(tile, std::span<const std::int8_t, geometry::kTileCells>(indexes));
+        visit(tile, std::span<const std::int8_t, geometry::kTileCells>(indexes), heights_of(tile));
       }
     }
   }
 
  private:
+  static void set_bit(window::Plane& plane, geometry::Cell cell) {
+    plane[static_cast<std::size_t>(cell.y) % plane.size()] |= 1U << cell.x % 32;
+  }
+  static bool is_set(const window::Plane& plane, geometry::Cell cell) {
+    return (plane[static_cast<std::size_t>(cell.y) % plane.size()] >> cell.x % 32 & 1U) != 0;
+  }
+  [[nodiscard]] window::TileHeights heights_of(std::size_t tile) const {
+    const auto heights = heights_.find(tile);
+    return heights == heights_.end() ? window::TileHeights{} : heights->second;
+  }
   static std::size_t in_tile(geometry::Cell cell) {
     constexpr std::uint32_t kSide = geometry::kTileSide;
     const std::uint32_t x = static_cast<std::uint32_t>(cell.x) % kSide;
@@ -79,12 +106,15 @@ class Slice {
   }
 
   std::map<std::size_t, std::array<std::int8_t, geometry::kTileCells>> tiles_;
+  std::map<std::size_t, window::TileHeights> heights_;
 };
 
 // Gives a slice to whoever takes it tile by tile.
 template <typename Taker>
 void hand_over(const Slice& slice, Taker& taker) {
-  slice.release([&taker](std::size_t tile, auto indexes) { taker.take(tile, indexes); });
+  slice.release([&taker](std::size_t tile, auto indexes, const window::TileHeights& heights) {
+    taker.take(tile, indexes, heights);
+  });
 }
 
 inline numeric::Rotation rotation_of(double degrees) {

@@ -62,9 +62,15 @@ std::vector<DrivenFrame> drive(Cell start, int frames) {
       const Cell at{i % (2 * kReach) - kReach, i / (2 * kReach) - kReach};
       const Cell cell{frame.vehicle.x + at.x, frame.vehicle.y + at.y};
       PlacedSlice& seen_by = frame.slices[random.below(3)];
-      seen_by.slice.set({geometry::kOriginCell + cell.x - seen_by.vehicle.x,
-                         geometry::kOriginCell + cell.y - seen_by.vehicle.y},
-                        street.look(cell, number, random));
+      const Cell in_grid{geometry::kOriginCell + cell.x - seen_by.vehicle.x,
+                         geometry::kOriginCell + cell.y - seen_by.vehicle.y};
+      seen_by.slice.set(in_grid, street.look(cell, number, random));
+      if (!random.one_in(3)) {
+        seen_by.slice.set_low(in_grid);
+      }
+      if (random.one_in(8)) {
+        seen_by.slice.set_tall(in_grid);
+      }
     }
     drive.push_back(std::move(frame));
   }
@@ -73,9 +79,11 @@ std::vector<DrivenFrame> drive(Cell start, int frames) {
 
 constexpr Cell kStart{-3'000'017, 2'000'039};
 
-TEST(WindowFusion, ADriveIsWhatPlainLoopsMakeOfIt) {
-  const auto fusion = std::make_unique<WindowFusion>();
-  tests::PlainFusion plain;
+class DriveIn : public testing::TestWithParam<bool> {};
+
+TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
+  const auto fusion = std::make_unique<WindowFusion>(Rules{.is_opened_from_below = GetParam()});
+  tests::PlainFusion plain(GetParam());
   int moving = 0;
   int standing = 0;
   for (const DrivenFrame& frame : drive(kStart, tests::effort(48, 14))) {
@@ -110,9 +118,11 @@ TEST(WindowFusion, ADriveIsWhatPlainLoopsMakeOfIt) {
   EXPECT_GT(standing, tests::effort(100, 0) - 1);
 }
 
+INSTANTIATE_TEST_SUITE_P(OpenedFromBelow, DriveIn, testing::Bool());
+
 TEST(WindowFusion, NoOrderOfSlicesShows) {
-  Fusion forward;
-  Fusion backward;
+  Fusion forward(Rules{.is_opened_from_below = true});
+  Fusion backward(Rules{.is_opened_from_below = true});
   for (DrivenFrame& frame : drive(kStart, 12)) {
     forward.follow(frame.vehicle);
     backward.follow(frame.vehicle);

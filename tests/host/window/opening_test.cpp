@@ -1,0 +1,100 @@
+// Ground is opened only from below: scenes from the street, as maps.
+#include "window/opening.hpp"
+
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "window/frames.hpp"
+
+namespace iog::window {
+namespace {
+
+using decision::Class;
+
+// A square of 16 by 16 cells, all of which say `what`.
+PlacedSlice field(char what) {
+  PlacedSlice placed;
+  placed.slice.draw({512, 512}, std::vector<std::string>(16, std::string(16, what)));
+  return placed;
+}
+
+// The same with a thing of 4 by 4 cells in its middle.
+PlacedSlice thing(char what, char around) {
+  PlacedSlice placed = field(around);
+  placed.slice.draw({518, 518}, std::vector<std::string>(4, std::string(4, what)));
+  return placed;
+}
+
+class OpenedFromBelow : public testing::TestWithParam<bool> {
+ protected:
+  OpenedFromBelow() { fusion_.follow({0, 0}); }
+
+  void play(const PlacedSlice& slice, int frames) {
+    for (int i = 0; i < frames; ++i) {
+      fusion_.frame({slice});
+    }
+  }
+  [[nodiscard]] Class in_the_middle() const { return fusion_.class_at({8, 8}); }
+
+ private:
+  Fusion fusion_{Rules{.is_opened_from_below = GetParam()}};
+};
+
+// A car drives onto ground that the scanner has looked at from below.
+TEST_P(OpenedFromBelow, WhatComesOntoOpenGroundMoves) {
+  play(field(','), 50);
+  EXPECT_EQ(in_the_middle(), Class::kFree);
+  play(thing('T', ','), 1);
+  EXPECT_EQ(in_the_middle(), Class::kMoving);
+}
+
+// A bonnet: beams pass over it for two seconds, then the next ring hits it.
+TEST_P(OpenedFromBelow, WhatBeamsHavePassedOverIsThere) {
+  play(field('.'), 50);
+  EXPECT_EQ(in_the_middle(), Class::kFree);
+  play(thing('T', '.'), 1);
+  EXPECT_EQ(in_the_middle(), GetParam() ? Class::kOccupied : Class::kMoving);
+}
+
+// A kerb is too low to be something that has come, wherever beams were before.
+TEST_P(OpenedFromBelow, WhatIsLowDoesNotMove) {
+  play(field(','), 50);
+  play(thing('#', ','), 1);
+  EXPECT_EQ(in_the_middle(), GetParam() ? Class::kOccupied : Class::kMoving);
+}
+
+// One tall hit is enough for what is hit beside it, up to three cells away.
+TEST_P(OpenedFromBelow, WhatIsBesideATallHitMovesWithIt) {
+  play(field(','), 50);
+  PlacedSlice car = thing('#', ',');
+  car.slice.set_tall({518 + 3, 518 + 3});
+  play(car, 1);
+  EXPECT_EQ(in_the_middle(), Class::kMoving);
+}
+
+// A parked car: beams go through its windows, for a second.
+TEST_P(OpenedFromBelow, WhatStandsGivesWayToLowBeamsAlone) {
+  play(thing('T', ','), 100);
+  EXPECT_EQ(in_the_middle(), Class::kStoppedOrUnmapped);
+  play(field('.'), 6);
+  EXPECT_EQ(in_the_middle(), GetParam() ? Class::kStoppedOrUnmapped : Class::kFree);
+  play(field(','), 6);
+  EXPECT_EQ(in_the_middle(), Class::kFree);
+}
+
+// The ground under what stands is not remembered as open from before it came.
+TEST_P(OpenedFromBelow, WhatHasStoodClosesItsGround) {
+  play(field(','), 50);
+  play(thing('T', ','), 100);
+  EXPECT_EQ(in_the_middle(), Class::kStoppedOrUnmapped);
+  play(field('.'), 100);
+  play(thing('T', '.'), 1);
+  EXPECT_NE(in_the_middle(), GetParam() ? Class::kMoving : Class::kUnknown);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rule, OpenedFromBelow, testing::Bool(),
+                         [](const auto& rule) { return rule.param ? "Applies" : "DoesNotApply"; });
+
+}  // namespace
+}  // namespace iog::window
