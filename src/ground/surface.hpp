@@ -1,0 +1,79 @@
+// How high the ground lies around a sensor that turns, while the packets of one turn are judged.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "ground/bins.hpp"
+
+namespace iog::ground {
+
+class Surface {
+ public:
+  // Heights over the car's plane in mm where bins begin, and behind them where the last one ends;
+  // between two the ground is straight.
+  static constexpr std::size_t kStarts = kBins + 1;
+  using Row = std::array<std::int16_t, kStarts>;
+  static constexpr std::int32_t kMost = 32'000;  // of any height, up or down
+
+  // So many turns in a row may leave a sector without a return until its row is forgotten.
+  static constexpr std::uint8_t kMostTurnsKept = 10;
+
+  // What a sector's row was made of.
+  enum class Source : std::uint8_t {
+    kFlat,  // nothing: the car's plane
+    kOwn,   // the last turn
+    kKept,  // an earlier turn
+  };
+
+  // From a return's height over the car's plane to that over the ground. The last bin's slope goes
+  // on for kBeyondMm.
+  //
+  // Range: the difference of two starts is at most 2^16 and a part at most 2^14, so their product
+  // is at most 2^30; |z_mm| <= 2^20 leaves the result below 2^21.
+  [[nodiscard]] std::int32_t height_over(Bins bins, std::uint32_t sector, std::uint32_t along_mm,
+                                         std::int32_t z_mm) const {
+    std::uint32_t bin = bins.bin_of(along_mm);
+    std::int32_t part = bins.in_bin_mm(along_mm);
+    if (bin >= kBins) [[unlikely]] {
+      bin = kBins - 1;
+      part = static_cast<std::int32_t>(std::min(along_mm - bin * bins.length_mm(), kBeyondMm));
+    }
+    const std::int16_t* start = &rows_[sector][bin];
+    return z_mm - start[0] - (((start[1] - start[0]) * part) >> bins.shift());
+  }
+
+  [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }
+  [[nodiscard]] Source source(std::size_t sector) const {
+    const std::uint8_t turns = turns_kept_[sector];
+    return turns == kNever ? Source::kFlat : turns == 0 ? Source::kOwn : Source::kKept;
+  }
+  [[nodiscard]] std::size_t count(Source source) const;
+
+  // A sector had returns in the turn that ends: its row, to be written anew.
+  [[nodiscard]] Row& renew(std::size_t sector) {
+    turns_kept_[sector] = 0;
+    return rows_[sector];
+  }
+  // It had none.
+  void keep(std::size_t sector);
+
+  friend bool operator==(const Surface&, const Surface&) = default;
+
+ private:
+  static constexpr std::uint32_t kBeyondMm = 16'384;
+  static constexpr std::uint8_t kNever = 255;
+
+  static constexpr std::array<std::uint8_t, kSectors> none() {
+    std::array<std::uint8_t, kSectors> turns{};
+    turns.fill(kNever);
+    return turns;
+  }
+
+  std::array<Row, kSectors> rows_{};
+  std::array<std::uint8_t, kSectors> turns_kept_ = none();
+};
+
+}  // namespace iog::ground

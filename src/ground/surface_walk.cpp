@@ -1,0 +1,310 @@
+// Ranges, all in mm. A lowest return that is believed is within 14,000, and so is every height that
+// is stood on: it is one of them, or between two. A slope is within 360 a bin, so what is expected
+// is within 14,000 + 12 * 360 = 18,320, and a return that is believed within 32,320 of it: 16 bits
+// hold all of it. Straight ground between two bins: 28,000 * 65,536 < 2^31.
+#include "ground/surface_walk.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace iog::ground {
+namespace {
+
+// How far the first ground of a sector can be over the car's plane, and any other over what is
+// expected of it. Rises are meant in 1,024 mm along the line.
+constexpr std::int32_t kStart = 150;
+constexpr std::int32_t kStartRise = 80;
+constexpr std::int32_t kStep = 100;
+constexpr std::int32_t kStepRise = 100;
+constexpr std::int16_t kWidest = 300;
+constexpr std::int32_t kSteepest = 180;
+constexpr std::int16_t kReach = 12;  // so many bins a slope goes on without ground
+constexpr std::int32_t kBeside = 60;
+constexpr std::size_t kAcross = 8;  // so many sectors away ground counts
+
+static_assert(2 * Bins::kMostPlausibleMm + kReach * 2 * kSteepest <= 32'767);
+static_assert(std::int64_t{2} * Bins::kMostPlausibleMm * 65'536 < std::int64_t{1} << 31);
+static_assert(kStart + 2 * kStartRise * std::int32_t{kBins} <= 32'767);
+
+using Inverses = std::array<std::int32_t, kBins + 1>;
+
+// floor(2^16 / n)
+consteval Inverses make_inverses() {
+  Inverses inverses{};
+  for (std::size_t n = 1; n < inverses.size(); ++n) {
+    inverses[n] = static_cast<std::int32_t>(65'536 / n);
+  }
+  return inverses;
+}
+constexpr Inverses kInverses = make_inverses();
+
+constexpr std::int16_t narrow(std::int32_t value) { return static_cast<std::int16_t>(value); }
+
+// Masks are all ones or zeros, and what is picked by them has no branch: eight sectors at once.
+constexpr std::int16_t mask(bool is_set) { return narrow(is_set ? -1 : 0); }
+constexpr std::int16_t pick(std::int16_t mask, std::int16_t yes, std::int16_t no) {
+  return narrow((yes & mask) | (no & ~mask));
+}
+
+constexpr std::int16_t median(std::int16_t a, std::int16_t b, std::int16_t c) {
+  return std::max(std::min(a, b), std::min(std::max(a, b), c));
+}
+
+constexpr std::int16_t most_plausible(Bins bins, std::size_t bin) {
+  return narrow(bins.most_plausible_mm(static_cast<std::uint32_t>(bin)));
+}
+
+// A lowest return that is too high to be believed is none.
+constexpr std::int16_t believed(std::int16_t low, std::int16_t plausible) {
+  return low > plausible ? Lows::kNothing : low;
+}
+
+// A ring that goes on at both of its ends, as far as sectors look.
+using Around = std::array<std::int16_t, kSectors + 2 * kAcross>;
+
+// value_of(sector): of each of the ring.
+template <typename ValueOf>
+Around around(ValueOf&& value_of) {
+  Around values;
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    values[kAcross + sector] = value_of(sector);
+  }
+  std::copy_n(values.begin() + kSectors, kAcross, values.begin());
+  std::copy_n(values.begin() + kAcross, kAcross, values.end() - kAcross);
+  return values;
+}
+
+// The value so many sectors farther on, or back.
+template <bool kForward>
+std::int16_t farther(const Around& from, std::size_t sector, std::size_t distance) {
+  return from[kForward ? kAcross + sector + distance : kAcross + sector - distance];
+}
+
+// Of the next sectors in one direction, the nearest one's value that is not kNothing: of twice as
+// many sectors as `near` has it.
+template <bool kForward>
+Around of_twice_as_many(const Around& near, std::size_t sectors) {
+  return around([&](std::size_t sector) {
+    const std::int16_t at_hand = near[kAcross + sector];
+    return pick(mask(at_hand == Lows::kNothing), farther<kForward>(near, sector, sectors), at_hand);
+  });
+}
+
+template <bool kForward>
+Around nearest_beside(const Around& ring) {
+  static_assert(kAcross == 8);
+  const Around of_one =
+      around([&](std::size_t sector) { return farther<kForward>(ring, sector, 1); });
+  const Around of_two = of_twice_as_many<kForward>(of_one, 1);
+  const Around of_four = of_twice_as_many<kForward>(of_two, 2);
+  return of_twice_as_many<kForward>(of_four, 4);
+}
+
+}  // namespace
+
+void SurfaceWalk::close_turn(Bins bins, const Lows& lows, Surface& surface) {
+  begin();
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    expect(bins, bin, lows.ring(bin));
+    turn_slopes(bins, bin);
+    choose();
+    catch_up(bins, bin);
+    stand(bin);
+  }
+  go_straight_on();
+  outvote();
+  find_starts();
+  keep_low(bins, lows);
+  renew(lows, surface);
+}
+
+void SurfaceWalk::begin() {
+  height_.fill(0);
+  slope_.fill(0);
+  last_.fill(-1);
+}
+
+void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
+  const std::int16_t plausible = most_plausible(bins, bin);
+  const auto number = static_cast<std::int16_t>(bin);
+  const std::int16_t start = narrow(kStart + bins.rise_of_bin(kStartRise) * (number + 1));
+  const std::int16_t step_rise = narrow(bins.rise_of_bin(kStepRise));
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const std::int16_t last = last_[sector];
+    const std::int16_t gap = std::min(narrow(number - last), kReach);
+    const std::int16_t expected = narrow(height_[sector] + slope_[sector] * gap);
+    const std::int16_t step = std::min(narrow(kStep + step_rise * gap), kWidest);
+    const std::int16_t most = pick(mask(last < 0), start, step);
+    const std::int16_t low = believed(lows[sector], plausible);
+    const std::int16_t off = narrow(low - expected);
+    low_[sector] = low;
+    expected_[sector] = expected;
+    most_[sector] = most;
+    const std::int16_t is_ground = narrow(mask(low != Lows::kNothing) & mask(off <= most));
+    own_[sector] = pick(is_ground, low, Lows::kNothing);
+  }
+}
+
+// By a quarter of the error, where it is not too large for the same ground. Of sectors that have
+// missed bins catch_up() does it.
+void SurfaceWalk::turn_slopes(Bins bins, std::size_t bin) {
+  const std::int16_t steepest = narrow(bins.rise_of_bin(kSteepest));
+  const std::int16_t before = narrow(static_cast<std::int32_t>(bin) - 1);
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const std::int16_t off = narrow(low_[sector] - expected_[sector]);
+    const std::int16_t slope = slope_[sector];
+    const std::int16_t turned = narrow(slope + (off >> 2));
+    const std::int16_t kept = std::min(std::max(turned, narrow(-steepest)), steepest);
+    const std::int16_t is_next = mask(last_[sector] == before);
+    const std::int16_t is_near = mask(off >= narrow(-most_[sector]));
+    const std::int16_t is_ground = mask(own_[sector] != Lows::kNothing);
+    slope_[sector] = pick(narrow(is_ground & is_next & is_near), kept, slope);
+  }
+}
+
+// The ground of the bin at hand: that of the sector itself, or what is beside it.
+void SurfaceWalk::choose() {
+  const Around ring = around([&](std::size_t sector) { return own_[sector]; });
+  const Around lefts = nearest_beside<true>(ring);
+  const Around rights = nearest_beside<false>(ring);
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const std::int16_t some_left = lefts[kAcross + sector];
+    const std::int16_t some_right = rights[kAcross + sector];
+    const std::int16_t left = pick(mask(some_left == Lows::kNothing), some_right, some_left);
+    const std::int16_t right = pick(mask(some_right == Lows::kNothing), some_left, some_right);
+    const std::int16_t low = low_[sector];
+    const std::int16_t beside = narrow(left + (narrow(right - left) >> 1));
+    const std::int16_t off = narrow(beside - expected_[sector]);
+    const std::int16_t most = std::max(most_[sector], kWidest);
+    const std::int16_t highest = narrow(std::max(left, right) + kBeside);
+    const std::int16_t is_some = mask(left != Lows::kNothing);
+    const std::int16_t is_low = narrow(mask(low != Lows::kNothing) & mask(low <= highest));
+    const std::int16_t fits = narrow(mask(off <= most) & mask(off >= narrow(-most)));
+    const std::int16_t is_own = narrow(mask(own_[sector] != Lows::kNothing) | (is_some & is_low));
+    found_[sector] = pick(is_own, low, beside);
+    stands_[sector] = narrow(is_own | (is_some & fits));
+  }
+}
+
+// Where there is ground again after bins without any. Few sectors of a bin have that.
+void SurfaceWalk::catch_up(Bins bins, std::size_t bin) {
+  const std::int16_t before = narrow(static_cast<std::int32_t>(bin) - 1);
+  Ring missed;
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    missed[sector] = narrow(stands_[sector] & mask(last_[sector] != before));
+  }
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    if (missed[sector] != 0) {
+      catch_up(bins, bin, sector);
+    }
+  }
+}
+
+// By how much the slope turns, and straight ground in between.
+void SurfaceWalk::catch_up(Bins bins, std::size_t bin, std::size_t sector) {
+  const std::int32_t steepest = bins.rise_of_bin(kSteepest);
+  const std::int32_t gap = static_cast<std::int32_t>(bin) - last_[sector];
+  const std::int32_t inverse = kInverses[static_cast<std::size_t>(gap)];
+  const std::int32_t off = low_[sector] - expected_[sector];
+  if (own_[sector] != Lows::kNothing && off >= -most_[sector]) {
+    const std::int32_t turned = slope_[sector] + ((off * inverse) >> 18);
+    slope_[sector] = narrow(std::clamp(turned, -steepest, steepest));
+  }
+  const std::int32_t each = (found_[sector] - height_[sector]) * inverse;
+  for (std::int32_t i = 1; i < gap; ++i) {
+    ground_[bin - static_cast<std::size_t>(gap - i)][sector] =
+        narrow(height_[sector] + ((each * i) >> 16));
+  }
+}
+
+void SurfaceWalk::stand(std::size_t bin) {
+  Ring& ground = ground_[bin];
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const bool stands = stands_[sector] != 0;
+    ground[sector] = found_[sector];
+    height_[sector] = stands ? found_[sector] : height_[sector];
+    last_[sector] = stands ? narrow(static_cast<std::int32_t>(bin)) : last_[sector];
+  }
+}
+
+// Behind the last ground of each sector.
+void SurfaceWalk::go_straight_on() {
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    Ring& ground = ground_[bin];
+    for (std::size_t sector = 0; sector < kSectors; ++sector) {
+      const std::int16_t beyond = narrow(static_cast<std::int32_t>(bin) - last_[sector]);
+      const std::int16_t on = narrow(height_[sector] + slope_[sector] * std::min(beyond, kReach));
+      ground[sector] = beyond > 0 ? on : ground[sector];
+    }
+  }
+}
+
+void SurfaceWalk::outvote() {
+  for (Ring& ground : std::span(ground_).first(kBins)) {
+    const Around ring = around([&](std::size_t sector) { return ground[sector]; });
+    for (std::size_t sector = 0; sector < kSectors; ++sector) {
+      const std::int16_t* at = &ring[kAcross + sector];
+      ground[sector] = median(at[-1], at[0], at[1]);
+    }
+  }
+}
+
+// From the middles of bins to where they begin, half way between two of them, and to the end of the
+// last one.
+void SurfaceWalk::find_starts() {
+  Ring before = ground_[kBins - 2];
+  const Ring& last = ground_[kBins - 1];
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const std::int32_t end = last[sector] + ((last[sector] - before[sector]) >> 1);
+    ground_[kBins][sector] = narrow(std::clamp(end, -Surface::kMost, Surface::kMost));
+  }
+  before.fill(0);
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    Ring& ground = ground_[bin];
+    for (std::size_t sector = 0; sector < kSectors; ++sector) {
+      const std::int16_t middle = ground[sector];
+      ground[sector] = narrow((before[sector] + middle) >> 1);
+      before[sector] = middle;
+    }
+  }
+  ground_[0].fill(0);
+}
+
+// Nowhere in a bin too far over its lowest return.
+void SurfaceWalk::keep_low(Bins bins, const Lows& lows) {
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    const Ring& ring = lows.ring(bin);
+    const std::int16_t plausible = most_plausible(bins, bin);
+    Ring& start = ground_[bin];
+    Ring& end = ground_[bin + 1];
+    for (std::size_t sector = 0; sector < kSectors; ++sector) {
+      const std::int16_t low = believed(ring[sector], plausible);
+      const std::int16_t most =
+          narrow(std::min(low, narrow(Surface::kMost - kMostOverLowestMm)) + kMostOverLowestMm);
+      start[sector] = std::min(start[sector], most);
+      end[sector] = std::min(end[sector], most);
+    }
+  }
+}
+
+void SurfaceWalk::renew(const Lows& lows, Surface& surface) const {
+  Ring lowest{};
+  lowest.fill(Lows::kNothing);
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    for (std::size_t sector = 0; sector < kSectors; ++sector) {
+      lowest[sector] = std::min(lowest[sector], lows.ring(bin)[sector]);
+    }
+  }
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    if (lowest[sector] == Lows::kNothing) {
+      surface.keep(sector);
+      continue;
+    }
+    Surface::Row& row = surface.renew(sector);
+    for (std::size_t start = 0; start < row.size(); ++start) {
+      row[start] = ground_[start][sector];
+    }
+  }
+}
+
+}  // namespace iog::ground

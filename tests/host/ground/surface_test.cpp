@@ -1,0 +1,77 @@
+// Heights over a surface whose rows are written by hand, and how long a row is kept.
+#include "ground/surface.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <gtest/gtest.h>
+
+#include "fakes/random.hpp"
+#include "fakes/reference_ground.hpp"
+#include "ground/bins.hpp"
+
+namespace iog::ground {
+namespace {
+
+using tests::Random;
+
+TEST(Surface, IsTheCarsPlaneBeforeTheFirstTurn) {
+  const Surface surface;
+  const Bins bins(50'000);
+  EXPECT_EQ(surface.count(Surface::Source::kFlat), kSectors);
+  for (const std::uint32_t along : {0U, 1U, 65'535U, 65'536U, (1U << 20) - 1}) {
+    EXPECT_EQ(surface.height_over(bins, 17, along, 250), 250);
+  }
+}
+
+// From one start of a bin to the next, rounded down, and on behind the last one for 16.4 m: in
+// rational numbers.
+TEST(Surface, IsStraightBetweenTheStartsOfBins) {
+  Random random(5);
+  for (const Bins bins : {Bins(50'000), Bins(120'000)}) {
+    const tests::Whole length = bins.length_mm();
+    for (int i = 0; i < 20'000; ++i) {
+      Surface surface;
+      const auto sector = static_cast<std::uint32_t>(random.below(kSectors));
+      Surface::Row& row = surface.renew(sector);
+      const bool is_extreme = random.one_in(3);
+      for (std::int16_t& start : row) {
+        start = static_cast<std::int16_t>(is_extreme ? (random.one_in(2) ? 32'000 : -32'000)
+                                                     : random.between(-14'000, 14'000));
+      }
+      const std::int32_t most = random.one_in(4) ? (1 << 20) - 1 : 130'000;
+      const std::int32_t along = random.between(0, most);
+      const std::int32_t z = random.between(-(1 << 20), 1 << 20);
+      const tests::Whole bin = std::min<tests::Whole>(along / length, 63);
+      const tests::Whole part = std::min<tests::Whole>(along - bin * length, 16'384);
+      const tests::Whole start = row[static_cast<std::size_t>(bin)];
+      const tests::Whole rise = row[static_cast<std::size_t>(bin) + 1] - start;
+      ASSERT_EQ(surface.height_over(bins, sector, static_cast<std::uint32_t>(along), z),
+                z - start - tests::floor_of(rise * part, length));
+      ASSERT_EQ(
+          surface.height_over(bins, (sector + 1) % kSectors, static_cast<std::uint32_t>(along), z),
+          z);
+    }
+  }
+}
+
+TEST(Surface, KeepsARowForTenTurns) {
+  Surface surface;
+  surface.renew(7).fill(100);
+  surface.renew(8).fill(200);
+  for (int turn = 1; turn <= 10; ++turn) {
+    surface.keep(7);
+    EXPECT_EQ(surface.source(7), Surface::Source::kKept);
+    EXPECT_EQ(surface.row(7).front(), 100);
+  }
+  EXPECT_EQ(surface.count(Surface::Source::kKept), 1U);
+  surface.keep(7);
+  EXPECT_EQ(surface.source(7), Surface::Source::kFlat);
+  EXPECT_EQ(surface.row(7), Surface::Row{});
+  surface.keep(7);
+  EXPECT_EQ(surface.source(7), Surface::Source::kFlat);
+  EXPECT_EQ(surface.source(8), Surface::Source::kOwn);
+  EXPECT_EQ(surface.row(8).back(), 200);
+}
+
+}  // namespace
+}  // namespace iog::ground
