@@ -1,0 +1,89 @@
+// Ranges. The end of a beam is at most 57.3 times the sensor's range higher than its origin, 89
+// degrees up, so in units of 2^-40 a slope stays below 2^46. Axes of a beam's end are below 2^30 in
+// units of 2^-10 subcells (vehicle.hpp), and so is the length of the three together; a cell is at
+// most 200 mm: times 2^20 below 2^58.
+#include "ground/beams.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#include "geometry/sizes.hpp"
+#include "numeric/division.hpp"
+#include "numeric/sine_table.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::ground {
+namespace {
+
+constexpr std::int64_t kSubcells = geometry::kResolution;  // in a cell
+constexpr std::int64_t kCellMm = geometry::kCellMm;
+constexpr int kFineBits = 40;
+constexpr std::uint32_t kWhole = std::uint32_t{1} << numeric::kSineFractionBits;
+
+// The largest whole number whose square is at most that.
+std::uint64_t root_of(std::uint64_t square) {
+  std::uint64_t root = 0;
+  for (int bit = 31; bit >= 0; --bit) {
+    const std::uint64_t larger = root | std::uint64_t{1} << bit;
+    root = larger * larger <= square ? larger : root;
+  }
+  return root;
+}
+
+// The cosine of a layer's elevation: how far its beams' ends are from the sensor's axis, of all
+// that they are away.
+std::uint32_t share_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer) {
+  if (sensor.layers_share_lines) {
+    return layer.range_share;
+  }
+  const auto square = [](std::int64_t part) { return static_cast<std::uint64_t>(part * part); };
+  const std::uint64_t away =
+      root_of(square(layer.x.forward) + square(layer.y.forward) + square(layer.z.forward));
+  constexpr int kBits = numeric::kSineFractionBits - vehicle::kAxisFractionBits;
+  const std::uint64_t length = std::uint64_t{sensor.range.mm()} * kSubcells;
+  const std::uint64_t share = ((away * kCellMm) << kBits) / length;
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(share, kWhole));
+}
+
+}  // namespace
+
+Beams::Beams(const vehicle::Sensor& sensor)
+    : bins_(sensor.range.mm()),
+      sector_shift_(std::countr_zero(sensor.azimuths.steps_per_turn()) -
+                    std::countr_zero(kSectors)),
+      origin_mm_(
+          static_cast<std::int32_t>(numeric::div_nearest(sensor.origin_z * kCellMm, kSubcells))),
+      origin_z_(sensor.origin_z),
+      slope_of_subcell_((static_cast<std::uint64_t>(kCellMm) << kFineBits) /
+                        (std::uint64_t{sensor.range.mm()} * kSubcells)),
+      fewest_samples_(sensor.layer_count <= 16 ? 12 : 24) {
+  for (std::size_t i = 0; i < sensor.layer_count; ++i) {
+    shares_[i] = share_of(sensor, sensor.layers[i]);
+    slopes_[i] = slope_to(vehicle::end_height_of(sensor.layers[i], {}));
+  }
+  choose_samples(sensor);
+}
+
+Slope Beams::slope_to(std::int32_t end_z) const {
+  const std::int64_t fine =
+      (std::int64_t{end_z} - origin_z_) * static_cast<std::int64_t>(slope_of_subcell_);
+  return static_cast<Slope>(fine >> (kFineBits - kSlopeFractionBits));
+}
+
+// On the average of a turn, the ends of a layer's beams are as high as its base.
+void Beams::choose_samples(const vehicle::Sensor& sensor) {
+  std::array<std::uint8_t, vehicle::kMaxLayers> numbers{};
+  const auto layers = std::span(numbers).first(sensor.layer_count);
+  std::iota(layers.begin(), layers.end(), std::uint8_t{0});
+  std::ranges::sort(layers, [&](std::uint8_t a, std::uint8_t b) {
+    const std::int64_t height_a = sensor.layers[a].z.base;
+    const std::int64_t height_b = sensor.layers[b].z.base;
+    return height_a != height_b ? height_a < height_b : a < b;
+  });
+  for (std::size_t i = 0; 3 * i < 2 * layers.size(); i += 2) {
+    sampled_[sampled_count_++] = layers[i];
+  }
+}
+
+}  // namespace iog::ground

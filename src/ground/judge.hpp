@@ -1,0 +1,31 @@
+// What a return is, by its height over the ground.
+#pragma once
+
+#include <cstdint>
+
+namespace iog::ground {
+
+// The heights over the ground at which a return is an obstacle, both included.
+struct Limits {
+  std::int32_t low_mm = 220;
+  std::int32_t top_mm = 2'200;
+};
+
+// What is farther below the surface is a mirror image, a hole or a drop.
+inline constexpr std::int32_t kUnderMm = 400;
+
+enum class Kind : std::uint8_t {
+  kGround,
+  kObstacle,
+  kOverhang,  // high enough over the ground to drive under it
+  kUnder,     // farther below the surface than kUnderMm
+};
+
+[[nodiscard]] constexpr Kind judge(Limits limits, std::int32_t height_mm) {
+  if (height_mm < limits.low_mm) {
+    return height_mm < -kUnderMm ? Kind::kUnder : Kind::kGround;
+  }
+  return height_mm > limits.top_mm ? Kind::kOverhang : Kind::kObstacle;
+}
+
+}  // namespace iog::ground
