@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "tools/simulate/cell_truth.hpp"
-#include "tools/simulate/true_ground.hpp"
+#include "tools/simulate/truth/cell_truth.hpp"
+#include "tools/simulate/truth/true_ground.hpp"
 
 namespace iog::lab {
 

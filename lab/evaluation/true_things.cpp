@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "tools/simulate/cell_truth.hpp"
+#include "tools/simulate/truth/cell_truth.hpp"
 
 namespace iog::lab {
 namespace {

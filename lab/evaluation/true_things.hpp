@@ -13,7 +13,7 @@
 #include <map>
 #include <vector>
 
-#include "tools/simulate/scene.hpp"
+#include "tools/simulate/world/scene.hpp"
 #include "vehicle/description.hpp"
 
 namespace iog::lab {

@@ -9,7 +9,7 @@
 #include "lab/reference/traversal.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
-#include "tools/simulate/truth.hpp"
+#include "tools/simulate/truth/true_occupancy.hpp"
 #include "vehicle/compile.hpp"
 
 namespace iog::lab {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "lab/evaluation/cell_state.hpp"
-#include "tools/simulate/solid.hpp"
-#include "tools/simulate/traffic.hpp"
+#include "tools/simulate/world/solid.hpp"
+#include "tools/simulate/world/traffic.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {

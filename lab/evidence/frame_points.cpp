@@ -88,9 +88,9 @@ std::vector<FramePoints> read_points(const std::string& pcap, const tools::Catal
   return cutter->finish();
 }
 
-FramePoints points_of(tools::Drive& drive, const tools::CatalogueEntry& car) {
+FramePoints points_of(tools::Drive& drive, std::uint32_t frame, const tools::CatalogueEntry& car) {
   FramePoints points;
-  for (const tools::CapturedDatagram& datagram : drive.datagrams()) {
+  for (const tools::CapturedDatagram& datagram : drive.datagrams(frame)) {
     const std::size_t sensor = tools::sensor_of_port(car, datagram.destination.port);
     append(sensor, intake::Packet::decode(car.vehicle->sensors[sensor].format, datagram.payload),
            points);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lidar/scan_point.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {
@@ -24,7 +24,8 @@ using FramePoints = std::vector<SensorPoint>;
 [[nodiscard]] std::vector<FramePoints> read_points(const std::string& pcap,
                                                    const tools::CatalogueEntry& car);
 
-// What the scanners of a simulated drive see in the frame that it stands at.
-[[nodiscard]] FramePoints points_of(tools::Drive& drive, const tools::CatalogueEntry& car);
+// What the scanners of a simulated drive see in that frame.
+[[nodiscard]] FramePoints points_of(tools::Drive& drive, std::uint32_t frame,
+                                    const tools::CatalogueEntry& car);
 
 }  // namespace iog::lab

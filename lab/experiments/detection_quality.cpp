@@ -31,9 +31,8 @@ QualityDrive try_on_drive(const Input& input) {
   tools::Drive drive(car, input.seed, input.seconds);
   QualityDrive tried{{.car = &car, .points = {}, .truth = {}}, Trials(car, all_choices())};
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += kFrameStep) {
-    drive.move_to(frame);
-    const FramePoints points = points_of(drive, car);
-    const std::vector<CellState> truth = visibility(car, drive.ego(), drive.solids());
+    const FramePoints points = points_of(drive, frame, car);
+    const std::vector<CellState> truth = visibility(car, drive.ego(frame), drive.solids(frame));
     tried.trials.add(points, truth);
     if (frame == 0) {
       tried.first.points = points;

@@ -59,7 +59,7 @@ EvidentialDrive::EvidentialDrive(std::string_view scene, std::uint64_t of_seed,
       seed(of_seed),
       seconds(of_seconds),
       drive(tools::find_vehicle(tools::kDefaultVehicle), of_seed, of_seconds,
-            tools::find_scene(scene)),
+            tools::find_scene(scene), tools::Motion::kContinuous),
       scans(scans_of(drive, first_frame)),
       region(region_around(scans[scans.size() / 2].car, region_m)),
       map(drive.scene()) {

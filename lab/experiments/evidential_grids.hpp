@@ -25,7 +25,7 @@ struct EvidentialDrive {
   std::string_view name;
   std::uint64_t seed;
   std::uint32_t seconds;
-  tools::MovingDrive drive;
+  tools::Drive drive;
   std::vector<DriveScan> scans;
   Region region;  // of half-metre cells, the car's place of half of the time in its middle
   SceneMap map;

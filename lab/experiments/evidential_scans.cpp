@@ -6,7 +6,7 @@
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
 #include "tools/formats/capture/made_capture.hpp"
-#include "tools/simulate/lux_scanner.hpp"
+#include "tools/simulate/scanners/lux_scanner.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/beam.hpp"
 
@@ -105,7 +105,7 @@ PolarGrid polar_grid(const LidarScan& lidar, double cell_m, const LidarParameter
 
 }  // namespace
 
-std::vector<DriveScan> scans_of(tools::MovingDrive& drive, std::uint32_t first_frame) {
+std::vector<DriveScan> scans_of(tools::Drive& drive, std::uint32_t first_frame) {
   ScanReader reader(drive.scene());
   std::vector<DriveScan> scans;
   for (std::uint32_t frame = first_frame; frame < drive.frame_count(); frame += kFramesOfScan) {

@@ -13,7 +13,7 @@
 
 #include "lab/experiments/perception_truth.hpp"
 #include "lab/reference/evidential/lidar_models.hpp"
-#include "tools/simulate/moving_drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 
 namespace iog::lab {
 
@@ -34,7 +34,7 @@ struct DriveScan {
 inline constexpr std::uint32_t kFramesOfScan = 2;
 
 // All scans of the drive from that frame on.
-[[nodiscard]] std::vector<DriveScan> scans_of(tools::MovingDrive& drive, std::uint32_t first_frame);
+[[nodiscard]] std::vector<DriveScan> scans_of(tools::Drive& drive, std::uint32_t first_frame);
 
 // A square of cells that stays where it is in the world, row by row from the lowest y.
 struct Region {

@@ -8,8 +8,8 @@
 #include "lab/evaluation/true_things.hpp"
 #include "lab/experiments/evidential_scans.hpp"
 #include "lab/reference/evidential/perception.hpp"
-#include "tools/simulate/scene.hpp"
-#include "tools/simulate/true_ground.hpp"
+#include "tools/simulate/truth/true_ground.hpp"
+#include "tools/simulate/world/scene.hpp"
 
 namespace iog::lab {
 

@@ -5,6 +5,8 @@
 
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
+#include "tools/simulate/scanners/echo_model.hpp"
+#include "tools/simulate/scanners/ray_caster.hpp"
 #include "vehicle/compile.hpp"
 
 namespace iog::lab {
@@ -112,8 +114,10 @@ StandingCar::StandingCar(const tools::CatalogueEntry& car) {
 FramePoints StandingCar::look_at(std::span<const tools::Solid> solids, tools::Random& random) {
   FramePoints points;
   for (std::size_t sensor = 0; sensor < scanners_.size(); ++sensor) {
+    tools::LuxScanner& scanner = scanners_[sensor];
+    const tools::RayCaster rays(tools::placed(scanner.mount(), {}), solids, tools::kLuxFarthest);
     for (const tools::LuxPoint& seen :
-         scanners_[sensor].scan({}, solids, tools::MirrorSide::kFront, random)) {
+         scanner.scan(rays, 0, 0, tools::MirrorSide::kFront, random)) {
       points.push_back({.sensor = sensor, .point = point_of(seen)});
     }
   }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lab/evidence/frame_points.hpp"
-#include "tools/simulate/lux_scanner.hpp"
 #include "tools/simulate/random.hpp"
+#include "tools/simulate/scanners/lux_scanner.hpp"
 
 namespace iog::lab {
 

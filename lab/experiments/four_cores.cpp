@@ -11,8 +11,7 @@
 #include "lab/experiments/fusing_splits.hpp"
 #include "lab/experiments/fusing_threads.hpp"
 #include "lab/experiments/target_drive.hpp"
-#include "tools/simulate/drive.hpp"
-#include "tools/simulate/spinning_drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 
 namespace iog::lab {
 namespace {
@@ -58,16 +57,14 @@ std::vector<FusingWork> works_of(std::string_view scene, const Rig& rig, const B
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
   const tools::CatalogueEntry& turning_car = tools::find_vehicle(kTurningCar);
   tools::Drive drive(car, kTargetSeed, kTargetSeconds, tools::find_scene(scene));
-  tools::SpinningDrive turning(turning_car, kTargetSeed, kTargetSeconds, tools::find_scene(scene));
+  tools::Drive turning(turning_car, kTargetSeed, kTargetSeconds, tools::find_scene(scene));
   std::vector<FusingWork> works;
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += kEveryFrame) {
-    drive.move_to(frame);
-    FusingWork work = work_of(car, drive.datagrams(), plane);
+    FusingWork work = work_of(car, drive.datagrams(frame), plane);
     std::erase_if(work.lines, [&rig](const LineWork& line) { return line.sensor >= rig.lux; });
     if (rig.has_turning) {
-      turning.move_to(frame * tools::SpinningDrive::kFramesPerSecond /
-                      tools::Drive::kFramesPerSecond);
-      append(work, work_of(turning_car, turning.datagrams(), plane), rig.lux);
+      const std::uint32_t turn = frame * turning.frames_per_second() / drive.frames_per_second();
+      append(work, work_of(turning_car, turning.datagrams(turn), plane), rig.lux);
     }
     works.push_back(std::move(work));
   }

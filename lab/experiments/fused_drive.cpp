@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lab/evidence/frame_points.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {
@@ -19,9 +19,8 @@ void fuse_drive(std::string_view scene, std::uint64_t seed, std::uint32_t second
   std::vector<index::OccupancyIndex> storage(geometry::kCellCount);
   const auto cells = std::span(storage).first<geometry::kCellCount>();
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    drive.move_to(frame);
     fusion->clear();
-    for (const SensorPoint& seen : points_of(drive, car)) {
+    for (const SensorPoint& seen : points_of(drive, frame, car)) {
       fusion->add(vehicle.sensors[seen.sensor], seen.point);
     }
     fusion->finish();

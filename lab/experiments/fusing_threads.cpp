@@ -14,7 +14,7 @@
 #include "grid/joined_grid.hpp"
 #include "intake/packet.hpp"
 #include "lab/experiments/target_drive.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "work/round.hpp"
 
 namespace iog::lab {
@@ -58,8 +58,7 @@ class SharedFrames {
     }
     tools::Drive drive(car_, kTargetSeed, kTargetSeconds, tools::find_scene(scene));
     for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
-      drive.move_to(frame);
-      frames_.push_back(drive.datagrams());
+      frames_.push_back(drive.datagrams(frame));
       while (tiles_.size() < frames_.back().size()) {
         tiles_.push_back(std::make_unique<grid::FrameTiles>());
       }

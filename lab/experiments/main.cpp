@@ -13,7 +13,7 @@
 #include "tools/program/file.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/progress.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {

@@ -122,8 +122,7 @@ DriveOutcome contest_on_drive(const Input& input) {
   tools::Drive drive(car, input.seed, input.seconds);
   DriveOutcome outcome;
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += kFrameStep) {
-    drive.move_to(frame);
-    lux.measure(points_of(drive, car));
+    lux.measure(points_of(drive, frame, car));
     const std::vector<PlaneScan> layers = lux.layers();
     run(outcome.contests, layers);
     if (frame == 0) {

@@ -13,7 +13,7 @@
 #include "lab/evaluation/class_truth.hpp"
 #include "lab/experiments/experiment.hpp"
 #include "lab/experiments/perceived_drive.hpp"
-#include "tools/simulate/drawn_map.hpp"
+#include "tools/simulate/maps/drawn_map.hpp"
 
 namespace iog::lab {
 

@@ -172,8 +172,7 @@ Drives simulated(const Input& input) {
   Measurement measurement("simulated drive", car);
   tools::Drive drive(car, input.seed, input.seconds);
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    drive.move_to(frame);
-    measurement.add(points_of(drive, car));
+    measurement.add(points_of(drive, frame, car));
   }
   return measurement.drives();
 }

@@ -189,7 +189,8 @@ class Perceiver {
 void perceive_drive(const PerceivedDrive& drive, std::span<const PerceptionRule> rules,
                     const std::function<void(const PerceivedFrame&)>& use) {
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
-  tools::MovingDrive moving(car, drive.seed, drive.seconds, tools::find_scene(drive.scene));
+  tools::Drive moving(car, drive.seed, drive.seconds, tools::find_scene(drive.scene),
+                      tools::Motion::kContinuous);
   tools::PoseFeed poses(
       tools::simulated_poses(moving.scene(), drive.poses, drive.seed, drive.seconds + 0.1));
   std::vector<std::unique_ptr<Perceiver>> perceivers;

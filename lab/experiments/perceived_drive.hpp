@@ -12,8 +12,8 @@
 
 #include "app/perception_report.hpp"
 #include "geometry/cell.hpp"
-#include "tools/simulate/moving_drive.hpp"
-#include "tools/simulate/pose_source.hpp"
+#include "tools/simulate/drives/drive.hpp"
+#include "tools/simulate/drives/pose_source.hpp"
 #include "window/window_fusion.hpp"
 
 namespace iog::lab {
@@ -49,7 +49,7 @@ struct CellWindow {
 
 struct PerceivedFrame {
   std::uint32_t number = 0;  // of the drive
-  const tools::MovingDrive* drive = nullptr;
+  const tools::Drive* drive = nullptr;
   const app::PerceptionReport* report = nullptr;
   std::vector<HitCell> hits{};
   CellWindow window{};

@@ -45,9 +45,8 @@ std::vector<RainRow> rain_on_drive(const Input& input) {
   tools::Drive drive(car, input.seed, input.seconds);
   tools::Random random(input.seed, kRainStream);
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += kRainFrameStep) {
-    drive.move_to(frame);
-    const FramePoints points = points_of(drive, car);
-    const std::vector<CellState> truth = visibility(car, drive.ego(), drive.solids());
+    const FramePoints points = points_of(drive, frame, car);
+    const std::vector<CellState> truth = visibility(car, drive.ego(frame), drive.solids(frame));
     for (RainRow& row : rows) {
       const Rained rained = with_rain(points, *car.vehicle, row.rate, row.fate, random);
       row.trials.add(rained.points, truth);

@@ -9,7 +9,7 @@
 #include "tools/map/map_maker.hpp"
 #include "tools/map/map_readers.hpp"
 #include "tools/program/file.hpp"
-#include "tools/simulate/osm_file.hpp"
+#include "tools/simulate/maps/osm_file.hpp"
 
 namespace iog::lab {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tools/simulate/drawn_map.hpp"
-#include "tools/simulate/map_place.hpp"
+#include "tools/simulate/maps/drawn_map.hpp"
+#include "tools/simulate/world/map_place.hpp"
 
 namespace iog::lab {
 

@@ -10,7 +10,7 @@
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 
 namespace iog::lab {
 namespace {
@@ -106,8 +106,7 @@ Feed feed_of_drive(const tools::CatalogueEntry& car, std::string_view scene, std
   return [&car, scene, seed, seconds](const auto& take) {
     tools::Drive drive(car, seed, seconds, tools::find_scene(scene));
     for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-      drive.move_to(frame);
-      for (const tools::CapturedDatagram& datagram : drive.datagrams()) {
+      for (const tools::CapturedDatagram& datagram : drive.datagrams(frame)) {
         take(datagram);
       }
     }

@@ -13,7 +13,7 @@
 #include "lab/experiments/stream_bytes.hpp"
 #include "lab/scenarios/lossy_link.hpp"
 #include "stream/references.hpp"
-#include "tools/simulate/scene_catalogue.hpp"
+#include "tools/simulate/scenes/scene_catalogue.hpp"
 
 namespace iog::lab {
 namespace {

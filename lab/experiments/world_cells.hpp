@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lab/experiments/perception_truth.hpp"
-#include "tools/simulate/cell_truth.hpp"
+#include "tools/simulate/truth/cell_truth.hpp"
 
 namespace iog::lab {
 

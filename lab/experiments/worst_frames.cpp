@@ -17,9 +17,9 @@
 #include "lab/experiments/target_drive.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "require/require.hpp"
-#include "tools/simulate/drive.hpp"
-#include "tools/simulate/lux_scanner.hpp"
-#include "tools/simulate/scene_catalogue.hpp"
+#include "tools/simulate/drives/drive.hpp"
+#include "tools/simulate/scanners/lux_scanner.hpp"
+#include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/beam.hpp"
 
@@ -56,8 +56,7 @@ double marks_of(const tools::SceneEntry& scene) {
   tools::Drive drive(car(), kTargetSeed, kTargetSeconds, scene);
   std::size_t marks = 0;
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    drive.move_to(frame);
-    marks += marks_of(drive.datagrams());
+    marks += marks_of(drive.datagrams(frame));
   }
   return static_cast<double>(marks) / drive.frame_count();
 }

@@ -5,7 +5,7 @@
 
 #include "lab/evidence/frame_points.hpp"
 #include "require/require.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::lab {
@@ -60,9 +60,8 @@ PeerFrames frames_of(const tools::CatalogueEntry& car, std::string_view scene, s
   tools::Drive drive(car, seed, seconds, tools::find_scene(scene));
   PeerFrames result{.vehicle = car.vehicle, .frames = {}};
   for (std::uint32_t number = 0; number < drive.frame_count(); number += step) {
-    drive.move_to(number);
     PeerFrame frame;
-    for (const SensorPoint& point : points_of(drive, car)) {
+    for (const SensorPoint& point : points_of(drive, number, car)) {
       append(point, frame, result);
     }
     result.frames.push_back(std::move(frame));

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "lidar/ibeo_lux.hpp"
-#include "tools/formats/lux/lux_burst.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/simulate/lux_scanner.hpp"
+#include "tools/simulate/scanners/lux_burst.hpp"
+#include "tools/simulate/scanners/lux_scanner.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/beam.hpp"
 

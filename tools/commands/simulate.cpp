@@ -19,15 +19,12 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
-#include "tools/simulate/cell_truth.hpp"
-#include "tools/simulate/drive.hpp"
-#include "tools/simulate/mixed_drive.hpp"
-#include "tools/simulate/moving_drive.hpp"
-#include "tools/simulate/osm_file.hpp"
-#include "tools/simulate/pose_source.hpp"
-#include "tools/simulate/spinning_drive.hpp"
-#include "tools/simulate/town.hpp"
-#include "tools/simulate/truth.hpp"
+#include "tools/simulate/drives/drive.hpp"
+#include "tools/simulate/drives/pose_source.hpp"
+#include "tools/simulate/maps/osm_file.hpp"
+#include "tools/simulate/scenes/town.hpp"
+#include "tools/simulate/truth/cell_truth.hpp"
+#include "tools/simulate/truth/true_occupancy.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -133,12 +130,19 @@ void make_truth_folder(const SimulateOptions& options) {
   }
 }
 
-void write_occupancy(const SimulateOptions& options, std::uint32_t frame, const EgoPose& ego,
-                     const std::vector<Solid>& solids, const CatalogueEntry& car) {
+void write_occupancy(const SimulateOptions& options, std::uint32_t frame, const Drive& drive,
+                     const CatalogueEntry& car) {
   if (!options.truth.empty() && frame % options.truth_every == 0) {
     write_truth(numbered(options.truth, "truth", frame, ".pgm"),
-                true_occupancy(ego, solids, *car.description));
+                true_occupancy(drive.ego(frame), drive.solids(frame), *car.description));
   }
+}
+
+void write_cells(CellTruthFile& file, std::uint32_t frame, const Drive& drive,
+                 const CatalogueEntry& car) {
+  const CellArea area = cells_around(drive.ego(frame));
+  file.write(frame, kDriveStartUs + drive.frame_end_us(frame), area,
+             true_cells(drive.scene(), drive.true_at_s(frame), area, *car.description));
 }
 
 void write_osm(const SimulateOptions& options, const Scene& scene) {
@@ -150,21 +154,6 @@ void write_osm(const SimulateOptions& options, const Scene& scene) {
   file.finish();
   std::cout << options.osm.out << ": " << summary_of(map) << "; plane at " << text_of(place.origin)
             << '\n';
-}
-
-template <typename Drive>
-void simulate_standing(const SimulateOptions& options, const CatalogueEntry& car) {
-  Drive drive(car, options.seed, options.seconds, find_scene(options.scene));
-  Recording recording(options.out, car);
-  make_truth_folder(options);
-  Progress progress("frames", drive.frame_count());
-  for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    drive.move_to(frame);
-    recording.write(drive.datagrams());
-    write_occupancy(options, frame, drive.ego(), drive.solids(), car);
-    progress.show(frame + 1);
-  }
-  recording.finish(drive.frame_count());
 }
 
 Town town_of(const SimulateOptions& options) {
@@ -180,17 +169,18 @@ Town town_of(const SimulateOptions& options) {
 
 // The drive, and where it is on a map, if it is on one.
 struct PlacedDrive {
-  MovingDrive drive;
+  Drive drive;
   std::optional<pose::MapTransform> map{};
 };
 
 PlacedDrive placed_drive(const SimulateOptions& options, const CatalogueEntry& car) {
   if (!options.town.empty()) {
     Town town = town_of(options);
-    return {MovingDrive(car, options.seed, options.seconds, std::move(town.scene)),
+    return {Drive(car, options.seed, options.seconds, std::move(town.scene), Motion::kContinuous),
             town.place.transform()};
   }
-  PlacedDrive placed{MovingDrive(car, options.seed, options.seconds, find_scene(options.scene))};
+  const Motion motion = options.is_moving ? Motion::kContinuous : Motion::kStepwise;
+  PlacedDrive placed{Drive(car, options.seed, options.seconds, find_scene(options.scene), motion)};
   if (!options.osm.out.empty()) {
     write_osm(options, placed.drive.scene());
     placed.map = map_place_of(options.osm).transform();
@@ -210,17 +200,26 @@ void demand_lux_alone(const CatalogueEntry& car) {
   }
 }
 
-void simulate_moving(const SimulateOptions& options, const CatalogueEntry& car) {
-  demand_lux_alone(car);
+void simulate(const SimulateOptions& options) {
+  if (options.out.empty() && options.osm.out.empty()) {
+    throw UsageError("--out is required: the capture to write");
+  }
+  const CatalogueEntry& car = find_vehicle(options.vehicle);
+  if (options.is_moving) {
+    demand_lux_alone(car);
+  }
   PlacedDrive placed = placed_drive(options, car);
   if (options.out.empty()) {
     return;
   }
-  MovingDrive& drive = placed.drive;
-  PoseOptions feed = pose_options(options);
-  feed.map = placed.map;
-  PoseFeed poses(simulated_poses(drive.scene(), feed, options.seed, options.seconds + 0.1),
-                 car.vehicle->poses.udp_port);
+  Drive& drive = placed.drive;
+  std::optional<PoseFeed> poses;
+  if (options.is_moving) {
+    PoseOptions feed = pose_options(options);
+    feed.map = placed.map;
+    poses.emplace(simulated_poses(drive.scene(), feed, options.seed, options.seconds + 0.1),
+                  car.vehicle->poses.udp_port);
+  }
   Recording recording(options.out, car);
   make_truth_folder(options);
   std::optional<CellTruthFile> cells;
@@ -229,17 +228,11 @@ void simulate_moving(const SimulateOptions& options, const CatalogueEntry& car) 
   }
   Progress progress("frames", drive.frame_count());
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    recording.write(with_poses(drive.datagrams(frame), poses));
-    const std::uint64_t end_us = drive.frame_end_us(frame);
-    const double time_s = static_cast<double>(end_us) / 1e6;
-    const EgoPose ego = drive.scene().ego_at(time_s);
-    std::vector<Solid> solids;
-    drive.scene().append_seen_at(time_s, solids);
-    write_occupancy(options, frame, ego, solids, car);
+    std::vector<CapturedDatagram> datagrams = drive.datagrams(frame);
+    recording.write(poses ? with_poses(std::move(datagrams), *poses) : std::move(datagrams));
+    write_occupancy(options, frame, drive, car);
     if (cells && frame % options.truth_every == 0) {
-      const CellArea area = cells_around(ego);
-      cells->write(frame, kDriveStartUs + end_us, area,
-                   true_cells(drive.scene(), time_s, area, *car.description));
+      write_cells(*cells, frame, drive, car);
     }
     progress.show(frame + 1);
   }
@@ -247,22 +240,6 @@ void simulate_moving(const SimulateOptions& options, const CatalogueEntry& car) 
     cells->finish();
   }
   recording.finish(drive.frame_count());
-}
-
-void simulate(const SimulateOptions& options) {
-  if (options.out.empty() && options.osm.out.empty()) {
-    throw UsageError("--out is required: the capture to write");
-  }
-  const CatalogueEntry& car = find_vehicle(options.vehicle);
-  if (options.is_moving) {
-    simulate_moving(options, car);
-  } else if (spins(car)) {
-    simulate_standing<SpinningDrive>(options, car);
-  } else if (spins_partly(car)) {
-    simulate_standing<MixedDrive>(options, car);
-  } else {
-    simulate_standing<Drive>(options, car);
-  }
 }
 
 void add_truth_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving) {

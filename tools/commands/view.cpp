@@ -15,7 +15,7 @@
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/simulate/scene_catalogue.hpp"
+#include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/view/sources.hpp"
 #include "tools/view/web_server.hpp"

@@ -21,7 +21,7 @@
 #include "tile_coding/encode.hpp"
 #include "tools/frames/live_classes.hpp"
 #include "tools/frames/live_grid.hpp"
-#include "tools/simulate/cell_truth.hpp"
+#include "tools/simulate/truth/cell_truth.hpp"
 #include "tools/view/scan_points.hpp"
 
 namespace iog::tools::view {

@@ -14,8 +14,8 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/receive/class_record.hpp"
 #include "tools/receive/run_statistics.hpp"
-#include "tools/simulate/moving_drive.hpp"
-#include "tools/simulate/pose_source.hpp"
+#include "tools/simulate/drives/drive.hpp"
+#include "tools/simulate/drives/pose_source.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -27,7 +27,7 @@ const CatalogueEntry& four_lux() { return find_vehicle("reference_car"); }
 struct PlacedDrive {
   explicit PlacedDrive(std::uint32_t frames, const PoseOptions& options = {}) {
     const std::uint32_t seconds = frames / 25 + 1;
-    MovingDrive drive(four_lux(), 1, seconds);
+    Drive drive(four_lux(), 1, seconds, find_scene(kDefaultScene), Motion::kContinuous);
     PoseFeed feed(simulated_poses(drive.scene(), options, 1, seconds + 0.2));
     for (std::uint32_t frame = 0; frame < frames; ++frame) {
       packets.push_back(drive.datagrams(frame));

@@ -14,8 +14,7 @@ std::vector<CapturedDatagram> sample_drive(const CatalogueEntry& car, std::uint6
   Drive drive(car, seed, 1, find_scene(scene));
   std::vector<CapturedDatagram> datagrams;
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
-    drive.move_to(frame);
-    for (CapturedDatagram& datagram : drive.datagrams()) {
+    for (CapturedDatagram& datagram : drive.datagrams(frame)) {
       datagrams.push_back(std::move(datagram));
     }
   }
@@ -42,9 +41,10 @@ Messages messages_of(const CatalogueEntry& car, const std::vector<CapturedDatagr
   return messages;
 }
 
-void for_each_point(Drive& drive, const CatalogueEntry& car, const PointVisit& visit) {
+void for_each_point(Drive& drive, std::uint32_t frame, const CatalogueEntry& car,
+                    const PointVisit& visit) {
   lidar::IbeoLux decoder;
-  for (const CapturedDatagram& datagram : drive.datagrams()) {
+  for (const CapturedDatagram& datagram : drive.datagrams(frame)) {
     const auto& sensor = car.vehicle->sensors[sensor_of_port(car, datagram.destination.port)];
     if (decoder.decode(datagram.payload) == lidar::DecodeStatus::kOk) {
       decoder.for_each_point([&](const lidar::ScanPoint& point) { visit(sensor, point); });

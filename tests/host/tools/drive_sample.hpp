@@ -9,7 +9,7 @@
 
 #include "lidar/scan_point.hpp"
 #include "tools/formats/capture/datagram.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -26,8 +26,9 @@ Messages messages_of(const CatalogueEntry& car, const std::vector<CapturedDatagr
 Messages messages_of(const CatalogueEntry& car, const std::vector<CapturedDatagram>& datagrams,
                      std::uint32_t run_number);
 
-// Visits each point of the frame that the drive stands at. The car's scanners are LUX.
+// Visits each point of that frame. The car's scanners are LUX.
 using PointVisit = std::function<void(const vehicle::Sensor&, const lidar::ScanPoint&)>;
-void for_each_point(Drive& drive, const CatalogueEntry& car, const PointVisit& visit);
+void for_each_point(Drive& drive, std::uint32_t frame, const CatalogueEntry& car,
+                    const PointVisit& visit);
 
 }  // namespace iog::tools

@@ -76,7 +76,7 @@ export function judgement(index, isTrue) {
 
 // It is called moving, and moves; it is called moving, and does not; it is something, and moves
 // without being called so.
-export const TRUE_MOVING = 1; // of tools/simulate/cell_truth.hpp: 2 may move, 3 never does
+export const TRUE_MOVING = 1; // of tools/simulate/truth/cell_truth.hpp: 2 may move, 3 never does
 
 export function judgementOfClass(byte, truth) {
   if (classOf(byte) === MOVING) {

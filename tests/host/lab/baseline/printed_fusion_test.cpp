@@ -15,7 +15,7 @@
 #include "lab/evidence/fusion_rules.hpp"
 #include "lab/evidence/projection.hpp"
 #include "lab/evidence/values.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {
@@ -72,8 +72,8 @@ TEST(PrintedFusion, IsTheSequentialSumOnSimulatedFrames) {
   for (const char* const scene : {"city", "ring_road"}) {
     tools::Drive drive(car, 1, 2, tools::find_scene(scene));
     for (const std::uint32_t frame : {0U, 23U}) {
-      drive.move_to(frame);
-      expect_the_sequential_sum(*car.vehicle, points_of(drive, car), Quantisation::kBlurring);
+      expect_the_sequential_sum(*car.vehicle, points_of(drive, frame, car),
+                                Quantisation::kBlurring);
     }
   }
 }

@@ -6,9 +6,9 @@
 
 #include "gtest/gtest.h"
 
-#include "tools/simulate/cell_truth.hpp"
-#include "tools/simulate/scene_catalogue.hpp"
-#include "tools/simulate/street.hpp"
+#include "tools/simulate/scenes/scene_catalogue.hpp"
+#include "tools/simulate/scenes/street.hpp"
+#include "tools/simulate/truth/cell_truth.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {

@@ -71,8 +71,7 @@ Datagrams drive_of(const tools::CatalogueEntry& car, std::uint32_t frames) {
   tools::Drive drive(car, 3, 1);
   Datagrams datagrams;
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
-    drive.move_to(frame);
-    for (tools::CapturedDatagram& datagram : drive.datagrams()) {
+    for (tools::CapturedDatagram& datagram : drive.datagrams(frame)) {
       datagrams.push_back(std::move(datagram));
     }
   }
@@ -156,8 +155,7 @@ TEST(FramePoints, ADriveNeedsNoCapture) {
   const auto frames = read_back(car, drive_of(car, 3));
   tools::Drive drive(car, 3, 1);
   for (std::uint32_t frame = 0; frame < 3; ++frame) {
-    drive.move_to(frame);
-    const FramePoints direct = points_of(drive, car);
+    const FramePoints direct = points_of(drive, frame, car);
     ASSERT_EQ(direct.size(), frames[frame].size());
     for (std::size_t i = 0; i < direct.size(); ++i) {
       ASSERT_EQ(direct[i].sensor, frames[frame][i].sensor);

@@ -76,8 +76,7 @@ std::vector<FramePoints> frames_of_drive(const tools::CatalogueEntry& car, std::
   tools::Drive drive(car, seed, 1);
   std::vector<FramePoints> frames;
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += every) {
-    drive.move_to(frame);
-    frames.push_back(points_of(drive, car));
+    frames.push_back(points_of(drive, frame, car));
   }
   return frames;
 }

@@ -10,7 +10,7 @@
 #include "grid/frame_fusion.hpp"
 #include "lab/evidence/frame_points.hpp"
 #include "lab/experiments/scene_load.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tree/built_quadtree.hpp"
 #include "tree/grid_drawing.hpp"
@@ -31,9 +31,8 @@ void for_each_grid(std::string_view scene, Use&& use) {
   const auto fusion = std::make_unique<grid::FrameFusion>(*car.vehicle);
   tools::Drive drive(car, 1, 1, tools::find_scene(scene));
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += 5) {
-    drive.move_to(frame);
     fusion->clear();
-    for (const lab::SensorPoint& seen : lab::points_of(drive, car)) {
+    for (const lab::SensorPoint& seen : lab::points_of(drive, frame, car)) {
       fusion->add(car.vehicle->sensors[seen.sensor], seen.point);
     }
     fusion->finish();

@@ -179,8 +179,8 @@ TEST(SourceMasses, AreWhereTheLidarLooks) {
 
 // The scene's own houses, carriageway and what is between; a ghost goes before all of them.
 TEST(SceneMap, KnowsWhereThingsAre) {
-  tools::MovingDrive drive(tools::find_vehicle(tools::kDefaultVehicle), 21, 1,
-                           tools::find_scene("city"));
+  tools::Drive drive(tools::find_vehicle(tools::kDefaultVehicle), 21, 1, tools::find_scene("city"),
+                     tools::Motion::kContinuous);
   SceneMap map(drive.scene());
   const auto at = [&](double station, double left) {
     const tools::Placement place = drive.scene().road.at(station, left);

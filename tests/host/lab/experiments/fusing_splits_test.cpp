@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grid/carving.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::lab {
@@ -18,8 +18,7 @@ constexpr BlockPlane kFine{0.1};
 FusingWork frame_of_drive(const BlockPlane& plane) {
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
   tools::Drive drive(car, 1, 1);
-  drive.move_to(3);
-  return work_of(car, drive.datagrams(), plane);
+  return work_of(car, drive.datagrams(3), plane);
 }
 
 // A way to the right and down, from (0.1, 0.1): it crosses x = 0.4 at y = -0.05, y = 0 at x = 0.3.

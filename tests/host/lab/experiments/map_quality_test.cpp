@@ -9,7 +9,7 @@
 
 #include "lab/experiments/scene_maps.hpp"
 #include "map/block.hpp"
-#include "tools/simulate/scene_catalogue.hpp"
+#include "tools/simulate/scenes/scene_catalogue.hpp"
 
 namespace iog::lab {
 namespace {

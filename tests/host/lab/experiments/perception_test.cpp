@@ -10,7 +10,7 @@
 #include "lab/experiments/perception_scores.hpp"
 #include "lab/experiments/perception_street.hpp"
 #include "lab/experiments/perception_truth.hpp"
-#include "tools/simulate/street.hpp"
+#include "tools/simulate/scenes/street.hpp"
 
 namespace iog::lab {
 namespace {

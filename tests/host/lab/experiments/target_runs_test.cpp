@@ -19,7 +19,7 @@
 #include "tools/fuse/offline_target.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/simulate/drive.hpp"
+#include "tools/simulate/drives/drive.hpp"
 
 namespace iog::lab {
 namespace {
@@ -97,8 +97,7 @@ Account account_of(const char* scene, std::size_t sensors) {
   Accountant accountant(vehicle);
   tools::Drive drive(car, kTargetSeed, kTargetSeconds, tools::find_scene(scene));
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    drive.move_to(frame);
-    accountant.take(drive.datagrams());
+    accountant.take(drive.datagrams(frame));
   }
   return accountant.finish();
 }
@@ -144,8 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Frames, TargetWorstFrames,
 void measure_first_frame(reference::LuxScans& left, reference::LuxScans& right) {
   const tools::CatalogueEntry& car = tools::find_vehicle("reference_car");
   tools::Drive drive(car, kTargetSeed, kTargetSeconds);
-  drive.move_to(0);
-  for (const tools::CapturedDatagram& datagram : drive.datagrams()) {
+  for (const tools::CapturedDatagram& datagram : drive.datagrams(0)) {
     const std::size_t sensor = tools::sensor_of_port(car, datagram.destination.port);
     if (sensor == tools::sensor_of_name(car, "front_centre") ||
         sensor == tools::sensor_of_name(car, "rear_centre")) {

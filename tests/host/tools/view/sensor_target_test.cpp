@@ -9,8 +9,8 @@
 
 #include "../drive_sample.hpp"
 #include "page_reader.hpp"
-#include "tools/simulate/moving_drive.hpp"
-#include "tools/simulate/pose_source.hpp"
+#include "tools/simulate/drives/drive.hpp"
+#include "tools/simulate/drives/pose_source.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -65,7 +65,7 @@ TEST(SensorTarget, ShowsTheGridsOfTheTargetWithTheirPoints) {
 // The classes of a target that has the same packets and poses.
 TEST(SensorTarget, ShowsTheClassesOfADriveWithPoses) {
   const CatalogueEntry& car = find_vehicle("reference_car");
-  MovingDrive drive(car, 1, 1);
+  Drive drive(car, 1, 1, find_scene(kDefaultScene), Motion::kContinuous);
   PoseFeed poses(simulated_poses(drive.scene(), {}, 1, 1));
   std::vector<CapturedDatagram> packets;
   for (std::uint32_t frame = 0; frame < 5; ++frame) {

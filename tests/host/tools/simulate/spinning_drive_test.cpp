@@ -1,0 +1,172 @@
+// Simulated units that turn: their packets are such as the real ones send, and what they measured
+// is where it is.
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "../drive_sample.hpp"
+#include "intake/measurement_time.hpp"
+#include "intake/packet.hpp"
+#include "lidar/velodyne_identity.hpp"
+#include "tools/frames/frame_assembler.hpp"
+#include "tools/simulate/drives/drive.hpp"
+#include "tools/simulate/scanners/packet_encoder.hpp"
+#include "tools/simulate/scanners/spinning_beams.hpp"
+
+namespace iog::tools {
+namespace {
+
+std::vector<CapturedDatagram> turns_of(const std::string& car, std::uint32_t turns) {
+  Drive drive(find_vehicle(car), 1, 1);
+  std::vector<CapturedDatagram> datagrams;
+  for (std::uint32_t turn = 0; turn < turns; ++turn) {
+    for (CapturedDatagram& datagram : drive.datagrams(turn)) {
+      datagrams.push_back(std::move(datagram));
+    }
+  }
+  return datagrams;
+}
+
+// Of the manuals: packets a second in strongest return mode, and so in one turn of ten.
+struct Rate {
+  const char* car;
+  double packets_per_second;
+};
+const std::vector<Rate> kRates{{"roof_hdl32e", 1'808.45}, {"roof_hdl64e", 2'893.52},
+                               {"roof_os1_64", 640.0},    {"roof_pandar64", 3'000.0},
+                               {"roof_vlp16", 753.52},    {"roof_vlp32c", 1'507.04},
+                               {"roof_xt32", 2'500.0}};
+
+TEST(SpinningDrive, SendsAsManyPacketsAsTheUnitDoes) {
+  for (const Rate& rate : kRates) {
+    const auto datagrams = turns_of(rate.car, 2);
+    EXPECT_NEAR(static_cast<double>(datagrams.size()), rate.packets_per_second / 5, 1) << rate.car;
+    for (std::size_t i = 1; i < datagrams.size(); ++i) {
+      const double apart_us = static_cast<double>(datagrams[i].time_us - datagrams[i - 1].time_us);
+      ASSERT_NEAR(apart_us, 1e6 / rate.packets_per_second, 1) << rate.car;
+    }
+  }
+}
+
+// Each packet lasts until the next, and is sent when it is full.
+TEST(SpinningDrive, SaysWhenItsPacketsWereMeasured) {
+  for (const Rate& rate : kRates) {
+    const vehicle::Sensor& sensor = find_vehicle(rate.car).vehicle->sensors[0];
+    const double packet_us = 1e6 / rate.packets_per_second;
+    for (const CapturedDatagram& datagram : turns_of(rate.car, 1)) {
+      const intake::Packet packet =
+          intake::Packet::decode(sensor.format, datagram.payload, sensor.unit());
+      ASSERT_TRUE(packet.is_sound()) << rate.car;
+      const std::uint64_t measured_us =
+          intake::measured_us(sensor, packet.info(), datagram.time_us);
+      // The lasers of a Pandar64 fire before their block does.
+      ASSERT_NEAR(static_cast<double>(datagram.time_us - measured_us), packet_us / 2, 60)
+          << rate.car;
+    }
+  }
+}
+
+TEST(SpinningDrive, VelodynesPacketsAreKnownAsTheirUnits) {
+  for (const Rate& rate : kRates) {
+    const CatalogueEntry& car = find_vehicle(rate.car);
+    if (!lidar::name_of(car.sensors[0].format).starts_with("Velodyne")) {
+      continue;
+    }
+    lidar::VelodyneIdentity identity;
+    lidar::FormatSet possible;
+    for (const CapturedDatagram& datagram : turns_of(rate.car, 1)) {
+      possible = identity.take(datagram.payload);
+    }
+    EXPECT_EQ(possible, lidar::FormatSet(car.sensors[0].format)) << rate.car;
+  }
+}
+
+TEST(SpinningDrive, TheSameSeedGivesTheSameBytes) {
+  const auto bytes_of = [](std::uint64_t seed) {
+    Drive drive(find_vehicle("roof_vlp16"), seed, 1);
+    return drive.datagrams(3).at(40).payload;
+  };
+  EXPECT_EQ(bytes_of(1), bytes_of(1));
+  EXPECT_NE(bytes_of(1), bytes_of(2));
+}
+
+// A street whose only ground is flat: the heights at which the low beams of a unit end, by what its
+// description says of it. lasers of the calibration start where they start.
+TEST(SpinningDrive, LowBeamsEndOnTheGround) {
+  for (const Rate& rate : kRates) {
+    const CatalogueEntry& car = find_vehicle(rate.car);
+    const vehicle::SensorConfig& config = car.sensors[0];
+    // Nothing but the ground, and the car stands level.
+    const RayCaster rays(placed(frame_of(config.mount), {}), {}, kSpinningFarthest);
+    Random random(5);
+    const auto bytes = encoder_of(config)->packet(0, 0, rays, random);
+    const vehicle::Sensor& sensor = car.vehicle->sensors[0];
+    const intake::Packet packet = intake::Packet::decode(config.format, bytes, sensor.unit());
+    ASSERT_TRUE(packet.is_sound()) << rate.car;
+    std::set<int> layers;
+    packet.for_each_point([&](const lidar::ScanPoint& point) {
+      double elevation_deg = 0;
+      double height_m = 0;
+      if (config.lasers.empty()) {
+        lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder>) {
+          elevation_deg = Decoder::kElevationsDeg.at(point.layer);
+        });
+      } else {
+        elevation_deg = config.lasers[point.layer].elevation_deg;
+        height_m = config.lasers[point.layer].height_m;
+      }
+      if (point.range_mm == 0 || elevation_deg > -3) {
+        return;
+      }
+      const double elevation = elevation_deg * 3.14159265358979 / 180;
+      const double start_m = config.mount.z_m + height_m / std::cos(elevation);
+      const double end_m = start_m + std::sin(elevation) * point.range_mm / 1'000;
+      // Four sigma of the range and what the wire rounds.
+      ASSERT_NEAR(end_m, 0, -std::sin(elevation) * (4 * config.sigma_m + 0.004))
+          << rate.car << " " << elevation_deg;
+      layers.insert(point.layer);
+    });
+    EXPECT_GT(layers.size(), 5U) << rate.car;
+  }
+}
+
+// What its own vehicle makes of it: whole frames; and what another makes of it: nothing.
+TEST(SpinningDrive, IsFusedByItsVehicleAndByNoOther) {
+  const auto count = [](const char* car, const std::vector<CapturedDatagram>& datagrams) {
+    struct {
+      unsigned complete = 0;
+      std::uint32_t other_unit = 0;
+      std::uint32_t dropped = 0;
+    } found;
+    FrameAssembler assembler([&](GridFrame&& frame) {
+      found.complete += frame.end.sensors[0].state == intake::SensorState::kComplete ? 1U : 0U;
+      found.other_unit =
+          frame.end.packet_drops[static_cast<std::size_t>(intake::PacketDrop::kOtherUnit)];
+      found.dropped = frame.header.packets_dropped;
+    });
+    for (const auto& message : messages_of(find_vehicle(car), datagrams)) {
+      assembler.take(message);
+    }
+    assembler.finish();
+    return found;
+  };
+  for (const Rate& rate : kRates) {
+    const auto datagrams = turns_of(rate.car, 3);
+    const auto own = count(rate.car, datagrams);
+    EXPECT_GE(own.complete, 2U) << rate.car;
+    EXPECT_LE(own.other_unit, 3U) << rate.car;  // until it is known
+    EXPECT_EQ(own.dropped, own.other_unit) << rate.car;
+    for (const Rate& other : kRates) {
+      if (&other != &rate) {
+        EXPECT_EQ(count(other.car, datagrams).complete, 0U) << rate.car << " as " << other.car;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace iog::tools

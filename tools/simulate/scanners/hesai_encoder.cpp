@@ -1,0 +1,120 @@
+#include "tools/simulate/scanners/hesai_encoder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <optional>
+#include <span>
+
+#include "numeric/elementary.hpp"
+#include "require/require.hpp"
+#include "tools/formats/capture/made_capture.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint64_t kHesaiTurnNs = 1'000'000'000 / kTurnsPerSecond;
+constexpr std::uint64_t kHesaiTurn = lidar::HesaiPacket::kTicksPerTurn;
+constexpr std::uint16_t kRpm = 60 * kTurnsPerSecond;
+constexpr std::uint8_t kStrongest = 0x37;
+constexpr std::uint8_t kMaker = 0x42;
+constexpr std::uint8_t kHesaiReflectivity = 40;
+constexpr std::uint8_t kSureOfIt = 255;
+
+// Lasers, blocks, returns, unit of distance in mm, reserved.
+constexpr std::array<std::uint8_t, 8> kPandar64Head{0xEE, 0xFF, 64, 6, 0, 4, 0, 0};
+// Version, reserved, lasers, blocks, which block is first, unit of distance in mm, returns, flags.
+constexpr std::array<std::uint8_t, 12> kXt32Head{0xEE, 0xFF, 6, 1, 0, 0, 32, 8, 2, 4, 1, 0};
+
+// User manuals, "Absolute time of point cloud data": so long after (before) the stamp the last
+// block fires.
+constexpr std::uint64_t kPandar64StampAfterNs = 42'580;
+constexpr std::uint64_t kXt32StampBeforeNs = 5'632;
+
+void write_utc(std::uint64_t unix_s, unsigned years_before, wire::ByteWriter& out) {
+  const auto seconds = static_cast<std::time_t>(unix_s);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  out.u8(static_cast<std::uint8_t>(static_cast<unsigned>(utc.tm_year) + 1900U - years_before));
+  out.u8(static_cast<std::uint8_t>(utc.tm_mon + 1));
+  for (const int field : {utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec}) {
+    out.u8(static_cast<std::uint8_t>(field));
+  }
+}
+
+// In the unit's 4 mm; 0: nothing came back.
+std::uint16_t range_units(const std::optional<double>& range_m) {
+  if (!range_m) {
+    return 0;
+  }
+  const double units = *range_m * 1000 / lidar::HesaiPacket::kMillimetresPerUnit;
+  return static_cast<std::uint16_t>(numeric::round(std::clamp(units, 1.0, 65'535.0)));
+}
+
+}  // namespace
+
+std::uint64_t HesaiEncoder::packet_ns() const {
+  return unit_.blocks * static_cast<std::uint64_t>(unit_.firing_ns);
+}
+
+void HesaiEncoder::write_head(wire::ByteWriter& out) const {
+  if (is_xt32()) {
+    out.bytes(std::as_bytes(std::span(kXt32Head)));
+  } else {
+    out.bytes(std::as_bytes(std::span(kPandar64Head)));
+  }
+}
+
+void HesaiEncoder::write_tail(std::uint64_t stamp_us, std::uint64_t number,
+                              wire::ByteWriter& out) const {
+  constexpr std::uint64_t kSecondUs = 1'000'000;
+  const auto in_second = static_cast<std::uint32_t>(stamp_us % kSecondUs);
+  if (is_xt32()) {
+    out.zeros(10);  // reserved, state
+    out.u8(kStrongest);
+    out.u16_le(kRpm);
+    write_utc(stamp_us / kSecondUs, 1900, out);
+    out.u32_le(in_second);
+    out.u8(kMaker);
+  } else {
+    out.zeros(8);
+    out.u16_le(kRpm);
+    out.u32_le(in_second);
+    out.u8(kStrongest);
+    out.u8(kMaker);
+    write_utc(stamp_us / kSecondUs, 2000, out);
+  }
+  out.u32_le(static_cast<std::uint32_t>(number));
+}
+
+std::vector<std::byte> HesaiEncoder::packet(std::uint64_t begin_ns, std::uint64_t number,
+                                            const RayCaster& rays, Random& random) const {
+  std::vector<std::byte> bytes(unit_.bytes + unit_.sequence_bytes);
+  wire::ByteWriter out(bytes);
+  write_head(out);
+  std::uint64_t fires_ns = begin_ns;
+  for (std::size_t block = 0; block < unit_.blocks; ++block) {
+    fires_ns = begin_ns + block * static_cast<std::uint64_t>(unit_.firing_ns);
+    const std::uint64_t turned = fires_ns % kHesaiTurnNs;
+    const std::uint64_t azimuth =
+        (turned * kHesaiTurn + kHesaiTurnNs / 2) / kHesaiTurnNs % kHesaiTurn;
+    out.u16_le(static_cast<std::uint16_t>(azimuth));
+    for (std::size_t laser = 0; laser < unit_.lasers; ++laser) {
+      const std::uint16_t range = range_units(
+          beams_.measured_m(laser, static_cast<std::int32_t>(azimuth), fires_ns, rays, random));
+      out.u16_le(range);
+      out.u8(range == 0 ? std::uint8_t{0} : kHesaiReflectivity);
+      if (is_xt32()) {
+        out.u8(range == 0 ? std::uint8_t{0} : kSureOfIt);
+      }
+    }
+  }
+  const std::uint64_t last_ns = kDriveStartUs * 1'000 + fires_ns;
+  const std::uint64_t stamp_ns =
+      is_xt32() ? last_ns - kXt32StampBeforeNs : last_ns + kPandar64StampAfterNs;
+  write_tail(stamp_ns / 1'000, number, out);
+  require(out.ok() && out.remaining() == 0);
+  return bytes;
+}
+
+}  // namespace iog::tools

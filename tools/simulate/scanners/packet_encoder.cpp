@@ -1,0 +1,26 @@
+#include "tools/simulate/scanners/packet_encoder.hpp"
+
+#include <type_traits>
+
+#include "lidar/formats.hpp"
+#include "tools/simulate/scanners/hesai_encoder.hpp"
+#include "tools/simulate/scanners/ouster_encoder.hpp"
+#include "tools/simulate/scanners/velodyne_encoder.hpp"
+
+namespace iog::tools {
+
+std::unique_ptr<PacketEncoder> encoder_of(const vehicle::SensorConfig& config) {
+  std::unique_ptr<PacketEncoder> sender;
+  lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
+      sender = std::make_unique<VelodyneEncoder>(config, Decoder::unit());
+    } else if constexpr (std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
+      sender = std::make_unique<HesaiEncoder>(config, Decoder::unit());
+    } else if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
+      sender = std::make_unique<OusterEncoder>(config, Decoder::profile());
+    }
+  });
+  return sender;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,39 @@
+#include "tools/simulate/scenes/scene_catalogue.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "tools/program/exit_status.hpp"
+#include "tools/simulate/scenes/city.hpp"
+#include "tools/simulate/scenes/ring_road.hpp"
+#include "tools/simulate/scenes/street.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::array kScenes{SceneEntry{"city", make_city}, SceneEntry{"ring_road", make_ring_road},
+                             SceneEntry{"street", make_street}};
+
+std::string known_names() {
+  std::string names;
+  for (const SceneEntry& entry : kScenes) {
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::span<const SceneEntry> all_scenes() { return kScenes; }
+
+const SceneEntry& find_scene(std::string_view name) {
+  const auto* const found = std::ranges::find(kScenes, name, &SceneEntry::name);
+  if (found == kScenes.end()) {
+    throw UsageError("no scene '" + std::string(name) + "'; the known ones are " + known_names());
+  }
+  return *found;
+}
+
+std::string scene_option_help() { return "Where the drive goes: " + known_names(); }
+
+}  // namespace iog::tools
