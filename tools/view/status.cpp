@@ -1,7 +1,9 @@
 #include "tools/view/status.hpp"
 
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "geometry/grid.hpp"
 #include "lidar/formats.hpp"
@@ -9,198 +11,178 @@
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/map_words.hpp"
-#include "tools/view/json_text.hpp"
 
 namespace iog::tools::view {
 namespace {
 
-std::string numbers(std::span<const std::uint32_t> values) {
-  JsonList list;
-  for (const std::uint32_t value : values) {
-    list.json(std::to_string(value));
-  }
-  return list.str();
+using Json = nlohmann::ordered_json;
+
+// Where a text is not UTF-8 the page has a character of replacement.
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string sensors_json(const FrameFacts& frame) {
-  JsonList list;
+Json sensors_json(const FrameFacts& frame) {
+  Json list = Json::array();
   for (const intake::SensorReport& sensor :
        std::span(frame.end->sensors).first(frame.header.sensor_count)) {
-    list.json(JsonObject()
-                  .number("state", static_cast<unsigned>(sensor.state))
-                  .number("age", sensor.age_frames)
-                  .number("packets", sensor.packets)
-                  .number("points", sensor.points)
-                  .number("scan", sensor.scan_number)
-                  .str());
+    list.push_back({{"state", static_cast<unsigned>(sensor.state)},
+                    {"age", sensor.age_frames},
+                    {"packets", sensor.packets},
+                    {"points", sensor.points},
+                    {"scan", sensor.scan_number}});
   }
-  return list.str();
+  return list;
 }
 
-std::string end_json(const FrameFacts& frame) {
+Json end_json(const FrameFacts& frame) {
   if (!frame.end) {
-    return "null";
+    return nullptr;
   }
   const stream::FrameEnd& end = *frame.end;
   const auto us = [&](std::uint32_t ticks) {
     return end.stopwatch_hz == 0 ? 0.0 : 1e6 * ticks / end.stopwatch_hz;
   };
   const std::optional<CoreShares> cores = core_shares_of(end);
-  return JsonObject()
-      .number("tiles_sent", end.tiles_sent)
-      .number("tiles_lost", end.tiles_lost)
-      .text("crc", hex(end.grid_crc))
-      .number("opened_us", end.opened_us)
-      .real("fuse_us", us(end.ticks.fuse))
-      .real("mark_us", us(end.ticks.mark))
-      .real("publish_us", us(end.ticks.publish))
-      .real("perceive_us", us(end.ticks.perceive))
-      .number("stack_bytes", end.stack_used_bytes)
-      .text("cores", cores ? words_of(*cores) : "")
-      .json("fates", numbers(end.fates))
-      .json("drops", numbers(end.packet_drops))
-      .json("sensors", sensors_json(frame))
-      .str();
+  return {{"tiles_sent", end.tiles_sent},
+          {"tiles_lost", end.tiles_lost},
+          {"crc", hex(end.grid_crc)},
+          {"opened_us", end.opened_us},
+          {"fuse_us", us(end.ticks.fuse)},
+          {"mark_us", us(end.ticks.mark)},
+          {"publish_us", us(end.ticks.publish)},
+          {"perceive_us", us(end.ticks.perceive)},
+          {"stack_bytes", end.stack_used_bytes},
+          {"cores", cores ? words_of(*cores) : ""},
+          {"fates", end.fates},
+          {"drops", end.packet_drops},
+          {"sensors", sensors_json(frame)}};
 }
 
 // Each cause of docs/spec.md 5.5, from late on.
-std::string causes_json(const ClassFacts& classes) {
-  JsonList list;
+Json causes_json(const ClassFacts& classes) {
+  Json list = Json::array();
   for (std::size_t cause = 1; cause < pose::kCauseCount; ++cause) {
     const stream::CauseRecord& record = classes.end->causes.at(cause);
-    list.json(JsonObject()
-                  .number("slices", classes.not_placed.at(cause))
-                  .number("times", record.began.times)
-                  .number("since_us", record.began.since_us)
-                  .str());
+    list.push_back({{"slices", classes.not_placed.at(cause)},
+                    {"times", record.began.times},
+                    {"since_us", record.began.since_us}});
   }
-  return list.str();
+  return list;
 }
 
 // Where the local frame is in the map's plane; null if no pose has said it.
-std::string transform_json(const std::optional<pose::MapTransform>& transform) {
+Json transform_json(const std::optional<pose::MapTransform>& transform) {
   if (!transform) {
-    return "null";
+    return nullptr;
   }
   const pose::Pose& frame = transform->local_frame;
-  return JsonObject()
-      .real("x_m", frame.x_mm / 1000.0)
-      .real("y_m", frame.y_mm / 1000.0)
-      .real("heading_rad", frame.heading * (2 * std::numbers::pi / 0x1p32))
-      .str();
+  return {{"x_m", frame.x_mm / 1000.0},
+          {"y_m", frame.y_mm / 1000.0},
+          {"heading_rad", frame.heading * (2 * std::numbers::pi / 0x1p32)}};
 }
 
 // What the target says of its map; null if it knows nothing of maps.
-std::string map_json(const std::optional<stream::MapState>& map) {
+Json map_json(const std::optional<stream::MapState>& map) {
   if (!map) {
-    return "null";
+    return nullptr;
   }
-  return JsonObject()
-      .truth("in_use", map->in_use.has_value())
-      .text("crc", hex(map->layer.crc))
-      .text("attribution", map->in_use ? std::string(map->in_use->words()) : std::string())
-      .text("cause", std::string(words_of(map->layer.cause)))
-      .number("tiles_drawn", map->layer.tiles_drawn)
-      .number("tiles_waiting", map->layer.tiles_waiting)
-      .number("blur_cells", map->layer.radius)
-      .text("delivery", words_of_delivery(map->delivery))
-      .number("refused", map->delivery.blocks_refused)
-      .json("transform", transform_json(map->layer.transform))
-      .str();
+  return {{"in_use", map->in_use.has_value()},
+          {"crc", hex(map->layer.crc)},
+          {"attribution", map->in_use ? std::string(map->in_use->words()) : std::string()},
+          {"cause", std::string(words_of(map->layer.cause))},
+          {"tiles_drawn", map->layer.tiles_drawn},
+          {"tiles_waiting", map->layer.tiles_waiting},
+          {"blur_cells", map->layer.radius},
+          {"delivery", words_of_delivery(map->delivery)},
+          {"refused", map->delivery.blocks_refused},
+          {"transform", transform_json(map->layer.transform)}};
 }
 
-std::string class_end_json(const ClassFacts& classes) {
+Json class_end_json(const ClassFacts& classes) {
   if (!classes.end) {
-    return "null";
+    return nullptr;
   }
   const stream::ClassEnd& end = *classes.end;
-  return JsonObject()
-      .text("crc", hex(end.classes_crc))
-      .number("packets_placed", end.packets_placed)
-      .number("packets_not_placed", end.packets_not_placed)
-      .number("groups_fused", end.groups_fused)
-      .number("groups_left", end.groups_left)
-      .json("poses", numbers(end.pose_fates))
-      .json("causes", causes_json(classes))
-      .json("map", map_json(end.map))
-      .str();
+  return {{"crc", hex(end.classes_crc)},
+          {"packets_placed", end.packets_placed},
+          {"packets_not_placed", end.packets_not_placed},
+          {"groups_fused", end.groups_fused},
+          {"groups_left", end.groups_left},
+          {"poses", end.pose_fates},
+          {"causes", causes_json(classes)},
+          {"map", map_json(end.map)}};
 }
 
-std::string classes_json(const FrameFacts& frame) {
+Json classes_json(const FrameFacts& frame) {
   if (!frame.classes) {
-    return "null";
+    return nullptr;
   }
   const ClassFacts& classes = *frame.classes;
   const stream::ClassWindow& window = classes.window;
-  return JsonObject()
-      .number("corner_a", window.corner_a)
-      .number("corner_b", window.corner_b)
-      .real("x_m", window.pose.x_mm / 1000.0)
-      .real("y_m", window.pose.y_mm / 1000.0)
-      .real("heading_deg", window.pose.heading * (360 / 0x1p32))
-      .real("sigma_m", window.sigma.position_mm / 1000.0)
-      .real("sigma_deg", window.sigma.heading_10urad * 1e-5 * 180 / std::numbers::pi)
-      .number("causes", window.causes)
-      .truth("has_place", window.has_place())
-      .number("slices", window.slices)
-      .number("stamp_us", window.slices_end_us)
-      .truth("whole", classes.is_whole)
-      .truth("damaged", classes.is_damaged)
-      .number("missing_tiles", classes.missing_tiles)
-      .number("stale_tiles", classes.stale_tiles)
-      .number("known_tiles", classes.known_tiles)
-      .json("end", class_end_json(classes))
-      .str();
+  return {{"corner_a", window.corner_a},
+          {"corner_b", window.corner_b},
+          {"x_m", window.pose.x_mm / 1000.0},
+          {"y_m", window.pose.y_mm / 1000.0},
+          {"heading_deg", window.pose.heading * (360 / 0x1p32)},
+          {"sigma_m", window.sigma.position_mm / 1000.0},
+          {"sigma_deg", window.sigma.heading_10urad * 1e-5 * 180 / std::numbers::pi},
+          {"causes", window.causes},
+          {"has_place", window.has_place()},
+          {"slices", window.slices},
+          {"stamp_us", window.slices_end_us},
+          {"whole", classes.is_whole},
+          {"damaged", classes.is_damaged},
+          {"missing_tiles", classes.missing_tiles},
+          {"stale_tiles", classes.stale_tiles},
+          {"known_tiles", classes.known_tiles},
+          {"end", class_end_json(classes)}};
 }
 
-std::string frame_json(const FrameFacts& frame) {
+Json frame_json(const FrameFacts& frame) {
   const stream::Header& header = frame.header;
-  return JsonObject()
-      .number("number", frame.number)
-      .number("closed_us", header.closed_us)
-      .truth("sends_indexes", (header.flags & stream::kFlagNoIndexes) == 0)
-      .truth("sends_classes", (header.flags & stream::kFlagClasses) != 0)
-      .truth("timed_out", (header.flags & stream::kFlagTimedOut) != 0)
-      .text("rule", (header.flags & stream::kFlagBayes) != 0 ? "bayes" : "hits_win")
-      .number("bytes", frame.message_bytes)
-      .truth("whole", frame.is_whole)
-      .truth("damaged", frame.is_damaged)
-      .number("missing_tiles", frame.missing_tiles)
-      .truth("breaks_off", frame.breaks_off)
-      .number("unfinished_tiles", frame.unfinished_tiles)
-      .number("stale_tiles", frame.stale_tiles)
-      .number("known_tiles", frame.known_tiles)
-      .number("complete", header.complete_sensors)
-      .number("partial", header.partial_sensors)
-      .number("points_used", header.points_used)
-      .number("points_other", header.points_other)
-      .number("packets_fused", header.packets_fused)
-      .number("packets_dropped", header.packets_dropped)
-      .json("end", end_json(frame))
-      .json("classes", classes_json(frame))
-      .str();
+  return {{"number", frame.number},
+          {"closed_us", header.closed_us},
+          {"sends_indexes", (header.flags & stream::kFlagNoIndexes) == 0},
+          {"sends_classes", (header.flags & stream::kFlagClasses) != 0},
+          {"timed_out", (header.flags & stream::kFlagTimedOut) != 0},
+          {"rule", (header.flags & stream::kFlagBayes) != 0 ? "bayes" : "hits_win"},
+          {"bytes", frame.message_bytes},
+          {"whole", frame.is_whole},
+          {"damaged", frame.is_damaged},
+          {"missing_tiles", frame.missing_tiles},
+          {"breaks_off", frame.breaks_off},
+          {"unfinished_tiles", frame.unfinished_tiles},
+          {"stale_tiles", frame.stale_tiles},
+          {"known_tiles", frame.known_tiles},
+          {"complete", header.complete_sensors},
+          {"partial", header.partial_sensors},
+          {"points_used", header.points_used},
+          {"points_other", header.points_other},
+          {"packets_fused", header.packets_fused},
+          {"packets_dropped", header.packets_dropped},
+          {"end", end_json(frame)},
+          {"classes", classes_json(frame)}};
 }
 
-std::string counts_json(const FrameAssembler& assembler, std::uint64_t overflow) {
+Json counts_json(const FrameAssembler& assembler, std::uint64_t overflow) {
   const MessageCounts& counts = assembler.counts();
-  return JsonObject()
-      .number("messages", counts.messages)
-      .number("bytes", counts.bytes)
-      .number("lost", assembler.messages_lost())
-      .number("frames_lost", assembler.frames_lost())
-      .number("late", counts.late)
-      .number("repeated", counts.repeated)
-      .number("too_late", counts.too_late)
-      .number("corrupt", counts.corrupt)
-      .number("malformed", counts.malformed + counts.tiles_malformed)
-      .number("not_ours", counts.not_ours)
-      .number("other_version", counts.other_version)
-      .number("not_understood", counts.not_understood + counts.tiles_not_understood)
-      .number("without_reference", counts.without_reference)
-      .number("restarts", counts.restarts)
-      .number("other_run", counts.other_run)
-      .number("overflow", overflow)
-      .str();
+  return {{"messages", counts.messages},
+          {"bytes", counts.bytes},
+          {"lost", assembler.messages_lost()},
+          {"frames_lost", assembler.frames_lost()},
+          {"late", counts.late},
+          {"repeated", counts.repeated},
+          {"too_late", counts.too_late},
+          {"corrupt", counts.corrupt},
+          {"malformed", counts.malformed + counts.tiles_malformed},
+          {"not_ours", counts.not_ours},
+          {"other_version", counts.other_version},
+          {"not_understood", counts.not_understood + counts.tiles_not_understood},
+          {"without_reference", counts.without_reference},
+          {"restarts", counts.restarts},
+          {"other_run", counts.other_run},
+          {"overflow", overflow}};
 }
 
 std::string_view channel_name(protection::ChannelState state) {
@@ -217,26 +199,22 @@ std::string_view channel_name(protection::ChannelState state) {
   return "invalid";
 }
 
-std::string recording_json(const Recorder& recorder) {
-  return JsonObject()
-      .truth("open", recorder.is_open())
-      .text("file", recorder.path())
-      .number("messages", recorder.messages())
-      .number("bytes", recorder.bytes())
-      .str();
+Json recording_json(const Recorder& recorder) {
+  return {{"open", recorder.is_open()},
+          {"file", recorder.path()},
+          {"messages", recorder.messages()},
+          {"bytes", recorder.bytes()}};
 }
 
-std::string sensor_json(const vehicle::SensorConfig& sensor) {
-  return JsonObject()
-      .text("name", sensor.name)
-      .text("format", lidar::name_of(sensor.format))
-      .real("x", sensor.mount.x_m)
-      .real("y", sensor.mount.y_m)
-      .real("z", sensor.mount.z_m)
-      .real("yaw_deg", sensor.mount.yaw_deg)
-      .real("width_deg", 360.0 * sensor.scan_width_ticks / lidar::ticks_per_turn(sensor.format))
-      .real("range", sensor.range_max_mm / 1000.0)
-      .str();
+Json sensor_json(const vehicle::SensorConfig& sensor) {
+  return {{"name", sensor.name},
+          {"format", lidar::name_of(sensor.format)},
+          {"x", sensor.mount.x_m},
+          {"y", sensor.mount.y_m},
+          {"z", sensor.mount.z_m},
+          {"yaw_deg", sensor.mount.yaw_deg},
+          {"width_deg", 360.0 * sensor.scan_width_ticks / lidar::ticks_per_turn(sensor.format)},
+          {"range", sensor.range_max_mm / 1000.0}};
 }
 
 // A target speaks of its tiles in the order of their numbers.
@@ -298,56 +276,51 @@ FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t 
 std::string status_json(const StatusParts& parts) {
   const StreamHealth& health = *parts.health;
   const auto version_sent = parts.assembler->version_sent();
-  JsonObject object;
-  object.text("kind", parts.kind)
-      .text("source", parts.source)
-      .text("problem", parts.problem)
-      .text("block", parts.block)
-      .text("state", name_of(health.state(parts.now_ms)))
-      .number("now_ms", parts.now_ms)
-      .number("silent_ms", health.silent_ms(parts.now_ms))
-      .truth("restarted", health.has_restarted_lately(parts.now_ms))
-      .truth("corrupt", health.is_corrupt_lately(parts.now_ms))
-      .truth("too_slow", health.is_too_slow_lately(parts.now_ms))
-      .truth("other_version", health.has_other_version_lately(parts.now_ms))
-      .truth("strange_grid", health.has_strange_grid_lately(parts.now_ms))
-      .number("version", stream::kInterfaceVersion)
-      .json("version_sent", version_sent ? std::to_string(*version_sent) : "null")
-      .text("car_refused", parts.assembler->car_refusal().value_or(""))
-      .text("channel", channel_name(parts.assembler->channel()))
-      .json("counts", counts_json(*parts.assembler, parts.overflow))
-      .json("recording", recording_json(*parts.recorder))
-      .json("frame", *parts.frame ? frame_json(**parts.frame) : "null");
-  return object.str();
+  return text_of({{"kind", parts.kind},
+                  {"source", parts.source},
+                  {"problem", parts.problem},
+                  {"block", parts.block},
+                  {"state", name_of(health.state(parts.now_ms))},
+                  {"now_ms", parts.now_ms},
+                  {"silent_ms", health.silent_ms(parts.now_ms)},
+                  {"restarted", health.has_restarted_lately(parts.now_ms)},
+                  {"corrupt", health.is_corrupt_lately(parts.now_ms)},
+                  {"too_slow", health.is_too_slow_lately(parts.now_ms)},
+                  {"other_version", health.has_other_version_lately(parts.now_ms)},
+                  {"strange_grid", health.has_strange_grid_lately(parts.now_ms)},
+                  {"version", stream::kInterfaceVersion},
+                  {"version_sent", version_sent ? Json(*version_sent) : nullptr},
+                  {"car_refused", parts.assembler->car_refusal().value_or("")},
+                  {"channel", channel_name(parts.assembler->channel())},
+                  {"counts", counts_json(*parts.assembler, parts.overflow)},
+                  {"recording", recording_json(*parts.recorder)},
+                  {"frame", *parts.frame ? frame_json(**parts.frame) : nullptr}});
 }
 
 std::string vehicle_json(std::uint32_t vehicle_id) {
   const CatalogueEntry* const car = vehicle_of_id(vehicle_id);
-  JsonObject object;
-  object.text("name", words_of_vehicle(vehicle_id))
-      .real("cell_m", geometry::kCellMm / 1000.0)
-      .number("cells", geometry::kCellsPerSide);
-  JsonList sensors;
+  Json sensors = Json::array();
+  Json json{{"name", words_of_vehicle(vehicle_id)},
+            {"cell_m", geometry::kCellMm / 1000.0},
+            {"cells", geometry::kCellsPerSide},
+            {"footprint", nullptr},
+            {"epsilon", vehicle::Description{}.epsilon}};
   if (car != nullptr) {
     for (const vehicle::SensorConfig& sensor : car->sensors) {
-      sensors.json(sensor_json(sensor));
+      sensors.push_back(sensor_json(sensor));
     }
     const vehicle::FootprintConfig& body = car->description->footprint;
-    object
-        .json("footprint", JsonObject()
-                               .real("x_min", body.x_min_m)
-                               .real("x_max", body.x_max_m)
-                               .real("y_min", body.y_min_m)
-                               .real("y_max", body.y_max_m)
-                               .str())
-        .real("z_min", car->description->z_min_m)
-        .real("z_max", car->description->z_max_m)
-        .real("epsilon", car->description->epsilon)
-        .number("period_us", car->description->frame_period_us);
-  } else {
-    object.json("footprint", "null").real("epsilon", vehicle::Description{}.epsilon);
+    json["footprint"] = {{"x_min", body.x_min_m},
+                         {"x_max", body.x_max_m},
+                         {"y_min", body.y_min_m},
+                         {"y_max", body.y_max_m}};
+    json["z_min"] = car->description->z_min_m;
+    json["z_max"] = car->description->z_max_m;
+    json["epsilon"] = car->description->epsilon;
+    json["period_us"] = car->description->frame_period_us;
   }
-  return object.json("sensors", sensors.str()).str();
+  json["sensors"] = std::move(sensors);
+  return text_of(json);
 }
 
 }  // namespace iog::tools::view

@@ -1,26 +1,35 @@
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
 #include "gtest/gtest.h"
 
-#include "tools/view/json_text.hpp"
 #include "tools/view/literal_host.hpp"
 #include "tools/view/page_files.hpp"
+#include "tools/view/status.hpp"
 
 namespace iog::tools::view {
 namespace {
 
-// RFC 8259, section 7.
-TEST(JsonText, WhatIsNotPrintableIsEscaped) {
-  EXPECT_EQ(quoted("city, seed 1"), R"("city, seed 1")");
-  EXPECT_EQ(quoted("a\"b\\c"), R"("a\"b\\c")");
-  EXPECT_EQ(quoted("\n\x01\x7f\u00a9"), "\"\\u000a\\u0001\\u007f\u00a9\"");
-  EXPECT_EQ(quoted(std::string_view("\0", 1)), "\"\\u0000\"");
-}
-
-TEST(JsonText, ObjectsAndListsNest) {
-  const std::string list = JsonList().json("1").text("two").str();
-  EXPECT_EQ(JsonObject().number("a", -5).truth("b", true).json("c", list).real("d", 0.5).str(),
-            R"({"a":-5,"b":true,"c":[1,"two"],"d":0.5})");
-  EXPECT_EQ(JsonObject().str(), "{}");
-  EXPECT_EQ(JsonList().str(), "[]");
+// Names come from captures and from the stream: they may hold anything, and the page gets valid
+// JSON (RFC 8259).
+TEST(StatusJson, IsJsonWhateverItsWordsHold) {
+  const StreamHealth health;
+  const FrameAssembler assembler([](GridFrame&& /*frame*/) {});
+  const Recorder recorder(".", 0);
+  const std::optional<FrameFacts> frame;
+  const std::string words = status_json({.health = &health,
+                                         .assembler = &assembler,
+                                         .recorder = &recorder,
+                                         .frame = &frame,
+                                         .source = "a\"b\\\n\x01\xff",
+                                         .kind = "",
+                                         .block = "",
+                                         .problem = ""});
+  const auto read = nlohmann::json::parse(words);
+  EXPECT_EQ(read.at("source"), "a\"b\\\n\x01\uFFFD");
+  EXPECT_EQ(read.at("frame"), nullptr);
+  EXPECT_EQ(read.at("counts").at("messages"), 0);
 }
 
 // What a name service cannot have made up: addresses, and the one name that is always this host.
