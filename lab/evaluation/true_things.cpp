@@ -19,8 +19,8 @@ bool can_move(tools::Material material) {
 std::map<std::uint32_t, tools::Vector3> places_before(const tools::Scene& scene, double time_s) {
   std::map<std::uint32_t, tools::Vector3> places;
   std::vector<tools::Solid> solids;
-  scene.traffic.append_seen_from(scene.cruise.station_at(time_s), scene.road, time_s - kSettlesS,
-                                 solids);
+  scene.traffic.append_seen_from(scene.cruise.station_at(time_s), scene.road, scene.cruise,
+                                 time_s - kSettlesS, solids);
   for (const tools::Solid& solid : solids) {
     places.try_emplace(solid.thing, tools::Vector3{solid.at.x, solid.at.y, 0});
   }

@@ -13,8 +13,8 @@ std::vector<MovingSolid> Scene::solids_between(double from_s, double to_s) const
   std::vector<Solid> before;
   std::vector<Solid> after;
   landscape.append_seen_from(station, standing);
-  traffic.append_seen_from(station, road, from_s, before);
-  traffic.append_seen_from(station, road, to_s, after);
+  traffic.append_seen_from(station, road, cruise, from_s, before);
+  traffic.append_seen_from(station, road, cruise, to_s, after);
   std::vector<MovingSolid> solids;
   solids.reserve(standing.size() + before.size());
   for (const Solid& solid : standing) {

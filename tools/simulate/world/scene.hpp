@@ -26,7 +26,7 @@ struct Scene {
   void append_seen_at(double time_s, std::vector<Solid>& solids) const {
     const double station = cruise.station_at(time_s);
     landscape.append_seen_from(station, solids);
-    traffic.append_seen_from(station, road, time_s, solids);
+    traffic.append_seen_from(station, road, cruise, time_s, solids);
   }
 
   // The same for an interval of some milliseconds: everything that is seen in its middle, and how

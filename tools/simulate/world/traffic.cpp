@@ -87,13 +87,13 @@ EgoPose Cruise::pose_at(const Road& road, double time_s) const {
           .station = station};
 }
 
-void Traffic::append_seen_from(double station, const Road& road, double time_s,
-                               std::vector<Solid>& solids) const {
+void Traffic::append_seen_from(double station, const Road& road, const Cruise& cruise,
+                               double time_s, std::vector<Solid>& solids) const {
   Appender appender(station, solids);
   for (const Companion& car : companions) {
     const double ahead = car.ahead + car.swing * numeric::sin(kTurn * time_s / car.swing_period);
     appender.number_next();
-    appender.add(car.shape, road.at(station + ahead, car.left));
+    appender.add(car.shape, road.at(cruise.station_at(time_s) + ahead, car.left));
   }
   for (const Crosser& car : crossers) {
     const double way = (time_s - car.passes_s) * car.speed;

@@ -75,9 +75,9 @@ struct Traffic {
   std::vector<ScriptedCar> scripted_cars;
   std::vector<ScriptedWalker> scripted_walkers;
 
-  // Appends everything that may be seen from that station at that time. What a script does not
-  // number has numbers from kFirstMover on.
-  void append_seen_from(double station, const Road& road, double time_s,
+  // Appends everything that may be seen from that station at that time, with companions of the car
+  // that drives so. What a script does not number has numbers from kFirstMover on.
+  void append_seen_from(double station, const Road& road, const Cruise& cruise, double time_s,
                         std::vector<Solid>& solids) const;
 };
 

@@ -219,5 +219,24 @@ TEST(CellTruth, TheFileNamesEveryCellThatIsNotFree) {
   EXPECT_EQ(count, cells.size() - static_cast<std::size_t>(free));
 }
 
+// Of the car ahead in its lane: 9 m/s on average, as the car itself, and its distance swings.
+TEST(CellTruth, ACarThatKeepsAheadIsAsFastAsTheCar) {
+  const Scene scene = find_scene("city").make(31, 12);
+  for (const double time_s : {2.0, 5.0, 8.0, 11.0}) {
+    const double ego_mps =
+        scene.cruise.station_at(time_s + 0.5) - scene.cruise.station_at(time_s - 0.5);
+    const CellArea area = cells_around(scene.ego_at(time_s));
+    std::size_t count = 0;
+    for (const TrueCell& cell : true_cells(scene, time_s, area, description())) {
+      if (cell.thing == kFirstMover) {
+        EXPECT_EQ(cell.what, TrueClass::kMoving);
+        EXPECT_NEAR(cell.speed_mm_s / 1000.0, ego_mps, 2.2) << time_s;
+        ++count;
+      }
+    }
+    EXPECT_GT(count, 100U) << time_s;
+  }
+}
+
 }  // namespace
 }  // namespace iog::tools

@@ -61,7 +61,7 @@ TEST(MovingDrive, SameSeedSameBytes) {
 
 // Every compiler and machine must get these bytes; whoever changes the world on purpose pins anew.
 TEST(MovingDrive, BytesArePinned) {
-  EXPECT_EQ(crc_of(sample(1, 10, "city")), 0xE2EEBD70U);
+  EXPECT_EQ(crc_of(sample(1, 10, "city")), 0x4C3FF184U);
   EXPECT_EQ(crc_of(sample(1, 10, "street")), 0x271518ECU);
 }
 

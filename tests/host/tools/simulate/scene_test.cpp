@@ -73,6 +73,33 @@ TEST_P(EveryScene, TheCarIsAtAStationWhenItSaysSo) {
   }
 }
 
+// Of a thing that keeps by the car as of all others: its speed is the truth of its cells.
+TEST_P(EveryScene, AThingGoesFromWhereItIsToWhereItWillBe) {
+  const Scene drive = scene(1);
+  for (const double from_s : {1.0, 7.3, 14.6}) {
+    const double to_s = from_s + 0.02;
+    std::vector<Solid> before;
+    std::vector<Solid> after;
+    drive.append_seen_at(from_s, before);
+    drive.append_seen_at(to_s, after);
+    std::size_t movers = 0;
+    for (const MovingSolid& solid : drive.solids_between(from_s, to_s)) {
+      const auto begin = std::ranges::find(before, solid.begin.thing, &Solid::thing);
+      const auto end = std::ranges::find(after, solid.begin.thing, &Solid::thing);
+      if (solid.begin.thing < kFirstMover || begin == before.end() || end == after.end() ||
+          solid.begin.z_low != begin->z_low) {
+        continue;  // at the limit of sight, or another part of the thing
+      }
+      EXPECT_NEAR(solid.begin.at.x, begin->at.x, 1e-9) << solid.begin.thing;
+      EXPECT_NEAR(solid.begin.at.y, begin->at.y, 1e-9) << solid.begin.thing;
+      EXPECT_NEAR(solid.end.x, end->at.x, 1e-9) << solid.begin.thing;
+      EXPECT_NEAR(solid.end.y, end->at.y, 1e-9) << solid.begin.thing;
+      ++movers;
+    }
+    EXPECT_GT(movers, 5U);
+  }
+}
+
 // A car's cabin is on its body, a tree's leaves are above its trunk, a gantry's beam reaches its
 // post.
 TEST_P(EveryScene, AThingIsInOnePlaceAndHasItsNumber) {
