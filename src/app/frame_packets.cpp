@@ -21,10 +21,12 @@ bool FramePackets::fits(const intake::SensorPacket& packet) const {
 void FramePackets::keep(const intake::SensorPacket& packet, std::uint64_t time_us) {
   require(fits(packet));
   packets_[count_] = {.time_us = time_us,
-                      .first_byte = static_cast<std::uint32_t>(bytes_used_),
                       .bytes = static_cast<std::uint16_t>(packet.payload.size()),
                       .sensor = static_cast<std::uint8_t>(packet.sensor)};
-  std::ranges::copy(packet.payload, &bytes_[bytes_used_]);
+  const auto copy = std::span(bytes_).subspan(bytes_used_, packet.payload.size());
+  std::ranges::copy(packet.payload, copy.begin());
+  decoded_[count_] = packet.packet;
+  decoded_[count_].move_to(copy);
   ++count_;
   bytes_used_ += packet.payload.size();
   marks_ += marks_of(packet);
@@ -34,12 +36,6 @@ void FramePackets::clear() {
   count_ = 0;
   bytes_used_ = 0;
   marks_ = 0;
-}
-
-intake::Packet FramePackets::decoded(const KeptPacket& packet) const {
-  const vehicle::Sensor& sensor = sensors_[packet.sensor];
-  return intake::Packet::decode(
-      sensor.format, std::span(bytes_).subspan(packet.first_byte, packet.bytes), sensor.unit());
 }
 
 }  // namespace iog::app

@@ -27,7 +27,6 @@ struct KeptPacket {
   // Of its measurement: by the clock of the poses if its sensor is synchronised, else by the
   // target's.
   std::uint64_t time_us = 0;
-  std::uint32_t first_byte = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
   // What app::FrameSlices finds out: whether the time is known on the clock of the poses, in which
@@ -45,7 +44,7 @@ class FramePackets {
   // Whether there is room for the packet, its bytes and all that its points can mark.
   [[nodiscard]] bool fits(const intake::SensorPacket& packet) const;
 
-  // Copies the packet. Only if it fits.
+  // Copies the packet's bytes, and has its points read from there. Only if it fits.
   void keep(const intake::SensorPacket& packet, std::uint64_t time_us);
 
   void clear();
@@ -56,8 +55,8 @@ class FramePackets {
   // In the order in which they came.
   [[nodiscard]] std::span<KeptPacket> packets() { return std::span(packets_).first(count_); }
 
-  // The packet as it came, valid until the next is kept.
-  [[nodiscard]] intake::Packet decoded(const KeptPacket& packet) const;
+  // The packet of this number, as it was decoded when it came.
+  [[nodiscard]] const intake::Packet& decoded(std::size_t number) const { return decoded_[number]; }
 
  private:
   [[nodiscard]] std::uint64_t marks_of(const intake::SensorPacket& packet) const;
@@ -67,6 +66,7 @@ class FramePackets {
   std::size_t bytes_used_ = 0;
   std::uint64_t marks_ = 0;
   std::array<KeptPacket, kMaxFramePackets> packets_{};
+  std::array<intake::Packet, kMaxFramePackets> decoded_{};
   std::array<std::byte, kMaxFrameBytes> bytes_{};
 };
 

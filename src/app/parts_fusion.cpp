@@ -22,7 +22,7 @@ void PartsFusion::fuse_part(std::span<const std::uint16_t> numbers, FramePackets
   result.fates = {};
   for (const std::uint16_t number : numbers) {
     const KeptPacket& packet = packets.packets()[number];
-    FrameEngine::add_points_to(fusion, vehicle_->sensors[packet.sensor], packets.decoded(packet),
+    FrameEngine::add_points_to(fusion, vehicle_->sensors[packet.sensor], packets.decoded(number),
                                result.fates);
   }
   fusion.carve_waiting();

@@ -152,9 +152,10 @@ void PerceptionEngine::report_causes() {
 // because it only counts in the frame's own grid.
 std::uint32_t PerceptionEngine::fuse_group(std::uint8_t group) {
   std::uint32_t packets = 0;
-  for (const KeptPacket& packet : packets_.packets()) {
-    if (packet.group == group) {
-      frame_.add_points(packet.sensor, packets_.decoded(packet));
+  const std::span<const KeptPacket> kept = packets_.packets();
+  for (std::size_t number = 0; number < kept.size(); ++number) {
+    if (kept[number].group == group) {
+      frame_.add_points(kept[number].sensor, packets_.decoded(number));
       ++packets;
     }
   }

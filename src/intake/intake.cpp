@@ -69,7 +69,7 @@ std::optional<SensorPacket> Intake::receive(const Datagram& datagram) {
   std::optional<SensorPacket> received(SensorPacket{
       sensor, Packet::decode(its.format, datagram.payload, its.unit()), datagram.payload});
   lidar::DecodeStatus status = received->packet.status();
-  if (status == lidar::DecodeStatus::kOk && !is_of_unit(sensor, datagram.payload)) {
+  if (status == lidar::DecodeStatus::kOk && !is_of_unit(sensor, received->packet)) {
     status = lidar::DecodeStatus::kOtherUnit;
   }
   if (status != lidar::DecodeStatus::kOk) {
@@ -80,9 +80,10 @@ std::optional<SensorPacket> Intake::receive(const Datagram& datagram) {
 }
 
 // In doubt it is not. What no Velodyne sends has its own marks, which its decoder has seen.
-bool Intake::is_of_unit(std::size_t sensor, std::span<const std::byte> payload) {
-  const lidar::FormatSet possible = identities_[sensor].take(payload);
-  return possible.is_empty() || possible == lidar::FormatSet(sensors_[sensor].format);
+bool Intake::is_of_unit(std::size_t sensor, const Packet& packet) {
+  const lidar::VelodyneLook* const look = packet.velodyne_look();
+  return look == nullptr ||
+         identities_[sensor].add(*look) == lidar::FormatSet(sensors_[sensor].format);
 }
 
 Intake::Outcome Intake::classify(const SensorPacket& packet) {

@@ -75,7 +75,7 @@ class Intake {
  private:
   // The sensor that sends from there to this port, or kNobody.
   [[nodiscard]] std::size_t sensor_of(const Datagram& datagram) const;
-  [[nodiscard]] bool is_of_unit(std::size_t sensor, std::span<const std::byte> payload);
+  [[nodiscard]] bool is_of_unit(std::size_t sensor, const Packet& packet);
   void drop(PacketDrop cause);
   void drop(PacketDrop cause, vehicle::Fate fate, const Packet& packet);
 

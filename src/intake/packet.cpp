@@ -41,4 +41,18 @@ Packet Packet::decode(lidar::Format format, std::span<const std::byte> payload,
   return packet;
 }
 
+const lidar::VelodyneLook* Packet::velodyne_look() const {
+  const lidar::VelodyneLook* look = nullptr;
+  with_decoder(*this, [&]<typename Decoder>(const Decoder& decoder) {
+    if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
+      look = &decoder.look();
+    }
+  });
+  return look;
+}
+
+void Packet::move_to(std::span<const std::byte> copy) {
+  with_decoder(*this, [copy](auto& decoder) { decoder.move_to(copy); });
+}
+
 }  // namespace iog::intake

@@ -26,19 +26,29 @@ class Packet {
   // Calls visit(const ScanPoint&) for each point of a sound packet, in wire order.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
-    const auto if_it_is = [&](const auto* decoder) {
-      if (decoder != nullptr) {
-        decoder->for_each_point(visit);
-      }
-    };
-    for_each_decoder(if_it_is, std::make_index_sequence<std::variant_size_v<lidar::AnyDecoder>>());
+    with_decoder(*this, [&](const auto& decoder) { decoder.for_each_point(visit); });
   }
 
+  // What a sound packet of a Velodyne shows of its unit; none of others.
+  [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const;
+
+  // From now on the packet's points are read from this copy of the payload.
+  void move_to(std::span<const std::byte> copy);
+
  private:
-  // std::visit() would want the C++ library's abort(), which the target does not have.
-  template <typename Visit, std::size_t... kPlace>
-  void for_each_decoder(Visit&& visit, std::index_sequence<kPlace...> /*places*/) const {
-    (visit(std::get_if<kPlace>(&decoder_)), ...);
+  // Calls visit(decoder) with that of the packet. std::visit() would want the C++ library's
+  // abort(), which the target does not have.
+  template <typename Self, typename Visit>
+  static void with_decoder(Self& self, Visit&& visit) {
+    const auto if_it_is = [&](auto* decoder) {
+      if (decoder != nullptr) {
+        visit(*decoder);
+      }
+    };
+    [&]<std::size_t... kPlace>(std::index_sequence<kPlace...> /*places*/) {
+      (if_it_is(std::get_if<kPlace>(&self.decoder_)), ...);
+    }
+    (std::make_index_sequence<std::variant_size_v<lidar::AnyDecoder>>());
   }
 
   lidar::DecodeStatus status_ = lidar::DecodeStatus::kWrongType;

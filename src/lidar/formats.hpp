@@ -1,7 +1,8 @@
 // Every wire format and its decoder, in one place.
 //
 // A decoder has kName, kTicksPerTurn, kTurns, kElevationsDeg (empty if they are each unit's own),
-// decode(), info() and for_each_point(), as lidar/ibeo_lux.hpp has them (docs/sensors.md).
+// decode(), info(), move_to() and for_each_point(), as lidar/ibeo_lux.hpp has them
+// (docs/sensors.md).
 #pragma once
 
 #include <type_traits>

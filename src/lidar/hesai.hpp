@@ -63,6 +63,9 @@ class HesaiPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
+  // From now on the view is of this copy of the datagram.
+  void move_to(std::span<const std::byte> copy) { packet_ = copy; }
+
  protected:
   // Checks the whole packet and keeps a view of it.
   [[nodiscard]] DecodeStatus read(const HesaiUnit& unit, std::span<const std::byte> datagram,

@@ -35,6 +35,11 @@ class IbeoLux {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
+  // From now on the view is of this copy of the datagram.
+  void move_to(std::span<const std::byte> copy) {
+    points_ = copy.subspan(kHeaderBytes + kScanBytes);
+  }
+
   // Calls visit(const ScanPoint&) for each point, in wire order. Only after decode() was kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {

@@ -38,6 +38,9 @@ class IbeoLux8 {
 
   [[nodiscard]] const PacketInfo& info() const { return scan_.info(); }
 
+  // From now on the view is of this copy of the datagram.
+  void move_to(std::span<const std::byte> copy) { scan_.move_to(copy); }
+
   // Calls visit(const ScanPoint&) for each point, in wire order. Only after decode() was kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {

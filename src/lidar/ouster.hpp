@@ -58,6 +58,9 @@ class OusterPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
+  // From now on the view is of this copy of the datagram.
+  void move_to(std::span<const std::byte> copy) { packet_ = copy; }
+
  protected:
   struct Column {
     std::uint64_t time_ns = 0;

@@ -1,11 +1,9 @@
 #include "lidar/velodyne.hpp"
 
 #include "lidar/fingerprint.hpp"
-#include "lidar/velodyne_bytes.hpp"
 
 namespace iog::lidar {
 
-using velodyne::byte_at;
 using velodyne::word_at;
 
 DecodeStatus VelodynePacket::read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
@@ -16,14 +14,16 @@ DecodeStatus VelodynePacket::read(const VelodyneUnit& unit, std::span<const std:
   }
   packet_ = datagram;
   corrections_ = corrections.size() == unit.layers ? corrections : corrections_;
-  for (const auto step : {&VelodynePacket::read_ends, &VelodynePacket::read_azimuths}) {
-    const DecodeStatus status = (this->*step)(unit);
-    if (status != DecodeStatus::kOk) {
-      return status;
-    }
+  look_ = look_at(datagram.first<kPacketBytes>());
+  DecodeStatus status = read_ends(unit);
+  if (status == DecodeStatus::kOk) {
+    status = read_azimuths(unit);
+  }
+  if (status != DecodeStatus::kOk) {
+    return status;
   }
   info_.point_count = kPointsPerPacket;
-  const std::size_t azimuths = kBlocks / unit.banks / (is_dual_ ? 2 : 1);
+  const std::size_t azimuths = kBlocks / unit.banks / (look_.is_dual ? 2 : 1);
   const std::uint32_t begin_us = wire::load_le32(packet_.subspan(velodyne::kTimeOffset).first<4>());
   info_.sweep = {.begin_us = begin_us,
                  .end_us = begin_us + (azimuths * std::uint64_t{unit.block_ns} + 500) / 1000,
@@ -35,9 +35,8 @@ DecodeStatus VelodynePacket::read(const VelodyneUnit& unit, std::span<const std:
   return DecodeStatus::kOk;
 }
 
-// The flags of the blocks and, of a unit with one bank, mode and product. A unit with two banks has
-// no byte for its mode: with two returns it says each azimuth four times.
-DecodeStatus VelodynePacket::read_ends(const VelodyneUnit& unit) {
+// The flags of the blocks and, of a unit with one bank, mode and product.
+DecodeStatus VelodynePacket::read_ends(const VelodyneUnit& unit) const {
   for (std::size_t block = 0; block < kBlocks; ++block) {
     const std::uint16_t flag = word_at(packet_, block * kBlockBytes);
     const bool is_lower = block % unit.banks == 1;
@@ -47,18 +46,15 @@ DecodeStatus VelodynePacket::read_ends(const VelodyneUnit& unit) {
     }
   }
   if (unit.banks == 2) {
-    is_dual_ = word_at(packet_, 2) == word_at(packet_, 2 * kBlockBytes + 2);
     return DecodeStatus::kOk;
   }
-  const std::uint8_t mode = byte_at(packet_, velodyne::kModeOffset);
-  if (mode != velodyne::kModeStrongest && mode != velodyne::kModeLast &&
-      mode != velodyne::kModeDual) {
+  if (look_.mode != velodyne::kModeStrongest && look_.mode != velodyne::kModeLast &&
+      look_.mode != velodyne::kModeDual) {
     return DecodeStatus::kWrongType;
   }
-  is_dual_ = mode == velodyne::kModeDual;
-  const std::uint8_t product = byte_at(packet_, velodyne::kProductOffset);
-  return product == unit.product || product == unit.old_product ? DecodeStatus::kOk
-                                                                : DecodeStatus::kOtherUnit;
+  return look_.product == unit.product || look_.product == unit.old_product
+             ? DecodeStatus::kOk
+             : DecodeStatus::kOtherUnit;
 }
 
 DecodeStatus VelodynePacket::read_azimuths(const VelodyneUnit& unit) {
@@ -69,7 +65,7 @@ DecodeStatus VelodynePacket::read_azimuths(const VelodyneUnit& unit) {
     }
     azimuths_[block] = azimuth == kTicksPerTurn ? std::uint16_t{0} : azimuth;
   }
-  return read_steps(std::size_t{unit.banks} * (is_dual_ ? 2 : 1));
+  return read_steps(std::size_t{unit.banks} * (look_.is_dual ? 2 : 1));
 }
 
 // How far the head turns from each azimuth to the next one; from the last one as far as before it.

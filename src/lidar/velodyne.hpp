@@ -14,6 +14,8 @@
 #include "lidar/echo_pair.hpp"
 #include "lidar/laser.hpp"
 #include "lidar/scan_point.hpp"
+#include "lidar/velodyne_bytes.hpp"
+#include "lidar/velodyne_look.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::lidar {
@@ -36,12 +38,12 @@ struct VelodyneUnit {
 
 class VelodynePacket {
  public:
-  static constexpr std::size_t kPacketBytes = 1206;
-  static constexpr std::size_t kBlocks = 12;
-  static constexpr std::size_t kBlockBytes = 100;
+  static constexpr std::size_t kPacketBytes = velodyne::kPacketBytes;
+  static constexpr std::size_t kBlocks = velodyne::kBlocks;
+  static constexpr std::size_t kBlockBytes = velodyne::kBlockBytes;
   static constexpr std::size_t kPointsPerBlock = 32;
   static constexpr std::size_t kPointsPerPacket = kBlocks * kPointsPerBlock;
-  static constexpr std::int32_t kTicksPerTurn = 36000;  // 0.01 degree
+  static constexpr std::int32_t kTicksPerTurn = velodyne::kTurn;
   static constexpr bool kTurns = true;
   // A block lasts at most 110.592 us, which is 0.8 degrees at the fastest rotation of 20 Hz. If two
   // neighbours are more than 3 degrees apart, the packet is not one sweep.
@@ -52,6 +54,12 @@ class VelodynePacket {
   static constexpr std::uint32_t kSeamTicks = 10;
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
+
+  // What a sound packet shows of its unit.
+  [[nodiscard]] const VelodyneLook& look() const { return look_; }
+
+  // From now on the view is of this copy of the datagram.
+  void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
   // Checks the whole packet and keeps a view of it.
@@ -91,11 +99,11 @@ class VelodynePacket {
       return packet_.subspan(block * kBlockBytes).first<kBlockBytes>();
     };
     return {.bytes = bytes_of(number),
-            .other = bytes_of(is_dual_ ? number ^ unit.banks : number),
+            .other = bytes_of(look_.is_dual ? number ^ unit.banks : number),
             .corrections = corrections_.empty() ? corrections_ : corrections_.subspan(first_layer),
             .azimuth = azimuths_[number],
             .first_layer = static_cast<std::uint8_t>(first_layer),
-            .echo = static_cast<std::uint8_t>(is_dual_ ? number / unit.banks % 2 : 0)};
+            .echo = static_cast<std::uint8_t>(look_.is_dual ? number / unit.banks % 2 : 0)};
   }
 
   // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
@@ -130,16 +138,16 @@ class VelodynePacket {
            unit.range_unit_mm;
   }
 
-  [[nodiscard]] DecodeStatus read_ends(const VelodyneUnit& unit);
+  [[nodiscard]] DecodeStatus read_ends(const VelodyneUnit& unit) const;
   [[nodiscard]] DecodeStatus read_azimuths(const VelodyneUnit& unit);
   [[nodiscard]] DecodeStatus read_steps(std::size_t blocks_of_azimuth);
 
   PacketInfo info_;
+  VelodyneLook look_;
   std::span<const std::byte> packet_;
   std::span<const LaserCorrection> corrections_;
   std::array<std::uint16_t, kBlocks> azimuths_{};  // clockwise from forward, as on the wire
   std::array<std::uint16_t, kBlocks> steps_{};     // azimuth gained until the next one
-  bool is_dual_ = false;
 };
 
 template <const VelodyneUnit& kUnit>

@@ -9,6 +9,11 @@
 
 namespace iog::lidar::velodyne {
 
+inline constexpr std::size_t kPacketBytes = 1206;
+inline constexpr std::size_t kBlocks = 12;
+inline constexpr std::size_t kBlockBytes = 100;
+inline constexpr std::uint32_t kTurn = 36'000;  // 0.01 degree
+inline constexpr std::uint32_t kHourUs = 3'600'000'000U;
 inline constexpr std::size_t kTimeOffset = 1200;
 inline constexpr std::size_t kModeOffset = 1204;
 inline constexpr std::size_t kProductOffset = 1205;
@@ -27,6 +32,11 @@ inline std::uint16_t word_at(std::span<const std::byte> packet, std::size_t offs
 
 inline std::uint8_t byte_at(std::span<const std::byte> packet, std::size_t offset) {
   return wire::load_u8(packet.subspan(offset).first<1>());
+}
+
+// Azimuth from one to another, clockwise as the heads turn.
+constexpr std::uint32_t gained(std::uint32_t from, std::uint32_t to) {
+  return (to + kTurn - from) % kTurn;
 }
 
 }  // namespace iog::lidar::velodyne

@@ -36,8 +36,10 @@ consteval Claims make_claims() {
 }
 constexpr Claims kClaims = make_claims();
 
-constexpr std::uint32_t kTurn = VelodynePacket::kTicksPerTurn;
-constexpr std::uint32_t kHourUs = 3'600'000'000U;
+using velodyne::gained;
+using velodyne::kHourUs;
+using velodyne::kTurn;
+
 // 5 and 20 turns a second, and an eighth to either side.
 constexpr std::uint64_t kLeastEighthsHz = 35;
 constexpr std::uint64_t kMostEighthsHz = 180;
@@ -46,53 +48,29 @@ constexpr std::uint32_t kLongestGapUs = 40'000;
 // An azimuth is known to 0.01 degrees; over this many the error is small.
 constexpr std::uint32_t kEnoughTicks = 200;
 
-bool has_two_banks(std::span<const std::byte> packet) {
-  return velodyne::word_at(packet, VelodynePacket::kBlockBytes) == velodyne::kLowerFlag;
+// Two banks take turns; a VLS-128 goes on with a third one.
+bool has_flags(std::span<const std::byte> packet) {
+  const auto flag = [&](std::size_t block) {
+    return velodyne::word_at(packet, block * velodyne::kBlockBytes);
+  };
+  return flag(0) == velodyne::kBlockFlag &&
+         (flag(1) != velodyne::kLowerFlag || flag(2) == velodyne::kBlockFlag);
 }
 
 // Those that may be of this packet.
-VelodyneCandidates candidates_of(std::span<const std::byte> packet) {
+VelodyneCandidates candidates_of(const VelodyneLook& look) {
   VelodyneCandidates candidates;
-  if (packet.size() != VelodynePacket::kPacketBytes ||
-      velodyne::word_at(packet, 0) != velodyne::kBlockFlag) {
-    return candidates;
-  }
-  const unsigned banks = has_two_banks(packet) ? 2 : 1;
-  // Two banks take turns; a VLS-128 goes on with a third one.
-  if (banks == 2 &&
-      velodyne::word_at(packet, 2 * VelodynePacket::kBlockBytes) != velodyne::kBlockFlag) {
-    return candidates;
-  }
-  const std::uint8_t product = velodyne::byte_at(packet, velodyne::kProductOffset);
   for (const Claim& claim : std::span(kClaims.list).first(kClaims.count)) {
-    const bool has_product = banks == 2 || product == claim.product || product == claim.old_product;
-    if (claim.banks == banks && has_product && candidates.count < candidates.list.size()) {
+    const bool has_product =
+        look.banks == 2 || look.product == claim.product || look.product == claim.old_product;
+    if (claim.banks == look.banks && has_product && candidates.count < candidates.list.size()) {
       candidates.list[candidates.count++] = claim.candidate;
     }
   }
   return candidates;
 }
 
-std::uint32_t azimuth_of(std::span<const std::byte> packet, std::size_t block) {
-  return velodyne::word_at(packet, block * VelodynePacket::kBlockBytes + 2) % kTurn;
-}
-
-std::uint32_t gained(std::uint32_t from, std::uint32_t to) { return (to + kTurn - from) % kTurn; }
-
 }  // namespace
-
-VelodyneIdentity::Look VelodyneIdentity::look_at(std::span<const std::byte> packet) {
-  const std::size_t banks = has_two_banks(packet) ? 2 : 1;
-  const bool is_dual =
-      banks == 2 ? azimuth_of(packet, 0) == azimuth_of(packet, 2)
-                 : velodyne::byte_at(packet, velodyne::kModeOffset) == velodyne::kModeDual;
-  const std::size_t blocks_of_azimuth = banks * (is_dual ? 2 : 1);
-  const std::size_t last = VelodynePacket::kBlocks - blocks_of_azimuth;
-  return {.time_us = wire::load_le32(packet.subspan(velodyne::kTimeOffset).first<4>()) % kHourUs,
-          .azimuth = azimuth_of(packet, 0),
-          .gain = gained(azimuth_of(packet, 0), azimuth_of(packet, last)),
-          .blocks = static_cast<std::uint32_t>(last / blocks_of_azimuth)};
-}
 
 FormatSet VelodyneIdentity::all() const {
   FormatSet set;
@@ -103,12 +81,12 @@ FormatSet VelodyneIdentity::all() const {
 }
 
 // Which of them can gain so much.
-FormatSet VelodyneIdentity::by_gain(const Look& look) const {
+FormatSet VelodyneIdentity::by_gain(const VelodyneLook& look) const {
   FormatSet set;
   for (const VelodyneCandidate& candidate : candidates_.all()) {
     // Both in 10^-9 of 0.01 degrees, below 2^45.
     const std::uint64_t gain = std::uint64_t{look.gain} * 1'000'000'000;
-    const std::uint64_t of_one_hertz = std::uint64_t{look.blocks} * candidate.block_ns * kTurn;
+    const std::uint64_t of_one_hertz = std::uint64_t{look.steps} * candidate.block_ns * kTurn;
     if (8 * gain >= kLeastEighthsHz * of_one_hertz && 8 * gain <= kMostEighthsHz * of_one_hertz) {
       set.add(candidate.format);
     }
@@ -129,7 +107,7 @@ FormatSet VelodyneIdentity::by_block_time(std::uint64_t block_ns) const {
 
 // The products stay below 2^52: 36000 ticks, 40000 us, and at most 200 packets until enough is
 // gained, as one without gain is not counted.
-void VelodyneIdentity::compare(const Look& look) {
+void VelodyneIdentity::compare(const VelodyneLook& look) {
   const std::uint32_t forward_us = (look.time_us + kHourUs - last_.time_us) % kHourUs;
   const bool is_reordered = forward_us > kHourUs / 2;
   const std::uint32_t apart_us = is_reordered ? kHourUs - forward_us : forward_us;
@@ -140,14 +118,14 @@ void VelodyneIdentity::compare(const Look& look) {
     possible_ = by_gain(look);
     return;
   }
-  const Look& earlier = is_reordered ? look : last_;
-  const Look& later = is_reordered ? last_ : look;
+  const VelodyneLook& earlier = is_reordered ? look : last_;
+  const VelodyneLook& later = is_reordered ? last_ : look;
   const std::uint32_t between = gained(earlier.azimuth, later.azimuth);
   if (apart_us == 0 || between == 0) {
     return;
   }
   gain_times_us_ += std::uint64_t{earlier.gain} * apart_us;
-  gain_times_blocks_ += std::uint64_t{earlier.blocks} * between;
+  gain_times_blocks_ += std::uint64_t{earlier.steps} * between;
   gain_between_ += between;
   if (gain_between_ >= kEnoughTicks) {
     possible_ = by_block_time(gain_times_us_ * 1000 / gain_times_blocks_);
@@ -158,12 +136,19 @@ void VelodyneIdentity::compare(const Look& look) {
 }
 
 FormatSet VelodyneIdentity::take(std::span<const std::byte> packet) {
-  const VelodyneCandidates candidates = candidates_of(packet);
+  if (packet.size() == velodyne::kPacketBytes && has_flags(packet)) {
+    return add(look_at(packet.first<velodyne::kPacketBytes>()));
+  }
+  *this = VelodyneIdentity{};
+  return {};
+}
+
+FormatSet VelodyneIdentity::add(const VelodyneLook& look) {
+  const VelodyneCandidates candidates = candidates_of(look);
   if (candidates.count < 2) {
     *this = VelodyneIdentity{};
     return candidates.count == 0 ? FormatSet() : FormatSet(candidates.list[0].format);
   }
-  const Look look = look_at(packet);
   if (candidates != candidates_) {
     *this = VelodyneIdentity{};
     candidates_ = candidates;

@@ -15,6 +15,7 @@
 #include <span>
 
 #include "lidar/formats.hpp"
+#include "lidar/velodyne_look.hpp"
 
 namespace iog::lidar {
 
@@ -65,25 +66,18 @@ class VelodyneIdentity {
   // one where it is certain, none if the packet is no Velodyne's. Total; it looks at flags,
   // azimuths and time alone, and other faults of a packet are its decoder's.
   [[nodiscard]] FormatSet take(std::span<const std::byte> packet);
+  // The same of one that its decoder has found sound.
+  [[nodiscard]] FormatSet add(const VelodyneLook& look);
 
  private:
-  // What a packet shows.
-  struct Look {
-    std::uint32_t time_us = 0;  // since the hour
-    std::uint32_t azimuth = 0;  // of its first block, 0.01 degrees
-    std::uint32_t gain = 0;     // from its first to its last azimuth
-    std::uint32_t blocks = 0;   // that this took
-  };
-
-  [[nodiscard]] static Look look_at(std::span<const std::byte> packet);
-  void compare(const Look& look);
-  [[nodiscard]] FormatSet by_gain(const Look& look) const;
+  void compare(const VelodyneLook& look);
+  [[nodiscard]] FormatSet by_gain(const VelodyneLook& look) const;
   [[nodiscard]] FormatSet by_block_time(std::uint64_t block_ns) const;
   [[nodiscard]] FormatSet all() const;
 
   VelodyneCandidates candidates_;
   FormatSet possible_;
-  Look last_;
+  VelodyneLook last_;
   // Of the pairs of packets since the last judgement.
   std::uint64_t gain_times_us_ = 0;
   std::uint64_t gain_times_blocks_ = 0;

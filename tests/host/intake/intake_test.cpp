@@ -1,13 +1,16 @@
 // From a datagram to a packet of the frame: one decode, and a value that can be asked about again.
 #include "intake/intake.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <optional>
 #include <vector>
 
+#include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
+#include "fakes/ouster_packet.hpp"
 #include "fakes/real_velodyne_packets.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/velodyne_packet.hpp"
@@ -59,6 +62,44 @@ TEST(Packet, IsDecodedByItsFormat) {
             lidar::DecodeStatus::kWrongLength);
   EXPECT_EQ(Packet::decode(lidar::Format::kIbeoLux, vlp16_bytes).status(),
             lidar::DecodeStatus::kWrongType);
+}
+
+// A packet of every kind of decoder is read from a copy of its bytes, whatever becomes of them.
+TEST(Packet, IsReadFromACopyOfItsBytes) {
+  const auto expect_moved = [](lidar::Format format, std::vector<std::byte> bytes,
+                               const lidar::Unit& unit = {}) {
+    Packet packet = Packet::decode(format, bytes, unit);
+    ASSERT_TRUE(packet.is_sound()) << lidar::name_of(format);
+    const std::vector<lidar::ScanPoint> points = points_of(packet);
+    ASSERT_FALSE(points.empty());
+    const std::vector<std::byte> copy = bytes;
+    packet.move_to(copy);
+    std::ranges::fill(bytes, std::byte{0xA5});
+    const std::vector<lidar::ScanPoint> moved = points_of(packet);
+    ASSERT_EQ(moved.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_EQ(moved[i].range_mm, points[i].range_mm) << lidar::name_of(format) << " " << i;
+      ASSERT_EQ(moved[i].azimuth_ticks, points[i].azimuth_ticks);
+      ASSERT_EQ(moved[i].layer, points[i].layer);
+    }
+  };
+  const std::vector<std::byte> lux =
+      LuxMessage{.points = {{.layer = 2, .angle_ticks = 9, .range_cm = 1234},
+                            {.layer = 3, .angle_ticks = 8, .range_cm = 555}}}
+          .bytes();
+  expect_moved(lidar::Format::kIbeoLux, lux);
+  expect_moved(lidar::Format::kIbeoLux8, lux);
+  tests::VelodynePacket turn;
+  turn.ranges[3][7] = 5000;
+  expect_moved(lidar::Format::kVelodyneVlp16, turn.bytes());
+  tests::HesaiPacket blocks;
+  blocks.ranges[2][5] = 5000;
+  expect_moved(lidar::Format::kHesaiPandar64, blocks.bytes());
+  tests::OusterPacket columns;
+  columns.ranges[9][3] = 5000;
+  const std::vector<lidar::LaserCorrection> rows(64);
+  expect_moved(lidar::Format::kOusterLegacy, columns.bytes(),
+               {.corrections = rows, .columns_per_turn = 1024, .column_ns = 97'656});
 }
 
 TEST(Intake, ThePortSaysWhoseThePacketIsAndTheSourceWhetherItMay) {

@@ -1,0 +1,27 @@
+// What a Velodyne data packet shows of the unit that sent it: what is written in it, and how far
+// the head turned meanwhile. Its points are lidar/velodyne.hpp's.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "lidar/velodyne_bytes.hpp"
+
+namespace iog::lidar {
+
+struct VelodyneLook {
+  std::uint8_t banks = 1;     // blocks that share an azimuth when each beam has one return
+  std::uint8_t mode = 0;      // with two banks this byte and the next say something else
+  std::uint8_t product = 0;   // names the unit
+  bool is_dual = false;       // each beam has two returns
+  std::uint32_t time_us = 0;  // since the hour
+  std::uint32_t azimuth = 0;  // of its first block, 0.01 degrees
+  std::uint32_t gain = 0;     // from its first to its last azimuth
+  std::uint32_t steps = 0;    // from azimuth to azimuth that this took
+};
+
+// Any bytes of that length will do.
+[[nodiscard]] VelodyneLook look_at(std::span<const std::byte, velodyne::kPacketBytes> packet);
+
+}  // namespace iog::lidar
