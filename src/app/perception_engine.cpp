@@ -1,9 +1,9 @@
 #include "app/perception_engine.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "intake/measurement_time.hpp"
-#include "pose/limits.hpp"
 #include "require/require.hpp"
 
 namespace iog::app {
@@ -63,26 +63,31 @@ void PerceptionEngine::fuse(const intake::SensorPacket& packet, std::uint64_t no
                                                : now_us - sensor.latency_us);
 }
 
-// The slices of the frame, each with its place, and the frame's stamp.
+// The slices of the frame, each with its place, and the frame's stamp. When the poses break off,
+// the window is unknown.
 void PerceptionEngine::open_slices(std::uint64_t now_us) {
   const std::optional<std::uint64_t> end_us =
       slices_.measure(vehicle_->sensors, packets_.packets(), poses_);
   if (!end_us) {
     poses_.pass_silence(now_us);
   }
-  // A scanner whose clock is ahead cannot take the window's time with it, nor one that is behind
-  // keep it. Without any it is the time of the newest pose, so that a pause of all who send is none
-  // for the window.
   std::optional<std::uint64_t> time_us = poses_.source_time(now_us);
   if (time_us) {
-    const std::uint64_t newest_us = poses_.newest()->clock_us;
-    const std::uint64_t least_us = newest_us - std::min(newest_us, pose::kLostUs);
-    time_us = end_us ? std::max(std::min(*end_us, *time_us + pose::kLateUs), least_us) : newest_us;
+    time_us = window::end_of_frame(end_us, *time_us, poses_.newest()->clock_us);
   }
   if (contradiction_.is_met()) {
     poses_.contradict();
   }
-  move_time(time_us, now_us);
+  if (time_us) {
+    poses_.pass(*time_us);
+  }
+  report_.is_forgotten = std::exchange(epoch_, poses_.epoch()) != poses_.epoch();
+  if (report_.is_forgotten) {
+    window_.forget();
+    contradiction_.clear();
+  }
+  clock_.end_frame(time_us, report_.is_forgotten, now_us);
+  report_.stamp_us = clock_.stamp_us();
   slices_.place(packets_.packets(), poses_);
   report_slices();
   report_causes();
@@ -91,38 +96,6 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
     window_.follow(slices_.placed().back().pose);
   }
   report_.end = time_us ? poses_.pose_at(*time_us) : pose::Placed{};
-}
-
-// To the frame's stamp. When the poses break off, the window is unknown. Its time begins with the
-// first clock of the poses, and goes on by the target's where that clock is not known, begins anew
-// or leaps: no clock of a message takes it far ahead, or keeps it.
-void PerceptionEngine::move_time(std::optional<std::uint64_t> time_us, std::uint64_t now_us) {
-  if (time_us) {
-    poses_.pass(*time_us);
-  }
-  const std::uint64_t passed_us = report_.stamp_us + (now_us - moved_us_);
-  report_.is_forgotten = poses_.epoch() != epoch_;
-  if (report_.is_forgotten) {
-    epoch_ = poses_.epoch();
-    window_.forget();
-    contradiction_.clear();
-  }
-  if (time_us) {
-    const bool may_be_behind = had_time_ && !report_.is_forgotten;
-    const std::uint64_t least_us = may_be_behind ? 0 : report_.stamp_us;
-    const std::uint64_t most_us = has_time_ ? passed_us + pose::kMaxLeapUs : ~std::uint64_t{0};
-    const std::uint64_t stamp_us = *time_us + offset_us_;
-    if (stamp_us < least_us || stamp_us > most_us) {
-      offset_us_ = passed_us - *time_us;
-    }
-    has_time_ = true;
-  }
-  had_time_ = time_us.has_value();
-  const std::uint64_t stamp_us = time_us ? *time_us + offset_us_ : passed_us;
-  if (stamp_us > report_.stamp_us) {
-    report_.stamp_us = stamp_us;
-    moved_us_ = now_us;
-  }
 }
 
 void PerceptionEngine::report_slices() {

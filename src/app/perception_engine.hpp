@@ -29,6 +29,7 @@
 #include "map/layer.hpp"
 #include "pose/source.hpp"
 #include "vehicle/vehicle.hpp"
+#include "window/window_clock.hpp"
 #include "window/window_fusion.hpp"
 #include "window/window_view.hpp"
 #include "work/crew.hpp"
@@ -58,7 +59,7 @@ class PerceptionEngine {
   // Before the first datagram: silence and the window's age are counted from now on.
   void start(std::uint64_t now_us) {
     frame_.start(now_us);
-    moved_us_ = now_us;
+    clock_.start(now_us);
   }
 
   // The datagram as a sensor's packet. Empty if it was a pose or of a map, or was dropped.
@@ -132,7 +133,6 @@ class PerceptionEngine {
   }
 
   void open_slices(std::uint64_t now_us);
-  void move_time(std::optional<std::uint64_t> time_us, std::uint64_t now_us);
   void report_slices();
   void report_causes();
   std::uint32_t fuse_group(std::uint8_t group);
@@ -147,8 +147,7 @@ class PerceptionEngine {
   grid::JoinedGrid joined_;
   map::Delivery maps_;
   map::Layer layer_;
-  std::uint64_t offset_us_ = 0;  // of the window's time to the poses' clock, modulo 2^64
-  std::uint64_t moved_us_ = 0;   // when the window's time moved last, by the target's clock
+  window::WindowClock clock_;
   FrameSlices slices_;
   PerceptionReport report_;
   pose::Source poses_;
@@ -156,8 +155,6 @@ class PerceptionEngine {
   const vehicle::Vehicle* vehicle_;
   window::Contradiction contradiction_;  // of the poses, by what they have placed
   std::uint32_t epoch_ = 0;              // of the poses that the window was made by
-  bool has_time_ = false;                // the window's time has begun with a clock of the poses
-  bool had_time_ = false;                // which was known in the frame before
 };
 
 }  // namespace iog::app

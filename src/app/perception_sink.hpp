@@ -40,14 +40,10 @@ class PerceptionSink : private NetworkSink<P> {
     }
   }
 
-  // That the frame ends is said behind its classes.
-  void end_frame() {
+  void take_classes(const PerceptionReport& report, const window::WindowView& classes) {
     if (has_indexes_) {
       this->end_tiles();
     }
-  }
-
-  void take_classes(const PerceptionReport& report, const window::WindowView& classes) {
     const window::TileNumber corner = classes.area().corner();
     const stream::ClassWindow window = class_window_of(report, corner);
     stream::ClassEnd end = class_end_of(report, window);
@@ -66,8 +62,10 @@ class PerceptionSink : private NetworkSink<P> {
     this->messages().send(
         this->header(), stream::MessageType::kClassEnd,
         [&](std::span<std::byte> body) { return stream::write_class_end(end, body); });
-    this->send_frame_end();
   }
+
+  // Of both grids.
+  void end_frame() { this->send_frame_end(); }
 
  private:
   bool has_indexes_ = true;

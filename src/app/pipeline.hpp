@@ -119,14 +119,15 @@ class EnginePipeline {
     engine_.release([this](std::size_t tile, tile_coding::TileCells cells) {
       for_each_sink([&](auto& sink) { sink.take_tile(tile, cells); });
     });
-    for_each_sink([](auto& sink) { sink.end_frame(); });
     if constexpr (kPerceives) {
-      for_each_sink([this]<typename Sink>(Sink& sink) {
+      const PerceptionReport perception = engine_.perception();
+      for_each_sink([&]<typename Sink>(Sink& sink) {
         if constexpr (ClassSink<Sink>) {
-          sink.take_classes(engine_.perception(), engine_.classes());
+          sink.take_classes(perception, engine_.classes());
         }
       });
     }
+    for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
   template <typename Visit>

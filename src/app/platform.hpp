@@ -48,7 +48,8 @@ concept FrameSink = requires(T& sink, const FrameReport& report, std::size_t til
   { sink.end_frame() } -> std::same_as<void>;
 };
 
-// A sink that takes in classes, too, after the frame's own grid. The view changes after the call.
+// A sink that takes in classes, too, after the tiles of the frame's own grid. The view changes
+// after the call.
 template <typename T>
 concept ClassSink = FrameSink<T> &&
     requires(T& sink, const PerceptionReport& report, const window::WindowView& classes) {
