@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/frame_engine.hpp"
+#include "app/frame.hpp"
 #include "intake/packet.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
@@ -20,61 +20,49 @@ void append(std::size_t sensor, const intake::Packet& packet, FramePoints& point
   packet.for_each_point([&](const lidar::ScanPoint& point) { points.push_back({sensor, point}); });
 }
 
-// The engine decides which packets are believed and when a frame is over; what it would fuse is
-// kept instead.
+// The target's rules say which packets are believed and when a frame is over; what it would fuse is
+// kept.
 class FrameCutter {
  public:
   explicit FrameCutter(const tools::CatalogueEntry& car)
-      : engine_(*car.vehicle, kReplayer), car_(&car) {}
+      : frame_(*car.vehicle, kReplayer), car_(&car) {}
 
   void take(const tools::CapturedDatagram& datagram) {
-    using Outcome = app::FrameEngine::Outcome;
     if (tools::sensor_of_port(*car_, datagram.destination.port) == car_->sensors.size()) {
       return;
     }
     const std::uint64_t now_us = clock_.move_to(datagram.time_us);
-    while (engine_.is_overdue(now_us)) {
-      close_frame(engine_.deadline_us());
+    while (frame_.is_overdue(now_us)) {
+      close_frame(frame_.deadline_us());
     }
-    const std::optional<intake::SensorPacket> packet =
-        engine_.receive({kReplayer, datagram.destination.port, datagram.payload});
-    Outcome outcome = packet ? engine_.classify(*packet) : Outcome::kDropped;
-    if (outcome == Outcome::kNextFrame) {
-      close_frame(now_us);
-      outcome = engine_.classify(*packet);
-    }
-    if (outcome == Outcome::kThisFrame) {
-      engine_.fuse(*packet, now_us);  // it counts the marks, for which it has room for so many
-      append(packet->sensor, packet->packet, points_);
-      has_evidence_ = true;
-    }
-    if (engine_.is_complete()) {
-      close_frame(now_us);
-    }
+    app::take_datagram(
+        frame_, {kReplayer, datagram.destination.port, datagram.payload}, now_us,
+        [&](const intake::SensorPacket& packet) {
+          frame_.accept(packet, now_us);
+          append(packet.sensor, packet.packet, points_);
+        },
+        [&] { close_frame(now_us); });
   }
 
   // The capture is over.
   [[nodiscard]] std::vector<FramePoints> finish() {
-    close_frame(engine_.deadline_us());
+    close_frame(frame_.deadline_us());
     return std::move(frames_);
   }
 
  private:
   void close_frame(std::uint64_t now_us) {
-    if (has_evidence_) {
+    if (frame_.is_begun()) {
       frames_.push_back(std::exchange(points_, {}));
-      engine_.fusion().clear();
     }
-    has_evidence_ = false;
-    engine_.start_next(now_us);
+    frame_.start_next(now_us);
   }
 
-  app::FrameEngine engine_;
+  app::Frame frame_;
   const tools::CatalogueEntry* car_;
   tools::CaptureClock clock_;
   FramePoints points_;
   std::vector<FramePoints> frames_;
-  bool has_evidence_ = false;
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ struct SensorPoint {
 // In the order of arrival.
 using FramePoints = std::vector<SensorPoint>;
 
-// The frames with evidence of a capture, cut as the target cuts them (app::FrameEngine): dropped
+// The frames with evidence of a capture, cut as the target cuts them (app::Frame): dropped
 // packets are not in them. UsageError if the file cannot be read.
 [[nodiscard]] std::vector<FramePoints> read_points(const std::string& pcap,
                                                    const tools::CatalogueEntry& car);

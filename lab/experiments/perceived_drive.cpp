@@ -122,7 +122,7 @@ class Perceiver {
  public:
   Perceiver(const tools::CatalogueEntry& car, const PerceptionRule& rule)
       : vehicle_(with_rules(*car.vehicle, rule.rules)),
-        engine_(std::make_unique<app::PerceptionEngine>(vehicle_, kReplayer)) {
+        engine_(std::make_unique<app::PerceptionEngine>(vehicle_, kReplayer, app::HelpersSpace{})) {
     if (!rule.map.empty()) {
       engine_->begin_with_map(rule.map);
     }
@@ -131,24 +131,14 @@ class Perceiver {
   Perceiver& operator=(const Perceiver&) = delete;
 
   void take(const tools::CapturedDatagram& datagram) {
-    using Outcome = app::PerceptionEngine::Outcome;
     const std::uint64_t now_us = clock_.move_to(datagram.time_us);
     while (engine_->is_overdue(now_us)) {
       close_frame(engine_->deadline_us());
     }
-    const auto packet =
-        engine_->receive({kReplayer, datagram.destination.port, datagram.payload}, now_us);
-    Outcome outcome = packet ? engine_->classify(*packet) : Outcome::kDropped;
-    if (outcome == Outcome::kNextFrame) {
-      close_frame(now_us);
-      outcome = engine_->classify(*packet);
-    }
-    if (outcome == Outcome::kThisFrame) {
-      engine_->fuse(*packet, now_us, work::Crew());
-    }
-    if (engine_->is_complete()) {
-      close_frame(now_us);
-    }
+    app::take_datagram(
+        *engine_, {kReplayer, datagram.destination.port, datagram.payload}, now_us,
+        [&](const intake::SensorPacket& packet) { engine_->fuse(packet, now_us, work::Crew()); },
+        [&] { close_frame(now_us); });
   }
 
   [[nodiscard]] std::uint32_t frames() const { return frames_; }

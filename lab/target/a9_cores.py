@@ -15,8 +15,8 @@ import a9_runs
 # A frame is taken apart into the items of its rounds. What is not in one of these functions is the
 # pass's own; what the benchmark does is left out.
 FUNCTIONS = {
-    "fuse": ["iog::app::PartsFusion::fuse_part("],
-    "join": ["iog::work::work_of<iog::app::PartsFusion::join("],
+    "fuse": ["iog::app::SharedFusion::fuse_part("],
+    "join": ["iog::work::work_of<iog::app::SharedFusion::join("],
     "encode": ["iog::tile_coding::Encoder::encode("],
     "other": ["iog::lab::PerceptionPass::take(", "iog::lab::PerceptionPass::tick("],
 }
@@ -137,7 +137,7 @@ def of_drive(place: a9_runs.Place, drive: str, variant: str, capture: str) -> li
 
 
 UNDIVIDED = {
-    "fuse": ["iog::app::FrameEngine::add_points("],
+    "fuse": ["iog::app::SharedFusion::add("],
     "join": ["iog::app::PerceptionEngine::join_group("],
     "window": ["iog::window::SliceCells::copy(", "iog::window::SliceCells::note("],
     "other": FUNCTIONS["other"],

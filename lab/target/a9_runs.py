@@ -22,8 +22,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 STAGES = {
     "receive": ["iog::imx6::EnetPort::receive(", "iog::net::parse_ethernet(",
                 "iog::net::parse_ipv4(", "iog::net::parse_udp("],
-    "decode": [f"iog::app::FrameEngine::{name}(" for name in ("receive", "classify", "accept")],
-    "beams": ["iog::app::FrameEngine::add_points("],
+    "decode": ["iog::intake::Intake::receive(", "iog::intake::Intake::classify(",
+               "iog::app::Frame::accept("],
+    "beams": ["iog::app::SharedFusion::add("],
     "carve": ["iog::grid::carve_blocks(", "iog::grid::carve_cells("],
     "mark": ["iog::grid::FrameFusion::finish("],
     "encode": ["iog::lab::StagePass::take(", "iog::lab::StagePass::tick("],

@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-#include "app/frame_engine.hpp"
+#include "app/frame.hpp"
 #include "lidar/scan_point.hpp"
 #include "playback.hpp"
 #include "require/require.hpp"
@@ -24,36 +24,31 @@ struct SensorPoint {
 // A target of play().
 class FirstFrame {
  public:
-  explicit FirstFrame(const vehicle::Vehicle& vehicle) : engine_(vehicle, kReplayer) {}
+  explicit FirstFrame(const vehicle::Vehicle& vehicle) : frame_(vehicle, kReplayer) {}
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {
-    if (is_over_) {
-      return;
-    }
-    const auto packet = engine_.receive(datagram);
-    if (!packet) {
-      return;
-    }
-    const app::FrameEngine::Outcome outcome = engine_.classify(*packet);
-    is_over_ = outcome == app::FrameEngine::Outcome::kNextFrame;
-    if (outcome == app::FrameEngine::Outcome::kThisFrame) {
-      engine_.fuse(*packet, now_us);
-      keep(sensor, packet->packet);
-      is_over_ = engine_.is_complete();
-    }
+    app::take_datagram(
+        frame_, datagram, now_us,
+        [&](const intake::SensorPacket& packet) {
+          if (!is_over_) {
+            frame_.accept(packet, now_us);
+            keep(sensor, packet.packet);
+          }
+        },
+        [&] { is_over_ = true; });
   }
 
   // A frame that nothing has come in yet starts over.
   void tick(std::uint64_t now_us) {
     is_over_ = count_ > 0;
     if (!is_over_) {
-      engine_.start_next(now_us);
+      frame_.start_next(now_us);
     }
   }
 
   [[nodiscard]] std::uint64_t deadline_us() const {
-    return is_over_ ? std::numeric_limits<std::uint64_t>::max() : engine_.deadline_us();
+    return is_over_ ? std::numeric_limits<std::uint64_t>::max() : frame_.deadline_us();
   }
 
   [[nodiscard]] std::span<const SensorPoint> points() const {
@@ -71,7 +66,7 @@ class FirstFrame {
   bool is_over_ = false;
   std::size_t count_ = 0;
   std::array<SensorPoint, 16'384> points_{};
-  app::FrameEngine engine_;
+  app::Frame frame_;
 };
 
 }  // namespace iog::lab

@@ -116,25 +116,25 @@ class FirstFrames {
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
             std::uint64_t now_us) {
     stages_.take(sensor, datagram, received, now_us);
-    look_for_end();
+    look_for_end(now_us);
   }
   void tick(std::uint64_t now_us) {
     if (!is_over()) {
       stages_.tick(now_us);
-      look_for_end();
+      look_for_end(now_us);
     }
   }
   [[nodiscard]] std::uint64_t deadline_us() const { return stages_.deadline_us(); }
   [[nodiscard]] bool is_over() const { return stages_.frames() >= frames_; }
 
  private:
-  void look_for_end() {
+  void look_for_end(std::uint64_t now_us) {
     if (stages_.frames() == seen_) {
       return;
     }
     seen_ = stages_.frames();
     if (forgets_) {
-      stages_.forget_lines();
+      stages_.begin_anew(now_us);
     }
     if (seen_ == before_) {
       a9_model::forget_so_far();

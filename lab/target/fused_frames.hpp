@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "app/frame_engine.hpp"
-#include "lidar/scan_point.hpp"
+#include "app/frame.hpp"
+#include "grid/frame_fusion.hpp"
 #include "playback.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -16,41 +16,36 @@ template <typename Visit>
 class FusedFrames {
  public:
   FusedFrames(const vehicle::Vehicle& vehicle, Visit visit)
-      : visit_(std::move(visit)), engine_(vehicle, kReplayer) {}
+      : visit_(std::move(visit)), frame_(vehicle, kReplayer), fusion_(vehicle) {}
 
-  void take(const vehicle::Sensor& /*sensor*/, const intake::Datagram& datagram,
+  void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {
-    using Outcome = app::FrameEngine::Outcome;
-    const auto packet = engine_.receive(datagram);
-    Outcome outcome = packet ? engine_.classify(*packet) : Outcome::kDropped;
-    if (outcome == Outcome::kNextFrame) {
-      close_frame(now_us);
-      outcome = engine_.classify(*packet);
-    }
-    if (outcome == Outcome::kThisFrame) {
-      engine_.fuse(*packet, now_us);
-    }
-    if (engine_.is_complete()) {
-      close_frame(now_us);
-    }
+    app::take_datagram(
+        frame_, datagram, now_us,
+        [&](const intake::SensorPacket& packet) {
+          frame_.accept(packet, now_us);
+          fusion_.add_all(sensor, packet.packet, [](vehicle::Fate /*fate*/) {});
+        },
+        [&] { close_frame(now_us); });
   }
   void tick(std::uint64_t now_us) {
-    if (engine_.is_overdue(now_us)) {
+    if (frame_.is_overdue(now_us)) {
       close_frame(now_us);
     }
   }
-  [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
+  [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
 
  private:
   void close_frame(std::uint64_t now_us) {
-    engine_.finish();
-    visit_(engine_.view());
-    engine_.fusion().clear();
-    engine_.start_next(now_us);
+    fusion_.finish();
+    visit_(fusion_.view());
+    fusion_.clear();
+    frame_.start_next(now_us);
   }
 
   Visit visit_;
-  app::FrameEngine engine_;
+  app::Frame frame_;
+  grid::FrameFusion fusion_;
 };
 
 }  // namespace iog::lab

@@ -7,6 +7,8 @@
 
 namespace iog::lab {
 
+using grid::OccupancyIndex;
+
 template <typename Work>
 auto OperationPass::measured(std::uint64_t& sum, Work&& work) {
   const std::uint32_t start = counter_.now();
@@ -17,10 +19,10 @@ auto OperationPass::measured(std::uint64_t& sum, Work&& work) {
 
 void OperationPass::take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
                          std::uint32_t /*received*/, std::uint64_t now_us) {
-  using Outcome = app::FrameEngine::Outcome;
-  const auto packet = measured(cost_.inspect, [&] { return engine_.receive(datagram); });
+  using Outcome = app::Frame::Outcome;
+  const auto packet = measured(cost_.inspect, [&] { return frame_.receive(datagram, now_us); });
   const auto classify = [&] {
-    return measured(cost_.inspect, [&] { return engine_.classify(*packet); });
+    return measured(cost_.inspect, [&] { return frame_.classify(*packet); });
   };
   Outcome outcome = packet ? classify() : Outcome::kDropped;
   if (outcome == Outcome::kNextFrame) {
@@ -29,48 +31,54 @@ void OperationPass::take(const vehicle::Sensor& sensor, const intake::Datagram& 
   }
   if (outcome == Outcome::kThisFrame) {
     measured(cost_.fuse, [&] {
-      engine_.fuse(*packet, now_us);
+      frame_.accept(*packet, now_us);
+      app::Fates fates{};
+      fusion_.add_all(sensor, packet->packet,
+                      [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
+      frame_.count(fates);
       return true;
     });
     take_apart(sensor, datagram.payload);
   }
-  if (engine_.is_complete()) {
+  if (frame_.is_complete()) {
     close_frame(now_us);
   }
 }
 
 void OperationPass::tick(std::uint64_t now_us) {
-  if (engine_.is_overdue(now_us)) {
+  if (frame_.is_overdue(now_us)) {
     close_frame(now_us);
   }
 }
 
 void OperationPass::close_frame(std::uint64_t now_us) {
-  engine_.finish();
+  fusion_.finish();
   stream::GridHash hash;
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     take_tile_apart(tile, hash);
   }
-  engine_.start_next(now_us);
+  frame_.start_next(now_us);
 }
 
 void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
-  const grid::FrameView frame = engine_.view();
-  if (!measured(cost_.find, [&] { return frame.is_touched(tile); })) {
+  const grid::FrameView view = fusion_.view();
+  if (!measured(cost_.find, [&] { return view.is_touched(tile); })) {
     return;
   }
-  std::array<grid::OccupancyIndex, tile_coding::kTileBytes> cells;
+  // What it takes to copy a tile and clear it, less what it takes to copy it.
+  std::array<OccupancyIndex, tile_coding::kTileBytes> cells;
+  std::uint64_t copied = 0;
+  std::uint64_t taken = 0;
+  static_cast<void>(measured(copied, [&] { return view.copy_tile(tile, cells); }));
+  const bool is_known = measured(taken, [&] { return fusion_.take_tile(tile, cells); });
+  cost_.hash += copied;
+  cost_.clear += taken - copied;
   measured(cost_.hash, [&] {
-    const bool is_known = frame.copy_tile(tile, cells);
     if (is_known) {
       hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
                std::as_bytes(std::span(cells)));
     }
     return is_known;
-  });
-  measured(cost_.clear, [&] {
-    engine_.fusion().clear_tile(tile);
-    return true;
   });
 }
 
@@ -96,9 +104,6 @@ void OperationPass::take_apart(const vehicle::Sensor& sensor, const lidar::ScanP
 // and sets them back. Its marks wait in a list that nobody applies.
 std::uint32_t OperationPass::carved_cells(const vehicle::Sensor& sensor, const vehicle::Beam& beam,
                                           const lidar::ScanPoint& point) {
-  if (!single_.fits(sensor, 1)) {
-    single_.clear();
-  }
   static_cast<void>(single_.add(sensor, point));
   single_.carve_waiting();
   const auto inside = beam.line.clip(geometry::kGridArea);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "app/frame_engine.hpp"
+#include "app/frame.hpp"
 #include "grid/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "lidar/scan_point.hpp"
@@ -32,12 +32,12 @@ struct OperationCost {
 class OperationPass {
  public:
   OperationPass(const vehicle::Vehicle& vehicle, InstructionCounter& counter)
-      : vehicle_(vehicle), counter_(counter), engine_(vehicle, kReplayer), single_(vehicle) {}
+      : counter_(counter), frame_(vehicle, kReplayer), fusion_(vehicle), single_(vehicle) {}
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
             std::uint64_t now_us);
   void tick(std::uint64_t now_us);
-  [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
+  [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
 
   [[nodiscard]] const OperationCost& cost() const { return cost_; }
 
@@ -53,10 +53,10 @@ class OperationPass {
   [[nodiscard]] std::uint32_t carved_cells(const vehicle::Sensor& sensor, const vehicle::Beam& beam,
                                            const lidar::ScanPoint& point);
 
-  const vehicle::Vehicle& vehicle_;
   InstructionCounter& counter_;
   OperationCost cost_;
-  app::FrameEngine engine_;
+  app::Frame frame_;
+  grid::FrameFusion fusion_;
   grid::FrameFusion single_;  // of one point at a time
 };
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/frame_engine.hpp"
 #include "capture.hpp"
 #include "instruction_counter.hpp"
+#include "intake/datagram.hpp"
 #include "net/ethernet.hpp"
 #include "net/ipv4.hpp"
 #include "net/udp.hpp"

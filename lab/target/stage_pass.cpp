@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 #include "require/require.hpp"
@@ -25,6 +26,12 @@ void StagePass::take(const vehicle::Sensor& /*sensor*/, const intake::Datagram& 
 void StagePass::tick(std::uint64_t now_us) {
   pipeline_.tick(now_us);
   collect();
+}
+
+void StagePass::begin_anew(std::uint64_t now_us) {
+  std::destroy_at(&pipeline_);
+  std::construct_at(&pipeline_, vehicle_, kReplayer, platform_, coding_);
+  pipeline_.start(now_us);
 }
 
 void StagePass::collect() {

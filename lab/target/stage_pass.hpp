@@ -24,7 +24,10 @@ struct Spread {
 class StagePass {
  public:
   StagePass(const vehicle::Vehicle& vehicle, InstructionCounter& counter, app::Coding coding)
-      : platform_(counter), pipeline_(vehicle, kReplayer, platform_, coding) {}
+      : vehicle_(vehicle),
+        coding_(coding),
+        platform_(counter),
+        pipeline_(vehicle, kReplayer, platform_, coding) {}
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
             std::uint64_t now_us);
@@ -50,11 +53,15 @@ class StagePass {
   // As `iog fuse` computes it: CRC-32 over the frames' grid CRCs.
   [[nodiscard]] std::uint32_t run_hash() const { return run_hash_.value(); }
 
-  // That of one core.
-  using Pipeline = app::EnginePipeline<app::FrameEngine, MeasuredPlatform>;
+  // The firmware's, of one core for good.
+  struct OneCore : MeasuredPlatform {
+    static constexpr std::size_t kMostCores = 1;
+    using MeasuredPlatform::MeasuredPlatform;
+  };
+  using Pipeline = app::Pipeline<OneCore>;
 
-  // Makes the core forget what it keeps of lines from one frame to the next. Between two frames.
-  void forget_lines() { pipeline_.forget_lines(); }
+  // Between two frames: a new pipeline, which has kept no line yet. It numbers from 0.
+  void begin_anew(std::uint64_t now_us);
 
  private:
   // What is known of a frame before its publishing is.
@@ -69,7 +76,9 @@ class StagePass {
   // Bookkeeping of the benchmark alone: a stage of its own for the model.
   [[gnu::noinline]] void add_end(std::span<const std::byte> message);
 
-  MeasuredPlatform platform_;
+  const vehicle::Vehicle& vehicle_;
+  app::Coding coding_;
+  OneCore platform_;
   std::uint64_t frames_ = 0;
   std::uint64_t packets_ = 0;
   std::uint64_t points_ = 0;

@@ -1,5 +1,5 @@
-// A frame's packets, kept until it ends: only then is it known which of them were measured
-// together.
+// A frame's packets, kept until several cores fuse them, or until the frame ends: only then is it
+// known which of them were measured together.
 #pragma once
 
 #include <array>
@@ -9,8 +9,6 @@
 
 #include "intake/intake.hpp"
 #include "intake/packet.hpp"
-#include "vehicle/vehicle.hpp"
-#include "window/rules.hpp"
 
 namespace iog::app {
 
@@ -18,10 +16,6 @@ namespace iog::app {
 // some 30 KB.
 inline constexpr std::size_t kMaxFrameBytes = 262'144;
 inline constexpr std::size_t kMaxFramePackets = 512;
-
-// The most cells that a frame with classes marks, so that the groups with hits are not more than
-// can be fused.
-inline constexpr std::size_t kMaxFrameMarks = window::kGroupBudget;
 
 struct KeptPacket {
   // Of its measurement: by the clock of the poses if its sensor is synchronised, else by the
@@ -38,10 +32,7 @@ struct KeptPacket {
 
 class FramePackets {
  public:
-  // sensors outlive the packets.
-  explicit FramePackets(std::span<const vehicle::Sensor> sensors) : sensors_(sensors) {}
-
-  // Whether there is room for the packet, its bytes and all that its points can mark.
+  // Whether there is room for the packet. There is for any if none is kept.
   [[nodiscard]] bool fits(const intake::SensorPacket& packet) const;
 
   // Copies the packet's bytes, and has its points read from there. Only if it fits.
@@ -49,8 +40,8 @@ class FramePackets {
 
   void clear();
 
-  // The most cells that their points can mark.
-  [[nodiscard]] std::uint64_t marks() const { return marks_; }
+  // How many points they have.
+  [[nodiscard]] std::uint32_t points() const { return points_; }
 
   // In the order in which they came.
   [[nodiscard]] std::span<KeptPacket> packets() { return std::span(packets_).first(count_); }
@@ -59,12 +50,9 @@ class FramePackets {
   [[nodiscard]] const intake::Packet& decoded(std::size_t number) const { return decoded_[number]; }
 
  private:
-  [[nodiscard]] std::uint64_t marks_of(const intake::SensorPacket& packet) const;
-
-  std::span<const vehicle::Sensor> sensors_;
   std::size_t count_ = 0;
   std::size_t bytes_used_ = 0;
-  std::uint64_t marks_ = 0;
+  std::uint32_t points_ = 0;
   std::array<KeptPacket, kMaxFramePackets> packets_{};
   std::array<intake::Packet, kMaxFramePackets> decoded_{};
   std::array<std::byte, kMaxFrameBytes> bytes_{};

@@ -18,29 +18,18 @@ std::size_t bytes_of(std::span<const KeptPacket> packets) {
 
 }  // namespace
 
-void FrameParts::begin() {
+// A share is rounded up: together the groups have at most `parts` parts that are full, and each one
+// that is not. If a group alone has all of the full ones, nothing is left of it.
+void FrameParts::deal(std::span<const KeptPacket> packets, std::size_t groups, std::size_t parts) {
+  require(parts > 0 && parts <= kMostOfARound && groups < kMaxGroups);
   ordered_ = 0;
   count_ = 0;
   dealt_ = 0;
-}
-
-// With b_g bytes a group g has at most b_g / share parts that are full and one that is not. So a
-// group has at most kMostOfARound, as share is more than a (kMostOfARound - 1)-th of all bytes, and
-// all groups have at most kMostOfARound - 1 and one each.
-void FrameParts::deal(std::span<const KeptPacket> packets, std::size_t placed_groups) {
-  begin();
-  const std::size_t share = bytes_of(packets) / (kMostOfARound - 1) + 1;
-  for (std::size_t group = 0; group < placed_groups; ++group) {
+  const std::size_t share = (bytes_of(packets) + parts - 1) / parts;
+  for (std::size_t group = 0; group < groups; ++group) {
     deal_group(packets, static_cast<std::uint8_t>(group), share);
   }
   deal_group(packets, FrameSlices::kNowhere, share);
-}
-
-// A share is rounded up, so that what is left after the full parts is no part of its own.
-void FrameParts::deal_evenly(std::span<const KeptPacket> packets, std::size_t parts) {
-  require(parts > 0 && parts <= kMostOfARound);
-  begin();
-  deal_group(packets, 0, (bytes_of(packets) + parts - 1) / parts);
 }
 
 void FrameParts::deal_group(std::span<const KeptPacket> packets, std::uint8_t group,

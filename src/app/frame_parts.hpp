@@ -26,13 +26,9 @@ class FrameParts {
   // part keeps nobody waiting for long.
   static constexpr std::size_t kMostOfARound = 24;
 
-  // Deals out packets that are in groups, of which so many have a place. A part has a
-  // kMostOfARound-th of the frame's bytes, or little more, unless its slice ends before.
-  void deal(std::span<const KeptPacket> packets, std::size_t placed_groups);
-
-  // Deals out packets of one slice, group 0, in at most so many parts, not above kMostOfARound, of
-  // about the same number of bytes.
-  void deal_evenly(std::span<const KeptPacket> packets, std::size_t parts);
+  // Deals out packets that are in groups 0 to groups - 1 or nowhere. Such a part of all bytes, at
+  // least a kMostOfARound-th, is a part, or little more, unless its slice ends before.
+  void deal(std::span<const KeptPacket> packets, std::size_t groups, std::size_t parts);
 
   // The next round: the parts of the next slices, as many as it has room for; empty when all were
   // dealt. No slice is in two rounds.
@@ -48,7 +44,6 @@ class FrameParts {
   static constexpr std::size_t kMaxGroups = kMaxSlices + 1;
   static constexpr std::size_t kMaxParts = kMostOfARound + kMaxGroups;
 
-  void begin();
   void deal_group(std::span<const KeptPacket> packets, std::uint8_t group, std::size_t share);
   void end_part(std::size_t first, std::size_t end, std::uint8_t group);
 

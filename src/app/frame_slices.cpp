@@ -51,6 +51,9 @@ void FrameSlices::place(std::span<KeptPacket> packets, pose::Source& poses) {
       }
     }
   }
+  packets_not_placed_ =
+      static_cast<std::uint32_t>(std::ranges::count(packets, kNowhere, &KeptPacket::group));
+  packets_placed_ = static_cast<std::uint32_t>(packets.size()) - packets_not_placed_;
 }
 
 std::uint8_t FrameSlices::group_of(const pose::Slice& slice, pose::Source& poses) {

@@ -39,12 +39,17 @@ class FrameSlices {
   }
   // Slices that have a pose, and no room here.
   [[nodiscard]] std::uint32_t over_budget() const { return over_budget_; }
+  // Packets by whether they are in one of the placed slices.
+  [[nodiscard]] std::uint32_t packets_placed() const { return packets_placed_; }
+  [[nodiscard]] std::uint32_t packets_not_placed() const { return packets_not_placed_; }
 
  private:
   [[nodiscard]] std::uint8_t group_of(const pose::Slice& slice, pose::Source& poses);
 
   std::size_t count_ = 0;
   std::uint32_t over_budget_ = 0;
+  std::uint32_t packets_placed_ = 0;
+  std::uint32_t packets_not_placed_ = 0;
   std::array<PlacedSlice, kMaxSlices> placed_{};
 };
 

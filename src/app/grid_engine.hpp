@@ -1,26 +1,18 @@
-// The engine of cars without classes: datagrams in, frames out, as FrameEngine, whose frames these
-// are.
+// The engine of cars without classes: datagrams in, frames out.
 //
 // One core fuses each packet as it comes. A dense lidar sends more than one core may have time for:
 // with several, its packets are kept until there is a part for each of them, fused in a round while
-// the next ones come, and joined when the frame ends (app/parts_fusion.hpp): the same bytes.
-//
-//     packets -> [FramePackets] a part for each core -> [PartsFusion] its tiles  while they come
-//                                                tiles -> [JoinedGrid] grid       at the end
+// the next ones come, and joined when the frame ends (app/shared_fusion.hpp): the same bytes.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 
-#include "app/frame_engine.hpp"
+#include "app/frame.hpp"
 #include "app/frame_packets.hpp"
-#include "app/frame_parts.hpp"
 #include "app/frame_report.hpp"
-#include "app/parts_fusion.hpp"
-#include "grid/frame_fusion.hpp"
-#include "grid/joined_grid.hpp"
+#include "app/shared_fusion.hpp"
 #include "vehicle/vehicle.hpp"
 #include "work/crew.hpp"
 
@@ -31,22 +23,19 @@ namespace iog::app {
 // divided it.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
-// Holds 80 MB: belongs into static memory.
+// Holds 15 MB: belongs into static memory.
 class GridEngine {
  public:
-  using Outcome = FrameEngine::Outcome;
+  using Outcome = Frame::Outcome;
 
-  // As FrameEngine.
-  GridEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
-      : frame_(vehicle, replayer_ipv4),
-        fused_(vehicle),
-        packets_(vehicle.sensors),
-        vehicle_(&vehicle),
+  // As Frame and SharedFusion.
+  GridEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, HelpersSpace space)
+      : fusion_(vehicle, space),
+        frame_(vehicle, replayer_ipv4),
         may_share_(is_fused_together(vehicle)) {}
 
+  // As of Frame.
   void start(std::uint64_t now_us) { frame_.start(now_us); }
-  void begin_with_map(std::span<const std::uint8_t> block) { frame_.begin_with_map(block); }
-
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
                                                             std::uint64_t now_us) {
     return frame_.receive(datagram, now_us);
@@ -54,60 +43,56 @@ class GridEngine {
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet) {
     return frame_.classify(packet);
   }
-
-  // Only after classify() said kThisFrame: counts the packet in, and has its points added by the
-  // crew, now or later; or drops it, as FrameEngine::classify() does, because its points find no
-  // room in the frame.
-  void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
-
   void leave(const intake::SensorPacket& packet) { frame_.leave(packet); }
   [[nodiscard]] bool is_complete() const { return frame_.is_complete(); }
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return frame_.is_overdue(now_us); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
 
-  // A frame is closed step by step, as FrameEngine does it.
+  // Only after classify() said kThisFrame: counts the packet in, and has its points fused by the
+  // crew, now or later.
+  void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
+
+  // A frame is closed step by step. finish() completes the grid, and calls lap(stage) with the
+  // stream::StageTicks that has just ended.
   template <typename Lap>
-  void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
+  void finish(std::uint64_t /*now_us*/, const work::Crew& crew, Lap&& lap) {
     if (is_shared_) {
       fuse_kept(crew);
       lap(&stream::StageTicks::fuse);
-      join(crew);
-      lap(&stream::StageTicks::mark);
+      fusion_.join(crew);
     } else {
-      frame_.finish(now_us, crew, lap);
+      fusion_.own().finish();
     }
+    lap(&stream::StageTicks::mark);
   }
+  // What the frame says of itself.
   [[nodiscard]] FrameReport report(std::uint64_t now_us) const { return frame_.report(now_us); }
+  // Calls visit(number, cells) for each tile in which something is known, in rising order, and
+  // clears the grid.
   template <typename Visit>
   void release(Visit&& visit) {
     if (is_shared_) {
-      joined_.release(visit);
+      fusion_.release(visit);
     } else {
-      frame_.release(visit);
+      fusion_.own().release(
+          [&visit](std::size_t tile, auto indexes) { visit(tile, std::as_bytes(indexes)); });
     }
   }
-  void start_next(std::uint64_t now_us);
-
-  [[nodiscard]] grid::FrameFusion& fusion() { return frame_.fusion(); }
+  // The grid is clear; counts from 0 again.
+  void start_next(std::uint64_t now_us) {
+    is_shared_ = false;
+    frame_.start_next(now_us);
+  }
 
  private:
-  [[nodiscard]] bool has_room(const intake::SensorPacket& packet, const work::Crew& crew);
   void fuse_kept(const work::Crew& crew);
-  void join(const work::Crew& crew);
 
   // What is aligned to a cache line comes first.
-  FrameEngine frame_;
-  PartsFusion fused_;
-  grid::JoinedGrid joined_;
+  SharedFusion fusion_;
+  Frame frame_;
   FramePackets packets_;
-  FrameParts parts_;
-  const vehicle::Vehicle* vehicle_;
   bool may_share_;
-  // Of the frame.
-  bool is_shared_ = false;
-  bool is_joined_ = false;  // something of it is in the joined grid
-  std::size_t places_ = 0;  // of its parts that are fused and not yet joined
-  std::size_t marks_ = 0;   // of its points that are fused
+  bool is_shared_ = false;  // the frame is
 };
 
 }  // namespace iog::app

@@ -1,14 +1,13 @@
 #include "app/perception_engine.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "intake/measurement_time.hpp"
 #include "require/require.hpp"
 
 namespace iog::app {
-
-static_assert(grid::kMaxMarks >= kMaxFrameMarks, "a frame's marks fit, too");
 
 Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
   if (vehicle.rule != vehicle::FusionRule::kHitsWin) {
@@ -18,16 +17,15 @@ Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
                                                                 : Unfit::kQuantisation;
 }
 
-PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
-    : frame_(vehicle, replayer_ipv4),
+PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
+                                   HelpersSpace space)
+    : fusion_(vehicle, space),
       window_(vehicle.window),
-      shared_(vehicle),
       maps_(vehicle.maps, replayer_ipv4),
+      frame_(vehicle, replayer_ipv4),
       poses_(vehicle.poses, replayer_ipv4),
-      packets_(vehicle.sensors),
       vehicle_(&vehicle) {
   require(unfit_for_perception(vehicle) == Unfit::kNone);
-  report_.log2_slice_ms = vehicle.poses.log2_slice_ms;
 }
 
 std::optional<intake::SensorPacket> PerceptionEngine::receive(const intake::Datagram& datagram,
@@ -40,16 +38,12 @@ std::optional<intake::SensorPacket> PerceptionEngine::receive(const intake::Data
     static_cast<void>(maps_.receive(datagram.source_ipv4, datagram.payload, now_us));
     return std::nullopt;
   }
-  return frame_.receive(datagram);
+  return frame_.receive(datagram, now_us);
 }
 
 PerceptionEngine::Outcome PerceptionEngine::classify(const intake::SensorPacket& packet) {
   const Outcome outcome = frame_.classify(packet);
-  if (outcome == Outcome::kThisFrame && !packets_.fits(packet)) {
-    frame_.refuse(packet);
-    return Outcome::kDropped;
-  }
-  return outcome;
+  return outcome == Outcome::kThisFrame && !packets_.fits(packet) ? Outcome::kNextFrame : outcome;
 }
 
 // A VLP-16 counts from the hour, and the newest pose says of which.
@@ -81,79 +75,54 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   if (time_us) {
     poses_.pass(*time_us);
   }
-  report_.is_forgotten = std::exchange(epoch_, poses_.epoch()) != poses_.epoch();
-  if (report_.is_forgotten) {
+  is_forgotten_ = std::exchange(epoch_, poses_.epoch()) != poses_.epoch();
+  if (is_forgotten_) {
     window_.forget();
     contradiction_.clear();
   }
-  clock_.end_frame(time_us, report_.is_forgotten, now_us);
-  report_.stamp_us = clock_.stamp_us();
+  clock_.end_frame(time_us, is_forgotten_, now_us);
   slices_.place(packets_.packets(), poses_);
-  report_slices();
-  report_causes();
-  if (report_.slice_count > 0) {
-    time_us = slices_.placed().back().slice.end_us;
-    window_.follow(slices_.placed().back().pose);
+  if (!slices_.placed().empty()) {
+    const PlacedSlice& last = slices_.placed().back();
+    time_us = last.slice.end_us;
+    window_.follow(last.pose);
   }
-  report_.end = time_us ? poses_.pose_at(*time_us) : pose::Placed{};
+  end_ = time_us ? poses_.pose_at(*time_us) : pose::Placed{};
+  causes_before_ = std::exchange(causes_, poses_.cause_counts());
 }
 
-void PerceptionEngine::report_slices() {
-  report_.packets_placed = 0;
-  report_.slice_count = slices_.placed().size();
-  report_.slices_over_budget = slices_.over_budget();
-  std::ranges::copy(slices_.placed(), report_.slices.begin());
-}
-
-// The report still has the counts of the frame before.
-void PerceptionEngine::report_causes() {
-  unsigned causes = 0;
-  for (std::size_t cause = 0; cause < pose::kCauseCount; ++cause) {
-    const pose::Tally tally = poses_.tally(static_cast<pose::Cause>(cause));
-    const bool is_met = tally.times != report_.tallies[cause].times ||
-                        poses_.slices()[cause] != report_.slice_causes[cause];
-    causes |= is_met ? 1U << cause : 0U;
-    report_.tallies[cause] = tally;
-  }
-  constexpr unsigned kPlaced = 1U << static_cast<unsigned>(pose::Cause::kNone);
-  report_.causes = static_cast<std::uint8_t>(causes & ~kPlaced);
-  report_.pose_fates = poses_.fates();
-  report_.slice_causes = poses_.slices();
-}
-
-// The points of a group's packets, and how many packets they are. What has no place is one group,
-// because it only counts in the frame's own grid.
-std::uint32_t PerceptionEngine::fuse_group(std::uint8_t group) {
-  std::uint32_t packets = 0;
+// The points of a group's packets. What has no place is one group, because it only counts in the
+// frame's own grid.
+void PerceptionEngine::fuse_group(std::uint8_t group) {
   const std::span<const KeptPacket> kept = packets_.packets();
   for (std::size_t number = 0; number < kept.size(); ++number) {
     if (kept[number].group == group) {
-      frame_.add_points(kept[number].sensor, packets_.decoded(number));
-      ++packets;
+      fusion_.add(kept[number].sensor, packets_.decoded(number), frame_);
     }
   }
-  return packets;
 }
 
 // Each tile is looked at once, while it is at hand.
 void PerceptionEngine::join_group(std::size_t group) {
-  frame_.finish();
-  frame_.fusion().release([this, group](std::size_t tile, auto indexes) {
-    joined_.add(tile, indexes);
+  window::SliceCells& cells = fused_.one();
+  cells.clear();
+  fusion_.own().finish();
+  fusion_.own().release([&](std::size_t tile, auto indexes) {
+    fusion_.joined().add(tile, indexes);
     if (group != FrameSlices::kNowhere) {
-      window_.take(tile, indexes);
+      cells.take(tile, indexes);
     }
   });
 }
 
 // Those that were fused together.
 void PerceptionEngine::place_slices(const work::Crew& crew) {
-  for (auto fused = shared_.next_slices(crew); !fused.empty(); fused = shared_.next_slices(crew)) {
+  fused_.begin(fusion_);
+  for (auto fused = fused_.next(crew); !fused.empty(); fused = fused_.next(crew)) {
     std::array<window::PlacedCells, window::FrameEvidence::kMostAtOnce> placed;
     for (std::size_t i = 0; i < fused.size(); ++i) {
-      const pose::Pose& pose = report_.slices[fused[i].group].pose;
+      const pose::Pose& pose = slices_.placed()[fused[i].group].pose;
       placed[i] = {.cells = fused[i].cells, .at = window::placement_of(pose)};
-      report_.packets_placed += fused[i].packets;
     }
     window_.add(std::span(placed).first(fused.size()), crew);
   }
@@ -164,20 +133,38 @@ void PerceptionEngine::lay_map() {
   maps_.work();
   const std::optional<pose::Message> newest = poses_.newest();
   const auto transform = newest ? newest->map : std::nullopt;
-  if (window_.is_frame(report_.stamp_us)) {
+  if (window_.is_frame(clock_.stamp_us())) {
     layer_.work(maps_.in_use(), transform, window_);
   } else {
     layer_.look(maps_.in_use(), transform, window_);
   }
-  report_.map_block = maps_.in_use();
-  report_.map = layer_.report();
-  report_.map_delivery = maps_.report();
+}
+
+PerceptionReport PerceptionEngine::perception() const {
+  PerceptionReport report{.number = frame_.number(),
+                          .stamp_us = clock_.stamp_us(),
+                          .is_forgotten = is_forgotten_,
+                          .causes = causes_.since(causes_before_),
+                          .end = end_,
+                          .log2_slice_ms = vehicle_->poses.log2_slice_ms,
+                          .slice_count = slices_.placed().size(),
+                          .slices_over_budget = slices_.over_budget(),
+                          .packets_placed = slices_.packets_placed(),
+                          .packets_not_placed = slices_.packets_not_placed(),
+                          .window = counts_,
+                          .map = layer_.report(),
+                          .pose_fates = poses_.fates(),
+                          .slice_causes = causes_.slices,
+                          .tallies = causes_.began,
+                          .map_block = maps_.in_use(),
+                          .map_delivery = maps_.report()};
+  std::ranges::copy(slices_.placed(), report.slices.begin());
+  return report;
 }
 
 void PerceptionEngine::start_next(std::uint64_t now_us) {
   packets_.clear();
   frame_.start_next(now_us);
-  report_.number = frame_.number();
 }
 
 }  // namespace iog::app

@@ -1,9 +1,8 @@
 // The engine of the perception grid: datagrams in, frames and classes out.
 //
-// It decides when a frame is over as FrameEngine does, and keeps the frame's packets until then.
-// Packets that were measured together, in one slice of a few milliseconds, are then fused together
-// and put into the window by the pose of that slice. The frame's own grid is the join of its
-// slices: the same bytes as FrameEngine makes.
+// It keeps the frame's packets until the frame is over. Packets that were measured together, in one
+// slice of a few milliseconds, are then fused together and put into the window by the pose of that
+// slice. The frame's own grid is the join of its slices: the same bytes as GridEngine makes.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
@@ -13,18 +12,17 @@
 // the poses break off, nothing of the window is known. All of it is counted.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include "app/frame_engine.hpp"
+#include "app/frame.hpp"
 #include "app/frame_packets.hpp"
 #include "app/frame_slices.hpp"
+#include "app/fused_slices.hpp"
 #include "app/perception_report.hpp"
 #include "app/shared_fusion.hpp"
-#include "grid/joined_grid.hpp"
 #include "map/delivery.hpp"
 #include "map/layer.hpp"
 #include "pose/source.hpp"
@@ -45,13 +43,14 @@ enum class Unfit : std::uint8_t {
 };
 [[nodiscard]] Unfit unfit_for_perception(const vehicle::Vehicle& vehicle);
 
-// Holds 112 MB: belongs into static memory.
+// Holds 47 MB: belongs into static memory.
 class PerceptionEngine {
  public:
-  using Outcome = FrameEngine::Outcome;
+  using Outcome = Frame::Outcome;
 
-  // As FrameEngine. The vehicle is fit; the replayer may send poses and maps, too.
-  PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4);
+  // As Frame and SharedFusion. The vehicle is fit; the replayer may send poses and maps, too.
+  PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
+                   HelpersSpace space);
 
   // Before the first datagram: the map that is there from the start. It outlives the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
@@ -65,6 +64,7 @@ class PerceptionEngine {
   // The datagram as a sensor's packet. Empty if it was a pose or of a map, or was dropped.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
                                                             std::uint64_t now_us);
+  // As of Frame; a packet that is not kept with those of the frame any more belongs to the next.
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet);
   // Keeps the packet until the frame ends: there is nothing to do yet for a crew.
   void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
@@ -84,35 +84,37 @@ class PerceptionEngine {
       fuse_together(crew, lap);
     }
     lay_map();
-    report_.window = window_.finish(report_.stamp_us, crew);
-    contradiction_.add(report_.window.standing);
+    counts_ = window_.finish(clock_.stamp_us(), crew);
+    contradiction_.add(counts_.standing);
     lap(&stream::StageTicks::perceive);
   }
+  // What the frame says of itself, and of its place.
   [[nodiscard]] FrameReport report(std::uint64_t now_us) const { return frame_.report(now_us); }
-  [[nodiscard]] const PerceptionReport& perception() const { return report_; }
+  [[nodiscard]] PerceptionReport perception() const;
   // The classes, valid until the next finish().
   [[nodiscard]] window::WindowView classes() const { return window_.view(); }
   template <typename Visit>
   void release(Visit&& visit) {
-    joined_.release(visit);
+    fusion_.release(visit);
   }
   void start_next(std::uint64_t now_us);
-
-  [[nodiscard]] grid::FrameFusion& fusion() { return frame_.fusion(); }
 
  private:
   // One slice after the other, each tile while it is at hand.
   template <typename Lap>
   void fuse_alone(Lap&& lap) {
-    for (std::size_t i = 0; i < report_.slice_count; ++i) {
-      report_.packets_placed += fuse_group(static_cast<std::uint8_t>(i));
+    const std::span<const PlacedSlice> placed = slices_.placed();
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      fuse_group(static_cast<std::uint8_t>(i));
       lap(&stream::StageTicks::fuse);
       join_group(i);
       lap(&stream::StageTicks::mark);
-      window_.add(window::placement_of(report_.slices[i].pose));
+      const window::PlacedCells slice{.cells = &fused_.one(),
+                                      .at = window::placement_of(placed[i].pose)};
+      window_.add(std::span(&slice, 1));
       lap(&stream::StageTicks::perceive);
     }
-    report_.packets_not_placed = fuse_group(FrameSlices::kNowhere);
+    fuse_group(FrameSlices::kNowhere);
     lap(&stream::StageTicks::fuse);
     join_group(FrameSlices::kNowhere);
     lap(&stream::StageTicks::mark);
@@ -121,40 +123,42 @@ class PerceptionEngine {
   // All slices at once, as far as they fit, and then into the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
-    shared_.begin(packets_, report_.slice_count);
-    while (shared_.fuse_next(crew, frame_)) {
+    fusion_.deal(packets_, slices_.placed().size(), FrameParts::kMostOfARound);
+    while (fusion_.fuse_next(crew, frame_)) {
       lap(&stream::StageTicks::fuse);
-      shared_.join(crew, joined_);
+      fusion_.join(crew);
       lap(&stream::StageTicks::mark);
       place_slices(crew);
       lap(&stream::StageTicks::perceive);
     }
-    report_.packets_not_placed = shared_.packets_nowhere();
   }
 
   void open_slices(std::uint64_t now_us);
-  void report_slices();
-  void report_causes();
-  std::uint32_t fuse_group(std::uint8_t group);
+  void fuse_group(std::uint8_t group);
   void join_group(std::size_t group);
   void place_slices(const work::Crew& crew);
   void lay_map();
 
   // What is aligned to a cache line comes first.
-  FrameEngine frame_;  // its fusion holds one slice after the other
+  SharedFusion fusion_;  // core 0's own holds one slice after the other
+  FusedSlices fused_;
   window::WindowFusion window_;
-  SharedFusion shared_;
-  grid::JoinedGrid joined_;
   map::Delivery maps_;
   map::Layer layer_;
-  window::WindowClock clock_;
-  FrameSlices slices_;
-  PerceptionReport report_;
-  pose::Source poses_;
+  Frame frame_;
   FramePackets packets_;
+  FrameSlices slices_;
+  pose::Source poses_;
   const vehicle::Vehicle* vehicle_;
+  window::WindowClock clock_;
   window::Contradiction contradiction_;  // of the poses, by what they have placed
   std::uint32_t epoch_ = 0;              // of the poses that the window was made by
+  // Of the frame at hand.
+  bool is_forgotten_ = false;
+  pose::CauseCounts causes_{};  // since start, and those before the frame
+  pose::CauseCounts causes_before_{};
+  pose::Placed end_{};
+  window::FrameCounts counts_{};
 };
 
 }  // namespace iog::app

@@ -14,18 +14,20 @@
 #include <tuple>
 #include <type_traits>
 
-#include "app/frame_engine.hpp"
+#include "app/frame.hpp"
 #include "app/grid_engine.hpp"
 #include "app/network_sink.hpp"
 #include "app/perception_engine.hpp"
 #include "app/perception_sink.hpp"
 #include "app/platform.hpp"
+#include "app/shared_fusion.hpp"
 #include "app/stage_watch.hpp"
+#include "hal/cores.hpp"
 #include "work/crew.hpp"
 
 namespace iog::app {
 
-// Of any engine with the functions of FrameEngine. Classes go to every sink that takes them in.
+// Engine: GridEngine or PerceptionEngine. Classes go to every sink that takes them in.
 template <typename Engine, Platform P, FrameSink... Sinks>
 class EnginePipeline {
  public:
@@ -33,7 +35,8 @@ class EnginePipeline {
   // sensor, 0: nobody may.
   EnginePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                  Coding coding, Sinks&... sinks)
-      : engine_(vehicle, replayer_ipv4),
+      : helpers_(vehicle),
+        engine_(vehicle, replayer_ipv4, helpers_.space()),
         network_(platform, coding),
         sinks_(sinks...),
         platform_(&platform),
@@ -42,9 +45,13 @@ class EnginePipeline {
                  Sinks&... sinks)
       : EnginePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
 
-  // Before the first datagram: the map that is there from the start, if it is of use to the engine.
-  // It outlives the pipeline.
-  void begin_with_map(std::span<const std::uint8_t> block) { engine_.begin_with_map(block); }
+  // Before the first datagram: the map that is there from the start. It outlives the pipeline.
+  // Without classes there is no use for one.
+  void begin_with_map(std::span<const std::uint8_t> block) {
+    if constexpr (kPerceives) {
+      engine_.begin_with_map(block);
+    }
+  }
 
   // Before the first datagram, or time starts at 0. Silence is counted from now on; what it took to
   // set the pipeline up is none.
@@ -52,22 +59,17 @@ class EnginePipeline {
 
   // One datagram. Closes the frame before it, after it, or not at all.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
-    using Outcome = typename Engine::Outcome;
     watch_.start();
-    const std::optional<intake::SensorPacket> packet = engine_.receive(datagram, now_us);
-    Outcome outcome = packet ? engine_.classify(*packet) : Outcome::kDropped;
-    if (outcome == Outcome::kNextFrame) {
-      watch_.lap(&stream::StageTicks::fuse);
-      close_frame(now_us);
-      outcome = engine_.classify(*packet);
-    }
-    if (outcome == Outcome::kThisFrame) {
-      engine_.fuse(*packet, now_us, work::Crew(*platform_));
-    }
+    take_datagram(
+        engine_, datagram, now_us,
+        [&](const intake::SensorPacket& packet) {
+          engine_.fuse(packet, now_us, work::Crew(*platform_));
+        },
+        [&] {
+          watch_.lap(&stream::StageTicks::fuse);
+          close_frame(now_us);
+        });
     watch_.lap(&stream::StageTicks::fuse);
-    if (engine_.is_complete()) {
-      close_frame(now_us);
-    }
   }
 
   // One datagram that has waited too long. A packet of a sensor is counted and left; poses and maps
@@ -90,11 +92,9 @@ class EnginePipeline {
 
   [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
 
-  // Between two frames; see grid::FrameFusion.
-  void forget_lines() { engine_.fusion().forget_lines(); }
-
  private:
   static constexpr bool kPerceives = requires(const Engine& engine) { engine.classes(); };
+  static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
 
   void close_frame(std::uint64_t now_us) {
@@ -136,6 +136,7 @@ class EnginePipeline {
     std::apply([&](Sinks&... sinks) { (visit(sinks), ...); }, sinks_);
   }
 
+  HelpersMemory<kMostCores> helpers_;
   Engine engine_;
   Network network_;
   std::tuple<Sinks&...> sinks_;
@@ -143,10 +144,9 @@ class EnginePipeline {
   StageWatch<P> watch_;
 };
 
-// Of the frames' grids. What several cores need of memory is not there for one alone.
+// Of the frames' grids.
 template <Platform P, FrameSink... Sinks>
-using Pipeline =
-    EnginePipeline<std::conditional_t<HasOneCore<P>, FrameEngine, GridEngine>, P, Sinks...>;
+using Pipeline = EnginePipeline<GridEngine, P, Sinks...>;
 
 // With the classes of the window. The vehicle is fit for them; the replayer may send poses, too.
 template <Platform P, FrameSink... Sinks>

@@ -1,78 +1,84 @@
 #include "app/shared_fusion.hpp"
 
+#include "require/require.hpp"
+
 namespace iog::app {
+namespace {
 
-bool SharedFusion::fuse_next(const work::Crew& crew, FrameEngine& frame) {
+void add_points(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
+                const intake::Packet& packet, Fates& fates) {
+  fusion.add_all(sensor, packet,
+                 [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
+}
+
+}  // namespace
+
+void SharedFusion::add(std::size_t sensor, const intake::Packet& packet, Frame& frame) {
+  Fates fates{};
+  add_points(own_, vehicle_->sensors[sensor], packet, fates);
+  frame.count(fates);
+}
+
+void SharedFusion::deal(FramePackets& packets, std::size_t groups, std::size_t parts) {
+  packets_ = &packets;
+  parts_.deal(packets.packets(), groups, parts);
+}
+
+bool SharedFusion::fuse_next(const work::Crew& crew, Frame& frame) {
   round_ = parts_.next_round();
-  fused_.fuse(crew, parts_, round_, *packets_, frame);
-  for (const FramePart& part : round_) {
-    packets_nowhere_ += part.group == FrameSlices::kNowhere ? part.packets() : 0U;
+  if (round_.empty()) {
+    return false;
   }
-  shown_ = 0;
-  return !round_.empty();
+  if (round_.size() > kPartPlaces - waiting_) {
+    join(crew);
+  }
+  require(waiting_ + round_.size() <= space_.parts.size());
+  first_ = waiting_;
+  waiting_ += round_.size();
+  const std::span<FusedPart> fused = space_.parts.subspan(first_, round_.size());
+  crew.share(round_.size(), [&](std::size_t item, std::size_t core) {
+    fuse_part(round_[item], core == 0 ? own_ : space_.fusions[core - 1], fused[item]);
+  });
+  for (const FusedPart& part : fused) {
+    frame.count(part.fates);
+  }
+  return true;
 }
 
-void SharedFusion::join(const work::Crew& crew, grid::JoinedGrid& grid) {
-  fused_.join(crew, round_.size(), grid, is_first_round_);
-  is_first_round_ = false;
+void SharedFusion::fuse_part(const FramePart& part, grid::FrameFusion& fusion,
+                             FusedPart& fused) const {
+  fused.fates = {};
+  for (const std::uint16_t number : parts_.packets_of(part)) {
+    const KeptPacket& packet = packets_->packets()[number];
+    add_points(fusion, vehicle_->sensors[packet.sensor], packets_->decoded(number), fused.fates);
+  }
+  fusion.finish();
+  fused.tiles.take(fusion);
 }
 
-std::span<const FusedSlice> SharedFusion::next_slices(const work::Crew& crew) {
-  find_slices();
-  const std::span cells = std::span(cells_).first(slice_count_);
-  if (cells.empty()) {
-    return {};
-  }
-  std::ranges::for_each(cells, &window::SliceCells::begin);
-  crew.share(geometry::kTilesPerSide, [this](std::size_t row, std::size_t core) {
-    for (std::size_t slice = 0; slice < slice_count_; ++slice) {
-      for (std::size_t column = 0; column < geometry::kTilesPerSide; ++column) {
-        copy_tile(row * geometry::kTilesPerSide + column, slice, joined_tiles_[core]);
+// If nothing has been added to the grid before, what is there is of nobody who has ended his item,
+// and is forgotten; else adding cannot be done again from its start, and core 0 does it alone.
+void SharedFusion::join(const work::Crew& crew) {
+  const bool is_first = !is_joined_;
+  const work::Crew alone;
+  (is_first ? crew : alone)
+      .share(geometry::kTilesPerSide,
+             [&](std::size_t row, std::size_t /*core*/) { join_row(row, is_first); });
+  is_joined_ = true;
+  waiting_ = 0;
+}
+
+void SharedFusion::join_row(std::size_t row, bool is_first) {
+  for (std::size_t column = 0; column < geometry::kTilesPerSide; ++column) {
+    const std::size_t tile = row * geometry::kTilesPerSide + column;
+    if (is_first) {
+      joined_.forget(tile);
+    }
+    for (const FusedPart& part : space_.parts.first(waiting_)) {
+      if (part.tiles.is_known(tile)) {
+        joined_.add(tile, part.tiles.tile(tile));
       }
     }
-  });
-  std::ranges::for_each(cells, &window::SliceCells::note_all);
-  return std::span(slices_).first(slice_count_);
-}
-
-// The next ones of the round. What has no place comes last.
-void SharedFusion::find_slices() {
-  slice_count_ = 0;
-  while (slice_count_ < kMostSlices && shown_ < round_.size() &&
-         round_[shown_].group != FrameSlices::kNowhere) {
-    FusedSlice& slice = slices_[slice_count_];
-    slice = {.group = round_[shown_].group, .cells = &cells_[slice_count_]};
-    slice_parts_[slice_count_].first = shown_;
-    for (; shown_ < round_.size() && round_[shown_].group == slice.group; ++shown_) {
-      slice.packets += round_[shown_].packets();
-    }
-    slice_parts_[slice_count_].end = shown_;
-    ++slice_count_;
-  }
-}
-
-// The tile's indexes of all parts of the slice, joined in the memory if they are several.
-void SharedFusion::copy_tile(std::size_t tile, std::size_t slice, JoinedTile& memory) {
-  const grid::FrameTiles* only = nullptr;
-  bool is_joined = false;
-  for (std::size_t part = slice_parts_[slice].first; part < slice_parts_[slice].end; ++part) {
-    const grid::FrameTiles& tiles = fused_.tiles(part);
-    if (!tiles.is_known(tile)) {
-      continue;
-    }
-    if (only != nullptr && !is_joined) {
-      std::ranges::copy(only->tile(tile), memory.begin());
-      is_joined = true;
-    }
-    if (is_joined) {
-      grid::join(memory, tiles.tile(tile));
-    }
-    only = &tiles;
-  }
-  if (only == nullptr) {
-    cells_[slice].leave(tile);
-  } else {
-    cells_[slice].copy(tile, is_joined ? grid::JoinedGrid::TileIndexes(memory) : only->tile(tile));
   }
 }
 

@@ -1,94 +1,118 @@
-// The fusing of a frame's packets, slice by slice, by several cores (app/parts_fusion.hpp).
+// The fusion of a frame's packets by several cores, in parts, each fused by whichever core takes
+// it, and the join of the parts.
 //
-//     packets -> [FrameParts] parts -> [PartsFusion] tiles of a part            one round
-//                                      tiles of all parts -> the frame's grid    one round
-//                                      tiles of up to six slices -> their cells  one round
+//     packets -> [FrameParts] parts
+//     packets of a part -> its core's fusion -> tiles of the part      a part an item
+//                          tiles of all parts -> the frame's grid      a row of tiles an item
 //
-// Copying writes what it has not read, so an item can be done again from its start.
+// Saturated sums of one sign do not mind in which grid they were begun (grid/joined_grid.hpp), so
+// which core has which part does not show. A part that a core has left can be fused again from its
+// start: what it wrote is its core's fusion, which nobody uses again, and its own place here.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
+#include <utility>
 
-#include "app/frame_engine.hpp"
+#include "app/frame.hpp"
 #include "app/frame_packets.hpp"
 #include "app/frame_parts.hpp"
-#include "app/parts_fusion.hpp"
+#include "grid/frame_fusion.hpp"
 #include "grid/frame_tiles.hpp"
 #include "grid/joined_grid.hpp"
 #include "hal/cores.hpp"
-#include "window/frame_evidence.hpp"
-#include "window/slice_cells.hpp"
+#include "vehicle/vehicle.hpp"
 #include "work/crew.hpp"
 
 namespace iog::app {
 
-// A slice, for the window: the number of its group, of how many packets it was fused, and its
-// cells.
-struct FusedSlice {
-  std::size_t group = 0;
-  std::uint32_t packets = 0;
-  const window::SliceCells* cells = nullptr;
+// So many parts can wait to be joined.
+inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
+
+// What fusing a part makes. Whoever does it writes it.
+struct FusedPart {
+  Fates fates{};
+  grid::FrameTiles tiles;
 };
 
-// Holds 72 MB: belongs into static memory.
-class SharedFusion {
+// What sharing takes of memory beside core 0's own: a fusion for each helper, and the places.
+struct HelpersSpace {
+  std::span<grid::FrameFusion> fusions;
+  std::span<FusedPart> parts;
+};
+
+// As much of it as so many cores need: 65 MB for four, nothing for one. Belongs into static memory.
+template <std::size_t kCores>
+class HelpersMemory {
  public:
   // vehicle outlives it.
-  explicit SharedFusion(const vehicle::Vehicle& vehicle) : fused_(vehicle) {}
+  explicit HelpersMemory(const vehicle::Vehicle& vehicle)
+      : HelpersMemory(vehicle, std::make_index_sequence<kCores - 1>()) {}
 
-  // A frame's packets, of which so many groups have a place.
-  void begin(FramePackets& packets, std::size_t placed_groups) {
-    packets_ = &packets;
-    parts_.deal(packets.packets(), placed_groups);
-    is_first_round_ = true;
-    packets_nowhere_ = 0;
-  }
-
-  // Fuses the next slices, by core 0 in its frame's fusion, and counts their points there. Whether
-  // there were any.
-  [[nodiscard]] bool fuse_next(const work::Crew& crew, FrameEngine& frame);
-
-  // Adds them to the frame's grid, which nothing was added to before the first round.
-  void join(const work::Crew& crew, grid::JoinedGrid& grid);
-
-  // Of those that were fused: packets that are in no slice.
-  [[nodiscard]] std::uint32_t packets_nowhere() const { return packets_nowhere_; }
-
-  // The next slices of those that were fused, for the window, in their order; empty behind the
-  // last. The cells are valid until the next call.
-  [[nodiscard]] std::span<const FusedSlice> next_slices(const work::Crew& crew);
+  [[nodiscard]] HelpersSpace space() { return {fusions_, parts_}; }
 
  private:
-  using JoinedTile = std::array<index::OccupancyIndex, geometry::kTileCells>;
+  template <std::size_t... kHelper>
+  HelpersMemory(const vehicle::Vehicle& vehicle, std::index_sequence<kHelper...> /*helpers*/)
+      : fusions_{(static_cast<void>(kHelper), grid::FrameFusion(vehicle))...} {}
 
-  // Of a slice: its parts among those of the round.
-  struct Parts {
-    std::size_t first = 0;
-    std::size_t end = 0;
-  };
+  std::array<grid::FrameFusion, kCores - 1> fusions_;
+  std::array<FusedPart, kCores == 1 ? 0 : kPartPlaces> parts_{};
+};
 
-  static constexpr std::size_t kMostSlices = window::FrameEvidence::kMostAtOnce;
+// Holds 14 MB: belongs into static memory.
+class SharedFusion {
+ public:
+  // vehicle and space outlive it. Without space core 0 has to be alone.
+  SharedFusion(const vehicle::Vehicle& vehicle, HelpersSpace space)
+      : own_(vehicle), vehicle_(&vehicle), space_(space) {}
 
-  void find_slices();
-  void copy_tile(std::size_t tile, std::size_t slice, JoinedTile& memory);
+  // Core 0's own fusion. It is clear whenever the crew fuses.
+  [[nodiscard]] grid::FrameFusion& own() { return own_; }
 
-  PartsFusion fused_;
-  std::array<window::SliceCells, kMostSlices> cells_{};
-  alignas(32) std::array<JoinedTile, hal::kMaxCores> joined_tiles_{};  // by core
+  // Adds a packet's points to it, and counts them in the frame.
+  void add(std::size_t sensor, const intake::Packet& packet, Frame& frame);
+
+  // Deals out packets, as FrameParts::deal().
+  void deal(FramePackets& packets, std::size_t groups, std::size_t parts);
+
+  // Fuses the parts of the next round, and counts their points in the frame. False if there are
+  // none. Parts of rounds before that found no place any more are joined.
+  [[nodiscard]] bool fuse_next(const work::Crew& crew, Frame& frame);
+
+  // The parts of that round, and what became of each of them, until the next one.
+  [[nodiscard]] std::span<const FramePart> round() const { return round_; }
+  [[nodiscard]] const grid::FrameTiles& tiles(std::size_t part) const {
+    return space_.parts[first_ + part].tiles;
+  }
+
+  // Adds the parts that wait to the frame's grid.
+  void join(const work::Crew& crew);
+
+  // The frame's grid, of what was joined. Whoever releases it begins another frame.
+  [[nodiscard]] grid::JoinedGrid& joined() { return joined_; }
+  template <typename Visit>
+  void release(Visit&& visit) {
+    joined_.release(visit);
+    is_joined_ = false;
+  }
+
+ private:
+  void fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused) const;
+  void join_row(std::size_t row, bool is_first);
+
+  // What is aligned to a cache line comes first.
+  grid::FrameFusion own_;
+  grid::JoinedGrid joined_;
+  const vehicle::Vehicle* vehicle_;
+  HelpersSpace space_;
   FramePackets* packets_ = nullptr;
   FrameParts parts_;
   std::span<const FramePart> round_;
-  bool is_first_round_ = true;
-  std::uint32_t packets_nowhere_ = 0;
-  std::size_t shown_ = 0;  // parts of the round
-  // The slices at hand.
-  std::size_t slice_count_ = 0;
-  std::array<FusedSlice, kMostSlices> slices_{};
-  std::array<Parts, kMostSlices> slice_parts_{};
+  std::size_t first_ = 0;    // the place of its first part
+  std::size_t waiting_ = 0;  // parts that wait, in the first places
+  bool is_joined_ = false;   // something of the frame is in its grid
 };
 
 }  // namespace iog::app

@@ -216,7 +216,7 @@ constexpr void check_tables(const vehicle::Vehicle& car, auto&& tell) {
     const std::uint64_t marks = marks_of(sensor);
     if (marks > marks_left) {
       tell(Fault{i, "max_points_per_scan",
-                 "fewer: all sensors together mark at most 147456 cells a frame", all_marks});
+                 "fewer: all sensors together mark at most 262144 cells a frame", all_marks});
       marks_left = std::numeric_limits<std::uint64_t>::max();
     }
     marks_left -= marks;

@@ -30,7 +30,7 @@ class Carver {
   Carver(const vehicle::Vehicle& vehicle, BlockGrid& grid, PendingMarks& marks);
 
   // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
-  // vehicle's; the point's layer and azimuth are those of its format. Only if the marks have room.
+  // vehicle's; the point's layer and azimuth are those of its format.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     return sensor.layers_share_lines ? turn_to(sensor).add(point) : add_kept(sensor, point);
   }
@@ -53,13 +53,6 @@ class Carver {
 
   // Forgets the beams that still wait, without carving them.
   void drop_waiting();
-
-  // How many cells the points that wait can mark, at most.
-  [[nodiscard]] std::uint64_t most_marks_waiting() const {
-    return turn_layers_at_hand_ == nullptr
-               ? 0
-               : std::uint64_t{waiting_lines_.count()} * max_marks_per_point(*sensor_);
-  }
 
   // Finds all lines again when they are next asked for, as after the start.
   void forget_lines() {

@@ -30,14 +30,9 @@ class FrameFusion {
   FrameFusion(const FrameFusion&) = delete;
   FrameFusion& operator=(const FrameFusion&) = delete;
 
-  // Whether that many points of this sensor can still be marked in this frame.
-  [[nodiscard]] bool fits(const vehicle::Sensor& sensor, std::uint32_t points);
-
-  // How many cells are to be marked so far, but for points that wait; none after finish().
-  [[nodiscard]] std::size_t marks() const { return marks_.count(); }
-
   // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
-  // vehicle's; the point's layer and azimuth are those of its format. Only if fits() said so.
+  // vehicle's; the point's layer and azimuth are those of its format.
+  // All points of a frame mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     return carver_.add(sensor, point);
   }

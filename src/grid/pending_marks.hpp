@@ -24,9 +24,9 @@ struct Mark {
 };
 static_assert(geometry::kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
 
-// The most marks of one frame. They take 576 KiB and are enough for a turn of 64 layers at 2,048
-// azimuths, or for a dual-return turn of an HDL-32E at 10 Hz (139,008 points).
-inline constexpr std::size_t kMaxMarks = 147'456;
+// The most marks of one frame, 1 MiB of them: enough for a turn of 128 layers at 2,048 azimuths, of
+// two units of 64 layers, or of a Pandar64 with two returns (230,400 points).
+inline constexpr std::size_t kMaxMarks = 262'144;
 
 // The most cells that one point of this sensor can mark: its own, and the cells behind it that its
 // near 1D cells reach. A line of length d enters at most sqrt(2) d / cell + 2 further cells.
@@ -39,8 +39,6 @@ inline constexpr std::size_t kMaxMarks = 147'456;
 
 class PendingMarks {
  public:
-  [[nodiscard]] std::size_t count() const { return count_; }
-
   // Remembers what a scan point marks: the cell that holds it and, for some sensors, the next cells
   // behind it. hit: the point's position on its line.
   void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,

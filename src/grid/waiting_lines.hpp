@@ -111,11 +111,7 @@ class WaitingLines {
     const std::uint32_t place = azimuth_step % kPlaces;
     points_[place][lines_[place].count] = point;
     ++lines_[place].count;
-    ++count_;
   }
-
-  // How many points wait.
-  [[nodiscard]] std::uint32_t count() const { return count_; }
 
   // Calls carve(azimuth_step, points, behind_band) for the line that waits in the place of this
   // one, if any, and then it waits no more.
@@ -126,7 +122,6 @@ class WaitingLines {
     if (line.azimuth_step != kNone) {
       carve(line.azimuth_step, std::span(points_[place]).first(line.count), line.behind_band);
       line.azimuth_step = kNone;
-      count_ -= line.count;
     }
   }
   template <typename Carve>
@@ -135,10 +130,7 @@ class WaitingLines {
       take(place, carve);
     }
   }
-  void drop() {
-    lines_.fill({});
-    count_ = 0;
-  }
+  void drop() { lines_.fill({}); }
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -151,7 +143,6 @@ class WaitingLines {
 
   std::array<Line, kPlaces> lines_{};
   alignas(32) std::array<std::array<WaitingPoint, kMostPoints>, kPlaces> points_{};
-  std::uint32_t count_ = 0;
 };
 
 }  // namespace iog::grid

@@ -102,7 +102,7 @@ Intake::Outcome Intake::classify(const SensorPacket& packet) {
       break;
   }
   if (tracker.points() + info.point_count > sensors_[packet.sensor].max_points_per_scan) {
-    refuse(packet);
+    drop(PacketDrop::kOverBudget, vehicle::Fate::kMalformed, packet.packet);
     return Outcome::kDropped;
   }
   return Outcome::kThisFrame;
@@ -111,10 +111,6 @@ Intake::Outcome Intake::classify(const SensorPacket& packet) {
 void Intake::accept(const SensorPacket& packet) {
   trackers_[packet.sensor].accept(packet.packet.info());
   ++packets_accepted_;
-}
-
-void Intake::refuse(const SensorPacket& packet) {
-  drop(PacketDrop::kOverBudget, vehicle::Fate::kMalformed, packet.packet);
 }
 
 void Intake::leave(const SensorPacket& packet) {

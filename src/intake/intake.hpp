@@ -48,8 +48,6 @@ class Intake {
 
   // Counts the packet in. Only after classify() said kThisFrame.
   void accept(const SensorPacket& packet);
-  // Or drops it, because its points find no room in the frame.
-  void refuse(const SensorPacket& packet);
   // Or leaves it, whatever frame it belongs to, because there is no time for it.
   void leave(const SensorPacket& packet);
 

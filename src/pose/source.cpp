@@ -40,4 +40,22 @@ Tally Source::tally(Cause cause) const {
   return is_of_slices ? spells_[static_cast<std::size_t>(cause)] : history_.breaks(cause);
 }
 
+CauseCounts Source::cause_counts() const {
+  CauseCounts counts{.slices = slices_};
+  for (std::size_t cause = 0; cause < kCauseCount; ++cause) {
+    counts.began[cause] = tally(static_cast<Cause>(cause));
+  }
+  return counts;
+}
+
+std::uint8_t CauseCounts::since(const CauseCounts& before) const {
+  unsigned causes = 0;
+  for (std::size_t cause = 1; cause < kCauseCount; ++cause) {
+    const bool is_met =
+        began[cause].times != before.began[cause].times || slices[cause] != before.slices[cause];
+    causes |= is_met ? 1U << cause : 0U;
+  }
+  return static_cast<std::uint8_t>(causes);
+}
+
 }  // namespace iog::pose

@@ -19,6 +19,15 @@
 
 namespace iog::pose {
 
+// What kept slices from their place, and broke the poses apart, since start.
+struct CauseCounts {
+  std::array<std::uint32_t, kCauseCount> slices{};  // as Source::slices()
+  std::array<Tally, kCauseCount> began{};           // as Source::tally()
+
+  // Bit by cause: it was met since those counts. kNone is no cause.
+  [[nodiscard]] std::uint8_t since(const CauseCounts& before) const;
+};
+
 class Source {
  public:
   // description.is_valid(). replayer_ipv4 may send in the name of the source, 0: nobody may.
@@ -59,6 +68,7 @@ class Source {
   // How often each cause has begun, and when it did last: of kLate and kImprecise the middle of the
   // first slice in a row that was not placed because of it; of the others as in History.
   [[nodiscard]] Tally tally(Cause cause) const;
+  [[nodiscard]] CauseCounts cause_counts() const;
 
  private:
   SourceDescription description_;

@@ -56,12 +56,6 @@ void WindowFusion::follow(const pose::Pose& pose) {
   window_.follow(cell_of(pose));
 }
 
-void WindowFusion::add(const Placement& at) {
-  const PlacedCells taken{.cells = &cells_, .at = at};
-  add(std::span(&taken, 1), work::Crew());
-  cells_.clear();
-}
-
 void WindowFusion::add(std::span<const PlacedCells> slices, const work::Crew& crew) {
   require(slices.size() <= FrameEvidence::kMostAtOnce);
   std::array<PlacedCells, FrameEvidence::kMostAtOnce> inside;

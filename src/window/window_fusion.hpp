@@ -69,16 +69,8 @@ class WindowFusion {
   // and after forget(), slices are outside.
   void follow(const pose::Pose& pose);
 
-  // Takes a tile of the next slice's index grid, row by row from its lowest y.
-  void take(std::size_t tile, SliceCells::TileIndexes indexes, const TileHeights& heights = {}) {
-    cells_.take(tile, indexes, heights);
-  }
-
-  // Adds the slice of which the tiles were taken since the one before.
-  void add(const Placement& at);
-
-  // Adds slices that another has taken, at most FrameEvidence::kMostAtOnce.
-  void add(std::span<const PlacedCells> slices, const work::Crew& crew);
+  // Adds slices, at most FrameEvidence::kMostAtOnce.
+  void add(std::span<const PlacedCells> slices, const work::Crew& crew = work::Crew());
 
   // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts
   // as the newest. A frame without slices and without time changes nothing and is none.
@@ -97,7 +89,7 @@ class WindowFusion {
   // Nothing is known of any cell, and nothing said in this frame. Time goes on.
   void forget();
 
-  // After finish(), until the next slice.
+  // After finish(), until slices are added again.
   [[nodiscard]] WindowView view() const { return {window_, refreshed_, clock_}; }
 
  private:
@@ -198,7 +190,6 @@ class WindowFusion {
   work::BeforeImages<GroundBefore> ground_before_;
   FrameEvidence evidence_;
   Window window_;
-  SliceCells cells_;
   Rules rules_;
   ageing::Clock clock_;
   std::uint32_t frames_ = 0;

@@ -54,8 +54,7 @@ void add_points(const vehicle::Vehicle& car) {
               .range_mm = range_mm,
               .azimuth_ticks = static_cast<std::uint16_t>(std::min(ticks - 1, ticks / 4 * side)),
               .layer = layer};
-          law(!fusion->fits(sensor, 1) ||
-                  static_cast<std::size_t>(fusion->add(sensor, point)) < vehicle::kFateCount,
+          law(static_cast<std::size_t>(fusion->add(sensor, point)) < vehicle::kFateCount,
               "a point has a fate");
         }
       }

@@ -23,7 +23,7 @@ using Parts = std::vector<std::vector<std::pair<int, std::vector<int>>>>;
 
 Parts rounds_of(const std::vector<KeptPacket>& packets, std::size_t groups) {
   const auto parts = std::make_unique<FrameParts>();
-  parts->deal(packets, groups);
+  parts->deal(packets, groups, FrameParts::kMostOfARound);
   Parts rounds;
   for (auto round = parts->next_round(); !round.empty(); round = parts->next_round()) {
     EXPECT_LE(round.size(), FrameParts::kMostOfARound);
@@ -36,7 +36,7 @@ Parts rounds_of(const std::vector<KeptPacket>& packets, std::size_t groups) {
   return rounds;
 }
 
-// 600 bytes in all, 27 a share.
+// 600 bytes in all, 25 a share.
 TEST(FrameParts, FullPartsEndAndSlicesEndThem) {
   const std::vector<KeptPacket> packets{packet_of(1, 10), packet_of(0, 30),
                                         packet_of(1, 20), packet_of(0, 5),
@@ -88,7 +88,7 @@ TEST(FrameParts, OneSliceIsDealtEvenly) {
       bytes += packets.back().bytes;
     }
     const std::size_t most = 1 + random.below(FrameParts::kMostOfARound);
-    parts->deal_evenly(packets, most);
+    parts->deal(packets, 1, most);
     const auto round = parts->next_round();
     EXPECT_LE(round.size(), most);
     std::size_t next = 0;

@@ -9,6 +9,7 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
+#include "fakes/velodyne_packet.hpp"
 #include "perception_bench.hpp"
 
 namespace iog::app {
@@ -173,21 +174,28 @@ TEST(PerceptionEngine, ASensorWithoutClockIsPlacedByWhenItsPacketsCame) {
   EXPECT_EQ(arrived.report().packets_placed, 4U);
 }
 
-// More packets than a frame keeps: the rest is refused and counted, and nothing else happens.
-TEST(PerceptionEngine, AFloodOfPacketsIsRefused) {
-  const Car car(tests::OneLux::kVehicle, true);
-  PerceptionBench bench(car.vehicle());
-  for (std::uint64_t i = 0; i < kMaxFramePackets + 88; ++i) {
-    const tests::LuxMessage message{
-        .start_ticks = 10, .end_ticks = 0, .points = {}, .start_ntp = i + 1, .end_ntp = i + 2};
-    bench.take({{1'000, 100, message.bytes()}});
+// More packets than a frame keeps: the first that finds no room ends it, and belongs to the next.
+TEST(PerceptionEngine, APacketThatFindsNoRoomEndsTheFrame) {
+  const Car car(tests::LevelVlp16::kVehicle, true);
+  std::vector<vehicle::Sensor> sensors(car.vehicle().sensors.begin(), car.vehicle().sensors.end());
+  sensors[0].max_points_per_scan = grid::kMaxMarks;
+  vehicle::Vehicle vehicle = car.vehicle();
+  vehicle.sensors = sensors;
+  PerceptionBench bench(vehicle);
+  constexpr std::size_t kPackets = kMaxFrameBytes / 1'206;
+  constexpr std::size_t kMore = 30;
+  // A head that turns so slowly that no turn is ever whole.
+  for (std::size_t i = 0; i < kPackets + kMore; ++i) {
+    const tests::VelodynePacket packet{.first_azimuth = static_cast<int>(12 * i),
+                                       .step = 1,
+                                       .time_us = static_cast<std::uint32_t>(i)};
+    bench.take({{1'000, 100, packet.bytes()}});
   }
   bench.pass_until(41'000);
-  ASSERT_EQ(bench.platform.frames.size(), 1U);
-  EXPECT_EQ(bench.platform.frames[0].header.packets_fused, kMaxFramePackets);
-  EXPECT_EQ(bench.platform.frames[0]
-                .end.packet_drops[static_cast<std::size_t>(intake::PacketDrop::kOverBudget)],
-            88U);
+  ASSERT_EQ(bench.platform.frames.size(), 2U);
+  EXPECT_EQ(bench.platform.frames[0].header.packets_fused, kPackets);
+  EXPECT_EQ(bench.platform.frames[1].header.packets_fused, kMore);
+  EXPECT_EQ(bench.platform.frames[1].header.packets_dropped, 0U);
 }
 
 // Of slices of 1 ms there are more than the engine places: the rest only counts in the frame.

@@ -92,7 +92,7 @@ TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {
             "0.max_points_per_scan");
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].max_points_per_scan = 11; }),
             "0.max_points_per_scan");
-  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].max_points_per_scan = 147'457; }),
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].max_points_per_scan = 262'145; }),
             "0.max_points_per_scan");
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layer_count = 3; }), "0.lasers");
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].columns_per_turn = 512; }), "0.mode");

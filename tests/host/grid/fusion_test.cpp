@@ -274,17 +274,5 @@ TEST(Fusion, AFrameThatIsReleasedIsShownTileByTileAndCleared) {
   fusion->release([&](auto...) { FAIL() << "nothing is known"; });
 }
 
-TEST(Fusion, TellsWhenItsMarksRunOut) {
-  const auto fusion = std::make_unique<FrameFusion>(LevelLux::kVehicle);
-  const vehicle::Sensor& sensor = LevelLux::kVehicle.sensors[0];
-  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks));
-  EXPECT_FALSE(fusion->fits(sensor, kMaxMarks + 1));
-  fusion->add(sensor, level(5'050).point);
-  EXPECT_FALSE(fusion->fits(sensor, kMaxMarks));
-  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks - 1));
-  fusion->clear();
-  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks));
-}
-
 }  // namespace
 }  // namespace iog::grid

@@ -1,4 +1,4 @@
-// What waits of lidars that turn: it takes room, and what is spared of it does not show.
+// What waits of lidars that turn: what is spared of it does not show.
 #include "grid/waiting_lines.hpp"
 
 #include <cstddef>
@@ -16,9 +16,7 @@ namespace iog::grid {
 namespace {
 
 using tests::HighAndFar;
-using tests::LevelVlp16;
 using tests::ManyLayers;
-using vehicle::Fate;
 
 // Where enough beams of a line carve, nearer ones add nothing and may be spared; to the cell. Lines
 // are tried with few hits and many, most of them as far as the layers of half rank are in the band.
@@ -53,22 +51,6 @@ TEST(WaitingLines, BeamsThatAreSparedAddNothing) {
       alone->clear();
     }
   }
-}
-
-// A point that waits takes the room of its mark, but only if it marks.
-TEST(WaitingLines, PointsThatWaitTakeTheRoomOfTheirMarks) {
-  const auto fusion = std::make_unique<FrameFusion>(LevelVlp16::kVehicle);
-  const vehicle::Sensor& sensor = LevelVlp16::kVehicle.sensors[0];
-  ASSERT_EQ(max_marks_per_point(sensor), 1U);
-  // Layer 1 is at +1 degree, layer 0 at -15 degrees: at 30 m it would be 8 m below the sensor.
-  ASSERT_EQ(fusion->add(sensor, {.range_mm = 10'000, .azimuth_ticks = 100, .layer = 1}),
-            Fate::kUsed);
-  ASSERT_EQ(fusion->add(sensor, {.range_mm = 30'000, .azimuth_ticks = 100, .layer = 0}),
-            Fate::kOutsideHeightBand);
-  EXPECT_FALSE(fusion->fits(sensor, kMaxMarks));
-  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks - 1));
-  fusion->finish();
-  EXPECT_TRUE(fusion->fits(sensor, kMaxMarks));
 }
 
 }  // namespace

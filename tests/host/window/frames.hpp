@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "window/plain_fusion.hpp"
@@ -26,6 +27,14 @@ inline Placement at_cell(Cell vehicle) {
 
 inline decision::Class class_of(std::int8_t byte) { return static_cast<decision::Class>(byte / 8); }
 
+// Adds a slice to a window, with the vehicle there.
+inline void add_slice(const Slice& slice, const Placement& at, WindowFusion& fusion) {
+  const auto cells = std::make_unique<SliceCells>();
+  tests::hand_over(slice, *cells);
+  const PlacedCells placed{.cells = cells.get(), .at = at};
+  fusion.add(std::span(&placed, 1));
+}
+
 // A window that is given whole frames.
 class Fusion {
  public:
@@ -33,8 +42,7 @@ class Fusion {
 
   FrameCounts frame(const std::vector<PlacedSlice>& slices, std::uint64_t stamp_us) {
     for (const auto& [slice, vehicle] : slices) {
-      tests::hand_over(slice, *fusion_);
-      fusion_->add(at_cell(vehicle));
+      add_slice(slice, at_cell(vehicle), *fusion_);
     }
     return fusion_->finish(stamp_us);
   }

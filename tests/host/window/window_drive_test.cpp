@@ -90,8 +90,7 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
     fusion->follow(at_cell(frame.vehicle).pose);
     plain.follow(frame.vehicle);
     for (const auto& [slice, vehicle] : frame.slices) {
-      tests::hand_over(slice, *fusion);
-      fusion->add(at_cell(vehicle));
+      add_slice(slice, at_cell(vehicle), *fusion);
     }
     fusion->finish(frame.stamp_us);
     plain.frame(frame.slices, frame.stamp_us);

@@ -48,8 +48,7 @@ TEST(WindowFusion, FramesBeforeTheFirstThatIsPlacedDoNotShow) {
     for (std::uint64_t frame = 0; frame < 30; ++frame) {
       for (const auto& [slice, vehicle] :
            frame < 3 ? free_cells(144) : std::vector<PlacedSlice>{}) {
-        tests::hand_over(slice, *fusion);
-        fusion->add(at_cell(vehicle));
+        add_slice(slice, at_cell(vehicle), *fusion);
       }
       fusion->finish(1'000'000 + frame * 40'000);
       auto& tiles = frames.emplace_back(kSlotCount);
@@ -189,14 +188,12 @@ TEST(WindowFusion, EvidenceOfTheFrameIsForgottenToo) {
   const auto fusion = std::make_unique<WindowFusion>();
   const Placement at = at_cell({0, 0});
   fusion->follow(at.pose);
-  tests::hand_over(free_cells(144)[0].slice, *fusion);
-  fusion->add(at);
+  add_slice(free_cells(144)[0].slice, at, *fusion);
   fusion->forget();
   fusion->follow(at.pose);
   Slice one;
   one.set({512, 512}, 2);
-  tests::hand_over(one, *fusion);
-  fusion->add(at);
+  add_slice(one, at, *fusion);
   const FrameCounts counts = fusion->finish(kFrameUs);
   EXPECT_EQ(counts.slices, 1U);
   EXPECT_EQ(counts.groups_fused, 1U);

@@ -1,0 +1,75 @@
+#include "app/frame.hpp"
+
+#include "grid/pending_marks.hpp"
+#include "require/require.hpp"
+
+namespace iog::app {
+namespace {
+
+// Silence is reported at half the rate of frames.
+constexpr std::uint64_t kSilentPeriods = 2;
+
+std::uint64_t most_marks_of(const vehicle::Vehicle& vehicle) {
+  std::uint64_t marks = 0;
+  for (const vehicle::Sensor& sensor : vehicle.sensors) {
+    marks += std::uint64_t{sensor.max_points_per_scan} * grid::max_marks_per_point(sensor);
+  }
+  return marks;
+}
+
+}  // namespace
+
+Frame::Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
+    : vehicle_(&vehicle), intake_(vehicle.sensors, replayer_ipv4) {
+  require(most_marks_of(vehicle) <= grid::kMaxMarks);
+}
+
+void Frame::accept(const intake::SensorPacket& packet, std::uint64_t now_us) {
+  if (!is_begun()) {
+    opened_us_ = now_us;
+  }
+  intake_.accept(packet);
+}
+
+void Frame::count(const Fates& fates) {
+  for (std::size_t fate = 0; fate < fates.size(); ++fate) {
+    fates_[fate] += fates[fate];
+  }
+}
+
+std::uint64_t Frame::deadline_us() const {
+  const std::uint64_t periods = is_begun() ? 1 : kSilentPeriods;
+  return opened_us_ + periods * vehicle_->frame_period_us;
+}
+
+FrameReport Frame::report(std::uint64_t now_us) const {
+  FrameReport report{.number = number_,
+                     .opened_us = opened_us_,
+                     .closed_us = now_us,
+                     .is_timed_out = is_overdue(now_us) && !is_complete(),
+                     .vehicle_id = vehicle_->id,
+                     .rule = vehicle_->rule,
+                     .grids = vehicle_->grids,
+                     .sensor_count = vehicle_->sensors.size(),
+                     .packets_fused = intake_.packets_accepted(),
+                     .packets_dropped = intake_.packets_dropped(),
+                     .packet_drops = intake_.packet_drops(),
+                     .fates = fates_};
+  using vehicle::Fate;
+  for (const Fate fate : {Fate::kMalformed, Fate::kStale, Fate::kNotTaken}) {
+    report.fates[static_cast<std::size_t>(fate)] += intake_.points_dropped(fate);
+  }
+  for (std::size_t i = 0; i < report.sensor_count; ++i) {
+    report.sensors[i] = intake_.report_of(i);
+  }
+  return report;
+}
+
+void Frame::start_next(std::uint64_t now_us) {
+  ++number_;
+  opened_us_ = now_us;
+  fates_ = {};
+  intake_.start_frame();
+}
+
+}  // namespace iog::app

@@ -1,0 +1,68 @@
+#include "app/fused_slices.hpp"
+
+#include <algorithm>
+
+namespace iog::app {
+
+std::span<const FusedSlice> FusedSlices::next(const work::Crew& crew) {
+  find_slices();
+  const std::span cells = std::span(cells_).first(slice_count_);
+  if (cells.empty()) {
+    return {};
+  }
+  std::ranges::for_each(cells, &window::SliceCells::begin);
+  crew.share(geometry::kTilesPerSide, [this](std::size_t row, std::size_t core) {
+    for (std::size_t slice = 0; slice < slice_count_; ++slice) {
+      for (std::size_t column = 0; column < geometry::kTilesPerSide; ++column) {
+        copy_tile(row * geometry::kTilesPerSide + column, slice, joined_tiles_[core]);
+      }
+    }
+  });
+  std::ranges::for_each(cells, &window::SliceCells::note_all);
+  return std::span(slices_).first(slice_count_);
+}
+
+// The next ones of the round. What has no place comes last.
+void FusedSlices::find_slices() {
+  const std::span<const FramePart> round = fusion_->round();
+  slice_count_ = 0;
+  while (slice_count_ < kMostSlices && shown_ < round.size() &&
+         round[shown_].group != FrameSlices::kNowhere) {
+    const std::uint8_t group = round[shown_].group;
+    Parts& parts = slice_parts_[slice_count_];
+    parts.first = shown_;
+    while (shown_ < round.size() && round[shown_].group == group) {
+      ++shown_;
+    }
+    parts.end = shown_;
+    slices_[slice_count_] = {.group = group, .cells = &cells_[slice_count_]};
+    ++slice_count_;
+  }
+}
+
+// The tile's indexes of all parts of the slice, joined in the memory if they are several.
+void FusedSlices::copy_tile(std::size_t tile, std::size_t slice, JoinedTile& memory) {
+  const grid::FrameTiles* only = nullptr;
+  bool is_joined = false;
+  for (std::size_t part = slice_parts_[slice].first; part < slice_parts_[slice].end; ++part) {
+    const grid::FrameTiles& tiles = fusion_->tiles(part);
+    if (!tiles.is_known(tile)) {
+      continue;
+    }
+    if (only != nullptr && !is_joined) {
+      std::ranges::copy(only->tile(tile), memory.begin());
+      is_joined = true;
+    }
+    if (is_joined) {
+      grid::join(memory, tiles.tile(tile));
+    }
+    only = &tiles;
+  }
+  if (only == nullptr) {
+    cells_[slice].leave(tile);
+  } else {
+    cells_[slice].copy(tile, is_joined ? grid::JoinedGrid::TileIndexes(memory) : only->tile(tile));
+  }
+}
+
+}  // namespace iog::app
