@@ -132,10 +132,4 @@ KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint32_t step) {
   return azimuth;
 }
 
-void BeamLines::forget() {
-  for (KeptAzimuth& azimuth : azimuths_) {
-    azimuth.forget();
-  }
-}
-
 }  // namespace iog::grid

@@ -168,10 +168,6 @@ class KeptAzimuth {
     return sensor_ == &sensor && step_ == step;
   }
   void begin(const vehicle::Sensor& sensor, std::uint32_t step);
-  void forget() {
-    sensor_ = nullptr;
-    is_asked_for_ = false;
-  }
 
   // Whether another azimuth may have this place: if this one was not asked for since the last time
   // that another one wanted it.
@@ -222,9 +218,6 @@ class BeamLines {
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);
 
   KeptAzimuth& azimuth(const vehicle::Sensor& sensor, std::uint32_t step);
-
-  // Forgets all lines, as after the start: each has to be found again.
-  void forget();
 
  private:
   static constexpr std::uint32_t kPlaces = 3328;

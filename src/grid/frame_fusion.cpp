@@ -3,12 +3,13 @@
 namespace iog::grid {
 
 void FrameFusion::finish() {
-  carver_.carve_waiting();
+  carve_waiting();
   marks_.apply(grid_, rule_);
 }
 
 void FrameFusion::clear() {
-  carver_.drop_waiting();
+  azimuths_.drop_waiting();
+  turns_.drop_waiting();
   marks_.clear();
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (grid_.is_touched(tile)) {

@@ -1,9 +1,9 @@
 // The fusion of one frame: beams in, a grid of occupancy indexes out.
 //
-// docs/model.md section 3. The frame starts from a grid of zeros. The carver, the pending marks and
-// the grid are three objects. All beams carve before any mark is applied; beams among themselves,
-// and marks among themselves, may come in any order. So whatever the order of a frame's packets,
-// the grid is the same to the byte.
+// docs/model.md section 3. The frame starts from a grid of zeros. The carvers, the pending marks
+// and the grid are objects apart. All beams carve before any mark is applied; beams among
+// themselves, and marks among themselves, may come in any order. So whatever the order of a frame's
+// packets, the grid is the same to the byte.
 #pragma once
 
 #include <array>
@@ -12,10 +12,11 @@
 #include <span>
 
 #include "geometry/grid.hpp"
+#include "grid/azimuth_carver.hpp"
 #include "grid/block_grid.hpp"
-#include "grid/carver.hpp"
 #include "grid/frame_view.hpp"
 #include "grid/pending_marks.hpp"
+#include "grid/turn_carver.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
@@ -26,7 +27,7 @@ class FrameFusion {
  public:
   // vehicle outlives the fusion.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
-      : carver_(vehicle, grid_, marks_), rule_(vehicle.rule) {}
+      : turns_(vehicle, grid_, marks_), azimuths_(vehicle, grid_, marks_), rule_(vehicle.rule) {}
   FrameFusion(const FrameFusion&) = delete;
   FrameFusion& operator=(const FrameFusion&) = delete;
 
@@ -34,17 +35,29 @@ class FrameFusion {
   // vehicle's; the point's layer and azimuth are those of its format.
   // All points of a frame mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
-    return carver_.add(sensor, point);
+    return sensor.layers_share_lines ? turns_.turn_to(sensor).add(point)
+                                     : azimuths_.add(sensor, point);
   }
 
-  // The same for all points of a packet, as Carver::add_all().
+  // The same for all points of a packet: for_each_point(visit) calls visit(point) for each of them.
+  // count(fate) is called for each. Inline, so that a point is taken apart in registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
-    carver_.add_all(sensor, packet, count);
+    if (sensor.layers_share_lines) {
+      packet.for_each_point([count, turn = turns_.turn_to(sensor)](const lidar::ScanPoint& point) {
+        count(turn.add(point));
+      });
+    } else {
+      packet.for_each_point(
+          [&](const lidar::ScanPoint& point) { count(azimuths_.add(sensor, point)); });
+    }
   }
 
   // Carves the beams that still wait.
-  void carve_waiting() { carver_.carve_waiting(); }
+  void carve_waiting() {
+    azimuths_.carve_waiting();
+    turns_.carve_waiting();
+  }
 
   // The same, and applies the marks by the vehicle's fusion rule. Once per frame, after its last
   // point.
@@ -77,20 +90,14 @@ class FrameFusion {
     }
   }
 
-  // Sets one tile back to unknown, for measuring what that costs.
-  void clear_tile(std::size_t tile) { grid_.clear_tile(tile); }
-
   // Sets all cells back to unknown and drops all marks.
   void clear();
-
-  // Finds all lines again when they are next asked for, as after the start. For those who measure
-  // what it saves to keep them.
-  void forget_lines() { carver_.forget_lines(); }
 
  private:
   // What is aligned to a cache line comes first.
   BlockGrid grid_;
-  Carver carver_;
+  TurnCarver turns_;
+  AzimuthCarver azimuths_;
   vehicle::FusionRule rule_;
   alignas(8) std::array<OccupancyIndex, geometry::kTileCells> tile_cells_{};
   PendingMarks marks_;

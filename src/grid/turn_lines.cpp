@@ -65,6 +65,4 @@ void TurnLines::find(const vehicle::Sensor& sensor, std::uint32_t azimuth_step,
   on_car_[place] = {.ranges = vehicle::ranges_on_car(sensor, line.line()), .is_known = true};
 }
 
-void TurnLines::forget() { on_car_.fill({}); }
-
 }  // namespace iog::grid

@@ -43,7 +43,7 @@ struct TurnLayers {
   std::array<TurnLayer, vehicle::kMaxLayers> layers{};
 };
 
-// A beam of such a sensor, as the carver asks of it.
+// A beam of such a sensor, as grid::BeamCarver asks of it.
 class TurnBeam {
  public:
   TurnBeam(const KeptLine& line, const TurnLayer& layer) : line_(&line), layer_(&layer) {}
@@ -83,9 +83,6 @@ class TurnLines {
   [[nodiscard]] const TurnLayers& layers_of(const vehicle::Sensor& sensor) const {
     return layers_[number_of(sensor)];
   }
-
-  // Forgets all lines, as after the start: each has to be found again.
-  void forget();
 
  private:
   // As a turn comes by all lines, each is fetched from memory anew: these ranges when its first

@@ -15,28 +15,31 @@
 
 namespace iog::grid {
 
-// A point that carves or marks: its range along the line, its layer and its fate, in one word.
+// A point that carves or marks: its range along the line, its layer and what it is, in one word.
 class WaitingPoint {
  public:
   WaitingPoint() = default;
   // along_mm is at most lidar::kMaxRangeMm.
-  WaitingPoint(std::uint32_t along_mm, std::uint32_t layer, vehicle::Fate fate)
-      : word_(static_cast<std::uint32_t>(fate) << kFateAt | layer << kLayerAt | along_mm) {}
+  WaitingPoint(std::uint32_t along_mm, std::uint32_t layer, const vehicle::Classification& its)
+      : word_(static_cast<std::uint32_t>(its.fate) << kFateAt |
+              static_cast<std::uint32_t>(its.is_whole_in_band) << kWholeAt | layer << kLayerAt |
+              along_mm) {}
 
   [[nodiscard]] std::uint32_t along_mm() const { return word_ & lidar::kMaxRangeMm; }
   [[nodiscard]] std::uint32_t layer() const {
     return word_ >> kLayerAt & (vehicle::kMaxLayers - 1);
   }
   [[nodiscard]] vehicle::Fate fate() const { return static_cast<vehicle::Fate>(word_ >> kFateAt); }
-  // As vehicle::Classification says of the fate.
-  [[nodiscard]] bool carves() const { return fate() != vehicle::Fate::kLaterEcho; }
-  [[nodiscard]] bool marks() const { return fate() == vehicle::Fate::kUsed || !carves(); }
+  [[nodiscard]] vehicle::Classification classification() const {
+    return vehicle::classified(fate(), true, (word_ >> kWholeAt & 1U) != 0);
+  }
 
  private:
   static constexpr int kLayerAt = 20;
-  static constexpr int kFateAt = 27;
+  static constexpr int kWholeAt = 27;
+  static constexpr int kFateAt = 28;
   static_assert(lidar::kMaxRangeMm < 1U << kLayerAt &&
-                vehicle::kMaxLayers <= 1U << (kFateAt - kLayerAt) &&
+                vehicle::kMaxLayers <= 1U << (kWholeAt - kLayerAt) &&
                 vehicle::kFateCount <= 1U << (32 - kFateAt));
 
   std::uint32_t word_ = 0;

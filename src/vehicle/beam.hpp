@@ -71,8 +71,18 @@ struct Classification {
   Fate fate;
   bool carves;
   bool marks;
-  bool is_whole_in_band = false;  // nothing of the beam up to its point or L is outside the band
+  bool is_whole_in_band;  // nothing of the beam up to its point or L is outside the band
 };
+
+// What carves and what marks: a point that is used and a later echo mark, and of what is evidence
+// all but a later echo carves, of whose beam the first echo speaks.
+[[nodiscard]] constexpr Classification classified(Fate fate, bool is_evidence,
+                                                  bool is_whole_in_band = false) {
+  return {.fate = fate,
+          .carves = is_evidence && fate != Fate::kLaterEcho,
+          .marks = fate == Fate::kUsed || fate == Fate::kLaterEcho,
+          .is_whole_in_band = is_whole_in_band};
+}
 
 // azimuth_step: of sensor.azimuths.
 [[nodiscard]] Direction direction_of(const Sensor& sensor, std::uint32_t azimuth_step);
@@ -103,29 +113,28 @@ struct Classification {
                                                 std::uint32_t along_mm) {
   const bool is_first = point.echo == 0;
   if (point.range_mm == 0) {
-    return {Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0, false};
+    return classified(Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0);
   }
   if (point.is_dirt || point.is_rain) {
-    return {Fate::kFlagged, false, false};
+    return classified(Fate::kFlagged, false);
   }
   if (point.range_mm < sensor.range_min_mm || ranges.on_car.contain(point.range_mm)) {
-    return {Fate::kTooNear, false, false};
+    return classified(Fate::kTooNear, false);
   }
   // A beam is straight: with both ends in the band all of it is.
   const bool is_too_far = along_mm > sensor.range.mm();
   const bool ends_in_band = ranges.in_band.contain(is_too_far ? sensor.range.mm() : along_mm);
   const bool is_whole = ends_in_band && ranges.in_band.first == 0;
   if (point.is_ground) {
-    return {Fate::kFlagged, is_first, false, is_whole};
+    return classified(Fate::kFlagged, is_first, is_whole);
   }
   if (is_too_far) {
-    return {Fate::kTooFar, is_first, false, is_whole};
+    return classified(Fate::kTooFar, is_first, is_whole);
   }
   if (!ends_in_band) {
-    return {Fate::kOutsideHeightBand, is_first, false};
+    return classified(Fate::kOutsideHeightBand, is_first);
   }
-  return is_first ? Classification{Fate::kUsed, true, true, is_whole}
-                  : Classification{Fate::kLaterEcho, false, true};
+  return classified(is_first ? Fate::kUsed : Fate::kLaterEcho, true, is_whole);
 }
 [[nodiscard]] constexpr Classification classify(const Sensor& sensor, const BeamRanges& ranges,
                                                 const lidar::ScanPoint& point) {

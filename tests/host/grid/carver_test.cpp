@@ -1,7 +1,5 @@
 // The law by which carving can be shared out among cores: carvers that carve apart, each on a grid
 // of its own, carve together what one carver does.
-#include "grid/carver.hpp"
-
 #include <algorithm>
 #include <array>
 #include <deque>
@@ -15,9 +13,11 @@
 #include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
+#include "grid/azimuth_carver.hpp"
 #include "grid/frame_fusion.hpp"
 #include "grid/frame_view.hpp"
 #include "grid/pending_marks.hpp"
+#include "grid/turn_carver.hpp"
 #include "index/occupancy_index.hpp"
 
 namespace iog::grid {
@@ -26,13 +26,27 @@ namespace {
 using tests::Evidence;
 using vehicle::Vehicle;
 
-// What a core would have for itself.
+// What a core would have for itself: both carvers on one grid.
 struct Core {
-  explicit Core(const Vehicle& vehicle) : carver(vehicle, grid, marks) {}
+  explicit Core(const Vehicle& vehicle)
+      : azimuths(vehicle, grid, marks), turns(vehicle, grid, marks) {}
+
+  void add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
+    if (sensor.layers_share_lines) {
+      turns.turn_to(sensor).add(point);
+    } else {
+      azimuths.add(sensor, point);
+    }
+  }
+  void carve_waiting() {
+    azimuths.carve_waiting();
+    turns.carve_waiting();
+  }
 
   BlockGrid grid;
   PendingMarks marks;
-  Carver carver;
+  AzimuthCarver azimuths;
+  TurnCarver turns;
 };
 
 using Cores = std::deque<Core>;
@@ -50,10 +64,10 @@ void carve_apart(const Vehicle& vehicle, std::span<const Evidence> frame, std::s
                  tests::Random& random, Cores& cores) {
   for (std::size_t i = 0, core = 0; i < frame.size(); ++i) {
     core = i % at_once == 0 ? random.below(cores.size()) : core;
-    cores[core].carver.add(vehicle.sensors[frame[i].sensor], frame[i].point);
+    cores[core].add(vehicle.sensors[frame[i].sensor], frame[i].point);
   }
   for (Core& core : cores) {
-    core.carver.carve_waiting();
+    core.carve_waiting();
   }
 }
 
@@ -143,6 +157,7 @@ TEST(Carver, GridsCarvedApartAddUpToTheGridOfOneCarver) {
     expect_that_no_split_shows(with_rule(tests::LevelLux::kVehicle, rule), random);
     expect_that_no_split_shows(with_rule(tests::ThreeLux::kVehicle, rule), random);
     expect_that_no_split_shows(with_rule(tests::OneLuxNearest::kVehicle, rule), random);
+    expect_that_no_split_shows(with_rule(tests::MixedCar::kVehicle, rule), random);
   }
 }
 
@@ -154,13 +169,13 @@ TEST(Carver, GridsThatWereMarkedBeforeDoNotAddUp) {
   const lidar::ScanPoint near{.range_mm = 5'050, .layer = 2};
   Cores cores = idle_cores(vehicle, 2);
   for (int i = 0; i < 10; ++i) {
-    cores[0].carver.add(sensor, far);
+    cores[0].add(sensor, far);
   }
-  cores[0].carver.add(sensor, near);
-  cores[1].carver.add(sensor, far);
+  cores[0].add(sensor, near);
+  cores[1].add(sensor, far);
   std::array<int, 2> indexes{};
   for (std::size_t i = 0; i < cores.size(); ++i) {
-    cores[i].carver.carve_waiting();
+    cores[i].carve_waiting();
     cores[i].marks.apply(cores[i].grid, vehicle.rule);
     indexes[i] = int{cores[i].grid.at({512 + 50, 512})};
   }
@@ -175,12 +190,20 @@ TEST(Carver, GridsThatWereMarkedBeforeDoNotAddUp) {
 }
 
 TEST(Carver, WhatIsDroppedIsNotCarved) {
-  const Vehicle& vehicle = tests::LevelLux::kVehicle;
-  const auto core = std::make_unique<Core>(vehicle);
-  core->carver.add(vehicle.sensors[0], {.range_mm = 10'050, .layer = 2});
-  core->carver.drop_waiting();
-  core->carver.carve_waiting();
-  EXPECT_EQ(int{core->grid.at({520, 512})}, 0);
+  for (const Vehicle& vehicle : {tests::LevelLux::kVehicle, tests::LevelVlp16::kVehicle}) {
+    const auto carves = std::make_unique<Core>(vehicle);
+    const auto drops = std::make_unique<Core>(vehicle);
+    for (Core* const core : {carves.get(), drops.get()}) {
+      core->add(vehicle.sensors[0], {.range_mm = 10'050, .layer = 2});
+    }
+    drops->azimuths.drop_waiting();
+    drops->turns.drop_waiting();
+    for (Core* const core : {carves.get(), drops.get()}) {
+      core->carve_waiting();
+    }
+    EXPECT_GT(std::ranges::count_if(cells_of(carves->grid), [](int i) { return i < 0; }), 50);
+    EXPECT_EQ(std::ranges::count_if(cells_of(drops->grid), [](int i) { return i < 0; }), 0);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,95 @@
+#include "grid/azimuth_carver.hpp"
+
+#include <bit>
+
+namespace iog::grid {
+
+using vehicle::Sensor;
+
+void AzimuthCarver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {
+  carve_waiting();
+  sensor_ = &sensor;
+  azimuth_ticks_ = azimuth_ticks;
+  further_found_ = 0;
+  azimuth_step_ = sensor.azimuths.nearest(azimuth_ticks);
+  kept_ = &lines_.azimuth(sensor, azimuth_step_);
+}
+
+// Beams beyond what a KeptAzimuth keeps are found for each point.
+KeptBeam& AzimuthCarver::find_beam(std::uint8_t layer) {
+  const vehicle::Layer& its = sensor_->layers[layer];
+  if (its.line < KeptAzimuth::kMaxLines) {
+    if (layer < KeptAzimuth::kMaxLayers) {
+      return kept_->find_beam(*sensor_, layer);
+    }
+    further_beam_.find(*sensor_, its, azimuth_step_, kept_->line_of(*sensor_, its));
+    return further_beam_;
+  }
+  further_beam_.find(*sensor_, its, azimuth_step_, further_line(its));
+  return further_beam_;
+}
+
+// Beams that wait for another line in its place are carved before.
+KeptLine& AzimuthCarver::further_line(const vehicle::Layer& layer) {
+  const std::uint32_t place = place_of(layer.line);
+  FurtherLine& further = further_lines_[place];
+  if ((further_found_ >> place & 1U) == 0 || further.number != layer.line) {
+    carve_place(place);
+    further_found_ |= 1U << place;
+    further.number = layer.line;
+    further.line.find(*sensor_, layer, azimuth_step_);
+  }
+  return further.line;
+}
+
+void AzimuthCarver::take(KeptBeam& beam, vehicle::Classification its, std::uint32_t range_mm) {
+  beams_.take(*sensor_, beam, its, range_mm,
+              [this](const KeptBeam& of, Between end) -> FreeSteps& { return steps_of(of, end); });
+}
+
+// Where a beam waits to be carved. If it goes through the same cells as the first line up to its
+// end, it waits with the beams of the first line.
+inline FreeSteps& AzimuthCarver::steps_of(const KeptBeam& beam, Between end) {
+  const bool shares = beam.line_number() == 1 && kept_->is_common(end.at().crossed() + 1);
+  return shares ? steps_on(0, kept_->first_line()) : steps_on(beam.line_number(), beam.line());
+}
+
+// Another line in the place is carved and makes room.
+inline FreeSteps& AzimuthCarver::steps_on(std::uint32_t number, KeptLine& line) {
+  const std::uint32_t place = place_of(number);
+  OpenLine& open = open_lines_[place];
+  if (open.line != &line) {
+    carve_place(place);
+    lines_in_use_ |= 1U << place;
+    open.line = &line;
+    open.steps.begin_at(line.in_grid().first);
+  } else if (!open.steps.has_room()) {
+    beams_.carve(line, open.steps);
+  }
+  return open.steps;
+}
+
+void AzimuthCarver::carve_place(std::uint32_t place) {
+  if ((lines_in_use_ >> place & 1U) != 0) {
+    OpenLine& open = open_lines_[place];
+    beams_.carve(*open.line, open.steps);
+    open.line = nullptr;
+    lines_in_use_ &= ~(1U << place);
+  }
+}
+
+void AzimuthCarver::carve_waiting() {
+  while (lines_in_use_ != 0) {
+    carve_place(static_cast<std::uint32_t>(std::countr_zero(lines_in_use_)));
+  }
+}
+
+void AzimuthCarver::drop_waiting() {
+  for (OpenLine& open : open_lines_) {
+    open.steps.take_changes([](Between /*point*/, std::int32_t /*freer*/) {});
+    open.line = nullptr;
+  }
+  lines_in_use_ = 0;
+}
+
+}  // namespace iog::grid

@@ -1,0 +1,101 @@
+// The carver of units that look into the same directions in every scan, and of those that turn and
+// are tilted: azimuth by azimuth, each with lines that are kept (beam_lines.hpp).
+//
+// Beams of one azimuth wait for one another: those of one line, or of lines through the same cells,
+// are carved together, when the next azimuth comes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "grid/beam_carver.hpp"
+#include "grid/beam_lines.hpp"
+#include "grid/block_grid.hpp"
+#include "grid/free_steps.hpp"
+#include "grid/pending_marks.hpp"
+#include "lidar/scan_point.hpp"
+#include "vehicle/beam.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::grid {
+
+class AzimuthCarver {
+ public:
+  // All three outlive the carver.
+  AzimuthCarver(const vehicle::Vehicle& vehicle, BlockGrid& grid, PendingMarks& marks)
+      : lines_(vehicle.sensors), beams_(vehicle, grid, marks) {}
+
+  // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
+  // vehicle's, whose layers do not share lines; the point's layer and azimuth are those of its
+  // format.
+  [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
+                                           const lidar::ScanPoint& point);
+
+  // Carves the beams that still wait.
+  void carve_waiting();
+
+  // Forgets the beams that still wait, without carving them.
+  void drop_waiting();
+
+ private:
+  // Lines of an azimuth that wait at a time. Numbers that follow one another have different places,
+  // and so have most that are any power of two apart.
+  static constexpr std::uint32_t kOpenLines = 32;
+  static constexpr std::uint32_t place_of(std::uint32_t number) {
+    return (number ^ number / kOpenLines) % kOpenLines;
+  }
+
+  // A line of the azimuth at hand, and what waits to be carved of its beams; none where nothing
+  // waits. It has its place by Layer::line.
+  struct OpenLine {
+    KeptLine* line = nullptr;
+    FreeSteps steps;
+  };
+
+  // A line beyond what a KeptAzimuth keeps, by Layer::line.
+  struct FurtherLine {
+    KeptLine line;
+    std::uint32_t number = 0;
+  };
+
+  void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
+  // What few points need is not inlined, so that the others have the registers.
+  [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
+  void take(KeptBeam& beam, vehicle::Classification its, std::uint32_t range_mm);
+  FreeSteps& steps_of(const KeptBeam& beam, Between end);
+  FreeSteps& steps_on(std::uint32_t number, KeptLine& line);
+  KeptLine& further_line(const vehicle::Layer& layer);
+  void carve_place(std::uint32_t place);
+
+  // What is aligned to a cache line comes first.
+  std::array<FurtherLine, kOpenLines> further_lines_;
+  BeamLines lines_;
+  BeamCarver beams_;
+
+  // The sensor and the azimuth at hand. Its further lines that were found, and the lines of which
+  // beams wait, one bit each, by their places.
+  const vehicle::Sensor* sensor_ = nullptr;
+  KeptAzimuth* kept_ = nullptr;
+  std::uint32_t further_found_ = 0;
+  std::uint32_t lines_in_use_ = 0;
+  std::uint16_t azimuth_ticks_ = 0;
+  std::uint32_t azimuth_step_ = 0;
+  KeptBeam further_beam_;
+  std::array<OpenLine, kOpenLines> open_lines_{};
+};
+
+inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
+                                        const lidar::ScanPoint& point) {
+  if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
+    turn_to(sensor, point.azimuth_ticks);
+  }
+  KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
+  const vehicle::Classification its =
+      vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
+  if (its.carves || its.marks) {
+    take(beam, its, point.range_mm);
+  }
+  return its.fate;
+}
+
+}  // namespace iog::grid

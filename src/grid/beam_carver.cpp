@@ -1,0 +1,25 @@
+#include "grid/beam_carver.hpp"
+
+#include "grid/carving.hpp"
+
+namespace iog::grid {
+
+// The end of a beam whose echo lies beyond the line: the line's. Without an echo it carves as far
+// as the sensor's description says.
+Between BeamCarver::end_without_hit(const vehicle::Sensor& sensor, const KeptLine& line,
+                                    std::uint32_t clears_mm, std::uint32_t range_mm) {
+  const std::uint32_t length_mm = sensor.range.mm();
+  return range_mm == 0 && clears_mm < length_mm
+             ? Between::after(line.line().before({clears_mm, length_mm}))
+             : line.in_grid().end;
+}
+
+void BeamCarver::carve(KeptLine& line, FreeSteps& steps) {
+  if (line.has_path()) {
+    carve_blocks(*grid_, line.path(), steps);
+  } else {
+    carve_cells(*grid_, line.line(), line.in_grid().first.at(), steps);
+  }
+}
+
+}  // namespace iog::grid

@@ -1,0 +1,100 @@
+#include "grid/turn_carver.hpp"
+
+#include <algorithm>
+
+namespace iog::grid {
+
+using traversal::Position;
+
+// Lines wait by the steps of one sensor.
+void TurnCarver::begin_turning(const vehicle::Sensor& sensor) {
+  carve_waiting();
+  sensor_ = &sensor;
+  layers_ = &lines_.layers_of(sensor);
+}
+
+// Another line in its place is carved and makes room.
+void TurnCarver::begin_line(std::uint32_t azimuth_step) {
+  waiting_.take(azimuth_step, [&](auto&&... line) { carve_line(line...); });
+  waiting_.begin(azimuth_step, lines_.on_car(*sensor_, azimuth_step));
+}
+
+// A point that is not a millimetre away has nothing before it to carve.
+void TurnCarver::mark_at_start(std::uint32_t azimuth_step) {
+  const KeptLine& line = lines_.line(*sensor_, azimuth_step);
+  beams_.mark(*sensor_, line, line.through(*sensor_, 0), 0);
+}
+
+void TurnCarver::carve_waiting() {
+  if (sensor_ != nullptr) {
+    waiting_.take_all([&](auto&&... line) { carve_line(line...); });
+  }
+}
+
+void TurnCarver::carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
+                            const RankSet& behind_band) {
+  KeptLine& line = lines_.line(*sensor_, azimuth_step);
+  steps_.begin_at(line.in_grid().first);
+  const std::uint32_t far_hits = take_points(steps_, line, points);
+  take_behind_band(steps_, line, behind_band, far_hits);
+  if (!steps_.is_empty()) {
+    beams_.carve(line, steps_);
+  }
+}
+
+// Returns how many of them are hits at TurnLayers::far_mm or beyond. Nearly all are hits, whose
+// beams are in the band from the start.
+std::uint32_t TurnCarver::take_points(FreeSteps& steps, const KeptLine& line,
+                                      std::span<const WaitingPoint> points) {
+  const LinePart in_grid = line.in_grid();
+  std::uint32_t beams = 0;
+  std::uint32_t far_hits = 0;
+  Between last = in_grid.first;
+  for (const WaitingPoint point : points) {
+    if (point.fate() != vehicle::Fate::kUsed || !layers_->start_in_band) {
+      take_rare(line, point);
+      continue;
+    }
+    const std::uint32_t range_mm = point.along_mm();
+    const Position hit = line.through(*sensor_, range_mm);
+    const LinePart part{in_grid.first, std::min(in_grid.end, Between::before(hit))};
+    if (!part.is_empty()) {
+      BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
+      last = std::max(last, part.end);
+      ++beams;
+      far_hits += range_mm >= layers_->far_mm ? 1U : 0U;
+    }
+    beams_.mark(*sensor_, line, hit, range_mm);
+  }
+  steps.add_beams(beams, -sensor_->profile.free, last);
+  return far_hits;
+}
+
+// What a beam frees, those of lower rank free, too, and from some rank on so do far hits. After
+// enough of them it adds nothing, and neither does one of higher rank.
+void TurnCarver::take_behind_band(FreeSteps& steps, const KeptLine& line, const RankSet& ranks,
+                                  std::uint32_t far_hits) const {
+  const std::int32_t freer = -sensor_->profile.free;
+  std::uint32_t beams = 0;
+  Between last = line.in_grid().first;
+  ranks.visit_while([&](std::uint32_t rank) {
+    if (beams + (rank < layers_->near_rank ? 0 : far_hits) >= layers_->enough_beams) {
+      return false;
+    }
+    const Between end = line.end_in_band(layers_->layers[layers_->by_rank[rank]].band);
+    steps.add(end, -freer);
+    last = std::max(last, end);
+    ++beams;
+    return true;
+  });
+  steps.add_beams(beams, freer, last);
+}
+
+// What is no hit with all of its beam in the band, and carves or marks nevertheless.
+void TurnCarver::take_rare(const KeptLine& line, WaitingPoint point) {
+  const TurnBeam beam(line, layers_->layers[point.layer()]);
+  beams_.take(*sensor_, beam, point.classification(), point.along_mm(),
+              [this](const TurnBeam& /*beam*/, Between /*end*/) -> FreeSteps& { return steps_; });
+}
+
+}  // namespace iog::grid
