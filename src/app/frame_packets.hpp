@@ -12,10 +12,10 @@
 
 namespace iog::app {
 
-// Enough for a dual-return turn of a VLP-16 (151 packets of 1206 bytes) and a half. Four LUX send
-// some 30 KB.
-inline constexpr std::size_t kMaxFrameBytes = 262'144;
-inline constexpr std::size_t kMaxFramePackets = 512;
+// Enough for 40 ms of 128 layers (an OS1-128: 51 packets, 1.3 MB), of two units of 64, or of an
+// HDL-64E S3 with two returns (232 packets, 280 KB). Four LUX send some 30 KB.
+inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
+inline constexpr std::size_t kMaxFramePackets = 1'024;
 
 struct KeptPacket {
   // Of its measurement: by the clock of the poses if its sensor is synchronised, else by the

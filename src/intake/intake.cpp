@@ -33,8 +33,9 @@ Intake::Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_
   require(sensors.size() <= vehicle::kMaxSensors);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     constexpr std::uint32_t kPointsOfPacket = 384;  // of spinning units; a LUX sends fewer packets
-    trackers_[i] = ScanTracker(sensors[i].azimuths.ticks_per_turn(), sensors[i].scan_width_ticks,
-                               sensors[i].max_points_per_scan / kPointsOfPacket);
+    trackers_[i] =
+        ScanTracker(lidar::turns(sensors[i].format), sensors[i].azimuths.ticks_per_turn(),
+                    sensors[i].scan_width_ticks, sensors[i].max_points_per_scan / kPointsOfPacket);
   }
 }
 

@@ -10,6 +10,12 @@ bool ScanTracker::is_known(std::uint64_t fingerprint) const {
   return std::ranges::find(known, fingerprint) != known.end();
 }
 
+// Numbers are 16 bits on the wire and wrap.
+bool ScanTracker::is_older(const lidar::PacketInfo& packet) const {
+  const auto behind = static_cast<std::uint16_t>(scan_number_ - packet.scan_number);
+  return behind != 0 && behind <= kLateScans;
+}
+
 ScanTracker::Outcome ScanTracker::classify(const lidar::PacketInfo& packet) const {
   if (is_known(packet.fingerprint)) {
     return Outcome::kDuplicate;
@@ -17,28 +23,32 @@ ScanTracker::Outcome ScanTracker::classify(const lidar::PacketInfo& packet) cons
   if (!was_ever_seen()) {
     return Outcome::kPartOfFrame;
   }
-  // Scan numbers are 16 bits on the wire and wrap.
-  const auto behind = static_cast<std::uint16_t>(scan_number_ - packet.scan_number);
-  const bool is_numbered = has_numbers_ || packet.scan_number != 0;
-  if (is_numbered && behind != 0) {
-    if (behind <= kLateScans) {
-      return Outcome::kLate;
-    }
-    return packets_ > 0 ? Outcome::kNextScan : Outcome::kPartOfFrame;
+  return turns_ ? classify_turn(packet) : classify_scan(packet);
+}
+
+ScanTracker::Outcome ScanTracker::classify_scan(const lidar::PacketInfo& packet) const {
+  if (is_older(packet)) {
+    return Outcome::kLate;
   }
-  if (is_numbered) {
+  if (packet.scan_number == scan_number_) {
     return packets_ > 0 ? Outcome::kPartOfFrame : Outcome::kLate;
   }
-  // Without numbers the next turn shows by sweeping only what has been swept.
+  return packets_ > 0 ? Outcome::kNextScan : Outcome::kPartOfFrame;
+}
+
+// Of an older turn it may fill a gap of the frame; neither does it begin one nor end it.
+ScanTracker::Outcome ScanTracker::classify_turn(const lidar::PacketInfo& packet) const {
   const bool sweeps_again =
       packets_ > 0 && packet.sector.width_ticks > 0 && swept_.missing_of(packet.sector) == 0;
+  if (is_older(packet)) {
+    return packets_ == 0 || sweeps_again ? Outcome::kLate : Outcome::kPartOfFrame;
+  }
   return sweeps_again ? Outcome::kNextScan : Outcome::kPartOfFrame;
 }
 
 void ScanTracker::accept(const lidar::PacketInfo& packet) {
+  scan_number_ = was_ever_seen() && is_older(packet) ? scan_number_ : packet.scan_number;
   swept_.add(packet.sector);
-  scan_number_ = packet.scan_number;
-  has_numbers_ = has_numbers_ || packet.scan_number != 0;
   points_ += packet.point_count;
   packets_ = packets_ < 0xFFFF ? static_cast<std::uint16_t>(packets_ + 1) : packets_;
   fingerprints_[fingerprint_next_] = packet.fingerprint;

@@ -2,6 +2,11 @@
 //
 // A scan is complete when the sectors of its packets, in whatever order they came, cover the width
 // that the sensor's description gives, tick by tick.
+//
+// A LUX numbers its scans, and a frame holds at most one of them: another number is the next scan,
+// and what comes of one whose frame is closed is late. A head that turns has neither beginning nor
+// end, and a frame may be shorter than a turn: the next turn shows by sweeping only what the frame
+// has swept. Where turns are numbered, what is of an older one opens no frame.
 #pragma once
 
 #include <algorithm>
@@ -23,11 +28,12 @@ class ScanTracker {
     kLate,         // of a scan whose frame is closed
   };
 
-  // scan_width_ticks: of a whole scan. packets: the most that a scan comes in; so many are
-  // remembered, or kRemembered if that is more.
-  ScanTracker(std::uint32_t ticks_per_turn, std::uint16_t scan_width_ticks,
+  // turns: its scans are those of a head that turns. scan_width_ticks: of a whole scan. packets:
+  // the most that a scan comes in; so many are remembered, or kRemembered if that is more.
+  ScanTracker(bool turns, std::uint32_t ticks_per_turn, std::uint16_t scan_width_ticks,
               std::uint32_t packets = 0)
       : swept_(ticks_per_turn),
+        turns_(turns),
         scan_width_ticks_(scan_width_ticks),
         remembered_(std::clamp<std::size_t>(packets, kRemembered, kMaxRemembered)) {}
   ScanTracker() = default;
@@ -57,14 +63,18 @@ class ScanTracker {
   static constexpr std::uint16_t kLateScans = 8;
 
   [[nodiscard]] bool is_known(std::uint64_t fingerprint) const;
+  // Of a scan at most kLateScans before the newest.
+  [[nodiscard]] bool is_older(const lidar::PacketInfo& packet) const;
+  [[nodiscard]] Outcome classify_scan(const lidar::PacketInfo& packet) const;
+  [[nodiscard]] Outcome classify_turn(const lidar::PacketInfo& packet) const;
 
   SweptSectors swept_;
+  bool turns_ = false;
   std::uint32_t scan_width_ticks_ = 0;
   std::size_t remembered_ = kRemembered;
   std::uint16_t packets_ = 0;
   std::uint32_t points_ = 0;
-  std::uint32_t scan_number_ = 0;
-  bool has_numbers_ = false;  // a format without them says 0 in every packet
+  std::uint32_t scan_number_ = 0;  // the newest; always 0 where the format has none
   std::uint16_t age_frames_ = 0;
   std::array<std::uint64_t, kMaxRemembered> fingerprints_{};  // a ring, the oldest is overwritten
   std::size_t fingerprint_count_ = 0;

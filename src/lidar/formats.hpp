@@ -90,6 +90,15 @@ constexpr void with_decoder(Format format, Visit&& visit) {
   return name;
 }
 
+// Whether its scans are turns of a head.
+[[nodiscard]] constexpr bool turns(Format format) {
+  bool it_does = false;
+  with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    it_does = Decoder::kTurns;
+  });
+  return it_does;
+}
+
 [[nodiscard]] constexpr std::int32_t ticks_per_turn(Format format) {
   std::int32_t ticks = 0;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

@@ -19,8 +19,8 @@ enum class Moved : std::uint8_t {
 // cost model, rounded up (docs/results.md, "The perception grid in time").
 inline constexpr std::uint32_t kGroupCycles = 500;
 
-// Groups that are fused in a frame: not more than a core gets done in the 40 ms of a frame. A frame
-// with classes has no more marks (app/frame_packets.hpp), so that hits always fit.
+// Groups that are fused in a frame: not more than a core gets done in the 40 ms of a frame. Those
+// with hits come first (window/window_fusion.hpp).
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 

@@ -158,7 +158,7 @@ void WindowFusion::count_groups(std::size_t slot, bool are_shared) {
   slot_counts_[slot].without_hits = static_cast<std::uint8_t>(without_hits);
 }
 
-WindowFusion::Budget WindowFusion::budget_without_hits() const {
+WindowFusion::Budget WindowFusion::budget() const {
   std::size_t touched = 0;
   std::uint32_t with_hits = 0;
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
@@ -168,13 +168,15 @@ WindowFusion::Budget WindowFusion::budget_without_hits() const {
   if (touched * kGroupsPerTile <= rules_.group_budget) {
     return std::nullopt;
   }
-  return rules_.group_budget - std::min(with_hits, rules_.group_budget);
+  return GroupBudget{
+      .with_hits = rules_.group_budget,
+      .without_hits = rules_.group_budget - std::min(with_hits, rules_.group_budget)};
 }
 
 // One core spends the budget as it goes. Several are told by slot what is left of it.
 void WindowFusion::update_tiles(const work::Crew& crew) {
   const TileUpdate update(clock_, rules_.assignment);
-  Budget budget = budget_without_hits();
+  Budget budget = this->budget();
   due_.count = 0;
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     if (evidence_.is_touched(slot) || (is_turn_to_refresh(slot) && window_.is_known(slot))) {
@@ -199,7 +201,7 @@ void WindowFusion::update_tiles(const work::Crew& crew) {
       put_back(runs[item], *left);
     }
     for (const std::uint16_t slot : due_.of(runs[item])) {
-      Budget of_slot = budget ? Budget(slot_counts_[slot].allowed) : std::nullopt;
+      Budget of_slot = slot_counts_[slot].allowed;
       if (before != nullptr) {
         update_tile(update, slot, of_slot, before->begin(window_.is_known(slot)));
       } else {
@@ -210,13 +212,17 @@ void WindowFusion::update_tiles(const work::Crew& crew) {
 }
 
 void WindowFusion::deal_out(Budget budget) {
+  if (!budget) {
+    return;
+  }
   for (const std::uint16_t slot : due_.all()) {
-    if (budget) {
-      SlotCounts& counts = slot_counts_[slot];
-      counts.allowed =
-          static_cast<std::uint8_t>(std::min<std::uint32_t>(counts.without_hits, *budget));
-      *budget -= counts.allowed;
-    }
+    SlotCounts& counts = slot_counts_[slot];
+    const GroupBudget allowed{
+        .with_hits = std::min<std::uint32_t>(counts.with_hits, budget->with_hits),
+        .without_hits = std::min<std::uint32_t>(counts.without_hits, budget->without_hits)};
+    budget->with_hits -= allowed.with_hits;
+    budget->without_hits -= allowed.without_hits;
+    counts.allowed = allowed;
   }
 }
 
@@ -262,12 +268,13 @@ void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, Budget&
     if (eight.is_zero()) {
       continue;
     }
-    if (budget && !eight.has_positive()) {
-      if (*budget == 0) {
+    if (budget) {
+      std::uint32_t& allowed = eight.has_positive() ? budget->with_hits : budget->without_hits;
+      if (allowed == 0) {
         ++left;
         continue;
       }
-      --*budget;
+      --allowed;
     }
     groups.add(group);
   }

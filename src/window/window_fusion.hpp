@@ -13,8 +13,8 @@
 // Each step is a round of its own, divided into runs of tiles; ageing, evidence and refresh are one
 // step of a tile. What a step asks of neighbours, none of its items writes.
 //
-// A frame has a budget of groups. Those with hits are always fused; of the others those beyond the
-// budget are left, in the order of slots and numbers, and age.
+// A frame has a budget of groups. Those with hits come first, then the others, each in the order of
+// slots and numbers; what is beyond the budget is left, and ages.
 #pragma once
 
 #include <array>
@@ -128,20 +128,24 @@ class WindowFusion {
     void add(std::size_t group) { numbers[count++] = static_cast<std::uint8_t>(group); }
   };
 
+  // How many groups with hits, and without, may be fused yet. Empty: all there are.
+  struct GroupBudget {
+    std::uint32_t with_hits = 0;
+    std::uint32_t without_hits = 0;
+  };
+  using Budget = std::optional<GroupBudget>;
+
   // Groups of the tile at a slot, in this frame.
   struct SlotCounts {
     std::uint8_t with_hits = 0;     // counted where evidence might not fit
     std::uint8_t without_hits = 0;  // the same, if several cores fuse
-    std::uint8_t allowed = 0;       // so many of those without hits may be fused then
+    Budget allowed;                 // so many may be fused then
     std::uint8_t fused = 0;
     std::uint8_t left = 0;
     std::uint8_t refreshed = 0;
     StandingCounts standing{};
   };
   static_assert(kGroupsPerTile <= 0xFF);
-
-  // Groups without hits that may be fused yet. Empty: all there are.
-  using Budget = std::optional<std::uint32_t>;
 
   // Slots in rising order.
   struct SlotList {
@@ -161,7 +165,7 @@ class WindowFusion {
   void count_groups(const work::Crew& crew);
   void count_groups(std::size_t slot, bool are_shared);
   void leave_out_high(std::size_t slot);
-  [[nodiscard]] Budget budget_without_hits() const;
+  [[nodiscard]] Budget budget() const;
   void update_tiles(const work::Crew& crew);
   void deal_out(Budget budget);
   void put_back(work::Run run, const TilesBefore& before);

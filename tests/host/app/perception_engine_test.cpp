@@ -9,7 +9,6 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "fakes/velodyne_packet.hpp"
 #include "perception_bench.hpp"
 
 namespace iog::app {
@@ -175,26 +174,22 @@ TEST(PerceptionEngine, ASensorWithoutClockIsPlacedByWhenItsPacketsCame) {
 }
 
 // More packets than a frame keeps: the first that finds no room ends it, and belongs to the next.
+// They are of one scan and without points, and the last one is of another sensor.
 TEST(PerceptionEngine, APacketThatFindsNoRoomEndsTheFrame) {
-  const Car car(tests::LevelVlp16::kVehicle, true);
-  std::vector<vehicle::Sensor> sensors(car.vehicle().sensors.begin(), car.vehicle().sensors.end());
-  sensors[0].max_points_per_scan = grid::kMaxMarks;
-  vehicle::Vehicle vehicle = car.vehicle();
-  vehicle.sensors = sensors;
-  PerceptionBench bench(vehicle);
-  constexpr std::size_t kPackets = kMaxFrameBytes / 1'206;
-  constexpr std::size_t kMore = 30;
-  // A head that turns so slowly that no turn is ever whole.
-  for (std::size_t i = 0; i < kPackets + kMore; ++i) {
-    const tests::VelodynePacket packet{.first_azimuth = static_cast<int>(12 * i),
-                                       .step = 1,
-                                       .time_us = static_cast<std::uint32_t>(i)};
-    bench.take({{1'000, 100, packet.bytes()}});
+  const Car car(tests::ThreeLux::kVehicle, true);
+  PerceptionBench bench(car.vehicle());
+  std::vector<TimedDatagram> packets;
+  for (std::uint64_t i = 0; i <= kMaxFramePackets; ++i) {
+    const tests::LuxMessage message{
+        .start_ticks = 10, .end_ticks = 0, .points = {}, .start_ntp = i + 1, .end_ntp = i + 2};
+    packets.push_back(
+        {1'000, static_cast<std::uint16_t>(i < kMaxFramePackets ? 100 : 101), message.bytes()});
   }
+  bench.take(packets);
   bench.pass_until(41'000);
   ASSERT_EQ(bench.platform.frames.size(), 2U);
-  EXPECT_EQ(bench.platform.frames[0].header.packets_fused, kPackets);
-  EXPECT_EQ(bench.platform.frames[1].header.packets_fused, kMore);
+  EXPECT_EQ(bench.platform.frames[0].header.packets_fused, kMaxFramePackets);
+  EXPECT_EQ(bench.platform.frames[1].header.packets_fused, 1U);
   EXPECT_EQ(bench.platform.frames[1].header.packets_dropped, 0U);
 }
 

@@ -152,7 +152,9 @@ TEST_P(FuseDenseBy, CoresOfAFullFrameGivesTheMessagesOfOne) {
   vehicle::Vehicle car = MixedCar::kVehicle;
   std::vector<vehicle::Sensor> sensors(car.sensors.begin(), car.sensors.end());
   for (vehicle::Sensor& sensor : sensors) {
-    sensor.max_points_per_scan = kPointsOfTurn;
+    if (lidar::turns(sensor.format)) {
+      sensor.max_points_per_scan = kPointsOfTurn;
+    }
   }
   car.sensors = sensors;
   const std::vector<TimedDatagram> drive = more_parts_than_places();

@@ -30,8 +30,17 @@ lidar::PacketInfo turn_packet(int number) {
           .sector = {static_cast<std::uint16_t>(number * 480 % 36'000), 480}};
 }
 
-ScanTracker lux_tracker() { return {11520, 3200}; }
-ScanTracker turn_tracker() { return {36'000, 36'000}; }
+// A packet of an Ouster: a numbered turn of 128 packets.
+lidar::PacketInfo numbered_packet(std::uint32_t turn, int number) {
+  lidar::PacketInfo packet = turn_packet(0);
+  packet.scan_number = turn;
+  packet.sector = {static_cast<std::uint16_t>(number % 128 * 360), 360};
+  return packet;
+}
+
+ScanTracker lux_tracker() { return {false, 11520, 3200}; }
+ScanTracker turn_tracker() { return {true, 36'000, 36'000}; }
+ScanTracker numbered_tracker() { return {true, 46'080, 46'080}; }
 
 using Three = std::array<lidar::PacketInfo, 3>;
 
@@ -157,6 +166,46 @@ TEST(ScanTracker, SweepingTheSameSectorAgainIsTheNextTurn) {
   EXPECT_FALSE(tracker.is_complete());
   EXPECT_EQ(tracker.classify(turn_packet(75)), Outcome::kNextScan);
   EXPECT_EQ(tracker.classify(turn_packet(72)), Outcome::kPartOfFrame);
+}
+
+// A frame may be over before the turn is: its rest belongs to the next frames, and nothing of it is
+// late. They go on over the beginning of the next turn.
+TEST(ScanTracker, ATurnMayBeCutIntoFrames) {
+  ScanTracker tracker = numbered_tracker();
+  for (int number = 0; number < 10 * 128; ++number) {
+    if (number % 51 == 0) {
+      tracker.start_frame();
+    }
+    const auto packet = numbered_packet(static_cast<std::uint32_t>(65'530 + number / 128), number);
+    ASSERT_EQ(tracker.classify(packet), Outcome::kPartOfFrame) << number;
+    tracker.accept(packet);
+    ASSERT_FALSE(tracker.is_complete());
+  }
+}
+
+// Of two turns in a frame packets may come in any order; a turn whose frames are closed opens none.
+TEST(ScanTracker, OfAnOlderTurnIsWhatIsMissing) {
+  ScanTracker tracker = numbered_tracker();
+  tracker.accept(numbered_packet(7, 127));
+  tracker.start_frame();
+  tracker.accept(numbered_packet(8, 0));
+  EXPECT_EQ(tracker.classify(numbered_packet(7, 126)), Outcome::kPartOfFrame);
+  tracker.accept(numbered_packet(7, 126));
+  EXPECT_EQ(tracker.scan_number(), 8U);
+  EXPECT_EQ(tracker.classify(numbered_packet(8, 1)), Outcome::kPartOfFrame);
+  EXPECT_EQ(tracker.classify(numbered_packet(7, 0)), Outcome::kLate) << "swept by the newer turn";
+  tracker.start_frame();
+  EXPECT_EQ(tracker.classify(numbered_packet(7, 125)), Outcome::kLate);
+  EXPECT_EQ(tracker.classify(numbered_packet(8, 1)), Outcome::kPartOfFrame);
+}
+
+// With gaps in the turn before, the next one is seen by what it sweeps again.
+TEST(ScanTracker, ANumberedTurnThatSweepsAgainIsTheNext) {
+  ScanTracker tracker = numbered_tracker();
+  for (int number = 0; number < 120; ++number) {
+    tracker.accept(numbered_packet(3, number));
+  }
+  EXPECT_EQ(tracker.classify(numbered_packet(4, 0)), Outcome::kNextScan);
 }
 
 // Packets of a Pandar64 in dual return mode: 0.7 degrees, each 0.1 into the one before. What two of

@@ -114,20 +114,23 @@ TEST(WindowFusion, MuchLaterEvidenceWeighsAsMuchAsTheFirst) {
   }
 }
 
-TEST(WindowFusion, HitsAreFusedWhateverTheBudget) {
-  for (const std::uint32_t budget : {0U, 1U, 10U, 13U, 100U}) {
+// Ten tiles with a hit each, in the order of their slots: columns of tiles 0, 1, 2, then -7 to -1.
+TEST(WindowFusion, HitsComeFirstBySlot) {
+  constexpr std::array kColumns{0, 1, 2, -7, -6, -5, -4, -3, -2, -1};
+  for (const std::uint32_t budget : {0U, 1U, 4U, 10U, 13U, 100U}) {
     Fusion fusion({.group_budget = budget});
     fusion.follow({0, 0});
     std::vector<PlacedSlice> slices = free_cells(20);
-    for (int i = 0; i < 10; ++i) {
-      slices[0].slice.set({300 + i * 32, 310}, 2);
+    const auto cell_of = [](int column) { return Cell{column * 32 + 12, -202}; };
+    for (const int column : kColumns) {
+      slices[0].slice.set({512 + cell_of(column).x, 512 + cell_of(column).y}, 2);
     }
     const FrameCounts counts = fusion.frame(slices);
-    const std::uint32_t others = budget < 10 ? 0 : std::min<std::uint32_t>(budget - 10, 20);
-    EXPECT_EQ(counts.groups_fused, 10 + others);
-    EXPECT_EQ(counts.groups_left, 20 - others);
-    for (int i = 0; i < 10; ++i) {
-      EXPECT_EQ(fusion.class_at({300 + i * 32 - 512, 310 - 512}), decision::Class::kOccupied);
+    EXPECT_EQ(counts.groups_fused, std::min<std::uint32_t>(budget, 30));
+    EXPECT_EQ(counts.groups_left, 30 - std::min<std::uint32_t>(budget, 30));
+    for (std::uint32_t i = 0; i < kColumns.size(); ++i) {
+      EXPECT_EQ(fusion.class_at(cell_of(kColumns[i])),
+                i < budget ? decision::Class::kOccupied : decision::Class::kUnknown);
     }
   }
 }
