@@ -137,7 +137,7 @@ def of_drive(place: a9_runs.Place, drive: str, variant: str, capture: str) -> li
 
 
 UNDIVIDED = {
-    "fuse": ["iog::app::SharedFusion::add("],
+    "fuse": ["iog::app::add_points("],
     "join": ["iog::app::PerceptionEngine::join_group("],
     "window": ["iog::window::SliceCells::copy(", "iog::window::SliceCells::note("],
     "other": FUNCTIONS["other"],

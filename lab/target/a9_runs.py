@@ -24,7 +24,7 @@ STAGES = {
                 "iog::net::parse_ipv4(", "iog::net::parse_udp("],
     "decode": ["iog::intake::Intake::receive(", "iog::intake::Intake::classify(",
                "iog::app::Frame::accept("],
-    "beams": ["iog::app::SharedFusion::add("],
+    "beams": ["iog::app::add_points("],
     "carve": ["iog::grid::carve_blocks(", "iog::grid::carve_cells("],
     "mark": ["iog::grid::FrameFusion::finish("],
     "encode": ["iog::lab::StagePass::take(", "iog::lab::StagePass::tick("],

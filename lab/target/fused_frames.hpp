@@ -18,13 +18,13 @@ class FusedFrames {
   FusedFrames(const vehicle::Vehicle& vehicle, Visit visit)
       : visit_(std::move(visit)), frame_(vehicle, kReplayer), fusion_(vehicle) {}
 
-  void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
+  void take(const vehicle::Sensor& /*sensor*/, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {
     app::take_datagram(
         frame_, datagram, now_us,
         [&](const intake::SensorPacket& packet) {
           frame_.accept(packet, now_us);
-          fusion_.add_all(sensor, packet.packet, [](vehicle::Fate /*fate*/) {});
+          frame_.add_points(fusion_, packet.sensor, packet.packet);
         },
         [&] { close_frame(now_us); });
   }

@@ -32,10 +32,7 @@ void OperationPass::take(const vehicle::Sensor& sensor, const intake::Datagram& 
   if (outcome == Outcome::kThisFrame) {
     measured(cost_.fuse, [&] {
       frame_.accept(*packet, now_us);
-      app::Fates fates{};
-      fusion_.add_all(sensor, packet->packet,
-                      [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
-      frame_.count(fates);
+      frame_.add_points(fusion_, packet->sensor, packet->packet);
       return true;
     });
     take_apart(sensor, datagram.payload);

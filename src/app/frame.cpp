@@ -19,6 +19,12 @@ std::uint64_t most_marks_of(const vehicle::Vehicle& vehicle) {
 
 }  // namespace
 
+void add_points(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
+                const intake::Packet& packet, Fates& fates) {
+  fusion.add_all(sensor, packet,
+                 [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
+}
+
 Frame::Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
     : vehicle_(&vehicle), intake_(vehicle.sensors, replayer_ipv4) {
   require(most_marks_of(vehicle) <= grid::kMaxMarks);

@@ -6,7 +6,8 @@
 // sensor's next scan begins, or when the vehicle's frame period is over, whichever is first. While
 // nothing arrives at all, an empty frame is over every two periods, so that silence is reported.
 //
-// What its points are fused to is an engine's: app/grid_engine.hpp, app/perception_engine.hpp.
+// Whose fusion its points are added to, and when, is an engine's: app/grid_engine.hpp,
+// app/perception_engine.hpp.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 #include <optional>
 
 #include "app/frame_report.hpp"
+#include "grid/frame_fusion.hpp"
 #include "intake/intake.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -22,6 +24,10 @@ namespace iog::app {
 
 // How many points had which fate.
 using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
+
+// Adds the points of a sensor's packet to a fusion, and counts their fates.
+void add_points(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
+                const intake::Packet& packet, Fates& fates);
 
 class Frame {
  public:
@@ -47,7 +53,10 @@ class Frame {
 
   // Counts the packet in. Only after classify() said kThisFrame.
   void accept(const intake::SensorPacket& packet, std::uint64_t now_us);
-  // Its points, and those of others.
+  // Adds its points to a fusion, now or later; or counts those that were added elsewhere.
+  void add_points(grid::FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet) {
+    app::add_points(fusion, vehicle_->sensors[sensor], packet, fates_);
+  }
   void count(const Fates& fates);
 
   // The packet has waited too long; its points are counted as not taken.

@@ -28,7 +28,7 @@ void GridEngine::fuse(const intake::SensorPacket& packet, std::uint64_t now_us,
   }
   frame_.accept(packet, now_us);
   if (!is_shared_) {
-    fusion_.add(packet.sensor, packet.packet, frame_);
+    frame_.add_points(fusion_.own(), packet.sensor, packet.packet);
     return;
   }
   if (!packets_.fits(packet)) {

@@ -97,7 +97,7 @@ void PerceptionEngine::fuse_group(std::uint8_t group) {
   const std::span<const KeptPacket> kept = packets_.packets();
   for (std::size_t number = 0; number < kept.size(); ++number) {
     if (kept[number].group == group) {
-      fusion_.add(kept[number].sensor, packets_.decoded(number), frame_);
+      frame_.add_points(fusion_.own(), kept[number].sensor, packets_.decoded(number));
     }
   }
 }

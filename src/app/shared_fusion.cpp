@@ -3,21 +3,6 @@
 #include "require/require.hpp"
 
 namespace iog::app {
-namespace {
-
-void add_points(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
-                const intake::Packet& packet, Fates& fates) {
-  fusion.add_all(sensor, packet,
-                 [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
-}
-
-}  // namespace
-
-void SharedFusion::add(std::size_t sensor, const intake::Packet& packet, Frame& frame) {
-  Fates fates{};
-  add_points(own_, vehicle_->sensors[sensor], packet, fates);
-  frame.count(fates);
-}
 
 void SharedFusion::deal(FramePackets& packets, std::size_t groups, std::size_t parts) {
   packets_ = &packets;

@@ -71,9 +71,6 @@ class SharedFusion {
   // Core 0's own fusion. It is clear whenever the crew fuses.
   [[nodiscard]] grid::FrameFusion& own() { return own_; }
 
-  // Adds a packet's points to it, and counts them in the frame.
-  void add(std::size_t sensor, const intake::Packet& packet, Frame& frame);
-
   // Deals out packets, as FrameParts::deal().
   void deal(FramePackets& packets, std::size_t groups, std::size_t parts);
 

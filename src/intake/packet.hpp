@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -12,11 +13,42 @@
 
 namespace iog::intake {
 
+template <typename Decoder>
+concept TakesUnit = requires(Decoder& decoder, const lidar::Unit& unit) {
+  decoder.decode(std::span<const std::byte>(), unit);
+};
+
+template <typename Decoder>
+concept TakesCorrections = requires(Decoder& decoder, const lidar::Unit& unit) {
+  decoder.decode(std::span<const std::byte>(), unit.corrections);
+};
+
+// Each decoder wants to know as much of the unit as its packets leave open.
+template <typename Decoder>
+[[nodiscard]] lidar::DecodeStatus decode_with(Decoder& decoder, std::span<const std::byte> payload,
+                                              const lidar::Unit& unit) {
+  if constexpr (TakesUnit<Decoder>) {
+    return decoder.decode(payload, unit);
+  } else if constexpr (TakesCorrections<Decoder>) {
+    return decoder.decode(payload, unit.corrections);
+  } else {
+    return decoder.decode(payload);
+  }
+}
+
 class Packet {
  public:
   // The payload and the unit's corrections outlive the packet.
   [[nodiscard]] static Packet decode(lidar::Format format, std::span<const std::byte> payload,
-                                     const lidar::Unit& unit = {});
+                                     const lidar::Unit& unit = {}) {
+    Packet packet;
+    lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+      Decoder& decoder = packet.decoder_.emplace<Decoder>();
+      packet.status_ = decode_with(decoder, payload, unit);
+      packet.info_ = decoder.info();
+    });
+    return packet;
+  }
 
   // Everything but the number of points is of a sound packet alone.
   [[nodiscard]] lidar::DecodeStatus status() const { return status_; }
@@ -30,10 +62,20 @@ class Packet {
   }
 
   // What a sound packet of a Velodyne shows of its unit; none of others.
-  [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const;
+  [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
+    const lidar::VelodyneLook* look = nullptr;
+    with_decoder(*this, [&]<typename Decoder>(const Decoder& decoder) {
+      if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
+        look = &decoder.look();
+      }
+    });
+    return look;
+  }
 
   // From now on the packet's points are read from this copy of the payload.
-  void move_to(std::span<const std::byte> copy);
+  void move_to(std::span<const std::byte> copy) {
+    with_decoder(*this, [copy](auto& decoder) { decoder.move_to(copy); });
+  }
 
  private:
   // Calls visit(decoder) with that of the packet. std::visit() would want the C++ library's
