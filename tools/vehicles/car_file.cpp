@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <span>
+#include <sstream>
 
 #include "description/car_checks.hpp"
 #include "tools/program/exit_status.hpp"
@@ -162,12 +164,22 @@ Car read_fields(const toml::table& file, Mistakes& mistakes) {
   return car;
 }
 
-toml::table parse(const std::string& path) {
+std::string text_of(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) {
     throw UsageError(path + ": there is no such file");
   }
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) {
+    throw UsageError(path + ": cannot be read");
+  }
+  return text.str();
+}
+
+toml::table parse(std::string_view text, const std::string& path) {
   try {
-    return toml::parse_file(path);
+    return toml::parse(text);
   } catch (const toml::parse_error& error) {
     throw UsageError(path + ':' + std::to_string(error.source().begin.line) +
                      ": this is not TOML: " + std::string(error.description()));
@@ -258,8 +270,8 @@ void demand_none(const std::string& path, Mistakes& mistakes) {
 
 }  // namespace
 
-Car read_car(const std::string& path) {
-  const toml::table file = parse(path);
+Car parse_car(std::string_view text, const std::string& path) {
+  const toml::table file = parse(text, path);
   Mistakes mistakes;
   const Telling tell(file, mistakes);
   Car car = read_fields(file, mistakes);
@@ -273,5 +285,7 @@ Car read_car(const std::string& path) {
   demand_none(path, mistakes);
   return car;
 }
+
+Car read_car(const std::string& path) { return parse_car(text_of(path), path); }
 
 }  // namespace iog::tools

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "net/config.hpp"
@@ -43,5 +44,8 @@ inline constexpr net::Config kUsualNetwork{
 // A description that keeps to all its limits, with its tables. UsageError with every mistake of the
 // file, a line each: "car.toml:12: sensors[0].udp_port: allowed is ...".
 [[nodiscard]] Car read_car(const std::string& path);
+
+// The same of what stands in the file of that path, which is not opened.
+[[nodiscard]] Car parse_car(std::string_view text, const std::string& path);
 
 }  // namespace iog::tools

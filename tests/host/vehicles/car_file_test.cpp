@@ -1,17 +1,12 @@
-// The files of cars: every one in vehicles/ is read as the compiler has it, and every mistake in
-// mistakes/ is told. Both are found by their folder.
+// The files of cars: every one in vehicles/ is read as the compiler has it.
 #include "tools/vehicles/car_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "fakes/temporary_folder.hpp"
-#include "tools/program/exit_status.hpp"
 #include "vehicle/identity.hpp"
 #include "vehicles/all_vehicles.hpp"
 
@@ -29,67 +24,6 @@ Lines files_in(const std::string& folder) {
   }
   std::ranges::sort(files);
   return files;
-}
-
-// Those that start so, without their start.
-Lines lines_from(std::istream& text, const std::string& start) {
-  Lines lines;
-  for (std::string line; std::getline(text, line);) {
-    if (line.starts_with(start)) {
-      lines.push_back(line.substr(start.size()));
-    }
-  }
-  return lines;
-}
-
-// "12: sensors[0].udp_port: allowed is ...", a line each.
-Lines expected_of(const std::string& path) {
-  std::ifstream file(path);
-  return lines_from(file, "# expected: ");
-}
-
-Lines told_of(const std::string& path) {
-  try {
-    static_cast<void>(read_car(path));
-  } catch (const UsageError& error) {
-    std::istringstream text(error.what());
-    return lines_from(text, path + ':');
-  }
-  return {};
-}
-
-TEST(CarFile, EachMistakeIsToldWithItsLineItsFieldAndWhatIsAllowed) {
-  const Lines files = files_in("tests/host/vehicles/mistakes");
-  EXPECT_GT(files.size(), 70U);
-  for (const std::string& path : files) {
-    const Lines expected = expected_of(path);
-    const Lines told = told_of(path);
-    EXPECT_FALSE(expected.empty()) << path << " expects nothing";
-    EXPECT_EQ(told.size(), expected.size()) << path;
-    for (std::size_t i = 0; i < std::min(told.size(), expected.size()); ++i) {
-      EXPECT_TRUE(told[i].starts_with(expected[i])) << path << ":" << told[i];
-    }
-  }
-}
-
-// A wrong file of a gigabyte is not told line by line.
-TEST(CarFile, OfManyMistakesTheFirstAreToldAndTheOthersCounted) {
-  const tests::TemporaryFolder folder;
-  const std::string path = folder / "keys.toml";
-  std::ofstream file(path);
-  for (int i = 0; i < 1000; ++i) {
-    file << "key_" << i << " = 1\n";
-  }
-  file.close();
-  const Lines told = told_of(path);
-  ASSERT_EQ(told.size(), 51U);
-  // Five keys of a car are missing as well.
-  EXPECT_EQ(told.back(), " and 955 more");
-  EXPECT_TRUE(told[40].starts_with("36: key_35: no such key"));
-}
-
-TEST(CarFile, AFileThatIsNotThereIsTold) {
-  EXPECT_THROW(static_cast<void>(read_car("nowhere/my_car.toml")), UsageError);
 }
 
 const vehicles::Entry* compiled_of(std::string_view name) {
