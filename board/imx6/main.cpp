@@ -6,18 +6,16 @@
 #include "car_block/car_block.hpp"
 #include "car_of_image.hpp"
 #include "core_count.hpp"
+#include "firmware_grids.hpp"
 #include "net/config.hpp"
-#include "selected_vehicle.hpp"
 #include "text_line.hpp"
 
 namespace {
 
 namespace car_block = iog::car_block;
 using iog::imx6::Board;
+using iog::imx6::kGrids;
 using iog::imx6::TextLine;
-
-// Which grids a firmware makes is compiled in, and any car that asks for these runs.
-constexpr iog::vehicle::Grids kGrids = iog::vehicles::kDescription.grids;
 using Platform = iog::app::MachinePlatform<Board>;
 using Pipeline = iog::app::MachinePipeline<Board, kGrids>;
 

@@ -24,7 +24,7 @@
 #include "playback.hpp"
 #include "protection/protected_message.hpp"
 #include "require/require.hpp"
-#include "selected_vehicle.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::lab {
 namespace {
@@ -171,8 +171,8 @@ int run(const char* path, std::size_t frames) {
     return 1;
   }
   const auto look = [](const grid::FrameView& frame) { touched.look_at(frame); };
-  static FusedFrames fused(vehicles::kVehicle, look);
-  play(capture, vehicles::kVehicle, counter, fused);
+  static FusedFrames fused(vehicles::cars()[0].vehicle, look);
+  play(capture, vehicles::cars()[0].vehicle, counter, fused);
   if (list.frames() < 1 + frames) {
     std::puts("floor: the capture has not so many frames");
     return 1;

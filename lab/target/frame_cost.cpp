@@ -26,9 +26,9 @@
 #include "number_in.hpp"
 #include "operation_pass.hpp"
 #include "playback.hpp"
-#include "selected_vehicle.hpp"
 #include "stack_paint.hpp"
 #include "stage_pass.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::lab {
 namespace {
@@ -46,7 +46,7 @@ void print_stage(const char* name, const Spread& spread, std::uint64_t frames) {
 }
 
 void print_stages(const StagePass& pass) {
-  print("frame_period_us", vehicles::kVehicle.frame_period_us);
+  print("frame_period_us", vehicles::cars()[0].vehicle.frame_period_us);
   print("frames", pass.frames());
   print("packets", pass.packets());
   print("points", pass.points());
@@ -84,9 +84,9 @@ void print_sizes() {
   print("transmit_buffer_bytes", sizeof(imx6::EnetMemory::transmit_buffers));
 }
 
-// The selected vehicle with its first sensors only.
+// The car with its first sensors only.
 vehicle::Vehicle with_sensors(std::size_t count) {
-  vehicle::Vehicle vehicle = vehicles::kVehicle;
+  vehicle::Vehicle vehicle = vehicles::cars()[0].vehicle;
   vehicle.sensors = vehicle.sensors.first(count);
   return vehicle;
 }
@@ -220,7 +220,7 @@ int run(const Request& request) {
 
 int main(int argc, char** argv) {
   constexpr std::size_t kMostFrames = 100'000;
-  const std::size_t all = iog::vehicles::kVehicle.sensors.size();
+  const std::size_t all = iog::vehicles::cars()[0].vehicle.sensors.size();
   iog::lab::Request request{.capture = argv[1], .sensors = all};
   bool is_right = (argc >= 2 && argc <= 5) || argc == 7;
   if (is_right && argc >= 3) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -21,24 +22,42 @@
 #include "grid/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "playback.hpp"
-#include "vehicle/compile.hpp"
-#include "vehicles/reference_car.hpp"
+#include "require/require.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::lab {
 namespace {
 
-namespace car = vehicles::reference_car;
-namespace reference = reference;
-
+// The two LUX, by their numbers, and their mounts as the file of the car has them.
 constexpr std::size_t kLeft = 0;
 constexpr std::size_t kRight = 2;
-static_assert(car::kSensorConfigs[kLeft].name == "front_left");
-static_assert(car::kSensorConfigs[kRight].name == "front_right");
+constexpr vehicle::MountConfig kLeftMount{.x_m = 1.95, .y_m = 0.60, .z_m = 0.42, .yaw_deg = 40};
+constexpr vehicle::MountConfig kRightMount{.x_m = 1.95, .y_m = -0.60, .z_m = 0.42, .yaw_deg = -40};
 
-constexpr auto kSensors = vehicle::compile_sensors(
-    std::array{car::kSensorConfigs[kLeft], car::kSensorConfigs[kRight]}, car::kDescription);
+bool stands_at(const vehicle::Sensor& sensor, const vehicle::MountConfig& mount) {
+  constexpr double kOrigin = double{geometry::kOriginCell} * geometry::kResolution;
+  return std::abs(kOrigin + mount.x_m * geometry::kSubcellsPerMetre - sensor.origin.x) < 1 &&
+         std::abs(kOrigin + mount.y_m * geometry::kSubcellsPerMetre - sensor.origin.y) < 1;
+}
 
-constexpr vehicle::Vehicle kVehicle = vehicle::compile_vehicle(car::kDescription, kSensors);
+std::span<const vehicle::Sensor> sensors() {
+  static const std::array two = [] {
+    const auto all = vehicles::cars()[0].vehicle.sensors;
+    require(stands_at(all[kLeft], kLeftMount) && stands_at(all[kRight], kRightMount));
+    return std::array{all[kLeft], all[kRight]};
+  }();
+  return two;
+}
+
+// The car with these two alone.
+const vehicle::Vehicle& car() {
+  static const vehicle::Vehicle two = [] {
+    vehicle::Vehicle vehicle = vehicles::cars()[0].vehicle;
+    vehicle.sensors = sensors();
+    return vehicle;
+  }();
+  return two;
+}
 
 constexpr std::size_t kLayers = reference::LuxScans::kLayers;
 constexpr std::size_t kMaxCells = 500 * 300;
@@ -56,7 +75,7 @@ class Scans {
  public:
   explicit Scans(std::span<const SensorPoint> points) {
     for (const SensorPoint& each : points) {
-      (each.sensor == &kSensors[0] ? left_ : right_).add(each.point);
+      (each.sensor == &sensors()[0] ? left_ : right_).add(each.point);
     }
     const auto rest = std::ranges::copy(left_.scans(), scans_.begin()).out;
     std::ranges::copy(right_.scans(), rest);
@@ -65,8 +84,8 @@ class Scans {
   [[nodiscard]] std::span<const reference::PlaneScan> all() const { return scans_; }
 
  private:
-  reference::LuxScans left_{car::kSensorConfigs[kLeft].mount};
-  reference::LuxScans right_{car::kSensorConfigs[kRight].mount};
+  reference::LuxScans left_{kLeftMount};
+  reference::LuxScans right_{kRightMount};
   std::array<reference::PlaneScan, 2 * kLayers> scans_;
 };
 
@@ -95,7 +114,7 @@ void measure_approach(InstructionCounter& counter, const char* name, std::int32_
 }
 
 void measure_product(InstructionCounter& counter, std::span<const SensorPoint> points) {
-  static grid::FrameFusion fusion(kVehicle);
+  static grid::FrameFusion fusion(car());
   std::uint32_t used = 0;
   const std::uint32_t start = counter.now();
   fusion.clear();
@@ -116,7 +135,7 @@ void measure_product(InstructionCounter& counter, std::span<const SensorPoint> p
 int run(const char* path) {
   static InstructionCounter counter;
   static Capture capture;
-  static FirstFrame frame(kVehicle);
+  static FirstFrame frame(car());
   counter.start();
   if (!counter.is_exact()) {
     std::puts("many_core: instructions are not counted; is this -icount shift=4,sleep=off?");
@@ -126,7 +145,7 @@ int run(const char* path) {
     std::printf("many_core: %s cannot be read as a pcap of Ethernet frames\n", path);
     return 1;
   }
-  play(capture, kVehicle, counter, frame);
+  play(capture, car(), counter, frame);
   static const Scans scans(frame.points());
   static const reference::AnalyticModel model = reference::lux_model();
   for (const std::int32_t cell_mm : {100, 200}) {

@@ -22,7 +22,7 @@
 #include "perception_pass.hpp"
 #include "playback.hpp"
 #include "pose/message.hpp"
-#include "selected_vehicle.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::lab {
 namespace {
@@ -142,7 +142,7 @@ void print_rounds(std::span<const std::uint16_t> rounds) {
 int run(const Request& request) {
   static InstructionCounter counter;
   static Capture capture;
-  static PerceptionPass pass(vehicles::kVehicle, counter, request.cores);
+  static PerceptionPass pass(vehicles::cars()[0].vehicle, counter, request.cores);
   counter.start();
   if (!counter.is_exact()) {
     std::puts("perception_cost: instructions are not counted; is this -icount shift=4,sleep=off?");
@@ -155,7 +155,7 @@ int run(const Request& request) {
   }
   Rounds rounds(pass, capture, request);
   const auto are_played = [](std::uint16_t port) {
-    return port == pose::kPosePort || sensor_of_port(vehicles::kVehicle, port) != nullptr;
+    return port == pose::kPosePort || sensor_of_port(vehicles::cars()[0].vehicle, port) != nullptr;
   };
   play_ports(capture, are_played, counter, rounds);
   if (pass.counts().frames < request.before + request.frames || pass.counts().frames == 0) {

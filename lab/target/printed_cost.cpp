@@ -15,12 +15,12 @@
 #include "lab/baseline/printed_fusion.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "playback.hpp"
-#include "vehicles/reference_car.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::lab {
 namespace {
 
-const vehicle::Vehicle& car() { return vehicles::reference_car::kVehicle; }
+const vehicle::Vehicle& car() { return vehicles::cars()[0].vehicle; }
 
 // A target of play(). A frame ends with its period: which points share a grid changes no cost.
 class PrintedPass {

@@ -18,8 +18,8 @@
 #include "number_in.hpp"
 #include "playback.hpp"
 #include "require/require.hpp"
-#include "selected_vehicle.hpp"
 #include "tree/quadtree_builder.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::lab {
 namespace {
@@ -80,8 +80,8 @@ int run(const char* path, std::size_t frames) {
     return 1;
   }
   const auto build = [](const grid::FrameView& frame) { trees.build(frame); };
-  static FusedFrames fused(vehicles::kVehicle, build);
-  play(capture, vehicles::kVehicle, counter, fused);
+  static FusedFrames fused(vehicles::cars()[0].vehicle, build);
+  play(capture, vehicles::cars()[0].vehicle, counter, fused);
   if (trees.frames() < frames) {
     std::puts("tree_cost: the capture has not so many frames");
     return 1;

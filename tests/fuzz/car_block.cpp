@@ -12,7 +12,7 @@
 #include "grid/frame_fusion.hpp"
 #include "law.hpp"
 #include "vehicle/identity.hpp"
-#include "vehicles/all_vehicles.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::fuzz {
 namespace {
@@ -64,9 +64,9 @@ void add_points(const vehicle::Vehicle& car) {
 }
 
 void check(std::span<const std::byte> content) {
-  static const vehicles::Entry& entry = vehicles::kAll[0];
+  static const vehicles::Car& known = vehicles::cars()[0];
   static const auto memory = std::make_unique<car_block::SensorMemory>();
-  BlockBytes bytes(*entry.vehicle, *entry.network);
+  BlockBytes bytes(known.vehicle, known.network);
   bytes.set_content(content);
   for (const vehicle::Grids grids :
        {vehicle::Grids::kIndexes, vehicle::Grids::kClasses, vehicle::Grids::kBoth}) {
@@ -80,7 +80,7 @@ void check(std::span<const std::byte> content) {
       continue;
     }
     law(car.id == vehicle::identity_of(car), "a car is named by its CRC");
-    const BlockBytes written(car, *entry.network);
+    const BlockBytes written(car, known.network);
     law(std::ranges::equal(written.block().subspan<kCarRecord.offset>(),
                            bytes.block().subspan<kCarRecord.offset>()),
         "what is accepted is what would be written");

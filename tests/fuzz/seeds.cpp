@@ -20,7 +20,7 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/mcap/writer.hpp"
 #include "vehicle/content.hpp"
-#include "vehicles/all_vehicles.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::fuzz {
 namespace {
@@ -176,9 +176,9 @@ void add_mcap_seeds(Seeds& seeds) {
 
 // Every car that the build knows.
 void add_car_seeds(Seeds& seeds) {
-  for (const vehicles::Entry& entry : vehicles::kAll) {
+  for (const vehicles::Car& car : vehicles::cars()) {
     Bytes content;
-    vehicle::write_content(*entry.vehicle,
+    vehicle::write_content(car.vehicle,
                            [&](std::uint8_t byte) { content.push_back(std::byte{byte}); });
     seeds.add("car_block", content);
   }

@@ -1,6 +1,5 @@
 // iog vehicles: the vehicle descriptions and their sensors.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
@@ -50,9 +49,7 @@ void show_ports(const std::string& name) {
 // Its own if the build makes one, else that for cars of its kind.
 void show_firmware(const std::string& name) {
   const vehicle::Vehicle& car = *find_vehicle(name).vehicle;
-  const bool has_own = std::ranges::any_of(
-      vehicles::kAll, [&](const auto& entry) { return entry.vehicle->id == car.id; });
-  std::cout << (has_own ? car.name : word_of(car.grids)) << '\n';
+  std::cout << (is_carried(car.id) ? car.name : word_of(car.grids)) << '\n';
 }
 
 }  // namespace

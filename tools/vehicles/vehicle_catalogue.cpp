@@ -7,13 +7,28 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/vehicles/car_file.hpp"
+#include "tools/vehicles/carried_cars.hpp"
 
 namespace iog::tools {
 namespace {
 
+CatalogueEntry entry_of(const Car& car) {
+  return {.vehicle = &car.vehicle,
+          .description = &car.description,
+          .sensors = car.sensors,
+          .network = &car.network};
+}
+
 struct Catalogue {
+  Catalogue() {
+    for (const CarriedCar& car : carried_cars()) {
+      entries.push_back(entry_of(carried.emplace_back(parse_car(car.text, std::string(car.file)))));
+    }
+  }
+
+  std::deque<Car> carried;
   std::deque<Car> of_files;
-  std::vector<CatalogueEntry> entries{vehicles::kAll.begin(), vehicles::kAll.end()};
+  std::vector<CatalogueEntry> entries;
   std::vector<std::string> given;  // those that the user has named, or has given the file of
 };
 
@@ -70,7 +85,7 @@ std::string add_vehicle_file(const std::string& path) {
   std::erase_if(all.entries, [&](const CatalogueEntry& entry) {
     return entry.vehicle->name == car.description.name;
   });
-  all.entries.push_back({&car.vehicle, &car.description, car.sensors, &car.network});
+  all.entries.push_back(entry_of(car));
   all.given.emplace_back(car.description.name);
   return std::string(car.description.name);
 }
@@ -78,6 +93,11 @@ std::string add_vehicle_file(const std::string& path) {
 bool is_of_file(const CatalogueEntry& entry) {
   return std::ranges::any_of(catalogue().of_files,
                              [&](const Car& car) { return entry.vehicle == &car.vehicle; });
+}
+
+bool is_carried(std::uint32_t vehicle_id) {
+  return std::ranges::any_of(catalogue().carried,
+                             [&](const Car& car) { return car.vehicle.id == vehicle_id; });
 }
 
 void give_vehicle(const std::string& name) {

@@ -8,11 +8,18 @@
 #include <string_view>
 #include <vector>
 
-#include "vehicles/all_vehicles.hpp"
+#include "net/config.hpp"
+#include "vehicle/description.hpp"
+#include "vehicle/vehicle.hpp"
 
 namespace iog::tools {
 
-using CatalogueEntry = vehicles::Entry;
+struct CatalogueEntry {
+  const vehicle::Vehicle* vehicle;
+  const vehicle::Description* description;         // in metres, as a person wrote it
+  std::span<const vehicle::SensorConfig> sensors;  // in the order of vehicle->sensors
+  const net::Config* network;
+};
 
 [[nodiscard]] std::span<const CatalogueEntry> all_vehicles();
 
@@ -32,6 +39,9 @@ std::string add_vehicle_file(const std::string& path);
 
 // Whether a user's file describes the car, and not this program.
 [[nodiscard]] bool is_of_file(const CatalogueEntry& entry);
+
+// Whether it is the content of a car of vehicles/, which has a firmware of its own.
+[[nodiscard]] bool is_carried(std::uint32_t vehicle_id);
 
 // The user expects a stream to be of the vehicle of that name. UsageError as find_vehicle().
 void give_vehicle(const std::string& name);

@@ -10,7 +10,6 @@ namespace iog::car_block {
 namespace {
 
 using tests::CarBytes;
-using vehicles::kAll;
 
 void expect_equal(const vehicle::Sensor& read, const vehicle::Sensor& made) {
   EXPECT_EQ(read.name, made.name);
@@ -26,31 +25,30 @@ void expect_equal(const vehicle::Sensor& read, const vehicle::Sensor& made) {
   EXPECT_EQ(read.unit().corrections.size(), made.unit().corrections.size());
 }
 
-// The build makes them with the same function; here it is asked of what the compiler computed.
 TEST(CarBlock, EachCarComesBackAsItIs) {
-  for (const vehicles::Entry& entry : kAll) {
-    CarBytes bytes(*entry.vehicle, *entry.network);
+  for (const vehicles::Car& written : vehicles::cars()) {
+    CarBytes bytes(written);
     const Verdict verdict = bytes.read();
     ASSERT_EQ(verdict.refusal, Refusal::kNone) << Words(verdict).view();
     const vehicle::Vehicle& car = bytes.car;
-    EXPECT_EQ(car.name, entry.vehicle->name);
-    EXPECT_EQ(car.id, entry.vehicle->id);
+    EXPECT_EQ(car.name, written.vehicle.name);
+    EXPECT_EQ(car.id, written.vehicle.id);
     EXPECT_EQ(car.id, vehicle::identity_of(car));
-    EXPECT_EQ(car.window.assignment, entry.vehicle->window.assignment);
-    ASSERT_EQ(car.sensors.size(), entry.vehicle->sensors.size());
+    EXPECT_EQ(car.window.assignment, written.vehicle.window.assignment);
+    ASSERT_EQ(car.sensors.size(), written.vehicle.sensors.size());
     for (std::size_t i = 0; i < car.sensors.size(); ++i) {
-      expect_equal(car.sensors[i], entry.vehicle->sensors[i]);
+      expect_equal(car.sensors[i], written.vehicle.sensors[i]);
     }
   }
 }
 
 // An image for cars to come says what it takes, and that it has none (docs/spec.md, section 8).
 TEST(CarBlock, WithoutACarItIsRefused) {
-  const vehicles::Entry& entry = kAll[0];
+  const vehicles::Car& car = vehicles::cars()[0];
   for (const auto grids :
        {vehicle::Grids::kIndexes, vehicle::Grids::kClasses, vehicle::Grids::kBoth}) {
-    CarBytes bytes(*entry.vehicle, *entry.network);
-    write_block_without_car(grids, *entry.network, bytes.writable());
+    CarBytes bytes(car);
+    write_block_without_car(grids, car.network, bytes.writable());
     EXPECT_EQ(read_firmware(bytes.block()), firmware_of(grids));
     EXPECT_TRUE(read_network(bytes.block()));
     EXPECT_EQ(Words(bytes.read()).view(), "description: it is not there");
@@ -58,15 +56,14 @@ TEST(CarBlock, WithoutACarItIsRefused) {
 }
 
 TEST(CarBlock, TheNetworkStandsTwice) {
-  const vehicles::Entry& entry = kAll[0];
-  CarBytes bytes(*entry.vehicle, *entry.network);
+  const net::Config& written = vehicles::cars()[0].network;
+  CarBytes bytes(vehicles::cars()[0]);
   const auto is_read = [&] {
     const auto network = read_network(bytes.block());
-    return network && network->mac == entry.network->mac &&
-           network->address == entry.network->address && network->peer == entry.network->peer &&
-           network->peer_port == entry.network->peer_port &&
-           network->source_port == entry.network->source_port &&
-           network->prefix_bits == entry.network->prefix_bits;
+    return network && network->mac == written.mac && network->address == written.address &&
+           network->peer == written.peer && network->peer_port == written.peer_port &&
+           network->source_port == written.source_port &&
+           network->prefix_bits == written.prefix_bits;
   };
   EXPECT_TRUE(is_read());
   bytes.at(64 + 20) ^= std::byte{1};
@@ -81,7 +78,7 @@ TEST(CarBlock, TheNetworkStandsTwice) {
 
 // docs/spec.md, section 8: every field at its place.
 TEST(CarBlock, IsWhatTheSpecificationSays) {
-  CarBytes bytes(vehicles::reference_car::kVehicle, vehicles::reference_car::kNetwork);
+  CarBytes bytes(vehicles::car("reference_car"));
   EXPECT_EQ(bytes.be32(0), 0x494F4746U);
   EXPECT_EQ(bytes.be32(4), 0x00010000U);
   EXPECT_EQ(bytes.be32(8), 8U);
@@ -96,7 +93,7 @@ TEST(CarBlock, IsWhatTheSpecificationSays) {
   EXPECT_EQ(bytes.be32(92), 0x0A000202U);
   EXPECT_EQ(bytes.be32(96), 15'000U << 16 | 15'001U);
   EXPECT_EQ(bytes.be32(128), 0x494F4743U);
-  EXPECT_EQ(bytes.be32(128 + 12), vehicles::reference_car::kVehicle.id);
+  EXPECT_EQ(bytes.be32(128 + 12), vehicles::car("reference_car").vehicle.id);
   EXPECT_EQ(bytes.be32(65'472), 0x494F474EU);
   const auto name = bytes.content().subspan(6, 14);
   EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(name.data()), 14),
@@ -105,7 +102,7 @@ TEST(CarBlock, IsWhatTheSpecificationSays) {
 
 // One bit of each byte that the firmware reads of the car.
 TEST(CarBlock, NoDamageIsBelieved) {
-  CarBytes bytes(vehicles::reference_car::kVehicle, vehicles::reference_car::kNetwork);
+  CarBytes bytes(vehicles::car("reference_car"));
   const std::size_t end = CarBytes::kContentAt + bytes.content().size();
   for (std::size_t at = CarBytes::kCarAt; at < end; ++at) {
     const std::byte bit = std::byte{1} << (at % 8);
@@ -118,7 +115,7 @@ TEST(CarBlock, NoDamageIsBelieved) {
 
 TEST(CarBlock, EachKindOfWrongBlockIsTold) {
   const auto told = [](auto&& change) {
-    CarBytes bytes(vehicles::reference_car::kVehicle, vehicles::reference_car::kNetwork);
+    CarBytes bytes(vehicles::car("reference_car"));
     change(bytes);
     return bytes.read().refusal;
   };
@@ -141,13 +138,13 @@ TEST(CarBlock, EachKindOfWrongBlockIsTold) {
               bytes.mend_crc();
             }),
             Refusal::kNotACar);
-  CarBytes bytes(vehicles::reference_car::kVehicle, vehicles::reference_car::kNetwork);
+  CarBytes bytes(vehicles::car("reference_car"));
   EXPECT_EQ(bytes.read(vehicle::Grids::kIndexes).refusal, Refusal::kOtherGrids);
 }
 
 // Whatever it is cut to, with a right CRC.
 TEST(CarBlock, NoPartOfACarIsACar) {
-  CarBytes bytes(vehicles::two_lux_parking::kVehicle, vehicles::two_lux_parking::kNetwork);
+  CarBytes bytes(vehicles::car("two_lux_parking"));
   const auto length = static_cast<std::uint32_t>(bytes.content().size());
   for (std::uint32_t part = 0; part < length; part += 3) {
     bytes.put_be32(128 + 8, part);

@@ -8,7 +8,7 @@
 
 #include "car_block/car_block.hpp"
 #include "fakes/bitwise_crc32.hpp"
-#include "vehicles/all_vehicles.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::tests {
 
@@ -17,8 +17,8 @@ class CarBytes {
   static constexpr std::size_t kCarAt = 128;  // docs/spec.md, section 8
   static constexpr std::size_t kContentAt = kCarAt + 16;
 
-  CarBytes(const vehicle::Vehicle& written, const net::Config& network) : grids_(written.grids) {
-    car_block::write_block(written, network, writable());
+  explicit CarBytes(const vehicles::Car& written) : grids_(written.vehicle.grids) {
+    car_block::write_block(written.vehicle, written.network, writable());
   }
 
   [[nodiscard]] car_block::Block block() const {

@@ -18,10 +18,10 @@ using vehicle::Sensor;
 using vehicle::Vehicle;
 
 struct Changed {
-  explicit Changed(const vehicles::Entry& entry)
-      : sensors(entry.vehicle->sensors.begin(), entry.vehicle->sensors.end()),
-        car(*entry.vehicle),
-        network(*entry.network) {
+  explicit Changed(const vehicles::Car& from)
+      : sensors(from.vehicle.sensors.begin(), from.vehicle.sensors.end()),
+        car(from.vehicle),
+        network(from.network) {
     car.sensors = sensors;
   }
   // "2.udp_port", "name"; empty: none
@@ -36,21 +36,16 @@ struct Changed {
   net::Config network;
 };
 
-const vehicles::Entry& entry_of(std::string_view name) {
-  return *std::ranges::find_if(
-      vehicles::kAll, [&](const vehicles::Entry& entry) { return entry.vehicle->name == name; });
-}
-
 template <typename Change>
 std::string fault_with(Change&& change, std::string_view name = "reference_car") {
-  Changed changed(entry_of(name));
+  Changed changed(vehicles::car(name));
   change(changed);
   return changed.fault();
 }
 
 TEST(CarLimits, ThoseOfEachCarHold) {
-  for (const vehicles::Entry& entry : vehicles::kAll) {
-    EXPECT_EQ(Changed(entry).fault(), "") << entry.vehicle->name;
+  for (const vehicles::Car& car : vehicles::cars()) {
+    EXPECT_EQ(Changed(car).fault(), "") << car.vehicle.name;
   }
 }
 
@@ -145,8 +140,8 @@ TEST(CarLimits, LayersOfATiltedMirrorAreNearlyARotation) {
 // description.
 TEST(CarLimits, EndsOfAcceptedBeamsAreAsFarAsTheirRange) {
   tests::Random random(20);
-  for (const vehicles::Entry& entry : vehicles::kAll) {
-    for (const Sensor& sensor : entry.vehicle->sensors) {
+  for (const vehicles::Car& car : vehicles::cars()) {
+    for (const Sensor& sensor : car.vehicle.sensors) {
       const double length = static_cast<double>(
           vehicle::subcells_up(vehicle::longest_line_mm(sensor.format, sensor.range.mm())));
       for (int i = 0; i < 200; ++i) {
@@ -170,8 +165,7 @@ TEST(CarLimits, WhatIsAcceptedCanBeWalked) {
   tests::Random random(21);
   int accepted = 0;
   for (int round = 0; round < 4'000; ++round) {
-    const vehicles::Entry& entry = entry_of(round < 3'000 ? "reference_car" : "roof_ld_mrs");
-    CarBytes bytes(*entry.vehicle, *entry.network);
+    CarBytes bytes(vehicles::car(round < 3'000 ? "reference_car" : "roof_ld_mrs"));
     const std::span<std::byte> content = bytes.content();
     const auto where = random.below(content.size());
     content[where] ^= std::byte{1} << random.below(8);

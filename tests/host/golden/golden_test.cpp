@@ -13,8 +13,7 @@
 #include "fakes/random.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "pose/message.hpp"
-#include "vehicles/reference_car.hpp"
-#include "vehicles/roof_vlp16.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog {
 namespace {
@@ -54,7 +53,7 @@ TEST(Golden, FourLuxHaveOneNameEverywhere) {
   tests::Random random(2017);
   tests::FakePlatform platform;
   const auto pipeline = std::make_unique<app::Pipeline<tests::FakePlatform>>(
-      vehicles::reference_car::kVehicle, kReplayer, platform);
+      vehicles::car("reference_car").vehicle, kReplayer, platform);
   for (int scan = 1; scan <= 3; ++scan) {
     for (int sensor = 0; sensor < 4; ++sensor) {
       const auto bytes = wall(scan, sensor, random).bytes();
@@ -92,7 +91,7 @@ TEST(Golden, TheClassesOfFourLuxHaveOneNameEverywhere) {
   tests::Random random(2015);
   tests::FakePlatform platform;
   const auto pipeline = std::make_unique<app::PerceptionPipeline<tests::FakePlatform>>(
-      vehicles::reference_car::kVehicle, kReplayer, platform);
+      vehicles::car("reference_car").vehicle, kReplayer, platform);
   pose::Encoder encoder;
   for (int scan = 1; scan <= 6; ++scan) {
     const std::uint64_t end_us = static_cast<std::uint64_t>(scan) * 40'000;
@@ -124,7 +123,7 @@ TEST(Golden, AVlp16HasOneNameEverywhere) {
   tests::Random random(2017);
   tests::FakePlatform platform;
   const auto pipeline = std::make_unique<app::Pipeline<tests::FakePlatform>>(
-      vehicles::roof_vlp16::kVehicle, kReplayer, platform);
+      vehicles::car("roof_vlp16").vehicle, kReplayer, platform);
   for (int number = 0; number < 76; ++number) {
     tests::VelodynePacket packet{.first_azimuth = number * 478 % 36'000,
                                  .time_us = static_cast<std::uint32_t>(number) * 1327};

@@ -14,7 +14,7 @@
 #include "lidar/ibeo_lux.hpp"
 #include "traversal/walk.hpp"
 #include "vehicle/beam.hpp"
-#include "vehicles/reference_car.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 using geometry::Cell;
 using traversal::Position;
 
-const vehicle::Vehicle& kCar = vehicles::reference_car::kVehicle;
+const vehicle::Vehicle& kCar = vehicles::car("reference_car").vehicle;
 const vehicle::Sensor& kSensor = kCar.sensors[1];
 
 lidar::ScanPoint scan_point() {

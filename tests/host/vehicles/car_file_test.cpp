@@ -1,4 +1,4 @@
-// The files of cars: every one in vehicles/ is read as the compiler has it.
+// The files of cars: what becomes of them, and by what a car is known.
 #include "tools/vehicles/car_file.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "vehicle/identity.hpp"
-#include "vehicles/all_vehicles.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::tools {
 namespace {
@@ -26,32 +26,47 @@ Lines files_in(const std::string& folder) {
   return files;
 }
 
-const vehicles::Entry* compiled_of(std::string_view name) {
-  const auto* const found = std::ranges::find_if(
-      vehicles::kAll, [&](const vehicles::Entry& entry) { return entry.vehicle->name == name; });
-  return found == vehicles::kAll.end() ? nullptr : found;
-}
-
-// What the program makes of the file is what the compiler has made of its header.
-TEST(CarFile, EachCarIsReadAsItIsCompiled) {
+// What the program makes of a file is what the firmware reads of the block that the build has made.
+TEST(CarFile, EachCarIsThatOfItsBlock) {
   const Lines files = files_in("vehicles");
-  EXPECT_EQ(files.size(), vehicles::kAll.size());
+  EXPECT_EQ(files.size(), vehicles::cars().size());
   for (const std::string& path : files) {
     const Car car = read_car(path);
-    const vehicles::Entry* const compiled = compiled_of(car.description.name);
-    ASSERT_NE(compiled, nullptr) << path;
-    EXPECT_EQ(car.vehicle.id, compiled->vehicle->id) << path;
-    EXPECT_EQ(car.vehicle.id, vehicle::identity_of(*compiled->vehicle)) << path;
-    ASSERT_EQ(car.tables.size(), compiled->vehicle->sensors.size()) << path;
+    const vehicle::Vehicle& block = vehicles::car(car.description.name).vehicle;
+    EXPECT_EQ(car.vehicle.id, block.id) << path;
+    EXPECT_EQ(vehicle::identity_of(block), block.id) << path;
+    ASSERT_EQ(car.tables.size(), block.sensors.size()) << path;
     for (std::size_t i = 0; i < car.tables.size(); ++i) {
-      const vehicle::Sensor& read = car.tables[i];
-      const vehicle::Sensor& made = compiled->vehicle->sensors[i];
+      const vehicle::Sensor& made = car.tables[i];
+      const vehicle::Sensor& read = block.sensors[i];
       EXPECT_EQ(read.profile, made.profile) << path;
       EXPECT_EQ(read.sines.sine(1), made.sines.sine(1)) << path;
       EXPECT_EQ(read.on_car_x.low, made.on_car_x.low) << path;
       EXPECT_EQ(read.in_band.high, made.in_band.high) << path;
     }
   }
+}
+
+// Table 4.3 of the thesis, by nearest: cells k - 4 to k + 2. By blurring: descriptions_test.cpp.
+TEST(CarFile, TheNearestIndexesAreThoseOfTheThesis) {
+  const Car car = parse_car(R"(name = "nearest"
+quantisation = "nearest"
+z_min_m = 0.2
+z_max_m = 2.2
+footprint = { x_min_m = -2, x_max_m = 2, y_min_m = -1, y_max_m = 1 }
+[[sensors]]
+name = "lux"
+type = "ibeo_lux"
+udp_port = 12002
+mount = { x_m = 2, y_m = 0, z_m = 0.5 }
+max_points_per_scan = 2412
+)",
+                            "nearest.toml");
+  std::vector<int> indexes;
+  for (int offset = -4; offset <= 2; ++offset) {
+    indexes.push_back(car.tables[0].profile.at(offset));
+  }
+  EXPECT_EQ(indexes, (std::vector{-15, -15, -7, 0, 2, 1, 0}));
 }
 
 // A byte of the description more or less is another car.

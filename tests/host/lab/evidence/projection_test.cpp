@@ -12,7 +12,7 @@
 #include "grid/frame_fusion.hpp"
 #include "lab/evidence/fusion_rules.hpp"
 #include "lab/evidence/values.hpp"
-#include "vehicles/roof_vlp16.hpp"
+#include "vehicles/cars.hpp"
 
 namespace iog::lab {
 namespace {
@@ -133,7 +133,7 @@ TEST(Projection, RandomPointsFromACornerAreTheFirmwaresGrid) {
   expect_the_firmwares_grids(vehicle, {random_points(vehicle, 3, 4000)});
 }
 TEST(Projection, RandomPointsOfAVlp16AreTheFirmwaresGrid) {
-  const Vehicle& vehicle = vehicles::roof_vlp16::kVehicle;
+  const Vehicle& vehicle = vehicles::car("roof_vlp16").vehicle;
   expect_the_firmwares_grids(vehicle, {random_points(vehicle, 4, 4000)});
 }
 
