@@ -47,7 +47,7 @@ TrueState state_of(const tools::MovingSolid& solid,
 }  // namespace
 
 TrueThings::TrueThings(const tools::Scene& scene, double time_s,
-                       const vehicle::Description& description) {
+                       const description::Description& description) {
   const auto before = places_before(scene, time_s);
   for (const tools::MovingSolid& solid :
        scene.solids_between(time_s - kMomentS / 2, time_s + kMomentS / 2)) {

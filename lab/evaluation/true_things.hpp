@@ -13,8 +13,8 @@
 #include <map>
 #include <vector>
 
+#include "description/description.hpp"
 #include "tools/simulate/world/scene.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::lab {
 
@@ -36,7 +36,7 @@ struct TrueThing {
 class TrueThings {
  public:
   // Everything that may be seen from the car at that time of the drive.
-  TrueThings(const tools::Scene& scene, double time_s, const vehicle::Description& description);
+  TrueThings(const tools::Scene& scene, double time_s, const description::Description& description);
 
   // What is within kNearM of a point of the world, metres.
   [[nodiscard]] TrueThing near(double x_m, double y_m) const;

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "description/mount.hpp"
 #include "grid/frame_fusion.hpp"
 #include "lab/reference/traversal.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
 #include "tools/simulate/truth/true_occupancy.hpp"
-#include "vehicle/compile.hpp"
 
 namespace iog::lab {
 namespace {
@@ -55,14 +55,14 @@ class Sight {
         crossed_(geometry::kCellCount),
         ended_(geometry::kCellCount) {}
 
-  void look(const vehicle::SensorConfig& sensor) {
-    const auto turn = vehicle::compile_detail::rotation_of(sensor.mount);
+  void look(const description::SensorConfig& sensor) {
+    const auto turn = description::rotation_of(sensor.mount);
     const double range_m = sensor.range_max_mm / 1000.0;
     const tools::Vector3 origin = pitched({sensor.mount.x_m, sensor.mount.y_m, sensor.mount.z_m});
     gather_near(origin, range_m);
     const int edge = sensor.scan_width_ticks / 2;
     for (const double elevation_deg : lidar::IbeoLux::kElevationsDeg) {
-      const double elevation = vehicle::radians(elevation_deg);
+      const double elevation = description::radians(elevation_deg);
       for (int ticks = -edge; ticks <= edge; ticks += kTicksPerBeam) {
         const double azimuth = ticks * 2 * numeric::kPi / lidar::IbeoLux::kTicksPerTurn;
         const double forward = numeric::cos(elevation) * numeric::cos(azimuth);
@@ -190,7 +190,7 @@ class Sight {
 std::vector<CellState> visibility(const tools::CatalogueEntry& car, const tools::EgoPose& ego,
                                   std::span<const tools::Solid> solids) {
   Sight sight(car, ego, solids);
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     sight.look(sensor);
   }
   return sight.states(tools::true_occupancy(ego, solids, *car.description));

@@ -22,7 +22,7 @@ constexpr std::int32_t kTicksPerTurn = lidar::IbeoLux::kTicksPerTurn;
 
 double radians_of(std::int32_t ticks) { return ticks * 2 * numeric::kPi / kTicksPerTurn; }
 
-tools::Placement sensor_at(const tools::Placement& car, const vehicle::MountConfig& mount) {
+tools::Placement sensor_at(const tools::Placement& car, const description::MountConfig& mount) {
   const double yaw = mount.yaw_deg * numeric::kPi / 180;
   return tools::turned_by(tools::moved(car, mount.x_m, mount.y_m), numeric::cos(yaw),
                           numeric::sin(yaw));

@@ -38,7 +38,7 @@ class Outlines {
   std::vector<tools::Solid> solids_;
 };
 
-const vehicle::Description& description() {
+const description::Description& description() {
   return *tools::find_vehicle(tools::kDefaultVehicle).description;
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "description/mount.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
 #include "tools/simulate/scanners/echo_model.hpp"
 #include "tools/simulate/scanners/ray_caster.hpp"
-#include "vehicle/compile.hpp"
 
 namespace iog::lab {
 namespace {
@@ -28,10 +28,11 @@ std::uint32_t range_of_drop(const lidar::ScanPoint& first, const vehicle::Sensor
 }
 
 // How far along the beam of that point the ghost is; 0 if the beam misses it.
-double range_to_ghost(const SensorPoint& seen, const vehicle::SensorConfig& sensor,
+double range_to_ghost(const SensorPoint& seen, const description::SensorConfig& sensor,
                       const Ghost& ghost) {
   constexpr double kPerTick = 2 * numeric::kPi / lidar::IbeoLux::kTicksPerTurn;
-  const double yaw = seen.point.azimuth_ticks * kPerTick + vehicle::radians(sensor.mount.yaw_deg);
+  const double yaw =
+      seen.point.azimuth_ticks * kPerTick + description::radians(sensor.mount.yaw_deg);
   const double ahead_m = ghost.x_m - sensor.mount.x_m;
   if (numeric::cos(yaw) <= 0 || ahead_m <= 0) {
     return 0;
@@ -106,7 +107,7 @@ FramePoints with_ghost(const FramePoints& points, const tools::CatalogueEntry& c
 }
 
 StandingCar::StandingCar(const tools::CatalogueEntry& car) {
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     scanners_.emplace_back(sensor);
   }
 }

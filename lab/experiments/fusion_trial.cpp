@@ -60,7 +60,7 @@ FusedGrid fuse(const FrameEvidence& evidence, const ByStep<double>& probabilitie
 }
 
 ModelConfig model_of(const tools::CatalogueEntry& car) {
-  const vehicle::SensorConfig& sensor = car.sensors.front();
+  const description::SensorConfig& sensor = car.sensors.front();
   return {.sigma_m = sensor.sigma_m, .cell_length_m = sensor.precision_mm / 1000.0};
 }
 

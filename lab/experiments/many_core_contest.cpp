@@ -26,7 +26,7 @@ class LuxSensors {
   LuxSensors(const tools::CatalogueEntry& car, std::vector<std::size_t> sensors)
       : sensors_(std::move(sensors)) {
     for (const std::size_t sensor : sensors_) {
-      const vehicle::SensorConfig& config = car.sensors[sensor];
+      const description::SensorConfig& config = car.sensors[sensor];
       const std::uint32_t echoes = LuxScans::kLayers * lidar::IbeoLux::kMaxEchoes;
       const std::uint32_t directions = config.max_points_per_scan / echoes;
       const std::uint32_t step = config.scan_width_ticks / (directions - 1);
@@ -136,7 +136,7 @@ DriveOutcome contest_on_drive(const Input& input) {
 std::optional<Contests> contest_on(const Recording& recording) {
   const tools::CatalogueEntry& car = tools::find_vehicle(recording.vehicle);
   std::vector<std::size_t> sensors;
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     if (sensor.format != lidar::Format::kIbeoLux) {
       return std::nullopt;
     }

@@ -140,7 +140,7 @@ class Measurement {
  public:
   Measurement(const std::string& name, const tools::CatalogueEntry& car) : car_(&car) {
     drives_.name = name;
-    const vehicle::SensorConfig& sensor = car.sensors[0];
+    const description::SensorConfig& sensor = car.sensors[0];
     const auto model =
         probabilities({.sigma_m = sensor.sigma_m, .cell_length_m = sensor.precision_mm / 1000.0});
     for (std::size_t i = 0; i < kPolicies.size(); ++i) {

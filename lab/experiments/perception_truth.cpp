@@ -32,7 +32,7 @@ LocalToWorld::Point LocalToWorld::centre_of(geometry::Cell cell) const {
 
 FrameTruth::FrameTruth(const PerceivedFrame& frame, const LocalToWorld& before) {
   const tools::Scene& scene = frame.drive->scene();
-  const vehicle::Description& description =
+  const description::Description& description =
       *tools::find_vehicle(tools::kDefaultVehicle).description;
   for (std::size_t i = 0; i < frame.report->slice_count; ++i) {
     const app::PlacedSlice& slice = frame.report->slices[i];

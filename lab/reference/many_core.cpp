@@ -218,7 +218,7 @@ Operations beam_by_beam(const PlaneGrid& grid, std::span<const PlaneScan> scans,
   return operations;
 }
 
-LuxScans::LuxScans(const vehicle::MountConfig& mount, std::int32_t step_ticks)
+LuxScans::LuxScans(const description::MountConfig& mount, std::int32_t step_ticks)
     : step_ticks_(step_ticks),
       fan_(mount.x_m, mount.y_m, mount.yaw_deg * kRadiansPerDegree,
            step_ticks * 2 * numeric::kPi / lidar::IbeoLux::kTicksPerTurn,

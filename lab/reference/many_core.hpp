@@ -13,10 +13,10 @@
 #include <optional>
 #include <span>
 
+#include "description/description.hpp"
 #include "lab/reference/inverse_sensor_model.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/scan_point.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::lab::reference {
 
@@ -119,7 +119,7 @@ class LuxScans {
   static constexpr std::int32_t kHalfDegree = lidar::IbeoLux::kTicksPerTurn / 720;
 
   // step_ticks between two directions: kHalfDegree or half of it.
-  explicit LuxScans(const vehicle::MountConfig& mount, std::int32_t step_ticks = kHalfDegree);
+  explicit LuxScans(const description::MountConfig& mount, std::int32_t step_ticks = kHalfDegree);
 
   // The first echo of a beam counts, unless the sensor calls it dirt or rain.
   void add(const lidar::ScanPoint& point);

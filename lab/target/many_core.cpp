@@ -31,10 +31,11 @@ namespace {
 // The two LUX, by their numbers, and their mounts as the file of the car has them.
 constexpr std::size_t kLeft = 0;
 constexpr std::size_t kRight = 2;
-constexpr vehicle::MountConfig kLeftMount{.x_m = 1.95, .y_m = 0.60, .z_m = 0.42, .yaw_deg = 40};
-constexpr vehicle::MountConfig kRightMount{.x_m = 1.95, .y_m = -0.60, .z_m = 0.42, .yaw_deg = -40};
+constexpr description::MountConfig kLeftMount{.x_m = 1.95, .y_m = 0.60, .z_m = 0.42, .yaw_deg = 40};
+constexpr description::MountConfig kRightMount{
+    .x_m = 1.95, .y_m = -0.60, .z_m = 0.42, .yaw_deg = -40};
 
-bool stands_at(const vehicle::Sensor& sensor, const vehicle::MountConfig& mount) {
+bool stands_at(const vehicle::Sensor& sensor, const description::MountConfig& mount) {
   constexpr double kOrigin = double{geometry::kOriginCell} * geometry::kResolution;
   return std::abs(kOrigin + mount.x_m * geometry::kSubcellsPerMetre - sensor.origin.x) < 1 &&
          std::abs(kOrigin + mount.y_m * geometry::kSubcellsPerMetre - sensor.origin.y) < 1;

@@ -11,20 +11,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <span>
 #include <string_view>
 
+#include "description/scanners.hpp"
+#include "description/tables.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"
 #include "number_in.hpp"
 #include "stage_pass.hpp"
 #include "synthetic_scan.hpp"
-#include "vehicle/compile.hpp"
-#include "vehicle/scanners.hpp"
 
 namespace iog::lab {
 namespace {
 
-// What the walk's error term leaves room for (src/vehicle/compile.hpp), and the core's own limit.
+// What the walk's error term leaves room for (src/car_block/limits.cpp), and the core's own limit.
 constexpr std::uint32_t kLongMm = std::min<std::uint32_t>(
     100'000, std::uint32_t{geometry::kCellMm} * 1400 * 1024 / std::uint32_t{geometry::kResolution});
 constexpr std::uint32_t kUsualMm = 50'000;
@@ -32,37 +33,35 @@ constexpr std::uint32_t kUsualMm = 50'000;
 constexpr std::uint16_t kFirstPort = 12'002;
 
 // At the car's corners and sides, an eighth of a turn apart.
-constexpr vehicle::SensorConfig sensor_config(std::size_t i, std::uint32_t range_mm) {
+description::SensorConfig sensor_config(std::size_t i, std::uint32_t range_mm) {
   constexpr std::array<std::array<double, 2>, 8> kPlaces{
       {{2.05, 0}, {-2.05, 0}, {0, 0.9}, {0, -0.9}, {2, 0.8}, {2, -0.8}, {-2, 0.8}, {-2, -0.8}}};
   constexpr std::array<double, 8> kYawsDeg{0, 180, 90, -90, 45, -45, 135, -135};
-  vehicle::SensorConfig config = vehicle::ibeo_lux(
-      "lux", 0, static_cast<std::uint16_t>(kFirstPort + i),
-      {.x_m = kPlaces[i][0], .y_m = kPlaces[i][1], .z_m = 0.5, .yaw_deg = kYawsDeg[i]},
-      kMostAzimuths);
+  description::SensorConfig config = description::scanner_of(lidar::Format::kIbeoLux);
+  config.name = "lux";
+  config.udp_port = static_cast<std::uint16_t>(kFirstPort + i);
+  config.mount = {.x_m = kPlaces[i][0], .y_m = kPlaces[i][1], .z_m = 0.5, .yaw_deg = kYawsDeg[i]};
+  config.max_points_per_scan = kMostAzimuths * lidar::IbeoLux::points_of_packet(4);
   config.range_max_mm = range_mm;
   return config;
 }
 
-constexpr auto sensor_configs(std::uint32_t range_mm) {
-  std::array<vehicle::SensorConfig, vehicle::kMaxSensors> configs;
-  for (std::size_t i = 0; i < configs.size(); ++i) {
-    configs[i] = sensor_config(i, range_mm);
-  }
-  return configs;
-}
-
 // The height band cuts nothing off.
-constexpr vehicle::Description kDescription{
+constexpr description::Description kDescription{
     .name = "scaling",
     .footprint = {.x_min_m = -2.04, .x_max_m = 2.04, .y_min_m = -0.87, .y_max_m = 0.87},
     .z_min_m = -10,
     .z_max_m = 10,
 };
-constexpr auto kUsualSensors = vehicle::compile_sensors(sensor_configs(kUsualMm), kDescription);
-constexpr auto kLongSensors = vehicle::compile_sensors(sensor_configs(kLongMm), kDescription);
-constexpr vehicle::Vehicle kUsual = vehicle::compile_vehicle(kDescription, kUsualSensors);
-constexpr vehicle::Vehicle kLong = vehicle::compile_vehicle(kDescription, kLongSensors);
+
+// Of so many sensors; called once.
+vehicle::Vehicle vehicle_with(std::uint32_t sensors, std::uint32_t range_mm) {
+  static std::array<vehicle::Sensor, vehicle::kMaxSensors> all;
+  for (std::size_t i = 0; i < sensors; ++i) {
+    all[i] = description::sensor_of(sensor_config(i, range_mm), kDescription);
+  }
+  return description::vehicle_of(kDescription, std::span(all).first(sensors));
+}
 
 struct Request {
   std::uint32_t sensors = 0;
@@ -98,8 +97,8 @@ void print(const char* key, std::uint64_t value) {
 
 int run(const Request& request) {
   static InstructionCounter counter;
-  static vehicle::Vehicle vehicle = request.fan.range_cm * 10 <= kUsualMm ? kUsual : kLong;
-  vehicle.sensors = vehicle.sensors.first(request.sensors);
+  static const vehicle::Vehicle vehicle =
+      vehicle_with(request.sensors, request.fan.range_cm * 10 <= kUsualMm ? kUsualMm : kLongMm);
   static StagePass stages(vehicle, counter, app::Coding::kRaw);
   counter.start();
   if (!counter.is_exact()) {

@@ -15,54 +15,50 @@
 #include <cstdio>
 #include <string_view>
 
+#include "description/scanners.hpp"
+#include "description/tables.hpp"
 #include "grid/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"
 #include "number_in.hpp"
 #include "tools/simulate/random.hpp"
-#include "vehicle/compile.hpp"
-#include "vehicle/scanners.hpp"
 
 namespace iog::lab {
 namespace {
 
 constexpr std::int32_t kTicksPerTurn = 36'000;
 
-constexpr std::array kConfigs{[] {
-  auto config = vehicle::velodyne_vlp16("roof", 0, 2368, {.x_m = 0.123, .y_m = 0.456, .z_m = 1.8});
-  config.range_max_mm = 50'000;
-  config.precision_mm = 100;
-  config.sigma_m = 0.10;
-  return config;
-}()};
-
-constexpr vehicle::Description described(double z_min_m, double z_max_m) {
+constexpr description::Description described(double z_min_m, double z_max_m) {
   return {.name = "turning",
           .footprint = {.x_min_m = -2.04, .x_max_m = 2.04, .y_min_m = -0.87, .y_max_m = 0.87},
           .z_min_m = z_min_m,
           .z_max_m = z_max_m};
 }
-constexpr vehicle::Description kOpen = described(-100, 100);
-constexpr vehicle::Description kCar = described(0.3, 2.2);
 
-consteval std::array<double, vehicle::kMaxLayers> make_elevations() {
-  std::array<double, vehicle::kMaxLayers> elevations{};
-  for (std::size_t i = 0; i < elevations.size(); ++i) {
-    elevations[i] = -25 + 50.0 * static_cast<double>(i) / (elevations.size() - 1);
+consteval std::array<lidar::Laser, vehicle::kMaxLayers> make_lasers() {
+  std::array<lidar::Laser, vehicle::kMaxLayers> lasers{};
+  for (std::size_t i = 0; i < lasers.size(); ++i) {
+    lasers[i].elevation_deg = -25 + 50.0 * static_cast<double>(i) / (lasers.size() - 1);
   }
-  return elevations;
+  return lasers;
 }
-constexpr auto kElevationsDeg = make_elevations();
 
-consteval auto sensors_of(const vehicle::Description& description) {
-  auto sensors = vehicle::compile_sensors(kConfigs, description);
-  vehicle::compile_detail::compile_layers(kConfigs[0], kElevationsDeg, sensors[0]);
-  return sensors;
+// A VLP-16 with as many layers as a vehicle can have, which no packet of its format has. Called
+// once.
+vehicle::Vehicle vehicle_in_band(const description::Description& car) {
+  static constexpr auto kLasers = make_lasers();
+  static std::array<vehicle::Sensor, 1> sensors;
+  description::SensorConfig config = description::scanner_of(lidar::Format::kVelodyneVlp16);
+  config.name = "roof";
+  config.udp_port = 2368;
+  config.mount = {.x_m = 0.123, .y_m = 0.456, .z_m = 1.8};
+  config.range_max_mm = 50'000;
+  config.precision_mm = 100;
+  config.sigma_m = 0.10;
+  config.lasers = kLasers;
+  sensors[0] = description::sensor_of(config, car);
+  return description::vehicle_of(car, sensors);
 }
-constexpr auto kOpenSensors = sensors_of(kOpen);
-constexpr auto kCarSensors = sensors_of(kCar);
-constexpr vehicle::Vehicle kOpenVehicle = vehicle::compile_vehicle(kOpen, kOpenSensors);
-constexpr vehicle::Vehicle kCarVehicle = vehicle::compile_vehicle(kCar, kCarSensors);
 
 enum class Pattern : std::uint8_t { kColumn, kSpread, kOffsets };
 
@@ -172,12 +168,14 @@ int run(const Request& request) {
 bool read(char** argv, Request& request) {
   const std::string_view pattern = argv[3];
   const std::string_view band = argv[4];
+  static const vehicle::Vehicle car =
+      vehicle_in_band(band == "car" ? described(0.3, 2.2) : described(-100, 100));
   request = {.layers = static_cast<std::uint32_t>(number_in(argv[1], vehicle::kMaxLayers)),
              .azimuths = static_cast<std::uint32_t>(number_in(argv[2], 4'096)),
              .pattern = pattern == "spread"    ? Pattern::kSpread
                         : pattern == "offsets" ? Pattern::kOffsets
                                                : Pattern::kColumn,
-             .vehicle = band == "car" ? &kCarVehicle : &kOpenVehicle,
+             .vehicle = &car,
              .frames = static_cast<std::uint32_t>(number_in(argv[5], 1'000))};
   return request.layers > 1 && request.azimuths > 0 && request.frames > 0 &&
          request.layers * request.azimuths <= grid::kMaxMarks &&

@@ -12,7 +12,7 @@
 #include "stream/class_end.hpp"
 #include "stream/class_hash.hpp"
 #include "stream/message.hpp"
-#include "vehicle/description.hpp"
+#include "vehicle/vehicle.hpp"
 #include "window/window_view.hpp"
 
 namespace iog::app {

@@ -161,13 +161,17 @@ Words::Words(const Verdict& verdict) {
     return;
   }
   if (verdict.fault.sensor != vehicle::Fault::kCar) {
-    const char digit = static_cast<char>('0' + verdict.fault.sensor);
     add("sensors[");
-    add({&digit, 1});
+    add_number(static_cast<std::uint32_t>(verdict.fault.sensor));
     add("].");
   }
   add(verdict.fault.field);
   add(": allowed is ");
+  if (verdict.fault.least > 0) {
+    add("at least ");
+    add_number(verdict.fault.least);
+    add(": ");
+  }
   add(verdict.fault.allowed);
 }
 
@@ -175,6 +179,16 @@ void Words::add(std::string_view text) {
   const std::size_t length = std::min(text.size(), letters_.size() - length_);
   std::copy_n(text.begin(), length, letters_.begin() + static_cast<std::ptrdiff_t>(length_));
   length_ += length;
+}
+
+void Words::add_number(std::uint32_t number) {
+  std::array<char, 10> digits{};
+  std::size_t first = digits.size();
+  do {
+    digits[--first] = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number > 0);
+  add(std::string_view(digits.data(), digits.size()).substr(first));
 }
 
 }  // namespace iog::car_block

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -61,6 +62,7 @@ class Words {
 
  private:
   void add(std::string_view text);
+  void add_number(std::uint32_t number);
 
   // The longest allowed of a fault has some 110 letters.
   std::array<char, 200> letters_{};

@@ -1,106 +1,74 @@
 #include "car_block/limits.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
-
-#include "description/car_checks.hpp"
-#include "vehicle/limits.hpp"
 
 namespace iog::car_block {
 namespace {
 
 using vehicle::Fault;
 using vehicle::is_within;
+using vehicle::Sensor;
+using vehicle::Tell;
+using vehicle::Vehicle;
 
-// Keeps the first fault that it is told.
-class First {
- public:
-  explicit First(Fault& fault) : fault_(&fault) {}
-  void operator()(const Fault& fault) const {
-    if (fault_->field.empty()) {
-      *fault_ = fault;
-    }
-  }
+constexpr std::size_t kLongestSensorName = 15;
+constexpr std::size_t kLongestCarName = 31;
 
- private:
-  Fault* fault_;
-};
-
-constexpr std::int32_t subcells(std::int32_t metres) {
-  return static_cast<std::int32_t>(std::int64_t{metres} * 1000 * geometry::kResolution /
-                                   geometry::kCellMm);
-}
-constexpr std::int32_t kFarthest = subcells(static_cast<std::int32_t>(vehicle::kFarthestM));
-constexpr std::int32_t kGridSide = geometry::kCellsPerSide * geometry::kResolution;
-constexpr std::int64_t kUnit = std::int64_t{1} << vehicle::kAxisFractionBits;
-// A mount off the car: 0.15 m, and a subcell for rounding.
-constexpr std::int32_t kOffCar =
-    static_cast<std::int32_t>(description::kOffCarM * geometry::kSubcellsPerMetre) + 1;
-
-void check_box(const vehicle::Vehicle& car, const First& tell) {
-  const vehicle::Footprint& its = car.footprint;
-  if (!is_within<std::int32_t>(its.x_min, 0, its.x_max) || its.x_max > kGridSide) {
-    tell({.field = "footprint.x_max_m", .allowed = "a car within the grid around its origin"});
-  }
-  if (!is_within<std::int32_t>(its.y_min, 0, its.y_max) || its.y_max > kGridSide) {
-    tell({.field = "footprint.y_max_m", .allowed = "a car within the grid around its origin"});
-  }
-  if (!is_within(car.z_min, -kFarthest, kFarthest) || car.z_min >= car.z_max ||
-      car.z_max > kFarthest) {
-    tell({.field = "z_min_m", .allowed = "-1000 ... less than z_max_m, at most 1000"});
-  }
-}
-
-void check_place(const vehicle::Footprint& its, const vehicle::Sensor& sensor, std::size_t number,
-                 const First& tell) {
-  const auto is_on = [](std::int64_t at, std::int64_t low, std::int64_t high) {
-    return is_within(at, low - kOffCar, high + kOffCar);
+// Letters, digits and '_', of which the first is no digit.
+bool is_name(std::string_view name, std::size_t longest) {
+  const auto is_allowed = [](char c) {
+    return is_within(c, 'a', 'z') || is_within(c, 'A', 'Z') || is_within(c, '0', '9') || c == '_';
   };
-  if (!is_on(sensor.origin.x, its.x_min, its.x_max)) {
-    tell({number, "mount.x_m", "a place on the car: footprint.x_min_m ... x_max_m, 0.15 off"});
+  return !name.empty() && name.size() <= longest && !is_within(name.front(), '0', '9') &&
+         std::ranges::all_of(name, is_allowed);
+}
+
+// What a car is called, its frames, and how many sensors it has.
+void check_frames(const Vehicle& car, const Tell& tell) {
+  if (!is_name(car.name, kLongestCarName)) {
+    tell({.field = "name", .allowed = "at most 31 letters, digits and '_', no digit first"});
   }
-  if (!is_on(sensor.origin.y, its.y_min, its.y_max)) {
-    tell({number, "mount.y_m", "a place on the car: footprint.y_min_m ... y_max_m, 0.15 off"});
+  if (!is_within<std::uint32_t>(car.frame_period_us, 10'000, 1'000'000)) {
+    tell({.field = "frame_period_us", .allowed = "10000 ... 1000000"});
   }
-  if (!is_within(sensor.origin_z, -kFarthest, kFarthest)) {
-    tell({number, "mount.z_m", "-1000 ... 1000"});
+  if (!is_within<std::uint32_t>(car.window.group_budget, 1, window::kGroupBudget)) {
+    tell({.field = "window.group_budget", .allowed = "1 ... 65536"});
+  }
+  if (!is_within<std::size_t>(car.sensors.size(), 1, vehicle::kMaxSensors)) {
+    tell({.field = "sensors", .allowed = "1 ... 8 of them"});
   }
 }
 
-bool is_length(const vehicle::Sensor& sensor) {
-  const std::uint32_t range_mm = sensor.range.mm();
-  if (range_mm > vehicle::kLongestRangeMm) {
-    return false;
-  }
-  const std::uint32_t longest_mm = vehicle::longest_line_mm(sensor.format, range_mm);
-  return longest_mm <= vehicle::kLongestRangeMm && vehicle::walk_fits(longest_mm);
+// Whether the error term of the walk stays below 2^31 along beams of this length: a line spans at
+// most sqrt(2) L in |dx| + |dy|, to which rounding adds less than 10 subcells.
+bool walk_fits(std::uint32_t range_mm) {
+  const std::uint64_t span = subcells_up(range_mm) * 1'414'214 / 1'000'000 + 10;
+  return span * geometry::kResolution < std::uint64_t{1} << 31;
 }
 
-void check_numbers(const vehicle::Sensor& sensor, std::size_t number, const First& tell) {
+void check_range(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const std::uint32_t range_mm = sensor.range.mm();
-  if (!is_length(sensor) || range_mm <= sensor.range_min_mm) {
-    tell({number, "range_max_mm", "more than range_min_mm, at most 130000, and a walk that fits"});
+  if (range_mm <= sensor.range_min_mm || range_mm > kLongestRangeMm) {
+    tell({number, "range_max_mm", kRangeWords});
+    return;
   }
   if (sensor.no_return_clears_mm > range_mm) {
     tell({number, "no_return_clears_mm", "at most range_max_mm"});
   }
-  if (!is_within<std::uint32_t>(sensor.precision_mm, 1, 1000) || !sensor.profile.is_valid()) {
-    tell({number, "precision_mm", "1 ... 1000, with which the sensor can mark"});
-  }
-  if (sensor.udp_port == 0) {
-    tell({number, "udp_port", "1 ... 65535"});
-  }
-  if (!is_within<std::uint32_t>(sensor.scan_width_ticks, 1, sensor.azimuths.ticks_per_turn())) {
-    tell({number, "scan_width_ticks", "1 ... a whole turn in ticks of the scanner"});
-  }
-  if (sensor.max_points_per_scan < vehicle::fewest_points(sensor.format, sensor.layer_count)) {
-    tell({number, "max_points_per_scan", "at least the points of a packet, of a LUX 12"});
+  const std::uint32_t longest_mm = longest_line_mm(sensor.format, range_mm);
+  if (longest_mm > kLongestRangeMm) {
+    tell({number, "range_max_mm", "at most 127999, because its mirror is tilted"});
+  } else if (!walk_fits(longest_mm)) {
+    tell({number, "range_max_mm",
+          "less: the error term of the walk along the longest beam overflows"});
   }
 }
 
-bool is_mode_known(const vehicle::Sensor& sensor) {
-  if (!vehicle::facts_of(sensor.format).has_modes) {
+bool is_mode_known(const Sensor& sensor) {
+  if (!lidar::facts_of(sensor.format).has_modes) {
     return sensor.columns_per_turn == 0 && sensor.column_ns == 0;
   }
   return std::ranges::any_of(lidar::kTurnModes, [&](const lidar::TurnMode& mode) {
@@ -108,146 +76,151 @@ bool is_mode_known(const vehicle::Sensor& sensor) {
   });
 }
 
-// Twelfths of a turn, and 10 m, as vehicle/limits.hpp has it of a laser.
-bool is_within_reach(const lidar::LaserCorrection& laser, std::int32_t ticks_per_turn) {
-  return is_within<std::int32_t>(laser.azimuth_ticks, -ticks_per_turn / 12, ticks_per_turn / 12) &&
-         is_within<std::int32_t>(laser.range_mm, -10'000, 10'000);
-}
-
-void check_unit(const vehicle::Sensor& sensor, std::size_t number, const First& tell) {
-  const bool is_calibrated =
-      sensor.is_calibrated || vehicle::facts_of(sensor.format).has_elevations;
-  if (!is_calibrated || !vehicle::can_have_layers(sensor.format, sensor.layer_count)) {
-    tell({number, "lasers", "one for each layer of the scanner"});
+void check_unit(const Sensor& sensor, std::size_t number, const Tell& tell) {
+  const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);
+  if (!is_within<std::uint32_t>(sensor.precision_mm, 1, 1000)) {
+    tell({number, "precision_mm", "1 ... 1000"});
   }
-  const std::int32_t ticks_per_turn = lidar::ticks_per_turn(sensor.format);
-  if (!std::ranges::all_of(sensor.unit().corrections, [&](const lidar::LaserCorrection& laser) {
-        return is_within_reach(laser, ticks_per_turn);
-      })) {
-    tell({number, "lasers", "azimuths of a twelfth of a turn, ranges of 10 m"});
+  if (!is_within<std::uint32_t>(sensor.scan_width_ticks, 1, facts.ticks_per_turn)) {
+    tell({number, "scan_width_ticks", "1 ... a whole turn in ticks of the scanner"});
+  }
+  const std::size_t fewest = lidar::points_of_packet(sensor.format, sensor.layer_count);
+  if (sensor.max_points_per_scan < fewest) {
+    tell({.sensor = number,
+          .field = "max_points_per_scan",
+          .allowed = "the points of a packet, of a LUX those of a direction",
+          .least = static_cast<std::uint32_t>(fewest)});
+  }
+  if (sensor.layer_count > vehicle::kMaxLayers ||
+      !lidar::can_have_layers(sensor.format, sensor.layer_count) ||
+      (!sensor.is_calibrated && !facts.has_elevations)) {
+    tell({number, "lasers", "one for each layer of the scanner"});
   }
   if (!is_mode_known(sensor)) {
     tell({number, "mode", "512x10 ... 2048x10 of an Ouster, of others none"});
   }
+  if (sensor.latency_us > 1'000'000) {
+    tell({number, "latency_us", "at most 1000000"});
+  }
 }
 
-// A vector of a layer's end, in 2^-10 subcells.
-struct Vector {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  std::int64_t z = 0;
+bool is_source(std::uint32_t ipv4) { return ipv4 == 0 || net::is_host_address({ipv4}); }
 
-  [[nodiscard]] bool is_within(std::int64_t most) const {
-    return vehicle::is_within(x, -most, most) && vehicle::is_within(y, -most, most) &&
-           vehicle::is_within(z, -most, most);
-  }
-  // Of components below 2^31: the sum is below 2^64.
-  [[nodiscard]] std::uint64_t square() const {
-    return static_cast<std::uint64_t>(x * x) + static_cast<std::uint64_t>(y * y) +
-           static_cast<std::uint64_t>(z * z);
-  }
-};
+bool is_sensor_address_taken(std::span<const Sensor> sensors, std::size_t number,
+                             const net::Config& network) {
+  const std::uint32_t address = sensors[number].source_ipv4;
+  const auto others = sensors.first(number);
+  return address != 0 && (address == network.address.value ||
+                          std::ranges::find(others, address, &Sensor::source_ipv4) != others.end());
+}
 
-// Components below 2^30.6, as walk_fits() leaves them: three products stay below 2^63.
-std::int64_t product(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-// Whether start + up + forward cos a + left sin a is a beam of this length at most, whatever a. A
-// rotation makes the three at right angles, and each of the first two with the third as long as
-// the beam. They are rounded to 1 unit, `up` to a subcell of kUnit. Then the end is within 6
-// subcells of its length.
-//
-// Those of a tilted mirror are fitted, and not quite at right angles: the squares may be of a
-// length that is a 128th longer, and the products a 512th of its square. Then the square of an end
-// is at most 1 + 5 / 512 times that of this length, and the end within vehicle::longest_line_mm().
-bool are_beams(const Vector& forward, const Vector& left, const Vector& up,
-               const vehicle::Sensor& sensor) {
-  const bool is_fitted = vehicle::facts_of(sensor.format).has_beam_tilt;
-  const std::uint32_t range_mm = sensor.range.mm();
-  const std::uint32_t length_mm = is_fitted ? range_mm + range_mm / 128 : range_mm;
-  const auto length = static_cast<std::int64_t>(vehicle::subcells_up(length_mm) + 2) * kUnit;
-  if (!forward.is_within(length) || !left.is_within(length) || !up.is_within(length)) {
-    return false;
+// Names, ports and addresses, of which each sensor has its own.
+void check_own(std::span<const Sensor> sensors, std::size_t number, const net::Config& network,
+               const Tell& tell) {
+  const Sensor& sensor = sensors[number];
+  const auto others = sensors.first(number);
+  if (!is_name(sensor.name, kLongestSensorName)) {
+    tell({number, "name", "at most 15 letters, digits and '_', no digit first"});
+  } else if (std::ranges::find(others, sensor.name, &Sensor::name) != others.end()) {
+    tell({number, "name", "a name that no other sensor has"});
   }
-  const auto most = static_cast<std::uint64_t>(length) * static_cast<std::uint64_t>(length);
-  const std::int64_t askew = is_fitted ? length * (length / 512) : length * kUnit;
-  const auto is_right = [&](const Vector& a, const Vector& b) {
-    return vehicle::is_within(product(a, b), -askew, askew);
+  if (sensor.udp_port == 0) {
+    tell({number, "udp_port", "1 ... 65535"});
+  } else if (std::ranges::find(others, sensor.udp_port, &Sensor::udp_port) != others.end()) {
+    tell({number, "udp_port", "a port that no other sensor has"});
+  }
+  if (is_sensor_address_taken(sensors, number, network)) {
+    tell({number, "source_ipv4", "an address that nobody else has"});
+  } else if (!is_source(sensor.source_ipv4)) {
+    tell({number, "source_ipv4", "the address of one host, or 0.0.0.0 for any"});
+  }
+}
+
+void check_network(const net::Config& network, const Tell& tell) {
+  if (!is_within<unsigned>(network.prefix_bits, 8, 30)) {
+    tell({.field = "network.prefix_bits", .allowed = "8 ... 30"});
+    return;
+  }
+  if (!network.mac.is_unicast()) {
+    tell({.field = "network.mac", .allowed = "the address of one station, its first octet even"});
+  }
+  if (!net::is_host_in_subnet(network.address, network.address, network.prefix_bits)) {
+    tell({.field = "network.address", .allowed = "the address of a host of its subnet"});
+  } else if (!net::is_host_in_subnet(network.peer, network.address, network.prefix_bits) ||
+             network.peer == network.address) {
+    tell({.field = "network.peer", .allowed = "another host of the subnet of network.address"});
+  }
+  if (network.peer_port == 0) {
+    tell({.field = "network.peer_port", .allowed = "1 ... 65535"});
+  }
+  if (network.source_port == 0) {
+    tell({.field = "network.source_port", .allowed = "1 ... 65535"});
+  }
+}
+
+// Where the poses and the maps come from.
+void check_sources(const Vehicle& car, const net::Config& network, const Tell& tell) {
+  const auto is_allowed = [&](std::uint32_t ipv4) {
+    return is_source(ipv4) && ipv4 != network.address.value;
   };
-  return forward.square() + up.square() <= most && left.square() + up.square() <= most &&
-         is_right(forward, left) && is_right(forward, up) && is_right(left, up);
+  if (!is_allowed(car.poses.source_ipv4)) {
+    tell({.field = "poses.source_ipv4", .allowed = "another host's address, or 0.0.0.0 for any"});
+  }
+  if (!is_allowed(car.maps.source_ipv4)) {
+    tell({.field = "maps.source_ipv4", .allowed = "another host's address, or 0.0.0.0 for any"});
+  }
 }
 
-// Farther than any end of a beam, and far from where a difference overflows.
-bool is_near(const vehicle::EndCoordinate& end) {
-  constexpr std::int64_t kFar = std::int64_t{1} << 48;
-  return is_within(end.base, -kFar, kFar);
-}
-
-bool is_sound(const vehicle::Sensor& sensor, const vehicle::Layer& layer) {
-  if (!is_near(layer.x) || !is_near(layer.y) || !is_near(layer.z)) {
-    return false;
+// Classes need the rule hits_win, by which alone slices of a frame join, and blurring, because
+// nearest calls cells behind a hit occupied; poses and maps have ports of their own.
+void check_classes(const Vehicle& car, const Tell& tell) {
+  const auto is_sensors_port = [&](std::uint16_t udp_port) {
+    return std::ranges::find(car.sensors, udp_port, &Sensor::udp_port) != car.sensors.end();
+  };
+  if (car.rule != vehicle::FusionRule::kHitsWin) {
+    tell({.field = "rule", .allowed = "hits_win, because grids have classes"});
   }
-  const bool shares = sensor.layers_share_lines;
-  const std::int64_t up_z = layer.z.base - sensor.origin_z * kUnit;
-  const Vector forward{layer.x.forward, layer.y.forward, shares ? 0 : layer.z.forward};
-  const Vector left{layer.x.left, layer.y.left, shares ? 0 : layer.z.left};
-  const Vector up{layer.x.base - sensor.origin.x * kUnit, layer.y.base - sensor.origin.y * kUnit,
-                  shares ? 0 : up_z};
-  if (!are_beams(forward, left, up, sensor)) {
-    return false;
+  if (car.quantisation != index::Quantisation::kBlurring) {
+    tell({.field = "quantisation", .allowed = "blurring, because grids have classes"});
   }
-  constexpr std::uint32_t kWhole = std::uint32_t{1} << numeric::kSineFractionBits;
-  if (!shares) {
-    return layer.range_share == kWhole;
+  if (car.poses.log2_slice_ms > 6) {
+    tell({.field = "poses.log2_slice_ms", .allowed = "0 ... 6: slices of at most 64 ms"});
   }
-  // Elevations of 89 degrees have a tangent below 58.
-  const auto most = static_cast<std::int64_t>(vehicle::subcells_up(sensor.range.mm())) * 58 * kUnit;
-  return is_within(up_z, -most, most) && layer.z.forward == 0 && layer.z.left == 0 &&
-         is_within<std::uint32_t>(layer.range_share, 1, kWhole);
-}
-
-void check_layers(const vehicle::Sensor& sensor, std::size_t number, const First& tell) {
-  const auto layers = std::span(sensor.layers).first(sensor.layer_count);
-  if (sensor.layers_share_lines && !vehicle::facts_of(sensor.format).turns) {
-    tell({number, "type", "a scanner that turns, because its layers share lines"});
+  if (car.poses.udp_port == 0 || is_sensors_port(car.poses.udp_port)) {
+    tell({.field = "poses.udp_port", .allowed = "1 ... 65535, and no sensor's port"});
   }
-  if (!is_length(sensor)) {
-    return;  // told already, and squares of it may overflow
-  }
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (!is_sound(sensor, layers[i])) {
-      tell({number, "mount", "a rotation, whose beams are as long as range_max_mm"});
-    }
-    const vehicle::Layer& first = layers[std::min<std::size_t>(layers[i].line, i)];
-    if (layers[i].line > i || first.x != layers[i].x || first.y != layers[i].y) {
-      tell({number, "type", "layers that say rightly whose lines they share"});
-    }
+  if (car.maps.udp_port == 0 || is_sensors_port(car.maps.udp_port) ||
+      car.maps.udp_port == car.poses.udp_port) {
+    tell({.field = "maps.udp_port",
+          .allowed = "1 ... 65535, and neither a sensor's port nor that of the poses"});
   }
 }
 
 }  // namespace
 
-Fault fault_of(const vehicle::Vehicle& car, const net::Config& network) {
-  Fault fault;
-  const First tell(fault);
-  description::check_frames(car, car.sensors.size(), tell);
-  check_box(car, tell);
+void check_numbers(const Vehicle& car, const net::Config& network, const Tell& tell) {
+  check_frames(car, tell);
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
-    check_place(car.footprint, car.sensors[i], i, tell);
-    check_numbers(car.sensors[i], i, tell);
+    check_own(car.sensors, i, network, tell);
+    check_range(car.sensors[i], i, tell);
     check_unit(car.sensors[i], i, tell);
-    check_layers(car.sensors[i], i, tell);
   }
-  description::check_own(car.sensors, network, tell);
-  description::check_network(network, tell);
-  description::check_sources(car, network, tell);
-  vehicle::check_classes(car, tell);
-  vehicle::check_ports(car, car.sensors, tell);
-  vehicle::check_lines(car.sensors, tell);
-  if (fault.field.empty()) {
-    description::check_tables(car, tell);
+  check_network(network, tell);
+  check_sources(car, network, tell);
+  if (vehicle::have_classes(car.grids)) {
+    check_classes(car, tell);
   }
-  return fault;
+}
+
+Fault fault_of(const Vehicle& car, const net::Config& network) {
+  Fault first;
+  auto keep = [&](const Fault& fault) { first = first.field.empty() ? fault : first; };
+  const Tell tell(keep);
+  check_numbers(car, network, tell);
+  if (first.field.empty()) {
+    check_tables(car, tell);
+  }
+  return first;
 }
 
 }  // namespace iog::car_block

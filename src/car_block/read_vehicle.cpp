@@ -7,7 +7,6 @@
 #include "geometry/grid.hpp"
 #include "lidar/formats.hpp"
 #include "vehicle/derived.hpp"
-#include "vehicle/scanner_facts.hpp"
 
 namespace iog::car_block {
 namespace {

@@ -9,7 +9,7 @@ namespace iog::grid {
 namespace {
 
 // The length of the longest line in subcells, and the columns in which its heights are asked for.
-// vehicle/compile.hpp sees to it that the error term fits, sqrt(2) L r < 2^31, and that a range is
+// car_block/limits.cpp sees to it that the error term fits, sqrt(2) L r < 2^31, and that a range is
 // at most 130 m. A path stays in the grid, but for a column of blocks before its start and one
 // behind its end.
 constexpr std::uint32_t kLongest =

@@ -17,6 +17,7 @@
 #include <span>
 #include <string_view>
 
+#include "lidar/data_sheet.hpp"
 #include "lidar/echo_pair.hpp"
 #include "lidar/laser.hpp"
 #include "lidar/scan_point.hpp"
@@ -124,6 +125,9 @@ class HesaiDecoder : public HesaiPacket {
   static constexpr std::size_t kLayers = kUnit.lasers;
 
   [[nodiscard]] static constexpr const HesaiUnit& unit() { return kUnit; }
+  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
+    return kUnit.blocks * kUnit.lasers;
+  }
 
   // The view lives as long as the datagram and the corrections, of which there is one for each
   // laser, or none. kOk, kWrongLength, kWrongType or kWrongAngle.
@@ -183,12 +187,19 @@ inline constexpr HesaiUnit kXt32Unit{.model = {0x06, 0x01},
 class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar64";
+  // One turn with one return is 300 packets of 384 points; with two returns it is more than a frame
+  // can mark (Pandar64 User Manual).
+  static constexpr DataSheet kDataSheet{
+      .type = "hesai_pandar64", .range_min_mm = 500, .max_points_per_scan = 320 * 384};
   static constexpr std::array<double, 0> kElevationsDeg{};  // each unit's own
 };
 
 class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-32";
+  // One turn is 250 packets of 256 points, with two returns 500 (PandarXT User Manual).
+  static constexpr DataSheet kDataSheet{
+      .type = "hesai_xt32", .range_min_mm = 500, .max_points_per_scan = 512 * 256};
   // By channel, which is the order on the wire.
   static constexpr std::array<double, 32> kElevationsDeg{
       15, 14, 13, 12, 11, 10, 9,  8,  7,  6,   5,   4,   3,   2,   1,   0,

@@ -11,6 +11,7 @@
 #include <span>
 #include <string_view>
 
+#include "lidar/data_sheet.hpp"
 #include "lidar/scan_point.hpp"
 #include "wire/byte_order.hpp"
 
@@ -19,6 +20,14 @@ namespace iog::lidar {
 class IbeoLux {
  public:
   static constexpr std::string_view kName = "ibeo LUX";
+  // As docs/model.md section 8 uses it (thesis section 4.1.4): 100 degrees, precise to 10 cm, up to
+  // 50 m. How many points a scan has at most depends on its angular resolution.
+  static constexpr DataSheet kDataSheet{.type = "ibeo_lux",
+                                        .range_min_mm = 300,
+                                        .range_max_mm = 50'000,
+                                        .precision_mm = 100,
+                                        .sigma_m = 0.10,
+                                        .scan_width_ticks = 3200};
   static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
   static constexpr bool kTurns = false;                 // its azimuths come again in each scan
   static constexpr std::array<double, 4> kElevationsDeg{-1.2, -0.4, 0.4, 1.2};
@@ -28,6 +37,11 @@ class IbeoLux {
   static constexpr std::size_t kScanBytes = 44;
   static constexpr std::size_t kPointBytes = 10;
   static constexpr std::uint8_t kMaxEchoes = 3;
+
+  // Of one direction: how many a message has is up to the unit.
+  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
+    return kElevationsDeg.size() * kMaxEchoes;
+  }
 
   // Checks the whole message, every point included, and keeps a view of it. The view lives as long
   // as the datagram. kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.

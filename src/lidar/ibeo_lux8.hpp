@@ -20,16 +20,25 @@ namespace iog::lidar {
 class IbeoLux8 {
  public:
   static constexpr std::string_view kName = "ibeo LUX 8L";
+  static constexpr DataSheet kDataSheet = [] {
+    DataSheet sheet = IbeoLux::kDataSheet;
+    sheet.type = "ibeo_lux_8l";
+    sheet.type_too = "sick_ld_mrs_8l";
+    return sheet;
+  }();
   static constexpr std::int32_t kTicksPerTurn = IbeoLux::kTicksPerTurn;
   static constexpr bool kTurns = IbeoLux::kTurns;
   static constexpr bool kHasBeamTilt = true;
-  // Of a mirror that were not tilted; vehicle/tilted_mirror.hpp adds the unit's own tilt.
+  // Of a mirror that were not tilted; description/tilted_mirror.hpp adds the unit's own tilt.
   static constexpr std::array<double, 8> kElevationsDeg{-1.2, -0.4, 0.4, 1.2,  //
                                                         -1.2, -0.4, 0.4, 1.2};
   // From 60 degrees on the right to 50 on the left: the field of view of the maker's manual.
   static constexpr std::int32_t kRightmostTicks = -1920;
   static constexpr std::int32_t kLeftmostTicks = 1600;
 
+  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t layers) {
+    return IbeoLux::points_of_packet(layers);
+  }
   [[nodiscard]] static constexpr bool looks_up(std::size_t layer) { return layer >= kLayersOfSide; }
 
   // As IbeoLux::decode(), and kWrongAngle for a sector that the unit cannot see. kOtherUnit: it

@@ -18,6 +18,7 @@
 #include <span>
 #include <string_view>
 
+#include "lidar/data_sheet.hpp"
 #include "lidar/laser.hpp"
 #include "lidar/scan_point.hpp"
 #include "lidar/unit.hpp"
@@ -54,6 +55,10 @@ class OusterPacket {
   // Rows of the units that there are.
   [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
     return layers == 16 || layers == 32 || layers == 64 || layers == 128;
+  }
+
+  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t layers) {
+    return kColumns * layers;
   }
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
@@ -165,19 +170,27 @@ inline constexpr OusterProfile kOusterRng19Profile{.header_bytes = 32,
                                                    .footer_bytes = 32,
                                                    .range_mask = 0x0007'FFFF};
 
+// They see from 0.3 m (Hardware User Manual). How many points a turn has depends on rows and mode.
+constexpr DataSheet data_sheet_of_ouster(std::string_view type) {
+  return {.type = type, .range_min_mm = 300};
+}
+
 class OusterLegacy : public OusterDecoder<kOusterLegacyProfile> {
  public:
   static constexpr std::string_view kName = "Ouster OS, legacy";
+  static constexpr DataSheet kDataSheet = data_sheet_of_ouster("ouster_legacy");
 };
 
 class OusterRng15 : public OusterDecoder<kOusterRng15Profile> {
  public:
   static constexpr std::string_view kName = "Ouster OS, RNG15";
+  static constexpr DataSheet kDataSheet = data_sheet_of_ouster("ouster_rng15");
 };
 
 class OusterRng19 : public OusterDecoder<kOusterRng19Profile> {
  public:
   static constexpr std::string_view kName = "Ouster OS, RNG19";
+  static constexpr DataSheet kDataSheet = data_sheet_of_ouster("ouster_rng19");
 };
 
 }  // namespace iog::lidar

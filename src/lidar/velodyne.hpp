@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 
+#include "lidar/data_sheet.hpp"
 #include "lidar/echo_pair.hpp"
 #include "lidar/laser.hpp"
 #include "lidar/scan_point.hpp"
@@ -36,6 +37,11 @@ struct VelodyneUnit {
   std::array<std::int16_t, 32> azimuth_offsets{};
 };
 
+// packets: of one turn. They see from 1 m.
+constexpr DataSheet data_sheet_of_velodyne(std::string_view type, std::uint32_t packets) {
+  return {.type = type, .range_min_mm = 1'000, .max_points_per_scan = packets * 384};
+}
+
 class VelodynePacket {
  public:
   static constexpr std::size_t kPacketBytes = velodyne::kPacketBytes;
@@ -52,6 +58,10 @@ class VelodynePacket {
   // tenth. So a packet's sector is made this much wider: neighbouring sectors overlap instead of
   // leaving a gap.
   static constexpr std::uint32_t kSeamTicks = 10;
+
+  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
+    return kPointsPerPacket;
+  }
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 

@@ -29,6 +29,8 @@ inline constexpr VelodyneUnit kVlp16Unit = make_vlp16();
 class VelodyneVlp16 : public VelodyneDecoder<kVlp16Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne VLP-16";
+  // Precise to 3 cm. One turn at 10 Hz in dual return mode is 151 packets.
+  static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vlp16", 160);
   // By laser id, which is the order on the wire.
   static constexpr std::array<double, 16> kElevationsDeg{-15, 1, -13, 3,  -11, 5,  -9, 7,
                                                          -7,  9, -5,  11, -3,  13, -1, 15};

@@ -34,6 +34,8 @@ inline constexpr VelodyneUnit kVlp32cUnit = make_vlp32c();
 class VelodyneVlp32c : public VelodyneDecoder<kVlp32cUnit> {
  public:
   static constexpr std::string_view kName = "Velodyne VLP-32C";
+  // Precise to 3 cm. One turn at 10 Hz in dual return mode is 302 packets.
+  static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vlp32c", 310);
   // By channel, which is the order on the wire.
   static constexpr std::array<double, 32> kElevationsDeg{
       -25,    -1,    -1.667, -15.639, -11.31, 0,     -0.667, -8.843,  //

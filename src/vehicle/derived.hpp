@@ -1,6 +1,6 @@
 // What follows from a sensor's own members and is kept because the loops want it: reciprocals,
-// sines, and where the car and the height band are along its lines. Integers only: the compiler
-// does it for a description, the target for the car of its image.
+// sines, and where the car and the height band are along its lines. Integers only: the PC does it
+// for a description, the target for the car of its image.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,11 @@
 #include "vehicle/vehicle.hpp"
 
 namespace iog::vehicle {
+
+// Of the steps of a turn that a description may ask for.
+inline constexpr std::uint32_t kFewestAzimuthSteps = 256;
+inline constexpr std::uint32_t kMostAzimuthSteps = 16384;
+
 namespace derived_detail {
 
 constexpr numeric::SineTable sines_of(std::uint32_t steps_per_turn) {

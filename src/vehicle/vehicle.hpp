@@ -1,4 +1,5 @@
-// A vehicle as the target knows it: integers only, computed by the compiler from a description.
+// A vehicle as the target knows it: integers only. The PC computes them of a description
+// (src/description), the target reads them from the block of its image (src/car_block).
 #pragma once
 
 #include <array>
@@ -11,12 +12,14 @@
 #include "lidar/formats.hpp"
 #include "lidar/laser.hpp"
 #include "lidar/unit.hpp"
+#include "map/source_description.hpp"
 #include "numeric/reciprocal.hpp"
 #include "numeric/sine_table.hpp"
+#include "pose/source_description.hpp"
 #include "sensor_model/profile.hpp"
 #include "vehicle/azimuth_steps.hpp"
 #include "vehicle/beam_line.hpp"
-#include "vehicle/description.hpp"
+#include "window/rules.hpp"
 
 namespace iog::vehicle {
 
@@ -113,6 +116,16 @@ struct Sensor {
   }
 };
 
+// Which grids the target sends: of occupancy indexes around the vehicle, of classes in the
+// world-aligned window (docs/perception.md).
+enum class Grids : std::uint8_t { kIndexes, kClasses, kBoth };
+
+[[nodiscard]] constexpr bool have_indexes(Grids grids) { return grids != Grids::kClasses; }
+[[nodiscard]] constexpr bool have_classes(Grids grids) { return grids != Grids::kIndexes; }
+
+// The two rules of docs/model.md section 3.
+enum class FusionRule : std::uint8_t { kHitsWin, kBayes };
+
 // A rectangle in subcells, both ends included.
 struct Footprint {
   std::int32_t x_min = 0;
@@ -125,7 +138,7 @@ struct Vehicle {
   std::string_view name;
   std::uint32_t id = 0;  // of all that follows and the name (vehicle/identity.hpp)
   std::span<const Sensor> sensors;
-  Footprint footprint;
+  Footprint footprint{};
   std::int32_t z_min = 0;  // the height band in subcells, both ends included
   std::int32_t z_max = 0;
   FusionRule rule = FusionRule::kHitsWin;

@@ -25,11 +25,11 @@ double ms_of(double cycles) { return cycles * kMsPerCycle; }
 bool turns(const vehicle::Sensor& sensor) { return sensor.layers_share_lines; }
 
 // A LUX fires into the same directions in each scan. The others' heads turn as they like.
-bool repeats(const vehicle::SensorConfig& sensor) { return sends_lux_scans(sensor.format); }
+bool repeats(const description::SensorConfig& sensor) { return sends_lux_scans(sensor.format); }
 
 // Echoes that a description allows a direction: those of a LUX, and the two of a dual return mode,
 // in which an HDL-64E cannot be used.
-double echoes_of(const vehicle::SensorConfig& sensor) {
+double echoes_of(const description::SensorConfig& sensor) {
   const bool is_hdl64e = sensor.format == lidar::Format::kVelodyneHdl64eS2 ||
                          sensor.format == lidar::Format::kVelodyneHdl64eS3;
   if (is_hdl64e) {
@@ -73,12 +73,12 @@ double mean_reach_m(const CatalogueEntry& car, std::size_t sensor) {
 }
 
 // Points of a frame, an echo a direction.
-double directions_of(const vehicle::SensorConfig& sensor) {
+double directions_of(const description::SensorConfig& sensor) {
   return sensor.max_points_per_scan / echoes_of(sensor);
 }
 
 bool sees(const CatalogueEntry& car, std::size_t sensor, double x_m, double y_m) {
-  const vehicle::MountConfig& mount = car.sensors[sensor].mount;
+  const description::MountConfig& mount = car.sensors[sensor].mount;
   const double turn = static_cast<double>(car.vehicle->sensors[sensor].sines.ticks_per_turn());
   const double half_width = 180.0 * car.sensors[sensor].scan_width_ticks / turn;
   // From a tile's middle to its corner.
@@ -169,7 +169,7 @@ FrameWork typical_work(const CatalogueEntry& car) {
 // What is worst comes at azimuths that never came before, of any sensor.
 FrameWork worst_work(const CatalogueEntry& car) {
   FrameWork work{.tiles = tiles_in_reach(car)};
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     work.points_once += directions_of(sensor);
     work.later_echoes += sensor.max_points_per_scan - directions_of(sensor);
   }

@@ -29,7 +29,7 @@ struct Input {
 
 std::string names_of(const CatalogueEntry& car) {
   std::string names;
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     names += (names.empty() ? "" : ", ") + std::string(sensor.name);
   }
   return names;

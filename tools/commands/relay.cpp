@@ -56,7 +56,7 @@ struct Plan {
   std::vector<std::uint16_t> ports;  // of the target, by unit
 };
 
-RelayedUnit described_unit(const vehicle::SensorConfig& sensor) {
+RelayedUnit described_unit(const description::SensorConfig& sensor) {
   if (sensor.source_ipv4 == 0) {
     throw UsageError("sensor " + std::string(sensor.name) + " has no address: give --unit " +
                      std::string(sensor.name) + "=ADDRESS");

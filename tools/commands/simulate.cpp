@@ -189,7 +189,7 @@ PlacedDrive placed_drive(const SimulateOptions& options, const CatalogueEntry& c
 }
 
 void demand_lux_alone(const CatalogueEntry& car) {
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     if (!sends_lux_scans(sensor.format)) {
       throw UsageError(
           "drives with poses are simulated for ibeo LUX alone, and " +

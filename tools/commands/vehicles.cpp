@@ -23,8 +23,8 @@ void show_all() {
   for (const CatalogueEntry& entry : all_vehicles()) {
     std::cout << entry.vehicle->name << '\n'
               << "  in a stream    " << hex(entry.vehicle->id) << '\n';
-    for (const vehicle::SensorConfig& sensor : entry.sensors) {
-      const vehicle::MountConfig& mount = sensor.mount;
+    for (const description::SensorConfig& sensor : entry.sensors) {
+      const description::MountConfig& mount = sensor.mount;
       std::cout << "  " << std::left << std::setw(14) << sensor.name << " UDP " << sensor.udp_port
                 << ", x " << mount.x_m << " m, y " << mount.y_m << " m, z " << mount.z_m
                 << " m, yaw " << mount.yaw_deg << " deg, up to " << sensor.range_max_mm / 1000.0

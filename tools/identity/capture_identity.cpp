@@ -33,7 +33,7 @@ std::vector<const vehicle::Sensor*> sensors_on(std::uint16_t udp_port) {
 
 // From one direction to the next, by the description of a LUX, whose scans have four layers: they
 // and echoes share directions.
-std::int32_t step_of(const vehicle::SensorConfig& sensor) {
+std::int32_t step_of(const description::SensorConfig& sensor) {
   const auto directions =
       static_cast<std::int32_t>(sensor.max_points_per_scan / lidar::IbeoLux::kElevationsDeg.size() /
                                 lidar::IbeoLux::kMaxEchoes);
@@ -110,7 +110,7 @@ void CaptureIdentity::note_directions(std::span<const std::byte> scan, Port& por
 
 bool CaptureIdentity::is_settled(const CatalogueEntry& car) const {
   return datagrams_ >= kEnoughOfAll ||
-         std::ranges::all_of(car.sensors, [&](const vehicle::SensorConfig& sensor) {
+         std::ranges::all_of(car.sensors, [&](const description::SensorConfig& sensor) {
            const auto port = ports_.find(sensor.udp_port);
            return port != ports_.end() && port->second.datagrams >= kEnoughOfPort;
          });
@@ -119,7 +119,7 @@ bool CaptureIdentity::is_settled(const CatalogueEntry& car) const {
 CaptureIdentity::Misfit CaptureIdentity::misfit_of(const CatalogueEntry& car,
                                                    std::size_t number) const {
   using Kind = Misfit::Kind;
-  const vehicle::SensorConfig& sensor = car.sensors[number];
+  const description::SensorConfig& sensor = car.sensors[number];
   const auto found = ports_.find(sensor.udp_port);
   const std::string its_port = port_words(sensor.udp_port);
   if (found == ports_.end() || !found->second.is_of_lidar()) {
@@ -256,7 +256,7 @@ std::string CaptureIdentity::advice(const CatalogueEntry& car) const {
 
 std::string CaptureIdentity::words_without_packet_for(const CatalogueEntry& car) const {
   std::vector<std::string> own;
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     own.push_back(std::to_string(sensor.udp_port));
   }
   std::string text = "no packet is for a sensor of " + std::string(car.vehicle->name) +

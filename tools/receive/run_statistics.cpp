@@ -187,7 +187,7 @@ void RunStatistics::append_over_budget(std::string& text) const {
   bool is_named = false;
   for (std::size_t i = 0; car != nullptr && i < std::min(car->sensors.size(), most_points_.size());
        ++i) {
-    const vehicle::SensorConfig& sensor = car->sensors[i];
+    const description::SensorConfig& sensor = car->sensors[i];
     if (most_points_[i] + most_packet_points_[i] > sensor.max_points_per_scan) {
       words += "sensor " + std::string(sensor.name) + " may have " +
                std::to_string(sensor.max_points_per_scan) +

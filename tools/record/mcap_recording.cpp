@@ -8,7 +8,7 @@ namespace iog::tools {
 namespace {
 
 // Of the reference description, for vehicles that are not known here.
-constexpr double kDefaultEpsilon = vehicle::Description{}.epsilon;
+constexpr double kDefaultEpsilon = description::Description{}.epsilon;
 
 constexpr std::uint64_t ns_of(std::uint64_t time_us) { return time_us * 1000; }
 

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <span>
 #include <sstream>
 
-#include "description/car_checks.hpp"
+#include "car_block/limits.hpp"
+#include "description/limits.hpp"
+#include "description/scanners.hpp"
+#include "description/tables.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/vehicles/car_words.hpp"
-#include "vehicle/compile.hpp"
-#include "vehicle/scanners.hpp"
 
 namespace iog::tools {
 namespace {
@@ -26,8 +28,8 @@ void read_source(TomlTable& table, std::uint32_t& source_ipv4) {
   source_ipv4 = address.value;
 }
 
-vehicle::MountConfig read_mount(TomlTable table) {
-  vehicle::MountConfig mount;
+description::MountConfig read_mount(TomlTable table) {
+  description::MountConfig mount;
   table.read("x_m", mount.x_m);
   table.read("y_m", mount.y_m);
   table.read("z_m", mount.z_m);
@@ -55,15 +57,17 @@ std::vector<lidar::Laser> read_lasers(std::vector<TomlTable> tables) {
 }
 
 // What the type of a scanner gives; another value changes that one member.
-vehicle::SensorConfig read_type(TomlTable& table) {
-  std::vector<std::string_view> names(vehicle::kScannerTypes.size());
-  std::ranges::transform(vehicle::kScannerTypes, names.begin(), &vehicle::ScannerType::name);
+description::SensorConfig read_type(TomlTable& table) {
+  using description::kScannerTypes;
+  std::vector<std::string_view> names(kScannerTypes.size());
+  std::ranges::transform(kScannerTypes, names.begin(), &description::ScannerType::name);
   const std::optional<std::size_t> chosen = table.read_word("type", names);
-  return chosen ? vehicle::kScannerTypes[*chosen].config : vehicle::SensorConfig{};
+  return chosen ? description::scanner_of(kScannerTypes[*chosen].format)
+                : description::SensorConfig{};
 }
 
 void read_sensor(TomlTable& table, Car& car) {
-  vehicle::SensorConfig sensor = read_type(table);
+  description::SensorConfig sensor = read_type(table);
   table.read("name", car.names.emplace_back());
   sensor.name = car.names.back();
   read_source(table, sensor.source_ipv4);
@@ -87,8 +91,8 @@ void read_sensor(TomlTable& table, Car& car) {
   car.sensors.push_back(sensor);
 }
 
-vehicle::FootprintConfig read_footprint(TomlTable table) {
-  vehicle::FootprintConfig footprint;
+description::FootprintConfig read_footprint(TomlTable table) {
+  description::FootprintConfig footprint;
   table.read("x_min_m", footprint.x_min_m);
   table.read("x_max_m", footprint.x_max_m);
   table.read("y_min_m", footprint.y_min_m);
@@ -141,7 +145,7 @@ net::Config read_network(TomlTable table) {
 Car read_fields(const toml::table& file, Mistakes& mistakes) {
   TomlTable table(file, "", mistakes);
   Car car;
-  vehicle::Description& description = car.description;
+  description::Description& description = car.description;
   table.read("name", car.names.emplace_back());
   description.name = car.names.back();
   description.footprint = read_footprint(table.table("footprint"));
@@ -218,45 +222,35 @@ const toml::node& node_of(const toml::table& file, const vehicle::Fault& fault) 
   return *node;
 }
 
-// Notes each fault that a check tells.
-class Telling {
+// Notes the faults that checks tell, of each field the first.
+class Listener {
  public:
-  Telling(const toml::table& file, Mistakes& mistakes) : file_(&file), mistakes_(&mistakes) {}
+  Listener(const toml::table& file, Mistakes& mistakes) : file_(&file), mistakes_(&mistakes) {}
 
-  void operator()(const vehicle::Fault& fault) const {
-    const std::string sensor = fault.sensor == vehicle::Fault::kCar
-                                   ? ""
-                                   : "sensors[" + std::to_string(fault.sensor) + "].";
-    mistakes_->push_back({std::max(node_of(*file_, fault).source().begin.line, std::uint32_t{1}),
-                          sensor + std::string(fault.field) + ": allowed is " +
-                              std::string(fault.allowed) +
-                              (fault.sum > 0 ? "; here it is " + std::to_string(fault.sum) : "")});
+  void operator()(const vehicle::Fault& fault) {
+    std::string field(fault.field);
+    if (fault.sensor != vehicle::Fault::kCar) {
+      field = "sensors[" + std::to_string(fault.sensor) + "]." + field;
+    }
+    if (!told_.insert(field).second) {
+      return;
+    }
+    std::string text = field + ": allowed is ";
+    text += fault.least > 0 ? "at least " + std::to_string(fault.least) + ": " : "";
+    text += fault.allowed;
+    text += fault.sum > 0 ? "; here it is " + std::to_string(fault.sum) : "";
+    const std::uint32_t line = node_of(*file_, fault).source().begin.line;
+    mistakes_->push_back({std::max(line, std::uint32_t{1}), text});
   }
 
  private:
   const toml::table* file_;
   Mistakes* mistakes_;
+  std::set<std::string> told_;
 };
 
-void check_fields(const Car& car, const Telling& tell) {
-  vehicle::check_description(car.description, tell);
-  vehicle::check_classes(car.description, tell);
-  vehicle::check_ports(car.description, std::span<const vehicle::SensorConfig>(car.sensors), tell);
-  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
-    vehicle::check_sensor(car.description, car.sensors[i], i, tell);
-  }
-  description::check_car(car.description, car.sensors, car.network, tell);
-}
-
-void compile(Car& car) {
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
-    car.tables.push_back(vehicle::compile_sensor(sensor, car.description));
-  }
-  car.vehicle = vehicle::join_vehicle(car.description, car.tables);
-}
-
 // The file's name is the car's: by it the build and --vehicle know it.
-void check_name(const std::string& path, const Car& car, const Telling& tell) {
+void check_name(const std::string& path, const Car& car, const vehicle::Tell& tell) {
   if (std::filesystem::path(path).stem() != car.description.name) {
     tell({.field = "name", .allowed = "the name of the file without .toml"});
   }
@@ -273,15 +267,22 @@ void demand_none(const std::string& path, Mistakes& mistakes) {
 Car parse_car(std::string_view text, const std::string& path) {
   const toml::table file = parse(text, path);
   Mistakes mistakes;
-  const Telling tell(file, mistakes);
   Car car = read_fields(file, mistakes);
   demand_none(path, mistakes);
+  Listener listener(file, mistakes);
+  const vehicle::Tell tell(listener);
   check_name(path, car, tell);
-  check_fields(car, tell);
+  description::check(car.description, car.sensors, tell);
+  for (const description::SensorConfig& sensor : car.sensors) {
+    car.tables.push_back(description::numbers_of(sensor));
+  }
+  car_block::check_numbers(description::numbers_of(car.description, car.tables), car.network, tell);
   demand_none(path, mistakes);
-  compile(car);
-  vehicle::check_lines(car.tables, tell);
-  description::check_tables(car.vehicle, tell);
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    car.tables[i] = description::sensor_of(car.sensors[i], car.description);
+  }
+  car.vehicle = description::vehicle_of(car.description, car.tables);
+  car_block::check_tables(car.vehicle, tell);
   demand_none(path, mistakes);
   return car;
 }

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "description/description.hpp"
 #include "net/config.hpp"
 #include "tools/vehicles/toml_table.hpp"
-#include "vehicle/description.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tools {
@@ -17,8 +17,8 @@ namespace iog::tools {
 struct Car {
   std::deque<std::string> names;                 // of the car and of its sensors
   std::deque<std::vector<lidar::Laser>> lasers;  // of its calibrated sensors
-  vehicle::Description description;
-  std::vector<vehicle::SensorConfig> sensors;
+  description::Description description;
+  std::vector<description::SensorConfig> sensors;
   net::Config network{};
   std::vector<vehicle::Sensor> tables;  // of the sensors, in their order
   vehicle::Vehicle vehicle;             // what the target would know of it

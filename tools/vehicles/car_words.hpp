@@ -5,8 +5,8 @@
 #include <array>
 #include <string_view>
 
+#include "description/description.hpp"
 #include "tools/vehicles/toml_table.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::tools {
 

@@ -29,7 +29,7 @@ std::uint32_t points_with_two_returns(lidar::Format format) {
 
 std::string warning_of_two_returns(const CatalogueEntry& car) {
   std::string text;
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     const std::uint32_t points = points_with_two_returns(sensor.format);
     if (points > sensor.max_points_per_scan) {
       const std::uint64_t dropped = points - sensor.max_points_per_scan;

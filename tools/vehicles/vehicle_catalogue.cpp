@@ -105,7 +105,8 @@ void give_vehicle(const std::string& name) {
 }
 
 std::size_t sensor_of_port(const CatalogueEntry& entry, std::uint16_t udp_port) {
-  const auto found = std::ranges::find(entry.sensors, udp_port, &vehicle::SensorConfig::udp_port);
+  const auto found =
+      std::ranges::find(entry.sensors, udp_port, &description::SensorConfig::udp_port);
   return static_cast<std::size_t>(found - entry.sensors.begin());
 }
 
@@ -120,7 +121,7 @@ std::size_t sensor_of_name(const CatalogueEntry& entry, std::string_view name) {
 
 std::vector<std::uint16_t> ports_of(const CatalogueEntry& entry) {
   std::vector<std::uint16_t> ports;
-  for (const vehicle::SensorConfig& sensor : entry.sensors) {
+  for (const description::SensorConfig& sensor : entry.sensors) {
     ports.push_back(sensor.udp_port);
   }
   if (vehicle::have_classes(entry.vehicle->grids)) {

@@ -8,16 +8,16 @@
 #include <string_view>
 #include <vector>
 
+#include "description/description.hpp"
 #include "net/config.hpp"
-#include "vehicle/description.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tools {
 
 struct CatalogueEntry {
   const vehicle::Vehicle* vehicle;
-  const vehicle::Description* description;         // in metres, as a person wrote it
-  std::span<const vehicle::SensorConfig> sensors;  // in the order of vehicle->sensors
+  const description::Description* description;         // in metres, as a person wrote it
+  std::span<const description::SensorConfig> sensors;  // in the order of vehicle->sensors
   const net::Config* network;
 };
 

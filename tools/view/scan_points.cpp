@@ -3,9 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "description/mount.hpp"
+#include "description/tilted_mirror.hpp"
 #include "intake/packet.hpp"
-#include "lidar/formats.hpp"
-#include "vehicle/compile.hpp"
+#include "lidar/scanner_facts.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -18,8 +19,8 @@ class Placer {
       : sensor_(&car.vehicle->sensors[sensor]),
         mount_(car.sensors[sensor].mount),
         lasers_(car.sensors[sensor].lasers),
-        tilt_rad_(vehicle::radians(car.sensors[sensor].beam_tilt_deg)),
-        turn_(vehicle::compile_detail::rotation_of(mount_)),
+        tilt_rad_(description::radians(car.sensors[sensor].beam_tilt_deg)),
+        turn_(description::rotation_of(mount_)),
         points_(&points) {}
 
   void append(std::span<const std::byte> payload) {
@@ -31,10 +32,10 @@ class Placer {
         const double azimuth_rad =
             point.azimuth_ticks * (2 * std::numbers::pi / Decoder::kTicksPerTurn);
         double elevation_rad = elevation_deg * std::numbers::pi / 180;
-        if constexpr (vehicle::HasBeamTilt<Decoder>) {
-          elevation_rad =
-              vehicle::tilted_elevation(elevation_rad, Decoder::looks_up(point.layer), tilt_rad_,
-                                        std::remainder(azimuth_rad, 2 * std::numbers::pi));
+        if constexpr (lidar::HasBeamTilt<Decoder>) {
+          elevation_rad = description::tilted_elevation(
+              elevation_rad, Decoder::looks_up(point.layer), tilt_rad_,
+              std::remainder(azimuth_rad, 2 * std::numbers::pi));
         }
         if (point.range_mm != 0) {
           place(point, azimuth_rad, elevation_rad);
@@ -65,10 +66,10 @@ class Placer {
   }
 
   const vehicle::Sensor* sensor_;
-  vehicle::MountConfig mount_;
+  description::MountConfig mount_;
   std::span<const lidar::Laser> lasers_;
   double tilt_rad_;
-  vehicle::compile_detail::Rotation turn_;
+  description::Rotation turn_;
   std::vector<SeenPoint>* points_;
 };
 

@@ -206,7 +206,7 @@ Json recording_json(const Recorder& recorder) {
           {"bytes", recorder.bytes()}};
 }
 
-Json sensor_json(const vehicle::SensorConfig& sensor) {
+Json sensor_json(const description::SensorConfig& sensor) {
   return {{"name", sensor.name},
           {"format", lidar::name_of(sensor.format)},
           {"x", sensor.mount.x_m},
@@ -304,12 +304,12 @@ std::string vehicle_json(std::uint32_t vehicle_id) {
             {"cell_m", geometry::kCellMm / 1000.0},
             {"cells", geometry::kCellsPerSide},
             {"footprint", nullptr},
-            {"epsilon", vehicle::Description{}.epsilon}};
+            {"epsilon", description::Description{}.epsilon}};
   if (car != nullptr) {
-    for (const vehicle::SensorConfig& sensor : car->sensors) {
+    for (const description::SensorConfig& sensor : car->sensors) {
       sensors.push_back(sensor_json(sensor));
     }
-    const vehicle::FootprintConfig& body = car->description->footprint;
+    const description::FootprintConfig& body = car->description->footprint;
     json["footprint"] = {{"x_min", body.x_min_m},
                          {"x_max", body.x_max_m},
                          {"y_min", body.y_min_m},

@@ -8,7 +8,6 @@
 #include "car_bytes.hpp"
 #include "fakes/random.hpp"
 #include "vehicle/beam.hpp"
-#include "vehicle/limits.hpp"
 
 namespace iog::car_block {
 namespace {
@@ -142,8 +141,8 @@ TEST(CarLimits, EndsOfAcceptedBeamsAreAsFarAsTheirRange) {
   tests::Random random(20);
   for (const vehicles::Car& car : vehicles::cars()) {
     for (const Sensor& sensor : car.vehicle.sensors) {
-      const double length = static_cast<double>(
-          vehicle::subcells_up(vehicle::longest_line_mm(sensor.format, sensor.range.mm())));
+      const double length =
+          static_cast<double>(subcells_up(longest_line_mm(sensor.format, sensor.range.mm())));
       for (int i = 0; i < 200; ++i) {
         const auto layer = static_cast<std::uint8_t>(random.below(sensor.layer_count));
         const auto step =

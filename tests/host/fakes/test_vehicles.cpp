@@ -1,18 +1,53 @@
-// The vehicles for tests with one LUX.
 #include "fakes/test_vehicles.hpp"
 
-#include "fakes/compiled_vehicle.hpp"
+#include <deque>
+#include <vector>
+
+#include "description/limits.hpp"
+#include "description/tables.hpp"
+#include "require/require.hpp"
 
 namespace iog::tests {
+namespace {
 
-constexpr vehicle::Vehicle OneLux::kVehicle = compiled<OneLux::kConfigs, OneLux::kDescription>();
-constexpr vehicle::Vehicle LevelLux::kVehicle =
-    compiled<LevelLux::kConfigs, OneLux::kDescription>();
-constexpr vehicle::Vehicle MidCellLux::kVehicle =
-    compiled<MidCellLux::kConfigs, OneLux::kDescription>();
-constexpr vehicle::Vehicle OneLuxNearest::kVehicle =
-    compiled<OneLux::kConfigs, OneLuxNearest::kDescription>();
-constexpr vehicle::Vehicle TiltedLux::kVehicle =
-    compiled<TiltedLux::kConfigs, TiltedLux::kDescription>();
+// Also of a car that no file could describe: beside its grid, without a port. Its sensors live as
+// long as the program.
+vehicle::Vehicle tables_of(std::span<const description::SensorConfig> configs,
+                           const description::Description& car) {
+  static std::deque<std::vector<vehicle::Sensor>> all;
+  std::vector<vehicle::Sensor>& sensors = all.emplace_back();
+  for (const description::SensorConfig& config : configs) {
+    sensors.push_back(description::sensor_of(config, car));
+  }
+  return description::vehicle_of(car, sensors);
+}
+
+// What check() allows.
+vehicle::Vehicle compiled(std::span<const description::SensorConfig> configs,
+                          const description::Description& car) {
+  auto refuse = [](const vehicle::Fault& /*fault*/) { require(false); };
+  description::check(car, configs, vehicle::Tell(refuse));
+  return tables_of(configs, car);
+}
+
+}  // namespace
+
+const vehicle::Vehicle OneLux::kVehicle = compiled(OneLux::kConfigs, OneLux::kDescription);
+const vehicle::Vehicle LevelLux::kVehicle = compiled(LevelLux::kConfigs, OneLux::kDescription);
+const vehicle::Vehicle MidCellLux::kVehicle = compiled(MidCellLux::kConfigs, OneLux::kDescription);
+const vehicle::Vehicle OneLuxNearest::kVehicle =
+    compiled(OneLux::kConfigs, OneLuxNearest::kDescription);
+const vehicle::Vehicle TiltedLux::kVehicle = compiled(TiltedLux::kConfigs, TiltedLux::kDescription);
+const vehicle::Vehicle ThreeLux::kVehicle = compiled(ThreeLux::kConfigs, ThreeLux::kDescription);
+const vehicle::Vehicle LevelVlp16::kVehicle =
+    compiled(LevelVlp16::kConfigs, LevelVlp16::kDescription);
+const vehicle::Vehicle MixedCar::kVehicle = compiled(MixedCar::kConfigs, MixedCar::kDescription);
+const vehicle::Vehicle HighAndFar::kVehicle =
+    compiled(HighAndFar::kConfigs, HighAndFar::kDescription);
+const vehicle::Vehicle SteepVlp16::kVehicle =
+    compiled(SteepVlp16::kConfigs, SteepVlp16::kDescription);
+// No format has so many layers, which check() would say.
+const vehicle::Vehicle ManyLayers::kVehicle =
+    tables_of(ManyLayers::kConfigs, ManyLayers::kDescription);
 
 }  // namespace iog::tests

@@ -1,20 +1,29 @@
 // Vehicles for tests, chosen so that what must happen can be worked out by hand. Their tables are
-// computed in test_vehicles.cpp and test_larger_vehicles.cpp, once for all tests.
+// computed when a test program starts.
 #pragma once
 
-#include "vehicle/scanners.hpp"
+#include <array>
+
+#include "car_block/limits.hpp"
+#include "description/scanners.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tests {
 
-constexpr vehicle::SensorConfig test_lux(std::uint16_t port, vehicle::MountConfig mount) {
-  return vehicle::ibeo_lux("lux", 0x0A000200U + port, port, mount, 201);
+constexpr description::SensorConfig test_lux(std::uint16_t port, description::MountConfig mount) {
+  description::SensorConfig config = description::scanner_of(lidar::Format::kIbeoLux);
+  config.name = "lux";
+  config.source_ipv4 = 0x0A000200U + port;
+  config.udp_port = port;
+  config.mount = mount;
+  config.max_points_per_scan = 201 * lidar::IbeoLux::points_of_packet(4);
+  return config;
 }
 
 // One LUX in the middle of the grid, on a cell's corner, with a height band that everything is in.
 struct OneLux {
   static constexpr std::array kConfigs{test_lux(100, {})};
-  static constexpr vehicle::Description kDescription{
+  static constexpr description::Description kDescription{
       .name = "one_lux", .z_min_m = -100, .z_max_m = 100};
   static const vehicle::Vehicle kVehicle;
 };
@@ -34,10 +43,11 @@ struct MidCellLux {
 
 // OneLux with the other quantisation, in which the cell behind a hit is occupied too.
 struct OneLuxNearest {
-  static constexpr vehicle::Description kDescription{.name = "one_lux_nearest",
-                                                     .z_min_m = -100,
-                                                     .z_max_m = 100,
-                                                     .quantisation = index::Quantisation::kNearest};
+  static constexpr description::Description kDescription{
+      .name = "one_lux_nearest",
+      .z_min_m = -100,
+      .z_max_m = 100,
+      .quantisation = index::Quantisation::kNearest};
   static const vehicle::Vehicle kVehicle;
 };
 
@@ -54,7 +64,7 @@ struct TiltedLux {
     config.no_return_clears_mm = 20'000;
     return config;
   }()};
-  static constexpr vehicle::Description kDescription{
+  static constexpr description::Description kDescription{
       .name = "tilted_lux",
       .footprint = {.x_min_m = -1, .x_max_m = 1, .y_min_m = -1, .y_max_m = 1},
       .z_min_m = 0.2,
@@ -69,13 +79,16 @@ struct ThreeLux {
       test_lux(101, {.x_m = 1.97, .y_m = -0.49, .z_m = 0.5, .yaw_deg = 7}),
       test_lux(102, {.x_m = 70.1, .y_m = 3.3, .z_m = 0.5, .yaw_deg = 180}),
   };
-  static constexpr vehicle::Description kDescription{
+  static constexpr description::Description kDescription{
       .name = "three_lux", .z_min_m = -2, .z_max_m = 3};
   static const vehicle::Vehicle kVehicle;
 };
 
-constexpr vehicle::SensorConfig test_vlp16(std::uint16_t port, vehicle::MountConfig mount) {
-  auto config = vehicle::velodyne_vlp16("vlp16", 0, port, mount);
+constexpr description::SensorConfig test_vlp16(std::uint16_t port, description::MountConfig mount) {
+  description::SensorConfig config = description::scanner_of(lidar::Format::kVelodyneVlp16);
+  config.name = "vlp16";
+  config.udp_port = port;
+  config.mount = mount;
   config.no_return_clears_mm = 20'000;
   return config;
 }
@@ -85,7 +98,7 @@ constexpr vehicle::SensorConfig test_vlp16(std::uint16_t port, vehicle::MountCon
 struct LevelVlp16 {
   static constexpr std::array kConfigs{
       test_vlp16(100, {.x_m = 1.234, .y_m = -0.777, .z_m = 1.5, .yaw_deg = 23.7})};
-  static constexpr vehicle::Description kDescription{
+  static constexpr description::Description kDescription{
       .name = "level_vlp16",
       .footprint = {.x_min_m = -3, .x_max_m = 2.5, .y_min_m = -2, .y_max_m = 2},
       .z_min_m = 0.3,
@@ -100,7 +113,7 @@ struct MixedCar {
       test_vlp16(101, {.x_m = 1.02, .y_m = 0.71, .z_m = 1.2, .yaw_deg = 80, .pitch_deg = 11}),
       test_lux(102, {.x_m = 2.03, .y_m = 0.51, .z_m = 0.5, .yaw_deg = -5}),
   };
-  static constexpr vehicle::Description kDescription{
+  static constexpr description::Description kDescription{
       .name = "mixed_car", .z_min_m = -2, .z_max_m = 3};
   static const vehicle::Vehicle kVehicle;
 };
@@ -109,12 +122,12 @@ struct MixedCar {
 struct HighAndFar {
   static constexpr std::array kConfigs = [] {
     std::array configs{test_vlp16(100, {.z_m = 3}), test_vlp16(101, {.x_m = 62, .z_m = 1.5})};
-    for (vehicle::SensorConfig& config : configs) {
+    for (description::SensorConfig& config : configs) {
       config.range_max_mm = 50'000;
     }
     return configs;
   }();
-  static constexpr vehicle::Description kDescription{
+  static constexpr description::Description kDescription{
       .name = "high_and_far", .z_min_m = 0.3, .z_max_m = 2.2};
   static const vehicle::Vehicle kVehicle;
 };
@@ -127,18 +140,47 @@ consteval std::array<double, 128> elevations_of_many_layers() {
   return elevations;
 }
 
+template <std::size_t kCount>
+constexpr std::array<lidar::Laser, kCount> lasers_at(
+    const std::array<double, kCount>& elevations_deg) {
+  std::array<lidar::Laser, kCount> lasers{};
+  for (std::size_t i = 0; i < kCount; ++i) {
+    lasers[i].elevation_deg = elevations_deg[i];
+  }
+  return lasers;
+}
+
 // A made-up lidar with 128 layers from -25 to 25 degrees, 50 m.
 struct ManyLayers {
   static constexpr std::array<double, 128> kElevationsDeg = elevations_of_many_layers();
+  static constexpr std::array kLasers = lasers_at(kElevationsDeg);
   static constexpr std::array kConfigs{[] {
     auto config = test_vlp16(100, {.x_m = 0.123, .y_m = 0.456, .z_m = 1.8});
+    config.lasers = kLasers;
     config.range_max_mm = 50'000;
     config.precision_mm = 100;
     config.sigma_m = 0.10;
     return config;
   }()};
-  static constexpr vehicle::Description kDescription{
+  static constexpr description::Description kDescription{
       .name = "many_layers", .z_min_m = 0.3, .z_max_m = 2.2};
+  static const vehicle::Vehicle kVehicle;
+};
+
+// A level lidar that turns, with lines as long and beams as steep as a description may have them:
+// they end up to 7.4 km over and under the grid.
+struct SteepVlp16 {
+  static constexpr std::array<double, 16> kElevationsDeg{-89, -85, -80, -45, -10, -2, -1, -0.5,
+                                                         0.5, 1,   2,   10,  45,  80, 85, 89};
+  static constexpr std::array kLasers = lasers_at(kElevationsDeg);
+  static constexpr std::array kConfigs{[] {
+    auto config = test_vlp16(100, {.x_m = 1.234, .y_m = -0.777, .z_m = 1.5, .yaw_deg = 23.7});
+    config.range_max_mm = car_block::kLongestRangeMm;
+    config.lasers = kLasers;
+    return config;
+  }()};
+  static constexpr description::Description kDescription{
+      .name = "steep_vlp16", .z_min_m = 0.3, .z_max_m = 2.2};
   static const vehicle::Vehicle kVehicle;
 };
 

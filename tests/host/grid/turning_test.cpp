@@ -19,7 +19,6 @@
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
-#include "vehicle/steep_vlp16.hpp"
 
 namespace iog::grid {
 namespace {
@@ -75,7 +74,7 @@ struct Ray {
 
 class Rule {
  public:
-  Rule(const vehicle::SensorConfig& config, const vehicle::Description& description,
+  Rule(const description::SensorConfig& config, const description::Description& description,
        std::span<const double> elevations_deg)
       : config_(config), description_(description), elevations_deg_(elevations_deg) {}
 
@@ -118,7 +117,7 @@ class Rule {
     }
     const std::int64_t measured = point.range_mm;  // by which too near is judged
     const std::int64_t at = along(point, measured);
-    const vehicle::FootprintConfig& car = description_.footprint;
+    const description::FootprintConfig& car = description_.footprint;
     const bool is_on_car = is_between(ray.start.x, ray.end.x, measured, car.x_min_m + middle(),
                                       car.x_max_m + middle()) &&
                            is_between(ray.start.y, ray.end.y, measured, car.y_min_m + middle(),
@@ -210,8 +209,8 @@ class Rule {
     return -numeric::div_floor(-n, share.denominator * config_.precision_mm) - 1;
   }
 
-  const vehicle::SensorConfig& config_;
-  const vehicle::Description& description_;
+  const description::SensorConfig& config_;
+  const description::Description& description_;
   std::span<const double> elevations_deg_;
 };
 
@@ -345,7 +344,7 @@ TEST(Turning, EveryCellIsAsTheRuleSaysBehindTheBand) {
   for (std::size_t layer = 0; layer < lidar::VelodyneVlp16::kElevationsDeg.size();
        layer += kLayerStep) {
     const long double elevation = radians(lidar::VelodyneVlp16::kElevationsDeg[layer]);
-    const vehicle::Description& car = LevelVlp16::kDescription;
+    const description::Description& car = LevelVlp16::kDescription;
     const auto limit_m = static_cast<long double>(elevation < 0 ? car.z_min_m : car.z_max_m);
     const auto end_mm = static_cast<int>(1000 * (limit_m - sensor_m) / std::sin(elevation));
     for (int range_mm = end_mm - 50; range_mm < end_mm + 600 && !HasFatalFailure();

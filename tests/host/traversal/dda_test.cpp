@@ -75,7 +75,7 @@ TEST(Dda, IsInTheRowsOfTheLine) {
   const int count = tests::effort(4'000, 60);
   expect_exact_rows<1024>(1, 40 * 1024, count);
   expect_exact_rows<1024>(2, 512 * 1024, count);
-  expect_exact_rows<1024>(3, 1'482'910, count);  // 2^31 / (sqrt(2) r): vehicle/compile.hpp
+  expect_exact_rows<1024>(3, 1'482'910, count);  // 2^31 / (sqrt(2) r): car_block/limits.cpp
   expect_exact_rows<200>(4, 2'600 * 200, count);
   expect_exact_rows<20>(5, 2'600 * 20, count);
   expect_exact_rows<1>(6, 2'600, count);

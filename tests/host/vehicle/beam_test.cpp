@@ -14,7 +14,6 @@
 #include "fakes/test_vehicles.hpp"
 #include "geometry/grid.hpp"
 #include "lidar/ibeo_lux.hpp"
-#include "vehicle/steep_vlp16.hpp"
 
 namespace iog::vehicle {
 namespace {
@@ -43,7 +42,8 @@ Vector about_x(Vector v, double angle) {
 }
 
 // The end of a beam by one rotation after the other: roll first, yaw last.
-Vector end_of(const MountConfig& mount, double azimuth, double elevation, double length_m) {
+Vector end_of(const description::MountConfig& mount, double azimuth, double elevation,
+              double length_m) {
   const double degree = std::acos(-1.0) / 180;
   Vector v{std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
            std::sin(elevation)};

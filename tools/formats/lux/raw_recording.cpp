@@ -17,7 +17,7 @@ constexpr std::uint64_t kMessageGapUs = 70;  // between the messages of one scan
 constexpr std::uint64_t kHourUs = 3'600'000'000U;
 constexpr std::size_t kVelodyneTimeOffset = 1200;
 
-CapturedDatagram datagram_of(const vehicle::SensorConfig& sensor, std::uint64_t time_us,
+CapturedDatagram datagram_of(const description::SensorConfig& sensor, std::uint64_t time_us,
                              std::vector<std::byte> payload) {
   const std::uint32_t source = sensor.source_ipv4 != 0 ? sensor.source_ipv4 : kUnnamedIpv4;
   return {.time_us = time_us,
@@ -26,7 +26,7 @@ CapturedDatagram datagram_of(const vehicle::SensorConfig& sensor, std::uint64_t 
           .payload = std::move(payload)};
 }
 
-RawRecording read_lux(const std::string& path, const vehicle::SensorConfig& sensor) {
+RawRecording read_lux(const std::string& path, const description::SensorConfig& sensor) {
   LuxStream stream = read_lux_stream(read_file(path));
   if (stream.scans.empty()) {
     throw UsageError(path + ": no ibeo 0x2202 message in it");
@@ -47,7 +47,7 @@ RawRecording read_lux(const std::string& path, const vehicle::SensorConfig& sens
   return recording;
 }
 
-RawRecording read_velodyne(const std::string& path, const vehicle::SensorConfig& sensor) {
+RawRecording read_velodyne(const std::string& path, const description::SensorConfig& sensor) {
   constexpr std::size_t kBytes = lidar::VelodynePacket::kPacketBytes;
   const std::vector<std::byte> bytes = read_file(path);
   if (bytes.empty() || bytes.size() % kBytes != 0) {
@@ -74,7 +74,7 @@ RawRecording read_velodyne(const std::string& path, const vehicle::SensorConfig&
 
 RawRecording read_raw_recording(const std::string& path, const CatalogueEntry& car,
                                 std::size_t sensor) {
-  const vehicle::SensorConfig& config = car.sensors[sensor];
+  const description::SensorConfig& config = car.sensors[sensor];
   return sends_lux_scans(config.format) ? read_lux(path, config) : read_velodyne(path, config);
 }
 

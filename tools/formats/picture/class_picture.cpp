@@ -137,7 +137,7 @@ class ClassPainter {
     canvas_.line(from.first, from.second, to.first, to.second, colour);
   }
 
-  void paint_arrow(const vehicle::FootprintConfig& body, Colour colour) {
+  void paint_arrow(const description::FootprintConfig& body, Colour colour) {
     const auto nose = seen_from_above(body.x_max_m, (body.y_min_m + body.y_max_m) / 2);
     const auto left = seen_from_above(body.x_min_m, body.y_max_m);
     const auto right = seen_from_above(body.x_min_m, body.y_min_m);
@@ -147,7 +147,7 @@ class ClassPainter {
   }
 
   // Every pixel in it, by steps of less than one; the arrow shows where its front is.
-  void paint_body(const vehicle::FootprintConfig& body) {
+  void paint_body(const description::FootprintConfig& body) {
     const double step_m = 0.5 / (kCellsInMetre * scale_);
     for (double x = body.x_min_m; x <= body.x_max_m; x += step_m) {
       draw(seen_from_above(x, body.y_min_m), seen_from_above(x, body.y_max_m), kBody);

@@ -100,7 +100,7 @@ class Painter {
   }
 
   void paint_car(const CatalogueEntry& car) {
-    const vehicle::FootprintConfig& body = car.description->footprint;
+    const description::FootprintConfig& body = car.description->footprint;
     const double left = column(body.y_max_m);
     const double right = column(body.y_min_m);
     const double front = row(body.x_max_m);
@@ -112,7 +112,7 @@ class Painter {
     const double nose = front + (right - left) * 0.6;
     canvas_.line(left, nose, middle, front, kUnknown);
     canvas_.line(middle, front, right, nose, kUnknown);
-    for (const vehicle::SensorConfig& sensor : car.sensors) {
+    for (const description::SensorConfig& sensor : car.sensors) {
       const int size = std::max(3, scale_ * 2);
       canvas_.fill(static_cast<int>(column(sensor.mount.y_m)) - size / 2,
                    static_cast<int>(row(sensor.mount.x_m)) - size / 2, size, size, kSensor);

@@ -34,14 +34,14 @@ std::vector<std::uint64_t> phases_of(std::size_t units, std::uint64_t seed) {
 std::vector<std::unique_ptr<Unit>> units_of(const CatalogueEntry& car, std::uint64_t seed,
                                             Motion motion) {
   std::size_t lux = 0;
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     lux += sends_lux_scans(sensor.format) ? 1U : 0U;
   }
   const std::vector<std::uint64_t> phases_us =
       motion == Motion::kContinuous ? phases_of(lux, seed) : std::vector<std::uint64_t>(lux);
   std::vector<std::unique_ptr<Unit>> units;
   lux = 0;
-  for (const vehicle::SensorConfig& sensor : car.sensors) {
+  for (const description::SensorConfig& sensor : car.sensors) {
     if (sends_lux_scans(sensor.format)) {
       units.push_back(
           std::make_unique<LuxUnit>(UnitOfDrive{&sensor, lux, seed, motion}, phases_us[lux]));

@@ -15,7 +15,7 @@ namespace iog::tools {
 
 class HesaiEncoder final : public PacketEncoder {
  public:
-  HesaiEncoder(const vehicle::SensorConfig& config, const lidar::HesaiUnit& unit)
+  HesaiEncoder(const description::SensorConfig& config, const lidar::HesaiUnit& unit)
       : unit_(unit), beams_(config) {}
 
   [[nodiscard]] std::uint64_t packet_ns() const override;

@@ -21,7 +21,7 @@ constexpr std::uint16_t kRainDetected = 0x0004;
 constexpr std::uint16_t kRearSide = 0x0400;
 
 // Yaw, pitch and roll in ticks, then x, y and z in centimetres.
-std::array<std::int16_t, 6> mounting_of(const vehicle::MountConfig& mount) {
+std::array<std::int16_t, 6> mounting_of(const description::MountConfig& mount) {
   const auto ticks = [](double degrees) {
     return static_cast<std::int16_t>(
         numeric::round(degrees * lidar::IbeoLux::kTicksPerTurn / 360.0));
@@ -35,7 +35,7 @@ std::array<std::int16_t, 6> mounting_of(const vehicle::MountConfig& mount) {
 
 }  // namespace
 
-void append_lux_scan(const vehicle::SensorConfig& config, const LuxScanTime& time,
+void append_lux_scan(const description::SensorConfig& config, const LuxScanTime& time,
                      std::vector<LuxPoint> points, std::uint64_t first_sent_us,
                      std::vector<CapturedDatagram>& datagrams) {
   LuxScan scan;

@@ -32,7 +32,7 @@ struct LuxScanTime {
 
 // Appends the datagrams of one scan. A unit of eight layers says by which side of its mirror. The
 // first leaves at that time, the others 70 us apart.
-void append_lux_scan(const vehicle::SensorConfig& config, const LuxScanTime& time,
+void append_lux_scan(const description::SensorConfig& config, const LuxScanTime& time,
                      std::vector<LuxPoint> points, std::uint64_t first_sent_us,
                      std::vector<CapturedDatagram>& datagrams);
 

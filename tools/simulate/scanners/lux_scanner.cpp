@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "description/mount.hpp"
+#include "description/tilted_mirror.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
 #include "tools/simulate/scanners/echo_model.hpp"
-#include "vehicle/scanner_facts.hpp"
-#include "vehicle/tilted_mirror.hpp"
 
 namespace iog::tools {
 namespace {
@@ -23,14 +23,14 @@ double angle_of(std::size_t column) {
 
 }  // namespace
 
-LuxScanner::LuxScanner(const vehicle::SensorConfig& config) : mount_(frame_of(config.mount)) {
-  const double tilt = vehicle::radians(config.beam_tilt_deg);
+LuxScanner::LuxScanner(const description::SensorConfig& config) : mount_(frame_of(config.mount)) {
+  const double tilt = description::radians(config.beam_tilt_deg);
   for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
     const double angle = angle_of(column);
     for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
       const double flat = lidar::IbeoLux::kElevationsDeg[layer] * numeric::kPi / 180;
       for (const bool looks_up : {false, true}) {
-        const double elevation = vehicle::tilted_elevation(flat, looks_up, tilt, angle);
+        const double elevation = description::tilted_elevation(flat, looks_up, tilt, angle);
         for (std::size_t edge = 0; edge < 2; ++edge) {
           const double azimuth = edge == 0 ? angle - kHalfBeam : angle + kHalfBeam;
           edges_[looks_up ? 1 : 0][column][layer][edge] = {

@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "description/description.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/scanners/ray_caster.hpp"
 #include "tools/simulate/scanners/sensor_frame.hpp"
 #include "tools/simulate/world/solid.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::tools {
 
@@ -26,7 +26,7 @@ inline constexpr std::size_t kLuxLayers = 4;  // of a scan
 
 class LuxScanner {
  public:
-  explicit LuxScanner(const vehicle::SensorConfig& config);
+  explicit LuxScanner(const description::SensorConfig& config);
 
   // Where it is on the car.
   [[nodiscard]] const SensorFrame& mount() const { return mount_; }

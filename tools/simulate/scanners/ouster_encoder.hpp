@@ -15,7 +15,7 @@ namespace iog::tools {
 
 class OusterEncoder final : public PacketEncoder {
  public:
-  OusterEncoder(const vehicle::SensorConfig& config, const lidar::OusterProfile& profile)
+  OusterEncoder(const description::SensorConfig& config, const lidar::OusterProfile& profile)
       : mode_(config.mode), profile_(profile), beams_(config) {}
 
   [[nodiscard]] std::uint64_t packet_ns() const override;

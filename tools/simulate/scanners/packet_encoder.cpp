@@ -9,7 +9,7 @@
 
 namespace iog::tools {
 
-std::unique_ptr<PacketEncoder> encoder_of(const vehicle::SensorConfig& config) {
+std::unique_ptr<PacketEncoder> encoder_of(const description::SensorConfig& config) {
   std::unique_ptr<PacketEncoder> sender;
   lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
     if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {

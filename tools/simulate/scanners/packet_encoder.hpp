@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "description/description.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/scanners/ray_caster.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::tools {
 
@@ -33,6 +33,6 @@ class PacketEncoder {
 };
 
 // Of the sensor, which outlives it; nullptr if it does not turn.
-[[nodiscard]] std::unique_ptr<PacketEncoder> encoder_of(const vehicle::SensorConfig& config);
+[[nodiscard]] std::unique_ptr<PacketEncoder> encoder_of(const description::SensorConfig& config);
 
 }  // namespace iog::tools

@@ -1,6 +1,6 @@
 #include "tools/simulate/scanners/sensor_frame.hpp"
 
-#include "vehicle/compile.hpp"
+#include "description/mount.hpp"
 
 namespace iog::tools {
 
@@ -9,8 +9,8 @@ Vector3 SensorFrame::direction(const Vector3& v) const {
           forward.z * v.x + left.z * v.y + up.z * v.z};
 }
 
-SensorFrame frame_of(const vehicle::MountConfig& mount) {
-  const auto turn = vehicle::compile_detail::rotation_of(mount);
+SensorFrame frame_of(const description::MountConfig& mount) {
+  const auto turn = description::rotation_of(mount);
   return {.origin = {mount.x_m, mount.y_m, mount.z_m},
           .forward = {turn.forward[0], turn.forward[1], turn.forward[2]},
           .left = {turn.left[0], turn.left[1], turn.left[2]},

@@ -1,9 +1,9 @@
 // The axes and the place of a scanner, in the vehicle or in the world.
 #pragma once
 
+#include "description/description.hpp"
 #include "tools/simulate/world/solid.hpp"
 #include "tools/simulate/world/traffic.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::tools {
 
@@ -18,7 +18,7 @@ struct SensorFrame {
 };
 
 // In the vehicle.
-[[nodiscard]] SensorFrame frame_of(const vehicle::MountConfig& mount);
+[[nodiscard]] SensorFrame frame_of(const description::MountConfig& mount);
 
 // In the world, of a scanner that is so mounted on the car.
 [[nodiscard]] SensorFrame placed(const SensorFrame& mount, const EgoPose& ego);

@@ -17,7 +17,7 @@ double radians_of_beam(double degrees) { return degrees * numeric::kPi / 180; }
 
 }  // namespace
 
-SpinningBeams::SpinningBeams(const vehicle::SensorConfig& config) : sigma_m_(config.sigma_m) {
+SpinningBeams::SpinningBeams(const description::SensorConfig& config) : sigma_m_(config.sigma_m) {
   std::vector<lidar::Laser> lasers(config.lasers.begin(), config.lasers.end());
   lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
     for (std::size_t i = lasers.size(); i < Decoder::kElevationsDeg.size(); ++i) {

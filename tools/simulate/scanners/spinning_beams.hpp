@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "description/description.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/scanners/ray_caster.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::tools {
 
@@ -18,7 +18,7 @@ inline constexpr double kSpinningFarthest = 120;  // metres; Velodyne's data she
 class SpinningBeams {
  public:
   // Its lasers are those of its calibration, or else those of its format.
-  explicit SpinningBeams(const vehicle::SensorConfig& config);
+  explicit SpinningBeams(const description::SensorConfig& config);
 
   [[nodiscard]] std::size_t layers() const { return lasers_.size(); }
 

@@ -40,7 +40,7 @@ RayCaster SpinningUnit::rays_of(const Scene& scene, std::uint32_t frame,
 
 void SpinningUnit::append_frame(const Scene& scene, std::uint32_t frame,
                                 std::vector<CapturedDatagram>& datagrams) {
-  const vehicle::SensorConfig& config = *unit_.sensor;
+  const description::SensorConfig& config = *unit_.sensor;
   const std::uint64_t packet_ns = encoder_->packet_ns();
   const std::uint64_t stretch_ns = unit_.motion == Motion::kStepwise ? kFrameNs : kStraightNs;
   const std::uint32_t source = config.source_ipv4 != 0 ? config.source_ipv4 : kUnnamedIpv4;

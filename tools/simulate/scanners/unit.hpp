@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "description/description.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/world/scene.hpp"
-#include "vehicle/description.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tools {
@@ -21,7 +21,7 @@ enum class Motion : std::uint8_t {
 
 // What a unit has to know of the drive.
 struct UnitOfDrive {
-  const vehicle::SensorConfig* sensor;
+  const description::SensorConfig* sensor;
   std::size_t number;  // among the car's units of its kind: with a mirror, or with a head
   std::uint64_t seed;
   Motion motion;

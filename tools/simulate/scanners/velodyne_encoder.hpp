@@ -14,7 +14,7 @@ namespace iog::tools {
 
 class VelodyneEncoder final : public PacketEncoder {
  public:
-  VelodyneEncoder(const vehicle::SensorConfig& config, const lidar::VelodyneUnit& unit)
+  VelodyneEncoder(const description::SensorConfig& config, const lidar::VelodyneUnit& unit)
       : unit_(unit), beams_(config) {}
 
   // 12 blocks, two at a time of a unit with two banks.

@@ -63,7 +63,7 @@ void draw(const Solid& solid, const Cell& truth, const CellArea& area, std::vect
 // truth(solid): what is in the cells that it covers.
 template <typename Cell, typename Truth>
 std::vector<Cell> cells_of(const Scene& scene, double time_s, const CellArea& area,
-                           const vehicle::Description& description, Truth&& truth) {
+                           const description::Description& description, Truth&& truth) {
   std::vector<Cell> cells(static_cast<std::size_t>(area.width) *
                           static_cast<std::size_t>(area.height));
   for (const MovingSolid& solid :
@@ -86,12 +86,12 @@ CellArea cells_around(const EgoPose& ego) {
 }
 
 std::vector<TrueCell> true_cells(const Scene& scene, double time_s, const CellArea& area,
-                                 const vehicle::Description& description) {
+                                 const description::Description& description) {
   return cells_of<TrueCell>(scene, time_s, area, description, truth_of);
 }
 
 std::vector<TrueClass> true_classes(const Scene& scene, double time_s, const CellArea& area,
-                                    const vehicle::Description& description) {
+                                    const description::Description& description) {
   return cells_of<TrueClass>(scene, time_s, area, description,
                              [](const MovingSolid& solid) { return truth_of(solid).what; });
 }

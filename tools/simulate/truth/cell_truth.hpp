@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "description/description.hpp"
 #include "tools/program/file.hpp"
 #include "tools/simulate/world/scene.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::tools {
 
@@ -51,12 +51,12 @@ struct CellArea {
 // it.
 [[nodiscard]] std::vector<TrueCell> true_cells(const Scene& scene, double time_s,
                                                const CellArea& area,
-                                               const vehicle::Description& description);
+                                               const description::Description& description);
 
 // Their classes alone, in a byte each.
 [[nodiscard]] std::vector<TrueClass> true_classes(const Scene& scene, double time_s,
                                                   const CellArea& area,
-                                                  const vehicle::Description& description);
+                                                  const description::Description& description);
 
 // A CSV of what is not free: frame, time_us, y, x, cells, class, thing, speed_mm_s. A row is of so
 // many cells side by side, from x on.

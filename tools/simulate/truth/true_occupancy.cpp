@@ -52,7 +52,7 @@ void draw(const Solid& solid, std::vector<bool>& occupied) {
 }  // namespace
 
 std::vector<bool> true_occupancy(const EgoPose& ego, std::span<const Solid> solids,
-                                 const vehicle::Description& description) {
+                                 const description::Description& description) {
   std::vector<bool> occupied(static_cast<std::size_t>(kSide) * kSide, false);
   for (const Solid& solid : solids) {
     if (solid.z_low <= description.z_max_m && solid.z_high >= description.z_min_m) {

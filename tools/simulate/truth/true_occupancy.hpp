@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "description/description.hpp"
 #include "tools/simulate/world/solid.hpp"
 #include "tools/simulate/world/traffic.hpp"
-#include "vehicle/description.hpp"
 
 namespace iog::tools {
 
@@ -16,7 +16,7 @@ namespace iog::tools {
 // outline of a solid of which some height lies in the vehicle's height band. The car itself is not
 // in it.
 [[nodiscard]] std::vector<bool> true_occupancy(const EgoPose& ego, std::span<const Solid> solids,
-                                               const vehicle::Description& description);
+                                               const description::Description& description);
 
 // A PGM picture: 0 occupied, 255 free; x to the right, the row of highest y on top. UsageError if
 // it cannot be written.

@@ -14,7 +14,7 @@
 namespace iog::lab {
 namespace {
 
-const vehicle::Description& description() {
+const description::Description& description() {
   return *tools::find_vehicle(tools::kDefaultVehicle).description;
 }
 

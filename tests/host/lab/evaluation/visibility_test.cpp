@@ -8,18 +8,25 @@
 
 #include "gtest/gtest.h"
 
+#include "description/scanners.hpp"
 #include "drawn_cells.hpp"
 #include "grid/frame_fusion.hpp"
-#include "vehicle/scanners.hpp"
 
 namespace iog::lab {
 namespace {
 
 // A scanner in the middle of the cell at the grid's centre that looks forward, half a metre up; the
 // height band begins at its lowest beams' feet and ends above its highest.
-constexpr vehicle::MountConfig kMount{.x_m = 0.05, .y_m = 0.05, .z_m = 0.5};
-const std::array kScanner{vehicle::ibeo_lux("front", 0, 1, kMount, 201)};
-constexpr vehicle::Description kDescription{.name = "test", .z_min_m = 0.2, .z_max_m = 2.0};
+constexpr description::MountConfig kMount{.x_m = 0.05, .y_m = 0.05, .z_m = 0.5};
+const std::array kScanner{[] {
+  description::SensorConfig config = description::scanner_of(lidar::Format::kIbeoLux);
+  config.name = "front";
+  config.udp_port = 1;
+  config.mount = kMount;
+  config.max_points_per_scan = 2412;
+  return config;
+}()};
+constexpr description::Description kDescription{.name = "test", .z_min_m = 0.2, .z_max_m = 2.0};
 const tools::CatalogueEntry kCar{
     .vehicle = nullptr, .description = &kDescription, .sensors = kScanner, .network = nullptr};
 
@@ -78,7 +85,7 @@ TEST(Visibility, WhatLiesBelowTheBandIsFree) {
 
 // A solid that hangs above the band ends the beam in which it is, yet nothing is marked there.
 TEST(Visibility, OnlyThePartOfABeamInsideTheBandCounts) {
-  constexpr vehicle::Description kLowBand{.name = "test", .z_min_m = 0.2, .z_max_m = 0.51};
+  constexpr description::Description kLowBand{.name = "test", .z_min_m = 0.2, .z_max_m = 0.51};
   const tools::CatalogueEntry car{
       .vehicle = nullptr, .description = &kLowBand, .sensors = kScanner, .network = nullptr};
   // The upper layers leave the band after 0.01 / tan 1.2 degrees = 0.48 m and 1.4 m, the lower ones

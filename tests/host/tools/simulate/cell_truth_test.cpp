@@ -24,7 +24,7 @@
 namespace iog::tools {
 namespace {
 
-const vehicle::Description& description() { return *find_vehicle("reference_car").description; }
+const description::Description& description() { return *find_vehicle("reference_car").description; }
 
 constexpr Course kStraight{.swings = {{{0, 100}, {0, 100}}}};
 constexpr Cruise kCreep{

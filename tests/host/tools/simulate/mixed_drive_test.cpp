@@ -28,7 +28,7 @@ ByPort sent_by(const CatalogueEntry& car) {
 TEST(MixedDrive, EachScannerSendsAsInADriveOfItsKind) {
   const CatalogueEntry& lux = find_vehicle("reference_car");
   const CatalogueEntry& turning = find_vehicle("roof_vlp16");
-  std::vector<vehicle::SensorConfig> configs(turning.sensors.begin(), turning.sensors.end());
+  std::vector<description::SensorConfig> configs(turning.sensors.begin(), turning.sensors.end());
   configs.insert(configs.end(), lux.sensors.begin(), lux.sensors.end());
   std::vector<vehicle::Sensor> sensors(turning.vehicle->sensors.begin(),
                                        turning.vehicle->sensors.end());

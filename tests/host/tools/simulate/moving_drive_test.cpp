@@ -123,8 +123,8 @@ struct WorldPoint {
 };
 
 // Where a point of a scan is, if the car stood there. Pitch moves it by less than a millimetre.
-WorldPoint placed(const vehicle::MountConfig& mount, const LuxPoint& point, const Placement& car,
-                  double share) {
+WorldPoint placed(const description::MountConfig& mount, const LuxPoint& point,
+                  const Placement& car, double share) {
   const double range = point.range_cm / 100.0;
   const double azimuth = (point.angle_ticks / 32.0 + mount.yaw_deg) * std::numbers::pi / 180;
   const double elevation = (point.layer - 1.5) * 0.8 * std::numbers::pi / 180;

@@ -99,7 +99,7 @@ TEST(SpinningDrive, TheSameSeedGivesTheSameBytes) {
 TEST(SpinningDrive, LowBeamsEndOnTheGround) {
   for (const Rate& rate : kRates) {
     const CatalogueEntry& car = find_vehicle(rate.car);
-    const vehicle::SensorConfig& config = car.sensors[0];
+    const description::SensorConfig& config = car.sensors[0];
     // Nothing but the ground, and the car stands level.
     const RayCaster rays(placed(frame_of(config.mount), {}), {}, kSpinningFarthest);
     Random random(5);

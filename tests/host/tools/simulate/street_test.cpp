@@ -197,7 +197,7 @@ std::size_t points_on(Drive& drive, std::uint32_t frame, std::uint32_t thing) {
   found->half_width += 0.3;
   std::size_t count = 0;
   for (const CapturedDatagram& datagram : drive.datagrams(frame)) {
-    const vehicle::MountConfig& mount =
+    const description::MountConfig& mount =
         car.sensors[sensor_of_port(car, datagram.destination.port)].mount;
     for (const LuxPoint& point : parse_lux_message(datagram.payload).points) {
       const double azimuth = (point.angle_ticks / 32.0 + mount.yaw_deg) * 0.017453292519943295;

@@ -43,7 +43,7 @@ TEST(TiltedMirrorDrive, ScansAreOfOneSideInTurns) {
 // with one edge and a thing with the other, the echo is between the two.
 TEST(TiltedMirrorDrive, TheGroundIsLevel) {
   const CatalogueEntry& car = find_vehicle("roof_ld_mrs");
-  const vehicle::MountConfig& mount = car.sensors[0].mount;
+  const description::MountConfig& mount = car.sensors[0].mount;
   const double tilt = car.sensors[0].beam_tilt_deg * kDegree;
   const double pitch = mount.pitch_deg * kDegree;
   Drive drive(car, 1, 1);

@@ -7,16 +7,16 @@
 
 #include "gtest/gtest.h"
 
-#include "vehicle/compile.hpp"
+#include "description/tables.hpp"
 
-namespace iog::vehicle {
+namespace iog::description {
 namespace {
 
 constexpr std::int32_t kHundredths = 36'000;
 constexpr std::int32_t kOusterTicks = 46'080;
 
 int ticks_of(double azimuth_deg, std::int32_t ticks_per_turn) {
-  return compile_detail::correction_of({.azimuth_deg = azimuth_deg}, ticks_per_turn).azimuth_ticks;
+  return correction_of({.azimuth_deg = azimuth_deg}, ticks_per_turn).azimuth_ticks;
 }
 
 // As a maker's file or a car's file has it: no double is 0.015.
@@ -54,4 +54,4 @@ TEST(LaserCorrection, TiesOfAnOusterAreAwayFromZero) {
 }
 
 }  // namespace
-}  // namespace iog::vehicle
+}  // namespace iog::description

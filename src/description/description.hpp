@@ -1,7 +1,7 @@
 // A vehicle description: one aggregate per car, in metres and degrees, as its file has them.
 //
-// Only the compiler and the PC's tools see these numbers; vehicle/vehicle.hpp turns them into the
-// integers that run on the target. One file per vehicle in vehicles/ (docs/vehicles.md).
+// Only the PC sees these numbers; description/tables.hpp makes of them the integers that run on the
+// target. One file per vehicle in vehicles/ (docs/vehicles.md).
 //
 // Vehicle frame (ISO 8855): x forward, y left, z up from the ground, metres. The origin lies in the
 // middle of the grid. A mount turns the sensor frame by yaw about z, then pitch about y, then roll
@@ -19,9 +19,10 @@
 #include "map/source_description.hpp"
 #include "pose/source_description.hpp"
 #include "sensor_model/profile.hpp"
+#include "vehicle/vehicle.hpp"
 #include "window/rules.hpp"
 
-namespace iog::vehicle {
+namespace iog::description {
 
 struct MountConfig {
   double x_m = 0;
@@ -33,7 +34,7 @@ struct MountConfig {
 };
 
 struct SensorConfig {
-  std::string_view name;  // for people: at most 15 letters, digits, '_'
+  std::string_view name{};  // for people: at most 15 letters, digits, '_'
   lidar::Format format = lidar::Format::kIbeoLux;
   std::uint32_t source_ipv4 = 0;  // the sensor's address, 0: any
   std::uint16_t udp_port = 0;     // where its packets arrive; one port for each sensor
@@ -68,16 +69,6 @@ struct FootprintConfig {
   double y_max_m = 0;
 };
 
-// Which grids the target sends: of occupancy indexes around the vehicle, of classes in the
-// world-aligned window (docs/perception.md).
-enum class Grids : std::uint8_t { kIndexes, kClasses, kBoth };
-
-[[nodiscard]] constexpr bool have_indexes(Grids grids) { return grids != Grids::kClasses; }
-[[nodiscard]] constexpr bool have_classes(Grids grids) { return grids != Grids::kIndexes; }
-
-// The two rules of docs/model.md section 3.
-enum class FusionRule : std::uint8_t { kHitsWin, kBayes };
-
 struct Description {
   std::string_view name;
   FootprintConfig footprint{};  // points inside are the car's own
@@ -85,13 +76,13 @@ struct Description {
   double z_max_m = 2.0;
   double epsilon = 0.05;  // of the recursive set
   index::Quantisation quantisation = index::Quantisation::kBlurring;
-  FusionRule rule = FusionRule::kHitsWin;
+  vehicle::FusionRule rule = vehicle::FusionRule::kHitsWin;
   std::uint32_t frame_period_us = 40'000;  // a frame is over after this long at the latest
-  Grids grids = Grids::kIndexes;
+  vehicle::Grids grids = vehicle::Grids::kIndexes;
   // Where classes are among the grids, which need kHitsWin and kBlurring:
   pose::SourceDescription poses{};  // who says where the vehicle is
   map::SourceDescription maps{};    // who sends maps
   window::Rules window{};           // how evidence becomes classes
 };
 
-}  // namespace iog::vehicle
+}  // namespace iog::description

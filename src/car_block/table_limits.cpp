@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "car_block/limits.hpp"
+#include "grid/pending_marks.hpp"
+
+namespace iog::car_block {
+namespace {
+
+using vehicle::is_within;
+using vehicle::Sensor;
+using vehicle::Tell;
+using vehicle::Vehicle;
+
+constexpr std::int32_t subcells(std::int32_t metres) {
+  return static_cast<std::int32_t>(std::int64_t{metres} * 1000 * geometry::kResolution /
+                                   geometry::kCellMm);
+}
+constexpr std::int32_t kFarthest = subcells(kFarthestM);
+constexpr std::int32_t kGridSide = geometry::kCellsPerSide * geometry::kResolution;
+constexpr std::int64_t kUnit = std::int64_t{1} << vehicle::kAxisFractionBits;
+// A subcell for rounding.
+constexpr std::int32_t kOffCar = kOffCarMm * geometry::kResolution / geometry::kCellMm + 1;
+
+void check_box(const Vehicle& car, const Tell& tell) {
+  const vehicle::Footprint& its = car.footprint;
+  if (!is_within<std::int32_t>(its.x_min, 0, its.x_max) || its.x_max > kGridSide) {
+    tell({.field = "footprint.x_max_m", .allowed = "a car within the grid around its origin"});
+  }
+  if (!is_within<std::int32_t>(its.y_min, 0, its.y_max) || its.y_max > kGridSide) {
+    tell({.field = "footprint.y_max_m", .allowed = "a car within the grid around its origin"});
+  }
+  if (!is_within(car.z_min, -kFarthest, kFarthest) || car.z_min >= car.z_max ||
+      car.z_max > kFarthest) {
+    tell({.field = "z_min_m", .allowed = "-1000 ... less than z_max_m, at most 1000"});
+  }
+}
+
+void check_place(const vehicle::Footprint& its, const Sensor& sensor, std::size_t number,
+                 const Tell& tell) {
+  const auto is_on = [](std::int64_t at, std::int64_t low, std::int64_t high) {
+    return is_within(at, low - kOffCar, high + kOffCar);
+  };
+  if (!is_on(sensor.origin.x, its.x_min, its.x_max)) {
+    tell({number, "mount.x_m", "a place on the car: footprint.x_min_m ... x_max_m, 0.15 off"});
+  }
+  if (!is_on(sensor.origin.y, its.y_min, its.y_max)) {
+    tell({number, "mount.y_m", "a place on the car: footprint.y_min_m ... y_max_m, 0.15 off"});
+  }
+  if (!is_within(sensor.origin_z, -kFarthest, kFarthest)) {
+    tell({number, "mount.z_m", "-1000 ... 1000"});
+  }
+}
+
+// Twelfths of a turn, and 10 m, as description/limits.cpp has it of a laser.
+bool is_within_reach(const lidar::LaserCorrection& laser, std::int32_t ticks_per_turn) {
+  return is_within<std::int32_t>(laser.azimuth_ticks, -ticks_per_turn / 12, ticks_per_turn / 12) &&
+         is_within<std::int32_t>(laser.range_mm, -10'000, 10'000);
+}
+
+void check_lasers(const Sensor& sensor, std::size_t number, const Tell& tell) {
+  const std::int32_t ticks_per_turn = lidar::ticks_per_turn(sensor.format);
+  if (!std::ranges::all_of(sensor.unit().corrections, [&](const lidar::LaserCorrection& laser) {
+        return is_within_reach(laser, ticks_per_turn);
+      })) {
+    tell({number, "lasers", "azimuths of a twelfth of a turn, ranges of 10 m"});
+  }
+}
+
+// A vector of a layer's end, in 2^-10 subcells.
+struct Vector {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  std::int64_t z = 0;
+
+  [[nodiscard]] bool is_within(std::int64_t most) const {
+    return vehicle::is_within(x, -most, most) && vehicle::is_within(y, -most, most) &&
+           vehicle::is_within(z, -most, most);
+  }
+  // Of components below 2^31: the sum is below 2^64.
+  [[nodiscard]] std::uint64_t square() const {
+    return static_cast<std::uint64_t>(x * x) + static_cast<std::uint64_t>(y * y) +
+           static_cast<std::uint64_t>(z * z);
+  }
+};
+
+// Components below 2^30.6, as walk_fits() leaves them: three products stay below 2^63.
+std::int64_t product(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// Whether start + up + forward cos a + left sin a is a beam of this length at most, whatever a. A
+// rotation makes the three at right angles, and each of the first two with the third as long as
+// the beam. They are rounded to 1 unit, `up` to a subcell of kUnit. Then the end is within 6
+// subcells of its length.
+//
+// Those of a tilted mirror are fitted, and not quite at right angles: the squares may be of a
+// length that is a 128th longer, and the products a 512th of its square. Then the square of an end
+// is at most 1 + 5 / 512 times that of this length, and the end within longest_line_mm().
+bool are_beams(const Vector& forward, const Vector& left, const Vector& up, const Sensor& sensor) {
+  const bool is_fitted = lidar::facts_of(sensor.format).has_beam_tilt;
+  const std::uint32_t range_mm = sensor.range.mm();
+  const std::uint32_t length_mm = is_fitted ? range_mm + range_mm / 128 : range_mm;
+  const auto length = static_cast<std::int64_t>(subcells_up(length_mm) + 2) * kUnit;
+  if (!forward.is_within(length) || !left.is_within(length) || !up.is_within(length)) {
+    return false;
+  }
+  const auto most = static_cast<std::uint64_t>(length) * static_cast<std::uint64_t>(length);
+  const std::int64_t askew = is_fitted ? length * (length / 512) : length * kUnit;
+  const auto is_right = [&](const Vector& a, const Vector& b) {
+    return vehicle::is_within(product(a, b), -askew, askew);
+  };
+  return forward.square() + up.square() <= most && left.square() + up.square() <= most &&
+         is_right(forward, left) && is_right(forward, up) && is_right(left, up);
+}
+
+// Farther than any end of a beam, and far from where a difference overflows.
+bool is_near(const vehicle::EndCoordinate& end) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 48;
+  return is_within(end.base, -kFar, kFar);
+}
+
+bool is_sound(const Sensor& sensor, const vehicle::Layer& layer) {
+  if (!is_near(layer.x) || !is_near(layer.y) || !is_near(layer.z)) {
+    return false;
+  }
+  const bool shares = sensor.layers_share_lines;
+  const std::int64_t up_z = layer.z.base - sensor.origin_z * kUnit;
+  const Vector forward{layer.x.forward, layer.y.forward, shares ? 0 : layer.z.forward};
+  const Vector left{layer.x.left, layer.y.left, shares ? 0 : layer.z.left};
+  const Vector up{layer.x.base - sensor.origin.x * kUnit, layer.y.base - sensor.origin.y * kUnit,
+                  shares ? 0 : up_z};
+  if (!are_beams(forward, left, up, sensor)) {
+    return false;
+  }
+  constexpr std::uint32_t kWhole = std::uint32_t{1} << numeric::kSineFractionBits;
+  if (!shares) {
+    return layer.range_share == kWhole;
+  }
+  // Elevations of 89 degrees have a tangent below 58.
+  const auto most = static_cast<std::int64_t>(subcells_up(sensor.range.mm())) * 58 * kUnit;
+  return is_within(up_z, -most, most) && layer.z.forward == 0 && layer.z.left == 0 &&
+         is_within<std::uint32_t>(layer.range_share, 1, kWhole);
+}
+
+// Whether they are beams, by which they can be looked at further.
+bool check_layers(const Sensor& sensor, std::size_t number, const Tell& tell) {
+  const auto layers = std::span(sensor.layers).first(sensor.layer_count);
+  bool are_sound = true;
+  if (sensor.layers_share_lines && !lidar::facts_of(sensor.format).turns) {
+    tell({number, "type", "a scanner that turns, because its layers share lines"});
+  }
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!is_sound(sensor, layers[i])) {
+      tell({number, "mount", "a rotation, whose beams are as long as range_max_mm"});
+      are_sound = false;
+    }
+    const vehicle::Layer& first = layers[std::min<std::size_t>(layers[i].line, i)];
+    if (layers[i].line > i || first.x != layers[i].x || first.y != layers[i].y) {
+      tell({number, "type", "layers that say rightly whose lines they share"});
+    }
+  }
+  return are_sound;
+}
+
+// Level sensors that turn keep their lines.
+void check_lines(std::span<const Sensor> sensors, const Tell& tell) {
+  std::size_t lines = 0;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    lines += sensors[i].layers_share_lines ? sensors[i].azimuths.steps_per_turn() : 0;
+    if (lines > vehicle::kMaxTurnLines) {
+      tell({i, "azimuth_steps_per_turn",
+            "fewer: level sensors that turn have 8192 lines together, one for each step"});
+      return;
+    }
+  }
+}
+
+// Whether any beam of the layer, from the sensor to the end of its range, is somewhere in the band.
+bool meets_band(const Sensor& sensor, const vehicle::Layer& layer, std::int64_t z_min,
+                std::int64_t z_max) {
+  const auto size_of = [](std::int64_t value) { return value < 0 ? -value : value; };
+  const std::int64_t swing = size_of(layer.z.forward) + size_of(layer.z.left);
+  const std::int64_t origin = sensor.origin_z * kUnit;
+  return std::max(origin, layer.z.base + swing) >= z_min * kUnit &&
+         std::min(origin, layer.z.base - swing) <= z_max * kUnit;
+}
+
+void check_band(const Vehicle& car, std::size_t number, const Tell& tell) {
+  const Sensor& sensor = car.sensors[number];
+  const auto layers = std::span(sensor.layers).first(sensor.layer_count);
+  if (std::ranges::none_of(layers, [&](const vehicle::Layer& layer) {
+        return meets_band(sensor, layer, car.z_min, car.z_max);
+      })) {
+    tell({number, "mount.z_m", "a height and tilt of which some beam meets z_min_m ... z_max_m"});
+  }
+}
+
+// What all sensors together mark in a frame.
+void check_marks(std::span<const Sensor> sensors, const Tell& tell) {
+  const auto marks_of = [](const Sensor& sensor) {
+    return std::uint64_t{sensor.max_points_per_scan} * grid::max_marks_per_point(sensor);
+  };
+  std::uint64_t marks = 0;
+  std::size_t first_beyond = sensors.size();
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    marks += marks_of(sensors[i]);
+    if (marks > grid::kMaxMarks) {
+      first_beyond = std::min(first_beyond, i);
+    }
+  }
+  if (first_beyond < sensors.size()) {
+    tell({.sensor = first_beyond,
+          .field = "max_points_per_scan",
+          .allowed = "fewer: all sensors together mark at most 262144 cells a frame",
+          .sum = marks});
+  }
+}
+
+}  // namespace
+
+void check_tables(const Vehicle& car, const Tell& tell) {
+  check_box(car, tell);
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    const Sensor& sensor = car.sensors[i];
+    check_place(car.footprint, sensor, i, tell);
+    if (!sensor.profile.is_valid()) {
+      tell({i, "precision_mm", "1 ... 1000, with which the sensor can mark"});
+    }
+    check_lasers(sensor, i, tell);
+    if (check_layers(sensor, i, tell)) {
+      check_band(car, i, tell);
+    }
+  }
+  check_lines(car.sensors, tell);
+  check_marks(car.sensors, tell);
+}
+
+}  // namespace iog::car_block

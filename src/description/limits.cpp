@@ -1,0 +1,176 @@
+#include "description/limits.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "car_block/limits.hpp"
+#include "description/tables.hpp"
+#include "description/tilted_mirror.hpp"
+#include "lidar/scanner_facts.hpp"
+#include "vehicle/azimuth_steps.hpp"
+#include "vehicle/derived.hpp"
+
+namespace iog::description {
+namespace {
+
+using car_block::kFarthestM;
+using vehicle::Fault;
+using vehicle::is_within;
+using vehicle::Tell;
+
+// Of the recursive set. Smaller ones have more indexes than a cell can hold.
+constexpr double kLeastEpsilon = 0.01;
+constexpr double kMostEpsilon = 0.4;
+
+void check_span(double least, double most, std::string_view field, std::string_view allowed,
+                const Tell& tell) {
+  if (!is_within<double>(least, -kFarthestM, kFarthestM) || !(least <= most) ||
+      !(most <= kFarthestM)) {
+    tell({.field = field, .allowed = allowed});
+  }
+}
+
+void check_car(const Description& car, const Tell& tell) {
+  const FootprintConfig& its = car.footprint;
+  if (!is_within<double>(car.z_min_m, -kFarthestM, kFarthestM) || !(car.z_min_m < car.z_max_m)) {
+    tell({.field = "z_min_m", .allowed = "-1000 ... less than z_max_m"});
+  }
+  if (!(car.z_max_m <= kFarthestM)) {
+    tell({.field = "z_max_m", .allowed = "at most 1000"});
+  }
+  check_span(its.x_min_m, its.x_max_m, "footprint.x_min_m",
+             "-1000 ... x_max_m, which is at most 1000", tell);
+  check_span(its.y_min_m, its.y_max_m, "footprint.y_min_m",
+             "-1000 ... y_max_m, which is at most 1000", tell);
+  if (!is_within(car.epsilon, kLeastEpsilon, kMostEpsilon)) {
+    tell({.field = "epsilon", .allowed = "0.01 ... 0.4"});
+  }
+}
+
+// A 1D cell much shorter than sigma cannot mark (thesis section 4.2.1.2, figure 4.6d); of one above
+// 4 sigma the model does not hold (sensor_model/single_target.hpp).
+bool can_mark(const Description& car, const SensorConfig& config) {
+  const double ratio = config.precision_mm / (1000 * config.sigma_m);
+  if (!is_within(ratio, 0.25, 4.0)) {
+    return false;
+  }
+  const auto profile = sensor_model::profile_of(profile_config(car, config));
+  return profile && profile->is_valid();
+}
+
+void check_model(const Description& car, const SensorConfig& config, std::size_t number,
+                 const Tell& tell) {
+  if (!is_within(config.sigma_m, 0.001, 1.0)) {
+    tell({number, "sigma_m", "0.001 ... 1"});
+  } else if (is_within<std::uint32_t>(config.precision_mm, 1, 1000) &&
+             is_within(car.epsilon, kLeastEpsilon, kMostEpsilon) && !can_mark(car, config)) {
+    tell({number, "precision_mm",
+          "a length near sigma_m: with this one the sensor cannot mark (docs/model.md 4)"});
+  }
+}
+
+void check_mount(const MountConfig& mount, std::size_t number, const Tell& tell) {
+  const auto check = [&](double value, double least, double most, std::string_view field,
+                         std::string_view allowed) {
+    if (!is_within(value, least, most)) {
+      tell({number, field, allowed});
+    }
+  };
+  check(mount.x_m, -kFarthestM, kFarthestM, "mount.x_m", "-1000 ... 1000");
+  check(mount.y_m, -kFarthestM, kFarthestM, "mount.y_m", "-1000 ... 1000");
+  check(mount.z_m, -car_block::kOffCarMm / 1000.0, 10, "mount.z_m",
+        "a place on the car: -0.15 ... 10");
+  check(mount.yaw_deg, -360, 360, "mount.yaw_deg", "-360 ... 360");
+  check(mount.pitch_deg, -90, 90, "mount.pitch_deg", "-90 ... 90");
+  check(mount.roll_deg, -360, 360, "mount.roll_deg", "-360 ... 360");
+}
+
+void check_azimuths(const SensorConfig& config, std::size_t number, const Tell& tell) {
+  const std::uint32_t steps = config.azimuth_steps_per_turn;
+  const lidar::ScannerFacts facts = lidar::facts_of(config.format);
+  if (!facts.turns) {
+    if (steps != 0) {
+      tell({number, "azimuth_steps_per_turn", "0, because this scanner does not turn"});
+    }
+    return;
+  }
+  const bool is_known = is_within(steps, vehicle::kFewestAzimuthSteps, vehicle::kMostAzimuthSteps);
+  if (steps != 0 && !(is_known && std::has_single_bit(steps))) {
+    tell({number, "azimuth_steps_per_turn", "256 ... 16384 in powers of two, or 0"});
+  } else if (!vehicle::AzimuthSteps(facts.ticks_per_turn, steps_of(config)).is_valid()) {
+    tell({number, "azimuth_steps_per_turn", "fewer: a turn has too many ticks to be rounded"});
+  }
+}
+
+void check_mode(const SensorConfig& config, std::size_t number, const Tell& tell) {
+  if (lidar::facts_of(config.format).has_modes) {
+    if (!config.mode.is_valid()) {
+      tell({number, "mode", "columns of a turn by turns of a second: 512x10 ... 2048x10"});
+    }
+  } else if (config.mode != lidar::TurnMode{}) {
+    tell({number, "mode", "none, because packets of this scanner say theirs"});
+  }
+}
+
+void check_tilt(const SensorConfig& config, std::size_t number, const Tell& tell) {
+  if (!lidar::facts_of(config.format).has_beam_tilt) {
+    if (config.beam_tilt_deg != 0) {
+      tell({number, "beam_tilt_deg", "0, because the mirror of this scanner is not tilted"});
+    }
+  } else if (!is_within(config.beam_tilt_deg, kLeastBeamTiltDeg, kMostBeamTiltDeg)) {
+    tell({number, "beam_tilt_deg", "0.2 ... 2, as the unit's parameter 0x3302 has it"});
+  }
+}
+
+void check_laser(const lidar::Laser& laser, std::size_t number, const Tell& tell) {
+  if (!is_within(laser.elevation_deg, -89.0, 89.0)) {
+    tell({number, "lasers", "an elevation_deg of -89 ... 89"});
+  } else if (!is_within(laser.azimuth_deg, -30.0, 30.0)) {
+    tell({number, "lasers", "an azimuth_deg of -30 ... 30"});
+  } else if (!is_within(laser.height_m, -10.0, 10.0) ||
+             !is_within(horizontal_range_m(laser), -10.0, 10.0)) {
+    tell({number, "lasers", "height_m and range_m of which a range changes by -10 ... 10"});
+  }
+}
+
+void check_lasers(const SensorConfig& config, std::size_t number, const Tell& tell) {
+  const lidar::ScannerFacts facts = lidar::facts_of(config.format);
+  if (facts.has_beam_tilt) {
+    if (!config.lasers.empty()) {
+      tell({number, "lasers", "none, because beam_tilt_deg says where its beams go"});
+    }
+    return;
+  }
+  const bool are_nominal = config.lasers.empty() && facts.has_elevations;
+  if (!are_nominal && !lidar::can_have_layers(config.format, config.lasers.size())) {
+    tell({number, "lasers",
+          facts.has_elevations
+              ? "one for each layer of the scanner, or none"
+              : "one for each layer of the scanner, whose elevations are each unit's own"});
+    return;
+  }
+  for (const lidar::Laser& laser : config.lasers) {
+    check_laser(laser, number, tell);
+  }
+}
+
+}  // namespace
+
+void check(const Description& car, std::span<const SensorConfig> sensors, const Tell& tell) {
+  check_car(car, tell);
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (sensors[i].range_max_mm == 0) {
+      tell({i, "range_max_mm", car_block::kRangeWords});
+    }
+    check_model(car, sensors[i], i, tell);
+    check_mount(sensors[i].mount, i, tell);
+    check_azimuths(sensors[i], i, tell);
+    check_mode(sensors[i], i, tell);
+    check_tilt(sensors[i], i, tell);
+    check_lasers(sensors[i], i, tell);
+  }
+}
+
+}  // namespace iog::description

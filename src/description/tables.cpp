@@ -1,0 +1,280 @@
+#include "description/tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "car_block/limits.hpp"
+#include "description/mount.hpp"
+#include "description/tilted_mirror.hpp"
+#include "geometry/grid.hpp"
+#include "lidar/formats.hpp"
+#include "lidar/scanner_facts.hpp"
+#include "numeric/elementary.hpp"
+#include "vehicle/derived.hpp"
+#include "vehicle/identity.hpp"
+
+namespace iog::description {
+namespace {
+
+using vehicle::EndCoordinate;
+using vehicle::Layer;
+using vehicle::Sensor;
+using vehicle::Vehicle;
+
+constexpr double kUnitsPerMetre =
+    geometry::kSubcellsPerMetre * (1 << vehicle::kAxisFractionBits);  // of an EndCoordinate
+
+double tangent(double elevation) { return numeric::sin(elevation) / numeric::cos(elevation); }
+
+std::int32_t subcells(double metres) {
+  return static_cast<std::int32_t>(numeric::round(metres * geometry::kSubcellsPerMetre));
+}
+
+// x and y are measured from the grid's corner, the vehicle's origin is in the middle.
+double grid_metres(double vehicle_metres) {
+  return vehicle_metres + geometry::kOriginCell * geometry::kCellMm / 1000.0;
+}
+
+// How high over the unit's origin its beams start, on the average. They differ by some centimetres,
+// and the height band is asked of all alike.
+double mean_height_m(std::span<const lidar::Laser> lasers) {
+  double sum = 0;
+  for (const lidar::Laser& laser : lasers) {
+    sum += laser.height_m / numeric::cos(radians(laser.elevation_deg));
+  }
+  return lasers.empty() ? 0 : sum / static_cast<double>(lasers.size());
+}
+
+// Half a hundredth of a degree is no double, so the degrees are taken for the decimal number that
+// was meant: to 1e-9.
+std::int16_t nearest_tick(double azimuth_deg, std::int32_t ticks_per_turn) {
+  constexpr std::int64_t kPartsPerTurn = 360'000'000'000;
+  const std::int64_t doubled = 2 * numeric::round(azimuth_deg * 1e9) * ticks_per_turn;
+  const std::int64_t half = azimuth_deg < 0 ? -kPartsPerTurn : kPartsPerTurn;
+  return static_cast<std::int16_t>((doubled + half) / (2 * kPartsPerTurn));
+}
+
+// Where beams start, along which axes they go, and how far.
+struct Place {
+  MountConfig mount{};  // its z is that of the lasers, on the average
+  Rotation turn{};
+  double length_m = 0;
+};
+
+EndCoordinate end_coordinate(double origin_m, double length_m, double elevation, double forward,
+                             double left, double up) {
+  const double reach = length_m * numeric::cos(elevation) * kUnitsPerMetre;
+  return {
+      .base = numeric::round((origin_m + length_m * numeric::sin(elevation) * up) * kUnitsPerMetre),
+      .forward = static_cast<std::int32_t>(numeric::round(reach * forward)),
+      .left = static_cast<std::int32_t>(numeric::round(reach * left))};
+}
+
+// The beams of a layer, each with its own line.
+Layer layer_of(const Place& place, double elevation) {
+  const auto along = [&](double origin_m, std::size_t axis) {
+    return end_coordinate(origin_m, place.length_m, elevation, place.turn.forward[axis],
+                          place.turn.left[axis], place.turn.up[axis]);
+  };
+  return {.x = along(grid_metres(place.mount.x_m), 0),
+          .y = along(grid_metres(place.mount.y_m), 1),
+          .z = along(place.mount.z_m, 2)};
+}
+
+// The same on the lines of elevation 0, above the end of which a beam passes at z + L
+// tan(elevation).
+Layer shared_layer_of(const Place& place, double elevation) {
+  Layer layer = layer_of(place, 0);
+  layer.z = {.base = numeric::round((place.mount.z_m + place.length_m * tangent(elevation)) *
+                                    kUnitsPerMetre)};
+  layer.range_share = static_cast<std::uint32_t>(
+      numeric::round(numeric::cos(elevation) * (1 << numeric::kSineFractionBits)));
+  return layer;
+}
+
+// The beams of a layer of a tilted mirror.
+Layer fitted_layer_of(const Place& place, const FittedDirections& fit) {
+  const Rotation& turn = place.turn;
+  const auto along = [&](double origin_m, std::size_t axis) -> EndCoordinate {
+    const auto reach = [&](const std::array<double, 3>& part) {
+      return place.length_m *
+             (part[0] * turn.forward[axis] + part[1] * turn.left[axis] + part[2] * turn.up[axis]);
+    };
+    return {
+        .base = numeric::round((origin_m + reach(fit.base)) * kUnitsPerMetre),
+        .forward = static_cast<std::int32_t>(numeric::round(reach(fit.forward) * kUnitsPerMetre)),
+        .left = static_cast<std::int32_t>(numeric::round(reach(fit.left) * kUnitsPerMetre))};
+  };
+  return {.x = along(grid_metres(place.mount.x_m), 0),
+          .y = along(grid_metres(place.mount.y_m), 1),
+          .z = along(place.mount.z_m, 2)};
+}
+
+template <typename Decoder>
+FittedDirections directions_of(std::size_t layer, double beam_tilt_deg) {
+  const auto angle_of = [](std::int32_t ticks) {
+    return radians(ticks * 360.0 / Decoder::kTicksPerTurn);
+  };
+  return fit_directions(
+      angle_of(Decoder::kRightmostTicks), angle_of(Decoder::kLeftmostTicks), [&](double azimuth) {
+        return tilted_elevation(radians(Decoder::kElevationsDeg[layer]), Decoder::looks_up(layer),
+                                radians(beam_tilt_deg), azimuth);
+      });
+}
+
+// The unit's own, or that of its format.
+template <typename Decoder>
+double elevation_of(const SensorConfig& config, std::size_t layer) {
+  if constexpr (!Decoder::kElevationsDeg.empty()) {
+    if (config.lasers.empty()) {
+      return radians(Decoder::kElevationsDeg[layer]);
+    }
+  }
+  return radians(config.lasers[layer].elevation_deg);
+}
+
+// Says of the layer whose lines it has.
+void add_layer(const Layer& layer, std::size_t number, Sensor& sensor) {
+  sensor.layers[number] = layer;
+  const auto same_line = [&](const Layer& other) {
+    return other.x == layer.x && other.y == layer.y;
+  };
+  const auto first = std::ranges::find_if(sensor.layers, same_line);
+  sensor.layers[number].line = static_cast<std::uint8_t>(first - sensor.layers.begin());
+}
+
+template <typename Decoder>
+void add_layers(const SensorConfig& config, Sensor& sensor) {
+  Place place{.mount = config.mount,
+              .turn = rotation_of(config.mount),
+              .length_m = config.range_max_mm / 1000.0};
+  place.mount.z_m += mean_height_m(config.lasers);
+  for (std::size_t i = 0; i < sensor.layer_count; ++i) {
+    if constexpr (lidar::HasBeamTilt<Decoder>) {
+      add_layer(fitted_layer_of(place, directions_of<Decoder>(i, config.beam_tilt_deg)), i, sensor);
+    } else {
+      const double elevation = elevation_of<Decoder>(config, i);
+      add_layer(sensor.layers_share_lines ? shared_layer_of(place, elevation)
+                                          : layer_of(place, elevation),
+                i, sensor);
+    }
+  }
+}
+
+// A sensor that turns and is level has one line an azimuth for all layers.
+template <typename Decoder>
+void add_azimuths(const SensorConfig& config, Sensor& sensor) {
+  if constexpr (Decoder::kTurns) {
+    vehicle::derive_azimuths<Decoder>(steps_of(config), sensor);
+    sensor.layers_share_lines = config.mount.pitch_deg == 0 && config.mount.roll_deg == 0;
+  } else {
+    vehicle::derive_azimuths<Decoder>(Decoder::kTicksPerTurn, sensor);
+  }
+}
+
+vehicle::Footprint footprint_of(const FootprintConfig& config) {
+  return {.x_min = subcells(grid_metres(config.x_min_m)),
+          .x_max = subcells(grid_metres(config.x_max_m)),
+          .y_min = subcells(grid_metres(config.y_min_m)),
+          .y_max = subcells(grid_metres(config.y_max_m))};
+}
+
+}  // namespace
+
+double horizontal_range_m(const lidar::Laser& laser) {
+  return laser.range_m - laser.height_m * tangent(radians(laser.elevation_deg));
+}
+
+lidar::LaserCorrection correction_of(const lidar::Laser& laser, std::int32_t ticks_per_turn) {
+  return {.azimuth_ticks = nearest_tick(laser.azimuth_deg, ticks_per_turn),
+          .range_mm = static_cast<std::int16_t>(numeric::round(horizontal_range_m(laser) * 1000))};
+}
+
+std::uint32_t steps_of(const SensorConfig& config) {
+  std::uint32_t steps = config.azimuth_steps_per_turn;
+  if (steps == 0) {
+    steps = vehicle::kFewestAzimuthSteps;
+    // Step times range over 2 is half a cell or less.
+    while (steps < vehicle::kMostAzimuthSteps &&
+           2 * numeric::kPi * config.range_max_mm > steps * double{geometry::kCellMm}) {
+      steps *= 2;
+    }
+  }
+  return steps;
+}
+
+sensor_model::ProfileConfig profile_config(const Description& car, const SensorConfig& config) {
+  return {.sigma_m = config.sigma_m,
+          .cell_length_m = config.precision_mm / 1000.0,
+          .epsilon = car.epsilon,
+          .quantisation = car.quantisation};
+}
+
+Sensor numbers_of(const SensorConfig& config) {
+  Sensor sensor;
+  sensor.name = config.name;
+  sensor.format = config.format;
+  sensor.source_ipv4 = config.source_ipv4;
+  sensor.udp_port = config.udp_port;
+  // A range that is too long stays that.
+  sensor.range = traversal::LineLength(
+      std::clamp<std::uint32_t>(config.range_max_mm, 1, car_block::kLongestRangeMm + 1));
+  sensor.range_min_mm = config.range_min_mm;
+  sensor.precision_mm = config.precision_mm;
+  sensor.no_return_clears_mm = config.no_return_clears_mm;
+  sensor.scan_width_ticks = config.scan_width_ticks;
+  sensor.max_points_per_scan = config.max_points_per_scan;
+  sensor.is_synchronised = config.is_synchronised;
+  sensor.latency_us = config.latency_us;
+  const std::size_t layers =
+      config.lasers.empty() ? lidar::facts_of(config.format).layers : config.lasers.size();
+  sensor.layer_count = static_cast<std::uint8_t>(std::min<std::size_t>(layers, UINT8_MAX));
+  sensor.is_calibrated = !config.lasers.empty();
+  if (config.mode.is_valid()) {
+    sensor.columns_per_turn = config.mode.columns_per_turn;
+    sensor.column_ns = config.mode.column_ns();
+  }
+  return sensor;
+}
+
+Vehicle numbers_of(const Description& car, std::span<const Sensor> sensors) {
+  return {.name = car.name,
+          .sensors = sensors,
+          .rule = car.rule,
+          .quantisation = car.quantisation,
+          .frame_period_us = car.frame_period_us,
+          .grids = car.grids,
+          .poses = car.poses,
+          .maps = car.maps,
+          .window = car.window};
+}
+
+Sensor sensor_of(const SensorConfig& config, const Description& car) {
+  Sensor sensor = numbers_of(config);
+  sensor.origin = {subcells(grid_metres(config.mount.x_m)),
+                   subcells(grid_metres(config.mount.y_m))};
+  sensor.origin_z = subcells(config.mount.z_m + mean_height_m(config.lasers));
+  sensor.profile = *sensor_model::profile_of(profile_config(car, config));
+  vehicle::derive_limits(footprint_of(car.footprint), subcells(car.z_min_m), subcells(car.z_max_m),
+                         sensor);
+  lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    add_azimuths<Decoder>(config, sensor);
+    add_layers<Decoder>(config, sensor);
+    std::ranges::transform(
+        config.lasers, sensor.laser_corrections.begin(),
+        [](const lidar::Laser& laser) { return correction_of(laser, Decoder::kTicksPerTurn); });
+  });
+  return sensor;
+}
+
+Vehicle vehicle_of(const Description& car, std::span<const Sensor> sensors) {
+  Vehicle vehicle = numbers_of(car, sensors);
+  vehicle.footprint = footprint_of(car.footprint);
+  vehicle.z_min = subcells(car.z_min_m);
+  vehicle.z_max = subcells(car.z_max_m);
+  vehicle.id = vehicle::identity_of(vehicle);
+  return vehicle;
+}
+
+}  // namespace iog::description

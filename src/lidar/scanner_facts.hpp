@@ -1,0 +1,84 @@
+// What the format of a scanner decides, asked of its decoder.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "lidar/formats.hpp"
+
+namespace iog::lidar {
+
+struct ScannerFacts {
+  std::size_t layers = 0;  // none: its packets leave open how many there are
+  std::uint32_t ticks_per_turn = 0;
+  bool turns = false;
+  bool has_elevations = false;  // of its format; else they are each unit's own
+  bool has_modes = false;       // its packets do not say how fast it turns
+  bool has_beam_tilt = false;   // its mirror is tilted
+};
+
+template <typename Decoder>
+concept HasSeveralLayerCounts = requires {
+  Decoder::can_have_layers(std::size_t{});
+};
+
+template <typename Decoder>
+concept HasOneLayerCount = requires {
+  Decoder::kLayers;
+};
+
+template <typename Decoder>
+concept HasModes = requires {
+  Decoder::kHasModes;
+};
+
+template <typename Decoder>
+concept HasBeamTilt = requires {
+  Decoder::kHasBeamTilt;
+};
+
+template <typename Decoder>
+constexpr std::size_t layers_of() {
+  if constexpr (HasOneLayerCount<Decoder>) {
+    return Decoder::kLayers;
+  } else {
+    return Decoder::kElevationsDeg.size();
+  }
+}
+
+constexpr ScannerFacts facts_of(Format format) {
+  ScannerFacts facts;
+  with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    facts = {.layers = layers_of<Decoder>(),
+             .ticks_per_turn = Decoder::kTicksPerTurn,
+             .turns = Decoder::kTurns,
+             .has_elevations = !Decoder::kElevationsDeg.empty(),
+             .has_modes = HasModes<Decoder>,
+             .has_beam_tilt = HasBeamTilt<Decoder>};
+  });
+  return facts;
+}
+
+constexpr bool can_have_layers(Format format, std::size_t layers) {
+  bool can = false;
+  with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    if constexpr (HasSeveralLayerCounts<Decoder>) {
+      can = Decoder::can_have_layers(layers);
+    } else {
+      can = layers == layers_of<Decoder>();
+    }
+  });
+  return can;
+}
+
+// Of a unit with so many layers; of a LUX those of one direction.
+constexpr std::size_t points_of_packet(Format format, std::size_t layers) {
+  std::size_t points = 0;
+  with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    points = Decoder::points_of_packet(layers);
+  });
+  return points;
+}
+
+}  // namespace iog::lidar

@@ -1,0 +1,168 @@
+// Which descriptions ask for what no target can do, told by their field. All that the file of a car
+// can have wrong is in tests/host/vehicles/mistakes.txt.
+#include "description/limits.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "car_block/limits.hpp"
+#include "description/scanners.hpp"
+#include "description/tables.hpp"
+
+namespace iog::description {
+namespace {
+
+using vehicle::Grids;
+
+constexpr net::Config kNetwork{.mac = {{2, 0, 0, 0, 0, 1}},
+                               .address = net::ipv4(10, 0, 2, 15),
+                               .prefix_bits = 24,
+                               .peer = net::ipv4(10, 0, 2, 2),
+                               .peer_port = 1,
+                               .source_port = 2};
+
+// With as many azimuth steps as given; 0 are those of the default.
+SensorConfig turning(std::uint32_t steps, double pitch_deg = 0) {
+  static std::uint16_t port = 2368;
+  static const std::vector<std::string> names{"a", "b", "c", "d", "e", "f", "g", "h"};
+  SensorConfig config = scanner_of(lidar::Format::kVelodyneVlp16);
+  config.name = names[port % names.size()];
+  config.udp_port = port++;
+  config.mount = {.z_m = 1.5, .pitch_deg = pitch_deg};
+  config.max_points_per_scan = 384;
+  config.azimuth_steps_per_turn = steps;
+  return config;
+}
+
+SensorConfig on_port_100() {
+  SensorConfig config = turning(0);
+  config.udp_port = 100;
+  return config;
+}
+
+// The fields that are told, with a blank between two; of a sensor with its number. As a car's file
+// is looked at.
+std::string faults_of(const Description& car,
+                      const std::vector<SensorConfig>& configs = {on_port_100()}) {
+  std::string told;
+  auto listen = [&](const vehicle::Fault& fault) {
+    told += told.empty() ? "" : " ";
+    told += fault.sensor == vehicle::Fault::kCar ? "" : std::to_string(fault.sensor) + ".";
+    told += fault.field;
+  };
+  const vehicle::Tell tell(listen);
+  check(car, configs, tell);
+  std::vector<vehicle::Sensor> sensors;
+  for (const SensorConfig& config : configs) {
+    sensors.push_back(numbers_of(config));
+  }
+  car_block::check_numbers(numbers_of(car, sensors), kNetwork, tell);
+  if (told.empty()) {
+    for (std::size_t i = 0; i < configs.size(); ++i) {
+      sensors[i] = sensor_of(configs[i], car);
+    }
+    car_block::check_tables(vehicle_of(car, sensors), tell);
+  }
+  return told;
+}
+
+Description described(Grids grids) { return {.name = "a_car", .grids = grids}; }
+
+std::string faults_with(Grids grids, auto&& change) {
+  Description car = described(grids);
+  change(car);
+  return faults_of(car);
+}
+
+TEST(DescriptionLimits, ClassesNeedHitsWinAndBlurring) {
+  const auto bayes = [](Description& car) { car.rule = vehicle::FusionRule::kBayes; };
+  const auto nearest = [](Description& car) { car.quantisation = index::Quantisation::kNearest; };
+  EXPECT_EQ(faults_of(described(Grids::kBoth)), "");
+  EXPECT_EQ(faults_of(described(Grids::kClasses)), "");
+  EXPECT_EQ(faults_with(Grids::kIndexes, bayes), "");
+  EXPECT_EQ(faults_with(Grids::kClasses, bayes), "rule");
+  EXPECT_EQ(faults_with(Grids::kIndexes, nearest), "");
+  EXPECT_EQ(faults_with(Grids::kBoth, nearest), "quantisation");
+}
+
+TEST(DescriptionLimits, PosesNeedAPortOfTheirOwnAndShortSlices) {
+  const auto shared = [](Description& car) { car.poses = {.udp_port = 100}; };
+  EXPECT_EQ(faults_with(Grids::kBoth, shared), "poses.udp_port");
+  EXPECT_EQ(faults_with(Grids::kIndexes, shared), "");
+  EXPECT_EQ(faults_with(Grids::kBoth, [](auto& car) { car.poses = {.log2_slice_ms = 7}; }),
+            "poses.log2_slice_ms");
+  EXPECT_EQ(faults_with(Grids::kBoth, [](auto& car) { car.poses = {.udp_port = 0}; }),
+            "poses.udp_port");
+}
+
+TEST(DescriptionLimits, MapsNeedAPortOfTheirOwn) {
+  const auto faults_on = [](Grids grids, std::uint16_t udp_port) {
+    return faults_with(grids, [&](Description& car) { car.maps.udp_port = udp_port; });
+  };
+  EXPECT_EQ(faults_on(Grids::kBoth, 100), "maps.udp_port");
+  EXPECT_EQ(faults_on(Grids::kBoth, pose::kPosePort), "maps.udp_port");
+  EXPECT_EQ(faults_on(Grids::kBoth, 0), "maps.udp_port");
+  EXPECT_EQ(faults_on(Grids::kIndexes, 100), "");
+}
+
+std::string faults_in_steps(std::uint32_t steps) {
+  return faults_of(described(Grids::kIndexes), {turning(steps, 1)});
+}
+
+TEST(DescriptionLimits, AnAzimuthStepIsAPowerOfTwoOfATurn) {
+  EXPECT_EQ(faults_in_steps(0), "");
+  EXPECT_EQ(faults_in_steps(256), "");
+  EXPECT_EQ(faults_in_steps(16'384), "");
+  EXPECT_EQ(faults_in_steps(128), "0.azimuth_steps_per_turn");
+  EXPECT_EQ(faults_in_steps(3'000), "0.azimuth_steps_per_turn");
+  EXPECT_EQ(faults_in_steps(32'768), "0.azimuth_steps_per_turn");
+}
+
+// 8,192 lines are kept. Of a sensor that is tilted none are.
+TEST(DescriptionLimits, SensorsThatTurnHaveAsManyLinesAsAreKept) {
+  const auto faults = [](const std::vector<SensorConfig>& sensors) {
+    return faults_of(described(Grids::kIndexes), sensors);
+  };
+  EXPECT_EQ(faults({turning(8'192)}), "");
+  EXPECT_EQ(faults({turning(4'096), turning(4'096)}), "");
+  EXPECT_EQ(faults({turning(8'192), turning(8'192, 2)}), "");
+  EXPECT_EQ(faults({turning(4'096), turning(4'096), turning(256)}), "2.azimuth_steps_per_turn");
+  EXPECT_EQ(faults({turning(16'384)}), "0.azimuth_steps_per_turn");
+}
+
+// What the target is told of classes is what the description says.
+TEST(DescriptionLimits, ItsRulesReachTheTarget) {
+  Description car = described(Grids::kClasses);
+  car.poses = {.source_ipv4 = 7, .udp_port = 9, .log2_slice_ms = 2};
+  car.window.moved = window::Moved::kLiteral;
+  car.window.assignment = &evidence::kReinforced;
+  const vehicle::Vehicle vehicle = vehicle_of(car, {});
+  EXPECT_EQ(vehicle.grids, Grids::kClasses);
+  EXPECT_EQ(vehicle.poses.source_ipv4, 7U);
+  EXPECT_EQ(vehicle.poses.udp_port, 9);
+  EXPECT_EQ(vehicle.poses.log2_slice_ms, 2);
+  EXPECT_EQ(vehicle.window.moved, window::Moved::kLiteral);
+  EXPECT_EQ(vehicle.window.assignment, &evidence::kReinforced);
+}
+
+// Every one of them is a car's, as it stands.
+TEST(DescriptionLimits, WhatADataSheetSaysIsAllowed) {
+  for (const ScannerType& type : kScannerTypes) {
+    SensorConfig config = scanner_of(type.format);
+    config.name = "roof";
+    config.udp_port = 1;
+    config.mount.z_m = 1;
+    config.max_points_per_scan = std::max(config.max_points_per_scan, 3'000U);
+    const lidar::ScannerFacts facts = lidar::facts_of(type.format);
+    const std::vector<lidar::Laser> lasers(facts.layers == 0 ? 16 : facts.layers);
+    config.lasers = facts.has_elevations ? std::span<const lidar::Laser>() : lasers;
+    config.mode = facts.has_modes ? lidar::kTurnModes[0] : lidar::TurnMode{};
+    config.beam_tilt_deg = facts.has_beam_tilt ? 1.6 : 0;
+    EXPECT_EQ(faults_of(described(Grids::kIndexes), {config}), "") << type.name;
+  }
+}
+
+}  // namespace
+}  // namespace iog::description
