@@ -8,8 +8,10 @@
 #include <sstream>
 
 #include "geometry/grid.hpp"
+#include "grid/pending_marks.hpp"
 #include "tools/budget/unit_costs.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
+#include "tools/vehicles/two_returns.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tools {
@@ -27,15 +29,14 @@ bool turns(const vehicle::Sensor& sensor) { return sensor.layers_share_lines; }
 // A LUX fires into the same directions in each scan. The others' heads turn as they like.
 bool repeats(const description::SensorConfig& sensor) { return sends_lux_scans(sensor.format); }
 
-// Echoes that a description allows a direction: those of a LUX, and the two of a dual return mode,
-// in which an HDL-64E cannot be used.
+// Echoes that a description allows a direction: those of a LUX, and two returns of a unit that has
+// them, if a frame can mark both.
 double echoes_of(const description::SensorConfig& sensor) {
-  const bool is_hdl64e = sensor.format == lidar::Format::kVelodyneHdl64eS2 ||
-                         sensor.format == lidar::Format::kVelodyneHdl64eS3;
-  if (is_hdl64e) {
-    return 1;
+  if (repeats(sensor)) {
+    return 3;
   }
-  return repeats(sensor) ? 3 : 2;
+  const std::uint32_t points = points_with_two_returns(sensor.format);
+  return points > 0 && points <= grid::kMaxMarks ? 2 : 1;
 }
 
 // How far a layer's beams stay in the height band, and within the sensor's range, in metres; ahead,
