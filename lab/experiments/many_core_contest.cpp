@@ -137,7 +137,7 @@ std::optional<Contests> contest_on(const Recording& recording) {
   const tools::CatalogueEntry& car = tools::find_vehicle(recording.vehicle);
   std::vector<std::size_t> sensors;
   for (const description::SensorConfig& sensor : car.sensors) {
-    if (sensor.format != lidar::Format::kIbeoLux) {
+    if (sensor.format != lidar::kFormat<lidar::IbeoLux>) {
       return std::nullopt;
     }
     sensors.push_back(sensors.size());

@@ -37,7 +37,7 @@ description::SensorConfig sensor_config(std::size_t i, std::uint32_t range_mm) {
   constexpr std::array<std::array<double, 2>, 8> kPlaces{
       {{2.05, 0}, {-2.05, 0}, {0, 0.9}, {0, -0.9}, {2, 0.8}, {2, -0.8}, {-2, 0.8}, {-2, -0.8}}};
   constexpr std::array<double, 8> kYawsDeg{0, 180, 90, -90, 45, -45, 135, -135};
-  description::SensorConfig config = description::scanner_of(lidar::Format::kIbeoLux);
+  description::SensorConfig config = description::scanner_of(lidar::kFormat<lidar::IbeoLux>);
   config.name = "lux";
   config.udp_port = static_cast<std::uint16_t>(kFirstPort + i);
   config.mount = {.x_m = kPlaces[i][0], .y_m = kPlaces[i][1], .z_m = 0.5, .yaw_deg = kYawsDeg[i]};

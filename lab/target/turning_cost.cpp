@@ -48,7 +48,7 @@ consteval std::array<lidar::Laser, vehicle::kMaxLayers> make_lasers() {
 vehicle::Vehicle vehicle_in_band(const description::Description& car) {
   static constexpr auto kLasers = make_lasers();
   static std::array<vehicle::Sensor, 1> sensors;
-  description::SensorConfig config = description::scanner_of(lidar::Format::kVelodyneVlp16);
+  description::SensorConfig config = description::scanner_of(lidar::kFormat<lidar::VelodyneVlp16>);
   config.name = "roof";
   config.udp_port = 2368;
   config.mount = {.x_m = 0.123, .y_m = 0.456, .z_m = 1.8};

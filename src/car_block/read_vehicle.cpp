@@ -1,7 +1,6 @@
 #include "car_block/read_vehicle.hpp"
 
 #include <bit>
-#include <variant>
 
 #include "car_block/content_reader.hpp"
 #include "geometry/grid.hpp"
@@ -11,16 +10,15 @@
 namespace iog::car_block {
 namespace {
 
-constexpr std::uint8_t kFormatCount = std::variant_size_v<lidar::AnyDecoder>;
-
 lidar::Format read_format(ContentReader& in) {
   const std::string_view name = in.text();
   std::uint8_t number = 0;
-  while (number < kFormatCount && lidar::name_of(static_cast<lidar::Format>(number)) != name) {
+  while (number < lidar::kFormatCount &&
+         lidar::name_of(static_cast<lidar::Format>(number)) != name) {
     ++number;
   }
-  in.demand(number < kFormatCount);
-  return static_cast<lidar::Format>(number < kFormatCount ? number : 0);
+  in.demand(number < lidar::kFormatCount);
+  return static_cast<lidar::Format>(number < lidar::kFormatCount ? number : 0);
 }
 
 bool can_be_steps(std::uint32_t steps, std::uint32_t ticks_per_turn, bool turns) {

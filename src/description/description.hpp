@@ -35,7 +35,7 @@ struct MountConfig {
 
 struct SensorConfig {
   std::string_view name{};  // for people: at most 15 letters, digits, '_'
-  lidar::Format format = lidar::Format::kIbeoLux;
+  lidar::Format format = lidar::kFormat<lidar::IbeoLux>;
   std::uint32_t source_ipv4 = 0;  // the sensor's address, 0: any
   std::uint16_t udp_port = 0;     // where its packets arrive; one port for each sensor
   MountConfig mount{};

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <string_view>
 #include <type_traits>
-#include <variant>
 
 #include "description/description.hpp"
 #include "lidar/formats.hpp"
@@ -37,16 +36,14 @@ struct ScannerType {
 namespace scanners_detail {
 
 constexpr void for_each_type(auto&& visit) {
-  for (std::size_t i = 0; i < std::variant_size_v<lidar::AnyDecoder>; ++i) {
-    const auto format = static_cast<lidar::Format>(i);
-    lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
-      for (const std::string_view name : {Decoder::kDataSheet.type, Decoder::kDataSheet.type_too}) {
-        if (!name.empty()) {
-          visit(ScannerType{name, format});
-        }
+  lidar::for_each_format([&]<typename Decoder>(lidar::Format format,
+                                               std::type_identity<Decoder> /*which*/) {
+    for (const std::string_view name : {Decoder::kDataSheet.type, Decoder::kDataSheet.type_too}) {
+      if (!name.empty()) {
+        visit(ScannerType{name, format});
       }
-    });
-  }
+    }
+  });
 }
 
 constexpr std::size_t kTypeCount = [] {

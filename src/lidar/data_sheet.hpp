@@ -9,9 +9,9 @@ namespace iog::lidar {
 // The numbers of most lidars that turn stand here: precise to 3 cm. They see 70 m or more; the grid
 // ends 51 m away and 72 m in its corners, and nothing beyond can be seen on it.
 struct DataSheet {
-  std::string_view type;             // its name in a car's file
-  std::string_view type_too{};       // another maker's name of the same
-  std::uint32_t range_min_mm = 0;    // it sees nothing that is nearer
+  std::string_view type;           // its name in a car's file
+  std::string_view type_too{};     // another maker's name of the same
+  std::uint32_t range_min_mm = 0;  // it sees nothing that is nearer
   std::uint32_t range_max_mm = 73'000;
   std::uint32_t precision_mm = 30;
   double sigma_m = 0.03;

@@ -1,18 +1,21 @@
 // Every wire format and its decoder, in one place.
 //
-// A decoder has kName, kTicksPerTurn, kTurns, kElevationsDeg (empty if they are each unit's own),
-// decode(), info(), move_to() and for_each_point(), as lidar/ibeo_lux.hpp has them
-// (docs/sensors.md).
+// A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if they are each
+// unit's own), points_of_packet(), decode(), info(), move_to() and for_each_point(), as
+// lidar/ibeo_lux.hpp has them (docs/sensors.md).
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "lidar/hesai.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/ibeo_lux8.hpp"
 #include "lidar/ouster.hpp"
-#include "lidar/scan_point.hpp"
 #include "lidar/velodyne_hdl32e.hpp"
 #include "lidar/velodyne_hdl64e.hpp"
 #include "lidar/velodyne_vlp16.hpp"
@@ -20,22 +23,8 @@
 
 namespace iog::lidar {
 
-// The wire formats that are understood (docs/spec.md).
-enum class Format : std::uint8_t {
-  kHesaiPandar64,     // data packets of 1194 or 1198 bytes
-  kHesaiXt32,         // PandarXT-32, data packets of 1080 bytes
-  kIbeoLux,           // 0x2202 messages
-  kIbeoLux8,          // the same, of a tilted mirror
-  kOusterLegacy,      // OS, the profile before firmware 2.0
-  kOusterRng15,       // OS, low data rate
-  kOusterRng19,       // OS, single return
-  kVelodyneHdl32e,    // data packets of 1206 bytes, as all of Velodyne's
-  kVelodyneHdl64eS2,  // in two banks
-  kVelodyneHdl64eS3,
-  kVelodyneVlp16,
-  kVelodyneVlp32c,
-};
-
+// The wire formats that are understood (docs/spec.md): the one list of them, from which all others
+// follow.
 using AnyDecoder = std::variant<HesaiPandar64,     //
                                 HesaiXt32,         //
                                 IbeoLux,           //
@@ -49,35 +38,50 @@ using AnyDecoder = std::variant<HesaiPandar64,     //
                                 VelodyneVlp16,     //
                                 VelodyneVlp32c>;
 
-// Calls visit(std::type_identity<Decoder>()) with the decoder of the format. Without a default: a
-// format that is missing here does not compile. What is no format at all is not visited.
+inline constexpr std::size_t kFormatCount = std::variant_size_v<AnyDecoder>;
+
+// One of them, by its place in the list.
+enum class Format : std::uint8_t {};
+
+namespace formats_detail {
+
+template <typename Decoder, typename... All>
+consteval std::size_t place_in(std::type_identity<std::variant<All...>> /*list*/) {
+  static_assert((std::is_same_v<Decoder, All> || ...), "a decoder of the list");
+  std::size_t place = 0;
+  static_cast<void>(((std::is_same_v<Decoder, All> || (++place, false)) || ...));
+  return place;
+}
+
+template <std::size_t... kPlace>
+constexpr void visit_place(std::size_t place, auto&& visit,
+                           std::index_sequence<kPlace...> /*places*/) {
+  static_cast<void>(
+      ((place == kPlace &&
+        (visit(std::type_identity<std::variant_alternative_t<kPlace, AnyDecoder>>()), true)) ||
+       ...));
+}
+
+}  // namespace formats_detail
+
+template <typename Decoder>
+inline constexpr auto kFormat =
+    static_cast<Format>(formats_detail::place_in<Decoder>(std::type_identity<AnyDecoder>()));
+
+// Calls visit(std::type_identity<Decoder>()) with the decoder of the format. What is no format at
+// all is not visited.
 template <typename Visit>
 constexpr void with_decoder(Format format, Visit&& visit) {
-  switch (format) {
-    case Format::kHesaiPandar64:
-      return visit(std::type_identity<HesaiPandar64>());
-    case Format::kHesaiXt32:
-      return visit(std::type_identity<HesaiXt32>());
-    case Format::kIbeoLux:
-      return visit(std::type_identity<IbeoLux>());
-    case Format::kIbeoLux8:
-      return visit(std::type_identity<IbeoLux8>());
-    case Format::kOusterLegacy:
-      return visit(std::type_identity<OusterLegacy>());
-    case Format::kOusterRng15:
-      return visit(std::type_identity<OusterRng15>());
-    case Format::kOusterRng19:
-      return visit(std::type_identity<OusterRng19>());
-    case Format::kVelodyneHdl32e:
-      return visit(std::type_identity<VelodyneHdl32e>());
-    case Format::kVelodyneHdl64eS2:
-      return visit(std::type_identity<VelodyneHdl64eS2>());
-    case Format::kVelodyneHdl64eS3:
-      return visit(std::type_identity<VelodyneHdl64eS3>());
-    case Format::kVelodyneVlp16:
-      return visit(std::type_identity<VelodyneVlp16>());
-    case Format::kVelodyneVlp32c:
-      return visit(std::type_identity<VelodyneVlp32c>());
+  formats_detail::visit_place(static_cast<std::size_t>(format), visit,
+                              std::make_index_sequence<kFormatCount>());
+}
+
+// Calls visit(format, std::type_identity<Decoder>()) with each.
+template <typename Visit>
+constexpr void for_each_format(Visit&& visit) {
+  for (std::size_t place = 0; place < kFormatCount; ++place) {
+    const auto format = static_cast<Format>(place);
+    with_decoder(format, [&](auto decoder) { visit(format, decoder); });
   }
 }
 

@@ -29,7 +29,8 @@ struct VelodyneUnit {
   std::uint8_t product = 0;      // byte 1205; with two banks that byte says something else
   std::uint8_t old_product = 0;  // the same byte of old firmware
   std::uint8_t range_unit_mm = 0;
-  std::uint32_t block_ns = 0;  // from one azimuth to the next
+  bool has_two_returns = true;  // if it is set so
+  std::uint32_t block_ns = 0;   // from one azimuth to the next
   // A channel fires so many parts of that time after its block's azimuth was taken.
   std::uint32_t block_parts = 1;
   std::array<std::uint8_t, 32> fires_at{};

@@ -23,11 +23,12 @@ inline constexpr Hdl64eTiming kHdl64eS3Timing{57'600, 7'200, {0, 1'300, 2'500, 3
 
 // In parts of 200 ns (S2) and 240 ns (S3), to the nearest: in half of one the head turns less than
 // 0.001 degrees.
-consteval VelodyneUnit make_hdl64e(const Hdl64eTiming& timing) {
+consteval VelodyneUnit make_hdl64e(const Hdl64eTiming& timing, bool has_two_returns) {
   constexpr std::uint32_t kParts = 240;
   VelodyneUnit unit{.layers = 64,
                     .banks = 2,
                     .range_unit_mm = 2,
+                    .has_two_returns = has_two_returns,
                     .block_ns = timing.block_ns,
                     .block_parts = kParts};
   for (std::uint32_t channel = 0; channel < 32; ++channel) {
@@ -37,13 +38,13 @@ consteval VelodyneUnit make_hdl64e(const Hdl64eTiming& timing) {
   }
   return unit;
 }
-inline constexpr VelodyneUnit kHdl64eS2Unit = make_hdl64e(kHdl64eS2Timing);
-inline constexpr VelodyneUnit kHdl64eS3Unit = make_hdl64e(kHdl64eS3Timing);
+inline constexpr VelodyneUnit kHdl64eS2Unit = make_hdl64e(kHdl64eS2Timing, false);
+inline constexpr VelodyneUnit kHdl64eS3Unit = make_hdl64e(kHdl64eS3Timing, true);
 
 class VelodyneHdl64eS2 : public VelodyneDecoder<kHdl64eS2Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S2";
-  // Precise to 2 cm, taken as 3. One turn at 10 Hz is 348 packets; there is one return alone.
+  // Precise to 2 cm, taken as 3. One turn at 10 Hz is 348 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s2", 360);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };

@@ -17,21 +17,18 @@ struct Claim {
 
 struct Claims {
   std::size_t count = 0;
-  std::array<Claim, FormatSet::kMost> list{};
+  std::array<Claim, kFormatCount> list{};
 };
 
 consteval Claims make_claims() {
   Claims claims;
-  for (unsigned number = 0; number < FormatSet::kMost; ++number) {
-    const auto format = static_cast<Format>(number);
-    with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
-      if constexpr (std::is_base_of_v<VelodynePacket, Decoder>) {
-        constexpr VelodyneUnit kUnit = Decoder::unit();
-        claims.list[claims.count++] = {
-            {format, kUnit.block_ns}, kUnit.banks, kUnit.product, kUnit.old_product};
-      }
-    });
-  }
+  for_each_format([&]<typename Decoder>(Format format, std::type_identity<Decoder> /*which*/) {
+    if constexpr (std::is_base_of_v<VelodynePacket, Decoder>) {
+      constexpr VelodyneUnit kUnit = Decoder::unit();
+      claims.list[claims.count++] = {
+          {format, kUnit.block_ns}, kUnit.banks, kUnit.product, kUnit.old_product};
+    }
+  });
   return claims;
 }
 constexpr Claims kClaims = make_claims();

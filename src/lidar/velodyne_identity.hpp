@@ -22,8 +22,6 @@ namespace iog::lidar {
 // Formats, each at most once.
 class FormatSet {
  public:
-  static constexpr unsigned kMost = 32;
-
   constexpr FormatSet() = default;
   explicit constexpr FormatSet(Format format) { add(format); }
 
@@ -39,6 +37,7 @@ class FormatSet {
   friend constexpr bool operator==(const FormatSet&, const FormatSet&) = default;
 
  private:
+  static_assert(kFormatCount <= 32);
   std::uint32_t bits_ = 0;
 };
 

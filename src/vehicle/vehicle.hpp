@@ -77,7 +77,7 @@ struct RangeProducts {
 
 struct Sensor {
   std::string_view name;
-  lidar::Format format = lidar::Format::kIbeoLux;
+  lidar::Format format = lidar::kFormat<lidar::IbeoLux>;
   std::uint32_t source_ipv4 = 0;
   std::uint16_t udp_port = 0;
   geometry::SubcellPoint origin;  // S, in grid subcells

@@ -82,25 +82,23 @@ void add_lidar_seeds(Seeds& seeds) {
   seeds.add("lux_recording", joined(lux, lux_message(3)));
 }
 
-void add_velodyne_seeds(Seeds& seeds, const std::string& target, tests::VelodynePacket packet) {
+void add_velodyne_seeds(Seeds& seeds, tests::VelodynePacket packet) {
   packet.first_azimuth = 35'900;
   packet.ranges.fill({1, 2, 3, 500, 60'000});
   const Bytes first = packet.bytes();
   packet.first_azimuth = 380;
   packet.time_us = 1'327;
-  seeds.add(target, joined(piece_of(first), packet.bytes()));
+  seeds.add("velodyne", joined(piece_of(first), packet.bytes()));
 }
 
 void add_velodyne_seeds(Seeds& seeds) {
   for (const int mode : {0x37, 0x38, 0x39}) {
-    add_velodyne_seeds(seeds, "velodyne_hdl32e", {.mode = mode, .product = 0x21});
-    add_velodyne_seeds(seeds, "velodyne_vlp16", {.mode = mode});
-    add_velodyne_seeds(seeds, "velodyne_vlp16", {.mode = mode, .product = 0x21});
-    add_velodyne_seeds(seeds, "velodyne_vlp32c", {.mode = mode, .product = 0x28});
+    add_velodyne_seeds(seeds, {.mode = mode});
+    add_velodyne_seeds(seeds, {.mode = mode, .product = 0x21});
+    add_velodyne_seeds(seeds, {.mode = mode, .product = 0x28});
   }
   for (const int blocks_of_azimuth : {2, 4}) {
-    add_velodyne_seeds(seeds, "velodyne_hdl64e",
-                       {.blocks_of_azimuth = blocks_of_azimuth, .has_two_banks = true});
+    add_velodyne_seeds(seeds, {.blocks_of_azimuth = blocks_of_azimuth, .has_two_banks = true});
   }
 }
 
@@ -118,7 +116,8 @@ void add_ouster_seeds(Seeds& seeds) {
   constexpr int k1024x10 = 12;  // as ouster.cpp chooses
   int choice = k1024x10;
   for (const lidar::Format format :
-       {lidar::Format::kOusterLegacy, lidar::Format::kOusterRng15, lidar::Format::kOusterRng19}) {
+       {lidar::kFormat<lidar::OusterLegacy>, lidar::kFormat<lidar::OusterRng15>,
+        lidar::kFormat<lidar::OusterRng19>}) {
     const Bytes packet = tests::OusterPacket{.format = format, .rows = 4}.bytes();
     seeds.add("ouster", joined({static_cast<std::byte>(choice)}, packet));
     ++choice;

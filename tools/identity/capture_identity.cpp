@@ -91,14 +91,14 @@ void CaptureIdentity::add(const CapturedDatagram& datagram) {
       port.its_senders.insert(sensor);
     }
   }
-  if (seen.formats.has(lidar::Format::kIbeoLux)) {
+  if (seen.formats.has(lidar::kFormat<lidar::IbeoLux>)) {
     note_directions(datagram.payload, port);
   }
 }
 
 void CaptureIdentity::note_directions(std::span<const std::byte> scan, Port& port) {
   std::set<std::int32_t> directions;
-  intake::Packet::decode(lidar::Format::kIbeoLux, scan)
+  intake::Packet::decode(lidar::kFormat<lidar::IbeoLux>, scan)
       .for_each_point(
           [&](const lidar::ScanPoint& point) { directions.insert(point.azimuth_ticks); });
   for (auto next = directions.begin(); next != directions.end(); ++next) {

@@ -6,12 +6,11 @@ namespace iog::tools {
 
 std::string names_of(const lidar::FormatSet& formats) {
   std::string names;
-  for (unsigned number = 0; number < lidar::FormatSet::kMost; ++number) {
-    const auto format = static_cast<lidar::Format>(number);
+  lidar::for_each_format([&](lidar::Format format, auto /*decoder*/) {
     if (formats.has(format)) {
       names += (names.empty() ? "" : " or ") + std::string(lidar::name_of(format));
     }
-  }
+  });
   return names;
 }
 

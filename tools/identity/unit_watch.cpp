@@ -61,8 +61,8 @@ std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
                          std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
       Decoder decoder;
       lidar::FormatSet formats(format);
-      if (format == lidar::Format::kIbeoLux) {
-        formats.add(lidar::Format::kIbeoLux8);
+      if (format == lidar::kFormat<lidar::IbeoLux>) {
+        formats.add(lidar::kFormat<lidar::IbeoLux8>);
       }
       if (decoder.decode(payload) == lidar::DecodeStatus::kOk) {
         seen = sound(decoder, Decoder::kName, formats);
@@ -91,7 +91,7 @@ SeenUnit UnitWatch::take(Payload payload) {
   if (!possible.is_empty()) {
     return seen_velodyne(possible, payload);
   }
-  for (unsigned number = 0; number < lidar::FormatSet::kMost; ++number) {
+  for (unsigned number = 0; number < lidar::kFormatCount; ++number) {
     if (const auto seen = seen_as(static_cast<lidar::Format>(number), payload)) {
       return *seen;
     }

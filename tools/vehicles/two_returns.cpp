@@ -16,15 +16,14 @@ std::uint32_t points_with_two_returns(lidar::Format format) {
   lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
     if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
       constexpr lidar::VelodyneUnit kUnit = Decoder::unit();
-      points =
-          2 * kTenHertzNs * lidar::VelodynePacket::kPointsPerBlock * kUnit.banks / kUnit.block_ns;
+      const std::uint64_t points_of_block = lidar::VelodynePacket::kPointsPerBlock * kUnit.banks;
+      points = kUnit.has_two_returns ? 2 * kTenHertzNs * points_of_block / kUnit.block_ns : 0;
     } else if constexpr (std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
       constexpr lidar::HesaiUnit kUnit = Decoder::unit();
       points = 2 * kTenHertzNs * kUnit.lasers / static_cast<std::uint64_t>(kUnit.firing_ns);
     }
   });
-  // An S2 has one return (manual 63-HDL64ES2).
-  return format == lidar::Format::kVelodyneHdl64eS2 ? 0 : static_cast<std::uint32_t>(points);
+  return static_cast<std::uint32_t>(points);
 }
 
 std::string warning_of_two_returns(const CatalogueEntry& car) {

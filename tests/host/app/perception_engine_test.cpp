@@ -157,7 +157,7 @@ TEST(PerceptionEngine, ASensorWithoutClockIsPlacedByWhenItsPacketsCame) {
   for (TimedDatagram& datagram : drive) {
     if (datagram.port != pose::kPosePort) {
       const lidar::PacketInfo info =
-          intake::Packet::decode(lidar::Format::kIbeoLux, datagram.bytes).info();
+          intake::Packet::decode(lidar::kFormat<lidar::IbeoLux>, datagram.bytes).info();
       const std::int32_t right = info.sector.first_ticks > 5760 ? info.sector.first_ticks - 11520
                                                                 : info.sector.first_ticks;
       const std::int32_t middle = right + info.sector.width_ticks / 2;

@@ -27,7 +27,7 @@ constexpr net::Config kNetwork{.mac = {{2, 0, 0, 0, 0, 1}},
 SensorConfig turning(std::uint32_t steps, double pitch_deg = 0) {
   static std::uint16_t port = 2368;
   static const std::vector<std::string> names{"a", "b", "c", "d", "e", "f", "g", "h"};
-  SensorConfig config = scanner_of(lidar::Format::kVelodyneVlp16);
+  SensorConfig config = scanner_of(lidar::kFormat<lidar::VelodyneVlp16>);
   config.name = names[port % names.size()];
   config.udp_port = port++;
   config.mount = {.z_m = 1.5, .pitch_deg = pitch_deg};
@@ -154,7 +154,7 @@ TEST(DescriptionLimits, WhatADataSheetSaysIsAllowed) {
     config.name = "roof";
     config.udp_port = 1;
     config.mount.z_m = 1;
-    config.max_points_per_scan = std::max(config.max_points_per_scan, 3'000U);
+    config.max_points_per_scan = std::max<std::uint32_t>(config.max_points_per_scan, 3'000);
     const lidar::ScannerFacts facts = lidar::facts_of(type.format);
     const std::vector<lidar::Laser> lasers(facts.layers == 0 ? 16 : facts.layers);
     config.lasers = facts.has_elevations ? std::span<const lidar::Laser>() : lasers;

@@ -47,7 +47,7 @@ constexpr Description kCar{
     .name = "tilted", .footprint = {-2, 2, -1, 1}, .z_min_m = 0.2, .z_max_m = 2.2};
 
 SensorConfig unit_with(double beam_tilt_deg) {
-  SensorConfig config = scanner_of(lidar::Format::kIbeoLux8);
+  SensorConfig config = scanner_of(lidar::kFormat<lidar::IbeoLux8>);
   config.mount = {.x_m = 1, .y_m = 0.3, .z_m = 1.6, .yaw_deg = 40, .pitch_deg = 2, .roll_deg = -3};
   config.beam_tilt_deg = beam_tilt_deg;
   return config;

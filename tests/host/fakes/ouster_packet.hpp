@@ -11,7 +11,7 @@
 namespace iog::tests {
 
 struct OusterPacket {
-  lidar::Format format = lidar::Format::kOusterLegacy;
+  lidar::Format format = lidar::kFormat<lidar::OusterLegacy>;
   int rows = 64;
   int columns_per_turn = 1024;
   int first_column = 0;
@@ -24,7 +24,7 @@ struct OusterPacket {
   std::vector<std::vector<std::uint32_t>> ranges =
       std::vector<std::vector<std::uint32_t>>(16, std::vector<std::uint32_t>(128));
 
-  [[nodiscard]] bool is_legacy() const { return format == lidar::Format::kOusterLegacy; }
+  [[nodiscard]] bool is_legacy() const { return format == lidar::kFormat<lidar::OusterLegacy>; }
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
     std::vector<std::byte> out;
@@ -53,7 +53,7 @@ struct OusterPacket {
       }
       for (int row = 0; row < rows; ++row) {
         little(ranges[static_cast<std::size_t>(i)][static_cast<std::size_t>(row)], 4);
-        if (format != lidar::Format::kOusterRng15) {
+        if (format != lidar::kFormat<lidar::OusterRng15>) {
           little(0x1122'3344'5566'7788, 8);  // reflectivity, signal, near infrared
         }
       }

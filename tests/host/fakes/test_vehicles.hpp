@@ -11,7 +11,7 @@
 namespace iog::tests {
 
 constexpr description::SensorConfig test_lux(std::uint16_t port, description::MountConfig mount) {
-  description::SensorConfig config = description::scanner_of(lidar::Format::kIbeoLux);
+  description::SensorConfig config = description::scanner_of(lidar::kFormat<lidar::IbeoLux>);
   config.name = "lux";
   config.source_ipv4 = 0x0A000200U + port;
   config.udp_port = port;
@@ -85,7 +85,7 @@ struct ThreeLux {
 };
 
 constexpr description::SensorConfig test_vlp16(std::uint16_t port, description::MountConfig mount) {
-  description::SensorConfig config = description::scanner_of(lidar::Format::kVelodyneVlp16);
+  description::SensorConfig config = description::scanner_of(lidar::kFormat<lidar::VelodyneVlp16>);
   config.name = "vlp16";
   config.udp_port = port;
   config.mount = mount;

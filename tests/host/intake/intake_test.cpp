@@ -44,7 +44,7 @@ TEST(Packet, IsDecodedByItsFormat) {
   const std::vector<std::byte> lux_bytes =
       LuxMessage{.scan_number = 7, .points = {{.layer = 2, .angle_ticks = 9, .range_cm = 1234}}}
           .bytes();
-  const Packet lux = Packet::decode(lidar::Format::kIbeoLux, lux_bytes);
+  const Packet lux = Packet::decode(lidar::kFormat<lidar::IbeoLux>, lux_bytes);
   ASSERT_TRUE(lux.is_sound());
   EXPECT_EQ(lux.info().scan_number, 7U);
   ASSERT_EQ(points_of(lux).size(), 1U);
@@ -53,14 +53,14 @@ TEST(Packet, IsDecodedByItsFormat) {
   tests::VelodynePacket turn;
   turn.ranges[0][1] = 5000;  // 2 mm each
   const std::vector<std::byte> vlp16_bytes = turn.bytes();
-  const Packet vlp16 = Packet::decode(lidar::Format::kVelodyneVlp16, vlp16_bytes);
+  const Packet vlp16 = Packet::decode(lidar::kFormat<lidar::VelodyneVlp16>, vlp16_bytes);
   ASSERT_TRUE(vlp16.is_sound());
   ASSERT_EQ(points_of(vlp16).size(), 384U);
   EXPECT_EQ(points_of(vlp16)[1].range_mm, 10'000U);
 
-  EXPECT_EQ(Packet::decode(lidar::Format::kVelodyneVlp16, lux_bytes).status(),
+  EXPECT_EQ(Packet::decode(lidar::kFormat<lidar::VelodyneVlp16>, lux_bytes).status(),
             lidar::DecodeStatus::kWrongLength);
-  EXPECT_EQ(Packet::decode(lidar::Format::kIbeoLux, vlp16_bytes).status(),
+  EXPECT_EQ(Packet::decode(lidar::kFormat<lidar::IbeoLux>, vlp16_bytes).status(),
             lidar::DecodeStatus::kWrongType);
 }
 
@@ -87,18 +87,18 @@ TEST(Packet, IsReadFromACopyOfItsBytes) {
       LuxMessage{.points = {{.layer = 2, .angle_ticks = 9, .range_cm = 1234},
                             {.layer = 3, .angle_ticks = 8, .range_cm = 555}}}
           .bytes();
-  expect_moved(lidar::Format::kIbeoLux, lux);
-  expect_moved(lidar::Format::kIbeoLux8, lux);
+  expect_moved(lidar::kFormat<lidar::IbeoLux>, lux);
+  expect_moved(lidar::kFormat<lidar::IbeoLux8>, lux);
   tests::VelodynePacket turn;
   turn.ranges[3][7] = 5000;
-  expect_moved(lidar::Format::kVelodyneVlp16, turn.bytes());
+  expect_moved(lidar::kFormat<lidar::VelodyneVlp16>, turn.bytes());
   tests::HesaiPacket blocks;
   blocks.ranges[2][5] = 5000;
-  expect_moved(lidar::Format::kHesaiPandar64, blocks.bytes());
+  expect_moved(lidar::kFormat<lidar::HesaiPandar64>, blocks.bytes());
   tests::OusterPacket columns;
   columns.ranges[9][3] = 5000;
   const std::vector<lidar::LaserCorrection> rows(64);
-  expect_moved(lidar::Format::kOusterLegacy, columns.bytes(),
+  expect_moved(lidar::kFormat<lidar::OusterLegacy>, columns.bytes(),
                {.corrections = rows, .columns_per_turn = 1024, .column_ns = 97'656});
 }
 
@@ -180,12 +180,12 @@ TEST(Intake, AnotherUnitsPacketsAreRefused) {
   const auto first = tests::bytes_of_hex(tests::kHdl32eFirst);
   const auto second = tests::bytes_of_hex(tests::kHdl32eSecond);
   for (const lidar::Format format :
-       {lidar::Format::kVelodyneVlp16, lidar::Format::kVelodyneHdl32e}) {
+       {lidar::kFormat<lidar::VelodyneVlp16>, lidar::kFormat<lidar::VelodyneHdl32e>}) {
     vehicle::Sensor sensor = ThreeLux::kVehicle.sensors[0];
     sensor.format = format;
     Intake intake(std::span(&sensor, 1), kReplayer);
     EXPECT_FALSE(intake.receive({kReplayer, 100, first}));
-    const bool is_own = format == lidar::Format::kVelodyneHdl32e;
+    const bool is_own = format == lidar::kFormat<lidar::VelodyneHdl32e>;
     EXPECT_EQ(intake.receive({kReplayer, 100, second}).has_value(), is_own);
     EXPECT_EQ(drops(intake, PacketDrop::kOtherUnit), is_own ? 1U : 2U);
     EXPECT_EQ(intake.points_dropped(vehicle::Fate::kMalformed), is_own ? 384U : 768U);

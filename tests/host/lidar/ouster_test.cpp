@@ -16,7 +16,7 @@ namespace {
 
 using Sent = tests::OusterPacket;
 
-constexpr Format kFormats[] = {Format::kOusterLegacy, Format::kOusterRng15, Format::kOusterRng19};
+constexpr Format kFormats[] = {kFormat<OusterLegacy>, kFormat<OusterRng15>, kFormat<OusterRng19>};
 
 // A unit whose rows look to the left by as many ticks as their numbers, and by turns to the right.
 class TestUnit {
@@ -84,16 +84,16 @@ TEST(Ouster, PacketsAreAsLongAsTheManualSays) {
     int rows;
     std::size_t bytes;
   };
-  for (const auto& [format, rows, bytes] : std::vector<Row>{{Format::kOusterLegacy, 16, 3392},
-                                                            {Format::kOusterLegacy, 32, 6464},
-                                                            {Format::kOusterLegacy, 64, 12608},
-                                                            {Format::kOusterLegacy, 128, 24896},
-                                                            {Format::kOusterRng15, 16, 1280},
-                                                            {Format::kOusterRng15, 64, 4352},
-                                                            {Format::kOusterRng15, 128, 8448},
-                                                            {Format::kOusterRng19, 32, 6400},
-                                                            {Format::kOusterRng19, 64, 12544},
-                                                            {Format::kOusterRng19, 128, 24832}}) {
+  for (const auto& [format, rows, bytes] : std::vector<Row>{{kFormat<OusterLegacy>, 16, 3392},
+                                                            {kFormat<OusterLegacy>, 32, 6464},
+                                                            {kFormat<OusterLegacy>, 64, 12608},
+                                                            {kFormat<OusterLegacy>, 128, 24896},
+                                                            {kFormat<OusterRng15>, 16, 1280},
+                                                            {kFormat<OusterRng15>, 64, 4352},
+                                                            {kFormat<OusterRng15>, 128, 8448},
+                                                            {kFormat<OusterRng19>, 32, 6400},
+                                                            {kFormat<OusterRng19>, 64, 12544},
+                                                            {kFormat<OusterRng19>, 128, 24832}}) {
     const Sent packet{.format = format, .rows = rows};
     const TestUnit unit(packet);
     EXPECT_EQ(packet_bytes(format, rows), bytes);
@@ -203,7 +203,7 @@ TEST(Ouster, SectorsOfATurnMeet) {
 
 // 1024 columns ten times a second are 97.656 us apart.
 TEST(Ouster, ItsTimesAreThoseOfItsColumns) {
-  const Sent sent{.format = Format::kOusterRng19, .frame = 0xFFFE};
+  const Sent sent{.format = kFormat<OusterRng19>, .frame = 0xFFFE};
   const TestUnit unit(sent);
   const Decoded packet(sent.bytes(), unit);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
@@ -249,7 +249,7 @@ TEST(Ouster, NoModeIsTakenForAnother) {
         const Sent like{.format = format, .columns_per_turn = described.columns};
         const bool is_it = is.columns == described.columns && is.turns == described.turns;
         const bool looks_like_it = is.columns * is.turns == described.columns * described.turns &&
-                                   format != Format::kOusterLegacy && described.columns > 495;
+                                   format != kFormat<OusterLegacy> && described.columns > 495;
         EXPECT_EQ(Decoded(bytes, TestUnit(like, described.turns)).status == DecodeStatus::kOk,
                   is_it || looks_like_it);
       }
@@ -284,7 +284,7 @@ TEST(Ouster, ARealOs1IsUnderstood) {
 }
 
 TEST(Ouster, RefusesWhatIsNotItsFormat) {
-  Sent sent{.format = Format::kOusterRng19};
+  Sent sent{.format = kFormat<OusterRng19>};
   const TestUnit unit(sent);
   const auto good = sent.bytes();
   auto bytes = good;

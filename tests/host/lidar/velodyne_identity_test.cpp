@@ -16,11 +16,11 @@ namespace {
 
 using Packet = tests::VelodynePacket;
 
-constexpr FormatSet kHdl32e(Format::kVelodyneHdl32e);
-constexpr FormatSet kVlp16(Format::kVelodyneVlp16);
+constexpr FormatSet kHdl32e(kFormat<VelodyneHdl32e>);
+constexpr FormatSet kVlp16(kFormat<VelodyneVlp16>);
 FormatSet either() {
   FormatSet set = kHdl32e;
-  set.add(Format::kVelodyneVlp16);
+  set.add(kFormat<VelodyneVlp16>);
   return set;
 }
 const FormatSet kEither = either();
@@ -77,7 +77,7 @@ TEST(VelodyneIdentity, ARealVlp16OfOldFirmwareIsKnownByItsFirst) {
 
 TEST(VelodyneIdentity, WhatSaysItsNameIsBelieved) {
   VelodyneIdentity identity;
-  EXPECT_EQ(identity.take(tests::bytes_of_hex(tests::kVlp32c)), FormatSet(Format::kVelodyneVlp32c));
+  EXPECT_EQ(identity.take(tests::bytes_of_hex(tests::kVlp32c)), FormatSet(kFormat<VelodyneVlp32c>));
   EXPECT_EQ(identity.take(Packet{}.bytes()), kVlp16);
   EXPECT_TRUE(identity.take(Packet{.product = 0x24}.bytes()).is_empty());
   EXPECT_TRUE(identity.take({}).is_empty());
@@ -109,9 +109,9 @@ TEST(VelodyneIdentity, NoUnitIsTakenForAnotherAtAnySpeed) {
   expect_known(kHdl32eDual, kHdl32e, 2);
   expect_known(kVlp16Unit21, kVlp16, 3);
   expect_known(kVlp16Dual21, kVlp16, 4);
-  expect_known(kHdl64eS2, FormatSet(Format::kVelodyneHdl64eS2), 5);
-  expect_known(kHdl64eS3, FormatSet(Format::kVelodyneHdl64eS3), 6);
-  expect_known(kHdl64eS3Dual, FormatSet(Format::kVelodyneHdl64eS3), 7);
+  expect_known(kHdl64eS2, FormatSet(kFormat<VelodyneHdl64eS2>), 5);
+  expect_known(kHdl64eS3, FormatSet(kFormat<VelodyneHdl64eS3>), 6);
+  expect_known(kHdl64eS3Dual, FormatSet(kFormat<VelodyneHdl64eS3>), 7);
 }
 
 // From one packet alone: at 10 Hz each gains what the other cannot, in between nobody knows.
@@ -157,7 +157,7 @@ TEST(VelodyneIdentity, AnyBytesWillDo) {
           static_cast<std::byte>(random.next());
     }
     const FormatSet possible = identity.take(bytes);
-    ASSERT_FALSE(possible.has(Format::kIbeoLux));
+    ASSERT_FALSE(possible.has(kFormat<IbeoLux>));
   }
 }
 

@@ -263,13 +263,13 @@ TEST(VelodyneUnits, AreTotalOnDamagedPackets) {
 }
 
 TEST(Formats, EachHasANameOfItsOwn) {
-  EXPECT_EQ(name_of(Format::kIbeoLux), "ibeo LUX");
-  EXPECT_EQ(name_of(Format::kIbeoLux8), "ibeo LUX 8L");
-  EXPECT_EQ(name_of(Format::kVelodyneHdl32e), "Velodyne HDL-32E");
-  EXPECT_EQ(name_of(Format::kVelodyneHdl64eS3), "Velodyne HDL-64E S3");
+  EXPECT_EQ(name_of(kFormat<IbeoLux>), "ibeo LUX");
+  EXPECT_EQ(name_of(kFormat<IbeoLux8>), "ibeo LUX 8L");
+  EXPECT_EQ(name_of(kFormat<VelodyneHdl32e>), "Velodyne HDL-32E");
+  EXPECT_EQ(name_of(kFormat<VelodyneHdl64eS3>), "Velodyne HDL-64E S3");
   EXPECT_EQ(name_of(static_cast<Format>(200)), "");
-  EXPECT_EQ(ticks_per_turn(Format::kIbeoLux), 11'520);
-  EXPECT_EQ(ticks_per_turn(Format::kVelodyneVlp32c), 36'000);
+  EXPECT_EQ(ticks_per_turn(kFormat<IbeoLux>), 11'520);
+  EXPECT_EQ(ticks_per_turn(kFormat<VelodyneVlp32c>), 36'000);
 }
 
 }  // namespace

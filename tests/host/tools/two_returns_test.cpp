@@ -21,16 +21,16 @@ bool contains(const std::string& text, std::string_view part) {
 
 // By the makers' data sheets, points a second of both returns.
 TEST(TwoReturns, SendWhatTheDataSheetsSay) {
-  using lidar::Format;
-  EXPECT_NEAR(points_with_two_returns(Format::kVelodyneVlp16) * 10, 578'700, 500);
-  EXPECT_NEAR(points_with_two_returns(Format::kVelodyneHdl32e) * 10, 1'388'900, 500);
-  EXPECT_NEAR(points_with_two_returns(Format::kVelodyneVlp32c) * 10, 1'157'400, 500);
-  EXPECT_NEAR(points_with_two_returns(Format::kVelodyneHdl64eS3) * 10, 2'222'200, 500);
-  EXPECT_NEAR(points_with_two_returns(Format::kHesaiPandar64) * 10, 2'304'000, 500);
-  EXPECT_NEAR(points_with_two_returns(Format::kHesaiXt32) * 10, 1'280'000, 500);
-  EXPECT_EQ(points_with_two_returns(Format::kVelodyneHdl64eS2), 0U);
-  EXPECT_EQ(points_with_two_returns(Format::kOusterLegacy), 0U);
-  EXPECT_EQ(points_with_two_returns(Format::kIbeoLux), 0U);
+  using namespace lidar;
+  EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneVlp16>) * 10, 578'700, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneHdl32e>) * 10, 1'388'900, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneVlp32c>) * 10, 1'157'400, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneHdl64eS3>) * 10, 2'222'200, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiPandar64>) * 10, 2'304'000, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt32>) * 10, 1'280'000, 500);
+  EXPECT_EQ(points_with_two_returns(kFormat<VelodyneHdl64eS2>), 0U);
+  EXPECT_EQ(points_with_two_returns(kFormat<OusterLegacy>), 0U);
+  EXPECT_EQ(points_with_two_returns(kFormat<IbeoLux>), 0U);
 }
 
 TEST(TwoReturns, OnlyThoseThatDoNotFitAreWarnedOf) {

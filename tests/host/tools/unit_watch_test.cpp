@@ -19,13 +19,14 @@ std::string name_seen(const std::vector<std::byte>& payload) {
 }
 
 TEST(UnitWatch, KnowsEachProfileByItsLengthAndItsColumns) {
-  using lidar::Format;
   using tests::OusterPacket;
   EXPECT_EQ(name_seen(OusterPacket{}.bytes()), "Ouster OS, legacy 64");
-  EXPECT_EQ(name_seen(OusterPacket{.format = Format::kOusterRng15, .rows = 128}.bytes()),
-            "Ouster OS, RNG15 128");
-  EXPECT_EQ(name_seen(OusterPacket{.format = Format::kOusterRng19, .rows = 32}.bytes()),
-            "Ouster OS, RNG19 32");
+  EXPECT_EQ(
+      name_seen(OusterPacket{.format = lidar::kFormat<lidar::OusterRng15>, .rows = 128}.bytes()),
+      "Ouster OS, RNG15 128");
+  EXPECT_EQ(
+      name_seen(OusterPacket{.format = lidar::kFormat<lidar::OusterRng19>, .rows = 32}.bytes()),
+      "Ouster OS, RNG19 32");
   EXPECT_EQ(name_seen(OusterPacket{.columns_per_turn = 2048, .column_ns = 48'828}.bytes()),
             "Ouster OS, legacy 64");
   const auto bytes = OusterPacket{.frame = 77}.bytes();
@@ -46,8 +47,8 @@ TEST(UnitWatch, KnowsEachHesaiByItsHead) {
 TEST(UnitWatch, AScanOfALuxMayBeOfEither) {
   const SeenUnit seen = UnitWatch{}.take(tests::LuxMessage{.scan_number = 7}.bytes());
   EXPECT_EQ(seen.name, "ibeo LUX");
-  EXPECT_TRUE(seen.formats.has(lidar::Format::kIbeoLux));
-  EXPECT_TRUE(seen.formats.has(lidar::Format::kIbeoLux8));
+  EXPECT_TRUE(seen.formats.has(lidar::kFormat<lidar::IbeoLux>));
+  EXPECT_TRUE(seen.formats.has(lidar::kFormat<lidar::IbeoLux8>));
   EXPECT_FALSE(seen.is_in_doubt);
 }
 

@@ -19,7 +19,7 @@ inline constexpr std::uint8_t kLuxDirt = 0x08;
 
 // Units of four layers and of eight send the same messages.
 [[nodiscard]] constexpr bool sends_lux_scans(lidar::Format format) {
-  return format == lidar::Format::kIbeoLux || format == lidar::Format::kIbeoLux8;
+  return format == lidar::kFormat<lidar::IbeoLux> || format == lidar::kFormat<lidar::IbeoLux8>;
 }
 
 // The mirror has two sides, which scan in turns: the scans with odd numbers are the rear's, as in

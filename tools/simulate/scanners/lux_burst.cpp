@@ -48,7 +48,7 @@ void append_lux_scan(const description::SensorConfig& config, const LuxScanTime&
   scan.mounting = mounting_of(config.mount);
   scan.points = std::move(points);
   scan.flags = kGroundLabelled | kDirtDetected | kRainDetected;
-  if (config.format == lidar::Format::kIbeoLux8 &&
+  if (config.format == lidar::kFormat<lidar::IbeoLux8> &&
       side_of_scan(time.number()) == MirrorSide::kRear) {
     scan.flags |= kRearSide;
   }

@@ -19,7 +19,7 @@ namespace {
 // height band begins at its lowest beams' feet and ends above its highest.
 constexpr description::MountConfig kMount{.x_m = 0.05, .y_m = 0.05, .z_m = 0.5};
 const std::array kScanner{[] {
-  description::SensorConfig config = description::scanner_of(lidar::Format::kIbeoLux);
+  description::SensorConfig config = description::scanner_of(lidar::kFormat<lidar::IbeoLux>);
   config.name = "front";
   config.udp_port = 1;
   config.mount = kMount;

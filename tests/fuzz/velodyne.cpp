@@ -1,21 +1,22 @@
-// What every Velodyne decoder promises, on two packets, one after the other. A packet that is too
-// short is filled up with zeros, so that the length does not hide the rest.
-#pragma once
-
+// Every Velodyne decoder that there is, on two packets, one after the other, and what tells their
+// units apart. A packet that is too short is filled up with zeros, so that the length does not hide
+// the rest.
 #include <algorithm>
 #include <array>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "law.hpp"
-#include "lidar/velodyne.hpp"
+#include "lidar/formats.hpp"
 #include "lidar/velodyne_identity.hpp"
 
 namespace iog::fuzz {
+namespace {
 
 using VelodyneBytes = std::array<std::byte, lidar::VelodynePacket::kPacketBytes>;
 
-inline VelodyneBytes packet_of(std::span<const std::byte> bytes) {
+VelodyneBytes packet_of(std::span<const std::byte> bytes) {
   VelodyneBytes packet{};
   std::ranges::copy(bytes.first(std::min(bytes.size(), packet.size())), packet.begin());
   return packet;
@@ -55,18 +56,32 @@ void check_decoder(std::span<const std::byte> before, std::span<const std::byte>
   }
 }
 
-// Two pieces of the input are two packets.
-template <typename... Decoder>
-void check_velodyne(const std::uint8_t* data, std::size_t size) {
-  wire::ByteReader in(input_bytes(data, size));
-  const VelodyneBytes before = packet_of(next_piece(in));
-  const VelodyneBytes packet = packet_of(in.bytes(in.remaining()));
-  (check_decoder<Decoder>(before, packet), ...);
+void check(std::span<const std::byte> before, std::span<const std::byte> packet) {
+  lidar::FormatSet velodynes;
+  lidar::for_each_format(
+      [&]<typename Decoder>(lidar::Format format, std::type_identity<Decoder> /*which*/) {
+        if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
+          check_decoder<Decoder>(before, packet);
+          velodynes.add(format);
+        }
+      });
   lidar::VelodyneIdentity identity;
-  for (const VelodyneBytes& bytes : {before, packet, before, packet}) {
+  for (const auto& bytes : {before, packet, before, packet}) {
     const lidar::FormatSet possible = identity.take(bytes);
-    law(!possible.has(lidar::Format::kIbeoLux), "no other maker's format is possible");
+    lidar::for_each_format([&](lidar::Format format, auto /*decoder*/) {
+      law(!possible.has(format) || velodynes.has(format), "no other maker's format is possible");
+    });
   }
 }
 
+}  // namespace
 }  // namespace iog::fuzz
+
+// Two pieces of the input are two packets.
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  iog::wire::ByteReader in(iog::fuzz::input_bytes(data, size));
+  const auto before = iog::fuzz::packet_of(iog::fuzz::next_piece(in));
+  const auto packet = iog::fuzz::packet_of(in.bytes(in.remaining()));
+  iog::fuzz::check(before, packet);
+  return 0;
+}
