@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "car_block/content.hpp"
 #include "car_block/limits.hpp"
 #include "geometry/grid.hpp"
-#include "vehicle/content.hpp"
 #include "vehicle/derived.hpp"
 #include "wire/byte_reader.hpp"
 #include "wire/byte_writer.hpp"
@@ -108,7 +108,7 @@ void write_block_without_car(vehicle::Grids grids, const net::Config& network,
 void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block) {
   write_block_without_car(vehicle.grids, network, block);
   wire::ByteWriter out = content_of(block, kCarRecord);
-  vehicle::write_content(vehicle, [&out](std::uint8_t byte) { out.u8(byte); });
+  write_content(vehicle, [&out](std::uint8_t byte) { out.u8(byte); });
   frame_record(block, kCarRecord, out.written().size());
 }
 

@@ -1,121 +1,163 @@
-// The bytes of a vehicle: all that its description has become, as the car block of an image has
-// them (docs/spec.md, section 8.4). Two vehicles that differ in anything have different bytes.
+// The bytes of a car: all that its description has become, as the block of an image has them
+// (docs/spec.md, section 8.4). Two cars that differ in anything have different bytes.
 //
-// Every member is an integer, written most significant byte first in as many bytes as its type has;
-// a truth is a byte, a text its letters and a 0; a format is its name. Left out is what follows
-// from other members (vehicle/derived.hpp), and what is not in use of tables of fixed size.
+// The members stand here once, in their order, for who writes them and who reads them. Left out is
+// what follows from other members (vehicle/derived.hpp), and what is not in use of tables of fixed
+// size.
 #pragma once
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 
+#include "checksum/reflected_crc32.hpp"
 #include "geometry/grid.hpp"
 #include "vehicle/vehicle.hpp"
 
-namespace iog::vehicle {
+namespace iog::car_block {
 namespace content_detail {
 
-// put(byte) takes one byte after another.
+void visit_end(auto& content, auto& end) { content.numbers(end.base, end.forward, end.left); }
+
+void visit_layers(auto& content, auto& sensor) {
+  content.below(vehicle::kMaxLayers + 1, sensor.layer_count);
+  for (std::size_t i = 0; i < sensor.layer_count && content.ok(); ++i) {
+    auto& layer = sensor.layers[i];
+    visit_end(content, layer.x);
+    visit_end(content, layer.y);
+    visit_end(content, layer.z);
+    content.numbers(layer.line, layer.range_share);
+  }
+  content.truth(sensor.is_calibrated);
+  for (std::size_t i = 0; sensor.is_calibrated && i < sensor.layer_count && content.ok(); ++i) {
+    content.numbers(sensor.laser_corrections[i].azimuth_ticks,
+                    sensor.laser_corrections[i].range_mm);
+  }
+}
+
+void visit_profile(auto& content, auto& profile) {
+  content.numbers(profile.free, profile.hit);
+  content.below(sensor_model::kMaxNearCells + 1, profile.near_before_count);
+  content.below(sensor_model::kMaxNearCells + 1, profile.near_after_count);
+  for (std::size_t i = 0; i < sensor_model::kMaxNearCells; ++i) {
+    content.numbers(profile.near_before[i], profile.near_after[i]);
+  }
+}
+
+void visit_sensor(auto& content, auto& sensor) {
+  content.text(sensor.name);
+  content.format(sensor.format);
+  content.numbers(sensor.source_ipv4, sensor.udp_port);
+  content.numbers(sensor.origin.x, sensor.origin.y, sensor.origin_z);
+  content.truth(sensor.layers_share_lines);
+  content.azimuths(sensor);
+  content.length(sensor.range);
+  content.numbers(sensor.range_min_mm, sensor.precision_mm, sensor.no_return_clears_mm);
+  content.numbers(sensor.scan_width_ticks, sensor.max_points_per_scan);
+  content.truth(sensor.is_synchronised);
+  content.numbers(sensor.latency_us);
+  visit_layers(content, sensor);
+  content.numbers(sensor.columns_per_turn, sensor.column_ns);
+  visit_profile(content, sensor.profile);
+}
+
+void visit_window(auto& content, auto& rules) {
+  content.below(4, rules.discounting);
+  content.below(2, rules.weighing);
+  content.below(2, rules.moved);
+  content.numbers(rules.group_budget);
+  content.assignment(rules.assignment);
+}
+
+// The grid comes first: tables are in its subcells.
+void visit_car(auto& content, auto& car) {
+  content.grid(geometry::kCellMm, geometry::kCellsPerSide, geometry::kResolution);
+  content.text(car.name);
+  content.numbers(car.footprint.x_min, car.footprint.x_max);
+  content.numbers(car.footprint.y_min, car.footprint.y_max, car.z_min, car.z_max);
+  content.below(2, car.rule);
+  content.below(2, car.quantisation);
+  content.numbers(car.frame_period_us);
+  content.below(3, car.grids);
+  content.numbers(car.poses.source_ipv4, car.poses.udp_port, car.poses.log2_slice_ms);
+  content.numbers(car.maps.source_ipv4, car.maps.udp_port);
+  visit_window(content, car.window);
+  content.sensors(car.sensors, [&](auto& sensor) { visit_sensor(content, sensor); });
+}
+
+void visit_assignment(auto& content, auto& assignment) {
+  for (std::size_t i = 0; i < evidence::kGradedIndexes; ++i) {
+    content.numbers(assignment.occupied[i], assignment.free[i]);
+  }
+  content.numbers(assignment.free_by_time);
+}
+
+// Every integer goes out most significant byte first in as many bytes as its type has; a truth is a
+// byte, a text its letters and a 0; a format is its name. put(std::uint8_t) takes one after
+// another.
 template <typename Put>
 class Writer {
  public:
-  explicit constexpr Writer(Put put) : put_(std::move(put)) {}
+  explicit Writer(Put put) : put_(std::move(put)) {}
 
-  template <typename Member>
-  requires std::integral<Member>
-  constexpr Writer& add(Member value) {
-    const std::uint64_t bits = static_cast<std::make_unsigned_t<Member>>(value);
-    for (std::size_t byte = sizeof(Member); byte-- > 0;) {
-      put_(static_cast<std::uint8_t>(bits >> (8 * byte)));
-    }
-    return *this;
-  }
-  constexpr Writer& add(bool value) { return add(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  template <typename Member>
-  requires std::is_enum_v<Member>
-  constexpr Writer& add(Member value) { return add(static_cast<std::uint8_t>(value)); }
-  constexpr Writer& add(std::string_view text) {
+  [[nodiscard]] static bool ok() { return true; }
+
+  void numbers(std::integral auto... values) { (number(values), ...); }
+  void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
+  void below(unsigned /*count*/, auto value) { number(static_cast<std::uint8_t>(value)); }
+  void text(std::string_view text) {
     for (const char letter : text) {
-      put_(static_cast<std::uint8_t>(letter));
+      number(static_cast<std::uint8_t>(letter));
     }
-    return add(std::uint8_t{0});
+    number(std::uint8_t{0});
   }
-  constexpr Writer& add(auto const& member, auto const&... more) requires(sizeof...(more) > 0) {
-    add(member);
-    return add(more...);
+  void format(lidar::Format format) { text(lidar::name_of(format)); }
+  void length(const traversal::LineLength& length) { number(length.mm()); }
+  void azimuths(const vehicle::Sensor& sensor) {
+    numbers(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());
+  }
+  void grid(std::integral auto... sizes) { (number(static_cast<std::uint16_t>(sizes)), ...); }
+  void assignment(const evidence::Assignment* assignment) {
+    truth(assignment != nullptr);
+    if (assignment != nullptr) {
+      visit_assignment(*this, *assignment);
+    }
+  }
+  void sensors(std::span<const vehicle::Sensor> sensors, auto&& visit) {
+    number(static_cast<std::uint8_t>(sensors.size()));
+    for (const vehicle::Sensor& sensor : sensors) {
+      visit(sensor);
+    }
   }
 
  private:
+  void number(std::integral auto value) {
+    const std::uint64_t bits = static_cast<std::make_unsigned_t<decltype(value)>>(value);
+    for (std::size_t byte = sizeof value; byte-- > 0;) {
+      put_(static_cast<std::uint8_t>(bits >> (8 * byte)));
+    }
+  }
+
   Put put_;
 };
 
-constexpr void add_layer(auto& out, const Layer& layer) {
-  for (const EndCoordinate& axis : {layer.x, layer.y, layer.z}) {
-    out.add(axis.base, axis.forward, axis.left);
-  }
-  out.add(layer.line, layer.range_share);
-}
-
-constexpr void add_profile(auto& out, const sensor_model::Profile& profile) {
-  out.add(profile.free, profile.hit, profile.near_before_count, profile.near_after_count);
-  for (std::size_t i = 0; i < sensor_model::kMaxNearCells; ++i) {
-    out.add(profile.near_before[i], profile.near_after[i]);
-  }
-}
-
-constexpr void add_sensor(auto& out, const Sensor& sensor) {
-  out.add(sensor.name, lidar::name_of(sensor.format), sensor.source_ipv4, sensor.udp_port);
-  out.add(sensor.origin.x, sensor.origin.y, sensor.origin_z, sensor.layers_share_lines);
-  out.add(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());
-  out.add(sensor.range.mm(), sensor.range_min_mm, sensor.precision_mm);
-  out.add(sensor.no_return_clears_mm, sensor.scan_width_ticks, sensor.max_points_per_scan);
-  out.add(sensor.is_synchronised, sensor.latency_us, sensor.layer_count);
-  for (const Layer& layer : std::span(sensor.layers).first(sensor.layer_count)) {
-    add_layer(out, layer);
-  }
-  out.add(sensor.is_calibrated);
-  for (const lidar::LaserCorrection& laser : sensor.unit().corrections) {
-    out.add(laser.azimuth_ticks, laser.range_mm);
-  }
-  out.add(sensor.columns_per_turn, sensor.column_ns);
-  add_profile(out, sensor.profile);
-}
-
-constexpr void add_window(auto& out, const window::Rules& rules) {
-  out.add(rules.discounting, rules.weighing, rules.moved, rules.group_budget);
-  out.add(rules.assignment != nullptr);
-  if (rules.assignment != nullptr) {
-    for (std::size_t i = 0; i < evidence::kGradedIndexes; ++i) {
-      out.add(rules.assignment->occupied[i], rules.assignment->free[i]);
-    }
-    out.add(rules.assignment->free_by_time);
-  }
-}
-
 }  // namespace content_detail
 
-// put(std::uint8_t) is called for each byte. The grid comes first: tables are in its subcells.
-template <typename Put>
-constexpr void write_content(const Vehicle& vehicle, Put put) {
-  content_detail::Writer out(std::move(put));
-  out.add(static_cast<std::uint16_t>(geometry::kCellMm),
-          static_cast<std::uint16_t>(geometry::kCellsPerSide),
-          static_cast<std::uint16_t>(geometry::kResolution));
-  out.add(vehicle.name, vehicle.footprint.x_min, vehicle.footprint.x_max);
-  out.add(vehicle.footprint.y_min, vehicle.footprint.y_max, vehicle.z_min, vehicle.z_max);
-  out.add(vehicle.rule, vehicle.quantisation, vehicle.frame_period_us, vehicle.grids);
-  out.add(vehicle.poses.source_ipv4, vehicle.poses.udp_port, vehicle.poses.log2_slice_ms);
-  out.add(vehicle.maps.source_ipv4, vehicle.maps.udp_port);
-  content_detail::add_window(out, vehicle.window);
-  out.add(static_cast<std::uint8_t>(vehicle.sensors.size()));
-  for (const Sensor& sensor : vehicle.sensors) {
-    content_detail::add_sensor(out, sensor);
-  }
+// Calls put(std::uint8_t) for each byte.
+void write_content(const vehicle::Vehicle& car, auto&& put) {
+  content_detail::Writer out([&put](std::uint8_t byte) { put(byte); });
+  content_detail::visit_car(out, car);
 }
 
-}  // namespace iog::vehicle
+// The number by which messages name a car: the CRC-32 of its bytes. Of everything but `id` itself.
+inline std::uint32_t identity_of(const vehicle::Vehicle& car) {
+  using Crc = checksum::ReflectedCrc32<0x04C11DB7, 1>;
+  std::uint32_t state = Crc{}.state();
+  write_content(car, [&state](std::uint8_t byte) { state = Crc::times_x8(state ^ byte); });
+  return ~state;
+}
+
+}  // namespace iog::car_block

@@ -1,4 +1,4 @@
-// A vehicle out of the bytes that vehicle/content.hpp writes.
+// A vehicle out of the bytes that car_block/content.hpp writes.
 #pragma once
 
 #include <array>

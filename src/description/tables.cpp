@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "car_block/content.hpp"
 #include "car_block/limits.hpp"
 #include "description/mount.hpp"
 #include "description/tilted_mirror.hpp"
@@ -12,7 +13,6 @@
 #include "lidar/scanner_facts.hpp"
 #include "numeric/elementary.hpp"
 #include "vehicle/derived.hpp"
-#include "vehicle/identity.hpp"
 
 namespace iog::description {
 namespace {
@@ -273,7 +273,7 @@ Vehicle vehicle_of(const Description& car, std::span<const Sensor> sensors) {
   vehicle.footprint = footprint_of(car.footprint);
   vehicle.z_min = subcells(car.z_min_m);
   vehicle.z_max = subcells(car.z_max_m);
-  vehicle.id = vehicle::identity_of(vehicle);
+  vehicle.id = car_block::identity_of(vehicle);
   return vehicle;
 }
 

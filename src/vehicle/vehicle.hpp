@@ -136,7 +136,7 @@ struct Footprint {
 
 struct Vehicle {
   std::string_view name;
-  std::uint32_t id = 0;  // of all that follows and the name (vehicle/identity.hpp)
+  std::uint32_t id = 0;  // of all that follows and the name (car_block/content.hpp)
   std::span<const Sensor> sensors;
   Footprint footprint{};
   std::int32_t z_min = 0;  // the height band in subcells, both ends included

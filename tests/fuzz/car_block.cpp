@@ -9,9 +9,9 @@
 #include <memory>
 #include <vector>
 
+#include "car_block/content.hpp"
 #include "grid/frame_fusion.hpp"
 #include "law.hpp"
-#include "vehicle/identity.hpp"
 #include "vehicles/cars.hpp"
 
 namespace iog::fuzz {
@@ -79,7 +79,7 @@ void check(std::span<const std::byte> content) {
     if (verdict.refusal != car_block::Refusal::kNone) {
       continue;
     }
-    law(car.id == vehicle::identity_of(car), "a car is named by its CRC");
+    law(car.id == car_block::identity_of(car), "a car is named by its CRC");
     const BlockBytes written(car, known.network);
     law(std::ranges::equal(written.block().subspan<kCarRecord.offset>(),
                            bytes.block().subspan<kCarRecord.offset>()),

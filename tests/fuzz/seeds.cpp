@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "car_block/content.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/ouster_packet.hpp"
@@ -19,7 +20,6 @@
 #include "tile_coding/encode.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/mcap/writer.hpp"
-#include "vehicle/content.hpp"
 #include "vehicles/cars.hpp"
 
 namespace iog::fuzz {
@@ -177,8 +177,8 @@ void add_mcap_seeds(Seeds& seeds) {
 void add_car_seeds(Seeds& seeds) {
   for (const vehicles::Car& car : vehicles::cars()) {
     Bytes content;
-    vehicle::write_content(car.vehicle,
-                           [&](std::uint8_t byte) { content.push_back(std::byte{byte}); });
+    car_block::write_content(car.vehicle,
+                             [&](std::uint8_t byte) { content.push_back(std::byte{byte}); });
     seeds.add("car_block", content);
   }
 }

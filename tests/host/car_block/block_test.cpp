@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "car_block/car_block.hpp"
+#include "car_block/content.hpp"
 #include "car_bytes.hpp"
-#include "vehicle/identity.hpp"
 
 namespace iog::car_block {
 namespace {
@@ -33,7 +33,7 @@ TEST(CarBlock, EachCarComesBackAsItIs) {
     const vehicle::Vehicle& car = bytes.car;
     EXPECT_EQ(car.name, written.vehicle.name);
     EXPECT_EQ(car.id, written.vehicle.id);
-    EXPECT_EQ(car.id, vehicle::identity_of(car));
+    EXPECT_EQ(car.id, identity_of(car));
     EXPECT_EQ(car.window.assignment, written.vehicle.window.assignment);
     ASSERT_EQ(car.sensors.size(), written.vehicle.sensors.size());
     for (std::size_t i = 0; i < car.sensors.size(); ++i) {

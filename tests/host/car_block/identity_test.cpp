@@ -1,16 +1,21 @@
-// The name of a vehicle in a stream: the CRC-32 of bytes that are listed here as identity.hpp says.
-#include "vehicle/identity.hpp"
-
+// The name of a vehicle in a stream: the CRC-32 of bytes that are listed here as docs/spec.md,
+// section 8.4, says.
 #include <array>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
+#include "car_block/content.hpp"
 #include "fakes/bitwise_crc32.hpp"
 
-namespace iog::vehicle {
+namespace iog::car_block {
 namespace {
+
+using vehicle::FusionRule;
+using vehicle::Grids;
+using vehicle::Sensor;
+using vehicle::Vehicle;
 
 std::uint32_t crc_of(const std::vector<std::uint8_t>& bytes) {
   return tests::BitwiseCrc32().add(std::as_bytes(std::span(bytes))).value();
@@ -86,4 +91,4 @@ TEST(Identity, HasTheSensorsToo) {
 }
 
 }  // namespace
-}  // namespace iog::vehicle
+}  // namespace iog::car_block

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "vehicle/identity.hpp"
+#include "car_block/content.hpp"
 #include "vehicles/cars.hpp"
 
 namespace iog::tools {
@@ -34,7 +34,7 @@ TEST(CarFile, EachCarIsThatOfItsBlock) {
     const Car car = read_car(path);
     const vehicle::Vehicle& block = vehicles::car(car.description.name).vehicle;
     EXPECT_EQ(car.vehicle.id, block.id) << path;
-    EXPECT_EQ(vehicle::identity_of(block), block.id) << path;
+    EXPECT_EQ(car_block::identity_of(block), block.id) << path;
     ASSERT_EQ(car.tables.size(), block.sensors.size()) << path;
     for (std::size_t i = 0; i < car.tables.size(); ++i) {
       const vehicle::Sensor& made = car.tables[i];
@@ -77,7 +77,7 @@ TEST(CarFile, AnyChangeIsAnotherIdentity) {
     vehicle::Vehicle other = car.vehicle;
     other.sensors = sensors;
     change(other, sensors);
-    return vehicle::identity_of(other);
+    return car_block::identity_of(other);
   };
   EXPECT_EQ(changed([](auto&, auto&) {}), car.vehicle.id);
   EXPECT_NE(changed([](auto& other, auto&) { other.name = "reference_cat"; }), car.vehicle.id);
