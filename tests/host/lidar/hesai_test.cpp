@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "fakes/effort.hpp"
 #include "fakes/hesai_packet.hpp"
-#include "fakes/random.hpp"
 #include "fakes/real_packets.hpp"
 
 namespace iog::lidar {
@@ -191,24 +189,6 @@ TEST(Hesai, RefusesWhatIsNotItsUnit) {
     EXPECT_EQ(decode(Sent{.is_xt32 = is_xt32, .mode = 0x39}.bytes(), is_xt32),
               DecodeStatus::kWrongAngle)
         << "no pairs";
-  }
-}
-
-TEST(Hesai, IsTotalOnDamagedPackets) {
-  tests::Random random(64);
-  for (int i = 0; i < tests::effort(20'000, 300); ++i) {
-    const bool is_xt32 = random.one_in(2);
-    const bool is_dual = random.one_in(2);
-    auto bytes =
-        Sent{.is_xt32 = is_xt32, .mode = is_dual ? 0x39 : 0x38, .is_dual = is_dual}.bytes();
-    for (int flips = random.between(1, 4); flips > 0; --flips) {
-      bytes.at(random.below(bytes.size())) = static_cast<std::byte>(random.next());
-    }
-    for (const ScanPoint& point : Decoded(bytes, is_xt32).points) {
-      ASSERT_LT(point.layer, is_xt32 ? 32 : 64);
-      ASSERT_LT(point.azimuth_ticks, 36'000);
-      ASSERT_LT(point.echo, 2);
-    }
   }
 }
 

@@ -8,9 +8,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "fakes/effort.hpp"
 #include "fakes/lux_message.hpp"
-#include "fakes/random.hpp"
 
 namespace iog::lidar {
 namespace {
@@ -106,30 +104,6 @@ TEST(IbeoLux8, RefusesImpossiblePoints) {
   EXPECT_EQ(decode({.points = {{.layer = 4}}, .flags = 0x400}), DecodeStatus::kWrongPoint);
   EXPECT_EQ(decode({.points = {{.layer = 7}}}), DecodeStatus::kWrongPoint);
   EXPECT_EQ(decode({.points = {{.echo = 3}}}), DecodeStatus::kWrongPoint);
-}
-
-TEST(IbeoLux8, IsTotalOnDamagedMessages) {
-  tests::Random random(12);
-  const auto good = LuxMessage{.points = std::vector<LuxPoint>(20), .flags = 0x402}.bytes();
-  for (int i = 0; i < tests::effort(100'000, 2'000); ++i) {
-    auto bytes = good;
-    for (int flips = random.between(1, 4); flips > 0; --flips) {
-      const auto at =
-          static_cast<std::size_t>(random.between(0, static_cast<std::int32_t>(bytes.size()) - 1));
-      bytes.at(at) = static_cast<std::byte>(random.next());
-    }
-    bytes.resize(static_cast<std::size_t>(
-        random.between(0, 3) == 0 ? random.between(0, static_cast<std::int32_t>(good.size()))
-                                  : static_cast<std::int32_t>(good.size())));
-    IbeoLux8 lux;
-    if (lux.decode(bytes) == DecodeStatus::kOk) {
-      lux.for_each_point([](const ScanPoint& point) {
-        ASSERT_LT(point.layer, 8);
-        ASSERT_LT(point.echo, 3);
-        ASSERT_TRUE(point.azimuth_ticks <= 1600 || point.azimuth_ticks >= 11520 - 1920);
-      });
-    }
-  }
 }
 
 }  // namespace

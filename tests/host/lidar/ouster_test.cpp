@@ -5,9 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "fakes/effort.hpp"
 #include "fakes/ouster_packet.hpp"
-#include "fakes/random.hpp"
 #include "fakes/real_packets.hpp"
 #include "lidar/formats.hpp"
 
@@ -304,22 +302,6 @@ TEST(Ouster, RefusesWhatIsNotItsFormat) {
   bytes = legacy.bytes();
   bytes[788 + 10] = std::byte{2};  // column 1 is of another turn
   EXPECT_EQ(Decoded(bytes, legacy_unit).status, DecodeStatus::kWrongAngle);
-}
-
-TEST(Ouster, IsTotalOnDamagedPackets) {
-  tests::Random random(12);
-  for (int i = 0; i < tests::effort(10'000, 300); ++i) {
-    const Sent sent{.format = kFormats[i % 3], .rows = 4, .first_column = 1'008};
-    const TestUnit unit(sent);
-    auto bytes = sent.bytes();
-    for (int flips = random.between(1, 4); flips > 0; --flips) {
-      bytes.at(random.below(bytes.size())) = static_cast<std::byte>(random.next());
-    }
-    for (const ScanPoint& point : Decoded(bytes, unit).points) {
-      ASSERT_LT(point.layer, 4);
-      ASSERT_LT(point.azimuth_ticks, 46'080);
-    }
-  }
 }
 
 }  // namespace

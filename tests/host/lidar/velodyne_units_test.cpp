@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "fakes/effort.hpp"
-#include "fakes/random.hpp"
 #include "fakes/real_velodyne_packets.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "lidar/formats.hpp"
@@ -229,47 +227,6 @@ TEST(VelodyneUnits, TheRoadUnderARealVlp32cIsFlat) {
   const auto heights = heights_above_ground<VelodyneVlp32c>(tests::kVlp32c, -5);
   ASSERT_EQ(heights.size(), 7U);
   EXPECT_LT(spread(heights), 0.03);
-}
-
-template <typename Decoder>
-void expect_total(const Packet& unit, std::uint64_t seed) {
-  tests::Random random(seed);
-  const std::vector<LaserCorrection> corrections(
-      Decoder::kLayers, LaserCorrection{.azimuth_ticks = 3'000, .range_mm = -10'000});
-  for (int i = 0; i < tests::effort(3'000, 200); ++i) {
-    Packet packet = unit;
-    packet.first_azimuth = random.between(0, 36'000);
-    auto bytes = packet.bytes();
-    for (int flips = random.between(0, 3); flips > 0; --flips) {
-      bytes.at(static_cast<std::size_t>(random.between(0, 1205))) =
-          static_cast<std::byte>(random.next());
-    }
-    Decoder decoder;
-    if (decoder.decode(bytes, corrections) == DecodeStatus::kOk) {
-      decoder.for_each_point([](const ScanPoint& point) {
-        ASSERT_LT(point.layer, Decoder::kLayers);
-        ASSERT_LT(point.azimuth_ticks, 36'000);
-        ASSERT_LT(point.echo, 2);
-      });
-    }
-  }
-}
-
-TEST(VelodyneUnits, AreTotalOnDamagedPackets) {
-  expect_total<VelodyneHdl32e>(kHdl32e, 21);
-  expect_total<VelodyneHdl64eS2>(kHdl64e, 22);
-  expect_total<VelodyneHdl64eS3>(kHdl64e, 23);
-  expect_total<VelodyneVlp32c>(kVlp32c, 24);
-}
-
-TEST(Formats, EachHasANameOfItsOwn) {
-  EXPECT_EQ(name_of(kFormat<IbeoLux>), "ibeo LUX");
-  EXPECT_EQ(name_of(kFormat<IbeoLux8>), "ibeo LUX 8L");
-  EXPECT_EQ(name_of(kFormat<VelodyneHdl32e>), "Velodyne HDL-32E");
-  EXPECT_EQ(name_of(kFormat<VelodyneHdl64eS3>), "Velodyne HDL-64E S3");
-  EXPECT_EQ(name_of(static_cast<Format>(200)), "");
-  EXPECT_EQ(ticks_per_turn(kFormat<IbeoLux>), 11'520);
-  EXPECT_EQ(ticks_per_turn(kFormat<VelodyneVlp32c>), 36'000);
 }
 
 }  // namespace

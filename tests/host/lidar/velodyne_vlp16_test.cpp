@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "fakes/effort.hpp"
-#include "fakes/random.hpp"
 #include "fakes/velodyne_packet.hpp"
 
 namespace iog::lidar {
@@ -121,24 +119,6 @@ TEST(VelodyneVlp16, RefusesWhatIsNotItsFormat) {
   bytes.at(303) = std::byte{0xFF};  // azimuth of block 3
   EXPECT_EQ(decode(bytes), DecodeStatus::kWrongAngle);
   EXPECT_EQ(decode(Packet{.step = 301}.bytes()), DecodeStatus::kWrongAngle);
-}
-
-TEST(VelodyneVlp16, IsTotalOnDamagedPackets) {
-  tests::Random random(12);
-  for (int i = 0; i < tests::effort(30'000, 300); ++i) {
-    auto bytes = Packet{.mode = 0x37 + random.between(0, 2)}.bytes();
-    for (int flips = random.between(1, 4); flips > 0; --flips) {
-      bytes.at(static_cast<std::size_t>(random.between(0, 1205))) =
-          static_cast<std::byte>(random.next());
-    }
-    VelodyneVlp16 packet;
-    if (packet.decode(bytes) == DecodeStatus::kOk) {
-      packet.for_each_point([](const ScanPoint& point) {
-        ASSERT_LT(point.layer, 16);
-        ASSERT_LT(point.azimuth_ticks, 36'000);
-      });
-    }
-  }
 }
 
 }  // namespace
