@@ -24,8 +24,6 @@ constexpr auto kExperiments = std::to_array<Experiment>({
     {"quadtree", quadtree},
     {"stream", stream_of_tiles},
     {"many_core", many_core},
-    {"four_cores", four_cores},
-    {"two_threads", two_threads, true},
     {"order_of_fusion", order_of_fusion},
     {"detection_quality", detection_quality},
     {"price_of_hits_win", price_of_hits_win},

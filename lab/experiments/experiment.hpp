@@ -32,7 +32,6 @@ using Tables = std::vector<Table>;
 struct Experiment {
   std::string_view name;
   Tables (*run)(const Input& input);
-  bool is_of_several_threads = false;  // and times them, so that no other may run beside it
 };
 
 // In the order in which they are begun. Names are unique.

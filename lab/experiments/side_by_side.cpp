@@ -22,18 +22,7 @@ class Work {
   // Runs in every thread.
   void share() {
     for (std::size_t i = next_++; i < experiments_.size(); i = next_++) {
-      if (!experiments_[i].is_of_several_threads) {
-        run(i);
-      }
-    }
-  }
-
-  // After all threads.
-  void run_the_others() {
-    for (std::size_t i = 0; i < experiments_.size() && !failure_; ++i) {
-      if (experiments_[i].is_of_several_threads) {
-        run(i);
-      }
+      run(i);
     }
   }
 
@@ -90,7 +79,6 @@ std::vector<Tables> run_side_by_side(std::span<const Experiment> experiments, co
     }
     work.share();
   }
-  work.run_the_others();
   return work.take();
 }
 

@@ -10,8 +10,7 @@
 
 namespace iog::lab {
 
-// Runs them as many at a time as the PC has cores, and then one by one those that have several
-// threads of their own; the answer is in their order. on_done is told
+// Runs them as many at a time as the PC has cores; the answer is in their order. on_done is told
 // how many are ready, from one thread at a time. If an experiment throws, no other is begun;
 // UsageError stays one, everything else becomes a std::runtime_error with the experiment's name.
 [[nodiscard]] std::vector<Tables> run_side_by_side(std::span<const Experiment> experiments,
