@@ -20,7 +20,6 @@ MADE_FROM = DATA / "made_from"
 SOURCES = ("CMakeLists.txt", "CMakePresets.json", "board", "hal", "lab", "linker", "qemu", "src",
            "tests/CMakeLists.txt", "tests/e2e/wrong_use", "tests/host/fakes", "tests/host/lab",
            "tests/host/tools/drive_sample.cpp", "tests/host/tools/drive_sample.hpp",
-           "tests/host/tree/built_quadtree.hpp", "tests/host/tree/grid_drawing.hpp",
            "tests/list_suites.cmake", "tests/programmer_error.cpp", "tests/target/start.S",
            "tests/test_headers.cpp", "toolchain", "tools", "vehicles")
 NOT_SOURCES = ("lab/check", "lab/data", "lab/pages", "lab/run", "tests/host/lab/pages",

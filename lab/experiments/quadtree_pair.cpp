@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "tree/quadtree_builder.hpp"
+#include "lab/tree/quadtree_builder.hpp"
 
 namespace iog::lab {
 namespace {

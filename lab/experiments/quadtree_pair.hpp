@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lab/experiments/fused_drive.hpp"
-#include "tree/linear_quadtree.hpp"
-#include "tree/split_merge_tree.hpp"
+#include "lab/tree/linear_quadtree.hpp"
+#include "lab/tree/split_merge_tree.hpp"
 
 namespace iog::lab {
 

@@ -15,10 +15,10 @@
 #include "fused_frames.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"
+#include "lab/tree/quadtree_builder.hpp"
 #include "number_in.hpp"
 #include "playback.hpp"
 #include "require/require.hpp"
-#include "tree/quadtree_builder.hpp"
 #include "vehicles/cars.hpp"
 
 namespace iog::lab {

@@ -12,9 +12,9 @@
 #include "lab/experiments/scene_load.hpp"
 #include "tools/simulate/drives/drive.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "tree/built_quadtree.hpp"
-#include "tree/grid_drawing.hpp"
-#include "tree/linear_quadtree.hpp"
+#include "lab/tree/built_quadtree.hpp"
+#include "lab/tree/grid_drawing.hpp"
+#include "lab/tree/linear_quadtree.hpp"
 
 namespace iog::tree {
 namespace {

@@ -1,4 +1,4 @@
-#include "tree/tile_shape.hpp"
+#include "lab/tree/tile_shape.hpp"
 
 #include "wire/byte_order.hpp"
 

@@ -1,4 +1,4 @@
-#include "tree/quadtree_builder.hpp"
+#include "lab/tree/quadtree_builder.hpp"
 
 #include "require/require.hpp"
 

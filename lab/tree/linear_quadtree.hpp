@@ -1,9 +1,9 @@
 // The linear quadtree of a grid: the leaves of the tree of thesis section 3.5, without its nodes.
 //
-// tree/quadtree_builder.hpp builds it anew from the fused array every frame; here it is only read.
-// Each of the 32 by 32 tiles has an entry. If all cells of a tile are alike, the entry holds their
-// index; four such tiles that are alike are one leaf, and so on up to the whole grid. Every other
-// tile has a shape of 52 bytes and its leaves, a byte each (tree/tile_shape.hpp).
+// lab/tree/quadtree_builder.hpp builds it anew from the fused array every frame; here it is only
+// read. Each of the 32 by 32 tiles has an entry. If all cells of a tile are alike, the entry holds
+// their index; four such tiles that are alike are one leaf, and so on up to the whole grid. Every
+// other tile has a shape of 52 bytes and its leaves, a byte each (lab/tree/tile_shape.hpp).
 //
 // Memory. The entries take 4 KiB. A tile that is not uniform takes 52 bytes, and a byte a leaf. The
 // array has a byte a cell. So where a leaf stands for 3.75 cells (thesis table 4.7) the tree has
@@ -19,9 +19,9 @@
 
 #include "geometry/grid.hpp"
 #include "index/occupancy_index.hpp"
-#include "tree/block.hpp"
-#include "tree/quarter_leaves.hpp"
-#include "tree/tile_shape.hpp"
+#include "lab/tree/block.hpp"
+#include "lab/tree/quarter_leaves.hpp"
+#include "lab/tree/tile_shape.hpp"
 
 namespace iog::tree {
 

@@ -1,5 +1,5 @@
 // The 2^d-tree of thesis section 3.5, for d = 1 to 4: the laws of its definition, against an array.
-#include "tree/split_merge_tree.hpp"
+#include "lab/tree/split_merge_tree.hpp"
 
 #include <gtest/gtest.h>
 #include <map>

@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "tree/linear_quadtree.hpp"
-#include "tree/tile_shape.hpp"
+#include "lab/tree/linear_quadtree.hpp"
+#include "lab/tree/tile_shape.hpp"
 
 namespace iog::tree {
 

@@ -9,7 +9,7 @@
 
 #include "fakes/random.hpp"
 #include "index/occupancy_index.hpp"
-#include "tree/linear_quadtree.hpp"
+#include "lab/tree/linear_quadtree.hpp"
 
 namespace iog::tests {
 

@@ -1,4 +1,4 @@
-#include "tree/linear_quadtree.hpp"
+#include "lab/tree/linear_quadtree.hpp"
 
 #include "require/require.hpp"
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "tree/grid_drawing.hpp"
-#include "tree/linear_quadtree.hpp"
-#include "tree/quadtree_builder.hpp"
+#include "lab/tree/grid_drawing.hpp"
+#include "lab/tree/linear_quadtree.hpp"
+#include "lab/tree/quadtree_builder.hpp"
 
 namespace iog::tests {
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "index/occupancy_index.hpp"
-#include "tree/block.hpp"
-#include "tree/tile_shape.hpp"
+#include "lab/tree/block.hpp"
+#include "lab/tree/tile_shape.hpp"
 
 namespace iog::tree {
 

@@ -11,9 +11,9 @@
 #include <cstdint>
 
 #include "index/occupancy_index.hpp"
+#include "lab/tree/block.hpp"
+#include "lab/tree/node_pool.hpp"
 #include "require/require.hpp"
-#include "tree/block.hpp"
-#include "tree/node_pool.hpp"
 
 namespace iog::tree {
 

@@ -6,9 +6,9 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
-#include "tree/built_quadtree.hpp"
-#include "tree/grid_drawing.hpp"
-#include "tree/linear_quadtree.hpp"
+#include "lab/tree/built_quadtree.hpp"
+#include "lab/tree/grid_drawing.hpp"
+#include "lab/tree/linear_quadtree.hpp"
 
 namespace iog::tree {
 namespace {

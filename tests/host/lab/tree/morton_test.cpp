@@ -2,7 +2,7 @@
 // eight) parts follow one another, x first.
 #include <gtest/gtest.h>
 
-#include "tree/block.hpp"
+#include "lab/tree/block.hpp"
 
 namespace iog::tree {
 namespace {

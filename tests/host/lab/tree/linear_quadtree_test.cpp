@@ -1,6 +1,6 @@
 // The linear quadtree: the leaves of the thesis's tree, and cell for cell the array (section
 // 4.3.2.2, "lossless compaction").
-#include "tree/linear_quadtree.hpp"
+#include "lab/tree/linear_quadtree.hpp"
 
 #include <gtest/gtest.h>
 #include <memory>
@@ -10,9 +10,9 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
-#include "tree/built_quadtree.hpp"
-#include "tree/grid_drawing.hpp"
-#include "tree/split_merge_tree.hpp"
+#include "lab/tree/built_quadtree.hpp"
+#include "lab/tree/grid_drawing.hpp"
+#include "lab/tree/split_merge_tree.hpp"
 
 namespace iog::tree {
 namespace {
