@@ -30,6 +30,7 @@ struct Input {
 using Tables = std::vector<Table>;
 
 struct Experiment {
+  std::string_view page;  // its folder: that of docs/results/PAGE.md, or of docs/evidential.md
   std::string_view name;
   Tables (*run)(const Input& input);
 };

@@ -56,11 +56,13 @@ std::vector<Recording> recordings_of(const std::vector<std::string>& texts) {
   return recordings;
 }
 
+// names: of experiments, or of pages.
 std::vector<Experiment> chosen(const std::vector<std::string>& names) {
   std::vector<Experiment> experiments;
   std::ranges::copy_if(
       all_experiments(), std::back_inserter(experiments), [&names](const Experiment& experiment) {
-        return names.empty() || std::ranges::find(names, experiment.name) != names.end();
+        return names.empty() || std::ranges::find(names, experiment.name) != names.end() ||
+               std::ranges::find(names, experiment.page) != names.end();
       });
   return experiments;
 }
@@ -105,9 +107,12 @@ void add_options(CLI::App& program) {
   std::string list;
   for (const Experiment& experiment : all_experiments()) {
     names.emplace_back(experiment.name);
+    names.emplace_back(experiment.page);
     list.append(list.empty() ? "" : ", ").append(experiment.name);
   }
-  program.add_option("--only", options->only, "One experiment alone; may be repeated")
+  program
+      .add_option("--only", options->only,
+                  "One experiment alone, or those of a page; may be repeated")
       ->option_text("NAME")
       ->check(CLI::IsMember(names));
   program.footer("Experiments: " + list +

@@ -57,7 +57,7 @@ struct Cost {
 };
 
 // Takes what is written, and says how much it was. What the line carries of a grid is the same on a
-// PC (lab/experiments/serial_rounds.hpp).
+// PC (lab/experiments/stream/serial_rounds.hpp).
 class Line {
  public:
   [[nodiscard]] std::uint32_t bytes_per_second() const { return 11'520; }

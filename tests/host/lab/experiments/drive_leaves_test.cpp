@@ -9,12 +9,12 @@
 #include "fakes/cells_of.hpp"
 #include "grid/frame_fusion.hpp"
 #include "lab/evidence/frame_points.hpp"
-#include "lab/experiments/scene_load.hpp"
-#include "tools/simulate/drives/drive.hpp"
-#include "tools/vehicles/vehicle_catalogue.hpp"
+#include "lab/experiments/output_rates/scene_load.hpp"
 #include "lab/tree/built_quadtree.hpp"
 #include "lab/tree/grid_drawing.hpp"
 #include "lab/tree/linear_quadtree.hpp"
+#include "tools/simulate/drives/drive.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tree {
 namespace {

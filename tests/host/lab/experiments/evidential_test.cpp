@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lab/experiments/evidential_grids.hpp"
-#include "lab/experiments/evidential_roc.hpp"
+#include "lab/experiments/evidential/grids.hpp"
+#include "lab/experiments/evidential/roc.hpp"
 #include "lab/experiments/experiments.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "value_in.hpp"

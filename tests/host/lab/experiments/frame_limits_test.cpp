@@ -1,4 +1,4 @@
-#include "lab/experiments/frame_limits.hpp"
+#include "lab/experiments/worst_frames/frame_limits.hpp"
 
 #include "gtest/gtest.h"
 

@@ -1,6 +1,6 @@
 // Table 4.6's statistics on evidence so small that they can be worked out by hand, and the bound
 // that holds for any.
-#include "lab/experiments/index_differences.hpp"
+#include "lab/experiments/numerical_quality/index_differences.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // What a map may do to the names of cells, on drives of the simulator: name, and nothing else.
-#include "lab/experiments/map_quality.hpp"
+#include "lab/experiments/map_quality/map_quality.hpp"
 
 #include <cstddef>
 #include <numeric>
@@ -7,7 +7,7 @@
 
 #include "gtest/gtest.h"
 
-#include "lab/experiments/scene_maps.hpp"
+#include "lab/experiments/map_quality/scene_maps.hpp"
 #include "map/block.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 

@@ -6,10 +6,10 @@
 
 #include "gtest/gtest.h"
 
-#include "lab/experiments/perceived_drive.hpp"
-#include "lab/experiments/perception_scores.hpp"
-#include "lab/experiments/perception_street.hpp"
-#include "lab/experiments/perception_truth.hpp"
+#include "lab/experiments/perception/perceived_drive.hpp"
+#include "lab/experiments/perception/scores.hpp"
+#include "lab/experiments/perception/street.hpp"
+#include "lab/experiments/perception/truth.hpp"
 #include "tools/simulate/scenes/street.hpp"
 
 namespace iog::lab {

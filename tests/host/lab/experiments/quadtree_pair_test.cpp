@@ -1,6 +1,4 @@
 // The trees that the experiment on quadtrees builds, and whether its check would see a difference.
-#include "lab/experiments/quadtree_pair.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -8,7 +6,8 @@
 
 #include "gtest/gtest.h"
 
-#include "lab/experiments/quadtree_grids.hpp"
+#include "lab/experiments/quadtree/grids.hpp"
+#include "lab/experiments/quadtree/pair.hpp"
 
 namespace iog::lab {
 namespace {

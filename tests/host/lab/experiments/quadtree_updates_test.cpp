@@ -1,11 +1,11 @@
 // Splits and merges, counted on frames of which they are known: thesis algorithm 2 and conditions
 // 3.46 and 3.47 on a grid of 1024 by 1024 cells, ten halvings deep.
-#include "lab/experiments/quadtree_updates.hpp"
-
 #include <cstdint>
 #include <vector>
 
 #include "gtest/gtest.h"
+
+#include "lab/experiments/quadtree/updates.hpp"
 
 namespace iog::lab {
 namespace {

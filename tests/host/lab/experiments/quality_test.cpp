@@ -11,11 +11,11 @@
 
 #include "grid/frame_fusion.hpp"
 #include "index/recursive_set.hpp"
-#include "lab/experiments/choice_maps.hpp"
-#include "lab/experiments/false_echoes.hpp"
+#include "lab/experiments/detection_quality/choice_maps.hpp"
+#include "lab/experiments/detection_quality/quality_choices.hpp"
 #include "lab/experiments/fusion_trial.hpp"
-#include "lab/experiments/priced_fusions.hpp"
-#include "lab/experiments/quality_choices.hpp"
+#include "lab/experiments/price_of_hits_win/false_echoes.hpp"
+#include "lab/experiments/price_of_hits_win/priced_fusions.hpp"
 
 namespace iog::lab {
 namespace {

@@ -1,4 +1,4 @@
-#include "lab/experiments/scene_load.hpp"
+#include "lab/experiments/output_rates/scene_load.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "lab/experiments/traversal_trial.hpp"
+#include "lab/experiments/traversal/traversal_trial.hpp"
 #include "lab/reference/peer_walks.hpp"
 
 namespace iog::lab {

@@ -1,0 +1,79 @@
+// Table I of the many-core paper: an occupancy grid cell by cell (CBC) and beam by beam (BBB).
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lab/experiments/experiments.hpp"
+#include "lab/experiments/many_core/many_core_contest.hpp"
+
+namespace iog::lab {
+namespace {
+
+std::array<const Contest*, 2> both(const Contests& contests) {
+  return {&contests.fine, &contests.coarse};
+}
+
+// Sums over frames. Each model of a cell is fused into it.
+template <typename... Keys>
+void add_operations(const Contests& contests, Table& table, const Keys&... keys) {
+  for (const Contest* contest : both(contests)) {
+    for (const auto& [approach, done] :
+         {std::pair("CBC", contest->cbc()), std::pair("BBB", contest->bbb())}) {
+      table.row(keys..., contest->cell_m(), approach, contests.frames, done.searches, done.models,
+                done.accesses);
+    }
+  }
+}
+
+Table of_the_drive(const Contests& contests) {
+  Table table("many_core_operations",
+              {"cell_m", "approach", "frames", "searches", "models_and_fusions", "cell_accesses"});
+  add_operations(contests, table);
+  return table;
+}
+
+Table differences(const Contests& contests) {
+  Table table("many_core_differences",
+              {"cell_m", "frames", "bbb_stop_behind_m", "differing_cells"});
+  for (const Contest* contest : both(contests)) {
+    table.row(contest->cell_m(), contests.frames, reference::kLuxStopBehindM,
+              contest->differing_cells());
+  }
+  return table;
+}
+
+Table times(const DriveOutcome& outcome) {
+  Table table("many_core_on_this_pc", {"cell_m", "cbc_time_by_bbb_time"});
+  table.row(outcome.contests.fine.cell_m(), outcome.fine_time_ratio);
+  table.row(outcome.contests.coarse.cell_m(), outcome.coarse_time_ratio);
+  return table;
+}
+
+// Of those whose sensors are LUX.
+Table of_recordings(const std::vector<Recording>& recordings) {
+  Table table("many_core_operations_recordings",
+              {"recording", "vehicle", "cell_m", "approach", "frames", "searches",
+               "models_and_fusions", "cell_accesses"});
+  for (const Recording& recording : recordings) {
+    if (const std::optional<Contests> contests = contest_on(recording)) {
+      add_operations(*contests, table, std::filesystem::path(recording.pcap).filename().string(),
+                     recording.vehicle);
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Tables many_core(const Input& input) {
+  const DriveOutcome outcome = contest_on_drive(input);
+  Tables tables{of_the_drive(outcome.contests), differences(outcome.contests), times(outcome)};
+  if (!input.recordings.empty()) {
+    tables.push_back(of_recordings(input.recordings));
+  }
+  return tables;
+}
+
+}  // namespace iog::lab

@@ -1,0 +1,211 @@
+#include "lab/experiments/perception/perceived_drive.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "app/perception_engine.hpp"
+#include "grid/frame_fusion.hpp"
+#include "intake/measurement_time.hpp"
+#include "intake/packet.hpp"
+#include "require/require.hpp"
+#include "tools/formats/capture/capture_clock.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+#include "window/frame_evidence.hpp"
+
+namespace iog::lab {
+namespace {
+
+using Datagrams = std::vector<tools::CapturedDatagram>;
+constexpr std::size_t kWindowCellCount = std::size_t{window::kCellsAcross} * window::kCellsAcross;
+
+// The rows of the window's tiles, put together.
+template <typename CopyTile>
+std::vector<std::int8_t> rows_of(const window::Area& area, const CopyTile& copy_tile) {
+  std::vector<std::int8_t> rows(kWindowCellCount);
+  std::array<std::int8_t, geometry::kTileCells> tile{};
+  for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
+    if (!copy_tile(slot, tile)) {
+      continue;
+    }
+    const window::TileNumber at = area.tile_at(slot);
+    const auto row = static_cast<std::size_t>(at.b - area.corner().b) * window::kTileSide;
+    const auto column = static_cast<std::size_t>(at.a - area.corner().a) * window::kTileSide;
+    for (std::size_t y = 0; y < window::kTileSide; ++y) {
+      std::copy_n(&tile[y * window::kTileSide], window::kTileSide,
+                  &rows[(row + y) * window::kCellsAcross + column]);
+    }
+  }
+  return rows;
+}
+
+// The slices of a frame fused again, for the evidence that the classes were made of.
+class Evidence {
+ public:
+  explicit Evidence(const tools::CatalogueEntry& car) : car_(&car), fusion_(*car.vehicle) {}
+
+  static geometry::Cell first_cell(const window::Area& area) {
+    return {area.corner().a * window::kTileSide, area.corner().b * window::kTileSide};
+  }
+
+  // is_shown: with the frame's joined indexes.
+  void find(const Datagrams& datagrams, const window::Area& area, bool is_shown,
+            PerceivedFrame& frame) {
+    for (std::size_t i = 0; i < frame.report->slice_count; ++i) {
+      const app::PlacedSlice& slice = frame.report->slices[i];
+      fuse(datagrams, slice.slice);
+      const window::Placement at = window::placement_of(slice.pose);
+      add_hits(area, window::CellMap::to_window(area, at), static_cast<std::uint8_t>(i), frame);
+      fusion_.release([this](std::size_t tile, auto indexes) { cells_.take(tile, indexes); });
+      if (is_shown) {
+        joined_.add(cells_, area, at);
+      }
+      cells_.clear();
+    }
+    if (is_shown) {
+      frame.evidence = rows_of(area, [this](std::size_t slot, auto& tile) {
+        tile = joined_.tile(slot);
+        return joined_.is_touched(slot);
+      });
+      joined_.clear();
+    }
+  }
+
+ private:
+  void fuse(const Datagrams& datagrams, const pose::Slice& slice) {
+    const pose::Slicing slicing;
+    for (const tools::CapturedDatagram& datagram : datagrams) {
+      const std::size_t sensor = tools::sensor_of_port(*car_, datagram.destination.port);
+      const vehicle::Sensor& described = car_->vehicle->sensors[sensor];
+      const intake::Packet packet = intake::Packet::decode(described.format, datagram.payload);
+      if (slicing.slice_of(intake::measured_us(described, packet.info(), 0)) == slice) {
+        packet.for_each_point(
+            [&](const lidar::ScanPoint& point) { fusion_.add(described, point); });
+      }
+    }
+    fusion_.finish();
+  }
+
+  void add_hits(const window::Area& area, const window::CellMap& to_window, std::uint8_t slice,
+                PerceivedFrame& frame) {
+    const geometry::Cell first = first_cell(area);
+    const grid::FrameView view = fusion_.view();
+    std::array<std::int8_t, geometry::kTileCells> cells{};
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+      if (!view.is_touched(tile) || !view.copy_tile(tile, cells)) {
+        continue;
+      }
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] <= 0) {
+          continue;
+        }
+        const auto x = static_cast<std::int32_t>(
+            tile % geometry::kTilesPerSide * geometry::kTileSide + i % geometry::kTileSide);
+        const auto y = static_cast<std::int32_t>(
+            tile / geometry::kTilesPerSide * geometry::kTileSide + i / geometry::kTileSide);
+        const geometry::Cell at = to_window.exact({x, y}).cell();
+        if (window::kWindowCells.contains(at)) {
+          frame.hits.push_back({{first.x + at.x, first.y + at.y}, slice});
+        }
+      }
+    }
+  }
+
+  const tools::CatalogueEntry* car_;
+  grid::FrameFusion fusion_;
+  window::SliceCells cells_;
+  window::FrameEvidence joined_;
+};
+
+// A target with one rule, and what it made of the newest frame.
+class Perceiver {
+ public:
+  Perceiver(const tools::CatalogueEntry& car, const PerceptionRule& rule)
+      : vehicle_(with_rules(*car.vehicle, rule.rules)),
+        engine_(std::make_unique<app::PerceptionEngine>(vehicle_, kReplayer, app::HelpersSpace{})) {
+    if (!rule.map.empty()) {
+      engine_->begin_with_map(rule.map);
+    }
+  }
+  Perceiver(const Perceiver&) = delete;
+  Perceiver& operator=(const Perceiver&) = delete;
+
+  void take(const tools::CapturedDatagram& datagram) {
+    const std::uint64_t now_us = clock_.move_to(datagram.time_us);
+    while (engine_->is_overdue(now_us)) {
+      close_frame(engine_->deadline_us());
+    }
+    app::take_datagram(
+        *engine_, {kReplayer, datagram.destination.port, datagram.payload}, now_us,
+        [&](const intake::SensorPacket& packet) { engine_->fuse(packet, now_us, work::Crew()); },
+        [&] { close_frame(now_us); });
+  }
+
+  [[nodiscard]] std::uint32_t frames() const { return frames_; }
+  [[nodiscard]] const app::PerceptionReport& report() const { return report_; }
+  [[nodiscard]] const window::Area& area() const { return engine_->classes().area(); }
+  [[nodiscard]] std::vector<std::int8_t> classes() const {
+    const window::WindowView view = engine_->classes();
+    return rows_of(view.area(),
+                   [&view](std::size_t slot, auto& tile) { return view.copy_classes(slot, tile); });
+  }
+
+ private:
+  // A capture stands for what its replayer sends, whatever address the sensors had.
+  static constexpr std::uint32_t kReplayer = 0x0A000202;
+
+  static vehicle::Vehicle with_rules(vehicle::Vehicle vehicle, const window::Rules& rules) {
+    vehicle.window = rules;
+    return vehicle;
+  }
+
+  void close_frame(std::uint64_t now_us) {
+    engine_->finish(now_us, work::Crew(), [](auto /*stage*/) {});
+    engine_->release([](std::size_t /*tile*/, auto /*cells*/) {});
+    report_ = engine_->perception();
+    ++frames_;
+    engine_->start_next(now_us);
+  }
+
+  vehicle::Vehicle vehicle_;
+  tools::CaptureClock clock_;
+  std::unique_ptr<app::PerceptionEngine> engine_;  // too large for the stack
+  app::PerceptionReport report_;
+  std::uint32_t frames_ = 0;
+};
+
+}  // namespace
+
+void perceive_drive(const PerceivedDrive& drive, std::span<const PerceptionRule> rules,
+                    const std::function<void(const PerceivedFrame&)>& use) {
+  const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
+  tools::Drive moving(car, drive.seed, drive.seconds, tools::find_scene(drive.scene),
+                      tools::Motion::kContinuous);
+  tools::PoseFeed poses(
+      tools::simulated_poses(moving.scene(), drive.poses, drive.seed, drive.seconds + 0.1));
+  std::vector<std::unique_ptr<Perceiver>> perceivers;
+  for (const PerceptionRule& rule : rules) {
+    perceivers.push_back(std::make_unique<Perceiver>(car, rule));
+  }
+  const auto evidence = std::make_unique<Evidence>(car);  // too large for the stack
+  for (std::uint32_t number = 0; number < moving.frame_count(); ++number) {
+    const Datagrams datagrams = moving.datagrams(number);
+    for (const tools::CapturedDatagram& datagram : tools::with_poses(datagrams, poses)) {
+      for (const auto& perceiver : perceivers) {
+        perceiver->take(datagram);
+      }
+    }
+    const Perceiver& first = *perceivers.front();
+    require(first.frames() == number + 1);  // the last packet of a frame closes it
+    PerceivedFrame frame{.number = number, .drive = &moving, .report = &first.report()};
+    frame.window.first = Evidence::first_cell(first.area());
+    const bool is_shown = number % drive.shown_every == drive.shown_every - 1;
+    evidence->find(datagrams, first.area(), is_shown, frame);
+    for (std::size_t rule = 0; is_shown && rule < rules.size(); ++rule) {
+      frame.classes.push_back(perceivers[rule]->classes());
+    }
+    use(frame);
+  }
+}
+
+}  // namespace iog::lab

@@ -1,0 +1,95 @@
+#include "lab/experiments/perception/tables.hpp"
+
+#include <array>
+#include <utility>
+
+namespace iog::lab {
+namespace {
+
+constexpr std::uint32_t kFirstScored = tools::kLuxFramesPerSecond;
+constexpr std::uint32_t kScoredEvery = 5;
+constexpr std::array<std::string_view, kHitOnCount> kHitOnNames{"standing", "moving_car",
+                                                                "followed_car", "moving_person"};
+// By tools::Material.
+constexpr std::array<std::string_view, 9> kMaterialNames{
+    "ground", "wall", "car", "pole", "kerb", "person", "foliage", "rail", "bank"};
+
+}  // namespace
+
+ScoredDrive score_drive(const PerceivedDrive& drive, std::span<const PerceptionRule> rules,
+                        bool is_watched) {
+  ScoredDrive scored{.scorer = PerceptionScorer(rules.size(), kFirstScored)};
+  PerceivedDrive shown = drive;
+  shown.shown_every = is_watched ? 1 : kScoredEvery;
+  LocalToWorld to_world;
+  perceive_drive(shown, rules, [&](const PerceivedFrame& frame) {
+    const FrameTruth truth(frame, to_world);
+    to_world = truth.last().to_world;
+    scored.scorer.add(frame, truth, frame.number % kScoredEvery == kScoredEvery - 1);
+    if (is_watched) {
+      scored.watch.add(frame, truth);
+    }
+    scored.frames_not_placed += frame.report->slice_count == 0 ? 1 : 0;
+    scored.frames_forgotten += frame.report->is_forgotten ? 1 : 0;
+    scored.packets_not_placed += frame.report->packets_not_placed;
+    scored.last = *frame.report;
+  });
+  return scored;
+}
+
+ScoreTables::ScoreTables(const std::string& name)
+    : hits_(name + "_hits",
+            {"scene", "seed", "poses", "rule", "hits_on", "range_from_m", "unknown_cells",
+             "free_cells", "moving_cells", "standing_cells", "open_cells"}),
+      moving_(name + "_moving",
+              {"scene", "seed", "poses", "rule", "called_cells", "right_cells", "left_lately_cells",
+               "called_with_evidence_cells", "right_with_evidence_cells"}),
+      recent_(name + "_recent", {"scene", "seed", "poses", "rule", "material", "hit_cells",
+                                 "kept_cells", "freed_cells"}),
+      gaps_(name + "_gaps", {"scene", "seed", "poses", "rule", "known_within_cells",
+                             "between_cells", "unknown_cells"}) {}
+
+void ScoreTables::add(const PerceivedDrive& drive, std::string_view poses,
+                      std::span<const PerceptionRule> rules, const PerceptionScorer& scorer) {
+  for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+    add_scores(drive, poses, rules[rule].name, scorer.scores()[rule]);
+  }
+  add_gaps(drive, poses, "single frame", scorer.gaps_of_frames());
+}
+
+Tables ScoreTables::take() {
+  return {std::move(hits_), std::move(moving_), std::move(recent_), std::move(gaps_)};
+}
+
+void ScoreTables::add_scores(const PerceivedDrive& drive, std::string_view poses,
+                             std::string_view rule, const PerceptionScores& scores) {
+  for (std::size_t what = 0; what < kHitOnCount; ++what) {
+    for (std::size_t range = 0; range < kRangeCount; ++range) {
+      const SaidCounts& said = scores.hits[what][range];
+      hits_.row(drive.scene, drive.seed, poses, rule, kHitOnNames[what],
+                range == 0 ? 0.0 : kRangesM[range - 1], said.unknown, said.free, said.moving,
+                said.standing, said.open);
+    }
+  }
+  const MovingCells& moving = scores.moving;
+  moving_.row(drive.scene, drive.seed, poses, rule, moving.called, moving.right, moving.left_lately,
+              moving.with_evidence, moving.right_with_evidence);
+  for (std::size_t material = 0; material < kMaterialNames.size(); ++material) {
+    if (scores.recent.cells[material] > 0) {
+      recent_.row(drive.scene, drive.seed, poses, rule, kMaterialNames[material],
+                  scores.recent.cells[material], scores.recent.kept[material],
+                  scores.recent.freed[material]);
+    }
+  }
+  add_gaps(drive, poses, rule, scores.gaps);
+}
+
+void ScoreTables::add_gaps(const PerceivedDrive& drive, std::string_view poses,
+                           std::string_view rule, std::span<const GapCounts> gaps) {
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    gaps_.row(drive.scene, drive.seed, poses, rule, kGapReaches[i], gaps[i].between,
+              gaps[i].unknown);
+  }
+}
+
+}  // namespace iog::lab

@@ -1,0 +1,120 @@
+// The worst frames that could be put together, beside those of a drive: what they mark, and what
+// the code allows at most. What they cost is measured on the target.
+#include "lab/scenarios/worst_frames.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "geometry/grid.hpp"
+#include "grid/frame_fusion.hpp"
+#include "lab/experiments/experiments.hpp"
+#include "lab/experiments/fused_drive.hpp"
+#include "lab/experiments/target_drive.hpp"
+#include "lab/experiments/worst_frames/frame_limits.hpp"
+#include "lidar/ibeo_lux.hpp"
+#include "require/require.hpp"
+#include "tools/simulate/drives/drive.hpp"
+#include "tools/simulate/scanners/lux_scanner.hpp"
+#include "tools/simulate/scenes/scene_catalogue.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::lab {
+namespace {
+
+const tools::CatalogueEntry& car() { return tools::find_vehicle(tools::kDefaultVehicle); }
+
+std::size_t marks_of(const tools::CapturedDatagram& datagram) {
+  const vehicle::Sensor& sensor =
+      car().vehicle->sensors[tools::sensor_of_port(car(), datagram.destination.port)];
+  lidar::IbeoLux decoder;
+  if (decoder.decode(datagram.payload) != lidar::DecodeStatus::kOk) {
+    return 0;
+  }
+  std::size_t marks = 0;
+  decoder.for_each_point([&](const lidar::ScanPoint& point) {
+    const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
+    marks += vehicle::classify(sensor, beam, point).marks ? 1U : 0U;
+  });
+  return marks;
+}
+
+std::size_t marks_of(const std::vector<tools::CapturedDatagram>& frame) {
+  std::size_t marks = 0;
+  for (const tools::CapturedDatagram& datagram : frame) {
+    marks += marks_of(datagram);
+  }
+  return marks;
+}
+
+// Of a mean frame.
+double marks_of(const tools::SceneEntry& scene) {
+  tools::Drive drive(car(), kTargetSeed, kTargetSeconds, scene);
+  std::size_t marks = 0;
+  for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
+    marks += marks_of(drive.datagrams(frame));
+  }
+  return static_cast<double>(marks) / drive.frame_count();
+}
+
+double marks_of(const WorstFrame& worst) {
+  std::size_t marks = 0;
+  for (std::uint32_t frame = 0; frame < kMeasuredWorstFrames; ++frame) {
+    marks += marks_of(worst_datagrams(worst, kTargetSeed, frame));
+  }
+  return static_cast<double>(marks) / kMeasuredWorstFrames;
+}
+
+Table frames() {
+  Table table("worst_frames", {"frame", "sender", "strain", "marks"});
+  for (const char* scene : kDrives) {
+    table.row(scene, "drive", "", marks_of(tools::find_scene(scene)));
+  }
+  for (const WorstFrame& worst : all_worst_frames()) {
+    table.row(worst.name, worst.is_forged ? "forged" : "lux", worst.strain, marks_of(worst));
+  }
+  return table;
+}
+
+// How far out a layer's echoes are inside the height band: the ranges of full_range, which go
+// there.
+Table layers() {
+  std::array<std::uint32_t, tools::kLuxLayers> nearest_mm{};
+  std::array<std::uint32_t, tools::kLuxLayers> furthest_mm{};
+  nearest_mm.fill(std::numeric_limits<std::uint32_t>::max());
+  lidar::IbeoLux decoder;
+  for (const auto& datagram : worst_datagrams(find_worst_frame("full_range"), kTargetSeed, 0)) {
+    require(decoder.decode(datagram.payload) == lidar::DecodeStatus::kOk);
+    decoder.for_each_point([&](const lidar::ScanPoint& point) {
+      nearest_mm[point.layer] = std::min(nearest_mm[point.layer], point.range_mm);
+      furthest_mm[point.layer] = std::max(furthest_mm[point.layer], point.range_mm);
+    });
+  }
+  Table table("layers_in_band", {"layer", "nearest_m", "furthest_m"});
+  for (std::size_t layer = 0; layer < nearest_mm.size(); ++layer) {
+    table.row(layer, nearest_mm[layer] / 1000.0, furthest_mm[layer] / 1000.0);
+  }
+  return table;
+}
+
+Table limits() {
+  Table table("frame_limits", {"points", "range_m", "cells_per_beam", "cells", "tiles", "cell_mm",
+                               "frame_period_us", "rule", "core_sensors", "core_marks"});
+  const vehicle::Vehicle& vehicle = *car().vehicle;
+  const char* const rule = vehicle.rule == vehicle::FusionRule::kHitsWin ? "hits_win" : "bayes";
+  const FrameLimits limits = frame_limits(vehicle);
+  table.row(limits.points, limits.range_m, limits.cells_per_beam, limits.cells, limits.tiles,
+            geometry::kCellMm, vehicle.frame_period_us, rule, vehicle::kMaxSensors,
+            grid::kMaxMarks);
+  return table;
+}
+
+}  // namespace
+
+Tables worst_frames(const Input& /*input*/) { return {frames(), layers(), limits()}; }
+
+}  // namespace iog::lab
