@@ -1,32 +1,24 @@
 """What lab/run measures and lab/check measures again: which steps there are, what they write into
 lab/data, and from which sources."""
 
+import csv
 import dataclasses
-import hashlib
 import pathlib
 import shutil
 import subprocess
 import sys
 import typing
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+import sources
+from sources import ROOT
+
+sys.path.insert(0, str(ROOT / "lab/target"))
+import a9_runs  # noqa: E402 ; it lies in lab/target/
+
 DATA = ROOT / "lab/data"
 WORK = ROOT / "build/lab"
 MADE_FROM = DATA / "made_from"
-
-# What figures and the laboratory's tests depend on. Words (lab/pages, *.md) do not change them, and
-# those rooms of tools/ that no experiment links have no part in them. What lab/pages makes of
-# lab/data is no source of it.
-SOURCES = ("CMakeLists.txt", "CMakePresets.json", "board", "hal", "lab", "linker", "qemu", "src",
-           "tests/CMakeLists.txt", "tests/e2e/wrong_use", "tests/host/fakes", "tests/host/lab",
-           "tests/host/tools/drive_sample.cpp", "tests/host/tools/drive_sample.hpp",
-           "tests/list_suites.cmake", "tests/programmer_error.cpp", "tests/target/start.S",
-           "tests/test_headers.cpp", "toolchain", "tools", "vehicles")
-NOT_SOURCES = ("lab/check", "lab/data", "lab/pages", "lab/run", "tests/host/lab/pages",
-               "tools/budget/unit_costs.hpp", "tools/info", "tools/record", "tools/replay", "tools/view")
-# What lab/peers times, what that is made of, and what makes the beams.
-PEERS_SOURCES = ("CMakeLists.txt", "CMakePresets.json", "lab/baseline", "lab/evidence", "lab/peers",
-                 "lab/reference", "src", "tools/simulate", "tools/vehicles", "vehicles")
+COUNTED = "cortex_a9.csv"  # of all parts of the target
 
 
 class Failed(Exception):
@@ -51,14 +43,16 @@ def build(preset: str, *targets: str) -> None:
     run("lab/target/build", WORK, preset, *targets)
 
 
-def experiments(folder: pathlib.Path, recordings: typing.Sequence[str] = ()) -> None:
+def experiments(folder: pathlib.Path, pages: typing.Sequence[str],
+                recordings: typing.Sequence[str] = ()) -> None:
     build("host", "experiments")
     given = [word for recording in recordings for word in ("--recording", recording)]
+    given += [word for page in pages for word in ("--only", page)]
     run("build/host/lab/experiments/experiments", "--out", folder, *given)
 
 
-def target(folder: pathlib.Path, _recordings=()) -> None:
-    run("lab/target/measure_a9", "--out", folder)
+def target(folder: pathlib.Path, parts: typing.Sequence[str], _recordings=()) -> None:
+    run("lab/target/measure_a9", "--out", folder, *parts)
 
 
 def build_images() -> None:
@@ -66,7 +60,7 @@ def build_images() -> None:
     build("imx6", *(f"iogrid-{vehicle}" for vehicle in vehicles))
 
 
-def images(folder: pathlib.Path, _recordings=()) -> None:
+def images(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
     """The firmware runs for two seconds, too, and says how deep its stack was."""
     build_images()
     report = WORK / "qemu/summary.txt"
@@ -74,7 +68,7 @@ def images(folder: pathlib.Path, _recordings=()) -> None:
     run("lab/target/images", "build/imx6/board/imx6", report, out=folder / "images.csv")
 
 
-def a9_model(folder: pathlib.Path, _recordings=()) -> None:
+def a9_model(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
     build("host", "a9_model", "a9_constants")
     build("imx6", "a9_micro")
     model = ROOT / "build/host/lab/a9_model"
@@ -83,27 +77,82 @@ def a9_model(folder: pathlib.Path, _recordings=()) -> None:
         out=folder / "a9_answers.csv")
 
 
-def peers(folder: pathlib.Path, _recordings=()) -> None:
+def peers(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
     run("lab/peers/run", "--out", folder)
 
 
 @dataclasses.dataclass(frozen=True)
-class Step:
+class Kind:
+    """A program that measures, all of its parts at once."""
+
     words: str
     measure: typing.Callable
 
 
 # In this order: times on a PC first, before the machine is warm and busy.
-STEPS = {
-    "peers": Step("Timing other grid libraries on this PC", peers),
-    "experiments": Step("Repeating what the papers claim", experiments),
-    "target": Step("Counting and modelling on the Cortex-A9", target),
-    "images": Step("Weighing the firmware", images),
-    "a9_model": Step("Asking the cost model what others know", a9_model),
+KINDS = {
+    "peers": Kind("Timing other grid libraries on this PC", peers),
+    "experiments": Kind("Repeating what the papers claim", experiments),
+    "target": Kind("Counting and modelling on the Cortex-A9", target),
+    "images": Kind("Weighing the firmware", images),
+    "a9_model": Kind("Asking the cost model what others know", a9_model),
 }
+
+# What starts images, and how they and the drives that they are shown are made and run.
+_IMAGES = ("tests/target/start.S", "tests/programmer_error.cpp", "lab/a9_model", "lab/target/measure_a9",
+           "lab/target/run_image", "lab/target/a9_runs.py", "lab/target/build", "lab/target/made_with",
+           "tools/simulate", "tools/fuse", "vehicles")
+
+
+def _all_in(folder: str) -> list[str]:
+    return [folder, *(path.relative_to(ROOT).as_posix() for path in sorted((ROOT / folder).rglob("*"))
+                      if path.is_dir())]
+
+
+def _programs(*names: str) -> tuple[str, ...]:
+    return tuple(f"lab/target/{name}" for name in names)
+
+
+# KIND or KIND/PART, and where its sources begin. A page of docs/results/ has a folder of experiments.
+STEPS = {
+    "peers": ("lab/peers", "vehicles"),
+    **{f"experiments/{path.name}": (f"lab/experiments/{path.name}", "vehicles")
+       for path in sorted((ROOT / "lab/experiments").iterdir()) if path.is_dir()},
+    "target/frames": (*_IMAGES, "lab/scenarios", *_programs(
+        "frame_cost.cpp", "floor.cpp", "tree_cost.cpp", "printed_cost.cpp", "serial_cost.cpp",
+        "path_cost.cpp", "many_core.cpp", "traversal_cost.cpp")),
+    "target/scaling": (*_IMAGES, *_programs("scaling.cpp", "a9_scaling.py")),
+    "target/perception": (*_IMAGES, *_programs("perception_cost.cpp", "round_cost.cpp",
+                                               "a9_perception.py", "a9_cores.py")),
+    "target/map": (*_IMAGES, "tools/map", *_programs("map_cost.cpp", "a9_map.py")),
+    "target/turning": (*_IMAGES, *_programs("frame_cost.cpp", "turning_cost.cpp", "a9_turning.py")),
+    "images": (*_all_in("board/imx6"), "vehicles", "linker", "qemu", "lab/target/images"),
+    "a9_model": ("lab/a9_model", "lab/a9_model/micro", "tests/target/start.S"),
+}
+EXPERIMENTS = tuple(step for step in STEPS if step.startswith("experiments/"))
+TARGET = tuple(step for step in STEPS if step.startswith("target/"))
 # Which page shows what was measured by which steps.
-PAGES = {"results": ("experiments", "target"), "evidential": ("experiments", "target"),
-         "figures": ("target", "images"), "a9_model": ("a9_model",), "peers": ("peers",)}
+PAGES = {
+    "results": (*EXPERIMENTS, *TARGET, "peers"),
+    **{f"results/{step.partition('/')[2]}": (step,) for step in EXPERIMENTS
+       if step != "experiments/evidential"},
+    "results/traversal": ("experiments/traversal", "target/frames"),
+    "results/output_rates": ("experiments/output_rates", "experiments/worst_frames", "target/frames"),
+    "results/goals": ("experiments/worst_frames", "target/frames", "target/scaling"),
+    "results/worst_frames": ("experiments/worst_frames", "target/frames"),
+    "results/turning": ("target/turning",),
+    "results/perception_time": ("target/perception",),
+    "results/map_time": ("target/map",),
+    "results/scaling": ("experiments/worst_frames", "target/scaling"),
+    "results/quadtree": ("experiments/quadtree", "target/frames"),
+    "results/stream": ("experiments/stream", "target/frames"),
+    "results/many_core": ("experiments/many_core", "target/frames"),
+    "results/four_cores": ("target/perception", "a9_model"),
+    "evidential": ("experiments/evidential", "target/perception"),
+    "figures": ("target/frames", "images"),
+    "a9_model": ("a9_model",),
+    "peers": ("peers",),
+}
 
 
 def has_peers() -> bool:
@@ -112,47 +161,44 @@ def has_peers() -> bool:
                           capture_output=True).returncode == 0
 
 
-def measure(name: str, recordings: typing.Sequence[str] = ()) -> None:
+def parts_of(kind: str, steps: typing.Iterable[str]) -> list[str]:
+    return [part for step in steps for begin, _, part in [step.partition("/")] if begin == kind]
+
+
+def measure(kind: str, parts: typing.Sequence[str], recordings: typing.Sequence[str] = ()) -> None:
     """Into lab/data, once all of it is there."""
-    folder = WORK / "measured" / name
+    folder = WORK / "measured" / kind
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    STEPS[name].measure(folder, recordings)
+    KINDS[kind].measure(folder, parts, recordings)
     DATA.mkdir(exist_ok=True)
+    if (folder / COUNTED).is_file():
+        keep_other_parts(folder / COUNTED, parts)
     for path in sorted(folder.iterdir()):
         shutil.move(path, DATA / path.name)
-    write_stamp(name)
+    write_stamps(f"{kind}/{part}" if part else kind for part in parts)
 
 
-def files_of(room: str) -> list[pathlib.Path]:
-    place = ROOT / room
-    found = [place] if place.is_file() else sorted(place.rglob("*"))
-    return [path for path in found if path.is_file() and is_source(path)]
+def keep_other_parts(found: pathlib.Path, parts: typing.Sequence[str]) -> None:
+    """Adds what lab/data has of other parts of the target, each part in its place."""
+    tables = {part: found if part in parts else DATA / COUNTED for part in a9_runs.PARTS}
+    rows = {path: list(csv.reader(path.read_text().splitlines()))
+            for path in set(tables.values()) if path.is_file()}
+    with open(found, "w", newline="") as out:
+        csv.writer(out, lineterminator="\n").writerows(
+            [list(a9_runs.Row._fields),
+             *(row for part, path in tables.items() for row in rows.get(path, [])[1:]
+               if a9_runs.part_of(row[0]) == part)])
 
 
-def is_source(path: pathlib.Path) -> bool:
-    name = path.relative_to(ROOT).as_posix()
-    return not (path.suffix in (".md", ".pyc") or
-                any(name == other or name.startswith(f"{other}/") for other in NOT_SOURCES))
-
-
-def digest(paths: list[pathlib.Path]) -> str:
-    total = hashlib.sha256()
-    for path in paths:
-        content = hashlib.sha256(path.read_bytes()).hexdigest()
-        total.update(f"{path.relative_to(ROOT).as_posix()} {content}\n".encode())
-    return total.hexdigest()
-
-
-def sources(step: str = "") -> str:
+def digest_of(step: str) -> str:
     """One number for the content of all that the figures of a step depend on."""
-    rooms = PEERS_SOURCES if step == "peers" else SOURCES
-    return digest([path for room in rooms for path in files_of(room)])
+    return sources.digest_of(sources.files_of(STEPS[step]))
 
 
 def tables() -> str:
     """The same for lab/data itself: a table that was edited is one that has to be checked."""
-    return digest(sorted(path for path in DATA.iterdir() if path != MADE_FROM))
+    return sources.digest_of(sorted(path for path in DATA.iterdir() if path != MADE_FROM))
 
 
 def stamps() -> dict[str, str]:
@@ -161,24 +207,26 @@ def stamps() -> dict[str, str]:
     return dict(line.split(" ", 1) for line in MADE_FROM.read_text().splitlines() if " " in line)
 
 
-def write_stamp(step: str) -> None:
+def write_stamps(steps: typing.Iterable[str]) -> None:
     """lab/data/made_from: per step the sources that its tables were measured from."""
-    now = {**stamps(), step: sources(step), "tables": tables()}
+    kept = {name: digest for name, digest in stamps().items() if name in STEPS}
+    now = {**kept, **{step: digest_of(step) for step in steps}, "tables": tables()}
     MADE_FROM.write_text("".join(f"{name} {now[name]}\n" for name in sorted(now)))
 
 
-def what_changed() -> str:
-    """In words, what lab/data is not of; empty if it is of these sources. Times of other libraries
-    are not among it: nobody can measure them again and compare."""
-    kept, now = stamps(), sources()
-    stale = [name for name in STEPS if name != "peers" and kept.get(name) != now]
-    if stale:
-        return f"other sources than lab/data was made from ({', '.join(stale)})"
-    return "" if kept.get("tables") == tables() else "a table of lab/data was changed by hand"
+def stale_steps() -> list[str]:
+    """Those of which lab/data is not of these sources. Times of other libraries are not among them:
+    nobody can measure them again and compare."""
+    kept = stamps()
+    return [step for step in STEPS if step != "peers" and kept.get(step) != digest_of(step)]
+
+
+def has_edited_tables() -> bool:
+    return stamps().get("tables") != tables()
 
 
 def are_peers_current() -> bool:
-    return stamps().get("peers") == sources("peers")
+    return stamps().get("peers") == digest_of("peers")
 
 
 def complain(program: str, text: str, status: int) -> typing.NoReturn:

@@ -13,7 +13,7 @@ import types
 
 import pandas
 
-from claims import Claim
+from claims import Claim, Goal
 
 DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
 
@@ -49,11 +49,12 @@ def select(table: pandas.DataFrame, **where) -> pandas.DataFrame:
 
 @dataclasses.dataclass
 class Section:
-    """What a section has found: values for its template (namespaces, lists, numbers), claims for
+    """What a section has found: values for its template (namespaces, lists, numbers), claims and goals for
     the overview, and figures by the file name that the template gives them."""
 
     found: dict = dataclasses.field(default_factory=dict)
     claims: list[Claim] = dataclasses.field(default_factory=list)
+    goals: list[Goal] = dataclasses.field(default_factory=list)
     figures: dict = dataclasses.field(default_factory=dict)
 
     @property

@@ -13,7 +13,7 @@ and so much for each point: what fits the frames of three units best.
 import pathlib
 
 from cortex_a9 import STAGES, CortexA9, frame_run
-from sections.turning import UNITS
+from results.turning import UNITS
 
 PATH = pathlib.Path(__file__).resolve().parents[2] / "tools/budget/unit_costs.hpp"
 SCENES = ("city", "ring_road")

@@ -28,8 +28,8 @@ struct Harm {
   unsigned repeat = 0;     // comes once more, up to 4000 messages later: perhaps in another run
 };
 
-// What the receiver is tried with: docs/results.md shows what is left, the tests that no cell is
-// wrong.
+// What the receiver is tried with: docs/results/stream.md shows what is left, the tests that no
+// cell is wrong.
 inline constexpr std::array kHarms{
     Harm{.name = "none"},
     Harm{.name = "1 % lost", .drop = 1},

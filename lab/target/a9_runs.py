@@ -3,7 +3,7 @@
 A run is one image of the benchmark in QEMU. It gives rows: of instructions, which QEMU counts, or of
 what the cost model of docs/a9_model.md says. lab/target/measure_a9 makes all of them, lab/check some.
 Runs of frames with classes are in a9_perception.py, those of the map's layer in a9_map.py, those of
-units that turn in a9_turning.py.
+units that turn in a9_turning.py, those of growing loads in a9_scaling.py.
 """
 
 import concurrent.futures
@@ -15,6 +15,21 @@ import subprocess
 import typing
 
 HERE = pathlib.Path(__file__).resolve().parent
+
+# What is measured together, by the first words of the runs' names, in the order of the table.
+PARTS = {
+    "frames": ("frame_cost", "serial_cost", "traversal_cost", "path_cost", "many_core",
+               "printed_cost", "tree", "floor", "long_run", "first_frames"),
+    "scaling": ("scaling",),
+    "perception": ("perception_cost",),
+    "map": ("map_cost",),
+    "turning": ("turning", "turning_cost"),
+}
+
+
+def part_of(run: str) -> str:
+    return next(part for part, words in PARTS.items() if run.split(" ", 1)[0] in words)
+
 
 # A frame is taken apart at functions of the core: an instruction belongs to the innermost of these
 # that it is called from, so that the stages add up to the frame. Two lie outside it: what the
@@ -49,7 +64,6 @@ MODELLED_FRAMES = 8
 LONG_FRAMES = 32
 FORGOTTEN_FRAMES = 3
 WORST_FRAMES = 2
-SCALING_FRAMES = 2
 FEW_FRAMES = 2
 
 
@@ -222,38 +236,6 @@ def walks(place: Place, variant: str) -> list[Row]:
             for row in modelled_rows(f"traversal_cost walk={walk}", variant, {}, {"": sums})]
 
 
-def scaling(place: Place, image: pathlib.Path, sensors: int, azimuths: int,
-            range_cm: int) -> list[Row]:
-    stages = {stage: STAGES[stage] for stage in STAGES if stage != "receive"}
-    head, own = modelled(place, "nominal", stages | OUTSIDE, image, sensors, azimuths, range_cm,
-                         SCALING_FRAMES)
-    naming = {key: head.pop(key) for key in NAMING["scaling"]}
-    run = " ".join(["scaling", *(f"{key}={value}" for key, value in naming.items())])
-    return modelled_rows(run, "nominal", head,
-                         with_whole({stage: own[stage] for stage in stages}, "frame"))
-
-
-# Base point of the scaling: four LUX of 201 directions that see something 25 m away, on the default
-# grid. One thing at a time is changed; another grid is another build.
-SCALING_BASE = (4, 201, 2500)
-SCALING_GRIDS = {  # (cells per side, mm): (sensors, directions, range in cm) ...
-    (1024, 100): [SCALING_BASE,
-                  *((sensors, 201, 2500) for sensors in (1, 2, 3, 5, 6, 7, 8)),
-                  *((4, azimuths, 2500) for azimuths in (51, 101, 401, 801)),
-                  *((4, 201, range_cm) for range_cm in (625, 1250, 3750, 5000))],
-    (512, 100): [SCALING_BASE],
-    (2048, 100): [SCALING_BASE, (4, 201, 5000), (4, 201, 10_000)],
-    (4096, 100): [SCALING_BASE, (4, 201, 5000), (4, 201, 10_000)],
-    (512, 200): [SCALING_BASE, (4, 201, 5000)],
-    (2048, 50): [SCALING_BASE, (4, 201, 5000)],
-}
-
-
-def grid_folder(place: Place, grid: tuple[int, int]) -> pathlib.Path:
-    cells, cell_mm = grid
-    return place.images if grid == (1024, 100) else place.work / f"grid_{cells}_{cell_mm}/lab/target"
-
-
 # Grids that follow each other, for the serial link.
 SERIAL_FRAMES = range(40, 44)
 ALL_SENSORS = 4
@@ -360,10 +342,6 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
         runs.append(lambda s=scene, c=capture: floor(
             place, f"floor scene={s}", c, MODELLED_FRAMES))
     runs.append(lambda: few_frames(place, scenes))
-    for grid, points in SCALING_GRIDS.items():
-        for point in points:
-            runs.append(lambda g=grid, p=point: scaling(
-                place, grid_folder(place, g) / "scaling", *p))
     return runs
 
 

@@ -16,7 +16,7 @@ enum class Moved : std::uint8_t {
 };
 
 // What a group with evidence takes a Cortex-A9 at 1 GHz to age, fuse and decide, by the nominal
-// cost model, rounded up (docs/results.md, "The perception grid in time").
+// cost model, rounded up (docs/results/perception_time.md).
 inline constexpr std::uint32_t kGroupCycles = 500;
 
 // Groups that are fused in a frame: not more than a core gets done in the 40 ms of a frame. Those

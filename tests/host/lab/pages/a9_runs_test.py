@@ -11,6 +11,7 @@ import a9_cores
 import a9_map
 import a9_perception
 import a9_runs
+import a9_scaling
 import a9_turning
 
 
@@ -91,9 +92,10 @@ class Runs(unittest.TestCase):
                               for run, *_ in stored if " worst=" in run)
         place = a9_runs.Place(*map(pathlib.Path, ("iog", "images", "model", "work")))
         with mock.patch.object(a9_runs, "modelled", nothing_modelled):
-            rows = a9_runs.results_of({"modelled": a9_runs.modelled_runs(
-                place, {"city": "city.pcap", "ring_road": "ring_road.pcap"},
-                list(worst))})["modelled"]
+            rows = a9_runs.results_of({"modelled": [
+                *a9_runs.modelled_runs(place, {"city": "city.pcap", "ring_road": "ring_road.pcap"},
+                                       list(worst)),
+                *a9_scaling.runs(place)]})["modelled"]
         with mock.patch.object(a9_runs, "printed_by_model",
                                lambda *_: ["perception_cost groups_fused_after=0"]):
             for variant in a9_perception.VARIANTS:

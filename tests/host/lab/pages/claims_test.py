@@ -3,7 +3,7 @@
 import unittest
 
 import laboratory  # noqa: F401 ; it makes lab/pages known
-from claims import Claim, Verdict, counts
+from claims import Claim, Goal, Verdict, counts, goal_table
 from section import Data, one, select
 
 
@@ -16,10 +16,15 @@ class Claims(unittest.TestCase):
             Claim("table 1", "cells", "1", "2", verdict, "see below")
 
     def test_only_what_differs_is_bold(self):
-        self.assertEqual(Claim("t", "w", "1", "1", Verdict.EQUALS).row(),
-                         ["t", "w", "1", "1", "equal", ""])
-        self.assertEqual(Claim("t", "w", "1", "2", Verdict.BEATS, "why").row(),
-                         ["t", "w", "1", "2", "**better**", "why"])
+        self.assertEqual(Claim("t", "w", "1", "1", Verdict.EQUALS).word, "equal")
+        self.assertEqual(Claim("t", "w", "1", "2", Verdict.BEATS, "why").word, "**better**")
+        self.assertEqual(Goal("g", "2", "2", True).word, "met")
+        self.assertEqual(Goal("g", "2", "1", False).word, "**missed**")
+
+    def test_a_table_of_goals_has_no_column_that_is_empty(self):
+        goals = [Goal("g", "2", "2", True)]
+        self.assertNotIn("reason", goal_table(goals))
+        self.assertIn("reason", goal_table([*goals, Goal("h", "2", "1", False, "why")]))
 
     def test_all_verdicts_are_counted(self):
         claims = [Claim("t", "w", "1", "1", Verdict.EQUALS),

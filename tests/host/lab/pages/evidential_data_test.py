@@ -6,11 +6,10 @@ import unittest
 import laboratory
 from claims import Verdict
 from section import Data
-from sections import (evidential_cell, evidential_drive, evidential_map, evidential_tables,
-                      evidential_time)
+from evidential import cell, drive, map as map_order, tables, time
 
 DATA = Data()
-TABLES = evidential_tables.Tables(DATA)
+TABLES = tables.Tables(DATA)
 
 
 class PrintedTables(unittest.TestCase):
@@ -30,7 +29,7 @@ class PrintedTables(unittest.TestCase):
         left = {"1": 0.3 * (1 - kappa[0]), "3": 0.2 * (1 - kappa[2]),
                 "12": 0.2 * (1 - kappa[0]) * (1 - kappa[1])}
         for name, mass in left.items():
-            self.assertAlmostEqual(mass, float(evidential_tables.PRINTED[6.4][name][2]), delta=1e-9)
+            self.assertAlmostEqual(mass, float(tables.PRINTED[6.4][name][2]), delta=1e-9)
         self.assertLess(TABLES.largest_off(6.4, "kappa for alpha"), 3e-5)
 
     def test_mercier_s_column_is_right(self):
@@ -49,14 +48,14 @@ class Claims(unittest.TestCase):
         return {(claim.place, claim.what): claim.verdict for claim in section.section(DATA).claims}
 
     def test_section_54_comes_out(self):
-        verdicts = self.verdicts(evidential_cell)
+        verdicts = self.verdicts(cell)
         for gain in (0.05, 0.15):
             self.assertIs(verdicts["section 5.4, figure 5.6",
                                    f"stopped overtakes moving, δ = {gain}"], Verdict.EQUALS)
         self.assertIs(verdicts["table 7.1", "rates of {D,N,M} and {I,S,U}"], Verdict.DEPARTS)
 
     def test_the_map_may_come_late(self):
-        found = evidential_map.section(DATA).found
+        found = map_order.section(DATA).found
         self.assertTrue(found["agrees"])
         self.assertEqual(found["kept"], 0)
         self.assertTrue(found["building_differs"])
@@ -64,21 +63,21 @@ class Claims(unittest.TestCase):
                          {"every scan": 0, "decision": 0, "our decision": 1})
 
     def test_only_the_thesis_s_rule_finds_what_moves(self):
-        for scene in evidential_drive.SCENES:
-            words = evidential_drive.Words(DATA, f"evidential_{scene}")
-            for rule in evidential_drive.GROUPS["rule for time"]:
-                self.assertEqual(words.of_echoes(rule, evidential_drive.MOVES, ["moving"]), 0)
-            self.assertGreater(words.of_echoes(evidential_drive.THESIS, evidential_drive.MOVES,
+        for scene in drive.SCENES:
+            words = drive.Words(DATA, f"evidential_{scene}")
+            for rule in drive.GROUPS["rule for time"]:
+                self.assertEqual(words.of_echoes(rule, drive.MOVES, ["moving"]), 0)
+            self.assertGreater(words.of_echoes(drive.THESIS, drive.MOVES,
                                                ["moving"]), 0.4)
 
     def test_all_grids_have_the_same_echoes(self):
-        for scene in evidential_drive.SCENES:
+        for scene in drive.SCENES:
             echoes = DATA[f"evidential_{scene}_echoes"]
-            sums = echoes.groupby(["on", "grid"])[evidential_drive.WORDS].sum().sum(axis=1)
+            sums = echoes.groupby(["on", "grid"])[drive.WORDS].sum().sum(axis=1)
             self.assertTrue((sums.groupby("on").nunique() == 1).all())
 
     def test_the_time_beside_ours_is_of_whole_frames(self):
-        self.assertIs(evidential_time.section(DATA).claims[0].verdict, Verdict.BEATS)
+        self.assertIs(time.section(DATA).claims[0].verdict, Verdict.BEATS)
 
 
 class Page(unittest.TestCase):

@@ -3,7 +3,6 @@
 import importlib.machinery
 import importlib.util
 import pathlib
-import re
 import tempfile
 import unittest
 from unittest import mock
@@ -11,6 +10,7 @@ from unittest import mock
 import laboratory
 import a9_runs
 import measurements
+import sources
 
 
 def script(name: str):
@@ -21,112 +21,144 @@ def script(name: str):
     return module
 
 
-class Stamp(unittest.TestCase):
+class Tree(unittest.TestCase):
+    """A project of two rooms, of which one program needs one."""
+
+    FILES = {
+        "CMakeLists.txt": "all", "toolchain/install": "packages", "lab/data/t.csv": "1",
+        "lab/x/x.cpp": '#include "a/a.hpp"\n', "lab/x/notes.md": "words",
+        "lab/y/y.cpp": '#include "b/b.hpp"\n',
+        "src/a/a.hpp": '#include "a/made.hpp"\n', "src/a/made.hpp.in": '#include "a/made_@BY@.hpp"\n',
+        "src/a/made_neon.hpp": "", "src/a/implements_it.cpp": '#include "a/a.hpp"\n',
+        "src/a/CMakeLists.txt": "room", "src/a/program.cpp": '#include "a/a.hpp"\nint main() {}\n',
+        "src/a/other.cpp": "", "src/b/b.hpp": "", "tools/view/page.js": ""}
+    STEPS = {"peers": ("lab/y",), "one/x": ("lab/x",), "two": ("lab/y",)}
+
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        root = pathlib.Path(self.folder.name)
-        for name in ("src/a.cpp", "lab/data/t.csv", "lab/pages/build", "tools/view/page.js"):
-            (root / name).parent.mkdir(parents=True, exist_ok=True)
-            (root / name).write_text(name)
-        patches = {"ROOT": root, "DATA": root / "lab/data",
-                   "MADE_FROM": root / "lab/data/made_from"}
-        for name, value in patches.items():
-            patch = mock.patch.object(measurements, name, value)
-            patch.start()
-            self.addCleanup(patch.stop)
-        self.root = root
+        self.root = pathlib.Path(self.folder.name)
+        for name, text in self.FILES.items():
+            self.write(name, text)
+        for where, values in ((sources, {"ROOT": self.root}),
+                              (measurements, {"STEPS": self.STEPS, "DATA": self.root / "lab/data",
+                                              "MADE_FROM": self.root / "lab/data/made_from"})):
+            for name, value in values.items():
+                patch = mock.patch.object(where, name, value)
+                patch.start()
+                self.addCleanup(patch.stop)
+        self.addCleanup(self.forget)
 
-    def stamp_all(self):
-        for step in measurements.STEPS:
-            measurements.write_stamp(step)
+    def forget(self):
+        """What was read before."""
+        sources._included.cache_clear()
+        sources._includers.cache_clear()
 
-    def test_without_a_stamp_everything_has_to_be_checked(self):
-        self.assertIn("other sources", measurements.what_changed())
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        self.forget()
+
+
+class Sources(Tree):
+    def names(self, *starts):
+        return {path.relative_to(self.root).as_posix() for path in sources.files_of(starts)}
+
+    def test_what_is_included_counts_and_what_implements_it(self):
+        self.assertEqual(self.names("lab/x"), {
+            "CMakeLists.txt", "toolchain/install", "lab/x/x.cpp", "src/a/a.hpp", "src/a/made.hpp.in",
+            "src/a/made_neon.hpp", "src/a/implements_it.cpp", "src/a/CMakeLists.txt"})
+
+    def test_what_is_nowhere_is_no_silence(self):
+        self.write("lab/x/x.cpp", '#include "a/gone.hpp"\n')
+        with self.assertRaisesRegex(sources.Unknown, "lab/x/x.cpp includes a/gone.hpp"):
+            self.names("lab/x")
+
+
+class Stamp(Tree):
+    def test_without_a_stamp_everything_has_to_be_measured(self):
+        self.assertEqual(measurements.stale_steps(), ["one/x", "two"])
 
     def test_with_one_nothing_has_to_be(self):
-        self.stamp_all()
-        self.assertEqual(measurements.what_changed(), "")
+        measurements.write_stamps(self.STEPS)
+        self.assertEqual(measurements.stale_steps(), [])
+        self.assertFalse(measurements.has_edited_tables())
 
-    def test_a_source_that_changes_or_comes_or_goes_is_seen(self):
-        self.stamp_all()
-        for name, text in (("src/a.cpp", "other"), ("src/b.cpp", "")):
-            before = measurements.sources()
-            (self.root / name).write_text(text)
-            self.assertNotEqual(measurements.sources(), before)
-            self.assertIn("experiments, target", measurements.what_changed())
-        before = measurements.sources()
-        (self.root / "src/b.cpp").unlink()
-        self.assertNotEqual(measurements.sources(), before)
-
-    def test_words_and_the_view_change_no_figure(self):
-        self.stamp_all()
-        for name in ("lab/pages/build", "tools/view/page.js", "src/README.md"):
-            (self.root / name).write_text("other")
-        self.assertEqual(measurements.what_changed(), "")
+    def test_a_source_makes_those_steps_stale_that_it_is_of(self):
+        for name, text, stale in (("src/a/implements_it.cpp", '#include "a/a.hpp"\n// other\n', ["one/x"]),
+                                  ("src/a/another.cpp", '#include "a/a.hpp"\n', ["one/x"]),
+                                  ("src/b/b.hpp", "// other", ["two"]),
+                                  ("src/a/CMakeLists.txt", "other", ["one/x"]),
+                                  ("toolchain/install", "other", ["one/x", "two"]),
+                                  ("lab/x/notes.md", "other", []), ("src/a/other.cpp", "other", []),
+                                  ("src/a/program.cpp", "int main() {}", []),
+                                  ("tools/view/page.js", "other", [])):
+            measurements.write_stamps(self.STEPS)
+            self.write(name, text)
+            self.assertEqual(measurements.stale_steps(), stale, name)
+        measurements.write_stamps(self.STEPS)
+        (self.root / "src/a/another.cpp").unlink()
+        self.forget()
+        self.assertEqual(measurements.stale_steps(), ["one/x"])
 
     def test_a_table_that_was_edited_is_seen(self):
-        self.stamp_all()
-        (self.root / "lab/data/t.csv").write_text("typed")
-        self.assertIn("by hand", measurements.what_changed())
+        measurements.write_stamps(self.STEPS)
+        self.write("lab/data/t.csv", "typed")
+        self.assertTrue(measurements.has_edited_tables())
 
     def test_one_step_alone_leaves_the_others_stale(self):
-        measurements.write_stamp("images")
-        self.assertIn("(experiments, target, a9_model)", measurements.what_changed())
+        measurements.write_stamps(["two"])
+        self.assertEqual(measurements.stale_steps(), ["one/x"])
 
-
-    def test_times_beside_other_libraries_are_of_what_they_time(self):
-        """Another page, view or simulator command does not make them old; src/ does."""
+    def test_times_beside_other_libraries_are_never_measured_again_but_refused(self):
+        measurements.write_stamps(["one/x", "two"])
         self.assertFalse(measurements.are_peers_current())
-        self.stamp_all()
-        for name in ("tools/view/page.js", "lab/pages/build", "src/README.md", "lab/target/run"):
-            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-            (self.root / name).write_text("other")
-            self.assertTrue(measurements.are_peers_current(), name)
-        (self.root / "src/a.cpp").write_text("other")
-        self.assertFalse(measurements.are_peers_current())
-        measurements.write_stamp("experiments")
-        self.assertFalse(measurements.are_peers_current())
-        measurements.write_stamp("peers")
+        measurements.write_stamps(["peers"])
         self.assertTrue(measurements.are_peers_current())
-
-    def test_old_times_leave_the_other_tables_current(self):
-        self.stamp_all()
-        stale = measurements.stamps() | {"peers": "0"}
-        measurements.MADE_FROM.write_text("".join(f"{key} {stale[key]}\n" for key in stale))
-        self.assertEqual(measurements.what_changed(), "")
+        self.write("src/b/b.hpp", "// other")
         self.assertFalse(measurements.are_peers_current())
+        self.assertEqual(measurements.stale_steps(), ["two"])
+
+    def test_what_was_measured_of_one_part_of_the_target_leaves_the_others(self):
+        head = ",".join(a9_runs.Row._fields)
+        row = "{},,counted,points,{}".format
+        self.write("lab/data/cortex_a9.csv", "\n".join(
+            [head, row("frame_cost scene=city", 1), row("scaling sensors=1", 1), row("turning x", 1), ""]))
+        self.write("found.csv", "\n".join([head, row("scaling sensors=2", 2), ""]))
+        measurements.keep_other_parts(self.root / "found.csv", ["scaling"])
+        self.assertEqual((self.root / "found.csv").read_text().splitlines(), [
+            head, row("frame_cost scene=city", 1), row("scaling sensors=2", 2), row("turning x", 1)])
 
 
-def room_of(name: str) -> pathlib.Path | None:
-    """The file that an #include "name" of the peers program means, if it is one of ours."""
-    found = [base / name for base in (laboratory.ROOT / "src", laboratory.ROOT)]
-    return next((path for path in found if path.is_file()), None)
+class Project(unittest.TestCase):
+    """The steps as they are."""
 
+    def names(self, step):
+        return {path.relative_to(laboratory.ROOT).as_posix()
+                for path in sources.files_of(measurements.STEPS[step])}
 
-class Peers(unittest.TestCase):
-    def test_all_that_is_timed_is_among_the_sources(self):
-        """Whoever is included by what is timed, and the .cpp beside it, but for tools/: its part is
-        to make the beams."""
-        rooms = measurements.PEERS_SOURCES
-        self.assertTrue({"tools/simulate", "tools/vehicles", "vehicles"} <= set(rooms))
-        waiting, seen = sorted((laboratory.ROOT / "lab/peers").glob("*.cpp")), set()
-        while waiting:
-            path = waiting.pop()
-            name = path.relative_to(laboratory.ROOT).as_posix()
-            if path in seen or name.startswith("tools/"):
-                continue
-            seen.add(path)
-            self.assertTrue(any(name.startswith(f"{room}/") for room in rooms), name)
-            includes = re.findall(r'^#include "([^"]+)"', path.read_text(), re.M)
-            waiting += [found for each in includes if (found := room_of(each))]
-            waiting += [beside for beside in [path.with_suffix(".cpp")] if beside.is_file()]
-        self.assertGreater(len(seen), 50)
+    def test_a_step_is_of_what_its_programs_are_made_of(self):
+        for step, needed in (("peers", "src/grid/frame_fusion.cpp"),
+                             ("experiments/recursive_sets", "src/index/recursive_set.hpp"),
+                             ("experiments/map_quality", "src/map/raster.cpp"),
+                             ("target/perception", "src/window/window_fusion.cpp"),
+                             ("target/frames", "lab/a9_model/pipeline.cpp"),
+                             ("target/frames", "src/grid/carve_run_neon.cpp"),
+                             ("images", "board/imx6/core_start.S"), ("a9_model", "lab/a9_model/micro/core.cpp")):
+            self.assertIn(needed, self.names(step), step)
 
+    def test_no_step_is_of_the_view(self):
+        for step in measurements.STEPS:
+            self.assertFalse([name for name in self.names(step)
+                              if name.startswith(("tools/view/", "lab/pages/"))], step)
+        self.assertFalse([name for name in self.names("experiments/recursive_sets") if "map" in name and
+                          name.startswith("lab/")])
 
-class Programs(unittest.TestCase):
     def test_run_and_build_know_the_same_pages(self):
         self.assertEqual(set(measurements.PAGES), set(script("lab/pages/build").PAGES))
+        steps = {step for steps in measurements.PAGES.values() for step in steps}
+        self.assertEqual(steps, set(measurements.STEPS))
 
 
 class Check(unittest.TestCase):
