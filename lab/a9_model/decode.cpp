@@ -1,180 +1,278 @@
 #include "decode.hpp"
 
-#include "decode_spaces.hpp"
+#include <array>
+#include <capstone/capstone.h>
+#include <span>
+#include <stdexcept>
+
+#include "kinds.hpp"
 
 namespace iog::a9_model {
 namespace {
 
-using namespace spaces;  // NOLINT(google-build-using-namespace): they are this file's own
-
-constexpr std::uint32_t kAlways = 0xe;
-constexpr std::uint32_t kUnconditional = 0xf;
-
-// A5.2.12 where bit 7 is 0: status registers, BX, CLZ, saturating additions, BKPT and the like.
-Instruction miscellaneous(std::uint32_t word) {
-  const std::uint32_t opcode = bits(word, 22, 21);
-  switch (bits(word, 6, 4)) {
-    case 0: {
-      Instruction result = of(Kind::kSystem);
-      if (!bit(word, 21)) {  // MRS
-        result.kind = Kind::kMove;
-        result.reads = core_bit(kFlags);
-        result.writes = field(word, 12);
-      } else if (bits(word, 17, 16) == 0 && opcode == 1) {  // MSR of the flags alone
-        result.kind = Kind::kMove;
-        result.reads = field(word, 0);
-        result.writes = core_bit(kFlags);
-      }
-      return result;
-    }
-    case 1: {
-      if (opcode == 3) {
-        Instruction result = of(Kind::kMove);  // CLZ
-        result.reads = field(word, 0);
-        result.writes = field(word, 12);
-        return result;
-      }
-      Instruction result = of(opcode == 1 ? Kind::kBranch : Kind::kUnknown);  // BX
-      result.reads = field(word, 0);
-      result.flow = bits(word, 3, 0) == kLinkRegister ? Flow::kReturn : Flow::kIndirect;
-      return result;
-    }
-    case 3: {  // BLX to a register
-      Instruction result = of(opcode == 1 ? Kind::kBranch : Kind::kUnknown);
-      result.reads = field(word, 0);
-      result.writes = core_bit(kLinkRegister);
-      result.flow = Flow::kIndirectCall;
-      return result;
-    }
-    case 5: {
-      Instruction result = of(opcode < 2 ? Kind::kSaturatingAdd : Kind::kSaturate);
-      result.reads = field(word, 0) | field(word, 16);
-      result.writes = field(word, 12);
-      return result;
-    }
-    case 7:
-      return of(Kind::kSystem);  // BKPT, SMC
+// Registers by their number in capstone, where those of a file follow one another.
+CoreSet core_set(int reg) {
+  if (reg >= ARM_REG_R0 && reg <= ARM_REG_R12) {
+    return core_bit(static_cast<unsigned>(reg - ARM_REG_R0));
+  }
+  switch (reg) {
+    case ARM_REG_SP:
+      return core_bit(kStackPointer);
+    case ARM_REG_LR:
+      return core_bit(kLinkRegister);
+    case ARM_REG_PC:
+      return core_bit(kProgramCounter);
+    case ARM_REG_APSR:
+    case ARM_REG_APSR_NZCV:
+      return core_bit(kFlags);
     default:
-      return of(Kind::kUnknown);
+      return 0;
   }
 }
 
-Instruction decode_register_or_multiply(std::uint32_t word) {
-  const bool is_misc = bits(word, 24, 23) == 2 && !bit(word, 20);
-  if (bit(word, 7) && bit(word, 4)) {
-    if (bits(word, 6, 5) == 0 && !bit(word, 24)) {
-      return multiply(word);
+VectorSet vector_set(int reg) {
+  if (reg >= ARM_REG_S0 && reg <= ARM_REG_S31) {
+    return singles(static_cast<unsigned>(reg - ARM_REG_S0), 1);
+  }
+  if (reg >= ARM_REG_D0 && reg <= ARM_REG_D31) {
+    return doubles(static_cast<unsigned>(reg - ARM_REG_D0), 1);
+  }
+  if (reg >= ARM_REG_Q0 && reg <= ARM_REG_Q15) {
+    return doubles(2 * static_cast<unsigned>(reg - ARM_REG_Q0), 2);
+  }
+  const bool is_status = reg == ARM_REG_FPSCR || reg == ARM_REG_FPSCR_NZCV;
+  return is_status ? vector_bit(kVectorFlags) : 0;
+}
+
+bool is_quad(const cs_arm_op& operand) {
+  return operand.type == ARM_OP_REG && operand.reg >= ARM_REG_Q0 && operand.reg <= ARM_REG_Q15;
+}
+bool is_whole_double(const cs_arm_op& operand) {
+  return operand.type == ARM_OP_REG && operand.reg >= ARM_REG_D0 && operand.reg <= ARM_REG_D31 &&
+         operand.vector_index < 0;
+}
+
+bool is_memory(Kind kind) { return kind >= Kind::kLoad && kind <= Kind::kVectorStore; }
+
+constexpr std::uint8_t kRead = CS_AC_READ;
+constexpr std::uint8_t kWritten = CS_AC_WRITE;
+constexpr std::uint8_t kBoth = CS_AC_READ | CS_AC_WRITE;
+
+void add_register(Instruction& result, int reg, std::uint8_t access) {
+  if ((access & kRead) != 0) {
+    result.reads |= core_set(reg);
+    result.vector_reads |= vector_set(reg);
+  }
+  if ((access & kWritten) != 0) {
+    result.writes |= core_set(reg);
+    result.vector_writes |= vector_set(reg);
+  }
+}
+
+class Decoder {
+ public:
+  Decoder() : insn_(cs_malloc(capstone_)) {}
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+  ~Decoder() {
+    cs_free(insn_, 1);
+    cs_close(&capstone_);
+  }
+
+  Instruction decode(std::uint32_t word);
+
+ private:
+  static csh opened() {
+    csh capstone = 0;
+    if (cs_open(CS_ARCH_ARM, CS_MODE_ARM, &capstone) != CS_ERR_OK ||
+        cs_option(capstone, CS_OPT_DETAIL, CS_OPT_ON) != CS_ERR_OK) {
+      throw std::runtime_error("this capstone knows no A32");
     }
-    return extra_load_store(word);
+    return capstone;
   }
-  if (is_misc) {
-    return bit(word, 7) ? halfword_multiply(word) : miscellaneous(word);
+  [[nodiscard]] std::span<const cs_arm_op> operands() const {
+    return std::span(insn_->detail->arm.operands).first(insn_->detail->arm.op_count);
   }
-  return data_processing(word);
+  [[nodiscard]] std::uint8_t access_of(const cs_arm_op& operand) const;
+  [[nodiscard]] std::uint8_t access_of_data(const cs_arm_op& operand) const;
+  void add_memory(Instruction& result) const;
+  void add_operands(Instruction& result) const;
+  void add_flags(Instruction& result) const;
+  [[nodiscard]] Flow flow_of(const Instruction& decoded) const;
+
+  csh capstone_ = opened();
+  cs_insn* insn_;
+  Kinds kinds_{capstone_};
+  Mnemonics data_processing_{capstone_,
+                             "and eor sub rsb add adc sbc rsc tst teq cmp cmn orr mov bic mvn ssat "
+                             "usat ssat16 usat16"};
+  Mnemonics sum_{capstone_,
+                 "umlal smlal umaal smlalbb smlalbt smlaltb smlaltt smlald smlaldx smlsld smlsldx"};
+  Mnemonics exchange_{capstone_, "vswp vtrn vuzp vzip"};
+  Mnemonics base_first_{capstone_,
+                        "ldm ldmda ldmdb ldmib stm stmda stmdb stmib vldmia vldmdb vstmia vstmdb"};
+  Mnemonics stack_{capstone_, "push pop vpush vpop"};
+  Mnemonics sign_extending_{capstone_, "ldrsb ldrsbt ldrsh ldrsht"};
+  Mnemonics with_carry_{capstone_, "adc sbc rsc"};
+  Mnemonics of_flags_{capstone_, "adc sbc rsc rrx sel mrs"};
+  Mnemonics to_flags_{capstone_, "smlabb smlabt smlatb smlatt smlawb smlawt msr"};  // Q, or all
+};
+
+// What capstone 4 says, and what it leaves out.
+std::uint8_t Decoder::access_of(const cs_arm_op& operand) const {
+  if (exchange_.has(*insn_)) {
+    return kBoth;
+  }
+  if (sum_.has(*insn_) && (operand.access & kWritten) != 0) {
+    return kBoth;
+  }
+  if (insn_->id == ARM_INS_VMRS) {
+    return vector_set(operand.reg) != 0 ? kRead : kWritten;
+  }
+  return operand.access == 0 ? kRead : operand.access;
 }
 
-// A5.2.11: MSR with an immediate, and the hints. A DBG is a marker (marker.hpp).
-Instruction decode_immediate(std::uint32_t word) {
-  const std::uint32_t op = bits(word, 24, 20);
-  if (op == 0x10 || op == 0x14) {  // MOVW, MOVT
-    Instruction result = of(Kind::kMove);
-    result.writes = field(word, 12);
-    result.reads = op == 0x14 ? field(word, 12) : 0;
+// Of loads and stores. A load of one lane leaves the others as they are.
+std::uint8_t Decoder::access_of_data(const cs_arm_op& operand) const {
+  if (vector_set(operand.reg) == 0) {
+    return operand.access;
+  }
+  if (kinds_.of(*insn_) == Kind::kVectorStore) {
+    return kRead;
+  }
+  return operand.neon_lane >= 0 ? kBoth : kWritten;
+}
+
+// Base, index, and what is loaded or stored.
+void Decoder::add_memory(Instruction& result) const {
+  const bool is_of_stack = stack_.has(*insn_);
+  const bool has_list = is_of_stack || base_first_.has(*insn_);
+  CoreSet base = is_of_stack ? core_bit(kStackPointer) : 0;
+  bool writes_back = is_of_stack || insn_->detail->arm.writeback;
+  for (const cs_arm_op& operand : operands()) {
+    if (operand.type == ARM_OP_MEM) {
+      base = core_set(operand.mem.base);
+      result.address_reads |= core_set(operand.mem.index);
+    } else if (operand.type == ARM_OP_REG && has_list && base == 0) {
+      base = core_set(operand.reg);
+    } else if (operand.type == ARM_OP_REG && (has_list || base == 0)) {
+      add_register(result, operand.reg, access_of_data(operand));
+    } else if (operand.type == ARM_OP_REG) {  // added to the base after the access
+      result.address_reads |= core_set(operand.reg);
+      writes_back = true;
+    }
+    const bool is_by_four = operand.shift.type == ARM_SFT_LSL && operand.shift.value == 2;
+    result.scaled_index |= operand.shift.type != ARM_SFT_INVALID && !is_by_four;
+  }
+  result.address_reads |= base;
+  result.base_writes = writes_back ? base : 0;
+  result.scaled_index &= result.kind != Kind::kPreload;
+  result.late_result = sign_extending_.has(*insn_);
+}
+
+void Decoder::add_operands(Instruction& result) const {
+  bool has_double = false;
+  for (const cs_arm_op& operand : operands()) {
+    if (operand.type == ARM_OP_REG) {
+      add_register(result, operand.reg, access_of(operand));
+    }
+    if (operand.shift.type >= ARM_SFT_ASR_REG) {  // its amount is the number of a register
+      result.reads |= core_set(static_cast<int>(operand.shift.value));
+    }
+    has_double |= is_whole_double(operand);
+  }
+  result.quad = insn_->id == ARM_INS_VTBL || insn_->id == ARM_INS_VTBX ||
+                (!operands().empty() && is_quad(operands()[0]) && !has_double);
+  result.fast_forward = data_processing_.has(*insn_) && shift_of(*insn_) == Shift::kNone;
+}
+
+// capstone takes every ADC for one that sets the flags.
+void Decoder::add_flags(Instruction& result) const {
+  const cs_detail& detail = *insn_->detail;
+  const bool has_s = (insn_->bytes[2] & 0x10u) != 0;
+  const bool sets = with_carry_.has(*insn_) ? has_s : detail.arm.update_flags;
+  result.writes |= sets || to_flags_.has(*insn_) ? core_bit(kFlags) : 0;
+  result.reads |= of_flags_.has(*insn_) ? core_bit(kFlags) : 0;
+  for (const std::uint16_t reg : std::span(detail.regs_write).first(detail.regs_write_count)) {
+    result.vector_writes |= vector_set(reg);
+  }
+  for (const std::uint16_t reg : std::span(detail.regs_read).first(detail.regs_read_count)) {
+    result.vector_reads |= vector_set(reg);
+  }
+}
+
+// Where the target of a jump comes from decides whether the return stack predicts it.
+Flow Decoder::flow_of(const Instruction& decoded) const {
+  constexpr CoreSet kLink = core_bit(kLinkRegister);
+  constexpr CoreSet kStack = core_bit(kStackPointer);
+  switch (insn_->id) {
+    case ARM_INS_B:
+      return Flow::kJump;
+    case ARM_INS_BL:
+      return Flow::kCall;
+    case ARM_INS_BLX:
+      return decoded.reads == 0 ? Flow::kCall : Flow::kIndirectCall;
+    case ARM_INS_BX:
+      return decoded.reads == kLink ? Flow::kReturn : Flow::kIndirect;
+    default:
+      break;
+  }
+  if ((decoded.writes & core_bit(kProgramCounter)) == 0) {
+    return Flow::kNone;
+  }
+  const bool is_popped =
+      decoded.address_reads == kStack && (decoded.base_writes == kStack || base_first_.has(*insn_));
+  return is_popped || (insn_->id == ARM_INS_MOV && decoded.reads == kLink) ? Flow::kReturn
+                                                                           : Flow::kIndirect;
+}
+
+// What is not executed leaves the old value, which is therefore an operand.
+void add_condition(Instruction& result) {
+  result.conditional = true;
+  result.reads |= core_bit(kFlags);
+  if (!is_memory(result.kind)) {
+    result.reads |= result.writes & ~core_bit(kProgramCounter);
+    result.vector_reads |= result.vector_writes;
+  }
+}
+
+Instruction Decoder::decode(std::uint32_t word) {
+  const std::array<std::uint8_t, 4> bytes{
+      static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8),
+      static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 24)};
+  const std::uint8_t* at = bytes.data();
+  std::size_t left = bytes.size();
+  std::uint64_t address = 0;
+  Instruction result;
+  if (!cs_disasm_iter(capstone_, &at, &left, &address, insn_)) {
     return result;
   }
-  if (op == 0x12 || op == 0x16) {
-    Instruction result = of(Kind::kSystem);
-    if (op == 0x12 && bits(word, 19, 16) == 0) {
-      result.kind = Kind::kNop;
-      if (bits(word, 7, 4) == 0xf) {
-        result.marker = static_cast<std::uint8_t>(bits(word, 3, 0));
-      }
-    } else if (op == 0x12 && bits(word, 17, 16) == 0) {
-      result.kind = Kind::kMove;
-      result.writes = core_bit(kFlags);
-    }
-    return result;
+  result.kind = kinds_.of(*insn_);
+  if (insn_->id == ARM_INS_DBG) {
+    result.marker = static_cast<std::uint8_t>(operands()[0].imm);
   }
-  return data_processing(word);
-}
-
-Instruction decode_branch(std::uint32_t word) {
-  Instruction result = of(Kind::kBranch);
-  result.flow = bit(word, 24) ? Flow::kCall : Flow::kJump;
-  result.writes = bit(word, 24) ? core_bit(kLinkRegister) : 0;
+  if (is_memory(result.kind)) {
+    add_memory(result);
+  } else if (result.kind > Kind::kSystem) {
+    add_operands(result);
+    add_flags(result);
+  }
+  if (insn_->id == ARM_INS_BL || insn_->id == ARM_INS_BLX) {
+    result.writes |= core_bit(kLinkRegister);
+  }
+  result.flow = flow_of(result);
+  const arm_cc condition = insn_->detail->arm.cc;
+  if (condition != ARM_CC_AL && condition != ARM_CC_INVALID) {
+    add_condition(result);
+  }
   return result;
-}
-
-// A5.7: what the condition field of ones makes of the rest, without Advanced SIMD.
-Instruction decode_unconditional(std::uint32_t word) {
-  if (bits(word, 27, 26) == 1) {
-    const std::uint32_t op = bits(word, 25, 20);
-    if (op == 0x17) {
-      return of(Kind::kSystem);  // CLREX, DSB, DMB, ISB
-    }
-    const bool is_data = (op & 0x17) == 0x15 || (op & 0x17) == 0x11;
-    const bool is_code = (op & 0x17) == 0x05;
-    if (is_data || is_code) {
-      Instruction result = of(is_data ? Kind::kPreload : Kind::kNop);
-      result.address_reads = field(word, 16) | (bit(word, 25) ? field(word, 0) : 0);
-      return result;
-    }
-    return of(Kind::kUnknown);
-  }
-  if (bits(word, 27, 25) == 5) {  // BLX to Thumb
-    return decode_branch(word | 1u << 24);
-  }
-  return of(Kind::kSystem);  // CPS, SETEND, SRS, RFE, second coprocessor space
 }
 
 }  // namespace
 
 Instruction decode(std::uint32_t word) {
-  const std::uint32_t condition = bits(word, 31, 28);
-  const bool in_vector_space =
-      condition == kUnconditional
-          ? bits(word, 27, 25) == 1 || (bits(word, 27, 24) == 4 && !bit(word, 20))
-          : (bits(word, 27, 25) == 6 || bits(word, 27, 24) == 14) && bits(word, 11, 9) == 5;
-  if (condition == kUnconditional && !in_vector_space) {
-    return decode_unconditional(word);
-  }
-  Instruction result;
-  if (in_vector_space) {
-    result = condition == kUnconditional ? simd(word) : vfp(word);
-  } else {
-    switch (bits(word, 27, 25)) {
-      case 0:
-        result = decode_register_or_multiply(word);
-        break;
-      case 1:
-        result = decode_immediate(word);
-        break;
-      case 2:
-        result = load_store(word);
-        break;
-      case 3:
-        result = bit(word, 4) ? media(word) : load_store(word);
-        break;
-      case 4:
-        result = load_store_multiple(word);
-        break;
-      case 5:
-        result = decode_branch(word);
-        break;
-      default:
-        result = of(Kind::kSystem);  // other coprocessors, SVC
-        break;
-    }
-  }
-  result.conditional = condition < kAlways;
-  if (result.conditional) {
-    // What is not executed leaves the old value, which is therefore an operand.
-    result.reads |= core_bit(kFlags);
-    const bool is_memory = result.kind >= Kind::kLoad && result.kind <= Kind::kVectorStore;
-    result.reads |= is_memory ? 0 : result.writes & ~core_bit(kProgramCounter);
-    result.vector_reads |= is_memory ? 0 : result.vector_writes;
-  }
-  return result;
+  static Decoder decoder;
+  return decoder.decode(word);
 }
 
 }  // namespace iog::a9_model

@@ -77,6 +77,7 @@ enum class Flow : std::uint8_t { kNone, kJump, kCall, kIndirect, kIndirectCall, 
 using CoreSet = std::uint32_t;
 using VectorSet = std::uint64_t;
 
+inline constexpr unsigned kStackPointer = 13;
 inline constexpr unsigned kLinkRegister = 14;
 inline constexpr unsigned kProgramCounter = 15;
 inline constexpr unsigned kFlags = 16;

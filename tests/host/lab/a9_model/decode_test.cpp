@@ -26,6 +26,7 @@ TEST(Decode, DataProcessing) {
       {0xe0821413, "add r1, r2, r3, lsl r4", Kind::kAluRegisterShift, r(2) | r(3) | r(4), r(1)},
       {0xe1a01002, "mov r1, r2", Kind::kMove, r(2), r(1)},
       {0xe1a01182, "mov r1, r2, lsl #3", Kind::kMove, r(2), r(1)},
+      {0xe1a01062, "rrx r1, r2", Kind::kMove, r(2) | kF, r(1)},
       {0xe1a01312, "mov r1, r2, lsl r3", Kind::kMoveRegisterShift, r(2) | r(3), r(1)},
       {0xe1e01002, "mvn r1, r2", Kind::kAlu, r(2), r(1)},
       {0xe3510007, "cmp r1, #7", Kind::kAlu, r(1), kF},
