@@ -18,7 +18,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "traversal/line.hpp"
+#include "geometry/cell.hpp"
 
 namespace iog::lab::reference {
 

@@ -9,8 +9,8 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/random_group.hpp"
-#include "fakes/reference_cell.hpp"
-#include "fakes/reference_decision.hpp"
+#include "lab/reference/cell.hpp"
+#include "lab/reference/cell_decision.hpp"
 
 namespace iog::decision {
 namespace {
@@ -151,7 +151,7 @@ TEST(Class, IsThatOfTheReference) {
     decide(group, ruled_out, Indexes{}, decided);
     for (std::size_t j = 0; j < evidence::kGroupCells; ++j) {
       const unsigned mask = kAnywhere - ruled_out[j];
-      const auto exact = reference_decision(tests::reference_cell(group, j), mask);
+      const auto exact = reference_decision(reference_cell(group, j), mask);
       if (exact.margin < kTwoUnits || exact.margin_of_sureness() < kTwoUnits) {
         continue;
       }

@@ -16,15 +16,15 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/random_group.hpp"
-#include "fakes/reference_ageing.hpp"
-#include "fakes/reference_cell.hpp"
-#include "fakes/reference_decision.hpp"
+#include "lab/reference/cell.hpp"
+#include "lab/reference/cell_ageing.hpp"
+#include "lab/reference/cell_decision.hpp"
 
 namespace iog::evidence {
 namespace {
 
 using ageing::Discounting;
-using tests::ReferenceCell;
+using lab::reference::ReferenceCell;
 
 // What a value may be off, of 1, in a life as people lead it: something comes, stays and leaves.
 constexpr double kUsualError = 0.0075;
@@ -39,23 +39,23 @@ constexpr double kPersistenceError = 0.02;
 // On the mean of a life.
 constexpr double kMeanError = 0.0025;
 
-tests::ReferenceFading exactly_left(std::uint32_t ms, Discounting discounting) {
+lab::reference::ReferenceFading exactly_left(std::uint32_t ms, Discounting discounting) {
   switch (discounting) {
     case Discounting::kOptimistic:
-      return reference_fading(tests::Discounting::kOptimistic, ms);
+      return reference_fading(lab::reference::Discounting::kOptimistic, ms);
     case Discounting::kClassical:
-      return reference_fading(tests::Discounting::kClassical, ms);
+      return reference_fading(lab::reference::Discounting::kClassical, ms);
     case Discounting::kProportional:
-      return reference_fading(tests::Discounting::kProportional, ms);
+      return reference_fading(lab::reference::Discounting::kProportional, ms);
     case Discounting::kConservative:
       break;
   }
-  return reference_fading(tests::Discounting::kConservative, ms);
+  return reference_fading(lab::reference::Discounting::kConservative, ms);
 }
 
 void fuse_exactly(ReferenceCell& cell, int index, bool moved, std::uint32_t ms) {
-  const tests::ReferenceGains gains = tests::reference_gains(ms);
-  cell.fuse(reference_evidence(index, gains, tests::EvidenceRule::kByTime), moved, gains);
+  const lab::reference::ReferenceGains gains = lab::reference::reference_gains(ms);
+  cell.fuse(reference_evidence(index, gains), moved, gains);
 }
 
 // The same cell twice: in cell 5 of a group, and exactly.
@@ -136,8 +136,8 @@ void for_each_frame(Pair& pair, bool moved, Check&& check) {
   }
 }
 
-tests::ReferenceDecision exactly_decided(const ReferenceCell& cell) {
-  return reference_decision(cell, tests::kMapSilent);
+lab::reference::ReferenceDecision exactly_decided(const ReferenceCell& cell) {
+  return reference_decision(cell, lab::reference::kMapSilent);
 }
 
 class WhatComesAndLeaves : public testing::TestWithParam<bool> {};
@@ -199,7 +199,7 @@ void expect_a_life(Pair& pair, tests::Random& random, int frames) {
     ASSERT_LT(pair.mass_error(), kMassError) << "frame " << frame;
     ASSERT_LT(pair.share_error(), kShareError) << "frame " << frame;
     ASSERT_LT(pair.persistence_error(), kPersistenceError) << "frame " << frame;
-    const tests::ReferenceDecision exact = exactly_decided(pair.exact());
+    const lab::reference::ReferenceDecision exact = exactly_decided(pair.exact());
     if (exact.margin > 0.01) {
       ASSERT_EQ(pair.decided(), static_cast<int>(exact.named)) << "frame " << frame;
     }
@@ -223,7 +223,7 @@ TEST(OneFrame, IsOffByAFewUnits) {
     indexes.fill(static_cast<index::OccupancyIndex>(index));
     fuse(after, Fading{}, indexes, moved ? 0xFF : 0, gains);
     for (std::size_t j = 0; j < kGroupCells; ++j) {
-      ReferenceCell exact = tests::reference_cell(before, j);
+      ReferenceCell exact = reference_cell(before, j);
       fuse_exactly(exact, index, moved, ms);
       const Cell found = cell_of(after, j);
       ASSERT_NEAR(found.free, exact.free * kCertain, 4);

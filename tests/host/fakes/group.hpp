@@ -7,6 +7,7 @@
 #include "decision/decision.hpp"
 #include "evidence/cell.hpp"
 #include "evidence/fusion.hpp"
+#include "lab/reference/cell.hpp"
 
 namespace iog::evidence {
 
@@ -16,6 +17,16 @@ struct Group : Taken {
 
 inline Cell cell_of(const Group& group, std::size_t i) { return cell_of(group.free, group, i); }
 inline void put(Group& group, std::size_t i, const Cell& cell) { put(group.free, group, i, cell); }
+
+// As a reference has it.
+inline lab::reference::ReferenceCell reference_cell(const Group& group, std::size_t cell) {
+  const auto mass = [&](const Masses& masses) { return masses[cell] / double{kCertain}; };
+  return {.free = mass(group.free),
+          .occupied = mass(group.occupied),
+          .moving = mass(group.moving),
+          .standing = mass(group.standing),
+          .persistence = mass(group.persistence)};
+}
 
 inline void age(Group& group, const Fading& fading) { age(group.free, group, fading); }
 

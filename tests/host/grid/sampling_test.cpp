@@ -8,10 +8,10 @@
 #include <string>
 
 #include "fakes/effort.hpp"
-#include "fakes/exact_line.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
+#include "lab/reference/exact_line.hpp"
 
 namespace iog::grid {
 namespace {
@@ -19,9 +19,9 @@ namespace {
 using geometry::Cell;
 using geometry::kResolution;
 using geometry::SubcellPoint;
+using lab::reference::Rational;
 using tests::OneLux;
 using tests::OneLuxNearest;
-using tests::Rational;
 using tests::TiltedLux;
 using vehicle::Sensor;
 using vehicle::Vehicle;
@@ -130,7 +130,7 @@ int expected_index(const Sensor& sensor, SubcellPoint end, Cell cell, std::int64
   }
   const Cell start{numeric::div_floor(sensor.origin.x, kResolution),
                    numeric::div_floor(sensor.origin.y, kResolution)};
-  const auto crossing = tests::cross(sensor.origin, end, cell, kResolution);
+  const auto crossing = lab::reference::cross(sensor.origin, end, cell, kResolution);
   if (cell == start && (!crossing || crossing->leave <= Rational{0, 1})) {
     return profile.free;  // the start cell counts even where the line only touches it
   }

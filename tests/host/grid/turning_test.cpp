@@ -15,10 +15,10 @@
 
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
-#include "fakes/exact_line.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
+#include "lab/reference/exact_line.hpp"
 
 namespace iog::grid {
 namespace {
@@ -27,9 +27,9 @@ using geometry::Cell;
 using geometry::kCellMm;
 using geometry::kResolution;
 using geometry::SubcellPoint;
+using lab::reference::Rational;
 using tests::LevelVlp16;
 using tests::ManyLayers;
-using tests::Rational;
 using tests::SteepVlp16;
 using vehicle::Fate;
 
@@ -142,7 +142,7 @@ class Rule {
     if (fate == Fate::kTooNear || (is_missing && at == 0)) {
       return 0;
     }
-    const auto crossing = tests::cross(ray.start, ray.end, cell, kResolution);
+    const auto crossing = lab::reference::cross(ray.start, ray.end, cell, kResolution);
     if (ends && cell == cell_at(ray, at)) {
       return fate == Fate::kUsed ? profile.hit : 0;
     }
@@ -183,7 +183,7 @@ class Rule {
   }
 
   // Whether the line is in the cell's interior before `reach` and inside the height band.
-  [[nodiscard]] bool is_carved(const Ray& ray, const tests::Crossing& crossing,
+  [[nodiscard]] bool is_carved(const Ray& ray, const lab::reference::Crossing& crossing,
                                Rational reach) const {
     const Rational zero{0, 1};
     Rational from = zero;

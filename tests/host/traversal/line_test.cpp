@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fakes/effort.hpp"
-#include "fakes/exact_line.hpp"
 #include "fakes/random.hpp"
+#include "lab/reference/exact_line.hpp"
 #include "traversal/walk.hpp"
 
 namespace iog::traversal {
@@ -61,9 +61,9 @@ TEST(Line, BeforeNamesTheLastCellWhoseInteriorWasEntered) {
   for (int i = 0; i < tests::effort(100'000, 5'000); ++i) {
     const RandomLine ends = random_line(random, 20 * kR);
     const TestLine line(ends.start, ends.end);
-    const tests::Rational share{random.between(1, 40), 40};
+    const lab::reference::Rational share{random.between(1, 40), 40};
     const Position at = line.before({static_cast<std::uint64_t>(share.numerator), 40});
-    const auto crossing = tests::cross(ends.start, ends.end, line.cell(at), kR);
+    const auto crossing = lab::reference::cross(ends.start, ends.end, line.cell(at), kR);
     if (crossing) {
       ASSERT_TRUE(crossing->enter < share);
       ASSERT_TRUE(share <= crossing->leave);

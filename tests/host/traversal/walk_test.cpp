@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fakes/effort.hpp"
-#include "fakes/exact_line.hpp"
 #include "fakes/random.hpp"
+#include "lab/reference/exact_line.hpp"
 
 namespace iog::traversal {
 namespace {
@@ -112,13 +112,13 @@ void expect_crossed_cells_and_no_other(SubcellPoint start, SubcellPoint end) {
     const int dx = std::abs(cells[i].x - cells[i - 1].x);
     const int dy = std::abs(cells[i].y - cells[i - 1].y);
     ASSERT_TRUE(dx <= 1 && dy <= 1 && dx + dy >= 1) << place();
-    ASSERT_TRUE(tests::segment_crosses(start, end, cells[i], kResolution)) << place();
+    ASSERT_TRUE(lab::reference::segment_crosses(start, end, cells[i], kResolution)) << place();
   }
   const auto floor_of = [](std::int32_t a) { return numeric::div_floor(a, kResolution); };
   std::size_t crossed = 0;
   for (int x = floor_of(std::min(start.x, end.x)); x <= floor_of(std::max(start.x, end.x)); ++x) {
     for (int y = floor_of(std::min(start.y, end.y)); y <= floor_of(std::max(start.y, end.y)); ++y) {
-      const bool crosses = tests::segment_crosses(start, end, {x, y}, kResolution);
+      const bool crosses = lab::reference::segment_crosses(start, end, {x, y}, kResolution);
       crossed += crosses || Cell{x, y} == start_cell ? 1U : 0U;
     }
   }

@@ -6,11 +6,11 @@
 #include <map>
 #include <vector>
 
-#include "fakes/exact_line.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
 #include "lab/evidence/projection.hpp"
+#include "lab/reference/exact_line.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::lab {
@@ -19,7 +19,7 @@ namespace {
 using geometry::Cell;
 using geometry::kResolution;
 using geometry::SubcellPoint;
-using tests::Rational;
+using lab::reference::Rational;
 using vehicle::Sensor;
 
 constexpr std::int64_t kCellsPerLine = 500;  // 1D cells of a LUX
@@ -91,7 +91,7 @@ std::vector<Cell> crossed_cells(const Shot& shot) {
   std::vector<Cell> cells;
   for (int y = std::min(from.y, to.y) - 1; y <= std::max(from.y, to.y) + 1; ++y) {
     for (int x = std::min(from.x, to.x) - 1; x <= std::max(from.x, to.x) + 1; ++x) {
-      if (tests::segment_crosses(shot.sensor.origin, shot.end, {x, y}, kResolution)) {
+      if (lab::reference::segment_crosses(shot.sensor.origin, shot.end, {x, y}, kResolution)) {
         cells.push_back({x, y});
       }
     }
@@ -133,8 +133,8 @@ TEST(Geometry, CrossedCellsAreReadWhereTheLineEnters) {
     std::vector<std::int64_t> cells_1d;
     cells_1d.reserve(path.size());
     for (const Cell cell : path) {
-      cells_1d.push_back(
-          cell_1d_of_share(tests::cross(shot.sensor.origin, shot.end, cell, kResolution)->enter));
+      cells_1d.push_back(cell_1d_of_share(
+          lab::reference::cross(shot.sensor.origin, shot.end, cell, kResolution)->enter));
     }
     ASSERT_EQ(steps_of(shot, {Path::kCrossed, Sampling::kEntry}), expected(shot, path, cells_1d));
   }

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "fakes/exact_line.hpp"
 #include "fakes/random.hpp"
+#include "lab/reference/exact_line.hpp"
 
 namespace iog::lab::reference {
 namespace {
@@ -81,7 +81,7 @@ TEST(LikeCartographer, CrossesWhatRationalGeometrySays) {
     std::set<std::pair<std::int32_t, std::int32_t>> crossed;
     for (std::int32_t y = -7; y <= 7; ++y) {
       for (std::int32_t x = -7; x <= 7; ++x) {
-        if (tests::segment_crosses(start, end, {x, y}, kHalves)) {
+        if (segment_crosses(start, end, {x, y}, kHalves)) {
           crossed.emplace(x, y);
         }
       }

@@ -1,5 +1,6 @@
-// The continuous traversals against one another, against rational geometry (fakes/exact_line.hpp)
-// and against the integer walk of the product; Bresenham's line against what he promised of it.
+// The continuous traversals against one another, against rational geometry
+// (lab/reference/exact_line.hpp) and against the integer walk of the product; Bresenham's line
+// against what he promised of it.
 #include "lab/reference/traversal.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "fakes/exact_line.hpp"
 #include "fakes/random.hpp"
+#include "lab/reference/exact_line.hpp"
 #include "traversal/walk.hpp"
 
 namespace iog::lab::reference {
@@ -48,7 +49,7 @@ bool contains(const Cells& cells, Cell cell) {
 // The start's cell, then those whose interior the segment crosses, in the order of its crossing.
 Cells crossed_cells(const Segment& segment, std::int32_t r) {
   struct Entry {
-    tests::Rational at;
+    Rational at;
     Cell cell;
   };
   const auto cell_of = [r](SubcellPoint point) {
@@ -60,8 +61,8 @@ Cells crossed_cells(const Segment& segment, std::int32_t r) {
   for (std::int32_t y = std::min(from.y, to.y); y <= std::max(from.y, to.y); ++y) {
     for (std::int32_t x = std::min(from.x, to.x); x <= std::max(from.x, to.x); ++x) {
       const Cell cell{x, y};
-      if (cell != from && tests::segment_crosses(segment.start, segment.end, cell, r)) {
-        entries.push_back({tests::cross(segment.start, segment.end, cell, r)->enter, cell});
+      if (cell != from && segment_crosses(segment.start, segment.end, cell, r)) {
+        entries.push_back({cross(segment.start, segment.end, cell, r)->enter, cell});
       }
     }
   }

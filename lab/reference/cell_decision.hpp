@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "fakes/reference_cell.hpp"
+#include "lab/reference/cell.hpp"
 
-namespace iog::tests {
+namespace iog::lab::reference {
 
 enum class CellClass : std::int8_t {
   kUnknown,
@@ -28,9 +28,10 @@ inline constexpr unsigned kRoad = 2;
 inline constexpr unsigned kIntermediate = 4;
 inline constexpr unsigned kMapSilent = 7;
 
-// One half, as the integers have it, and a step of sureness.
-inline constexpr double kHalf = 16'384.0 / evidence::kCertain;
-inline constexpr double kStep = 2048.0 / evidence::kCertain;
+// One half, as the integers have it, and a step of sureness; all of a mass is 32,767 there.
+inline constexpr double kCertain = 32'767;
+inline constexpr double kHalf = 16'384 / kCertain;
+inline constexpr double kStep = 2048 / kCertain;
 
 struct ReferenceDecision {
   CellClass named = CellClass::kUnknown;
@@ -97,21 +98,4 @@ inline ReferenceDecision reference_decision(const ReferenceCell& cell, unsigned 
   return decision;
 }
 
-// What the rule for "moved" asks of a cell when it has been decided.
-struct ReferenceBits {
-  bool freed = false;
-  bool seen = false;
-  bool stands = false;
-  bool taken = false;
-};
-
-// index: of this very frame; 0 where the cell was decided without evidence.
-inline ReferenceBits reference_bits(const ReferenceCell& cell, int index) {
-  const auto exceeds = [](double mass, int units) { return mass * evidence::kCertain > units; };
-  return {.freed = exceeds(cell.free, 16'384),
-          .seen = index < 0 && exceeds(cell.free, 22'938),
-          .stands = exceeds(cell.persistence, 4096),
-          .taken = exceeds(cell.taken(), 8192)};
-}
-
-}  // namespace iog::tests
+}  // namespace iog::lab::reference

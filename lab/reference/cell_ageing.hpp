@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace iog::tests {
+namespace iog::lab::reference {
 
 // How much of a mass is left depends on how its set lies to the dynamic classes {D, N, M} and to
 // the static ones {I, S, U}.
@@ -34,12 +34,6 @@ struct ReferenceGains {
   double decline = 0;         // d_gamma, what it loses while the cell is not
   double specialisation = 0;  // q, the share of the accumulator that specialises
 };
-
-// The time between two stamps in microseconds, taken between their whole milliseconds so that the
-// times of many frames add up to that of the first to the last. An older stamp counts as the same.
-inline std::uint64_t elapsed_ms(std::uint64_t earlier_us, std::uint64_t later_us) {
-  return later_us <= earlier_us ? 0 : later_us / 1000 - earlier_us / 1000;
-}
 
 // After longer than this nothing is known any more.
 inline constexpr double kLongestMemoryMs = 65'535;
@@ -77,4 +71,4 @@ inline ReferenceGains reference_gains(double since_evidence_ms) {
           .specialisation = std::min(1.0, time_ms * 15 / 1000)};
 }
 
-}  // namespace iog::tests
+}  // namespace iog::lab::reference

@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "numeric/division.hpp"
-#include "traversal/line.hpp"
+#include "geometry/cell.hpp"
 
-namespace iog::tests {
+namespace iog::lab::reference {
 
 struct Rational {
   std::int64_t numerator = 0;
@@ -33,7 +32,7 @@ inline bool cut_axis(std::int32_t start, std::int32_t end, std::int32_t cell, st
                      Crossing& crossing) {
   const std::int64_t extent = std::int64_t{end} - start;
   if (extent == 0) {
-    return numeric::div_floor(start, r) == cell;
+    return start >= std::int64_t{cell} * r && start < (std::int64_t{cell} + 1) * r;
   }
   const std::int64_t low = std::int64_t{cell} * r - start;
   const std::int64_t high = low + r;
@@ -60,4 +59,4 @@ inline bool segment_crosses(geometry::SubcellPoint start, geometry::SubcellPoint
   return crossing && crossing->enter < Rational{1, 1} && Rational{0, 1} < crossing->leave;
 }
 
-}  // namespace iog::tests
+}  // namespace iog::lab::reference
