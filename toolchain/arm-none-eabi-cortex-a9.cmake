@@ -18,13 +18,13 @@ set(CMAKE_SIZE arm-none-eabi-size)
 # convention: the core computes in integers, but NEON registers are where its vectors live.
 set(iog_cortex_a9 "-mcpu=cortex-a9 -mfpu=neon -mfloat-abi=hard -marm")
 
-# The place of a broken requirement is printed relative to the root of the project, so that an image
-# is the same wherever it was built. ccache hands the compiler paths relative to the build folder.
+# The place of a broken requirement is relative to the root of the project, as are all names of files, so
+# that an image is the same wherever it was built. ccache hands the compiler paths relative to the build folder.
 get_filename_component(iog_root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
 cmake_path(RELATIVE_PATH iog_root BASE_DIRECTORY "${CMAKE_BINARY_DIR}"
   OUTPUT_VARIABLE iog_way_to_root)
 string(APPEND iog_cortex_a9
-  " -fmacro-prefix-map=${iog_root}/= -fmacro-prefix-map=${iog_way_to_root}/=")
+  " -ffile-prefix-map=${iog_root}/= -ffile-prefix-map=${iog_way_to_root}/=")
 
 set(CMAKE_C_FLAGS_INIT "${iog_cortex_a9} -ffunction-sections -fdata-sections")
 set(CMAKE_CXX_FLAGS_INIT "${iog_cortex_a9} -ffunction-sections -fdata-sections")

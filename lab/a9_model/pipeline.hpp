@@ -12,6 +12,7 @@
 #include "issue_slots.hpp"
 #include "memory_system.hpp"
 #include "predictor.hpp"
+#include "stage_map.hpp"
 #include "timing.hpp"
 
 namespace iog::a9_model {
@@ -26,6 +27,7 @@ struct ProgramInstruction {
   std::uint32_t address = 0;
   Instruction instruction;
   Timing timing;
+  Place place{};
 };
 
 class Pipeline {

@@ -1,17 +1,22 @@
 // The model as a plugin of QEMU: decodes what QEMU translates and passes on what it executes.
 //
-//   -plugin liba9_model.so,out=FILE,variant=pessimistic,ddr_latency=130,function=NAME:HEX
+//   -plugin
+//   liba9_model.so,image=FILE,out=FILE,variant=pessimistic,ddr_latency=130,stage=NAME:FILE:FUNCTION
 //
 // out       the report; standard error without it
 // variant   nominal (default), optimistic, pessimistic; must come before single constants
 // uncached  BEGIN:BYTES in hexadecimal: memory that is in no cache
-// function  a function's name for the report and its entry; may be repeated
+// image     the program that runs, with debug information; needed
+// stage     a stage's name for the report, and a function that belongs to it, by the end of the
+// path
+//           of its file, without an extension (stage_map.hpp); may be repeated
 // others    constants by name, in decimal
 #include <charconv>
 #include <cstring>
 #include <deque>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -29,7 +34,8 @@ struct Options {
   std::string out;
   std::string heading = "modelled variant=nominal";
   Constants constants = constants_of(Variant::kNominal);
-  std::vector<Function> functions;
+  std::string image;
+  std::vector<StageRule> stages;
   std::uint32_t uncached_begin = 0;
   std::uint32_t uncached_bytes = 0;
 };
@@ -37,11 +43,14 @@ struct Options {
 // One machine, one processor: QEMU calls back from one thread.
 struct Session {
   explicit Session(Options chosen)
-      : options(std::move(chosen)), recorder(options.constants, options.functions) {
+      : options(std::move(chosen)),
+        stages(options.image, options.stages),
+        recorder(options.constants, stages.stages()) {
     recorder.set_uncached(options.uncached_begin, options.uncached_bytes);
   }
 
   Options options;
+  StageMap stages;
   Recorder recorder;
   std::deque<ProgramInstruction> program;                        // addresses stay
   std::unordered_map<std::uint64_t, ProgramInstruction*> known;  // by address and word
@@ -67,13 +76,15 @@ bool choose_variant(Options& options, std::string_view value) {
   return false;
 }
 
-bool add_function(Options& options, std::string_view value) {
-  const std::size_t colon = value.rfind(':');
-  std::uint32_t entry = 0;
-  if (colon == std::string_view::npos || !parse_number(value.substr(colon + 1), 16, entry)) {
+bool add_stage(Options& options, std::string_view value) {
+  const std::size_t first = value.find(':');
+  const std::size_t second = value.rfind(':');
+  if (first == second) {
     return false;
   }
-  options.functions.push_back({.name = std::string(value.substr(0, colon)), .entry = entry});
+  options.stages.push_back({.stage = std::string(value.substr(0, first)),
+                            .file = std::string(value.substr(first + 1, second - first - 1)),
+                            .function = std::string(value.substr(second + 1))});
   return true;
 }
 
@@ -98,8 +109,12 @@ bool add_option(Options& options, std::string_view argument) {
   if (key == "variant") {
     return choose_variant(options, value);
   }
-  if (key == "function") {
-    return add_function(options, value);
+  if (key == "image") {
+    options.image = value;
+    return true;
+  }
+  if (key == "stage") {
+    return add_stage(options, value);
   }
   if (key == "uncached") {
     return set_uncached(options, value);
@@ -133,23 +148,11 @@ ProgramInstruction* instruction_at(std::uint32_t address, std::uint32_t word) {
     const Instruction instruction = decode(word);
     session->program.push_back({.address = address,
                                 .instruction = instruction,
-                                .timing = timing_of(instruction, session->options.constants)});
+                                .timing = timing_of(instruction, session->options.constants),
+                                .place = session->stages.at(address)});
     known = &session->program.back();
   }
   return known;
-}
-
-// A block is all A32 or all Thumb; the interface does not say which. Thumb shows by an instruction
-// of two bytes or at an odd halfword. A block of four-byte Thumb instructions alone is taken for
-// A32.
-bool is_thumb(const qemu_plugin_tb* block) {
-  for (std::size_t index = 0; index < qemu_plugin_tb_n_insns(block); ++index) {
-    const qemu_plugin_insn* const translated = qemu_plugin_tb_get_insn(block, index);
-    if (qemu_plugin_insn_size(translated) != 4 || qemu_plugin_insn_vaddr(translated) % 4 != 0) {
-      return true;
-    }
-  }
-  return false;
 }
 
 void watch(qemu_plugin_insn* translated) {
@@ -167,10 +170,12 @@ void watch(qemu_plugin_insn* translated) {
 
 void on_translate(qemu_plugin_id_t /*id*/, qemu_plugin_tb* block) {
   watch_supervisor_calls(block);
-  const bool thumb = is_thumb(block);
+  const auto begin =
+      static_cast<std::uint32_t>(qemu_plugin_insn_vaddr(qemu_plugin_tb_get_insn(block, 0)));
+  const bool is_thumb = session->stages.is_thumb(begin);  // a block is all of one kind
   for (std::size_t index = 0; index < qemu_plugin_tb_n_insns(block); ++index) {
     qemu_plugin_insn* const translated = qemu_plugin_tb_get_insn(block, index);
-    if (thumb) {
+    if (is_thumb) {
       qemu_plugin_register_vcpu_insn_exec_cb(translated, on_execute_unsupported,
                                              QEMU_PLUGIN_CB_NO_REGS, nullptr);
     } else {
@@ -209,7 +214,12 @@ int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t* info, int argc, 
       return 1;
     }
   }
-  session = new Session(std::move(options));
+  try {
+    session = new Session(std::move(options));
+  } catch (const std::runtime_error& error) {
+    std::cerr << "a9_model: " << error.what() << '\n';
+    return 1;
+  }
   qemu_plugin_register_vcpu_tb_trans_cb(id, on_translate);
   qemu_plugin_register_atexit_cb(id, on_exit, nullptr);
   return 0;

@@ -21,42 +21,37 @@ void print(std::ostream& out, std::string_view heading, std::string_view region,
 // A program that never returns, or one with computed returns, must not grow the stack for ever.
 constexpr std::size_t kMaxCalls = 4096;
 
-constexpr std::size_t place_of(std::uint32_t instruction) { return instruction / 4; }
-
 }  // namespace
 
-Recorder::Recorder(const Constants& constants, std::span<const Function> functions)
+Recorder::Recorder(const Constants& constants, std::span<const std::string> stages)
     : pipeline_(constants),
       marked_(kRegionIds),
-      functions_(functions.begin(), functions.end()),
-      called_(functions.size()) {
-  for (const Function& function : functions_) {
-    maybe_entry_.set(place_of(function.entry) % maybe_entry_.size());
-  }
-}
+      stages_(stages.begin(), stages.end()),
+      own_(stages.size()) {}
 
 void Recorder::begin(const ProgramInstruction& instruction) {
-  finish_last(instruction.address);
+  finish_last(instruction.address, instruction.place.function);
   if (instruction.instruction.marker != Instruction::kNoMarker) {
     note_marker(instruction.instruction.marker);
     return;
   }
   marker_ = -1;
   if (!is_paused_) {
+    enter(instruction.place.stage != 0 ? instruction.place.stage : inherited_);
     last_ = &instruction;
   }
 }
 
 // All of the model becomes one function: it is called for each instruction.
-[[gnu::flatten]] void Recorder::finish_last(std::uint32_t next) {
+[[gnu::flatten]] void Recorder::finish_last(std::uint32_t next, std::uint32_t next_function) {
   if (last_ == nullptr) {
     access_count_ = 0;
     return;
   }
   pipeline_.execute(*last_, {accesses_.data(), access_count_}, next);
   access_count_ = 0;
-  if (last_->instruction.flow != Flow::kNone && !functions_.empty()) {
-    follow_calls(*last_, next);
+  if (last_->instruction.flow != Flow::kNone) {
+    follow(*last_, next, next_function);
   }
   last_ = nullptr;
 }
@@ -88,40 +83,37 @@ void Recorder::note_marker(std::uint8_t half) {
   }
 }
 
-// Calls push where they return to; arriving there ends them, and the functions that were entered
-// since. A jump to a function's entry is a call that returns to the caller's caller.
-void Recorder::follow_calls(const ProgramInstruction& from, std::uint32_t to) {
+// Calls push where they return to; arriving there ends them. A jump to another function is a call
+// that returns to the caller's caller.
+void Recorder::follow(const ProgramInstruction& from, std::uint32_t to, std::uint32_t to_function) {
   const Flow flow = from.instruction.flow;
   if ((flow == Flow::kCall || flow == Flow::kIndirectCall) && to != from.address + 4) {
-    if (returns_.size() < kMaxCalls) {
-      returns_.push_back(from.address + 4);
+    if (calls_.size() < kMaxCalls) {
+      calls_.push_back({.return_to = from.address + 4, .inherited = inherited_});
     }
-  } else if (flow != Flow::kJump) {
+    inherited_ = stage_;
+  } else if (flow == Flow::kReturn) {
     follow_return(to);
-  }
-  if (!maybe_entry_[place_of(to) % maybe_entry_.size()]) {
-    return;
-  }
-  for (std::size_t index = 0; index < functions_.size(); ++index) {
-    if (functions_[index].entry == to && called_[index].open == 0) {
-      charge_innermost();
-      called_[index].depth = returns_.size();
-      open(called_[index]);
-      open_.push_back(index);
-    }
+  } else if (to_function != from.place.function && (flow == Flow::kJump || !follow_return(to))) {
+    inherited_ = stage_;
   }
 }
 
-void Recorder::follow_return(std::uint32_t to) {
-  const auto found = std::find(returns_.rbegin(), returns_.rend(), to);
-  if (found == returns_.rend()) {
-    return;
+bool Recorder::follow_return(std::uint32_t to) {
+  const auto found = std::find_if(calls_.rbegin(), calls_.rend(),
+                                  [to](const Call& call) { return call.return_to == to; });
+  if (found == calls_.rend()) {
+    return false;
   }
-  returns_.erase(std::prev(found.base()), returns_.end());
-  while (!open_.empty() && returns_.size() < called_[open_.back()].depth) {
-    charge_innermost();
-    close(called_[open_.back()]);
-    open_.pop_back();
+  inherited_ = found->inherited;
+  calls_.erase(std::prev(found.base()), calls_.end());
+  return true;
+}
+
+void Recorder::enter(std::uint8_t stage) {
+  if (stage != stage_) {
+    charge();
+    stage_ = stage;
   }
 }
 
@@ -138,12 +130,9 @@ void Recorder::close(Region& region) {
   }
 }
 
-// The innermost of the functions under way is what has cost something since the last call.
-void Recorder::charge_innermost() {
+void Recorder::charge() {
   const Counters now = pipeline_.counters();
-  if (!open_.empty()) {
-    add_difference(called_[open_.back()].self, charged_, now);
-  }
+  add_difference(own_[stage_], charged_, now);
   charged_ = now;
 }
 
@@ -151,32 +140,30 @@ void Recorder::forget() {
   forgotten_ = pipeline_.counters();
   charged_ = forgotten_;
   rounds_.clear();
-  for (std::vector<Region>* const regions : {&marked_, &called_}) {
-    for (Region& region : *regions) {
-      region.sum = {};
-      region.self = {};
-      region.begin = forgotten_;
-      region.entries = region.open > 0 ? 1 : 0;
-    }
+  std::ranges::fill(own_, Counters{});
+  for (Region& region : marked_) {
+    region.sum = {};
+    region.begin = forgotten_;
+    region.entries = region.open > 0 ? 1 : 0;
   }
 }
 
 void Recorder::end_round() {
-  charge_innermost();
-  std::vector<Counters>& round = rounds_.emplace_back();
-  for (const Region& function : called_) {
-    round.push_back(function.self);
-  }
+  charge();
+  rounds_.push_back(own_);
 }
 
-void Recorder::report_rounds(std::ostream& out, std::string_view heading) const {
-  std::vector<Counters> before(functions_.size());
+void Recorder::report_stages(std::ostream& out, std::string_view heading) const {
+  for (std::size_t stage = 1; stage < stages_.size(); ++stage) {
+    print(out, heading, stages_[stage], 1, own_[stage], "self");
+  }
+  std::vector<Counters> before(stages_.size());
   for (std::size_t number = 0; number < rounds_.size(); ++number) {
     const std::string round = std::string(heading) + " round=" + std::to_string(number);
-    for (std::size_t index = 0; index < functions_.size(); ++index) {
+    for (std::size_t stage = 1; stage < stages_.size(); ++stage) {
       Counters own;
-      add_difference(own, before[index], rounds_[number][index]);
-      print(out, round, functions_[index].name, 1, own, "of");
+      add_difference(own, before[stage], rounds_[number][stage]);
+      print(out, round, stages_[stage], 1, own, "of");
     }
     before = rounds_[number];
   }
@@ -184,8 +171,9 @@ void Recorder::report_rounds(std::ostream& out, std::string_view heading) const 
 
 void Recorder::report(std::ostream& out, std::string_view heading) {
   if (last_ != nullptr) {
-    finish_last(last_->address + 4);
+    finish_last(last_->address + 4, last_->place.function);
   }
+  charge();
   Counters all;
   add_difference(all, forgotten_, pipeline_.counters());
   print(out, heading, "all", 1, all);
@@ -194,12 +182,7 @@ void Recorder::report(std::ostream& out, std::string_view heading) {
       print(out, heading, std::to_string(id), marked_[id].entries, marked_[id].sum);
     }
   }
-  for (std::size_t index = 0; index < functions_.size(); ++index) {
-    const Region& function = called_[index];
-    print(out, heading, functions_[index].name, function.entries, function.sum);
-    print(out, heading, functions_[index].name, function.entries, function.self, "self");
-  }
-  report_rounds(out, heading);
+  report_stages(out, heading);
   if (unsupported_ > 0) {
     out << heading << " unsupported=" << unsupported_ << " (not A32: neither counted nor timed)\n";
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <cstdint>
 #include <iosfwd>
 #include <span>
@@ -15,17 +14,10 @@
 
 namespace iog::a9_model {
 
-// A function that is to be reported: from its entry to its return, once with whatever it calls and
-// once on its own, without the reported functions that it calls. The latter add up to no more than
-// the whole run.
-struct Function {
-  std::string name;
-  std::uint32_t entry;
-};
-
 class Recorder {
  public:
-  Recorder(const Constants& constants, std::span<const Function> functions);
+  // Stages by their number; the first has no name and is not reported.
+  Recorder(const Constants& constants, std::span<const std::string> stages);
 
   // See MemorySystem.
   void set_uncached(std::uint32_t begin, std::uint32_t bytes) {
@@ -44,32 +36,36 @@ class Recorder {
   void skip_unsupported() { ++unsupported_; }
 
   // Executes the last instruction and writes a line for the whole run, one for each region that
-  // was entered and two for each function, the second with self= for region=: key=value pairs after
-  // `heading`. What came before the program said kMarkerForget is left out. For each kMarkerRound
-  // since then there is a line for each function, with round= and of= for region=: what it cost on
-  // its own since the round before.
+  // was entered and, with self= for region=, one for each stage: key=value pairs after `heading`.
+  // An instruction belongs to the stage that it lies in, or to that of whoever has called its
+  // function, so that the stages add up to no more than the whole run. What came before the program
+  // said kMarkerForget is left out. For each kMarkerRound since then there is a line for each
+  // stage, with round= and of= for region=: what it cost since the round before.
   void report(std::ostream& out, std::string_view heading);
 
  private:
   struct Region {
     Counters sum;
     Counters begin;
-    Counters self;  // for functions
     std::uint64_t entries = 0;
     std::uint32_t open = 0;
-    std::size_t depth = 0;  // of the call stack at entry, for functions
+  };
+  struct Call {
+    std::uint32_t return_to;
+    std::uint8_t inherited;
   };
 
-  void finish_last(std::uint32_t next);
+  void finish_last(std::uint32_t next, std::uint32_t next_function);
   void note_marker(std::uint8_t half);
-  void follow_calls(const ProgramInstruction& from, std::uint32_t to);
-  void follow_return(std::uint32_t to);
+  void follow(const ProgramInstruction& from, std::uint32_t to, std::uint32_t to_function);
+  bool follow_return(std::uint32_t to);
+  void enter(std::uint8_t stage);
   void open(Region& region);
   void close(Region& region);
-  void charge_innermost();
+  void charge();
   void forget();
   void end_round();
-  void report_rounds(std::ostream& out, std::string_view heading) const;
+  void report_stages(std::ostream& out, std::string_view heading) const;
 
   Pipeline pipeline_;
   const ProgramInstruction* last_ = nullptr;
@@ -80,14 +76,14 @@ class Recorder {
   bool is_paused_ = false;
   int marker_ = -1;  // the upper half of a code, once it has been seen
   std::vector<Region> marked_;
-  std::vector<Function> functions_;
-  std::bitset<4096> maybe_entry_;       // by the address: false where no function begins
-  std::vector<Region> called_;          // parallel to functions_
-  std::vector<std::uint32_t> returns_;  // where the calls under way will return to
-  std::vector<std::size_t> open_;       // the functions under way, the innermost last
-  Counters charged_;                    // up to here, to whoever was the innermost
+  std::vector<std::string> stages_;
+  std::vector<Counters> own_;   // of each stage
+  std::uint8_t stage_ = 0;      // of the last instruction
+  std::uint8_t inherited_ = 0;  // of whoever has called the function that is under way
+  std::vector<Call> calls_;     // under way
+  Counters charged_;            // up to here, to their stages
   Counters forgotten_;
-  std::vector<std::vector<Counters>> rounds_;  // Region::self of each function at their ends
+  std::vector<std::vector<Counters>> rounds_;  // own_ at their ends
 };
 
 }  // namespace iog::a9_model

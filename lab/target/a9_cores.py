@@ -10,20 +10,18 @@ import collections
 import csv
 import typing
 
+import a9_perception
 import a9_runs
 
 # A frame is taken apart into the items of its rounds. What is not in one of these functions is the
 # pass's own; what the benchmark does is left out.
 FUNCTIONS = {
-    "fuse": ["iog::app::SharedFusion::fuse_part("],
-    "join": ["iog::work::work_of<iog::app::SharedFusion::join("],
-    "encode": ["iog::tile_coding::Encoder::encode("],
-    "other": ["iog::lab::PerceptionPass::take(", "iog::lab::PerceptionPass::tick("],
+    "fuse": ["app/shared_fusion:fuse_part"],
+    "join": ["app/shared_fusion:join_row"],
+    "encode": ["tile_coding/encode:encode"],
+    "other": ["target/perception_pass:take", "target/perception_pass:tick"],
 }
-OUTSIDE = {
-    "benchmark": ["iog::lab::ClassLog::take_classes("],
-    "stopwatch": ["iog::lab::InstructionCounter::now("],
-}
+OUTSIDE = a9_perception.OUTSIDE
 VARIANTS = ("nominal",)
 WARM_UP = 12
 FRAMES = 4
@@ -137,9 +135,9 @@ def of_drive(place: a9_runs.Place, drive: str, variant: str, capture: str) -> li
 
 
 UNDIVIDED = {
-    "fuse": ["iog::app::add_points("],
-    "join": ["iog::app::PerceptionEngine::join_group("],
-    "window": ["iog::window::SliceCells::copy(", "iog::window::SliceCells::note("],
+    "fuse": a9_runs.STAGES["beams"],
+    "join": a9_perception.STAGES["join"],
+    "window": ["window/slice_cells:copy", "window/slice_cells:note"],
     "other": FUNCTIONS["other"],
 }
 
@@ -161,7 +159,7 @@ def of_one_core(place: a9_runs.Place, drive: str, variant: str, capture: str) ->
 def of_round(place: a9_runs.Place, variant: str, items: int) -> list[Row]:
     """A round of empty items, as one core has it."""
     printed = a9_runs.printed_by_model(
-        place, variant, {"round": ["iog::lab::(anonymous namespace)::run_rounds("]},
+        place, variant, {"round": ["target/round_cost:run_rounds"]},
         place.images / "round_cost", items)
     pairs = list(map(a9_runs.pairs_of, printed))
     rounds = next(int(each["rounds"]) for each in pairs if "items" in each)

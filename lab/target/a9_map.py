@@ -11,7 +11,7 @@ import a9_runs
 
 FRAMES = 100
 VARIANTS = ("nominal", "pessimistic")
-FUNCTIONS = {"layer": ["iog::map::Layer::work("]}
+FUNCTIONS = {"layer": ["map/layer:work"]}
 CITY_ORIGIN = (-48.876667, -123.393333)  # where iog simulate has its cities
 TOWN_ORIGIN = (48.0, 2.0)
 

@@ -7,30 +7,27 @@ import a9_runs
 # A frame is taken apart as in a9_runs.py. What a stage calls that is no stage is its own.
 STAGES = {
     "receive": a9_runs.STAGES["receive"],
-    "decode": [f"iog::app::PerceptionEngine::{name}(" for name in ("receive", "classify", "fuse")],
-    "slices": ["iog::app::PerceptionEngine::open_slices("],
+    "decode": [f"app/perception_engine:{name}" for name in ("receive", "classify", "fuse")],
+    "slices": ["app/perception_engine:open_slices"],
     "beams": a9_runs.STAGES["beams"],
     "carve": a9_runs.STAGES["carve"],
     "mark": a9_runs.STAGES["mark"],
-    "join": ["iog::app::PerceptionEngine::join_group("],
-    "pull": ["iog::window::FrameEvidence::pull("],
-    "push": ["iog::window::FrameEvidence::push("],
-    "clear": ["iog::window::SliceCells::clear(", "iog::window::FrameEvidence::clear()",
-              "iog::window::FrameEvidence::clear(unsigned int)"],
-    "arrivals": ["iog::window::Arrivals::find_new(", "iog::window::Arrivals::count_new("],
-    "list": [f"iog::window::WindowFusion::{name}("
+    "join": ["app/perception_engine:join_group"],
+    "pull": ["window/frame_evidence:pull"],
+    "push": ["window/frame_evidence:push"],
+    "clear": ["window/slice_cells:clear", "window/frame_evidence:clear"],
+    "arrivals": ["window/arrivals:find_new", "window/arrivals:count_new"],
+    "list": [f"window/window_fusion:{name}"
              for name in ("finish", "find_arrivals", "update_tiles", "end_tiles")],
-    "update": ["void iog::window::WindowFusion::fuse_groups<>("],
-    "refresh": ["void iog::window::WindowFusion::update_tile<>("],
-    "remember": ["iog::window::remember("],
-    "encode": ["iog::lab::PerceptionPass::take(", "iog::lab::PerceptionPass::tick("],
-    "encode_classes": ["iog::app::PerceptionSink<iog::lab::MeasuredPlatform>::take_classes("],
+    "update": ["window/window_fusion:fuse_groups"],
+    "refresh": ["window/window_fusion:update_tile"],
+    "remember": ["window/ground:remember"],
+    "encode": ["target/perception_pass:take", "target/perception_pass:tick"],
+    "encode_classes": ["app/perception_sink:take_classes"],
     "send": a9_runs.STAGES["send"],
 }
-OUTSIDE = {
-    "benchmark": ["iog::lab::ClassLog::take_classes("],
-    "stopwatch": ["iog::lab::InstructionCounter::now("],
-}
+OUTSIDE = {"benchmark": ["target/perception_pass:take_classes"],
+           "stopwatch": a9_runs.OUTSIDE["stopwatch"]}
 # What is likely, and what is safe; each takes minutes.
 VARIANTS = ("nominal", "pessimistic")
 # The window has to fill, too.

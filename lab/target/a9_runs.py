@@ -31,28 +31,26 @@ def part_of(run: str) -> str:
     return next(part for part, words in PARTS.items() if run.split(" ", 1)[0] in words)
 
 
-# A frame is taken apart at functions of the core: an instruction belongs to the innermost of these
-# that it is called from, so that the stages add up to the frame. Two lie outside it: what the
-# benchmark itself does between two frames, and reading its stopwatch.
+# A frame is taken apart by functions of the core: an instruction belongs to the innermost of these in
+# which it lies or from which it is called, so that the stages add up to the frame. A function is named
+# by the end of its file's path, without an extension, wherever the compiler has put what it does
+# (lab/a9_model/stage_map.hpp). Two stages lie outside the frame: what the benchmark itself does between
+# two frames, and reading its stopwatch.
 STAGES = {
-    "receive": ["iog::imx6::EnetPort::receive(", "iog::net::parse_ethernet(",
-                "iog::net::parse_ipv4(", "iog::net::parse_udp("],
-    "decode": ["iog::intake::Intake::receive(", "iog::intake::Intake::classify(",
-               "iog::app::Frame::accept("],
-    "beams": ["iog::app::add_points("],
-    "carve": ["iog::grid::carve_blocks(", "iog::grid::carve_cells("],
-    "mark": ["iog::grid::FrameFusion::finish("],
-    "encode": ["iog::lab::StagePass::take(", "iog::lab::StagePass::tick("],
-    "send": ["iog::net::build_message(",
-             *(f"iog::imx6::EnetPort::{name}(" for name in ("acquire", "commit", "pump"))],
-    "clear": ["iog::grid::BlockGrid::clear_tile("],
+    "receive": ["ethernet/enet_port:receive", "net/ethernet:parse_ethernet", "net/ipv4:parse_ipv4",
+                "net/udp:parse_udp"],
+    "decode": ["intake/intake:receive", "intake/intake:classify", "app/frame:accept"],
+    "beams": ["app/frame:add_points"],
+    "carve": ["grid/carving:carve_blocks", "grid/carving:carve_cells"],
+    "mark": ["grid/frame_fusion:finish"],
+    "encode": ["target/stage_pass:take", "target/stage_pass:tick"],
+    "send": ["net/outbound:build_message",
+             *(f"ethernet/enet_port:{name}" for name in ("acquire", "commit", "pump"))],
+    "clear": ["grid/block_grid:clear_tile"],
 }
-OUTSIDE = {
-    "benchmark": ["iog::lab::StagePass::add_end("],
-    "stopwatch": ["iog::lab::InstructionCounter::now("],
-}
-PASSES = {name: [f"iog::lab::(anonymous namespace)::Passes::{name}("]
-          for name in ("fuse", "send", "clear")}
+OUTSIDE = {"benchmark": ["target/stage_pass:add_end"],
+           "stopwatch": ["target/instruction_counter:now"]}
+PASSES = {name: [f"target/floor:{name}"] for name in ("fuse", "send", "clear")}
 COUNTERS = ("instructions", "cycles", "l1d_refills", "l2_misses", "mispredicts")
 VARIANTS = ("nominal", "optimistic", "pessimistic")
 
@@ -146,25 +144,24 @@ def counted_rows(line: str, run: str) -> list[Row]:
     return rows
 
 
-def printed_by_model(place: Place, variant: str, functions: dict[str, list[str]],
+def printed_by_model(place: Place, variant: str, stages: dict[str, list[str]],
                      image: pathlib.Path, *arguments) -> list[str]:
     first, *others = arguments or [""]
     options = [word for other in others for word in ("--argument", other)]
-    options += [word for name, symbols in functions.items() for symbol in symbols
-                for word in ("--function", f"{name}={symbol}")]
+    options += [word for name, functions in stages.items() for function in functions
+                for word in ("--stage", f"{name}={function}")]
     return output_of(HERE.parent / "a9_model/run", image, first, *options, "--build", place.model,
                      "--lines", variant, cwd=place.work).splitlines()
 
 
-def modelled(place: Place, variant: str, functions: dict[str, list[str]], image: pathlib.Path,
+def modelled(place: Place, variant: str, stages: dict[str, list[str]], image: pathlib.Path,
              *arguments) -> tuple[dict[str, str], dict[str, dict[str, int]]]:
-    """The pairs that the image printed, and what the model says of its functions without one
-    another."""
-    return own_of(printed_by_model(place, variant, functions, image, *arguments), functions)
+    """The pairs that the image printed, and what the model says of its stages."""
+    return own_of(printed_by_model(place, variant, stages, image, *arguments), stages)
 
 
-def own_of(printed: list[str], functions: dict[str, list[str]]):
-    own = {name: dict.fromkeys(COUNTERS, 0) for name in functions}
+def own_of(printed: list[str], stages: dict[str, list[str]]):
+    own = {name: dict.fromkeys(COUNTERS, 0) for name in stages}
     head = {}
     for line in printed:
         pairs = pairs_of(line)
@@ -208,32 +205,28 @@ def floor(place: Place, run: str, capture: str, frames: int) -> list[Row]:
 def tree(place: Place, run: str, variant: str, capture: str, frames: int) -> list[Row]:
     """The linear quadtree of a mean frame."""
     head, own = modelled(place, variant,
-                         {"tree": ["iog::lab::(anonymous namespace)::build_tree("]},
+                         {"tree": ["target/tree_cost:build_tree"]},
                          place.images / "tree_cost", capture, frames)
     return modelled_rows(run, variant, {"frames": frames, "leaves": head["leaves"],
                                         "bytes": head["bytes"]}, own)
 
 
-WALKS = {"discrete r=20": "DiscreteWalk<20l>", "discrete r=100": "DiscreteWalk<100l>",
-         "discrete r=200": "DiscreteWalk<200l>", "discrete r=1024": "DiscreteWalk<1024l>",
-         "continuous_float": "ContinuousWalk<float>", "continuous_double": "ContinuousWalk<double>",
-         "float_error": "RealErrorWalk<float>", "bresenham": "BresenhamWalk"}
+# The regions of traversal_cost, by their numbers from 1 on.
+WALKS = ("discrete r=20", "discrete r=100", "discrete r=200", "discrete r=1024", "continuous_float",
+         "continuous_double", "float_error", "bresenham")
 
 
-def symbol_of_walk(name: str) -> str:
-    """The first lambda of measure() carves, the second counts."""
-    nested = name.replace(">", "> ") if name.endswith(">") else name
-    return (f"void iog::lab::(anonymous namespace)::run<iog::lab::{name}, "
-            f"iog::lab::(anonymous namespace)::measure<iog::lab::{nested}>"
-            "(iog::lab::InstructionCounter&, char const*)::{lambda(unsigned int)#1}>")
+def regions(printed: list[str], names: dict[str, str]) -> dict[str, dict[str, int]]:
+    """What the model says of marked regions, which have names here."""
+    return {names[pairs["region"]]: {key: int(pairs[key]) for key in COUNTERS}
+            for pairs in map(pairs_of, printed) if pairs.get("region") in names}
 
 
 def walks(place: Place, variant: str) -> list[Row]:
-    symbols = {walk.replace(" ", "_").replace("=", ""): [symbol_of_walk(name)]
-               for walk, name in WALKS.items()}
-    _, own = modelled(place, variant, symbols, place.images / "traversal_cost")
-    return [row for walk, sums in zip(WALKS, own.values())
-            for row in modelled_rows(f"traversal_cost walk={walk}", variant, {}, {"": sums})]
+    names = {str(number): walk for number, walk in enumerate(WALKS, 1)}
+    found = regions(printed_by_model(place, variant, {}, place.images / "traversal_cost"), names)
+    return [row for walk in WALKS
+            for row in modelled_rows(f"traversal_cost walk={walk}", variant, {}, {"": found[walk]})]
 
 
 # Grids that follow each other, for the serial link.

@@ -55,12 +55,8 @@ def made_up_counted(place: a9_runs.Place, made_up: tuple[str, ...]) -> list[a9_r
 
 
 def made_up_modelled(place: a9_runs.Place, made_up: tuple[str, ...]) -> list[a9_runs.Row]:
-    stages = {}
-    for line in a9_runs.printed_by_model(place, "nominal", {}, place.images / "turning_cost",
-                                         *made_up, FRAMES):
-        pairs = a9_runs.pairs_of(line)
-        if pairs.get("region") in REGIONS:
-            stages[REGIONS[pairs["region"]]] = {key: int(pairs[key]) for key in a9_runs.COUNTERS}
+    stages = a9_runs.regions(a9_runs.printed_by_model(
+        place, "nominal", {}, place.images / "turning_cost", *made_up, FRAMES), REGIONS)
     return a9_runs.modelled_rows(made_up_run(made_up), "nominal", {"frames": FRAMES},
                                  a9_runs.with_whole(stages, "frame"))
 

@@ -5,6 +5,7 @@
 
 #include "fan.hpp"
 #include "index/occupancy_index.hpp"
+#include "lab/a9_model/marker.hpp"
 #include "walks.hpp"
 
 namespace iog::lab {
@@ -37,7 +38,8 @@ template <typename Walk, typename Visit>
   }
 }
 
-template <typename Walk>
+// The region is what the cost model reports.
+template <unsigned kRegion, typename Walk>
 WalkCost measure(InstructionCounter& counter, const char* name) {
   static std::array<index::OccupancyIndex, kFanCellCount> grid;
   static Ends<Walk> ends;
@@ -47,11 +49,13 @@ WalkCost measure(InstructionCounter& counter, const char* name) {
   }
   const std::uint32_t start = counter.now();
   set_up<Walk>(ends, walks);
+  a9_model::begin_region<kRegion>();
   const std::uint32_t ready = counter.now();
   run(walks, [cells = grid.data()](std::size_t offset) {
     cells[offset] = index::sat_lower(cells[offset], kFree);
   });
   const std::uint32_t done = counter.now();
+  a9_model::end_region<kRegion>();
   std::uint32_t visited = 0;
   run(walks, [&visited](std::size_t /*offset*/) { ++visited; });
   return {name, ready - start - counter.of_nothing(), done - ready - counter.of_nothing(), visited};
@@ -60,14 +64,14 @@ WalkCost measure(InstructionCounter& counter, const char* name) {
 }  // namespace
 
 std::array<WalkCost, kWalkCount> measure_walks(InstructionCounter& counter) {
-  return {measure<DiscreteWalk<20>>(counter, "discrete r=20"),
-          measure<DiscreteWalk<100>>(counter, "discrete r=100"),
-          measure<DiscreteWalk<200>>(counter, "discrete r=200"),
-          measure<DiscreteWalk<1024>>(counter, "discrete r=1024"),
-          measure<ContinuousWalk<float>>(counter, "continuous_float"),
-          measure<ContinuousWalk<double>>(counter, "continuous_double"),
-          measure<RealErrorWalk<float>>(counter, "float_error"),
-          measure<BresenhamWalk>(counter, "bresenham")};
+  return {measure<1, DiscreteWalk<20>>(counter, "discrete r=20"),
+          measure<2, DiscreteWalk<100>>(counter, "discrete r=100"),
+          measure<3, DiscreteWalk<200>>(counter, "discrete r=200"),
+          measure<4, DiscreteWalk<1024>>(counter, "discrete r=1024"),
+          measure<5, ContinuousWalk<float>>(counter, "continuous_float"),
+          measure<6, ContinuousWalk<double>>(counter, "continuous_double"),
+          measure<7, RealErrorWalk<float>>(counter, "float_error"),
+          measure<8, BresenhamWalk>(counter, "bresenham")};
 }
 
 }  // namespace iog::lab

@@ -72,7 +72,7 @@ class DividedRounds(unittest.TestCase):
         self.assertEqual((rows["encode"].rounds, rows["encode"].items), (1, 1))
 
 
-def nothing_modelled(_place, _variant, functions, image, *arguments):
+def nothing_modelled(_place, _variant, stages, image, *arguments):
     """In place of the model: the pairs that an image prints, and no cost at all."""
     pairs = dict.fromkeys(("lines", "leaves", "bytes"), "0")
     if image.name == "scaling":
@@ -80,7 +80,7 @@ def nothing_modelled(_place, _variant, functions, image, *arguments):
         naming = (*(grid.groups() if grid else ("1024", "100")), *map(str, arguments[:3]))
         pairs = dict(zip(a9_runs.NAMING["scaling"], naming))
         pairs.update(dict.fromkeys(("frames", "points", "points_used", "messages"), "0"))
-    return pairs, {name: dict.fromkeys(a9_runs.COUNTERS, 0) for name in functions}
+    return pairs, {name: dict.fromkeys(a9_runs.COUNTERS, 0) for name in stages}
 
 
 class Runs(unittest.TestCase):
@@ -91,7 +91,11 @@ class Runs(unittest.TestCase):
         worst = dict.fromkeys(run.split()[1].removeprefix("worst=")
                               for run, *_ in stored if " worst=" in run)
         place = a9_runs.Place(*map(pathlib.Path, ("iog", "images", "model", "work")))
-        with mock.patch.object(a9_runs, "modelled", nothing_modelled):
+        nothing = " ".join(f"{counter}=0" for counter in a9_runs.COUNTERS)
+        with mock.patch.object(a9_runs, "modelled", nothing_modelled), \
+                mock.patch.object(a9_runs, "printed_by_model",
+                                  lambda *_: [f"modelled region={number} {nothing}"
+                                              for number, _ in enumerate(a9_runs.WALKS, 1)]):
             rows = a9_runs.results_of({"modelled": [
                 *a9_runs.modelled_runs(place, {"city": "city.pcap", "ring_road": "ring_road.pcap"},
                                        list(worst)),
@@ -106,7 +110,6 @@ class Runs(unittest.TestCase):
             for variant in a9_map.VARIANTS:
                 for name in a9_map.BEGINS:
                     rows += a9_map.modelled(place, name, variant)
-        nothing = " ".join(f"{counter}=0" for counter in a9_runs.COUNTERS)
         with mock.patch.object(a9_runs, "modelled", nothing_modelled), \
                 mock.patch.object(a9_runs, "printed_by_model",
                                   lambda *_: [f"modelled region={region} {nothing}"
