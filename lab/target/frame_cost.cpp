@@ -134,7 +134,7 @@ class FirstFrames {
     }
     seen_ = stages_.frames();
     if (forgets_) {
-      stages_.begin_anew(now_us);
+      stages_.renew(now_us);
     }
     if (seen_ == before_) {
       a9_model::forget_so_far();

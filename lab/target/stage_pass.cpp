@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <utility>
 
+#include "lab/a9_model/marker.hpp"
 #include "require/require.hpp"
 #include "wire/byte_order.hpp"
 
@@ -19,19 +19,20 @@ void Spread::add(std::uint32_t value) {
 void StagePass::take(const vehicle::Sensor& /*sensor*/, const intake::Datagram& datagram,
                      std::uint32_t received, std::uint64_t now_us) {
   received_ += received;
-  pipeline_.take(datagram, now_us);
+  pipeline_->take(datagram, now_us);
   collect();
 }
 
 void StagePass::tick(std::uint64_t now_us) {
-  pipeline_.tick(now_us);
+  pipeline_->tick(now_us);
   collect();
 }
 
-void StagePass::begin_anew(std::uint64_t now_us) {
-  std::destroy_at(&pipeline_);
-  std::construct_at(&pipeline_, vehicle_, kReplayer, platform_, coding_);
-  pipeline_.start(now_us);
+void StagePass::renew(std::uint64_t now_us) {
+  a9_model::pause();
+  pipeline_.emplace(vehicle_, kReplayer, platform_, coding_);
+  pipeline_->start(now_us);
+  a9_model::resume();
 }
 
 void StagePass::collect() {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "app/pipeline.hpp"
@@ -24,15 +25,14 @@ struct Spread {
 class StagePass {
  public:
   StagePass(const vehicle::Vehicle& vehicle, InstructionCounter& counter, app::Coding coding)
-      : vehicle_(vehicle),
-        coding_(coding),
-        platform_(counter),
-        pipeline_(vehicle, kReplayer, platform_, coding) {}
+      : vehicle_(vehicle), coding_{coding}, platform_(counter) {
+    renew(0);
+  }
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
             std::uint64_t now_us);
   void tick(std::uint64_t now_us);
-  [[nodiscard]] std::uint64_t deadline_us() const { return pipeline_.deadline_us(); }
+  [[nodiscard]] std::uint64_t deadline_us() const { return pipeline_->deadline_us(); }
 
   // Frames with evidence, and what they had: scan points with any fate, those used, messages, tiles
   // in which something is known.
@@ -60,8 +60,9 @@ class StagePass {
   };
   using Pipeline = app::Pipeline<OneCore>;
 
-  // Between two frames: a new pipeline, which has kept no line yet. It numbers from 0.
-  void begin_anew(std::uint64_t now_us);
+  // Another pipeline in place of this one, which knows nothing of the frames before, such as the
+  // lines that a core keeps. Between two frames; the model does not see it.
+  void renew(std::uint64_t now_us);
 
  private:
   // What is known of a frame before its publishing is.
@@ -92,7 +93,7 @@ class StagePass {
   stream::Crc32 run_hash_;
   std::uint32_t received_ = 0;  // since the last frame closed
   OpenCost before_;             // the frame that closed last
-  Pipeline pipeline_;
+  std::optional<Pipeline> pipeline_;
 };
 
 }  // namespace iog::lab
