@@ -37,7 +37,6 @@ struct Coverage {
 
   [[nodiscard]] double share_found() const { return of_crossed(found); }
   [[nodiscard]] double share_missed() const { return of_crossed(crossed - found); }
-  [[nodiscard]] double share_beside() const { return of_crossed(beside); }
 
  private:
   [[nodiscard]] double of_crossed(std::uint64_t cells) const {

@@ -14,7 +14,6 @@ SCENES = ("city", "street")
 DRIVES = {"city": "city", "ring_road": "ring road"}
 DOUBLE_BYTES = 8
 EVERY_SET = 64
-GRID_AT_DECISION = "map at decision"
 
 
 def _time_rows(data):

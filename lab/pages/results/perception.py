@@ -10,7 +10,6 @@ from section import Section, select
 
 SAID = ["moving", "open", "standing", "free", "unknown"]
 SAID_CELLS = [f"{said}_cells" for said in SAID]
-KEYS = ["scene", "seed", "poses", "rule"]
 SCENES = {"city": "city", "ring_road": "ring road", "street": "street"}
 HITS_ON = {"standing": "what stands", "moving_car": "a moving car",
            "followed_car": "a car that keeps ahead or behind", "moving_person": "a walker"}
