@@ -10,18 +10,14 @@
 namespace iog::checksum {
 namespace {
 
-// The twin of PlainProducts.
-// One sum of 16 bits for each lane and byte of the factors; they are put together in the end.
-class NeonProducts {
+// One sum of 16 bits for each lane and byte of the factors.
+class Lanes {
  public:
-  void add(std::span<const std::byte, kProductLanes> bytes, const Factors& factors) {
-    const auto* const from = reinterpret_cast<const std::uint8_t*>(bytes.data());
-    const poly8x8_t left = vreinterpret_p8_u8(vld1_u8(from));
-    for (std::size_t i = 0; i < kFactorBytes; i += 2) {
-      const poly8x16_t right = vreinterpretq_p8_u8(vld1q_u8(factors.bytes[i].data()));
-      add_product(i, left, vget_low_p8(right));
-      add_product(i + 1, left, vget_high_p8(right));
-    }
+  void add(poly8x8_t bytes, poly8x16_t low_factors, poly8x16_t high_factors) {
+    add_product(0, bytes, vget_low_p8(low_factors));
+    add_product(1, bytes, vget_high_p8(low_factors));
+    add_product(2, bytes, vget_low_p8(high_factors));
+    add_product(3, bytes, vget_high_p8(high_factors));
   }
 
   // Columns of the four by four sums become rows, so that adding the rows adds the lanes.
@@ -48,6 +44,52 @@ class NeonProducts {
   }
 
   std::array<uint16x8_t, kFactorBytes> sums_{};
+};
+
+// Loads that move their own pointer: the compiler takes an addition for each instead. Both loads of
+// factors are one.
+poly8x8_t next_eight(const std::byte*& from) {
+  using Eight = const std::byte[kProductLanes];  // all that is read
+  poly8x8_t eight;
+  asm("vld1.8 {%P[eight]}, [%[from]]!"
+      : [eight] "=w"(eight), [from] "+r"(from)
+      : "m"(*reinterpret_cast<Eight*>(from)));
+  return eight;
+}
+poly8x16x2_t next_factors(const Factors*& from) {
+  poly8x16x2_t factors;
+  asm("vld1.8 %h[factors], [%[from] :256]!"
+      : [factors] "=w"(factors), [from] "+r"(from)
+      : "m"(*from));
+  return factors;
+}
+
+// The twin of PlainProducts.
+class NeonProducts {
+ public:
+  using Sums = PlainProducts::Sums;
+
+  static Sums of_halves(const std::byte* first, const std::byte* second,
+                        std::span<const Factors> factors) {
+    Lanes of_first;
+    Lanes of_second;
+    const Factors* next = factors.data();
+    for (const Factors* const end = next + factors.size(); next != end;) {
+      const poly8x16x2_t of_eight = next_factors(next);
+      of_first.add(next_eight(first), of_eight.val[0], of_eight.val[1]);
+      of_second.add(next_eight(second), of_eight.val[0], of_eight.val[1]);
+    }
+    return {.first = of_first.sum(), .second = of_second.sum()};
+  }
+
+  static std::uint64_t of(std::span<const std::byte, kProductLanes> bytes, const Factors& factors) {
+    Lanes lanes;
+    const std::byte* from = bytes.data();
+    const Factors* next = &factors;
+    const poly8x16x2_t of_eight = next_factors(next);
+    lanes.add(next_eight(from), of_eight.val[0], of_eight.val[1]);
+    return lanes.sum();
+  }
 };
 
 }  // namespace

@@ -21,8 +21,8 @@
 
 namespace iog::checksum {
 
-// `Sum` is PlainProducts or a twin of it.
-template <std::uint32_t kPolynomial, typename Sum>
+// `Products` is PlainProducts or a twin of it.
+template <std::uint32_t kPolynomial, typename Products>
 class ProductCrc32 {
  public:
   void update(std::span<const std::byte> bytes) {
@@ -44,32 +44,24 @@ class ProductCrc32 {
  private:
   using Bytewise = ReflectedCrc32<kPolynomial, 1>;
 
-  static constexpr std::size_t kMostBlockBytes = 1024;
-  static constexpr std::size_t kLeastBlockBytes = 32;  // below, adding up and reducing costs more
+  static constexpr std::size_t kMostBlockBytes = 1408;  // a whole message
+  static constexpr std::size_t kLeastBlockBytes = 32;   // below, adding up and reducing costs more
   static constexpr std::size_t kGroups = kMostBlockBytes / (2 * kProductLanes);
   using FactorsOfHalf = std::array<Factors, kGroups>;
 
+  // The state before a half acts as if it were added to the half's first four bytes.
   static std::uint32_t after_block(std::uint32_t state, std::span<const std::byte> block) {
-    const std::span<const std::byte> first_half = block.first(block.size() / 2);
-    const std::span<const std::byte> second_half = block.last(block.size() / 2);
-    const auto factors = std::span(kFactors).last(first_half.size() / kProductLanes);
-    Sum first;
-    Sum second;
-    add_state(first, state, factors.front());
-    for (std::size_t group = 0; group < factors.size(); ++group) {
-      const std::size_t at = group * kProductLanes;
-      first.add(first_half.subspan(at).template first<kProductLanes>(), factors[group]);
-      second.add(second_half.subspan(at).template first<kProductLanes>(), factors[group]);
-    }
-    add_state(second, reduced(first.sum()), factors.front());
-    return reduced(second.sum());
+    const std::size_t half = block.size() / 2;
+    const auto factors = std::span(kFactors).last(half / kProductLanes);
+    const auto sums = Products::of_halves(block.data(), block.data() + half, factors);
+    const std::uint32_t between = reduced(sums.first ^ of_state(state, factors.front()));
+    return reduced(sums.second ^ of_state(between, factors.front()));
   }
 
-  // The state before a half acts as if it were added to the half's first four bytes.
-  static void add_state(Sum& sum, std::uint32_t state, const Factors& factors) {
+  static std::uint64_t of_state(std::uint32_t state, const Factors& factors) {
     std::array<std::byte, kProductLanes> bytes{};
     wire::store_le32(std::span(bytes).template first<4>(), state);
-    sum.add(bytes, factors);
+    return Products::of(bytes, factors);
   }
 
   // Bits 0 to 6 of the sum are x^38 to x^32. They are reduced like the first byte of a state that a
@@ -98,8 +90,9 @@ class ProductCrc32 {
   Bytewise rest_;
 };
 
-template <std::uint32_t kPolynomial, typename Sum>
-inline constexpr typename ProductCrc32<kPolynomial, Sum>::FactorsOfHalf
-    ProductCrc32<kPolynomial, Sum>::kFactors = ProductCrc32<kPolynomial, Sum>::make_factors();
+template <std::uint32_t kPolynomial, typename Products>
+inline constexpr typename ProductCrc32<kPolynomial, Products>::FactorsOfHalf
+    ProductCrc32<kPolynomial, Products>::kFactors =
+        ProductCrc32<kPolynomial, Products>::make_factors();
 
 }  // namespace iog::checksum

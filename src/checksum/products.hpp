@@ -15,7 +15,7 @@ inline constexpr std::size_t kFactorBytes = 4;
 
 // A factor of 32 bits for each of eight bytes, as the machine loads them: byte by byte, lowest
 // first.
-struct alignas(16) Factors {
+struct alignas(32) Factors {
   std::array<std::array<std::uint8_t, kProductLanes>, kFactorBytes> bytes{};
 
   constexpr void set(std::size_t lane, std::uint32_t factor) {
@@ -25,25 +25,39 @@ struct alignas(16) Factors {
   }
 };
 
-// The sum, without carry, of bytes times their factors: 8 + 32 - 1 = 39 bits.
+// Sums, without carry, of bytes times their factors: 8 + 32 - 1 = 39 bits.
 class PlainProducts {
  public:
-  void add(std::span<const std::byte, kProductLanes> bytes, const Factors& factors) {
+  // Of two halves that share their factors: eight bytes of each for each of these.
+  struct Sums {
+    std::uint64_t first = 0;
+    std::uint64_t second = 0;
+  };
+  static Sums of_halves(const std::byte* first, const std::byte* second,
+                        std::span<const Factors> factors) {
+    Sums sums;
+    for (const Factors& of_eight : factors) {
+      sums.first ^= of(std::span<const std::byte, kProductLanes>(first, kProductLanes), of_eight);
+      sums.second ^= of(std::span<const std::byte, kProductLanes>(second, kProductLanes), of_eight);
+      first += kProductLanes;
+      second += kProductLanes;
+    }
+    return sums;
+  }
+
+  static std::uint64_t of(std::span<const std::byte, kProductLanes> bytes, const Factors& factors) {
+    std::uint64_t sum = 0;
     for (std::size_t lane = 0; lane < kProductLanes; ++lane) {
       for (std::size_t i = 0; i < kFactorBytes; ++i) {
         for (unsigned bit = 0; bit < 8; ++bit) {
           const std::uint64_t factor = factors.bytes[i][lane];
           const bool is_set = (std::to_integer<unsigned>(bytes[lane]) >> bit & 1U) != 0;
-          sum_ ^= is_set ? factor << (8 * i + bit) : 0U;
+          sum ^= is_set ? factor << (8 * i + bit) : 0U;
         }
       }
     }
+    return sum;
   }
-
-  [[nodiscard]] std::uint64_t sum() const { return sum_; }
-
- private:
-  std::uint64_t sum_ = 0;
 };
 
 }  // namespace iog::checksum

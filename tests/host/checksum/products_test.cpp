@@ -20,26 +20,40 @@ TEST(Products, AreThoseOfPolynomials) {
   Factors factors;
   bytes[2] = std::byte{0b11};
   factors.set(2, 0b101);
-  PlainProducts products;
-  products.add(bytes, factors);
-  EXPECT_EQ(products.sum(), 0b1111U);
+  EXPECT_EQ(PlainProducts::of(bytes, factors), 0b1111U);
   bytes[2] = std::byte{0x80};
   factors.set(2, 0x8000'0001);
-  products.add(bytes, factors);
-  EXPECT_EQ(products.sum(), 0x40'0000'0080U ^ 0b1111U);
-  products.add(bytes, factors);
-  EXPECT_EQ(products.sum(), 0b1111U);
+  EXPECT_EQ(PlainProducts::of(bytes, factors), 0x40'0000'0080U);
+  bytes[5] = std::byte{0x80};
+  factors.set(5, 0x8000'0001);
+  EXPECT_EQ(PlainProducts::of(bytes, factors), 0U);
 }
 
-// Blocks are of 32 to 1024 bytes: lengths around both, and several blocks.
+// Both halves take the factors in order: lane 2 of the second eight bytes has its own.
+TEST(Products, OfHalvesShareTheFactors) {
+  std::array<Factors, 2> factors;
+  factors[0].set(2, 0b101);
+  factors[1].set(2, 0b10);
+  std::array<std::byte, 4 * kProductLanes> bytes{};
+  bytes[2] = std::byte{0b11};
+  bytes[kProductLanes + 2] = std::byte{0b100};
+  bytes[2 * kProductLanes + 2] = std::byte{0b1};
+  const auto sums =
+      PlainProducts::of_halves(bytes.data(), bytes.data() + 2 * kProductLanes, factors);
+  EXPECT_EQ(sums.first, 0b1111U ^ 0b1000U);
+  EXPECT_EQ(sums.second, 0b101U);
+}
+
+// Blocks are of 32 to 1408 bytes: lengths around both, and several blocks.
 template <typename Crc>
 void expect_the_bytewise_one(std::uint32_t (*bytewise)(std::span<const std::byte>)) {
   tests::Random random(54);
-  std::vector<std::byte> bytes(2'200);
+  std::vector<std::byte> bytes(3'000);
   for (std::byte& byte : bytes) {
     byte = static_cast<std::byte>(random.next());
   }
-  for (const std::size_t length : {31U, 32U, 33U, 48U, 1'023U, 1'024U, 1'039U, 1'040U, 2'200U}) {
+  for (const std::size_t length :
+       {31U, 32U, 33U, 48U, 1'024U, 1'407U, 1'408U, 1'439U, 1'440U, 3'000U}) {
     for (const std::size_t start : {0U, 4U, 13U}) {
       const auto part = std::span(bytes).first(length).subspan(start);
       Crc crc;
