@@ -1,0 +1,60 @@
+// Symbols of n alternatives, many to a number.
+//
+// A symbol is worth log2 n bits, seldom a whole number of them. So as many symbols as fit, a
+// multiple of four, are the digits of one number to base n, the first the highest. A number has as
+// many bits as the largest one needs. The last number of a tile has the symbols that are left, and
+// zeros behind them up to a multiple of four. It has no more bits than fours would have one by one.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace iog::tile_coding {
+
+// What BitWriter takes at once.
+inline constexpr unsigned kMostNumberBits = 31;
+
+// Four digits to this base fit, but not to the next one.
+inline constexpr std::uint32_t kMostAlternatives = 215;
+
+struct Packing {
+  std::uint8_t fours = 0;  // of digits, in a number
+  std::uint8_t bits = 0;   // of a number
+  std::uint8_t bits_of_four = 0;
+
+  // Of the last number of a tile, which has so many fours.
+  [[nodiscard]] constexpr std::uint32_t rest_bits(std::size_t of_fours) const {
+    return std::min<std::uint32_t>(bits, static_cast<std::uint32_t>(of_fours) * bits_of_four);
+  }
+};
+
+// By the number of alternatives. Of one there is nothing to say, and it has no bits.
+inline constexpr std::size_t kPackingCount = 216;
+static_assert(kPackingCount == kMostAlternatives + 1);
+
+using Packings = std::array<Packing, kPackingCount>;
+
+consteval Packings make_packings() {
+  Packings packings{};
+  for (std::size_t n = 2; n <= kMostAlternatives; ++n) {
+    const std::uint64_t of_four = std::uint64_t{n} * n * n * n;
+    const auto bits_of = [](std::uint64_t numbers) {
+      return static_cast<std::uint8_t>(std::bit_width(numbers - 1));
+    };
+    std::uint64_t numbers = 1;
+    std::uint8_t fours = 0;
+    for (; bits_of(numbers * of_four) <= kMostNumberBits; ++fours) {
+      numbers *= of_four;
+    }
+    packings[n] = {.fours = fours, .bits = bits_of(numbers), .bits_of_four = bits_of(of_four)};
+  }
+  return packings;
+}
+inline constexpr Packings kPackings = make_packings();
+static_assert(kPackings[5].fours == 3 && kPackings[5].bits == 28);  // 5^12 < 2^28
+static_assert(kPackings[kMostAlternatives].fours == 1);
+
+}  // namespace iog::tile_coding
