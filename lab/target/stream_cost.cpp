@@ -61,34 +61,22 @@ struct Cost {
   std::uint32_t most = 0;
   std::uint32_t bytes = 0;
   std::array<std::uint32_t, tile_coding::kEncodingCount> chosen{};
-  std::array<std::uint32_t, tile_coding::kEncodingCount> bytes_by_encoding{};
 
-  void add(const tile_coding::EncodedTile& tile, std::uint32_t count,
-           const tile_coding::Encoder::Sizes& sizes) {
+  void add(const tile_coding::EncodedTile& tile, std::uint32_t count) {
     ++tiles;
     instructions += count;
     most = std::max(most, count);
     bytes += tile.bytes;
     ++chosen[static_cast<std::size_t>(tile.encoding)];
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-      bytes_by_encoding[i] += std::min(sizes[i], kTileBytes);
-    }
   }
 
   void report() const {
-    constexpr std::array<const char*, tile_coding::kEncodingCount> kTiles{
-        "raw_tiles", "run_length_tiles", "quadtree_tiles", "changed_since_tiles"};
-    constexpr std::array<const char*, tile_coding::kEncodingCount> kBytes{
-        "raw_bytes", "run_length_bytes", "quadtree_bytes", "changed_since_bytes"};
     std::printf("stream_cost encode=%s", name);
     print("tiles", tiles);
     print("bytes", bytes);
     print("instructions", instructions);
     print("most", most);
-    for (std::size_t i = 0; i < kTiles.size(); ++i) {
-      print(kTiles[i], chosen[i]);
-      print(kBytes[i], bytes_by_encoding[i]);
-    }
+    print("raw_tiles", chosen[static_cast<std::size_t>(Encoding::kRaw)]);
     std::puts("");
   }
 };
@@ -99,8 +87,8 @@ void encode_tile(const Tile& tile, const Tile& old, Cost& alone, Cost& since) {
   const auto encode = [&](const std::optional<tile_coding::Reference>& reference, Cost& cost) {
     tile_coding::EncodedTile result{};
     const std::uint32_t count =
-        instructions([&] { result = encoder.encode(tile, reference, payload); });
-    cost.add(result, count, encoder.sizes());
+        instructions([&] { result = encoder.encode(tile, 2, reference, payload); });
+    cost.add(result, count);
   };
   encode(std::nullopt, alone);
   encode(tile_coding::Reference{.cells = old, .frame_number = 1}, since);

@@ -72,7 +72,7 @@ bool GridSender::append_tile() {
     finish_message(end_tile_);
     return false;
   }
-  const tile_coding::EncodedTile encoded = encoder_.encode(cells_of(tile), {}, payload_);
+  const tile_coding::EncodedTile encoded = encoder_.encode(cells_of(tile), 0, {}, payload_);
   if (!writer_.append(tile, encoded.encoding, std::span(payload_).first(encoded.bytes))) {
     finish_message(tile);
     return false;

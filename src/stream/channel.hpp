@@ -9,22 +9,25 @@
 
 namespace iog::stream {
 
-// The major version of the format. A receiver refuses any other.
-inline constexpr std::uint8_t kInterfaceVersion = 3;
+// The major version of the format. A receiver refuses any other but the one before, of which it
+// knows how tiles were encoded.
+inline constexpr std::uint8_t kInterfaceVersion = 4;
+inline constexpr std::uint8_t kOldestReadVersion = 3;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
 // A receiver is alarmed when more messages than these are missing in a row. A frame of a wide road
 // is some 480 messages if its tiles are sent raw, and never more than 1025.
 inline constexpr std::uint16_t kMaxDeltaCounter = 512;
 
-inline constexpr protection::Channel kNetworkChannel{
-    .event = {.service_id = kServiceId, .event_id = 0x8001, .interface_version = kInterfaceVersion},
-    .data_id = 0x494F4701,
-    .max_delta_counter = kMaxDeltaCounter};
-
-inline constexpr protection::Channel kSerialChannel{
-    .event = {.service_id = kServiceId, .event_id = 0x8002, .interface_version = kInterfaceVersion},
-    .data_id = 0x494F4702,
-    .max_delta_counter = kMaxDeltaCounter};
+constexpr protection::Channel channel_of(std::uint16_t event_id, std::uint32_t data_id) {
+  return {.event = {.service_id = kServiceId,
+                    .event_id = event_id,
+                    .interface_version = kInterfaceVersion,
+                    .oldest_read_version = kOldestReadVersion},
+          .data_id = data_id,
+          .max_delta_counter = kMaxDeltaCounter};
+}
+inline constexpr protection::Channel kNetworkChannel = channel_of(0x8001, 0x494F4701);
+inline constexpr protection::Channel kSerialChannel = channel_of(0x8002, 0x494F4702);
 
 }  // namespace iog::stream

@@ -10,14 +10,18 @@ void References::keep(std::size_t tile, tile_coding::TileCells cells, std::uint3
   frame_numbers_[tile] = frame_number;
   payload_bytes_[tile] = static_cast<std::uint16_t>(payload_bytes);
   is_kept_[tile] = true;
+  is_spent_[tile] = false;
+}
+
+void References::note_changes(std::size_t tile, std::size_t payload_bytes) {
+  is_spent_[tile] = 8 * payload_bytes > std::size_t{7} * payload_bytes_[tile];
 }
 
 std::optional<tile_coding::Reference> References::find(std::size_t tile) const {
   if (!is_kept_[tile]) {
     return std::nullopt;
   }
-  return tile_coding::Reference{
-      .cells = cells_[tile], .frame_number = frame_numbers_[tile], .bytes = payload_bytes_[tile]};
+  return tile_coding::Reference{.cells = cells_[tile], .frame_number = frame_numbers_[tile]};
 }
 
 std::optional<tile_coding::Reference> References::usable(std::size_t tile,
@@ -25,10 +29,8 @@ std::optional<tile_coding::Reference> References::usable(std::size_t tile,
   constexpr std::uint32_t kPeriod = kMaxReferenceAge + 1;
   const auto number = static_cast<std::uint32_t>(tile);
   const bool is_its_turn = (frame_number + number) % kPeriod == 0;
-  if (is_its_turn || frame_number - frame_numbers_[tile] > kMaxReferenceAge) {
-    return std::nullopt;
-  }
-  return find(tile);
+  const bool is_old = frame_number - frame_numbers_[tile] > kMaxReferenceAge;
+  return is_its_turn || is_old || is_spent_[tile] ? std::nullopt : find(tile);
 }
 
 }  // namespace iog::stream

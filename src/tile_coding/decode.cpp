@@ -1,112 +1,20 @@
-// Each decoder ends, because a run or a block has at least one cell and is refused if it does not
-// fit.
 #include "tile_coding/decode.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "tile_coding/bit_stream.hpp"
+#include "tile_coding/older_encodings.hpp"
+#include "tile_coding/symbol_packing.hpp"
+#include "tile_coding/values.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tile_coding {
 namespace {
 
-constexpr unsigned kMaxLengthBits = kTileSideLog2 * 2;  // behind the highest of a length
-
-// Reads Elias' gamma code; 0 if it is not the code of a length.
-std::size_t read_length(BitReader& in) {
-  unsigned zeros = 0;
-  while (!in.bit()) {
-    if (++zeros > kMaxLengthBits) {
-      return 0;
-    }
-  }
-  return (std::size_t{1} << zeros) | in.bits(zeros);
-}
-
-// Takes the list of values from the front of the payload; empty if it is malformed.
-struct Values {
-  std::span<const std::byte> list;
-  std::span<const std::byte> rest;
-  bool ok = false;
-};
-
-Values take_values(std::span<const std::byte> payload) {
-  if (payload.empty()) {
-    return {};
-  }
-  const auto count = std::to_integer<std::size_t>(payload[0]);
-  if (payload.size() < 1 + count) {
-    return {};
-  }
-  const auto list = payload.subspan(1, count);
-  return {.list = list,
-          .rest = payload.subspan(1 + count),
-          .ok = std::ranges::find(list, kNoIndex) == list.end()};
-}
-
-// With a reference, symbol 0 stands for the reference's cells, and the values count from 1.
-bool decode_runs(std::span<const std::byte> payload, const Reference* reference,
-                 MutableTileCells cells) {
-  const Values values = take_values(payload);
-  const std::size_t first_value = reference != nullptr ? 1 : 0;
-  const std::size_t symbols = values.list.size() + first_value;
-  if (!values.ok || symbols == 0) {
-    return false;
-  }
-  BitReader in(values.rest);
-  unsigned bits = symbol_bits(symbols);
-  std::size_t before = symbols;  // above every symbol: nothing is excluded
-  for (std::size_t begin = 0; begin < kTileBytes;) {
-    const std::size_t code = in.bits(bits);
-    const std::size_t symbol = code + (code >= before ? 1 : 0);
-    const std::size_t length = read_length(in);
-    if (!in.ok() || symbol >= symbols || length == 0 || length > kTileBytes - begin) {
-      return false;
-    }
-    const auto run = cells.subspan(begin, length);
-    if (symbol < first_value) {
-      std::ranges::copy(reference->cells.subspan(begin, length), run.begin());
-    } else {
-      std::ranges::fill(run, values.list[symbol - first_value]);
-    }
-    before = symbol;
-    bits = symbol_bits(symbols - 1);
-    begin += length;
-  }
-  return in.ends_here();
-}
-
-void fill_block(MutableTileCells cells, std::size_t m, std::size_t level, std::byte value) {
-  const std::size_t corner = cell_of_morton(m);
-  const std::size_t side = std::size_t{1} << level;
-  for (std::size_t y = 0; y < side; ++y) {
-    std::ranges::fill(cells.subspan(corner + y * kTileSide, side), value);
-  }
-}
-
-bool decode_quadtree(std::span<const std::byte> payload, MutableTileCells cells) {
-  const Values values = take_values(payload);
-  if (!values.ok || values.list.empty()) {
-    return false;
-  }
-  BitReader in(values.rest);
-  const unsigned bits = symbol_bits(values.list.size());
-  for (std::size_t m = 0; m < kTileBytes;) {
-    std::size_t level =
-        m == 0 ? Quadtree::kLevels : static_cast<std::size_t>(std::countr_zero(m)) / 2;
-    while (level > 0 && in.bit()) {
-      --level;
-    }
-    const std::size_t symbol = in.bits(bits);
-    if (!in.ok() || symbol >= values.list.size()) {
-      return false;
-    }
-    fill_block(cells, m, level, values.list[symbol]);
-    m += std::size_t{1} << (2 * level);
-  }
-  return in.ends_here();
-}
+constexpr std::size_t kFrameNumberBytes = 4;
+constexpr std::size_t kAgeBytes = 1;
 
 bool decode_raw(std::span<const std::byte> payload, MutableTileCells cells) {
   if (payload.size() != kTileBytes || std::ranges::find(payload, kNoIndex) != payload.end()) {
@@ -116,43 +24,156 @@ bool decode_raw(std::span<const std::byte> payload, MutableTileCells cells) {
   return true;
 }
 
-DecodeStatus decode_since(std::span<const std::byte> payload,
-                          const std::optional<Reference>& reference, MutableTileCells cells) {
-  const std::optional<std::uint32_t> frame = reference_frame(payload);
-  if (!frame) {
-    return DecodeStatus::kMalformed;
+// Where runs start, bit x of word y, and how many they are.
+struct Starts {
+  std::array<std::uint32_t, kTileSide> rows{};
+  std::size_t count = 0;
+};
+
+// Takes them from the front of the payload. False if it is too short, or a block that is said to
+// have a start has none.
+bool take_starts(std::span<const std::byte>& payload, Starts& starts) {
+  if (payload.size() < TileRuns::kSets) {
+    return false;
   }
-  if (!reference || reference->frame_number != *frame) {
-    return DecodeStatus::kUnknownReference;
+  const auto sets = payload.first<TileRuns::kSets>();
+  payload = payload.subspan(sets.size());
+  for (std::size_t block = 0; block < TileRuns::kBlocks; ++block) {
+    if ((std::to_integer<unsigned>(sets[block / 8]) >> (block % 8) & 1U) == 0) {
+      continue;
+    }
+    if (payload.empty() || payload[0] == std::byte{0}) {
+      return false;
+    }
+    const auto cells = std::to_integer<std::uint32_t>(payload[0]);
+    payload = payload.subspan(1);
+    const std::size_t y = block / TileRuns::kBlocksPerRow * 2;
+    const std::size_t x = block % TileRuns::kBlocksPerRow * 4;
+    starts.rows[y] |= (cells & 0xFU) << x;
+    starts.rows[y + 1] |= (cells >> 4) << x;
+    starts.count += static_cast<std::size_t>(std::popcount(cells));
   }
-  return decode_runs(payload.subspan(4), &*reference, cells) ? DecodeStatus::kOk
-                                                             : DecodeStatus::kMalformed;
+  return true;
+}
+
+using Digits = std::array<std::uint8_t, kTileBytes>;
+
+// Reads so many symbols; false if they are not what was packed.
+bool read_digits(BitReader& in, std::uint32_t alternatives, std::size_t count, Digits& digits) {
+  const Packing packing = kPackings[alternatives];
+  if (packing.bits == 0) {
+    return true;
+  }
+  std::size_t fours = (count + 3) / 4;
+  for (std::size_t first = 0; fours > 0;) {
+    const std::size_t in_number = std::min<std::size_t>(packing.fours, fours);
+    const bool is_whole = in_number == packing.fours;
+    std::uint32_t number = in.bits(is_whole ? packing.bits : packing.rest_bits(in_number));
+    for (std::size_t i = 4 * in_number; i > 0; --i, number /= alternatives) {
+      const auto digit = static_cast<std::uint8_t>(number % alternatives);
+      if (first + i - 1 < count) {
+        digits[first + i - 1] = digit;
+      } else if (digit != 0) {
+        return false;
+      }
+    }
+    if (number != 0) {
+      return false;
+    }
+    first += 4 * in_number;
+    fours -= in_number;
+  }
+  return true;
+}
+
+// The runs, from the first cell on. Symbol 0 stands for the reference's cells, and the values count
+// from 1. The tile begins as in the reference, and no run has the symbol of the run before it.
+void draw_runs(const Starts& starts, const Digits& digits, std::span<const std::byte> values,
+               const std::optional<TileCells>& reference, MutableTileCells cells) {
+  std::size_t symbol = 0;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < kTileBytes; ++i) {
+    if ((starts.rows[i / kTileSide] >> (i % kTileSide) & 1U) != 0) {
+      const std::size_t digit = digits[next++];
+      symbol = digit + (digit >= symbol ? 1 : 0);
+    }
+    const std::byte as_reference = reference ? (*reference)[i] : std::byte{0};
+    cells[i] = symbol == 0 ? as_reference : values[symbol - 1];
+  }
+}
+
+bool decode_run_starts(std::span<const std::byte> payload,
+                       const std::optional<TileCells>& reference, MutableTileCells cells) {
+  const std::optional<Values> values = take_values(payload);
+  if (!values || values->list.size() > kMostAlternatives) {
+    return false;
+  }
+  Starts starts;
+  Digits digits{};
+  if (values->list.empty()) {
+    draw_runs(starts, digits, {}, reference, cells);
+    return values->rest.empty();
+  }
+  std::span<const std::byte> rest = values->rest;
+  if (!take_starts(rest, starts)) {
+    return false;
+  }
+  BitReader in(rest);
+  const auto alternatives = static_cast<std::uint32_t>(values->list.size());
+  if (!read_digits(in, alternatives, starts.count, digits) || !in.ends_here()) {
+    return false;
+  }
+  draw_runs(starts, digits, values->list, reference, cells);
+  return true;
+}
+
+// What is behind the frame number or the age.
+bool decode_since(Encoding encoding, std::span<const std::byte> payload, TileCells reference,
+                  MutableTileCells cells) {
+  return encoding == Encoding::kChangedSince
+             ? decode_run_length(payload.subspan(kFrameNumberBytes), reference, cells)
+             : decode_run_starts(payload.subspan(kAgeBytes), reference, cells);
 }
 
 }  // namespace
 
-std::optional<std::uint32_t> reference_frame(std::span<const std::byte> payload) {
-  if (payload.size() < 4) {
-    return std::nullopt;
+std::optional<std::uint32_t> reference_frame(Encoding encoding, std::span<const std::byte> payload,
+                                             std::uint32_t frame_number) {
+  if (encoding == Encoding::kChangedSince && payload.size() >= kFrameNumberBytes) {
+    return wire::load_be32(payload.first<kFrameNumberBytes>());
   }
-  return wire::load_be32(payload.first<4>());
+  if (encoding == Encoding::kRunStartsSince && payload.size() >= kAgeBytes) {
+    return frame_number - std::to_integer<std::uint32_t>(payload[0]);
+  }
+  return std::nullopt;
 }
 
 DecodeStatus decode(Encoding encoding, std::span<const std::byte> payload,
-                    const std::optional<Reference>& reference, MutableTileCells cells) {
+                    std::uint32_t frame_number, const std::optional<Reference>& reference,
+                    MutableTileCells cells) {
   bool is_tile = false;
   switch (encoding) {
     case Encoding::kRaw:
       is_tile = decode_raw(payload, cells);
       break;
     case Encoding::kRunLength:
-      is_tile = decode_runs(payload, nullptr, cells);
+      is_tile = decode_run_length(payload, std::nullopt, cells);
       break;
     case Encoding::kQuadtree:
       is_tile = decode_quadtree(payload, cells);
       break;
+    case Encoding::kRunStarts:
+      is_tile = decode_run_starts(payload, std::nullopt, cells);
+      break;
     case Encoding::kChangedSince:
-      return decode_since(payload, reference, cells);
+    case Encoding::kRunStartsSince: {
+      const std::optional<std::uint32_t> frame = reference_frame(encoding, payload, frame_number);
+      if (frame && (!reference || reference->frame_number != *frame)) {
+        return DecodeStatus::kUnknownReference;
+      }
+      is_tile = frame && decode_since(encoding, payload, reference->cells, cells);
+      break;
+    }
     default:
       return DecodeStatus::kUnknownEncoding;
   }

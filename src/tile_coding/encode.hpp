@@ -1,7 +1,7 @@
-// From a tile's cells to the shortest of its encodings.
+// From a tile's cells to what is sent of them.
 //
-// A payload never exceeds the 1024 bytes of the raw one. Encoding is a few passes over the cells:
-// its time has a bound, whatever they are.
+// A payload never exceeds the 1024 bytes of the raw one. Encoding is a few passes over the cells
+// and two over the runs: its time has a bound, whatever they are.
 #pragma once
 
 #include <array>
@@ -10,27 +10,29 @@
 #include <optional>
 #include <span>
 
-#include "tile_coding/cell_map.hpp"
-#include "tile_coding/quadtree.hpp"
-#include "tile_coding/runs.hpp"
+#include "tile_coding/symbol_packing.hpp"
 #include "tile_coding/tile_cells.hpp"
+#include "tile_coding/tile_runs.hpp"
 
 namespace iog::tile_coding {
 
-// The values are on the wire.
+// The values are on the wire (docs/spec.md 3.4). Encodings 1 to 3 are read, of older targets, and
+// no longer written.
 enum class Encoding : std::uint8_t {
-  kRaw = 0,           // one byte a cell
-  kRunLength = 1,     // tile_coding/runs.hpp
-  kQuadtree = 2,      // tile_coding/quadtree.hpp
-  kChangedSince = 3,  // u32 frame number, big endian, then runs against the tile of that frame
+  kRaw = 0,        // one byte a cell
+  kRunLength = 1,  // runs of one value
+  kQuadtree = 2,   // blocks of one value
+  kChangedSince =
+      3,           // u32 frame number, big endian, then run length against the tile of that frame
+  kRunStarts = 4,  // where runs start, and their values
+  kRunStartsSince = 5,  // u8 frames since the reference, then run starts against it
 };
-inline constexpr std::size_t kEncodingCount = 4;
+inline constexpr std::size_t kEncodingCount = 6;
 
 // A tile as it was in an earlier frame that the receiver is meant to have.
 struct Reference {
   TileCells cells;
   std::uint32_t frame_number;
-  std::size_t bytes = 0;  // of its payload, when it was sent
 };
 
 struct EncodedTile {
@@ -41,39 +43,21 @@ struct EncodedTile {
 // Holds what an encoding is made from, so that no stack has to.
 class Encoder {
  public:
-  using Sizes = std::array<std::size_t, kEncodingCount>;
-
-  // Writes the shortest encoding, the first of equally short ones. No cell is -128. What has
-  // changed since the reference is taken at once if it is not longer than the reference's own
-  // payload was: what the tile would take by itself now is hardly less, and finding it takes half
-  // of the time.
-  [[nodiscard]] EncodedTile encode(TileCells cells, const std::optional<Reference>& reference,
+  // Writes kRunStartsSince if there is a reference, at most 255 frames older than the frame, else
+  // kRunStarts; raw where these might be longer. No cell is -128.
+  [[nodiscard]] EncodedTile encode(TileCells cells, std::uint32_t frame_number,
+                                   const std::optional<Reference>& reference,
                                    MutableTileCells payload);
 
-  // Writes this encoding if it is not longer than a raw tile, else a raw one. kChangedSince without
-  // a reference is raw, too.
-  [[nodiscard]] EncodedTile encode_as(Encoding encoding, TileCells cells,
-                                      const std::optional<Reference>& reference,
-                                      MutableTileCells payload);
-
-  // What each encoding of the last tile took or would have taken, if it was not taken at once;
-  // without a reference the last one is that of a raw tile.
-  [[nodiscard]] const Sizes& sizes() const { return sizes_; }
-
  private:
-  void survey_since(TileCells cells, const std::optional<Reference>& reference);
-  void survey_alone(TileCells cells);
-  [[nodiscard]] std::size_t write(Encoding encoding, TileCells cells,
-                                  const std::optional<Reference>& reference,
-                                  MutableTileCells payload);
+  [[nodiscard]] std::size_t number_values(std::span<std::byte, kMostAlternatives> values);
+  [[nodiscard]] std::size_t most_symbol_bytes(std::size_t alternatives) const;
+  [[nodiscard]] std::uint32_t symbols_of(std::uint32_t four) const;
+  [[nodiscard]] std::size_t write_symbols(std::uint32_t alternatives, std::span<std::byte> out);
 
-  CellMap changes_;
-  CellMap steps_;
-  CellMap differences_;
-  Runs runs_;
-  RunsSince runs_since_;
-  Quadtree quadtree_;
-  Sizes sizes_{};
+  alignas(16) std::array<std::uint8_t, 256> symbols_{};            // by value
+  alignas(16) std::array<std::uint32_t, kTileBytes / 4> fours_{};  // of the runs: their symbols
+  TileRuns runs_;
 };
 
 }  // namespace iog::tile_coding

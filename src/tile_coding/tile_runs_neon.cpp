@@ -107,8 +107,7 @@ void add(const Bits& a, const Bits& b, Bits& sum) {
   const Word* from_a = a.data();
   const Word* from_b = b.data();
   Word* to = sum.data();
-  asm volatile(
-      "adds r0, r0, #0\n"
+  asm("adds r0, r0, #0\n"
       ".rept 8\n"
       "ldm %[a]!, {r0, r1, r2, r3}\n"
       "ldm %[b]!, {r4, r5, r6, r8}\n"
@@ -118,7 +117,7 @@ void add(const Bits& a, const Bits& b, Bits& sum) {
       "adcs r3, r3, r8\n"
       "stm %[to]!, {r0, r1, r2, r3}\n"
       ".endr\n"
-      : [a] "+r"(from_a), [b] "+r"(from_b), [to] "+r"(to)
+      : [a] "+r"(from_a), [b] "+r"(from_b), [to] "+r"(to), "=m"(sum)
       :
       : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "car_block/content.hpp"
+#include "fakes/bytes_of.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/ouster_packet.hpp"
@@ -260,14 +261,20 @@ void add_tile_seeds(Seeds& seeds) {
     cells.at(i) = static_cast<std::byte>(i / 40 % 6);
   }
   const std::array<std::byte, tile_coding::kTileBytes> before{};
-  const tile_coding::Reference reference{.cells = before, .frame_number = 0};
-  for (std::size_t i = 0; i < tile_coding::kEncodingCount; ++i) {
+  for (const auto& reference :
+       {std::optional<tile_coding::Reference>(),
+        std::optional(tile_coding::Reference{.cells = before, .frame_number = 3})}) {
     std::array<std::byte, tile_coding::kTileBytes> payload{};
-    const auto result =
-        encoder.encode_as(static_cast<tile_coding::Encoding>(i), cells, reference, payload);
-    Bytes seed{static_cast<std::byte>(result.encoding), std::byte{0}};
+    const auto result = encoder.encode(cells, 5, reference, payload);
+    Bytes seed{static_cast<std::byte>(result.encoding), std::byte{5}, std::byte{3}};
     seed.insert(seed.end(), payload.begin(),
                 payload.begin() + static_cast<std::ptrdiff_t>(result.bytes));
+    seeds.add("tile_decoder", seed);
+  }
+  // Of older targets: a flat tile by runs and as a quadtree, and an unchanged one.
+  for (const auto& seed :
+       {tests::bytes_of({1, 5, 3, 1, 0, 0x00, 0x20, 0x00}), tests::bytes_of({2, 5, 3, 1, 7, 0}),
+        tests::bytes_of({3, 5, 3, 0, 0, 0, 3, 0, 0x00, 0x20, 0x00})}) {
     seeds.add("tile_decoder", seed);
   }
   Bytes drawing;

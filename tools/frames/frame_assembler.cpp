@@ -23,9 +23,14 @@ constexpr unsigned grids_of(const stream::Header& header) {
 
 }  // namespace
 
-std::string words_of_version(std::uint8_t sent) {
-  return "interface version " + std::to_string(sent) + "; this iog reads " +
+std::string versions_read() {
+  static_assert(stream::kInterfaceVersion == stream::kOldestReadVersion + 1);
+  return std::to_string(stream::kOldestReadVersion) + " and " +
          std::to_string(stream::kInterfaceVersion);
+}
+
+std::string words_of_version(std::uint8_t sent) {
+  return "interface version " + std::to_string(sent) + "; this iog reads " + versions_read();
 }
 
 FrameAssembler::FrameAssembler(FrameHandler on_frame)

@@ -32,7 +32,10 @@
 
 namespace iog::tools {
 
-// "interface version 2; this iog reads 3"
+// "3 and 4": the interface versions.
+[[nodiscard]] std::string versions_read();
+
+// "interface version 2; this iog reads 3 and 4"
 [[nodiscard]] std::string words_of_version(std::uint8_t sent);
 
 class FrameAssembler {

@@ -7,8 +7,8 @@ namespace iog::tools {
 bool TileDecoder::decode(const stream::TileRecord& record, std::uint32_t frame_number,
                          TileBytes& cells, MessageCounts& counts) {
   using tile_coding::DecodeStatus;
-  switch (
-      tile_coding::decode(record.encoding, record.payload, references_->find(record.tile), cells)) {
+  switch (tile_coding::decode(record.encoding, record.payload, frame_number,
+                              references_->find(record.tile), cells)) {
     case DecodeStatus::kOk:
       break;
     case DecodeStatus::kUnknownEncoding:

@@ -79,7 +79,7 @@ void Scene::set_layer(LayerName name, Copy&& copy) {
     copy(number, cells);
     tile_coding::EncodedTile encoded{.encoding = tile_coding::Encoding::kRaw, .bytes = 0};
     if (cells != Cells{}) {
-      encoded = encoder_.encode_as(tile_coding::Encoding::kRunLength, cells, std::nullopt, payload);
+      encoded = encoder_.encode(cells, 0, std::nullopt, payload);
     }
     const auto bytes = std::span(payload).first(encoded.bytes);
     Tile& tile = layer.tiles.at(number);

@@ -288,7 +288,7 @@ std::string status_json(const StatusParts& parts) {
                   {"too_slow", health.is_too_slow_lately(parts.now_ms)},
                   {"other_version", health.has_other_version_lately(parts.now_ms)},
                   {"strange_grid", health.has_strange_grid_lately(parts.now_ms)},
-                  {"version", stream::kInterfaceVersion},
+                  {"versions_read", versions_read()},
                   {"version_sent", version_sent ? Json(*version_sent) : nullptr},
                   {"car_refused", parts.assembler->car_refusal().value_or("")},
                   {"channel", channel_name(parts.assembler->channel())},

@@ -1,6 +1,5 @@
 #include "lab/experiments/stream/stream_bytes.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -62,10 +61,8 @@ class Scale {
       }
       ++bytes_.tiles;
       bytes_.bytes_alone +=
-          encoder_->encode(tools::cells_of_tile(frame.cells, tile), std::nullopt, payload_).bytes;
-      for (std::size_t i = 0; i < bytes_.bytes_by.size(); ++i) {
-        bytes_.bytes_by.at(i) += std::min(encoder_->sizes().at(i), tile_coding::kTileBytes);
-      }
+          encoder_->encode(tools::cells_of_tile(frame.cells, tile), 0, std::nullopt, payload_)
+              .bytes;
     }
   }
 

@@ -21,9 +21,7 @@ struct StreamBytes {
   // As they are sent: how many tiles by each encoding, and the bytes of their payloads.
   std::array<std::uint64_t, tile_coding::kEncodingCount> sent_tiles{};
   std::array<std::uint64_t, tile_coding::kEncodingCount> sent_bytes{};
-  // If each tile were sent by this encoding, and by the shortest of those that need no other frame.
-  std::array<std::uint64_t, tile_coding::kEncodingCount> bytes_by{};
-  std::uint64_t bytes_alone = 0;
+  std::uint64_t bytes_alone = 0;  // if each tile were sent by itself
 };
 
 // Feeds the target with datagrams, one after the other.

@@ -21,9 +21,8 @@ namespace {
 using tile_coding::Encoding;
 
 constexpr std::array kEncodings{std::pair(Encoding::kRaw, "raw"),
-                                std::pair(Encoding::kRunLength, "run_length"),
-                                std::pair(Encoding::kQuadtree, "quadtree"),
-                                std::pair(Encoding::kChangedSince, "changed_since")};
+                                std::pair(Encoding::kRunStarts, "run_starts"),
+                                std::pair(Encoding::kRunStartsSince, "run_starts_since")};
 
 constexpr std::uint32_t kSerialBytesPerSecond = 11'520;  // 115,200 baud
 constexpr std::uint32_t kQuietFrames = 12;               // at the end of the drive over a bad link
@@ -35,22 +34,18 @@ Feed feed_of(std::string_view scene, const Input& input) {
   return feed_of_drive(reference_car(), scene, input.seed, input.seconds);
 }
 
-// Sums over frames: what does not depend on how a tile is sent, with what all would take by one
-// encoding alone, and what was sent by which.
+// Sums over frames: what does not depend on how a tile is sent, with what all would take if none
+// had a reference, and what was sent by which encoding.
 class Weights {
  public:
   // of: what the rows are told apart by, a scene or a recording; suffix: of the tables' names.
   Weights(const std::string& of, const std::string& suffix)
       : frames_("stream_frames" + suffix,
-                {of, "frames", "known_tiles", "raw_bytes", "run_length_bytes", "quadtree_bytes",
-                 "shortest_alone_bytes", "messages", "message_bytes"}),
+                {of, "frames", "known_tiles", "alone_bytes", "messages", "message_bytes"}),
         sent_("stream_sent" + suffix, {of, "encoding", "tiles", "payload_bytes"}) {}
 
   void add(const std::string& name, const StreamBytes& bytes) {
-    frames_.row(name, bytes.frames, bytes.tiles, of_encoding(bytes.bytes_by, Encoding::kRaw),
-                of_encoding(bytes.bytes_by, Encoding::kRunLength),
-                of_encoding(bytes.bytes_by, Encoding::kQuadtree), bytes.bytes_alone, bytes.messages,
-                bytes.bytes);
+    frames_.row(name, bytes.frames, bytes.tiles, bytes.bytes_alone, bytes.messages, bytes.bytes);
     for (const auto& [encoding, words] : kEncodings) {
       sent_.row(name, words, of_encoding(bytes.sent_tiles, encoding),
                 of_encoding(bytes.sent_bytes, encoding));

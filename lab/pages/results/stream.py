@@ -9,7 +9,7 @@ from markdown import fixed, grouped, percent
 from section import Section, one, select
 
 SCENES = {"city": "city", "ring_road": "ring road"}
-ENCODINGS = ("raw", "run_length", "quadtree", "changed_since")
+ENCODINGS = ("raw", "run_starts", "run_starts_since")
 TILES, TILE_BYTES = 1024, 1024  # of the grid; of a raw tile (docs/spec.md 3.4)
 FRAMES_A_SECOND = 25
 PERIOD_MS = 40
@@ -25,10 +25,8 @@ def _weighed(frames, sent, of):
         weighed[name] = types.SimpleNamespace(
             frames=row.frames, tiles=row.known_tiles / row.frames,
             messages=row.messages / row.frames, message_bytes=row.message_bytes / row.frames,
-            payloads={"raw": row.raw_bytes / row.frames,
-                      "run length": row.run_length_bytes / row.frames,
-                      "quadtree": row.quadtree_bytes / row.frames,
-                      "shortest alone": row.shortest_alone_bytes / row.frames,
+            payloads={"raw": row.known_tiles * TILE_BYTES / row.frames,
+                      "alone": row.alone_bytes / row.frames,
                       "as sent": of_it["payload_bytes"].sum() / row.frames},
             shares=[one(of_it, "tiles", encoding=encoding) / row.known_tiles
                     for encoding in ENCODINGS])

@@ -124,7 +124,8 @@ class FakePlatform {
     stream::References& references = tiles.window ? *class_references_ : *references_;
     for (stream::TileRecord record; records.next(record);) {
       std::array<std::byte, tile_coding::kTileBytes> cells{};
-      if (tile_coding::decode(record.encoding, record.payload, references.find(record.tile),
+      if (tile_coding::decode(record.encoding, record.payload, header.frame_number,
+                              references.find(record.tile),
                               cells) != tile_coding::DecodeStatus::kOk) {
         ++unreadable_;
         continue;

@@ -96,7 +96,7 @@ class GridSenderOnALink : public testing::Test {
     for (stream::TileRecord record; records.next(record);) {
       EXPECT_TRUE(stream::stands_by_itself(record.encoding));
       EXPECT_EQ(
-          tile_coding::decode(record.encoding, record.payload, {}, message.known[record.tile]),
+          tile_coding::decode(record.encoding, record.payload, 0, {}, message.known[record.tile]),
           tile_coding::DecodeStatus::kOk);
     }
     return message;

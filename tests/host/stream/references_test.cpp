@@ -23,7 +23,6 @@ TEST(References, KeepTheLastOfEachTile) {
   const auto kept = references->find(3);
   ASSERT_TRUE(kept.has_value());
   EXPECT_EQ(kept->frame_number, 12U);
-  EXPECT_EQ(kept->bytes, 7U);
   EXPECT_TRUE(std::ranges::equal(kept->cells, tile_of(5)));
   references->forget();
   EXPECT_FALSE(references->find(3).has_value());
@@ -58,6 +57,19 @@ TEST(References, TilesTakeTurnsToStandByThemselves) {
     }
     EXPECT_EQ(alone, geometry::kTileCount / 8);
   }
+}
+
+// 35 of 40 bytes are seven eighths.
+TEST(References, NoneIsUsableSinceWhichTooMuchHasChanged) {
+  const auto references = std::make_unique<References>();
+  references->keep(3, tile_of(1), 10, 40);
+  references->note_changes(3, 35);
+  EXPECT_TRUE(references->usable(3, 12).has_value());
+  references->note_changes(3, 36);
+  EXPECT_FALSE(references->usable(3, 12).has_value());
+  EXPECT_TRUE(references->find(3).has_value()) << "what was sent refers to it";
+  references->keep(3, tile_of(2), 12, 40);
+  EXPECT_TRUE(references->usable(3, 14).has_value());
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // The codes of small tiles by hand, and that every tile comes back.
-#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "fakes/bytes_of.hpp"
 #include "fakes/effort.hpp"
 #include "tile_coding/decode.hpp"
 #include "tile_coding/encode.hpp"
+#include "tile_coding/symbol_packing.hpp"
 #include "tiles.hpp"
 
 namespace iog::tile_coding {
@@ -13,131 +15,164 @@ namespace {
 
 using tests::Bytes;
 using tests::bytes_of;
+using tests::joined;
+
+constexpr std::uint32_t kFrame = 1'000;
 
 struct Coded {
+  Coded(Encoding by, Bytes bytes) : encoding(by), payload(std::move(bytes)) {}
+
   Encoding encoding;
   Bytes payload;
+  friend bool operator==(const Coded&, const Coded&) = default;
 };
 
-Coded coded(const Tile& tile, Encoding encoding,
-            const std::optional<Reference>& reference = std::nullopt) {
-  static Encoder encoder;
-  std::array<std::byte, kTileBytes> payload{};
-  const EncodedTile result = encoder.encode_as(encoding, tile, reference, payload);
-  return {.encoding = result.encoding,
-          .payload =
-              Bytes(payload.begin(), payload.begin() + static_cast<std::ptrdiff_t>(result.bytes))};
-}
-
-// Rows of one character a cell; rows that are not given are like the last one.
-Tile tile_of(std::initializer_list<const char*> rows) {
-  Tile tile{};
-  for (std::size_t y = 0; y < kTileSide; ++y) {
-    const char* row = *(rows.begin() + std::min(y, rows.size() - 1));
-    for (std::size_t x = 0; x < kTileSide; ++x) {
-      tile.at(y * kTileSide + x) =
-          row[x] == '.' ? std::byte{0} : static_cast<std::byte>(row[x] - '0');
-    }
-  }
-  return tile;
-}
-
-// One run of 1024 cells: ten zeros, a one, ten zeros.
-TEST(RunLength, AFlatTileIsOneRun) {
-  EXPECT_EQ(coded(flat_tile(0), Encoding::kRunLength).payload, bytes_of({1, 0, 0x00, 0x20, 0x00}));
-}
-
-// Runs of 3 cells of 7, 1 of 9, 1020 of 0. The first symbol of three has two bits, the others one
-// of the two that are left: 00 011 | 0 1 | 0 ...; the last is symbol 2, of which the one before, 1,
-// is taken out: 1 000000000 1111111100.
-TEST(RunLength, SymbolsLeaveOutTheOneBefore) {
-  const Tile tile =
-      tile_of({"7779............................", "................................"});
-  EXPECT_EQ(coded(tile, Encoding::kRunLength).payload,
-            bytes_of({3, 7, 9, 0, 0b00'011'0'1'1, 0b00000000, 0b0'1111111, 0b100'00000}));
-}
-
-TEST(Quadtree, AFlatTileIsOneLeaf) {
-  EXPECT_EQ(coded(flat_tile(-14), Encoding::kQuadtree).payload, bytes_of({1, -14, 0}));
-}
-
-// A single cell of 5 at x = 3, y = 0. The root, its first quarter and so on are split (1), four
-// times; the first 2 x 2 block is a leaf of 0 (0 0), the second is split (1) into 0 1 0 0. Then of
-// each level three leaves (0 0): of 2 x 2, 4 x 4, 8 x 8 and 16 x 16 cells, but for the block that
-// is done, 2 of 2 x 2 and 3 each of the others.
-TEST(Quadtree, ASingleCellIsAPathOfSplitBlocks) {
-  const Tile tile =
-      tile_of({"...5............................", "................................"});
-  EXPECT_EQ(coded(tile, Encoding::kQuadtree).payload,
-            bytes_of({2, 0, 5, 0b1111'00'1'0, 0b100'00'00'0, 0b0'00'00'00'0, 0b0'00'00'00'0,
-                      0b0'00'00'000}));
-}
-
-// As long as what has changed takes no more than the reference did, nothing else is tried.
-TEST(ChangedSince, IsTakenAtOnceUpToTheBytesOfItsReference) {
-  tests::Random random(96);
-  const auto encoder = std::make_unique<Encoder>();
-  const Tile before = noise(random, 3);
-  Tile tile = flat_tile(5);
-  tile.at(17) = std::byte{6};
-  std::array<std::byte, kTileBytes> payload{};
-  Reference reference{.cells = before, .frame_number = 7};
-  EXPECT_NE(encoder->encode(tile, reference, payload).encoding, Encoding::kChangedSince);
-  const std::size_t bytes = encoder->sizes().at(3);
-  reference.bytes = bytes - 1;
-  EXPECT_NE(encoder->encode(tile, reference, payload).encoding, Encoding::kChangedSince);
-  reference.bytes = bytes;
-  const EncodedTile encoded = encoder->encode(tile, reference, payload);
-  EXPECT_EQ(encoded.encoding, Encoding::kChangedSince);
-  EXPECT_EQ(encoded.bytes, bytes);
-}
-
-TEST(ChangedSince, AnUnchangedTileIsOneRun) {
-  const Tile tile = checkerboard(1, 2);
-  const Reference reference{.cells = tile, .frame_number = 0x01020304};
-  EXPECT_EQ(coded(tile, Encoding::kChangedSince, reference).payload,
-            bytes_of({1, 2, 3, 4, 0, 0x00, 0x20, 0x00}));
-}
-
-// The law, for one tile and each encoding.
-void expect_all_encodings_to_return(const Tile& tile, const Tile& before) {
-  const Reference reference{.cells = before, .frame_number = 7};
+Coded coded(const Tile& tile, const std::optional<Reference>& reference = std::nullopt) {
   static Encoder encoder;
   Tile payload{};
-  const EncodedTile shortest = encoder.encode(tile, reference, payload);
-  const Encoder::Sizes sizes = encoder.sizes();
-  ASSERT_EQ(shortest.bytes, *std::ranges::min_element(sizes));
-  ASSERT_LE(shortest.bytes, kTileBytes);
-  for (std::size_t i = 0; i < kEncodingCount; ++i) {
-    const auto encoding = static_cast<Encoding>(i);
-    const Coded result = coded(tile, encoding, reference);
-    ASSERT_EQ(result.payload.size(), std::min(sizes.at(i), kTileBytes)) << i;
-    ASSERT_EQ(result.encoding, sizes.at(i) < kTileBytes ? encoding : Encoding::kRaw);
-    Tile decoded = flat_tile(99);
-    ASSERT_EQ(decode(result.encoding, result.payload, reference, decoded), DecodeStatus::kOk) << i;
-    ASSERT_EQ(decoded, tile) << i;
+  const EncodedTile result = encoder.encode(tile, kFrame, reference, payload);
+  return {result.encoding,
+          Bytes(payload.begin(), payload.begin() + static_cast<std::ptrdiff_t>(result.bytes))};
+}
+
+// Sixteen bytes of bits, the first of them given.
+Bytes sets(std::initializer_list<int> first) {
+  Bytes bytes = bytes_of(first);
+  bytes.resize(16);
+  return bytes;
+}
+
+TEST(RunStarts, ATileThatIsNotKnownHasNoValue) {
+  EXPECT_EQ(coded(flat_tile(0)), Coded(Encoding::kRunStarts, bytes_of({0})));
+}
+
+// One run, from cell 0 on: bit 0 of block 0. Of one value there are no symbols.
+TEST(RunStarts, AFlatTileIsOneRun) {
+  EXPECT_EQ(coded(flat_tile(-14)),
+            Coded(Encoding::kRunStarts, joined({bytes_of({1, -14}), sets({1}), bytes_of({1})})));
+}
+
+// Runs of 7 at x = 0, of 9 at x = 3, of 0 at x = 4: bits 0 and 3 of block 0, bit 0 of block 1.
+// Symbols 1, 2, 0; each less one if it is above the one before, and the first comes after a 0:
+// digits 0, 1, 0 and a 0 that fills up the four, to base 2.
+TEST(RunStarts, SymbolsLeaveOutTheOneBefore) {
+  const Tile tile =
+      tile_of({"7779............................", "................................"});
+  EXPECT_EQ(coded(tile), Coded(Encoding::kRunStarts,
+                               joined({bytes_of({2, 7, 9}), sets({0b11}),
+                                       bytes_of({0b1001, 0b0001}), bytes_of({0b0100'0000})})));
+}
+
+// Row 1 is the upper half of blocks 0 and 1, row 2 the lower half of block 13, and row 3 the upper
+// half of block 8. A run goes on into the next row.
+TEST(RunStarts, ABlockIsFourCellsOfTwoRows) {
+  const Tile tile = tile_of({"................................", "..55............................",
+                             ".......................555555555", "55..............................",
+                             "................................"});
+  EXPECT_EQ(coded(tile),
+            Coded(Encoding::kRunStarts,
+                  joined({bytes_of({1, 5}), sets({0b11, 0b0010'0001}),
+                          bytes_of({0b0100'0000, 0b0001'0000, 0b0100'0000, 0b1000})})));
+}
+
+// Of nine alternatives eight symbols are a number below 9^8 < 2^26. Symbols 1 to 9 are the digits 0
+// to 8, as each is above the one before.
+TEST(RunStarts, SymbolsAreDigitsOfNumbers) {
+  const Tile tile =
+      tile_of({"123456789.......................", "................................"});
+  // Ten runs: 01234567 to base 9, then 8 and the 0 of what is not known, filled up by two zeros: no
+  // more than the 13 bits of four digits, 9^4 < 2^13.
+  constexpr std::uint32_t kNumber = 672604;
+  static_assert(((((((0 * 9 + 1) * 9 + 2) * 9 + 3) * 9 + 4) * 9 + 5) * 9 + 6) * 9 + 7 == kNumber);
+  constexpr std::uint32_t kRest = 8 * 9 * 9 * 9;
+  constexpr std::uint64_t kBits = (std::uint64_t{kNumber} << 13 | kRest) << 1;  // 40 bits
+  EXPECT_EQ(coded(tile), Coded(Encoding::kRunStarts,
+                               joined({bytes_of({9, 1, 2, 3, 4, 5, 6, 7, 8, 9}), sets({0b111}),
+                                       bytes_of({0xF, 0xF, 0b0011}),
+                                       bytes_of({int{kBits >> 32 & 0xFF}, int{kBits >> 24 & 0xFF},
+                                                 int{kBits >> 16 & 0xFF}, int{kBits >> 8 & 0xFF},
+                                                 int{kBits & 0xFF}})})));
+}
+
+TEST(RunStarts, AnUnchangedTileHasNoValue) {
+  const Tile tile = checkerboard(1, 2);
+  EXPECT_EQ(coded(tile, Reference{.cells = tile, .frame_number = kFrame - 7}),
+            Coded(Encoding::kRunStartsSince, bytes_of({7, 0})));
+}
+
+// From the first cell that differs to the end of the stretch, then as in the reference: 6 at x = 2
+// of a stretch of five, and on at x = 5.
+TEST(RunStarts, ARunOfAValueStartsWhereTheTileDiffers) {
+  const Tile before =
+      tile_of({"6644477777777777................", "................................"});
+  const Tile tile =
+      tile_of({"6666677777777777................", "................................"});
+  EXPECT_EQ(coded(tile, Reference{.cells = before, .frame_number = kFrame - 1}),
+            Coded(Encoding::kRunStartsSince,
+                  joined({bytes_of({1, 1, 6}), sets({0b11}), bytes_of({0b0100, 0b0010})})));
+}
+
+TEST(SymbolPacking, NumbersHaveAsManyFoursAsFit) {
+  for (std::uint32_t n = 2; n <= kMostAlternatives; ++n) {
+    const Packing packing = kPackings.at(n);
+    double numbers = 1;
+    for (int i = 0; i < 4 * packing.fours; ++i) {
+      numbers *= n;
+    }
+    const double of_four = static_cast<double>(n) * n * n * n;
+    EXPECT_LE(numbers, double{1U << 31}) << n;
+    EXPECT_GT(numbers * of_four, double{1U << 31}) << n;
+    EXPECT_LE(numbers, std::exp2(packing.bits)) << n;
+    EXPECT_GT(numbers, std::exp2(packing.bits - 1)) << n;
+    EXPECT_LE(of_four, std::exp2(packing.bits_of_four)) << n;
+    EXPECT_GT(of_four, std::exp2(packing.bits_of_four - 1)) << n;
   }
 }
 
-TEST(TileCoding, EveryTileComesBackFromEveryEncoding) {
+// The law, for one tile.
+void expect_it_comes_back(const Tile& tile, const Tile& before) {
+  const Reference reference{.cells = before, .frame_number = kFrame - 5};
+  for (const auto& at_hand : {std::optional<Reference>(), std::optional(reference)}) {
+    const Coded result = coded(tile, at_hand);
+    ASSERT_LE(result.payload.size(), kTileBytes);
+    Tile decoded = flat_tile(99);
+    ASSERT_EQ(decode(result.encoding, result.payload, kFrame, at_hand, decoded), DecodeStatus::kOk);
+    ASSERT_EQ(decoded, tile);
+  }
+}
+
+TEST(TileCoding, EveryTileComesBack) {
   tests::Random random(92);
-  for (int i = 0; i < tests::effort(2'000, 60); ++i) {
-    const Tile tile = rectangles(random);
-    expect_all_encodings_to_return(tile, changed(tile, random));
-    expect_all_encodings_to_return(tile, rectangles(random));
+  for (int i = 0; i < tests::effort(3'000, 100); ++i) {
+    const Tile tile = random.one_in(2) ? rectangles(random) : runs(random);
+    expect_it_comes_back(tile, changed(tile, random));
+    expect_it_comes_back(tile, rectangles(random));
   }
 }
 
 TEST(TileCoding, HardTilesComeBackAndAreNeverLongerThanRaw) {
   tests::Random random(93);
-  for (const int values : {1, 2, 3, 4, 5, 16, 17, 64, 255}) {
+  for (const int values : {1, 2, 3, 4, 5, 14, 15, 16, 17, 64, 214, 215, 216, 255}) {
     const Tile tile = noise(random, values);
-    expect_all_encodings_to_return(tile, noise(random, values));
-    expect_all_encodings_to_return(tile, changed(tile, random));
+    expect_it_comes_back(tile, noise(random, values));
+    expect_it_comes_back(tile, changed(tile, random));
   }
-  expect_all_encodings_to_return(checkerboard(-127, 127), flat_tile(127));
-  expect_all_encodings_to_return(checkerboard(0, 1), checkerboard(1, 0));
-  expect_all_encodings_to_return(flat_tile(0), flat_tile(1));
+  expect_it_comes_back(checkerboard(-127, 127), flat_tile(127));
+  expect_it_comes_back(checkerboard(0, 1), checkerboard(1, 0));
+  expect_it_comes_back(flat_tile(0), flat_tile(1));
+}
+
+// As many values as there are, in runs of four cells; one more is sent raw.
+TEST(TileCoding, ATileHasAsManyValuesAsFourDigitsFit) {
+  for (const std::size_t values : {215U, 216U}) {
+    Tile tile{};
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+      tile.at(i) = static_cast<std::byte>(i / 4 % values + 1 < 128 ? i / 4 % values + 1
+                                                                   : i / 4 % values + 2);
+    }
+    EXPECT_EQ(coded(tile).encoding, values == 215 ? Encoding::kRunStarts : Encoding::kRaw);
+    expect_it_comes_back(tile, flat_tile(1));
+  }
 }
 
 // -128 is no index. Where it comes nevertheless, nothing is written beside the payload, and what is
@@ -147,101 +182,12 @@ TEST(TileCoding, ATileWithAllBytesThereAreIsHandled) {
   for (std::size_t i = 0; i < tile.size(); ++i) {
     tile.at(i) = static_cast<std::byte>(i / 2);
   }
-  for (std::size_t i = 0; i < kEncodingCount; ++i) {
-    EXPECT_LE(coded(tile, static_cast<Encoding>(i), Reference{.cells = tile, .frame_number = 1})
-                  .payload.size(),
-              kTileBytes);
-  }
-}
-
-// An independent count: blocks are split as long as they have two values.
-struct Census {
-  std::size_t nodes_with_bit = 0;
-  std::size_t leaves = 0;
-};
-
-void count_blocks(const Tile& tile, std::size_t x, std::size_t y, std::size_t side,
-                  Census& census) {
-  bool flat = true;
-  for (std::size_t i = 0; i < side * side; ++i) {
-    flat = flat && tile.at((y + i / side) * kTileSide + x + i % side) == tile.at(y * kTileSide + x);
-  }
-  census.nodes_with_bit += side > 1 ? 1 : 0;
-  if (flat) {
-    ++census.leaves;
-    return;
-  }
-  for (std::size_t child = 0; child < 4; ++child) {
-    count_blocks(tile, x + child % 2 * side / 2, y + child / 2 * side / 2, side / 2, census);
-  }
-}
-
-// The same on every machine, however it compares cells.
-TEST(CellMap, MarksTheCellsThatDiffer) {
-  tests::Random random(95);
-  for (int i = 0; i < tests::effort(500, 20); ++i) {
-    const Tile tile = random.one_in(2) ? noise(random, 3) : rectangles(random);
-    const Tile other = random.one_in(2) ? noise(random, 3) : tile;
-    CellMap changes;
-    CellMap steps;
-    CellMap differences;
-    changes.mark_changes(tile);
-    steps.mark_steps(tile);
-    differences.mark_differences(tile, other);
-    for (std::size_t cell = 0; cell < kTileBytes; ++cell) {
-      const auto is_marked = [cell](const CellMap& map) {
-        return ((map.row(cell / kTileSide) >> (cell % kTileSide)) & 1U) != 0;
-      };
-      ASSERT_EQ(is_marked(changes), cell > 0 && tile[cell] != tile[cell - 1]);
-      ASSERT_EQ(is_marked(steps), cell >= kTileSide && tile[cell] != tile[cell - kTileSide]);
-      ASSERT_EQ(is_marked(differences), tile[cell] != other[cell]);
-    }
-  }
-}
-
-// Counted cell by cell. Long parts, because the machine may count them apart.
-TEST(CellMap, CountsThePartsAndTheLogarithmsOfTheirLengths) {
-  tests::Random random(97);
-  for (int i = 0; i < tests::effort(2000, 200); ++i) {
-    Tile tile{};
-    const int sparseness = random.between(1, 400);
-    for (std::size_t cell = 1; cell < kTileBytes; ++cell) {
-      tile[cell] = random.one_in(sparseness) ? ~tile[cell - 1] : tile[cell - 1];
-    }
-    CellMap changes;
-    changes.mark_changes(tile);
-    Parts expected;
-    std::size_t length = 0;
-    for (std::size_t cell = 0; cell < kTileBytes; ++cell) {
-      ++length;
-      if (cell + 1 == kTileBytes || tile[cell + 1] != tile[cell]) {
-        ++expected.count;
-        for (; length > 1; length /= 2) {
-          ++expected.log2_sum;
-        }
-        length = 0;
-      }
-    }
-    const Parts parts = changes.parts();
-    ASSERT_EQ(parts.count, expected.count) << sparseness;
-    ASSERT_EQ(parts.log2_sum, expected.log2_sum) << sparseness;
-  }
-}
-
-TEST(Quadtree, HasNoMoreBlocksThanItMust) {
-  tests::Random random(94);
-  for (int i = 0; i < tests::effort(500, 20); ++i) {
-    const Tile tile = random.one_in(4) ? noise(random, 2) : rectangles(random);
-    CellMap changes;
-    CellMap steps;
-    changes.mark_changes(tile);
-    steps.mark_steps(tile);
-    Quadtree tree;
-    tree.find(changes, steps);
-    Census census;
-    count_blocks(tile, 0, 0, kTileSide, census);
-    ASSERT_EQ(tree.coded_bytes(8), 1 + 8 + (census.nodes_with_bit + 3 * census.leaves + 7) / 8);
-  }
+  EXPECT_LE(coded(tile).payload.size(), kTileBytes);
+  EXPECT_LE(coded(tile, Reference{.cells = flat_tile(1), .frame_number = 999}).payload.size(),
+            kTileBytes);
+  const Tile none = flat_tile(-128);
+  EXPECT_LE(coded(none, Reference{.cells = flat_tile(1), .frame_number = 999}).payload.size(),
+            kTileBytes);
 }
 
 }  // namespace

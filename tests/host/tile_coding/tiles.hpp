@@ -1,9 +1,11 @@
 // Tiles that are easy, likely, or hard on an encoding.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 #include "fakes/random.hpp"
 #include "tile_coding/tile_cells.hpp"
@@ -15,6 +17,19 @@ using Tile = std::array<std::byte, kTileBytes>;
 inline Tile flat_tile(int value) {
   Tile tile{};
   tile.fill(static_cast<std::byte>(value));
+  return tile;
+}
+
+// Rows of one character a cell; rows that are not given are like the last one.
+inline Tile tile_of(std::initializer_list<const char*> rows) {
+  Tile tile{};
+  for (std::size_t y = 0; y < kTileSide; ++y) {
+    const char* row = *(rows.begin() + std::min(y, rows.size() - 1));
+    for (std::size_t x = 0; x < kTileSide; ++x) {
+      tile.at(y * kTileSide + x) =
+          row[x] == '.' ? std::byte{0} : static_cast<std::byte>(row[x] - '0');
+    }
+  }
   return tile;
 }
 
@@ -46,6 +61,19 @@ inline Tile rectangles(tests::Random& random) {
     const std::size_t height = 1 + random.below(kTileSide - y);
     for (std::size_t i = 0; i < width * height; ++i) {
       tile.at((y + i / width) * kTileSide + x + i % width) = value;
+    }
+  }
+  return tile;
+}
+
+// Runs of any lengths, of few values.
+inline Tile runs(tests::Random& random) {
+  Tile tile{};
+  const int longest = random.between(1, 90);
+  for (std::size_t cell = 0; cell < tile.size();) {
+    const auto value = static_cast<std::byte>(random.between(-3, 3));
+    for (int left = random.between(1, longest); left > 0 && cell < tile.size(); --left) {
+      tile.at(cell++) = value;
     }
   }
   return tile;

@@ -245,7 +245,7 @@ TEST(FrameAssembler, AnotherVersionIsRefusedByName) {
     assembler.take(message);
   }
   EXPECT_EQ(assembler.version_sent(), 2);
-  EXPECT_EQ(words_of_version(2), "interface version 2; this iog reads 3");
+  EXPECT_EQ(words_of_version(2), "interface version 2; this iog reads 3 and 4");
   EXPECT_EQ(assembler.counts().other_version, sample().size());
 }
 

@@ -154,9 +154,12 @@ void FakeClassTarget::send_classes() {
     const std::size_t slot = tile.first;
     const FakeClassWorld::Cells& cells = tile.second;
     std::array<std::byte, tile_coding::kTileBytes> payload{};
-    const auto encoded = encoder_->encode(cells, references_->usable(slot, frame_), payload);
+    const auto encoded =
+        encoder_->encode(cells, frame_, references_->usable(slot, frame_), payload);
     if (stream::stands_by_itself(encoded.encoding)) {
       references_->keep(slot, cells, frame_, encoded.bytes);
+    } else {
+      references_->note_changes(slot, encoded.bytes);
     }
     append_or_send(slot, [&] {
       return writer_.append(slot, encoded.encoding, FakeClassWorld::age_of(slot, frame_),

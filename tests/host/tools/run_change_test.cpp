@@ -40,19 +40,6 @@ void add_to(std::span<std::byte, 4> number, std::uint32_t more) {
   wire::store_be32(number, wire::load_be32(number) + more);
 }
 
-// To the frames that tiles name: docs/spec.md 3.3.
-void shift_references(std::span<std::byte> message, std::uint32_t frames) {
-  constexpr std::size_t kTiles = kContent + stream::kHeaderBytes + stream::kTilesHeaderBytes;
-  const bool has_tiles = message[kContent] == static_cast<std::byte>(stream::MessageType::kTiles);
-  for (std::size_t at = kTiles; has_tiles && at < message.size();) {
-    const std::span record = message.subspan(at);
-    if (record[2] == static_cast<std::byte>(stream::Encoding::kChangedSince)) {
-      add_to(record.subspan<stream::kTileRecordBytes, 4>(), frames);
-    }
-    at += stream::kTileRecordBytes + wire::load_be16(record.subspan<3, 2>());
-  }
-}
-
 Messages run(std::uint32_t run_number, std::uint64_t seed, const Ahead& ahead = {}) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   Messages messages = messages_of(car, sample_drive(car, seed, kFrames), run_number);
@@ -62,7 +49,6 @@ Messages run(std::uint32_t run_number, std::uint64_t seed, const Ahead& ahead = 
     add_to(content.subspan<4, 4>(), ahead.messages);
     add_to(content.subspan<8, 4>(), ahead.frames);
     add_to(content.subspan<16, 4>(), ahead.us);  // the low half of u64
-    shift_references(message, ahead.frames);
     sender.protect(message);
   }
   return messages;

@@ -33,8 +33,8 @@ Told told_by(const stream::Header& header, const stream::TilesHeader& tiles,
     auto& tile = told.at(static_cast<std::size_t>(record.tile - tiles.first_tile));
     auto& cells = tile->cells.emplace();
     if (!stream::stands_by_itself(record.encoding) ||
-        tile_coding::decode(record.encoding, record.payload, std::nullopt, cells) !=
-            tile_coding::DecodeStatus::kOk) {
+        tile_coding::decode(record.encoding, record.payload, header.frame_number, std::nullopt,
+                            cells) != tile_coding::DecodeStatus::kOk) {
       tile.reset();
     }
   }

@@ -1,5 +1,5 @@
 // The server's messages (docs/view.md): numbers are little endian, words are JSON, and tiles are
-// raw or run length encoded as src/tile_coding/runs.hpp says.
+// encoded raw or by run starts (docs/spec.md 3.4).
 //
 // Whatever the bytes, reading ends and nothing outside of the result is written; what makes no
 // sense throws an Error.
@@ -91,55 +91,98 @@ class BitReader {
     this.end = bytes.length * 8;
   }
 
-  bit() {
-    if (this.at >= this.end) {
+  // At most 31.
+  bits(count) {
+    if (this.at + count > this.end) {
       throw new Error("a tile ends too early");
     }
-    const bit = (this.bytes[this.at >> 3] >> (7 - (this.at & 7))) & 1;
-    this.at += 1;
-    return bit;
-  }
-
-  bits(count) {
     let value = 0;
-    for (let i = 0; i < count; ++i) {
-      value = (value << 1) | this.bit();
+    for (const end = this.at + count; this.at < end; ++this.at) {
+      value = value * 2 + ((this.bytes[this.at >> 3] >> (7 - (this.at & 7))) & 1);
     }
     return value;
   }
-
-  // Elias' gamma code.
-  gamma() {
-    let zeros = 0;
-    while (this.bit() === 0) {
-      zeros += 1;
-      if (zeros > 10) {
-        throw new Error("a run longer than a tile");
-      }
-    }
-    return (1 << zeros) | this.bits(zeros);
-  }
 }
 
-const symbolBits = (count) => (count < 2 ? 0 : 32 - Math.clz32(count - 1));
+const MOST_VALUES = 215;
+const SET_BYTES = 16;
+const BLOCKS_PER_ROW = TILE_SIDE / 4;
 
-function decodeRuns(payload, put) {
-  const count = payload[0];
-  const symbols = new BitReader(payload, 1 + count);
-  let bits = symbolBits(count);
-  let before = count;
-  for (let begin = 0; begin < TILE_CELLS;) {
-    const code = symbols.bits(bits);
-    const symbol = code + (code >= before ? 1 : 0);
-    const length = symbols.gamma();
-    if (symbol >= count || length > TILE_CELLS - begin) {
-      throw new Error("a run that cannot be");
-    }
-    put(begin, begin + length, (payload[1 + symbol] << 24) >> 24);
-    before = symbol;
-    bits = symbolBits(count - 1);
-    begin += length;
+// The cells at which runs start, in order, and where in the payload they end.
+function readStarts(payload, at) {
+  const rows = new Uint32Array(TILE_SIDE);
+  let next = at + SET_BYTES;
+  if (next > payload.length) {
+    throw new Error("a tile ends too early");
   }
+  for (let block = 0; block < 8 * SET_BYTES; ++block) {
+    if ((payload[at + (block >> 3)] >> (block & 7)) & 1) {
+      const y = Math.floor(block / BLOCKS_PER_ROW) * 2;
+      const x = (block % BLOCKS_PER_ROW) * 4;
+      rows[y] |= (payload[next] & 15) << x;
+      rows[y + 1] |= (payload[next] >> 4) << x;
+      next += 1;
+    }
+  }
+  const cells = [];
+  for (let i = 0; i < TILE_CELLS; ++i) {
+    if ((rows[i >> 5] >>> (i & 31)) & 1) {
+      cells.push(i);
+    }
+  }
+  return { cells, next };
+}
+
+// Of a number below so many.
+function bitsOf(numbers) {
+  let bits = 0;
+  while (2 ** bits < numbers) {
+    bits += 1;
+  }
+  return bits;
+}
+
+// So many symbols of n alternatives: the digits of numbers to base n, in fours.
+function readDigits(reader, n, count) {
+  let fours = 1;
+  while (n ** (4 * fours + 4) <= 2 ** 31) {
+    fours += 1;
+  }
+  const whole = bitsOf(n ** (4 * fours));
+  const digits = [];
+  for (let left = Math.ceil(count / 4); left > 0; left -= fours) {
+    const places = 4 * Math.min(fours, left);
+    let number = reader.bits(left >= fours ? whole : Math.min(whole, left * bitsOf(n ** 4)));
+    const end = digits.length + places;
+    for (let i = end - 1; i >= end - places; --i) {
+      digits[i] = number % n;
+      number = Math.floor(number / n);
+    }
+  }
+  return digits;
+}
+
+// Symbol 0 is 0, as all cells of a tile that is not known; the values count from 1. The tile begins
+// with symbol 0, and no run has the symbol of the run before it.
+function decodeRunStarts(payload, put) {
+  const count = payload[0];
+  if (count > MOST_VALUES) {
+    throw new Error(`${count} values`);
+  }
+  put(0, TILE_CELLS, 0);
+  if (count === 0) {
+    return;
+  }
+  const starts = readStarts(payload, 1 + count);
+  const runs = starts.cells.length;
+  const digits = count === 1 ? new Array(runs).fill(0)
+                             : readDigits(new BitReader(payload, starts.next), count, runs);
+  let symbol = 0;
+  starts.cells.forEach((begin, run) => {
+    symbol = digits[run] + (digits[run] >= symbol ? 1 : 0);
+    const end = run + 1 < runs ? starts.cells[run + 1] : TILE_CELLS;
+    put(begin, end, symbol === 0 ? 0 : (payload[symbol] << 24) >> 24);
+  });
 }
 
 // Writes a tile into cells, SIDE to a row from the lowest y. An empty payload is 0 everywhere.
@@ -156,8 +199,8 @@ export function decodeTile(tile, encoding, payload, cells) {
   };
   if (payload.length === 0) {
     put(0, TILE_CELLS, 0);
-  } else if (encoding === 1) {
-    decodeRuns(payload, put);
+  } else if (encoding === 4) {
+    decodeRunStarts(payload, put);
   } else if (encoding === 0 && payload.length === TILE_CELLS) {
     for (let i = 0; i < TILE_CELLS; ++i) {
       cells[origin + (i >> 5) * SIDE + (i & 31)] = (payload[i] << 24) >> 24;

@@ -99,7 +99,7 @@ class PageReader {
     std::array<std::byte, tile_coding::kTileBytes> decoded{};
     if (size > 0) {
       const auto payload = std::as_bytes(std::span(bytes.substr(at + 6, size)));
-      if (tile_coding::decode(encoding, payload, std::nullopt, decoded) !=
+      if (tile_coding::decode(encoding, payload, 0, std::nullopt, decoded) !=
           tile_coding::DecodeStatus::kOk) {
         malformed = true;
       }
