@@ -15,7 +15,7 @@ local ends = require("iogrid_ends")
 local protection = require("iogrid_protection")
 
 local PORT = 15000
-local INTERFACE_VERSION = 3
+local INTERFACE_VERSIONS = { [3] = true, [4] = true }
 local TILES, FRAME_END, CLASS_END = 1, 2, 3
 
 local iogrid = Proto("iogrid", "iogrid grid stream")
@@ -72,10 +72,10 @@ function iogrid.dissector(tvb, pinfo, tree)
   pinfo.cols.protocol = "iogrid"
   local item = tree:add(iogrid, tvb())
   local version = protection.last_value(protection.interface_version)
-  if version and version ~= INTERFACE_VERSION then
+  if version and not INTERFACE_VERSIONS[version] then
     pinfo.cols.info = string.format("grid stream of interface version %d", version)
     item:add_proto_expert_info(experts.unknown, string.format(
-      "the target sends interface version %d, this dissector reads %d", version, INTERFACE_VERSION))
+      "the target sends interface version %d, this dissector reads 3 and 4", version))
     return tvb:len()
   end
   local words = ""

@@ -121,5 +121,56 @@ function codes.count_leaves(text)
   return values, leaves
 end
 
+-- By the number of alternatives of a symbol: how many fours of symbols are the digits of a number, its
+-- bits, and the bits of the last number of a tile, by its fours.
+local function packing_of(alternatives)
+  local fours = 1
+  while alternatives ^ (4 * fours + 4) <= 2 ^ 31 do fours = fours + 1 end
+  local whole = symbol_bits(alternatives ^ (4 * fours))
+  return fours, whole, function(rest) return math.min(whole, rest * symbol_bits(alternatives ^ 4)) end
+end
+
+-- The blocks of 4 by 2 cells in which runs start, 16 bytes of bits and a byte for each bit that is
+-- set; how many runs there are, and what is behind them.
+local function take_starts(text)
+  if #text < 16 then malformed("the payload ends before its starts") end
+  local runs, at = 0, 17
+  for i = 1, 16 do
+    for _ in BITS_OF_BYTE[text:sub(i, i)]:gmatch("1") do
+      local block = text:sub(at, at)
+      if block == "" then malformed("the payload ends in its starts") end
+      local _, starts = BITS_OF_BYTE[block]:gsub("1", "")
+      if starts == 0 then malformed("a block of cells has no start") end
+      runs, at = runs + starts, at + 1
+    end
+  end
+  return runs, text:sub(at)
+end
+
+-- Values and runs of a code of run starts, but a run as in the reference with which the tile begins.
+function codes.count_starts(text)
+  local values = text:byte(1)
+  if not values or #text < 1 + values then malformed("the payload ends in its list of values") end
+  if values > 215 then malformed("%d values", values) end
+  if values == 0 then
+    if #text > 1 then malformed("more follows a tile without values") end
+    return values, 0
+  end
+  local runs, rest = take_starts(text:sub(2 + values))
+  local bits = bits_of(rest)
+  if values > 1 then
+    local fours, whole, rest_bits = packing_of(values)
+    local left = math.ceil(runs / 4)
+    while left > 0 do
+      local places = 4 * math.min(fours, left)
+      local number = bits.take(left >= fours and whole or rest_bits(left))
+      if number >= values ^ places then malformed("a number is too large for its symbols") end
+      left = left - fours
+    end
+  end
+  bits.must_end()
+  return values, runs
+end
+
 codes.malformed = malformed
 return codes

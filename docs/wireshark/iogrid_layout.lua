@@ -9,7 +9,8 @@ layout.STORAGES = { [0] = "occupancy index", [1] = "highest index of the cells b
                     [2] = "class" }
 layout.CAUSES = { [0x01] = "late", [0x02] = "lost", [0x04] = "imprecise", [0x08] = "jump",
                   [0x10] = "restart", [0x20] = "over budget", [0x40] = "contradicted" }
-layout.ENCODINGS = { [0] = "raw", [1] = "run length", [2] = "quadtree", [3] = "changed since" }
+layout.ENCODINGS = { [0] = "raw", "run length", "quadtree", "changed since", "run starts",
+                     "run starts since" }
 layout.SENSOR_STATES = { [0] = "never seen", "silent", "partial", "complete" }
 layout.DATA_IDS = { [0x494F4701] = "stream over UDP", [0x494F4702] = "stream over the UART" }
 

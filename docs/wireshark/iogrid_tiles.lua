@@ -6,7 +6,7 @@ local parts = require("iogrid_parts")
 local fields, experts = parts.fields, parts.experts
 local tiles = {}
 
-local RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE = 0, 1, 2, 3
+local RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE = 0, 1, 2, 3, 4, 5
 local CLASSES = 2  -- a storage
 local TILE_SIDE_LOG2, TILE_CELLS = 5, 1024
 
@@ -32,6 +32,15 @@ local show_payload = {
     tree:add(fields["tile.reference"], range:range(0, 4))
     tree:append_text(string.format(" frame %d", range:range(0, 4):uint()))
     add_counts(tree, range, "runs", codes.count_runs(range:raw():sub(5), 1))
+  end,
+  [RUN_STARTS] = function(tree, range)
+    add_counts(tree, range, "runs", codes.count_starts(range:raw()))
+  end,
+  [RUN_STARTS_SINCE] = function(tree, range)
+    if range:len() < 1 then codes.malformed("the payload is empty") end
+    tree:add(fields["tile.reference_age"], range:range(0, 1))
+    tree:append_text(string.format(", %d frames ago", range:range(0, 1):uint()))
+    add_counts(tree, range, "runs", codes.count_starts(range:raw():sub(2)))
   end,
 }
 

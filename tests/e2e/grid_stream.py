@@ -76,9 +76,9 @@ class Tile:
     encoding: int
     payload: bytes
 
-    @property
-    def reference(self) -> int | None:
-        return tile_coding.reference_of(self.encoding, self.payload)
+    def reference(self, frame: int) -> int | None:
+        """The frame that it refers to; `frame`: its own."""
+        return tile_coding.reference_of(self.encoding, self.payload, frame)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -291,7 +291,7 @@ class Assembler:
         self._header: Header | None = None
         self._spoken_of = 0
         self._crc = 0
-        self._encodings = [0, 0, 0, 0]
+        self._encodings = [0] * 6
         self._window: Window | None = None
         self._classes_spoken_of = 0
         self._class_crc = 0
@@ -352,12 +352,13 @@ class Assembler:
 
     @staticmethod
     def _cells_of(frame: int, tile: Tile, own: dict[int, tuple[int, bytes]]) -> bytes:
-        if tile.reference is None:
+        reference = tile.reference(frame)
+        if reference is None:
             cells = tile_coding.decode(tile.encoding, tile.payload, None)
             own[tile.number] = (frame, cells)
             return cells
         own_frame, own_cells = own[tile.number]
-        assert tile.reference == own_frame, "not the last one that was sent by itself"
+        assert reference == own_frame, "not the last one that was sent by itself"
         assert frame - own_frame <= OLDEST_REFERENCE, f"frame {frame} refers to {own_frame}"
         return tile_coding.decode(tile.encoding, tile.payload, own_cells)
 

@@ -6,6 +6,7 @@ import re
 import grid_stream
 import map_state
 import protected_message
+import tile_coding
 import vehicle_id
 
 FATES = ("used", "no return", "too near", "too far", "outside the height band", "flagged",
@@ -18,6 +19,8 @@ MAP_CAUSES = ("in use", "no map", "no transform", "other origin", "imprecise", "
               "outside")
 CHUNK_FATES = ("taken", "repeated", "in use", "of another block", "stranger", "too short", "not ours",
                "wrong version", "damaged", "wrong length", "not zero", "out of range")
+
+VALUES_AT = {tile_coding.CHANGED_SINCE: 4, tile_coding.RUN_STARTS_SINCE: 1}  # in a payload, else 0
 
 
 def field_of(group: str, name: str) -> str:
@@ -63,8 +66,11 @@ def shown_of_tiles(frame: int, message: grid_stream.Tiles) -> dict[str, list]:
             "iogrid.tile.encoding": [tile.encoding for tile in tiles],
             "iogrid.tile.bytes": [len(tile.payload) for tile in tiles],
             "iogrid.tile.payload": [tile.payload.hex() for tile in tiles],
-            "iogrid.tile.values": [tile.payload[4 if tile.encoding == 3 else 0] for tile in coded],
-            "iogrid.tile.reference": [tile.reference for tile in coded if tile.encoding == 3]}
+            "iogrid.tile.values": [tile.payload[VALUES_AT.get(tile.encoding, 0)] for tile in coded],
+            "iogrid.tile.reference": [tile.reference(frame) for tile in coded
+                                      if tile.encoding == tile_coding.CHANGED_SINCE],
+            "iogrid.tile.reference_age": [tile.payload[0] for tile in coded
+                                          if tile.encoding == tile_coding.RUN_STARTS_SINCE]}
 
 
 def shown_of_window(window: grid_stream.Window) -> dict[str, list]:

@@ -2,9 +2,10 @@
 
 import struct
 
-RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE = range(4)
+RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE = range(6)
 SIDE = 32
 CELLS = SIDE * SIDE
+UNKNOWN = bytes(CELLS)
 
 
 def symbol_bits(symbols: int) -> int:
@@ -89,9 +90,56 @@ def quadtree(payload: bytes) -> bytes:
     return bytes(cells)
 
 
-def reference_of(encoding: int, payload: bytes) -> int | None:
-    """The number of the frame that a tile refers to; None if it stands by itself."""
-    return struct.unpack_from(">I", payload)[0] if encoding == CHANGED_SINCE else None
+def packed_digits(bits: Bits, base: int, count: int) -> list[int]:
+    """So many digits to this base, four by four in numbers below 2^31."""
+    if base == 1:
+        return [0] * count
+    most = max(fours for fours in range(1, 8) if base ** (4 * fours) <= 2 ** 31)
+    whole, of_four = (base ** (4 * most) - 1).bit_length(), (base ** 4 - 1).bit_length()
+    digits, left = [], -(-count // 4)
+    while left > 0:
+        fours = min(most, left)
+        number = bits.number(whole if fours == most else min(whole, fours * of_four))
+        for place in reversed(range(4 * fours)):
+            digit, number = divmod(number, base ** place)
+            assert digit < base
+            digits.append(digit)
+        left -= fours
+    assert not any(digits[count:]), "symbols behind the last run"
+    return digits[:count]
+
+
+def run_starts(payload: bytes, reference: bytes) -> bytes:
+    """Symbol 0 is as in the reference, and so the tile begins; the values count from 1."""
+    count = payload[0]
+    values, rest = payload[1:1 + count], payload[1 + count:]
+    assert len(values) == len(set(values)) == count <= 215 and 0x80 not in values
+    if count == 0:
+        assert not rest
+        return reference
+    blocks = [block for block in range(128) if rest[block // 8] >> block % 8 & 1]
+    starts = set()
+    for block, cells in zip(blocks, rest[16:], strict=False):
+        assert cells > 0, "no run starts in a block"
+        corner = block // 8 * 2 * SIDE + block % 8 * 4
+        starts |= {corner + i // 4 * SIDE + i % 4 for i in range(8) if cells >> i & 1}
+    bits = Bits(rest[16 + len(blocks):])
+    digits = iter(packed_digits(bits, count, len(starts)))
+    bits.end()
+    cells, symbol = bytearray(), 0
+    for cell in range(CELLS):
+        if cell in starts:
+            digit = next(digits)
+            symbol = digit + (digit >= symbol)
+        cells.append(values[symbol - 1] if symbol else reference[cell])
+    return bytes(cells)
+
+
+def reference_of(encoding: int, payload: bytes, frame: int) -> int | None:
+    """The number of the frame that a tile of this frame refers to; None if it stands by itself."""
+    if encoding == CHANGED_SINCE:
+        return struct.unpack_from(">I", payload)[0]
+    return frame - payload[0] if encoding == RUN_STARTS_SINCE else None
 
 
 def decode(encoding: int, payload: bytes, reference: bytes | None) -> bytes:
@@ -104,5 +152,9 @@ def decode(encoding: int, payload: bytes, reference: bytes | None) -> bytes:
         return runs(payload, None)
     if encoding == QUADTREE:
         return quadtree(payload)
-    assert encoding == CHANGED_SINCE and reference is not None, f"encoding {encoding}"
-    return runs(payload[4:], reference)
+    if encoding == RUN_STARTS:
+        return run_starts(payload, UNKNOWN)
+    assert reference is not None and encoding in (CHANGED_SINCE, RUN_STARTS_SINCE), encoding
+    if encoding == CHANGED_SINCE:
+        return runs(payload[4:], reference)
+    return run_starts(payload[1:], reference)
