@@ -24,6 +24,7 @@
 #include "tools/simulate/maps/osm_file.hpp"
 #include "tools/simulate/scenes/town.hpp"
 #include "tools/simulate/truth/cell_truth.hpp"
+#include "tools/simulate/truth/point_truth_file.hpp"
 #include "tools/simulate/truth/true_occupancy.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -37,6 +38,7 @@ struct SimulateOptions {
   std::string truth;
   std::uint32_t truth_every = 25;
   std::string truth_cells;
+  std::string truth_points;
   std::string vehicle = kDefaultVehicle;
   std::string scene = kDefaultScene;
   bool is_moving = false;
@@ -130,14 +132,6 @@ void make_truth_folder(const SimulateOptions& options) {
   }
 }
 
-void write_occupancy(const SimulateOptions& options, std::uint32_t frame, const Drive& drive,
-                     const CatalogueEntry& car) {
-  if (!options.truth.empty() && frame % options.truth_every == 0) {
-    write_truth(numbered(options.truth, "truth", frame, ".pgm"),
-                true_occupancy(drive.ego(frame), drive.solids(frame), *car.description));
-  }
-}
-
 void write_cells(CellTruthFile& file, std::uint32_t frame, const Drive& drive,
                  const CatalogueEntry& car) {
   const CellArea area = cells_around(drive.ego(frame));
@@ -226,18 +220,33 @@ void simulate(const SimulateOptions& options) {
   if (!options.truth_cells.empty()) {
     cells.emplace(options.truth_cells);
   }
+  std::optional<PointTruthFile> points;
+  if (!options.truth_points.empty()) {
+    points.emplace(options.truth_points);
+  }
   Progress progress("frames", drive.frame_count());
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    std::vector<CapturedDatagram> datagrams = drive.datagrams(frame);
-    recording.write(poses ? with_poses(std::move(datagrams), *poses) : std::move(datagrams));
-    write_occupancy(options, frame, drive, car);
-    if (cells && frame % options.truth_every == 0) {
+    const bool is_told = frame % options.truth_every == 0;
+    std::vector<SimulatedPacket> packets = drive.packets(frame);
+    if (points && is_told) {
+      points->write(frame, packets);
+    }
+    recording.write(poses ? with_poses(datagrams_of(std::move(packets)), *poses)
+                          : datagrams_of(std::move(packets)));
+    if (!options.truth.empty() && is_told) {
+      write_truth(numbered(options.truth, "truth", frame, ".pgm"),
+                  true_occupancy(drive.ego(frame), drive.solids(frame), *car.description));
+    }
+    if (cells && is_told) {
       write_cells(*cells, frame, drive, car);
     }
     progress.show(frame + 1);
   }
   if (cells) {
     cells->finish();
+  }
+  if (points) {
+    points->finish();
   }
   recording.finish(drive.frame_count());
 }
@@ -249,6 +258,11 @@ void add_truth_options(CLI::App& command, SimulateOptions& options, CLI::Option*
   command
       .add_option("--truth-cells", options.truth_cells,
                   "Write what is true of the cells of the world, as a CSV")
+      ->option_text("FILE  (needs --moving)")
+      ->needs(moving);
+  command
+      .add_option("--truth-points", options.truth_points,
+                  "Write what is true of the points of the packets, as a CSV")
       ->option_text("FILE  (needs --moving)")
       ->needs(moving);
   command
@@ -344,7 +358,8 @@ void add_simulate(CLI::App& program) {
       "The true occupancy has 1024 x 1024 cells of 0.1 m around the car, x to the right, y up: 0 "
       "where\n"
       "the cell's centre is covered by something within the vehicle's height band, 255 elsewhere.\n"
-      "docs/drives.md explains --truth-cells, and what happens in the scene 'street' when.\n"
+      "docs/drives.md explains --truth-cells and --truth-points, and what happens in the scene "
+      "'street' when.\n"
       "The same scene, seed, length, vehicle and options give the same bytes on every machine.\n"
       "Scanners that turn, which --moving cannot, do so ten times a second, with one return a "
       "beam;\n"

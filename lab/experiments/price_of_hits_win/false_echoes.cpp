@@ -117,8 +117,8 @@ FramePoints StandingCar::look_at(std::span<const tools::Solid> solids, tools::Ra
   for (std::size_t sensor = 0; sensor < scanners_.size(); ++sensor) {
     tools::LuxScanner& scanner = scanners_[sensor];
     const tools::RayCaster rays(tools::placed(scanner.mount(), {}), solids, tools::kLuxFarthest);
-    for (const tools::LuxPoint& seen :
-         scanner.scan(rays, 0, 0, tools::MirrorSide::kFront, random)) {
+    const tools::LuxEchoes scan = scanner.scan(rays, 0, 0, tools::MirrorSide::kFront, random);
+    for (const tools::LuxPoint& seen : scan.points) {
       points.push_back({.sensor = sensor, .point = point_of(seen)});
     }
   }

@@ -31,6 +31,8 @@ std::vector<std::uint64_t> phases_of(std::size_t units, std::uint64_t seed) {
   return phases;
 }
 
+std::uint64_t time_of(const SimulatedPacket& packet) { return packet.datagram.time_us; }
+
 std::vector<std::unique_ptr<Unit>> units_of(const CatalogueEntry& car, std::uint64_t seed,
                                             Motion motion) {
   std::size_t lux = 0;
@@ -99,35 +101,43 @@ std::vector<Solid> Drive::solids(std::uint32_t frame) const {
   return solids;
 }
 
-void Drive::append_slow_units(std::uint64_t until_us, std::vector<CapturedDatagram>& datagrams) {
-  while (next_slow_ < slow_count_ && (waiting_.empty() || waiting_.back().time_us < until_us)) {
-    std::vector<CapturedDatagram> turn;
+void Drive::append_slow_units(std::uint64_t until_us, std::vector<SimulatedPacket>& packets) {
+  while (next_slow_ < slow_count_ && (waiting_.empty() || time_of(waiting_.back()) < until_us)) {
+    std::vector<SimulatedPacket> turn;
     for (const auto& unit : units_) {
       if (is_slow(*unit)) {
         unit->append_frame(scene_, next_slow_, turn);
       }
     }
     ++next_slow_;
-    std::ranges::stable_sort(turn, {}, &CapturedDatagram::time_us);
+    std::ranges::stable_sort(turn, {}, time_of);
     std::ranges::move(turn, std::back_inserter(waiting_));
   }
-  while (!waiting_.empty() && waiting_.front().time_us < until_us) {
-    datagrams.push_back(std::move(waiting_.front()));
+  while (!waiting_.empty() && time_of(waiting_.front()) < until_us) {
+    packets.push_back(std::move(waiting_.front()));
     waiting_.pop_front();
   }
 }
 
-std::vector<CapturedDatagram> Drive::datagrams(std::uint32_t frame) {
-  std::vector<CapturedDatagram> datagrams;
+std::vector<SimulatedPacket> Drive::packets(std::uint32_t frame) {
+  std::vector<SimulatedPacket> packets;
   for (const auto& unit : units_) {
     if (!is_slow(*unit)) {
-      unit->append_frame(scene_, frame, datagrams);
+      unit->append_frame(scene_, frame, packets);
     }
   }
-  std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
+  std::ranges::stable_sort(packets, {}, time_of);
   const bool is_last = frame + 1 == frame_count_;
-  append_slow_units(is_last ? UINT64_MAX : datagrams.back().time_us, datagrams);
-  std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
+  append_slow_units(is_last ? UINT64_MAX : time_of(packets.back()), packets);
+  std::ranges::stable_sort(packets, {}, time_of);
+  return packets;
+}
+
+std::vector<CapturedDatagram> datagrams_of(std::vector<SimulatedPacket>&& packets) {
+  std::vector<CapturedDatagram> datagrams;
+  for (SimulatedPacket& packet : packets) {
+    datagrams.push_back(std::move(packet.datagram));
+  }
   return datagrams;
 }
 

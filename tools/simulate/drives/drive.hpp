@@ -17,6 +17,8 @@
 
 namespace iog::tools {
 
+[[nodiscard]] std::vector<CapturedDatagram> datagrams_of(std::vector<SimulatedPacket>&& packets);
+
 class Drive {
  public:
   static constexpr std::uint32_t kMaxSeconds = 600;
@@ -43,10 +45,13 @@ class Drive {
   // The second of the drive whose world is the frame's truth: in continuous motion that of its end.
   [[nodiscard]] double true_at_s(std::uint32_t frame) const;
 
-  // The frame's datagrams in the order of their times. Of a car that also has units that turn:
-  // those of the frame's LUX and what the others have sent by the last of these, with the last
-  // frame all the rest; its frames have to be asked for in their order, each once.
-  [[nodiscard]] std::vector<CapturedDatagram> datagrams(std::uint32_t frame);
+  // The frame's packets in the order of their times. Of a car that also has units that turn: those
+  // of the frame's LUX and what the others have sent by the last of these, with the last frame all
+  // the rest; its frames have to be asked for in their order, each once.
+  [[nodiscard]] std::vector<SimulatedPacket> packets(std::uint32_t frame);
+  [[nodiscard]] std::vector<CapturedDatagram> datagrams(std::uint32_t frame) {
+    return datagrams_of(packets(frame));
+  }
 
   // Where the car is, and everything that may be seen from it, at true_at_s().
   [[nodiscard]] EgoPose ego(std::uint32_t frame) const { return scene_.ego_at(true_at_s(frame)); }
@@ -56,7 +61,7 @@ class Drive {
   [[nodiscard]] bool is_slow(const Unit& unit) const {
     return unit.frames_per_second() < frames_per_second_;
   }
-  void append_slow_units(std::uint64_t until_us, std::vector<CapturedDatagram>& datagrams);
+  void append_slow_units(std::uint64_t until_us, std::vector<SimulatedPacket>& packets);
 
   std::uint32_t frames_per_second_ = 0;
   std::uint32_t frame_count_ = 0;
@@ -65,7 +70,7 @@ class Drive {
   Motion motion_;
   std::vector<std::unique_ptr<Unit>> units_;  // by sensor
   std::uint32_t next_slow_ = 0;
-  std::deque<CapturedDatagram> waiting_;  // of slow frames that have begun
+  std::deque<SimulatedPacket> waiting_;  // of slow frames that have begun
 };
 
 }  // namespace iog::tools

@@ -88,7 +88,8 @@ void HesaiEncoder::write_tail(std::uint64_t stamp_us, std::uint64_t number,
 }
 
 std::vector<std::byte> HesaiEncoder::packet(std::uint64_t begin_ns, std::uint64_t number,
-                                            const RayCaster& rays, Random& random) const {
+                                            const RayCaster& rays, Random& random,
+                                            std::vector<PointTruth>& truth) const {
   std::vector<std::byte> bytes(unit_.bytes + unit_.sequence_bytes);
   wire::ByteWriter out(bytes);
   write_head(out);
@@ -100,8 +101,10 @@ std::vector<std::byte> HesaiEncoder::packet(std::uint64_t begin_ns, std::uint64_
         (turned * kHesaiTurn + kHesaiTurnNs / 2) / kHesaiTurnNs % kHesaiTurn;
     out.u16_le(static_cast<std::uint16_t>(azimuth));
     for (std::size_t laser = 0; laser < unit_.lasers; ++laser) {
-      const std::uint16_t range = range_units(
-          beams_.measured_m(laser, static_cast<std::int32_t>(azimuth), fires_ns, rays, random));
+      const Measured measured =
+          beams_.measure(laser, static_cast<std::int32_t>(azimuth), fires_ns, rays, random);
+      truth.push_back(measured.truth);
+      const std::uint16_t range = range_units(measured.range_m);
       out.u16_le(range);
       out.u8(range == 0 ? std::uint8_t{0} : kHesaiReflectivity);
       if (is_xt32()) {

@@ -22,7 +22,8 @@ class HesaiEncoder final : public PacketEncoder {
 
   // The head looks forward when the drive begins. The nearest return of each beam.
   [[nodiscard]] std::vector<std::byte> packet(std::uint64_t begin_ns, std::uint64_t number,
-                                              const RayCaster& rays, Random& random) const override;
+                                              const RayCaster& rays, Random& random,
+                                              std::vector<PointTruth>& truth) const override;
 
  private:
   [[nodiscard]] bool is_xt32() const { return unit_.lasers == 32; }

@@ -47,34 +47,40 @@ void LuxScanner::follow(const RayCaster& rays, const SensorFrame& frame, double 
                         const std::array<Vector3, 2>& edges, Random& random) {
   echoes_.clear();
   std::array<Hit, 2> hits;
+  std::array<PointTruth, 2> truths;
   for (std::size_t edge = 0; edge < 2; ++edge) {
     const Ray ray{frame.origin, frame.direction(edges[edge])};
     hits[edge] = rays.nearest(ray, time_s);
+    truths[edge] = rays.truth_of(ray, hits[edge]);
     if (hits[edge].material == Material::kFoliage && random.chance(kFoliagePass)) {
       const double beyond = hits[edge].distance + random.between(0.2, 1.5);
       const Hit behind = rays.nearest(ray, time_s, beyond);
-      echoes_.push_back({behind.distance, 0.3, behind.material});
+      echoes_.push_back({behind.distance, 0.3, behind.material, rays.truth_of(ray, behind)});
     }
   }
   const double gap = std::abs(hits[0].distance - hits[1].distance);
   if (gap < 0.3 + 0.05 * std::min(hits[0].distance, hits[1].distance)) {
     const double middle = (hits[0].distance + hits[1].distance) / 2;
-    echoes_.push_back({middle, 1.0, hits[0].material});
+    echoes_.push_back({middle, 1.0, hits[0].material, truths[0]});
   } else {
-    echoes_.push_back({hits[0].distance, 0.5, hits[0].material});
-    echoes_.push_back({hits[1].distance, 0.5, hits[1].material});
+    echoes_.push_back({hits[0].distance, 0.5, hits[0].material, truths[0]});
+    echoes_.push_back({hits[1].distance, 0.5, hits[1].material, truths[1]});
   }
   std::ranges::stable_sort(echoes_, {}, &Echo::distance);
 }
 
 void LuxScanner::add_points(std::size_t column, std::size_t layer, Random& random,
-                            std::vector<LuxPoint>& points) {
+                            LuxEchoes& scan) const {
   const auto ticks = kLuxEdgeTicks - static_cast<std::int32_t>(column) * kLuxStepTicks;
   LuxPoint point{.layer = static_cast<std::uint8_t>(layer),
                  .angle_ticks = static_cast<std::int16_t>(ticks)};
-  if (add_clutter(random, point)) {
-    points.push_back(point);
+  const auto add = [&](const PointTruth& truth) {
+    scan.points.push_back(point);
+    scan.truth.push_back(truth);
     ++point.echo;
+  };
+  if (add_clutter(random, point)) {
+    add({.what = PointClass::kClutter});
   }
   double last = -kSeparation;
   for (const Echo& echo : echoes_) {
@@ -84,24 +90,23 @@ void LuxScanner::add_points(std::size_t column, std::size_t layer, Random& rando
     }
     last = echo.distance;
     measure(echo.material, echo.distance, echo.strength, random, point);
-    points.push_back(point);
-    ++point.echo;
+    add(echo.truth);
   }
 }
 
-std::vector<LuxPoint> LuxScanner::scan(const RayCaster& rays, double from_s, double to_s,
-                                       MirrorSide side, Random& random) {
-  std::vector<LuxPoint> points;
+LuxEchoes LuxScanner::scan(const RayCaster& rays, double from_s, double to_s, MirrorSide side,
+                           Random& random) {
+  LuxEchoes scan;
   for (std::size_t column = 0; column < kLuxAzimuths; ++column) {
     const double share = static_cast<double>(column) / (kLuxAzimuths - 1);
     const double time_s = from_s + share * (to_s - from_s);
     const SensorFrame frame = rays.frame_at(time_s);
     for (std::size_t layer = 0; layer < kLuxLayers; ++layer) {
       follow(rays, frame, time_s, edges_of(side)[column][layer], random);
-      add_points(column, layer, random, points);
+      add_points(column, layer, random, scan);
     }
   }
-  return points;
+  return scan;
 }
 
 }  // namespace iog::tools

@@ -24,6 +24,12 @@ inline constexpr std::int32_t kLuxStepTicks = 16;    // 0.5 degrees
 inline constexpr std::size_t kLuxAzimuths = 2 * kLuxEdgeTicks / kLuxStepTicks + 1;
 inline constexpr std::size_t kLuxLayers = 4;  // of a scan
 
+// The points of a scan from left to right, and what is true of each.
+struct LuxEchoes {
+  std::vector<LuxPoint> points;
+  std::vector<PointTruth> truth;
+};
+
 class LuxScanner {
  public:
   explicit LuxScanner(const description::SensorConfig& config);
@@ -31,15 +37,16 @@ class LuxScanner {
   // Where it is on the car.
   [[nodiscard]] const SensorFrame& mount() const { return mount_; }
 
-  // The points of a scan that begins and ends at these seconds of the drive, from left to right.
-  [[nodiscard]] std::vector<LuxPoint> scan(const RayCaster& rays, double from_s, double to_s,
-                                           MirrorSide side, Random& random);
+  // A scan that begins and ends at these seconds of the drive.
+  [[nodiscard]] LuxEchoes scan(const RayCaster& rays, double from_s, double to_s, MirrorSide side,
+                               Random& random);
 
  private:
   struct Echo {
     double distance;
     double strength;  // the share of the beam that meets it
     Material material;
+    PointTruth truth;
   };
   using Echoes = std::vector<Echo>;
   // Directions in the sensor frame of the right and the left edge of every beam.
@@ -47,8 +54,7 @@ class LuxScanner {
 
   void follow(const RayCaster& rays, const SensorFrame& frame, double time_s,
               const std::array<Vector3, 2>& edges, Random& random);
-  void add_points(std::size_t column, std::size_t layer, Random& random,
-                  std::vector<LuxPoint>& points);
+  void add_points(std::size_t column, std::size_t layer, Random& random, LuxEchoes& scan) const;
 
   SensorFrame mount_;  // in the vehicle
   [[nodiscard]] const Edges& edges_of(MirrorSide side) const {

@@ -1,5 +1,7 @@
 #include "tools/simulate/scanners/lux_unit.hpp"
 
+#include <utility>
+
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/simulate/scanners/echo_model.hpp"
 #include "tools/simulate/scanners/lux_burst.hpp"
@@ -21,11 +23,11 @@ double LuxUnit::still_at_s(std::uint32_t frame) const {
 }
 
 void LuxUnit::append_frame(const Scene& scene, std::uint32_t frame,
-                           std::vector<CapturedDatagram>& datagrams) {
+                           std::vector<SimulatedPacket>& packets) {
   const std::uint64_t end_us = frame_end_us(frame);
   double from_s = still_at_s(frame);
   double to_s = from_s;
-  std::uint64_t waits_us = datagrams.size() * kLuxBurstGapUs;
+  std::uint64_t waits_us = packets.size() * kLuxBurstGapUs;
   if (unit_.motion == Motion::kContinuous) {
     from_s = static_cast<double>(end_us - kLuxSweepUs) / 1'000'000;
     to_s = static_cast<double>(end_us) / 1'000'000;
@@ -34,9 +36,16 @@ void LuxUnit::append_frame(const Scene& scene, std::uint32_t frame,
   const LuxScanTime time{unit_.number, frame, kDriveStartUs + end_us};
   const RayCaster rays(scene, scanner_.mount(), from_s, to_s, kLuxFarthest);
   Random random = unit_.noise_of(frame);
-  append_lux_scan(*unit_.sensor, time,
-                  scanner_.scan(rays, from_s, to_s, side_of_scan(time.number()), random),
-                  time.end_us + waits_us, datagrams);
+  LuxEchoes scan = scanner_.scan(rays, from_s, to_s, side_of_scan(time.number()), random);
+  std::vector<CapturedDatagram> datagrams;
+  append_lux_scan(*unit_.sensor, time, std::move(scan.points), time.end_us + waits_us, datagrams);
+  auto next = scan.truth.begin();
+  for (CapturedDatagram& datagram : datagrams) {
+    const auto end =
+        next + static_cast<std::ptrdiff_t>(parse_lux_message(datagram.payload).points.size());
+    packets.push_back({std::move(datagram), {next, end}});
+    next = end;
+  }
 }
 
 }  // namespace iog::tools

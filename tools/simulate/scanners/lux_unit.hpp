@@ -20,7 +20,7 @@ class LuxUnit final : public Unit {
   // If the motion is stepwise the car's LUX send one after another, and the first when its scan
   // ends: behind those that are already there.
   void append_frame(const Scene& scene, std::uint32_t frame,
-                    std::vector<CapturedDatagram>& datagrams) override;
+                    std::vector<SimulatedPacket>& packets) override;
 
  private:
   UnitOfDrive unit_;

@@ -48,14 +48,15 @@ void OusterEncoder::write_column_head(std::uint64_t time_ns, std::uint16_t frame
 
 void OusterEncoder::write_pixels(std::uint32_t column, std::uint64_t fires_ns,
                                  const RayCaster& rays, Random& random,
-                                 wire::ByteWriter& out) const {
+                                 std::vector<PointTruth>& truth, wire::ByteWriter& out) const {
   constexpr std::uint32_t kTurn = OusterPacket::kTicksPerTurn;
   const std::uint32_t turned =
       (column * kTurn + mode_.columns_per_turn / 2U) / mode_.columns_per_turn + kTurn / 2;
   for (std::size_t row = 0; row < beams_.layers(); ++row) {
-    const std::uint32_t range = range_units(
-        profile_,
-        beams_.measured_m(row, static_cast<std::int32_t>(turned % kTurn), fires_ns, rays, random));
+    const Measured measured =
+        beams_.measure(row, static_cast<std::int32_t>(turned % kTurn), fires_ns, rays, random);
+    truth.push_back(measured.truth);
+    const std::uint32_t range = range_units(profile_, measured.range_m);
     const std::uint8_t reflectivity = range == 0 ? std::uint8_t{0} : kOusterReflectivity;
     if (profile_.pixel_bytes == 4) {
       out.u16_le(static_cast<std::uint16_t>(range));
@@ -70,7 +71,8 @@ void OusterEncoder::write_pixels(std::uint32_t column, std::uint64_t fires_ns,
 }
 
 std::vector<std::byte> OusterEncoder::packet(std::uint64_t begin_ns, std::uint64_t number,
-                                             const RayCaster& rays, Random& random) const {
+                                             const RayCaster& rays, Random& random,
+                                             std::vector<PointTruth>& truth) const {
   const std::uint64_t packets_per_turn = mode_.columns_per_turn / OusterPacket::kColumns;
   const auto frame = static_cast<std::uint16_t>(number / packets_per_turn + 1);
   const auto first = static_cast<std::uint32_t>(number % packets_per_turn * OusterPacket::kColumns);
@@ -85,7 +87,7 @@ std::vector<std::byte> OusterEncoder::packet(std::uint64_t begin_ns, std::uint64
   for (std::uint32_t i = 0; i < OusterPacket::kColumns; ++i) {
     const std::uint64_t fires_ns = begin_ns + packet_ns() * i / OusterPacket::kColumns;
     write_column_head(kDriveStartUs * 1'000 + fires_ns, frame, first + i, out);
-    write_pixels(first + i, fires_ns, rays, random, out);
+    write_pixels(first + i, fires_ns, rays, random, truth, out);
     if (profile_.is_legacy()) {
       out.u32_le(0xFFFF'FFFF);  // measured
     }

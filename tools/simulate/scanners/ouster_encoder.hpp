@@ -22,13 +22,14 @@ class OusterEncoder final : public PacketEncoder {
 
   // number says which columns of which turn they are.
   [[nodiscard]] std::vector<std::byte> packet(std::uint64_t begin_ns, std::uint64_t number,
-                                              const RayCaster& rays, Random& random) const override;
+                                              const RayCaster& rays, Random& random,
+                                              std::vector<PointTruth>& truth) const override;
 
  private:
   void write_column_head(std::uint64_t time_ns, std::uint16_t frame, std::uint32_t column,
                          wire::ByteWriter& out) const;
   void write_pixels(std::uint32_t column, std::uint64_t fires_ns, const RayCaster& rays,
-                    Random& random, wire::ByteWriter& out) const;
+                    Random& random, std::vector<PointTruth>& truth, wire::ByteWriter& out) const;
 
   lidar::TurnMode mode_;
   lidar::OusterProfile profile_;

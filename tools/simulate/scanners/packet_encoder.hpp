@@ -26,10 +26,11 @@ class PacketEncoder {
   [[nodiscard]] virtual std::uint64_t packet_ns() const = 0;
 
   // The packet that begins so long after the drive did, each beam with one return. The drive begins
-  // at kDriveStartUs of the unit's clock, with an hour. number: how many were sent before.
+  // at kDriveStartUs of the unit's clock, with an hour. number: how many were sent before. What is
+  // true of its points is appended.
   [[nodiscard]] virtual std::vector<std::byte> packet(std::uint64_t begin_ns, std::uint64_t number,
-                                                      const RayCaster& rays,
-                                                      Random& random) const = 0;
+                                                      const RayCaster& rays, Random& random,
+                                                      std::vector<PointTruth>& truth) const = 0;
 };
 
 // Of the sensor, which outlives it; nullptr if it does not turn.

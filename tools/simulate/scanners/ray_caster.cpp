@@ -103,6 +103,18 @@ void RayCaster::sort_into_columns(const SensorFrame& middle, double slack_m, dou
   }
 }
 
+PointTruth RayCaster::truth_of(const Ray& ray, const Hit& hit) {
+  const Vector3 at = point_at(ray, hit.distance);
+  if (hit.material == Material::kGround) {
+    return {.what = PointClass::kGround, .at = at};
+  }
+  PointClass what = PointClass::kInfrastructure;
+  if (hit.material == Material::kCar || hit.material == Material::kPerson) {
+    what = hit.moves ? PointClass::kMoving : PointClass::kMovable;
+  }
+  return {what, hit.thing, at, at.z};
+}
+
 // A ray is never shorter than its plan, so what is nearer in the plan may be met first.
 Hit RayCaster::nearest(const Ray& ray, double time_s, double beyond) const {
   Hit hit;
@@ -118,7 +130,8 @@ Hit RayCaster::nearest(const Ray& ray, double time_s, double beyond) const {
     const MovingSolid& solid = *candidate.solid;
     const double distance = distance_to(candidate.moves ? solid.at(share) : solid.begin, ray);
     if (distance > beyond && distance < hit.distance) {
-      hit = {distance, solid.begin.material};
+      hit = {distance, solid.begin.material, solid.begin.thing,
+             solid.way() > kStandingMps * (to_s_ - from_s_)};
     }
   }
   return hit;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "tools/simulate/scanners/point_truth.hpp"
 #include "tools/simulate/scanners/sensor_frame.hpp"
 #include "tools/simulate/world/moving_solid.hpp"
 #include "tools/simulate/world/scene.hpp"
@@ -19,6 +20,8 @@ namespace iog::tools {
 struct Hit {
   double distance = kNoHit;  // metres along it
   Material material = Material::kGround;
+  std::uint32_t thing = 0;  // Solid::thing
+  bool moves = false;
 };
 
 class RayCaster {
@@ -42,6 +45,8 @@ class RayCaster {
   // starts within kArm of the scanner's place at that time.
   static constexpr double kArm = 0.25;
   [[nodiscard]] Hit nearest(const Ray& ray, double time_s, double beyond = 0) const;
+
+  [[nodiscard]] static PointTruth truth_of(const Ray& ray, const Hit& hit);
 
  private:
   // Directions in the plan of the world, to either side of its x axis.

@@ -41,33 +41,27 @@ SpinningBeams::SpinningBeams(const description::SensorConfig& config) : sigma_m_
   }
 }
 
-std::optional<double> SpinningBeams::range_m(const Vector3& along, double height_m, double time_s,
-                                             const RayCaster& rays, Random& random) const {
-  const SensorFrame frame = rays.frame_at(time_s);
-  const Ray ray{{frame.origin.x + height_m * frame.up.x, frame.origin.y + height_m * frame.up.y,
-                 frame.origin.z + height_m * frame.up.z},
-                frame.direction(along)};
-  const Hit hit = rays.nearest(ray, time_s);
-  if (hit.distance > kSpinningFarthest || !comes_back(hit.material, hit.distance, 1, random)) {
-    return std::nullopt;
-  }
-  return std::max(0.0, hit.distance + sigma_m_ * random.bell());
-}
-
-std::optional<double> SpinningBeams::measured_m(std::size_t layer, std::int32_t right_ticks,
-                                                std::uint64_t fires_ns, const RayCaster& rays,
-                                                Random& random) const {
+// A beam starts over the unit's origin, along its up axis.
+Measured SpinningBeams::measure(std::size_t layer, std::int32_t right_ticks, std::uint64_t fires_ns,
+                                const RayCaster& rays, Random& random) const {
   const Laser& laser = lasers_[layer];
   const std::size_t turn = azimuth_sines_.size();
   const std::int32_t ticks = right_ticks + laser.right_ticks + 2 * static_cast<std::int32_t>(turn);
   const auto right = static_cast<std::size_t>(ticks);
   const double sine = azimuth_sines_[right % turn];
   const double cosine = azimuth_sines_[(right + turn / 4) % turn];
-  const Vector3 along{laser.cosine * cosine, -laser.cosine * sine, laser.sine};
-  const std::optional<double> way_m =
-      range_m(along, laser.height_m,
-              static_cast<double>(fires_ns / kTogetherNs * kTogetherNs) / 1e9, rays, random);
-  return way_m ? std::optional(*way_m + laser.range_m) : std::nullopt;
+  const double time_s = static_cast<double>(fires_ns / kTogetherNs * kTogetherNs) / 1e9;
+  const SensorFrame frame = rays.frame_at(time_s);
+  const Ray ray{
+      {frame.origin.x + laser.height_m * frame.up.x, frame.origin.y + laser.height_m * frame.up.y,
+       frame.origin.z + laser.height_m * frame.up.z},
+      frame.direction({laser.cosine * cosine, -laser.cosine * sine, laser.sine})};
+  const Hit hit = rays.nearest(ray, time_s);
+  if (hit.distance > kSpinningFarthest || !comes_back(hit.material, hit.distance, 1, random)) {
+    return {};
+  }
+  const double way_m = std::max(0.0, hit.distance + sigma_m_ * random.bell());
+  return {way_m + laser.range_m, rays.truth_of(ray, hit)};
 }
 
 }  // namespace iog::tools

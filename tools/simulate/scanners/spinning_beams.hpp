@@ -15,6 +15,11 @@ namespace iog::tools {
 
 inline constexpr double kSpinningFarthest = 120;  // metres; Velodyne's data sheets say 70 to 120
 
+struct Measured {
+  std::optional<double> range_m;  // as the unit counts it; none: nothing came back
+  PointTruth truth{};
+};
+
 class SpinningBeams {
  public:
   // Its lasers are those of its calibration, or else those of its format.
@@ -22,12 +27,11 @@ class SpinningBeams {
 
   [[nodiscard]] std::size_t layers() const { return lasers_.size(); }
 
-  // What a laser counts, metres, with the unit looking so far to the right of forward: ticks of the
-  // format, from less than a turn below 0 upwards. It fires so long after the drive's begin. Empty:
-  // nothing came back.
-  [[nodiscard]] std::optional<double> measured_m(std::size_t layer, std::int32_t right_ticks,
-                                                 std::uint64_t fires_ns, const RayCaster& rays,
-                                                 Random& random) const;
+  // What a laser counts, with the unit looking so far to the right of forward: ticks of the format,
+  // from less than a turn below 0 upwards. It fires so long after the drive's begin.
+  [[nodiscard]] Measured measure(std::size_t layer, std::int32_t right_ticks,
+                                 std::uint64_t fires_ns, const RayCaster& rays,
+                                 Random& random) const;
 
  private:
   struct Laser {
@@ -37,10 +41,6 @@ class SpinningBeams {
     double range_m = 0;            // how much more it counts than the way from there
     std::int32_t right_ticks = 0;  // of where the head looks
   };
-
-  // How far a beam goes from where it starts: height_m over the unit's origin along its up axis.
-  [[nodiscard]] std::optional<double> range_m(const Vector3& along, double height_m, double time_s,
-                                              const RayCaster& rays, Random& random) const;
 
   double sigma_m_;
   std::vector<Laser> lasers_;          // by layer

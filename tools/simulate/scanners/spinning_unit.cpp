@@ -5,6 +5,7 @@
 
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/simulate/scanners/ray_caster.hpp"
+#include "tools/simulate/scanners/spinning_beams.hpp"
 
 namespace iog::tools {
 namespace {
@@ -39,7 +40,7 @@ RayCaster SpinningUnit::rays_of(const Scene& scene, std::uint32_t frame,
 }
 
 void SpinningUnit::append_frame(const Scene& scene, std::uint32_t frame,
-                                std::vector<CapturedDatagram>& datagrams) {
+                                std::vector<SimulatedPacket>& packets) {
   const description::SensorConfig& config = *unit_.sensor;
   const std::uint64_t packet_ns = encoder_->packet_ns();
   const std::uint64_t stretch_ns = unit_.motion == Motion::kStepwise ? kFrameNs : kStraightNs;
@@ -51,10 +52,12 @@ void SpinningUnit::append_frame(const Scene& scene, std::uint32_t frame,
   for (; begin_ns < end_ns; begin_ns += stretch_ns) {
     const RayCaster rays = rays_of(scene, frame, begin_ns);
     for (; number * packet_ns < begin_ns + stretch_ns; ++number) {
-      datagrams.push_back({.time_us = kDriveStartUs + (number + 1) * packet_ns / 1000,
-                           .source = {source, config.udp_port},
-                           .destination = {kTargetIpv4, config.udp_port},
-                           .payload = encoder_->packet(number * packet_ns, number, rays, random)});
+      SimulatedPacket& packet = packets.emplace_back();
+      packet.datagram = {
+          .time_us = kDriveStartUs + (number + 1) * packet_ns / 1000,
+          .source = {source, config.udp_port},
+          .destination = {kTargetIpv4, config.udp_port},
+          .payload = encoder_->packet(number * packet_ns, number, rays, random, packet.points)};
     }
   }
 }

@@ -21,7 +21,7 @@ class SpinningUnit final : public Unit {
 
   // The packets that begin in the frame.
   void append_frame(const Scene& scene, std::uint32_t frame,
-                    std::vector<CapturedDatagram>& datagrams) override;
+                    std::vector<SimulatedPacket>& packets) override;
 
  private:
   [[nodiscard]] RayCaster rays_of(const Scene& scene, std::uint32_t frame,

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "description/description.hpp"
-#include "tools/formats/capture/datagram.hpp"
 #include "tools/simulate/random.hpp"
+#include "tools/simulate/scanners/point_truth.hpp"
 #include "tools/simulate/world/scene.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -48,9 +48,9 @@ class Unit {
   // At which second of the drive the world stands still for the frame, if its motion is stepwise.
   [[nodiscard]] virtual double still_at_s(std::uint32_t frame) const = 0;
 
-  // Appends the frame's datagrams in the order of their times.
+  // Appends the frame's packets in the order of their times.
   virtual void append_frame(const Scene& scene, std::uint32_t frame,
-                            std::vector<CapturedDatagram>& datagrams) = 0;
+                            std::vector<SimulatedPacket>& packets) = 0;
 };
 
 }  // namespace iog::tools

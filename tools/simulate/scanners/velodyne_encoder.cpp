@@ -47,11 +47,7 @@ std::uint64_t VelodyneEncoder::packet_ns() const {
   return VelodynePacket::kBlocks / unit_.banks * std::uint64_t{unit_.block_ns};
 }
 
-// What stands on the wire for the range of one beam; 0: nothing came back.
-std::uint16_t VelodyneEncoder::counted(std::size_t layer, std::size_t channel, std::uint64_t at_ns,
-                                       const RayCaster& rays, Random& random) const {
-  const std::int32_t right = azimuth_at(at_ns) + unit_.azimuth_offsets[channel];
-  const std::optional<double> range_m = beams_.measured_m(layer, right, at_ns, rays, random);
+std::uint16_t VelodyneEncoder::units_of(const std::optional<double>& range_m) const {
   if (!range_m) {
     return 0;
   }
@@ -60,7 +56,8 @@ std::uint16_t VelodyneEncoder::counted(std::size_t layer, std::size_t channel, s
 }
 
 std::vector<std::byte> VelodyneEncoder::packet(std::uint64_t begin_ns, std::uint64_t number,
-                                               const RayCaster& rays, Random& random) const {
+                                               const RayCaster& rays, Random& random,
+                                               std::vector<PointTruth>& truth) const {
   std::vector<std::byte> bytes(VelodynePacket::kPacketBytes);
   wire::ByteWriter out(bytes);
   for (std::size_t block = 0; block < VelodynePacket::kBlocks; ++block) {
@@ -72,7 +69,10 @@ std::vector<std::byte> VelodyneEncoder::packet(std::uint64_t begin_ns, std::uint
       const std::uint64_t fires_ns =
           std::uint64_t{unit_.fires_at[channel]} * unit_.block_ns / unit_.block_parts;
       const std::size_t layer = (bank * VelodynePacket::kPointsPerBlock + channel) % unit_.layers;
-      out.u16_le(counted(layer, channel, block_ns + fires_ns, rays, random));
+      const std::int32_t right = azimuth_at(block_ns + fires_ns) + unit_.azimuth_offsets[channel];
+      const Measured measured = beams_.measure(layer, right, block_ns + fires_ns, rays, random);
+      truth.push_back(measured.truth);
+      out.u16_le(units_of(measured.range_m));
       out.u8(kReflectivity);
     }
   }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lidar/velodyne.hpp"
@@ -22,11 +23,12 @@ class VelodyneEncoder final : public PacketEncoder {
 
   // The head looks forward when the drive begins.
   [[nodiscard]] std::vector<std::byte> packet(std::uint64_t begin_ns, std::uint64_t number,
-                                              const RayCaster& rays, Random& random) const override;
+                                              const RayCaster& rays, Random& random,
+                                              std::vector<PointTruth>& truth) const override;
 
  private:
-  [[nodiscard]] std::uint16_t counted(std::size_t layer, std::size_t channel, std::uint64_t at_ns,
-                                      const RayCaster& rays, Random& random) const;
+  // In units of the wire; 0: nothing came back.
+  [[nodiscard]] std::uint16_t units_of(const std::optional<double>& range_m) const;
 
   lidar::VelodyneUnit unit_;
   SpinningBeams beams_;

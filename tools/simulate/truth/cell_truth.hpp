@@ -23,9 +23,6 @@ enum class TrueClass : std::uint8_t {
   kInfrastructure,  // what cannot move: walls, poles, kerbs, trees, bushes, rails, banks
 };
 
-// Slower things are taken to stand.
-inline constexpr double kStandingMps = 0.05;
-
 struct TrueCell {
   TrueClass what = TrueClass::kFree;
   std::uint32_t thing = 0;       // Solid::thing; 0 where nothing is

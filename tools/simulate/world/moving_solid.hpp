@@ -7,6 +7,9 @@
 
 namespace iog::tools {
 
+// Slower things are taken to stand.
+inline constexpr double kStandingMps = 0.05;
+
 struct MovingSolid {
   Solid begin;    // where it is at the interval's begin
   Placement end;  // and at its end

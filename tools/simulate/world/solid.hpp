@@ -57,6 +57,11 @@ struct Ray {
   Vector3 along;  // of length 1
 };
 
+[[nodiscard]] inline Vector3 point_at(const Ray& ray, double distance) {
+  return {ray.from.x + distance * ray.along.x, ray.from.y + distance * ray.along.y,
+          ray.from.z + distance * ray.along.z};
+}
+
 inline constexpr double kNoHit = 1e30;
 
 // The distance along the ray to the solid's surface, kNoHit if it is missed or holds the start.

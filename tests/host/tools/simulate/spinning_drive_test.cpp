@@ -103,7 +103,8 @@ TEST(SpinningDrive, LowBeamsEndOnTheGround) {
     // Nothing but the ground, and the car stands level.
     const RayCaster rays(placed(frame_of(config.mount), {}), {}, kSpinningFarthest);
     Random random(5);
-    const auto bytes = encoder_of(config)->packet(0, 0, rays, random);
+    std::vector<PointTruth> truth;
+    const auto bytes = encoder_of(config)->packet(0, 0, rays, random, truth);
     const vehicle::Sensor& sensor = car.vehicle->sensors[0];
     const intake::Packet packet = intake::Packet::decode(config.format, bytes, sensor.unit());
     ASSERT_TRUE(packet.is_sound()) << rate.car;
