@@ -182,26 +182,11 @@ PlacedDrive placed_drive(const SimulateOptions& options, const CatalogueEntry& c
   return placed;
 }
 
-void demand_lux_alone(const CatalogueEntry& car) {
-  for (const description::SensorConfig& sensor : car.sensors) {
-    if (!sends_lux_scans(sensor.format)) {
-      throw UsageError(
-          "drives with poses are simulated for ibeo LUX alone, and " +
-          std::string(car.vehicle->name) + " has a " + std::string(lidar::name_of(sensor.format)) +
-          ": without --moving, and with grids = \"indexes\" in qemu/run, there are its packets; "
-          "classes need a recording with poses, --pcap");
-    }
-  }
-}
-
 void simulate(const SimulateOptions& options) {
   if (options.out.empty() && options.osm.out.empty()) {
     throw UsageError("--out is required: the capture to write");
   }
   const CatalogueEntry& car = find_vehicle(options.vehicle);
-  if (options.is_moving) {
-    demand_lux_alone(car);
-  }
   PlacedDrive placed = placed_drive(options, car);
   if (options.out.empty()) {
     return;
@@ -361,9 +346,9 @@ void add_simulate(CLI::App& program) {
       "docs/drives.md explains --truth-cells and --truth-points, and what happens in the scene "
       "'street' when.\n"
       "The same scene, seed, length, vehicle and options give the same bytes on every machine.\n"
-      "Scanners that turn, which --moving cannot, do so ten times a second, with one return a "
-      "beam;\n"
-      "a car of such alone has ten frames a second.");
+      "Scanners that turn do so ten times a second, with one return a beam; a car of such alone "
+      "has\n"
+      "ten frames a second.");
   command->callback([options] { simulate(*options); });
 }
 

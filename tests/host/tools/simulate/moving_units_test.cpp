@@ -1,0 +1,198 @@
+// Units that turn on a car that drives: what each beam measures is where it was then, and what is
+// said to be true of it is of that beam. Where a point is, is computed here from azimuth, range and
+// mount.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "intake/measurement_time.hpp"
+#include "intake/packet.hpp"
+#include "lidar/formats.hpp"
+#include "tools/formats/capture/made_capture.hpp"
+#include "tools/simulate/drives/drive.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+const std::vector<std::string> kCars{"roof_hdl32e", "roof_hdl64e", "roof_os1_64", "roof_pandar64",
+                                     "roof_vlp16",  "roof_vlp32c", "roof_xt32"};
+
+// A road that turns right by 0.4 rad/s at 10 m/s towards a long wall across.
+constexpr Course kCurve{.radians_per_metre = -0.04, .swings = {{{0, 100}, {0, 100}}}};
+constexpr Cruise kSteady{
+    .mean_speed = 10, .speed_swing = 0, .swing_period = 10, .left = 0, .weave = 0};
+constexpr double kWallX = 32;
+
+Scene wall_ahead() {
+  Landscape landscape;
+  std::vector<Solid> solids{box(Material::kWall, {.x = kWallX + 1, .y = -10}, 2, 120, 0, 8)};
+  landscape.place(0, solids);
+  landscape.sort();
+  return {Road(kCurve, 0, 100), kSteady, std::move(landscape), {}};
+}
+
+// Above the horizon. What else its calibration says of a laser its decoder has put right.
+double elevation_of(const description::SensorConfig& sensor, std::size_t layer) {
+  double elevation_deg = 0;
+  if (!sensor.lasers.empty()) {
+    elevation_deg = sensor.lasers[layer].elevation_deg;
+  } else {
+    lidar::with_decoder(sensor.format, [&]<typename Decoder>(std::type_identity<Decoder>) {
+      elevation_deg = Decoder::kElevationsDeg.at(layer);
+    });
+  }
+  return elevation_deg * kDegree;
+}
+
+struct Seen {
+  double x;      // in the world
+  double share;  // of the turn, when it was measured
+};
+
+// The points of nearly level beams of some turns, placed from the pose of the packet's time, or of
+// the turn's end.
+std::vector<Seen> seen_by(const std::string& car_name, bool at_end_of_turn) {
+  const CatalogueEntry& car = find_vehicle(car_name);
+  const description::SensorConfig& sensor = car.sensors[0];
+  const vehicle::Sensor& decoding = car.vehicle->sensors[0];
+  const std::int32_t turn = lidar::ticks_per_turn(sensor.format);
+  Drive drive(car, 1, 1, wall_ahead(), Motion::kContinuous);
+  std::vector<Seen> seen;
+  for (std::uint32_t frame = 3; frame < 6; ++frame) {
+    for (const CapturedDatagram& datagram : drive.datagrams(frame)) {
+      const auto packet = intake::Packet::decode(sensor.format, datagram.payload, decoding.unit());
+      const std::uint64_t measured_us =
+          intake::measured_us(decoding, packet.info(), datagram.time_us);
+      const double time_s = static_cast<double>(measured_us - kDriveStartUs) / 1e6;
+      const Placement ego = drive.scene().ego_at(at_end_of_turn ? (frame + 1) / 10.0 : time_s).at;
+      packet.for_each_point([&](const lidar::ScanPoint& point) {
+        const double elevation = elevation_of(sensor, point.layer);
+        if (point.range_mm == 0 || std::abs(elevation) > 2.5 * kDegree) {
+          return;
+        }
+        const double azimuth =
+            point.azimuth_ticks * 2 * std::numbers::pi / turn + sensor.mount.yaw_deg * kDegree;
+        const double range_m = point.range_mm / 1000.0 * std::cos(elevation);
+        const Placement at = moved(ego, sensor.mount.x_m + range_m * std::cos(azimuth),
+                                   sensor.mount.y_m + range_m * std::sin(azimuth));
+        seen.push_back({at.x, time_s * 10 - frame});
+      });
+    }
+  }
+  return seen;
+}
+
+// Mean distance from the wall's face of the points in a part of the turn.
+double off_wall(const std::vector<Seen>& seen, double from_share, double to_share, double within) {
+  double sum = 0;
+  double count = 0;
+  for (const Seen& point : seen) {
+    if (point.share >= from_share && point.share < to_share &&
+        std::abs(point.x - kWallX) < within) {
+      sum += point.x - kWallX;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 100);
+  return sum / count;
+}
+
+// The head looks forward when a turn begins and when it ends, an Ouster's backward.
+TEST(MovingUnits, AWallIsStraightFromTheCarsPoseOfEachPacket) {
+  for (const std::string& car : kCars) {
+    const bool is_ouster = car == "roof_os1_64";
+    const std::vector<Seen> seen = seen_by(car, false);
+    for (const double share : is_ouster ? std::vector{0.4, 0.5} : std::vector{0.0, 0.9}) {
+      EXPECT_NEAR(off_wall(seen, share, share + 0.1, 0.5), 0, 0.025) << car << " " << share;
+    }
+  }
+}
+
+TEST(MovingUnits, AWallIsBentFromOnePoseOfTheTurn) {
+  for (const std::string& car : kCars) {
+    const std::vector<Seen> seen = seen_by(car, true);
+    // What was measured a whole turn before its end is up to a metre farther ahead from there; an
+    // Ouster looks forward in the middle of its turn.
+    const double share = car == "roof_os1_64" ? 0.4 : 0.0;
+    EXPECT_GT(std::abs(off_wall(seen, share, share + 0.05, 2)), 0.25) << car;
+  }
+}
+
+// A beam that nothing came back to has no truth, and each other has its own.
+TEST(MovingUnits, EveryPointHasItsTruth) {
+  std::vector<std::string> cars = kCars;
+  cars.emplace_back("reference_car");
+  cars.emplace_back("roof_ld_mrs");
+  for (const std::string& name : cars) {
+    const CatalogueEntry& car = find_vehicle(name);
+    Drive drive(car, 3, 1, find_scene("city"), Motion::kContinuous);
+    std::map<PointClass, int> counts;
+    for (const SimulatedPacket& packet : drive.packets(1)) {
+      const std::size_t sensor = sensor_of_port(car, packet.datagram.destination.port);
+      const vehicle::Sensor& decoding = car.vehicle->sensors[sensor];
+      const description::SensorConfig& config = car.sensors[sensor];
+      std::size_t number = 0;
+      intake::Packet::decode(decoding.format, packet.datagram.payload, decoding.unit())
+          .for_each_point([&](const lidar::ScanPoint& point) {
+            ASSERT_LT(number, packet.points.size());
+            const PointTruth& truth = packet.points[number++];
+            ++counts[truth.what];
+            EXPECT_EQ(truth.what == PointClass::kNothing, point.range_mm == 0) << name;
+            EXPECT_EQ(truth.what == PointClass::kClutter, point.is_rain || point.is_dirt) << name;
+            EXPECT_TRUE(!point.is_ground || truth.what == PointClass::kGround) << name;
+            EXPECT_EQ(truth.what == PointClass::kMoving,
+                      truth.what == PointClass::kMoving && truth.thing >= kFirstMover);
+            if (truth.what == PointClass::kGround) {
+              EXPECT_EQ(truth.height_m, 0) << name;
+            }
+            // Nearer than 20 m the height is what elevation and range say: the car nods by 0.2
+            // degrees.
+            if (name == "roof_hdl32e" && point.range_mm > 0 && point.range_mm < 20'000) {
+              const double elevation = elevation_of(config, point.layer);
+              const double height =
+                  config.mount.z_m + point.range_mm / 1000.0 * std::sin(elevation);
+              EXPECT_NEAR(truth.height_m, height, 0.2) << name;
+            }
+          });
+      EXPECT_EQ(number, packet.points.size()) << name;
+    }
+    EXPECT_GT(counts[PointClass::kGround], 20) << name;
+    EXPECT_GT(counts[PointClass::kInfrastructure], 100) << name;
+    EXPECT_GT(counts[PointClass::kMovable], 20) << name;
+    EXPECT_GT(counts[PointClass::kMoving], 20) << name;
+  }
+}
+
+// Three LUX and two that turn: everything comes in order, and each at its own rate.
+TEST(MovingUnits, AMixedCarMoves) {
+  const CatalogueEntry& lux = find_vehicle("reference_car");
+  const CatalogueEntry& turning = find_vehicle("roof_vlp16");
+  std::vector<description::SensorConfig> configs(lux.sensors.begin(), lux.sensors.end());
+  configs.insert(configs.end(), turning.sensors.begin(), turning.sensors.end());
+  const CatalogueEntry mixed{lux.vehicle, lux.description, configs, lux.network};
+  Drive drive(mixed, 5, 2, find_scene("city"), Motion::kContinuous);
+  ASSERT_EQ(drive.frame_count(), 50U);
+  std::map<std::uint16_t, std::size_t> counts;
+  std::uint64_t last_us = 0;
+  for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
+    for (const CapturedDatagram& datagram : drive.datagrams(frame)) {
+      EXPECT_GE(datagram.time_us, last_us);
+      last_us = datagram.time_us;
+      ++counts[datagram.destination.port];
+    }
+  }
+  EXPECT_EQ(counts.size(), 5U);
+  EXPECT_NEAR(static_cast<double>(counts[2368]), 2 * 753.5, 2);
+}
+
+}  // namespace
+}  // namespace iog::tools
