@@ -42,6 +42,7 @@ struct SimulateOptions {
   std::string vehicle = kDefaultVehicle;
   std::string scene = kDefaultScene;
   bool is_moving = false;
+  bool has_attitude = false;
   double pose_rate_hz = 100;
   double pose_sigma_mm = 20;
   double pose_heading_sigma_mrad = 1;
@@ -170,11 +171,18 @@ struct PlacedDrive {
 PlacedDrive placed_drive(const SimulateOptions& options, const CatalogueEntry& car) {
   if (!options.town.empty()) {
     Town town = town_of(options);
+    if (options.has_attitude) {
+      town.scene.attitude.emplace(options.seed);
+    }
     return {Drive(car, options.seed, options.seconds, std::move(town.scene), Motion::kContinuous),
             town.place.transform()};
   }
+  Scene scene = find_scene(options.scene).make(options.seed, options.seconds);
+  if (options.has_attitude) {
+    scene.attitude.emplace(options.seed);
+  }
   const Motion motion = options.is_moving ? Motion::kContinuous : Motion::kStepwise;
-  PlacedDrive placed{Drive(car, options.seed, options.seconds, find_scene(options.scene), motion)};
+  PlacedDrive placed{Drive(car, options.seed, options.seconds, std::move(scene), motion)};
   if (!options.osm.out.empty()) {
     write_osm(options, placed.drive.scene());
     placed.map = map_place_of(options.osm).transform();
@@ -331,6 +339,12 @@ void add_simulate(CLI::App& program) {
   CLI::Option* const moving = command->add_flag(
       "--moving", options->is_moving,
       "Let everything move while the scanners sweep, and write the car's poses, too");
+  command
+      ->add_flag(
+          "--attitude", options->has_attitude,
+          "Let the car lean when it brakes and where the road is bumpy, by 2 degrees at most")
+      ->option_text("(needs --moving)")
+      ->needs(moving);
   add_truth_options(*command, *options, moving);
   add_pose_options(*command, *options, moving);
   add_osm_options(*command, options->osm, moving);

@@ -39,19 +39,20 @@ RayCaster::RayCaster(const Scene& scene, const SensorFrame& mount, double from_s
       still_(placed(mount, scene.ego_at(from_s))),
       from_s_(from_s),
       to_s_(to_s),
+      farthest_m_(farthest_m),
       solids_(scene.solids_between(from_s, to_s)) {
   const SensorFrame middle = frame_at((from_s + to_s) / 2);
   const double way = std::max(distance_in_plan(still_.origin, middle.origin),
                               distance_in_plan(frame_at(to_s).origin, middle.origin));
-  sort_into_columns(middle, stands_still() ? 0 : way + kTurning, farthest_m);
+  sort_into_columns(middle, stands_still() ? 0 : way + kTurning);
 }
 
 RayCaster::RayCaster(const SensorFrame& frame, std::span<const Solid> solids, double farthest_m)
-    : still_(frame) {
+    : still_(frame), farthest_m_(farthest_m) {
   for (const Solid& solid : solids) {
-    solids_.push_back({solid, solid.at});
+    solids_.push_back({solid, solid.at, solid.footing});
   }
-  sort_into_columns(frame, 0, farthest_m);
+  sort_into_columns(frame, 0);
 }
 
 // Beams that are sent together ask for one frame.
@@ -68,7 +69,7 @@ SensorFrame RayCaster::frame_at(double time_s) const {
 
 // All as in the middle of the interval, with as much slack as scanner and solids move until its
 // ends.
-void RayCaster::sort_into_columns(const SensorFrame& middle, double slack_m, double farthest_m) {
+void RayCaster::sort_into_columns(const SensorFrame& middle, double slack_m) {
   struct Seen {
     Candidate candidate;
     double distance;
@@ -82,7 +83,7 @@ void RayCaster::sort_into_columns(const SensorFrame& middle, double slack_m, dou
     const double dy = solid.at.y - middle.origin.y;
     const double distance = std::sqrt(dx * dx + dy * dy);
     const double reach = reach_of(solid) + (slack_m > 0 ? slack_m + mover.way() / 2 : 0);
-    if (distance - reach <= farthest_m) {
+    if (distance - reach <= farthest_m_) {
       seen.push_back(
           {{distance - reach, &mover, mover.moves()}, distance, reach + kArm, std::atan2(dy, dx)});
     }
@@ -103,7 +104,7 @@ void RayCaster::sort_into_columns(const SensorFrame& middle, double slack_m, dou
   }
 }
 
-PointTruth RayCaster::truth_of(const Ray& ray, const Hit& hit) {
+PointTruth RayCaster::truth_of(const Ray& ray, const Hit& hit) const {
   const Vector3 at = point_at(ray, hit.distance);
   if (hit.material == Material::kGround) {
     return {.what = PointClass::kGround, .at = at};
@@ -112,15 +113,19 @@ PointTruth RayCaster::truth_of(const Ray& ray, const Hit& hit) {
   if (hit.material == Material::kCar || hit.material == Material::kPerson) {
     what = hit.moves ? PointClass::kMoving : PointClass::kMovable;
   }
-  return {what, hit.thing, at, at.z};
+  return {what, hit.thing, at, at.z - (scene_ != nullptr ? scene_->ground_at(at.x, at.y) : 0)};
+}
+
+double RayCaster::distance_to_ground(const Ray& ray) const {
+  if (scene_ != nullptr) {
+    return scene_->distance_to_ground(ray, farthest_m_ + kArm);
+  }
+  return ray.along.z < 0 ? ray.from.z / -ray.along.z : kNoHit;
 }
 
 // A ray is never shorter than its plan, so what is nearer in the plan may be met first.
 Hit RayCaster::nearest(const Ray& ray, double time_s, double beyond) const {
-  Hit hit;
-  if (ray.along.z < 0) {
-    hit.distance = ray.from.z / -ray.along.z;
-  }
+  Hit hit{.distance = distance_to_ground(ray)};
   const double share = stands_still() ? 0 : (time_s - from_s_) / (to_s_ - from_s_);
   const std::ptrdiff_t column = column_of(std::atan2(ray.along.y, ray.along.x), kColumns);
   for (const Candidate& candidate : columns_[static_cast<std::size_t>(column) % kColumns]) {

@@ -46,7 +46,7 @@ class RayCaster {
   static constexpr double kArm = 0.25;
   [[nodiscard]] Hit nearest(const Ray& ray, double time_s, double beyond = 0) const;
 
-  [[nodiscard]] static PointTruth truth_of(const Ray& ray, const Hit& hit);
+  [[nodiscard]] PointTruth truth_of(const Ray& ray, const Hit& hit) const;
 
  private:
   // Directions in the plan of the world, to either side of its x axis.
@@ -59,7 +59,8 @@ class RayCaster {
   };
 
   // slack_m: how far the scanner may be from where it is in the middle of the interval.
-  void sort_into_columns(const SensorFrame& middle, double slack_m, double farthest_m);
+  void sort_into_columns(const SensorFrame& middle, double slack_m);
+  [[nodiscard]] double distance_to_ground(const Ray& ray) const;
   [[nodiscard]] bool stands_still() const { return from_s_ == to_s_; }
 
   const Scene* scene_ = nullptr;
@@ -69,6 +70,7 @@ class RayCaster {
   mutable SensorFrame asked_{};
   double from_s_ = 0;
   double to_s_ = 0;
+  double farthest_m_ = 0;
   std::vector<MovingSolid> solids_;
   std::array<std::vector<Candidate>, kColumns> columns_;
 };

@@ -19,12 +19,17 @@ SensorFrame frame_of(const description::MountConfig& mount) {
 
 SensorFrame placed(const SensorFrame& mount, const EgoPose& ego) {
   const Placement& at = ego.at;
-  const SensorFrame car{.origin = {at.x, at.y, 0},
+  const Vector3 left{-at.sin, at.cos, 0};
+  const Vector3 up{at.cos * ego.pitch_sin, at.sin * ego.pitch_sin, ego.pitch_cos};
+  const auto rolled = [](const Vector3& a, double cos, const Vector3& b, double sin) {
+    return Vector3{a.x * cos + b.x * sin, a.y * cos + b.y * sin, a.z * cos + b.z * sin};
+  };
+  const SensorFrame car{.origin = {at.x, at.y, ego.z},
                         .forward = {at.cos * ego.pitch_cos, at.sin * ego.pitch_cos, -ego.pitch_sin},
-                        .left = {-at.sin, at.cos, 0},
-                        .up = {at.cos * ego.pitch_sin, at.sin * ego.pitch_sin, ego.pitch_cos}};
+                        .left = rolled(left, ego.roll_cos, up, ego.roll_sin),
+                        .up = rolled(up, ego.roll_cos, left, -ego.roll_sin)};
   const Vector3 offset = car.direction(mount.origin);
-  return {.origin = {at.x + offset.x, at.y + offset.y, offset.z},
+  return {.origin = {at.x + offset.x, at.y + offset.y, ego.z + offset.z},
           .forward = car.direction(mount.forward),
           .left = car.direction(mount.left),
           .up = car.direction(mount.up)};

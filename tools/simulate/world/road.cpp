@@ -69,6 +69,33 @@ Placement Road::at(double station, double left) const {
   return moved(centre, 0, left);
 }
 
+Road::Place Road::nearest(double x, double y, double station) const {
+  constexpr double kExact = 1e-7;
+  constexpr int kMostSteps = 20;
+  Place place{station, 0};
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Placement there = at(place.station, 0);
+    const Placement beyond = at(place.station + 1, 0);
+    const double along = (x - there.x) * there.cos + (y - there.y) * there.sin;
+    place.left = (y - there.y) * there.cos - (x - there.x) * there.sin;
+    // In a bend to the left a metre of the centre line is less on its left.
+    const double bend = beyond.sin * there.cos - beyond.cos * there.sin;
+    place.station += along / std::max(0.2, 1 - bend * place.left);
+    if (std::abs(along) < kExact) {
+      break;
+    }
+  }
+  return place;
+}
+
+Road::Place Road::nearest(double x, double y) const {
+  const auto far = [&](const Point& point) {
+    return (point.x - x) * (point.x - x) + (point.y - y) * (point.y - y);
+  };
+  const auto closest = std::ranges::min_element(points_, {}, far);
+  return nearest(x, y, first_ + kStep * static_cast<double>(closest - points_.begin()));
+}
+
 Placement turned_by(const Placement& placement, double cos, double sin) {
   return {.x = placement.x,
           .y = placement.y,

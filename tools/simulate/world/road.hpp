@@ -48,6 +48,16 @@ class Road {
   // road's length.
   [[nodiscard]] Placement at(double station, double left) const;
 
+  // Where along the road and how far to its left a point is that is nearer to the road than the
+  // radius of its curves.
+  struct Place {
+    double station;
+    double left;
+  };
+  [[nodiscard]] Place nearest(double x, double y) const;
+  // The same, sought from a station that is not far.
+  [[nodiscard]] Place nearest(double x, double y, double station) const;
+
  private:
   // The unit vector along the road, as a placement's heading.
   [[nodiscard]] Placement heading_at(double station, std::size_t before, double share) const;

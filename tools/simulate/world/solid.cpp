@@ -56,16 +56,21 @@ Local turned(const Placement& at, double dx, double dy) {
 double distance_to(const Solid& solid, const Ray& ray) {
   const double dx = ray.from.x - solid.at.x;
   const double dy = ray.from.y - solid.at.y;
+  const Footing& footing = solid.footing;
+  Local from{};
+  Local step{};
   Stretch inside;
   if (solid.form == Solid::Form::kBox) {
-    const Local from = turned(solid.at, dx, dy);
-    const Local step = turned(solid.at, ray.along.x, ray.along.y);
+    from = turned(solid.at, dx, dy);
+    step = turned(solid.at, ray.along.x, ray.along.y);
     inside.clip(from.x, step.x, -solid.half_length, solid.half_length);
     inside.clip(from.y, step.y, -solid.half_width, solid.half_width);
   } else {
     inside.clip_to_circle(dx, dy, ray.along.x, ray.along.y, solid.half_length);
   }
-  inside.clip(ray.from.z, ray.along.z, solid.z_low, solid.z_high);
+  inside.clip(ray.from.z - footing.z - footing.along * from.x - footing.left * from.y,
+              ray.along.z - footing.along * step.x - footing.left * step.y, solid.z_low,
+              solid.z_high);
   return inside.enter > 0 && inside.enter < inside.leave ? inside.enter : kNoHit;
 }
 

@@ -1,7 +1,7 @@
-// What stands in the simulated street: upright boxes and cylinders on a flat ground.
+// What stands in a simulated scene: boxes and cylinders with upright sides.
 //
-// World frame: metres, z up, ground at z = 0. Only + - * / and sqrt are used, so that every machine
-// computes the same distances.
+// World frame: metres, z up; flat ground is at z = 0. Only + - * / and sqrt are used, so that every
+// machine computes the same distances.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +29,14 @@ struct Placement {
   double sin = 0;
 };
 
+// The plane that a solid's heights are over. Where it slopes, so do floor and roof, and the sides
+// stay upright.
+struct Footing {
+  double z = 0;      // under its centre
+  double along = 0;  // slope along its heading
+  double left = 0;   // slope to its left
+};
+
 // Numbers of things: a car's body and its cabin have one. Below kFirstMover are those of a
 // landscape, which never move; 0 is nothing.
 inline constexpr std::uint32_t kFirstMover = 1'000'000;
@@ -41,9 +49,10 @@ struct Solid {
   Placement at;            // the centre
   double half_length = 0;  // along its heading; of a cylinder: its radius
   double half_width = 0;   // of a cylinder: its radius
-  double z_low = 0;
+  double z_low = 0;        // over its footing
   double z_high = 0;
   std::uint32_t thing = 0;  // of which it is a part; 0: nobody has numbered it
+  Footing footing{};        // of a cylinder without slopes
 };
 
 struct Vector3 {

@@ -17,6 +17,9 @@ struct EgoPose {
   double pitch_cos = 1;
   double pitch_sin = 0;  // positive: the nose is down
   double station = 0;
+  double z = 0;  // of the vehicle frame's origin
+  double roll_cos = 1;
+  double roll_sin = 0;  // positive: the left side is up
 };
 
 // How the car itself drives: in one lane, in which it weaves, at a speed that swings about its
