@@ -5,6 +5,7 @@
 
 #include "tools/program/exit_status.hpp"
 #include "tools/simulate/scenes/city.hpp"
+#include "tools/simulate/scenes/hills.hpp"
 #include "tools/simulate/scenes/ring_road.hpp"
 #include "tools/simulate/scenes/street.hpp"
 
@@ -12,7 +13,7 @@ namespace iog::tools {
 namespace {
 
 constexpr std::array kScenes{SceneEntry{"city", make_city}, SceneEntry{"ring_road", make_ring_road},
-                             SceneEntry{"street", make_street}};
+                             SceneEntry{"hills", make_hills}, SceneEntry{"street", make_street}};
 
 std::string known_names() {
   std::string names;

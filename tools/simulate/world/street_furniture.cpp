@@ -32,6 +32,28 @@ void add_car(const CarShape& shape, const Placement& at, std::vector<Solid>& sol
   }
 }
 
+void add_glazed_car(const CarShape& shape, const Placement& at, std::vector<Solid>& solids) {
+  constexpr double kPillar = 0.08;
+  constexpr double kRoof = 0.06;
+  solids.push_back(
+      box(Material::kCar, at, shape.length, shape.width, shape.clearance, shape.bonnet_height));
+  if (shape.cabin_share == 0) {
+    return;
+  }
+  const Placement cabin = moved(at, -0.08 * shape.length, 0);
+  const double length = shape.cabin_share * shape.length;
+  const double width = 0.9 * shape.width;
+  for (const double side : {1.0, -1.0}) {
+    for (const double along : {-0.5, 0.0, 0.5}) {
+      solids.push_back(box(Material::kCar,
+                           moved(cabin, along * (length - kPillar), side * (width - kPillar) / 2),
+                           kPillar, kPillar, shape.bonnet_height, shape.roof_height - kRoof));
+    }
+  }
+  solids.push_back(
+      box(Material::kCar, cabin, length, width, shape.roof_height - kRoof, shape.roof_height));
+}
+
 void add_person(double x, double y, std::vector<Solid>& solids) {
   solids.push_back(cylinder(Material::kPerson, x, y, 0.24, 0, 1.75));
 }

@@ -33,6 +33,10 @@ inline constexpr CarShape kLorry{.length = 16.5,
 // The body from above the road to the bonnet, and the cabin on it; of a van or a lorry one box.
 void add_car(const CarShape& shape, const Placement& at, std::vector<Solid>& solids);
 
+// The same with windows, through which beams pass: on the body stand three pillars to either side
+// and carry the roof.
+void add_glazed_car(const CarShape& shape, const Placement& at, std::vector<Solid>& solids);
+
 void add_person(double x, double y, std::vector<Solid>& solids);
 
 // A trunk, and leaves from above head height.

@@ -63,6 +63,7 @@ TEST(MovingDrive, SameSeedSameBytes) {
 TEST(MovingDrive, BytesArePinned) {
   EXPECT_EQ(crc_of(sample(1, 10, "city")), 0x4C3FF184U);
   EXPECT_EQ(crc_of(sample(1, 10, "street")), 0x271518ECU);
+  EXPECT_EQ(crc_of(sample(1, 10, "hills")), 0x91C484D3U);
 }
 
 TEST(MovingDrive, EveryScannerHasItsPhase) {

@@ -1,16 +1,34 @@
+// The ground of a scene: what a ray meets is what small steps along it find.
 #include "tools/simulate/world/terrain.hpp"
 
 #include <cmath>
-#include <vector>
+#include <memory>
 
 #include "gtest/gtest.h"
 
 #include "tools/simulate/random.hpp"
+#include "tools/simulate/scenes/hills.hpp"
 
 namespace iog::tools {
 namespace {
 
 constexpr Course kBend{.radians_per_metre = 1.0 / 300, .swings = {{{0.1, 90}, {0, 100}}}};
+
+const Scene& hills() {
+  static const Scene scene = make_hills(4, 20);
+  return scene;
+}
+
+// By steps of a centimetre; kNoHit if it is above ground all the way.
+double first_dip(const Terrain& terrain, const Ray& ray, double farthest) {
+  for (double distance = 0; distance < farthest; distance += 0.01) {
+    const Vector3 at = point_at(ray, distance);
+    if (at.z < terrain.height_at(at.x, at.y)) {
+      return distance;
+    }
+  }
+  return kNoHit;
+}
 
 TEST(RoadNearest, FindsThePlaceBesideTheRoad) {
   const Road road(kBend, -100, 300);
@@ -40,6 +58,30 @@ TEST(Terrain, APlaneIsAPlane) {
   }
   EXPECT_EQ(flat.under({.x = 5, .y = 5}, 2, 1).z, 3);
   EXPECT_NEAR(flat.under({.x = 5, .y = 5}, 2, 1).along, 0, 1e-12);
+}
+
+TEST(Terrain, ARayMeetsTheGroundWhereItFirstDipsBelow) {
+  const Terrain& terrain = *hills().terrain;
+  Random random(2);
+  int met = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double azimuth = random.between(-3.2, 3.2);
+    const double elevation = random.between(-0.35, 0.05);
+    const Placement from = hills().road.at(random.between(-20, 160), random.between(-12, 10));
+    const Ray ray{{from.x, from.y, terrain.height_at(from.x, from.y) + 1.9},
+                  {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                   std::sin(elevation)}};
+    const double expected = first_dip(terrain, ray, 80);
+    const double distance = terrain.distance_to_ground(ray, 80);
+    if (distance < kNoHit) {
+      const Vector3 at = point_at(ray, distance);
+      EXPECT_NEAR(at.z, terrain.height_at(at.x, at.y), 1e-6) << i;
+    }
+    // It may graze a tuft between two steps.
+    EXPECT_LT(distance, expected == kNoHit ? 2 * kNoHit : expected + 1e-6) << i;
+    met += std::abs(distance - expected) < 0.0101 ? 1 : 0;
+  }
+  EXPECT_GT(met, 290);
 }
 
 TEST(Terrain, ThingsLieAsTheGroundSlopes) {
