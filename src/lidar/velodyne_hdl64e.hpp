@@ -53,7 +53,7 @@ class VelodyneHdl64eS3 : public VelodyneDecoder<kHdl64eS3Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S3";
   // Precise to 2 cm, taken as 3. One turn at 10 Hz is 290 packets; in dual return mode it is 579,
-  // more than a frame can mark.
+  // for which a car's file has to make room.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s3", 300);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "geometry/grid.hpp"
-#include "grid/pending_marks.hpp"
 #include "tools/budget/unit_costs.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/vehicles/two_returns.hpp"
@@ -30,13 +29,13 @@ bool turns(const vehicle::Sensor& sensor) { return sensor.layers_share_lines; }
 bool repeats(const description::SensorConfig& sensor) { return sends_lux_scans(sensor.format); }
 
 // Echoes that a description allows a direction: those of a LUX, and two returns of a unit that has
-// them, if a frame can mark both.
+// them, if a scan may hold both.
 double echoes_of(const description::SensorConfig& sensor) {
   if (repeats(sensor)) {
     return 3;
   }
   const std::uint32_t points = points_with_two_returns(sensor.format);
-  return points > 0 && points <= grid::kMaxMarks ? 2 : 1;
+  return points > 0 && points <= sensor.max_points_per_scan ? 2 : 1;
 }
 
 // How far a layer's beams stay in the height band, and within the sensor's range, in metres; ahead,

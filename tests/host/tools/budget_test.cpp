@@ -88,7 +88,7 @@ TEST(Budget, CountsWhatDescriptionsAllow) {
   EXPECT_EQ(roof.typical.work.points, 0);
 }
 
-// Two returns of a Pandar64 are more than a frame can mark, and an Ouster with two is not taken: 64
+// The file of the Pandar64 has no room for two returns, and an Ouster with two is not taken: 64
 // lasers in 1,800 and 1,024 directions, of which the file of the former allows some more.
 TEST(Budget, OfAUnitWithOneReturnIsThatOfAllItsPoints) {
   EXPECT_NEAR(budget_of(find_vehicle("roof_pandar64")).typical.work.turn_points, 64 * 1'800, 8'000);
