@@ -110,7 +110,7 @@ void PerceptionEngine::join_group(std::size_t group) {
   fusion_.own().release([&](std::size_t tile, auto indexes) {
     fusion_.joined().add(tile, indexes);
     if (group != FrameSlices::kNowhere) {
-      cells.take(tile, indexes);
+      cells.set(tile, indexes);
     }
   });
 }

@@ -38,7 +38,7 @@ void SharedFusion::fuse_part(const FramePart& part, grid::FrameFusion& fusion,
     add_points(fusion, vehicle_->sensors[packet.sensor], packets_->decoded(number), fused.fates);
   }
   fusion.finish();
-  fused.tiles.take(fusion);
+  fused.tiles.move_from(fusion);
 }
 
 // If nothing has been added to the grid before, what is there is of nobody who has ended his item,

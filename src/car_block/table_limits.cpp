@@ -25,11 +25,13 @@ constexpr std::int64_t kUnit = std::int64_t{1} << vehicle::kAxisFractionBits;
 constexpr std::int32_t kOffCar = kOffCarMm * geometry::kResolution / geometry::kCellMm + 1;
 
 void check_box(const Vehicle& car, const Tell& tell) {
-  const vehicle::Footprint& its = car.footprint;
-  if (!is_within<std::int32_t>(its.x_min, 0, its.x_max) || its.x_max > kGridSide) {
+  const vehicle::Footprint& footprint = car.footprint;
+  if (!is_within<std::int32_t>(footprint.x_min, 0, footprint.x_max) ||
+      footprint.x_max > kGridSide) {
     tell({.field = "footprint.x_max_m", .allowed = "a car within the grid around its origin"});
   }
-  if (!is_within<std::int32_t>(its.y_min, 0, its.y_max) || its.y_max > kGridSide) {
+  if (!is_within<std::int32_t>(footprint.y_min, 0, footprint.y_max) ||
+      footprint.y_max > kGridSide) {
     tell({.field = "footprint.y_max_m", .allowed = "a car within the grid around its origin"});
   }
   if (!is_within(car.z_min, -kFarthest, kFarthest) || car.z_min >= car.z_max ||
@@ -38,15 +40,15 @@ void check_box(const Vehicle& car, const Tell& tell) {
   }
 }
 
-void check_place(const vehicle::Footprint& its, const Sensor& sensor, std::size_t number,
+void check_place(const vehicle::Footprint& footprint, const Sensor& sensor, std::size_t number,
                  const Tell& tell) {
   const auto is_on = [](std::int64_t at, std::int64_t low, std::int64_t high) {
     return is_within(at, low - kOffCar, high + kOffCar);
   };
-  if (!is_on(sensor.origin.x, its.x_min, its.x_max)) {
+  if (!is_on(sensor.origin.x, footprint.x_min, footprint.x_max)) {
     tell({number, "mount.x_m", "a place on the car: footprint.x_min_m ... x_max_m, 0.15 off"});
   }
-  if (!is_on(sensor.origin.y, its.y_min, its.y_max)) {
+  if (!is_on(sensor.origin.y, footprint.y_min, footprint.y_max)) {
     tell({number, "mount.y_m", "a place on the car: footprint.y_min_m ... y_max_m, 0.15 off"});
   }
   if (!is_within(sensor.origin_z, -kFarthest, kFarthest)) {

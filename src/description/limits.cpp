@@ -33,16 +33,16 @@ void check_span(double least, double most, std::string_view field, std::string_v
 }
 
 void check_car(const Description& car, const Tell& tell) {
-  const FootprintConfig& its = car.footprint;
+  const FootprintConfig& footprint = car.footprint;
   if (!is_within<double>(car.z_min_m, -kFarthestM, kFarthestM) || !(car.z_min_m < car.z_max_m)) {
     tell({.field = "z_min_m", .allowed = "-1000 ... less than z_max_m"});
   }
   if (!(car.z_max_m <= kFarthestM)) {
     tell({.field = "z_max_m", .allowed = "at most 1000"});
   }
-  check_span(its.x_min_m, its.x_max_m, "footprint.x_min_m",
+  check_span(footprint.x_min_m, footprint.x_max_m, "footprint.x_min_m",
              "-1000 ... x_max_m, which is at most 1000", tell);
-  check_span(its.y_min_m, its.y_max_m, "footprint.y_min_m",
+  check_span(footprint.y_min_m, footprint.y_max_m, "footprint.y_min_m",
              "-1000 ... y_max_m, which is at most 1000", tell);
   if (!is_within(car.epsilon, kLeastEpsilon, kMostEpsilon)) {
     tell({.field = "epsilon", .allowed = "0.01 ... 0.4"});

@@ -27,7 +27,7 @@ std::size_t encode_cobs(std::span<const std::byte> message, std::span<std::byte>
   return out + 1;
 }
 
-std::optional<std::span<const std::byte>> CobsDecoder::take(std::byte byte) {
+std::optional<std::span<const std::byte>> CobsDecoder::decode(std::byte byte) {
   if (byte == kDelimiter) {
     return end_frame();
   }

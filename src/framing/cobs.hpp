@@ -38,7 +38,7 @@ class CobsDecoder {
   explicit constexpr CobsDecoder(std::span<std::byte> buffer) : buffer_{buffer} {}
 
   // The message that this byte completes.
-  [[nodiscard]] std::optional<std::span<const std::byte>> take(std::byte byte);
+  [[nodiscard]] std::optional<std::span<const std::byte>> decode(std::byte byte);
 
   // Frames that ended in the middle of a block, or were longer than the buffer.
   [[nodiscard]] std::uint32_t damaged() const { return damaged_; }

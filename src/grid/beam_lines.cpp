@@ -122,12 +122,12 @@ KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint32_t step) {
   const std::uint32_t share_of_round = in_order * kShareOfStep;
   const std::uint64_t places = std::uint64_t{share_of_round} * places_per_sensor_;
   const auto place = static_cast<std::uint32_t>(places >> 32);
-  KeptAzimuth& its_place = azimuths_[number * places_per_sensor_ + place];
-  if (its_place.is_of(sensor, step)) {
-    its_place.stay();
-    return its_place;
+  KeptAzimuth& own_place = azimuths_[number * places_per_sensor_ + place];
+  if (own_place.is_of(sensor, step)) {
+    own_place.stay();
+    return own_place;
   }
-  KeptAzimuth& azimuth = its_place.gives_way() ? its_place : homeless_;
+  KeptAzimuth& azimuth = own_place.gives_way() ? own_place : spare_;
   azimuth.begin(sensor, step);
   return azimuth;
 }

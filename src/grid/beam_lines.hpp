@@ -53,9 +53,9 @@ class BandLimits {
 
   // Whether it ends farther along a line than that of another layer.
   [[nodiscard]] bool ends_behind(const BandLimits& other) const {
-    const traversal::Share& its = to_.share();
-    const traversal::Share& others = other.to_.share();
-    return its.numerator * others.denominator > others.numerator * its.denominator;
+    const traversal::Share& end = to_.share();
+    const traversal::Share& other_end = other.to_.share();
+    return end.numerator * other_end.denominator > other_end.numerator * end.denominator;
   }
 
  private:
@@ -225,7 +225,7 @@ class BeamLines {
   const vehicle::Sensor* first_sensor_;
   std::uint32_t places_per_sensor_;
   std::array<KeptAzimuth, kPlaces> azimuths_;
-  KeptAzimuth homeless_;  // whose place another one has
+  KeptAzimuth spare_;  // of an azimuth whose place another one has
 };
 
 }  // namespace iog::grid

@@ -18,7 +18,7 @@ class FrameTiles {
 
   // Takes over what the fusion has finished, which is clear then. What was here before is gone,
   // whatever it was.
-  void take(FrameFusion& fusion) {
+  void move_from(FrameFusion& fusion) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       is_known_[tile] = fusion.take_tile(tile, tiles_[tile]);
     }

@@ -132,7 +132,7 @@ void VelodyneIdentity::compare(const VelodyneLook& look) {
   }
 }
 
-FormatSet VelodyneIdentity::take(std::span<const std::byte> packet) {
+FormatSet VelodyneIdentity::add(std::span<const std::byte> packet) {
   if (packet.size() == velodyne::kPacketBytes && has_flags(packet)) {
     return add(look_at(packet.first<velodyne::kPacketBytes>()));
   }

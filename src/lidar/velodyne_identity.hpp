@@ -64,7 +64,7 @@ class VelodyneIdentity {
   // The formats that the sender's packets can have, as far as this packet and those before it tell:
   // one where it is certain, none if the packet is no Velodyne's. Total; it looks at flags,
   // azimuths and time alone, and other faults of a packet are its decoder's.
-  [[nodiscard]] FormatSet take(std::span<const std::byte> packet);
+  [[nodiscard]] FormatSet add(std::span<const std::byte> packet);
   // The same of one that its decoder has found sound.
   [[nodiscard]] FormatSet add(const VelodyneLook& look);
 

@@ -17,7 +17,7 @@ Fate Delivery::receive(std::uint32_t source_ipv4, std::span<const std::byte> pay
   Fate fate = Fate::kStranger;
   if (protection::may_send(source_ipv4, description_.source_ipv4, replayer_ipv4_)) {
     const DecodedChunk decoded = decode_chunk(payload);
-    fate = decoded.fate == Fate::kTaken ? take(decoded.chunk, arrival_us) : decoded.fate;
+    fate = decoded.fate == Fate::kTaken ? accept(decoded.chunk, arrival_us) : decoded.fate;
   }
   ++report_.fates[static_cast<std::size_t>(fate)];
   return fate;
@@ -27,7 +27,7 @@ bool Delivery::is_in_use(const BlockName& block) const {
   return in_use_ && in_use_->crc() == block.crc && in_use_->size_bytes() == block.bytes;
 }
 
-Fate Delivery::take(const Chunk& chunk, std::uint64_t arrival_us) {
+Fate Delivery::accept(const Chunk& chunk, std::uint64_t arrival_us) {
   if (is_in_use(chunk.block)) {
     return Fate::kInUse;
   }

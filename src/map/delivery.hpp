@@ -79,7 +79,7 @@ class Delivery {
  private:
   using Buffer = std::array<std::uint8_t, kMaxBlockBytes>;
 
-  [[nodiscard]] Fate take(const Chunk& chunk, std::uint64_t arrival_us);
+  [[nodiscard]] Fate accept(const Chunk& chunk, std::uint64_t arrival_us);
   [[nodiscard]] bool is_in_use(const BlockName& block) const;
   void begin(const BlockName& block);
   void put(const Chunk& chunk);

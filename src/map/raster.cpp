@@ -69,7 +69,7 @@ void Raster::clear(RowRange rows) {
   odd_ = {};
 }
 
-void Raster::take(RowRange rows, FinePoint from, FinePoint to) {
+void Raster::add_edge(RowRange rows, FinePoint from, FinePoint to) {
   if (first_from(std::min(from.x, to.x)) >= wanted_.end) {
     return;
   }

@@ -38,7 +38,7 @@ class Raster {
   // Forgets what was taken. Only these rows will be right, and in them only such columns.
   void clear(RowRange rows);
 
-  // The rows that an edge between these heights crosses. If there are none it need not be taken.
+  // The rows that an edge between these heights crosses. If there are none it need not be added.
   [[nodiscard]] RowRange crossed(std::int32_t from_y, std::int32_t to_y) const {
     return {std::max(first_from(std::min(from_y, to_y)), wanted_.first),
             std::min(first_from(std::max(from_y, to_y)), wanted_.end)};
@@ -51,7 +51,7 @@ class Raster {
   }
 
   // Differences of coordinates are below 2^30.2. rows: those that the edge crosses, not none.
-  void take(RowRange rows, FinePoint from, FinePoint to);
+  void add_edge(RowRange rows, FinePoint from, FinePoint to);
 
   // Adds the inside to `bits`, and is clear for the next polygon.
   void add_to(FrameBits& bits);

@@ -46,7 +46,7 @@ void TileDrawing::take_edges(std::uint32_t& budget) {
     const RowRange rows = raster_.crossed(from_fine.y, last_fine.y);
     left -= std::min(left, rows.is_empty() ? 1 : kWorkPerCrossing);
     if (!rows.is_empty()) {
-      raster_.take(rows, from_fine, last_fine);
+      raster_.add_edge(rows, from_fine, last_fine);
     }
   }
   budget = left;
@@ -70,7 +70,7 @@ FrameBits TileDrawing::outside() {
   for (const auto& [from, to] :
        {std::pair(a, b), std::pair(b, c), std::pair(c, d), std::pair(d, a)}) {
     if (const RowRange rows = raster_.crossed(from.y, to.y); !rows.is_empty()) {
-      raster_.take(rows, from, to);
+      raster_.add_edge(rows, from, to);
     }
   }
   raster_.add_to(bits);

@@ -113,7 +113,7 @@ std::optional<Datagram> Host<Port>::poll(std::uint64_t now_us) {
 template <hal::EthernetPort Port>
 std::optional<Datagram> Host<Port>::take_fragment(const Ipv4Packet& fragment,
                                                   std::uint64_t now_us) {
-  const Reassembly::Result result = reassembly_.take(fragment, now_us, counters_.fragments);
+  const Reassembly::Result result = reassembly_.add(fragment, now_us, counters_.fragments);
   if (result.fate == Reassembly::Fate::kJoined) {
     return std::nullopt;
   }

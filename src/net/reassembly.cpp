@@ -63,8 +63,8 @@ bool Reassembly::is_possible(const Joining& joining, const Extent& extent, bool 
          std::ranges::none_of(known, [&](const Extent& other) { return other.end > extent.end; });
 }
 
-Reassembly::Result Reassembly::take(const Ipv4Packet& piece, std::uint64_t now_us,
-                                    FragmentCounters& counters) {
+Reassembly::Result Reassembly::add(const Ipv4Packet& piece, std::uint64_t now_us,
+                                   FragmentCounters& counters) {
   expire(now_us, counters);
   Joining& joining = joining_of(piece, now_us, counters);
   if (joining.is_refused) {

@@ -40,7 +40,7 @@ class Reassembly {
   };
   struct [[nodiscard]] Result {
     Fate fate = Fate::kDropped;
-    // Only with kCompleted; the payload is valid until the next take(). Of so many pieces.
+    // Only with kCompleted; the payload is valid until the next add(). Of so many pieces.
     Ipv4Packet packet{};
     std::size_t pieces = 0;
   };
@@ -48,7 +48,7 @@ class Reassembly {
   // piece: of an Ipv4Status::kFragment. now_us never goes backwards. Each call counts one of
   // joined, completed, duplicates, overlaps, bad and refused, and whatever it displaces or finds
   // expired.
-  Result take(const Ipv4Packet& piece, std::uint64_t now_us, FragmentCounters& counters);
+  Result add(const Ipv4Packet& piece, std::uint64_t now_us, FragmentCounters& counters);
 
  private:
   struct Extent {

@@ -39,7 +39,7 @@ constexpr std::int64_t difference_us(std::uint64_t time_us, std::uint64_t from_u
 
 }  // namespace
 
-Fate History::take(const Message& message, std::uint64_t arrival_us) {
+Fate History::add(const Message& message, std::uint64_t arrival_us) {
   const Entry next{.message = message,
                    .offset_us = arrival_us - message.age_us - message.clock_us,
                    .residual = {}};

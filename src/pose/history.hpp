@@ -44,7 +44,7 @@ class History {
  public:
   // A sound message and its arrival by the target's clock. kUsed, or kUnconfirmed, kNotNewer,
   // kFlood or kPastRun, which place nothing.
-  [[nodiscard]] Fate take(const Message& message, std::uint64_t arrival_us);
+  [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
 
   // Time has passed, by the clock of the source: the end of the newest slice, or source_time() of
   // now. Whether the source is lost shows here, or else when its next message comes.

@@ -17,7 +17,7 @@ Fate Source::receive(std::uint32_t source_ipv4, std::span<const std::byte> paylo
   Fate fate = Fate::kStranger;
   if (protection::may_send(source_ipv4, description_.source_ipv4, replayer_ipv4_)) {
     const Decoded decoded = decode(payload);
-    fate = decoded.fate == Fate::kUsed ? history_.take(decoded.message, arrival_us) : decoded.fate;
+    fate = decoded.fate == Fate::kUsed ? history_.add(decoded.message, arrival_us) : decoded.fate;
   }
   ++fates_[static_cast<std::size_t>(fate)];
   return fate;

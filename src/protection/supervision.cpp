@@ -5,7 +5,7 @@
 
 namespace iog::protection {
 
-ChannelState Supervisor::take(CheckStatus status) {
+ChannelState Supervisor::update(CheckStatus status) {
   state_ = next_state(status);
   return state_;
 }

@@ -59,7 +59,7 @@ class Supervisor {
   }
 
   // After each check; kNoNewData after each period in which nothing came.
-  ChannelState take(CheckStatus status);
+  ChannelState update(CheckStatus status);
 
   [[nodiscard]] ChannelState state() const { return state_; }
 

@@ -59,7 +59,7 @@ void CoarseLevels::clear() {
   known_fine_tiles_ = 0;
 }
 
-void CoarseLevels::take(std::size_t tile, tile_coding::TileCells cells) {
+void CoarseLevels::add_tile(std::size_t tile, tile_coding::TileCells cells) {
   // The fine cell at the tile's corner, counted over the whole fine grid.
   const std::size_t fine_x = tile % geometry::kTilesPerSide * kFinePerTile;
   const std::size_t fine_y = tile / geometry::kTilesPerSide * kFinePerTile;

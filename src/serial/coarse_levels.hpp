@@ -29,7 +29,7 @@ class CoarseLevels {
   void clear();
 
   // A tile of the grid, by its number, while its cells are at hand.
-  void take(std::size_t tile, tile_coding::TileCells cells);
+  void add_tile(std::size_t tile, tile_coding::TileCells cells);
 
   // The tiles of the fine grid. If one is not known, none of its cells is.
   [[nodiscard]] bool is_fine_known(std::size_t fine_tile) const {

@@ -27,7 +27,7 @@ class DetailWindow {
   }
 
   // The frame's known tiles, in rising order.
-  void take(std::size_t tile, tile_coding::TileCells cells) {
+  void add_tile(std::size_t tile, tile_coding::TileCells cells) {
     if (tile < first_ || tile >= end_) {
       return;
     }

@@ -27,8 +27,8 @@ void GridSender::begin_frame(const stream::Header& header) {
 }
 
 void GridSender::take_tile(std::size_t tile, tile_coding::TileCells cells) {
-  coarse_.take(tile, cells);
-  window_.take(tile, cells);
+  coarse_.add_tile(tile, cells);
+  window_.add_tile(tile, cells);
 }
 
 void GridSender::end_frame() {

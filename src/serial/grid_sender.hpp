@@ -88,7 +88,7 @@ class GridSender {
   void write(Port& port) {
     const std::size_t bytes = std::min({frame_left_.size(), bucket_.tokens(), port.free_bytes()});
     port.write(frame_left_.first(bytes));
-    bucket_.take(bytes);
+    bucket_.spend(bytes);
     frame_left_ = frame_left_.subspan(bytes);
   }
 

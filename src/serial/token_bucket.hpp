@@ -35,7 +35,7 @@ class TokenBucket {
   [[nodiscard]] std::size_t tokens() const { return level_ / kToken; }
 
   // At most tokens().
-  void take(std::size_t tokens) { level_ -= static_cast<std::uint32_t>(tokens) * kToken; }
+  void spend(std::size_t tokens) { level_ -= static_cast<std::uint32_t>(tokens) * kToken; }
 
  private:
   static constexpr std::uint32_t kToken = 1'000'000;  // of the level, which is in bytes times us

@@ -24,7 +24,7 @@ Plane cells_seen_around(const Window& window, std::size_t slot) {
   return middle_of(eroded<2>(gather<2>(window.around(slot, &Found::seen))));
 }
 
-Plane cells_shut_around(const Window& window, std::size_t slot) {
+Plane cells_open_around(const Window& window, std::size_t slot) {
   if (is_empty(window.tile(slot).found.freed)) {
     return Plane{};
   }
@@ -38,7 +38,7 @@ Plane cells_shut_around(const Window& window, std::size_t slot) {
 void remember(Window& window, std::size_t slot, bool is_new_period) {
   const Plane beside = cells_beside(window, slot);
   const Plane dense = cells_seen_around(window, slot);
-  const Plane open = cells_shut_around(window, slot);
+  const Plane open = cells_open_around(window, slot);
   const std::uint32_t period = is_new_period ? ~0U : 0U;
   Ground& ground = window.open(slot).ground;
   for (std::size_t y = 0; y < geometry::kTileSide; ++y) {

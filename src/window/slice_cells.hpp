@@ -26,9 +26,9 @@ class SliceCells {
   // Tiles are looked at in bands of so many rows, and in blocks of so many cells and rows.
   static constexpr std::int32_t kBlockSide = 8;
 
-  // Takes over a tile of a grid, row by row from its lowest y. Before, all of its cells are
+  // Sets a tile of a grid, row by row from its lowest y. Before, all of its cells are
   // unknown.
-  void take(std::size_t tile, TileIndexes indexes, const TileHeights& heights = {}) {
+  void set(std::size_t tile, TileIndexes indexes, const TileHeights& heights = {}) {
     copy(tile, indexes, heights);
     note(tile);
   }

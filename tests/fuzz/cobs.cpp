@@ -16,7 +16,7 @@ using Messages = std::vector<Bytes>;
 Messages messages_of(std::span<const std::byte> line, framing::CobsDecoder& decoder) {
   Messages messages;
   for (const std::byte byte : line) {
-    if (const auto message = decoder.take(byte)) {
+    if (const auto message = decoder.decode(byte)) {
       messages.emplace_back(message->begin(), message->end());
     }
   }
@@ -50,7 +50,7 @@ void check_line(std::span<const std::byte> line) {
     law(message.size() <= buffer.size(), "no message longer than the buffer");
     check_message(message);
   }
-  static_cast<void>(used.take(framing::kDelimiter));
+  static_cast<void>(used.decode(framing::kDelimiter));
   framing::CobsDecoder fresh(buffer);
   law(messages_of(line, used) == messages_of(line, fresh), "a delimiter ends all that was before");
 }

@@ -63,7 +63,7 @@ class Link {
         receive_strange(next_piece(in_));
         break;
       default:
-        supervisor_.take(CheckStatus::kNoNewData);
+        supervisor_.update(CheckStatus::kNoNewData);
     }
   }
 
@@ -82,7 +82,7 @@ class Link {
     law(std::ranges::equal(received.content, std::span(message).subspan(kProtectionBytes)),
         "the content is what was sent");
     last_ = number;
-    supervisor_.take(received.check);
+    supervisor_.update(received.check);
   }
 
   [[nodiscard]] CheckStatus expected_check(std::size_t number) const {

@@ -42,7 +42,7 @@ void check(std::span<const std::byte> input) {
                       .fragment_offset = 8 * offset,
                       .has_more_fragments = (choice & 0x80U) != 0,
                       .payload = payload});
-    const net::Reassembly::Result result = reassembly->take(pieces.back(), now_us, counters);
+    const net::Reassembly::Result result = reassembly->add(pieces.back(), now_us, counters);
     law(total(counters) == pieces.size(), "each piece is counted once");
     law((result.fate == net::Reassembly::Fate::kCompleted) == !result.packet.payload.empty(),
         "what is complete is not empty");

@@ -67,7 +67,7 @@ void check(std::span<const std::byte> before, std::span<const std::byte> packet)
       });
   lidar::VelodyneIdentity identity;
   for (const auto& bytes : {before, packet, before, packet}) {
-    const lidar::FormatSet possible = identity.take(bytes);
+    const lidar::FormatSet possible = identity.add(bytes);
     lidar::for_each_format([&](lidar::Format format, auto /*decoder*/) {
       law(!possible.has(format) || velodynes.has(format), "no other maker's format is possible");
     });

@@ -55,7 +55,7 @@ void FrameAssembler::take(std::span<const std::byte> datagram) {
       ++counts_.corrupt;
       return;
   }
-  supervisor_.take(received.check);
+  supervisor_.update(received.check);
   if (received.check == protection::CheckStatus::kError) {
     ++counts_.corrupt;
     return;
@@ -153,7 +153,7 @@ void FrameAssembler::take_refusal(const stream::Header& header, std::span<const 
 }
 
 void FrameAssembler::note_silence() {
-  supervisor_.take(protection::CheckStatus::kNoNewData);
+  supervisor_.update(protection::CheckStatus::kNoNewData);
   finish();
 }
 

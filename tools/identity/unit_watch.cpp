@@ -87,7 +87,7 @@ SeenUnit seen_velodyne(lidar::FormatSet possible, Payload payload) {
 }  // namespace
 
 SeenUnit UnitWatch::take(Payload payload) {
-  const lidar::FormatSet possible = velodyne_.take(payload);
+  const lidar::FormatSet possible = velodyne_.add(payload);
   if (!possible.is_empty()) {
     return seen_velodyne(possible, payload);
   }

@@ -56,7 +56,7 @@ class Evidence {
       fuse(datagrams, slice.slice);
       const window::Placement at = window::placement_of(slice.pose);
       add_hits(area, window::CellMap::to_window(area, at), static_cast<std::uint8_t>(i), frame);
-      fusion_.release([this](std::size_t tile, auto indexes) { cells_.take(tile, indexes); });
+      fusion_.release([this](std::size_t tile, auto indexes) { cells_.set(tile, indexes); });
       if (is_shown) {
         joined_.add(cells_, area, at);
       }

@@ -27,7 +27,7 @@ class Line {
   void write(std::span<const std::byte> bytes) {
     for (const std::byte byte : bytes) {
       ++frame_bytes_;
-      if (const auto message = decoder_.take(byte)) {
+      if (const auto message = decoder_.decode(byte)) {
         take(*message);
         frame_bytes_ = 0;
       }

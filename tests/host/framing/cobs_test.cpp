@@ -36,7 +36,7 @@ Bytes frame_of(const Bytes& message) {
 std::vector<Bytes> messages_of(const Bytes& line, CobsDecoder& decoder) {
   std::vector<Bytes> messages;
   for (const std::byte byte : line) {
-    if (const auto message = decoder.take(byte)) {
+    if (const auto message = decoder.decode(byte)) {
       messages.emplace_back(message->begin(), message->end());
     }
   }

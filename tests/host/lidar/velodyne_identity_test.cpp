@@ -64,24 +64,24 @@ constexpr Unit kHdl64eS3Dual{.block_us = 57.6, .blocks_of_azimuth = 4, .has_two_
 // At 11.8 Hz an HDL-32E turns as much in a block as a VLP-16 at 5 Hz.
 TEST(VelodyneIdentity, ARealHdl32eIsKnownByItsSecondPacket) {
   VelodyneIdentity identity;
-  EXPECT_EQ(identity.take(tests::bytes_of_hex(tests::kHdl32eFirst)), kEither);
-  EXPECT_EQ(identity.take(tests::bytes_of_hex(tests::kHdl32eSecond)), kHdl32e);
+  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kHdl32eFirst)), kEither);
+  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kHdl32eSecond)), kHdl32e);
 }
 
 // At 20 Hz no HDL-32E turns so much in a block.
 TEST(VelodyneIdentity, ARealVlp16OfOldFirmwareIsKnownByItsFirst) {
   VelodyneIdentity identity;
-  EXPECT_EQ(identity.take(tests::bytes_of_hex(tests::kOldVlp16First)), kVlp16);
-  EXPECT_EQ(identity.take(tests::bytes_of_hex(tests::kOldVlp16Second)), kVlp16);
+  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kOldVlp16First)), kVlp16);
+  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kOldVlp16Second)), kVlp16);
 }
 
 TEST(VelodyneIdentity, WhatSaysItsNameIsBelieved) {
   VelodyneIdentity identity;
-  EXPECT_EQ(identity.take(tests::bytes_of_hex(tests::kVlp32c)), FormatSet(kFormat<VelodyneVlp32c>));
-  EXPECT_EQ(identity.take(Packet{}.bytes()), kVlp16);
-  EXPECT_TRUE(identity.take(Packet{.product = 0x24}.bytes()).is_empty());
-  EXPECT_TRUE(identity.take({}).is_empty());
-  EXPECT_TRUE(identity.take(tests::vls128_packet()).is_empty());
+  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kVlp32c)), FormatSet(kFormat<VelodyneVlp32c>));
+  EXPECT_EQ(identity.add(Packet{}.bytes()), kVlp16);
+  EXPECT_TRUE(identity.add(Packet{.product = 0x24}.bytes()).is_empty());
+  EXPECT_TRUE(identity.add(std::span<const std::byte>()).is_empty());
+  EXPECT_TRUE(identity.add(tests::vls128_packet()).is_empty());
 }
 
 // Whatever was lost, repeated or came late, and at whatever speed: a packet is called the other
@@ -95,7 +95,7 @@ void expect_known(const Unit& unit, FormatSet its, std::uint64_t seed) {
     int in_doubt = 0;
     for (int i = 0; i < 200; ++i) {
       const double late_us = random.one_in(10) ? -2 * unit.packet_us() : 0;
-      const FormatSet possible = identity.take(unit.packet_at(time_us + late_us, hertz));
+      const FormatSet possible = identity.add(unit.packet_at(time_us + late_us, hertz));
       ASSERT_TRUE(possible.has(its.first())) << hertz << " Hz, packet " << i;
       in_doubt += possible == its ? 0 : 1;
       time_us += unit.packet_us() * (random.one_in(5) ? random.between(0, 9) : 1);
@@ -117,7 +117,7 @@ TEST(VelodyneIdentity, NoUnitIsTakenForAnotherAtAnySpeed) {
 // From one packet alone: at 10 Hz each gains what the other cannot, in between nobody knows.
 TEST(VelodyneIdentity, OnePacketIsEnoughWhereTheOtherUnitCannotTurnSo) {
   const auto first_of = [](const Unit& unit, double hertz) {
-    return VelodyneIdentity().take(unit.packet_at(1'000, hertz));
+    return VelodyneIdentity().add(unit.packet_at(1'000, hertz));
   };
   EXPECT_EQ(first_of(kHdl32eUnit21, 10), kHdl32e);
   EXPECT_EQ(first_of(kVlp16Unit21, 10), kVlp16);
@@ -129,21 +129,21 @@ TEST(VelodyneIdentity, OnePacketIsEnoughWhereTheOtherUnitCannotTurnSo) {
 // The clock of a unit counts from the hour.
 TEST(VelodyneIdentity, TheHourBreaksNoRow) {
   VelodyneIdentity identity;
-  static_cast<void>(identity.take(kHdl32eUnit21.packet_at(3'599'999'900, 12)));
+  static_cast<void>(identity.add(kHdl32eUnit21.packet_at(3'599'999'900, 12)));
   auto second = kHdl32eUnit21.packet_at(3'599'999'900 + 553, 12);
   second[1200] = std::byte{197};  // 453 us past the hour
   second[1201] = std::byte{1};
   second[1202] = second[1203] = std::byte{0};
-  EXPECT_EQ(identity.take(second), kHdl32e);
+  EXPECT_EQ(identity.add(second), kHdl32e);
 }
 
 // After a pause it may be another unit's turn to be plugged in.
 TEST(VelodyneIdentity, AfterAPauseNothingIsKnown) {
   VelodyneIdentity identity;
-  static_cast<void>(identity.take(kHdl32eUnit21.packet_at(1'000, 12)));
-  EXPECT_EQ(identity.take(kHdl32eUnit21.packet_at(1'553, 12)), kHdl32e);
-  EXPECT_EQ(identity.take(kVlp16Unit21.packet_at(2'000'000, 6)), kEither);
-  EXPECT_EQ(identity.take(kVlp16Unit21.packet_at(2'001'327, 6)), kVlp16);
+  static_cast<void>(identity.add(kHdl32eUnit21.packet_at(1'000, 12)));
+  EXPECT_EQ(identity.add(kHdl32eUnit21.packet_at(1'553, 12)), kHdl32e);
+  EXPECT_EQ(identity.add(kVlp16Unit21.packet_at(2'000'000, 6)), kEither);
+  EXPECT_EQ(identity.add(kVlp16Unit21.packet_at(2'001'327, 6)), kVlp16);
 }
 
 TEST(VelodyneIdentity, AnyBytesWillDo) {
@@ -156,7 +156,7 @@ TEST(VelodyneIdentity, AnyBytesWillDo) {
       bytes[static_cast<std::size_t>(random.between(0, static_cast<int>(bytes.size()) - 1))] =
           static_cast<std::byte>(random.next());
     }
-    const FormatSet possible = identity.take(bytes);
+    const FormatSet possible = identity.add(bytes);
     ASSERT_FALSE(possible.has(kFormat<IbeoLux>));
   }
 }

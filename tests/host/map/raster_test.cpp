@@ -15,7 +15,7 @@ namespace {
 
 void take(Raster& raster, FinePoint from, FinePoint to) {
   if (const RowRange rows = raster.crossed(from.y, to.y); !rows.is_empty()) {
-    raster.take(rows, from, to);
+    raster.add_edge(rows, from, to);
   }
 }
 

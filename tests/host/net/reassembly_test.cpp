@@ -61,7 +61,7 @@ std::vector<Piece> cut(const Bytes& whole, std::size_t piece_bytes, std::uint16_
 class ReassemblyTest : public ::testing::Test {
  protected:
   Fate take(const Piece& piece, std::uint64_t now_us = 0) {
-    const Reassembly::Result result = reassembly_->take(piece.packet(), now_us, counters_);
+    const Reassembly::Result result = reassembly_->add(piece.packet(), now_us, counters_);
     whole_.assign(result.packet.payload.begin(), result.packet.payload.end());
     name_ = result.packet.identification;
     return result.fate;

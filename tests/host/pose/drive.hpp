@@ -24,7 +24,7 @@ inline Message message_at(std::uint64_t clock_us, std::uint32_t run = 1) {
 // Messages every period from kStartUs, the last one at or before end_us.
 inline void drive(History& history, std::uint64_t end_us, std::uint64_t period_us = 10'000) {
   for (std::uint64_t clock_us = kStartUs; clock_us <= end_us; clock_us += period_us) {
-    static_cast<void>(history.take(message_at(clock_us), clock_us));
+    static_cast<void>(history.add(message_at(clock_us), clock_us));
   }
 }
 
@@ -34,7 +34,7 @@ struct Driven {
     drive(history, newest_us);
   }
 
-  Fate take(const Message& message) { return history.take(message, message.clock_us); }
+  Fate take(const Message& message) { return history.add(message, message.clock_us); }
   Fate take_at(std::uint64_t clock_us) { return take(message_at(clock_us)); }
   [[nodiscard]] Cause cause_at(std::uint64_t time_us) const {
     return history.pose_at(time_us).cause;

@@ -40,7 +40,7 @@ struct Target {
       static_cast<void>(forge(clock_us - (2 - i) * kPeriodUs, run));
     }
   }
-  Fate take(const Message& message) { return history.take(message, now_us); }
+  Fate take(const Message& message) { return history.add(message, now_us); }
   [[nodiscard]] bool is_at_truth() const {
     const Message truth = message_at(kStartUs + now_us - 1 * kMs);
     const Placed placed = history.pose_at(truth.clock_us);
@@ -166,7 +166,7 @@ TEST(Forged, APaceIsNoLeap) {
       int used = 0;
       for (std::uint64_t i = 0; i < 1'000; ++i) {
         const Message message = message_at(kStartUs + i * source_period_us);
-        used += history.take(message, i * target_period_us) == Fate::kUsed ? 1 : 0;
+        used += history.add(message, i * target_period_us) == Fate::kUsed ? 1 : 0;
       }
       EXPECT_EQ(used, 998);
       EXPECT_EQ(history.epoch(), 0U);

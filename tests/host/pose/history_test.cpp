@@ -220,7 +220,7 @@ TEST(NotNewer, ChangesNothing) {
                                        driven.newest_us - 100 * kMs, kStartUs, std::uint64_t{0}}) {
     Message message = message_at(clock_us);
     message.pose.y_mm = 77'777;
-    ASSERT_EQ(driven.history.take(message, 1), Fate::kNotNewer);
+    ASSERT_EQ(driven.history.add(message, 1), Fate::kNotNewer);
     expect_unchanged(driven, before);
   }
 }
@@ -243,7 +243,7 @@ TEST(Flood, LeavesASecondOfPoses) {
   const std::uint64_t end_us = kStartUs + 4'000 * kMs;
   int used = 0;
   for (std::uint64_t clock_us = kStartUs; clock_us <= end_us; clock_us += 1 * kMs) {
-    used += history.take(message_at(clock_us), clock_us) == Fate::kUsed ? 1 : 0;
+    used += history.add(message_at(clock_us), clock_us) == Fate::kUsed ? 1 : 0;
   }
   EXPECT_EQ(used, 4'000 / 8 + 1 - 2) << "two wait until the run is believed";
   for (std::uint64_t back_us = 0; back_us <= 1'000 * kMs; back_us += 900) {
@@ -265,7 +265,7 @@ TEST(SourceTime, IsThatOfTheLeastDelayedMessage) {
     message.age_us = static_cast<std::uint32_t>(30 * kMs);
     const std::uint64_t delay_us = (i == 20 ? 2 : 3 + i % 7) * kMs;
     static_cast<void>(
-        history.take(message, message.clock_us - kBehindUs + message.age_us + delay_us));
+        history.add(message, message.clock_us - kBehindUs + message.age_us + delay_us));
   }
   EXPECT_EQ(history.source_time(6'000'000), 6'000'000 + kBehindUs - 2 * kMs);
   EXPECT_EQ(history.source_time(0), kBehindUs - 2 * kMs);
@@ -277,7 +277,7 @@ TEST(SourceTime, ForgetsAfterASecond) {
   for (std::uint64_t i = 0; i <= 110; ++i) {
     const Message message = message_at(kStartUs + i * 10 * kMs);
     const std::uint64_t delay_us = i <= 2 ? 1 * kMs : 5 * kMs;
-    static_cast<void>(history.take(message, message.clock_us + delay_us));
+    static_cast<void>(history.add(message, message.clock_us + delay_us));
     const bool still_knows = i < 103;
     if (i >= 2) {
       ASSERT_EQ(history.source_time(6'000'000), 6'000'000 - (still_knows ? 1 : 5) * kMs) << i;
@@ -294,7 +294,7 @@ TEST(SourceTime, NoZeroOfAClockMatters) {
         Message message = message_at(kStartUs);
         message.clock_us = source_start + i * 10 * kMs;
         message.speed_mm_per_s = 0;
-        ASSERT_LT(history.take(message, target_start + i * 10 * kMs), Fate::kStranger);
+        ASSERT_LT(history.add(message, target_start + i * 10 * kMs), Fate::kStranger);
       }
       EXPECT_EQ(history.source_time(target_start + 7), source_start + 7);
     }

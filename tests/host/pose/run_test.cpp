@@ -53,14 +53,14 @@ TEST(Run, APastOneIsNotHeardWhileThePresentOneSpeaks) {
   Driven driven;
   const std::uint64_t now_us = driven.newest_us;
   for (std::uint64_t i = 0; i < 3; ++i) {
-    static_cast<void>(driven.history.take(of_run(2, i), now_us));
+    static_cast<void>(driven.history.add(of_run(2, i), now_us));
   }
   for (std::uint64_t i = 1; i <= 100; ++i) {
-    ASSERT_EQ(driven.history.take(message_at(now_us + i * 10 * kMs), now_us + i * 10 * kMs),
+    ASSERT_EQ(driven.history.add(message_at(now_us + i * 10 * kMs), now_us + i * 10 * kMs),
               Fate::kPastRun);
   }
   EXPECT_EQ(driven.history.epoch(), 1U);
-  EXPECT_EQ(driven.history.take(of_run(2, 3), now_us + 1'000 * kMs), Fate::kUsed);
+  EXPECT_EQ(driven.history.add(of_run(2, 3), now_us + 1'000 * kMs), Fate::kUsed);
 }
 
 // Who was taken for gone, and is not.
@@ -68,12 +68,12 @@ TEST(Run, APastOneComesBackAfterASecondOfSilence) {
   Driven driven;
   const std::uint64_t silent_us = driven.newest_us + 1'000 * kMs;
   for (std::uint64_t i = 0; i < 3; ++i) {
-    static_cast<void>(driven.history.take(of_run(2, i), driven.newest_us));
+    static_cast<void>(driven.history.add(of_run(2, i), driven.newest_us));
   }
-  EXPECT_EQ(driven.history.take(message_at(silent_us), silent_us), Fate::kPastRun);
+  EXPECT_EQ(driven.history.add(message_at(silent_us), silent_us), Fate::kPastRun);
   for (std::uint64_t i = 1; i <= 3; ++i) {
     const Message message = message_at(silent_us + i * 10 * kMs);
-    EXPECT_EQ(driven.history.take(message, message.clock_us),
+    EXPECT_EQ(driven.history.add(message, message.clock_us),
               i < 3 ? Fate::kUnconfirmed : Fate::kUsed);
   }
   EXPECT_EQ(driven.history.epoch(), 2U);

@@ -17,7 +17,7 @@ static_assert(kSupervision.is_valid());
 
 ChannelState after(Supervisor& supervisor, std::initializer_list<CheckStatus> checks) {
   for (const CheckStatus check : checks) {
-    supervisor.take(check);
+    supervisor.update(check);
   }
   return supervisor.state();
 }

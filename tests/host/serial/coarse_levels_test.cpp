@@ -25,7 +25,7 @@ class CoarseLevelsOf : public testing::Test {
  protected:
   void take(std::size_t tile_x, std::size_t tile_y, const Tile& cells) {
     const std::size_t tile = tile_y * geometry::kTilesPerSide + tile_x;
-    levels_.take(tile, cells);
+    levels_.add_tile(tile, cells);
     tiles_[tile] = cells;
   }
 

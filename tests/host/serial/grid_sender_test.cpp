@@ -72,7 +72,7 @@ class GridSenderOnALink : public testing::Test {
   std::vector<Message> messages() {
     std::vector<Message> messages;
     for (const std::byte byte : port_.bytes) {
-      const auto whole = cobs_.take(byte);
+      const auto whole = cobs_.decode(byte);
       if (!whole) {
         continue;
       }
@@ -173,7 +173,7 @@ TEST_F(GridSenderOnALink, TellsTheCoarseGridsWhole) {
   static CoarseLevels levels;
   levels.clear();
   for (const auto& [tile, cells] : grid) {
-    levels.take(tile, cells);
+    levels.add_tile(tile, cells);
   }
   Tile rough{};
   levels.copy_rough(rough);

@@ -19,7 +19,7 @@ TEST(TokenBucket, KeepsTheRateHoweverOftenItIsAsked) {
       bucket.refill(now_us, kRate);
       ASSERT_LE(bucket.tokens(), TokenBucket::burst_bytes(kRate));
       sent += bucket.tokens();
-      bucket.take(bucket.tokens());
+      bucket.spend(bucket.tokens());
     }
     const std::uint64_t carried = (now_us - step_us) * kRate / 1'000'000;
     EXPECT_LE(sent, carried + TokenBucket::burst_bytes(kRate)) << step_us;
@@ -37,7 +37,7 @@ TEST(TokenBucket, ALongSilenceBuysOneBurstNotMore) {
     TokenBucket bucket;
     bucket.refill(1'000'000'000'000, rate);
     EXPECT_EQ(bucket.tokens(), TokenBucket::burst_bytes(rate));
-    bucket.take(bucket.tokens());
+    bucket.spend(bucket.tokens());
     bucket.refill(1'000'000'000'000, rate);
     EXPECT_EQ(bucket.tokens(), 0u);
   }

@@ -25,7 +25,7 @@ class RandomGrid {
       for (std::int8_t& index : tile) {
         index = static_cast<std::int8_t>(random.between(-31, 31));
       }
-      cells_->take(number, tile);
+      cells_->set(number, tile);
       tiles_.push_back(tile);
     }
   }

@@ -113,7 +113,7 @@ class Slice {
 template <typename Taker>
 void hand_over(const Slice& slice, Taker& taker) {
   slice.release([&taker](std::size_t tile, auto indexes, const window::TileHeights& heights) {
-    taker.take(tile, indexes, heights);
+    taker.set(tile, indexes, heights);
   });
 }
 

@@ -126,7 +126,7 @@ std::optional<net::Ipv4Packet> PcapReader::whole_packet(std::span<const std::byt
   }
   ++counts_.fragments;
   net::FragmentCounters ignored;
-  const net::Reassembly::Result result = reassembly_->take(ip.packet, newest_us_, ignored);
+  const net::Reassembly::Result result = reassembly_->add(ip.packet, newest_us_, ignored);
   if (result.fate != net::Reassembly::Fate::kCompleted) {
     return std::nullopt;
   }

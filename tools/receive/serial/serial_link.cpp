@@ -46,7 +46,7 @@ Told told_by(const stream::Header& header, const stream::TilesHeader& tiles,
 void SerialLink::take(std::span<const std::byte> bytes) {
   counts_.bytes += bytes.size();
   for (const std::byte byte : bytes) {
-    if (const auto message = decoder_.take(byte)) {
+    if (const auto message = decoder_.decode(byte)) {
       take_message(*message);
     }
   }

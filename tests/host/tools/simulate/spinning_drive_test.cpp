@@ -79,7 +79,7 @@ TEST(SpinningDrive, VelodynesPacketsAreKnownAsTheirUnits) {
     lidar::VelodyneIdentity identity;
     lidar::FormatSet possible;
     for (const CapturedDatagram& datagram : turns_of(rate.car, 1)) {
-      possible = identity.take(datagram.payload);
+      possible = identity.add(datagram.payload);
     }
     EXPECT_EQ(possible, lidar::FormatSet(car.sensors[0].format)) << rate.car;
   }
