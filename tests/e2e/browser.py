@@ -1,6 +1,7 @@
 """Debian's Chromium without a window, driven by its DevTools protocol through a pair of pipes."""
 
 import base64
+import io
 import json
 import os
 import pathlib
@@ -8,7 +9,7 @@ import select
 import subprocess
 import time
 
-import png
+import PIL.Image
 
 FLAGS = ["--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-gpu",
          "--hide-scrollbars", "--mute-audio", "--disable-background-networking",
@@ -197,7 +198,7 @@ class Page:
         """The colour of a place on the page, as it is seen."""
         data = self._picture(clip={"x": int(column), "y": int(row), "width": 1, "height": 1,
                                    "scale": 1})
-        return png.Picture(data).at(0, 0)
+        return PIL.Image.open(io.BytesIO(data)).convert("RGB").getpixel((0, 0))
 
     def _picture(self, **parameters) -> bytes:
         answer = self.ask("Page.captureScreenshot", format="png", **parameters)
