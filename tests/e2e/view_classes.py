@@ -120,7 +120,7 @@ def check_turns(street: Street) -> None:
     # The ground stands still under whoever has moved the picture away from the car.
     page.page.press("u")
     street.show(away)
-    page.page.value("iogPage.view.pan(30, 0); 0")
+    page.page.run("iogPage.view.pan(30, 0)")
     scale = page.page.value("iogPage.view.pixelsPerMetre")
     for x_m in (-3, -1, 1):
         moved = picture_of_window(x_m=x_m, y_m=2)

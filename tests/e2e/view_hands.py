@@ -2,11 +2,12 @@
 
 import time
 
+from selenium.webdriver.common.actions.mouse_button import MouseButton
+from selenium.webdriver.common.keys import Keys
+
 import made_stream
 from browser import Browser
 from viewer import GridPage, Viewer, free_port
-
-CTRL = 2  # a modifier of Input.dispatchKeyEvent
 
 # An obstacle on free ground, 3 m across, ahead of the car and to its left.
 GROUND = (range(515, 600), range(515, 590))
@@ -91,33 +92,35 @@ def check_touch(page: GridPage, target: made_stream.Target) -> None:
 
 def check_mouse(page: GridPage) -> None:
     """Only the main button moves the grid: the other one opens the browser's menu."""
-    def drag(button: str) -> None:
-        for kind, column in (("mousePressed", 400), ("mouseMoved", 430), ("mouseReleased", 430)):
-            page.page.ask("Input.dispatchMouseEvent", type=kind, x=column, y=500, button=button,
-                          clickCount=1)
+    def drag(button: int) -> None:
+        hands = page.page.hands()
+        mouse = hands.w3c_actions.pointer_action
+        mouse.move_to_location(400, 500).pointer_down(button)
+        mouse.move_to_location(430, 500).pointer_up(button)
+        hands.perform()
 
-    drag("right")
+    drag(MouseButton.RIGHT)
     assert page.page.value("iogPage.view.isFollowing"), "the right button has moved the grid"
-    drag("left")
+    drag(MouseButton.LEFT)
     assert not page.page.value("iogPage.view.isFollowing")
     page.page.press("f")
 
 
 def check_keys(page: GridPage) -> None:
     """Space pauses, unless a button was chosen by Tab; what is the browser's is left to it."""
-    page.page.value("window.left = []; addEventListener('keydown', (event) => "
-                    "left.push([event.key, event.defaultPrevented])); 0")
-    page.page.press("r", modifiers=CTRL)
-    page.page.press("d", modifiers=CTRL)
-    page.page.value("document.getElementById('help-open').focus(); 0")
-    page.page.press("Tab")  # from the last of the header to the panel of the overlays
-    page.page.press("Tab")  # and to the first of them
-    assert page.page.value("left.every(([, isTaken]) => !isTaken) && left.length") == 4
+    page.page.run("window.left = []; addEventListener('keydown', (event) => "
+                  "left.push(event.key, event.defaultPrevented))")
+    page.page.hands().key_down(Keys.CONTROL).send_keys("rd").key_up(Keys.CONTROL).perform()
+    page.page.run("document.getElementById('help-open').focus()")
+    page.page.press(Keys.TAB)  # from the last of the header to the panel of the overlays
+    page.page.press(Keys.TAB)  # and to the first of them
+    assert page.page.value("left") == ["Control", False, "r", False, "d", False,
+                                       "Tab", False, "Tab", False]
     assert page.page.value("document.documentElement.dataset.theme") == "dark"
     assert not page.page.value("iogPage.status.recording.open")
     assert page.page.value("document.activeElement.dataset.overlay") == "mounts"
     assert page.page.value("getComputedStyle(document.activeElement).outlineStyle") == "solid"
-    page.page.value("document.getElementById('pause').focus(); 0")
+    page.page.run("document.getElementById('pause').focus()")
     for word in ("paused", ""):
         page.page.press(" ")  # presses the button, once
         page.page.wait_for(f"document.title.startsWith('paused') === {str(bool(word)).lower()}")

@@ -1,8 +1,10 @@
 """A drive of some length in the browser: how many pictures a second, and how much memory."""
 
+import pathlib
 import time
 
 from browser import Browser
+from processes import descendants
 from viewer import GridPage, Viewer, resident_bytes
 
 SETTLED_S = 75  # when the page has its last minute together
@@ -17,7 +19,7 @@ def check(iog: str, browser: Browser, seconds: int, is_long: bool) -> str:
     with Viewer(iog, "--simulate", "city") as viewer:
         page = GridPage(browser.open(viewer.address))
         page.wait_for_state("live")
-        page.page.value("setInterval(() => iogPage.redraw(), 5); 0")  # a picture whenever there can be
+        page.page.run("setInterval(() => iogPage.redraw(), 5)")  # a picture whenever there can be
         begin = time.monotonic()
         start = page.page.value("[iogPage.pictures, iogPage.history.count, iogPage.drawMs]")
         settled = None
@@ -50,6 +52,6 @@ def check(iog: str, browser: Browser, seconds: int, is_long: bool) -> str:
 
 def memory(browser: Browser, viewer: Viewer) -> tuple[int, int]:
     """Of the page's process and of the server's."""
-    info = browser.ask("SystemInfo.getProcessInfo")["processInfo"]
-    renderers = [resident_bytes(process["id"]) for process in info if process["type"] == "renderer"]
+    renderers = [resident_bytes(process) for process, _ in descendants(browser.service.process.pid)
+                 if b"--type=renderer" in pathlib.Path(f"/proc/{process}/cmdline").read_bytes()]
     return max(renderers), viewer.memory_bytes

@@ -116,13 +116,13 @@ def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
             boxes = page.page.value(BOXES)
             faults += [f"{width}x{height}: {fault}" for fault in
                        faults_of(boxes) + faults_of_begin(boxes) + faults_of_folds(page)]
-            page.page.value("delete iogPage.showState")
+            page.page.run("delete iogPage.showState")
             page.page.press("p")
             page.page.press(" ")
-            page.page.value("iogPage.view.pan(20, 20); iogPage.redraw(); 0")
+            page.page.run("iogPage.view.pan(20, 20); iogPage.redraw()")
             page.page.wait_for("iogPage.view.scaleBar && !document.getElementById('follow').hidden")
-            page.page.value("iogPage.pointer = [iogPage.view.width / 2, iogPage.view.height / 2]; "
-                            "iogPage.showHover(); 0")
+            page.page.run("iogPage.pointer = [iogPage.view.width / 2, iogPage.view.height / 2]; "
+                          "iogPage.showHover()")
             page.page.wait_for("document.getElementById('legend-more').childElementCount > 3")
             page.page.screenshot(folder / f"size_{width}x{height}.png")
             faults += [f"{width}x{height}: {fault}" for fault in faults_of(page.page.value(BOXES))]

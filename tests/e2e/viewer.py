@@ -128,5 +128,8 @@ class GridPage:
         return self.page.pixel(*self.place_of(x, y))
 
     def switch_overlays_off(self) -> None:
-        for name in self.page.value("[...iogPage.view.overlays]"):
+        """Those that have a button now."""
+        for name in self.page.value("[...document.querySelectorAll('[data-overlay]:not([hidden])')]"
+                                    ".map(({dataset}) => dataset.overlay)"
+                                    ".filter((name) => iogPage.view.overlays.has(name))"):
             self.page.click(f'[data-overlay="{name}"]')
