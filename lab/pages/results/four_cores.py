@@ -16,7 +16,8 @@ STAGES = ("fuse", "join", "window", "encode", "alone")
 WAKE_CYCLES = 500
 MOVE_CYCLES = 46
 
-GOAL_FRAME, GOAL_FRAME_MS, GOAL_FUSING, GOAL_IMBALANCE, GOAL_SYNC = 2.5, 12, 3, 0.15, 20_000
+GOAL_FRAME, GOAL_FUSING, GOAL_IMBALANCE, GOAL_SYNC = 2.5, 3, 0.15, 20_000
+GOAL_FRAME_MS = {"ring_road": 14, "city": 8}
 
 
 class Frames:
@@ -85,10 +86,15 @@ def _memory_reason(frames, ddr_ns, stages, cycles):
             f"{fixed(lines * ddr_ns / 1e6, 2)}")
 
 
+def _whole_frame(table, drive):
+    frames = Frames(table, drive, "nominal")
+    return frames.whole(MOST) + _synchronising(table, "nominal", frames).cycles
+
+
 def _goals(table, ddr_ns):
     road = Frames(table, "ring_road", "nominal")
     sync = _synchronising(table, "nominal", road).cycles
-    whole = road.whole(MOST) + sync
+    whole = _whole_frame(table, "ring_road")
     gain = road.undivided("frame") / whole
     fusing = {drive: Frames(table, drive, "nominal").undivided("fusing") /
               Frames(table, drive, "nominal").fusing(MOST) for drive in SCENES}
@@ -101,8 +107,9 @@ def _goals(table, ddr_ns):
     return [
         _goal("four cores: whole frame of the ring road, by one core's", f"≥ {GOAL_FRAME}", fixed(gain, 2),
               gain >= GOAL_FRAME, f"{alone} of it is core 0 alone"),
-        _goal("four cores: whole frame of the ring road", f"≤ {GOAL_FRAME_MS} ms", f"{fixed(whole / 1e6, 1)} ms",
-              whole <= GOAL_FRAME_MS * 1e6, _memory_reason(road, ddr_ns, STAGES, whole)),
+        *(_goal(f"four cores: whole frame, {SCENES[drive]}", f"≤ {goal} ms", f"{fixed(found / 1e6, 1)} ms",
+                found <= goal * 1e6, _memory_reason(Frames(table, drive, "nominal"), ddr_ns, STAGES, found))
+          for drive, goal in GOAL_FRAME_MS.items() for found in [_whole_frame(table, drive)]),
         *(_goal(f"four cores: fusing, {SCENES[drive]}, by one core's", f"≥ {GOAL_FUSING}", fixed(found, 2),
                 found >= GOAL_FUSING,
                 _memory_reason(Frames(table, drive, "nominal"), ddr_ns, ("fuse", "join"),
@@ -135,6 +142,5 @@ def section(data) -> Section:
                                 for drive, of_drive in frames.items()},
                "one_ms": {SCENES[drive]: of_drive.whole(1) / 1e6
                           for drive, of_drive in frames.items()},
-               "four_ms": {SCENES[drive]: fixed((of_drive.whole(MOST) + _synchronising(
-                   table, "nominal", of_drive).cycles) / 1e6, 1) for drive, of_drive in frames.items()}},
+               "four_ms": {SCENES[drive]: fixed(_whole_frame(table, drive) / 1e6, 1) for drive in SCENES}},
         goals=_goals(table, int(ddr_ns)))

@@ -11,7 +11,7 @@ WORDS = {"city": "city", "ring_road": "ring road"}
 DRIVES = tuple(WORDS)
 STAGES = ("receive", "decode", "slices", "beams", "carve", "mark", "join", "pull", "push", "clear",
           "arrivals", "list", "update", "refresh", "remember", "encode", "encode_classes", "send")
-GOAL_MS = {"city": 22, "ring_road": 36}
+GOAL_MS = {"city": 19, "ring_road": 36}
 MOST_PESSIMISTIC_MS = 40
 GOAL_PER_CELL = 24
 CELLS_OF_GROUP = 8
