@@ -13,6 +13,7 @@
 #include "evidence/assignment.hpp"
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/perception/tables.hpp"
+#include "tools/simulate/scanners/lux_burst.hpp"
 
 namespace iog::lab {
 namespace {

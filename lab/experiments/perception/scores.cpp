@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "tools/simulate/scanners/lux_burst.hpp"
 #include "window/area.hpp"
 
 namespace iog::lab {

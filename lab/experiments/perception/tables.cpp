@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "tools/simulate/scanners/lux_burst.hpp"
+
 namespace iog::lab {
 namespace {
 
