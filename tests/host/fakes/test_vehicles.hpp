@@ -10,7 +10,8 @@
 
 namespace iog::tests {
 
-constexpr description::SensorConfig test_lux(std::uint16_t port, description::MountConfig mount) {
+constexpr description::SensorConfig test_lux(std::uint16_t port,
+                                             const description::MountConfig& mount) {
   description::SensorConfig config = description::scanner_of(lidar::kFormat<lidar::IbeoLux>);
   config.name = "lux";
   config.source_ipv4 = 0x0A000200U + port;
@@ -84,7 +85,8 @@ struct ThreeLux {
   static const vehicle::Vehicle kVehicle;
 };
 
-constexpr description::SensorConfig test_vlp16(std::uint16_t port, description::MountConfig mount) {
+constexpr description::SensorConfig test_vlp16(std::uint16_t port,
+                                               const description::MountConfig& mount) {
   description::SensorConfig config = description::scanner_of(lidar::kFormat<lidar::VelodyneVlp16>);
   config.name = "vlp16";
   config.udp_port = port;
