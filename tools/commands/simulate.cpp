@@ -224,8 +224,11 @@ void simulate(const SimulateOptions& options) {
     if (points && is_told) {
       points->write(frame, packets);
     }
-    recording.write(poses ? with_poses(datagrams_of(std::move(packets)), *poses)
-                          : datagrams_of(std::move(packets)));
+    std::vector<CapturedDatagram> datagrams = datagrams_of(std::move(packets));
+    if (poses) {
+      datagrams = with_poses(std::move(datagrams), *poses);
+    }
+    recording.write(datagrams);
     if (!options.truth.empty() && is_told) {
       write_truth(numbered(options.truth, "truth", frame, ".pgm"),
                   true_occupancy(drive.ego(frame), drive.solids(frame), *car.description));
