@@ -135,6 +135,7 @@ std::vector<SimulatedPacket> Drive::packets(std::uint32_t frame) {
 
 std::vector<CapturedDatagram> datagrams_of(std::vector<SimulatedPacket>&& packets) {
   std::vector<CapturedDatagram> datagrams;
+  datagrams.reserve(packets.size());
   for (SimulatedPacket& packet : packets) {
     datagrams.push_back(std::move(packet.datagram));
   }

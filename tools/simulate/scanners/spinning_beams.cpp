@@ -50,7 +50,8 @@ Measured SpinningBeams::measure(std::size_t layer, std::int32_t right_ticks, std
   const auto right = static_cast<std::size_t>(ticks);
   const double sine = azimuth_sines_[right % turn];
   const double cosine = azimuth_sines_[(right + turn / 4) % turn];
-  const double time_s = static_cast<double>(fires_ns / kTogetherNs * kTogetherNs) / 1e9;
+  const auto together_ns = fires_ns - fires_ns % kTogetherNs;
+  const double time_s = static_cast<double>(together_ns) / 1e9;
   const SensorFrame frame = rays.frame_at(time_s);
   const Ray ray{
       {frame.origin.x + laser.height_m * frame.up.x, frame.origin.y + laser.height_m * frame.up.y,

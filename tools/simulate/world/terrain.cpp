@@ -81,7 +81,7 @@ Terrain::Tile Terrain::made(std::int32_t x, std::int32_t y) const {
     for (std::int32_t column = 0; column < kNodes; ++column) {
       const Road::Place place = place_at(column, row);
       const double height = profile_(place.station, place.left);
-      tile.heights[static_cast<std::size_t>(row * kNodes + column)] = height;
+      tile.heights[index_of(column, row, kNodes)] = height;
     }
   }
   tile.find_highest();
@@ -156,7 +156,7 @@ double Terrain::distance_in_block(const Tile& tile, const Ray& ray, const Stretc
   const std::int32_t column = std::clamp(stretch.x - tile.first_x / kCellsOfBlock, 0, kBlocks - 1);
   const std::int32_t row = std::clamp(stretch.y - tile.first_y / kCellsOfBlock, 0, kBlocks - 1);
   if (lowest(ray, stretch.enter, stretch.leave) >
-      tile.highest_of_block[static_cast<std::size_t>(row * kBlocks + column)]) {
+      tile.highest_of_block[index_of(column, row, kBlocks)]) {
     return kNoHit;
   }
   return walk(ray, kCellM, stretch.enter, stretch.leave,

@@ -44,6 +44,13 @@ class Terrain {
   static constexpr std::int32_t kBlocks = 8;  // of a tile, along each side
   static constexpr std::int32_t kCellsOfBlock = kCells / kBlocks;
 
+  // Where (column, row) of a square stands in an array, row by row.
+  [[nodiscard]] static constexpr std::size_t index_of(std::int32_t column, std::int32_t row,
+                                                      std::int32_t side) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+           static_cast<std::size_t>(column);
+  }
+
   struct Tile {
     std::int32_t first_x;  // its lowest cell
     std::int32_t first_y;
@@ -52,7 +59,7 @@ class Terrain {
     // Of each square of 2 m within it, row by row.
     std::array<double, static_cast<std::size_t>(kBlocks) * kBlocks> highest_of_block{};
     [[nodiscard]] double at(std::int32_t column, std::int32_t row) const {
-      return heights[static_cast<std::size_t>(row * kNodes + column)];
+      return heights[index_of(column, row, kNodes)];
     }
     void find_highest();
     // At (x, y), in cells, which lies in that cell.
