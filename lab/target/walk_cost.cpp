@@ -49,13 +49,13 @@ WalkCost measure(InstructionCounter& counter, const char* name) {
   }
   const std::uint32_t start = counter.now();
   set_up<Walk>(ends, walks);
-  a9_model::begin_region<kRegion>();
   const std::uint32_t ready = counter.now();
+  a9_model::begin_region<kRegion>();
   run(walks, [cells = grid.data()](std::size_t offset) {
     cells[offset] = index::sat_lower(cells[offset], kFree);
   });
-  const std::uint32_t done = counter.now();
   a9_model::end_region<kRegion>();
+  const std::uint32_t done = counter.now();
   std::uint32_t visited = 0;
   run(walks, [&visited](std::size_t /*offset*/) { ++visited; });
   return {name, ready - start - counter.of_nothing(), done - ready - counter.of_nothing(), visited};
