@@ -98,20 +98,29 @@ void RunStatistics::add_points(const stream::FrameEnd& end) {
 
 // The time to publish a frame is known only when it is over: the next frame tells it.
 void RunStatistics::add_times(const GridFrame& frame) {
+  double until_published = 0;
   if (frame.end.stopwatch_hz > 0) {
     const double us_per_tick = 1e6 / frame.end.stopwatch_hz;
+    const double fuse = frame.end.ticks.fuse * us_per_tick;
+    const double mark = frame.end.ticks.mark * us_per_tick;
+    const double perceive =
+        frame.header.has_classes() ? frame.end.ticks.perceive * us_per_tick : 0.0;
     if (frame.header.has_evidence()) {
-      fuse_us_.add(frame.end.ticks.fuse * us_per_tick);
-      mark_us_.add(frame.end.ticks.mark * us_per_tick);
+      fuse_us_.add(fuse);
+      mark_us_.add(mark);
       if (frame.header.has_classes()) {
-        perceive_us_.add(frame.end.ticks.perceive * us_per_tick);
+        perceive_us_.add(perceive);
       }
     }
     if (last_ && last_->has_evidence() && last_->run_number == frame.header.run_number &&
         last_->frame_number + 1 == frame.header.frame_number) {
-      publish_us_.add(frame.end.ticks.publish * us_per_tick);
+      const double publish = frame.end.ticks.publish * us_per_tick;
+      publish_us_.add(publish);
+      frame_us_.add(until_published_us_ + publish);
     }
+    until_published = fuse + mark + perceive;
   }
+  until_published_us_ = until_published;
   last_ = frame.header;
 }
 
@@ -140,6 +149,7 @@ RunStatistics::Facts RunStatistics::facts() const {
     facts.emplace_back(std::string(name) + "_us_mean", fixed(statistics->mean()));
     facts.emplace_back(std::string(name) + "_us_max", fixed(statistics->max()));
   }
+  facts.emplace_back("frame_us_max", fixed(frame_us_.max()));
   facts.emplace_back("stack_used_bytes", std::to_string(stack_used_bytes_));
   if (core_shares_) {
     facts.emplace_back("cores_at_work", std::to_string(core_shares_->at_work));

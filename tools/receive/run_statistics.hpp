@@ -75,6 +75,8 @@ class RunStatistics {
   TimeStatistics mark_us_;
   TimeStatistics perceive_us_;
   TimeStatistics publish_us_;
+  TimeStatistics frame_us_;             // all of these together
+  double until_published_us_ = 0;       // of the last frame: all but publishing
   std::optional<stream::Header> last_;  // of the last frame with an end
   std::uint32_t stack_used_bytes_ = 0;
   std::optional<CoreShares> core_shares_;  // since the target's start
