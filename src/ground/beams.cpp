@@ -50,6 +50,7 @@ std::uint32_t share_of(const vehicle::Sensor& sensor, const vehicle::Layer& laye
 
 Beams::Beams(const vehicle::Sensor& sensor)
     : bins_(sensor.range.mm()),
+      range_mm_(sensor.range.mm()),
       sector_shift_(std::countr_zero(sensor.azimuths.steps_per_turn()) -
                     std::countr_zero(kSectors)),
       origin_mm_(
@@ -57,12 +58,13 @@ Beams::Beams(const vehicle::Sensor& sensor)
       origin_z_(sensor.origin_z),
       slope_of_subcell_((static_cast<std::uint64_t>(kCellMm) << kFineBits) /
                         (std::uint64_t{sensor.range.mm()} * kSubcells)),
+      layer_count_(sensor.layer_count),
       fewest_samples_(sensor.layer_count <= 16 ? 12 : 24) {
   for (std::size_t i = 0; i < sensor.layer_count; ++i) {
     shares_[i] = share_of(sensor, sensor.layers[i]);
     slopes_[i] = slope_to(vehicle::end_height_of(sensor.layers[i], {}));
   }
-  choose_samples(sensor);
+  sort_layers(sensor);
 }
 
 Slope Beams::slope_to(std::int32_t end_z) const {
@@ -72,9 +74,8 @@ Slope Beams::slope_to(std::int32_t end_z) const {
 }
 
 // On the average of a turn, the ends of a layer's beams are as high as its base.
-void Beams::choose_samples(const vehicle::Sensor& sensor) {
-  std::array<std::uint8_t, vehicle::kMaxLayers> numbers{};
-  const auto layers = std::span(numbers).first(sensor.layer_count);
+void Beams::sort_layers(const vehicle::Sensor& sensor) {
+  const auto layers = std::span(from_below_).first(layer_count_);
   std::iota(layers.begin(), layers.end(), std::uint8_t{0});
   std::ranges::sort(layers, [&](std::uint8_t a, std::uint8_t b) {
     const std::int64_t height_a = sensor.layers[a].z.base;

@@ -47,9 +47,15 @@ class Beams {
   }
   // Of a layer, if the sensor is level.
   [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
+  [[nodiscard]] std::int32_t origin_mm() const { return origin_mm_; }
 
-  // The layers whose returns say how the car is tilted, of those that look down most: every second
-  // one of the lower two thirds.
+  // How long a line is.
+  [[nodiscard]] std::uint32_t range_mm() const { return range_mm_; }
+  // All layers, those that look down most first.
+  [[nodiscard]] std::span<const std::uint8_t> from_below() const {
+    return std::span(from_below_).first(layer_count_);
+  }
+  // The layers whose returns say how the car is tilted: every second one of the lower two thirds.
   [[nodiscard]] std::span<const std::uint8_t> sampled_layers() const {
     return std::span(sampled_).first(sampled_count_);
   }
@@ -57,15 +63,18 @@ class Beams {
   [[nodiscard]] std::int32_t fewest_samples() const { return fewest_samples_; }
 
  private:
-  void choose_samples(const vehicle::Sensor& sensor);
+  void sort_layers(const vehicle::Sensor& sensor);
 
   Bins bins_;
+  std::uint32_t range_mm_ = 0;
   int sector_shift_ = 0;
   std::int32_t origin_mm_ = 0;
   std::int32_t origin_z_ = 0;           // in subcells
   std::uint64_t slope_of_subcell_ = 0;  // of a height at the end of a line, in 2^-40
   std::array<std::uint32_t, vehicle::kMaxLayers> shares_{};
   std::array<Slope, vehicle::kMaxLayers> slopes_{};
+  std::size_t layer_count_ = 0;
+  std::array<std::uint8_t, vehicle::kMaxLayers> from_below_{};
   std::array<std::uint8_t, vehicle::kMaxLayers> sampled_{};
   std::size_t sampled_count_ = 0;
   std::int32_t fewest_samples_ = 0;
