@@ -20,6 +20,7 @@
 #include "lidar/data_sheet.hpp"
 #include "lidar/echo_pair.hpp"
 #include "lidar/laser.hpp"
+#include "lidar/sampling.hpp"
 #include "lidar/scan_point.hpp"
 #include "wire/byte_order.hpp"
 
@@ -71,6 +72,8 @@ class HesaiPacket {
   // Checks the whole packet and keeps a view of it.
   [[nodiscard]] DecodeStatus read(const HesaiUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
+
+  [[nodiscard]] bool is_dual() const { return is_dual_; }
 
   // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
   [[nodiscard]] ScanPoint point(const HesaiUnit& unit, std::size_t block,
@@ -144,6 +147,17 @@ class HesaiDecoder : public HesaiPacket {
         visit(point(kUnit, block, channel));
       }
     }
+  }
+
+  // Calls visit(const ScanPoint&) for the first echoes of a sampling. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_sample(const Sampling& sampling, Visit&& visit) const {
+    const std::size_t echoes = is_dual() ? 2 : 1;
+    sampling.for_each_firing(kUnit.blocks / echoes, [&](std::size_t firing) {
+      for (const std::uint8_t layer : sampling.layers) {
+        visit(point(kUnit, firing * echoes, layer));
+      }
+    });
   }
 };
 

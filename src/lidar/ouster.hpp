@@ -20,6 +20,7 @@
 
 #include "lidar/data_sheet.hpp"
 #include "lidar/laser.hpp"
+#include "lidar/sampling.hpp"
 #include "lidar/scan_point.hpp"
 #include "lidar/unit.hpp"
 #include "wire/byte_order.hpp"
@@ -79,26 +80,21 @@ class OusterPacket {
   [[nodiscard]] DecodeStatus read(const OusterProfile& profile, std::span<const std::byte> datagram,
                                   const Unit& unit);
 
+  [[nodiscard]] std::span<const std::byte> pixels_of(const OusterProfile& profile,
+                                                     std::size_t column) const {
+    return packet_.subspan(profile.header_bytes +
+                           column * profile.column_bytes(corrections_.size()) +
+                           profile.column_header_bytes);
+  }
+
   // Calls visit(const ScanPoint&) for each row of a column of the packet that was measured.
   template <typename Visit>
   void for_each_row(const OusterProfile& profile, std::size_t column, Visit&& visit) const {
-    const auto pixels =
-        packet_.subspan(profile.header_bytes + column * profile.column_bytes(corrections_.size()) +
-                        profile.column_header_bytes);
+    const auto pixels = pixels_of(profile, column);
     for (std::size_t row = 0; row < corrections_.size(); ++row) {
       visit(point(profile, pixels.subspan(row * profile.pixel_bytes), column, row));
     }
   }
-
-  [[nodiscard]] std::size_t first_column() const { return first_; }
-  [[nodiscard]] std::size_t end_column() const { return end_; }
-
- private:
-  [[nodiscard]] Column column_at(const OusterProfile& profile, std::size_t column) const;
-  [[nodiscard]] std::uint32_t edge_ticks(std::uint32_t column) const;
-  [[nodiscard]] DecodeStatus read_columns(const OusterProfile& profile);
-  [[nodiscard]] bool is_in_turn(const OusterProfile& profile, const Column& column) const;
-  void describe(const OusterProfile& profile, const Column& first, const Column& last);
 
   [[nodiscard]] ScanPoint point(const OusterProfile& profile, std::span<const std::byte> pixel,
                                 std::size_t column, std::size_t row) const {
@@ -113,6 +109,16 @@ class OusterPacket {
             .azimuth_ticks = static_cast<std::uint16_t>(azimuth),
             .layer = static_cast<std::uint8_t>(row)};
   }
+
+  [[nodiscard]] std::size_t first_column() const { return first_; }
+  [[nodiscard]] std::size_t end_column() const { return end_; }
+
+ private:
+  [[nodiscard]] Column column_at(const OusterProfile& profile, std::size_t column) const;
+  [[nodiscard]] std::uint32_t edge_ticks(std::uint32_t column) const;
+  [[nodiscard]] DecodeStatus read_columns(const OusterProfile& profile);
+  [[nodiscard]] bool is_in_turn(const OusterProfile& profile, const Column& column) const;
+  void describe(const OusterProfile& profile, const Column& first, const Column& last);
 
   PacketInfo info_;
   std::uint32_t columns_per_turn_ = 1;
@@ -150,6 +156,19 @@ class OusterDecoder : public OusterPacket {
     for (std::size_t column = first_column(); column < end_column(); ++column) {
       for_each_row(kProfile, column, visit);
     }
+  }
+
+  // Calls visit(const ScanPoint&) for the points of a sampling, of the columns that were measured.
+  // Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_sample(const Sampling& sampling, Visit&& visit) const {
+    sampling.for_each_firing(end_column() - first_column(), [&](std::size_t firing) {
+      const auto pixels = pixels_of(kProfile, first_column() + firing);
+      for (const std::uint8_t row : sampling.layers) {
+        visit(point(kProfile, pixels.subspan(row * kProfile.pixel_bytes), first_column() + firing,
+                    row));
+      }
+    });
   }
 };
 

@@ -14,6 +14,7 @@
 #include "lidar/data_sheet.hpp"
 #include "lidar/echo_pair.hpp"
 #include "lidar/laser.hpp"
+#include "lidar/sampling.hpp"
 #include "lidar/scan_point.hpp"
 #include "lidar/velodyne_bytes.hpp"
 #include "lidar/velodyne_look.hpp"
@@ -104,6 +105,11 @@ class VelodynePacket {
 
   [[nodiscard]] std::uint32_t step(std::size_t block) const { return steps_[block]; }
 
+  // Of one azimuth: the banks of each echo.
+  [[nodiscard]] std::size_t blocks_of_firing(const VelodyneUnit& unit) const {
+    return look_.is_dual ? 2U * unit.banks : unit.banks;
+  }
+
   [[nodiscard]] Block block(const VelodyneUnit& unit, std::size_t number) const {
     const std::size_t first_layer = number % unit.banks * kPointsPerBlock;
     const auto bytes_of = [&](std::size_t block) {
@@ -191,6 +197,26 @@ class VelodyneDecoder : public VelodynePacket {
         visit(point(kUnit, its, firing, channel));
       }
     }
+  }
+
+  // Calls visit(const ScanPoint&) for the first echoes of a sampling. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_sample(const Sampling& sampling, Visit&& visit) const {
+    // A block is a firing, a part of one, or holds several; echoes have blocks of their own.
+    constexpr std::size_t kFirings = kLayers < kPointsPerBlock ? kPointsPerBlock / kLayers : 1;
+    const std::size_t blocks = blocks_of_firing(kUnit);
+    std::array<Firing, 2> turns;
+    sampling.for_each_firing(kBlocks / blocks * kFirings, [&](std::size_t firing) {
+      const std::size_t first = firing / kFirings * blocks;
+      Firing& turned = turns[step(first) % 2];
+      if (turned.step != step(first)) {
+        turn(kUnit, step(first), turned);
+      }
+      for (const std::uint8_t layer : sampling.layers) {
+        const std::size_t channel = firing % kFirings * kLayers + layer % kPointsPerBlock;
+        visit(point(kUnit, block(kUnit, first + layer / kPointsPerBlock), turned, channel));
+      }
+    });
   }
 };
 

@@ -1,0 +1,154 @@
+// The points of a sampling are those of its layers in every so manyth firing, as for_each_point()
+// has them.
+#include "lidar/sampling.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "fakes/hesai_packet.hpp"
+#include "fakes/ouster_packet.hpp"
+#include "fakes/random.hpp"
+#include "fakes/velodyne_packet.hpp"
+#include "lidar/formats.hpp"
+#include "lidar/unit.hpp"
+
+namespace iog::lidar {
+namespace {
+
+using tests::Random;
+
+std::vector<std::size_t> firings_of(int log2_firings, std::size_t firings) {
+  std::vector<std::size_t> numbers;
+  Sampling{.log2_firings = log2_firings}.for_each_firing(
+      firings, [&](std::size_t firing) { numbers.push_back(firing); });
+  return numbers;
+}
+
+TEST(Sampling, SpreadsFiringsEvenly) {
+  EXPECT_EQ(firings_of(1, 6), (std::vector<std::size_t>{1, 4}));
+  EXPECT_EQ(firings_of(2, 12), (std::vector<std::size_t>{1, 4, 7, 10}));
+  EXPECT_EQ(firings_of(3, 24), (std::vector<std::size_t>{1, 4, 7, 10, 13, 16, 19, 22}));
+  EXPECT_EQ(firings_of(2, 6), (std::vector<std::size_t>{0, 2, 3, 5}));
+  EXPECT_EQ(firings_of(1, 3), (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(firings_of(3, 4), (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_TRUE(firings_of(3, 0).empty());
+}
+
+bool is_same(const ScanPoint& a, const ScanPoint& b) {
+  return a.range_mm == b.range_mm && a.azimuth_ticks == b.azimuth_ticks && a.layer == b.layer &&
+         a.echo == b.echo;
+}
+
+// On the wire a firing has one first echo of each layer, in the layers' order.
+template <typename Decoder>
+void expect_samples(const Decoder& packet, std::size_t layers) {
+  std::vector<ScanPoint> first_echoes;
+  packet.for_each_point([&](const ScanPoint& point) {
+    if (point.echo == 0) {
+      first_echoes.push_back(point);
+    }
+  });
+  ASSERT_EQ(first_echoes.size() % layers, 0U);
+  const std::array<std::uint8_t, 4> some{static_cast<std::uint8_t>(layers - 1), 0, 3,
+                                         static_cast<std::uint8_t>(layers / 2)};
+  for (int log2_firings = 0; log2_firings <= 4; ++log2_firings) {
+    std::vector<ScanPoint> expected;
+    for (const std::size_t firing : firings_of(log2_firings, first_echoes.size() / layers)) {
+      for (const std::uint8_t layer : some) {
+        expected.push_back(first_echoes[firing * layers + layer]);
+        ASSERT_EQ(expected.back().layer, layer);
+      }
+    }
+    std::size_t count = 0;
+    packet.for_each_sample({.layers = some, .log2_firings = log2_firings},
+                           [&](const ScanPoint& point) {
+                             ASSERT_LT(count, expected.size());
+                             EXPECT_TRUE(is_same(point, expected[count]));
+                             ++count;
+                           });
+    EXPECT_EQ(count, expected.size());
+  }
+}
+
+template <typename Decoder>
+void expect_samples_of_velodyne(int product, bool has_two_banks) {
+  Random random(1);
+  for (const bool is_dual : {false, true}) {
+    tests::VelodynePacket packet;
+    packet.first_azimuth = 35'900;
+    packet.product = product;
+    packet.has_two_banks = has_two_banks;
+    packet.mode = is_dual && !has_two_banks ? 0x39 : 0x37;
+    packet.blocks_of_azimuth = (has_two_banks ? 2 : 1) * (is_dual ? 2 : 1);
+    for (auto& block : packet.ranges) {
+      for (int& range : block) {
+        range = random.between(0, 60'000);
+      }
+    }
+    const std::vector<std::byte> bytes = packet.bytes();
+    Decoder decoder;
+    ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
+    expect_samples(decoder, Decoder::kLayers);
+  }
+}
+
+TEST(Sampling, OfVelodynes) {
+  expect_samples_of_velodyne<VelodyneVlp16>(0x22, false);
+  expect_samples_of_velodyne<VelodyneHdl32e>(0x21, false);
+  expect_samples_of_velodyne<VelodyneVlp32c>(0x28, false);
+  expect_samples_of_velodyne<VelodyneHdl64eS2>(0, true);
+  expect_samples_of_velodyne<VelodyneHdl64eS3>(0, true);
+}
+
+TEST(Sampling, OfHesais) {
+  Random random(2);
+  for (const bool is_xt32 : {false, true}) {
+    for (const bool is_dual : {false, true}) {
+      tests::HesaiPacket packet{
+          .is_xt32 = is_xt32, .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
+      for (auto& block : packet.ranges) {
+        for (int& range : block) {
+          range = random.between(0, 60'000);
+        }
+      }
+      const std::vector<std::byte> bytes = packet.bytes();
+      if (is_xt32) {
+        HesaiXt32 decoder;
+        ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
+        expect_samples(decoder, 32);
+      } else {
+        HesaiPandar64 decoder;
+        ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
+        expect_samples(decoder, 64);
+      }
+    }
+  }
+}
+
+TEST(Sampling, OfOusters) {
+  Random random(3);
+  for (const std::size_t rows : {16U, 64U, 128U}) {
+    tests::OusterPacket packet;
+    packet.rows = static_cast<int>(rows);
+    packet.first_measured = 3;
+    for (auto& column : packet.ranges) {
+      for (std::uint32_t& range : column) {
+        range = static_cast<std::uint32_t>(random.between(0, 200'000));
+      }
+    }
+    const std::vector<LaserCorrection> corrections(rows);
+    const std::vector<std::byte> bytes = packet.bytes();
+    OusterLegacy decoder;
+    ASSERT_EQ(
+        decoder.decode(bytes,
+                       {.corrections = corrections, .columns_per_turn = 1024, .column_ns = 97'656}),
+        DecodeStatus::kOk);
+    expect_samples(decoder, rows);
+  }
+}
+
+}  // namespace
+}  // namespace iog::lidar
