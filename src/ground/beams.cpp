@@ -85,6 +85,9 @@ void Beams::sort_layers(const vehicle::Sensor& sensor) {
   for (std::size_t i = 0; 3 * i < 2 * layers.size(); i += 2) {
     sampled_[sampled_count_++] = layers[i];
   }
+  while (sampled_count_ << log2_firings_ < kSamples) {
+    ++log2_firings_;
+  }
 }
 
 }  // namespace iog::ground

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "ground/bins.hpp"
+#include "lidar/sampling.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::ground {
@@ -55,14 +56,17 @@ class Beams {
   [[nodiscard]] std::span<const std::uint8_t> from_below() const {
     return std::span(from_below_).first(layer_count_);
   }
-  // The layers whose returns say how the car is tilted: every second one of the lower two thirds.
-  [[nodiscard]] std::span<const std::uint8_t> sampled_layers() const {
-    return std::span(sampled_).first(sampled_count_);
+  // Of a packet, the points that say how the car is tilted: of every second layer of the lower two
+  // thirds, in firings enough for kSamples.
+  [[nodiscard]] lidar::Sampling sampling() const {
+    return {.layers = std::span(sampled_).first(sampled_count_), .log2_firings = log2_firings_};
   }
   // So few samples of a packet say nothing.
   [[nodiscard]] std::int32_t fewest_samples() const { return fewest_samples_; }
 
  private:
+  static constexpr std::size_t kSamples = 44;
+
   void sort_layers(const vehicle::Sensor& sensor);
 
   Bins bins_;
@@ -77,6 +81,7 @@ class Beams {
   std::array<std::uint8_t, vehicle::kMaxLayers> from_below_{};
   std::array<std::uint8_t, vehicle::kMaxLayers> sampled_{};
   std::size_t sampled_count_ = 0;
+  int log2_firings_ = 0;
   std::int32_t fewest_samples_ = 0;
 };
 

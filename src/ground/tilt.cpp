@@ -1,7 +1,7 @@
-// Ranges. There are n <= 256 samples with x < 1875 and, as they are near a line of at most 832 mm
+// Ranges. There are n <= 128 samples with x < 1875 and, as they are near a line of at most 832 mm
 // in the first round and of at most 100 + 1201 + 100 in the second, |y| < 2^11. So the sums of x,
-// y, x^2 and xy stay below 2^31; n sum(x^2), n sum(xy) and their difference to the products of sums
-// below 2^39, 1024 times as much below 2^49.
+// y, x^2 and xy stay below 2^29; n sum(x^2), n sum(xy) and their difference to the products of sums
+// below 2^37, 1024 times as much below 2^47.
 #include "ground/tilt.hpp"
 
 #include <algorithm>

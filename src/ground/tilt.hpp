@@ -38,7 +38,7 @@ inline constexpr std::uint32_t kEndOfSamplesMm = 30'000;
 // The samples of a packet. What is beyond its size is left out.
 class Samples {
  public:
-  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMost = 128;
 
   // height_mm: over the surface.
   void add(std::uint32_t along_mm, std::int32_t height_mm);

@@ -1,6 +1,7 @@
 // Where returns lie, beside sines and cosines of the mount and the data sheet.
 #include "ground/beams.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -90,8 +91,9 @@ TEST(Beams, SampleLayersThatLookDown) {
        {tests::LevelVlp16::kVehicle.sensors[0], tests::MixedCar::kVehicle.sensors[1]}) {
     const Beams beams(sensor);
     const std::array<std::uint8_t, 6> expected{0, 4, 8, 12, 1, 5};
-    ASSERT_EQ(beams.sampled_layers().size(), expected.size());
-    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), beams.sampled_layers().begin()));
+    const lidar::Sampling sampling = beams.sampling();
+    EXPECT_TRUE(std::ranges::equal(sampling.layers, expected));
+    EXPECT_EQ(sampling.log2_firings, 3);
     EXPECT_EQ(beams.fewest_samples(), 12);
   }
 }
