@@ -8,9 +8,11 @@
 
 #include "car_block/content.hpp"
 #include "fakes/bytes_of.hpp"
+#include "fakes/ground_turns.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/ouster_packet.hpp"
+#include "fakes/random.hpp"
 #include "fakes/reference_block.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "geometry/grid.hpp"
@@ -328,6 +330,27 @@ void add_delivery_seeds(Seeds& seeds) {
   seeds.add("map_delivery", steps);
 }
 
+// Turns with bins at the limits of the rule, and of any returns.
+void add_ground_seeds(Seeds& seeds) {
+  tests::Random random(1);
+  for (const std::int32_t bin_mm : {1'024, 2'048}) {
+    Bytes bytes{static_cast<std::byte>(bin_mm == 2'048)};
+    for (const tests::Turn& turn :
+         {tests::turn_at_limits(random, bin_mm), tests::turn_beside(random, bin_mm),
+          tests::any_turn(random, 100)}) {
+      Bytes returns;
+      for (const tests::Return& its : turn) {
+        for (const int value : {its.sector, its.along_mm >> 12, its.along_mm >> 4, its.z_mm >> 8,
+                                its.z_mm, random.between(0, 1)}) {
+          returns.push_back(static_cast<std::byte>(value));
+        }
+      }
+      bytes = joined(bytes, piece_of(returns));
+    }
+    seeds.add("ground", bytes);
+  }
+}
+
 }  // namespace
 }  // namespace iog::fuzz
 
@@ -338,6 +361,7 @@ int main(int argc, char** argv) {
   }
   iog::fuzz::Seeds seeds(argv[1]);
   iog::fuzz::add_car_seeds(seeds);
+  iog::fuzz::add_ground_seeds(seeds);
   iog::fuzz::add_hesai_seeds(seeds);
   iog::fuzz::add_lidar_seeds(seeds);
   iog::fuzz::add_velodyne_seeds(seeds);
