@@ -13,7 +13,8 @@ namespace iog::vehicle {
 
 // What became of a scan point. Each has exactly one fate. If several would fit, the first one in
 // this order of tests counts: no return, flagged dirt or rain, too near, flagged ground, too far,
-// outside the height band, later echo, used. The values are on the wire (docs/spec.md).
+// outside the height band or the limits over the ground, later echo, used. The values are on the
+// wire (docs/spec.md).
 enum class Fate : std::uint8_t {
   kUsed,               // carves and marks
   kNoReturn,           // no evidence, or carves up to the sensor's no_return_clears_mm
@@ -25,8 +26,13 @@ enum class Fate : std::uint8_t {
   kMalformed,          // dropped with its packet, which is wrong or over budget
   kStale,              // dropped with its packet, which is a duplicate or late
   kNotTaken,           // dropped with its packet, because the target is too slow
+  // Of a sensor that follows the ground, instead of kOutsideHeightBand. Each carves where the beam
+  // is between the limits.
+  kGround,
+  kOverhang,     // high enough over the ground to drive under it
+  kUnderGround,  // a mirror image, a hole or a drop
 };
-inline constexpr std::size_t kFateCount = 10;
+inline constexpr std::size_t kFateCount = 13;
 
 // The part of a line between two shares of its length, both counted from its start. Unless the
 // whole line counts, `to` is at most 1.
@@ -105,12 +111,22 @@ struct Classification {
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
-// ranges are those of its beam, along_mm is the point's range along its line,
-// Layer::along_line_mm(). No return and too near are judged by the range itself, all else by that.
-// Inline, because it is asked once for each point.
-[[nodiscard]] constexpr Classification classify(const Sensor& sensor, const BeamRanges& ranges,
+// Whether a return is at the height of an obstacle, kUsed, or which fate it has; and whether its
+// beam is so from its start up to there.
+struct Height {
+  Fate fate = Fate::kUsed;
+  bool is_whole = false;
+};
+
+// on_car are the ranges of its beam, along_mm is the point's range along its line,
+// Layer::along_line_mm(). No return and too near are judged by the range itself, all else by that:
+// height_at(reach_mm) is the Height of a return that is a return, and evidence if its sensor does
+// not say otherwise; reach_mm is along_mm, or L beyond it. Inline, because it is asked once for
+// each point.
+template <typename HeightAt>
+[[nodiscard]] constexpr Classification classify(const Sensor& sensor, const Ranges& on_car,
                                                 const lidar::ScanPoint& point,
-                                                std::uint32_t along_mm) {
+                                                std::uint32_t along_mm, HeightAt&& height_at) {
   const bool is_first = point.echo == 0;
   if (point.range_mm == 0) {
     return classified(Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0);
@@ -118,23 +134,32 @@ struct Classification {
   if (point.is_dirt || point.is_rain) {
     return classified(Fate::kFlagged, false);
   }
-  if (point.range_mm < sensor.range_min_mm || ranges.on_car.contain(point.range_mm)) {
+  if (point.range_mm < sensor.range_min_mm || on_car.contain(point.range_mm)) {
     return classified(Fate::kTooNear, false);
   }
-  // A beam is straight: with both ends in the band all of it is.
   const bool is_too_far = along_mm > sensor.range.mm();
-  const bool ends_in_band = ranges.in_band.contain(is_too_far ? sensor.range.mm() : along_mm);
-  const bool is_whole = ends_in_band && ranges.in_band.first == 0;
+  const Height height = height_at(is_too_far ? sensor.range.mm() : along_mm);
   if (point.is_ground) {
-    return classified(Fate::kFlagged, is_first, is_whole);
+    return classified(Fate::kFlagged, is_first, height.is_whole);
   }
   if (is_too_far) {
-    return classified(Fate::kTooFar, is_first, is_whole);
+    return classified(Fate::kTooFar, is_first, height.is_whole);
   }
-  if (!ends_in_band) {
-    return classified(Fate::kOutsideHeightBand, is_first);
+  if (height.fate != Fate::kUsed) {
+    return classified(height.fate, is_first);
   }
-  return classified(is_first ? Fate::kUsed : Fate::kLaterEcho, true, is_whole);
+  return classified(is_first ? Fate::kUsed : Fate::kLaterEcho, true, height.is_whole);
+}
+
+// By the vehicle's height band. A beam is straight: with both ends in the band all of it is.
+[[nodiscard]] constexpr Classification classify(const Sensor& sensor, const BeamRanges& ranges,
+                                                const lidar::ScanPoint& point,
+                                                std::uint32_t along_mm) {
+  return classify(sensor, ranges.on_car, point, along_mm, [&](std::uint32_t reach_mm) {
+    const bool ends_in_band = ranges.in_band.contain(reach_mm);
+    return Height{.fate = ends_in_band ? Fate::kUsed : Fate::kOutsideHeightBand,
+                  .is_whole = ends_in_band && ranges.in_band.first == 0};
+  });
 }
 [[nodiscard]] constexpr Classification classify(const Sensor& sensor, const BeamRanges& ranges,
                                                 const lidar::ScanPoint& point) {

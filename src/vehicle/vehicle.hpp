@@ -25,6 +25,7 @@ namespace iog::vehicle {
 
 inline constexpr std::size_t kMaxSensors = 8;
 inline constexpr std::size_t kMaxLayers = 128;
+inline constexpr std::size_t kMaxGroundSensors = 2;  // that follow the ground
 
 // Lines that are kept of level sensors that turn, of all such sensors of a vehicle together: one
 // for each azimuth step. A line takes some 0.7 KB.
@@ -75,6 +76,15 @@ struct RangeProducts {
   std::int64_t high = 0;
 };
 
+// Of a sensor that follows the ground: the heights over it at which a return is an obstacle, both
+// included (docs/ground.md). Nothing: it keeps to its vehicle's height band.
+struct GroundLimits {
+  std::uint16_t low_mm = 0;
+  std::uint16_t top_mm = 0;
+
+  [[nodiscard]] constexpr bool is_followed() const { return top_mm != 0; }
+};
+
 struct Sensor {
   std::string_view name;
   lidar::Format format = lidar::kFormat<lidar::IbeoLux>;
@@ -93,6 +103,7 @@ struct Sensor {
   std::uint32_t no_return_clears_mm = 0;
   std::uint16_t scan_width_ticks = 0;
   std::uint32_t max_points_per_scan = 0;
+  GroundLimits ground;
   // Where its maker calibrated each of its lasers.
   bool is_calibrated = false;
   // Of an Ouster, see lidar::Unit.

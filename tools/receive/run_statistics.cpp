@@ -15,8 +15,9 @@ namespace iog::tools {
 namespace {
 
 constexpr std::array<std::string_view, vehicle::kFateCount> kFateNames{
-    "used",    "no return",  "too near",  "too far", "height band",
-    "flagged", "later echo", "malformed", "stale",   "not taken"};
+    "used",    "no return",  "too near",        "too far", "height band",
+    "flagged", "later echo", "malformed",       "stale",   "not taken",
+    "ground",  "overhang",   "under the ground"};
 constexpr std::array<std::string_view, intake::kPacketDropCount> kDropNames{
     "stranger",  "wrong length", "wrong type",  "wrong angle", "wrong point",
     "duplicate", "late",         "over budget", "other unit",  "not taken"};
