@@ -88,7 +88,9 @@ void Exits::find(const Beams& beams, Limits limits, const Surface& surface) {
       const bool is_lower =
           upper == layers.size() ||
           (lower > 0 && row.to_2_mm[layers[lower - 1]] >= row.to_2_mm[layers[upper]]);
-      row.by_rank[rank] = is_lower ? layers[--lower] : layers[upper++];
+      const std::uint8_t layer = is_lower ? layers[--lower] : layers[upper++];
+      row.by_rank[rank] = layer;
+      row.rank_of[layer] = static_cast<std::uint8_t>(rank);
     }
   }
 }

@@ -34,11 +34,15 @@ class Exits {
   [[nodiscard]] std::size_t by_rank(std::uint32_t sector, std::size_t rank) const {
     return rows_[sector].by_rank[rank];
   }
+  [[nodiscard]] std::uint32_t rank_of(std::uint32_t sector, std::size_t layer) const {
+    return rows_[sector].rank_of[layer];
+  }
 
  private:
   struct Row {
     std::array<std::uint16_t, vehicle::kMaxLayers> to_2_mm{};
     std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
+    std::array<std::uint8_t, vehicle::kMaxLayers> rank_of{};
   };
 
   std::array<Row, kSectors> rows_{};

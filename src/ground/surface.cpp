@@ -23,4 +23,11 @@ void Surface::keep(std::size_t sector) {
   ++turns;
 }
 
+void Surface::forget() {
+  for (Row& row : rows_) {
+    row.fill(0);
+  }
+  turns_kept_.fill(kNever);
+}
+
 }  // namespace iog::ground

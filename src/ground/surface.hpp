@@ -59,6 +59,8 @@ class Surface {
   }
   // It had none.
   void keep(std::size_t sector);
+  // The car's plane again.
+  void forget();
 
   friend bool operator==(const Surface&, const Surface&) = default;
 

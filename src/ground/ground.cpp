@@ -1,0 +1,64 @@
+#include "ground/ground.hpp"
+
+#include "require/require.hpp"
+
+namespace iog::ground {
+
+void Ground::begin(const vehicle::Sensor& sensor) {
+  beams_ = Beams(sensor);
+  limits_ = {.low_mm = sensor.ground.low_mm, .top_mm = sensor.ground.top_mm};
+  layers_share_lines_ = sensor.layers_share_lines;
+  forget();
+}
+
+void Ground::close_turn(SurfaceWalk& walk, const Lows& lows) {
+  walk.close_turn(beams_.bins(), lows, surface_);
+  find_exits();
+}
+
+void Ground::forget() {
+  surface_.forget();
+  find_exits();
+}
+
+void Ground::find_exits() {
+  if (layers_share_lines_) {
+    exits_.find(beams_, limits_, surface_);
+  }
+}
+
+Grounds::Grounds(const vehicle::Vehicle& vehicle) : vehicle_(&vehicle) {
+  places_.fill(kNone);
+  std::uint8_t place = 0;
+  for (std::size_t i = 0; i < vehicle.sensors.size(); ++i) {
+    if (vehicle.sensors[i].ground.is_followed()) {
+      require(place < grounds_.size());
+      grounds_[place].begin(vehicle.sensors[i]);
+      places_[i] = place++;
+    }
+  }
+}
+
+Grounds::LowsAre Grounds::end_frame(std::size_t sensor, std::uint32_t swept_ticks) {
+  const std::size_t place = places_[sensor];
+  Turn& turn = turns_[place];
+  if (swept_ticks == 0) {
+    const bool was_silent = turn.silent_us >= kForgottenUs;
+    turn.silent_us += was_silent ? 0 : vehicle_->frame_period_us;
+    if (was_silent || turn.silent_us < kForgottenUs) {
+      return LowsAre::kKept;
+    }
+    turn.swept_ticks = 0;
+    grounds_[place].forget();
+    return LowsAre::kForgotten;
+  }
+  turn.silent_us = 0;
+  turn.swept_ticks += swept_ticks;
+  if (turn.swept_ticks < vehicle_->sensors[sensor].scan_width_ticks) {
+    return LowsAre::kKept;
+  }
+  turn.swept_ticks = 0;
+  return LowsAre::kOfTurn;
+}
+
+}  // namespace iog::ground
