@@ -52,7 +52,7 @@ void visit_sensor(auto& content, auto& sensor) {
   content.format(sensor.format);
   content.numbers(sensor.source_ipv4, sensor.udp_port);
   content.numbers(sensor.origin.x, sensor.origin.y, sensor.origin_z);
-  content.truth(sensor.layers_share_lines);
+  content.shares_and_ground(sensor.layers_share_lines, sensor.ground);
   content.azimuths(sensor);
   content.length(sensor.range);
   content.numbers(sensor.range_min_mm, sensor.precision_mm, sensor.no_return_clears_mm);
@@ -96,8 +96,8 @@ void visit_assignment(auto& content, auto& assignment) {
 }
 
 // Every integer goes out most significant byte first in as many bytes as its type has; a truth is a
-// byte, a text its letters and a 0; a format is its name. put(std::uint8_t) takes one after
-// another.
+// byte, a text its letters and a 0; a format is its name.
+// put(std::uint8_t) takes one after another.
 template <typename Put>
 class Writer {
  public:
@@ -107,6 +107,14 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
+  // Of what it shares and whether it follows the ground a byte has a bit each.
+  void shares_and_ground(bool layers_share_lines, const vehicle::GroundLimits& ground) {
+    const unsigned follows = ground.is_followed() ? 2U : 0U;
+    number(static_cast<std::uint8_t>((layers_share_lines ? 1U : 0U) | follows));
+    if (ground.is_followed()) {
+      numbers(ground.low_mm, ground.top_mm);
+    }
+  }
   void below(unsigned /*count*/, auto value) { number(static_cast<std::uint8_t>(value)); }
   void text(std::string_view text) {
     for (const char letter : text) {

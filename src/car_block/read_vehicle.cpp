@@ -42,6 +42,16 @@ class Reader {
     value = static_cast<Value>(read);
   }
   void truth(bool& value) { below(2, value); }
+  void shares_and_ground(bool& layers_share_lines, vehicle::GroundLimits& ground) {
+    unsigned bits = 0;
+    below(4, bits);
+    layers_share_lines = (bits & 1U) != 0;
+    ground = {};
+    if ((bits & 2U) != 0) {
+      numbers(ground.low_mm, ground.top_mm);
+      demand(ground.is_followed());
+    }
+  }
 
   // Letters up to a 0, which must be there.
   void text(std::string_view& text) {

@@ -165,6 +165,38 @@ bool check_layers(const Sensor& sensor, std::size_t number, const Tell& tell) {
   return are_sound;
 }
 
+// Beams are followed from their sensor on, so it stands between its limits.
+void check_ground(const Sensor& sensor, std::size_t number, const Tell& tell) {
+  const std::int32_t low_mm = sensor.ground.low_mm;
+  const std::int32_t top_mm = sensor.ground.top_mm;
+  const auto subcells_of = [](std::int32_t mm) {
+    return mm * geometry::kResolution / geometry::kCellMm;
+  };
+  if (!lidar::facts_of(sensor.format).turns) {
+    tell({number, "ground", "none, because this scanner does not turn"});
+  } else if (!is_within<std::int32_t>(low_mm, 100, 1'000)) {
+    tell({number, "ground.low_m", kGroundLowWords});
+  } else if (!is_within<std::int32_t>(top_mm, low_mm + 500, 10'000)) {
+    tell({number, "ground.top_m", kGroundTopWords});
+  } else if (sensor.origin_z <= subcells_of(low_mm) || sensor.origin_z >= subcells_of(top_mm)) {
+    tell({number, "ground", "low_m and top_m that the sensor's own height lies between"});
+  }
+}
+
+// Each of those that follow it has a surface.
+void check_grounds(std::span<const Sensor> sensors, const Tell& tell) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (sensors[i].ground.is_followed()) {
+      check_ground(sensors[i], i, tell);
+      ++count;
+      if (count > vehicle::kMaxGroundSensors) {
+        tell({i, "ground", "none, because two sensors of a car follow the ground at most"});
+      }
+    }
+  }
+}
+
 // Level sensors that turn keep their lines.
 void check_lines(std::span<const Sensor> sensors, const Tell& tell) {
   std::size_t lines = 0;
@@ -234,6 +266,7 @@ void check_tables(const Vehicle& car, const Tell& tell) {
       check_band(car, i, tell);
     }
   }
+  check_grounds(car.sensors, tell);
   check_lines(car.sensors, tell);
   check_marks(car.sensors, tell);
 }

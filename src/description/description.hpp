@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -31,6 +32,12 @@ struct MountConfig {
   double yaw_deg = 0;    // -360 ... 360, positive to the left
   double pitch_deg = 0;  // -90 ... 90, positive down
   double roll_deg = 0;   // -360 ... 360, positive to the right
+};
+
+// Heights over the local ground, by which a sensor that turns judges its returns (docs/ground.md).
+struct GroundConfig {
+  double low_m = 0.22;
+  double top_m = 2.20;
 };
 
 struct SensorConfig {
@@ -59,6 +66,8 @@ struct SensorConfig {
   // measured so long before they came.
   bool is_synchronised = false;
   std::uint32_t latency_us = 0;
+  // None: its returns are judged by the car's height band.
+  std::optional<GroundConfig> ground{};
 };
 
 // A rectangle on the ground, seen from above.

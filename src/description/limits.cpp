@@ -124,6 +124,19 @@ void check_tilt(const SensorConfig& config, std::size_t number, const Tell& tell
   }
 }
 
+// Asked of the numbers of the file; what they are in millimetres is asked again with the tables.
+void check_ground(const SensorConfig& config, std::size_t number, const Tell& tell) {
+  if (!config.ground) {
+    return;
+  }
+  const double low_m = config.ground->low_m;
+  if (!is_within(low_m, 0.1, 1.0)) {
+    tell({number, "ground.low_m", car_block::kGroundLowWords});
+  } else if (!is_within(config.ground->top_m, low_m + 0.5, 10.0)) {
+    tell({number, "ground.top_m", car_block::kGroundTopWords});
+  }
+}
+
 void check_laser(const lidar::Laser& laser, std::size_t number, const Tell& tell) {
   if (!is_within(laser.elevation_deg, -89.0, 89.0)) {
     tell({number, "lasers", "an elevation_deg of -89 ... 89"});
@@ -170,6 +183,7 @@ void check(const Description& car, std::span<const SensorConfig> sensors, const 
     check_mode(sensors[i], i, tell);
     check_tilt(sensors[i], i, tell);
     check_lasers(sensors[i], i, tell);
+    check_ground(sensors[i], i, tell);
   }
 }
 

@@ -31,6 +31,12 @@ std::int32_t subcells(double metres) {
   return static_cast<std::int32_t>(numeric::round(metres * geometry::kSubcellsPerMetre));
 }
 
+// 0 of what cannot be the height of a limit.
+std::uint16_t millimetres(double metres) {
+  return metres > 0 && metres < 60 ? static_cast<std::uint16_t>(numeric::round(metres * 1000))
+                                   : std::uint16_t{0};
+}
+
 // x and y are measured from the grid's corner, the vehicle's origin is in the middle.
 double grid_metres(double vehicle_metres) {
   return vehicle_metres + geometry::kOriginCell * geometry::kCellMm / 1000.0;
@@ -225,6 +231,10 @@ Sensor numbers_of(const SensorConfig& config) {
   sensor.no_return_clears_mm = config.no_return_clears_mm;
   sensor.scan_width_ticks = config.scan_width_ticks;
   sensor.max_points_per_scan = config.max_points_per_scan;
+  if (config.ground) {
+    sensor.ground = {.low_mm = millimetres(config.ground->low_m),
+                     .top_mm = millimetres(config.ground->top_m)};
+  }
   sensor.is_synchronised = config.is_synchronised;
   sensor.latency_us = config.latency_us;
   const std::size_t layers =

@@ -56,6 +56,14 @@ std::vector<lidar::Laser> read_lasers(std::vector<TomlTable> tables) {
   return lasers;
 }
 
+description::GroundConfig read_ground(TomlTable table) {
+  description::GroundConfig ground;
+  table.read("low_m", ground.low_m);
+  table.read("top_m", ground.top_m);
+  table.refuse_others();
+  return ground;
+}
+
 // What the type of a scanner gives; another value changes that one member.
 description::SensorConfig read_type(TomlTable& table) {
   using description::kScannerTypes;
@@ -86,6 +94,9 @@ void read_sensor(TomlTable& table, Car& car) {
   sensor.lasers = car.lasers.emplace_back(read_lasers(table.tables("lasers")));
   table.read("is_synchronised", sensor.is_synchronised);
   table.read("latency_us", sensor.latency_us);
+  if (table.has("ground")) {
+    sensor.ground = read_ground(table.table("ground"));
+  }
   table.demand({"name", "type", "udp_port", "mount"});
   table.refuse_others();
   car.sensors.push_back(sensor);

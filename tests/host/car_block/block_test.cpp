@@ -42,6 +42,23 @@ TEST(CarBlock, EachCarComesBackAsItIs) {
   }
 }
 
+// One that follows the ground has another byte and two numbers, and no others change.
+TEST(CarBlock, TheGroundComesBackAsItIs) {
+  const vehicles::Car& roof = vehicles::car("roof_hdl64e");
+  std::vector<vehicle::Sensor> sensors(roof.vehicle.sensors.begin(), roof.vehicle.sensors.end());
+  sensors[0].ground = {.low_mm = 250, .top_mm = 2'300};
+  vehicles::Car car = roof;
+  car.vehicle.sensors = sensors;
+  CarBytes bytes(car);
+  const Verdict verdict = bytes.read();
+  ASSERT_EQ(verdict.refusal, Refusal::kNone) << Words(verdict).view();
+  EXPECT_EQ(bytes.car.sensors[0].ground.low_mm, 250);
+  EXPECT_EQ(bytes.car.sensors[0].ground.top_mm, 2'300);
+  EXPECT_EQ(bytes.car.id, identity_of(car.vehicle));
+  EXPECT_NE(bytes.car.id, roof.vehicle.id);
+  expect_equal(bytes.car.sensors[0], roof.vehicle.sensors[0]);
+}
+
 // An image for cars to come says what it takes, and that it has none (docs/spec.md, section 8).
 TEST(CarBlock, WithoutACarItIsRefused) {
   const vehicles::Car& car = vehicles::cars()[0];

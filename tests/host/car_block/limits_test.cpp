@@ -93,6 +93,39 @@ TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].latency_us = 1'000'001; }), "0.latency_us");
 }
 
+TEST(CarLimits, OfTheGround) {
+  const auto fault_of_limits = [](std::uint16_t low_mm, std::uint16_t top_mm) {
+    return fault_with([&](Changed& c) { c.sensors[0].ground = {low_mm, top_mm}; }, "roof_hdl64e");
+  };
+  EXPECT_EQ(fault_of_limits(100, 10'000), "");
+  EXPECT_EQ(fault_of_limits(1'000, 2'200), "");
+  EXPECT_EQ(fault_of_limits(99, 2'200), "0.ground.low_m");
+  EXPECT_EQ(fault_of_limits(1'001, 2'200), "0.ground.low_m");
+  EXPECT_EQ(fault_of_limits(220, 719), "0.ground.top_m");
+  EXPECT_EQ(fault_of_limits(220, 10'001), "0.ground.top_m");
+  EXPECT_EQ(fault_of_limits(220, 1'600), "0.ground");  // the sensor is higher
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].ground = {220, 2'200}; }), "0.ground");
+}
+
+TEST(CarLimits, TwoSensorsFollowTheGround) {
+  const auto fault_of_several = [](std::size_t count) {
+    return fault_with(
+        [&](Changed& c) {
+          c.sensors.assign(count, c.sensors[0]);
+          for (std::size_t i = 0; i < count; ++i) {
+            c.sensors[i].ground = {220, 2'200};
+            c.sensors[i].azimuths = vehicle::AzimuthSteps(36'000, 2'048);
+            c.sensors[i].name = std::string_view("abc").substr(i, 1);
+            c.sensors[i].udp_port = static_cast<std::uint16_t>(2'000 + i);
+          }
+          c.car.sensors = c.sensors;
+        },
+        "roof_vlp16");
+  };
+  EXPECT_EQ(fault_of_several(2), "");
+  EXPECT_EQ(fault_of_several(3), "2.ground");
+}
+
 TEST(CarLimits, LayersAreARotationOfBeams) {
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layers[2].x.forward += 9'000'000; }),
             "0.mount");
