@@ -13,6 +13,7 @@
 #include "grid/block_grid.hpp"
 #include "grid/free_steps.hpp"
 #include "grid/pending_marks.hpp"
+#include "ground/ground.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
@@ -30,6 +31,26 @@ class AzimuthCarver {
   // format.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
+
+  // The same of a sensor that turns and follows the ground (docs/ground.md). Carved is what is in
+  // the height band, too.
+  [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
+                                           const ground::Ground& ground,
+                                           const ground::PacketJudge& judge,
+                                           const lidar::ScanPoint& point);
+
+  // How a packet sees the car tilted. Packet: has for_each_sample(). Its few beams are not kept.
+  template <typename Packet>
+  [[nodiscard]] static ground::Tilt tilt_of(const vehicle::Sensor& sensor,
+                                            const ground::Ground& ground, const Packet& packet) {
+    return ground.tilt_of(sensor, packet, [&](std::uint32_t step, const lidar::ScanPoint& point) {
+      const vehicle::Layer& layer = sensor.layers[point.layer];
+      const vehicle::Direction direction = vehicle::direction_of(sensor, step);
+      return ground::Ray{
+          .on_car = vehicle::ranges_on_car(sensor, vehicle::line_of(sensor, layer, direction)),
+          .slope = ground.beams().slope_to(vehicle::end_height_of(layer, direction))};
+    });
+  }
 
   // Carves the beams that still wait.
   void carve_waiting();
@@ -92,6 +113,28 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
   KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
   const vehicle::Classification its =
       vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
+  if (its.carves || its.marks) {
+    take(beam, its, point.range_mm);
+  }
+  return its.fate;
+}
+
+inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const ground::Ground& ground,
+                                        const ground::PacketJudge& judge,
+                                        const lidar::ScanPoint& point) {
+  if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
+    turn_to(sensor, point.azimuth_ticks);
+  }
+  KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
+  const vehicle::Ranges& in_band = beam.ranges().in_band;
+  const ground::Beams& beams = ground.beams();
+  const vehicle::Classification its = vehicle::classify(
+      sensor, beam.ranges().on_car, point, point.range_mm, [&](std::uint32_t reach_mm) {
+        const std::int32_t z_mm = beams.height_mm(beams.slope_to(beam.end_z()), point.range_mm);
+        const std::uint32_t out_mm = beams.out_mm(point.layer, point.range_mm);
+        return vehicle::Height{.fate = judge.judge(beams.sector_of(azimuth_step_), out_mm, z_mm),
+                               .is_whole = in_band.first == 0 && in_band.contain(reach_mm)};
+      });
   if (its.carves || its.marks) {
     take(beam, its, point.range_mm);
   }

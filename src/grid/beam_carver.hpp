@@ -109,6 +109,9 @@ inline void BeamCarver::take(const vehicle::Sensor& sensor, Beam&& beam,
       steps.add(limits.end, -freer);
       steps.end_beam(limits.end);
     }
+    if (its.marks) {
+      mark(sensor, line, line.through(sensor, range_mm), range_mm);
+    }
     return;
   }
   const bool has_hit = range_mm - 1 < sensor.range.mm();

@@ -12,16 +12,18 @@ using traversal::Position;
 using traversal::Stretch;
 using vehicle::Sensor;
 
-// Of beams that end where the line ends. A beam is straight: a shorter one leaves the band at the
-// same place.
-//
 // A line crosses a border on each stretch of one and a half cells. So the cell that holds a point
 // that far behind the part is not one of the part's. The first zone begins at most one 1D cell more
 // before a point than it has 1D cells.
+std::uint32_t BandLimits::behind_mm(const Sensor& sensor) {
+  const std::uint32_t zones_mm = (sensor.profile.near_before_count + 1U) * sensor.precision_mm;
+  return zones_mm + 3 * std::uint32_t{geometry::kCellMm} / 2 + 1;
+}
+
+// Of beams that end where the line ends. A beam is straight: a shorter one leaves the band at the
+// same place.
 BandLimits::BandLimits(const vehicle::Vehicle& vehicle, const Sensor& sensor, std::int32_t end_z) {
   const vehicle::BandPart band = vehicle::part_in_band(vehicle, sensor, end_z, sensor.range.mm());
-  const std::uint32_t zones_mm = (sensor.profile.near_before_count + 1U) * sensor.precision_mm;
-  const std::uint32_t behind_mm = zones_mm + 3 * std::uint32_t{geometry::kCellMm} / 2 + 1;
   is_empty_ = band.is_empty;
   if (!band.is_empty) {
     const traversal::Share to = band.is_whole ? traversal::Share{1, 1} : band.to;
@@ -29,7 +31,8 @@ BandLimits::BandLimits(const vehicle::Vehicle& vehicle, const Sensor& sensor, st
     is_from_start_ = band.from.numerator == 0;
     from_ = {band.from, rise, sensor.range};
     to_ = {to, rise, sensor.range};
-    is_free_before_mm_ = (to_.distance() >> traversal::MeasuredShare::kFractionBits) + behind_mm;
+    is_free_before_mm_ =
+        (to_.distance() >> traversal::MeasuredShare::kFractionBits) + behind_mm(sensor);
   }
 }
 

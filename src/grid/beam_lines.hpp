@@ -27,6 +27,10 @@ namespace iog::grid {
 // line.
 class BandLimits {
  public:
+  // A point that is so far behind the part of its line that counts leaves all of it free: even the
+  // zones before the point are behind it.
+  [[nodiscard]] static std::uint32_t behind_mm(const vehicle::Sensor& sensor);
+
   BandLimits() = default;
   // end_z: the height of the line's end in subcells.
   BandLimits(const vehicle::Vehicle& vehicle, const vehicle::Sensor& sensor, std::int32_t end_z);
@@ -123,6 +127,8 @@ class KeptBeam {
   [[nodiscard]] KeptLine& line() const { return *line_; }
 
   [[nodiscard]] const vehicle::BeamRanges& ranges() const { return ranges_; }
+  // The height of its end in subcells.
+  [[nodiscard]] std::int32_t end_z() const { return end_z_; }
 
   // How far along the line it carves without an echo.
   [[nodiscard]] std::uint32_t clears_mm() const { return clears_mm_; }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "geometry/grid.hpp"
@@ -17,6 +18,8 @@
 #include "grid/frame_view.hpp"
 #include "grid/pending_marks.hpp"
 #include "grid/turn_carver.hpp"
+#include "ground/ground.hpp"
+#include "ground/lows.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
@@ -27,23 +30,40 @@ class FrameFusion {
  public:
   // vehicle outlives the fusion.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
-      : turns_(vehicle, grid_, marks_), azimuths_(vehicle, grid_, marks_), rule_(vehicle.rule) {}
+      : turns_(vehicle, grid_, marks_),
+        azimuths_(vehicle, grid_, marks_),
+        first_sensor_(vehicle.sensors.data()),
+        rule_(vehicle.rule) {}
   FrameFusion(const FrameFusion&) = delete;
   FrameFusion& operator=(const FrameFusion&) = delete;
 
+  // From now on packets of sensors that follow the ground are judged by these, and their lowest
+  // returns are kept. They are the vehicle's, change only when nothing waits, and outlive the
+  // fusion.
+  void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
+  // By the place of their sensor among them.
+  [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
+
   // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
-  // vehicle's; the point's layer and azimuth are those of its format.
+  // vehicle's, and the point is judged by its height band; the point's layer and azimuth are those
+  // of its format.
   // All points of a frame mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     return sensor.layers_share_lines ? turns_.turn_to(sensor).add(point)
                                      : azimuths_.add(sensor, point);
   }
 
-  // The same for all points of a packet: for_each_point(visit) calls visit(point) for each of them.
-  // count(fate) is called for each. Inline, so that a point is taken apart in registers.
+  // The same for all points of a packet, by the ground if its sensor follows it:
+  // for_each_point(visit) calls visit(point) for each of them. count(fate) is called for each.
+  // Inline, so that a point is taken apart in registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
-    if (sensor.layers_share_lines) {
+    const auto number = static_cast<std::size_t>(&sensor - first_sensor_);
+    const std::optional<std::size_t> place =
+        grounds_ == nullptr ? std::nullopt : grounds_->place_of(number);
+    if (place) {
+      add_all(sensor, grounds_->at(*place), lows_[*place], packet, count);
+    } else if (sensor.layers_share_lines) {
       packet.for_each_point([count, turn = turns_.turn_to(sensor)](const lidar::ScanPoint& point) {
         count(turn.add(point));
       });
@@ -94,13 +114,31 @@ class FrameFusion {
   void clear();
 
  private:
+  template <typename Packet, typename Count>
+  void add_all(const vehicle::Sensor& sensor, const ground::Ground& ground, ground::Lows& lows,
+               const Packet& packet, Count&& count) {
+    if (sensor.layers_share_lines) {
+      const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
+      packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
+                                const lidar::ScanPoint& point) { count(turn.add(point)); });
+    } else {
+      const ground::PacketJudge judge(ground, lows, AzimuthCarver::tilt_of(sensor, ground, packet));
+      packet.for_each_point([&](const lidar::ScanPoint& point) {
+        count(azimuths_.add(sensor, ground, judge, point));
+      });
+    }
+  }
+
   // What is aligned to a cache line comes first.
   BlockGrid grid_;
   TurnCarver turns_;
   AzimuthCarver azimuths_;
+  const vehicle::Sensor* first_sensor_;
+  const ground::Grounds* grounds_ = nullptr;
   vehicle::FusionRule rule_;
   alignas(8) std::array<OccupancyIndex, geometry::kTileCells> tile_cells_{};
   PendingMarks marks_;
+  std::array<ground::Lows, vehicle::kMaxGroundSensors> lows_{};
 };
 
 }  // namespace iog::grid

@@ -7,10 +7,12 @@ namespace iog::grid {
 using traversal::Position;
 
 // Lines wait by the steps of one sensor.
-void TurnCarver::begin_turning(const vehicle::Sensor& sensor) {
+void TurnCarver::turn_from_another(const vehicle::Sensor& sensor, const ground::Ground* ground) {
   carve_waiting();
   sensor_ = &sensor;
   layers_ = &lines_.layers_of(sensor);
+  ground_ = ground;
+  behind_mm_ = BandLimits::behind_mm(sensor);
 }
 
 // Another line in its place is carved and makes room.
@@ -35,24 +37,40 @@ void TurnCarver::carve_line(std::uint32_t azimuth_step, std::span<const WaitingP
                             const RankSet& behind_band) {
   KeptLine& line = lines_.line(*sensor_, azimuth_step);
   steps_.begin_at(line.in_grid().first);
-  const std::uint32_t far_hits = take_points(steps_, line, points);
-  take_behind_band(steps_, line, behind_band, far_hits);
+  if (ground_ == nullptr) {
+    const std::uint32_t far_hits = take_points(steps_, line, points, layers_->far_mm, 0);
+    take_behind_band(steps_, line, behind_band, far_hits, [&](std::uint32_t rank) {
+      return line.end_in_band(layers_->layers[layers_->by_rank[rank]].band);
+    });
+  } else {
+    const ground::Exits& exits = ground_->exits();
+    const std::uint32_t sector = ground_->beams().sector_of(azimuth_step);
+    const auto to_mm = [&](std::uint32_t rank) {
+      return exits.to_mm(sector, exits.by_rank(sector, rank));
+    };
+    const std::uint32_t far_mm = to_mm(layers_->near_rank) + behind_mm_;
+    const std::uint32_t far_hits = take_points(steps_, line, points, far_mm, sector);
+    take_behind_band(steps_, line, behind_band, far_hits, [&](std::uint32_t rank) {
+      return LocalBeam::end_of(*sensor_, line, to_mm(rank));
+    });
+  }
   if (!steps_.is_empty()) {
     beams_.carve(line, steps_);
   }
 }
 
-// Returns how many of them are hits at TurnLayers::far_mm or beyond. Nearly all are hits, whose
-// beams are in the band from the start.
+// Returns how many of them are hits at far_mm or beyond. Nearly all are hits, whose beams are in
+// the band from the start.
 std::uint32_t TurnCarver::take_points(FreeSteps& steps, const KeptLine& line,
-                                      std::span<const WaitingPoint> points) {
+                                      std::span<const WaitingPoint> points, std::uint32_t far_mm,
+                                      std::uint32_t sector) {
   const LinePart in_grid = line.in_grid();
   std::uint32_t beams = 0;
   std::uint32_t far_hits = 0;
   Between last = in_grid.first;
   for (const WaitingPoint point : points) {
-    if (point.fate() != vehicle::Fate::kUsed || !layers_->start_in_band) {
-      take_rare(line, point);
+    if (!point.is_whole_hit()) {
+      take_rare(line, point, sector);
       continue;
     }
     const std::uint32_t range_mm = point.along_mm();
@@ -62,7 +80,7 @@ std::uint32_t TurnCarver::take_points(FreeSteps& steps, const KeptLine& line,
       BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
       last = std::max(last, part.end);
       ++beams;
-      far_hits += range_mm >= layers_->far_mm ? 1U : 0U;
+      far_hits += range_mm >= far_mm ? 1U : 0U;
     }
     beams_.mark(*sensor_, line, hit, range_mm);
   }
@@ -72,8 +90,9 @@ std::uint32_t TurnCarver::take_points(FreeSteps& steps, const KeptLine& line,
 
 // What a beam frees, those of lower rank free, too, and from some rank on so do far hits. After
 // enough of them it adds nothing, and neither does one of higher rank.
+template <typename EndOf>
 void TurnCarver::take_behind_band(FreeSteps& steps, const KeptLine& line, const RankSet& ranks,
-                                  std::uint32_t far_hits) const {
+                                  std::uint32_t far_hits, EndOf&& end_of) const {
   const std::int32_t freer = -sensor_->profile.free;
   std::uint32_t beams = 0;
   Between last = line.in_grid().first;
@@ -81,7 +100,7 @@ void TurnCarver::take_behind_band(FreeSteps& steps, const KeptLine& line, const 
     if (beams + (rank < layers_->near_rank ? 0 : far_hits) >= layers_->enough_beams) {
       return false;
     }
-    const Between end = line.end_in_band(layers_->layers[layers_->by_rank[rank]].band);
+    const Between end = end_of(rank);
     steps.add(end, -freer);
     last = std::max(last, end);
     ++beams;
@@ -91,10 +110,17 @@ void TurnCarver::take_behind_band(FreeSteps& steps, const KeptLine& line, const 
 }
 
 // What is no hit with all of its beam in the band, and carves or marks nevertheless.
-void TurnCarver::take_rare(const KeptLine& line, WaitingPoint point) {
-  const TurnBeam beam(line, layers_->layers[point.layer()]);
-  beams_.take(*sensor_, beam, point.classification(), point.along_mm(),
-              [this](const TurnBeam& /*beam*/, Between /*end*/) -> FreeSteps& { return steps_; });
+void TurnCarver::take_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector) {
+  const TurnLayer& layer = layers_->layers[point.layer()];
+  const auto take = [&](const auto& beam) {
+    beams_.take(*sensor_, beam, point.classification(), point.along_mm(),
+                [this](const auto& /*beam*/, Between /*end*/) -> FreeSteps& { return steps_; });
+  };
+  if (ground_ == nullptr) {
+    take(TurnBeam(line, layer));
+  } else {
+    take(LocalBeam(*sensor_, line, layer, ground_->exits().to_mm(sector, point.layer())));
+  }
 }
 
 }  // namespace iog::grid

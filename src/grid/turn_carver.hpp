@@ -12,6 +12,8 @@
 #include "grid/pending_marks.hpp"
 #include "grid/turn_lines.hpp"
 #include "grid/waiting_lines.hpp"
+#include "ground/ground.hpp"
+#include "ground/tilt.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
@@ -46,13 +48,51 @@ class TurnCarver {
     vehicle::AzimuthSteps azimuths_;
   };
 
+  // The same of a packet of a sensor that follows the ground (docs/ground.md).
+  class TurnOverGround {
+   public:
+    TurnOverGround(TurnCarver& carver, const vehicle::Sensor& sensor, const ground::Ground& ground,
+                   const ground::PacketJudge& judge)
+        : carver_(&carver),
+          sensor_(&sensor),
+          waiting_(&carver.waiting_),
+          layers_(carver.layers_->layers.data()),
+          azimuths_(sensor.azimuths),
+          beams_(&ground.beams()),
+          exits_(&ground.exits()),
+          behind_mm_(carver.behind_mm_),
+          judge_(judge) {}
+
+    [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
+
+   private:
+    TurnCarver* carver_;
+    const vehicle::Sensor* sensor_;
+    WaitingLines* waiting_;
+    const TurnLayer* layers_;
+    vehicle::AzimuthSteps azimuths_;
+    const ground::Beams* beams_;
+    const ground::Exits* exits_;
+    std::uint32_t behind_mm_;
+    ground::PacketJudge judge_;
+  };
+
   // The sensor is one of the vehicle's, whose layers share lines. Valid until another one's turn.
   Turn turn_to(const vehicle::Sensor& sensor) {
-    if (sensor_ != &sensor) {
-      begin_turning(sensor);
-    }
+    begin_turning(sensor, nullptr);
     return {*this, sensor};
   }
+  // The ground stays as it is while beams wait.
+  TurnOverGround turn_to(const vehicle::Sensor& sensor, const ground::Ground& ground,
+                         const ground::PacketJudge& judge) {
+    begin_turning(sensor, &ground);
+    return {*this, sensor, ground, judge};
+  }
+
+  // How a packet sees the car tilted. Packet: has for_each_sample().
+  template <typename Packet>
+  [[nodiscard]] ground::Tilt tilt_of(const vehicle::Sensor& sensor, const ground::Ground& ground,
+                                     const Packet& packet);
 
   // Carves the beams that still wait.
   void carve_waiting();
@@ -61,18 +101,28 @@ class TurnCarver {
   void drop_waiting() { waiting_.drop(); }
 
  private:
-  void begin_turning(const vehicle::Sensor& sensor);
+  void begin_turning(const vehicle::Sensor& sensor, const ground::Ground* ground) {
+    if (sensor_ != &sensor || ground_ != ground) {
+      turn_from_another(sensor, ground);
+    }
+  }
+  void turn_from_another(const vehicle::Sensor& sensor, const ground::Ground* ground);
   // What few points need is not inlined, so that the others have the registers.
   [[gnu::noinline]] void begin_line(std::uint32_t azimuth_step);
   [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step);
   void carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
                   const RankSet& behind_band);
   // Not inlined, so that the steps' address is in a register and not computed for each change.
+  // far_mm: as in TurnLayers. sector: of the ground, if it is followed. end_of(rank): where the
+  // layer of this rank leaves what counts of its line.
   [[gnu::noinline]] std::uint32_t take_points(FreeSteps& steps, const KeptLine& line,
-                                              std::span<const WaitingPoint> points);
+                                              std::span<const WaitingPoint> points,
+                                              std::uint32_t far_mm, std::uint32_t sector);
+  template <typename EndOf>
   [[gnu::noinline]] void take_behind_band(FreeSteps& steps, const KeptLine& line,
-                                          const RankSet& ranks, std::uint32_t far_hits) const;
-  [[gnu::noinline]] void take_rare(const KeptLine& line, WaitingPoint point);
+                                          const RankSet& ranks, std::uint32_t far_hits,
+                                          EndOf&& end_of) const;
+  [[gnu::noinline]] void take_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector);
 
   // What is aligned to a cache line comes first.
   TurnLines lines_;
@@ -81,7 +131,9 @@ class TurnCarver {
   // The sensor at hand.
   const vehicle::Sensor* sensor_ = nullptr;
   const TurnLayers* layers_ = nullptr;
-  FreeSteps steps_;  // of the line that is carved
+  const ground::Ground* ground_ = nullptr;  // if it is followed
+  std::uint32_t behind_mm_ = 0;             // BandLimits::behind_mm()
+  FreeSteps steps_;                         // of the line that is carved
 };
 
 // All layers are on the line of the azimuth, each at its own height.
@@ -108,6 +160,47 @@ inline vehicle::Fate TurnCarver::Turn::add(const lidar::ScanPoint& point) const 
     }
   }
   return its.fate;
+}
+
+// Where a beam leaves the limits is its layer's and its sector's own.
+inline vehicle::Fate TurnCarver::TurnOverGround::add(const lidar::ScanPoint& point) const {
+  if (point.range_mm == 0 && sensor_->no_return_clears_mm == 0) {
+    return vehicle::Fate::kNoReturn;
+  }
+  const std::uint32_t step = azimuths_.nearest(point.azimuth_ticks);
+  if (!waiting_->has_room(step)) [[unlikely]] {
+    carver_->begin_line(step);
+  }
+  const std::uint32_t along_mm =
+      vehicle::along_line_mm(point.range_mm, layers_[point.layer].range_share);
+  const std::uint32_t sector = beams_->sector_of(step);
+  const std::uint32_t to_mm = exits_->to_mm(sector, point.layer);
+  const vehicle::Classification its = vehicle::classify(
+      *sensor_, waiting_->on_car(step), point, along_mm, [&](std::uint32_t reach_mm) {
+        const std::int32_t z_mm = beams_->height_mm(beams_->slope(point.layer), along_mm);
+        return vehicle::Height{.fate = judge_.judge(sector, along_mm, z_mm),
+                               .is_whole = reach_mm <= to_mm};
+      });
+  if (its.carves || its.marks) {
+    if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
+      if (its.marks) {
+        carver_->mark_at_start(step);
+      }
+    } else if (its.marks || its.is_whole_in_band || along_mm < to_mm + behind_mm_ ||
+               !waiting_->add_behind_band(step, exits_->rank_of(sector, point.layer))) {
+      waiting_->add(step, {along_mm, point.layer, its});
+    }
+  }
+  return its.fate;
+}
+
+template <typename Packet>
+inline ground::Tilt TurnCarver::tilt_of(const vehicle::Sensor& sensor, const ground::Ground& ground,
+                                        const Packet& packet) {
+  return ground.tilt_of(sensor, packet, [&](std::uint32_t step, const lidar::ScanPoint& point) {
+    return ground::Ray{.on_car = lines_.on_car(sensor, step),
+                       .slope = ground.beams().slope(point.layer)};
+  });
 }
 
 }  // namespace iog::grid

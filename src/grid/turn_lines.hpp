@@ -3,6 +3,7 @@
 // azimuths than steps, each has a place of its own.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -59,6 +60,42 @@ class TurnBeam {
  private:
   const KeptLine* line_;
   const TurnLayer* layer_;
+};
+
+// The same of a sensor that follows the ground: from its start on the beam is so far between the
+// limits.
+class LocalBeam {
+ public:
+  LocalBeam(const vehicle::Sensor& sensor, const KeptLine& line, const TurnLayer& layer,
+            std::uint32_t to_mm)
+      : line_(&line),
+        clears_mm_(layer.clears_mm),
+        is_free_before_mm_(to_mm + BandLimits::behind_mm(sensor)),
+        part_{line.in_grid().first, end_of(sensor, line, to_mm)} {}
+
+  // Where a beam of the line ends to be between the limits: behind the cell in which it leaves
+  // them.
+  [[nodiscard]] static Between end_of(const vehicle::Sensor& sensor, const KeptLine& line,
+                                      std::uint32_t to_mm) {
+    const LinePart in_grid = line.in_grid();
+    return to_mm == 0 ? in_grid.first
+                      : std::clamp(Between::after(line.through(sensor, to_mm)), in_grid.first,
+                                   std::max(in_grid.first, in_grid.end));
+  }
+
+  [[nodiscard]] const KeptLine& line() const { return *line_; }
+  [[nodiscard]] std::uint32_t clears_mm() const { return clears_mm_; }
+  [[nodiscard]] LinePart in_band(const vehicle::Vehicle& /*vehicle*/,
+                                 const vehicle::Sensor& /*sensor*/) const {
+    return part_;
+  }
+  [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
+
+ private:
+  const KeptLine* line_;
+  std::uint32_t clears_mm_;
+  std::uint32_t is_free_before_mm_;
+  LinePart part_;
 };
 
 class TurnLines {

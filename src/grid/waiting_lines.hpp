@@ -30,6 +30,12 @@ class WaitingPoint {
     return word_ >> kLayerAt & (vehicle::kMaxLayers - 1);
   }
   [[nodiscard]] vehicle::Fate fate() const { return static_cast<vehicle::Fate>(word_ >> kFateAt); }
+  // A hit, of whose beam nothing is outside the band.
+  [[nodiscard]] bool is_whole_hit() const {
+    constexpr std::uint32_t kFateAndWhole = ~std::uint32_t{0} << kWholeAt;
+    return (word_ & kFateAndWhole) ==
+           (static_cast<std::uint32_t>(vehicle::Fate::kUsed) << kFateAt | 1U << kWholeAt);
+  }
   [[nodiscard]] vehicle::Classification classification() const {
     return vehicle::classified(fate(), true, (word_ >> kWholeAt & 1U) != 0);
   }

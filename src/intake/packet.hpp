@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "lidar/formats.hpp"
+#include "lidar/sampling.hpp"
 #include "lidar/scan_point.hpp"
 #include "lidar/unit.hpp"
 
@@ -59,6 +60,16 @@ class Packet {
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     with_decoder(*this, [&](const auto& decoder) { decoder.for_each_point(visit); });
+  }
+
+  // The same for the points of a sampling, of a unit that turns (lidar/sampling.hpp).
+  template <typename Visit>
+  void for_each_sample(const lidar::Sampling& sampling, Visit&& visit) const {
+    with_decoder(*this, [&](const auto& decoder) {
+      if constexpr (requires { decoder.for_each_sample(sampling, visit); }) {
+        decoder.for_each_sample(sampling, visit);
+      }
+    });
   }
 
   // What a sound packet of a Velodyne shows of its unit; none of others.

@@ -1,6 +1,5 @@
-// Level lidars that turn (docs/model.md section 5), against the rule worked out here from metres
-// and degrees: the azimuth's step, the one line of all layers, what a range is along it, and each
-// cell by exact shares of the line. Nothing of a compiled sensor is used but its profile.
+// Level lidars that turn (docs/model.md section 5), against the rule worked out from metres and
+// degrees.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,229 +16,22 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
+#include "fakes/turning_rule.hpp"
 #include "grid/frame_fusion.hpp"
-#include "lab/reference/exact_line.hpp"
 
 namespace iog::grid {
 namespace {
 
 using geometry::Cell;
-using geometry::kCellMm;
-using geometry::kResolution;
-using geometry::SubcellPoint;
-using lab::reference::Rational;
+using tests::for_each_cell_around;
 using tests::LevelVlp16;
 using tests::ManyLayers;
+using tests::radians;
+using tests::random_point;
 using tests::SteepVlp16;
+using tests::TurningRay;
+using tests::TurningRule;
 using vehicle::Fate;
-
-constexpr std::int64_t kTicks = 36'000;
-
-long double radians(double degrees) {
-  return static_cast<long double>(degrees) * std::numbers::pi_v<long double> / 180;
-}
-
-std::int64_t subcells(double metres) {
-  return std::llround(static_cast<long double>(metres) * 1000 / kCellMm * kResolution);
-}
-
-// Rounded to the nearest whole number, or nothing where rounding on the way could show: the
-// firmware's ends are within 0.002 subcells of the real ones.
-std::optional<std::int32_t> clearly(long double subcells) {
-  const long double below = std::floor(subcells);
-  if (std::abs(subcells - below - 0.5L) < 0.003L) {
-    return std::nullopt;
-  }
-  return static_cast<std::int32_t>(std::llround(subcells));
-}
-
-// The largest fraction of a turn in powers of two whose half, L away, is half a cell or less.
-std::int64_t steps_for(std::int64_t range_mm) {
-  std::int64_t steps = 1;
-  while (2 * std::numbers::pi_v<long double> / static_cast<long double>(steps) *
-             static_cast<long double>(range_mm) / 2 >
-         kCellMm / 2.0L) {
-    steps *= 2;
-  }
-  return steps;
-}
-
-// Where one beam runs, by the rule.
-struct Ray {
-  SubcellPoint start;
-  SubcellPoint end;
-  std::int64_t z_start = 0;
-  std::int64_t z_end = 0;
-};
-
-class Rule {
- public:
-  Rule(const description::SensorConfig& config, const description::Description& description,
-       std::span<const double> elevations_deg)
-      : config_(config), description_(description), elevations_deg_(elevations_deg) {}
-
-  [[nodiscard]] std::optional<Ray> ray(const lidar::ScanPoint& point) const {
-    const std::int64_t steps = steps_for(config_.range_max_mm);
-    const std::int64_t step = (2 * point.azimuth_ticks * steps + kTicks) / (2 * kTicks) % steps;
-    const long double azimuth = 2 * std::numbers::pi_v<long double> *
-                                    static_cast<long double>(step) /
-                                    static_cast<long double>(steps) +
-                                radians(config_.mount.yaw_deg);
-    const long double length_m = config_.range_max_mm / 1000.0L;
-    const long double middle_m = geometry::kOriginCell * kCellMm / 1000.0L;
-    const auto exact = [&](double mount_m, long double way_m) {
-      return (static_cast<long double>(mount_m) + middle_m + way_m) * 1000 / kCellMm * kResolution;
-    };
-    const auto x = clearly(exact(config_.mount.x_m, length_m * std::cos(azimuth)));
-    const auto y = clearly(exact(config_.mount.y_m, length_m * std::sin(azimuth)));
-    const long double elevation = radians(elevations_deg_[point.layer]);
-    const auto z =
-        clearly((static_cast<long double>(config_.mount.z_m) + length_m * std::tan(elevation)) *
-                1000 / kCellMm * kResolution);
-    if (!x || !y || !z) {
-      return std::nullopt;
-    }
-    return Ray{.start = {static_cast<std::int32_t>(std::llround(exact(config_.mount.x_m, 0))),
-                         static_cast<std::int32_t>(std::llround(exact(config_.mount.y_m, 0)))},
-               .end = {*x, *y},
-               .z_start = subcells(config_.mount.z_m),
-               .z_end = *z};
-  }
-
-  [[nodiscard]] std::int64_t along(const lidar::ScanPoint& point, std::int64_t range_mm) const {
-    const long double cosine = std::cos(radians(elevations_deg_[point.layer]));
-    return range_mm * std::llround(cosine * (1 << 30)) / (1 << 30);
-  }
-
-  [[nodiscard]] Fate fate(const Ray& ray, const lidar::ScanPoint& point) const {
-    if (point.range_mm == 0) {
-      return Fate::kNoReturn;
-    }
-    const std::int64_t measured = point.range_mm;  // by which too near is judged
-    const std::int64_t at = along(point, measured);
-    const description::FootprintConfig& car = description_.footprint;
-    const bool is_on_car = is_between(ray.start.x, ray.end.x, measured, car.x_min_m + middle(),
-                                      car.x_max_m + middle()) &&
-                           is_between(ray.start.y, ray.end.y, measured, car.y_min_m + middle(),
-                                      car.y_max_m + middle());
-    if (point.range_mm < config_.range_min_mm || is_on_car) {
-      return Fate::kTooNear;
-    }
-    if (at > length()) {
-      return Fate::kTooFar;
-    }
-    const bool is_in_band =
-        is_between(ray.z_start, ray.z_end, at, description_.z_min_m, description_.z_max_m);
-    return is_in_band ? Fate::kUsed : Fate::kOutsideHeightBand;
-  }
-
-  // What the point alone makes of a cell, given its fate.
-  [[nodiscard]] int index(const sensor_model::Profile& profile, const Ray& ray,
-                          const lidar::ScanPoint& point, Fate fate, Cell cell) const {
-    const bool is_missing = fate == Fate::kNoReturn;
-    const std::int64_t at = along(point, is_missing ? config_.no_return_clears_mm : point.range_mm);
-    const bool ends = !is_missing && fate != Fate::kTooFar;
-    if (fate == Fate::kTooNear || (is_missing && at == 0)) {
-      return 0;
-    }
-    const auto crossing = lab::reference::cross(ray.start, ray.end, cell, kResolution);
-    if (ends && cell == cell_at(ray, at)) {
-      return fate == Fate::kUsed ? profile.hit : 0;
-    }
-    if (!crossing || !is_carved(ray, *crossing, {std::min(at, length()), length()})) {
-      return 0;
-    }
-    const std::int64_t k = at / config_.precision_mm;
-    if (is_missing) {
-      return profile.free;
-    }
-    if (ends && Rational{at, length()} < crossing->leave) {
-      return 0;  // behind the scan point the profile of the blurring policy says nothing
-    }
-    const std::int64_t left_in = cells_up_to(crossing->leave);
-    return profile.at(static_cast<int>(std::min(left_in, k - 1) - k));
-  }
-
- private:
-  [[nodiscard]] std::int64_t length() const { return config_.range_max_mm; }
-  static double middle() { return geometry::kOriginCell * kCellMm / 1000.0; }
-
-  // Whether what is at distance `at` of L between the two ends is within the limits.
-  [[nodiscard]] bool is_between(std::int64_t start, std::int64_t end, std::int64_t at, double low_m,
-                                double high_m) const {
-    const std::int64_t place = start * length() + (end - start) * at;
-    return subcells(low_m) * length() <= place && place <= subcells(high_m) * length();
-  }
-
-  // The cell that holds the scan point; on a border the later one.
-  [[nodiscard]] Cell cell_at(const Ray& ray, std::int64_t at) const {
-    const auto on_axis = [&](std::int64_t start, std::int64_t end) {
-      const std::int64_t place = start * length() + (end - start) * at;
-      const std::int64_t side = kResolution * length();
-      return static_cast<std::int32_t>(end < start ? -numeric::div_floor(-place, side) - 1
-                                                   : numeric::div_floor(place, side));
-    };
-    return {on_axis(ray.start.x, ray.end.x), on_axis(ray.start.y, ray.end.y)};
-  }
-
-  // Whether the line is in the cell's interior before `reach` and inside the height band.
-  [[nodiscard]] bool is_carved(const Ray& ray, const lab::reference::Crossing& crossing,
-                               Rational reach) const {
-    const Rational zero{0, 1};
-    Rational from = zero;
-    Rational to = reach;
-    const std::int64_t rise = ray.z_end - ray.z_start;
-    const std::int64_t low = subcells(description_.z_min_m) - ray.z_start;
-    const std::int64_t high = subcells(description_.z_max_m) - ray.z_start;
-    if (rise == 0 && (low > 0 || high < 0)) {
-      return false;
-    }
-    if (rise != 0) {
-      const Rational enters = rise > 0 ? Rational{low, rise} : Rational{-high, -rise};
-      const Rational leaves = rise > 0 ? Rational{high, rise} : Rational{-low, -rise};
-      from = from < enters ? enters : from;
-      to = leaves < to ? leaves : to;
-    }
-    return from < to && crossing.enter < to && from < crossing.leave && zero < crossing.leave;
-  }
-
-  // ceil(share L / Delta) - 1: the 1D cell in which the line still is when it leaves a cell.
-  [[nodiscard]] std::int64_t cells_up_to(Rational share) const {
-    const std::int64_t n = share.numerator * length();
-    return -numeric::div_floor(-n, share.denominator * config_.precision_mm) - 1;
-  }
-
-  const description::SensorConfig& config_;
-  const description::Description& description_;
-  std::span<const double> elevations_deg_;
-};
-
-template <typename Visit>
-void for_each_cell_around(const Ray& ray, Visit&& visit) {
-  const auto cells = [](std::int32_t a, std::int32_t b) {
-    return std::pair{numeric::div_floor(std::min(a, b), kResolution) - 1,
-                     numeric::div_floor(std::max(a, b), kResolution) + 1};
-  };
-  const auto [x_first, x_last] = cells(ray.start.x, ray.end.x);
-  const auto [y_first, y_last] = cells(ray.start.y, ray.end.y);
-  for (std::int32_t y = y_first; y <= y_last; ++y) {
-    for (std::int32_t x = x_first; x <= x_last; ++x) {
-      if (geometry::kGridArea.contains({x, y})) {
-        visit(Cell{x, y});
-      }
-    }
-  }
-}
-
-lidar::ScanPoint random_point(tests::Random& random, std::size_t layers, int longest_mm) {
-  return {
-      .range_mm = static_cast<std::uint32_t>(random.one_in(12)  ? 0
-                                             : random.one_in(4) ? random.between(500, 4'000)
-                                                                : random.between(1, longest_mm)),
-      .azimuth_ticks = static_cast<std::uint16_t>(random.one_in(6) ? random.between(0, 7) * 4500
-                                                                   : random.between(0, 35'999)),
-      .layer = static_cast<std::uint8_t>(random.below(layers))};
-}
 
 // One point after the other, each in a frame of its own.
 template <typename Car>
@@ -250,7 +42,7 @@ class AlonePoints {
 
   // All cells of the rectangle around the line, a border of one included, and no others.
   void expect_as_the_rule_says(const lidar::ScanPoint& point) {
-    const std::optional<Ray> ray = rule_.ray(point);
+    const std::optional<TurningRay> ray = rule_.ray(point);
     if (!ray) {
       return;
     }
@@ -279,7 +71,7 @@ class AlonePoints {
            std::to_string(point.azimuth_ticks) + ", layer " + std::to_string(point.layer);
   }
 
-  Rule rule_;
+  TurningRule rule_;
   std::unique_ptr<FrameFusion> fusion_ = std::make_unique<FrameFusion>(Car::kVehicle);
   std::array<int, vehicle::kFateCount> fates_{};
 };
@@ -314,8 +106,8 @@ TEST(Turning, EveryCellIsAsTheRuleSaysAtTheLimits) {
 // Where the car's own border lies is asked of what was measured, as the sensor's minimum is, and
 // not of how far along the line that is: steep layers would show it.
 TEST(Turning, TooNearIsJudgedByWhatIsMeasured) {
-  const Rule rule(LevelVlp16::kConfigs[0], LevelVlp16::kDescription,
-                  lidar::VelodyneVlp16::kElevationsDeg);
+  const TurningRule rule(LevelVlp16::kConfigs[0], LevelVlp16::kDescription,
+                         lidar::VelodyneVlp16::kElevationsDeg);
   const vehicle::Sensor& sensor = LevelVlp16::kVehicle.sensors[0];
   int on_border = 0;
   for (const std::uint16_t tick : std::to_array<std::uint16_t>({0, 4'507, 9'001, 18'000, 27'013})) {
@@ -323,7 +115,7 @@ TEST(Turning, TooNearIsJudgedByWhatIsMeasured) {
       const lidar::ScanPoint point{.range_mm = range_mm, .azimuth_ticks = tick, .layer = 0};
       const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
       const Fate fate = vehicle::classify(sensor, beam, point).fate;
-      const std::optional<Ray> ray = rule.ray(point);
+      const std::optional<TurningRay> ray = rule.ray(point);
       ASSERT_TRUE(ray);
       ASSERT_EQ(fate, rule.fate(*ray, point)) << tick << ", " << range_mm;
       on_border += fate == Fate::kTooNear && range_mm >= sensor.range_min_mm ? 1 : 0;
