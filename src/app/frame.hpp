@@ -65,6 +65,11 @@ class Frame {
   // Whether a packet has been counted in since the frame before.
   [[nodiscard]] bool is_begun() const { return intake_.packets_accepted() > 0; }
 
+  // How many ticks of its turn a sensor has swept in it.
+  [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
+    return intake_.swept_ticks(sensor);
+  }
+
   // Whether every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const { return intake_.is_complete(); }
 

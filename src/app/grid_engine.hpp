@@ -23,7 +23,7 @@ namespace iog::app {
 // divided it.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
-// Holds 15 MB: belongs into static memory.
+// Holds 17 MB: belongs into static memory.
 class GridEngine {
  public:
   using Outcome = Frame::Outcome;
@@ -63,6 +63,7 @@ class GridEngine {
     } else {
       fusion_.own().finish();
     }
+    fusion_.end_frame(frame_);
     lap(&stream::StageTicks::mark);
   }
   // What the frame says of itself.

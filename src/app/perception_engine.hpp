@@ -83,6 +83,7 @@ class PerceptionEngine {
     } else {
       fuse_together(crew, lap);
     }
+    fusion_.end_frame(frame_);
     lay_map();
     counts_ = window_.finish(clock_.stamp_us(), crew);
     contradiction_.add(counts_.standing);

@@ -4,6 +4,14 @@
 
 namespace iog::app {
 
+SharedFusion::SharedFusion(const vehicle::Vehicle& vehicle, HelpersSpace space)
+    : own_(vehicle), grounds_(vehicle), vehicle_(&vehicle), space_(space) {
+  own_.follow(grounds_);
+  for (grid::FrameFusion& fusion : space_.fusions) {
+    fusion.follow(grounds_);
+  }
+}
+
 void SharedFusion::deal(FramePackets& packets, std::size_t groups, std::size_t parts) {
   packets_ = &packets;
   parts_.deal(packets.packets(), groups, parts);
@@ -64,6 +72,39 @@ void SharedFusion::join_row(std::size_t row, bool is_first) {
         joined_.add(tile, part.tiles.tile(tile));
       }
     }
+  }
+}
+
+void SharedFusion::end_frame(const Frame& frame) {
+  using LowsAre = ground::Grounds::LowsAre;
+  for (std::size_t sensor = 0; sensor < vehicle_->sensors.size(); ++sensor) {
+    const std::optional<std::size_t> place = grounds_.place_of(sensor);
+    if (!place) {
+      continue;
+    }
+    const LowsAre lows = grounds_.end_frame(sensor, frame.swept_ticks(sensor));
+    if (lows == LowsAre::kOfTurn) {
+      join_lows(*place);
+      grounds_.close_turn(sensor, own_.lows(*place));
+    }
+    if (lows != LowsAre::kKept) {
+      clear_lows(*place);
+    }
+  }
+}
+
+// A core that was lost has lows of packets that were fused, and perhaps of one that was fused
+// again: minima do not mind.
+void SharedFusion::join_lows(std::size_t place) {
+  for (grid::FrameFusion& fusion : space_.fusions) {
+    own_.lows(place).join(fusion.lows(place));
+  }
+}
+
+void SharedFusion::clear_lows(std::size_t place) {
+  own_.lows(place).clear();
+  for (grid::FrameFusion& fusion : space_.fusions) {
+    fusion.lows(place).clear();
   }
 }
 

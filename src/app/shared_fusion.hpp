@@ -21,6 +21,7 @@
 #include "grid/frame_fusion.hpp"
 #include "grid/frame_tiles.hpp"
 #include "grid/joined_grid.hpp"
+#include "ground/ground.hpp"
 #include "hal/cores.hpp"
 #include "vehicle/vehicle.hpp"
 #include "work/crew.hpp"
@@ -65,8 +66,9 @@ class HelpersMemory {
 class SharedFusion {
  public:
   // vehicle and space outlive it. Without space core 0 has to be alone.
-  SharedFusion(const vehicle::Vehicle& vehicle, HelpersSpace space)
-      : own_(vehicle), vehicle_(&vehicle), space_(space) {}
+  SharedFusion(const vehicle::Vehicle& vehicle, HelpersSpace space);
+  SharedFusion(const SharedFusion&) = delete;
+  SharedFusion& operator=(const SharedFusion&) = delete;
 
   // Core 0's own fusion. It is clear whenever the crew fuses.
   [[nodiscard]] grid::FrameFusion& own() { return own_; }
@@ -87,6 +89,9 @@ class SharedFusion {
   // Adds the parts that wait to the frame's grid.
   void join(const work::Crew& crew);
 
+  // All of the frame's packets were fused: the ground is renewed of sensors whose turn is over.
+  void end_frame(const Frame& frame);
+
   // The frame's grid, of what was joined. Whoever releases it begins another frame.
   [[nodiscard]] grid::JoinedGrid& joined() { return joined_; }
   template <typename Visit>
@@ -98,10 +103,13 @@ class SharedFusion {
  private:
   void fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused) const;
   void join_row(std::size_t row, bool is_first);
+  void join_lows(std::size_t place);
+  void clear_lows(std::size_t place);
 
   // What is aligned to a cache line comes first.
   grid::FrameFusion own_;
   grid::JoinedGrid joined_;
+  ground::Grounds grounds_;  // that all cores' fusions follow
   const vehicle::Vehicle* vehicle_;
   HelpersSpace space_;
   FramePackets* packets_ = nullptr;

@@ -59,6 +59,9 @@ class Intake {
 
   // Of the frame.
   [[nodiscard]] SensorReport report_of(std::size_t sensor) const;
+  [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
+    return trackers_[sensor].swept_ticks();
+  }
   [[nodiscard]] std::uint32_t packets_accepted() const { return packets_accepted_; }
   [[nodiscard]] std::uint32_t points_dropped(vehicle::Fate fate) const {
     return points_dropped_[static_cast<std::size_t>(fate)];

@@ -49,6 +49,8 @@ class ScanTracker {
   [[nodiscard]] bool is_complete() const {
     return packets_ > 0 && swept_.count() >= scan_width_ticks_;
   }
+  // How many ticks of its turn it has swept in this frame.
+  [[nodiscard]] std::uint32_t swept_ticks() const { return swept_.count(); }
   [[nodiscard]] std::uint16_t packets() const { return packets_; }  // in this frame
   [[nodiscard]] std::uint32_t points() const { return points_; }    // in those packets
   [[nodiscard]] std::uint32_t scan_number() const { return scan_number_; }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
+#include "fakes/ground_car.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/velodyne_packet.hpp"
@@ -117,6 +118,16 @@ const Played& three_turns_alone() {
   return alone;
 }
 
+// The same unit follows the ground: its second and third turn are judged by what was seen before.
+const vehicle::Vehicle& ground_vlp16() {
+  static const tests::GroundCar car(LevelVlp16::kVehicle);
+  return car.vehicle();
+}
+const Played& ground_alone() {
+  static const Played alone = play(ground_vlp16(), three_turns(), 1);
+  return alone;
+}
+
 class FuseDenseBy : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(FuseDenseBy, CoresGivesTheMessagesOfOne) {
@@ -127,6 +138,36 @@ TEST_P(FuseDenseBy, CoresGivesTheMessagesOfOne) {
   EXPECT_GT(alone.messages.size(), 30U);
   EXPECT_TRUE(together.messages == alone.messages);
   EXPECT_GT(together.helped, 0U);
+}
+
+TEST_P(FuseDenseBy, CoresOverTheGroundGivesTheMessagesOfOne) {
+  const Played& alone = ground_alone();
+  const auto count = [&](std::size_t frame, vehicle::Fate fate) {
+    return alone.reports[frame].fates[static_cast<std::size_t>(fate)];
+  };
+  for (const vehicle::Fate fate :
+       {vehicle::Fate::kGround, vehicle::Fate::kOverhang, vehicle::Fate::kUnderGround}) {
+    EXPECT_GT(count(1, fate), 0U);
+    EXPECT_EQ(three_turns_alone().reports[1].fates[static_cast<std::size_t>(fate)], 0U);
+  }
+  EXPECT_EQ(count(1, vehicle::Fate::kOutsideHeightBand), 0U);
+  const Played together = play(ground_vlp16(), three_turns(), GetParam());
+  EXPECT_TRUE(together.messages == alone.messages);
+  EXPECT_GT(together.helped, 0U);
+}
+
+// Each packet comes in the place of another one of its turn.
+TEST_P(FuseDenseBy, CoresOverTheGroundDoesNotMindTheOrderOfPackets) {
+  constexpr std::size_t kPacketsOfTurn = 150;
+  std::vector<TimedDatagram> drive = three_turns();
+  tests::Random random(7);
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    const std::size_t turn = i / kPacketsOfTurn * kPacketsOfTurn;
+    const auto other = turn + random.below(static_cast<std::uint32_t>(kPacketsOfTurn));
+    std::swap(drive[i].bytes, drive[other].bytes);
+  }
+  EXPECT_TRUE(play(ground_vlp16(), drive, GetParam()).messages == ground_alone().messages);
+  EXPECT_TRUE(play(ground_vlp16(), drive, 1).messages == ground_alone().messages);
 }
 
 // 57,600 points of a turn, 6,144 a part: rounds of a part for each core while they come, one of
@@ -196,6 +237,14 @@ TEST_P(FuseDenseDespite, TheLossOfACoreGivesTheMessagesOfOne) {
   const Played hurt =
       play(LevelVlp16::kVehicle, three_turns(), 3, {.accident = accident, .round = round});
   EXPECT_TRUE(hurt.messages == three_turns_alone().messages);
+  EXPECT_NE(hurt.fate, work::Loss::kNone);
+}
+
+TEST_P(FuseDenseDespite, TheLossOfACoreOverTheGroundGivesTheMessagesOfOne) {
+  const auto [accident, round] = GetParam();
+  const Played hurt =
+      play(ground_vlp16(), three_turns(), 3, {.accident = accident, .round = round});
+  EXPECT_TRUE(hurt.messages == ground_alone().messages);
   EXPECT_NE(hurt.fate, work::Loss::kNone);
 }
 
