@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "fakes/ground_car.hpp"
 #include "perception_bench.hpp"
 #include "sharing_platform.hpp"
+#include "vlp16_turns.hpp"
 
 namespace iog::app {
 namespace {
@@ -141,6 +143,30 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Accident::kFaultBefore, Accident::kFaultAfter,
                                          Accident::kHangBefore, Accident::kHangAfter),
                        ::testing::Values(0, 1)));
+
+// Three turns of a VLP-16, in frames of a fifth of a turn; its ground is renewed with every fifth
+// or sixth of them.
+std::vector<Message> play_turns(const vehicle::Vehicle& like, std::size_t cores) {
+  constexpr std::uint64_t kBeginUs = 900'000;  // its packets come from 1 s on
+  const Car car(like, false, 5'000);
+  const auto bench = std::make_unique<Bench>(car.vehicle(), cores, kAnyTimeUs);
+  std::vector<TimedDatagram> drive = testing::turns_of_vlp16(100, 3, false, 25'000);
+  std::ranges::move(testing::poses(kBeginUs, 1'700'000), std::back_inserter(drive));
+  std::ranges::stable_sort(drive, {}, &TimedDatagram::now_us);
+  bench->take(drive);
+  EXPECT_EQ(bench->platform.items_of_helpers() > 0, cores > 1);
+  return bench->platform.messages;
+}
+
+TEST(FuseOverGround, CoresGiveTheMessagesOfOne) {
+  const tests::GroundCar car(tests::LevelVlp16::kVehicle);
+  const std::vector<Message> alone = play_turns(car.vehicle(), 1);
+  EXPECT_GT(alone.size(), 100U);
+  EXPECT_FALSE(alone == play_turns(tests::LevelVlp16::kVehicle, 1));
+  for (const std::size_t cores : {2U, 3U, 4U}) {
+    EXPECT_TRUE(play_turns(car.vehicle(), cores) == alone) << cores;
+  }
+}
 
 }  // namespace
 }  // namespace iog::app

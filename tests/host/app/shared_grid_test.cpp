@@ -9,29 +9,24 @@
 #include "fakes/ground_car.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "fakes/velodyne_packet.hpp"
 #include "sharing_platform.hpp"
+#include "vlp16_turns.hpp"
 
 namespace iog::app {
 namespace {
 
 using testing::Accident;
 using testing::kAnyTimeUs;
+using testing::kReplayer;
 using testing::kShortlyUs;
 using testing::SharingPlatform;
+using testing::TimedDatagram;
+using testing::turns_of_vlp16;
 using tests::LevelVlp16;
 using tests::MixedCar;
-using tests::VelodynePacket;
 using Message = SharingPlatform::Message;
 
-constexpr std::uint32_t kReplayer = 0x0A000202;
 constexpr std::uint64_t kTurnUs = 200'000;
-
-struct TimedDatagram {
-  std::uint64_t now_us = 0;
-  std::uint16_t port = 0;
-  std::vector<std::byte> bytes;
-};
 
 // What a frame said of itself, beside its messages.
 struct Reports {
@@ -40,33 +35,6 @@ struct Reports {
   void end_frame() {}
   std::vector<FrameReport> all;
 };
-
-// Turns of a VLP-16 at 5 Hz (User Manual 63-9243): an azimuth in 110.592 us and 0.2 degrees on.
-// With two returns a packet has six of them, with one twelve. Walls are everywhere, at any range up
-// to so many units of 2 mm; every fifth shot comes back from nowhere.
-std::vector<TimedDatagram> turns_of_vlp16(std::uint16_t port, int turns, bool is_dual, int range) {
-  constexpr int kStep = 20;
-  const int azimuths = is_dual ? 6 : 12;
-  tests::Random random(port);
-  std::vector<TimedDatagram> drive;
-  for (int packet = 0; packet < turns * 36'000 / (azimuths * kStep); ++packet) {
-    const int us = static_cast<int>(packet * azimuths * 110.592);
-    VelodynePacket sent{.first_azimuth = packet * azimuths * kStep % 36'000,
-                        .step = kStep,
-                        .mode = is_dual ? 0x39 : 0x37,
-                        .time_us = static_cast<std::uint32_t>(us)};
-    for (auto& block : sent.ranges) {
-      for (int& unit : block) {
-        unit =
-            random.one_in(5)
-                ? 0
-                : 1'500 + static_cast<int>(random.below(static_cast<std::uint32_t>(range - 1'500)));
-      }
-    }
-    drive.push_back({1'000'000 + static_cast<std::uint64_t>(us), port, sent.bytes()});
-  }
-  return drive;
-}
 
 // One unit, three turns: six parts each for four cores, and what is left.
 std::vector<TimedDatagram> three_turns() { return turns_of_vlp16(100, 3, false, 25'000); }
