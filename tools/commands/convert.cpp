@@ -1,23 +1,30 @@
-// iog convert: recordings of raw messages, one file for each sensor, as one capture.
+// iog convert: recordings that are no capture as one: raw messages, one file for each sensor, or
+// the point clouds of a data set.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/clouds/cloud_conversion.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/lux/raw_recording.hpp"
+#include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/progress.hpp"
 
 namespace iog::tools {
 namespace {
 
 struct ConvertOptions {
   std::vector<std::string> raw;
+  std::string kitti;
+  std::vector<double> mount_m{0, 0};
   std::string vehicle = kDefaultVehicle;
   std::string out;
 };
@@ -49,7 +56,70 @@ Input input_of(const std::string& text, const CatalogueEntry& car) {
   return {text.substr(0, colon), sensor};
 }
 
-void convert(const ConvertOptions& options) {
+// FOLDER:SENSOR, or FOLDER of a car with one Velodyne.
+Input cloud_input_of(const std::string& text, const CatalogueEntry& car) {
+  const auto is_velodyne = [](const description::SensorConfig& sensor) {
+    return velodyne_unit_of(sensor.format) != nullptr;
+  };
+  const std::size_t colon = text.rfind(':');
+  if (colon != std::string::npos) {
+    const std::size_t sensor = sensor_of_name(car, text.substr(colon + 1));
+    if (sensor < car.sensors.size() && is_velodyne(car.sensors[sensor])) {
+      return {text.substr(0, colon), sensor};
+    }
+  } else if (std::ranges::count_if(car.sensors, is_velodyne) == 1) {
+    const auto only = std::ranges::find_if(car.sensors, is_velodyne);
+    return {text, static_cast<std::size_t>(only - car.sensors.begin())};
+  }
+  throw UsageError("--kitti " + text + ": give FOLDER:SENSOR with a Velodyne of " +
+                   std::string(car.vehicle->name) + ", whose sensors are " + names_of(car));
+}
+
+// "; not sent: 3 that are no number, ..."
+std::string words_of(const PointFates& fates) {
+  std::vector<std::string> words;
+  remark(fates.not_finite, "that are no number", words);
+  remark(fates.no_laser, "where no laser looks", words);
+  remark(fates.out_of_range, "out of range", words);
+  remark(fates.taken, "beside others of one firing", words);
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "; not sent: " : ", ") + word;
+  }
+  return text;
+}
+
+void convert_clouds(const ConvertOptions& options) {
+  const CatalogueEntry& car = find_vehicle(options.vehicle);
+  const Input input = cloud_input_of(options.kitti, car);
+  CloudConversion conversion(input.path, car, input.sensor, options.mount_m[0], options.mount_m[1]);
+  Progress progress("clouds", conversion.set().clouds.size());
+  std::optional<PcapWriter> capture;  // not before the first cloud is known to be one
+  std::uint64_t datagrams = 0;
+  for (std::vector<CapturedDatagram> next; !(next = conversion.next()).empty();) {
+    if (!capture) {
+      capture.emplace(options.out);
+    }
+    std::ranges::for_each(next, [&](const auto& datagram) { capture->write(datagram); });
+    datagrams += next.size();
+    progress.show(conversion.clouds_read());
+  }
+  capture->finish();
+  const CloudSet& set = conversion.set();
+  for (const std::string& remark : set.remarks) {
+    std::cout << input.path << ": " << remark << '\n';
+  }
+  std::cout << input.path << ": " << conversion.clouds_read() << " clouds, "
+            << (set.is_corrected ? "corrected for the car's motion, which is taken back"
+                                 : "each point as the unit saw it")
+            << '\n'
+            << conversion.fates().sent << " of " << conversion.fates().seen() << " points sent by "
+            << car.sensors[input.sensor].name << words_of(conversion.fates()) << '\n'
+            << datagrams - conversion.poses() << " packets and " << conversion.poses()
+            << " poses in " << options.out << '\n';
+}
+
+void convert_messages(const ConvertOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   std::vector<CapturedDatagram> datagrams;
   for (const std::string& text : options.raw) {
@@ -75,14 +145,26 @@ void convert(const ConvertOptions& options) {
 
 void add_convert(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "convert", "Make a capture of raw messages that were recorded sensor by sensor");
+      "convert", "Make a capture of raw messages, or of a data set's point clouds and poses");
   const auto options = std::make_shared<ConvertOptions>();
+  auto* const raw = command
+                        ->add_option("--raw", options->raw,
+                                     "A recording and its sensor, by name or number; once for each")
+                        ->option_text("FILE:SENSOR")
+                        ->take_all();
+  auto* const kitti =
+      command
+          ->add_option(
+              "--kitti", options->kitti,
+              "Or a folder of KITTI's raw or odometry data, as the car's Velodyne sends it")
+          ->option_text("FOLDER[:SENSOR]")
+          ->excludes(raw);
   command
-      ->add_option("--raw", options->raw,
-                   "A recording and its sensor, by name or number; once for each")
-      ->option_text("FILE:SENSOR  (required)")
-      ->required()
-      ->take_all();
+      ->add_option("--mount", options->mount_m,
+                   "Where in the vehicle frame the receiver of the raw data's poses is")
+      ->option_text("X Y  (metres, default 0 0)")
+      ->expected(2)
+      ->needs(kitti);
   add_vehicle_options(*command, options->vehicle);
   command->add_option("--out", options->out, "The capture to write (.pcap)")
       ->option_text("FILE  (required)")
@@ -91,8 +173,21 @@ void add_convert(CLI::App& program) {
       "A recording is, back to back, ibeo 0x2202 messages of a LUX or Velodyne payloads of 1206 "
       "bytes.\n"
       "Packets are put in order of the sensors' own times. A LUX message that is longer than a\n"
-      "datagram of 1400 bytes becomes several of the same scan number, each with its own sector.");
-  command->callback([options] { convert(*options); });
+      "datagram of 1400 bytes becomes several of the same scan number, each with its own sector.\n"
+      "A folder of KITTI has velodyne_points and oxts (raw data), or velodyne, times.txt, "
+      "poses.txt "
+      "and\n"
+      "calib.txt (odometry, SemanticKITTI). Each point goes to the laser that looks there by the "
+      "car's\n"
+      "table, and to its nearest firing; poses are sent 100 times a second. docs/recordings.md "
+      "says "
+      "more.");
+  command->callback([options] {
+    if (options->raw.empty() == options->kitti.empty()) {
+      throw UsageError("give either --raw FILE:SENSOR or --kitti FOLDER");
+    }
+    options->kitti.empty() ? convert_messages(*options) : convert_clouds(*options);
+  });
 }
 
 }  // namespace iog::tools

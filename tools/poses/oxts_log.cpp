@@ -19,32 +19,6 @@ constexpr std::size_t kForward = 8;         // m/s
 constexpr std::size_t kTurnUp = 22;         // rad/s about the axis that points up
 constexpr std::size_t kSpeedAccuracy = 24;  // m/s
 
-// "2011-09-26 13:02:25.964389445"
-std::optional<std::uint64_t> time_in(std::string_view text) {
-  const std::vector<std::string_view> halves = parts_of(trimmed(text), ' ');
-  if (halves.size() != 2) {
-    return std::nullopt;
-  }
-  const std::vector<std::string_view> date = parts_of(halves[0], '-');
-  const std::vector<std::string_view> clock = parts_of(halves[1], ':');
-  if (date.size() != 3 || clock.size() != 3) {
-    return std::nullopt;
-  }
-  const auto year = whole_number_in(date[0]);
-  const auto month = whole_number_in(date[1]);
-  const auto day = whole_number_in(date[2]);
-  const auto hour = whole_number_in(clock[0]);
-  const auto minute = whole_number_in(clock[1]);
-  const auto second_us = microseconds_in(clock[2]);
-  if (!year || !month || !day || !hour || !minute || !second_us || *hour > 23 || *minute > 59 ||
-      *second_us > 61'000'000) {
-    return std::nullopt;
-  }
-  return unix_us_of(
-      *year, *month, *day,
-      (std::uint64_t{*hour} * 3600 + std::uint64_t{*minute} * 60U) * 1'000'000 + *second_us);
-}
-
 std::array<double, kFields> fields_in(const std::string& path) {
   const std::vector<std::string> lines = read_lines(path);
   std::array<double, kFields> fields{};
@@ -68,13 +42,6 @@ std::array<double, kFields> fields_in(const std::string& path) {
   return fields;
 }
 
-std::string data_file(const std::string& folder, std::size_t number) {
-  constexpr std::size_t kDigits = 10;
-  const std::string digits = std::to_string(number);
-  return folder + "/data/" + std::string(kDigits - std::min(kDigits, digits.size()), '0') + digits +
-         ".txt";
-}
-
 }  // namespace
 
 PoseLog read_oxts_log(const std::string& folder) {
@@ -86,12 +53,12 @@ PoseLog read_oxts_log(const std::string& folder) {
     if (trimmed(lines[i]).empty()) {
       continue;
     }
-    const std::optional<std::uint64_t> time_us = time_in(lines[i]);
+    const std::optional<std::uint64_t> time_us = date_time_in(lines[i]);
     if (!time_us) {
       throw UsageError(times + ":" + std::to_string(i + 1) + ": '" + lines[i] +
                        "' is no time as in 2011-09-26 13:02:25.964389445");
     }
-    const std::string path = data_file(folder, i);
+    const std::string path = folder + "/data/" + zero_padded(i, 10) + ".txt";
     if (!std::filesystem::exists(path)) {
       ++missing;  // KITTI has such drives
       continue;

@@ -85,4 +85,34 @@ std::optional<std::uint64_t> unix_us_of(std::uint32_t year, std::uint32_t month,
   return static_cast<std::uint64_t>(days) * kDayUs + time_us;
 }
 
+std::optional<std::uint64_t> date_time_in(std::string_view text) {
+  const std::vector<std::string_view> halves = parts_of(trimmed(text), ' ');
+  if (halves.size() != 2) {
+    return std::nullopt;
+  }
+  const std::vector<std::string_view> date = parts_of(halves[0], '-');
+  const std::vector<std::string_view> clock = parts_of(halves[1], ':');
+  if (date.size() != 3 || clock.size() != 3) {
+    return std::nullopt;
+  }
+  const auto year = whole_number_in(date[0]);
+  const auto month = whole_number_in(date[1]);
+  const auto day = whole_number_in(date[2]);
+  const auto hour = whole_number_in(clock[0]);
+  const auto minute = whole_number_in(clock[1]);
+  const auto second_us = microseconds_in(clock[2]);
+  if (!year || !month || !day || !hour || !minute || !second_us || *hour > 23 || *minute > 59 ||
+      *second_us > 61'000'000) {
+    return std::nullopt;
+  }
+  return unix_us_of(
+      *year, *month, *day,
+      (std::uint64_t{*hour} * 3600 + std::uint64_t{*minute} * 60U) * 1'000'000 + *second_us);
+}
+
+std::string zero_padded(std::size_t number, std::size_t digits) {
+  const std::string text = std::to_string(number);
+  return std::string(digits - std::min(digits, text.size()), '0') + text;
+}
+
 }  // namespace iog::tools

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,5 +30,11 @@ namespace iog::tools {
 // Microseconds since 1970 of a day and a time of it (UTC, no leap seconds). Empty: no such day.
 [[nodiscard]] std::optional<std::uint64_t> unix_us_of(std::uint32_t year, std::uint32_t month,
                                                       std::uint32_t day, std::uint64_t time_us);
+
+// As KITTI writes it: "2011-09-26 13:02:25.964389445"; what is beyond microseconds is cut off.
+[[nodiscard]] std::optional<std::uint64_t> date_time_in(std::string_view text);
+
+// "0000000123": at least so many digits.
+[[nodiscard]] std::string zero_padded(std::size_t number, std::size_t digits);
 
 }  // namespace iog::tools

@@ -1,0 +1,122 @@
+#include "tools/clouds/cloud_conversion.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "tools/poses/pose_log.hpp"
+#include "tools/program/exit_status.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint64_t kPosePeriodUs = 10'000;
+
+}  // namespace
+
+CloudConversion::CloudConversion(const std::string& folder, const CatalogueEntry& car,
+                                 std::size_t sensor, double mount_x_m, double mount_y_m)
+    : car_(&car),
+      sensor_(&car.sensors[sensor]),
+      set_(read_cloud_set(folder)),
+      head_(set_.forward, set_.times),
+      track_(set_.poses),
+      packets_(*sensor_, head_) {
+  make_samples(mount_x_m, mount_y_m);
+  if (set_.is_corrected && track_.is_empty()) {
+    set_.remarks.emplace_back(
+        "no way back to where points were seen: each cloud is as of one time");
+  }
+  set_.remarks.insert(set_.remarks.end(), set_.poses.remarks.begin(), set_.poses.remarks.end());
+}
+
+// Poses of the unit become poses of the car by its mount.
+void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
+  if (track_.is_empty()) {
+    return;
+  }
+  PoseLog even;
+  even.poses = track_.every(kPosePeriodUs);
+  PoseConversion conversion{.mount_x_m = mount_x_m, .mount_y_m = mount_y_m};
+  if (set_.has_poses_of_unit) {
+    conversion.mount_x_m = sensor_->mount.x_m;
+    conversion.mount_y_m = sensor_->mount.y_m;
+    for (LoggedPose& pose : even.poses) {
+      *pose.heading_rad -= sensor_->mount.yaw_deg * kRadians;
+    }
+  }
+  samples_ = converted(std::move(even), conversion).samples;
+}
+
+// A point of a corrected cloud stood still while the unit moved on, or had not come so far. Only
+// motion in the plane is taken back: it is what a target knows of.
+CloudPoint CloudConversion::place_at(const CloudPoint& point, double time_us) const {
+  if (!set_.is_corrected || track_.is_empty()) {
+    return point;
+  }
+  const LoggedPose then = track_.at(time_us);
+  const double turned = *then.heading_rad - *forward_.heading_rad;
+  const double x_m = then.x_m - forward_.x_m;
+  const double y_m = then.y_m - forward_.y_m;
+  // The way, in the frame that the cloud is in.
+  const double cos_forward = std::cos(*forward_.heading_rad);
+  const double sin_forward = std::sin(*forward_.heading_rad);
+  const double x = point.x - (x_m * cos_forward + y_m * sin_forward);
+  const double y = point.y - (y_m * cos_forward - x_m * sin_forward);
+  const double cos = std::cos(turned);
+  const double sin = std::sin(turned);
+  return {x * cos + y * sin, y * cos - x * sin, point.z};
+}
+
+std::vector<CapturedDatagram> CloudConversion::next() {
+  for (; next_cloud_ < set_.clouds.size(); ++next_cloud_) {
+    if (set_.clouds[next_cloud_].empty()) {
+      continue;
+    }
+    const ForwardTime& its = set_.forward[next_cloud_];
+    if (!track_.is_empty()) {
+      forward_ = track_.at(static_cast<double>(its.time_us));
+    }
+    std::vector<CapturedDatagram> packets = packets_.add(
+        its.turn, read_cloud(set_.clouds[next_cloud_]),
+        [this](const CloudPoint& point, double time_us) { return place_at(point, time_us); });
+    ++clouds_read_;
+    const std::uint64_t finite = fates().seen() - fates().not_finite;
+    if (2 * packets_.sure() < finite) {
+      throw UsageError(set_.clouds[next_cloud_] + ": only " + std::to_string(packets_.sure()) +
+                       " of " + std::to_string(finite) + " points are where the lasers of " +
+                       std::string(sensor_->name) + " look: the car's table is of another unit");
+    }
+    if (!packets.empty()) {
+      ++next_cloud_;
+      return with_poses(std::move(packets));
+    }
+  }
+  if (std::exchange(is_over_, true)) {
+    return {};
+  }
+  std::vector<CapturedDatagram> rest = with_poses(packets_.finish());
+  add_poses_until(std::numeric_limits<std::uint64_t>::max(), rest);
+  return rest;
+}
+
+void CloudConversion::add_poses_until(std::uint64_t time_us,
+                                      std::vector<CapturedDatagram>& datagrams) {
+  for (; next_sample_ < samples_.size() && samples_[next_sample_].time_us <= time_us;
+       ++next_sample_) {
+    datagrams.push_back(encoder_.datagram_of(samples_[next_sample_]));
+    datagrams.back().destination.port = car_->vehicle->poses.udp_port;
+  }
+}
+
+std::vector<CapturedDatagram> CloudConversion::with_poses(std::vector<CapturedDatagram> packets) {
+  std::vector<CapturedDatagram> datagrams;
+  for (CapturedDatagram& packet : packets) {
+    add_poses_until(packet.time_us, datagrams);
+    datagrams.push_back(std::move(packet));
+  }
+  return datagrams;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,52 @@
+#include "tools/clouds/point_cloud.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::size_t kPointBytes = 16;
+
+double float_at(std::span<const std::byte, 4> bytes) {
+  return static_cast<double>(std::bit_cast<float>(wire::load_le32(bytes)));
+}
+
+}  // namespace
+
+PointCloud read_cloud(const std::string& path) {
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown && size > kMostCloudPoints * kPointBytes) {
+    throw UsageError(path + ": " + std::to_string(size / kPointBytes) +
+                     " points; no unit sees more than " + std::to_string(kMostCloudPoints) +
+                     " in a turn");
+  }
+  const std::vector<std::byte> bytes = read_file(path);
+  if (bytes.size() % kPointBytes != 0) {
+    throw UsageError(path + ": " + std::to_string(bytes.size()) +
+                     " bytes are no number of points of 16 bytes");
+  }
+  PointCloud cloud;
+  cloud.points.reserve(bytes.size() / kPointBytes);
+  for (auto rest = std::span<const std::byte>(bytes); !rest.empty();
+       rest = rest.subspan(kPointBytes)) {
+    const CloudPoint point{float_at(rest.subspan<0, 4>()), float_at(rest.subspan<4, 4>()),
+                           float_at(rest.subspan<8, 4>())};
+    if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) {
+      cloud.points.push_back(point);
+    } else {
+      ++cloud.not_finite;
+    }
+  }
+  return cloud;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,28 @@
+// A point cloud as KITTI keeps it: float32 x, y, z and reflectance of each point, little endian, in
+// metres in the frame of the unit, back to back.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace iog::tools {
+
+struct CloudPoint {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+
+struct PointCloud {
+  std::vector<CloudPoint> points;
+  std::size_t not_finite = 0;  // left out: a coordinate is no number
+};
+
+// More than any unit sees in a turn.
+inline constexpr std::size_t kMostCloudPoints = 1'000'000;
+
+// UsageError if the file cannot be read, is no multiple of 16 bytes, or has more points than that.
+[[nodiscard]] PointCloud read_cloud(const std::string& path);
+
+}  // namespace iog::tools
