@@ -81,6 +81,12 @@ def peers(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
     run("lab/peers/run", "--out", folder)
 
 
+def recorded(folder: pathlib.Path, _parts, drive: typing.Sequence[str]) -> None:
+    """drive: a folder of KITTI's raw data, and the file of its car."""
+    build("host", "iog", "class_frames")
+    run("lab/recorded/measure.py", "--drive", drive[0], "--car", drive[1], "--out", folder)
+
+
 @dataclasses.dataclass(frozen=True)
 class Kind:
     """A program that measures, all of its parts at once."""
@@ -96,7 +102,10 @@ KINDS = {
     "target": Kind("Counting and modelling on the Cortex-A9", target),
     "images": Kind("Weighing the firmware", images),
     "a9_model": Kind("Asking the cost model what others know", a9_model),
+    "recorded": Kind("Fusing a recorded drive", recorded),
 }
+# What nobody can measure again and compare: it needs a quiet PC, or data that is not part of this project.
+ON_REQUEST = ("peers", "recorded")
 
 # What starts images, and how they and the drives that they are shown are made and run.
 _IMAGES = ("tests/target/start.S", "tests/programmer_error.cpp", "lab/a9_model", "lab/target/measure_a9",
@@ -128,6 +137,7 @@ STEPS = {
     "target/turning": (*_IMAGES, *_programs("frame_cost.cpp", "turning_cost.cpp", "a9_turning.py")),
     "images": (*_all_in("board/imx6"), "vehicles", "linker", "qemu", "lab/target/images"),
     "a9_model": ("lab/a9_model", "lab/a9_model/micro", "tests/target/start.S"),
+    "recorded": ("lab/recorded", "tools/clouds"),
 }
 EXPERIMENTS = tuple(step for step in STEPS if step.startswith("experiments/"))
 TARGET = tuple(step for step in STEPS if step.startswith("target/"))
@@ -148,6 +158,7 @@ PAGES = {
     "results/stream": ("experiments/stream", "target/frames"),
     "results/many_core": ("experiments/many_core", "target/frames"),
     "results/four_cores": ("target/perception", "a9_model"),
+    "results/recorded": ("recorded",),
     "evidential": ("experiments/evidential", "target/perception"),
     "figures": ("target/frames", "images"),
     "a9_model": ("a9_model",),
@@ -215,18 +226,16 @@ def write_stamps(steps: typing.Iterable[str]) -> None:
 
 
 def stale_steps() -> list[str]:
-    """Those of which lab/data is not of these sources. Times of other libraries are not among them:
-    nobody can measure them again and compare."""
-    kept = stamps()
-    return [step for step in STEPS if step != "peers" and kept.get(step) != digest_of(step)]
+    """Those of which lab/data is not of these sources, but for those on request."""
+    return [step for step in STEPS if step not in ON_REQUEST and not is_current(step)]
 
 
 def has_edited_tables() -> bool:
     return stamps().get("tables") != tables()
 
 
-def are_peers_current() -> bool:
-    return stamps().get("peers") == digest_of("peers")
+def is_current(step: str) -> bool:
+    return stamps().get(step) == digest_of(step)
 
 
 def complain(program: str, text: str, status: int) -> typing.NoReturn:

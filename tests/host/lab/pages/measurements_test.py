@@ -113,11 +113,11 @@ class Stamp(Tree):
 
     def test_times_beside_other_libraries_are_never_measured_again_but_refused(self):
         measurements.write_stamps(["one/x", "two"])
-        self.assertFalse(measurements.are_peers_current())
+        self.assertFalse(measurements.is_current("peers"))
         measurements.write_stamps(["peers"])
-        self.assertTrue(measurements.are_peers_current())
+        self.assertTrue(measurements.is_current("peers"))
         self.write("src/b/b.hpp", "// other")
-        self.assertFalse(measurements.are_peers_current())
+        self.assertFalse(measurements.is_current("peers"))
         self.assertEqual(measurements.stale_steps(), ["two"])
 
     def test_what_was_measured_of_one_part_of_the_target_leaves_the_others(self):

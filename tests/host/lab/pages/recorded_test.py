@@ -1,0 +1,96 @@
+"""The page of a recorded drive says what its tables say, whatever settings and things they have; and the
+measurement is done only when it is asked for."""
+
+import contextlib
+import io
+import sys
+import unittest
+from unittest import mock
+
+import laboratory
+import measurements
+from measurements_test import script
+from section import Data
+from results import recorded
+
+HITS = ("setting,kind,range_from_m,range_to_m,named_by_neighbour,unknown_hits,free_hits,moving_hits,standing_hits,"
+        "open_hits\n")
+AREAS = "setting,within_m,free_m2,moving_m2,standing_m2,open_m2\n"
+RUNS = "setting,drive,metres,pitch_deg,mount_z_m,band_low_m,band_high_m,clouds,frames,packets_placed,packets_not_placed,points_used,slices_placed\n"
+
+
+def tables(hits, settings):
+    return laboratory.Tables(
+        recorded_hits=HITS + "".join(hits),
+        recorded_areas=AREAS + "".join(f"{name},40,{free},1,2,3\n" for name, free in settings.items()),
+        recorded_runs=RUNS + "".join(f"{name},street,107,0.81,1.75,0.3,2.2,108,278,38441,238,3833209,1653\n" for name in settings))
+
+
+class Page(unittest.TestCase):
+    def section(self, hits, settings):
+        with tables(hits, settings) as folder:
+            return recorded.section(Data(folder))
+
+    def test_shares_are_of_the_hits_of_a_setting(self):
+        found = self.section(["flat,parked car,0,25,1,0,0,38,50,12\n", "flat,parked car,0,25,0,5,5,28,50,12\n",
+                              "moved,parked car,0,25,1,0,0,1,999,0\n", "moved,parked car,0,25,0,0,10,1,989,0\n"],
+                             {"flat": 2664, "moved": 2621})
+        self.assertEqual([row[2:] for row in found.found["rows"]], [
+            ["flat", "100", "38.00", "12.00", "50.00", "0.00", "0.00", "28.00", "5.00"],
+            ["moved", "1,000", "0.10", "0.00", "99.90", "0.00", "0.00", "0.10", "1.00"]])
+        goals = {goal.what.removeprefix("recorded drive: "): (goal.found, goal.is_met) for goal in found.goals}
+        self.assertEqual(goals, {
+            "parked cars below 25 m: called moving": ("0.10 %", True),
+            "labelled and upright things, by a neighbour's name where there is one: called free": ("0.00 %", True),
+            "labelled and upright things: called free": ("1.00 %", True), "free area within 40 m": ("2,621 m²", False)})
+
+    def test_a_goal_is_missed_on_its_own_side(self):
+        row = "flat,{},0,25,1,0,0,{},{},0\n".format
+        for kind, moving, met in (("parked car", 2, True), ("parked car", 3, False), ("cyclist", 970, True),
+                                  ("cyclist", 969, False), ("moving car", 990, True), ("moving car", 989, False)):
+            found = self.section([row(kind, moving, 1000 - moving)], {"flat": 2664})
+            self.assertEqual(found.goals[0].is_met, met, (kind, moving))
+
+    def test_of_things_that_the_drive_has_not_nothing_is_said(self):
+        found = self.section(["flat,road ahead,0,20,1,0,10,0,0,0\n"], {"flat": 2664})
+        self.assertEqual([row[0] for row in found.found["rows"]], ["road ahead"])
+        self.assertEqual(len(found.goals), 2)  # and the area
+
+
+class Run(unittest.TestCase):
+    def said(self, *words):
+        """What lab/run says, and its status; nothing is measured."""
+        program = script("lab/run")
+        out, error = io.StringIO(), io.StringIO()
+        with mock.patch.object(sys, "argv", ["lab/run", *words]), contextlib.redirect_stdout(out), \
+                contextlib.redirect_stderr(error), mock.patch.object(measurements, "run"), \
+                mock.patch.object(measurements, "measure", side_effect=AssertionError):
+            try:
+                program.main()
+                status = 0
+            except SystemExit as end:
+                status = end.code
+        return out.getvalue() + error.getvalue(), status
+
+    def test_without_its_drive_it_is_not_measured_and_says_why(self):
+        for words in (["recorded"], ["recorded", "folder"]):
+            said, status = self.said(*words)
+            self.assertEqual(status, 2)
+            self.assertIn("recorded is not measured: its drive is not part of this project", said)
+        said, status = self.said("recorded", str(laboratory.ROOT), "car.toml")
+        self.assertEqual(status, 2)
+        self.assertIn("has no velodyne_points", said)
+
+    def test_its_page_alone_stays_and_says_why(self):
+        said, status = self.said("results/recorded")
+        self.assertEqual(status, 0)
+        self.assertIn("docs/results/recorded.md stays, not measured", said)
+
+    def test_it_is_never_measured_because_sources_are_others(self):
+        self.assertIn("recorded", measurements.STEPS)
+        with mock.patch.object(measurements, "stamps", return_value={}):
+            self.assertNotIn("recorded", measurements.stale_steps())
+
+
+if __name__ == "__main__":
+    unittest.main()
