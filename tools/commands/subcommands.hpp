@@ -18,6 +18,7 @@ void add_record(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_info(CLI::App& program);
 void add_map(CLI::App& program);
+void add_mount(CLI::App& program);
 void add_vehicles(CLI::App& program);
 void add_budget(CLI::App& program);
 void add_image(CLI::App& program);

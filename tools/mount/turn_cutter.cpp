@@ -1,0 +1,21 @@
+#include "tools/mount/turn_cutter.hpp"
+
+namespace iog::tools {
+
+// All units turn clockwise, and azimuths count the other way: a packet is as far as its sector
+// begins.
+bool TurnCutter::ends_before(const lidar::PacketInfo& info) {
+  const std::uint32_t first = info.sector.first_ticks;
+  const std::uint32_t gained = has_begun_ ? (at_ + turn_ - first) % turn_ : 0;
+  if (gained > turn_ / 8 * 7) {
+    return false;  // it was overtaken
+  }
+  has_begun_ = true;
+  at_ = first;
+  gained_ += gained;
+  const bool ends = gained_ >= turn_;
+  gained_ -= ends ? turn_ : 0;
+  return ends;
+}
+
+}  // namespace iog::tools

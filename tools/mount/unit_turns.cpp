@@ -1,0 +1,92 @@
+#include "tools/mount/unit_turns.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "description/mount.hpp"
+#include "intake/packet.hpp"
+#include "lidar/formats.hpp"
+
+namespace iog::tools {
+namespace {
+
+// To either side of the car's middle: the lane that its wheels are on. Roads fall to both sides of
+// their middle, by 2 % or so, and who takes the other lane for a part of the same plane finds a
+// roll that is 1 degree wrong, in every part of a recording alike.
+constexpr double kLaneHalfWidthM = 2;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+}  // namespace
+
+// The ground's normal, turned back into the sensor frame by the file's mount, is the lowest row of
+// the true one: -sin pitch, cos pitch sin roll, cos pitch cos roll.
+TurnMount mount_of(const GroundPlane& plane, const description::MountConfig& by_file) {
+  const description::Rotation turn = description::rotation_of(by_file);
+  const double length = std::sqrt(1 + plane.along * plane.along + plane.across * plane.across);
+  const auto upward = [&](const std::array<double, 3>& axis) {
+    return (axis[2] - plane.along * axis[0] - plane.across * axis[1]) / length;
+  };
+  return {.pitch_deg = std::asin(-upward(turn.forward)) * kDegrees,
+          .roll_deg = std::atan2(upward(turn.left), upward(turn.up)) * kDegrees,
+          .z_m = plane.below_m / length,
+          .residual_m = plane.residual_m};
+}
+
+UnitTurns::UnitTurns(const CatalogueEntry& car, std::size_t sensor)
+    : sensor_(&car.vehicle->sensors[sensor]),
+      mount_(car.sensors[sensor].mount),
+      footprint_(car.description->footprint),
+      placer_(car.sensors[sensor]),
+      cutter_(lidar::ticks_per_turn(sensor_->format)) {}
+
+void UnitTurns::take(const CapturedDatagram& datagram) {
+  if (datagram.destination.port != sensor_->udp_port) {
+    return;
+  }
+  const intake::Packet packet =
+      intake::Packet::decode(sensor_->format, datagram.payload, sensor_->unit());
+  if (!packet.is_sound()) {
+    return;
+  }
+  ++packets_;
+  if (cutter_.ends_before(packet.info())) {
+    end_turn();
+  }
+  last_us_ = datagram.time_us;
+  packet.for_each_point([&](const lidar::ScanPoint& point) {
+    if (point.range_mm >= sensor_->range_min_mm && point.range_mm > 0) {
+      keep(placer_.place(point));
+    }
+  });
+}
+
+void UnitTurns::keep(const PointPlace& place) {
+  const RoadReturn point{
+      .x_m = place.x_m - mount_.x_m, .y_m = place.y_m - mount_.y_m, .z_m = place.z_m - mount_.z_m};
+  const double out_m = std::hypot(point.x_m, point.y_m);
+  const bool is_on_car = place.x_m >= footprint_.x_min_m && place.x_m <= footprint_.x_max_m &&
+                         place.y_m >= footprint_.y_min_m && place.y_m <= footprint_.y_max_m;
+  if (out_m >= kNearestRoadM && out_m < kFarthestRoadM && std::abs(place.y_m) < kLaneHalfWidthM &&
+      !is_on_car) {
+    returns_.push_back(point);
+  }
+}
+
+void UnitTurns::end_turn() {
+  ++turns_;
+  if (const std::optional<GroundPlane> plane = ground_plane_of(returns_, mount_.z_m)) {
+    mounts_.push_back(mount_of(*plane, mount_));
+    mounts_.back().time_us = last_us_;
+  }
+  returns_.clear();
+}
+
+void UnitTurns::finish() {
+  if (cutter_.is_nearly_whole()) {
+    end_turn();
+  }
+}
+
+}  // namespace iog::tools

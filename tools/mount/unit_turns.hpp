@@ -1,0 +1,60 @@
+// What each turn of a unit says of its mount.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "description/description.hpp"
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/mount/ground_plane.hpp"
+#include "tools/mount/turn_cutter.hpp"
+#include "tools/vehicles/point_place.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+
+// Angles and height as description::MountConfig has them, with the yaw of the car's file.
+struct TurnMount {
+  std::uint64_t time_us = 0;  // of the turn's last packet
+  double pitch_deg = 0;
+  double roll_deg = 0;
+  double z_m = 0;
+  double residual_m = 0;
+};
+
+// The mount with which the unit's ground would be the car's plane.
+[[nodiscard]] TurnMount mount_of(const GroundPlane& plane, const description::MountConfig& by_file);
+
+class UnitTurns {
+ public:
+  // sensor: of a unit that turns. car outlives this.
+  UnitTurns(const CatalogueEntry& car, std::size_t sensor);
+
+  // The next datagram of the capture; what is not for the unit is left alone.
+  void take(const CapturedDatagram& datagram);
+  // The capture is over. A turn that it cuts short by more than a quarter is left out.
+  void finish();
+
+  [[nodiscard]] std::uint64_t packets() const { return packets_; }
+  [[nodiscard]] std::uint64_t turns() const { return turns_; }
+  // Of the turns that show the ground, in their order.
+  [[nodiscard]] const std::vector<TurnMount>& mounts() const { return mounts_; }
+
+ private:
+  void end_turn();
+  void keep(const PointPlace& place);
+
+  const vehicle::Sensor* sensor_;
+  description::MountConfig mount_;
+  description::FootprintConfig footprint_;
+  PointPlacer placer_;
+  TurnCutter cutter_;
+  std::vector<RoadReturn> returns_;  // of the turn that has begun
+  std::uint64_t last_us_ = 0;
+  std::uint64_t packets_ = 0;
+  std::uint64_t turns_ = 0;
+  std::vector<TurnMount> mounts_;
+};
+
+}  // namespace iog::tools
