@@ -171,6 +171,28 @@ void RunStatistics::append_sensors(std::string& text) const {
   }
 }
 
+// Of the points of which a height counts.
+void RunStatistics::append_ground(std::string& text) const {
+  using vehicle::Fate;
+  constexpr std::array kOfGround{Fate::kGround, Fate::kOverhang, Fate::kUnderGround};
+  std::uint64_t all = points_used();
+  for (const Fate fate : kOfGround) {
+    all += fates_[static_cast<std::size_t>(fate)];
+  }
+  if (all == points_used()) {
+    return;
+  }
+  std::ostringstream words;
+  words << std::fixed << std::setprecision(1);
+  for (const Fate fate : kOfGround) {
+    const std::size_t its = static_cast<std::size_t>(fate);
+    words << (fate == kOfGround.front() ? "" : ", ")
+          << 100 * static_cast<double>(fates_[its]) / static_cast<double>(all) << " % "
+          << kFateNames[its];
+  }
+  text += row("over the ground", words.str());
+}
+
 void RunStatistics::append_too_slow(std::string& text) const {
   const std::uint64_t left = fates_[static_cast<std::size_t>(vehicle::Fate::kNotTaken)];
   if (left == 0) {
@@ -223,6 +245,7 @@ std::string RunStatistics::table(bool has_target) const {
   }
   append_sensors(text);
   text += row("scan points", list_of(fates_, kFateNames));
+  append_ground(text);
   append_too_slow(text);
   append_over_budget(text);
   text += row("packets dropped", list_of(packet_drops_, kDropNames));

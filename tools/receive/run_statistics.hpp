@@ -58,6 +58,7 @@ class RunStatistics {
   void add_states(const GridFrame& frame);
   void add_points(const stream::FrameEnd& end);
   void append_sensors(std::string& text) const;
+  void append_ground(std::string& text) const;
   void append_too_slow(std::string& text) const;
   void append_over_budget(std::string& text) const;
 

@@ -18,6 +18,7 @@
 #include "tools/program/file.hpp"
 #include "tools/program/word_distance.hpp"
 #include "tools/receive/nothing_came.hpp"
+#include "tools/receive/run_statistics.hpp"
 
 namespace iog::tools {
 namespace {
@@ -156,6 +157,26 @@ TEST(File, SaysThatTheDiskIsFull) {
                          file.finish("", {});
                        }),
                        reason));
+}
+
+TEST(RunTable, SaysHowMuchIsGroundOnceAnythingIs) {
+  GridFrame frame;
+  frame.has_end = true;
+  const auto set = [&](vehicle::Fate fate, std::uint32_t count) {
+    frame.end.fates[static_cast<std::size_t>(fate)] = count;
+  };
+  set(vehicle::Fate::kUsed, 300);
+  set(vehicle::Fate::kNoReturn, 5'000);
+  RunStatistics flat;
+  flat.add(frame);
+  EXPECT_EQ(flat.table(false).find("over the ground"), std::string::npos);
+  set(vehicle::Fate::kGround, 600);
+  set(vehicle::Fate::kOverhang, 98);
+  set(vehicle::Fate::kUnderGround, 2);
+  RunStatistics following;
+  following.add(frame);
+  EXPECT_NE(following.table(false).find("60.0 % ground, 9.8 % overhang, 0.2 % under the ground\n"),
+            std::string::npos);
 }
 
 TEST(Silence, SaysWhatWasWaitedForAndWhatToLookAt) {
