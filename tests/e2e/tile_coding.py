@@ -60,12 +60,12 @@ def runs(payload: bytes, reference: bytes | None) -> bytes:
         symbol += symbol >= before
         assert symbol < symbols, f"symbol {symbol} of {symbols}"
         length = bits.gamma()
+        assert length <= CELLS - len(cells), "a run beyond the tile"
         if symbol < first_value:
             cells += reference[len(cells):len(cells) + length]
         else:
             cells += values[symbol - first_value] * length
         before, width = symbol, next_width
-    assert len(cells) == CELLS, "a run beyond the tile"
     bits.end()
     return bytes(cells)
 
@@ -119,7 +119,7 @@ def run_starts(payload: bytes, reference: bytes) -> bytes:
         return reference
     blocks = [block for block in range(128) if rest[block // 8] >> block % 8 & 1]
     starts = set()
-    for block, cells in zip(blocks, rest[16:], strict=False):
+    for block, cells in zip(blocks, rest[16:16 + len(blocks)], strict=True):
         assert cells > 0, "no run starts in a block"
         corner = block // 8 * 2 * SIDE + block % 8 * 4
         starts |= {corner + i // 4 * SIDE + i % 4 for i in range(8) if cells >> i & 1}
