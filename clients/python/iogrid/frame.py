@@ -1,0 +1,131 @@
+"""What a frame says, and where."""
+
+import dataclasses
+import enum
+import math
+import struct
+
+import numpy
+
+SIDE, CELL_M = 1024, 0.1  # cells of a grid along x and y, and of how many metres
+Class = enum.IntEnum("Class", "UNKNOWN DRIVABLE_FREE NON_DRIVABLE_FREE FREE MOVING STOPPED STANDING INFRASTRUCTURE "
+                     "OCCUPIED", start=0)  # 3.9; STANDING: stopped or unmapped
+FREE_CLASSES = (Class.DRIVABLE_FREE, Class.NON_DRIVABLE_FREE, Class.FREE)
+Cause = enum.IntFlag("Cause", "LATE LOST IMPRECISE JUMP RESTART OVER_BUDGET CONTRADICTED")  # 3.9
+_PROBABILITY = 1 / (1 + (9 / 11) ** numpy.arange(-128.0, 128.0))
+
+
+def probability(indexes: numpy.ndarray) -> numpy.ndarray:
+    """Of int8 indexes: how probably each cell is occupied, float64 of the same shape, 0.5: unknown. It is the
+    recursive set of docs/model.md, section 2, with its default of epsilon, 0.05."""
+    return _PROBABILITY[indexes.astype(numpy.int16) + 128]
+
+
+@dataclasses.dataclass(frozen=True)
+class Pose:
+    """Of the car in the local frame, when the frame's last slice ended (3.9)."""
+
+    x_m: float
+    y_m: float
+    heading_rad: float  # 0 ... 2 pi, counter-clockwise from the local frame's x
+    sigma_m: float  # of the motion in the second before; inf: 65 m or more
+    sigma_rad: float  # likewise; inf: 0.65 rad or more
+
+
+@dataclasses.dataclass(frozen=True)
+class Window:
+    """The square of SIDE x SIDE cells of the local frame that the classes are of (3.9)."""
+
+    causes: Cause  # why slices of the frame have no place, or what was known before has lost it
+    corner: tuple[int, int]  # its tile of lowest x and y; a tile is 3.2 m
+    pose: Pose | None  # None: it is not known where the car is
+    slices: int  # of the frame, that were placed
+    begin_us: int  # when the first of them began, by the poses' clock
+    end_us: int  # when the last one ended
+
+    @classmethod
+    def read(cls, header: bytes) -> "Window":
+        """Of the 48 bytes of its header in a message."""
+        _, causes, a, b, x_mm, y_mm, heading, *sigmas, slices, _, _, begin_us, end_us = \
+            struct.unpack(">HHiiiiIHHBBHQQ", header)
+        sigma_m, sigma_rad = (math.inf if sigma == 0xFFFF else sigma * unit
+                              for sigma, unit in zip(sigmas, (1e-3, 1e-5), strict=True))
+        is_known = (x_mm, y_mm, heading, *sigmas) != (0, 0, 0, 0xFFFF, 0xFFFF)
+        pose = Pose(x_mm / 1000, y_mm / 1000, heading * math.tau / 2 ** 32, sigma_m, sigma_rad) if is_known else None
+        return cls(Cause(causes & 0x7F), (a, b), pose, slices, begin_us, end_us)
+
+    def to_cells(self, x_m, y_m):
+        """Column and row in the classes, with fractions, of a place in the car's frame; it may be arrays."""
+        c, s = math.cos(self.pose.heading_rad), math.sin(self.pose.heading_rad)
+        return ((self.pose.x_m + c * x_m - s * y_m) / CELL_M - 32 * self.corner[0],
+                (self.pose.y_m + s * x_m + c * y_m) / CELL_M - 32 * self.corner[1])
+
+    def to_car(self, x, y):
+        """The way back: of column and row, with fractions, the place in the car's frame, m."""
+        c, s = math.cos(self.pose.heading_rad), math.sin(self.pose.heading_rad)
+        x_m = (x + 32 * self.corner[0]) * CELL_M - self.pose.x_m
+        y_m = (y + 32 * self.corner[1]) * CELL_M - self.pose.y_m
+        return c * x_m + s * y_m, c * y_m - s * x_m
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Frame:
+    """What has come of a frame. A grid that the target does not send is None, and so is what belongs to it."""
+
+    number: int
+    closed_us: int  # by the target's clock
+    vehicle: int  # CRC-32 of its description
+    run: int  # of the target; another number after each of its starts
+    complete: int  # bit i: sensor i has delivered its whole scan
+    partial: int  # bit i: a part of it
+    points_used: int
+    is_whole: bool  # nothing of it was lost, and its grids have the names that the target gave them
+    indexes: numpy.ndarray | None  # int8 [SIDE, SIDE], above 0 occupied, below free; [0, 0] is at (-51.2, -51.2) m
+    indexes_lost: numpy.ndarray | None  # bool [32, 32]: tiles whose cells did not come, and are 0
+    classes: numpy.ndarray | None  # uint8 of Class [SIDE, SIDE], in the window
+    sureness: numpy.ndarray | None  # uint8 [SIDE, SIDE], 0 ... 7
+    classes_lost: numpy.ndarray | None  # bool [32, 32]
+    window: Window | None  # None, too: nothing of the classes has come
+
+    def index_at(self, x_m: float, y_m: float) -> int:
+        """The occupancy index of a place; 0, unknown, outside of the grid."""
+        x, y = math.floor(x_m / CELL_M) + SIDE // 2, math.floor(y_m / CELL_M) + SIDE // 2
+        return int(self.indexes[y, x]) if self.indexes is not None and 0 <= min(x, y) <= max(x, y) < SIDE else 0
+
+    def cell_at(self, x_m: float, y_m: float) -> tuple[int, int] | None:
+        """Row and column of a place in the classes; None outside of the window, and where the car's place in it is
+        not known."""
+        if self.window is None or self.window.pose is None:
+            return None
+        x, y = map(math.floor, self.window.to_cells(x_m, y_m))
+        return (y, x) if 0 <= min(x, y) <= max(x, y) < SIDE else None
+
+    def class_at(self, x_m: float, y_m: float) -> Class:
+        cell = self.cell_at(x_m, y_m)
+        return Class.UNKNOWN if cell is None else Class(self.classes[cell])
+
+    def is_free(self, x_m: tuple[float, float], y_m: tuple[float, float]) -> bool:
+        """Whether each cell that touches the rectangle x_m[0] ... x_m[1], y_m[0] ... y_m[1] is free. What is unknown,
+        lost, or outside of the window is not. ValueError if that is no rectangle."""
+        if not (x_m[0] <= x_m[1] and y_m[0] <= y_m[1]):
+            raise ValueError(f"not from the lower to the higher: {x_m}, {y_m}")
+        if self.window is None or self.window.pose is None or max(map(abs, (*x_m, *y_m))) > 200:
+            return False
+        corners = self.window.to_cells(numpy.repeat(x_m, 2), numpy.tile(y_m, 2))
+        x, y = numpy.meshgrid(*(numpy.arange(math.floor(each.min()) - 1, math.floor(each.max()) + 2)
+                                for each in corners))
+        forward, left = self.window.to_car(x + 0.5, y + 0.5)
+        reach = CELL_M * math.sqrt(0.5)  # of a cell from its middle
+        touches = (abs(forward - sum(x_m) / 2) <= (x_m[1] - x_m[0]) / 2 + reach) & (
+            abs(left - sum(y_m) / 2) <= (y_m[1] - y_m[0]) / 2 + reach)
+        x, y = x[touches], y[touches]
+        return bool(min(x.min(), y.min()) >= 0 and max(x.max(), y.max()) < SIDE and
+                    numpy.isin(self.classes[y, x], FREE_CLASSES).all())
+
+    def places(self, *classes: Class) -> numpy.ndarray:
+        """Where the cells of these classes are: float64 [n, 2], m before and to the left of the car. None of them where
+        the car's place is not known."""
+        if self.window is None or self.window.pose is None:
+            return numpy.empty((0, 2))
+        y, x = numpy.nonzero(numpy.isin(self.classes, classes))
+        return numpy.stack(self.window.to_car(x + 0.5, y + 0.5), axis=1)

@@ -1,0 +1,108 @@
+"""The tiles of a grid, of the messages of a frame (docs/spec.md, 3.3 to 3.6)."""
+
+import collections
+import struct
+import zlib
+
+import numpy
+
+from iogrid.protection import Unsound, require
+from iogrid.tiles import CELLS, RunStarts, draw, read_tile, reference_of
+
+TILES = 1024  # of a grid, 32 x 32
+INDEX_GRID, CLASS_GRID = (struct.pack(">BBHHHHii", 5, storage, 1024, 1024, 100, 0, corner_mm, corner_mm)
+                          for storage, corner_mm in ((0, -51200), (2, 0)))  # their geometry, 82 to 99
+
+
+class References:
+    """Of each tile of a grid the last one that was sent by itself, and the frame that it was of; -1: none."""
+
+    def __init__(self):
+        self.frames, self.cells = numpy.full(TILES, -1, numpy.int64), numpy.zeros((TILES, CELLS), numpy.uint8)
+
+
+class Grid:
+    """What has come of one grid of a frame, by tile number (3.3)."""
+
+    def __init__(self, is_of_classes: bool):
+        self.is_of_classes, self.window = is_of_classes, b""  # the window's header, the same in all messages
+        self.spoken_of, self.tiles, self.end = numpy.zeros(TILES, bool), [], None  # sent, lost, name
+        byte = numpy.arange(256)
+        self.is_cell = (byte == 0) | (byte >= 8) & (byte < 72) if is_of_classes else byte != 0x80
+
+    def window_of(self, body: bytes, at: int) -> tuple[bytes, int]:
+        """The window's header and where it ends; nothing for a grid without."""
+        size = struct.unpack_from(">H46x", body, at)[0] if self.is_of_classes else 0
+        window = body[at:at + min(size, 48)]
+        require(not self.is_of_classes or size >= 48 and at + size <= len(body) and self.window in (b"", window),
+                "malformed")
+        return window, at + size
+
+    def take_tiles(self, sequence: int, body: bytes) -> None:
+        first, end, count = struct.unpack_from(">HHH", body)
+        window, at = self.window_of(body, 24)
+        record, tiles, lowest = struct.Struct(">HBxH" if self.is_of_classes else ">HBH"), [], first
+        while at < len(body):
+            number, encoding, size = record.unpack_from(body, at)
+            payload, at = body[at + record.size:at + record.size + size], at + record.size + size
+            require(lowest <= number < end and at <= len(body) and size <= CELLS, "malformed")
+            tiles.append((sequence, number, encoding, payload))
+            lowest = number + 1
+        require(first <= end <= TILES and len(tiles) == count and not self.spoken_of[first:end].any(), "malformed")
+        self.spoken_of[first:end], self.window = True, window
+        self.tiles += tiles
+
+    def take_end(self, body: bytes) -> None:
+        window, at = self.window_of(body, 0)
+        self.end, self.window = struct.unpack_from(">III", body, at), window
+
+    def decode(self, frame: int, own: References,
+               dropped: collections.Counter[str]) -> tuple[numpy.ndarray, numpy.ndarray, bool]:
+        """The cells [y, x], the tiles that were lost, likewise, and whether nothing was."""
+        cells, is_lost = numpy.zeros((TILES, CELLS), numpy.uint8), ~self.spoken_of
+        known: dict[int, bool] = {}  # tiles, and whether they stand by themselves
+        drawn: dict[int, RunStarts] = {}
+        for _, number, encoding, payload in sorted(self.tiles):
+            try:
+                of, payload = reference_of(encoding, payload, frame)
+                require(of in (None, own.frames[number]), "without reference")
+                tile = read_tile(encoding, payload, None if of is None else own.cells[number].tobytes())
+            except Unsound as fault:
+                dropped[f"tile: {fault}"] += 1
+                is_lost[number] = True
+                continue
+            if isinstance(tile, bytes):
+                cells[number] = numpy.frombuffer(tile, numpy.uint8)
+            else:
+                drawn[number] = tile
+                cells[number] = 0 if of is None else own.cells[number]
+            known[number] = of is None
+        if drawn:
+            cells[list(drawn)] = draw(list(drawn.values()), cells[list(drawn)])
+        for number in numpy.array(list(known), int)[~self.is_cell[cells[list(known)]].all(axis=1)]:
+            dropped["tile: no such cell"] += 1
+            is_lost[number] = True
+        is_own = numpy.isin(numpy.arange(TILES), [number for number, is_alone in known.items() if is_alone]) & ~is_lost
+        own.frames[is_own], own.cells[is_own] = frame, cells[is_own]
+        cells[is_lost] = 0
+        sent, lost, name = self.end or (0, 1, 0)
+        is_whole = lost == 0 and sent == len(known) and not bool(is_lost.any())
+        if is_whole and name != self.name_of(cells):  # some cell is wrong, and nobody knows which
+            dropped["grid of another name"] += 1
+            own.frames[:], cells[:], is_lost[:], is_whole = -1, 0, True, False
+        cells = self._in_place(cells).reshape(32, 32, 32, 32).swapaxes(1, 2).reshape(1024, 1024)
+        return cells, self._in_place(is_lost), is_whole
+
+    def _in_place(self, by_number: numpy.ndarray) -> numpy.ndarray:
+        """[tile y, tile x, ...] of [tile number, ...]: a window's tile keeps its number while the window moves."""
+        a, b = struct.unpack(">ii", self.window[4:12]) if self.window else (0, 0)
+        return numpy.roll(by_number.reshape(32, 32, *by_number.shape[1:]), (-b, -a), (0, 1))
+
+    def name_of(self, cells: numpy.ndarray) -> int:
+        """3.6, and 3.10 for classes."""
+        numbers = numpy.flatnonzero(cells.any(axis=1)).tolist()
+        crc = zlib.crc32(self.window[4:12])
+        for number in numbers:
+            place = struct.pack(">H", number) if self.is_of_classes else struct.pack(">HH", number % 32, number // 32)
+            crc = zlib.crc32(cells[number], zlib.crc32(place, crc))
+        return crc if numbers else 0

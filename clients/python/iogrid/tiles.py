@@ -1,0 +1,159 @@
+"""The encodings of a tile (docs/spec.md, 3.4). What does not follow the specification is an Unsound, whatever it is."""
+
+import functools
+import typing
+
+import numpy
+
+from iogrid.protection import require
+
+CELLS = 1024  # of a tile, 32 x 32, row by row
+RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE = range(6)
+
+
+class _Bits:
+    """The bits of a payload, from the highest of a byte."""
+
+    def __init__(self, data: bytes):
+        self.text, self.at = bin(int.from_bytes(b"\1" + data, "big"))[3:], 0
+
+    def number(self, bits: int) -> int:
+        self.at += bits
+        require(self.at <= len(self.text))
+        return int(self.text[self.at - bits:self.at] or "0", 2)
+
+    def length(self) -> int:
+        """In Elias' gamma code."""
+        zeros = self.text.find("1", self.at) - self.at
+        require(0 <= zeros <= 10)
+        return self.number(2 * zeros + 1)
+
+    def end(self) -> None:
+        require(len(self.text) - self.at < 8 and "1" not in self.text[self.at:])
+
+
+def _runs(values: bytes, bits: _Bits, reference: bytes | None) -> bytes:
+    """Encodings 1 and, with a reference, 3 (3.4)."""
+    first, cells = 0 if reference is None else 1, bytearray()
+    symbols = before = len(values) + first
+    width = max(symbols - 1, 0).bit_length()
+    while len(cells) < CELLS:
+        symbol, at = bits.number(width), len(cells)
+        symbol, length = symbol + (symbol >= before), bits.length()
+        require(symbol < symbols and at + length <= CELLS)
+        cells += reference[at:at + length] if symbol < first else values[symbol - first:][:1] * length
+        before, width = symbol, max(symbols - 2, 0).bit_length()
+    return bytes(cells)
+
+
+def _quadtree(values: bytes, bits: _Bits, side: int = 32) -> numpy.ndarray:
+    if side > 1 and bits.number(1):
+        a, b, c, d = (_quadtree(values, bits, side // 2) for _ in range(4))
+        return numpy.block([[a, b], [c, d]])
+    symbol = bits.number(max(len(values) - 1, 0).bit_length())
+    require(symbol < len(values))
+    return numpy.full((side, side), values[symbol], numpy.uint8)
+
+
+class RunStarts(typing.NamedTuple):
+    """A tile of encoding 4 or 5, before it is drawn."""
+
+    values: bytes
+    is_set: bytes  # a bit for each block
+    sets: bytes  # a byte for each of these
+    digits: numpy.ndarray
+
+
+def _read_run_starts(values: bytes, rest: bytes) -> RunStarts:
+    if not values:
+        require(not rest)
+        return RunStarts(values, bytes(16), b"", numpy.zeros(0, numpy.int64))
+    require(len(values) <= 215 and len(rest) >= 16)
+    end = 16 + int.from_bytes(rest[:16], "big").bit_count()
+    sets = rest[16:end]
+    require(len(rest) >= end and 0 not in sets)
+    count = int.from_bytes(sets, "big").bit_count()
+    return RunStarts(values, rest[:16], sets, _read_digits(rest[end:], len(values), count))
+
+
+@functools.cache
+def _packing(base: int) -> tuple[int, int, int, numpy.ndarray]:
+    """Digits in a number, its bits, the bits of a number of four digits, and what the digits are worth."""
+    digits = 4 * max(fours for fours in range(1, 8) if base ** (4 * fours) <= 2 ** 31)
+    worth = base ** numpy.arange(digits)[::-1]
+    return digits, (base ** digits - 1).bit_length(), (base ** 4 - 1).bit_length(), worth
+
+
+def _read_digits(data: bytes, base: int, count: int) -> numpy.ndarray:
+    """So many digits to this base, many to a number of at most 31 bits, and nothing behind them."""
+    if base == 1:
+        require(not data)
+        return numpy.zeros(count, numpy.int64)
+    per_number, width, width_of_four, worth = _packing(base)
+    wholes, rest = divmod(-(-count // 4) * 4, per_number)
+    rest_width = min(width, rest // 4 * width_of_four)
+    bits, left = int.from_bytes(data, "big"), 8 * len(data) - wholes * width - rest_width  # padding
+    require(0 <= left < 8 and bits & (1 << left) - 1 == 0)
+    last, bits = bits >> left & (1 << rest_width) - 1, bits >> left + rest_width
+    numbers = [bits >> width * (wholes - 1 - i) & (1 << width) - 1 for i in range(wholes)]
+    require(last < base ** rest and max(numbers, default=0) < base ** per_number)
+    digits = (numpy.array([*numbers, last * base ** (per_number - rest)])[:, None] // worth % base).ravel()
+    require(not digits[count:].any())
+    return digits[:count]
+
+
+def draw(tiles: list[RunStarts], references: numpy.ndarray) -> numpy.ndarray:
+    """The cells of tiles, [tile, cell]; all at once, which is several times as fast as one by one. references: what
+    symbol 0 of each stands for, likewise."""
+    is_set = numpy.unpackbits(_array(b"".join(tile.is_set for tile in tiles)), bitorder="little").astype(bool)
+    is_start = numpy.zeros((len(is_set), 8), numpy.uint8)  # [block of a tile, cell of it]
+    sets = numpy.unpackbits(_array(b"".join(tile.sets for tile in tiles)), bitorder="little")
+    is_start[is_set] = sets.reshape(-1, 8)
+    is_start = is_start.reshape(-1, 16, 8, 2, 4).swapaxes(2, 3).reshape(-1, CELLS)
+    # Run 0 of each tile is what comes before the first that starts. Its digit stands for symbol 0.
+    runs = numpy.array([1 + len(tile.digits) for tile in tiles])
+    values = numpy.array([1 + len(tile.values) for tile in tiles])
+    symbols = _symbols(numpy.concatenate([part for tile in tiles for part in ((-1,), tile.digits)]))
+    table = _array(b"".join(b"\0" + tile.values for tile in tiles))
+    value_of_run = table[symbols + numpy.repeat(values.cumsum() - values, runs)]
+    run_of_cell = is_start.cumsum(axis=1, dtype=numpy.int32) + (runs.cumsum() - runs)[:, None]
+    return numpy.where((symbols == 0)[run_of_cell], references, value_of_run[run_of_cell])
+
+
+def _symbols(digits: numpy.ndarray) -> numpy.ndarray:
+    """A symbol above the one before it was written less one, as no run has that. So it is one more than its digit if
+    that is above the digit before, and not if it is below; among equal ones the two take turns. -1 is symbol 0."""
+    places, steps = numpy.arange(len(digits)), numpy.diff(digits, prepend=digits[:1])
+    first = numpy.maximum.accumulate(numpy.where(steps != 0, places, 0))  # of the equal digits around each
+    is_more = (steps[first] > 0) ^ ((places - first) % 2 == 1)
+    return numpy.where(digits < 0, 0, digits + is_more)
+
+
+def _array(data: bytes) -> numpy.ndarray:
+    return numpy.frombuffer(data, numpy.uint8)
+
+
+def reference_of(encoding: int, payload: bytes, frame: int) -> tuple[int | None, bytes]:
+    """The frame that a tile of this frame refers to, None if it stands by itself; and the payload behind that."""
+    size = {CHANGED_SINCE: 4, RUN_STARTS_SINCE: 1}.get(encoding, 0)
+    require(len(payload) >= size)
+    number = int.from_bytes(payload[:size], "big")
+    of = {CHANGED_SINCE: number, RUN_STARTS_SINCE: (frame - number) & 0xFFFFFFFF}.get(encoding)
+    return of, payload[size:]
+
+
+def read_tile(encoding: int, payload: bytes, reference: bytes | None) -> bytes | RunStarts:
+    """Its cells, or how they are to be drawn."""
+    require(encoding in (RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE), "unknown encoding")
+    if encoding == RAW:
+        require(len(payload) == CELLS)
+        return payload
+    count = payload[0] if payload else 255
+    values, rest = payload[1:1 + count], payload[1 + count:]
+    require(len(values) == count and 0x80 not in values)
+    if encoding in (RUN_STARTS, RUN_STARTS_SINCE):
+        return _read_run_starts(values, rest)
+    bits = _Bits(rest)
+    cells = _quadtree(values, bits).tobytes() if encoding == QUADTREE else _runs(values, bits, reference)
+    bits.end()
+    return cells
