@@ -1,0 +1,173 @@
+"""Does a place in the car's frame find its cell, and do the examples of docs/clients.md say what is there?"""
+
+import contextlib
+import io
+import math
+import random
+import socket
+import unittest
+from unittest import mock
+
+import streams
+from code_blocks import code_blocks
+from made_classes import FREE, LOST, MOVING, OCCUPIED, class_byte
+from stream_test import received
+
+import iogrid
+import made_classes
+import made_stream
+import numpy
+
+
+def frame_with(window: made_classes.Window, grid: made_stream.Grid | None = None) -> iogrid.Frame:
+    frame, = received(made_stream.Target(0).messages_of(grid or made_stream.Grid(), 1, window))[0]
+    return frame
+
+
+class Places(unittest.TestCase):
+    def test_a_cell_of_the_occupancy_grid(self):
+        grid = made_stream.Grid()
+        grid.set(512 + 30, 512 - 21, 7)  # its corner of lowest x and y is at (3.0, -2.1) m
+        frame = frame_with(made_classes.Window(), grid)
+        places = ((3.01, -2.09), (3.09, -2.01), (3.11, -2.05), (3.05, -1.99))
+        self.assertEqual([frame.index_at(*place) for place in places], [7, 7, 0, 0])
+        self.assertEqual([frame.index_at(*place) for place in ((51.3, 0), (0, -51.3), (1e9, 0))], [0, 0, 0])
+
+    def test_probability_is_that_of_the_recursive_set(self):
+        """The table of docs/model.md, section 2."""
+        table = {-14: 0.057, -7: 0.197, 0: 0.5, 1: 0.55, 2: 0.599}
+        for value, (index, expected) in zip(iogrid.probability(numpy.array([*table], numpy.int8)), table.items()):
+            self.assertAlmostEqual(value, expected, delta=0.0005, msg=index)
+        self.assertAlmostEqual(iogrid.probability(numpy.int8([-127]))[0], 8.5e-12, delta=1e-13)
+
+    def test_a_class_where_the_car_has_turned(self):
+        """The car is at (10, 20) m of the local frame and looks along its y: 5 m before it is (10, 25)."""
+        window = made_classes.Window(10.0, 20.0, 0.25)
+        window.fill(range(98, 102), range(248, 252), class_byte(OCCUPIED))
+        frame = frame_with(window)
+        self.assertEqual(frame.class_at(5.0, 0.0), iogrid.Class.OCCUPIED)
+        self.assertEqual(frame.class_at(5.3, 0.0), iogrid.Class.UNKNOWN)
+        self.assertEqual(frame.class_at(0.0, 5.0), iogrid.Class.UNKNOWN)
+        self.assertEqual((frame.window.pose.x_m, frame.window.pose.y_m), (10, 20))
+        self.assertAlmostEqual(frame.window.pose.heading_rad, math.pi / 2)
+        places = frame.places(iogrid.Class.OCCUPIED)
+        numpy.testing.assert_allclose(sorted(map(tuple, places.round(6))), [
+            (x, y) for x in (4.85, 4.95, 5.05, 5.15) for y in (-0.15, -0.05, 0.05, 0.15)], atol=1e-6)
+        row, column = frame.cell_at(5.0, 0.01)
+        self.assertEqual((row, column), (250 + 16 * 32, 99 + 16 * 32))
+
+    def test_nothing_is_free_without_a_place(self):
+        window = made_classes.Window().without_pose().without_place(LOST, 7)
+        window.fill(range(-400, 400), range(-400, 400), class_byte(FREE))
+        frame = frame_with(window)
+        self.assertIsNone(frame.window.pose)
+        self.assertIn(iogrid.Cause.LOST, frame.window.causes)
+        self.assertIsNone(frame.cell_at(0, 0))
+        self.assertFalse(frame.is_free((1, 2), (-1, 1)))
+        self.assertEqual(len(frame.places(iogrid.Class.FREE)), 0)
+        self.assertEqual(iogrid.Class(frame.classes[512, 512]), iogrid.Class.FREE)
+
+    def test_a_rectangle_is_free_if_all_that_it_touches_is(self):
+        """Against points of it every 2 cm; and whatever is not free is at most a cell's diagonal away."""
+        rng, answers = random.Random(5), []
+        for _ in range(12):
+            window = made_classes.Window(rng.uniform(-3, 3), rng.uniform(-3, 3), rng.random())
+            window.fill(range(-250, 250), range(-250, 250), class_byte(FREE))
+            for _ in range(150):
+                window.fill(*((range(at, at + 1)) for at in (rng.randrange(-250, 250), rng.randrange(-250, 250))),
+                            rng.choice((0, class_byte(OCCUPIED), class_byte(MOVING))))
+            frame = frame_with(window)
+            for _ in range(30):
+                x, y = rng.uniform(-12, 12), rng.uniform(-12, 12)
+                x_m, y_m = (x, x + rng.uniform(0, 4)), (y, y + rng.uniform(0, 2))
+                is_free = frame.is_free(x_m, y_m)
+                answers.append(is_free)
+                self.assertLessEqual(is_free, self.are_points_free(frame, x_m, y_m, 0))
+                self.assertGreaterEqual(is_free, self.are_points_free(frame, x_m, y_m, 0.142))
+        self.assertTrue(30 < sum(answers) < len(answers) - 30, sum(answers))
+
+    @staticmethod
+    def are_points_free(frame: iogrid.Frame, x_m, y_m, more_m: float) -> bool:
+        steps = [numpy.append(numpy.arange(low - more_m, high + more_m, 0.02), high + more_m)
+                 for low, high in (x_m, y_m)]
+        x, y = numpy.meshgrid(*steps)
+        column, row = (numpy.floor(each).astype(int) for each in frame.window.to_cells(x, y))
+        return bool(numpy.isin(frame.classes[row, column], iogrid.FREE_CLASSES).all())
+
+    def test_what_is_outside_or_lost_is_not_free(self):
+        window = made_classes.Window()
+        window.fill(range(-512, 512), range(-64, 64), class_byte(FREE))
+        messages = made_stream.Target(0).messages_of(made_stream.Grid(), 1, window)
+        whole, = received(messages)[0]
+        self.assertTrue(whole.is_free((0, 51), (-6, 6)))
+        self.assertFalse(whole.is_free((0, 51.3), (-1, 1)))
+        self.assertFalse(whole.is_free((0, math.inf), (-1, 1)))
+        with self.assertRaises(ValueError):
+            whole.is_free((3, 1), (-1, 1))
+        with self.assertRaises(ValueError):
+            whole.is_free((math.nan, 1), (-1, 1))
+        a_tile = next(i for i, message in enumerate(messages) if message[28] == 1 and message[83] == 2)
+        part, = received(messages[:a_tile] + messages[a_tile + 1:])[0]
+        self.assertEqual(part.classes_lost.sum(), 1)
+        self.assertFalse(part.is_free((-51, 51), (-6, 6)))
+
+
+class Examples(unittest.TestCase):
+    EXAMPLES = code_blocks((streams.ROOT / "docs/clients.md").read_text(), "python")
+
+    def said(self, example: str, frames: list) -> list[str]:
+        said = io.StringIO()
+        with mock.patch.object(iogrid, "listen", lambda port=15000: iter(frames)), contextlib.redirect_stdout(said):
+            exec(example, {})  # noqa: S102
+        return said.getvalue().splitlines()
+
+    def test_there_are_two_of_some_ten_lines(self):
+        lines = [[line for line in example.splitlines() if line and not line.startswith("import")]
+                 for example in self.EXAMPLES]
+        self.assertEqual([len(each) <= 10 for each in lines], [True, True], lines)
+
+    def test_is_this_strip_free(self):
+        window = made_classes.Window()
+        window.fill(range(0, 200), range(-30, 30), class_byte(FREE))
+        free = frame_with(window)
+        window.fill(range(80, 82), range(-1, 2), class_byte(OCCUPIED))
+        self.assertEqual(self.said(self.EXAMPLES[0], [free, None, frame_with(window)]),
+                         ["0 free", "the target is silent", "0 not known to be free: OCCUPIED"])
+
+    def test_what_comes_towards_me(self):
+        """A front of 1.8 m comes with 5 m/s from 30 m, while the car stands; and it is lost for a frame."""
+        frames, target = [], made_stream.Target(0)
+        for number in range(60):
+            window = made_classes.Window()
+            window.stamp_us += 40_000 * number
+            front = 300 - 2 * number
+            window.fill(range(front, front + 4), range(-9, 9), class_byte(MOVING if number != 30 else OCCUPIED))
+            frames += received(target.messages_of(made_stream.Grid(), 1, window))[0]
+        said = self.said(self.EXAMPLES[1], frames)
+        self.assertEqual(len(said), (30 - 24) + (29 - 24), said)
+        self.assertEqual({line.split(", ")[1] for line in said}, {"5.0 m/s towards me"})
+        self.assertEqual(said[-1].split(",")[0], f"{30.05 - 0.2 * 59:.1f} m ahead")
+
+
+class Live(unittest.TestCase):
+    def test_frames_and_silence(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.bind(("127.0.0.1", 0))
+            port = probe.getsockname()[1]
+        receiver = iogrid.Receiver()
+        live = iogrid.listen(port, receiver=receiver)
+        self.assertIsNone(next(live))
+        messages = streams.messages_of(streams.raw())
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            for message in [b"garbage", *messages[:-1]]:
+                sender.sendto(message, ("127.0.0.1", port))
+            self.assertTrue(next(live).is_whole)
+            part = next(live)  # after half a second, without its end
+            self.assertFalse(part.is_whole)
+            self.assertIsNone(next(live))
+        self.assertEqual((receiver.dropped, receiver.used), ({"not ours": 1}, len(messages) - 1))
+        live.close()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,172 @@
+"""Does clients/python make the grids that `iog` makes of the same bytes, whatever the network did to these?"""
+
+import functools
+import pathlib
+import random
+import re
+import struct
+import unittest
+import zlib
+
+import streams
+from code_blocks import code_blocks
+
+import iogrid
+import numpy
+
+
+def name_of(indexes: numpy.ndarray) -> int:
+    """As a user names a grid: by the snippet of docs/spec.md, 3.6."""
+    names = {"struct": struct, "zlib": zlib, "cells": memoryview(indexes.tobytes())}
+    exec(snippet_of_names(), names)  # noqa: S102
+    return names["crc"]
+
+
+@functools.cache
+def snippet_of_names():
+    blocks = code_blocks((streams.ROOT / "docs/spec.md").read_text(), "python")
+    snippet, = (block for block in blocks if "sys.argv" in block)
+    lines = [line for line in snippet.splitlines() if not line.startswith(("import", "cells =", "print"))]
+    return compile("\n".join(lines), "docs/spec.md", "exec")
+
+
+def name_of_classes(frame: iogrid.Frame) -> int:
+    """Likewise, by the words of 3.10."""
+    a, b = frame.window.corner
+    crc, is_anything = zlib.crc32(struct.pack(">ii", a, b)), False
+    cells = frame.classes << 3 | frame.sureness
+    for number in range(1024):
+        x, y = (number % 32 - a) % 32 * 32, (number // 32 - b) % 32 * 32
+        tile = cells[y:y + 32, x:x + 32]
+        if tile.any():
+            crc, is_anything = zlib.crc32(struct.pack(">H", number) + tile.tobytes(), crc), True
+    return crc if is_anything else 0
+
+
+def replayed(path: pathlib.Path) -> tuple[list[iogrid.Frame], iogrid.Receiver]:
+    receiver = iogrid.Receiver()
+    return list(iogrid.replay(str(path), receiver=receiver)), receiver
+
+
+def received(messages) -> tuple[list[iogrid.Frame], iogrid.Receiver]:
+    receiver = iogrid.Receiver()
+    frames = [frame for message in messages for frame in receiver.take(message)]
+    return frames + receiver.finish(), receiver
+
+
+class Stream(unittest.TestCase):
+    def check_names(self, path: pathlib.Path, frames: list[iogrid.Frame]) -> None:
+        """The run hashes that `iog info` finds, of the arrays."""
+        said = streams.iog("info", path)
+        names = b"".join(struct.pack(">I", name_of(frame.indexes)) for frame in frames)
+        self.assertIn(f"{zlib.crc32(names):08x}", re.search(r"^run hash +(\w+)$", said, re.M)[1])
+        names = b"".join(struct.pack(">I", name_of_classes(frame)) for frame in frames)
+        self.assertIn(f"{zlib.crc32(names):08x}", re.search(r"^class run hash +(\w+)$", said, re.M)[1])
+
+    def check_same(self, frame: iogrid.Frame, right: iogrid.Frame) -> None:
+        """What is not lost is right, what is lost is unknown, and the frame says whether something is."""
+        self.assertEqual((frame.number, frame.run, frame.vehicle), (right.number, right.run, right.vehicle))
+        is_whole = True
+        for is_lost, grids in ((frame.indexes_lost, ((frame.indexes, right.indexes),)),
+                               (frame.classes_lost, ((frame.classes, right.classes),
+                                                     (frame.sureness, right.sureness)))):
+            is_cell_lost = is_lost.repeat(32, axis=0).repeat(32, axis=1)
+            is_whole = is_whole and not is_lost.any()
+            for cells, right_cells in grids:
+                self.assertTrue(numpy.array_equal(cells, numpy.where(is_cell_lost, 0, right_cells)))
+        self.assertFalse(frame.is_whole and not is_whole)
+
+    def test_each_encoding_is_among_the_bytes(self):
+        """Else the tests below would say less than they seem to."""
+        counts = streams.encodings_of([message for path in (streams.VERSION_3, streams.version_4(), streams.raw())
+                                       for message in streams.messages_of(path)])
+        expected = [*((3, False, n) for n in (1, 2, 3)), *((4, kind, n) for kind in (False, True) for n in (0, 4, 5))]
+        self.assertEqual(sorted(counts), sorted(expected), counts)
+
+    def test_grids_are_those_of_iog(self):
+        frames, receiver = replayed(streams.version_4())
+        self.assertEqual((len(frames), receiver.lost, +receiver.dropped), (streams.FRAMES, 0, {}))
+        self.assertEqual(receiver.used, len(streams.messages_of(streams.version_4())))
+        rows = zip(frames, streams.hashes("hashes"), streams.hashes("classes_hashes"), strict=True)
+        for frame, row, class_row in rows:
+            self.assertTrue(frame.is_whole)
+            self.assertEqual(f"{frame.number} {frame.complete:x} {frame.partial:x} {frame.points_used}",
+                             " ".join([*row[:3], row[4]]))
+            self.assertEqual(f"{name_of(frame.indexes):08x}", row[-1])
+            _, stamp, slices, _, _, causes, a, b, _, name, *_ = class_row
+            window = frame.window
+            self.assertEqual((window.end_us, window.slices, window.causes, window.corner),
+                             (int(stamp), int(slices), int(causes, 16), (int(a), int(b))))
+            self.assertEqual(f"{name_of_classes(frame):08x}", name)
+            self.assertEqual((frame.indexes.dtype, frame.indexes.shape), (numpy.int8, (1024, 1024)))
+
+    def test_cells_are_those_of_iog(self):
+        frames, _ = replayed(streams.version_4())
+        for number in (0, 13, 24):
+            raw = streams.FOLDER / "grid.raw"
+            streams.iog("fuse", "--pcap", streams.drive(), "--frame", number, "--out-raw", raw)
+            expected = numpy.fromfile(raw, numpy.int8).reshape(1024, 1024)
+            numpy.testing.assert_array_equal(frames[number].indexes, expected)
+            self.assertGreater(numpy.count_nonzero(expected), 10000)
+
+    def test_version_3_and_raw_tiles(self):
+        for path in (streams.VERSION_3, streams.raw()):
+            frames, receiver = replayed(path)
+            self.assertEqual([frame.is_whole for frame in frames], [True, True])
+            self.assertEqual((receiver.lost, +receiver.dropped), (0, {}))
+            self.check_names(path, frames)
+
+    def test_order_does_not_show(self):
+        """Each message comes twice, and both times in the time of two frames, at random."""
+        messages, rng = streams.messages_of(streams.version_4())[:500], random.Random(33)
+        frames, _ = received(messages)
+        came, receiver = received(sorted(2 * messages, key=lambda each: streams.frame_of(each) + 2 * rng.random()))
+        self.assertEqual([frame.number for frame in came], list(range(came[-1].number + 1)))
+        self.assertGreater(len(came), 5)
+        for frame, right in zip(came, frames):
+            self.check_same(frame, right)
+        self.assertTrue(all(frame.is_whole for frame in came[:-1]))
+        self.assertEqual(receiver.lost, 0)
+        self.assertEqual(receiver.used + receiver.dropped.total(), 2 * len(messages))
+
+    def test_each_message_can_be_lost(self):
+        for path in (streams.version_4(), streams.VERSION_3, streams.raw()):
+            messages = [message for message in streams.messages_of(path) if streams.frame_of(message) < 2]
+            whole, _ = received(messages)
+            for i, message in enumerate(messages):
+                frames, receiver = received(messages[:i] + messages[i + 1:])
+                self.assertEqual([frame.number for frame in frames], [0, 1])
+                self.assertFalse(frames[streams.frame_of(message)].is_whole, f"message {i} of {path}")
+                self.assertEqual(receiver.lost, int(0 < i < len(messages) - 1))
+                for frame, right in zip(frames, whole):
+                    self.check_same(frame, right)
+
+    def test_a_receiver_is_complete_again_in_the_eighth_whole_frame(self):
+        """3.4. Until then what refers to a lost tile is lost."""
+        messages, (right, _) = streams.messages_of(streams.version_4()), replayed(streams.version_4())
+        frames, receiver = received(message for message in messages if streams.frame_of(message) != 0)
+        self.assertFalse(frames[0].is_whole)
+        self.assertGreater(receiver.dropped["tile: without reference"], 0)
+        for frame, other in zip(frames, right[1:], strict=True):
+            self.check_same(frame, other)
+        self.assertTrue(all(frame.is_whole for frame in frames[7:]))
+
+    def test_another_run_takes_over_with_its_third_message(self):
+        """3.2."""
+        messages, other = streams.messages_of(streams.version_4()), streams.FOLDER / "other_run.pcap"
+        streams.iog("fuse", "--pcap", streams.drive(), "--stream", other, "--run-number", 9)
+        old = [message for message in messages if streams.frame_of(message) < 2]
+        new = [message for message in streams.messages_of(other) if streams.frame_of(message) < 1]
+        frames, receiver = received([*old[:-1], *new[:2], old[-1], *new, *old])
+        self.assertEqual([(frame.run, frame.number, frame.is_whole) for frame in frames],
+                         [(1, 0, True), (1, 1, True), (9, 0, True)])
+        self.assertEqual(receiver.dropped["run that is over"], len(old))
+
+    def test_another_version_is_named(self):
+        receiver = iogrid.Receiver()
+        message = streams.made_stream.of_version(streams.messages_of(streams.version_4())[0], 5)
+        self.assertEqual((receiver.take(message), receiver.dropped), ([], {"interface version 5": 1}))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,106 @@
+"""Streams for the tests of clients/, and what `iog` says of them. Environment: IOG is the program, STREAMS a folder.
+
+Those of version 4 are made by `iog` of a simulated drive, that of version 3 is of a target; raw tiles, which neither
+has, are made by tests/e2e/made_stream.py. Tiles are counted by tests/e2e/grid_stream.py, the tests' own reader.
+"""
+
+import collections
+import functools
+import os
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+IOG, FOLDER = os.environ["IOG"], pathlib.Path(os.environ["STREAMS"])
+sys.path[:0] = [str(ROOT / "tests/e2e"), str(ROOT / "clients/python")]
+
+import capture  # noqa: E402
+import ethernet  # noqa: E402
+import grid_stream  # noqa: E402
+import made_classes  # noqa: E402
+import made_stream  # noqa: E402
+
+VERSION_3 = ROOT / "tests/e2e/stream_of_version_3.pcap"
+FRAMES = 25  # of the drive
+MAC, IP = bytes(6), bytes((127, 0, 0, 1))
+
+
+def iog(*arguments) -> str:
+    return subprocess.run([IOG, *map(str, arguments)], capture_output=True, text=True, check=True, timeout=120).stdout
+
+
+@functools.cache
+def drive() -> pathlib.Path:
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    path = FOLDER / "drive.pcap"
+    iog("simulate", "--moving", "--scene", "city", "--seconds", "1", "--seed", "3", "--out", path)
+    return path
+
+
+@functools.cache
+def version_4() -> pathlib.Path:
+    path = FOLDER / "stream.pcap"
+    iog("fuse", "--pcap", drive(), "--stream", path, "--hashes", FOLDER / "hashes.txt",
+        "--classes-hashes", FOLDER / "classes_hashes.txt")
+    return path
+
+
+def hashes(name: str) -> list[list[str]]:
+    """Of each frame what `iog fuse` writes: `hashes` or `classes_hashes`."""
+    version_4()
+    return [line.split() for line in (FOLDER / f"{name}.txt").read_text().splitlines()[1:]]
+
+
+@functools.cache
+def raw() -> pathlib.Path:
+    """Two frames, all of whose tiles are raw, with classes and without a place for them in the second."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    path, target = FOLDER / "raw.pcap", made_stream.Target(0)
+    grid, window = made_stream.Grid(), made_classes.Window(1.0, 2.0, 0.125)
+    for i in range(-127, 128):
+        grid.set(512 + i, 500 + i % 7, i)
+    window.fill(range(-40, 70), range(3, 90), made_classes.class_byte(made_classes.FREE, 5))
+    messages = target.messages_of(grid, 7, window) + target.messages_of(grid, 9, made_classes.Window().without_pose())
+    write(path, messages)
+    return path
+
+
+def write(path: pathlib.Path, messages: list[bytes]) -> None:
+    packets = [ethernet.udp(IP, IP, 15001, 15000, message) for message in messages]
+    capture.write(path, [capture.Packet(i, ethernet.ethernet(MAC, MAC, 0x0800, packet))
+                         for i, packet in enumerate(packets)])
+
+
+@functools.cache
+def messages_of(path: pathlib.Path) -> list[bytes]:
+    return [packet.payload for packet in capture.read(path)]
+
+
+def frame_of(message: bytes) -> int:
+    return int.from_bytes(message[36:40], "big")
+
+
+def tiles_of(message: bytes) -> list[tuple[tuple, grid_stream.Tile]]:
+    """Each with its interface version, whether it is of classes, and its encoding."""
+    body = message[76:]
+    if message[28] != grid_stream.TILES:
+        return []
+    are_classes = grid_stream.is_of_classes(body)
+    tiles = grid_stream.read_class_tiles(body)[1] if are_classes else grid_stream.read_tiles(body)
+    return [((message[13], are_classes, tile.encoding), tile) for tile in tiles.tiles]
+
+
+def encodings_of(messages: list[bytes]) -> collections.Counter:
+    """How many tiles there are by interface version, grid and encoding."""
+    return collections.Counter(of for message in messages for of, _ in tiles_of(message))
+
+
+def some_tiles() -> list[grid_stream.Tile]:
+    """Of each version, grid and encoding up to 30."""
+    kept: collections.defaultdict = collections.defaultdict(list)
+    for path in (VERSION_3, version_4(), raw()):
+        for message in messages_of(path):
+            for of, tile in tiles_of(message):
+                kept[of].append(tile)
+    return [tile for tiles in kept.values() for tile in tiles[:30]]
