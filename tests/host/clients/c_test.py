@@ -1,0 +1,142 @@
+"""Does clients/c make the grids of clients/python, and bear any bytes? By gcc, and by clang with sanitizers."""
+
+import functools
+import random
+import struct
+import subprocess
+import unittest
+import zlib
+
+import streams
+from code_blocks import code_blocks
+from hostile_test import SEED, mutant
+from stream_test import received
+
+import iogrid
+import made_classes
+import made_stream
+
+STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wconversion", "-I", streams.ROOT / "clients/c")
+MAIN = """
+int main(void) {
+  static unsigned char bytes[65536];
+  unsigned char head[2];
+  iogrid_init(&receiver);
+  while (fread(head, 1, 2, stdin) == 2) {
+    const size_t count = (size_t)head[0] << 8 | head[1];
+    if (fread(bytes, 1, count, stdin) != count) return 1;
+    const uint32_t frame = receiver.next;
+    on_datagram(bytes, count);
+    if (receiver.next != frame && receiver.is_whole) printf("%.2f\\n", nearest_moving_m(&receiver));
+  }
+}
+"""
+SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g")
+
+
+@functools.cache
+def program(compiler: str, *options: str):
+    streams.FOLDER.mkdir(parents=True, exist_ok=True)
+    path = streams.FOLDER / f"reader_{compiler}"
+    compile_to(path, compiler, streams.ROOT / "tests/host/clients/reader.c", *options)
+    return path
+
+
+def compile_to(path, compiler: str, source, *options: str) -> None:
+    subprocess.run([compiler, *STRICT, "-O2", *options, source, "-lm", "-o", path], check=True)
+
+
+def said_by(path, messages: list[bytes]) -> list[str]:
+    data = b"".join(struct.pack(">H", len(message)) + message for message in messages)
+    return subprocess.run([path], input=data, capture_output=True, check=True, timeout=300).stdout.decode().splitlines()
+
+
+def line_of(frame: iogrid.Frame) -> str:
+    """What reader.c prints, by the Python reader."""
+    window, moving = frame.window, frame.places(iogrid.Class.MOVING)
+    is_free = 0
+    for i in range(200):
+        x, y = -20 + i * 0.2137, -5 + i % 7 * 1.377
+        is_free += frame.is_free((x, x + i % 5 * 0.613), (y, y + i % 3 * 0.797)) << i % 16
+    pose = window and window.pose
+    return (f"{frame.number} run {frame.run} whole {frame.is_whole:d} lost {frame.indexes_lost.sum()} "
+            f"{frame.classes_lost.sum()} cells {zlib.crc32(frame.indexes.tobytes()):08x} "
+            f"{zlib.crc32((frame.classes << 3 | frame.sureness).tobytes()):08x} "
+            f"causes {window.causes if window else 0:x} "
+            f"pose {pose is not None:d} {pose.x_m if pose else 0:.3f} {pose.y_m if pose else 0:.3f} "
+            f"{pose.heading_rad if pose else 0:.6f} end {window.end_us if window else 0} moving {len(moving)} "
+            f"{(moving @ (1, 2)).sum():.3f} free {is_free} at {frame.class_at(5.03, 0.71)}")
+
+
+class Header(unittest.TestCase):
+    def compare(self, messages: list[bytes], path=None) -> None:
+        frames, receiver = received(messages)
+        dropped = sum(count for cause, count in receiver.dropped.items() if not cause.startswith(("tile", "grid")))
+        expected = [*map(line_of, frames), f"used {receiver.used} dropped {dropped}"]
+        self.assertEqual(said_by(path or program("gcc"), messages), expected)
+
+    def test_same_as_the_python_reader(self):
+        for path in (streams.VERSION_3, streams.raw(), streams.version_4()):
+            self.compare(streams.messages_of(path))
+
+    def test_order_within_a_frame_and_losses(self):
+        messages, rng = streams.messages_of(streams.version_4())[:420], random.Random(SEED)
+        messages = messages[:next(i for i, each in enumerate(messages) if streams.frame_of(each) == 6)]
+        shuffled = sorted(messages, key=lambda message: streams.frame_of(message) + 0.9 * rng.random())
+        self.compare(shuffled)
+        for _ in range(10):
+            self.compare([message for message in shuffled if rng.random() < 0.98])
+
+    def test_examples_of_the_document(self):
+        """A wall of moving cells 9.95 m before the car, then 12.95 m: the strip to 13 m is free in neither."""
+        strip, nearest = code_blocks((streams.ROOT / "docs/clients.md").read_text(), "c")
+        source, path = streams.FOLDER / "examples.c", streams.FOLDER / "examples"
+        source.write_text(strip + nearest + MAIN)
+        compile_to(path, "gcc", source)
+        target, messages = made_stream.Target(0), []
+        for front in (99, 129, 140):
+            window = made_classes.Window()
+            window.fill(range(0, 200), range(-30, 30), made_classes.class_byte(made_classes.FREE))
+            window.fill(range(front, front + 3), range(-9, 9), made_classes.class_byte(made_classes.MOVING))
+            messages += target.messages_of(made_stream.Grid(), 1, window)
+        self.assertEqual(said_by(path, messages), ["0 not known to be free", "9.95", "1 not known to be free", "12.95",
+                                                   "2 free", "14.05"])
+
+    def test_as_another_language(self):
+        """The header is C++, too."""
+        source = streams.FOLDER / "header.cpp"
+        source.write_text('#include "iogrid.h"\nstatic iogrid_receiver r;\nint main() { iogrid_init(&r); }\n')
+        options = [option for option in STRICT if option != "-std=c99"]
+        subprocess.run(["g++", "-std=c++20", *options, source, "-lm", "-o", streams.FOLDER / "header"], check=True)
+
+    def test_another_run(self):
+        """The two messages with which another run begins are lost to this reader, which keeps none."""
+        messages, other = streams.messages_of(streams.version_4()), streams.FOLDER / "other_run.pcap"
+        streams.iog("fuse", "--pcap", streams.drive(), "--stream", other, "--run-number", 9)
+        new = [message for message in streams.messages_of(other) if streams.frame_of(message) < 9]
+        old = [message for message in messages if streams.frame_of(message) < 2]
+        said = said_by(program("gcc"), [*old[:-1], *new[:2], old[-1], *new, *old])
+        self.assertEqual([line.split(" lost")[0] for line in said[:3]],
+                         ["0 run 1 whole 1", "1 run 1 whole 1", "0 run 9 whole 0"])
+        self.assertEqual(said[-2].split(" lost")[0], "8 run 9 whole 1")
+
+    def test_hostile_bytes_under_sanitizers(self):
+        """What claims to be whole is a frame that was sent."""
+        rng, reader = random.Random(SEED), program("clang", *SANITIZERS)
+        self.compare(streams.messages_of(streams.VERSION_3), reader)
+        mutants = whole = 0
+        for path in (streams.VERSION_3, streams.version_4(), streams.raw()):
+            messages = [message for message in streams.messages_of(path) if streams.frame_of(message) < 2]
+            right = {line_of(frame).split(" causes")[0] for frame in received(messages)[0]}
+            for rate in 3 * [0.01] + 25 * [0.9]:
+                sent = [mutant(message, rng) if rng.random() < rate else message for message in messages]
+                mutants += sum(a is not b for a, b in zip(sent, messages))
+                came = {line.split(" causes")[0] for line in said_by(reader, sent) if " whole 1 " in line}
+                self.assertLessEqual(came, right)
+                whole += len(came)
+        self.assertGreater(mutants, 3000)
+        self.assertGreater(whole, 5)
+
+
+if __name__ == "__main__":
+    unittest.main()

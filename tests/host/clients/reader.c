@@ -1,0 +1,70 @@
+// Prints what clients/c makes of datagrams: a line for each frame. Standard input: u16 big endian
+// bytes of a datagram, and the datagram.
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "iogrid.h"
+
+static iogrid_receiver receiver;
+static uint8_t datagram[65536];
+
+static uint32_t lost(const iogrid_grid* grid) {
+  uint32_t tiles = 0;
+  for (uint32_t tile = 0; tile < IOGRID_TILES; ++tile) tiles += grid->is_lost[tile];
+  return tiles;
+}
+
+// CRC-32 of the cells row by row.
+static uint32_t picture(const iogrid_receiver* r, int of_classes) {
+  uint32_t crc = 0xFFFFFFFF;
+  for (uint32_t row = 0; row < IOGRID_SIDE; ++row) {
+    for (uint32_t column = 0; column < IOGRID_SIDE; ++column) {
+      const uint8_t cell =
+          of_classes ? iogrid_cell(r, column, row)
+                     : (uint8_t)iogrid_index_at(r, (column - 511.5) * 0.1, (row - 511.5) * 0.1);
+      crc = iogrid_crc(r->crc_32, crc, &cell, 1);
+    }
+  }
+  return ~crc;
+}
+
+static void print(const iogrid_receiver* r) {
+  uint32_t at = 0, moving = 0, is_free = 0;
+  double x, y, sum = 0;
+  while (iogrid_next(r, IOGRID_MOVING, &at, &x, &y)) {
+    ++moving;
+    sum += x + 2 * y;
+  }
+  for (int i = 0; i < 200; ++i) {
+    x = -20 + i * 0.2137;
+    y = -5 + i % 7 * 1.377;
+    is_free += (uint32_t)iogrid_is_free(r, x, x + i % 5 * 0.613, y, y + i % 3 * 0.797) << i % 16;
+  }
+  printf("%u run %u whole %d lost %u %u cells %08x %08x", r->number, r->run, r->is_whole,
+         r->has_indexes ? lost(&r->indexes) : 0, r->has_classes ? lost(&r->classes) : 0,
+         picture(r, 0), picture(r, 1));
+  printf(" causes %x pose %d %.3f %.3f %.6f end %llu moving %u %.3f free %u at %d\n", r->causes,
+         r->has_pose, r->has_pose ? r->x_m : 0, r->has_pose ? r->y_m : 0,
+         r->has_pose ? r->heading_rad : 0, (unsigned long long)r->end_us, moving, sum, is_free,
+         (int)iogrid_class_at(r, 5.03, 0.71));
+}
+
+int main(void) {
+  iogrid_init(&receiver);
+  for (int high; (high = getchar()) != EOF;) {
+    const size_t bytes = (size_t)high << 8 | (size_t)getchar();
+    // On the heap, so that a byte read beyond its end is found.
+    uint8_t* exact = (uint8_t*)malloc(bytes + (bytes == 0));
+    if (exact == NULL || fread(datagram, 1, bytes, stdin) != bytes) return 1;
+    memcpy(exact, datagram, bytes);
+    enum iogrid_result result;
+    while ((result = iogrid_take(&receiver, exact, bytes)) == IOGRID_FRAME_AGAIN) print(&receiver);
+    if (result == IOGRID_FRAME) print(&receiver);
+    free(exact);
+  }
+  if (iogrid_close(&receiver)) print(&receiver);
+  uint32_t dropped = 0;
+  for (int i = 0; i < IOGRID_BAD_TILE; ++i) dropped += receiver.dropped[i];
+  printf("used %u dropped %u\n", receiver.used, dropped);
+  return 0;
+}
