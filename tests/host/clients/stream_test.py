@@ -13,6 +13,7 @@ from code_blocks import code_blocks
 
 import iogrid
 import numpy
+import protected_message
 
 
 def name_of(indexes: numpy.ndarray) -> int:
@@ -161,6 +162,39 @@ class Stream(unittest.TestCase):
         self.assertEqual([(frame.run, frame.number, frame.is_whole) for frame in frames],
                          [(1, 0, True), (1, 1, True), (9, 0, True)])
         self.assertEqual(receiver.dropped["run that is over"], len(old))
+
+    def test_protection_is_checked(self):
+        """3.1 and 3.2: the CRC, the data id, the lengths, and a counter that is the low half of the sequence number."""
+        message = streams.messages_of(streams.version_4())[0]
+        wrong = {
+            "damaged": [message[:at] + bytes((message[at] ^ 1,)) + message[at + 1:] for at in (5, 17, 18, 23, 24, 500)],
+            "malformed": [protected_message.protect(message[28:], 1)],
+        }
+        for cause, datagrams in wrong.items():
+            receiver = iogrid.Receiver()
+            self.assertEqual([receiver.take(datagram) for datagram in datagrams], [[]] * len(datagrams))
+            self.assertEqual((receiver.used, receiver.dropped), (0, {cause: len(datagrams)}))
+        other_id = protected_message.protect(message[28:], 0, protected_message.Channel(0x8001, 0x494F4702))
+        receiver.take(other_id)
+        self.assertEqual(receiver.dropped["damaged"], 1)
+
+    def test_no_tile_is_spoken_of_twice(self):
+        """3.3: a message that does is malformed, whatever its sequence number."""
+        first = streams.messages_of(streams.version_4())[0]
+        again = protected_message.protect(first[28:32] + struct.pack(">I", 1000) + first[36:], 1000)
+        receiver = iogrid.Receiver()
+        self.assertEqual((receiver.take(first), receiver.take(again)), ([], []))
+        self.assertEqual((receiver.used, receiver.dropped), (1, {"malformed": 1}))
+
+    def test_messages_of_a_frame_agree_on_the_window(self):
+        """3.9: one that contradicts those before it is malformed, and what it has said is lost."""
+        messages = [message for message in streams.messages_of(streams.raw()) if streams.frame_of(message) == 0]
+        at = max(i for i, message in enumerate(messages) if message[28] == 1 and message[83] == 2)
+        moved = messages[at][28:112] + struct.pack(">i", 1001) + messages[at][116:]
+        messages[at] = protected_message.protect(moved, at)
+        frames, receiver = received(messages)
+        self.assertEqual(([frame.is_whole for frame in frames], receiver.dropped), ([False], {"malformed": 1}))
+        self.assertEqual(frames[0].window.pose.x_m, 1.0)
 
     def test_another_version_is_named(self):
         receiver = iogrid.Receiver()
