@@ -66,7 +66,7 @@ class Grid:
             try:
                 of, payload = reference_of(encoding, payload, frame)
                 require(of in (None, own.frames[number]), "without reference")
-                tile = read_tile(encoding, payload, None if of is None else own.cells[number].tobytes())
+                tile = read_tile(encoding, payload, own.cells[number])
             except Unsound as fault:
                 dropped[f"tile: {fault}"] += 1
                 is_lost[number] = True
@@ -75,7 +75,8 @@ class Grid:
                 cells[number] = numpy.frombuffer(tile, numpy.uint8)
             else:
                 drawn[number] = tile
-                cells[number] = 0 if of is None else own.cells[number]
+                if of is not None:
+                    cells[number] = own.cells[number]
             known[number] = of is None
         if drawn:
             cells[list(drawn)] = draw(list(drawn.values()), cells[list(drawn)])

@@ -61,35 +61,37 @@ class RunStarts(typing.NamedTuple):
     values: bytes
     is_set: bytes  # a bit for each block
     sets: bytes  # a byte for each of these
-    digits: numpy.ndarray
+    runs: int
+    numbers: list[int]  # of their digits
 
 
 def _read_run_starts(values: bytes, rest: bytes) -> RunStarts:
     if not values:
         require(not rest)
-        return RunStarts(values, bytes(16), b"", numpy.zeros(0, numpy.int64))
+        return RunStarts(values, bytes(16), b"", 0, [])
     require(len(values) <= 215 and len(rest) >= 16)
     end = 16 + int.from_bytes(rest[:16], "big").bit_count()
     sets = rest[16:end]
     require(len(rest) >= end and 0 not in sets)
-    count = int.from_bytes(sets, "big").bit_count()
-    return RunStarts(values, rest[:16], sets, _read_digits(rest[end:], len(values), count))
+    runs = int.from_bytes(sets, "big").bit_count()
+    return RunStarts(values, rest[:16], sets, runs, _read_numbers(rest[end:], len(values), runs))
 
 
 @functools.cache
 def _packing(base: int) -> tuple[int, int, int, numpy.ndarray]:
     """Digits in a number, its bits, the bits of a number of four digits, and what the digits are worth."""
     digits = 4 * max(fours for fours in range(1, 8) if base ** (4 * fours) <= 2 ** 31)
-    worth = base ** numpy.arange(digits)[::-1]
+    worth = (base ** numpy.arange(digits)[::-1]).astype(numpy.int32)
     return digits, (base ** digits - 1).bit_length(), (base ** 4 - 1).bit_length(), worth
 
 
-def _read_digits(data: bytes, base: int, count: int) -> numpy.ndarray:
-    """So many digits to this base, many to a number of at most 31 bits, and nothing behind them."""
+def _read_numbers(data: bytes, base: int, count: int) -> list[int]:
+    """So many digits to this base, many to a number of at most 31 bits, and nothing behind them. Digits that the last
+    number has not are 0 here."""
     if base == 1:
         require(not data)
-        return numpy.zeros(count, numpy.int64)
-    per_number, width, width_of_four, worth = _packing(base)
+        return []
+    per_number, width, width_of_four, _ = _packing(base)
     wholes, rest = divmod(-(-count // 4) * 4, per_number)
     rest_width = min(width, rest // 4 * width_of_four)
     bits, left = int.from_bytes(data, "big"), 8 * len(data) - wholes * width - rest_width  # padding
@@ -97,9 +99,23 @@ def _read_digits(data: bytes, base: int, count: int) -> numpy.ndarray:
     last, bits = bits >> left & (1 << rest_width) - 1, bits >> left + rest_width
     numbers = [bits >> width * (wholes - 1 - i) & (1 << width) - 1 for i in range(wholes)]
     require(last < base ** rest and max(numbers, default=0) < base ** per_number)
-    digits = (numpy.array([*numbers, last * base ** (per_number - rest)])[:, None] // worth % base).ravel()
-    require(not digits[count:].any())
-    return digits[:count]
+    numbers.append(last * base ** (per_number - rest))
+    require((last if rest else numbers[wholes - 1]) % base ** (-count % 4) == 0)
+    return numbers
+
+
+def _digits_of(tiles: list[RunStarts]) -> list[numpy.ndarray]:
+    """Those of tiles with as many values at once."""
+    digits = [numpy.zeros(tile.runs, numpy.int32) for tile in tiles]
+    for base in {len(tile.values) for tile in tiles} - {0, 1}:
+        members = [i for i, tile in enumerate(tiles) if len(tile.values) == base]
+        per_number, _, _, worth = _packing(base)
+        numbers = numpy.array([number for i in members for number in tiles[i].numbers], numpy.int32)
+        of_all, at = (numbers[:, None] // worth % base).ravel(), 0
+        for i in members:
+            digits[i] = of_all[at:at + tiles[i].runs]
+            at += per_number * len(tiles[i].numbers)
+    return digits
 
 
 def draw(tiles: list[RunStarts], references: numpy.ndarray) -> numpy.ndarray:
@@ -111,9 +127,9 @@ def draw(tiles: list[RunStarts], references: numpy.ndarray) -> numpy.ndarray:
     is_start[is_set] = sets.reshape(-1, 8)
     is_start = is_start.reshape(-1, 16, 8, 2, 4).swapaxes(2, 3).reshape(-1, CELLS)
     # Run 0 of each tile is what comes before the first that starts. Its digit stands for symbol 0.
-    runs = numpy.array([1 + len(tile.digits) for tile in tiles])
+    runs = numpy.array([1 + tile.runs for tile in tiles])
     values = numpy.array([1 + len(tile.values) for tile in tiles])
-    symbols = _symbols(numpy.concatenate([part for tile in tiles for part in ((-1,), tile.digits)]))
+    symbols = _symbols(numpy.concatenate([part for digits in _digits_of(tiles) for part in ((-1,), digits)]))
     table = _array(b"".join(b"\0" + tile.values for tile in tiles))
     value_of_run = table[symbols + numpy.repeat(values.cumsum() - values, runs)]
     run_of_cell = is_start.cumsum(axis=1, dtype=numpy.int32) + (runs.cumsum() - runs)[:, None]
@@ -142,8 +158,8 @@ def reference_of(encoding: int, payload: bytes, frame: int) -> tuple[int | None,
     return of, payload[size:]
 
 
-def read_tile(encoding: int, payload: bytes, reference: bytes | None) -> bytes | RunStarts:
-    """Its cells, or how they are to be drawn."""
+def read_tile(encoding: int, payload: bytes, reference: numpy.ndarray) -> bytes | RunStarts:
+    """Its cells, or how they are to be drawn. reference: the tile of the frame that it refers to, if it does."""
     require(encoding in (RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE), "unknown encoding")
     if encoding == RAW:
         require(len(payload) == CELLS)
@@ -154,6 +170,7 @@ def read_tile(encoding: int, payload: bytes, reference: bytes | None) -> bytes |
     if encoding in (RUN_STARTS, RUN_STARTS_SINCE):
         return _read_run_starts(values, rest)
     bits = _Bits(rest)
-    cells = _quadtree(values, bits).tobytes() if encoding == QUADTREE else _runs(values, bits, reference)
+    cells = _quadtree(values, bits).tobytes() if encoding == QUADTREE else \
+        _runs(values, bits, reference.tobytes() if encoding == CHANGED_SINCE else None)
     bits.end()
     return cells

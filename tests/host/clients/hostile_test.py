@@ -122,10 +122,9 @@ class Hostile(unittest.TestCase):
     def ours(encoding: int, payload: bytes, reference: bytes) -> bytes | None:
         try:
             of, behind = tiles.reference_of(encoding, payload, 9)
-            reference = None if of is None else reference
-            tile = tiles.read_tile(encoding, behind, reference)
+            cells = numpy.frombuffer(bytes(1024) if of is None else reference, numpy.uint8)
+            tile = tiles.read_tile(encoding, behind, cells)
             if isinstance(tile, tiles.RunStarts):
-                cells = numpy.frombuffer(reference or bytes(1024), numpy.uint8)
                 tile = tiles.draw([tile], cells[None, :]).tobytes()
         except Unsound:
             return None
