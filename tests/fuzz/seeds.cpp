@@ -247,13 +247,14 @@ void add_stream_seeds(Seeds& seeds) {
   seeds.add("stream_message", end_content(5));
   seeds.add("stream_message", classes_content());
   seeds.add("stream_message", class_end_content());
-  seeds.add("frame_assembler",
-            joined(joined(piece_of(classes_content()), piece_of(class_end_content())),
-                   piece_of(end_content(6))));
+  for (const char* target : {"frame_assembler", "client_reader"}) {
+    seeds.add(target, joined(joined(piece_of(classes_content()), piece_of(class_end_content())),
+                             piece_of(end_content(6))));
+    seeds.add(target, joined(joined(piece_of(first), piece_of(end_content(5))),
+                             joined(piece_of(second), piece_of(end_content(6)))));
+  }
   seeds.add("serial_line",
             joined(piece_of(first), piece_of(tiles_content(6, tile_coding::Encoding::kRaw, raw))));
-  seeds.add("frame_assembler", joined(joined(piece_of(first), piece_of(end_content(5))),
-                                      joined(piece_of(second), piece_of(end_content(6)))));
 }
 
 void add_tile_seeds(Seeds& seeds) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "iogrid_tiles.h"
 #include "law.hpp"
 #include "tile_coding/decode.hpp"
 #include "tile_coding/encode.hpp"
@@ -28,6 +29,25 @@ Tile reference_cells() {
   return tile;
 }
 
+// Whether clients/c reads the payload likewise.
+bool is_as_client_reads(Encoding encoding, std::span<const std::byte> payload,
+                        std::uint32_t frame_number, const Reference& reference, DecodeStatus status,
+                        const Tile& cells) {
+  const auto number = static_cast<std::uint32_t>(encoding);
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(payload.data());
+  const bool stands_alone = number != 3 && number != 5;
+  std::array<std::uint8_t, kTileBytes> own{};
+  std::ranges::transform(reference.cells, own.begin(), std::to_integer<std::uint8_t>);
+  std::array<std::uint8_t, kTileBytes> clients{};
+  const bool is_tile =
+      (stands_alone ||
+       iogrid_reference(number, bytes, payload.size(), frame_number) == reference.frame_number) &&
+      iogrid_tile(number, bytes, payload.size(), own.data(), clients.data()) != 0 &&
+      std::ranges::find(clients, std::uint8_t{0x80}) == clients.end();
+  return is_tile == (status == DecodeStatus::kOk) &&
+         (!is_tile || std::ranges::equal(std::as_bytes(std::span(clients)), cells));
+}
+
 void check(std::span<const std::byte> input) {
   static const Tile receivers_tile = reference_cells();
   static Encoder encoder;
@@ -43,6 +63,8 @@ void check(std::span<const std::byte> input) {
   const DecodeStatus status = decode(encoding, payload, frame_number, reference, cells);
   law(decode(encoding, payload, frame_number, reference, others) == status,
       "the outcome is the payload's");
+  law(is_as_client_reads(encoding, payload, frame_number, reference, status, cells),
+      "the reader in C decodes likewise");
   if (status != DecodeStatus::kOk) {
     return;
   }

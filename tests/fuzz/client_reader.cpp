@@ -1,0 +1,80 @@
+// The reader of clients/c on a series of messages, protected as those of the assembler of frames.
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include "iogrid.h"
+#include "law.hpp"
+#include "protection/protected_message.hpp"
+#include "stream/channel.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::fuzz {
+namespace {
+
+constexpr std::size_t kMaxMessages = 32;
+
+void check_grid(const iogrid_grid& grid) {
+  static constexpr std::array<std::uint8_t, IOGRID_CELLS> kNothing{};
+  for (std::size_t tile = 0; tile < IOGRID_TILES; ++tile) {
+    law(grid.is_lost[tile] == 0 ||
+            std::memcmp(grid.cells[tile], kNothing.data(), kNothing.size()) == 0,
+        "what is lost is unknown");
+  }
+}
+
+void check_frame(const iogrid_receiver& reader) {
+  check_grid(reader.indexes);
+  check_grid(reader.classes);
+  const bool is_free = iogrid_is_free(&reader, 1, 2, -1, 1) != 0;
+  law(!is_free || reader.has_pose != 0, "nothing is free where nobody knows where it is");
+}
+
+void take(iogrid_receiver& reader, std::span<const std::byte> message) {
+  iogrid_result result = IOGRID_NONE;
+  while ((result = iogrid_take(&reader, message.data(), message.size())) == IOGRID_FRAME_AGAIN) {
+    check_frame(reader);
+  }
+  if (result == IOGRID_FRAME) {
+    law(reader.indexes.has_end != 0, "a frame that is complete has an end");
+    check_frame(reader);
+  }
+}
+
+void check(std::span<const std::byte> input) {
+  static iogrid_receiver reader;  // 4 MiB
+  iogrid_init(&reader);
+  protection::Sender sender(stream::kNetworkChannel);
+  std::uint32_t sequence = 0;  // as many as the sender has protected
+  wire::ByteReader in(input);
+  for (std::size_t i = 0; in.remaining() > 0 && i < kMaxMessages; ++i) {
+    const std::span<const std::byte> piece = next_piece(in);
+    if (!piece.empty() && piece.front() == std::byte{0xFF}) {
+      take(reader, piece.subspan(1));
+      continue;
+    }
+    std::vector<std::byte> message(protection::kProtectionBytes);
+    const std::size_t bytes = std::min(piece.size(), protection::kMaxContentBytes);
+    message.insert(message.end(), piece.begin(),
+                   piece.begin() + static_cast<std::ptrdiff_t>(bytes));
+    // The counter is the low half of the sequence number, or the message is refused.
+    if (bytes >= 8) {
+      wire::store_be32(std::span(message).subspan<protection::kProtectionBytes + 4, 4>(), sequence);
+    }
+    sender.protect(message);
+    ++sequence;
+    take(reader, message);
+  }
+  if (iogrid_close(&reader) != 0) {
+    check_frame(reader);
+  }
+}
+
+}  // namespace
+}  // namespace iog::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
+  return 0;
+}
