@@ -58,7 +58,8 @@ std::optional<net::Config> read_network(Block block, const RecordPlace& place) {
 }
 
 // Of what keeps to its limits.
-void derive(const vehicle::Vehicle& car, SensorMemory& memory) {
+void derive(vehicle::Vehicle& car, SensorMemory& memory) {
+  vehicle::derive_rules(car.sensors, car.window);
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     vehicle::derive_limits(car.footprint, car.z_min, car.z_max, memory.sensors[i]);
   }

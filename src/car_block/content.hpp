@@ -52,7 +52,7 @@ void visit_sensor(auto& content, auto& sensor) {
   content.format(sensor.format);
   content.numbers(sensor.source_ipv4, sensor.udp_port);
   content.numbers(sensor.origin.x, sensor.origin.y, sensor.origin_z);
-  content.shares_and_ground(sensor.layers_share_lines, sensor.ground);
+  content.shares_and_heights(sensor.layers_share_lines, sensor.ground, sensor.moved);
   content.azimuths(sensor);
   content.length(sensor.range);
   content.numbers(sensor.range_min_mm, sensor.precision_mm, sensor.no_return_clears_mm);
@@ -107,12 +107,19 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  // Of what it shares and whether it follows the ground a byte has a bit each.
-  void shares_and_ground(bool layers_share_lines, const vehicle::GroundLimits& ground) {
+  // Of what it shares, whether it follows the ground and whether heights open it a byte has a bit
+  // each.
+  void shares_and_heights(bool layers_share_lines, const vehicle::GroundLimits& ground,
+                          const vehicle::MovedLimits& moved) {
+    const unsigned shares = layers_share_lines ? 1U : 0U;
     const unsigned follows = ground.is_followed() ? 2U : 0U;
-    number(static_cast<std::uint8_t>((layers_share_lines ? 1U : 0U) | follows));
+    const unsigned opens = moved.are_given() ? 4U : 0U;
+    number(static_cast<std::uint8_t>(shares | follows | opens));
     if (ground.is_followed()) {
       numbers(ground.low_mm, ground.top_mm);
+    }
+    if (moved.are_given()) {
+      numbers(moved.low_mm, moved.tall_mm);
     }
   }
   void below(unsigned /*count*/, auto value) { number(static_cast<std::uint8_t>(value)); }

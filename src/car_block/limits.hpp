@@ -19,6 +19,9 @@ inline constexpr std::string_view kRangeWords = "more than range_min_mm, at most
 
 inline constexpr std::string_view kGroundLowWords = "0.1 ... 1";
 inline constexpr std::string_view kGroundTopWords = "low_m + 0.5 ... 10";
+inline constexpr std::string_view kMovedLowWords =
+    "0.1 m or more over what is no obstacle, at most 10";
+inline constexpr std::string_view kMovedTallWords = "0, or at most where obstacles end";
 
 // Coordinates stay within this, so that products of subcells stay within 64 bits.
 inline constexpr std::int32_t kFarthestM = 1000;

@@ -42,14 +42,20 @@ class Reader {
     value = static_cast<Value>(read);
   }
   void truth(bool& value) { below(2, value); }
-  void shares_and_ground(bool& layers_share_lines, vehicle::GroundLimits& ground) {
+  void shares_and_heights(bool& layers_share_lines, vehicle::GroundLimits& ground,
+                          vehicle::MovedLimits& moved) {
     unsigned bits = 0;
-    below(4, bits);
+    below(8, bits);
     layers_share_lines = (bits & 1U) != 0;
     ground = {};
     if ((bits & 2U) != 0) {
       numbers(ground.low_mm, ground.top_mm);
       demand(ground.is_followed());
+    }
+    moved = {};
+    if ((bits & 4U) != 0) {
+      numbers(moved.low_mm, moved.tall_mm);
+      demand(moved.are_given());
     }
   }
 

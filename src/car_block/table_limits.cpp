@@ -169,17 +169,30 @@ bool check_layers(const Sensor& sensor, std::size_t number, const Tell& tell) {
 void check_ground(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const std::int32_t low_mm = sensor.ground.low_mm;
   const std::int32_t top_mm = sensor.ground.top_mm;
-  const auto subcells_of = [](std::int32_t mm) {
-    return mm * geometry::kResolution / geometry::kCellMm;
-  };
   if (!lidar::facts_of(sensor.format).turns) {
     tell({number, "ground", "none, because this scanner does not turn"});
   } else if (!is_within<std::int32_t>(low_mm, 100, 1'000)) {
     tell({number, "ground.low_m", kGroundLowWords});
   } else if (!is_within<std::int32_t>(top_mm, low_mm + 500, 10'000)) {
     tell({number, "ground.top_m", kGroundTopWords});
-  } else if (sensor.origin_z <= subcells_of(low_mm) || sensor.origin_z >= subcells_of(top_mm)) {
+  } else if (sensor.origin_z <= vehicle::subcells_of(sensor.ground.low_mm) ||
+             sensor.origin_z >= vehicle::subcells_of(sensor.ground.top_mm)) {
     tell({number, "ground", "low_m and top_m that the sensor's own height lies between"});
+  }
+}
+
+// The limits of what opens ground are heights at which something is an obstacle.
+void check_moved(const Vehicle& car, std::size_t number, const Tell& tell) {
+  const Sensor& sensor = car.sensors[number];
+  const vehicle::MovedLimits& moved = sensor.moved;
+  const bool follows = sensor.ground.is_followed();
+  const std::int32_t begin = follows ? vehicle::subcells_of(sensor.ground.low_mm) : car.z_min;
+  const std::int32_t end = follows ? vehicle::subcells_of(sensor.ground.top_mm) : car.z_max;
+  if (moved.low_mm > 10'000 ||
+      vehicle::subcells_of(moved.low_mm) < begin + vehicle::subcells_of(100)) {
+    tell({number, "moved.low_m", kMovedLowWords});
+  } else if (vehicle::subcells_of(moved.tall_mm) > end) {
+    tell({number, "moved.tall_m", kMovedTallWords});
   }
 }
 
@@ -264,6 +277,9 @@ void check_tables(const Vehicle& car, const Tell& tell) {
     check_lasers(sensor, i, tell);
     if (check_layers(sensor, i, tell)) {
       check_band(car, i, tell);
+    }
+    if (car.sensors[i].moved.are_given()) {
+      check_moved(car, i, tell);
     }
   }
   check_grounds(car.sensors, tell);

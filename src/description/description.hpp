@@ -40,6 +40,13 @@ struct GroundConfig {
   double top_m = 2.20;
 };
 
+// How low a beam opens ground, and how tall something is that moves (docs/perception.md): over the
+// car's plane, or over the local ground if the sensor follows it. A tall_m of 0: whatever is hit.
+struct MovedConfig {
+  double low_m = 0.6;
+  double tall_m = 0.7;
+};
+
 struct SensorConfig {
   std::string_view name{};  // for people: at most 15 letters, digits, '_'
   lidar::Format format = lidar::kFormat<lidar::IbeoLux>;
@@ -68,6 +75,8 @@ struct SensorConfig {
   std::uint32_t latency_us = 0;
   // None: its returns are judged by the car's height band.
   std::optional<GroundConfig> ground{};
+  // None: each of its beams opens what it frees.
+  std::optional<MovedConfig> moved{};
 };
 
 // A rectangle on the ground, seen from above.

@@ -137,6 +137,14 @@ void check_ground(const SensorConfig& config, std::size_t number, const Tell& te
   }
 }
 
+void check_moved(const SensorConfig& config, std::size_t number, const Tell& tell) {
+  if (config.moved && !is_within(config.moved->low_m, 0.1, 10.0)) {
+    tell({number, "moved.low_m", car_block::kMovedLowWords});
+  } else if (config.moved && !is_within(config.moved->tall_m, 0.0, 10.0)) {
+    tell({number, "moved.tall_m", car_block::kMovedTallWords});
+  }
+}
+
 void check_laser(const lidar::Laser& laser, std::size_t number, const Tell& tell) {
   if (!is_within(laser.elevation_deg, -89.0, 89.0)) {
     tell({number, "lasers", "an elevation_deg of -89 ... 89"});
@@ -184,6 +192,7 @@ void check(const Description& car, std::span<const SensorConfig> sensors, const 
     check_tilt(sensors[i], i, tell);
     check_lasers(sensors[i], i, tell);
     check_ground(sensors[i], i, tell);
+    check_moved(sensors[i], i, tell);
   }
 }
 

@@ -235,6 +235,10 @@ Sensor numbers_of(const SensorConfig& config) {
     sensor.ground = {.low_mm = millimetres(config.ground->low_m),
                      .top_mm = millimetres(config.ground->top_m)};
   }
+  if (config.moved) {
+    sensor.moved = {.low_mm = millimetres(config.moved->low_m),
+                    .tall_mm = millimetres(config.moved->tall_m)};
+  }
   sensor.is_synchronised = config.is_synchronised;
   sensor.latency_us = config.latency_us;
   const std::size_t layers =
@@ -283,6 +287,7 @@ Vehicle vehicle_of(const Description& car, std::span<const Sensor> sensors) {
   vehicle.footprint = footprint_of(car.footprint);
   vehicle.z_min = subcells(car.z_min_m);
   vehicle.z_max = subcells(car.z_max_m);
+  vehicle::derive_rules(sensors, vehicle.window);
   vehicle.id = car_block::identity_of(vehicle);
   return vehicle;
 }

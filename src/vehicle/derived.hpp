@@ -3,7 +3,9 @@
 // for a description, the target for the car of its image.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 
 #include "lidar/formats.hpp"
@@ -68,6 +70,15 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
   sensor.on_car_x = range_products(footprint.x_min, footprint.x_max, sensor.origin.x, length_mm);
   sensor.on_car_y = range_products(footprint.y_min, footprint.y_max, sensor.origin.y, length_mm);
   sensor.in_band = range_products(z_min, z_max, sensor.origin_z, length_mm);
+  const std::uint16_t tall_mm = sensor.moved.tall_mm;
+  sensor.tall = range_products(tall_mm == 0 ? z_min : subcells_of(tall_mm), z_max, sensor.origin_z,
+                               length_mm);
+}
+
+// Ground is opened only from below if one of the sensors says how low and how tall.
+constexpr void derive_rules(std::span<const Sensor> sensors, window::Rules& rules) {
+  rules.is_opened_from_below =
+      std::ranges::any_of(sensors, [](const Sensor& sensor) { return sensor.moved.are_given(); });
 }
 
 }  // namespace iog::vehicle

@@ -2,6 +2,7 @@
 // (src/description), the target reads them from the block of its image (src/car_block).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <string_view>
 
 #include "geometry/cell.hpp"
+#include "geometry/grid.hpp"
 #include "lidar/formats.hpp"
 #include "lidar/laser.hpp"
 #include "lidar/unit.hpp"
@@ -85,6 +87,29 @@ struct GroundLimits {
   [[nodiscard]] constexpr bool is_followed() const { return top_mm != 0; }
 };
 
+// How low a beam has to be to open ground, and how tall something is that moves, by its returns
+// (window/opening.hpp): over the car's plane, or over the local ground if the sensor follows it.
+// As it stands here every beam is low and every return is tall.
+struct MovedLimits {
+  static constexpr std::uint16_t kAnyHeight = 65'535;
+
+  std::uint16_t low_mm = kAnyHeight;
+  std::uint16_t tall_mm = 0;
+
+  [[nodiscard]] constexpr bool are_given() const { return low_mm != kAnyHeight || tall_mm != 0; }
+};
+
+// A height over the car's plane in subcells, rounded down.
+[[nodiscard]] constexpr std::int32_t subcells_of(std::uint16_t height_mm) {
+  return std::int32_t{height_mm} * geometry::kResolution / geometry::kCellMm;
+}
+
+// Heights from one to another, both included, in subcells over the car's plane.
+struct HeightBand {
+  std::int32_t low = 0;
+  std::int32_t high = 0;
+};
+
 struct Sensor {
   std::string_view name;
   lidar::Format format = lidar::kFormat<lidar::IbeoLux>;
@@ -104,6 +129,7 @@ struct Sensor {
   std::uint16_t scan_width_ticks = 0;
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
+  MovedLimits moved;
   // Where its maker calibrated each of its lasers.
   bool is_calibrated = false;
   // Of an Ouster, see lidar::Unit.
@@ -115,6 +141,7 @@ struct Sensor {
   RangeProducts on_car_x;  // together: within the vehicle's footprint
   RangeProducts on_car_y;
   RangeProducts in_band;  // within its height band
+  RangeProducts tall;     // the same of those that are tall by `moved`
   // What is long comes last, so that the rest is near.
   std::array<Layer, kMaxLayers> layers{};
   std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
@@ -152,6 +179,15 @@ struct Vehicle {
   Footprint footprint{};
   std::int32_t z_min = 0;  // the height band in subcells, both ends included
   std::int32_t z_max = 0;
+
+  [[nodiscard]] constexpr HeightBand band() const { return {z_min, z_max}; }
+  // The part of it in which beams of the sensor are low.
+  [[nodiscard]] constexpr HeightBand low_band(const Sensor& sensor) const {
+    return {z_min, sensor.moved.low_mm == MovedLimits::kAnyHeight
+                       ? z_max
+                       : std::min(z_max, subcells_of(sensor.moved.low_mm))};
+  }
+
   FusionRule rule = FusionRule::kHitsWin;
   index::Quantisation quantisation = index::Quantisation::kBlurring;
   std::uint32_t frame_period_us = 0;

@@ -64,6 +64,14 @@ description::GroundConfig read_ground(TomlTable table) {
   return ground;
 }
 
+description::MovedConfig read_moved(TomlTable table) {
+  description::MovedConfig moved;
+  table.read("low_m", moved.low_m);
+  table.read("tall_m", moved.tall_m);
+  table.refuse_others();
+  return moved;
+}
+
 // What the type of a scanner gives; another value changes that one member.
 description::SensorConfig read_type(TomlTable& table) {
   using description::kScannerTypes;
@@ -96,6 +104,9 @@ void read_sensor(TomlTable& table, Car& car) {
   table.read("latency_us", sensor.latency_us);
   if (table.has("ground")) {
     sensor.ground = read_ground(table.table("ground"));
+  }
+  if (table.has("moved")) {
+    sensor.moved = read_moved(table.table("moved"));
   }
   table.demand({"name", "type", "udp_port", "mount"});
   table.refuse_others();

@@ -59,6 +59,22 @@ TEST(CarBlock, TheGroundComesBackAsItIs) {
   expect_equal(bytes.car.sensors[0], roof.vehicle.sensors[0]);
 }
 
+TEST(CarBlock, WhatOpensGroundComesBackAsItIs) {
+  const vehicles::Car& roof = vehicles::car("roof_hdl64e");
+  std::vector<vehicle::Sensor> sensors(roof.vehicle.sensors.begin(), roof.vehicle.sensors.end());
+  sensors[0].moved = {.low_mm = 600, .tall_mm = 700};
+  vehicles::Car car = roof;
+  car.vehicle.sensors = sensors;
+  EXPECT_FALSE(roof.vehicle.window.is_opened_from_below);
+  CarBytes bytes(car);
+  const Verdict verdict = bytes.read();
+  ASSERT_EQ(verdict.refusal, Refusal::kNone) << Words(verdict).view();
+  EXPECT_EQ(bytes.car.sensors[0].moved.low_mm, 600);
+  EXPECT_EQ(bytes.car.sensors[0].moved.tall_mm, 700);
+  EXPECT_TRUE(bytes.car.window.is_opened_from_below);
+  EXPECT_NE(bytes.car.id, roof.vehicle.id);
+}
+
 // An image for cars to come says what it takes, and that it has none (docs/spec.md, section 8).
 TEST(CarBlock, WithoutACarItIsRefused) {
   const vehicles::Car& car = vehicles::cars()[0];

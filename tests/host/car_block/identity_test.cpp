@@ -90,18 +90,23 @@ TEST(Identity, HasTheSensorsToo) {
   EXPECT_EQ(identity_of(with), crc_of(bytes.all));
 }
 
-// Of one that does not, the bytes are what they were before any could.
-TEST(Identity, HasTheGroundOfASensorThatFollowsIt) {
-  const auto bytes_with = [](bool shares, vehicle::GroundLimits ground) {
+// Of one that has neither, the bytes are what they were before any could.
+TEST(Identity, HasTheGroundAndWhatOpensItOfASensorThatHasThem) {
+  using vehicle::GroundLimits;
+  using vehicle::MovedLimits;
+  const auto bytes_with = [](bool shares, GroundLimits ground, MovedLimits moved) {
     std::vector<std::uint8_t> bytes;
     content_detail::Writer out([&](std::uint8_t byte) { bytes.push_back(byte); });
-    out.shares_and_ground(shares, ground);
+    out.shares_and_heights(shares, ground, moved);
     return bytes;
   };
-  EXPECT_EQ(bytes_with(false, {}), (std::vector<std::uint8_t>{0}));
-  EXPECT_EQ(bytes_with(true, {}), (std::vector<std::uint8_t>{1}));
-  EXPECT_EQ(bytes_with(true, {0x0102, 0x0304}), (std::vector<std::uint8_t>{3, 1, 2, 3, 4}));
-  EXPECT_EQ(bytes_with(false, {0x0102, 0x0304}), (std::vector<std::uint8_t>{2, 1, 2, 3, 4}));
+  EXPECT_EQ(bytes_with(false, {}, {}), (std::vector<std::uint8_t>{0}));
+  EXPECT_EQ(bytes_with(true, {}, {}), (std::vector<std::uint8_t>{1}));
+  EXPECT_EQ(bytes_with(true, {0x0102, 0x0304}, {}), (std::vector<std::uint8_t>{3, 1, 2, 3, 4}));
+  EXPECT_EQ(bytes_with(false, {0x0102, 0x0304}, {}), (std::vector<std::uint8_t>{2, 1, 2, 3, 4}));
+  EXPECT_EQ(bytes_with(true, {}, {0x0102, 0x0304}), (std::vector<std::uint8_t>{5, 1, 2, 3, 4}));
+  EXPECT_EQ(bytes_with(true, {1, 2}, {3, 4}),
+            (std::vector<std::uint8_t>{7, 0, 1, 0, 2, 0, 3, 0, 4}));
 }
 
 }  // namespace

@@ -107,6 +107,28 @@ TEST(CarLimits, OfTheGround) {
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].ground = {220, 2'200}; }), "0.ground");
 }
 
+// Over the plane from z_min to z_max, over the ground from its lower limit to its upper one.
+TEST(CarLimits, OfWhatOpensGround) {
+  const auto fault_of = [](vehicle::MovedLimits moved, vehicle::GroundLimits ground) {
+    return fault_with(
+        [&](Changed& c) {
+          c.sensors[0].moved = moved;
+          c.sensors[0].ground = ground;
+          c.car.z_min = vehicle::subcells_of(300);
+          c.car.z_max = vehicle::subcells_of(2'200);
+        },
+        "roof_hdl64e");
+  };
+  EXPECT_EQ(fault_of({400, 0}, {}), "");
+  EXPECT_EQ(fault_of({10'000, 2'200}, {}), "");
+  EXPECT_EQ(fault_of({399, 700}, {}), "0.moved.low_m");
+  EXPECT_EQ(fault_of({10'001, 700}, {}), "0.moved.low_m");
+  EXPECT_EQ(fault_of({600, 2'201}, {}), "0.moved.tall_m");
+  EXPECT_EQ(fault_of({320, 3'000}, {220, 3'000}), "");
+  EXPECT_EQ(fault_of({319, 3'000}, {220, 3'000}), "0.moved.low_m");
+  EXPECT_EQ(fault_of({600, 3'001}, {220, 3'000}), "0.moved.tall_m");
+}
+
 TEST(CarLimits, TwoSensorsFollowTheGround) {
   const auto fault_of_several = [](std::size_t count) {
     return fault_with(
