@@ -115,7 +115,8 @@ std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(
                                                                  : sensor.no_return_clears_mm),
                sensor.range.mm());
   const std::optional<traversal::Stretch> stretch = line.clip(geometry::kGridArea);
-  const vehicle::BandPart part = vehicle::part_in_band(*vehicle_, sensor, beam.end_z, reach_mm);
+  const vehicle::BandPart part =
+      vehicle::part_in_band(vehicle_->band(), sensor, beam.end_z, reach_mm);
   if (!stretch || part.is_empty) {
     return std::nullopt;
   }

@@ -147,7 +147,8 @@ void read_as_model(const Sensor& sensor, const Places& places, std::uint32_t ran
 // The places that a beam may carve: up to its reach, inside the height band.
 void limit_carving(const vehicle::Vehicle& vehicle, const Sensor& sensor, const vehicle::Beam& beam,
                    const Places& places, std::uint32_t reach_mm, Plan& plan) {
-  const vehicle::BandPart part = vehicle::part_in_band(vehicle, sensor, beam.end_z, reach_mm);
+  const vehicle::BandPart part =
+      vehicle::part_in_band(vehicle.band(), sensor, beam.end_z, reach_mm);
   plan.carve_end = part.is_empty ? 0 : plan.path_end;
   if (!part.is_whole && !part.is_empty) {
     plan.carve_first = part.from.numerator > 0 ? places.through(part.from) : 0;

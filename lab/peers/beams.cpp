@@ -35,7 +35,7 @@ void append(const SensorPoint& seen, PeerFrame& frame, PeerFrames& result) {
   }
   require(seen.point.range_mm > 0);  // no scanner of this car clears without an echo
   const std::uint32_t reach_mm = std::min(seen.point.range_mm, sensor.range.mm());
-  const vehicle::BandPart part = vehicle::part_in_band(car, sensor, beam.end_z, reach_mm);
+  const vehicle::BandPart part = vehicle::part_in_band(car.band(), sensor, beam.end_z, reach_mm);
   require(!part.is_empty && part.from.numerator == 0);  // its scanners are inside the height band
   double share = static_cast<double>(seen.point.range_mm) / sensor.range.mm();
   if (!part.is_whole) {

@@ -44,6 +44,8 @@ GROUND = {"ground": "{ low_m = 0.22, top_m = 2.2 }"}
 SETTINGS = {
     "flat band": Setting(SCAN),
     "ground": Setting(SCAN, GROUND),
+    "opened from below": Setting(SCAN, {"moved": "{ low_m = 0.6, tall_m = 0.7 }"}),
+    "both": Setting(SCAN, GROUND | {"moved": "{ low_m = 0.6, tall_m = 0.3 }"}),
 }
 RUN_COUNTS = {  # of class_frames' table
     "packets_placed": r"packets placed +(\d+)", "packets_not_placed": r"packets placed .* (\d+) without a place",

@@ -50,18 +50,23 @@ void FusedSlices::copy_tile(std::size_t tile, std::size_t slice, JoinedTile& mem
       continue;
     }
     if (only != nullptr && !is_joined) {
-      std::ranges::copy(only->tile(tile), memory.begin());
+      std::ranges::copy(only->tile(tile), memory.indexes.begin());
+      memory.low_and_tall = only->low_and_tall(tile);
       is_joined = true;
     }
     if (is_joined) {
-      grid::join(memory, tiles.tile(tile));
+      memory.low_and_tall = grid::join(memory.indexes, memory.low_and_tall, tiles.tile(tile),
+                                       tiles.low_and_tall(tile));
+      grid::join(memory.indexes, tiles.tile(tile));
     }
     only = &tiles;
   }
   if (only == nullptr) {
     cells_[slice].leave(tile);
+  } else if (is_joined) {
+    cells_[slice].copy(tile, memory.indexes, memory.low_and_tall);
   } else {
-    cells_[slice].copy(tile, is_joined ? grid::JoinedGrid::TileIndexes(memory) : only->tile(tile));
+    cells_[slice].copy(tile, only->tile(tile), only->low_and_tall(tile));
   }
 }
 

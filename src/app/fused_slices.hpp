@@ -39,7 +39,10 @@ class FusedSlices {
   [[nodiscard]] std::span<const FusedSlice> next(const work::Crew& crew);
 
  private:
-  using JoinedTile = std::array<index::OccupancyIndex, geometry::kTileCells>;
+  struct JoinedTile {
+    std::array<index::OccupancyIndex, geometry::kTileCells> indexes{};
+    grid::TileBits low_and_tall{};
+  };
 
   // Of a slice: its parts among those of the round.
   struct Parts {

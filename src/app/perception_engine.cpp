@@ -107,12 +107,13 @@ void PerceptionEngine::join_group(std::size_t group) {
   window::SliceCells& cells = fused_.one();
   cells.clear();
   fusion_.own().finish();
-  fusion_.own().release([&](std::size_t tile, auto indexes) {
-    fusion_.joined().add(tile, indexes);
-    if (group != FrameSlices::kNowhere) {
-      cells.set(tile, indexes);
-    }
-  });
+  fusion_.own().release_with_heights(
+      [&](std::size_t tile, auto indexes, const grid::TileBits& low_and_tall) {
+        fusion_.joined().add(tile, indexes);
+        if (group != FrameSlices::kNowhere) {
+          cells.set(tile, indexes, low_and_tall);
+        }
+      });
 }
 
 // Those that were fused together.

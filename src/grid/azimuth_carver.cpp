@@ -42,20 +42,21 @@ KeptLine& AzimuthCarver::further_line(const vehicle::Layer& layer) {
   return further.line;
 }
 
-void AzimuthCarver::take(KeptBeam& beam, vehicle::Classification its, std::uint32_t range_mm) {
-  beams_.take(*sensor_, beam, its, range_mm,
-              [this](const KeptBeam& of, Between end) -> FreeSteps& { return steps_of(of, end); });
+void AzimuthCarver::take(KeptBeam& beam, const vehicle::Classification& its, std::uint32_t range_mm,
+                         bool is_tall) {
+  beams_.add(*sensor_, beam, waiting_beam(its, range_mm, is_tall),
+             [this](const KeptBeam& of, Between end) -> LineSteps& { return steps_of(of, end); });
 }
 
 // Where a beam waits to be carved. If it goes through the same cells as the first line up to its
 // end, it waits with the beams of the first line.
-inline FreeSteps& AzimuthCarver::steps_of(const KeptBeam& beam, Between end) {
+inline LineSteps& AzimuthCarver::steps_of(const KeptBeam& beam, Between end) {
   const bool shares = beam.line_number() == 1 && kept_->is_common(end.at().crossed() + 1);
   return shares ? steps_on(0, kept_->first_line()) : steps_on(beam.line_number(), beam.line());
 }
 
 // Another line in the place is carved and makes room.
-inline FreeSteps& AzimuthCarver::steps_on(std::uint32_t number, KeptLine& line) {
+inline LineSteps& AzimuthCarver::steps_on(std::uint32_t number, KeptLine& line) {
   const std::uint32_t place = place_of(number);
   OpenLine& open = open_lines_[place];
   if (open.line != &line) {
@@ -63,7 +64,7 @@ inline FreeSteps& AzimuthCarver::steps_on(std::uint32_t number, KeptLine& line) 
     lines_in_use_ |= 1U << place;
     open.line = &line;
     open.steps.begin_at(line.in_grid().first);
-  } else if (!open.steps.has_room()) {
+  } else if (!open.steps.free.has_room()) {
     beams_.carve(line, open.steps);
   }
   return open.steps;
@@ -86,7 +87,7 @@ void AzimuthCarver::carve_waiting() {
 
 void AzimuthCarver::drop_waiting() {
   for (OpenLine& open : open_lines_) {
-    open.steps.take_changes([](Between /*point*/, std::int32_t /*freer*/) {});
+    open.steps.drop();
     open.line = nullptr;
   }
   lines_in_use_ = 0;

@@ -10,7 +10,7 @@
 
 #include "grid/beam_carver.hpp"
 #include "grid/beam_lines.hpp"
-#include "grid/block_grid.hpp"
+#include "grid/frame_grids.hpp"
 #include "grid/free_steps.hpp"
 #include "grid/pending_marks.hpp"
 #include "ground/ground.hpp"
@@ -23,8 +23,8 @@ namespace iog::grid {
 class AzimuthCarver {
  public:
   // All three outlive the carver.
-  AzimuthCarver(const vehicle::Vehicle& vehicle, BlockGrid& grid, PendingMarks& marks)
-      : lines_(vehicle.sensors), beams_(vehicle, grid, marks) {}
+  AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
+      : lines_(vehicle.sensors), beams_(vehicle, grids, marks) {}
 
   // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
   // vehicle's, whose layers do not share lines; the point's layer and azimuth are those of its
@@ -70,7 +70,7 @@ class AzimuthCarver {
   // waits. It has its place by Layer::line.
   struct OpenLine {
     KeptLine* line = nullptr;
-    FreeSteps steps;
+    LineSteps steps;
   };
 
   // A line beyond what a KeptAzimuth keeps, by Layer::line.
@@ -82,9 +82,10 @@ class AzimuthCarver {
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
   // What few points need is not inlined, so that the others have the registers.
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
-  void take(KeptBeam& beam, vehicle::Classification its, std::uint32_t range_mm);
-  FreeSteps& steps_of(const KeptBeam& beam, Between end);
-  FreeSteps& steps_on(std::uint32_t number, KeptLine& line);
+  void take(KeptBeam& beam, const vehicle::Classification& its, std::uint32_t range_mm,
+            bool is_tall);
+  LineSteps& steps_of(const KeptBeam& beam, Between end);
+  LineSteps& steps_on(std::uint32_t number, KeptLine& line);
   KeptLine& further_line(const vehicle::Layer& layer);
   void carve_place(std::uint32_t place);
 
@@ -114,7 +115,7 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
   const vehicle::Classification its =
       vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
   if (its.carves || its.marks) {
-    take(beam, its, point.range_mm);
+    take(beam, its, point.range_mm, beam.is_tall(sensor, point.range_mm));
   }
   return its.fate;
 }
@@ -128,15 +129,18 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
   KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
   const vehicle::Ranges& in_band = beam.ranges().in_band;
   const ground::Beams& beams = ground.beams();
+  bool is_tall = false;
   const vehicle::Classification its = vehicle::classify(
       sensor, beam.ranges().on_car, point, point.range_mm, [&](std::uint32_t reach_mm) {
         const std::int32_t z_mm = beams.height_mm(beams.slope_to(beam.end_z()), point.range_mm);
         const std::uint32_t out_mm = beams.out_mm(point.layer, point.range_mm);
-        return vehicle::Height{.fate = judge.judge(beams.sector_of(azimuth_step_), out_mm, z_mm),
+        const auto judged = judge.judge(beams.sector_of(azimuth_step_), out_mm, z_mm);
+        is_tall = judged.is_tall;
+        return vehicle::Height{.fate = judged.fate,
                                .is_whole = in_band.first == 0 && in_band.contain(reach_mm)};
       });
   if (its.carves || its.marks) {
-    take(beam, its, point.range_mm);
+    take(beam, its, point.range_mm, is_tall);
   }
   return its.fate;
 }

@@ -14,11 +14,11 @@ Between BeamCarver::end_without_hit(const vehicle::Sensor& sensor, const KeptLin
              : line.in_grid().end;
 }
 
-void BeamCarver::carve(KeptLine& line, FreeSteps& steps) {
+void BeamCarver::carve(KeptLine& line, BlockGrid& grid, FreeSteps& steps) {
   if (line.has_path()) {
-    carve_blocks(*grid_, line.path(), steps);
+    carve_blocks(grid, line.path(), steps);
   } else {
-    carve_cells(*grid_, line.line(), line.in_grid().first.at(), steps);
+    carve_cells(grid, line.line(), line.in_grid().first.at(), steps);
   }
 }
 

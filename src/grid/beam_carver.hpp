@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "grid/beam_lines.hpp"
-#include "grid/block_grid.hpp"
+#include "grid/frame_grids.hpp"
 #include "grid/free_steps.hpp"
 #include "grid/line_part.hpp"
 #include "grid/pending_marks.hpp"
@@ -21,38 +21,65 @@
 
 namespace iog::grid {
 
+// What becomes of a beam: by its point, which is so far along the line.
+struct WaitingBeam {
+  std::uint32_t range_mm = 0;
+  bool carves = false;
+  bool marks = false;
+  bool is_whole_in_band = false;  // as vehicle::Classification
+  bool is_tall = false;           // its return, where heights count
+};
+
+[[nodiscard]] constexpr WaitingBeam waiting_beam(const vehicle::Classification& its,
+                                                 std::uint32_t range_mm, bool is_tall) {
+  return {.range_mm = range_mm,
+          .carves = its.carves,
+          .marks = its.marks,
+          .is_whole_in_band = its.is_whole_in_band,
+          .is_tall = is_tall};
+}
+
 class BeamCarver {
  public:
   // All three outlive it.
-  BeamCarver(const vehicle::Vehicle& vehicle, BlockGrid& grid, PendingMarks& marks)
-      : vehicle_(&vehicle), grid_(&grid), marks_(&marks) {}
+  BeamCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
+      : vehicle_(&vehicle), grids_(&grids), marks_(&marks) {}
 
-  // Carves and marks as its fate says. Beam: KeptBeam or TurnBeam. steps_of(beam, end) are the
-  // steps in which beams of its line wait, with room for this one, which ends there.
+  // Whether it matters which beams are low and which returns are tall.
+  [[nodiscard]] bool keeps_heights() const { return grids_->keep_heights; }
+
+  // Carves and marks as its fate says. Beam: KeptBeam, TurnBeam or LocalBeam. steps_of(beam, end)
+  // are the steps in which beams of its line wait, with room for this one, which ends there.
   template <typename Beam, typename StepsOf>
-  void take(const vehicle::Sensor& sensor, Beam&& beam, vehicle::Classification its,
-            std::uint32_t range_mm, StepsOf&& steps_of);
+  void add(const vehicle::Sensor& sensor, Beam&& beam, const WaitingBeam& its, StepsOf&& steps_of);
 
-  // The changes of a beam behind its beginning: zones of its profile, up to the part's end.
-  static void add_zones(const vehicle::Sensor& sensor, FreeSteps& steps, const KeptLine& line,
-                        const LinePart& part, std::uint32_t range_mm);
+  // The changes of a beam behind its beginning: zones of its profile, up to the part's end. Returns
+  // where it frees no more.
+  static Between add_zones(const vehicle::Sensor& sensor, FreeSteps& steps, const KeptLine& line,
+                           const LinePart& part, std::uint32_t range_mm);
 
   void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
-            std::uint32_t range_mm) {
-    marks_->mark(sensor, line, hit, range_mm);
+            std::uint32_t range_mm, bool is_tall) {
+    marks_->mark(sensor, line, hit, range_mm, is_tall);
   }
 
   // Carves what waits in the steps. Then nothing does.
-  void carve(KeptLine& line, FreeSteps& steps);
+  void carve(KeptLine& line, LineSteps& steps) {
+    carve(line, grids_->indexes, steps.free);
+    if (!steps.low.is_empty()) {
+      carve(line, grids_->heights, steps.low);
+    }
+  }
 
  private:
+  static void carve(KeptLine& line, BlockGrid& grid, FreeSteps& steps);
   [[nodiscard, gnu::noinline]] static Between end_without_hit(const vehicle::Sensor& sensor,
                                                               const KeptLine& line,
                                                               std::uint32_t clears_mm,
                                                               std::uint32_t range_mm);
 
   const vehicle::Vehicle* vehicle_;
-  BlockGrid* grid_;
+  FrameGrids* grids_;
   PendingMarks* marks_;
 };
 
@@ -70,12 +97,13 @@ class BeamCarver {
 // begins in the cell that holds the point at (k - 2) Delta, here b.
 //
 // Inline, because a call costs as much as a zone.
-[[gnu::always_inline]] inline void BeamCarver::add_zones(const vehicle::Sensor& sensor,
-                                                         FreeSteps& steps, const KeptLine& line,
-                                                         const LinePart& part,
-                                                         std::uint32_t range_mm) {
+[[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,
+                                                            FreeSteps& steps, const KeptLine& line,
+                                                            const LinePart& part,
+                                                            std::uint32_t range_mm) {
   const sensor_model::Profile& profile = sensor.profile;
   std::int32_t freer = -profile.free;
+  Between last = part.first;
   const std::uint32_t k = sensor.precision.divide(range_mm);
   const std::uint32_t delta_mm = sensor.precision_mm;
   const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
@@ -84,33 +112,39 @@ class BeamCarver {
     // 1D cells from k - back on, which begin at (k - back) Delta.
     const Between zone = k < back ? part.first : Between::before(line.through(sensor, begin_mm));
     const std::int32_t in_zone = -profile.near_before[back - 1];
-    steps.add(std::clamp(zone, part.first, part.end), in_zone - freer);
+    last = std::clamp(zone, part.first, part.end);
+    steps.add(last, in_zone - freer);
     freer = in_zone;
   }
   if (freer != 0) {
-    steps.add(part.end, -freer);
+    last = part.end;
+    steps.add(last, -freer);
   }
+  return last;
 }
 
 // Where the scan point is far behind the part of its line in the height band, the part is simply
 // free.
 template <typename Beam, typename StepsOf>
-inline void BeamCarver::take(const vehicle::Sensor& sensor, Beam&& beam,
-                             vehicle::Classification its, std::uint32_t range_mm,
-                             StepsOf&& steps_of) {
+inline void BeamCarver::add(const vehicle::Sensor& sensor, Beam&& beam, const WaitingBeam& its,
+                            StepsOf&& steps_of) {
   const KeptLine& line = beam.line();
+  const std::uint32_t range_mm = its.range_mm;
   const bool leaves_band = its.carves && !its.is_whole_in_band;
   const LinePart limits = leaves_band ? beam.in_band(*vehicle_, sensor) : line.in_grid();
   if (leaves_band && range_mm >= beam.is_free_before_mm()) {
     if (!limits.is_empty()) {
       const std::int32_t freer = -sensor.profile.free;
-      FreeSteps& steps = steps_of(beam, limits.end);
-      steps.begin_beam(limits.first, freer);
-      steps.add(limits.end, -freer);
-      steps.end_beam(limits.end);
+      LineSteps& steps = steps_of(beam, limits.end);
+      steps.free.begin_beam(limits.first, freer);
+      steps.free.add(limits.end, -freer);
+      steps.free.end_beam(limits.end);
+      if (keeps_heights()) {
+        steps.add_low(limits.within(beam.low_part(*vehicle_, sensor)));
+      }
     }
     if (its.marks) {
-      mark(sensor, line, line.through(sensor, range_mm), range_mm);
+      mark(sensor, line, line.through(sensor, range_mm), range_mm, its.is_tall);
     }
     return;
   }
@@ -121,14 +155,17 @@ inline void BeamCarver::take(const vehicle::Sensor& sensor, Beam&& beam,
         has_hit ? Between::before(hit) : end_without_hit(sensor, line, beam.clears_mm(), range_mm);
     const LinePart part{limits.first, std::min(limits.end, end)};
     if (!part.is_empty()) {
-      FreeSteps& steps = steps_of(beam, part.end);
-      steps.begin_beam(part.first, -sensor.profile.free);
-      add_zones(sensor, steps, line, part, range_mm);
-      steps.end_beam(part.end);
+      LineSteps& steps = steps_of(beam, part.end);
+      steps.free.begin_beam(part.first, -sensor.profile.free);
+      const Between last = add_zones(sensor, steps.free, line, part, range_mm);
+      steps.free.end_beam(part.end);
+      if (keeps_heights()) {
+        steps.add_low(LinePart{part.first, last}.within(beam.low_part(*vehicle_, sensor)));
+      }
     }
   }
   if (its.marks) {
-    mark(sensor, line, hit, range_mm);
+    mark(sensor, line, hit, range_mm, its.is_tall);
   }
 }
 

@@ -22,14 +22,14 @@ std::uint32_t BandLimits::behind_mm(const Sensor& sensor) {
 
 // Of beams that end where the line ends. A beam is straight: a shorter one leaves the band at the
 // same place.
-BandLimits::BandLimits(const vehicle::Vehicle& vehicle, const Sensor& sensor, std::int32_t end_z) {
-  const vehicle::BandPart band = vehicle::part_in_band(vehicle, sensor, end_z, sensor.range.mm());
-  is_empty_ = band.is_empty;
-  if (!band.is_empty) {
-    const traversal::Share to = band.is_whole ? traversal::Share{1, 1} : band.to;
+BandLimits::BandLimits(const vehicle::HeightBand& band, const Sensor& sensor, std::int32_t end_z) {
+  const vehicle::BandPart part = vehicle::part_in_band(band, sensor, end_z, sensor.range.mm());
+  is_empty_ = part.is_empty;
+  if (!part.is_empty) {
+    const traversal::Share to = part.is_whole ? traversal::Share{1, 1} : part.to;
     const numeric::Divisor rise(static_cast<std::uint32_t>(to.denominator));
-    is_from_start_ = band.from.numerator == 0;
-    from_ = {band.from, rise, sensor.range};
+    is_from_start_ = part.from.numerator == 0;
+    from_ = {part.from, rise, sensor.range};
     to_ = {to, rise, sensor.range};
     is_free_before_mm_ =
         (to_.distance() >> traversal::MeasuredShare::kFractionBits) + behind_mm(sensor);
@@ -66,13 +66,19 @@ void KeptBeam::find(const Sensor& sensor, const vehicle::Layer& layer, std::uint
   line_number_ = layer.line;
   clears_mm_ = sensor.no_return_clears_mm;
   has_part_ = false;
+  has_low_part_ = false;
 }
 
 void KeptBeam::find_part(const vehicle::Vehicle& vehicle, const Sensor& sensor) {
-  const BandLimits limits(vehicle, sensor, end_z_);
+  const BandLimits limits(vehicle.band(), sensor, end_z_);
   part_ = line_->in_band(limits);
   is_free_before_mm_ = limits.is_free_before_mm();
   has_part_ = true;
+}
+
+void KeptBeam::find_low_part(const vehicle::Vehicle& vehicle, const Sensor& sensor) {
+  low_ = line_->in_band(BandLimits(vehicle.low_band(sensor), sensor, end_z_));
+  has_low_part_ = true;
 }
 
 void KeptAzimuth::begin(const Sensor& sensor, std::uint32_t step) {

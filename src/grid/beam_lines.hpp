@@ -23,8 +23,7 @@
 
 namespace iog::grid {
 
-// The part of their lines in which beams of one height are in the height band, by shares of the
-// line.
+// The part of their lines in which beams of one height are in a height band, by shares of the line.
 class BandLimits {
  public:
   // A point that is so far behind the part of its line that counts leaves all of it free: even the
@@ -33,7 +32,7 @@ class BandLimits {
 
   BandLimits() = default;
   // end_z: the height of the line's end in subcells.
-  BandLimits(const vehicle::Vehicle& vehicle, const vehicle::Sensor& sensor, std::int32_t end_z);
+  BandLimits(const vehicle::HeightBand& band, const vehicle::Sensor& sensor, std::int32_t end_z);
 
   // What is left of a part of such a line.
   [[nodiscard]] LinePart within(const LinePart& part, const vehicle::BeamLine& line,
@@ -146,8 +145,24 @@ class KeptBeam {
   // As BandLimits says; only after in_band().
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
+  // The part of the line in which the beam is low (vehicle::Sensor::moved). Found when it is first
+  // asked for.
+  [[nodiscard]] const LinePart& low_part(const vehicle::Vehicle& vehicle,
+                                         const vehicle::Sensor& sensor) {
+    if (!has_low_part_) {
+      find_low_part(vehicle, sensor);
+    }
+    return low_;
+  }
+  // Whether a return of it in the height band is tall.
+  [[nodiscard]] bool is_tall(const vehicle::Sensor& sensor, std::uint32_t range_mm) const {
+    return std::int64_t{end_z_ - sensor.origin_z} * range_mm >= sensor.tall.low;
+  }
+
  private:
   [[gnu::noinline]] void find_part(const vehicle::Vehicle& vehicle, const vehicle::Sensor& sensor);
+  [[gnu::noinline]] void find_low_part(const vehicle::Vehicle& vehicle,
+                                       const vehicle::Sensor& sensor);
 
   vehicle::BeamRanges ranges_;
   KeptLine* line_ = nullptr;
@@ -157,6 +172,8 @@ class KeptBeam {
   std::uint32_t clears_mm_ = 0;
   std::uint32_t is_free_before_mm_ = 0;
   bool has_part_ = false;
+  bool has_low_part_ = false;
+  LinePart low_;
 };
 
 // The beams of one sensor at one azimuth. Kept are those of the first four layers, and their first

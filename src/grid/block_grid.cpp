@@ -16,6 +16,10 @@ static_assert(kBlocksPerTile == kHalves * kBlocksAtOnce);
 
 }  // namespace
 
+const LaneBytes* BlockGrid::blocks_of(std::size_t tile, std::int32_t row) const {
+  return &blocks_[first_block(tile) + static_cast<std::size_t>(row) * kBlockStride];
+}
+
 bool BlockGrid::copy_tile(std::size_t tile,
                           std::span<OccupancyIndex, geometry::kTileCells> to) const {
   const Lanes least = Lanes::all(index::kIndexMin<OccupancyIndex>);

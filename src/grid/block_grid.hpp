@@ -66,6 +66,9 @@ class BlockGrid {
   // All cells of the tile back to unknown, and untouched.
   void clear_tile(std::size_t tile);
 
+  // The blocks of a row of the tile, kBlocksPerTile beside one another.
+  [[nodiscard]] const LaneBytes* blocks_of(std::size_t tile, std::int32_t row) const;
+
  private:
   std::array<std::uint8_t, geometry::kTileCount> touched_{};
   alignas(64) std::array<LaneBytes, std::size_t{kBlocksPerSide} * kBlockStride> blocks_{};

@@ -4,7 +4,7 @@ namespace iog::grid {
 
 void FrameFusion::finish() {
   carve_waiting();
-  marks_.apply(grid_, rule_);
+  marks_.apply(grids_, rule_);
 }
 
 void FrameFusion::clear() {
@@ -12,8 +12,8 @@ void FrameFusion::clear() {
   turns_.drop_waiting();
   marks_.clear();
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
-    if (grid_.is_touched(tile)) {
-      grid_.clear_tile(tile);
+    if (grids_.indexes.is_touched(tile)) {
+      grids_.clear_tile(tile);
     }
   }
 }

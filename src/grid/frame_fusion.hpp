@@ -14,7 +14,7 @@
 
 #include "geometry/grid.hpp"
 #include "grid/azimuth_carver.hpp"
-#include "grid/block_grid.hpp"
+#include "grid/frame_grids.hpp"
 #include "grid/frame_view.hpp"
 #include "grid/pending_marks.hpp"
 #include "grid/turn_carver.hpp"
@@ -30,8 +30,9 @@ class FrameFusion {
  public:
   // vehicle outlives the fusion.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
-      : turns_(vehicle, grid_, marks_),
-        azimuths_(vehicle, grid_, marks_),
+      : grids_(vehicle.window.is_opened_from_below),
+        turns_(vehicle, grids_, marks_),
+        azimuths_(vehicle, grids_, marks_),
         first_sensor_(vehicle.sensors.data()),
         rule_(vehicle.rule) {}
   FrameFusion(const FrameFusion&) = delete;
@@ -84,28 +85,41 @@ class FrameFusion {
   void finish();
 
   // The grid, complete after finish(), until it is cleared.
-  [[nodiscard]] FrameView view() const { return FrameView(grid_); }
+  [[nodiscard]] FrameView view() const { return FrameView(grids_.indexes); }
 
   // Copies a tile of the frame, row by row from its lowest y, and clears it. False if nothing is
   // known in it.
   [[nodiscard]] bool take_tile(std::size_t tile,
                                std::span<OccupancyIndex, geometry::kTileCells> to) {
-    if (!grid_.is_touched(tile)) {
+    if (!grids_.indexes.is_touched(tile)) {
       return false;
     }
-    const bool is_known = grid_.copy_tile(tile, to);
-    grid_.clear_tile(tile);
+    const bool is_known = grids_.indexes.copy_tile(tile, to);
+    grids_.clear_tile(tile);
     return is_known;
   }
+
+  // Whether heights count (grid/frame_grids.hpp). Of a tile that is not taken yet: which of its
+  // cells were freed from below, or hit by something tall.
+  [[nodiscard]] bool keeps_heights() const { return grids_.keep_heights; }
+  [[nodiscard]] TileBits low_and_tall(std::size_t tile) const { return grids_.low_and_tall(tile); }
 
   // Shows the frame tile by tile and clears it: visit(number, indexes) for each tile in
   // which something is known, in rising order. The indexes, row by row from the lowest y, are valid
   // during the call.
   template <typename Visit>
   void release(Visit&& visit) {
+    release_with_heights([&](std::size_t tile, auto indexes, const TileBits& /*low_and_tall*/) {
+      visit(tile, indexes);
+    });
+  }
+  // The same with visit(number, indexes, low_and_tall).
+  template <typename Visit>
+  void release_with_heights(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+      const TileBits bits = grids_.keep_heights ? grids_.low_and_tall(tile) : TileBits{};
       if (take_tile(tile, tile_cells_)) {
-        visit(tile, std::span<const OccupancyIndex, geometry::kTileCells>(tile_cells_));
+        visit(tile, std::span<const OccupancyIndex, geometry::kTileCells>(tile_cells_), bits);
       }
     }
   }
@@ -130,7 +144,7 @@ class FrameFusion {
   }
 
   // What is aligned to a cache line comes first.
-  BlockGrid grid_;
+  FrameGrids grids_;
   TurnCarver turns_;
   AzimuthCarver azimuths_;
   const vehicle::Sensor* first_sensor_;

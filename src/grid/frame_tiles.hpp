@@ -20,6 +20,9 @@ class FrameTiles {
   // whatever it was.
   void move_from(FrameFusion& fusion) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+      if (fusion.keeps_heights()) {
+        low_and_tall_[tile] = fusion.low_and_tall(tile);
+      }
       is_known_[tile] = fusion.take_tile(tile, tiles_[tile]);
     }
   }
@@ -27,11 +30,14 @@ class FrameTiles {
   // Whether something is known in a tile, and its indexes if so.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] TileIndexes tile(std::size_t tile) const { return tiles_[tile]; }
+  // Which of its cells were freed from below, or hit by something tall (grid/frame_grids.hpp).
+  [[nodiscard]] const TileBits& low_and_tall(std::size_t tile) const { return low_and_tall_[tile]; }
 
  private:
   std::array<bool, geometry::kTileCount> is_known_{};
   alignas(32) std::array<std::array<index::OccupancyIndex, geometry::kTileCells>,
                          geometry::kTileCount> tiles_{};
+  std::array<TileBits, geometry::kTileCount> low_and_tall_{};
 };
 
 }  // namespace iog::grid

@@ -26,6 +26,7 @@
 
 #include "geometry/grid.hpp"
 #include "grid/line_part.hpp"
+#include "index/occupancy_index.hpp"
 
 namespace iog::grid {
 
@@ -107,6 +108,32 @@ class FreeSteps {
   std::int32_t from_start_ = 0;
   std::array<std::uint32_t, kSlots / 32> map_{};
   std::array<std::uint32_t, kSlots> slots_{};
+};
+
+// What waits of the beams of a line: how much freer they make it and, if heights count
+// (grid/frame_grids.hpp), where some of them are low. A beam adds one to each at most.
+struct LineSteps {
+  // As much freer as a cell can be, so that of those that overlap one is as good as all.
+  static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
+
+  void begin_at(Between first) {
+    free.begin_at(first);
+    low.begin_at(first);
+  }
+  void add_low(const LinePart& part) {
+    if (!part.is_empty()) {
+      low.begin_beam(part.first, kLow);
+      low.add(part.end, -kLow);
+      low.end_beam(part.end);
+    }
+  }
+  void drop() {
+    free.take_changes([](Between /*point*/, std::int32_t /*freer*/) {});
+    low.take_changes([](Between /*point*/, std::int32_t /*freer*/) {});
+  }
+
+  FreeSteps free;
+  FreeSteps low;
 };
 
 }  // namespace iog::grid

@@ -24,12 +24,34 @@ constexpr OccupancyIndex joined(OccupancyIndex a, OccupancyIndex b) {
   return hit > 0 ? hit : free;
 }
 
+std::uint32_t hits_of(const OccupancyIndex* row) {
+  std::uint32_t hits = 0;
+  for (std::size_t x = 0; x < geometry::kTileSide; ++x) {
+    hits |= (row[x] > 0 ? 1U : 0U) << x;
+  }
+  return hits;
+}
+
 }  // namespace
 
 void join(std::span<OccupancyIndex, geometry::kTileCells> to, JoinedGrid::TileIndexes more) {
   for (std::size_t i = 0; i < to.size(); ++i) {
     to[i] = joined(to[i], more[i]);
   }
+}
+
+TileBits join(JoinedGrid::TileIndexes one, const TileBits& bits_of_one,
+              JoinedGrid::TileIndexes other, const TileBits& bits_of_other) {
+  TileBits bits{};
+  for (std::size_t y = 0; y < bits.size(); ++y) {
+    if ((bits_of_one[y] | bits_of_other[y]) != 0) {
+      const std::uint32_t in_one = hits_of(&one[y * geometry::kTileSide]);
+      const std::uint32_t in_other = hits_of(&other[y * geometry::kTileSide]);
+      const std::uint32_t in_none = ~(in_one | in_other);
+      bits[y] = (bits_of_one[y] & (in_one | in_none)) | (bits_of_other[y] & (in_other | in_none));
+    }
+  }
+  return bits;
 }
 
 void JoinedGrid::add(std::size_t tile, TileIndexes indexes) {

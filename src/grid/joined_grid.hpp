@@ -11,6 +11,7 @@
 #include <span>
 
 #include "geometry/grid.hpp"
+#include "grid/frame_grids.hpp"
 #include "index/occupancy_index.hpp"
 
 namespace iog::grid {
@@ -18,6 +19,13 @@ namespace iog::grid {
 // Adds the indexes of a tile to those of the same tile in another grid.
 void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
           std::span<const index::OccupancyIndex, geometry::kTileCells> more);
+
+// The bits (grid/frame_grids.hpp) of two grids' same tile joined: of a cell that is hit in one of
+// them, of those in which it is hit.
+[[nodiscard]] TileBits join(std::span<const index::OccupancyIndex, geometry::kTileCells> one,
+                            const TileBits& bits_of_one,
+                            std::span<const index::OccupancyIndex, geometry::kTileCells> other,
+                            const TileBits& bits_of_other);
 
 class JoinedGrid {
  public:

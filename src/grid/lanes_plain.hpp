@@ -41,6 +41,14 @@ class PlainLanes {
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
+  // A bit for each that is below 0, bit i for the i-th.
+  [[nodiscard]] std::uint32_t negative() const {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < kLaneCount; ++i) {
+      bits |= (lanes_.bytes[i] < 0 ? 1U : 0U) << i;
+    }
+    return bits;
+  }
 
   // Quarter i of each of four, for i = 0 ... 3: the rows of four blocks beside one another.
   static std::array<PlainLanes, 4> rows_of(const LaneBytes* four) {

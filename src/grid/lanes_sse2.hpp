@@ -41,6 +41,9 @@ class Sse2Lanes {
   [[nodiscard]] bool is_zero() const {
     return _mm_movemask_epi8(_mm_cmpeq_epi8(lanes_, _mm_setzero_si128())) == 0xFFFF;
   }
+  [[nodiscard]] std::uint32_t negative() const {
+    return static_cast<std::uint32_t>(_mm_movemask_epi8(lanes_));
+  }
 
   static std::array<Sse2Lanes, 4> rows_of(const LaneBytes* four) {
     const __m128i a = load(four[0]).lanes_;

@@ -51,6 +51,10 @@ struct LinePart {
   Between end;
 
   [[nodiscard]] bool is_empty() const { return first.crossed() >= end.crossed(); }
+  // What two parts have in common.
+  [[nodiscard]] LinePart within(const LinePart& other) const {
+    return {std::max(first, other.first), std::min(end, other.end)};
+  }
 };
 
 }  // namespace iog::grid

@@ -10,7 +10,7 @@ namespace iog::grid {
 // k + 1. The line enters a cell in 1D cell j or earlier exactly if it crosses the cell's near
 // border before distance (j + 1) Delta. `before` counts those crossings.
 void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& line,
-                               traversal::Position hit, std::uint32_t range_mm) {
+                               traversal::Position hit, std::uint32_t range_mm, bool is_tall) {
   const sensor_model::Profile& profile = sensor.profile;
   const std::uint32_t k = sensor.precision.divide(range_mm);
   const traversal::Position first = line.in_grid().first.at();
@@ -28,23 +28,36 @@ void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& li
     if (index == 0) {
       walk.skip_until(end);
     } else {
-      walk.until(end, [&](std::size_t number) { remember(geometry::cell_of(number), index); });
+      walk.until(end,
+                 [&](std::size_t number) { remember(geometry::cell_of(number), index, is_tall); });
     }
   }
 }
 
 // hits_win: if a cell has marks, they alone are its evidence. So the first mark erases what was
 // carved: max(cell, 0) + index. bayes: marks are added to what was carved.
-void PendingMarks::apply(BlockGrid& grid, vehicle::FusionRule rule) {
+void PendingMarks::apply(FrameGrids& grids, vehicle::FusionRule rule) {
+  if (grids.keep_heights) {
+    apply_heights(grids.heights);
+  }
   const OccupancyIndex least =
       rule == vehicle::FusionRule::kHitsWin ? index::kUnknown : index::kIndexMin<OccupancyIndex>;
   for (const Mark& mark : std::span(marks_).first(count_)) {
     const geometry::Cell cell = geometry::cell_of(mark.cell);
-    OccupancyIndex& index = grid.cell_at(offset_of(cell));
+    OccupancyIndex& index = grids.indexes.cell_at(offset_of(cell));
     index = index::sat_add(std::max(index, least), static_cast<OccupancyIndex>(mark.index));
-    grid.touch(geometry::tile_of(cell));
+    grids.indexes.touch(geometry::tile_of(cell));
   }
   count_ = 0;
+}
+
+void PendingMarks::apply_heights(BlockGrid& heights) const {
+  for (const Mark& mark : std::span(marks_).first(count_)) {
+    const geometry::Cell cell = geometry::cell_of(mark.cell);
+    OccupancyIndex& height = heights.cell_at(offset_of(cell));
+    height = std::max(height, static_cast<OccupancyIndex>(mark.is_tall));
+    heights.touch(geometry::tile_of(cell));
+  }
 }
 
 }  // namespace iog::grid

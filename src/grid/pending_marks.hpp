@@ -10,7 +10,7 @@
 
 #include "geometry/grid.hpp"
 #include "grid/beam_lines.hpp"
-#include "grid/block_grid.hpp"
+#include "grid/frame_grids.hpp"
 #include "index/occupancy_index.hpp"
 #include "require/require.hpp"
 #include "vehicle/vehicle.hpp"
@@ -19,10 +19,11 @@ namespace iog::grid {
 
 // One cell that a scan point marks.
 struct Mark {
-  std::uint32_t cell : 25;  // its number
-  std::uint32_t index : 7;  // 1 ... 127
+  std::uint32_t cell : 24;    // its number
+  std::uint32_t is_tall : 1;  // the point, where heights count
+  std::uint32_t index : 7;    // 1 ... 127
 };
-static_assert(geometry::kCellCount <= (std::size_t{1} << 25) && sizeof(Mark) == 4);
+static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 4);
 
 // The most marks of one frame, 1 MiB of them: enough for a turn of 128 layers at 2,048 azimuths, of
 // two units of 64 layers, or of a Pandar64 with two returns (230,400 points).
@@ -42,29 +43,31 @@ class PendingMarks {
   // Remembers what a scan point marks: the cell that holds it and, for some sensors, the next cells
   // behind it. hit: the point's position on its line.
   void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
-            std::uint32_t range_mm) {
+            std::uint32_t range_mm, bool is_tall) {
     const geometry::Cell cell = line.line().cell(hit);
     if (geometry::kGridArea.contains(cell)) {
-      remember(cell, sensor.profile.hit);
+      remember(cell, sensor.profile.hit, is_tall);
     }
     if (sensor.profile.near_after_count > 0 && !line.in_grid().is_empty()) {
-      mark_behind(sensor, line, hit, range_mm);
+      mark_behind(sensor, line, hit, range_mm, is_tall);
     }
   }
 
-  // Applies all marks to the grid by the fusion rule and is empty again. Only when all beams of the
-  // frame are carved.
-  void apply(BlockGrid& grid, vehicle::FusionRule rule);
+  // Applies all marks to the grids by the fusion rule and is empty again. Only when all beams of
+  // the frame are carved.
+  void apply(FrameGrids& grids, vehicle::FusionRule rule);
 
   void clear() { count_ = 0; }
 
  private:
   void mark_behind(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
-                   std::uint32_t range_mm);
+                   std::uint32_t range_mm, bool is_tall);
+  void apply_heights(BlockGrid& heights) const;
 
-  void remember(geometry::Cell cell, OccupancyIndex index) {
+  void remember(geometry::Cell cell, OccupancyIndex index, bool is_tall) {
     require(count_ < kMaxMarks);
-    marks_[count_] = {static_cast<std::uint32_t>(geometry::number_of(cell)) & 0x1FFFFFFU,
+    marks_[count_] = {static_cast<std::uint32_t>(geometry::number_of(cell)) & 0xFFFFFFU,
+                      static_cast<std::uint32_t>(is_tall) & 1U,
                       static_cast<std::uint32_t>(index) & 0x7FU};
     ++count_;
   }

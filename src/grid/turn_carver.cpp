@@ -22,9 +22,9 @@ void TurnCarver::begin_line(std::uint32_t azimuth_step) {
 }
 
 // A point that is not a millimetre away has nothing before it to carve.
-void TurnCarver::mark_at_start(std::uint32_t azimuth_step) {
+void TurnCarver::mark_at_start(std::uint32_t azimuth_step, bool is_tall) {
   const KeptLine& line = lines_.line(*sensor_, azimuth_step);
-  beams_.mark(*sensor_, line, line.through(*sensor_, 0), 0);
+  beams_.mark(*sensor_, line, line.through(*sensor_, 0), 0, is_tall);
 }
 
 void TurnCarver::carve_waiting() {
@@ -37,52 +37,58 @@ void TurnCarver::carve_line(std::uint32_t azimuth_step, std::span<const WaitingP
                             const RankSet& behind_band) {
   KeptLine& line = lines_.line(*sensor_, azimuth_step);
   steps_.begin_at(line.in_grid().first);
+  const std::uint32_t sector = ground_ == nullptr ? 0 : ground_->beams().sector_of(azimuth_step);
   if (ground_ == nullptr) {
-    const std::uint32_t far_hits = take_points(steps_, line, points, layers_->far_mm, 0);
-    take_behind_band(steps_, line, behind_band, far_hits, [&](std::uint32_t rank) {
+    const std::uint32_t far_hits = add_points(steps_.free, line, points, layers_->far_mm, sector);
+    add_behind_band(steps_.free, line, behind_band, far_hits, [&](std::uint32_t rank) {
       return line.end_in_band(layers_->layers[layers_->by_rank[rank]].band);
     });
   } else {
     const ground::Exits& exits = ground_->exits();
-    const std::uint32_t sector = ground_->beams().sector_of(azimuth_step);
     const auto to_mm = [&](std::uint32_t rank) {
       return exits.to_mm(sector, exits.by_rank(sector, rank));
     };
     const std::uint32_t far_mm = to_mm(layers_->near_rank) + behind_mm_;
-    const std::uint32_t far_hits = take_points(steps_, line, points, far_mm, sector);
-    take_behind_band(steps_, line, behind_band, far_hits, [&](std::uint32_t rank) {
+    const std::uint32_t far_hits = add_points(steps_.free, line, points, far_mm, sector);
+    add_behind_band(steps_.free, line, behind_band, far_hits, [&](std::uint32_t rank) {
       return LocalBeam::end_of(*sensor_, line, to_mm(rank));
     });
   }
-  if (!steps_.is_empty()) {
+  if (!steps_.free.is_empty()) {
+    if (beams_.keeps_heights()) {
+      add_low_behind_band(line, behind_band, sector);
+    }
     beams_.carve(line, steps_);
   }
 }
 
 // Returns how many of them are hits at far_mm or beyond. Nearly all are hits, whose beams are in
 // the band from the start.
-std::uint32_t TurnCarver::take_points(FreeSteps& steps, const KeptLine& line,
-                                      std::span<const WaitingPoint> points, std::uint32_t far_mm,
-                                      std::uint32_t sector) {
+std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
+                                     std::span<const WaitingPoint> points, std::uint32_t far_mm,
+                                     std::uint32_t sector) {
   const LinePart in_grid = line.in_grid();
   std::uint32_t beams = 0;
   std::uint32_t far_hits = 0;
   Between last = in_grid.first;
   for (const WaitingPoint point : points) {
     if (!point.is_whole_hit()) {
-      take_rare(line, point, sector);
+      add_rare(line, point, sector);
       continue;
     }
     const std::uint32_t range_mm = point.along_mm();
     const Position hit = line.through(*sensor_, range_mm);
     const LinePart part{in_grid.first, std::min(in_grid.end, Between::before(hit))};
     if (!part.is_empty()) {
-      BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
+      const Between freed = BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
+      if (beams_.keeps_heights()) {
+        steps_.add_low(LinePart{part.first, freed}.within(low_part(line, point.layer(), sector)));
+      }
       last = std::max(last, part.end);
       ++beams;
       far_hits += range_mm >= far_mm ? 1U : 0U;
     }
-    beams_.mark(*sensor_, line, hit, range_mm);
+    beams_.mark(*sensor_, line, hit, range_mm, point.is_tall());
   }
   steps.add_beams(beams, -sensor_->profile.free, last);
   return far_hits;
@@ -91,8 +97,8 @@ std::uint32_t TurnCarver::take_points(FreeSteps& steps, const KeptLine& line,
 // What a beam frees, those of lower rank free, too, and from some rank on so do far hits. After
 // enough of them it adds nothing, and neither does one of higher rank.
 template <typename EndOf>
-void TurnCarver::take_behind_band(FreeSteps& steps, const KeptLine& line, const RankSet& ranks,
-                                  std::uint32_t far_hits, EndOf&& end_of) const {
+void TurnCarver::add_behind_band(FreeSteps& steps, const KeptLine& line, const RankSet& ranks,
+                                 std::uint32_t far_hits, EndOf&& end_of) const {
   const std::int32_t freer = -sensor_->profile.free;
   std::uint32_t beams = 0;
   Between last = line.in_grid().first;
@@ -109,17 +115,45 @@ void TurnCarver::take_behind_band(FreeSteps& steps, const KeptLine& line, const 
   steps.add_beams(beams, freer, last);
 }
 
+LinePart TurnCarver::low_part(const KeptLine& line, std::size_t layer, std::uint32_t sector) const {
+  return ground_ == nullptr
+             ? line.in_band(layers_->layers[layer].low)
+             : LocalBeam::part_of(*sensor_, line, ground_->low_stretch(sector, layer));
+}
+
+// All of them count, also those that make nothing freer. They come by where they end, the farthest
+// first, so that what overlaps is one.
+void TurnCarver::add_low_behind_band(const KeptLine& line, const RankSet& ranks,
+                                     std::uint32_t sector) {
+  LinePart all;
+  ranks.visit_while([&](std::uint32_t rank) {
+    const LinePart part = low_part(line, layer_of(rank, sector), sector);
+    if (part.is_empty()) {
+      return true;
+    }
+    if (!all.is_empty() && part.end >= all.first) {
+      all.first = std::min(all.first, part.first);
+    } else {
+      steps_.add_low(all);
+      all = part;
+    }
+    return true;
+  });
+  steps_.add_low(all);
+}
+
 // What is no hit with all of its beam in the band, and carves or marks nevertheless.
-void TurnCarver::take_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector) {
+void TurnCarver::add_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector) {
   const TurnLayer& layer = layers_->layers[point.layer()];
-  const auto take = [&](const auto& beam) {
-    beams_.take(*sensor_, beam, point.classification(), point.along_mm(),
-                [this](const auto& /*beam*/, Between /*end*/) -> FreeSteps& { return steps_; });
+  const auto add = [&](const auto& beam) {
+    beams_.add(*sensor_, beam, point.beam(),
+               [this](const auto& /*beam*/, Between /*end*/) -> LineSteps& { return steps_; });
   };
   if (ground_ == nullptr) {
-    take(TurnBeam(line, layer));
+    add(TurnBeam(line, layer));
   } else {
-    take(LocalBeam(*sensor_, line, layer, ground_->exits().to_mm(sector, point.layer())));
+    add(LocalBeam(*sensor_, line, layer, ground_->exits().to_mm(sector, point.layer()),
+                  ground_->low_stretch(sector, point.layer())));
   }
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "grid/beam_carver.hpp"
-#include "grid/block_grid.hpp"
+#include "grid/frame_grids.hpp"
 #include "grid/free_steps.hpp"
 #include "grid/pending_marks.hpp"
 #include "grid/turn_lines.hpp"
@@ -23,8 +23,8 @@ namespace iog::grid {
 class TurnCarver {
  public:
   // All three outlive the carver.
-  TurnCarver(const vehicle::Vehicle& vehicle, BlockGrid& grid, PendingMarks& marks)
-      : lines_(vehicle), beams_(vehicle, grid, marks) {}
+  TurnCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
+      : lines_(vehicle), beams_(vehicle, grids, marks) {}
 
   // The sensor at hand: what its points ask for, near to one another.
   class Turn {
@@ -109,20 +109,28 @@ class TurnCarver {
   void turn_from_another(const vehicle::Sensor& sensor, const ground::Ground* ground);
   // What few points need is not inlined, so that the others have the registers.
   [[gnu::noinline]] void begin_line(std::uint32_t azimuth_step);
-  [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step);
+  [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step, bool is_tall);
   void carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
                   const RankSet& behind_band);
   // Not inlined, so that the steps' address is in a register and not computed for each change.
   // far_mm: as in TurnLayers. sector: of the ground, if it is followed. end_of(rank): where the
   // layer of this rank leaves what counts of its line.
-  [[gnu::noinline]] std::uint32_t take_points(FreeSteps& steps, const KeptLine& line,
-                                              std::span<const WaitingPoint> points,
-                                              std::uint32_t far_mm, std::uint32_t sector);
+  [[gnu::noinline]] std::uint32_t add_points(FreeSteps& steps, const KeptLine& line,
+                                             std::span<const WaitingPoint> points,
+                                             std::uint32_t far_mm, std::uint32_t sector);
   template <typename EndOf>
-  [[gnu::noinline]] void take_behind_band(FreeSteps& steps, const KeptLine& line,
-                                          const RankSet& ranks, std::uint32_t far_hits,
-                                          EndOf&& end_of) const;
-  [[gnu::noinline]] void take_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector);
+  [[gnu::noinline]] void add_behind_band(FreeSteps& steps, const KeptLine& line,
+                                         const RankSet& ranks, std::uint32_t far_hits,
+                                         EndOf&& end_of) const;
+  [[gnu::noinline]] void add_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector);
+  // Where a layer's beams are low; where those are that are behind the band.
+  [[nodiscard]] LinePart low_part(const KeptLine& line, std::size_t layer,
+                                  std::uint32_t sector) const;
+  [[gnu::noinline]] void add_low_behind_band(const KeptLine& line, const RankSet& ranks,
+                                             std::uint32_t sector);
+  [[nodiscard]] std::size_t layer_of(std::uint32_t rank, std::uint32_t sector) const {
+    return ground_ == nullptr ? layers_->by_rank[rank] : ground_->exits().by_rank(sector, rank);
+  }
 
   // What is aligned to a cache line comes first.
   TurnLines lines_;
@@ -133,7 +141,7 @@ class TurnCarver {
   const TurnLayers* layers_ = nullptr;
   const ground::Ground* ground_ = nullptr;  // if it is followed
   std::uint32_t behind_mm_ = 0;             // BandLimits::behind_mm()
-  FreeSteps steps_;                         // of the line that is carved
+  LineSteps steps_;                         // of the line that is carved
 };
 
 // All layers are on the line of the azimuth, each at its own height.
@@ -150,13 +158,14 @@ inline vehicle::Fate TurnCarver::Turn::add(const lidar::ScanPoint& point) const 
   const vehicle::BeamRanges ranges{.on_car = waiting_->on_car(step), .in_band = layer.in_band};
   const vehicle::Classification its = vehicle::classify(*sensor_, ranges, point, along_mm);
   if (its.carves || its.marks) {
+    const bool is_tall = layer.tall.contain(along_mm);
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
       if (its.marks) {
-        carver_->mark_at_start(step);
+        carver_->mark_at_start(step, is_tall);
       }
     } else if (its.is_whole_in_band || along_mm < layer.behind_mm || !its.carves ||
                !waiting_->add_behind_band(step, layer.rank)) {
-      waiting_->add(step, {along_mm, point.layer, its});
+      waiting_->add(step, {waiting_beam(its, along_mm, is_tall), point.layer});
     }
   }
   return its.fate;
@@ -175,20 +184,22 @@ inline vehicle::Fate TurnCarver::TurnOverGround::add(const lidar::ScanPoint& poi
       vehicle::along_line_mm(point.range_mm, layers_[point.layer].range_share);
   const std::uint32_t sector = beams_->sector_of(step);
   const std::uint32_t to_mm = exits_->to_mm(sector, point.layer);
+  bool is_tall = false;
   const vehicle::Classification its = vehicle::classify(
       *sensor_, waiting_->on_car(step), point, along_mm, [&](std::uint32_t reach_mm) {
         const std::int32_t z_mm = beams_->height_mm(beams_->slope(point.layer), along_mm);
-        return vehicle::Height{.fate = judge_.judge(sector, along_mm, z_mm),
-                               .is_whole = reach_mm <= to_mm};
+        const auto judged = judge_.judge(sector, along_mm, z_mm);
+        is_tall = judged.is_tall;
+        return vehicle::Height{.fate = judged.fate, .is_whole = reach_mm <= to_mm};
       });
   if (its.carves || its.marks) {
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
       if (its.marks) {
-        carver_->mark_at_start(step);
+        carver_->mark_at_start(step, is_tall);
       }
     } else if (its.marks || its.is_whole_in_band || along_mm < to_mm + behind_mm_ ||
                !waiting_->add_behind_band(step, exits_->rank_of(sector, point.layer))) {
-      waiting_->add(step, {along_mm, point.layer, its});
+      waiting_->add(step, {waiting_beam(its, along_mm, is_tall), point.layer});
     }
   }
   return its.fate;

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "grid/beam_lines.hpp"
+#include "ground/ground.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -28,6 +29,10 @@ struct alignas(64) TurnLayer {
   // where the layer leaves the band; nowhere if the sensor is not in the band.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
   BandLimits band;
+  // Where it is low, and the ranges along the line at which a return is tall
+  // (vehicle::Sensor::moved).
+  BandLimits low;
+  vehicle::Ranges tall;
 };
 
 // The layers of a sensor.
@@ -56,6 +61,10 @@ class TurnBeam {
     return line_->in_band(layer_->band);
   }
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return layer_->band.is_free_before_mm(); }
+  [[nodiscard]] LinePart low_part(const vehicle::Vehicle& /*vehicle*/,
+                                  const vehicle::Sensor& /*sensor*/) const {
+    return line_->in_band(layer_->low);
+  }
 
  private:
   const KeptLine* line_;
@@ -67,11 +76,12 @@ class TurnBeam {
 class LocalBeam {
  public:
   LocalBeam(const vehicle::Sensor& sensor, const KeptLine& line, const TurnLayer& layer,
-            std::uint32_t to_mm)
+            std::uint32_t to_mm, const ground::Ground::Stretch& low)
       : line_(&line),
         clears_mm_(layer.clears_mm),
         is_free_before_mm_(to_mm + BandLimits::behind_mm(sensor)),
-        part_{line.in_grid().first, end_of(sensor, line, to_mm)} {}
+        part_{line.in_grid().first, end_of(sensor, line, to_mm)},
+        low_(low) {}
 
   // Where a beam of the line ends to be between the limits: behind the cell in which it leaves
   // them.
@@ -83,6 +93,16 @@ class LocalBeam {
                                    std::max(in_grid.first, in_grid.end));
   }
 
+  // The part between two distances along the line: from the cell that holds the first one on.
+  [[nodiscard]] static LinePart part_of(const vehicle::Sensor& sensor, const KeptLine& line,
+                                        const ground::Ground::Stretch& stretch) {
+    const Between first = line.in_grid().first;
+    return stretch.from_mm >= stretch.to_mm
+               ? LinePart{first, first}
+               : LinePart{std::max(first, Between::before(line.through(sensor, stretch.from_mm))),
+                          end_of(sensor, line, stretch.to_mm)};
+  }
+
   [[nodiscard]] const KeptLine& line() const { return *line_; }
   [[nodiscard]] std::uint32_t clears_mm() const { return clears_mm_; }
   [[nodiscard]] LinePart in_band(const vehicle::Vehicle& /*vehicle*/,
@@ -90,12 +110,17 @@ class LocalBeam {
     return part_;
   }
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
+  [[nodiscard]] LinePart low_part(const vehicle::Vehicle& /*vehicle*/,
+                                  const vehicle::Sensor& sensor) const {
+    return part_of(sensor, *line_, low_);
+  }
 
  private:
   const KeptLine* line_;
   std::uint32_t clears_mm_;
   std::uint32_t is_free_before_mm_;
   LinePart part_;
+  ground::Ground::Stretch low_;
 };
 
 class TurnLines {

@@ -9,44 +9,51 @@
 #include <cstdint>
 #include <span>
 
+#include "grid/beam_carver.hpp"
 #include "grid/free_steps.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::grid {
 
-// A point that carves or marks: its range along the line, its layer and what it is, in one word.
+// A point that carves or marks: its range along the line, its layer and what becomes of it, in one
+// word.
 class WaitingPoint {
  public:
   WaitingPoint() = default;
-  // along_mm is at most lidar::kMaxRangeMm.
-  WaitingPoint(std::uint32_t along_mm, std::uint32_t layer, const vehicle::Classification& its)
-      : word_(static_cast<std::uint32_t>(its.fate) << kFateAt |
-              static_cast<std::uint32_t>(its.is_whole_in_band) << kWholeAt | layer << kLayerAt |
-              along_mm) {}
+  // Its range is at most lidar::kMaxRangeMm.
+  WaitingPoint(const WaitingBeam& its, std::uint32_t layer)
+      : word_(bit(its.marks, kMarksAt) | bit(its.carves, kCarvesAt) |
+              bit(its.is_whole_in_band, kWholeAt) | bit(its.is_tall, kTallAt) | layer << kLayerAt |
+              its.range_mm) {}
 
   [[nodiscard]] std::uint32_t along_mm() const { return word_ & lidar::kMaxRangeMm; }
   [[nodiscard]] std::uint32_t layer() const {
     return word_ >> kLayerAt & (vehicle::kMaxLayers - 1);
   }
-  [[nodiscard]] vehicle::Fate fate() const { return static_cast<vehicle::Fate>(word_ >> kFateAt); }
+  [[nodiscard]] bool is_tall() const { return (word_ >> kTallAt & 1U) != 0; }
   // A hit, of whose beam nothing is outside the band.
-  [[nodiscard]] bool is_whole_hit() const {
-    constexpr std::uint32_t kFateAndWhole = ~std::uint32_t{0} << kWholeAt;
-    return (word_ & kFateAndWhole) ==
-           (static_cast<std::uint32_t>(vehicle::Fate::kUsed) << kFateAt | 1U << kWholeAt);
-  }
-  [[nodiscard]] vehicle::Classification classification() const {
-    return vehicle::classified(fate(), true, (word_ >> kWholeAt & 1U) != 0);
+  [[nodiscard]] bool is_whole_hit() const { return word_ >> kWholeAt == 0b111; }
+  [[nodiscard]] WaitingBeam beam() const {
+    return {.range_mm = along_mm(),
+            .carves = (word_ >> kCarvesAt & 1U) != 0,
+            .marks = (word_ >> kMarksAt & 1U) != 0,
+            .is_whole_in_band = (word_ >> kWholeAt & 1U) != 0,
+            .is_tall = is_tall()};
   }
 
  private:
   static constexpr int kLayerAt = 20;
-  static constexpr int kWholeAt = 27;
-  static constexpr int kFateAt = 28;
+  static constexpr int kTallAt = 27;
+  static constexpr int kWholeAt = 28;
+  static constexpr int kCarvesAt = 29;
+  static constexpr int kMarksAt = 30;
   static_assert(lidar::kMaxRangeMm < 1U << kLayerAt &&
-                vehicle::kMaxLayers <= 1U << (kWholeAt - kLayerAt) &&
-                vehicle::kFateCount <= 1U << (32 - kFateAt));
+                vehicle::kMaxLayers <= 1U << (kTallAt - kLayerAt));
+
+  static constexpr std::uint32_t bit(bool is_set, int at) {
+    return static_cast<std::uint32_t>(is_set) << at;
+  }
 
   std::uint32_t word_ = 0;
 };

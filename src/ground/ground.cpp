@@ -7,6 +7,14 @@ namespace iog::ground {
 void Ground::begin(const vehicle::Sensor& sensor) {
   beams_ = Beams(sensor);
   limits_ = {.low_mm = sensor.ground.low_mm, .top_mm = sensor.ground.top_mm};
+  const vehicle::MovedLimits& moved = sensor.moved;
+  low_mm_ = moved.low_mm;
+  tall_mm_ = moved.tall_mm;
+  if (moved.low_mm == vehicle::MovedLimits::kAnyHeight) {
+    low_ = Low::kAlways;
+  } else {
+    low_ = beams_.origin_mm() <= low_mm_ ? Low::kFromStart : Low::kToExit;
+  }
   layers_share_lines_ = sensor.layers_share_lines;
   forget();
 }
@@ -22,8 +30,14 @@ void Ground::forget() {
 }
 
 void Ground::find_exits() {
-  if (layers_share_lines_) {
-    exits_.find(beams_, limits_, surface_);
+  if (!layers_share_lines_) {
+    return;
+  }
+  exits_.find(beams_, limits_, surface_);
+  if (low_ != Low::kAlways) {
+    const Limits low =
+        low_ == Low::kFromStart ? Limits{limits_.low_mm, low_mm_} : Limits{low_mm_, limits_.top_mm};
+    low_exits_.find(beams_, low, surface_);
   }
 }
 

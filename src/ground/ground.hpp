@@ -43,6 +43,27 @@ class Ground {
   [[nodiscard]] Limits limits() const { return limits_; }
   // How far beams are between the limits, of a sensor whose layers share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
+  // Between which distances along its line a beam of such a sensor is at most as high over the
+  // ground as opens it: those that begin higher, from where they come so low up to their exit, and
+  // those that begin so low, up to where they rise over it. In steps of 2 mm, rounded down.
+  struct Stretch {
+    std::uint32_t from_mm = 0;
+    std::uint32_t to_mm = 0;
+  };
+  [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
+    const std::uint32_t exit_mm = exits_.to_mm(sector, layer);
+    switch (low_) {
+      case Low::kAlways:
+        return {0, exit_mm};
+      case Low::kFromStart:
+        return {0, low_exits_.to_mm(sector, layer)};
+      case Low::kToExit:
+        return {low_exits_.to_mm(sector, layer), exit_mm};
+    }
+    return {};
+  }
+  // How high a return is at least that is tall.
+  [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
   // How a packet of the sensor sees the car tilted. Packet: has for_each_sample(). ray_of(step,
   // point) is the Ray of a point in this azimuth step.
@@ -72,13 +93,20 @@ class Ground {
   void forget();
 
  private:
+  // Which part of its beams is low.
+  enum class Low : std::uint8_t { kAlways, kFromStart, kToExit };
+
   void find_exits();
 
   Beams beams_;
   Limits limits_;
+  Low low_ = Low::kAlways;
+  std::int32_t low_mm_ = 0;
+  std::int32_t tall_mm_ = 0;
   bool layers_share_lines_ = false;
   Surface surface_;
   Exits exits_;
+  Exits low_exits_;  // as `low_` says; of nothing if always
 };
 
 // The returns of one packet.
@@ -90,16 +118,20 @@ class PacketJudge {
         surface_(&ground.surface()),
         lows_(&lows),
         limits_(ground.limits()),
+        tall_mm_(ground.tall_mm()),
         tilt_(tilt) {}
 
-  // Which fate a return has by its height, kUsed if it is an obstacle. It is among the lows then.
-  // z_mm: its height over the car's plane.
-  [[nodiscard]] vehicle::Fate judge(std::uint32_t sector, std::uint32_t out_mm,
-                                    std::int32_t z_mm) const {
+  // Which fate a return has by its height over the ground, kUsed if it is an obstacle, and whether
+  // it is tall. It is among the lows then. z_mm: its height over the car's plane.
+  struct Judged {
+    vehicle::Fate fate = vehicle::Fate::kUsed;
+    bool is_tall = false;
+  };
+  [[nodiscard]] Judged judge(std::uint32_t sector, std::uint32_t out_mm, std::int32_t z_mm) const {
     const Bins bins = beams_->bins();
     lows_->add(bins, sector, out_mm, z_mm);
-    const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_mm);
-    return fate_of(ground::judge(limits_, over - tilt_.at(out_mm)));
+    const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_mm) - tilt_.at(out_mm);
+    return {.fate = fate_of(ground::judge(limits_, over)), .is_tall = over >= tall_mm_};
   }
 
  private:
@@ -113,10 +145,11 @@ class PacketJudge {
   const Surface* surface_;
   Lows* lows_;
   Limits limits_;
+  std::int32_t tall_mm_;
   Tilt tilt_;
 };
 
-// Around those of a vehicle that follow the ground, each in a place. Holds 370 KB: belongs into
+// Around those of a vehicle that follow the ground, each in a place. Holds 630 KB: belongs into
 // static memory.
 class Grounds {
  public:

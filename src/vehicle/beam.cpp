@@ -35,10 +35,10 @@ std::int32_t extent(const traversal::Axis<geometry::kResolution>& axis) {
   return axis.step() * static_cast<std::int32_t>(axis.length());
 }
 
-bool is_in_band(const Vehicle& vehicle, const Sensor& sensor, std::int32_t end_z,
+bool is_in_band(const HeightBand& band, const Sensor& sensor, std::int32_t end_z,
                 std::uint32_t range_mm) {
-  return lies_between(vehicle.z_min, sensor.origin_z, std::int64_t{end_z} - sensor.origin_z,
-                      range_mm, sensor.range.mm(), vehicle.z_max);
+  return lies_between(band.low, sensor.origin_z, std::int64_t{end_z} - sensor.origin_z, range_mm,
+                      sensor.range.mm(), band.high);
 }
 
 }  // namespace
@@ -97,16 +97,20 @@ Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z) {
   return ranges_between(sensor.in_band, end_z - sensor.origin_z, 0, sensor.range.mm());
 }
 
+Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z) {
+  return ranges_between(sensor.tall, end_z - sensor.origin_z, 0, sensor.range.mm());
+}
+
 BeamRanges ranges_of(const Sensor& sensor, const Beam& beam) {
   return {.on_car = ranges_on_car(sensor, beam.line),
           .in_band = ranges_in_band(sensor, beam.end_z)};
 }
 
-BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, std::int32_t end_z,
+BandPart part_in_band(const HeightBand& band, const Sensor& sensor, std::int32_t end_z,
                       std::uint32_t reach_mm) {
-  const bool starts_inside = vehicle.z_min <= sensor.origin_z && sensor.origin_z <= vehicle.z_max;
+  const bool starts_inside = band.low <= sensor.origin_z && sensor.origin_z <= band.high;
   // A line is straight: with both ends inside all of it is.
-  if (starts_inside && is_in_band(vehicle, sensor, end_z, reach_mm)) {
+  if (starts_inside && is_in_band(band, sensor, end_z, reach_mm)) {
     return {};
   }
   const std::int64_t rise = std::int64_t{end_z} - sensor.origin_z;
@@ -114,10 +118,10 @@ BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor, std::int32_t
     return {.is_whole = starts_inside, .is_empty = !starts_inside, .from = {}, .to = {}};
   }
   // Measured along the beam's own way up or down, the band lies from `enter` to `leave`.
-  const std::int64_t enter = rise > 0 ? std::int64_t{vehicle.z_min} - sensor.origin_z
-                                      : std::int64_t{sensor.origin_z} - vehicle.z_max;
-  const std::int64_t leave = rise > 0 ? std::int64_t{vehicle.z_max} - sensor.origin_z
-                                      : std::int64_t{sensor.origin_z} - vehicle.z_min;
+  const std::int64_t enter = rise > 0 ? std::int64_t{band.low} - sensor.origin_z
+                                      : std::int64_t{sensor.origin_z} - band.high;
+  const std::int64_t leave = rise > 0 ? std::int64_t{band.high} - sensor.origin_z
+                                      : std::int64_t{sensor.origin_z} - band.low;
   const auto extent = static_cast<std::uint64_t>(rise > 0 ? rise : -rise);
   if (leave <= 0 || enter >= static_cast<std::int64_t>(extent)) {
     return {.is_whole = false, .is_empty = true, .from = {}, .to = {}};

@@ -109,6 +109,8 @@ struct Classification {
 // The parts of BeamRanges: of a line, and of the height of its end.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
+// Those in the band that are tall by Sensor::moved.
+[[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
 // Whether a return is at the height of an obstacle, kUsed, or which fate it has; and whether its
@@ -170,9 +172,9 @@ template <typename HeightAt>
   return classify(sensor, ranges_of(sensor, beam), point);
 }
 
-// Which part of a beam between its origin and reach_mm <= L is inside the height band, by the
-// height of its end. Heights at the band's ends are inside.
-[[nodiscard]] BandPart part_in_band(const Vehicle& vehicle, const Sensor& sensor,
+// Which part of a beam between its origin and reach_mm <= L is inside a height band, by the height
+// of its end. Heights at the band's ends are inside.
+[[nodiscard]] BandPart part_in_band(const HeightBand& band, const Sensor& sensor,
                                     std::int32_t end_z, std::uint32_t reach_mm);
 
 }  // namespace iog::vehicle

@@ -25,6 +25,10 @@ class EightBytes {
     return EightBytes(word_ | other.word_);
   }
 
+  [[nodiscard]] EightBytes bit_xor(EightBytes other) const {
+    return EightBytes(word_ ^ other.word_);
+  }
+
   [[nodiscard]] bool is_zero() const { return word_ == 0; }
 
   // Whether one of them is below 0.

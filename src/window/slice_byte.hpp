@@ -24,20 +24,15 @@ inline constexpr std::int32_t kMostIndex = evidence::kGradedIndexes - 1;
 inline constexpr std::int32_t kBeside = 32;
 static_assert(kMostIndex == kBeside - 1);
 
-// The bits of a slice's cells in a tile of the vehicle's grid.
-struct TileHeights {
-  Plane low{};   // a beam that is at most low_mm high has freed the cell
-  Plane tall{};  // a hit of it is at least tall_mm high
-};
-
 // The index of a byte, without the bit.
 [[nodiscard]] constexpr std::int32_t index_of(std::int8_t byte) {
   return byte < 0 ? -(-byte & kMostIndex) : byte & kMostIndex;
 }
 
-[[nodiscard]] constexpr std::int8_t byte_of(std::int32_t index, bool is_low, bool is_tall) {
+// has_bit: of a cell that is free or hit, what is said of it beside its index.
+[[nodiscard]] constexpr std::int8_t byte_of(std::int32_t index, bool has_bit) {
   const std::int32_t most = std::clamp(index, -kMostIndex, kMostIndex);
-  const std::int32_t beside = (index < 0 && is_low) || (index > 0 && is_tall) ? kBeside : 0;
+  const std::int32_t beside = index != 0 && has_bit ? kBeside : 0;
   return static_cast<std::int8_t>(index < 0 ? most - beside : most + beside);
 }
 

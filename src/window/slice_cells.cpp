@@ -39,6 +39,20 @@ consteval ByteByBit make_byte_by_bit() {
 }
 constexpr ByteByBit kByteByBit = make_byte_by_bit();
 
+// By eight bits, the byte kBeside where one is set.
+using BesideByBits = std::array<std::array<std::int8_t, EightBytes::kCount>, 256>;
+
+consteval BesideByBits make_beside_by_bits() {
+  BesideByBits table{};
+  for (unsigned bits = 0; bits < table.size(); ++bits) {
+    for (unsigned i = 0; i < EightBytes::kCount; ++i) {
+      table[bits][i] = (bits >> i & 1U) != 0 ? std::int8_t{kBeside} : std::int8_t{0};
+    }
+  }
+  return table;
+}
+constexpr BesideByBits kBesideByBits = make_beside_by_bits();
+
 template <std::size_t... kRows>
 BandBits band_of(const std::int8_t* rows, std::index_sequence<kRows...> /*all*/) {
   BandBits band;
@@ -49,22 +63,23 @@ BandBits band_of(const std::int8_t* rows, std::index_sequence<kRows...> /*all*/)
   return band;
 }
 
-// The bytes of a row's indexes. Most rows have no bit, or one in each cell that is free.
-void write_row(const std::int8_t* indexes, std::uint32_t low, std::uint32_t tall,
-               std::int8_t* row) {
+// The bytes of a row's indexes. A bit beside an index of either sign is bit 5 of its byte, turned
+// round: that of 1 ... 31 is 0, that of -1 ... -31 is 1.
+void write_row(const std::int8_t* indexes, std::uint32_t bits, std::int8_t* row) {
   constexpr std::int8_t kMost = kMostIndex;
   for (std::size_t x = 0; x < kSide; ++x) {
     row[x] = std::clamp<std::int8_t>(indexes[x], -kMost, kMost);
   }
-  for (std::uint32_t left = low | tall; left != 0; left &= left - 1) {
-    const auto x = static_cast<std::size_t>(std::countr_zero(left));
-    row[x] = byte_of(indexes[x], (low >> x & 1U) != 0, (tall >> x & 1U) != 0);
+  for (std::int8_t* eight = row; bits != 0; eight += kBlock, bits >>= kBlock) {
+    EightBytes::load(eight)
+        .bit_xor(EightBytes::load(kBesideByBits[bits % 256].data()))
+        .store(eight);
   }
 }
 
 }  // namespace
 
-void SliceCells::copy(std::size_t tile, TileIndexes indexes, const TileHeights& heights) {
+void SliceCells::copy(std::size_t tile, TileIndexes indexes, const Plane& low_and_tall) {
   unsigned hit_bands = 0;
   unsigned known_blocks = 0;
   const std::int8_t* in = indexes.data();
@@ -75,7 +90,7 @@ void SliceCells::copy(std::size_t tile, TileIndexes indexes, const TileHeights& 
     }
     const BandBits band = band_of(in, std::make_index_sequence<kBlock>());
     for (std::size_t y = block_y * kBlock; y < (block_y + 1) * kBlock; ++y) {
-      write_row(in, heights.low[y], heights.tall[y], row);
+      write_row(in, low_and_tall[y], row);
       in += kSide;
       row += kStride;
     }

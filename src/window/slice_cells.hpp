@@ -28,13 +28,15 @@ class SliceCells {
 
   // Sets a tile of a grid, row by row from its lowest y. Before, all of its cells are
   // unknown.
-  void set(std::size_t tile, TileIndexes indexes, const TileHeights& heights = {}) {
-    copy(tile, indexes, heights);
+  // low_and_tall: which of its cells that are free were freed from below, and which of those that
+  // are hit are tall.
+  void set(std::size_t tile, TileIndexes indexes, const Plane& low_and_tall = {}) {
+    copy(tile, indexes, low_and_tall);
     note(tile);
   }
   // The two steps of it: several cores may copy tiles at the same time, and copy one again; then
   // each is noted once.
-  void copy(std::size_t tile, TileIndexes indexes, const TileHeights& heights = {});
+  void copy(std::size_t tile, TileIndexes indexes, const Plane& low_and_tall = {});
   void note(std::size_t tile);
 
   // All cells are unknown again.

@@ -16,13 +16,14 @@ struct RowBits {
   std::uint32_t crossed = 0;
 };
 
-RowBits bits_of(const FrameEvidence::TileIndexes& indexes, std::size_t y) {
+RowBits bits_of(const FrameEvidence::TileIndexes& indexes, std::size_t y, bool from_below) {
   RowBits bits;
   for (std::size_t i = 0; i < kGroupsPerRow; ++i) {
     const auto eight = EightBytes::load(&indexes[(y * kGroupsPerRow + i) * evidence::kGroupCells]);
     const std::size_t shift = i * evidence::kGroupCells;
     bits.hit |= std::uint32_t{eight.positive()} << shift;
-    bits.crossed |= std::uint32_t{eight.negative()} << shift;
+    const std::uint8_t crossed = from_below ? eight.from_below() : eight.negative();
+    bits.crossed |= std::uint32_t{crossed} << shift;
   }
   return bits;
 }
@@ -34,7 +35,8 @@ constexpr std::uint32_t widened(std::uint32_t bits) {
 
 }  // namespace
 
-StandingCounts standing_counts(const Tile& tile, const FrameEvidence::TileIndexes& indexes) {
+StandingCounts standing_counts(const Tile& tile, const FrameEvidence::TileIndexes& indexes,
+                               bool from_below) {
   StandingCounts counts;
   const Plane& stands = tile.found.stands;
   std::uint32_t any = 0;
@@ -46,7 +48,7 @@ StandingCounts standing_counts(const Tile& tile, const FrameEvidence::TileIndexe
   }
   std::array<RowBits, geometry::kTileSide> rows;
   for (std::size_t y = 0; y < rows.size(); ++y) {
-    rows[y] = bits_of(indexes, y);
+    rows[y] = bits_of(indexes, y, from_below);
   }
   for (std::size_t y = kNear; y < rows.size() - kNear; ++y) {
     const std::uint32_t hit = widened(rows[y - 2].hit | rows[y - 1].hit | rows[y].hit |

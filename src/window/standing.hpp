@@ -23,9 +23,11 @@ struct StandingCounts {
 };
 
 // Of a tile that is known. The outermost two rows and columns are left out, because what is near
-// them may be of another tile.
+// them may be of another tile. from_below: only beams that were low count, because others go over
+// what stands (window/opening.hpp).
 [[nodiscard]] StandingCounts standing_counts(const Tile& tile,
-                                             const FrameEvidence::TileIndexes& indexes);
+                                             const FrameEvidence::TileIndexes& indexes,
+                                             bool from_below);
 
 // Whether beams go through what stands, all around: then the poses by which it was placed are
 // wrong, whatever they say. The counts of some eight frames are held against each other, those of a

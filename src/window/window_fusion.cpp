@@ -111,7 +111,8 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
     for (const std::uint16_t slot : due_.of(runs[item])) {
       arrivals_.find_new(window_, evidence_, slot);
       if (window_.is_known(slot)) {
-        slot_counts_[slot].standing = standing_counts(window_.tile(slot), evidence_.tile(slot));
+        slot_counts_[slot].standing =
+            standing_counts(window_.tile(slot), evidence_.tile(slot), rules_.is_opened_from_below);
       }
       if (rules_.is_opened_from_below) {
         opening_.find(window_, evidence_, slot);

@@ -159,7 +159,7 @@ std::vector<Message> play_turns(const vehicle::Vehicle& like, std::size_t cores)
 }
 
 TEST(FuseOverGround, CoresGiveTheMessagesOfOne) {
-  const tests::GroundCar car(tests::LevelVlp16::kVehicle);
+  const tests::GroundCar car(tests::LevelVlp16::kVehicle, {220, 2'200}, {600, 300});
   const std::vector<Message> alone = play_turns(car.vehicle(), 1);
   EXPECT_GT(alone.size(), 100U);
   EXPECT_FALSE(alone == play_turns(tests::LevelVlp16::kVehicle, 1));

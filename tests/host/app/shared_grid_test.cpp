@@ -88,7 +88,7 @@ const Played& three_turns_alone() {
 
 // The same unit follows the ground: its second and third turn are judged by what was seen before.
 const vehicle::Vehicle& ground_vlp16() {
-  static const tests::GroundCar car(LevelVlp16::kVehicle);
+  static const tests::GroundCar car(LevelVlp16::kVehicle, {220, 2'200}, {600, 300});
   return car.vehicle();
 }
 const Played& ground_alone() {

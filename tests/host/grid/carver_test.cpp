@@ -29,7 +29,10 @@ using vehicle::Vehicle;
 // What a core would have for itself: both carvers on one grid.
 struct Core {
   explicit Core(const Vehicle& vehicle)
-      : azimuths(vehicle, grid, marks), turns(vehicle, grid, marks) {}
+
+      : grids(vehicle.window.is_opened_from_below),
+        azimuths(vehicle, grids, marks),
+        turns(vehicle, grids, marks) {}
 
   void add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     if (sensor.layers_share_lines) {
@@ -43,7 +46,7 @@ struct Core {
     turns.carve_waiting();
   }
 
-  BlockGrid grid;
+  FrameGrids grids;
   PendingMarks marks;
   AzimuthCarver azimuths;
   TurnCarver turns;
@@ -93,14 +96,14 @@ std::vector<OccupancyIndex> cells_of(const BlockGrid& grid) {
 
 // All grids into the last, then all marks.
 std::vector<OccupancyIndex> joined(Cores& cores, vehicle::FusionRule rule) {
-  BlockGrid& grid = cores.back().grid;
+  BlockGrid& grid = cores.back().grids.indexes;
   for (Core& core : cores) {
-    if (&core.grid != &grid) {
-      join(core.grid, grid);
+    if (&core.grids.indexes != &grid) {
+      join(core.grids.indexes, grid);
     }
   }
   for (Core& core : cores) {
-    core.marks.apply(grid, rule);
+    core.marks.apply(cores.back().grids, rule);
   }
   return cells_of(grid);
 }
@@ -176,8 +179,8 @@ TEST(Carver, GridsThatWereMarkedBeforeDoNotAddUp) {
   std::array<int, 2> indexes{};
   for (std::size_t i = 0; i < cores.size(); ++i) {
     cores[i].carve_waiting();
-    cores[i].marks.apply(cores[i].grid, vehicle.rule);
-    indexes[i] = int{cores[i].grid.at({512 + 50, 512})};
+    cores[i].marks.apply(cores[i].grids, vehicle.rule);
+    indexes[i] = int{cores[i].grids.indexes.at({512 + 50, 512})};
   }
   // sat(-140) + 2 and -14; one carver has sat(-154) + 2.
   EXPECT_EQ(indexes, (std::array{-125, -14}));
@@ -201,8 +204,10 @@ TEST(Carver, WhatIsDroppedIsNotCarved) {
     for (Core* const core : {carves.get(), drops.get()}) {
       core->carve_waiting();
     }
-    EXPECT_GT(std::ranges::count_if(cells_of(carves->grid), [](int i) { return i < 0; }), 50);
-    EXPECT_EQ(std::ranges::count_if(cells_of(drops->grid), [](int i) { return i < 0; }), 0);
+    EXPECT_GT(std::ranges::count_if(cells_of(carves->grids.indexes), [](int i) { return i < 0; }),
+              50);
+    EXPECT_EQ(std::ranges::count_if(cells_of(drops->grids.indexes), [](int i) { return i < 0; }),
+              0);
   }
 }
 

@@ -13,8 +13,10 @@
 
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
+#include "fakes/fake_packet.hpp"
 #include "fakes/ground_car.hpp"
 #include "fakes/ground_turns.hpp"
+#include "fakes/low_and_tall.hpp"
 #include "fakes/random.hpp"
 #include "fakes/reference_ground.hpp"
 #include "fakes/reference_tilt.hpp"
@@ -28,6 +30,7 @@ namespace {
 
 using geometry::Cell;
 using lidar::ScanPoint;
+using tests::FakePacket;
 using tests::LevelVlp16;
 using tests::ManyLayers;
 using tests::MixedCar;
@@ -37,21 +40,7 @@ using tests::Whole;
 using vehicle::Fate;
 
 constexpr vehicle::GroundLimits kLimits{.low_mm = 220, .top_mm = 2'200};
-
-// As FrameFusion asks of a decoder. Samples are chosen here, whatever the sampling.
-struct FakePacket {
-  std::vector<ScanPoint> points;
-  std::vector<ScanPoint> samples;
-
-  template <typename Visit>
-  void for_each_point(Visit&& visit) const {
-    std::ranges::for_each(points, visit);
-  }
-  template <typename Visit>
-  void for_each_sample(const lidar::Sampling& /*sampling*/, Visit&& visit) const {
-    std::ranges::for_each(samples, visit);
-  }
-};
+constexpr vehicle::MovedLimits kMoved{.low_mm = 600, .tall_mm = 600};
 
 // A turn's lowest returns and the surface made of them, by both implementations.
 struct Surfaces {
@@ -91,7 +80,8 @@ Fate fate_at(Whole height_mm) {
 
 // The last of 0, 2, 4 ... mm up to which a beam is between the limits over the reference's ground.
 // In units of 2^-24 mm, times the length of a bin: below 2^62.
-std::int64_t exit_of(const ground::Beams& beams, const std::vector<Whole>& row, std::size_t layer) {
+std::int64_t exit_of(const ground::Beams& beams, const std::vector<Whole>& row, std::size_t layer,
+                     vehicle::GroundLimits limits = kLimits) {
   const std::int64_t length = beams.bins().length_mm();
   const auto fine = [&](std::int64_t mm) { return mm * length * (1 << 24); };
   std::int64_t to = -2;
@@ -102,7 +92,7 @@ std::int64_t exit_of(const ground::Beams& beams, const std::vector<Whole>& row, 
     const std::int64_t over = fine(beams.origin_mm() - start) +
                               std::int64_t{beams.slope(layer)} * along * length -
                               rise * (along - bin * length) * (1 << 24);
-    if (over < fine(kLimits.low_mm) || fine(kLimits.top_mm) < over) {
+    if (over < fine(limits.low_mm) || fine(limits.top_mm) < over) {
       break;
     }
     to = along;
@@ -144,11 +134,14 @@ class AlonePoints {
     ASSERT_EQ(fate, expected) << point.range_mm << ", " << point.azimuth_ticks;
     ++fates_[static_cast<std::size_t>(fate)];
     expect_cells(*ray, point, fate, exit_of(beams_, row(place), point.layer));
+    expect_heights(*ray, point, row(place), over(place) - tilt.at(place.along_mm));
     fusion_->clear();
   }
 
   [[nodiscard]] int count(Fate fate) const { return fates_[static_cast<std::size_t>(fate)]; }
   [[nodiscard]] int tilted() const { return tilted_; }
+  [[nodiscard]] int lows() const { return lows_; }
+  [[nodiscard]] int talls() const { return talls_; }
 
  private:
   [[nodiscard]] const vehicle::Sensor& sensor() const { return car_.vehicle().sensors[0]; }
@@ -214,14 +207,36 @@ class AlonePoints {
     ASSERT_EQ(std::ssize(cells) - std::ranges::count(cells, 0), known);
   }
 
+  // The beam has come so low where it first is not over the lower limit any more, if it has not
+  // risen over the upper one.
+  void expect_heights(const TurningRay& ray, const ScanPoint& point, const std::vector<Whole>& row,
+                      Whole hit_mm) {
+    const std::int64_t low_mm = exit_of(beams_, row, point.layer, {kMoved.low_mm, kLimits.top_mm});
+    const lab::reference::Rational low{low_mm, static_cast<std::int64_t>(beams_.range_mm())};
+    const bool comes_down = low_mm < exit_of(beams_, row, point.layer);
+    tests::for_each_cell_around(ray, [&](Cell cell) {
+      const int index = fusion_->view().at(cell);
+      const auto crossing = lab::reference::cross(ray.start, ray.end, cell, geometry::kResolution);
+      const bool is_low = comes_down && index < 0 && crossing && low < crossing->leave;
+      const bool is_tall = index > 0 && hit_mm >= kMoved.tall_mm;
+      lows_ += is_low ? 1 : 0;
+      talls_ += is_tall ? 1 : 0;
+      ASSERT_EQ(tests::low_or_tall(*fusion_, cell), is_low || is_tall)
+          << "cell " << cell.x << ", " << cell.y << ", index " << index << ", range "
+          << point.range_mm << ", tick " << point.azimuth_ticks << ", layer " << int{point.layer};
+    });
+  }
+
   Random& random_;
-  tests::GroundCar car_{Car::kVehicle, kLimits};
+  tests::GroundCar car_{Car::kVehicle, kLimits, kMoved};
   tests::TurningRule rule_;
   std::unique_ptr<Surfaces> surfaces_;
   const ground::Beams& beams_;
   std::unique_ptr<FrameFusion> fusion_ = std::make_unique<FrameFusion>(car_.vehicle());
   std::array<int, vehicle::kFateCount> fates_{};
   int tilted_ = 0;
+  int lows_ = 0;
+  int talls_ = 0;
 };
 
 template <typename Car>
@@ -238,6 +253,8 @@ void expect_every_cell_as_the_rule_says(std::span<const double> elevations_deg, 
   }
   EXPECT_EQ(alone.count(Fate::kOutsideHeightBand), 0);
   EXPECT_GT(alone.tilted(), 0);
+  EXPECT_GT(alone.lows(), 0);
+  EXPECT_GT(alone.talls(), 0);
 }
 
 TEST(OverGround, EveryCellIsAsTheRuleSaysForAVlp16) {
@@ -269,7 +286,7 @@ FakePacket random_packet(Random& random, std::size_t layers, int points) {
 TEST(OverGround, NeitherWaitingNorSparingABeamShows) {
   Random random(63);
   for (const vehicle::Vehicle& car : {LevelVlp16::kVehicle, ManyLayers::kVehicle}) {
-    const tests::GroundCar ground_car(car, kLimits);
+    const tests::GroundCar ground_car(car, kLimits, kMoved);
     const vehicle::Vehicle& its = ground_car.vehicle();
     const auto waits = std::make_unique<FrameFusion>(its);
     for (int frame = 0; frame < 3; ++frame) {
@@ -289,6 +306,7 @@ TEST(OverGround, NeitherWaitingNorSparingABeamShows) {
       waits->finish();
       alone->finish();
       EXPECT_EQ(tests::cells_of(*waits), tests::cells_of(*alone)) << car.name;
+      EXPECT_EQ(tests::low_and_tall_of(*waits), tests::low_and_tall_of(*alone)) << car.name;
       EXPECT_TRUE(waits->lows(0) == alone->lows(0));
       waits->clear();
       waits->lows(0).clear();

@@ -215,13 +215,13 @@ TEST(Fate, OfEveryRangeIsThatOfItsProducts) {
 TEST(HeightBand, IsWholeWhereBothEndsAreInside) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
   const Beam beam = aim(sensor, 0, 0);
-  EXPECT_TRUE(part_in_band(TiltedLux::kVehicle, sensor, beam.end_z, 5'000).is_whole);
+  EXPECT_TRUE(part_in_band(TiltedLux::kVehicle.band(), sensor, beam.end_z, 5'000).is_whole);
 }
 
 TEST(HeightBand, EndsWhereTheBeamLeavesIt) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
   const Beam beam = aim(sensor, 0, 0);
-  const BandPart part = part_in_band(TiltedLux::kVehicle, sensor, beam.end_z, 50'000);
+  const BandPart part = part_in_band(TiltedLux::kVehicle.band(), sensor, beam.end_z, 50'000);
   ASSERT_FALSE(part.is_whole || part.is_empty);
   EXPECT_EQ(part.from.numerator, 0U);
   const double leaves_m =
@@ -234,12 +234,12 @@ TEST(HeightBand, ASensorOutsideTheBandSeesOnlyWhereItsBeamEnters) {
   high.z_min = static_cast<std::int32_t>(-2 * geometry::kSubcellsPerMetre);
   high.z_max = static_cast<std::int32_t>(0.2 * geometry::kSubcellsPerMetre);
   const Sensor& sensor = high.sensors[0];
-  const BandPart down = part_in_band(high, sensor, aim(sensor, 0, 0).end_z, 50'000);
+  const BandPart down = part_in_band(high.band(), sensor, aim(sensor, 0, 0).end_z, 50'000);
   ASSERT_FALSE(down.is_whole || down.is_empty);
   EXPECT_NEAR(
       50.0 * static_cast<double>(down.from.numerator) / static_cast<double>(down.from.denominator),
       5.54, 0.02);
-  const BandPart up = part_in_band(high, sensor, aim(sensor, 3, 5760).end_z, 50'000);
+  const BandPart up = part_in_band(high.band(), sensor, aim(sensor, 3, 5760).end_z, 50'000);
   EXPECT_TRUE(up.is_empty);
 }
 

@@ -153,10 +153,10 @@ TEST(FrameEvidence, HowLowAndHowTallIsThatOfAnySlice) {
   const Placement at = placed(0, 0);
   Evidence evidence;
   evidence.add(from_above, at);
-  EXPECT_EQ(evidence.at({0, 0}), byte_of(-14, false, false));
+  EXPECT_EQ(evidence.at({0, 0}), byte_of(-14, false));
   evidence.add(from_below, at);
   evidence.add(from_above, at);
-  EXPECT_EQ(evidence.at({0, 0}), byte_of(-31, true, false));
+  EXPECT_EQ(evidence.at({0, 0}), byte_of(-31, true));
   evidence.add(hit, at);
   EXPECT_EQ(evidence.at({0, 0}), 2);
   EXPECT_FALSE(evidence.is_tall({0, 0}));

@@ -19,8 +19,10 @@ namespace iog::tests {
 
 class Slice {
  public:
+  // Of a height nothing is said.
   void set(geometry::Cell cell, int index) {
     tiles_[geometry::tile_of(cell)][in_tile(cell)] = static_cast<std::int8_t>(index);
+    low_and_tall_[geometry::tile_of(cell)][row_of(cell)] &= ~bit_of(cell);
   }
   [[nodiscard]] int at(geometry::Cell cell) const {
     const auto tile = tiles_.find(geometry::tile_of(cell));
@@ -28,12 +30,13 @@ class Slice {
   }
 
   // A beam that freed the cell was low; its hit is tall.
-  void set_low(geometry::Cell cell) { set_bit(heights_[geometry::tile_of(cell)].low, cell); }
-  void set_tall(geometry::Cell cell) { set_bit(heights_[geometry::tile_of(cell)].tall, cell); }
+  void set_low(geometry::Cell cell) {
+    low_and_tall_[geometry::tile_of(cell)][row_of(cell)] |= bit_of(cell);
+  }
+  void set_tall(geometry::Cell cell) { set_low(cell); }
   // The byte by which the window knows the cell.
   [[nodiscard]] std::int8_t byte_at(geometry::Cell cell) const {
-    const window::TileHeights heights = heights_of(geometry::tile_of(cell));
-    return window::byte_of(at(cell), is_set(heights.low, cell), is_set(heights.tall, cell));
+    return window::byte_of(at(cell), has_bit(cell));
   }
 
   // All cells that are not 0: visit(cell, index).
@@ -77,26 +80,30 @@ class Slice {
     return *this;
   }
 
-  // visit(tile, indexes, heights) for each tile in which a cell is not 0.
+  // visit(tile, indexes, low_and_tall) for each tile in which a cell is not 0.
   template <typename Visit>
   void release(Visit&& visit) const {
     for (const auto& [tile, indexes] : tiles_) {
       if (std::ranges::any_of(indexes, [](std::int8_t index) { return index != 0; })) {
-        visit(tile, std::span<const std::int8_t, geometry::kTileCells>(indexes), heights_of(tile));
+        visit(tile, std::span<const std::int8_t, geometry::kTileCells>(indexes),
+              low_and_tall_of(tile));
       }
     }
   }
 
  private:
-  static void set_bit(window::Plane& plane, geometry::Cell cell) {
-    plane[static_cast<std::size_t>(cell.y) % plane.size()] |= 1U << cell.x % 32;
+  static std::size_t row_of(geometry::Cell cell) {
+    return static_cast<std::uint32_t>(cell.y) % geometry::kTileSide;
   }
-  static bool is_set(const window::Plane& plane, geometry::Cell cell) {
-    return (plane[static_cast<std::size_t>(cell.y) % plane.size()] >> cell.x % 32 & 1U) != 0;
+  static std::uint32_t bit_of(geometry::Cell cell) {
+    return std::uint32_t{1} << static_cast<std::uint32_t>(cell.x) % geometry::kTileSide;
   }
-  [[nodiscard]] window::TileHeights heights_of(std::size_t tile) const {
-    const auto heights = heights_.find(tile);
-    return heights == heights_.end() ? window::TileHeights{} : heights->second;
+  [[nodiscard]] bool has_bit(geometry::Cell cell) const {
+    return (low_and_tall_of(geometry::tile_of(cell))[row_of(cell)] & bit_of(cell)) != 0;
+  }
+  [[nodiscard]] window::Plane low_and_tall_of(std::size_t tile) const {
+    const auto bits = low_and_tall_.find(tile);
+    return bits == low_and_tall_.end() ? window::Plane{} : bits->second;
   }
   static std::size_t in_tile(geometry::Cell cell) {
     constexpr std::uint32_t kSide = geometry::kTileSide;
@@ -106,14 +113,14 @@ class Slice {
   }
 
   std::map<std::size_t, std::array<std::int8_t, geometry::kTileCells>> tiles_;
-  std::map<std::size_t, window::TileHeights> heights_;
+  std::map<std::size_t, window::Plane> low_and_tall_;
 };
 
 // Gives a slice to whoever takes it tile by tile.
 template <typename Taker>
 void hand_over(const Slice& slice, Taker& taker) {
-  slice.release([&taker](std::size_t tile, auto indexes, const window::TileHeights& heights) {
-    taker.set(tile, indexes, heights);
+  slice.release([&taker](std::size_t tile, auto indexes, const window::Plane& low_and_tall) {
+    taker.set(tile, indexes, low_and_tall);
   });
 }
 

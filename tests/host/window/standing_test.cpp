@@ -16,7 +16,9 @@ struct Frame {
     const int place = y * static_cast<int>(geometry::kTileSide) + x;
     indexes.at(static_cast<std::size_t>(place)) = value;
   }
-  [[nodiscard]] StandingCounts counts() const { return standing_counts(*tile, indexes); }
+  [[nodiscard]] StandingCounts counts(bool from_below = false) const {
+    return standing_counts(*tile, indexes, from_below);
+  }
 
   std::unique_ptr<Tile> tile = std::make_unique<Tile>();
   FrameEvidence::TileIndexes indexes{};
@@ -35,6 +37,18 @@ TEST(Standing, IsMetIfSomethingIsHitWithinTwoCells) {
           << dx << " " << dy;
     }
   }
+}
+
+// Over a bonnet beams go as long as it stands there.
+TEST(Standing, IsCrossedFromBelowAloneWhereThatIsAsked) {
+  Frame frame;
+  frame.stand(16, 9);
+  frame.index(16, 9, byte_of(-5, false));
+  EXPECT_EQ(frame.counts(true), StandingCounts{});
+  EXPECT_EQ(frame.counts(false).crossed, 1U);
+  frame.index(16, 9, byte_of(-5, true));
+  EXPECT_EQ(frame.counts(true).crossed, 1U);
+  EXPECT_EQ(frame.counts(false).crossed, 1U);
 }
 
 TEST(Standing, OfWhichNothingIsSaidIsNeither) {
