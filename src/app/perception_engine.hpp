@@ -43,7 +43,7 @@ enum class Unfit : std::uint8_t {
 };
 [[nodiscard]] Unfit unfit_for_perception(const vehicle::Vehicle& vehicle);
 
-// Holds 47 MB: belongs into static memory.
+// Holds 51 MB: belongs into static memory.
 class PerceptionEngine {
  public:
   using Outcome = Frame::Outcome;

@@ -29,7 +29,7 @@ class Outlook {
   // How far a beam gets. Of the beam before, which leaves no later, it knows in which bin.
   [[nodiscard]] std::uint32_t leave(std::size_t layer) {
     const Bins bins = beams_->bins();
-    const std::int64_t rise = std::int64_t{sign_ * beams_->slope(layer)} * bins.rise_of_bin(1);
+    const std::int64_t rise = std::int64_t{sign_} * beams_->slope(layer) * bins.rise_of_bin(1);
     if (room(0, rise) < 0) {
       return 0;
     }
