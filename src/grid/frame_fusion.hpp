@@ -128,9 +128,10 @@ class FrameFusion {
   void clear();
 
  private:
+  // Not inlined, so that those that keep to the band have the registers.
   template <typename Packet, typename Count>
-  void add_all(const vehicle::Sensor& sensor, const ground::Ground& ground, ground::Lows& lows,
-               const Packet& packet, Count&& count) {
+  [[gnu::noinline]] void add_all(const vehicle::Sensor& sensor, const ground::Ground& ground,
+                                 ground::Lows& lows, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
       packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](

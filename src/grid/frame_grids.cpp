@@ -10,12 +10,12 @@ TileBits FrameGrids::low_and_tall(std::size_t tile) const {
   if (!heights.is_touched(tile)) {
     return bits;
   }
-  constexpr std::size_t kBlocksAtOnce = 4;
-  constexpr std::size_t kHalves = geometry::kTileSide / kLaneCount;
+  constexpr std::size_t kBlocksOfLanes = kLaneCount / kBlockSide;
+  constexpr std::size_t kLanesOfRow = geometry::kTileSide / kLaneCount;
   const Lanes zero = Lanes::all(0);
   for (std::int32_t row = 0; row < kBlocksPerTile; ++row) {
-    for (std::size_t half = 0; half < kHalves; ++half) {
-      const std::size_t first = half * kBlocksAtOnce;
+    for (std::size_t half = 0; half < kLanesOfRow; ++half) {
+      const std::size_t first = half * kBlocksOfLanes;
       const auto cells = Lanes::rows_of(indexes.blocks_of(tile, row) + first);
       const auto levels = Lanes::rows_of(heights.blocks_of(tile, row) + first);
       for (std::size_t y = 0; y < kBlockSide; ++y) {

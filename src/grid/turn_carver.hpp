@@ -158,14 +158,13 @@ inline vehicle::Fate TurnCarver::Turn::add(const lidar::ScanPoint& point) const 
   const vehicle::BeamRanges ranges{.on_car = waiting_->on_car(step), .in_band = layer.in_band};
   const vehicle::Classification its = vehicle::classify(*sensor_, ranges, point, along_mm);
   if (its.carves || its.marks) {
-    const bool is_tall = layer.tall.contain(along_mm);
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
       if (its.marks) {
-        carver_->mark_at_start(step, is_tall);
+        carver_->mark_at_start(step, layer.tall.contain(along_mm));
       }
     } else if (its.is_whole_in_band || along_mm < layer.behind_mm || !its.carves ||
                !waiting_->add_behind_band(step, layer.rank)) {
-      waiting_->add(step, {waiting_beam(its, along_mm, is_tall), point.layer});
+      waiting_->add(step, {waiting_beam(its, along_mm, layer.tall.contain(along_mm)), point.layer});
     }
   }
   return its.fate;
@@ -190,7 +189,9 @@ inline vehicle::Fate TurnCarver::TurnOverGround::add(const lidar::ScanPoint& poi
         const std::int32_t z_mm = beams_->height_mm(beams_->slope(point.layer), along_mm);
         const auto judged = judge_.judge(sector, along_mm, z_mm);
         is_tall = judged.is_tall;
-        return vehicle::Height{.fate = judged.fate, .is_whole = reach_mm <= to_mm};
+        return vehicle::Height{.is_obstacle = judged.fate == vehicle::Fate::kUsed,
+                               .otherwise = judged.fate,
+                               .is_whole = reach_mm <= to_mm};
       });
   if (its.carves || its.marks) {
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {

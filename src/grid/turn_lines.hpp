@@ -28,11 +28,10 @@ struct alignas(64) TurnLayer {
   // From here on a point is so far behind the band that it frees all of the line from the sensor to
   // where the layer leaves the band; nowhere if the sensor is not in the band.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
-  BandLimits band;
-  // Where it is low, and the ranges along the line at which a return is tall
-  // (vehicle::Sensor::moved).
-  BandLimits low;
+  // The ranges along the line at which a return is tall (vehicle::Sensor::moved).
   vehicle::Ranges tall;
+  BandLimits band;
+  BandLimits low;  // the part in which it is low
 };
 
 // The layers of a sensor.

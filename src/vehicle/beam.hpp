@@ -113,10 +113,11 @@ struct Classification {
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
-// Whether a return is at the height of an obstacle, kUsed, or which fate it has; and whether its
-// beam is so from its start up to there.
+// Whether a return is at the height of an obstacle, which fate it has if not, and whether its beam
+// is so from its start up to there.
 struct Height {
-  Fate fate = Fate::kUsed;
+  bool is_obstacle = true;
+  Fate otherwise = Fate::kUsed;
   bool is_whole = false;
 };
 
@@ -126,9 +127,11 @@ struct Height {
 // not say otherwise; reach_mm is along_mm, or L beyond it. Inline, because it is asked once for
 // each point.
 template <typename HeightAt>
-[[nodiscard]] constexpr Classification classify(const Sensor& sensor, const Ranges& on_car,
-                                                const lidar::ScanPoint& point,
-                                                std::uint32_t along_mm, HeightAt&& height_at) {
+[[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
+                                                                    const Ranges& on_car,
+                                                                    const lidar::ScanPoint& point,
+                                                                    std::uint32_t along_mm,
+                                                                    HeightAt&& height_at) {
   const bool is_first = point.echo == 0;
   if (point.range_mm == 0) {
     return classified(Fate::kNoReturn, is_first && sensor.no_return_clears_mm > 0);
@@ -147,19 +150,21 @@ template <typename HeightAt>
   if (is_too_far) {
     return classified(Fate::kTooFar, is_first, height.is_whole);
   }
-  if (height.fate != Fate::kUsed) {
-    return classified(height.fate, is_first);
+  if (!height.is_obstacle) {
+    return classified(height.otherwise, is_first);
   }
   return classified(is_first ? Fate::kUsed : Fate::kLaterEcho, true, height.is_whole);
 }
 
 // By the vehicle's height band. A beam is straight: with both ends in the band all of it is.
-[[nodiscard]] constexpr Classification classify(const Sensor& sensor, const BeamRanges& ranges,
-                                                const lidar::ScanPoint& point,
-                                                std::uint32_t along_mm) {
+[[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
+                                                                    const BeamRanges& ranges,
+                                                                    const lidar::ScanPoint& point,
+                                                                    std::uint32_t along_mm) {
   return classify(sensor, ranges.on_car, point, along_mm, [&](std::uint32_t reach_mm) {
     const bool ends_in_band = ranges.in_band.contain(reach_mm);
-    return Height{.fate = ends_in_band ? Fate::kUsed : Fate::kOutsideHeightBand,
+    return Height{.is_obstacle = ends_in_band,
+                  .otherwise = Fate::kOutsideHeightBand,
                   .is_whole = ends_in_band && ranges.in_band.first == 0};
   });
 }
