@@ -10,25 +10,25 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 540.50;
+inline constexpr double kPointCycles = 614.44;
 // A cell, carved.
 inline constexpr double kCellCycles = 2.82;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8908.44;
+inline constexpr double kTileCycles = 8958.84;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 49963.61;
+inline constexpr double kClassTileCycles = 50392.39;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 4934.97;
+inline constexpr double kPointOnceCycles = 5008.41;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 431.67;
+inline constexpr double kLaterEchoCycles = 494.41;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9114.24;
+inline constexpr double kDearestTileCycles = 9155.47;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 53645.13;
+inline constexpr double kDearestClassTileCycles = 53934.56;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 776.80;
+inline constexpr double kTurnStepCycles = 829.94;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 361.29;
+inline constexpr double kTurnPointCycles = 393.78;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -49,33 +49,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4491522},
-    {"ring_road", 2321, 721236, 478, 7986405},
+    {"city", 2885, 466621, 231, 4734159},
+    {"ring_road", 2321, 721236, 478, 8167126},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1222145},
-    {"city, 3 LUX", 2240, 369547, 154, 1733317},
-    {"city, 4 LUX", 2885, 466621, 231, 2262582},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1230682},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1849649},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 2857170},
+    {"city, 2 LUX", 1551, 254292, 132, 1320063},
+    {"city, 3 LUX", 2240, 369547, 154, 1874404},
+    {"city, 4 LUX", 2885, 466621, 231, 2481801},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1305018},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1973896},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3071586},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1425860, 668, 10503248},
-    {"random_ranges", 3216, 744269, 600, 9349630},
-    {"layers_apart", 3216, 888311, 665, 10313144},
-    {"beyond_range", 3216, 1451672, 680, 10120815},
-    {"three_echoes", 9648, 1344110, 668, 12141561},
-    {"missing_returns", 1618, 721934, 664, 9692984},
-    {"random_azimuths", 3216, 2000851, 665, 20871533},
-    {"diagonal", 3216, 2223052, 126, 7544650},
-    {"one_direction", 3216, 1538745, 48, 1534645},
-    {"short_beams", 9648, 24984, 4, 4233362},
-    {"flood", 9648, 6805584, 126, 10112226},
+    {"full_range", 3216, 1425860, 668, 10725475},
+    {"random_ranges", 3216, 744269, 600, 9580159},
+    {"layers_apart", 3216, 888311, 665, 10553743},
+    {"beyond_range", 3216, 1451672, 680, 10341620},
+    {"three_echoes", 9648, 1344110, 668, 12676322},
+    {"missing_returns", 1618, 721934, 664, 9804717},
+    {"random_azimuths", 3216, 2000851, 665, 21101682},
+    {"diagonal", 3216, 2223052, 126, 7721541},
+    {"one_direction", 3216, 1538745, 48, 1734597},
+    {"short_beams", 9648, 24984, 4, 4845206},
+    {"flood", 9648, 6805584, 126, 10626383},
 }};
 
 struct ModelledTurn {
@@ -89,9 +89,9 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 20460153},
-    {"HDL-32E", 69466, 460, 34816889},
-    {"HDL-64E S3", 111130, 466, 51933195},
+    {"VLP-16", 28954, 323, 21302120},
+    {"HDL-32E", 69466, 460, 38632930},
+    {"HDL-64E S3", 111130, 466, 55474540},
 }};
 
 }  // namespace iog::tools
