@@ -170,8 +170,8 @@ layout.PARTS.sensor = {
 
 local STAGES = { "fuse", "mark", "publish", "perceive" }
 local FATES = { "used", "no return", "too near", "too far", "outside the height band", "flagged",
-                "later echo", "malformed", "stale",
-                "not taken" }
+                "later echo", "malformed", "stale", "not taken", "ground", "overhang",
+                "under the ground" }
 local DROPS = { "stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
                 "late", "over budget", "other unit", "not taken" }
 local LINK = {

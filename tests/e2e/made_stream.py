@@ -103,10 +103,10 @@ class Target:
                            -51200)
 
     def _end(self, tiles: int, crc: int, points_used: int) -> bytes:
-        stages, fates, causes = (4, 10, 9)
+        stages, fates, causes = (4, 13, 9)
         head = struct.pack(">IIIIQIBBBB", tiles, 0, crc, 2048, self._closed_us - FRAME_US,
                            1_000_000, stages, fates, causes, 0)
-        counts = struct.pack(">4I10I9I", 3000, 40, 1500, 0, points_used, *([0] * 18))
+        counts = struct.pack(">4I13I9I", 3000, 40, 1500, 0, points_used, *([0] * 21))
         sensor = struct.pack(">BxHHxxII", grid_stream.COMPLETE, 0, 1, points_used // 4, self.frames)
         return head + counts + b"\x10\0\0\0" + sensor * 4
 

@@ -10,7 +10,7 @@ import tile_coding
 import vehicle_id
 
 FATES = ("used", "no return", "too near", "too far", "outside the height band", "flagged",
-         "later echo", "malformed", "stale", "not taken")
+         "later echo", "malformed", "stale", "not taken", "ground", "overhang", "under the ground")
 POSE_FATES = ("used", "unconfirmed", "stranger", "too short", "not ours", "wrong version", "damaged",
               "wrong length", "wrong flags", "not zero", "out of range", "no sigma", "too old",
               "not newer", "flood", "of a past run")

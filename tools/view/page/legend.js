@@ -7,7 +7,7 @@ import { isOfTarget } from "./status.js";
 
 const [LOW, HIGH] = [-56, 14]; // colours do not change beyond
 const NO_RETURN = 1; // fates that have no place
-const DROPPED = 7; // from here on: with their packets
+const DROPPED = [7, 8, 9]; // with their packets
 const NEVER = 255;
 
 const TITLES = { index: "Occupancy index", probability: "Probability of occupancy" };
@@ -98,7 +98,7 @@ function linesOfPoints(view, kind) {
   if (isOfTarget(kind) || !points || points.byteLength === 0) {
     return [[null, "scan points: the stream has none; --pcap has"]];
   }
-  return FATES.filter((_, fate) => fate !== NO_RETURN && fate < DROPPED)
+  return FATES.filter((_, fate) => fate !== NO_RETURN && !DROPPED.includes(fate))
       .map(({ name, colour }) => [colour[view.pictureTheme], name]);
 }
 

@@ -77,6 +77,9 @@ export const FATES = [
   { name: "malformed", colour: { dark: "#ff5a36", light: "#d55e00" } },
   { name: "stale", colour: { dark: "#b98a5a", light: "#8a5a2b" } },
   { name: "not taken", colour: { dark: "#ff8fb0", light: "#b3003c" } },
+  { name: "ground", colour: { dark: "#a8753f", light: "#7a4f1d" } },
+  { name: "overhang", colour: { dark: "#c5d86d", light: "#6b7d12" } },
+  { name: "under the ground", colour: { dark: "#7f5fa8", light: "#5b3a86" } },
 ];
 
 // Of classes by their number, at their surest; the surer, the stronger. Names and colours are those
