@@ -54,9 +54,11 @@ class Window:
 
     def fill(self, xs: range, ys: range, byte: int) -> None:
         for y in ys:
-            for x in xs:
-                tile = self.tiles.setdefault((x // TILE, y // TILE), bytearray(TILE * TILE))
-                tile[y % TILE * TILE + x % TILE] = byte
+            for column in range(xs.start // TILE, -(-xs.stop // TILE)):  # of tiles
+                first, last = max(xs.start, column * TILE), min(xs.stop, (column + 1) * TILE)
+                tile = self.tiles.setdefault((column, y // TILE), bytearray(TILE * TILE))
+                at = y % TILE * TILE + first % TILE
+                tile[at:at + last - first] = bytes((byte,)) * (last - first)
 
     def without_pose(self) -> "Window":
         """The same, where the pose at the end is not known."""
