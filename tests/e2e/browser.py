@@ -39,11 +39,9 @@ class Browser(Chrome):
         self.switch_to.window(self.window_handles[0])  # the last one may have been closed
         self.switch_to.new_window("window")
         self.chosen = page = Page(self, self.current_window_handle)
-        page.ask("Emulation.setDeviceMetricsOverride", width=width, height=height,
-                 deviceScaleFactor=1, mobile=False)
         page.ask("Emulation.setEmulatedMedia", features=[
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
-        self.get(address)
+        page.load(address, width, height)
         return page
 
 
@@ -65,6 +63,11 @@ class Page:
     def ask(self, method: str, **parameters) -> dict:
         """Calls a method of the DevTools protocol, for what WebDriver does not offer."""
         return self.browser().execute_cdp_cmd(method, parameters)
+
+    def load(self, address: str, width: int = 1366, height: int = 768) -> None:
+        """Begins anew with that size."""
+        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.browser().get(address)
 
     def close(self) -> None:
         self.browser().close()
@@ -119,6 +122,10 @@ class Page:
 
     def pixel(self, column: float, row: float) -> tuple[int, int, int]:
         """The colour of a place on the page, as it is seen."""
-        data = self.ask("Page.captureScreenshot", clip={"x": int(column), "y": int(row), "width": 1,
-                                                        "height": 1, "scale": 1})["data"]
-        return PIL.Image.open(io.BytesIO(base64.b64decode(data))).convert("RGB").getpixel((0, 0))
+        return self.pixels(column, row, 1, 1)[0]
+
+    def pixels(self, column: float, row: float, width: int, height: int) -> list[tuple[int, int, int]]:
+        """Those of a rectangle, row by row."""
+        data = self.ask("Page.captureScreenshot", clip={"x": int(column), "y": int(row), "width": width,
+                                                        "height": height, "scale": 1})["data"]
+        return list(PIL.Image.open(io.BytesIO(base64.b64decode(data))).convert("RGB").getdata())

@@ -55,11 +55,20 @@ class Street:
 
     def colour_at(self, window: Window, column: float, row: float) -> tuple[int, int, int]:
         """Of a place so many pixels right of and below the picture's middle."""
+        return self.page.page.pixel(*self._place_in(window, column, row))
+
+    def colours_around(self, window: Window, column: float, row: float) -> list[tuple[int, int, int]]:
+        """Of that place and of the eight pixels around it, of one picture."""
+        left, top = self._place_in(window, column, row)
+        return self.page.page.pixels(left - 1, top - 1, 3, 3)
+
+    def _place_in(self, window: Window, column: float, row: float) -> tuple[float, float]:
+        """On the page, which shows a picture of now."""
         self.show(window)  # or the picture would soon be an old one
         left, top, width, height = self.page.page.value(
             "(({x, y, width, height}) => [x, y, width, height])"
             "(document.getElementById('grid').getBoundingClientRect())")
-        return self.page.page.pixel(left + width / 2 + column, top + height / 2 + row)
+        return left + width / 2 + column, top + height / 2 + row
 
     def expect(self, window: Window, forward_m: float, left_m: float, colour, up_turns: float = 0):
         """What is so far from the car, on a screen on which the car points up, or is turned."""

@@ -50,9 +50,8 @@ class Ground:
     def _is_drawn(self, x_m: float, y_m: float) -> bool:
         """Whether its pixel, or one beside it, has no colour of the ground."""
         scale = self.street.page.page.value("iogPage.view.pixelsPerMetre")
-        return any(not alike(self.street.colour_at(self.window, -y_m * scale + column, -x_m * scale + row),
-                             COLOURS[FREE])
-                   for column in (-1, 0, 1) for row in (-1, 0, 1))
+        seen = self.street.colours_around(self.window, -y_m * scale, -x_m * scale)
+        return any(not alike(colour, COLOURS[FREE]) for colour in seen)
 
 
 def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:

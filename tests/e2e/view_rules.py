@@ -149,14 +149,15 @@ def check_crowd(iog: str, browser: Browser) -> None:
         before, files = viewer.memory_bytes, viewer.files
         for _ in range(100):
             Socket(viewer.port, own).close()
+        visitor = browser.open(viewer.address)
         for _ in range(5):
-            page = GridPage(browser.open(viewer.address))
-            page.page.wait_for("iogPage.history.count > 0")
-            assert not page.page.complaints(), page.page.complaints()
-            page.page.close()
+            GridPage(visitor).page.wait_for("iogPage.history.count > 0")
+            assert not visitor.complaints(), visitor.complaints()
+            visitor.load(viewer.address)
+        visitor.close()
         silent = [Socket(viewer.port, own) for _ in range(4)]
         slow = GridPage(browser.open(viewer.address))
-        slow.page.ask("Emulation.setCPUThrottlingRate", rate=20)
+        slow.page.ask("Emulation.setCPUThrottlingRate", rate=10)
         count = "iogPage.status.frame.number - iogPage.history.count"
         skipped = first.page.value(count)
         frames = first.page.value("iogPage.history.count")

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import signal
 import socket
 import subprocess
 
@@ -38,8 +39,16 @@ class Viewer:
         self.stop()
 
     def stop(self) -> int:
+        self.go_on()
         self._process.terminate()
         return self._process.wait(20)
+
+    def halt(self) -> None:
+        """It does nothing until it is told to go on."""
+        self._process.send_signal(signal.SIGSTOP)
+
+    def go_on(self) -> None:
+        self._process.send_signal(signal.SIGCONT)
 
     @property
     def process(self) -> int:
@@ -102,6 +111,10 @@ class GridPage:
         self.page.wait_for("[...document.querySelectorAll('.facts dt')]"
                            f".find((term) => term.textContent === '{name}')"
                            f"?.nextSibling.textContent === '{value}'")
+
+    def hold_still(self) -> None:
+        """From now on it takes nothing, shows what it has as if that were of now, and draws only when told to."""
+        self.page.run("iogPage.socket.onmessage = null; iogPage.lastMessageMs = Infinity")
 
     def place_of(self, x: int, y: int) -> tuple[float, float]:
         """Where the middle of a cell is on the page: x of the car points up, y to the left."""
