@@ -7,13 +7,14 @@ that comes once finds no line that was kept: `random_azimuths` of the worst fram
 dearest tile, and the dearest of classes, are those of the ring road.
 
 A turn of a unit that turns takes so much for each of its azimuth steps, the line of which is carved,
-and so much for each point: what fits the frames of three units best.
+and so much for each point: what fits the frames of three units best. Where it follows the ground, a
+turn takes so much more, and so much more for each point.
 """
 
 import pathlib
 
 from cortex_a9 import STAGES, CortexA9, frame_run
-from results.turning import UNITS
+from results.turning import BAND, UNITS
 
 PATH = pathlib.Path(__file__).resolve().parents[2] / "tools/budget/unit_costs.hpp"
 SCENES = ("city", "ring_road")
@@ -59,18 +60,28 @@ def _class_tile(a9: CortexA9, scene: str) -> float:
 AZIMUTH_STEPS = 8192  # of each of the units
 
 
-def _turning(vehicle: str) -> str:
-    return f"turning vehicle={vehicle}"
+def _turning(vehicle: str, kind: str = BAND) -> str:
+    return f"turning vehicle={vehicle}{kind}"
 
 
-def _turn_costs(a9: CortexA9) -> tuple[float, float]:
-    """Cycles of an azimuth step and of a point: least squares through the units' frames."""
+def _of_turn_and_point(a9: CortexA9, cycles: list[float]) -> tuple[float, float]:
+    """Of each unit's turn: those of any turn, and of a point, by least squares."""
     points = [a9.mean(_turning(vehicle), "points") for vehicle in UNITS]
-    cycles = [_cycles(a9, _turning(vehicle), *FUSED) for vehicle in UNITS]
     mean_points, mean_cycles = sum(points) / len(points), sum(cycles) / len(cycles)
     a_point = (sum((x - mean_points) * (y - mean_cycles) for x, y in zip(points, cycles)) /
                sum((x - mean_points) ** 2 for x in points))
-    return (mean_cycles - a_point * mean_points) / AZIMUTH_STEPS, a_point
+    return mean_cycles - a_point * mean_points, a_point
+
+
+def _turn_costs(a9: CortexA9) -> tuple[float, float]:
+    """Cycles of all azimuth steps, and of a point."""
+    return _of_turn_and_point(a9, [_cycles(a9, _turning(vehicle), *FUSED) for vehicle in UNITS])
+
+
+def _ground_costs(a9: CortexA9) -> tuple[float, float]:
+    """By how many cycles more whole frames take that follow the ground: a turn, and a point."""
+    return _of_turn_and_point(a9, [_cycles(a9, _turning(vehicle, ""), "frame") -
+                                   _cycles(a9, _turning(vehicle), "frame") for vehicle in UNITS])
 
 
 def _of_both(values) -> float:
@@ -81,7 +92,8 @@ def _numbers(a9: CortexA9) -> dict[str, tuple[str, float]]:
     """Name, and what it says, by the order of the header."""
     once, short = frame_run(worst="random_azimuths"), frame_run(worst="short_beams")
     shortest = [_shortest(scene) for scene in SCENES]
-    turn_step, turn_point = _turn_costs(a9)
+    all_steps, turn_point = _turn_costs(a9)
+    ground_turn, ground_point = _ground_costs(a9)
     return {
         "kPointCycles": ("A point of a kept azimuth, received, decoded, turned to a beam and marked.",
                          _mean_of_scenes(a9, POINT, "points")),
@@ -100,8 +112,10 @@ def _numbers(a9: CortexA9) -> dict[str, tuple[str, float]]:
         "kDearestClassTileCycles": ("As kClassTileCycles, of the dearer drive.",
                                     max(_class_tile(a9, scene) for scene in SCENES)),
         "kTurnStepCycles": ("An azimuth step of a level unit that turns, of which the line is carved.",
-                            turn_step),
+                            all_steps / AZIMUTH_STEPS),
         "kTurnPointCycles": ("A point of such a unit, besides.", turn_point),
+        "kGroundTurnCycles": ("A turn of a unit that follows the ground, besides.", ground_turn),
+        "kGroundPointCycles": ("A point of such a unit, besides.", ground_point),
         "kTypicalPoints": ("Points of a frame of the reference car, mean of both drives; cells carved, known tiles.",
                            _of_both([a9.mean(run, "points") for run in shortest])),
         "kTypicalCells": ("", _of_both([a9.mean(run, "cells") for run in shortest])),
@@ -135,8 +149,8 @@ def text(data) -> str:
              for scene in SCENES for sensors in (2, 3, 4)]
     worst = [_frame(a9, run.split(" ")[1].removeprefix("worst="), run, ("frame",))
              for run in a9.runs("frame_cost") if " worst=" in run and "paths=" not in run]
-    turns = [_frame(a9, name, _turning(vehicle), ("frame",), ("points", "tiles"))
-             for vehicle, name in UNITS.items()]
+    turns, over_ground = ([_frame(a9, name, _turning(vehicle, kind), ("frame",), ("points", "tiles"))
+                           for vehicle, name in UNITS.items()] for kind in (BAND, ""))
     return (HEAD + numbers +
             "\n// A mean frame of the reference car without classes, by the same model.\n"
             "struct ModelledFrame {\n  std::string_view name;\n  double points;\n  double cells;\n"
@@ -147,7 +161,8 @@ def text(data) -> str:
             "struct ModelledTurn {\n  std::string_view name;\n  double points;\n  double tiles;\n"
             "  double cycles;\n};\n\n"
             f"// Azimuth steps of each of these turns.\ninline constexpr double kTurnSteps = {AZIMUTH_STEPS};\n" +
-            _array("Whole frames of units that turn.", "kTurns", turns, "ModelledTurn") +
+            _array("Whole frames of units that turn, by a height band.", "kTurns", turns, "ModelledTurn") +
+            _array("The same where they follow the ground.", "kGroundTurns", over_ground, "ModelledTurn") +
             "}  // namespace iog::tools\n")
 
 

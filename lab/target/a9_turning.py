@@ -1,14 +1,15 @@
 """The runs of lab/data/cortex_a9.csv that are of units that turn; a9_runs.py says what a run is.
 
-Whole frames are of drives of `iog simulate`, with tiles as the firmware sends them, by the lines of
-the car and by lines of 50 m. Frames of
+Whole frames are of drives of `iog simulate`, with tiles as the firmware sends them: of the car, which
+follows the ground, and by its height band; with its own lines, and with those of 50 m. Frames of
 turning_cost are made up: no wire format, no stream, ranges of 5 to 50 m at random.
 """
 
 import a9_runs
 
 VEHICLES = ("roof_vlp16", "roof_hdl32e", "roof_hdl64e")
-SHORT_LINES = "_50m"  # of the image and the car that lab/target/CMakeLists.txt makes of a car
+BAND = "_band"        # of the image and the car that lab/target/CMakeLists.txt makes of a car
+SHORT_LINES = "_50m"  # the same
 WARM_UP = 2
 FRAMES = 1
 # Layers, azimuths, way of firing, height band.
@@ -24,7 +25,7 @@ def drive(vehicle: str) -> str:
 def counted(place: a9_runs.Place, vehicle: str, capture: str) -> list[a9_runs.Row]:
     """Fails if a grid is not that of `iog fuse`."""
     car = vehicle
-    if vehicle.endswith(SHORT_LINES):
+    if vehicle not in VEHICLES:
         car = str(place.images / f"vehicles/{vehicle}.toml")
     line, = a9_runs.counted(place, f"frame_cost-{vehicle}", capture, "shortest", 1, "stages")
     rows = a9_runs.counted_rows(line, f"turning vehicle={vehicle}")
@@ -62,11 +63,12 @@ def made_up_modelled(place: a9_runs.Place, made_up: tuple[str, ...]) -> list[a9_
 
 
 def images() -> list[str]:
-    return [vehicle + lines for vehicle in VEHICLES for lines in ("", SHORT_LINES)]
+    return [vehicle + heights + lines for vehicle in VEHICLES for heights in ("", BAND)
+            for lines in ("", SHORT_LINES)]
 
 
 def _of_images(place: a9_runs.Place, captures: dict[str, str], run) -> list:
-    return [lambda v=vehicle: run(place, v, captures[v.removesuffix(SHORT_LINES)])
+    return [lambda v=vehicle: run(place, v, captures[v.removesuffix(SHORT_LINES).removesuffix(BAND)])
             for vehicle in images()]
 
 

@@ -26,9 +26,13 @@ inline constexpr double kDearestTileCycles = 9155.47;
 // As kClassTileCycles, of the dearer drive.
 inline constexpr double kDearestClassTileCycles = 53934.56;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 829.94;
+inline constexpr double kTurnStepCycles = 826.50;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 393.78;
+inline constexpr double kTurnPointCycles = 394.13;
+// A turn of a unit that follows the ground, besides.
+inline constexpr double kGroundTurnCycles = 1180982.42;
+// A point of such a unit, besides.
+inline constexpr double kGroundPointCycles = 134.58;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -87,11 +91,18 @@ struct ModelledTurn {
 
 // Azimuth steps of each of these turns.
 inline constexpr double kTurnSteps = 8192;
-// Whole frames of units that turn.
+// Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 21302120},
-    {"HDL-32E", 69466, 460, 38632930},
-    {"HDL-64E S3", 111130, 466, 55474540},
+    {"VLP-16", 28954, 323, 21283080},
+    {"HDL-32E", 69466, 460, 38633718},
+    {"HDL-64E S3", 111130, 466, 55482430},
+}};
+
+// The same where they follow the ground.
+inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
+    {"VLP-16", 28954, 330, 27101005},
+    {"HDL-32E", 69466, 474, 47702547},
+    {"HDL-64E S3", 111130, 489, 72338756},
 }};
 
 }  // namespace iog::tools

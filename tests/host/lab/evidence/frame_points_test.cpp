@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fakes/ground_car.hpp"
 #include "fakes/random.hpp"
 #include "fakes/temporary_folder.hpp"
 #include "fakes/velodyne_packet.hpp"
@@ -126,9 +127,11 @@ TEST(FramePoints, ADisturbedDriveHasTheFramesOfTheTarget) {
   }
 }
 
-// Two turns of a VLP-16 and the start of a third.
+// Two turns of a VLP-16 and the start of a third. Points one by one are judged by the height band.
 TEST(FramePoints, ATurnOfAVlp16IsAFrame) {
-  const tools::CatalogueEntry& car = tools::find_vehicle("roof_vlp16");
+  tools::CatalogueEntry car = tools::find_vehicle("roof_vlp16");
+  const tests::GroundCar flat(*car.vehicle, {});
+  car.vehicle = &flat.vehicle();
   tests::Random random(7);
   Datagrams datagrams;
   for (int number = 0; number < 170; ++number) {

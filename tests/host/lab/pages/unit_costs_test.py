@@ -22,11 +22,13 @@ RUNS = {
         dict(points=100, cells=10, tiles=1), dict(receive=10, decode=20, beams=50, mark=10, carve=10)),
     "perception_cost drive=city": (dict(class_tiles=10), dict(frame=1000, beams=400, update=600)),
     "perception_cost drive=ring_road": (dict(class_tiles=10), dict(frame=900, beams=100)),
-    # Three cycles an azimuth step and five a point.
-    **{f"turning vehicle={vehicle}": (dict(points=2 * points, tiles=2 * tiles),
-                                      dict(carve=2 * (3 * unit_costs.AZIMUTH_STEPS + 5 * points)))
-       for vehicle, points, tiles in (("roof_vlp16", 10, 1), ("roof_hdl32e", 20, 2),
-                                      ("roof_hdl64e", 30, 3))},
+    # Three cycles an azimuth step and five a point; over the ground 100 a turn and 7 a point more.
+    **{f"turning vehicle={vehicle}{kind}":
+       (dict(points=2 * points, tiles=2 * tiles),
+        dict.fromkeys(("carve", "frame"), 2 * (3 * unit_costs.AZIMUTH_STEPS + 100 * over_ground +
+                                               (5 + 7 * over_ground) * points)))
+       for vehicle, points, tiles in (("roof_vlp16", 10, 1), ("roof_hdl32e", 20, 2), ("roof_hdl64e", 30, 3))
+       for kind, over_ground in (("_band", 0), ("", 1))},
 }
 
 
@@ -67,6 +69,10 @@ class UnitCosts(unittest.TestCase):
         self.assertAlmostEqual(self.numbers["kTurnStepCycles"], 3)
         self.assertAlmostEqual(self.numbers["kTurnPointCycles"], 5)
         self.assertEqual(self.numbers["kTurnTiles"], 2)
+
+    def test_following_the_ground_is_what_whole_frames_take_besides(self):
+        self.assertAlmostEqual(self.numbers["kGroundTurnCycles"], 100)
+        self.assertAlmostEqual(self.numbers["kGroundPointCycles"], 7)
 
     def test_the_header_is_that_of_the_data(self):
         self.assertTrue(unit_costs.is_current(Data()))
