@@ -143,6 +143,13 @@ double period_ms(const CatalogueEntry& car) {
   return std::ranges::any_of(car.vehicle->sensors, turns) ? std::min(most_ms, kTurnMs) : most_ms;
 }
 
+void add_ground(const vehicle::Sensor& sensor, double points, FrameWork& work) {
+  if (sensor.ground.is_followed()) {
+    work.ground_turns += 1;
+    work.ground_points += points;
+  }
+}
+
 FrameWork typical_work(const CatalogueEntry& car) {
   const CatalogueEntry& known = find_vehicle(kDefaultVehicle);
   const Sight sight = sight_of(known);
@@ -160,6 +167,7 @@ FrameWork typical_work(const CatalogueEntry& car) {
     } else {
       work.points_once += share * directions;
     }
+    add_ground(car.vehicle->sensors[i], directions, work);
   }
   const double seen = tiles_in_reach(car) / tiles_in_reach(known);
   work.class_tiles = vehicle::have_classes(car.vehicle->grids) ? kTypicalClassTiles * seen : 0.0;
@@ -169,18 +177,25 @@ FrameWork typical_work(const CatalogueEntry& car) {
 // What is worst comes at azimuths that never came before, of any sensor.
 FrameWork worst_work(const CatalogueEntry& car) {
   FrameWork work{.tiles = tiles_in_reach(car)};
-  for (const description::SensorConfig& sensor : car.sensors) {
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    const description::SensorConfig& sensor = car.sensors[i];
     work.points_once += directions_of(sensor);
     work.later_echoes += sensor.max_points_per_scan - directions_of(sensor);
+    add_ground(car.vehicle->sensors[i], sensor.max_points_per_scan, work);
   }
   const auto all_tiles = static_cast<double>(geometry::kTileCount);
   work.class_tiles = vehicle::have_classes(car.vehicle->grids) ? all_tiles : 0.0;
   return work;
 }
 
+double ground_ms(const FrameWork& work) {
+  return ms_of(work.ground_turns * kGroundTurnCycles + work.ground_points * kGroundPointCycles);
+}
+
 double worst_ms(const FrameWork& work) {
   return ms_of(work.points_once * kPointOnceCycles + work.later_echoes * kLaterEchoCycles +
-               work.tiles * kDearestTileCycles + work.class_tiles * kDearestClassTileCycles);
+               work.tiles * kDearestTileCycles + work.class_tiles * kDearestClassTileCycles) +
+         ground_ms(work);
 }
 
 std::string percent_of(double part, double whole) {
@@ -220,7 +235,8 @@ double typical_ms(const FrameWork& work) {
   return ms_of(work.points * kPointCycles + work.turn_steps * kTurnStepCycles +
                work.turn_points * kTurnPointCycles + work.points_once * kPointOnceCycles +
                work.later_echoes * kLaterEchoCycles + work.cells * kCellCycles +
-               work.tiles * kTileCycles + work.class_tiles * kClassTileCycles);
+               work.tiles * kTileCycles + work.class_tiles * kClassTileCycles) +
+         ground_ms(work);
 }
 
 VehicleBudget budget_of(const CatalogueEntry& car) {
@@ -238,6 +254,11 @@ std::string words_of_budget(const CatalogueEntry& car) {
   text << car.vehicle->name << ", a frame every " << budget.period_ms << " ms\n"
        << line_of("typical", budget.typical, budget.period_ms)
        << line_of("worst", budget.worst, budget.period_ms);
+  if (budget.typical.work.ground_turns > 0) {
+    text << std::fixed << std::setprecision(1)
+         << "  in both, following the ground: " << ground_ms(budget.typical.work)
+         << " ms of the typical frame\n";
+  }
   return text.str();
 }
 
@@ -264,6 +285,13 @@ std::string words_of_budget_errors() {
   const auto turned = [](const ModelledTurn& turn) {
     return typical_ms({.turn_steps = kTurnSteps, .turn_points = turn.points, .tiles = turn.tiles});
   };
+  const auto over_ground = [](const ModelledTurn& turn) {
+    return typical_ms({.turn_steps = kTurnSteps,
+                       .turn_points = turn.points,
+                       .ground_turns = 1,
+                       .ground_points = turn.points,
+                       .tiles = turn.tiles});
+  };
   return "Modelled, not measured: one Cortex-A9 at 1 GHz, docs/a9_model.md, nominal variant, by "
          "lab/data/cortex_a9.csv.\n"
          "Off what the model says of whole frames of the reference car without classes: " +
@@ -272,10 +300,14 @@ std::string words_of_budget_errors() {
          "of decoding and fusing alone, where tiles were sent raw: " +
          errors_of(kFusedFrames, fused) +
          ";\n"
-         "of turns of units on a roof: " +
+         "of turns of units on a roof, by a height band: " +
          errors_of(kTurns, turned) +
+         ";\n"
+         "of the same where they follow the ground: " +
+         errors_of(kGroundTurns, over_ground) +
          ".\n"
-         "A unit that turns and is not level counts as if no azimuth came again.\n";
+         "A unit that turns and is not level counts as if no azimuth came again. What the key "
+         "`moved` costs is not in it.\n";
 }
 
 }  // namespace iog::tools

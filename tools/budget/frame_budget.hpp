@@ -16,10 +16,12 @@ namespace iog::tools {
 
 // How much there is to do in a frame.
 struct FrameWork {
-  double points = 0;       // of azimuths that come again in each scan: their lines are kept
-  double turn_steps = 0;   // azimuth steps of level units that turn, of which the lines are kept
-  double turn_points = 0;  // their points
-  double points_once = 0;  // of others, whose azimuths never repeat
+  double points = 0;         // of azimuths that come again in each scan: their lines are kept
+  double turn_steps = 0;     // azimuth steps of level units that turn, of which the lines are kept
+  double turn_points = 0;    // their points
+  double points_once = 0;    // of others, whose azimuths never repeat
+  double ground_turns = 0;   // of units that follow the ground
+  double ground_points = 0;  // their points, which count above, too
   double later_echoes = 0;
   double cells = 0;  // carved by `points`
   double tiles = 0;  // known

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "tools/commands/subcommands.hpp"
@@ -19,6 +20,19 @@
 namespace iog::tools {
 namespace {
 
+// "; obstacles are 0.22 to 2.2 m over the ground", "; ground is opened below 0.6 m"
+std::string words_of_heights(const description::SensorConfig& sensor) {
+  std::ostringstream words;
+  if (sensor.ground) {
+    words << "; obstacles are " << sensor.ground->low_m << " to " << sensor.ground->top_m
+          << " m over the ground";
+  }
+  if (sensor.moved) {
+    words << "; ground is opened below " << sensor.moved->low_m << " m";
+  }
+  return words.str();
+}
+
 void show_all() {
   for (const CatalogueEntry& entry : all_vehicles()) {
     std::cout << entry.vehicle->name << '\n'
@@ -28,7 +42,7 @@ void show_all() {
       std::cout << "  " << std::left << std::setw(14) << sensor.name << " UDP " << sensor.udp_port
                 << ", x " << mount.x_m << " m, y " << mount.y_m << " m, z " << mount.z_m
                 << " m, yaw " << mount.yaw_deg << " deg, up to " << sensor.range_max_mm / 1000.0
-                << " m\n";
+                << " m" << words_of_heights(sensor) << '\n';
     }
     std::cout << warning_of_two_returns(entry);
     if (vehicle::have_classes(entry.vehicle->grids)) {

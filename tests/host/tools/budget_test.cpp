@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
+#include "fakes/ground_car.hpp"
 #include "tools/budget/frame_budget.hpp"
 #include "tools/budget/unit_costs.hpp"
 
@@ -39,16 +40,36 @@ TEST(Budget, IsAFifthOffTheTurnsThatItIsMadeOf) {
   }
 }
 
-// From the description alone, which allows some more points than the unit sends.
+TEST(Budget, IsAFifthOffTheTurnsThatFollowTheGround) {
+  for (const ModelledTurn& turn : kGroundTurns) {
+    const double ms = typical_ms({.turn_steps = kTurnSteps,
+                                  .turn_points = turn.points,
+                                  .ground_turns = 1,
+                                  .ground_points = turn.points,
+                                  .tiles = turn.tiles});
+    EXPECT_NEAR(ms / (turn.cycles / kCyclesPerMs), 1, 0.20) << turn.name;
+  }
+}
+
+// From the description alone, which allows some more points than the unit sends: as it is, and
+// without the key that lets it follow the ground.
 TEST(Budget, OfAUnitThatTurnsIsThatOfItsTurn) {
   constexpr std::array kVehicles{"roof_vlp16", "roof_hdl32e", "roof_hdl64e"};
   ASSERT_EQ(kTurns.size(), kVehicles.size());
   for (std::size_t i = 0; i < kTurns.size(); ++i) {
-    const FrameBudget typical = budget_of(find_vehicle(kVehicles[i])).typical;
-    EXPECT_NEAR(typical.work.turn_points / kTurns[i].points, 1, 0.10) << kTurns[i].name;
+    CatalogueEntry car = find_vehicle(kVehicles[i]);
+    const FrameBudget typical = budget_of(car).typical;
+    EXPECT_NEAR(typical.work.turn_points / kGroundTurns[i].points, 1, 0.10) << kTurns[i].name;
     EXPECT_EQ(typical.work.turn_steps, kTurnSteps);
     EXPECT_EQ(typical.work.points_once, 0);
-    EXPECT_NEAR(typical.ms / (kTurns[i].cycles / kCyclesPerMs), 1, 0.30) << kTurns[i].name;
+    EXPECT_EQ(typical.work.ground_turns, 1);
+    EXPECT_EQ(typical.work.ground_points, typical.work.turn_points);
+    EXPECT_NEAR(typical.ms / (kGroundTurns[i].cycles / kCyclesPerMs), 1, 0.30) << kTurns[i].name;
+    const tests::GroundCar flat(*car.vehicle, {});
+    car.vehicle = &flat.vehicle();
+    const FrameBudget by_band = budget_of(car).typical;
+    EXPECT_EQ(by_band.work.ground_points, 0);
+    EXPECT_NEAR(by_band.ms / (kTurns[i].cycles / kCyclesPerMs), 1, 0.30) << kTurns[i].name;
   }
 }
 
