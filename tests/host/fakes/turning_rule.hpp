@@ -223,15 +223,30 @@ class TurningRule {
   std::span<const double> elevations_deg_;
 };
 
+// The cells that the line might touch: of each row those that it runs through in this row, the one
+// before and the one behind, and one more at either end. The line is at most a rectangle's
+// diagonal, so most of its rectangle is left out; whoever looks for cells that should not be known
+// counts all of the grid.
 template <typename Visit>
 void for_each_cell_around(const TurningRay& ray, Visit&& visit) {
   const auto cells = [](std::int32_t a, std::int32_t b) {
     return std::pair{numeric::div_floor(std::min(a, b), geometry::kResolution) - 1,
                      numeric::div_floor(std::max(a, b), geometry::kResolution) + 1};
   };
-  const auto [x_first, x_last] = cells(ray.start.x, ray.end.x);
+  // Between 0 and 1, where the line is in that row.
+  const auto share = [&](std::int32_t row) {
+    const std::int64_t rise = std::int64_t{ray.end.y} - ray.start.y;
+    const std::int64_t up = std::int64_t{row} * geometry::kResolution - ray.start.y;
+    return std::clamp(static_cast<double>(up) / static_cast<double>(rise), 0.0, 1.0);
+  };
+  const auto x_at = [&](double its_share) {
+    return static_cast<std::int32_t>(ray.start.x + its_share * (ray.end.x - ray.start.x));
+  };
   const auto [y_first, y_last] = cells(ray.start.y, ray.end.y);
   for (std::int32_t y = y_first; y <= y_last; ++y) {
+    const bool is_level = ray.start.y == ray.end.y;
+    const auto [x_first, x_last] =
+        is_level ? cells(ray.start.x, ray.end.x) : cells(x_at(share(y - 1)), x_at(share(y + 2)));
     for (std::int32_t x = x_first; x <= x_last; ++x) {
       if (geometry::kGridArea.contains({x, y})) {
         visit(geometry::Cell{x, y});

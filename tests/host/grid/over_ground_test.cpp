@@ -193,7 +193,7 @@ class AlonePoints {
     return tests::ReferenceLine().of(heights, sensor().layer_count <= 16 ? 12 : 24);
   }
 
-  // All cells of the rectangle around the line, a border of one included, and no others.
+  // All cells that the line might touch, and no others.
   void expect_cells(const TurningRay& ray, const ScanPoint& point, Fate fate, std::int64_t to_mm) {
     std::ptrdiff_t known = 0;
     tests::for_each_cell_around(ray, [&](Cell cell) {
@@ -352,7 +352,7 @@ TEST(OverGround, ATiltedUnitMarksByTheGround) {
   const auto flat = std::make_unique<FrameFusion>(car.vehicle());
   fusion->follow(surfaces->grounds);
   std::array<int, vehicle::kFateCount> fates{};
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < tests::effort(400, 100); ++i) {
     const ScanPoint point = tests::random_point(random, 16, 60'000);
     const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
     const Fate by_band = flat->add(sensor, point);

@@ -40,7 +40,7 @@ class AlonePoints {
   explicit AlonePoints(std::span<const double> elevations_deg)
       : rule_(Car::kConfigs[0], Car::kDescription, elevations_deg) {}
 
-  // All cells of the rectangle around the line, a border of one included, and no others.
+  // All cells that the line might touch, and no others.
   void expect_as_the_rule_says(const lidar::ScanPoint& point) {
     const std::optional<TurningRay> ray = rule_.ray(point);
     if (!ray) {
