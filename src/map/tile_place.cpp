@@ -15,6 +15,7 @@
 #include "map/tile_place.hpp"
 
 #include "numeric/division.hpp"
+#include "numeric/magnitude.hpp"
 #include "numeric/rotation.hpp"
 
 namespace iog::map {
@@ -35,8 +36,6 @@ std::int32_t coefficient(std::int32_t q30) {
 std::int64_t offset(std::int64_t q30_mm) {
   return numeric::div_floor<std::int64_t>(-q30_mm * (200 / geometry::kCellMm), 25);
 }
-
-std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
 
 }  // namespace
 
@@ -59,8 +58,8 @@ TilePlace::TilePlace(const pose::Pose& local_frame, window::TileNumber tile) {
   middle_x_mm_ = local_frame.x_mm + ((cos * x_mm - sin * y_mm) >> numeric::kSineFractionBits);
   middle_y_mm_ = local_frame.y_mm + ((sin * x_mm + cos * y_mm) >> numeric::kSineFractionBits);
   // The table's rotations are not quite orthogonal: 2^-20 of the way to the tile, once more.
-  slack_mm_ = 20 + ((magnitude(x_mm) + magnitude(y_mm)) >> 19);
-  reach_q30_ = magnitude(cos) + magnitude(sin);
+  slack_mm_ = 20 + ((numeric::magnitude(x_mm) + numeric::magnitude(y_mm)) >> 19);
+  reach_q30_ = numeric::magnitude(cos) + numeric::magnitude(sin);
 }
 
 // Not part of its callers: in their loops the compiler keeps coefficients as 64 bits, and
@@ -112,7 +111,7 @@ bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose
     const std::int64_t corner_y = (tile.b + corner / 2) * kTileMm;
     const std::int64_t by_x = (x + cos * corner_x - sin * corner_y) >> kDropped;
     const std::int64_t by_y = (y + sin * corner_x + cos * corner_y) >> kDropped;
-    const bool is_near = magnitude(by_x) <= kCell && magnitude(by_y) <= kCell;
+    const bool is_near = numeric::magnitude(by_x) <= kCell && numeric::magnitude(by_y) <= kCell;
     if (!is_near || by_x * by_x + by_y * by_y > kCell * kCell) {
       return true;
     }
