@@ -1,0 +1,140 @@
+// Points, velocities and boxes in the local frame.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "geometry/cell.hpp"
+#include "geometry/sizes.hpp"
+#include "numeric/magnitude.hpp"
+
+namespace iog::objects {
+
+// Within +-1.1 * 10^9 mm, so that a difference of two of one window fits a word.
+struct Point {
+  std::int32_t x_mm = 0;
+  std::int32_t y_mm = 0;
+  friend constexpr bool operator==(const Point&, const Point&) = default;
+};
+
+[[nodiscard]] constexpr Point centre_of(geometry::Cell cell) {
+  return {cell.x * geometry::kCellMm + geometry::kCellMm / 2,
+          cell.y * geometry::kCellMm + geometry::kCellMm / 2};
+}
+
+// mm/s, each within kMostSpeed.
+struct Velocity {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
+};
+
+// Where it is so many ms later, or earlier. |ms| <= 1024, so that products stay below 2^27.
+[[nodiscard]] constexpr Point moved(Point from, Velocity by, std::int32_t ms) {
+  return {from.x_mm + by.x * ms / 1000, from.y_mm + by.y * ms / 1000};
+}
+
+// How far away something is of a point, to a sixteenth: the longer side and 3/8 of the shorter.
+[[nodiscard]] constexpr std::int32_t range_mm(Point from, Point to) {
+  const std::int32_t dx = numeric::magnitude(to.x_mm - from.x_mm);
+  const std::int32_t dy = numeric::magnitude(to.y_mm - from.y_mm);
+  const std::int32_t shorter = std::min(dx, dy);
+  return std::max(dx, dy) + shorter / 2 - shorter / 8;
+}
+
+// A unit vector, in 2^-14.
+struct Direction {
+  std::int32_t x = 1 << 14;
+  std::int32_t y = 0;
+  friend constexpr bool operator==(const Direction&, const Direction&) = default;
+};
+inline constexpr int kDirectionBits = 14;
+
+// Along a box, and across it, turned by 90 degrees to the left.
+enum Side : std::size_t { kAlong, kAcross };
+inline constexpr std::array kSides{kAlong, kAcross};
+
+[[nodiscard]] constexpr Direction side_of(Direction along, Side side) {
+  return side == kAlong ? along : Direction{-along.y, along.x};
+}
+
+struct Interval {
+  std::int32_t low = 0;
+  std::int32_t high = 0;
+  [[nodiscard]] constexpr std::int32_t length() const { return high - low; }
+  constexpr void include(std::int32_t value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  friend constexpr bool operator==(const Interval&, const Interval&) = default;
+};
+using Sides = std::array<Interval, 2>;
+
+[[nodiscard]] constexpr std::int32_t longest_of(const Sides& sides) {
+  return std::max(sides[kAlong].length(), sides[kAcross].length());
+}
+
+// A rectangle around a point, which need not be its middle.
+struct Box {
+  Point at{};
+  Direction along{};
+  Sides sides{};  // mm from the point
+
+  // Where a point is from this one, along or across, rounded down. The products have 64 bits.
+  [[nodiscard]] constexpr std::int32_t place(Point point, Side side) const {
+    const std::int64_t dx = point.x_mm - at.x_mm;
+    const std::int64_t dy = point.y_mm - at.y_mm;
+    const Direction axis = side_of(along, side);
+    return static_cast<std::int32_t>((dx * axis.x + dy * axis.y) >> kDirectionBits);
+  }
+  // How far a point is out of the box, by the axis on which it is farther; 0: it is inside.
+  [[nodiscard]] constexpr std::int32_t outside(Point point) const {
+    std::int32_t most = 0;
+    for (const Side side : kSides) {
+      const std::int32_t its = place(point, side);
+      most = std::max({most, sides[side].low - its, its - sides[side].high});
+    }
+    return most;
+  }
+  // 0 ... 3: bit 0 for the end of the first side, bit 1 for that of the second.
+  [[nodiscard]] constexpr Point corner(unsigned number) const {
+    const std::int64_t a = number & 1U ? sides[kAlong].high : sides[kAlong].low;
+    const std::int64_t b = number & 2U ? sides[kAcross].high : sides[kAcross].low;
+    return {at.x_mm + static_cast<std::int32_t>((a * along.x - b * along.y) >> kDirectionBits),
+            at.y_mm + static_cast<std::int32_t>((a * along.y + b * along.x) >> kDirectionBits)};
+  }
+};
+
+// What lies between two points of which one is lower in both coordinates.
+struct Bounds {
+  Point low{INT32_MAX, INT32_MAX};
+  Point high{INT32_MIN, INT32_MIN};
+
+  constexpr void include(Point point) {
+    low = {std::min(low.x_mm, point.x_mm), std::min(low.y_mm, point.y_mm)};
+    high = {std::max(high.x_mm, point.x_mm), std::max(high.y_mm, point.y_mm)};
+  }
+  [[nodiscard]] constexpr Point corner(unsigned number) const {
+    return {number & 1U ? high.x_mm : low.x_mm, number & 2U ? high.y_mm : low.y_mm};
+  }
+  [[nodiscard]] constexpr Point middle() const {
+    return {low.x_mm + (high.x_mm - low.x_mm) / 2, low.y_mm + (high.y_mm - low.y_mm) / 2};
+  }
+  // Whether a point of the other is at most so far from one of this, on both axes.
+  [[nodiscard]] constexpr bool is_near(const Bounds& other, std::int32_t mm) const {
+    return other.low.x_mm - mm <= high.x_mm && low.x_mm - mm <= other.high.x_mm &&
+           other.low.y_mm - mm <= high.y_mm && low.y_mm - mm <= other.high.y_mm;
+  }
+};
+
+[[nodiscard]] constexpr Bounds bounds_of(const Box& box) {
+  Bounds bounds;
+  for (unsigned number = 0; number < 4; ++number) {
+    bounds.include(box.corner(number));
+  }
+  return bounds;
+}
+
+}  // namespace iog::objects

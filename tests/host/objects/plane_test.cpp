@@ -1,0 +1,72 @@
+// Boxes and ranges beside floating point.
+#include "objects/plane.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+
+#include "fakes/effort.hpp"
+#include "fakes/random.hpp"
+
+namespace iog::objects {
+namespace {
+
+using iog::tests::effort;
+using iog::tests::Random;
+
+Box random_box(Random& random) {
+  const double angle = random.between(0, 6283) * 1e-3;
+  Box box{.at = {random.between(-900'000'000, 900'000'000), random.between(-9'000, 9'000)},
+          .along = {static_cast<std::int32_t>(std::round(16'384 * std::cos(angle))),
+                    static_cast<std::int32_t>(std::round(16'384 * std::sin(angle)))}};
+  for (Interval& side : box.sides) {
+    side = {random.between(-8'000, 0), random.between(1, 8'000)};
+  }
+  return box;
+}
+Point near(const Box& box, Random& random) {
+  return {box.at.x_mm + random.between(-30'000, 30'000),
+          box.at.y_mm + random.between(-30'000, 30'000)};
+}
+
+TEST(Box, PlacesArePointsTurnedBack) {
+  Random random(1);
+  for (int i = 0; i < effort(20'000, 500); ++i) {
+    const Box box = random_box(random);
+    const Point point = near(box, random);
+    const double dx = point.x_mm - box.at.x_mm;
+    const double dy = point.y_mm - box.at.y_mm;
+    const double c = box.along.x / 16'384.0;
+    const double s = box.along.y / 16'384.0;
+    ASSERT_EQ(box.place(point, kAlong), std::floor(dx * c + dy * s));
+    ASSERT_EQ(box.place(point, kAcross), std::floor(dy * c - dx * s));
+  }
+}
+
+TEST(Box, ItsCornersAreItsSides) {
+  Random random(2);
+  for (int i = 0; i < effort(5'000, 200); ++i) {
+    const Box box = random_box(random);
+    for (unsigned number = 0; number < 4; ++number) {
+      const Point corner = box.corner(number);
+      const Interval& along = box.sides[kAlong];
+      const Interval& across = box.sides[kAcross];
+      ASSERT_NEAR(box.place(corner, kAlong), (number & 1U) != 0 ? along.high : along.low, 3);
+      ASSERT_NEAR(box.place(corner, kAcross), (number & 2U) != 0 ? across.high : across.low, 3);
+      ASSERT_LE(box.outside(corner), 3);
+    }
+  }
+}
+
+TEST(Plane, ARangeIsItsRootToASixteenth) {
+  Random random(4);
+  for (int i = 0; i < effort(20'000, 500); ++i) {
+    const Point from{random.between(-50'000, 50'000), random.between(-50'000, 50'000)};
+    const Point to{random.between(-50'000, 50'000), random.between(-50'000, 50'000)};
+    const double root = std::hypot(to.x_mm - from.x_mm, to.y_mm - from.y_mm);
+    ASSERT_NEAR(range_mm(from, to), root, root / 14 + 2);
+  }
+}
+
+}  // namespace
+}  // namespace iog::objects
