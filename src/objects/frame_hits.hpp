@@ -1,0 +1,57 @@
+// The hits of a frame in their order, which is the same in whatever order they came: by rings of
+// tiles around the car, then by the window's slot, by cell, by slice.
+//
+// So the nearest come first wherever there is room for some only. If there are more than kMostSeen,
+// whole rings are left out from the farthest on, and of the others those after kMostHits; a hit
+// outside of the window or of no slice is none. All are counted.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "objects/frame.hpp"
+#include "objects/hit.hpp"
+#include "objects/rules.hpp"
+#include "window/area.hpp"
+
+namespace iog::objects {
+
+class FrameHits {
+ public:
+  static constexpr std::size_t kMostSeen = 2 * kMostHits;
+
+  struct Left {
+    std::uint32_t beyond = 0;  // there was no room
+    std::uint32_t wrong = 0;   // outside of the window, or of no slice
+    friend bool operator==(const Left&, const Left&) = default;
+  };
+  // Takes a frame's hits in place of those before. Of each, what the frame says of it is known.
+  Left gather(const Frame& frame);
+
+  [[nodiscard]] std::span<FrameHit> all() { return std::span(hits_).first(count_); }
+  [[nodiscard]] std::span<const FrameHit> all() const { return std::span(hits_).first(count_); }
+
+  // The first hit of a cell of the window, of those in order; their number if the cell has none.
+  [[nodiscard]] std::size_t first_of(geometry::Cell cell) const;
+
+ private:
+  // Bits from the highest: 5 of the ring, 10 of the slot, 10 of the cell in its tile, 5 of the
+  // slice.
+  using Key = std::uint32_t;
+
+  [[nodiscard]] Key key_of(geometry::Cell cell, std::uint8_t slice) const;
+  [[nodiscard]] FrameHit hit_of(Key key, const Frame& frame) const;
+  std::size_t collect(const Frame& frame, Left& left);
+  void sort(std::size_t count);
+
+  window::Area area_{};
+  window::TileNumber car_tile_{};
+  std::array<FrameHit, kMostHits> hits_{};
+  std::size_t count_ = 0;
+  std::array<Key, kMostSeen> keys_{};  // in order, of the hits first
+  std::array<Key, kMostSeen> other_{};
+};
+
+}  // namespace iog::objects

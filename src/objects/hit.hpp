@@ -1,0 +1,36 @@
+// A hit of a frame: as it comes, and as it is kept while a frame is worked on.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/cell.hpp"
+#include "objects/name.hpp"
+#include "objects/plane.hpp"
+
+namespace iog::objects {
+
+// What hit a cell of the local frame in one slice of the frame.
+struct Hit {
+  geometry::Cell cell{};
+  std::uint8_t slice = 0;
+  friend constexpr bool operator==(const Hit&, const Hit&) = default;
+};
+
+// No track, no cluster.
+inline constexpr std::int16_t kNobody = -1;
+
+struct FrameHit {
+  geometry::Cell cell{};
+  Point at{};                      // the cell's centre
+  Point moved{};                   // to the frame's end, with the speed of its owner
+  std::int32_t age_ms = 0;         // from its slice's middle to the frame's end, 0 ... 255
+  std::int16_t owner = kNobody;    // a track's slot
+  std::int16_t cluster = kNobody;  // its number in the frame
+  Name name = Name::kUnknown;      // of its cell
+  bool is_open = false;            // the ground was known to be open
+  bool stands = false;             // it, or what lies beside it, is known to stand
+  bool is_old = false;             // something was there for long
+  std::uint8_t oldest_epoch = 0;   // how many epochs ago something was hit there first; 0: never
+};
+
+}  // namespace iog::objects
