@@ -1,0 +1,54 @@
+#include "objects/recent_hits.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace iog::objects {
+
+int RecentHits::oldest(geometry::Cell cell) const {
+  std::uint32_t any = 0;
+  for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (std::int32_t x = cell.x - 1; x <= cell.x + 1; ++x) {
+      any |= bits_[place_of(x, y)];
+    }
+  }
+  // Turned so that bit i is of the epoch that follows the present one by i + 1, or is 7 - i old.
+  const auto turned =
+      std::rotr(static_cast<std::uint8_t>(any), static_cast<int>((epoch_ + 1) % kEpochs));
+  return turned == 0 ? 0 : kEpochs - 1 - std::countr_zero(turned);
+}
+
+void RecentHits::add(std::uint64_t now_us, std::span<const FrameHit> hits) {
+  const std::uint64_t epoch = now_us / kEpochUs;
+  epoch_ = std::max(epoch_, epoch < kEpochs ? 0 : epoch - kEpochs);
+  while (epoch_ < epoch) {
+    drop(++epoch_ % kEpochs);
+  }
+  const std::size_t its = epoch_ % kEpochs;
+  const auto bit = static_cast<std::uint8_t>(1U << its);
+  for (const FrameHit& hit : hits) {
+    const std::uint32_t place = place_of(hit.cell.x, hit.cell.y);
+    if ((bits_[place] & bit) == 0 && counts_[its] < kMostOfAnEpoch) {
+      bits_[place] = static_cast<std::uint8_t>(bits_[place] | bit);
+      places_[its][counts_[its]++] = place;
+    }
+  }
+}
+
+void RecentHits::forget() {
+  for (std::size_t epoch = 0; epoch < kEpochs; ++epoch) {
+    drop(epoch);
+  }
+  epoch_ = 0;
+}
+
+void RecentHits::drop(std::size_t epoch) {
+  const auto others = static_cast<std::uint8_t>(~(1U << epoch));
+  for (std::size_t i = 0; i < counts_[epoch]; ++i) {
+    std::uint8_t& bits = bits_[places_[epoch][i]];
+    bits = static_cast<std::uint8_t>(bits & others);
+  }
+  counts_[epoch] = 0;
+}
+
+}  // namespace iog::objects
