@@ -1,0 +1,100 @@
+// Ranges. Speeds are within kMostSpeed, 1,600,000 sixteenths; a gain of the speed below 2^31 by an
+// innovation below 2^17 is below 2^48, of the place below 2^33. Places have 64 bits.
+#include "objects/track.hpp"
+
+#include <algorithm>
+
+#include "numeric/square_root.hpp"
+
+namespace iog::objects {
+namespace {
+
+constexpr std::int32_t within_most(std::int64_t speed) {
+  constexpr std::int64_t kMost = std::int64_t{kMostSpeed} * 16;
+  return static_cast<std::int32_t>(std::clamp(speed, -kMost, kMost));
+}
+
+constexpr std::int32_t mean(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>((std::int64_t{a} + b) / 2);
+}
+
+}  // namespace
+
+void Track::begin(std::uint32_t its_id, const Box& box, std::uint64_t now_us) {
+  *this = {};
+  state = State::kYoung;
+  id = its_id;
+  updates = 1;
+  born_us = now_us;
+  seen_us = now_us;
+  x_ = std::int64_t{box.at.x_mm} << kFine;
+  y_ = std::int64_t{box.at.y_mm} << kFine;
+  box_ = box;
+  covariances_.fill({kBirthPlaceMm * kBirthPlaceMm, 0, kBirthSpeed * kBirthSpeed});
+  know_speed();
+}
+
+void Track::predict(Step step) {
+  x_ += step.of(vx_);
+  y_ += step.of(vy_);
+  place();
+  const bool is_little = is_small();
+  const std::int32_t across = is_little      ? kWanderSmall
+                              : has_heading_ ? kWanderAcross
+                                             : kWanderAlong;
+  covariances_[kAlong].predict(step, is_little ? kWanderSmall : kWanderAlong);
+  covariances_[kAcross].predict(step, across);
+  know_speed();
+}
+
+void Track::correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm) {
+  const Direction axis = side_of(box_.along, side);
+  const std::int64_t way = std::int64_t{gain.place} * innovation_mm >> (16 - kFine);
+  const std::int64_t more = within_most(std::int64_t{gain.speed} * innovation_mm >> (16 - kFine));
+  x_ += way * axis.x >> kDirectionBits;
+  y_ += way * axis.y >> kDirectionBits;
+  vx_ = within_most(vx_ + (more * axis.x >> kDirectionBits));
+  vy_ = within_most(vy_ + (more * axis.y >> kDirectionBits));
+  place();
+  know_speed();
+}
+
+void Track::fade_across() {
+  const Direction axis = side_of(box_.along, kAcross);
+  const std::int64_t across =
+      (std::int64_t{vx_} * axis.x + std::int64_t{vy_} * axis.y) / (kWheelsShare << kDirectionBits);
+  vx_ -= static_cast<std::int32_t>(across * axis.x >> kDirectionBits);
+  vy_ -= static_cast<std::int32_t>(across * axis.y >> kDirectionBits);
+  know_speed();
+}
+
+void Track::rest() {
+  vx_ = 0;
+  vy_ = 0;
+  know_speed();
+}
+
+void Track::begin_heading(const Sides& sides) {
+  box_.sides = sides;
+  has_heading_ = true;
+  const Covariance& a = covariances_[kAlong];
+  const Covariance& b = covariances_[kAcross];
+  covariances_.fill(
+      {mean(a.place(), b.place()), mean(a.both(), b.both()), mean(a.speed(), b.speed())});
+}
+
+bool Track::is_small() const { return longest_of(box_.sides) < kSmallMm && speed_ < kSmallSpeed; }
+
+void Track::place() {
+  box_.at = {static_cast<std::int32_t>(x_ >> kFine), static_cast<std::int32_t>(y_ >> kFine)};
+}
+
+void Track::know_speed() {
+  const Velocity its = velocity();
+  speed_ = static_cast<std::int32_t>(numeric::square_root(
+      static_cast<std::uint64_t>(std::int64_t{its.x} * its.x + std::int64_t{its.y} * its.y)));
+  speed_deviation_ = static_cast<std::int32_t>(numeric::square_root(static_cast<std::uint64_t>(
+      std::int64_t{covariances_[kAlong].speed()} + covariances_[kAcross].speed())));
+}
+
+}  // namespace iog::objects
