@@ -1,0 +1,64 @@
+#include "objects/claim.hpp"
+
+#include <limits>
+
+#include "objects/recent_hits.hpp"
+
+namespace iog::objects {
+namespace {
+
+// Something was there when the track, by its speed, was not: where the part of it that is at
+// `place` now was then, its box has no part.
+bool is_contradicted(const Track& track, const ClaimGate& gate, Point place, const FrameHit& hit) {
+  if (hit.oldest_epoch < kContradictingEpochs || track.updates < kContradictedFrom) {
+    return false;
+  }
+  const bool is_older = hit.stands && hit.oldest_epoch == RecentHits::kEpochs - 1;
+  const std::int32_t ms = is_older ? kStandingAgeMs : hit.oldest_epoch * kEpochMs - kEpochSlackMs;
+  const std::int32_t slack = kContradictionMm + gate.speed_deviation * ms / 1000;
+  return track.box().outside(moved(place, track.velocity(), ms)) > slack;
+}
+
+}  // namespace
+
+std::uint32_t Claim::take(const window::Area& area, Tracks& tracks, std::span<FrameHit> hits) {
+  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+    if (tracks[slot].is_there()) {
+      gates_[slot] = claim_gate_of(tracks[slot]);
+    }
+  }
+  const std::uint32_t left = near_.list(tracks, gates_, area);
+  for (FrameHit& hit : hits) {
+    take(tracks, hit);
+  }
+  return left;
+}
+
+void Claim::take(Tracks& tracks, FrameHit& hit) const {
+  std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
+  for (const std::uint8_t slot : near_.near(hit.cell)) {
+    Track& track = tracks[slot];
+    if (hit.stands && !track.moves()) {
+      continue;
+    }
+    const Point place = moved(hit.at, track.velocity(), hit.age_ms);
+    const std::int32_t outside = track.box().outside(place);
+    const std::int32_t gate = hit.stands ? kGateStandingMm : gates_[slot].mm;
+    if (outside > gate || outside >= nearest) {
+      continue;
+    }
+    if (is_contradicted(track, gates_[slot], place, hit)) {
+      ++track.seen.contradicted;
+      continue;
+    }
+    nearest = outside;
+    own(track, slot, hit);
+  }
+}
+
+void own(const Track& track, std::size_t slot, FrameHit& hit) {
+  hit.owner = static_cast<std::int16_t>(slot);
+  hit.moved = moved(hit.at, track.velocity(), hit.age_ms);
+}
+
+}  // namespace iog::objects

@@ -1,0 +1,32 @@
+// Tracks take the hits in and around their boxes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "objects/hit.hpp"
+#include "objects/tile_tracks.hpp"
+#include "objects/track.hpp"
+#include "window/area.hpp"
+
+namespace iog::objects {
+
+class Claim {
+ public:
+  // Of each hit the owner: of the tracks within whose gate it lies that whose box is nearest, of
+  // equals the first in the list of its tile. A hit that stands is taken by what moves or has
+  // stopped. What a hit contradicts does not take it, and remembers that. Returns what list()
+  // does.
+  std::uint32_t take(const window::Area& area, Tracks& tracks, std::span<FrameHit> hits);
+
+ private:
+  void take(Tracks& tracks, FrameHit& hit) const;
+
+  ClaimGates gates_{};
+  TileTracks near_{};
+};
+
+// `track` takes a hit, which is moved to the frame's end by its speed.
+void own(const Track& track, std::size_t slot, FrameHit& hit);
+
+}  // namespace iog::objects

@@ -1,0 +1,73 @@
+#include "objects/tile_tracks.hpp"
+
+#include <algorithm>
+
+#include "numeric/division.hpp"
+#include "numeric/magnitude.hpp"
+#include "objects/frame.hpp"
+
+namespace iog::objects {
+namespace {
+
+// The oldest hit of a frame of 40 ms, and as much again.
+constexpr std::int32_t kOldestHitsPerSecond = 12;
+
+// Where hits may lie that a track takes, before they are moved with its speed.
+Bounds reach_of(const Track& track, const ClaimGate& gate) {
+  const Velocity its = track.velocity();
+  const std::int32_t faster = std::max(numeric::magnitude(its.x), numeric::magnitude(its.y));
+  const std::int32_t more = gate.mm * 3 / 2 + faster / kOldestHitsPerSecond + geometry::kCellMm;
+  Bounds bounds = bounds_of(track.box());
+  bounds.low = {bounds.low.x_mm - more, bounds.low.y_mm - more};
+  bounds.high = {bounds.high.x_mm + more, bounds.high.y_mm + more};
+  return bounds;
+}
+
+}  // namespace
+
+std::uint32_t TileTracks::list(const Tracks& tracks, const ClaimGates& gates,
+                               const window::Area& area) {
+  for (Slots& tile : tiles_) {
+    tile.count = 0;
+  }
+  std::uint32_t left = 0;
+  for (const bool moves : {true, false}) {
+    for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+      const Track& track = tracks[slot];
+      if (track.is_there() && track.updates >= kClaimsFrom && track.moves() == moves) {
+        left += add(slot, reach_of(track, gates[slot]), area);
+      }
+    }
+  }
+  return left;
+}
+
+std::uint32_t TileTracks::add(std::size_t track, const Bounds& bounds, const window::Area& area) {
+  constexpr std::int32_t kTileMm = window::kTileSide * geometry::kCellMm;
+  const auto first_and_last = [](std::int32_t low_mm, std::int32_t high_mm, std::int32_t corner) {
+    return Interval{
+        std::max(numeric::div_floor(low_mm, kTileMm), corner),
+        std::min(numeric::div_floor(high_mm, kTileMm), corner + window::kTilesAcross - 1)};
+  };
+  const Interval a = first_and_last(bounds.low.x_mm, bounds.high.x_mm, area.corner().a);
+  const Interval b = first_and_last(bounds.low.y_mm, bounds.high.y_mm, area.corner().b);
+  std::uint32_t left = 0;
+  for (std::int32_t y = b.low; y <= b.high; ++y) {
+    for (std::int32_t x = a.low; x <= a.high; ++x) {
+      Slots& tile = tiles_[window::slot_of({x, y})];
+      if (tile.count < tile.slots.size()) {
+        tile.slots[tile.count++] = static_cast<std::uint8_t>(track);
+      } else {
+        ++left;
+      }
+    }
+  }
+  return left;
+}
+
+std::span<const std::uint8_t> TileTracks::near(geometry::Cell cell) const {
+  const Slots& tile = tiles_[window::slot_of(window_tile(cell))];
+  return std::span(tile.slots).first(tile.count);
+}
+
+}  // namespace iog::objects

@@ -1,0 +1,38 @@
+// By tile of the window the tracks that may take hits there: so a hit asks few of them.
+//
+// Of a tile kMostTracksOfATile: those that move first, and each by their slots. What more there are
+// is counted, and takes nothing in this tile.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "geometry/cell.hpp"
+#include "objects/claim_gate.hpp"
+#include "objects/plane.hpp"
+#include "objects/track.hpp"
+#include "window/area.hpp"
+
+namespace iog::objects {
+
+class TileTracks {
+ public:
+  // Returns how many tracks found no room in a tile, one for each tile.
+  std::uint32_t list(const Tracks& tracks, const ClaimGates& gates, const window::Area& area);
+
+  // The slots of the tracks of the tile of a cell of the window.
+  [[nodiscard]] std::span<const std::uint8_t> near(geometry::Cell cell) const;
+
+ private:
+  struct Slots {
+    std::array<std::uint8_t, kMostTracksOfATile> slots{};
+    std::uint8_t count = 0;
+  };
+  std::uint32_t add(std::size_t track, const Bounds& bounds, const window::Area& area);
+
+  std::array<Slots, window::kSlotCount> tiles_{};
+};
+
+}  // namespace iog::objects
