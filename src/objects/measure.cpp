@@ -1,0 +1,115 @@
+#include "objects/measure.hpp"
+
+#include <algorithm>
+
+#include "numeric/magnitude.hpp"
+#include "numeric/square_root.hpp"
+#include "objects/claim_gate.hpp"
+#include "objects/edges.hpp"
+#include "objects/heading.hpp"
+
+namespace iog::objects {
+namespace {
+
+enum class Reference : std::uint8_t { kLow, kHigh, kBoth };
+
+// An innovation of the place along one side, and by which edge it was measured.
+struct Measurement {
+  Reference by = Reference::kBoth;
+  std::int32_t innovation_mm = 0;
+  std::int32_t variance = 1;  // mm^2
+};
+
+constexpr std::int32_t square(std::int32_t value) { return value * value; }
+
+// A face that looks at the car.
+Measurement of_face(const Ends& seen, const Interval& box, Reference face) {
+  const Edge& edge = face == Reference::kLow ? seen.low : seen.high;
+  const std::int32_t expected = face == Reference::kLow ? box.low : box.high;
+  return {.by = face,
+          .innovation_mm = edge.mm - expected,
+          .variance = square(kFaceMm) + square(kHitMm) / edge.hits};
+}
+
+// Seen from the side: both ends, or the one that is where it may be. The other may be hidden, or
+// have just come into view.
+Measurement of_ends(const Ends& seen, const Interval& box, std::int32_t gate_mm,
+                    std::int32_t beams_mm, bool is_young) {
+  const std::int32_t low = seen.low.mm - box.low;
+  const std::int32_t high = seen.high.mm - box.high;
+  const std::int32_t visible = square(kEndMm) + square(beams_mm) / 4;
+  if (numeric::magnitude(low) <= gate_mm && numeric::magnitude(high) <= gate_mm) {
+    return {.by = Reference::kBoth, .innovation_mm = (low + high) / 2, .variance = visible};
+  }
+  const bool is_low = numeric::magnitude(low) < numeric::magnitude(high);
+  return {.by = is_low ? Reference::kLow : Reference::kHigh,
+          .innovation_mm = is_low ? low : high,
+          .variance = is_young ? visible : square(kHiddenEndMm)};
+}
+
+Measurement measurement_of(const Track& track, Side side, const Ends& seen, Point car) {
+  const Box& box = track.box();
+  const Interval& its = box.sides[side];
+  const std::int32_t from = box.place(car, side);
+  if (from < its.low - kFacingMm) {
+    return of_face(seen, its, Reference::kLow);
+  }
+  if (from > its.high + kFacingMm) {
+    return of_face(seen, its, Reference::kHigh);
+  }
+  const std::int32_t gate = 3 * root_of(track.covariance(side).place()) + kEndGateMm;
+  const std::int32_t beams = range_mm(car, box.at) / 1000 * kBeamsOfAMetre;
+  return of_ends(seen, its, gate, beams, track.updates < kHiddenFrom);
+}
+
+// Towards an edge that is seen: slowest where it was measured, quickly where the box grows.
+std::int32_t followed(std::int32_t edge, std::int32_t seen, bool is_measured, bool is_outward) {
+  const std::int32_t off = seen - edge;
+  return edge + off / (is_measured ? kFollowMeasured : is_outward ? kFollowOutward : kFollowInward);
+}
+
+void follow(const Ends& seen, Reference by, std::int32_t moved_mm, Interval& side) {
+  const std::int32_t low = seen.low.mm - moved_mm;
+  const std::int32_t high = seen.high.mm - moved_mm;
+  side.low = followed(side.low, low, by == Reference::kLow, low < side.low);
+  side.high = followed(side.high, high, by == Reference::kHigh, high > side.high);
+  side.high = std::max(side.high, side.low + kThinnestMm);
+}
+
+void measure(Point car, Side side, const Ends& seen, Track& track) {
+  Measurement its = measurement_of(track, side, seen, car);
+  Covariance& covariance = track.covariance(side);
+  if (track.updates >= kCutFrom) {
+    const auto sum = static_cast<std::uint64_t>(std::int64_t{covariance.place()} + its.variance);
+    const auto most = 3 * static_cast<std::int32_t>(numeric::square_root(sum)) + kCutMm;
+    its.innovation_mm = std::clamp(its.innovation_mm, -most, most);
+  }
+  const Covariance::Gain gain = covariance.measure(its.variance);
+  track.correct(side, gain, its.innovation_mm);
+  const std::int64_t moved_mm = std::int64_t{gain.place} * its.innovation_mm >> 16;
+  follow(seen, its.by, static_cast<std::int32_t>(moved_mm), track.sides()[side]);
+}
+
+}  // namespace
+
+void measure(Point car, std::uint64_t now_us, std::span<const std::uint16_t> numbers,
+             std::span<const FrameHit> hits, Track& track) {
+  for (const std::uint16_t number : numbers) {
+    const FrameHit& hit = hits[number];
+    track.seen.standing += hit.stands ? 1 : 0;
+    track.seen.hits += hit.stands ? 0 : 1;
+    track.seen.moving += !hit.stands && hit.name == Name::kMoving ? 1 : 0;
+  }
+  if (track.seen.hits == 0) {
+    return;
+  }
+  const Edges edges = edges_of(track.box(), numbers, hits);
+  for (const Side side : kSides) {
+    measure(car, side, edges[side], track);
+  }
+  track.seen_us = now_us;
+  ++track.updates;
+  turn(numbers, hits, track);
+}
+
+}  // namespace iog::objects

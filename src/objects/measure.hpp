@@ -1,0 +1,17 @@
+// What a frame's hits say of the place, the speed and the box of a track.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "objects/hit.hpp"
+#include "objects/plane.hpp"
+#include "objects/track.hpp"
+
+namespace iog::objects {
+
+// Counts the track's own hits and measures it, if one of them does not stand.
+void measure(Point car, std::uint64_t now_us, std::span<const std::uint16_t> numbers,
+             std::span<const FrameHit> hits, Track& track);
+
+}  // namespace iog::objects
