@@ -1,0 +1,126 @@
+#include "objects/adopt.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "numeric/magnitude.hpp"
+#include "objects/claim.hpp"
+#include "objects/claim_gate.hpp"
+
+namespace iog::objects {
+namespace {
+
+constexpr std::int32_t kNowhere = std::numeric_limits<std::int32_t>::max();
+
+// How far a cluster is out of the box of a track that may grow by it; else kNowhere.
+std::int32_t distance_of(const Track& track, const Cluster& cluster) {
+  const Box& box = track.box();
+  Sides together = box.sides;
+  std::int32_t nearest = kNowhere;
+  for (unsigned number = 0; number < 4; ++number) {
+    const Point corner = cluster.bounds.corner(number);
+    nearest = std::min(nearest, box.outside(corner));
+    for (const Side side : kSides) {
+      together[side].include(box.place(corner, side));
+    }
+  }
+  const std::int32_t along = together[kAlong].length();
+  const std::int32_t across = together[kAcross].length();
+  bool fits = std::max(along, across) <= kLongestMm && std::min(along, across) <= kWidestMm;
+  if (track.has_heading()) {
+    fits = fits && across <= kWidestMm && along - box.sides[kAlong].length() <= kGrowthAlongMm &&
+           across - box.sides[kAcross].length() <= kGrowthAcrossMm;
+  }
+  return fits ? nearest : kNowhere;
+}
+
+// Its slot; kMostTracks: none.
+std::size_t nearest_to(const Cluster& cluster, std::int32_t reach_mm, const Tracks& tracks,
+                       std::span<const Bounds> bounds) {
+  std::size_t nearest = kMostTracks;
+  std::int32_t least = reach_mm + 1;
+  std::size_t asked = 0;
+  for (std::size_t slot = 0; slot < tracks.size() && asked < kMostAsked; ++slot) {
+    const Track& track = tracks[slot];
+    if (track.is_there() && track.updates >= kClaimsFrom &&
+        bounds[slot].is_near(cluster.bounds, reach_mm * 3 / 2)) {
+      ++asked;
+      const std::int32_t distance = distance_of(track, cluster);
+      if (distance < least) {
+        least = distance;
+        nearest = slot;
+      }
+    }
+  }
+  return nearest;
+}
+
+// How far the edges of a cluster lie from those of a track along one axis: an edge counts, not the
+// middle, because the other end may be hidden.
+std::int32_t edge_gap(Interval cluster, std::int32_t from, Interval track) {
+  const std::int32_t low = numeric::magnitude(cluster.low - from - track.low);
+  const std::int32_t high = numeric::magnitude(cluster.high - from - track.high);
+  return std::min(low, high) + std::max(low, high) / 4;
+}
+
+std::int32_t cost_of(const Track& track, const Cluster& cluster) {
+  const Box& box = track.box();
+  const Bounds& its = cluster.bounds;
+  return edge_gap({its.low.x_mm, its.high.x_mm}, box.at.x_mm, box.sides[kAlong]) +
+         edge_gap({its.low.y_mm, its.high.y_mm}, box.at.y_mm, box.sides[kAcross]);
+}
+
+}  // namespace
+
+void attach(Point car, Tracks& tracks, Clusters& clusters, std::span<FrameHit> hits) {
+  std::array<Bounds, kMostTracks> bounds{};
+  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+    if (tracks[slot].is_there()) {
+      bounds[slot] = bounds_of(tracks[slot].box());
+    }
+  }
+  const std::span<Cluster> all = clusters.all();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::int32_t reach = gap_mm(car, all[i].bounds.low) + kAttachMm;
+    const std::size_t slot = nearest_to(all[i], reach, tracks, bounds);
+    if (slot < tracks.size() &&
+        (tracks[slot].moves() || all[i].hits <= tracks[slot].updates + kSmallCluster)) {
+      own(tracks[slot], slot, i, clusters, hits);
+    }
+  }
+}
+
+void associate(Tracks& tracks, Clusters& clusters, std::span<FrameHit> hits) {
+  const std::span<Cluster> all = clusters.all();
+  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+    const Track& track = tracks[slot];
+    if (!track.is_there() || track.updates >= kClaimsFrom) {
+      continue;
+    }
+    std::size_t nearest = all.size();
+    std::int32_t least =
+        kAssociateMm + kAssociateDeviations * root_of(track.covariance(kAlong).place()) + 1;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].owner != kNobody) {
+        continue;
+      }
+      if (const std::int32_t cost = cost_of(track, all[i]); cost < least) {
+        least = cost;
+        nearest = i;
+      }
+    }
+    if (nearest < all.size()) {
+      own(track, slot, nearest, clusters, hits);
+    }
+  }
+}
+
+void own(const Track& track, std::size_t slot, std::size_t cluster, Clusters& clusters,
+         std::span<FrameHit> hits) {
+  clusters.all()[cluster].owner = static_cast<std::int16_t>(slot);
+  for (const std::uint16_t number : clusters.hits_of(cluster)) {
+    own(track, slot, hits[number]);
+  }
+}
+
+}  // namespace iog::objects
