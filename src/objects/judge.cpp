@@ -1,0 +1,104 @@
+#include "objects/judge.hpp"
+
+#include <algorithm>
+
+#include "objects/motion_shown.hpp"
+
+namespace iog::objects {
+namespace {
+
+bool is_fast(const Track& track) {
+  return track.speed() >= kMoveSpeed && track.speed() > kMoveDeviations * track.speed_deviation();
+}
+
+// The grid itself calls enough of its hits moving.
+bool is_told(const Track& track) {
+  const Seen& seen = track.seen;
+  return seen.moving >= kToldHits && seen.moving * 100 >= kToldPercent * seen.hits &&
+         seen.good >= seen.bad && track.speed() >= std::max(kToldSpeed, track.speed_deviation());
+}
+
+std::int32_t confidence_of(const Track& track) {
+  const bool told = is_told(track);
+  const bool fast = is_fast(track);
+  std::int32_t more = told ? 2 : 0;
+  if (fast && is_shown(track.seen) && track.updates >= kMovesFrom) {
+    more += 2;
+  } else if (!told && (!fast || track.seen.bad > track.seen.good)) {
+    --more;
+  }
+  return std::clamp<std::int32_t>(track.confidence + more, 0, kMostConfidence);
+}
+
+void stop(std::uint64_t since_us, Track& track) {
+  track.state = State::kStopped;
+  track.stopped_us = since_us;
+  track.confidence = 0;
+  track.parked_ms = 0;
+  track.slow_us = 0;
+  track.rest();
+}
+
+// It has stopped when it was slow for a while, or when it is so slow that nothing speaks for it any
+// more. What loses its confidence with a speed has never moved.
+void judge_moving(std::uint64_t now_us, Track& track) {
+  if (track.speed() >= kStopSpeed) {
+    track.slow_us = 0;
+  } else if (track.slow_us == 0) {
+    track.slow_us = now_us;
+  }
+  const std::uint64_t since_us = track.slow_us == 0 ? now_us : track.slow_us;
+  const bool is_slow = now_us - since_us >= std::uint64_t{kStopMs} * 1000;
+  if (is_slow || (track.confidence == 0 && track.speed() < kMoveSpeed)) {
+    stop(since_us, track);
+  } else if (track.confidence == 0) {
+    track.state = State::kStands;
+  }
+}
+
+// Most of what is in the box of a track that moves stands: it has parked.
+void judge_parked(std::uint64_t now_us, Step step, Track& track) {
+  const Seen& seen = track.seen;
+  const bool is_parked = seen.standing >= kParkedHits &&
+                         seen.standing >= kParkedOverOthers * seen.hits &&
+                         track.speed() < kParkedSpeed;
+  track.parked_ms =
+      std::max<std::int32_t>(track.parked_ms + (is_parked ? step.ms() : -step.ms()), 0);
+  if (track.parked_ms >= kStopMs) {
+    stop(now_us, track);
+  }
+}
+
+}  // namespace
+
+bool is_judged(std::uint64_t now_us, Step step, Track& track) {
+  if (track.moves()) {
+    judge_parked(now_us, step, track);
+  }
+  if (track.seen.hits == 0) {
+    if (now_us - track.seen_us > (track.has_moved() ? kUnseenUs : kUnseenYoungUs)) {
+      track.end();
+    }
+    return false;
+  }
+  if (longest_of(track.box().sides) > kNoThingMm) {
+    track.end();
+  }
+  return track.is_there();
+}
+
+void judge(std::uint64_t now_us, Track& track) {
+  track.confidence = confidence_of(track);
+  if (!track.moves() && track.confidence >= kMovingConfidence && track.updates >= kMovesFrom &&
+      track.speed() >= kStopSpeed) {
+    track.state = State::kMoves;
+    track.slow_us = 0;
+  }
+  if (track.moves()) {
+    judge_moving(now_us, track);
+  } else if (track.state == State::kYoung && track.updates >= kSettledFrom && !is_fast(track)) {
+    track.state = State::kStands;
+  }
+}
+
+}  // namespace iog::objects

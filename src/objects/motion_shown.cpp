@@ -1,0 +1,92 @@
+#include "objects/motion_shown.hpp"
+
+#include <algorithm>
+
+namespace iog::objects {
+namespace {
+
+// How long it takes to move so far that it shows.
+std::uint64_t shown_after_us(const Track& track) {
+  const std::int32_t ms = kShownWayMm * 1000 / std::max<std::int32_t>(track.speed(), 1);
+  return static_cast<std::uint64_t>(std::clamp(ms, kShownLeastMs, kShownMostMs)) * 1000;
+}
+
+// What scanners see of a long thing goes along with the car: 0 < v e < 1.5 e^2.
+bool goes_with(Velocity car, Velocity its) {
+  const std::int64_t square = std::int64_t{car.x} * car.x + std::int64_t{car.y} * car.y;
+  const std::int64_t both = std::int64_t{its.x} * car.x + std::int64_t{its.y} * car.y;
+  return both > 0 && 2 * both < 3 * square;
+}
+
+void weigh_left(const Snapshot& then, const GridNames& grid, Track& track) {
+  for (const geometry::Cell cell : then.all()) {
+    if (track.box().outside(centre_of(cell)) <= kLeftMm) {
+      continue;
+    }
+    Seen& seen = track.seen;
+    if (grid.is_any_near(
+            cell, [](Name name) { return name == Name::kStanding || name == Name::kOccupied; })) {
+      ++seen.bad;
+    } else if (grid.name_of(cell) == Name::kFree) {
+      ++seen.good;
+    } else {
+      ++seen.neutral;
+    }
+  }
+}
+
+void weigh_reached(const Snapshot& then, bool open_counts, std::span<const std::uint16_t> numbers,
+                   std::span<const FrameHit> hits, Seen& seen) {
+  for (const std::uint16_t number : numbers) {
+    const FrameHit& hit = hits[number];
+    if (then.box.outside(hit.at) <= kLeftMm) {
+      continue;
+    }
+    if (hit.name == Name::kMoving || (open_counts && hit.is_open)) {
+      ++seen.good;
+    } else if (hit.name == Name::kStanding) {
+      ++seen.bad;
+    } else {
+      ++seen.neutral;
+    }
+  }
+}
+
+}  // namespace
+
+void weigh_motion(std::uint64_t now_us, Velocity car, std::span<const std::uint16_t> numbers,
+                  std::span<const FrameHit> hits, const GridNames& grid, Track& track) {
+  track.seen.bad = track.seen.contradicted;
+  const std::uint64_t after = shown_after_us(track);
+  const Snapshot* then = now_us < after ? nullptr : track.snapshots.youngest_before(now_us - after);
+  if (then == nullptr) {
+    return;
+  }
+  const bool open_counts = track.speed() >= kOpenSpeed && !goes_with(car, track.velocity());
+  weigh_left(*then, grid, track);
+  weigh_reached(*then, open_counts, numbers, hits, track.seen);
+}
+
+bool is_shown(const Seen& seen) {
+  return seen.good >= std::min(kGoodHits, std::max<std::int32_t>(seen.hits, 2)) &&
+         seen.good >= kGoodOverBad * seen.bad && seen.good * 2 >= seen.neutral;
+}
+
+void remember(std::uint64_t now_us, std::span<const std::uint16_t> numbers,
+              std::span<const FrameHit> hits, Track& track) {
+  if (!track.snapshots.is_due(now_us)) {
+    return;
+  }
+  Snapshot& now = track.snapshots.begin(now_us, track.box());
+  const auto own = static_cast<std::size_t>(track.seen.hits);
+  const std::size_t every = (own + kSnapshotHits - 1) / kSnapshotHits;
+  std::size_t next = 0;
+  for (const std::uint16_t number : numbers) {
+    const FrameHit& hit = hits[number];
+    if (!hit.stands && next++ % every == 0 && now.count < now.cells.size()) {
+      now.cells[now.count++] = hit.cell;
+    }
+  }
+}
+
+}  // namespace iog::objects
