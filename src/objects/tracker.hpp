@@ -1,0 +1,90 @@
+// Things with a speed: from the hits of frames and the names of the perception grid.
+//
+// A track is a box with a velocity that takes hits. It is believed to move only if the grid agrees
+// (docs/objects.md). The grid itself is not touched. In a frame
+//
+//     hits -> [claim] by tracks -> [cluster] what is left -> [attach, associate] to tracks
+//          -> [measure] place, speed, box -> births -> [merge] -> [judge] by names of the grid
+//
+// Everything is done in the order of slots, of hits (objects/frame_hits.hpp) and of clusters, so
+// the order in which hits come does not show. All memory is here, 2 MB.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "objects/claim.hpp"
+#include "objects/clusters.hpp"
+#include "objects/frame.hpp"
+#include "objects/frame_hits.hpp"
+#include "objects/grid_names.hpp"
+#include "objects/grouped.hpp"
+#include "objects/recent_hits.hpp"
+#include "objects/step.hpp"
+#include "objects/track.hpp"
+
+namespace iog::objects {
+
+// What a frame had no room for.
+struct FrameCounts {
+  FrameHits::Left hits{};                // that were left out
+  std::uint32_t hits_not_clustered = 0;  // there were more clusters than kMostClusters
+  std::uint32_t tiles_crowded = 0;       // tracks that a tile had no room for
+  std::uint32_t tracks_refused = 0;      // clusters that no track was free for
+  bool is_forgotten = false;             // all tracks of before have ended
+  friend bool operator==(const FrameCounts&, const FrameCounts&) = default;
+};
+
+class Tracker {
+ public:
+  Tracker() = default;
+  Tracker(const Tracker&) = delete;
+  Tracker& operator=(const Tracker&) = delete;
+
+  // Takes in a frame. A frame that ends when the one before did changes nothing. If time goes back,
+  // or by more than kLongestStepMs, all tracks end first. The grid's names are those after the
+  // frame.
+  FrameCounts add(const Frame& frame, const GridNames& grid);
+
+  // All tracks end, and nothing is known of what was hit: the window has lost its place. No id
+  // comes again.
+  void forget();
+
+  // By slot; those that are not there are free slots.
+  [[nodiscard]] const Tracks& tracks() const { return tracks_; }
+  // The hits of the last frame and whose they are, in their order.
+  [[nodiscard]] std::span<const FrameHit> hits() const { return hits_.all(); }
+
+  // Whether a hit of the last frame is on something that moves.
+  [[nodiscard]] bool is_moving(const FrameHit& hit) const {
+    return hit.owner != kNobody && tracks_[static_cast<std::size_t>(hit.owner)].moves();
+  }
+  // Whether a cell may hold a part of something that moves, hit or not: it is at most kTailMm out
+  // of its box.
+  [[nodiscard]] bool is_in_moving_box(geometry::Cell cell) const;
+
+ private:
+  [[nodiscard]] bool begin(const Frame& frame, FrameCounts& counts);
+  void look_at_hits(const GridNames& grid);
+  void measure_all();
+  std::uint32_t give_birth();
+  void judge_all(const GridNames& grid);
+  void group_by_owner();
+  [[nodiscard]] std::size_t free_slot() const;
+
+  Tracks tracks_{};
+  std::uint32_t next_id_ = 1;
+  FrameHits hits_{};
+  RecentHits recent_{};
+  Claim claim_{};
+  Clusters clusters_{};
+  OwnedHits owned_{};
+  // Of the frame at hand.
+  std::uint64_t now_us_ = 0;  // 0: there was none yet
+  Step step_{1};
+  Point car_{};
+  Velocity car_velocity_{};
+};
+
+}  // namespace iog::objects
