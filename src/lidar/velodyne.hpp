@@ -124,13 +124,14 @@ class VelodynePacket {
   }
 
   // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
+  template <bool kIsDual>
   [[nodiscard]] static ScanPoint point(const VelodyneUnit& unit, const Block& block,
                                        const Firing& firing, std::size_t channel) {
     ScanPoint point;
     point.layer = static_cast<std::uint8_t>((block.first_layer + channel) % unit.layers);
-    point.echo = block.echo;
     point.range_mm = range_mm(unit, block.bytes, channel);
-    if (block.other.data() != block.bytes.data()) {
+    if constexpr (kIsDual) {
+      point.echo = block.echo;
       point.range_mm =
           range_of_echo(point.range_mm, range_mm(unit, block.other, channel), point.echo);
     }
@@ -185,17 +186,10 @@ class VelodyneDecoder : public VelodynePacket {
   // was kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
-    // A head that turns evenly has two steps from block to block, one more than the other.
-    std::array<Firing, 2> firings;
-    for (std::size_t number = 0; number < kBlocks; ++number) {
-      const Block its = block(kUnit, number);
-      Firing& firing = firings[step(number) % 2];
-      if (firing.step != step(number)) {
-        turn(kUnit, step(number), firing);
-      }
-      for (std::size_t channel = 0; channel < kPointsPerBlock; ++channel) {
-        visit(point(kUnit, its, firing, channel));
-      }
+    if (look().is_dual) {
+      for_each_point_of<true>(visit);
+    } else {
+      for_each_point_of<false>(visit);
     }
   }
 
@@ -214,9 +208,28 @@ class VelodyneDecoder : public VelodynePacket {
       }
       for (const std::uint8_t layer : sampling.layers) {
         const std::size_t channel = firing % kFirings * kLayers + layer % kPointsPerBlock;
-        visit(point(kUnit, block(kUnit, first + layer / kPointsPerBlock), turned, channel));
+        const Block its = block(kUnit, first + layer / kPointsPerBlock);
+        visit(look().is_dual ? point<true>(kUnit, its, turned, channel)
+                             : point<false>(kUnit, its, turned, channel));
       }
     });
+  }
+
+ private:
+  template <bool kIsDual, typename Visit>
+  void for_each_point_of(Visit&& visit) const {
+    // A head that turns evenly has two steps from block to block, one more than the other.
+    std::array<Firing, 2> firings;
+    for (std::size_t number = 0; number < kBlocks; ++number) {
+      const Block its = block(kUnit, number);
+      Firing& firing = firings[step(number) % 2];
+      if (firing.step != step(number)) {
+        turn(kUnit, step(number), firing);
+      }
+      for (std::size_t channel = 0; channel < kPointsPerBlock; ++channel) {
+        visit(point<kIsDual>(kUnit, its, firing, channel));
+      }
+    }
   }
 };
 
