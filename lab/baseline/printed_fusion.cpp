@@ -84,7 +84,7 @@ PrintedFusion::PrintedFusion(const vehicle::Vehicle& vehicle, Extent extent)
 void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
   const Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
   const vehicle::Classification classification = vehicle::classify(sensor, beam, point);
-  if (!classification.carves && !classification.marks) {
+  if (!classification.evidence.is_any()) {
     return;
   }
   const std::optional<Segment> segment = segment_of(sensor, beam, point);

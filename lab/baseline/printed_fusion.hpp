@@ -59,7 +59,9 @@ class PrintedFusion {
     Table carves;
     Table marks;
     [[nodiscard]] const Table& of(const vehicle::Classification& classification) const {
-      return classification.carves ? (classification.marks ? carves_and_marks : carves) : marks;
+      return classification.evidence.carves()
+                 ? (classification.evidence.marks() ? carves_and_marks : carves)
+                 : marks;
     }
   };
 

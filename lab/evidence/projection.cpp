@@ -255,7 +255,7 @@ class Projector {
     const lidar::ScanPoint& point = seen.point;
     const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
     const vehicle::Classification classification = vehicle::classify(sensor, beam, point);
-    if (!classification.carves && !classification.marks) {
+    if (!classification.evidence.is_any()) {
       return;
     }
     const Places places(beam.line, geometry_.path);
@@ -264,10 +264,10 @@ class Projector {
         is_missing ? sensor.no_return_clears_mm : point.range_mm);
     Plan plan = is_missing ? plan_of_missing_return(sensor, places, along_mm)
                            : plan_of_point(sensor, beam.line, places, along_mm, geometry_.sampling);
-    if (classification.carves) {
+    if (classification.evidence.carves()) {
       limit_carving(*vehicle_, sensor, beam, places, std::min(along_mm, sensor.range.mm()), plan);
     }
-    if (classification.marks) {
+    if (classification.evidence.marks()) {
       plan.marks = true;
       remember_hit(sensor, beam.line, places, along_mm, plan);
     }

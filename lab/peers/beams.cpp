@@ -29,8 +29,8 @@ void append(const SensorPoint& seen, PeerFrame& frame, PeerFrames& result) {
   const vehicle::Sensor& sensor = car.sensors[seen.sensor];
   const vehicle::Beam beam = vehicle::aim(sensor, seen.point.layer, seen.point.azimuth_ticks);
   const vehicle::Classification classification = vehicle::classify(sensor, beam, seen.point);
-  if (!classification.carves) {
-    result.later_echoes += classification.marks ? 1U : 0U;
+  if (!classification.evidence.carves()) {
+    result.later_echoes += classification.evidence.marks() ? 1U : 0U;
     return;
   }
   require(seen.point.range_mm > 0);  // no scanner of this car clears without an echo
@@ -48,9 +48,9 @@ void append(const SensorPoint& seen, PeerFrame& frame, PeerFrames& result) {
                    .origin = in_metres(sensor.origin.x, sensor.origin.y),
                    .end = point_at(share, sensor, beam.line),
                    .is_too_far = is_too_far,
-                   .marks = classification.marks});
+                   .marks = classification.evidence.marks()});
   ++result.beams;
-  result.only_carving += is_too_far || classification.marks ? 0U : 1U;
+  result.only_carving += is_too_far || classification.evidence.marks() ? 0U : 1U;
 }
 
 }  // namespace

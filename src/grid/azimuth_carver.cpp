@@ -42,9 +42,9 @@ KeptLine& AzimuthCarver::further_line(const vehicle::Layer& layer) {
   return further.line;
 }
 
-void AzimuthCarver::take(KeptBeam& beam, const vehicle::Classification& its, std::uint32_t range_mm,
+void AzimuthCarver::take(KeptBeam& beam, vehicle::Evidence evidence, std::uint32_t range_mm,
                          bool is_tall) {
-  beams_.add(*sensor_, beam, waiting_beam(its, range_mm, is_tall),
+  beams_.add(*sensor_, beam, {.range_mm = range_mm, .evidence = evidence, .is_tall = is_tall},
              [this](const KeptBeam& of, Between end) -> LineSteps& { return steps_of(of, end); });
 }
 

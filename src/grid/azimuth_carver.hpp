@@ -82,8 +82,7 @@ class AzimuthCarver {
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
   // What few points need is not inlined, so that the others have the registers.
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
-  void take(KeptBeam& beam, const vehicle::Classification& its, std::uint32_t range_mm,
-            bool is_tall);
+  void take(KeptBeam& beam, vehicle::Evidence evidence, std::uint32_t range_mm, bool is_tall);
   LineSteps& steps_of(const KeptBeam& beam, Between end);
   LineSteps& steps_on(std::uint32_t number, KeptLine& line);
   KeptLine& further_line(const vehicle::Layer& layer);
@@ -114,8 +113,9 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
   KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
   const vehicle::Classification its =
       vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
-  if (its.carves || its.marks) {
-    take(beam, its, point.range_mm, beam.is_tall(sensor, point.range_mm));
+  if (its.evidence.is_any()) {
+    take(beam, its.evidence, point.range_mm,
+         its.evidence.marks() && beam.is_tall(sensor, point.range_mm));
   }
   return its.fate;
 }
@@ -140,8 +140,8 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
                                .otherwise = judged.fate,
                                .is_whole = in_band.first == 0 && in_band.contain(reach_mm)};
       });
-  if (its.carves || its.marks) {
-    take(beam, its, point.range_mm, is_tall);
+  if (its.evidence.is_any()) {
+    take(beam, its.evidence, point.range_mm, is_tall);
   }
   return its.fate;
 }

@@ -24,20 +24,9 @@ namespace iog::grid {
 // What becomes of a beam: by its point, which is so far along the line.
 struct WaitingBeam {
   std::uint32_t range_mm = 0;
-  bool carves = false;
-  bool marks = false;
-  bool is_whole_in_band = false;  // as vehicle::Classification
-  bool is_tall = false;           // its return, where heights count
+  vehicle::Evidence evidence;
+  bool is_tall = false;  // its return, where heights count
 };
-
-[[nodiscard]] constexpr WaitingBeam waiting_beam(const vehicle::Classification& its,
-                                                 std::uint32_t range_mm, bool is_tall) {
-  return {.range_mm = range_mm,
-          .carves = its.carves,
-          .marks = its.marks,
-          .is_whole_in_band = its.is_whole_in_band,
-          .is_tall = is_tall};
-}
 
 class BeamCarver {
  public:
@@ -130,7 +119,7 @@ inline void BeamCarver::add(const vehicle::Sensor& sensor, Beam&& beam, const Wa
                             StepsOf&& steps_of) {
   const KeptLine& line = beam.line();
   const std::uint32_t range_mm = its.range_mm;
-  const bool leaves_band = its.carves && !its.is_whole_in_band;
+  const bool leaves_band = its.evidence.carves() && !its.evidence.is_whole_in_band();
   const LinePart limits = leaves_band ? beam.in_band(*vehicle_, sensor) : line.in_grid();
   if (leaves_band && range_mm >= beam.is_free_before_mm()) {
     if (!limits.is_empty()) {
@@ -143,14 +132,14 @@ inline void BeamCarver::add(const vehicle::Sensor& sensor, Beam&& beam, const Wa
         steps.add_low(limits.within(beam.low_part(*vehicle_, sensor)));
       }
     }
-    if (its.marks) {
+    if (its.evidence.marks()) {
       mark(sensor, line, line.through(sensor, range_mm), range_mm, its.is_tall);
     }
     return;
   }
   const bool has_hit = range_mm - 1 < sensor.range.mm();
   const traversal::Position hit = has_hit ? line.through(sensor, range_mm) : traversal::Position{};
-  if (its.carves) {
+  if (its.evidence.carves()) {
     const Between end =
         has_hit ? Between::before(hit) : end_without_hit(sensor, line, beam.clears_mm(), range_mm);
     const LinePart part{limits.first, std::min(limits.end, end)};
@@ -164,7 +153,7 @@ inline void BeamCarver::add(const vehicle::Sensor& sensor, Beam&& beam, const Wa
       }
     }
   }
-  if (its.marks) {
+  if (its.evidence.marks()) {
     mark(sensor, line, hit, range_mm, its.is_tall);
   }
 }

@@ -39,17 +39,18 @@ void TurnCarver::carve_line(std::uint32_t azimuth_step, std::span<const WaitingP
   steps_.begin_at(line.in_grid().first);
   const std::uint32_t sector = ground_ == nullptr ? 0 : ground_->beams().sector_of(azimuth_step);
   if (ground_ == nullptr) {
-    const std::uint32_t far_hits = add_points(steps_.free, line, points, layers_->far_mm, sector);
-    add_behind_band(steps_.free, line, behind_band, far_hits, [&](std::uint32_t rank) {
-      return line.end_in_band(layers_->layers[layers_->by_rank[rank]].band);
-    });
+    const std::uint32_t far_hits = add_points(line, points, layers_->far_mm, sector);
+    add_behind_band(steps_.free, line, behind_band, far_hits,
+                    [&line, layers = layers_](std::uint32_t rank) {
+                      return line.end_in_band(layers->layers[layers->by_rank[rank]].band);
+                    });
   } else {
     const ground::Exits& exits = ground_->exits();
     const auto to_mm = [&](std::uint32_t rank) {
       return exits.to_mm(sector, exits.by_rank(sector, rank));
     };
     const std::uint32_t far_mm = to_mm(layers_->near_rank) + behind_mm_;
-    const std::uint32_t far_hits = add_points(steps_.free, line, points, far_mm, sector);
+    const std::uint32_t far_hits = add_points(line, points, far_mm, sector);
     add_behind_band(steps_.free, line, behind_band, far_hits, [&](std::uint32_t rank) {
       return LocalBeam::end_of(*sensor_, line, to_mm(rank));
     });
@@ -64,6 +65,7 @@ void TurnCarver::carve_line(std::uint32_t azimuth_step, std::span<const WaitingP
 
 // Returns how many of them are hits at far_mm or beyond. Nearly all are hits, whose beams are in
 // the band from the start.
+template <bool kWithHeights>
 std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
                                      std::span<const WaitingPoint> points, std::uint32_t far_mm,
                                      std::uint32_t sector) {
@@ -72,7 +74,7 @@ std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
   std::uint32_t far_hits = 0;
   Between last = in_grid.first;
   for (const WaitingPoint point : points) {
-    if (!point.is_whole_hit()) {
+    if (!point.evidence().is_whole_hit()) {
       add_rare(line, point, sector);
       continue;
     }
@@ -80,15 +82,16 @@ std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
     const Position hit = line.through(*sensor_, range_mm);
     const LinePart part{in_grid.first, std::min(in_grid.end, Between::before(hit))};
     if (!part.is_empty()) {
-      const Between freed = BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
-      if (beams_.keeps_heights()) {
+      [[maybe_unused]] const Between freed =
+          BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
+      if constexpr (kWithHeights) {
         steps_.add_low(LinePart{part.first, freed}.within(low_part(line, point.layer(), sector)));
       }
       last = std::max(last, part.end);
       ++beams;
       far_hits += range_mm >= far_mm ? 1U : 0U;
     }
-    beams_.mark(*sensor_, line, hit, range_mm, point.is_tall());
+    beams_.mark(*sensor_, line, hit, range_mm, kWithHeights && point.is_tall());
   }
   steps.add_beams(beams, -sensor_->profile.free, last);
   return far_hits;
@@ -98,12 +101,14 @@ std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
 // enough of them it adds nothing, and neither does one of higher rank.
 template <typename EndOf>
 void TurnCarver::add_behind_band(FreeSteps& steps, const KeptLine& line, const RankSet& ranks,
-                                 std::uint32_t far_hits, EndOf&& end_of) const {
+                                 std::uint32_t far_hits, EndOf end_of) const {
   const std::int32_t freer = -sensor_->profile.free;
+  const std::uint32_t enough_beams = layers_->enough_beams;
+  const std::uint32_t near_rank = layers_->near_rank;
   std::uint32_t beams = 0;
   Between last = line.in_grid().first;
   ranks.visit_while([&](std::uint32_t rank) {
-    if (beams + (rank < layers_->near_rank ? 0 : far_hits) >= layers_->enough_beams) {
+    if (beams + (rank < near_rank ? 0 : far_hits) >= enough_beams) {
       return false;
     }
     const Between end = end_of(rank);
@@ -117,7 +122,7 @@ void TurnCarver::add_behind_band(FreeSteps& steps, const KeptLine& line, const R
 
 LinePart TurnCarver::low_part(const KeptLine& line, std::size_t layer, std::uint32_t sector) const {
   return ground_ == nullptr
-             ? line.in_band(layers_->layers[layer].low)
+             ? line.in_band(layers_->low[layer])
              : LocalBeam::part_of(*sensor_, line, ground_->low_stretch(sector, layer));
 }
 
@@ -150,7 +155,7 @@ void TurnCarver::add_rare(const KeptLine& line, WaitingPoint point, std::uint32_
                [this](const auto& /*beam*/, Between /*end*/) -> LineSteps& { return steps_; });
   };
   if (ground_ == nullptr) {
-    add(TurnBeam(line, layer));
+    add(TurnBeam(line, *layers_, point.layer()));
   } else {
     add(LocalBeam(*sensor_, line, layer, ground_->exits().to_mm(sector, point.layer()),
                   ground_->low_stretch(sector, point.layer())));

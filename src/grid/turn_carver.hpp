@@ -28,7 +28,7 @@ class TurnCarver {
 
   // The sensor at hand: what its points ask for, near to one another.
   class Turn {
-   public:
+   protected:
     Turn(TurnCarver& carver, const vehicle::Sensor& sensor)
         : carver_(&carver),
           sensor_(&sensor),
@@ -36,11 +36,13 @@ class TurnCarver {
           layers_(carver.layers_->layers.data()),
           azimuths_(sensor.azimuths) {}
 
-    // Carves the beam of this point, now or later, and remembers its mark. The point's layer and
-    // azimuth are those of the sensor's format.
-    [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
+    // Whether nothing can be said of the point's beam.
+    [[nodiscard]] bool is_nothing(const lidar::ScanPoint& point) const {
+      return point.range_mm == 0 && sensor_->no_return_clears_mm == 0;
+    }
+    // The azimuth step of the point, whose line has room then.
+    [[nodiscard, gnu::always_inline]] std::uint32_t step_of(const lidar::ScanPoint& point) const;
 
-   private:
     TurnCarver* carver_;
     const vehicle::Sensor* sensor_;
     WaitingLines* waiting_;
@@ -48,16 +50,26 @@ class TurnCarver {
     vehicle::AzimuthSteps azimuths_;
   };
 
+  // By the height band of the vehicle.
+  class TurnInBand : public Turn {
+   public:
+    TurnInBand(TurnCarver& carver, const vehicle::Sensor& sensor)
+        : Turn(carver, sensor), tall_(carver.layers_->tall.data()) {}
+
+    // Carves the beam of this point, now or later, and remembers its mark. The point's layer and
+    // azimuth are those of the sensor's format.
+    [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
+
+   private:
+    const vehicle::Ranges* tall_;
+  };
+
   // The same of a packet of a sensor that follows the ground (docs/ground.md).
-  class TurnOverGround {
+  class TurnOverGround : public Turn {
    public:
     TurnOverGround(TurnCarver& carver, const vehicle::Sensor& sensor, const ground::Ground& ground,
                    const ground::PacketJudge& judge)
-        : carver_(&carver),
-          sensor_(&sensor),
-          waiting_(&carver.waiting_),
-          layers_(carver.layers_->layers.data()),
-          azimuths_(sensor.azimuths),
+        : Turn(carver, sensor),
           beams_(&ground.beams()),
           exits_(&ground.exits()),
           behind_mm_(carver.behind_mm_),
@@ -66,11 +78,6 @@ class TurnCarver {
     [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
 
    private:
-    TurnCarver* carver_;
-    const vehicle::Sensor* sensor_;
-    WaitingLines* waiting_;
-    const TurnLayer* layers_;
-    vehicle::AzimuthSteps azimuths_;
     const ground::Beams* beams_;
     const ground::Exits* exits_;
     std::uint32_t behind_mm_;
@@ -78,7 +85,7 @@ class TurnCarver {
   };
 
   // The sensor is one of the vehicle's, whose layers share lines. Valid until another one's turn.
-  Turn turn_to(const vehicle::Sensor& sensor) {
+  TurnInBand turn_to(const vehicle::Sensor& sensor) {
     begin_turning(sensor, nullptr);
     return {*this, sensor};
   }
@@ -115,13 +122,19 @@ class TurnCarver {
   // Not inlined, so that the steps' address is in a register and not computed for each change.
   // far_mm: as in TurnLayers. sector: of the ground, if it is followed. end_of(rank): where the
   // layer of this rank leaves what counts of its line.
+  std::uint32_t add_points(const KeptLine& line, std::span<const WaitingPoint> points,
+                           std::uint32_t far_mm, std::uint32_t sector) {
+    return beams_.keeps_heights() ? add_points<true>(steps_.free, line, points, far_mm, sector)
+                                  : add_points<false>(steps_.free, line, points, far_mm, sector);
+  }
+  template <bool kWithHeights>
   [[gnu::noinline]] std::uint32_t add_points(FreeSteps& steps, const KeptLine& line,
                                              std::span<const WaitingPoint> points,
                                              std::uint32_t far_mm, std::uint32_t sector);
   template <typename EndOf>
   [[gnu::noinline]] void add_behind_band(FreeSteps& steps, const KeptLine& line,
                                          const RankSet& ranks, std::uint32_t far_hits,
-                                         EndOf&& end_of) const;
+                                         EndOf end_of) const;
   [[gnu::noinline]] void add_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector);
   // Where a layer's beams are low; where those are that are behind the band.
   [[nodiscard]] LinePart low_part(const KeptLine& line, std::size_t layer,
@@ -144,27 +157,34 @@ class TurnCarver {
   LineSteps steps_;                         // of the line that is carved
 };
 
-// All layers are on the line of the azimuth, each at its own height.
-inline vehicle::Fate TurnCarver::Turn::add(const lidar::ScanPoint& point) const {
-  if (point.range_mm == 0 && sensor_->no_return_clears_mm == 0) {
-    return vehicle::Fate::kNoReturn;
-  }
+inline std::uint32_t TurnCarver::Turn::step_of(const lidar::ScanPoint& point) const {
   const std::uint32_t step = azimuths_.nearest(point.azimuth_ticks);
   if (!waiting_->has_room(step)) [[unlikely]] {
     carver_->begin_line(step);
   }
+  return step;
+}
+
+// All layers are on the line of the azimuth, each at its own height.
+inline vehicle::Fate TurnCarver::TurnInBand::add(const lidar::ScanPoint& point) const {
+  if (is_nothing(point)) {
+    return vehicle::Fate::kNoReturn;
+  }
+  const std::uint32_t step = step_of(point);
   const TurnLayer& layer = layers_[point.layer];
   const std::uint32_t along_mm = vehicle::along_line_mm(point.range_mm, layer.range_share);
   const vehicle::BeamRanges ranges{.on_car = waiting_->on_car(step), .in_band = layer.in_band};
   const vehicle::Classification its = vehicle::classify(*sensor_, ranges, point, along_mm);
-  if (its.carves || its.marks) {
+  const vehicle::Evidence evidence = its.evidence;
+  if (evidence.is_any()) {
+    const bool is_tall = evidence.marks() && tall_[point.layer].contain(along_mm);
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
-      if (its.marks) {
-        carver_->mark_at_start(step, layer.tall.contain(along_mm));
+      if (evidence.marks()) {
+        carver_->mark_at_start(step, is_tall);
       }
-    } else if (its.is_whole_in_band || along_mm < layer.behind_mm || !its.carves ||
+    } else if (evidence.is_whole_in_band() || along_mm < layer.behind_mm || !evidence.carves() ||
                !waiting_->add_behind_band(step, layer.rank)) {
-      waiting_->add(step, {waiting_beam(its, along_mm, layer.tall.contain(along_mm)), point.layer});
+      waiting_->add(step, {{along_mm, evidence, is_tall}, point.layer});
     }
   }
   return its.fate;
@@ -172,13 +192,10 @@ inline vehicle::Fate TurnCarver::Turn::add(const lidar::ScanPoint& point) const 
 
 // Where a beam leaves the limits is its layer's and its sector's own.
 inline vehicle::Fate TurnCarver::TurnOverGround::add(const lidar::ScanPoint& point) const {
-  if (point.range_mm == 0 && sensor_->no_return_clears_mm == 0) {
+  if (is_nothing(point)) {
     return vehicle::Fate::kNoReturn;
   }
-  const std::uint32_t step = azimuths_.nearest(point.azimuth_ticks);
-  if (!waiting_->has_room(step)) [[unlikely]] {
-    carver_->begin_line(step);
-  }
+  const std::uint32_t step = step_of(point);
   const std::uint32_t along_mm =
       vehicle::along_line_mm(point.range_mm, layers_[point.layer].range_share);
   const std::uint32_t sector = beams_->sector_of(step);
@@ -193,14 +210,15 @@ inline vehicle::Fate TurnCarver::TurnOverGround::add(const lidar::ScanPoint& poi
                                .otherwise = judged.fate,
                                .is_whole = reach_mm <= to_mm};
       });
-  if (its.carves || its.marks) {
+  const vehicle::Evidence evidence = its.evidence;
+  if (evidence.is_any()) {
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
-      if (its.marks) {
+      if (evidence.marks()) {
         carver_->mark_at_start(step, is_tall);
       }
-    } else if (its.marks || its.is_whole_in_band || along_mm < to_mm + behind_mm_ ||
+    } else if (evidence.marks() || evidence.is_whole_in_band() || along_mm < to_mm + behind_mm_ ||
                !waiting_->add_behind_band(step, exits_->rank_of(sector, point.layer))) {
-      waiting_->add(step, {waiting_beam(its, along_mm, is_tall), point.layer});
+      waiting_->add(step, {{along_mm, evidence, is_tall}, point.layer});
     }
   }
   return its.fate;

@@ -50,9 +50,9 @@ TurnLines::TurnLines(const vehicle::Vehicle& vehicle) : first_sensor_(vehicle.se
         layers_[i].layers[layer] = {.range_share = its.range_share,
                                     .in_band = vehicle::ranges_in_band(sensor, end_z),
                                     .clears_mm = its.along_line_mm(sensor.no_return_clears_mm),
-                                    .tall = vehicle::tall_ranges(sensor, end_z),
-                                    .band = BandLimits(vehicle.band(), sensor, end_z),
-                                    .low = BandLimits(vehicle.low_band(sensor), sensor, end_z)};
+                                    .band = BandLimits(vehicle.band(), sensor, end_z)};
+        layers_[i].tall[layer] = vehicle::tall_ranges(sensor, end_z);
+        layers_[i].low[layer] = BandLimits(vehicle.low_band(sensor), sensor, end_z);
       }
       rank(sensor, layers_[i]);
     }

@@ -28,10 +28,7 @@ struct alignas(64) TurnLayer {
   // From here on a point is so far behind the band that it frees all of the line from the sensor to
   // where the layer leaves the band; nowhere if the sensor is not in the band.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
-  // The ranges along the line at which a return is tall (vehicle::Sensor::moved).
-  vehicle::Ranges tall;
   BandLimits band;
-  BandLimits low;  // the part in which it is low
 };
 
 // The layers of a sensor.
@@ -46,12 +43,17 @@ struct TurnLayers {
   std::uint32_t near_rank = 0;
   std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
   std::array<TurnLayer, vehicle::kMaxLayers> layers{};
+  // By vehicle::Sensor::moved: the ranges along the line at which a return of a layer is tall, and
+  // the part of the line in which its beams are low.
+  std::array<vehicle::Ranges, vehicle::kMaxLayers> tall{};
+  std::array<BandLimits, vehicle::kMaxLayers> low{};
 };
 
 // A beam of such a sensor, as grid::BeamCarver asks of it.
 class TurnBeam {
  public:
-  TurnBeam(const KeptLine& line, const TurnLayer& layer) : line_(&line), layer_(&layer) {}
+  TurnBeam(const KeptLine& line, const TurnLayers& layers, std::size_t layer)
+      : line_(&line), layer_(&layers.layers[layer]), low_(&layers.low[layer]) {}
 
   [[nodiscard]] const KeptLine& line() const { return *line_; }
   [[nodiscard]] std::uint32_t clears_mm() const { return layer_->clears_mm; }
@@ -62,12 +64,13 @@ class TurnBeam {
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return layer_->band.is_free_before_mm(); }
   [[nodiscard]] LinePart low_part(const vehicle::Vehicle& /*vehicle*/,
                                   const vehicle::Sensor& /*sensor*/) const {
-    return line_->in_band(layer_->low);
+    return line_->in_band(*low_);
   }
 
  private:
   const KeptLine* line_;
   const TurnLayer* layer_;
+  const BandLimits* low_;
 };
 
 // The same of a sensor that follows the ground: from its start on the beam is so far between the

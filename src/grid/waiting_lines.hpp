@@ -23,8 +23,8 @@ class WaitingPoint {
   WaitingPoint() = default;
   // Its range is at most lidar::kMaxRangeMm.
   WaitingPoint(const WaitingBeam& its, std::uint32_t layer)
-      : word_(bit(its.marks, kMarksAt) | bit(its.carves, kCarvesAt) |
-              bit(its.is_whole_in_band, kWholeAt) | bit(its.is_tall, kTallAt) | layer << kLayerAt |
+      : word_(its.evidence.bits() << kEvidenceAt |
+              static_cast<std::uint32_t>(its.is_tall) << kTallAt | layer << kLayerAt |
               its.range_mm) {}
 
   [[nodiscard]] std::uint32_t along_mm() const { return word_ & lidar::kMaxRangeMm; }
@@ -32,28 +32,20 @@ class WaitingPoint {
     return word_ >> kLayerAt & (vehicle::kMaxLayers - 1);
   }
   [[nodiscard]] bool is_tall() const { return (word_ >> kTallAt & 1U) != 0; }
-  // A hit, of whose beam nothing is outside the band.
-  [[nodiscard]] bool is_whole_hit() const { return word_ >> kWholeAt == 0b111; }
+  [[nodiscard]] vehicle::Evidence evidence() const {
+    return vehicle::Evidence::of(word_ >> kEvidenceAt);
+  }
   [[nodiscard]] WaitingBeam beam() const {
-    return {.range_mm = along_mm(),
-            .carves = (word_ >> kCarvesAt & 1U) != 0,
-            .marks = (word_ >> kMarksAt & 1U) != 0,
-            .is_whole_in_band = (word_ >> kWholeAt & 1U) != 0,
-            .is_tall = is_tall()};
+    return {.range_mm = along_mm(), .evidence = evidence(), .is_tall = is_tall()};
   }
 
  private:
   static constexpr int kLayerAt = 20;
   static constexpr int kTallAt = 27;
-  static constexpr int kWholeAt = 28;
-  static constexpr int kCarvesAt = 29;
-  static constexpr int kMarksAt = 30;
+  static constexpr int kEvidenceAt = 28;  // the highest bits
   static_assert(lidar::kMaxRangeMm < 1U << kLayerAt &&
-                vehicle::kMaxLayers <= 1U << (kTallAt - kLayerAt));
-
-  static constexpr std::uint32_t bit(bool is_set, int at) {
-    return static_cast<std::uint32_t>(is_set) << at;
-  }
+                vehicle::kMaxLayers <= 1U << (kTallAt - kLayerAt) &&
+                kEvidenceAt + vehicle::Evidence::kBits <= 32);
 
   std::uint32_t word_ = 0;
 };

@@ -73,11 +73,43 @@ struct BeamRanges {
   Ranges in_band;  // those of at most L
 };
 
+// What a scan point says of its beam. Three bits of one word, which the compiler keeps in a
+// register.
+class Evidence {
+ public:
+  static constexpr int kBits = 3;
+
+  constexpr Evidence() = default;
+  constexpr Evidence(bool carves, bool marks, bool is_whole_in_band)
+      : bits_((is_whole_in_band ? kWhole : 0) | (carves ? kCarves : 0) | (marks ? kMarks : 0)) {}
+  [[nodiscard]] static constexpr Evidence of(std::uint32_t bits) {
+    Evidence its;
+    its.bits_ = bits;
+    return its;
+  }
+
+  // Whether the beam makes cells freer, and whether its point marks.
+  [[nodiscard]] constexpr bool carves() const { return (bits_ & kCarves) != 0; }
+  [[nodiscard]] constexpr bool marks() const { return (bits_ & kMarks) != 0; }
+  [[nodiscard]] constexpr bool is_any() const { return (bits_ & (kCarves | kMarks)) != 0; }
+  // Nothing of the beam up to its point or L is outside the band.
+  [[nodiscard]] constexpr bool is_whole_in_band() const { return (bits_ & kWhole) != 0; }
+  // All three.
+  [[nodiscard]] constexpr bool is_whole_hit() const { return bits_ == (kWhole | kCarves | kMarks); }
+
+  [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }  // below 2^kBits
+
+ private:
+  static constexpr std::uint32_t kWhole = 1;
+  static constexpr std::uint32_t kCarves = 2;
+  static constexpr std::uint32_t kMarks = 4;
+
+  std::uint32_t bits_ = 0;
+};
+
 struct Classification {
   Fate fate;
-  bool carves;
-  bool marks;
-  bool is_whole_in_band;  // nothing of the beam up to its point or L is outside the band
+  Evidence evidence;
 };
 
 // What carves and what marks: a point that is used and a later echo mark, and of what is evidence
@@ -85,9 +117,8 @@ struct Classification {
 [[nodiscard]] constexpr Classification classified(Fate fate, bool is_evidence,
                                                   bool is_whole_in_band = false) {
   return {.fate = fate,
-          .carves = is_evidence && fate != Fate::kLaterEcho,
-          .marks = fate == Fate::kUsed || fate == Fate::kLaterEcho,
-          .is_whole_in_band = is_whole_in_band};
+          .evidence = {is_evidence && fate != Fate::kLaterEcho,
+                       fate == Fate::kUsed || fate == Fate::kLaterEcho, is_whole_in_band}};
 }
 
 // azimuth_step: of sensor.azimuths.

@@ -63,7 +63,7 @@ class ScanReader {
     const vehicle::Sensor& sensor = car_->vehicle->sensors[number];
     const auto beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
     const vehicle::Classification what = vehicle::classify(sensor, beam, point);
-    if (!what.marks && what.fate != vehicle::Fate::kTooFar) {
+    if (!what.evidence.marks() && what.fate != vehicle::Fate::kTooFar) {
       return;
     }
     const std::int32_t ticks = point.azimuth_ticks < kTicksPerTurn / 2
@@ -72,7 +72,7 @@ class ScanReader {
     const double range_m = point.range_mm / 1000.0;
     const auto sector = (ticks + tools::kLuxEdgeTicks) / tools::kLuxStepTicks;
     lidar.echoes_m[static_cast<std::size_t>(sector)].push_back(range_m);
-    if (what.marks) {
+    if (what.evidence.marks()) {
       const tools::Placement from =
           sensor_at(scene_->ego_at(time_of(sweep, ticks)).at, car_->sensors[number].mount);
       const double azimuth = radians_of(ticks);

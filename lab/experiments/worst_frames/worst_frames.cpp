@@ -38,7 +38,7 @@ std::size_t marks_of(const tools::CapturedDatagram& datagram) {
   std::size_t marks = 0;
   decoder.for_each_point([&](const lidar::ScanPoint& point) {
     const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-    marks += vehicle::classify(sensor, beam, point).marks ? 1U : 0U;
+    marks += vehicle::classify(sensor, beam, point).evidence.marks() ? 1U : 0U;
   });
   return marks;
 }

@@ -98,8 +98,8 @@ Classification fate_of(const lidar::ScanPoint& point) {
 void expect_fate(const lidar::ScanPoint& point, Fate fate, bool carves, bool marks) {
   const Classification classification = fate_of(point);
   EXPECT_EQ(static_cast<int>(classification.fate), static_cast<int>(fate));
-  EXPECT_EQ(classification.carves, carves);
-  EXPECT_EQ(classification.marks, marks);
+  EXPECT_EQ(classification.evidence.carves(), carves);
+  EXPECT_EQ(classification.evidence.marks(), marks);
 }
 
 TEST(Fate, EachPointHasExactlyOne) {
