@@ -14,9 +14,8 @@ namespace iog::objects {
 class Claim {
  public:
   // Of each hit the owner: of the tracks within whose gate it lies that whose box is nearest, of
-  // equals the first in the list of its tile. A hit that stands is taken by what moves or has
-  // stopped. What a hit contradicts does not take it, and remembers that. Returns what list()
-  // does.
+  // equals that of the lower slot. A hit that stands is taken by what moves alone. A track that a
+  // hit contradicts does not take it, and remembers that. Returns what list() does.
   std::uint32_t take(const window::Area& area, Tracks& tracks, std::span<FrameHit> hits);
 
  private:

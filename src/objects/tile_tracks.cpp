@@ -25,6 +25,14 @@ Bounds reach_of(const Track& track, const ClaimGate& gate) {
 
 }  // namespace
 
+void TileTracks::Slots::insert(std::uint8_t slot) {
+  std::size_t place = count++;
+  for (; place > 0 && slots[place - 1] > slot; --place) {
+    slots[place] = slots[place - 1];
+  }
+  slots[place] = slot;
+}
+
 std::uint32_t TileTracks::list(const Tracks& tracks, const ClaimGates& gates,
                                const window::Area& area) {
   for (Slots& tile : tiles_) {
@@ -56,7 +64,7 @@ std::uint32_t TileTracks::add(std::size_t track, const Bounds& bounds, const win
     for (std::int32_t x = a.low; x <= a.high; ++x) {
       Slots& tile = tiles_[window::slot_of({x, y})];
       if (tile.count < tile.slots.size()) {
-        tile.slots[tile.count++] = static_cast<std::uint8_t>(track);
+        tile.insert(static_cast<std::uint8_t>(track));
       } else {
         ++left;
       }

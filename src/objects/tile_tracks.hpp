@@ -1,7 +1,7 @@
 // By tile of the window the tracks that may take hits there: so a hit asks few of them.
 //
-// Of a tile kMostTracksOfATile: those that move first, and each by their slots. What more there are
-// is counted, and takes nothing in this tile.
+// Of a tile kMostTracksOfATile, in the order of their slots; if there are more, those that move
+// have room first. What has none is counted, and takes nothing in this tile.
 #pragma once
 
 #include <array>
@@ -22,13 +22,15 @@ class TileTracks {
   // Returns how many tracks found no room in a tile, one for each tile.
   std::uint32_t list(const Tracks& tracks, const ClaimGates& gates, const window::Area& area);
 
-  // The slots of the tracks of the tile of a cell of the window.
+  // The slots of the tracks of the tile of a cell of the window, in their order.
   [[nodiscard]] std::span<const std::uint8_t> near(geometry::Cell cell) const;
 
  private:
   struct Slots {
     std::array<std::uint8_t, kMostTracksOfATile> slots{};
     std::uint8_t count = 0;
+    // In their order. There is room.
+    void insert(std::uint8_t slot);
   };
   std::uint32_t add(std::size_t track, const Bounds& bounds, const window::Area& area);
 
