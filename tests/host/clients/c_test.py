@@ -84,7 +84,7 @@ class Header(unittest.TestCase):
         messages = messages[:next(i for i, each in enumerate(messages) if streams.frame_of(each) == 6)]
         shuffled = sorted(messages, key=lambda message: streams.frame_of(message) + 0.9 * rng.random())
         self.compare(shuffled)
-        for _ in range(10):
+        for _ in range(4):
             self.compare([message for message in shuffled if rng.random() < 0.98])
 
     def test_examples_of_the_document(self):
@@ -121,20 +121,20 @@ class Header(unittest.TestCase):
         self.assertEqual(said[-2].split(" lost")[0], "8 run 9 whole 1")
 
     def test_hostile_bytes_under_sanitizers(self):
-        """What claims to be whole is a frame that was sent."""
+        """What claims to be whole is a frame that was sent. tests/fuzz/client_reader.cpp goes on from here."""
         rng, reader = random.Random(SEED), program("clang", *SANITIZERS)
         self.compare(streams.messages_of(streams.VERSION_3), reader)
         mutants = whole = 0
         for path in (streams.VERSION_3, streams.version_4(), streams.raw()):
             messages = [message for message in streams.messages_of(path) if streams.frame_of(message) < 2]
             right = {line_of(frame).split(" causes")[0] for frame in received(messages)[0]}
-            for rate in 3 * [0.01] + 25 * [0.9]:
+            for rate in 3 * [0.01] + 8 * [0.9]:
                 sent = [mutant(message, rng) if rng.random() < rate else message for message in messages]
                 mutants += sum(a is not b for a, b in zip(sent, messages))
                 came = {line.split(" causes")[0] for line in said_by(reader, sent) if " whole 1 " in line}
                 self.assertLessEqual(came, right)
                 whole += len(came)
-        self.assertGreater(mutants, 3000)
+        self.assertGreater(mutants, 1000)
         self.assertGreater(whole, 5)
 
 

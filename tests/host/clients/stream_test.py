@@ -71,10 +71,11 @@ class Stream(unittest.TestCase):
         for is_lost, grids in ((frame.indexes_lost, ((frame.indexes, right.indexes),)),
                                (frame.classes_lost, ((frame.classes, right.classes),
                                                      (frame.sureness, right.sureness)))):
-            is_cell_lost = is_lost.repeat(32, axis=0).repeat(32, axis=1)
             is_whole = is_whole and not is_lost.any()
             for cells, right_cells in grids:
-                self.assertTrue(numpy.array_equal(cells, numpy.where(is_cell_lost, 0, right_cells)))
+                expected = right_cells.copy()
+                streams.by_tile(expected)[is_lost] = 0
+                self.assertTrue(numpy.array_equal(cells, expected))
         self.assertFalse(frame.is_whole and not is_whole)
 
     def test_each_encoding_is_among_the_bytes(self):
@@ -134,7 +135,8 @@ class Stream(unittest.TestCase):
         for path in (streams.version_4(), streams.VERSION_3, streams.raw()):
             messages = [message for message in streams.messages_of(path) if streams.frame_of(message) < 2]
             whole, _ = received(messages)
-            for i, message in enumerate(messages):
+            step = 2 if path == streams.VERSION_3 else 1  # its tiles are the slowest to read
+            for i, message in list(enumerate(messages))[::step]:
                 frames, receiver = received(messages[:i] + messages[i + 1:])
                 self.assertEqual([frame.number for frame in frames], [0, 1])
                 self.assertFalse(frames[streams.frame_of(message)].is_whole, f"message {i} of {path}")

@@ -20,6 +20,7 @@ import ethernet  # noqa: E402
 import grid_stream  # noqa: E402
 import made_classes  # noqa: E402
 import made_stream  # noqa: E402
+import numpy  # noqa: E402
 
 VERSION_3 = ROOT / "tests/e2e/stream_of_version_3.pcap"
 FRAMES = 25  # of the drive
@@ -89,6 +90,11 @@ def tiles_of(message: bytes) -> list[tuple[tuple, grid_stream.Tile]]:
     are_classes = grid_stream.is_of_classes(body)
     tiles = grid_stream.read_class_tiles(body)[1] if are_classes else grid_stream.read_tiles(body)
     return [((message[13], are_classes, tile.encoding), tile) for tile in tiles.tiles]
+
+
+def by_tile(cells: numpy.ndarray) -> numpy.ndarray:
+    """The same cells as [row of tiles, column, row of the tile, column]."""
+    return cells.reshape(32, 32, 32, 32).swapaxes(1, 2)
 
 
 def encodings_of(messages: list[bytes]) -> collections.Counter:
