@@ -18,15 +18,24 @@ bool goes_with(Velocity car, Velocity its) {
   return both > 0 && 2 * both < 3 * square;
 }
 
-void weigh_left(const Snapshot& then, const GridNames& grid, Track& track) {
+// What is occupied behind the thing itself may be a place that it has left: no beam gets there. Of
+// what goes with the car that is not believed.
+void weigh_left(const Snapshot& then, Point car, bool open_counts, const GridNames& grid,
+                Track& track) {
   for (const geometry::Cell cell : then.all()) {
-    if (track.box().outside(centre_of(cell)) <= kLeftMm) {
+    const Point place = centre_of(cell);
+    if (track.box().outside(place) <= kLeftMm) {
       continue;
     }
+    const auto is_near = [&](Name asked) {
+      return grid.is_any_near(cell, [=](Name name) { return name == asked; });
+    };
     Seen& seen = track.seen;
-    if (grid.is_any_near(
-            cell, [](Name name) { return name == Name::kStanding || name == Name::kOccupied; })) {
+    if (is_near(Name::kStanding)) {
       ++seen.bad;
+    } else if (is_near(Name::kOccupied)) {
+      const bool is_hidden = open_counts && track.box().is_between(car, place);
+      ++(is_hidden ? seen.neutral : seen.bad);
     } else if (grid.name_of(cell) == Name::kFree) {
       ++seen.good;
     } else {
@@ -54,16 +63,18 @@ void weigh_reached(const Snapshot& then, bool open_counts, std::span<const std::
 
 }  // namespace
 
-void weigh_motion(std::uint64_t now_us, Velocity car, std::span<const std::uint16_t> numbers,
-                  std::span<const FrameHit> hits, const GridNames& grid, Track& track) {
+void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
+                  std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
+                  const GridNames& grid, Track& track) {
   track.seen.bad = track.seen.contradicted;
   const std::uint64_t after = shown_after_us(track);
   const Snapshot* then = now_us < after ? nullptr : track.snapshots.youngest_before(now_us - after);
   if (then == nullptr) {
     return;
   }
-  const bool open_counts = track.speed() >= kOpenSpeed && !goes_with(car, track.velocity());
-  weigh_left(*then, grid, track);
+  const bool open_counts =
+      track.speed() >= kOpenSpeed && !goes_with(car_velocity, track.velocity());
+  weigh_left(*then, car, open_counts, grid, track);
   weigh_reached(*then, open_counts, numbers, hits, track.seen);
 }
 

@@ -17,8 +17,9 @@ namespace iog::objects {
 
 // Counts into track.seen the places of the youngest snapshot from which it is far enough away, and
 // those of its hits.
-void weigh_motion(std::uint64_t now_us, Velocity car, std::span<const std::uint16_t> numbers,
-                  std::span<const FrameHit> hits, const GridNames& grid, Track& track);
+void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
+                  std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
+                  const GridNames& grid, Track& track);
 
 // Whether enough of them say so.
 [[nodiscard]] bool is_shown(const Seen& seen);

@@ -98,6 +98,35 @@ struct Box {
     }
     return most;
   }
+  // Whether the straight way from one point to another leads through the box. Both are within 2^17
+  // mm of it, so that products of two words stay below 2^40.
+  [[nodiscard]] constexpr bool is_between(Point from, Point to) const {
+    // The latest entry and the first exit, as shares of the way.
+    std::int64_t enters = 0;
+    std::int64_t enters_of = 1;
+    std::int64_t leaves = 1;
+    std::int64_t leaves_of = 1;
+    for (const Side side : kSides) {
+      const Interval its = sides[side];
+      const std::int64_t start = place(from, side);
+      const std::int64_t way = place(to, side) - start;
+      if (way == 0 && (start < its.low || start > its.high)) {
+        return false;
+      }
+      const std::int64_t length = numeric::magnitude(way);
+      const std::int64_t in = way > 0 ? its.low - start : start - its.high;
+      const std::int64_t out = way > 0 ? its.high - start : start - its.low;
+      if (way != 0 && in * enters_of > enters * length) {
+        enters = in;
+        enters_of = length;
+      }
+      if (way != 0 && out * leaves_of < leaves * length) {
+        leaves = out;
+        leaves_of = length;
+      }
+    }
+    return enters * leaves_of <= leaves * enters_of;
+  }
   // 0 ... 3: bit 0 for the end of the first side, bit 1 for that of the second.
   [[nodiscard]] constexpr Point corner(unsigned number) const {
     const std::int64_t a = number & 1U ? sides[kAlong].high : sides[kAlong].low;

@@ -130,7 +130,7 @@ void Tracker::judge_all(const GridNames& grid) {
   for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
     Track& track = tracks_[slot];
     if (track.is_there() && is_judged(now_us_, step_, track)) {
-      weigh_motion(now_us_, car_velocity_, owned_.of(slot), hits_.all(), grid, track);
+      weigh_motion(now_us_, car_, car_velocity_, owned_.of(slot), hits_.all(), grid, track);
       remember(now_us_, owned_.of(slot), hits_.all(), track);
       judge(now_us_, track);
     }

@@ -74,7 +74,7 @@ void Scene::look(std::uint64_t end_us, std::vector<Hit>& hits) {
     }
     for (int beam = 0; beam < kBeamsOfASlice; ++beam) {
       const int number = static_cast<int>(slice) * kBeamsOfASlice + beam;
-      look_along(car.heading + (number - kBeams / 2) * kTurn / kBeams, car, places,
+      look_along(car.heading - kTurn / 2 + number * kTurn / kBeams, car, places,
                  static_cast<std::uint8_t>(slice), end_us, hits);
     }
   }

@@ -1,6 +1,7 @@
 // Boxes and ranges beside floating point.
 #include "objects/plane.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -56,6 +57,35 @@ TEST(Box, ItsCornersAreItsSides) {
       ASSERT_LE(box.outside(corner), 3);
     }
   }
+}
+
+// The way is sampled in steps of 60 mm at most; where the box is only grazed it may say either.
+TEST(Box, IsBetweenTwoPointsIfTheWayMeetsIt) {
+  Random random(3);
+  int met = 0;
+  for (int i = 0; i < effort(3'000, 100); ++i) {
+    const Box box = random_box(random);
+    const Point from = near(box, random);
+    const Point to = near(box, random);
+    std::int32_t deepest = INT32_MIN;  // how far inside of the box the way gets
+    for (int step = 0; step <= 1'500; ++step) {
+      const auto share = [&](std::int32_t a, std::int32_t b) {
+        return a + static_cast<std::int32_t>((std::int64_t{b} - a) * step / 1'500);
+      };
+      const Point point{share(from.x_mm, to.x_mm), share(from.y_mm, to.y_mm)};
+      std::int32_t inside = INT32_MAX;
+      for (const Side side : kSides) {
+        const std::int32_t its = box.place(point, side);
+        inside = std::min({inside, its - box.sides[side].low, box.sides[side].high - its});
+      }
+      deepest = std::max(deepest, inside);
+    }
+    if (deepest > 70 || deepest < -70) {
+      ASSERT_EQ(box.is_between(from, to), deepest > 0) << i;
+      met += deepest > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(met, 10);
 }
 
 TEST(Plane, ARangeIsItsRootToASixteenth) {

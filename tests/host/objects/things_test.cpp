@@ -68,6 +68,16 @@ TEST_F(Things, AnOncomingCarMovesOnOpenGround) {
   EXPECT_LT(heading_error(scene, 0, *track), 6);
 }
 
+// It comes straight on from 50 m at 15 m/s, the car drives at 10 m/s: all that is seen is its
+// front, which hides the places that it has left.
+TEST_F(Things, AFrontThatComesMovesOnOpenGround) {
+  Scene scene(straight({}, 10), {{.middle = straight({.x = 50, .y = 3, .heading = M_PI}, 15)}});
+  EXPECT_LE(believed_after(scene, 0, 1.2), 0.8);
+  const Track* track = scene.track_of(0, tracker);
+  ASSERT_NE(track, nullptr);
+  EXPECT_LT(velocity_error(scene, 0, *track), 0.7);
+}
+
 // 400 m of rail, of which the car at 25 m/s sees what is within its reach: that part goes along
 // with it, and a filter alone believes it. No hit of it is ever called moving.
 TEST_F(Things, ARailThatGoesAlongNeverMoves) {

@@ -288,7 +288,7 @@ TEST_F(Forged, CrowdsThatJump) {
 TEST_F(Forged, EveryCellOfATile) {
   expect_bounded(Name::kMoving, [&](int frame) {
     std::vector<Hit> hits;
-    hits.reserve(5 * 1'024);
+    hits.reserve(5'120);
     for (std::int32_t i = 0; i < 5 * 1'024; ++i) {
       hits.push_back(
           {.cell = {i % 32 + frame, i / 32 % 32}, .slice = static_cast<std::uint8_t>(i / 1'024)});
