@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "fakes/effort.hpp"
 #include "fakes/ground_turns.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
@@ -90,7 +91,7 @@ TEST(Exits, AreWhereExactArithmeticHasThem) {
       const auto length = static_cast<std::int32_t>(beams->bins().length_mm());
       const Limits limits{random.between(100, 1'000), random.between(1'600, 10'000)};
       expect_exact(*beams, limits, surface_of(beams->bins(), tests::rough_turn(random, length)),
-                   17);
+                   tests::effort(17, 51));
     }
   }
 }
@@ -109,7 +110,7 @@ TEST(Exits, OfAnyGround) {
         surface.renew(sector)[0] = 0;
       }
     }
-    expect_exact(*beams, {}, surface, 1);
+    expect_exact(*beams, {}, surface, tests::effort(1, 5));
   }
 }
 
