@@ -130,16 +130,16 @@ TEST(ClassTarget, ClassesArePinned) {
 // A source of poses that is stuck while the car drives on says nothing wrong of itself. Beams go
 // through what stands, and within half a second the window is not believed.
 TEST(ClassTarget, PosesThatAreStuckAreContradictedByTheSensors) {
-  constexpr double kStuckS = 3;
-  const auto run = [](const PoseOptions& options) {
-    const RunStatistics statistics = fused(*four_lux().vehicle, PlacedDrive(90, options));
+  constexpr double kStuckS = 1;
+  const auto run = [](std::uint32_t frames, const PoseOptions& options) {
+    const RunStatistics statistics = fused(*four_lux().vehicle, PlacedDrive(frames, options));
     return statistics.classes().records();
   };
   const auto is_contradicted = [](const ClassRecord& record) {
     return (record.causes & stream::kCauseContradicted) != 0;
   };
-  EXPECT_TRUE(std::ranges::none_of(run({}), is_contradicted));
-  const auto stuck = run({.freezes = {{.begin_s = kStuckS, .length_s = 10}}});
+  EXPECT_TRUE(std::ranges::none_of(run(90, {}), is_contradicted));
+  const auto stuck = run(40, {.freezes = {{.begin_s = kStuckS, .length_s = 10}}});
   const auto first = std::ranges::find_if(stuck, is_contradicted);
   ASSERT_NE(first, stuck.end());
   const double after_s = static_cast<double>(first - stuck.begin()) / 25 - kStuckS;
