@@ -1,15 +1,15 @@
 #include "lab/experiments/perception/perceived_drive.hpp"
 
-#include <algorithm>
 #include <array>
+#include <deque>
 #include <memory>
 
-#include "app/perception_engine.hpp"
 #include "grid/frame_fusion.hpp"
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
+#include "lab/experiments/keyed_car.hpp"
+#include "lab/experiments/perceiver.hpp"
 #include "require/require.hpp"
-#include "tools/formats/capture/capture_clock.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "window/frame_evidence.hpp"
 
@@ -17,27 +17,6 @@ namespace iog::lab {
 namespace {
 
 using Datagrams = std::vector<tools::CapturedDatagram>;
-constexpr std::size_t kWindowCellCount = std::size_t{window::kCellsAcross} * window::kCellsAcross;
-
-// The rows of the window's tiles, put together.
-template <typename CopyTile>
-std::vector<std::int8_t> rows_of(const window::Area& area, const CopyTile& copy_tile) {
-  std::vector<std::int8_t> rows(kWindowCellCount);
-  std::array<std::int8_t, geometry::kTileCells> tile{};
-  for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
-    if (!copy_tile(slot, tile)) {
-      continue;
-    }
-    const window::TileNumber at = area.tile_at(slot);
-    const auto row = static_cast<std::size_t>(at.b - area.corner().b) * window::kTileSide;
-    const auto column = static_cast<std::size_t>(at.a - area.corner().a) * window::kTileSide;
-    for (std::size_t y = 0; y < window::kTileSide; ++y) {
-      std::copy_n(&tile[y * window::kTileSide], window::kTileSide,
-                  &rows[(row + y) * window::kCellsAcross + column]);
-    }
-  }
-  return rows;
-}
 
 // The slices of a frame fused again, for the evidence that the classes were made of.
 class Evidence {
@@ -117,63 +96,6 @@ class Evidence {
   window::FrameEvidence joined_;
 };
 
-// A target with one rule, and what it made of the newest frame.
-class Perceiver {
- public:
-  Perceiver(const tools::CatalogueEntry& car, const PerceptionRule& rule)
-      : vehicle_(with_rules(*car.vehicle, rule.rules)),
-        engine_(std::make_unique<app::PerceptionEngine>(vehicle_, kReplayer, app::HelpersSpace{})) {
-    if (!rule.map.empty()) {
-      engine_->begin_with_map(rule.map);
-    }
-  }
-  Perceiver(const Perceiver&) = delete;
-  Perceiver& operator=(const Perceiver&) = delete;
-
-  void take(const tools::CapturedDatagram& datagram) {
-    const std::uint64_t now_us = clock_.move_to(datagram.time_us);
-    while (engine_->is_overdue(now_us)) {
-      close_frame(engine_->deadline_us());
-    }
-    app::take_datagram(
-        *engine_, {kReplayer, datagram.destination.port, datagram.payload}, now_us,
-        [&](const intake::SensorPacket& packet) { engine_->fuse(packet, now_us, work::Crew()); },
-        [&] { close_frame(now_us); });
-  }
-
-  [[nodiscard]] std::uint32_t frames() const { return frames_; }
-  [[nodiscard]] const app::PerceptionReport& report() const { return report_; }
-  [[nodiscard]] const window::Area& area() const { return engine_->classes().area(); }
-  [[nodiscard]] std::vector<std::int8_t> classes() const {
-    const window::WindowView view = engine_->classes();
-    return rows_of(view.area(),
-                   [&view](std::size_t slot, auto& tile) { return view.copy_classes(slot, tile); });
-  }
-
- private:
-  // A capture stands for what its replayer sends, whatever address the sensors had.
-  static constexpr std::uint32_t kReplayer = 0x0A000202;
-
-  static vehicle::Vehicle with_rules(vehicle::Vehicle vehicle, const window::Rules& rules) {
-    vehicle.window = rules;
-    return vehicle;
-  }
-
-  void close_frame(std::uint64_t now_us) {
-    engine_->finish(now_us, work::Crew(), [](auto /*stage*/) {});
-    engine_->release([](std::size_t /*tile*/, auto /*cells*/) {});
-    report_ = engine_->perception();
-    ++frames_;
-    engine_->start_next(now_us);
-  }
-
-  vehicle::Vehicle vehicle_;
-  tools::CaptureClock clock_;
-  std::unique_ptr<app::PerceptionEngine> engine_;  // too large for the stack
-  app::PerceptionReport report_;
-  std::uint32_t frames_ = 0;
-};
-
 }  // namespace
 
 void perceive_drive(const PerceivedDrive& drive, std::span<const PerceptionRule> rules,
@@ -183,9 +105,11 @@ void perceive_drive(const PerceivedDrive& drive, std::span<const PerceptionRule>
                       tools::Motion::kContinuous);
   tools::PoseFeed poses(
       tools::simulated_poses(moving.scene(), drive.poses, drive.seed, drive.seconds + 0.1));
+  std::deque<KeyedCar> cars;
   std::vector<std::unique_ptr<Perceiver>> perceivers;
   for (const PerceptionRule& rule : rules) {
-    perceivers.push_back(std::make_unique<Perceiver>(car, rule));
+    cars.emplace_back(*car.vehicle, Keys{.moved = rule.moved}, rule.rules);
+    perceivers.push_back(std::make_unique<Perceiver>(cars.back().vehicle(), rule.map));
   }
   const auto evidence = std::make_unique<Evidence>(car);  // too large for the stack
   for (std::uint32_t number = 0; number < moving.frame_count(); ++number) {

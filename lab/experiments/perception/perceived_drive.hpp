@@ -14,6 +14,7 @@
 #include "geometry/cell.hpp"
 #include "tools/simulate/drives/drive.hpp"
 #include "tools/simulate/drives/pose_source.hpp"
+#include "vehicle/vehicle.hpp"
 #include "window/window_fusion.hpp"
 
 namespace iog::lab {
@@ -22,6 +23,7 @@ struct PerceptionRule {
   std::string_view name;
   window::Rules rules{};
   std::span<const std::uint8_t> map{};  // a block; empty: none. It outlives the drive.
+  vehicle::MovedLimits moved{};         // of all sensors
 };
 
 // A cell with a positive index in one slice of a frame.

@@ -38,6 +38,7 @@ constexpr std::array kPerceptionRules{
     PerceptionRule{"isopignistic", {.assignment = &evidence::kIsopignistic}},
     PerceptionRule{"classical", {.discounting = ageing::Discounting::kClassical}},
     PerceptionRule{"proportional", {.discounting = ageing::Discounting::kProportional}},
+    PerceptionRule{.name = "opened from below", .moved = {.low_mm = 800, .tall_mm = 0}},
 };
 
 // What happens to the poses, from kTroubleS on if it has a time.
