@@ -9,8 +9,10 @@
 // that before what stands.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "description/description.hpp"
@@ -20,6 +22,10 @@ namespace iog::lab {
 
 inline constexpr double kNearM = 0.2;
 inline constexpr double kSettlesS = 1.0;
+
+// By tools::Material.
+inline constexpr std::array<std::string_view, 9> kMaterialNames{
+    "ground", "wall", "car", "pole", "kerb", "person", "foliage", "rail", "bank"};
 
 enum class TrueState : std::uint8_t { kNothing, kStanding, kSettling, kMovingCar, kMovingPerson };
 

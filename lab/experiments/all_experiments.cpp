@@ -7,6 +7,7 @@ namespace {
 
 // The longest first, so that no processor waits for one of them at the end.
 constexpr auto kExperiments = std::to_array<Experiment>({
+    {"hills", "hills_classes", hills_classes},
     {"map_quality", "map_quality", map_quality},
     {"perception", "perception_rules", perception_rules},
     {"evidential", "evidential_street", evidential_street},

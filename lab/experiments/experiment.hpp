@@ -24,6 +24,7 @@ struct Recording {
 struct Input {
   std::uint64_t seed = 1;     // of the simulated drive
   std::uint32_t seconds = 2;  // 25 frames a second
+  std::uint32_t hills = 2;    // drives of each car through hills
   std::vector<Recording> recordings;
 };
 

@@ -103,6 +103,9 @@ void add_options(CLI::App& program) {
   program.add_option("--seconds", options->input.seconds, "Its length, 25 frames a second")
       ->option_text("N  (1 to 600, default 2)")
       ->check(CLI::Range(1U, tools::Drive::kMaxSeconds));
+  program.add_option("--hills", options->input.hills, "Drives of each car through hills")
+      ->option_text("N  (1 to 12, default 2)")
+      ->check(CLI::Range(1U, 12U));
   std::vector<std::string> names;
   std::string list;
   for (const Experiment& experiment : all_experiments()) {

@@ -17,12 +17,16 @@ Perceiver::Perceiver(const vehicle::Vehicle& vehicle, std::span<const std::uint8
 
 void Perceiver::take(const tools::CapturedDatagram& datagram) {
   const std::uint64_t now_us = clock_.move_to(datagram.time_us);
+  has_fused_newest_ = false;
   while (engine_->is_overdue(now_us)) {
     close_frame(engine_->deadline_us());
   }
   app::take_datagram(
       *engine_, {kReplayer, datagram.destination.port, datagram.payload}, now_us,
-      [&](const intake::SensorPacket& packet) { engine_->fuse(packet, now_us, work::Crew()); },
+      [&](const intake::SensorPacket& packet) {
+        engine_->fuse(packet, now_us, work::Crew());
+        has_fused_newest_ = true;
+      },
       [&] { close_frame(now_us); });
 }
 

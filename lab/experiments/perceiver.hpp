@@ -57,6 +57,8 @@ class Perceiver {
   void take(const tools::CapturedDatagram& datagram);
 
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
+  // Whether the datagram that was taken last, or is being taken, is in a frame already.
+  [[nodiscard]] bool has_fused_newest() const { return has_fused_newest_; }
   // Of the newest frame.
   [[nodiscard]] const app::PerceptionReport& report() const { return report_; }
   [[nodiscard]] const window::Area& area() const { return engine_->classes().area(); }
@@ -70,6 +72,7 @@ class Perceiver {
   std::unique_ptr<app::PerceptionEngine> engine_;  // too large for the stack
   app::PerceptionReport report_;
   std::uint32_t frames_ = 0;
+  bool has_fused_newest_ = false;
 };
 
 }  // namespace iog::lab

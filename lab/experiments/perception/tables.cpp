@@ -12,9 +12,6 @@ constexpr std::uint32_t kFirstScored = tools::kLuxFramesPerSecond;
 constexpr std::uint32_t kScoredEvery = 5;
 constexpr std::array<std::string_view, kHitOnCount> kHitOnNames{"standing", "moving_car",
                                                                 "followed_car", "moving_person"};
-// By tools::Material.
-constexpr std::array<std::string_view, 9> kMaterialNames{
-    "ground", "wall", "car", "pole", "kerb", "person", "foliage", "rail", "bank"};
 
 }  // namespace
 
