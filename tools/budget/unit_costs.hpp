@@ -10,29 +10,29 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 614.44;
+inline constexpr double kPointCycles = 598.72;
 // A cell, carved.
-inline constexpr double kCellCycles = 2.82;
+inline constexpr double kCellCycles = 2.83;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8958.84;
+inline constexpr double kTileCycles = 8983.81;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 50392.39;
+inline constexpr double kClassTileCycles = 50316.91;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5008.41;
+inline constexpr double kPointOnceCycles = 5067.69;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 494.41;
+inline constexpr double kLaterEchoCycles = 482.87;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9155.47;
+inline constexpr double kDearestTileCycles = 9190.13;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 53934.56;
+inline constexpr double kDearestClassTileCycles = 53857.74;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 826.50;
+inline constexpr double kTurnStepCycles = 787.89;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 394.13;
+inline constexpr double kTurnPointCycles = 359.48;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 1180982.42;
+inline constexpr double kGroundTurnCycles = 1572975.05;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 134.58;
+inline constexpr double kGroundPointCycles = 179.17;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -53,33 +53,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4734159},
-    {"ring_road", 2321, 721236, 478, 8167126},
+    {"city", 2885, 466621, 231, 4695674},
+    {"ring_road", 2321, 721236, 478, 8151020},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1320063},
-    {"city, 3 LUX", 2240, 369547, 154, 1874404},
-    {"city, 4 LUX", 2885, 466621, 231, 2481801},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1305018},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1973896},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3071586},
+    {"city, 2 LUX", 1551, 254292, 132, 1297659},
+    {"city, 3 LUX", 2240, 369547, 154, 1844901},
+    {"city, 4 LUX", 2885, 466621, 231, 2434862},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1285902},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1945918},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3040479},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1425860, 668, 10725475},
-    {"random_ranges", 3216, 744269, 600, 9580159},
-    {"layers_apart", 3216, 888311, 665, 10553743},
-    {"beyond_range", 3216, 1451672, 680, 10341620},
-    {"three_echoes", 9648, 1344110, 668, 12676322},
-    {"missing_returns", 1618, 721934, 664, 9804717},
-    {"random_azimuths", 3216, 2000851, 665, 21101682},
-    {"diagonal", 3216, 2223052, 126, 7721541},
-    {"one_direction", 3216, 1538745, 48, 1734597},
-    {"short_beams", 9648, 24984, 4, 4845206},
-    {"flood", 9648, 6805584, 126, 10626383},
+    {"full_range", 3216, 1425860, 668, 10722827},
+    {"random_ranges", 3216, 744269, 600, 9576494},
+    {"layers_apart", 3216, 888311, 665, 10526249},
+    {"beyond_range", 3216, 1451672, 680, 10354517},
+    {"three_echoes", 9648, 1344110, 668, 12650410},
+    {"missing_returns", 1618, 721934, 664, 9859036},
+    {"random_azimuths", 3216, 2000851, 665, 21323106},
+    {"diagonal", 3216, 2223052, 126, 7750506},
+    {"one_direction", 3216, 1538745, 48, 1704529},
+    {"short_beams", 9648, 24984, 4, 4732893},
+    {"flood", 9648, 6805584, 126, 10576110},
 }};
 
 struct ModelledTurn {
@@ -93,16 +93,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 21283080},
-    {"HDL-32E", 69466, 460, 38633718},
-    {"HDL-64E S3", 111130, 466, 55482430},
+    {"VLP-16", 28954, 323, 20426598},
+    {"HDL-32E", 69466, 460, 34977826},
+    {"HDL-64E S3", 111130, 466, 51752892},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 27101005},
-    {"HDL-32E", 69466, 474, 47702547},
-    {"HDL-64E S3", 111130, 489, 72338756},
+    {"VLP-16", 28954, 330, 27309615},
+    {"HDL-32E", 69466, 474, 48756001},
+    {"HDL-64E S3", 111130, 489, 73356335},
 }};
 
 }  // namespace iog::tools
