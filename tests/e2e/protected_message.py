@@ -3,8 +3,6 @@
 import dataclasses
 import struct
 
-import numpy
-
 SERVICE = 0x4F47
 INTERFACE_VERSION = 4
 READ_VERSIONS = (3, INTERFACE_VERSION)
@@ -35,23 +33,12 @@ def _table(reflected_polynomial: int) -> list[int]:
 _P4 = _table(int(f"{0xF4ACFB13:032b}"[::-1], 2))
 
 
-def _of_bytes(longest: int) -> numpy.ndarray:
-    """What a byte adds to a CRC: [bytes behind it, its value]."""
-    rows = [numpy.array(_P4, numpy.uint32)]
-    for _ in range(longest - 1):
-        rows.append(rows[-1] >> 8 ^ rows[0][rows[-1] & 0xFF])
-    return numpy.array(rows)
-
-
-_OF_BYTES = _of_bytes(4096)
-
-
 def crc32_p4(data: bytes) -> int:
-    """Crc_CalculateCRC32P4 of AUTOSAR's CRC library, of 4 ... 4096 bytes: reflected, begun and ended by inversion."""
-    cells = numpy.frombuffer(data, numpy.uint8).copy()
-    cells[:4] ^= 0xFF
-    added = _OF_BYTES[numpy.arange(len(cells))[::-1], cells]
-    return int(numpy.bitwise_xor.reduce(added)) ^ 0xFFFFFFFF
+    """Crc_CalculateCRC32P4 of AUTOSAR's CRC library: reflected, begun and ended by inversion."""
+    crc = 0xFFFFFFFF
+    for byte in data:
+        crc = crc >> 8 ^ _P4[(crc ^ byte) & 0xFF]
+    return crc ^ 0xFFFFFFFF
 
 
 assert crc32_p4(b"123456789") == 0x1697D06A, "the check value that AUTOSAR publishes"
