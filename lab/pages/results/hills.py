@@ -48,6 +48,7 @@ def _car_rows(rows):
         for setting in SETTINGS:
             its = of(rows, car=car, setting=setting, on="standing", is_marked=1)
             table.append([name, setting, grouped(its.count), *(shown(getattr(its, said), 3) for said in SAID),
+                          shown(of(rows, car=car, setting=setting, on="standing").free),
                           _verdict(its) if setting == BOTH else ""])
     return table
 
@@ -108,6 +109,7 @@ def section(data):
         "seeds": sorted(int(seed) for seed in drives["seed"].unique()), "seconds": int(drives["seconds"].iloc[0]),
         "units": len(CARS), "moving": {setting: shown(whole[setting].moving) for setting in SETTINGS},
         "free": {setting: shown(whole[setting].free, 3) for setting in SETTINGS},
+        "all_free": {setting: shown(of(rows, setting=setting, on="standing").free) for setting in SETTINGS},
         "met": [name for car, name in CARS.items()
                 if of(rows, car=car, setting=BOTH, on="standing", is_marked=1).moving <= MOST_MOVING],
         "cars": _car_rows(rows), "marked": _marked_rows(rows), "moving_things": _moving_rows(rows),
