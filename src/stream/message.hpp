@@ -24,6 +24,7 @@ enum class MessageType : std::uint8_t {
   kFrameEnd = 2,
   kClassEnd = 3,
   kCarRefused = 4,  // instead of all others (stream/car_refusal.hpp)
+  kObjects = 5,     // (stream/objects.hpp)
 };
 
 // Bits of Header::flags.
@@ -31,6 +32,7 @@ inline constexpr std::uint8_t kFlagTimedOut = 0x01;   // closed by time, not by 
 inline constexpr std::uint8_t kFlagBayes = 0x02;      // fused by the rule bayes, not hits_win
 inline constexpr std::uint8_t kFlagClasses = 0x04;    // the frame has messages of classes
 inline constexpr std::uint8_t kFlagNoIndexes = 0x08;  // and no tiles of occupancy indexes
+inline constexpr std::uint8_t kFlagObjects = 0x10;    // the frame has messages of objects
 
 struct Header {
   MessageType type = MessageType::kTiles;
@@ -55,6 +57,8 @@ struct Header {
   // Which grids the frame has messages of.
   [[nodiscard]] constexpr bool has_classes() const { return (flags & kFlagClasses) != 0; }
   [[nodiscard]] constexpr bool has_indexes() const { return (flags & kFlagNoIndexes) == 0; }
+  // Whether the frame has messages of objects. There is one also if it has no object.
+  [[nodiscard]] constexpr bool has_objects() const { return (flags & kFlagObjects) != 0; }
 };
 
 // Time on the target, in ticks of a stopwatch whose rate is in the message.

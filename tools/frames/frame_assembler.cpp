@@ -188,8 +188,9 @@ FrameAssembler::Fate FrameAssembler::take_body(const stream::Header& header,
       return take_end(waiting, header, body);
     case stream::MessageType::kClassEnd:
       return take_class_end(waiting, body);
+    case stream::MessageType::kObjects:
     case stream::MessageType::kCarRefused:
-      break;  // of no frame
+      break;  // the one is not shown yet, the other is of no frame
   }
   return &MessageCounts::not_understood;
 }
