@@ -53,6 +53,12 @@ TrueThings::TrueThings(const tools::Scene& scene, double time_s,
        scene.solids_between(time_s - kMomentS / 2, time_s + kMomentS / 2)) {
     const TrueState state =
         states_.try_emplace(solid.begin.thing, state_of(solid, before)).first->second;
+    if (moves(state)) {
+      const auto longest = movers_.try_emplace(solid.begin.thing, solid).first;
+      if (solid.begin.half_length > longest->second.begin.half_length) {
+        longest->second = solid;
+      }
+    }
     if (solid.begin.z_low > description.z_max_m || solid.begin.z_high < description.z_min_m) {
       continue;
     }
@@ -82,6 +88,19 @@ TrueThing TrueThings::near(double x_m, double y_m) const {
   const auto found =
       std::ranges::find_if(parts_, [&](const Part& part) { return covers(part, x_m, y_m); });
   return found == parts_.end() ? TrueThing{} : found->what;
+}
+
+std::map<std::uint32_t, TrueMotion> TrueThings::motions() const {
+  std::map<std::uint32_t, TrueMotion> motions;
+  for (const auto& [thing, solid] : movers_) {
+    const tools::Placement middle = solid.at(0.5).at;
+    motions.emplace(thing, TrueMotion{.is_person = solid.begin.material == tools::Material::kPerson,
+                                      .x_m = middle.x,
+                                      .y_m = middle.y,
+                                      .x_mps = (solid.end.x - solid.begin.at.x) / kMomentS,
+                                      .y_mps = (solid.end.y - solid.begin.at.y) / kMomentS});
+  }
+  return motions;
 }
 
 std::vector<tools::Solid> TrueThings::outlines_of(std::uint32_t thing) const {

@@ -39,6 +39,16 @@ struct TrueThing {
   tools::Material material = tools::Material::kGround;  // of its part that is there
 };
 
+// Where something that moves is, by the middle of its longest solid, and how fast: metres and
+// metres a second, of the world.
+struct TrueMotion {
+  bool is_person = false;
+  double x_m = 0;
+  double y_m = 0;
+  double x_mps = 0;
+  double y_mps = 0;
+};
+
 class TrueThings {
  public:
   // Everything that may be seen from the car at that time of the drive.
@@ -49,6 +59,9 @@ class TrueThings {
 
   // Of all things that can be seen, by number, what they do.
   [[nodiscard]] const std::map<std::uint32_t, TrueState>& states() const { return states_; }
+
+  // Of all things that can be seen and move, by number.
+  [[nodiscard]] std::map<std::uint32_t, TrueMotion> motions() const;
 
   // The outlines, without what they were grown by, of a thing's solids.
   [[nodiscard]] std::vector<tools::Solid> outlines_of(std::uint32_t thing) const;
@@ -65,8 +78,9 @@ class TrueThings {
   [[nodiscard]] static bool covers(const Part& part, double x_m, double y_m);
 
   std::map<std::uint32_t, TrueState> states_;
-  std::vector<Part> parts_;      // what moves first, then what settles
-  std::size_t mover_parts_ = 0;  // of both
+  std::map<std::uint32_t, tools::MovingSolid> movers_;  // the longest solid of each
+  std::vector<Part> parts_;                             // what moves first, then what settles
+  std::size_t mover_parts_ = 0;                         // of both
 };
 
 }  // namespace iog::lab

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -64,6 +65,34 @@ TEST(TrueThings, AgreeWithTheTruthOfCells) {
   }
   EXPECT_GT(covered, 1000U);
   EXPECT_GT(moving, 20U);
+}
+
+// What a thing goes in 40 ms is its velocity times that, also of a car that keeps by the car
+// itself: those are numbered first. Nothing here brakes so hard that it would be off by 1 cm.
+TEST(TrueThings, AreAsFastAsTheWayThatTheyGo) {
+  for (const std::string_view name : {"city", "ring_road", "street"}) {
+    const tools::Scene scene = tools::find_scene(name).make(3, 5);
+    std::uint64_t companions = 0;
+    std::uint64_t checked = 0;
+    for (const double time_s : {1.0, 2.7, 4.4}) {
+      const auto before = TrueThings(scene, time_s - 0.02, description()).motions();
+      const auto after = TrueThings(scene, time_s + 0.02, description()).motions();
+      const TrueThings now(scene, time_s, description());
+      for (const auto& [thing, motion] : now.motions()) {
+        EXPECT_TRUE(moves(now.states().at(thing)));
+        EXPECT_EQ(motion.is_person, now.states().at(thing) == TrueState::kMovingPerson);
+        if (!before.contains(thing) || !after.contains(thing)) {
+          continue;  // at the limit of sight
+        }
+        EXPECT_NEAR(after.at(thing).x_m - before.at(thing).x_m, 0.04 * motion.x_mps, 0.01) << thing;
+        EXPECT_NEAR(after.at(thing).y_m - before.at(thing).y_m, 0.04 * motion.y_mps, 0.01) << thing;
+        companions += thing < tools::kFirstMover + scene.traffic.companions.size() ? 1U : 0U;
+        ++checked;
+      }
+    }
+    EXPECT_EQ(companions, 3 * scene.traffic.companions.size()) << name;
+    EXPECT_GT(checked, 20U) << name;
+  }
 }
 
 // A lone corner of the city's first thing that is a box: 0.19 m beyond it is near, 0.21 m is not.
