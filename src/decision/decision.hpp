@@ -26,6 +26,11 @@ enum class Class : std::uint8_t {
   kOccupied,           // occupied, not yet known by what
 };
 
+inline constexpr std::int32_t kSurenessCount = 8;
+[[nodiscard]] constexpr Class class_of(std::int8_t byte) {
+  return static_cast<Class>(byte / kSurenessCount);
+}
+
 // Classes of the map, one bit each; a sum is "one of them".
 inline constexpr std::uint8_t kBuilding = 1;
 inline constexpr std::uint8_t kRoad = 2;

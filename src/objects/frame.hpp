@@ -5,19 +5,11 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry/cell.hpp"
-#include "numeric/division.hpp"
 #include "objects/hit.hpp"
 #include "objects/plane.hpp"
 #include "window/area.hpp"
 
 namespace iog::objects {
-
-// The tile of the window that holds a cell.
-[[nodiscard]] constexpr window::TileNumber window_tile(geometry::Cell cell) {
-  return {numeric::div_floor(cell.x, window::kTileSide),
-          numeric::div_floor(cell.y, window::kTileSide)};
-}
 
 // Slices of a frame.
 inline constexpr std::size_t kMostSlices = 32;

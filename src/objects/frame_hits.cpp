@@ -4,6 +4,7 @@
 
 #include "numeric/division.hpp"
 #include "numeric/magnitude.hpp"
+#include "window/cell_place.hpp"
 
 namespace iog::objects {
 namespace {
@@ -27,8 +28,8 @@ static_assert(kRingShift + 5 == 3 * kDigitBits && kRings == 1U << 5);
 
 FrameHits::Left FrameHits::gather(const Frame& frame) {
   area_ = frame.area;
-  car_tile_ = window_tile({numeric::div_floor(frame.car.x_mm, geometry::kCellMm),
-                           numeric::div_floor(frame.car.y_mm, geometry::kCellMm)});
+  car_tile_ = window::window_tile({numeric::div_floor(frame.car.x_mm, geometry::kCellMm),
+                                   numeric::div_floor(frame.car.y_mm, geometry::kCellMm)});
   Left left;
   const std::size_t seen = collect(frame, left);
   sort(seen);
@@ -93,7 +94,7 @@ void FrameHits::sort(std::size_t count) {
 
 FrameHits::Key FrameHits::key_of(geometry::Cell cell, std::uint8_t slice) const {
   constexpr std::uint32_t kMask = geometry::kTileSide - 1;
-  const window::TileNumber tile = window_tile(cell);
+  const window::TileNumber tile = window::window_tile(cell);
   const std::int32_t away =
       std::max(numeric::magnitude(tile.a - car_tile_.a), numeric::magnitude(tile.b - car_tile_.b));
   const auto ring = static_cast<Key>(std::min<std::int32_t>(away, kRings - 1));

@@ -1,4 +1,4 @@
-// A hit of a frame: as it comes, and as it is kept while a frame is worked on.
+// A hit of a frame, as it is kept while the frame is worked on.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,11 @@
 #include "geometry/cell.hpp"
 #include "objects/name.hpp"
 #include "objects/plane.hpp"
+#include "window/hit.hpp"
 
 namespace iog::objects {
 
-// What hit a cell of the local frame in one slice of the frame.
-struct Hit {
-  geometry::Cell cell{};
-  std::uint8_t slice = 0;
-  friend constexpr bool operator==(const Hit&, const Hit&) = default;
-};
+using window::Hit;
 
 // No track, no cluster.
 inline constexpr std::int16_t kNobody = -1;

@@ -5,6 +5,7 @@
 #include "numeric/division.hpp"
 #include "numeric/magnitude.hpp"
 #include "objects/frame.hpp"
+#include "window/cell_place.hpp"
 
 namespace iog::objects {
 namespace {
@@ -74,7 +75,7 @@ std::uint32_t TileTracks::add(std::size_t track, const Bounds& bounds, const win
 }
 
 std::span<const std::uint8_t> TileTracks::near(geometry::Cell cell) const {
-  const Slots& tile = tiles_[window::slot_of(window_tile(cell))];
+  const Slots& tile = tiles_[window::slot_of(window::window_tile(cell))];
   return std::span(tile.slots).first(tile.count);
 }
 

@@ -13,6 +13,11 @@ class EightBytes {
 
   [[nodiscard]] static EightBytes none() { return EightBytes(0); }
 
+  // All of them the same.
+  [[nodiscard]] static constexpr EightBytes all(std::int8_t byte) {
+    return EightBytes(static_cast<std::uint8_t>(byte) * std::uint64_t{0x0101010101010101U});
+  }
+
   [[nodiscard]] static EightBytes load(const std::int8_t* from) {
     std::uint64_t word = 0;
     __builtin_memcpy(&word, from, sizeof word);
@@ -23,6 +28,10 @@ class EightBytes {
 
   [[nodiscard]] EightBytes bit_or(EightBytes other) const {
     return EightBytes(word_ | other.word_);
+  }
+
+  [[nodiscard]] EightBytes bit_and(EightBytes other) const {
+    return EightBytes(word_ & other.word_);
   }
 
   [[nodiscard]] EightBytes bit_xor(EightBytes other) const {
@@ -58,7 +67,7 @@ class EightBytes {
   static constexpr std::uint64_t kGather = 0x0102040810204080U;
   static_assert(std::endian::native == std::endian::little, "the first byte is the lowest");
 
-  explicit EightBytes(std::uint64_t word) : word_(word) {}
+  explicit constexpr EightBytes(std::uint64_t word) : word_(word) {}
 
   [[nodiscard]] static std::uint8_t gathered(std::uint64_t tops) {
     return static_cast<std::uint8_t>((tops >> 7) * kGather >> 56);

@@ -10,32 +10,11 @@
 #include "require/require.hpp"
 #include "window/eight_bytes.hpp"
 #include "window/look_up.hpp"
+#include "window/reach.hpp"
+#include "window/slice_hits.hpp"
 
 namespace iog::window {
 namespace {
-
-std::int32_t less(std::int32_t a) { return a < 0 ? a : 0; }
-std::int32_t more(std::int32_t a) { return a > 0 ? a : 0; }
-
-// The cells of one grid in which the centres of a rectangle of the other's cells lie at most: from
-// the image of its first cell to `low` and to `high`, both included.
-struct Reach {
-  FinePoint to_low;
-  FinePoint to_high;
-
-  static Reach of_square(std::int32_t side, FinePoint step) { return of(side, side, step); }
-  static Reach of(std::int32_t columns, std::int32_t rows, FinePoint step) {
-    const FinePoint across{(columns - 1) * step.x, (columns - 1) * step.y};
-    const FinePoint up{-(rows - 1) * step.y, (rows - 1) * step.x};
-    return {.to_low = {less(across.x) + less(up.x), less(across.y) + less(up.y)},
-            .to_high = {more(across.x) + more(up.x), more(across.y) + more(up.y)}};
-  }
-
-  [[nodiscard]] geometry::Cell low(FinePoint first) const { return along_x(first, to_low).cell(); }
-  [[nodiscard]] geometry::Cell high(FinePoint first) const {
-    return along_x(first, to_high).cell();
-  }
-};
 
 // Whether something is known in one of the grid's tiles that have a cell from low to high.
 bool is_known_between(const SliceCells& slice, geometry::Cell low, geometry::Cell high) {
@@ -248,69 +227,26 @@ void FrameEvidence::pull_tile(const SliceCells& slice, bool is_inside, FinePoint
 }
 
 void FrameEvidence::push(const Adding& adding, const Region& region) {
-  constexpr auto kSide = static_cast<std::int32_t>(geometry::kTilesPerSide);
-  const Reach reach = Reach::of_square(kTileSide, adding.to_window.step());
-  for (const std::uint16_t tile : adding.slice->hit_tiles()) {
-    const FinePoint first =
-        adding.to_window.exact({tile % kSide * kTileSide, tile / kSide * kTileSide});
-    if (region.meets(reach.low(first), reach.high(first))) {
-      push_tile(adding, tile, first, region);
-    }
-  }
+  for_each_hit(
+      *adding.slice, adding.to_window,
+      [&](geometry::Cell low, geometry::Cell high) { return region.meets(low, high); },
+      [&](geometry::Cell cell, std::int8_t byte) __attribute__((always_inline)) {
+        if (region.contains(cell)) {
+          push_hit(adding, cell, byte);
+        }
+      });
 }
 
-void FrameEvidence::push_tile(const Adding& adding, std::size_t tile, FinePoint first,
-                              const Region& region) {
-  const FinePoint step = adding.to_window.step();
-  const Reach reach = Reach::of(kTileSide, std::int32_t{kBandRows}, step);
-  const SliceCells& slice = *adding.slice;
-  FinePoint at_band = first;
-  for (std::size_t band = 0; band < geometry::kTileSide / kBandRows; ++band) {
-    if (slice.may_be_hit(tile, band) && region.meets(reach.low(at_band), reach.high(at_band))) {
-      const std::int8_t* const row =
-          slice.cells() + SliceCells::first_of(tile) + band * kBandRows * SliceCells::kStride;
-      push_band(row, at_band, adding, region);
-    }
-    at_band = {at_band.x - std::int32_t{kBandRows} * step.y,
-               at_band.y + std::int32_t{kBandRows} * step.x};
-  }
-}
-
-void FrameEvidence::push_band(const std::int8_t* row, FinePoint at_row, const Adding& adding,
-                              const Region& region) {
-  const FinePoint step = adding.to_window.step();
-  const FinePoint eight_steps{kEight * step.x, kEight * step.y};
-  for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y, row += SliceCells::kStride) {
-    FinePoint at = at_row;
-    for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
-      if (EightBytes::load(row + x).has_positive()) {
-        push_eight(row + x, at, adding, region);
-      }
-      at = along_x(at, eight_steps);
-    }
-    at_row = along_y(at_row, step);
-  }
-}
-
-void FrameEvidence::push_eight(const std::int8_t* indexes, FinePoint first, const Adding& adding,
-                               const Region& region) {
-  const FinePoint step = adding.to_window.step();
-  for (std::uint32_t left = EightBytes::load(indexes).positive(); left != 0; left &= left - 1) {
-    const int i = std::countr_zero(left);
-    const geometry::Cell cell = FinePoint{first.x + i * step.x, first.y + i * step.y}.cell();
-    if (!region.contains(cell)) {
-      continue;
-    }
-    const std::size_t slot =
-        adding.slot_at({cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2});
-    constexpr std::uint32_t kInTile = kTileSide - 1;
-    const auto x = static_cast<std::uint32_t>(cell.x) & kInTile;
-    const auto y = static_cast<std::uint32_t>(cell.y) & kInTile;
-    is_touched_[slot] = true;
-    has_hit_[slot] = true;
-    join_hit(index_of(indexes[i]), cells_[slot][y * geometry::kTileSide + x]);
-    tall_[slot][y] |= (is_tall(indexes[i]) ? 1U : 0U) << x;
-  }
+void FrameEvidence::push_hit(const Adding& adding, geometry::Cell cell, std::int8_t byte) {
+  const std::size_t slot =
+      adding.slot_at({cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2});
+  constexpr std::uint32_t kInTile = kTileSide - 1;
+  const auto x = static_cast<std::uint32_t>(cell.x) & kInTile;
+  const auto y = static_cast<std::uint32_t>(cell.y) & kInTile;
+  is_touched_[slot] = true;
+  has_hit_[slot] = true;
+  join_hit(index_of(byte), cells_[slot][y * geometry::kTileSide + x]);
+  tall_[slot][y] |= (is_tall(byte) ? 1U : 0U) << x;
 }
 
 }  // namespace iog::window

@@ -34,6 +34,7 @@ namespace iog::window {
 struct PlacedCells {
   const SliceCells* cells = nullptr;
   Placement at{};
+  std::uint8_t number = 0;  // of the slice in its frame
 };
 
 class FrameEvidence {
@@ -141,11 +142,7 @@ class FrameEvidence {
   void pull_tile(const SliceCells& slice, bool is_inside, FinePoint first, FinePoint step,
                  std::size_t slot);
   void push(const Adding& adding, const Region& region);
-  void push_tile(const Adding& adding, std::size_t tile, FinePoint first, const Region& region);
-  void push_band(const std::int8_t* row, FinePoint at_row, const Adding& adding,
-                 const Region& region);
-  void push_eight(const std::int8_t* indexes, FinePoint first, const Adding& adding,
-                  const Region& region);
+  void push_hit(const Adding& adding, geometry::Cell cell, std::int8_t byte);
 
   alignas(32) std::array<TileIndexes, kSlotCount> cells_{};
   std::array<Plane, kSlotCount> tall_{};

@@ -4,6 +4,15 @@
 #include "work/before_images.hpp"
 
 namespace iog::window {
+namespace {
+
+void name_by_masses(Tile& tile, std::size_t group) {
+  constexpr evidence::Indexes kNoEvidence{};
+  static_cast<void>(decision::decide(tile.free[group], tile.taken[group], tile.ruled_out[group],
+                                     kNoEvidence, tile.decided[group]));
+}
+
+}  // namespace
 
 void Window::follow(geometry::Cell vehicle) {
   const Area next = is_centred_ ? area_.following(vehicle) : Area::around(vehicle);
@@ -32,14 +41,18 @@ void Window::rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
 
 // A cell without a class has none whatever the map says, so that most masses need not be read.
 void Window::rename(Tile& tile, const TileRuledOut& ruled_out) {
-  constexpr evidence::Indexes kNoEvidence{};
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    decision::Decided& decided = tile.decided[group];
+    const decision::Decided& decided = tile.decided[group];
     if (tile.ruled_out[group] != ruled_out[group] && !EightBytes::load(decided.data()).is_zero()) {
       tile.ruled_out[group] = ruled_out[group];
-      static_cast<void>(decision::decide(tile.free[group], tile.taken[group], tile.ruled_out[group],
-                                         kNoEvidence, decided));
+      name_by_masses(tile, group);
     }
+  }
+}
+
+void Window::name_anew(std::size_t slot, std::size_t group) {
+  if (is_known_[slot] && tiles_[slot].is_known(group)) {
+    name_by_masses(tiles_[slot], group);
   }
 }
 

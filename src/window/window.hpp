@@ -42,6 +42,9 @@ class Window {
   // its cells are renamed, by the masses of when they were decided. Nothing else changes.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
+  // What the cells of a group are called is again what their masses say, of when it was decided.
+  void name_anew(std::size_t slot, std::size_t group);
+
   // Of the tile at a slot and of those around it what `plane_of` gives, where is_there(slot) says
   // that it is; outside of the window, and where it is not, no bit is set.
   template <typename IsThere, typename PlaneOf>

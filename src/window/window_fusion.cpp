@@ -45,8 +45,9 @@ EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
 
 }  // namespace
 
-WindowFusion::WindowFusion(const Rules& rules)
+WindowFusion::WindowFusion(const Rules& rules, bool lists_hits)
     : rules_(rules),
+      lists_hits_(lists_hits),
       clock_(rules.discounting, rules.weighing),
       arrivals_(rules.is_opened_from_below) {}
 
@@ -69,6 +70,9 @@ void WindowFusion::add(std::span<const PlacedCells> slices, const work::Crew& cr
   }
   if (count > 0) {
     evidence_.add(std::span(inside).first(count), window_.area(), crew);
+    if (lists_hits_) {
+      hits_.add(std::span(inside).first(count), window_.area());
+    }
     counts_.slices += static_cast<std::uint32_t>(count);
   }
 }
@@ -76,24 +80,30 @@ void WindowFusion::add(std::span<const PlacedCells> slices, const work::Crew& cr
 void WindowFusion::forget() {
   window_.forget();
   evidence_.clear();
+  hits_.clear();
   counts_ = {};
   frames_ = 0;
 }
 
-FrameCounts WindowFusion::finish(std::uint64_t stamp_us, const work::Crew& crew) {
+void WindowFusion::decide(std::uint64_t stamp_us, const work::Crew& crew) {
   if (!is_frame(stamp_us)) {
-    return std::exchange(counts_, {});
+    return;
   }
+  names_.take_back(window_);
   newest_us_ = std::max(newest_us_, stamp_us);
   clock_.advance(newest_us_);
   frames_ += window_.is_centred() ? 1U : 0U;
   find_arrivals(crew);
   update_tiles(crew);
   add_up();
+}
+
+FrameCounts WindowFusion::end_frame(const work::Crew& crew) {
   if (counts_.slices > 0) {
     ++fused_frames_;
     end_tiles(crew);
   }
+  hits_.clear();
   return std::exchange(counts_, {});
 }
 

@@ -6,7 +6,8 @@
 //   2. groups with evidence age, take it in, and are decided;
 //   3. the tiles of which slot and number of frames, since the first that was placed, are a
 //   multiple of 8 in sum are refreshed: its other groups age and are decided without evidence;
-//   4. if a slice was placed, the frame counts as fused, and the tiles of which slot and number of
+//   4. who follows things names what moves (window/moving_names.hpp);
+//   5. if a slice was placed, the frame counts as fused, and the tiles of which slot and number of
 //      fused frames, this one included, are even in sum remember their ground.
 // Nothing depends on the order of slices or tiles.
 //
@@ -27,6 +28,8 @@
 #include "pose/pose.hpp"
 #include "window/arrivals.hpp"
 #include "window/frame_evidence.hpp"
+#include "window/hit_list.hpp"
+#include "window/moving_names.hpp"
 #include "window/opening.hpp"
 #include "window/placement.hpp"
 #include "window/rules.hpp"
@@ -61,7 +64,8 @@ struct FrameCounts {
 class WindowFusion {
  public:
   // Not constexpr: in static memory it is set up at start-up, not carried by the image.
-  explicit WindowFusion(const Rules& rules = {});
+  // lists_hits: the hits of a frame are kept as a list, too.
+  explicit WindowFusion(const Rules& rules = {}, bool lists_hits = false);
   WindowFusion(const WindowFusion&) = delete;
   WindowFusion& operator=(const WindowFusion&) = delete;
 
@@ -74,7 +78,25 @@ class WindowFusion {
 
   // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts
   // as the newest. A frame without slices and without time changes nothing and is none.
-  FrameCounts finish(std::uint64_t stamp_us, const work::Crew& crew = work::Crew());
+  FrameCounts finish(std::uint64_t stamp_us, const work::Crew& crew = work::Crew()) {
+    decide(stamp_us, crew);
+    return end_frame(crew);
+  }
+  // The two steps of it, steps 1 to 3 and step 5. Between them it is asked what follows, and named.
+  void decide(std::uint64_t stamp_us, const work::Crew& crew);
+  FrameCounts end_frame(const work::Crew& crew);
+
+  // The hits of the frame, if they are listed, and how many had no room.
+  [[nodiscard]] std::span<const Hit> hits() const { return hits_.all(); }
+  [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
+  // As MovingNames.
+  void name_moving(geometry::Cell cell, std::uint8_t sureness) {
+    names_.give(cell, sureness, window_);
+  }
+  template <typename IsHeld>
+  void withdraw_moving(IsHeld&& is_held) {
+    names_.withdraw(evidence_, window_, is_held);
+  }
 
   // What the map rules out in the tile at a slot: see Window. Names alone follow, and at once.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
@@ -194,7 +216,10 @@ class WindowFusion {
   work::BeforeImages<GroundBefore> ground_before_;
   FrameEvidence evidence_;
   Window window_;
+  HitList hits_;
+  MovingNames names_;
   Rules rules_;
+  bool lists_hits_;
   ageing::Clock clock_;
   std::uint32_t frames_ = 0;
   std::uint32_t fused_frames_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "window/cell_place.hpp"
 #include "window/eight_bytes.hpp"
 
 namespace iog::window {
@@ -26,6 +27,18 @@ bool WindowView::copy_classes(std::size_t slot,
     std::ranges::fill(to, std::int8_t{0});
   }
   return classes.has_value();
+}
+
+std::int8_t WindowView::name_of(geometry::Cell cell) const {
+  const CellPlace at = place_of(cell);
+  return area().contains(cell) && is_known(at.slot)
+             ? tile(at.slot).decided[at.group()][at.in_group()]
+             : std::int8_t{0};
+}
+
+bool WindowView::is_open(geometry::Cell cell) const {
+  const CellPlace at = place_of(cell);
+  return area().contains(cell) && is_known(at.slot) && at.is_in(tile(at.slot).ground.open);
 }
 
 }  // namespace iog::window

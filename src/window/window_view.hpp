@@ -41,6 +41,11 @@ class WindowView {
   // A copy of them. False if no cell has a class: all are 0 then.
   bool copy_classes(std::size_t slot, std::span<std::int8_t, geometry::kTileCells> to) const;
 
+  // The class byte of a cell of the local frame; 0 outside of the window.
+  [[nodiscard]] std::int8_t name_of(geometry::Cell cell) const;
+  // Whether it is remembered that the ground there was open.
+  [[nodiscard]] bool is_open(geometry::Cell cell) const;
+
   // How many frames ago the oldest of them was decided. Of a tile that is known.
   [[nodiscard]] std::uint8_t age_frames(std::size_t slot) const {
     return clock_->frames_since((*refreshed_)[slot]);

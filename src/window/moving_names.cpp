@@ -1,0 +1,48 @@
+#include "window/moving_names.hpp"
+
+#include <algorithm>
+
+namespace iog::window {
+namespace {
+
+constexpr auto kMoving =
+    static_cast<std::int8_t>(decision::kSurenessCount * static_cast<int>(decision::Class::kMoving));
+
+}  // namespace
+
+std::uint8_t MovingNames::moving_of(const decision::Decided& decided) {
+  constexpr EightBytes kClassBits = EightBytes::all(-decision::kSurenessCount);
+  constexpr EightBytes kClass = EightBytes::all(kMoving);
+  const EightBytes differs = EightBytes::load(decided.data()).bit_and(kClassBits).bit_xor(kClass);
+  return static_cast<std::uint8_t>(~differs.positive());
+}
+
+void MovingNames::take_back(Window& window) {
+  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    if (!is_changed_[slot]) {
+      continue;
+    }
+    for (std::size_t word = 0; word < changed_[slot].size(); ++word) {
+      for (std::uint32_t left = changed_[slot][word]; left != 0; left &= left - 1) {
+        window.name_anew(slot,
+                         word * kGroupsPerWord + static_cast<std::size_t>(std::countr_zero(left)));
+      }
+    }
+    changed_[slot] = {};
+    is_changed_[slot] = false;
+  }
+}
+
+void MovingNames::give(geometry::Cell cell, std::uint8_t sureness, Window& window) {
+  const CellPlace at = place_of(cell);
+  if (!window.is_known(at.slot) || !window.tile(at.slot).is_known(at.group())) {
+    return;
+  }
+  std::int8_t& byte = window.open(at.slot).decided[at.group()][at.in_group()];
+  const bool is_moving = decision::class_of(byte) == decision::Class::kMoving;
+  const auto named = static_cast<std::int8_t>(kMoving + sureness);
+  byte = is_moving ? std::max(byte, named) : named;
+  note(at.slot, at.group());
+}
+
+}  // namespace iog::window

@@ -1,0 +1,34 @@
+// How far the images of a rectangle of cells reach in the other grid.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "geometry/cell.hpp"
+#include "window/placement.hpp"
+
+namespace iog::window {
+
+// The cells of one grid in which the centres of a rectangle of the other's cells lie at most: from
+// the image of its first cell to `low` and to `high`, both included.
+struct Reach {
+  FinePoint to_low;
+  FinePoint to_high;
+
+  static Reach of_square(std::int32_t side, FinePoint step) { return of(side, side, step); }
+  static Reach of(std::int32_t columns, std::int32_t rows, FinePoint step) {
+    const FinePoint across{(columns - 1) * step.x, (columns - 1) * step.y};
+    const FinePoint up{-(rows - 1) * step.y, (rows - 1) * step.x};
+    return {.to_low = {std::min(across.x, 0) + std::min(up.x, 0),
+                       std::min(across.y, 0) + std::min(up.y, 0)},
+            .to_high = {std::max(across.x, 0) + std::max(up.x, 0),
+                        std::max(across.y, 0) + std::max(up.y, 0)}};
+  }
+
+  [[nodiscard]] geometry::Cell low(FinePoint first) const { return along_x(first, to_low).cell(); }
+  [[nodiscard]] geometry::Cell high(FinePoint first) const {
+    return along_x(first, to_high).cell();
+  }
+};
+
+}  // namespace iog::window
