@@ -61,6 +61,7 @@ class Perceiver {
   [[nodiscard]] bool has_fused_newest() const { return has_fused_newest_; }
   // Of the newest frame.
   [[nodiscard]] const app::PerceptionReport& report() const { return report_; }
+  [[nodiscard]] const objects::Tracker& objects() const { return engine_->objects(); }
   [[nodiscard]] const window::Area& area() const { return engine_->classes().area(); }
   [[nodiscard]] std::vector<std::int8_t> classes() const;
 

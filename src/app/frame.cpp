@@ -56,6 +56,7 @@ FrameReport Frame::report(std::uint64_t now_us) const {
                      .vehicle_id = vehicle_->id,
                      .rule = vehicle_->rule,
                      .grids = vehicle_->grids,
+                     .has_objects = vehicle_->has_objects,
                      .sensor_count = vehicle_->sensors.size(),
                      .packets_fused = intake_.packets_accepted(),
                      .packets_dropped = intake_.packets_dropped(),

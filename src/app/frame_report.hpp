@@ -30,6 +30,7 @@ struct FrameReport {
   std::uint32_t vehicle_id = 0;  // Vehicle::id
   vehicle::FusionRule rule = vehicle::FusionRule::kHitsWin;
   vehicle::Grids grids = vehicle::Grids::kIndexes;  // that its vehicle asks for
+  bool has_objects = false;                         // likewise
 
   std::size_t sensor_count = 0;
   std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};

@@ -20,7 +20,7 @@ Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
 PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
                                    HelpersSpace space)
     : fusion_(vehicle, space),
-      window_(vehicle.window),
+      window_(vehicle.window, vehicle.has_objects),
       maps_(vehicle.maps, replayer_ipv4),
       frame_(vehicle, replayer_ipv4),
       poses_(vehicle.poses, replayer_ipv4),
@@ -78,6 +78,7 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   is_forgotten_ = std::exchange(epoch_, poses_.epoch()) != poses_.epoch();
   if (is_forgotten_) {
     window_.forget();
+    follower_.forget();
     contradiction_.clear();
   }
   clock_.end_frame(time_us, is_forgotten_, now_us);
@@ -88,6 +89,8 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
     window_.follow(last.pose);
   }
   end_ = time_us ? poses_.pose_at(*time_us) : pose::Placed{};
+  const std::uint64_t half_us = std::uint64_t{500} << vehicle_->poses.log2_slice_ms;
+  objects_us_ = vehicle_->has_objects && time_us && *time_us > half_us ? *time_us - half_us : 0;
   causes_before_ = std::exchange(causes_, poses_.cause_counts());
 }
 
@@ -123,7 +126,8 @@ void PerceptionEngine::place_slices(const work::Crew& crew) {
     std::array<window::PlacedCells, window::FrameEvidence::kMostAtOnce> placed;
     for (std::size_t i = 0; i < fused.size(); ++i) {
       const pose::Pose& pose = slices_.placed()[fused[i].group].pose;
-      placed[i] = {.cells = fused[i].cells, .at = window::placement_of(pose)};
+      placed[i] = {
+          .cells = fused[i].cells, .at = window::placement_of(pose), .number = fused[i].group};
     }
     window_.add(std::span(placed).first(fused.size()), crew);
   }
@@ -141,6 +145,16 @@ void PerceptionEngine::lay_map() {
   }
 }
 
+// A frame without slices counts, too: what is not hit any more ends.
+void PerceptionEngine::follow_objects() {
+  object_counts_ = {};
+  if (objects_us_ != 0) {
+    const std::span<const PlacedSlice> placed = slices_.placed();
+    object_counts_ = follower_.follow(objects_us_, placed,
+                                      placed.empty() ? end_.pose : placed.back().pose, window_);
+  }
+}
+
 PerceptionReport PerceptionEngine::perception() const {
   PerceptionReport report{.number = frame_.number(),
                           .stamp_us = clock_.stamp_us(),
@@ -153,6 +167,8 @@ PerceptionReport PerceptionEngine::perception() const {
                           .packets_placed = slices_.packets_placed(),
                           .packets_not_placed = slices_.packets_not_placed(),
                           .window = counts_,
+                          .objects_us = objects_us_,
+                          .objects = object_counts_,
                           .map = layer_.report(),
                           .pose_fates = poses_.fates(),
                           .slice_causes = causes_.slices,

@@ -21,6 +21,7 @@
 #include "app/frame_packets.hpp"
 #include "app/frame_slices.hpp"
 #include "app/fused_slices.hpp"
+#include "app/object_follower.hpp"
 #include "app/perception_report.hpp"
 #include "app/shared_fusion.hpp"
 #include "map/delivery.hpp"
@@ -85,7 +86,9 @@ class PerceptionEngine {
     }
     fusion_.end_frame(frame_);
     lay_map();
-    counts_ = window_.finish(clock_.stamp_us(), crew);
+    window_.decide(clock_.stamp_us(), crew);
+    follow_objects();
+    counts_ = window_.end_frame(crew);
     contradiction_.add(counts_.standing);
     lap(&stream::StageTicks::perceive);
   }
@@ -94,6 +97,8 @@ class PerceptionEngine {
   [[nodiscard]] PerceptionReport perception() const;
   // The classes, valid until the next finish().
   [[nodiscard]] window::WindowView classes() const { return window_.view(); }
+  // The things with a speed, likewise; none if the car's description switches them off.
+  [[nodiscard]] const objects::Tracker& objects() const { return follower_.tracker(); }
   template <typename Visit>
   void release(Visit&& visit) {
     fusion_.release(visit);
@@ -111,7 +116,8 @@ class PerceptionEngine {
       join_group(i);
       lap(&stream::StageTicks::mark);
       const window::PlacedCells slice{.cells = &fused_.one(),
-                                      .at = window::placement_of(placed[i].pose)};
+                                      .at = window::placement_of(placed[i].pose),
+                                      .number = static_cast<std::uint8_t>(i)};
       window_.add(std::span(&slice, 1));
       lap(&stream::StageTicks::perceive);
     }
@@ -139,11 +145,13 @@ class PerceptionEngine {
   void join_group(std::size_t group);
   void place_slices(const work::Crew& crew);
   void lay_map();
+  void follow_objects();
 
   // What is aligned to a cache line comes first.
   SharedFusion fusion_;  // core 0's own holds one slice after the other
   FusedSlices fused_;
   window::WindowFusion window_;
+  ObjectFollower follower_;
   map::Delivery maps_;
   map::Layer layer_;
   Frame frame_;
@@ -159,6 +167,8 @@ class PerceptionEngine {
   pose::CauseCounts causes_{};  // since start, and those before the frame
   pose::CauseCounts causes_before_{};
   pose::Placed end_{};
+  std::uint64_t objects_us_ = 0;  // the middle of its last slice; 0: it has no time
+  objects::FrameCounts object_counts_{};
   window::FrameCounts counts_{};
 };
 

@@ -8,6 +8,7 @@
 
 #include "map/delivery.hpp"
 #include "map/layer_report.hpp"
+#include "objects/tracker.hpp"
 #include "pose/fate.hpp"
 #include "pose/history.hpp"
 #include "pose/pose.hpp"
@@ -46,7 +47,11 @@ struct PerceptionReport {
   std::uint32_t packets_placed = 0;              // of this frame
   std::uint32_t packets_not_placed = 0;
   window::FrameCounts window{};  // of this frame
-  map::LayerReport map{};        // of this frame, but for what counts since start
+  // Things with a speed. When they were where they are, by the clock of the poses; 0: nothing is
+  // known of them.
+  std::uint64_t objects_us = 0;
+  objects::FrameCounts objects{};  // of this frame
+  map::LayerReport map{};          // of this frame, but for what counts since start
 
   std::array<std::uint32_t, pose::kFateCount> pose_fates{};     // messages, since start
   std::array<std::uint32_t, pose::kCauseCount> slice_causes{};  // slices, since start

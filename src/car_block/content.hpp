@@ -81,7 +81,7 @@ void visit_car(auto& content, auto& car) {
   content.below(2, car.rule);
   content.below(2, car.quantisation);
   content.numbers(car.frame_period_us);
-  content.below(3, car.grids);
+  content.grids_and_objects(car.grids, car.has_objects);
   content.numbers(car.poses.source_ipv4, car.poses.udp_port, car.poses.log2_slice_ms);
   content.numbers(car.maps.source_ipv4, car.maps.udp_port);
   visit_window(content, car.window);
@@ -121,6 +121,11 @@ class Writer {
     if (moved.are_given()) {
       numbers(moved.low_mm, moved.tall_mm);
     }
+  }
+  // A bit says that nothing is followed although there are classes.
+  void grids_and_objects(vehicle::Grids grids, bool has_objects) {
+    const bool is_off = vehicle::have_classes(grids) && !has_objects;
+    number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));
   }
   void below(unsigned /*count*/, auto value) { number(static_cast<std::uint8_t>(value)); }
   void text(std::string_view text) {

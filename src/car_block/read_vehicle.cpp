@@ -42,6 +42,14 @@ class Reader {
     value = static_cast<Value>(read);
   }
   void truth(bool& value) { below(2, value); }
+  void grids_and_objects(vehicle::Grids& grids, bool& has_objects) {
+    unsigned bits = 0;
+    below(8, bits);
+    grids = static_cast<vehicle::Grids>(bits & 3U);
+    const bool is_off = (bits & 4U) != 0;
+    demand(grids <= vehicle::Grids::kBoth && (!is_off || vehicle::have_classes(grids)));
+    has_objects = vehicle::have_classes(grids) && !is_off;
+  }
   void shares_and_heights(bool& layers_share_lines, vehicle::GroundLimits& ground,
                           vehicle::MovedLimits& moved) {
     unsigned bits = 0;

@@ -101,6 +101,7 @@ struct Description {
   pose::SourceDescription poses{};  // who says where the vehicle is
   map::SourceDescription maps{};    // who sends maps
   window::Rules window{};           // how evidence becomes classes
+  bool objects = true;              // whether things with a speed are followed (docs/objects.md)
 };
 
 }  // namespace iog::description

@@ -259,6 +259,7 @@ Vehicle numbers_of(const Description& car, std::span<const Sensor> sensors) {
           .quantisation = car.quantisation,
           .frame_period_us = car.frame_period_us,
           .grids = car.grids,
+          .has_objects = car.objects && vehicle::have_classes(car.grids),
           .poses = car.poses,
           .maps = car.maps,
           .window = car.window};

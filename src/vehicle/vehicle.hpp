@@ -192,6 +192,7 @@ struct Vehicle {
   index::Quantisation quantisation = index::Quantisation::kBlurring;
   std::uint32_t frame_period_us = 0;
   Grids grids = Grids::kIndexes;
+  bool has_objects = false;  // things with a speed on the grid of classes (docs/objects.md)
   pose::SourceDescription poses{};
   map::SourceDescription maps{};
   window::Rules window{};

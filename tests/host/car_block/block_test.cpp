@@ -34,6 +34,7 @@ TEST(CarBlock, EachCarComesBackAsItIs) {
     EXPECT_EQ(car.name, written.vehicle.name);
     EXPECT_EQ(car.id, written.vehicle.id);
     EXPECT_EQ(car.id, identity_of(car));
+    EXPECT_EQ(car.has_objects, vehicle::have_classes(car.grids));
     EXPECT_EQ(car.window.assignment, written.vehicle.window.assignment);
     ASSERT_EQ(car.sensors.size(), written.vehicle.sensors.size());
     for (std::size_t i = 0; i < car.sensors.size(); ++i) {

@@ -45,6 +45,7 @@ Vehicle car() {
   car.rule = FusionRule::kBayes;
   car.frame_period_us = 40'000;
   car.grids = Grids::kBoth;
+  car.has_objects = true;
   car.poses = {.source_ipv4 = 7, .udp_port = 8, .log2_slice_ms = 3};
   car.maps = {.source_ipv4 = 9, .udp_port = 10};
   car.window.group_budget = 11;
@@ -88,6 +89,22 @@ TEST(Identity, HasTheSensorsToo) {
   bytes.number(1, 1).number(2, -25).number(2, 26).number(2, 0).number(4, 0);
   bytes.number(4, 0).number(8, 0).number(8, 0);  // an empty profile of 8 near cells on each side
   EXPECT_EQ(identity_of(with), crc_of(bytes.all));
+}
+
+// Of a car that follows things where it can, and of one that has no classes, it is as it was before
+// any could.
+TEST(Identity, HasThatNothingIsFollowed) {
+  const auto byte_with = [](Grids grids, bool has_objects) {
+    std::vector<std::uint8_t> bytes;
+    content_detail::Writer out([&](std::uint8_t byte) { bytes.push_back(byte); });
+    out.grids_and_objects(grids, has_objects);
+    return bytes;
+  };
+  EXPECT_EQ(byte_with(Grids::kIndexes, false), (std::vector<std::uint8_t>{0}));
+  EXPECT_EQ(byte_with(Grids::kClasses, true), (std::vector<std::uint8_t>{1}));
+  EXPECT_EQ(byte_with(Grids::kClasses, false), (std::vector<std::uint8_t>{5}));
+  EXPECT_EQ(byte_with(Grids::kBoth, true), (std::vector<std::uint8_t>{2}));
+  EXPECT_EQ(byte_with(Grids::kBoth, false), (std::vector<std::uint8_t>{6}));
 }
 
 // Of one that has neither, the bytes are what they were before any could.

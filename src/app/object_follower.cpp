@@ -1,0 +1,61 @@
+#include "app/object_follower.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace iog::app {
+namespace {
+
+class NamesOf {
+ public:
+  explicit NamesOf(const window::WindowView& window) : window_(window) {}
+
+  [[nodiscard]] objects::Name name_of(geometry::Cell cell) const {
+    return objects::name_of(decision::class_of(window_.name_of(cell)));
+  }
+  [[nodiscard]] bool is_open(geometry::Cell cell) const { return window_.is_open(cell); }
+
+ private:
+  window::WindowView window_;
+};
+
+// The surer the track, the surer the name: 1 ... 7.
+std::uint8_t sureness_of(const objects::Track& track) {
+  return static_cast<std::uint8_t>(std::min<std::int32_t>(track.confidence / 2 + 1, 7));
+}
+
+}  // namespace
+
+objects::FrameCounts ObjectFollower::follow(std::uint64_t end_us,
+                                            std::span<const PlacedSlice> slices,
+                                            const pose::Pose& car, window::WindowFusion& window) {
+  std::array<std::uint8_t, objects::kMostSlices> ages_ms{};
+  const std::size_t count = std::min(slices.size(), ages_ms.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t middle_us = std::min(slices[i].slice.middle_us, end_us);
+    ages_ms[i] =
+        static_cast<std::uint8_t>(std::min<std::uint64_t>((end_us - middle_us) / 1000, 0xFF));
+  }
+  const NamesOf names(window.view());
+  objects::FrameCounts counts = tracker_.add({.end_us = end_us,
+                                              .car = {car.x_mm, car.y_mm},
+                                              .area = window.view().area(),
+                                              .ages_ms = std::span(ages_ms).first(count),
+                                              .hits = window.hits()},
+                                             objects::GridNames(names));
+  counts.hits.beyond += window.hits_left();
+  name(window);
+  return counts;
+}
+
+void ObjectFollower::name(window::WindowFusion& window) const {
+  for (const objects::FrameHit& hit : tracker_.hits()) {
+    if (tracker_.is_moving(hit)) {
+      const auto owner = static_cast<std::size_t>(hit.owner);
+      window.name_moving(hit.cell, sureness_of(tracker_.tracks()[owner]));
+    }
+  }
+  window.withdraw_moving([this](geometry::Cell cell) { return tracker_.is_in_moving_box(cell); });
+}
+
+}  // namespace iog::app

@@ -1,0 +1,34 @@
+// Things with a speed on the perception grid: the hits and names of a frame go to the tracker, and
+// what it says of names goes back (docs/objects.md).
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "app/perception_report.hpp"
+#include "objects/tracker.hpp"
+#include "pose/pose.hpp"
+#include "window/window_fusion.hpp"
+
+namespace iog::app {
+
+// Holds 2 MB: belongs into static memory.
+class ObjectFollower {
+ public:
+  // A frame whose classes are decided and which has not ended. end_us: the middle of its last slice
+  // by the clock of the poses; slices: those that were placed; car: its place then.
+  objects::FrameCounts follow(std::uint64_t end_us, std::span<const PlacedSlice> slices,
+                              const pose::Pose& car, window::WindowFusion& window);
+
+  // The window has lost its place.
+  void forget() { tracker_.forget(); }
+
+  [[nodiscard]] const objects::Tracker& tracker() const { return tracker_; }
+
+ private:
+  void name(window::WindowFusion& window) const;
+
+  objects::Tracker tracker_;
+};
+
+}  // namespace iog::app
