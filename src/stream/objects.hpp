@@ -82,6 +82,7 @@ struct ObjectList {
   std::uint16_t count = 0;
   std::array<ObjectRecord, kMaxObjects> records{};
 
+  [[nodiscard]] constexpr bool has_place() const { return time_us != 0; }
   [[nodiscard]] constexpr std::span<const ObjectRecord> all() const {
     return std::span(records).first(count);
   }

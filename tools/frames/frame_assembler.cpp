@@ -16,9 +16,9 @@ constexpr protection::Supervision kSupervision{.window = 30,
                                                .invalid = {.min_ok = 15, .max_errors = 5}};
 static_assert(kSupervision.is_valid());
 
-// Which grids the frame has.
-constexpr unsigned grids_of(const stream::Header& header) {
-  return header.flags & (stream::kFlagClasses | stream::kFlagNoIndexes);
+// What the frame has.
+constexpr unsigned contents_of(const stream::Header& header) {
+  return header.flags & (stream::kFlagClasses | stream::kFlagNoIndexes | stream::kFlagObjects);
 }
 
 }  // namespace
@@ -178,7 +178,7 @@ FrameAssembler::WaitingFrame& FrameAssembler::frame_of(const stream::Header& hea
 FrameAssembler::Fate FrameAssembler::take_body(const stream::Header& header,
                                                std::span<const std::byte> body) {
   WaitingFrame& waiting = frame_of(header);
-  if (grids_of(header) != grids_of(waiting.frame.header)) {
+  if (contents_of(header) != contents_of(waiting.frame.header)) {
     return &MessageCounts::malformed;
   }
   switch (header.type) {
@@ -189,8 +189,9 @@ FrameAssembler::Fate FrameAssembler::take_body(const stream::Header& header,
     case stream::MessageType::kClassEnd:
       return take_class_end(waiting, body);
     case stream::MessageType::kObjects:
+      return take_objects(waiting, body);
     case stream::MessageType::kCarRefused:
-      break;  // the one is not shown yet, the other is of no frame
+      break;  // of no frame
   }
   return &MessageCounts::not_understood;
 }
@@ -230,6 +231,15 @@ FrameAssembler::Fate FrameAssembler::take_class_end(WaitingFrame& waiting,
   waiting.frame.classes->end = end;
   waiting.frame.classes->has_end = true;
   return &MessageCounts::messages;
+}
+
+FrameAssembler::Fate FrameAssembler::take_objects(WaitingFrame& waiting,
+                                                  std::span<const std::byte> body) {
+  stream::ObjectPart part;
+  const bool is_taken = waiting.frame.header.has_objects() &&
+                        stream::read_objects(body, part) == stream::ReadStatus::kOk &&
+                        waiting.objects.take(part);
+  return is_taken ? &MessageCounts::messages : &MessageCounts::malformed;
 }
 
 FrameAssembler::Fate FrameAssembler::take_end(WaitingFrame& waiting, const stream::Header& header,
@@ -319,6 +329,7 @@ void FrameAssembler::hand_over_first() {
     decode_classes(waiting);
     take_back_if_damaged(*waiting.frame.classes);
   }
+  waiting.frame.objects = waiting.objects.list();
   if (waiting.frame.header.has_evidence()) {
     waiting.frame.evidence_number = evidence_frames_++;
   }

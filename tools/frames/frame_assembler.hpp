@@ -1,6 +1,6 @@
 // Puts frames together from the messages of one target, whatever the network did to them. It knows
-// no socket and no clock. A frame has a grid of occupancy indexes, one of classes, or both; which,
-// each of its messages says.
+// no socket and no clock. A frame has a grid of occupancy indexes, one of classes, or both, and
+// maybe objects; which, each of its messages says.
 //
 // A message whose CRC is right is used where it says itself: its frame, its number and the tiles
 // that it speaks of decide. So a message that comes late or twice is used once and in its place, or
@@ -26,6 +26,7 @@
 #include "stream/tiles.hpp"
 #include "tools/frames/grid_frame.hpp"
 #include "tools/frames/message_counts.hpp"
+#include "tools/frames/object_parts.hpp"
 #include "tools/frames/run_watch.hpp"
 #include "tools/frames/sequence_watch.hpp"
 #include "tools/frames/tile_messages.hpp"
@@ -81,12 +82,14 @@ class FrameAssembler {
     GridFrame frame;
     TileMessages indexes;
     TileMessages classes;
+    ObjectParts objects;
     bool has_window = false;  // of classes: the first message about them has come
 
     [[nodiscard]] bool is_complete() const {
       const bool has_indexes = !frame.header.has_indexes() || indexes.are_complete();
       const bool has_classes = !frame.classes || (frame.classes->has_end && classes.are_complete());
-      return frame.has_end && has_indexes && has_classes;
+      const bool has_objects = !frame.header.has_objects() || objects.are_complete();
+      return frame.has_end && has_indexes && has_classes && has_objects;
     }
     // Whether the window is that of the frame's other messages.
     [[nodiscard]] bool agree_on(const stream::ClassWindow& window);
@@ -108,6 +111,7 @@ class FrameAssembler {
                                              const stream::TilesHeader& tiles,
                                              std::span<const std::byte> body);
   [[nodiscard]] static Fate take_class_end(WaitingFrame& waiting, std::span<const std::byte> body);
+  [[nodiscard]] static Fate take_objects(WaitingFrame& waiting, std::span<const std::byte> body);
   [[nodiscard]] static Fate take_end(WaitingFrame& waiting, const stream::Header& header,
                                      std::span<const std::byte> body);
   WaitingFrame& frame_of(const stream::Header& header);

@@ -11,6 +11,7 @@
 #include "geometry/grid.hpp"
 #include "grid/frame_fusion.hpp"
 #include "stream/message.hpp"
+#include "stream/objects.hpp"
 #include "tile_coding/tile_cells.hpp"
 #include "tools/frames/class_grid.hpp"
 #include "tools/frames/tile_set.hpp"
@@ -34,6 +35,8 @@ struct GridFrame {
       std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
   // If the target sends classes (stream::kFlagClasses).
   std::optional<ClassGrid> classes{};
+  // If the target looks for objects (stream::kFlagObjects), and all of their list has come.
+  std::optional<stream::ObjectList> objects{};
 
   // Everything that the target knows of the grid has arrived, or it sends none; of its classes see
   // there.

@@ -63,7 +63,8 @@ std::uint32_t FakeClassWorld::name_of(std::uint32_t frame) const {
 
 FakeClassTarget::Messages FakeClassTarget::next(std::uint16_t causes) {
   header_ = {.flags = static_cast<std::uint8_t>(stream::kFlagClasses |
-                                                (has_indexes_ ? 0 : stream::kFlagNoIndexes)),
+                                                (has_indexes_ ? 0 : stream::kFlagNoIndexes) |
+                                                (objects_ ? stream::kFlagObjects : 0)),
              .sequence = header_.sequence,
              .frame_number = frame_,
              .closed_us = 40'000 * std::uint64_t{frame_},
@@ -77,6 +78,9 @@ FakeClassTarget::Messages FakeClassTarget::next(std::uint16_t causes) {
   window_ = window_of_frame(causes);
   send_classes();
   send_class_end();
+  if (objects_) {
+    send_objects();
+  }
   send_frame_end();
   ++frame_;
   return messages_;
@@ -182,6 +186,37 @@ void FakeClassTarget::send_class_end() {
   end.pose_fates[static_cast<std::size_t>(pose::Fate::kUsed)] = 40 * (frame_ + 1);
   send_end(stream::MessageType::kClassEnd,
            [&](std::span<std::byte> body) { return stream::write_class_end(end, body); });
+}
+
+// Every third moves; ids have gaps.
+stream::ObjectList FakeClassTarget::objects_in(std::uint32_t frame, std::uint16_t count) {
+  stream::ObjectList list{.time_us = 1'000'000 + 40'000 * std::uint64_t{frame},
+                          .tracks_refused = 1,
+                          .hits_left = static_cast<std::uint16_t>(frame),
+                          .count = count};
+  for (std::uint16_t i = 0; i < count; ++i) {
+    stream::ObjectRecord& object = list.records.at(i);
+    object.id = frame + 2U * i + 1;
+    object.age_frames = static_cast<std::uint16_t>(frame + 4);
+    object.x_mm = 1000 * i - static_cast<std::int32_t>(frame);
+    object.length_cm = static_cast<std::uint16_t>(50 + i);
+    if (i % 3 == 0) {
+      object.state = stream::ObjectState::kMoves;
+      object.flags = stream::kObjectHasHeading;
+      object.vx_cm_s = static_cast<std::int16_t>(-100 - i);
+      object.sigma_v_along_cm_s = 30;
+      object.sigma_v_across_cm_s = 20;
+    }
+  }
+  return list;
+}
+
+void FakeClassTarget::send_objects() {
+  const stream::ObjectList list = objects_in(frame_, *objects_);
+  for (std::size_t part = 0; part < stream::parts_of(list); ++part) {
+    send_end(stream::MessageType::kObjects,
+             [&](std::span<std::byte> body) { return stream::write_objects(list, part, body); });
+  }
 }
 
 void FakeClassTarget::send_frame_end() {

@@ -1,5 +1,5 @@
-// A target that sends classes of a made-up world: what docs/spec.md 3.9 and 3.10 say, written once
-// more, for the tests of receivers.
+// A target that sends classes of a made-up world, and objects: what docs/spec.md 3.9, 3.10 and 3.12
+// say, written once more, for the tests of receivers.
 #pragma once
 
 #include <array>
@@ -18,6 +18,7 @@
 #include "stream/class_window.hpp"
 #include "stream/grid_hash.hpp"
 #include "stream/message.hpp"
+#include "stream/objects.hpp"
 #include "stream/references.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
@@ -70,6 +71,10 @@ class FakeClassTarget {
   FakeClassTarget(FakeClassWorld world, std::uint32_t run_number, bool has_indexes = true)
       : world_(world), run_number_(run_number), has_indexes_(has_indexes) {}
 
+  // From the next frame on it says where so many objects are, at most stream::kMaxObjects.
+  void look_for_objects(std::uint16_t count) { objects_ = count; }
+  [[nodiscard]] static stream::ObjectList objects_in(std::uint32_t frame, std::uint16_t count);
+
   // The messages of the next frame. causes: bits of ClassWindow::causes.
   [[nodiscard]] Messages next(std::uint16_t causes = 0);
 
@@ -92,6 +97,7 @@ class FakeClassTarget {
   void send_indexes();
   void send_classes();
   void send_class_end();
+  void send_objects();
   void send_frame_end();
 
   template <typename Write>
@@ -100,6 +106,7 @@ class FakeClassTarget {
   FakeClassWorld world_;
   std::uint32_t run_number_;
   bool has_indexes_;
+  std::optional<std::uint16_t> objects_;
   std::uint32_t frame_ = 0;
   std::uint32_t sent_ = 0;
   stream::Header header_;
