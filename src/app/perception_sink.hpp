@@ -1,5 +1,5 @@
 // The network as a sink of frames with classes: between the tiles of a frame and its end those of
-// the classes and their end.
+// the classes, their end, and the objects.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,12 @@
 
 #include "app/class_messages.hpp"
 #include "app/network_sink.hpp"
+#include "app/object_messages.hpp"
 #include "app/perception_report.hpp"
 #include "stream/class_end.hpp"
 #include "stream/class_hash.hpp"
 #include "stream/message.hpp"
+#include "stream/objects.hpp"
 #include "vehicle/vehicle.hpp"
 #include "window/window_view.hpp"
 
@@ -29,9 +31,10 @@ class PerceptionSink : private NetworkSink<P> {
 
   void begin_frame(const FrameReport& report) {
     has_indexes_ = vehicle::have_indexes(report.grids);
-    constexpr auto kClassesAlone =
-        static_cast<std::uint8_t>(stream::kFlagClasses | stream::kFlagNoIndexes);
-    Indexes::begin_frame(report, has_indexes_ ? stream::kFlagClasses : kClassesAlone);
+    const unsigned indexes = has_indexes_ ? 0U : stream::kFlagNoIndexes;
+    const unsigned objects = report.has_objects ? stream::kFlagObjects : 0U;
+    Indexes::begin_frame(report,
+                         static_cast<std::uint8_t>(stream::kFlagClasses | indexes | objects));
   }
 
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
@@ -64,12 +67,23 @@ class PerceptionSink : private NetworkSink<P> {
         [&](std::span<std::byte> body) { return stream::write_class_end(end, body); });
   }
 
+  // Of a frame that says so (FrameReport::has_objects).
+  void take_objects(const PerceptionReport& report, const objects::Tracks& tracks) {
+    list_objects(report, tracks, objects_);
+    for (std::size_t part = 0; part < stream::parts_of(objects_); ++part) {
+      this->messages().send(
+          this->header(), stream::MessageType::kObjects,
+          [&](std::span<std::byte> body) { return stream::write_objects(objects_, part, body); });
+    }
+  }
+
   // Of both grids.
   void end_frame() { this->send_frame_end(); }
 
  private:
   bool has_indexes_ = true;
   TileSender<P> classes_;
+  stream::ObjectList objects_;
 };
 
 }  // namespace iog::app

@@ -125,6 +125,11 @@ class EnginePipeline {
         if constexpr (ClassSink<Sink>) {
           sink.take_classes(perception, engine_.classes());
         }
+        if constexpr (ObjectSink<Sink>) {
+          if (report.has_objects) {
+            sink.take_objects(perception, engine_.objects().tracks());
+          }
+        }
       });
     }
     for_each_sink([](auto& sink) { sink.end_frame(); });

@@ -56,4 +56,11 @@ concept ClassSink = FrameSink<T> &&
   { sink.take_classes(report, classes) } -> std::same_as<void>;
 };
 
+// And the things on them, after the classes.
+template <typename T>
+concept ObjectSink = ClassSink<T> &&
+    requires(T& sink, const PerceptionReport& report, const objects::Tracks& tracks) {
+  { sink.take_objects(report, tracks) } -> std::same_as<void>;
+};
+
 }  // namespace iog::app

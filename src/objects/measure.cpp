@@ -18,6 +18,7 @@ struct Measurement {
   Reference by = Reference::kBoth;
   std::int32_t innovation_mm = 0;
   std::int32_t variance = 1;  // mm^2
+  bool is_end_hidden = false;
 };
 
 constexpr std::int32_t square(std::int32_t value) { return value * value; }
@@ -44,7 +45,8 @@ Measurement of_ends(const Ends& seen, const Interval& box, std::int32_t gate_mm,
   const bool is_low = numeric::magnitude(low) < numeric::magnitude(high);
   return {.by = is_low ? Reference::kLow : Reference::kHigh,
           .innovation_mm = is_low ? low : high,
-          .variance = is_young ? visible : square(kHiddenEndMm)};
+          .variance = is_young ? visible : square(kHiddenEndMm),
+          .is_end_hidden = !is_young};
 }
 
 Measurement measurement_of(const Track& track, Side side, const Ends& seen, Point car) {
@@ -84,6 +86,7 @@ void measure(Point car, Side side, const Ends& seen, Track& track) {
     const auto most = 3 * static_cast<std::int32_t>(numeric::square_root(sum)) + kCutMm;
     its.innovation_mm = std::clamp(its.innovation_mm, -most, most);
   }
+  track.seen.is_end_hidden = track.seen.is_end_hidden || its.is_end_hidden;
   const Covariance::Gain gain = covariance.measure(its.variance);
   track.correct(side, gain, its.innovation_mm);
   const std::int64_t moved_mm = std::int64_t{gain.place} * its.innovation_mm >> 16;

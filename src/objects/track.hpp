@@ -25,6 +25,7 @@ struct Seen {
   std::int32_t moving = 0;        // of them, those that the grid calls moving
   std::int32_t standing = 0;      // its own that stand
   std::int32_t contradicted = 0;  // that it would have taken, had something not been there before
+  bool is_end_hidden = false;     // it may be longer or wider than its box
   // Places that it has left or come to: that say that it moves, that it does not, or neither.
   std::int32_t good = 0;
   std::int32_t bad = 0;

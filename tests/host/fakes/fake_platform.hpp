@@ -16,6 +16,7 @@
 #include "stream/channel.hpp"
 #include "stream/class_end.hpp"
 #include "stream/message.hpp"
+#include "stream/objects.hpp"
 #include "stream/references.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/decode.hpp"
@@ -34,6 +35,7 @@ struct ReceivedFrame {
   std::vector<index::OccupancyIndex> cells;
   std::optional<stream::ClassEnd> class_end{};
   std::map<std::size_t, ReceivedClassTile> classes{};
+  std::vector<stream::ObjectPart> objects{};
   std::vector<stream::ClassWindow> windows{};  // one a message of class tiles
   std::vector<int> message_types{};            // 10 + storage for tiles, else the type
 };
@@ -96,6 +98,10 @@ class FakePlatform {
     open_.message_types.push_back(static_cast<int>(header.type));
     if (header.type == stream::MessageType::kClassEnd) {
       expect_ok(stream::read_class_end(body, open_.class_end.emplace()));
+      return;
+    }
+    if (header.type == stream::MessageType::kObjects) {
+      expect_ok(stream::read_objects(body, open_.objects.emplace_back()));
       return;
     }
     open_.header = header;

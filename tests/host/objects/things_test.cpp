@@ -208,6 +208,24 @@ TEST_F(Things, ALorryIsOneTrack) {
   EXPECT_LT(velocity_error(scene, 0, *track), 0.7);
 }
 
+// A lorry of 10 m passes 8 m beside the car at 15 m/s. A wall hides what is from 3.5 m to 10.7 m
+// ahead on its near side: its front is behind the wall from 1.9 s on, its rear beside the car
+// until 2.3 s.
+TEST_F(Things, AnEndBehindAWallIsSaidToBeHidden) {
+  Scene scene(at_rest({}),
+              {{.middle = straight({.x = -30, .y = 8}, 15), .length = 10, .width = 2.5},
+               {.middle = at_rest({.x = 4, .y = 4}), .length = 4, .width = 0.2}});
+  const auto expect_hidden = [&](bool is_hidden) {
+    const Track* track = scene.track_of(0, tracker);
+    ASSERT_NE(track, nullptr);
+    EXPECT_EQ(track->seen.is_end_hidden, is_hidden) << scene.now_s();
+  };
+  scene.show_until(1.5, tracker);
+  scene.show_until(1.88, tracker, [&] { expect_hidden(false); });
+  scene.show_until(2.0, tracker);
+  scene.show_until(2.3, tracker, [&] { expect_hidden(true); });
+}
+
 // A car ahead in a bend of 250 m at 28 m/s: 3.1 m/s^2 across, 6.4 degrees a second.
 TEST_F(Things, ABendAt28MetresASecondIsFollowed) {
   const auto in_bend = [](double before_m) {
