@@ -8,7 +8,6 @@
 namespace iog::stream {
 namespace {
 
-constexpr std::uint16_t kObjectsHeaderBytes = 24;
 constexpr std::uint16_t kObjectBytes = 40;
 
 void write_object(const ObjectRecord& object, wire::ByteWriter& out) {

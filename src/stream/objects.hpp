@@ -58,6 +58,7 @@ struct ObjectRecord {
   friend constexpr bool operator==(const ObjectRecord&, const ObjectRecord&) = default;
 };
 
+inline constexpr std::size_t kObjectsHeaderBytes = 24;
 inline constexpr std::size_t kMaxObjectsOfAPart = 32;
 inline constexpr std::size_t kMaxObjectParts = 8;
 inline constexpr std::size_t kMaxObjects = kMaxObjectsOfAPart * kMaxObjectParts;

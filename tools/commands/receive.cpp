@@ -174,18 +174,21 @@ class Reception {
 
   void check_wholeness() const {
     const ClassStatistics& classes = statistics_.classes();
+    const ObjectStatistics& objects = statistics_.objects();
     if (statistics_.damaged() + classes.damaged() > 0) {
       throw CheckFailed(std::to_string(statistics_.damaged()) + " frames, and the classes of " +
                         std::to_string(classes.damaged()) +
                         ", arrived whole and are not the grid that the target has hashed");
     }
-    const std::uint64_t incomplete = statistics_.incomplete() + classes.incomplete();
+    const std::uint64_t incomplete =
+        statistics_.incomplete() + classes.incomplete() + objects.incomplete();
     if (options_->strict && (assembler_.messages_lost() + incomplete > 0 || overflow_ > 0)) {
       throw CheckFailed(words_before_silence() +
                         "messages were lost: " + std::to_string(assembler_.messages_lost()) +
                         " by their numbers; incomplete are " +
-                        std::to_string(statistics_.incomplete()) + " frames and the classes of " +
-                        std::to_string(classes.incomplete()) +
+                        std::to_string(statistics_.incomplete()) + " frames, the classes of " +
+                        std::to_string(classes.incomplete()) + " and the objects of " +
+                        std::to_string(objects.incomplete()) +
                         (missing() > 0 ? "; " + words_of_missing() : ""));
     }
   }

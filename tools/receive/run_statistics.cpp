@@ -48,6 +48,7 @@ void RunStatistics::add(const GridFrame& frame) {
   damaged_ += frame.is_damaged ? 1U : 0U;
   tiles_ += frame.tiles;
   classes_.add(frame);
+  objects_.add(frame);
   if (frame.has_end) {
     tiles_not_sent_ += frame.end.tiles_lost;
     for (std::size_t i = 0; i < fates_.size(); ++i) {
@@ -162,6 +163,7 @@ RunStatistics::Facts RunStatistics::facts() const {
   }
   facts.emplace_back("run_hash", hex(run_hash()));
   std::ranges::move(classes_.facts(), std::back_inserter(facts));
+  std::ranges::move(objects_.facts(), std::back_inserter(facts));
   return facts;
 }
 
@@ -266,7 +268,7 @@ std::string RunStatistics::table(bool has_target) const {
   if (core_shares_) {
     text += row("cores at work", words_of(*core_shares_));
   }
-  return text + row("run hash", hex(run_hash())) + classes_.table();
+  return text + row("run hash", hex(run_hash())) + classes_.table() + objects_.table();
 }
 
 void write_facts(const std::string& path, const RunStatistics::Facts& facts) {

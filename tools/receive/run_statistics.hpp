@@ -13,6 +13,7 @@
 #include "tools/receive/class_statistics.hpp"
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
+#include "tools/receive/object_statistics.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::tools {
@@ -45,6 +46,7 @@ class RunStatistics {
   [[nodiscard]] std::uint64_t points_used() const;
   [[nodiscard]] std::uint32_t run_hash() const { return hash_.value(); }
   [[nodiscard]] const ClassStatistics& classes() const { return classes_; }
+  [[nodiscard]] const ObjectStatistics& objects() const { return objects_; }
 
   // Names and values, for a script: "frames_with_evidence" and "250".
   using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -89,6 +91,7 @@ class RunStatistics {
   std::vector<FrameRecord> records_;
   RunHash hash_;
   ClassStatistics classes_;
+  ObjectStatistics objects_;
 };
 
 // "key=value" lines. UsageError if the file cannot be written.

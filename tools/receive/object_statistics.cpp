@@ -1,0 +1,98 @@
+#include "tools/receive/object_statistics.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "protection/protected_message.hpp"
+#include "stream/crc32.hpp"
+#include "stream/objects.hpp"
+#include "tools/program/hexadecimal.hpp"
+#include "tools/program/table.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::array<std::string_view, 4> kStateNames{"young", "standing", "moving", "stopped"};
+
+}  // namespace
+
+std::uint32_t crc_of(const stream::ObjectList& list) {
+  if (list.count == 0) {
+    return 0;
+  }
+  stream::Crc32 crc;
+  std::array<std::byte, protection::kMaxMessageBytes> body{};
+  wire::store_be64(std::span(body).first<8>(), list.time_us);
+  crc.update(std::span(body).first<8>());
+  for (std::size_t part = 0; part < stream::parts_of(list); ++part) {
+    const std::size_t bytes = stream::write_objects(list, part, body);
+    crc.update(std::span(body).first(bytes).subspan(stream::kObjectsHeaderBytes));
+  }
+  return crc.value();
+}
+
+void ObjectStatistics::add(const GridFrame& frame) {
+  if (!frame.header.has_objects()) {
+    return;
+  }
+  ++frames_;
+  incomplete_ += frame.objects ? 0U : 1U;
+  not_known_ += frame.objects && !frame.objects->has_place() ? 1U : 0U;
+  const stream::ObjectList list = frame.objects.value_or(stream::ObjectList{});
+  std::size_t moving = 0;
+  for (const stream::ObjectRecord& object : list.all()) {
+    ++by_state_.at(static_cast<std::size_t>(object.state) - 1);
+    if (object.state == stream::ObjectState::kMoves) {
+      ++moving;
+      moved_.insert(object.id);
+    }
+  }
+  most_moving_ = std::max(most_moving_, moving);
+  tracks_refused_ += list.tracks_refused;
+  hits_left_ += list.hits_left;
+  if (frame.header.has_evidence()) {
+    hash_.add(crc_of(list));
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> ObjectStatistics::facts() const {
+  std::vector<std::pair<std::string, std::string>> facts;
+  const auto add = [&](const std::string& name, std::uint64_t value) {
+    facts.emplace_back(name, std::to_string(value));
+  };
+  add("object_frames", frames_);
+  add("object_frames_incomplete", incomplete_);
+  add("object_frames_without_place", not_known_);
+  for (std::size_t i = 0; i < kStateNames.size(); ++i) {
+    add(key_of("objects_", kStateNames[i]), by_state_[i]);
+  }
+  add("objects_moving_most", most_moving_);
+  add("objects_that_moved", moved_.size());
+  add("objects_refused", tracks_refused_);
+  add("objects_hits_left", hits_left_);
+  facts.emplace_back("object_run_hash", hex(hash_.value()));
+  return facts;
+}
+
+std::string ObjectStatistics::table() const {
+  if (frames_ == 0) {
+    return {};
+  }
+  std::string text = row("object frames", std::to_string(frames_));
+  if (incomplete_ + not_known_ > 0) {
+    text += row("objects not known", std::to_string(incomplete_) + " frames incomplete, " +
+                                         std::to_string(not_known_) + " without a place");
+  }
+  text += row("objects, all frames", list_of(by_state_, kStateNames));
+  text += row("objects that moved", std::to_string(moved_.size()) + ", at most " +
+                                        std::to_string(most_moving_) + " in a frame");
+  if (tracks_refused_ + hits_left_ > 0) {
+    text += row("objects without room",
+                std::to_string(tracks_refused_) + ", and " + std::to_string(hits_left_) + " hits");
+  }
+  return text + row("object run hash", hex(hash_.value()));
+}
+
+}  // namespace iog::tools
