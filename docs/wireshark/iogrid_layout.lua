@@ -4,13 +4,15 @@
 -- label, base and value names as ProtoField takes them. A field with a type alone is not shown.
 local layout = {}
 
-layout.TYPES = { [1] = "tiles", [2] = "frame end", [3] = "end of the classes" }
+layout.TYPES = { [1] = "tiles", [2] = "frame end", [3] = "end of the classes",
+                 [4] = "refused car", [5] = "objects" }
 layout.STORAGES = { [0] = "occupancy index", [1] = "highest index of the cells below",
                     [2] = "class" }
 layout.CAUSES = { [0x01] = "late", [0x02] = "lost", [0x04] = "imprecise", [0x08] = "jump",
                   [0x10] = "restart", [0x20] = "over budget", [0x40] = "contradicted" }
 layout.ENCODINGS = { [0] = "raw", "run length", "quadtree", "changed since", "run starts",
                      "run starts since" }
+layout.OBJECT_STATES = { "young", "stands", "moves", "stopped" }
 layout.SENSOR_STATES = { [0] = "never seen", "silent", "partial", "complete" }
 layout.DATA_IDS = { [0x494F4701] = "stream over UDP", [0x494F4702] = "stream over the UART" }
 
@@ -154,6 +156,37 @@ layout.PARTS.map = {
   { "uint8", "map.attribution_bytes", "Bytes of the attribution", base.DEC },
   { "uint8" }, { "uint8" }, { "uint8" },
 }
+layout.PARTS.objects = {
+  { "uint16", "objects.header_bytes", "Bytes of this header", base.DEC },
+  { "uint16", "objects.object_bytes", "Bytes of an object", base.DEC },
+  { "uint16", "objects.count", "Objects in the frame", base.DEC },
+  { "uint8", "objects.part", "Part, from 0", base.DEC },
+  { "uint8", "objects.parts", "Parts", base.DEC },
+  { "uint64", "objects.time_us", "All places are of, us", base.DEC },
+  { "uint16", "objects.refused", "Things without room", base.DEC },
+  { "uint16", "objects.hits_left", "Hits that were not looked at", base.DEC },
+  { "uint32" },
+}
+layout.PARTS.object = {
+  { "uint32", "object", "Object", base.DEC },
+  { "uint8", "object.state", "State", base.DEC, layout.OBJECT_STATES },
+  { "uint8", "object.existence", "How sure it is that it moves, of 255", base.DEC },
+  { "uint16", "object.age", "Frames in which it was measured", base.DEC },
+  { "int32", "object.x_mm", "Middle: x, mm", base.DEC },
+  { "int32", "object.y_mm", "Middle: y, mm", base.DEC },
+  { "uint16", "object.length_cm", "Length, cm", base.DEC },
+  { "uint16", "object.width_cm", "Width, cm", base.DEC },
+  { "uint16", "object.heading", "Heading, turns / 2^16", base.DEC },
+  { "uint16", "object.flags", "Flags", base.HEX },
+  { "int16", "object.vx_cm_s", "Velocity: x, cm/s", base.DEC },
+  { "int16", "object.vy_cm_s", "Velocity: y, cm/s", base.DEC },
+  { "uint16", "object.sigma_v_along", "Deviation of the velocity along, cm/s", base.DEC },
+  { "uint16", "object.sigma_v_across", "Deviation of the velocity across, cm/s", base.DEC },
+  { "uint16", "object.sigma_along", "Deviation of the place along, mm", base.DEC },
+  { "uint16", "object.sigma_across", "Deviation of the place across, mm", base.DEC },
+  { "uint16", "object.since_hit_ms", "Since it was hit last, ms", base.DEC },
+  { "uint16", "object.since_stopped", "Since it stopped, 10 ms", base.DEC },
+}
 layout.PARTS.sensor_size = {
   { "uint8", "sensor_bytes", "Bytes of a sensor record", base.DEC },
   { "uint8" }, { "uint8" }, { "uint8" },
@@ -218,7 +251,7 @@ function layout.filter_name(prefix, name)
   return prefix .. "." .. name:lower():gsub("[^%w]+", "_"):gsub("_$", "")
 end
 
-layout.BYTES = { uint8 = 1, uint16 = 2, uint32 = 4, int32 = 4, uint64 = 8 }
+layout.BYTES = { uint8 = 1, uint16 = 2, int16 = 2, uint32 = 4, int32 = 4, uint64 = 8 }
 
 function layout.bytes_of(part)
   local sum = 0

@@ -29,6 +29,10 @@ local function declare_all()
   declare("bool", "flags.bayes", "Fused by the rule bayes", 8, nil, 0x02)
   declare("bool", "flags.classes", "With messages of classes", 8, nil, 0x04)
   declare("bool", "flags.no_indexes", "Without tiles of occupancy indexes", 8, nil, 0x08)
+  declare("bool", "flags.objects", "With messages of objects", 8, nil, 0x10)
+  declare("bool", "object.flags.heading", "The heading is known", 16, nil, 0x01)
+  declare("bool", "object.flags.not_hit", "Not hit in this frame", 16, nil, 0x02)
+  declare("bool", "object.flags.end_hidden", "An end is hidden", 16, nil, 0x04)
   declare("uint16", "tile.x", "Tile x", base.DEC)
   declare("uint16", "tile.y", "Tile y", base.DEC)
   declare("int32", "tile.a", "Tile a of the local frame", base.DEC)
@@ -96,7 +100,7 @@ function parts.cursor_of(tvb)
 end
 
 local function value_of(kind, range)
-  if kind == "int32" then return range:int() end
+  if kind == "int32" or kind == "int16" then return range:int() end
   if kind == "uint64" then return range:uint64() end
   return range:uint()
 end

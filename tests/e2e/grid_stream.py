@@ -5,15 +5,17 @@ import struct
 import zlib
 
 import map_state
+import object_parts
 import protected_message
 import tile_coding
 import vehicle_id
 
-TILES, FRAME_END, CLASS_END = 1, 2, 3
+TILES, FRAME_END, CLASS_END, OBJECTS = 1, 2, 3, 5
 CLOSED_BY_TIME = 0x01
 BAYES = 0x02
 HAS_CLASSES = 0x04
 HAS_NO_INDEXES = 0x08
+HAS_OBJECTS = 0x10
 CLASSES = 2  # a storage
 HEADER_BYTES = 48
 TILES_BYTES = 24
@@ -163,6 +165,7 @@ class Frame:
     classes: ClassEnd | None  # what the target says of its classes
     class_tiles_received: int
     class_crc_of_tiles: int
+    objects: object_parts.List | None  # None: it looks for none
 
     @property
     def has_evidence(self) -> bool:
@@ -182,7 +185,7 @@ class Frame:
 def read_header(content: bytes) -> Header:
     kind, flags, size, sequence, frame, closed_us, vehicle, sensors, complete, partial, zero, used, \
         other, fused, dropped, run = struct.unpack_from(">BBHIIQIBBBBIIIII", content)
-    known = CLOSED_BY_TIME | BAYES | HAS_CLASSES | HAS_NO_INDEXES
+    known = CLOSED_BY_TIME | BAYES | HAS_CLASSES | HAS_NO_INDEXES | HAS_OBJECTS
     assert size == HEADER_BYTES and flags <= known and zero == 0
     assert vehicle == vehicle_id.REFERENCE_CAR and sensors == 4
     assert run != 0
@@ -297,6 +300,7 @@ class Assembler:
         self._class_crc = 0
         self._class_tiles = 0
         self._class_end: ClassEnd | None = None
+        self._objects: list[object_parts.Part] = []
 
     def take(self, message: bytes) -> Frame | None:
         """The frame that this message ends, if it does."""
@@ -315,6 +319,10 @@ class Assembler:
             return None
         if header.kind == CLASS_END:
             self._take_class_end(read_class_end(body))
+            return None
+        if header.kind == OBJECTS:
+            assert self._class_end is not None
+            self._objects.append(object_parts.read(body))
             return None
         assert header.kind == FRAME_END, f"message type {header.kind}"
         frame = self._frame(header, read_frame_end(body))
@@ -366,10 +374,12 @@ class Assembler:
         spoken_of = 0 if header.flags & HAS_NO_INDEXES else TILE_COUNT
         assert self._spoken_of == spoken_of, f"tile {self._spoken_of} has not been spoken of"
         assert (self._class_end is not None) == (header.flags & HAS_CLASSES != 0)
+        assert bool(self._objects) == (header.flags & HAS_OBJECTS != 0)
         assert header.points_used == end.fates[0]
         assert header.points_other == sum(end.fates[1:])
         return Frame(header.frame, header.closed_us, end.opened_us, header.complete, header.partial,
                      header.flags, header.points_used, header.packets_fused, header.packets_dropped,
                      end.tiles_sent, end.tiles_lost, sum(self._encodings), tuple(self._encodings),
                      end.crc, self._crc, end.counters, end.sensors, self._class_end,
-                     self._class_tiles, self._class_crc if self._class_tiles > 0 else 0)
+                     self._class_tiles, self._class_crc if self._class_tiles > 0 else 0,
+                     object_parts.joined(self._objects) if self._objects else None)

@@ -5,6 +5,7 @@ import re
 
 import grid_stream
 import map_state
+import object_parts
 import protected_message
 import tile_coding
 import vehicle_id
@@ -49,6 +50,8 @@ def shown_of(number: int, message: bytes) -> dict[str, list]:
         shown |= shown_of_tiles(header.frame, grid_stream.read_tiles(body))
     elif header.kind == grid_stream.CLASS_END:
         shown |= shown_of_class_end(header.frame, grid_stream.read_class_end(body))
+    elif header.kind == grid_stream.OBJECTS:
+        shown |= shown_of_objects(header.frame, object_parts.read(body))
     else:
         shown |= shown_of_frame_end(header.frame, grid_stream.read_frame_end(body))
     return {field: [str(value) for value in values] for field, values in shown.items()}
@@ -111,6 +114,21 @@ def shown_of_class_end(frame: int, end: grid_stream.ClassEnd) -> dict[str, list]
                                "sigma_10_urad")):
         shown[f"iogrid.slice.{name}"] = [each[at] for each in end.slices]
     return shown | shown_of_window(end.window) | (shown_of_map(end.map) if end.map else {})
+
+
+def shown_of_objects(frame: int, part: object_parts.Part) -> dict[str, list]:
+    moving = sum(each.state == object_parts.MOVES for each in part.objects)
+    shown = {"_ws.col.Info": [f"frame {frame} objects, part {part.number + 1} of {part.parts}, "
+                              f"{len(part.objects)} of them, {moving} moving"],
+             "iogrid.objects.count": [part.count], "iogrid.objects.part": [part.number],
+             "iogrid.objects.parts": [part.parts], "iogrid.objects.time_us": [part.time_us],
+             "iogrid.objects.refused": [part.refused], "iogrid.objects.hits_left": [part.left],
+             "iogrid.object": [each.id for each in part.objects],
+             "iogrid.object.flags": [f"0x{each.flags:04x}" for each in part.objects]}
+    for name in ("state", "existence", "age", "x_mm", "y_mm", "length_cm", "width_cm", "heading", "vx_cm_s", "vy_cm_s",
+                 "sigma_v_along", "sigma_v_across", "sigma_along", "sigma_across", "since_hit_ms", "since_stopped"):
+        shown[f"iogrid.object.{name}"] = [getattr(each, name) for each in part.objects]
+    return shown
 
 
 def shown_of_map(state: map_state.MapState) -> dict[str, list]:
