@@ -24,7 +24,30 @@ void check_grid(const iogrid_grid& grid) {
   }
 }
 
+// All of a list, in order, and a speed only of what moves.
+void check_objects(const iogrid_receiver& reader) {
+  static std::array<iogrid_object, IOGRID_OBJECTS> all;
+  const int count = iogrid_objects(&reader, all.data(), IOGRID_OBJECTS);
+  law(count <= IOGRID_OBJECTS && (count < 0 || reader.has_objects != 0), "objects have room");
+  law(reader.is_whole == 0 || reader.has_objects == 0 ||
+          iogrid_are_objects_complete(&reader.objects) != 0,
+      "what is whole has all of them");
+  for (int i = 0; i < count; ++i) {
+    const iogrid_object& object = all.at(static_cast<std::size_t>(i));
+    law(object.id > (i == 0 ? 0 : all.at(static_cast<std::size_t>(i) - 1).id), "ids rise");
+    law(object.state == IOGRID_MOVES || (object.vx_cm_s == 0 && object.vy_cm_s == 0),
+        "only what moves has a speed");
+    std::int32_t x_mm = 0;
+    std::int32_t y_mm = 0;
+    std::uint32_t sigma_mm = 0;
+    const int is_told =
+        iogrid_object_at(&object, object.time_us + object.id, &x_mm, &y_mm, &sigma_mm);
+    law(is_told == 0 || object.state >= IOGRID_MOVES, "and a place later");
+  }
+}
+
 void check_frame(const iogrid_receiver& reader) {
+  check_objects(reader);
   check_grid(reader.indexes);
   check_grid(reader.classes);
   const bool is_free = iogrid_is_free(&reader, 1, 2, -1, 1) != 0;

@@ -3,6 +3,7 @@
 #include "tools/frames/frame_assembler.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "law.hpp"
@@ -31,6 +32,13 @@ void check_frame(const tools::GridFrame& frame) {
   law(frame.classes.has_value() == frame.header.has_classes(), "classes are announced");
   if (frame.classes) {
     law((frame.classes->known_tiles & ~frame.classes->valid_tiles).none(), "likewise of classes");
+  }
+  law(!frame.objects || frame.header.has_objects(), "objects are announced");
+  if (frame.objects) {
+    law(frame.objects->has_place() || frame.objects->count == 0, "they have a time");
+    law(std::ranges::adjacent_find(frame.objects->all(), std::ranges::greater_equal{},
+                                   &stream::ObjectRecord::id) == frame.objects->all().end(),
+        "their ids rise");
   }
 }
 

@@ -19,6 +19,7 @@
 #include "net/frames.hpp"
 #include "pose/message.hpp"
 #include "stream/class_end.hpp"
+#include "stream/objects.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
@@ -228,6 +229,23 @@ Bytes class_end_content() {
   return joined(std::move(head), end);
 }
 
+// Two parts of a list.
+Bytes objects_content(std::size_t part, std::uint32_t sequence) {
+  stream::ObjectList list{.time_us = 5, .count = 33};
+  for (std::size_t i = 0; i < list.count; ++i) {
+    list.records.at(i) = {.id = static_cast<std::uint32_t>(i) + 1};
+  }
+  list.records[0].state = stream::ObjectState::kMoves;
+  list.records[0].sigma_v_along_cm_s = list.records[0].sigma_v_across_cm_s = 20;
+  stream::Header header = header_of_classes(stream::MessageType::kObjects, sequence);
+  header.flags |= stream::kFlagObjects;
+  Bytes head(stream::kHeaderBytes);
+  static_cast<void>(stream::write_header(header, head));
+  Bytes body(protection::kMaxContentBytes);
+  body.resize(stream::write_objects(list, part, body));
+  return joined(std::move(head), body);
+}
+
 Bytes classes_content() {
   stream::TilesWriter writer;
   writer.begin_classes(header_of_classes(stream::MessageType::kTiles, 10), kWindow);
@@ -247,9 +265,11 @@ void add_stream_seeds(Seeds& seeds) {
   seeds.add("stream_message", end_content(5));
   seeds.add("stream_message", classes_content());
   seeds.add("stream_message", class_end_content());
+  seeds.add("stream_message", objects_content(0, 0));
   for (const char* target : {"frame_assembler", "client_reader"}) {
     seeds.add(target, joined(joined(piece_of(classes_content()), piece_of(class_end_content())),
                              piece_of(end_content(6))));
+    seeds.add(target, joined(piece_of(objects_content(0, 0)), piece_of(objects_content(1, 1))));
     seeds.add(target, joined(joined(piece_of(first), piece_of(end_content(5))),
                              joined(piece_of(second), piece_of(end_content(6)))));
   }

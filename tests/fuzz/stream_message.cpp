@@ -1,8 +1,10 @@
 // The readers of the messages that carry a grid.
+#include <algorithm>
 #include <array>
 
 #include "law.hpp"
 #include "stream/class_end.hpp"
+#include "stream/objects.hpp"
 #include "stream/tiles.hpp"
 #include "wire/byte_order.hpp"
 
@@ -79,6 +81,36 @@ void check_class_end(std::span<const std::byte> body) {
       });
 }
 
+void check_objects(std::span<const std::byte> body) {
+  stream::ObjectPart part;
+  if (stream::read_objects(body, part) != stream::ReadStatus::kOk) {
+    return;
+  }
+  law(part.part < part.header.parts && part.count <= part.header.objects,
+      "a part is one of a list");
+  std::uint32_t id_before = 0;
+  for (const stream::ObjectRecord& object : part.all()) {
+    law(object.id > id_before, "ids rise");
+    id_before = object.id;
+    law(object.state == stream::ObjectState::kMoves || (object.vx_cm_s == 0 && object.vy_cm_s == 0),
+        "only what moves has a speed");
+  }
+  if (part.header.parts > 1) {
+    return;
+  }
+  stream::ObjectList list{.time_us = part.header.time_us,
+                          .tracks_refused = part.header.tracks_refused,
+                          .hits_left = part.header.hits_left,
+                          .count = part.header.objects};
+  std::ranges::copy(part.all(), list.records.begin());
+  Buffer once{};
+  const std::size_t bytes = stream::write_objects(list, 0, once);
+  stream::ObjectPart again;
+  law(stream::read_objects(std::span(once).first(bytes), again) == stream::ReadStatus::kOk &&
+          again.header == part.header && std::ranges::equal(again.all(), part.all()),
+      "a list survives the wire");
+}
+
 void check_content(std::span<const std::byte> message) {
   stream::Header header;
   std::span<const std::byte> body;
@@ -88,6 +120,7 @@ void check_content(std::span<const std::byte> message) {
   law(body.size() + stream::kHeaderBytes <= message.size(), "the body is behind the header");
   check_tiles(body);
   check_class_end(body);
+  check_objects(body);
   check_again(
       header,
       [](std::span<const std::byte> bytes, stream::Header& part) {
