@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "iogrid_grid.h"
+#include "iogrid_objects.h"
 
 #define IOGRID_SIDE 1024  // cells of a grid along x and y
 #define IOGRID_CELL_M 0.1
@@ -40,8 +41,9 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   uint32_t number, vehicle, run, points_used;
   uint64_t closed_us;         // by the target's clock
   uint8_t complete, partial;  // bit i: sensor i has delivered its scan, or a part of it
-  uint8_t has_indexes, has_classes, is_whole;
+  uint8_t has_indexes, has_classes, has_objects, is_whole;
   iogrid_grid indexes, classes;
+  iogrid_object_list objects;    // iogrid_objects() reads them
   uint16_t causes;               // 3.9
   uint8_t has_pose;              // else it is not known where the car is, and no class has a place
   double x_m, y_m, heading_rad;  // of the car in the local frame
@@ -75,7 +77,8 @@ static inline int iogrid_close(iogrid_receiver* r) {
   if (r->has_indexes) iogrid_close_grid(&r->indexes, r->crc_32, r->dropped);
   if (r->has_classes) iogrid_close_grid(&r->classes, r->crc_32, r->dropped);
   r->is_whole = r->is_whole && (!r->has_indexes || r->indexes.is_whole) &&
-                (!r->has_classes || r->classes.is_whole);
+                (!r->has_classes || r->classes.is_whole) &&
+                (!r->has_objects || iogrid_are_objects_complete(&r->objects));
   const uint8_t* w = r->classes.window;
   r->causes = (uint16_t)iogrid_be16(w + 2);
   r->x_m = (int32_t)iogrid_be32(w + 12) * 1e-3;
@@ -92,12 +95,15 @@ static inline void iogrid_open(iogrid_receiver* r, const uint8_t* content) {
   r->next = r->number = iogrid_be32(content + 8);
   r->has_classes = (content[1] & 0x04) != 0;
   r->has_indexes = (content[1] & 0x08) == 0;
+  r->has_objects = (content[1] & 0x10) != 0;
   iogrid_begin_grid(&r->indexes, 0);
   iogrid_begin_grid(&r->classes, 1);
+  memset(&r->objects, 0, sizeof r->objects);
 }
 
 static inline int iogrid_take_body(iogrid_receiver* r, const uint8_t* content, const uint8_t* body,
                                    size_t bytes) {
+  if (content[0] == 5) return r->has_objects && iogrid_take_objects(&r->objects, body, bytes);
   static const uint8_t indexes[18] = {5, 0,    4,    0,    4, 0,    0,    100,  0,
                                       0, 0xFF, 0xFF, 0x38, 0, 0xFF, 0xFF, 0x38, 0};
   static const uint8_t classes[18] = {5, 2, 4, 0, 4, 0, 0, 100, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -196,7 +202,8 @@ static inline enum iogrid_result iogrid_take(iogrid_receiver* r, const void* dat
     r->refusal[body[1]] = 0;
     return IOGRID_NONE;
   }
-  if (content[0] < 1 || content[0] > 3) return iogrid_drop_it(r, IOGRID_NOT_UNDERSTOOD);
+  if (content[0] < 1 || content[0] > 5 || content[0] == 4)
+    return iogrid_drop_it(r, IOGRID_NOT_UNDERSTOOD);
   if (r->has_next && number - r->next >= 0x80000000U) return iogrid_drop_it(r, IOGRID_TOO_LATE);
   if (r->is_open && number != r->number) {
     iogrid_close(r);
@@ -205,6 +212,7 @@ static inline enum iogrid_result iogrid_take(iogrid_receiver* r, const void* dat
   if (!r->is_open) iogrid_open(r, content);
   if (((content[1] & 0x04) != 0) != r->has_classes ||
       ((content[1] & 0x08) == 0) != r->has_indexes ||
+      ((content[1] & 0x10) != 0) != r->has_objects ||
       !iogrid_take_body(r, content, body, body_bytes)) {
     return iogrid_drop_it(r, IOGRID_MALFORMED);
   }
@@ -215,7 +223,8 @@ static inline enum iogrid_result iogrid_take(iogrid_receiver* r, const void* dat
   r->partial = content[26];
   r->points_used = iogrid_be32(content + 28);
   if (!r->indexes.has_end || (r->has_indexes && r->indexes.spoken_of < IOGRID_TILES) ||
-      (r->has_classes && (!r->classes.has_end || r->classes.spoken_of < IOGRID_TILES))) {
+      (r->has_classes && (!r->classes.has_end || r->classes.spoken_of < IOGRID_TILES)) ||
+      (r->has_objects && !iogrid_are_objects_complete(&r->objects))) {
     return IOGRID_NONE;
   }
   iogrid_close(r);
@@ -257,6 +266,30 @@ static inline void iogrid_to_car(const iogrid_receiver* r, double column, double
   const double y = (row + 32.0 * b) * IOGRID_CELL_M - r->y_m;
   *x_m = c * x + s * y;
   *y_m = c * y - s * x;
+}
+
+// The place in the car's frame, m, of one in the local frame; only if has_pose.
+static inline void iogrid_from_local(const iogrid_receiver* r, int32_t x_mm, int32_t y_mm,
+                                     double* x_m, double* y_m) {
+  const double c = cos(r->heading_rad), s = sin(r->heading_rad);
+  const double x = x_mm * 1e-3 - r->x_m, y = y_mm * 1e-3 - r->y_m;
+  *x_m = c * x + s * y;
+  *y_m = c * y - s * x;
+}
+
+// The first `most` objects of the frame, by id; how many it has. -1: not known, since a part was
+// lost, the frame has no place, or the target looks for none.
+static inline int iogrid_objects(const iogrid_receiver* r, iogrid_object* to, int most) {
+  const iogrid_object_list* list = &r->objects;
+  const uint64_t time_us = iogrid_be64(list->says + 4);
+  int count = 0;
+  if (!iogrid_are_objects_complete(list) || time_us == 0) return -1;
+  for (uint32_t part = 0; part < list->parts; ++part) {
+    for (uint32_t i = 0; i < list->counts[part]; ++i, ++count) {
+      if (count < most) to[count] = iogrid_read_object(list->records[part][i], time_us);
+    }
+  }
+  return count;
 }
 
 // The class of a place; IOGRID_UNKNOWN outside of the window, and if there is no pose.

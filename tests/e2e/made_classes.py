@@ -4,6 +4,7 @@ import struct
 import zlib
 
 import grid_stream
+import object_parts
 
 TILE = 32
 TILES_ACROSS = 32
@@ -51,6 +52,7 @@ class Window:
         self.history: dict[int, tuple[int, int, int]] = {}
         self.map = b""  # what it says of its map
         self.tiles: dict[tuple[int, int], bytearray] = {}
+        self.objects: list[object_parts.Object] | None = None  # by id; None: the target looks for none
 
     def fill(self, xs: range, ys: range, byte: int) -> None:
         for y in ys:
@@ -71,6 +73,11 @@ class Window:
         self.slices, self.not_placed, self.causes = 0, 20, cause
         self.history[cause] = (self.stamp_us // 1000, times, since_us)
         return self
+
+    @property
+    def objects_us(self) -> int:
+        """The middle of the last slice; 0 without a place."""
+        return self.stamp_us - 4_000 if self.slices > 0 else 0
 
     @property
     def header(self) -> bytes:

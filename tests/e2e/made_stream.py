@@ -7,6 +7,7 @@ import zlib
 
 import grid_stream
 import made_classes
+import object_parts
 import protected_message
 import vehicle_id
 
@@ -70,8 +71,13 @@ class Target:
         if not known:
             bodies.append((grid_stream.TILES, self._tiles_header(0, grid_stream.TILE_COUNT, 0)))
         bodies += window.bodies() if window else []
+        if window and window.objects is not None:
+            bodies += [(grid_stream.OBJECTS, body)
+                       for body in object_parts.bodies(window.objects, window.objects_us)]
         bodies.append((grid_stream.FRAME_END, self._end(len(known), grid.crc, points_used)))
         flags = made_classes.HAS_CLASSES if window else 0
+        if window and window.objects is not None:
+            flags |= grid_stream.HAS_OBJECTS
         messages = []
         for kind, body in bodies:
             content = self._header(kind, flags, points_used) + body

@@ -1,4 +1,4 @@
-"""Reads the stream of an iogrid target: occupancy indexes, classes, and where the window is.
+"""Reads the stream of an iogrid target: occupancy indexes, classes, where the window is, and objects.
 
     import iogrid
     for frame in iogrid.listen():                      # or iogrid.replay("stream.pcap")
@@ -11,8 +11,9 @@ which a message was lost says so (is_whole); what was lost of it is unknown, and
 """
 
 from iogrid.frame import CELL_M, FREE_CLASSES, SIDE, Cause, Class, Frame, Pose, Window, probability
+from iogrid.objects import Object, State
 from iogrid.receiver import Receiver
 from iogrid.sources import SILENCE_S, listen, replay
 
-__all__ = ["CELL_M", "FREE_CLASSES", "SIDE", "SILENCE_S", "Cause", "Class", "Frame", "Pose", "Receiver", "Window",
-           "listen", "probability", "replay"]
+__all__ = ["CELL_M", "FREE_CLASSES", "SIDE", "SILENCE_S", "Cause", "Class", "Frame", "Object", "Pose", "Receiver",
+           "State", "Window", "listen", "probability", "replay"]

@@ -7,6 +7,8 @@ import struct
 
 import numpy
 
+from iogrid.objects import Object
+
 SIDE, CELL_M = 1024, 0.1  # cells of a grid along x and y, and of how many metres
 Class = enum.IntEnum("Class", "UNKNOWN DRIVABLE_FREE NON_DRIVABLE_FREE FREE MOVING STOPPED STANDING INFRASTRUCTURE "
                      "OCCUPIED", start=0)  # 3.9; STANDING: stopped or unmapped
@@ -68,6 +70,11 @@ class Window:
         return c * x_m + s * y_m, c * y_m - s * x_m
 
 
+    def from_local(self, x_m, y_m):
+        """The place in the car's frame, m, of one in the local frame, which objects are in; it may be arrays."""
+        return self.to_car(x_m / CELL_M - 32 * self.corner[0], y_m / CELL_M - 32 * self.corner[1])
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Frame:
     """What has come of a frame. A grid that the target does not send is None, and so is what belongs to it."""
@@ -86,6 +93,7 @@ class Frame:
     sureness: numpy.ndarray | None  # uint8 [SIDE, SIDE], 0 ... 7
     classes_lost: numpy.ndarray | None  # bool [32, 32]
     window: Window | None  # None, too: nothing of the classes has come
+    objects: list[Object] | None  # by id; None: not known, since a part was lost or the frame has no place
 
     def index_at(self, x_m: float, y_m: float) -> int:
         """The occupancy index of a place; 0, unknown, outside of the grid."""

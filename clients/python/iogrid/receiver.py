@@ -9,10 +9,12 @@ import numpy
 
 from iogrid.frame import Frame, Window
 from iogrid.grid import CLASS_GRID, INDEX_GRID, Grid, References
+from iogrid.objects import ObjectParts
 from iogrid.protection import Unsound, content_of, require
 
-_HAS_CLASSES, _HAS_NO_INDEXES = 0x04, 0x08
-_TILES, _FRAME_END, _CLASS_END, _CAR_REFUSED = range(1, 5)
+_HAS_CLASSES, _HAS_NO_INDEXES, _HAS_OBJECTS = 0x04, 0x08, 0x10
+_CONTENTS = _HAS_CLASSES | _HAS_NO_INDEXES | _HAS_OBJECTS
+_TILES, _FRAME_END, _CLASS_END, _CAR_REFUSED, _OBJECTS = range(1, 6)
 _HEADER = struct.Struct(">BBHIIQIBBBBIIIII")
 _WORD, _HALF = 0xFFFFFFFF, 0x80000000  # numbers wrap: those that are half of them ahead are behind
 
@@ -21,20 +23,24 @@ class _Waiting:
     """A frame that waits for its messages."""
 
     def __init__(self, flags: int):
-        self.flags, self.header, self.sequences = flags & (_HAS_CLASSES | _HAS_NO_INDEXES), (), set()
+        self.flags, self.header, self.sequences = flags & _CONTENTS, (), set()
+        self.objects = ObjectParts()
         self.indexes, self.classes = Grid(is_of_classes=False), Grid(is_of_classes=True)
         self.grids = [grid for grid, is_sent in ((self.indexes, not flags & _HAS_NO_INDEXES),
                                                  (self.classes, flags & _HAS_CLASSES)) if is_sent]
 
     def take(self, header: tuple, body: bytes) -> None:
         kind, flags, _, sequence, *_ = header
-        require(flags & (_HAS_CLASSES | _HAS_NO_INDEXES) == self.flags and len(self.sequences) < 3000, "malformed")
+        require(flags & _CONTENTS == self.flags and len(self.sequences) < 3000, "malformed")
         require(sequence not in self.sequences, "repeated")
         if kind == _TILES:
             require(body[6:24] in (INDEX_GRID, CLASS_GRID), "unknown grid")
             grid = self.indexes if body[6:24] == INDEX_GRID else self.classes
             require(grid in self.grids, "malformed")
             grid.take_tiles(sequence, body)
+        elif kind == _OBJECTS:
+            require(self.flags & _HAS_OBJECTS != 0, "malformed")
+            self.objects.take(body)
         else:
             grid = self.indexes if kind == _FRAME_END else self.classes
             require(kind == _FRAME_END or grid in self.grids, "malformed")
@@ -44,7 +50,12 @@ class _Waiting:
 
     @property
     def is_complete(self) -> bool:
-        return self.indexes.end is not None and all(grid.end and grid.spoken_of.all() for grid in self.grids)
+        return self.indexes.end is not None and self.has_its_objects and \
+            all(grid.end and grid.spoken_of.all() for grid in self.grids)
+
+    @property
+    def has_its_objects(self) -> bool:
+        return not self.flags & _HAS_OBJECTS or self.objects.are_complete
 
 
 class Receiver:
@@ -107,7 +118,7 @@ class Receiver:
         header = _HEADER.unpack_from(content)
         kind, flags, size, sequence, number, *_ = header
         body = content[size:]
-        require(kind in (_TILES, _FRAME_END, _CLASS_END, _CAR_REFUSED), "unknown type")
+        require(kind in (_TILES, _FRAME_END, _CLASS_END, _CAR_REFUSED, _OBJECTS), "unknown type")
         if kind == _CAR_REFUSED:
             require(len(body) >= 4 and len(body) >= 4 + body[1], "malformed")
             self.refusal = "".join(chr(byte) if 32 <= byte < 127 else "?" for byte in body[4:4 + body[1]])
@@ -142,9 +153,10 @@ class Receiver:
         (indexes, indexes_lost, are_indexes_whole), (classes, classes_lost, are_classes_whole) = (
             grid.decode(number, own, self.dropped) if grid in waiting.grids else (None, None, True)
             for grid, own in zip((waiting.indexes, waiting.classes), self._own, strict=True))
-        is_whole = waiting.indexes.end is not None and are_indexes_whole and are_classes_whole
+        is_whole = waiting.indexes.end is not None and are_indexes_whole and are_classes_whole and \
+            waiting.has_its_objects
         _, _, _, _, _, closed_us, vehicle, _, complete, partial, _, points_used, *_, run = waiting.header
         return Frame(number, closed_us, vehicle, run, complete, partial, points_used, is_whole,
                      None if indexes is None else indexes.view(numpy.int8), indexes_lost,
                      None if classes is None else classes >> 3, None if classes is None else classes & 7, classes_lost,
-                     Window.read(waiting.classes.window) if waiting.classes.window else None)
+                     Window.read(waiting.classes.window) if waiting.classes.window else None, waiting.objects.objects)

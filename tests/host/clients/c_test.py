@@ -1,6 +1,7 @@
 """Does clients/c make the grids of clients/python, and bear any bytes? By gcc, and by clang with sanitizers."""
 
 import functools
+import math
 import random
 import struct
 import subprocess
@@ -12,9 +13,11 @@ from code_blocks import code_blocks
 from hostile_test import SEED, mutant
 from stream_test import received
 
+import grid_stream
 import iogrid
 import made_classes
 import made_stream
+from object_parts import MOVES, Object
 
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wconversion", "-I", streams.ROOT / "clients/c")
 MAIN = """
@@ -27,7 +30,7 @@ int main(void) {
     if (fread(bytes, 1, count, stdin) != count) return 1;
     const uint32_t frame = receiver.next;
     on_datagram(bytes, count);
-    if (receiver.next != frame && receiver.is_whole) printf("%.2f\\n", nearest_moving_m(&receiver));
+    if (receiver.next != frame && receiver.is_whole) print_what_comes(&receiver);
   }
 }
 """
@@ -51,6 +54,25 @@ def said_by(path, messages: list[bytes]) -> list[str]:
     return subprocess.run([path], input=data, capture_output=True, check=True, timeout=300).stdout.decode().splitlines()
 
 
+def objects_of(frame: iogrid.Frame) -> str:
+    if frame.objects is None:
+        return f"-1 {zlib.crc32(b''):08x}"
+    text = ""
+    for each in frame.objects:
+        sigmas = [65535 if sigma == math.inf else round(sigma * 100) for sigma in each.sigma_v_m_s]
+        fields = [each.time_us, each.id, each.state, round(each.existence * 255), each.age_frames,
+                  *(round(place * 1000) for place in (each.x_m, each.y_m)),
+                  *(round(side * 100) for side in (each.length_m, each.width_m)),
+                  -1 if each.heading_rad is None else round(each.heading_rad / math.tau * 65536),
+                  each.is_hit, each.is_end_hidden, round(each.vx_m_s * 100), round(each.vy_m_s * 100), *sigmas,
+                  *(round(sigma * 1000) for sigma in each.sigma_m), round(each.since_hit_s * 1000),
+                  65535 if each.since_stopped_s is None else round(each.since_stopped_s * 100)]
+        later = each.at(each.time_us + 512345)
+        fields += [later is not None, *(round(value * 1000) for value in later or (0, 0, 0))]
+        text += " ".join(f"{field:d}" for field in fields) + "\n"
+    return f"{len(frame.objects)} {zlib.crc32(text.encode()):08x}"
+
+
 def line_of(frame: iogrid.Frame) -> str:
     """What reader.c prints, by the Python reader."""
     window, moving = frame.window, frame.places(iogrid.Class.MOVING)
@@ -62,7 +84,7 @@ def line_of(frame: iogrid.Frame) -> str:
     return (f"{frame.number} run {frame.run} whole {frame.is_whole:d} lost {frame.indexes_lost.sum()} "
             f"{frame.classes_lost.sum()} cells {zlib.crc32(frame.indexes.tobytes()):08x} "
             f"{zlib.crc32((frame.classes << 3 | frame.sureness).tobytes()):08x} "
-            f"causes {window.causes if window else 0:x} "
+            f"objects {objects_of(frame)} causes {window.causes if window else 0:x} "
             f"pose {pose is not None:d} {pose.x_m if pose else 0:.3f} {pose.y_m if pose else 0:.3f} "
             f"{pose.heading_rad if pose else 0:.6f} end {window.end_us if window else 0} moving {len(moving)} "
             f"{(moving @ (1, 2)).sum():.3f} free {is_free} at {frame.class_at(5.03, 0.71)}")
@@ -88,19 +110,24 @@ class Header(unittest.TestCase):
             self.compare([message for message in shuffled if rng.random() < 0.98])
 
     def test_examples_of_the_document(self):
-        """A wall of moving cells 9.95 m before the car, then 12.95 m: the strip to 13 m is free in neither."""
-        strip, nearest = code_blocks((streams.ROOT / "docs/clients.md").read_text(), "c")
+        """A wall of moving cells 9.9 m before the car, then 12.9 m: the strip to 13 m is free in neither. What comes is
+        where the wall is; it is unknown in the third frame, and only goes away in the last."""
+        strip, comes = code_blocks((streams.ROOT / "docs/clients.md").read_text(), "c")
         source, path = streams.FOLDER / "examples.c", streams.FOLDER / "examples"
-        source.write_text(strip + nearest + MAIN)
+        source.write_text(strip + comes + MAIN)
         compile_to(path, "gcc", source)
         target, messages = made_stream.Target(0), []
-        for front in (99, 129, 140):
+        for front in (99, 129, 140, 150):
             window = made_classes.Window()
             window.fill(range(0, 200), range(-30, 30), made_classes.class_byte(made_classes.FREE))
             window.fill(range(front, front + 3), range(-9, 9), made_classes.class_byte(made_classes.MOVING))
-            messages += target.messages_of(made_stream.Grid(), 1, window)
-        self.assertEqual(said_by(path, messages), ["0 not known to be free", "9.95", "1 not known to be free", "12.95",
-                                                   "2 free", "14.05"])
+            window.objects = [Object(5, state=MOVES, x_mm=100 * front, vx_cm_s=-300 if front < 150 else 400,
+                                     vy_cm_s=100, sigma_v_along=20, sigma_v_across=20), Object(6)]
+            made = target.messages_of(made_stream.Grid(), 1, window)
+            messages += [each for each in made if front != 140 or each[28] != grid_stream.OBJECTS]
+        self.assertEqual(said_by(path, messages), [
+            "0 not known to be free", "5: 9.9 m away, 3.0 m/s towards me", "1 not known to be free",
+            "5: 12.9 m away, 3.0 m/s towards me", "2 free", "3 free"])
 
     def test_as_another_language(self):
         """The header is C++, too."""

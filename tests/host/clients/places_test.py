@@ -1,6 +1,7 @@
 """Does a place in the car's frame find its cell, and do the examples of docs/clients.md say what is there?"""
 
 import contextlib
+import dataclasses
 import io
 import math
 import random
@@ -17,6 +18,7 @@ import iogrid
 import made_classes
 import made_stream
 import numpy
+from object_parts import MOVES, Object
 
 
 def frame_with(window: made_classes.Window, grid: made_stream.Grid | None = None) -> iogrid.Frame:
@@ -135,18 +137,19 @@ class Examples(unittest.TestCase):
                          ["0 free", "the target is silent", "0 not known to be free: OCCUPIED"])
 
     def test_what_comes_towards_me(self):
-        """A front of 1.8 m comes with 5 m/s from 30 m, while the car stands; and it is lost for a frame."""
-        frames, target = [], made_stream.Target(0)
-        for number in range(60):
-            window = made_classes.Window()
-            window.stamp_us += 40_000 * number
-            front = 300 - 2 * number
-            window.fill(range(front, front + 4), range(-9, 9), class_byte(MOVING if number != 30 else OCCUPIED))
-            frames += received(target.messages_of(made_stream.Grid(), 1, window))[0]
-        said = self.said(self.EXAMPLES[1], frames)
-        self.assertEqual(len(said), (30 - 24) + (29 - 24), said)
-        self.assertEqual({line.split(", ")[1] for line in said}, {"5.0 m/s towards me"})
-        self.assertEqual(said[-1].split(",")[0], f"{30.05 - 0.2 * 59:.1f} m ahead")
+        """The car is at (10, 20) m and looks along y. 30 m before it something comes with 5 m/s; another goes, a third
+        is not believed to move, and nothing is known in a frame that has lost its objects."""
+        window = made_classes.Window(10.0, 20.0, 0.25)
+        believed = {"state": MOVES, "sigma_v_along": 30, "sigma_v_across": 20}
+        window.objects = [Object(3, x_mm=10_000, y_mm=50_000, vy_cm_s=-500, **believed),
+                          Object(4, x_mm=10_000, y_mm=60_000, vy_cm_s=500, **believed),
+                          Object(8, x_mm=10_000, y_mm=70_000)]
+        frame = frame_with(window)
+        self.assertEqual(self.said(self.EXAMPLES[1], [frame, None, dataclasses.replace(frame, objects=None)]),
+                         ["3: 30.0 m away, 5.0 m/s towards me, give or take 0.6"])
+        x, y = frame.window.from_local(frame.objects[0].x_m, frame.objects[0].y_m)
+        self.assertAlmostEqual(x, 30.0)
+        self.assertAlmostEqual(y, 0.0)
 
 
 class Live(unittest.TestCase):

@@ -28,6 +28,29 @@ static uint32_t picture(const iogrid_receiver* r, int of_classes) {
   return ~crc;
 }
 
+// How many objects there are, and the CRC-32 of what is said of each, half a second later, too.
+static void print_objects(const iogrid_receiver* r) {
+  static iogrid_object all[IOGRID_OBJECTS];
+  const int count = iogrid_objects(r, all, IOGRID_OBJECTS);
+  uint32_t crc = 0xFFFFFFFF;
+  for (int i = 0; i < count; ++i) {
+    const iogrid_object* o = &all[i];
+    char text[300];
+    int32_t x = 0, y = 0;
+    uint32_t sigma = 0;
+    const int is_told = iogrid_object_at(o, o->time_us + 512345, &x, &y, &sigma);
+    const int bytes = snprintf(
+        text, sizeof text,
+        "%llu %u %u %u %u %d %d %u %u %d %u %u %d %d %u %u %u %u %u %u %d %d %d %u\n",
+        (unsigned long long)o->time_us, o->id, o->state, o->existence, o->age, o->x_mm, o->y_mm,
+        o->length_cm, o->width_cm, o->has_heading ? o->heading : -1, o->is_hit, o->is_end_hidden,
+        o->vx_cm_s, o->vy_cm_s, o->sigma_v_along, o->sigma_v_across, o->sigma_along,
+        o->sigma_across, o->since_hit_ms, o->since_stopped, is_told, x, y, sigma);
+    crc = iogrid_crc(r->crc_32, crc, (const uint8_t*)text, (size_t)bytes);
+  }
+  printf(" objects %d %08x", count, ~crc);
+}
+
 static void print(const iogrid_receiver* r) {
   uint32_t at = 0, moving = 0, is_free = 0;
   double x, y, sum = 0;
@@ -43,6 +66,7 @@ static void print(const iogrid_receiver* r) {
   printf("%u run %u whole %d lost %u %u cells %08x %08x", r->number, r->run, r->is_whole,
          r->has_indexes ? lost(&r->indexes) : 0, r->has_classes ? lost(&r->classes) : 0,
          picture(r, 0), picture(r, 1));
+  print_objects(r);
   printf(" causes %x pose %d %.3f %.3f %.6f end %llu moving %u %.3f free %u at %d\n", r->causes,
          r->has_pose, r->has_pose ? r->x_m : 0, r->has_pose ? r->y_m : 0,
          r->has_pose ? r->heading_rad : 0, (unsigned long long)r->end_us, moving, sum, is_free,
