@@ -48,10 +48,15 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   uint8_t has_pose;              // else it is not known where the car is, and no class has a place
   double x_m, y_m, heading_rad;  // of the car in the local frame
   uint64_t end_us;               // of the pose, by the poses' clock
+  uint8_t has_velocity;          // of the car since the frame before
+  double vx_m_s, vy_m_s;         // in the local frame
   uint32_t used, dropped[IOGRID_DROPS];
   char refusal[256];  // why the target has refused its car and sends no grid (3.11), or empty
   // The receiver's own.
-  uint8_t is_open, has_run, has_next;
+  uint8_t is_open, has_run, has_next, had_pose;
+  uint32_t number_before;
+  int32_t x_mm_before, y_mm_before;
+  uint64_t end_us_before;
   uint32_t next, over[16], overs, candidate, candidates, candidate_sequences[2];
   uint32_t crc_p4[256], crc_32[256];
 } iogrid_receiver;
@@ -65,6 +70,20 @@ static inline void iogrid_init(iogrid_receiver* r) {
       r->crc_32[i] = r->crc_32[i] >> 1 ^ (r->crc_32[i] & 1 ? 0xEDB88320U : 0);
     }
   }
+}
+
+// The car's velocity since the frame before; not over a jump, since the local frame may be another.
+static inline void iogrid_follow_car(iogrid_receiver* r, int32_t x_mm, int32_t y_mm) {
+  const uint64_t passed = r->end_us - r->end_us_before;  // us
+  r->has_velocity = r->has_pose && r->had_pose && r->number == r->number_before + 1 && passed > 0 &&
+                    passed <= 500000 && (r->causes & 0x5A) == 0;
+  r->vx_m_s = r->has_velocity ? ((double)x_mm - r->x_mm_before) * 1000 / (double)passed : 0;
+  r->vy_m_s = r->has_velocity ? ((double)y_mm - r->y_mm_before) * 1000 / (double)passed : 0;
+  r->had_pose = r->has_pose;
+  r->number_before = r->number;
+  r->x_mm_before = x_mm;
+  r->y_mm_before = y_mm;
+  r->end_us_before = r->end_us;
 }
 
 // Hands over what has come of the frame. Also for who has heard nothing for half a second: then
@@ -87,6 +106,7 @@ static inline int iogrid_close(iogrid_receiver* r) {
   r->end_us = iogrid_be64(w + 40);
   static const uint8_t unknown[16] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255};
   r->has_pose = r->classes.has_window && memcmp(w + 12, unknown, 16) != 0;
+  iogrid_follow_car(r, (int32_t)iogrid_be32(w + 12), (int32_t)iogrid_be32(w + 16));
   return 1;
 }
 
@@ -194,6 +214,7 @@ static inline enum iogrid_result iogrid_take(iogrid_receiver* r, const void* dat
     r->candidates = 0;
     r->has_next = 0;
     r->refusal[0] = 0;
+    r->had_pose = 0;
     memset(r->indexes.has_own, 0, sizeof r->indexes.has_own);
     memset(r->classes.has_own, 0, sizeof r->classes.has_own);
   }
@@ -290,6 +311,20 @@ static inline int iogrid_objects(const iogrid_receiver* r, iogrid_object* to, in
     }
   }
   return count;
+}
+
+// How far the middle of an object of the frame is from the car, and how fast that becomes less, the
+// car's own motion included. False where one of both velocities is not known.
+static inline int iogrid_closing(const iogrid_receiver* r, const iogrid_object* object,
+                                 double* distance_m, double* speed_m_s) {
+  int32_t x_mm, y_mm;
+  uint32_t sigma_mm;
+  if (!r->has_velocity || !iogrid_object_at(object, r->end_us, &x_mm, &y_mm, &sigma_mm)) return 0;
+  const double x = x_mm * 1e-3 - r->x_m, y = y_mm * 1e-3 - r->y_m;
+  const double vx = object->vx_cm_s * 1e-2 - r->vx_m_s, vy = object->vy_cm_s * 1e-2 - r->vy_m_s;
+  *distance_m = hypot(x, y);
+  *speed_m_s = *distance_m > 0 ? -(x * vx + y * vy) / *distance_m : 0;
+  return 1;
 }
 
 // The class of a place; IOGRID_UNKNOWN outside of the window, and if there is no pose.

@@ -56,6 +56,16 @@ class Window:
         pose = Pose(x_mm / 1000, y_mm / 1000, heading * math.tau / 2 ** 32, sigma_m, sigma_rad) if is_known else None
         return cls(Cause(causes & 0x7F), (a, b), pose, slices, begin_us, end_us)
 
+    def velocity_since(self, before: "Window | None") -> tuple[float, float] | None:
+        """Of the car, m/s in the local frame, since another frame; None where its place is not known, or the local frame
+        may be another."""
+        passed_us = self.end_us - before.end_us if before else 0
+        if not 0 < passed_us <= 500_000 or self.pose is None or before.pose is None or \
+                self.causes & (Cause.LOST | Cause.JUMP | Cause.RESTART | Cause.CONTRADICTED):
+            return None
+        return tuple((round(now * 1000) - round(then * 1000)) * 1000 / passed_us
+                     for now, then in ((self.pose.x_m, before.pose.x_m), (self.pose.y_m, before.pose.y_m)))
+
     def to_cells(self, x_m, y_m):
         """Column and row in the classes, with fractions, of a place in the car's frame; it may be arrays."""
         c, s = math.cos(self.pose.heading_rad), math.sin(self.pose.heading_rad)
@@ -93,7 +103,19 @@ class Frame:
     sureness: numpy.ndarray | None  # uint8 [SIDE, SIDE], 0 ... 7
     classes_lost: numpy.ndarray | None  # bool [32, 32]
     window: Window | None  # None, too: nothing of the classes has come
+    velocity: tuple[float, float] | None  # of the car since the frame before, m/s in the local frame; None: not known
     objects: list[Object] | None  # by id; None: not known, since a part was lost or the frame has no place
+
+    def closing(self, thing: Object) -> tuple[float, float] | None:
+        """How far the middle of an object of the frame is from the car, m, and how fast that becomes less, m/s, the car's
+        own motion included. None where one of both velocities is not known."""
+        at = thing.at(self.window.end_us) if self.velocity is not None else None
+        if at is None:
+            return None
+        x, y = at[0] - self.window.pose.x_m, at[1] - self.window.pose.y_m
+        distance = math.hypot(x, y)
+        rate = x * (thing.vx_m_s - self.velocity[0]) + y * (thing.vy_m_s - self.velocity[1])
+        return distance, -rate / distance if distance > 0 else 0.0
 
     def index_at(self, x_m: float, y_m: float) -> int:
         """The occupancy index of a place; 0, unknown, outside of the grid."""

@@ -93,6 +93,7 @@ class Receiver:
         self._run, self._candidate, self._candidates = run, None, {}
         self._waiting: dict[int, _Waiting] = {}
         self._own = References(), References()  # of indexes, of classes
+        self._before: tuple[int, Window | None] = (-1, None)  # the frame that was handed over last, and its window
         self._next = self._first = self._expected = None  # frame that was not handed over yet; sequence numbers
         self.refusal = None
 
@@ -153,10 +154,13 @@ class Receiver:
         (indexes, indexes_lost, are_indexes_whole), (classes, classes_lost, are_classes_whole) = (
             grid.decode(number, own, self.dropped) if grid in waiting.grids else (None, None, True)
             for grid, own in zip((waiting.indexes, waiting.classes), self._own, strict=True))
+        window = Window.read(waiting.classes.window) if waiting.classes.window else None
+        is_next, before = (self._before[0] + 1) & _WORD == number, self._before[1]
+        self._before = number, window
         is_whole = waiting.indexes.end is not None and are_indexes_whole and are_classes_whole and \
             waiting.has_its_objects
         _, _, _, _, _, closed_us, vehicle, _, complete, partial, _, points_used, *_, run = waiting.header
         return Frame(number, closed_us, vehicle, run, complete, partial, points_used, is_whole,
                      None if indexes is None else indexes.view(numpy.int8), indexes_lost,
                      None if classes is None else classes >> 3, None if classes is None else classes & 7, classes_lost,
-                     Window.read(waiting.classes.window) if waiting.classes.window else None, waiting.objects.objects)
+                     window, window.velocity_since(before) if window and is_next else None, waiting.objects.objects)

@@ -1,7 +1,6 @@
 """Does a place in the car's frame find its cell, and do the examples of docs/clients.md say what is there?"""
 
 import contextlib
-import dataclasses
 import io
 import math
 import random
@@ -14,6 +13,7 @@ from code_blocks import code_blocks
 from made_classes import FREE, LOST, MOVING, OCCUPIED, class_byte
 from stream_test import received
 
+import grid_stream
 import iogrid
 import made_classes
 import made_stream
@@ -137,18 +137,27 @@ class Examples(unittest.TestCase):
                          ["0 free", "the target is silent", "0 not known to be free: OCCUPIED"])
 
     def test_what_comes_towards_me(self):
-        """The car is at (10, 20) m and looks along y. 30 m before it something comes with 5 m/s; another goes, a third
-        is not believed to move, and nothing is known in a frame that has lost its objects."""
-        window = made_classes.Window(10.0, 20.0, 0.25)
-        believed = {"state": MOVES, "sigma_v_along": 30, "sigma_v_across": 20}
-        window.objects = [Object(3, x_mm=10_000, y_mm=50_000, vy_cm_s=-500, **believed),
-                          Object(4, x_mm=10_000, y_mm=60_000, vy_cm_s=500, **believed),
-                          Object(8, x_mm=10_000, y_mm=70_000)]
-        frame = frame_with(window)
-        self.assertEqual(self.said(self.EXAMPLES[1], [frame, None, dataclasses.replace(frame, objects=None)]),
-                         ["3: 30.0 m away, 5.0 m/s towards me, give or take 0.6"])
-        x, y = frame.window.from_local(frame.objects[0].x_m, frame.objects[0].y_m)
-        self.assertAlmostEqual(x, 30.0)
+        """The car drives with 10 m/s along y of the local frame. 30 m before it something comes with 5 m/s; another goes
+        as fast as the car, a third is not believed to move, a fourth is behind and faster. In the third frame the car's
+        place jumps, in the fourth a message of objects is lost."""
+        target, frames = made_stream.Target(0), []
+        for number in range(4):
+            window = made_classes.Window(10.0, 20.0 + 0.4 * number, 0.25)
+            window.stamp_us += 40_000 * number
+            window.causes = made_classes.JUMP if number == 2 else 0
+            window.objects = [Object(each, MOVES, x_mm=10_000, y_mm=y_mm, vy_cm_s=vy, sigma_v_along=30, sigma_v_across=20)
+                              for each, y_mm, vy in ((3, 50_420, -500), (4, 60_400, 1000), (9, 5_340, 1500))]
+            window.objects.insert(2, Object(8, x_mm=10_000, y_mm=70_000))
+            frames.append(target.messages_of(made_stream.Grid(), 1, window))
+        frames[3] = [message for message in frames[3] if message[28] != grid_stream.OBJECTS]
+        frames, _ = received([message for messages in frames for message in messages])
+        self.assertEqual(self.said(self.EXAMPLES[1], [frames[0], None, *frames[1:]]), [
+            "not known", "not known", "3: 30.0 m away, 15.0 m/s towards me, give or take 0.6",
+            "9: 15.0 m away, 5.0 m/s towards me, give or take 0.6", "not known", "not known"])
+        self.assertEqual([frame.velocity for frame in frames], [None, (0, 10), None, (0, 10)])
+        self.assertIsNone(frames[1].closing(frames[1].objects[2]))
+        x, y = frames[1].window.from_local(frames[1].objects[0].x_m, frames[1].objects[0].y_m)
+        self.assertAlmostEqual(x, 30.02)
         self.assertAlmostEqual(y, 0.0)
 
 

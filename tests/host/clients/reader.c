@@ -67,10 +67,11 @@ static void print(const iogrid_receiver* r) {
          r->has_indexes ? lost(&r->indexes) : 0, r->has_classes ? lost(&r->classes) : 0,
          picture(r, 0), picture(r, 1));
   print_objects(r);
-  printf(" causes %x pose %d %.3f %.3f %.6f end %llu moving %u %.3f free %u at %d\n", r->causes,
-         r->has_pose, r->has_pose ? r->x_m : 0, r->has_pose ? r->y_m : 0,
-         r->has_pose ? r->heading_rad : 0, (unsigned long long)r->end_us, moving, sum, is_free,
-         (int)iogrid_class_at(r, 5.03, 0.71));
+  printf(
+      " causes %x pose %d %.3f %.3f %.6f end %llu moving %u %.3f free %u at %d car %d %.3f %.3f\n",
+      r->causes, r->has_pose, r->has_pose ? r->x_m : 0, r->has_pose ? r->y_m : 0,
+      r->has_pose ? r->heading_rad : 0, (unsigned long long)r->end_us, moving, sum, is_free,
+      (int)iogrid_class_at(r, 5.03, 0.71), r->has_velocity, r->vx_m_s, r->vy_m_s);
 }
 
 int main(void) {
