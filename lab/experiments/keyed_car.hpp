@@ -1,5 +1,5 @@
-// A car of vehicles/ with other keys `ground` and `moved`, with classes, and with clocks that are
-// those of its poses.
+// A car of vehicles/ with other keys `ground`, `moved` and `objects`, with classes, and with clocks
+// that are those of its poses.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@ namespace iog::lab {
 struct Keys {
   vehicle::GroundLimits ground{};  // of its units that turn
   vehicle::MovedLimits moved{};
+  bool has_objects = true;
 };
 
 class KeyedCar {
@@ -34,6 +35,7 @@ class KeyedCar {
     vehicle_.sensors = sensors_;
     vehicle_.window = rules;
     vehicle_.grids = vehicle::Grids::kClasses;
+    vehicle_.has_objects = keys.has_objects;
     vehicle_.frame_period_us = kFramePeriodUs;
     vehicle::derive_rules(sensors_, vehicle_.window);
   }

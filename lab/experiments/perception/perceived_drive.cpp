@@ -108,7 +108,8 @@ void perceive_drive(const PerceivedDrive& drive, std::span<const PerceptionRule>
   std::deque<KeyedCar> cars;
   std::vector<std::unique_ptr<Perceiver>> perceivers;
   for (const PerceptionRule& rule : rules) {
-    cars.emplace_back(*car.vehicle, Keys{.moved = rule.moved}, rule.rules);
+    cars.emplace_back(*car.vehicle, Keys{.moved = rule.moved, .has_objects = rule.has_objects},
+                      rule.rules);
     perceivers.push_back(std::make_unique<Perceiver>(cars.back().vehicle(), rule.map));
   }
   const auto evidence = std::make_unique<Evidence>(car);  // too large for the stack
@@ -123,10 +124,15 @@ void perceive_drive(const PerceivedDrive& drive, std::span<const PerceptionRule>
     require(first.frames() == number + 1);  // the last packet of a frame closes it
     PerceivedFrame frame{.number = number, .drive = &moving, .report = &first.report()};
     frame.window.first = Evidence::first_cell(first.area());
-    const bool is_shown = number % drive.shown_every == drive.shown_every - 1;
-    evidence->find(datagrams, first.area(), is_shown, frame);
-    for (std::size_t rule = 0; is_shown && rule < rules.size(); ++rule) {
-      frame.classes.push_back(perceivers[rule]->classes());
+    const bool is_shown = drive.has_evidence && number % drive.shown_every == drive.shown_every - 1;
+    if (drive.has_evidence) {
+      evidence->find(datagrams, first.area(), is_shown, frame);
+    }
+    for (const auto& perceiver : perceivers) {
+      frame.objects.push_back(&perceiver->objects());
+      if (is_shown) {
+        frame.classes.push_back(perceiver->classes());
+      }
     }
     use(frame);
   }

@@ -4,6 +4,7 @@
 // Cells are those of the window: cell (i, j) of the local frame holds i <= 10 x / m < i + 1.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include "app/perception_report.hpp"
 #include "geometry/cell.hpp"
+#include "objects/tracker.hpp"
 #include "tools/simulate/drives/drive.hpp"
 #include "tools/simulate/drives/pose_source.hpp"
 #include "vehicle/vehicle.hpp"
@@ -19,11 +21,19 @@
 
 namespace iog::lab {
 
+// Nothing was tuned on these.
+inline constexpr std::array<std::uint64_t, 12> kCleanSeeds{71, 72, 73, 91, 92, 93,
+                                                           94, 95, 96, 97, 98, 99};
+// The lengths have enough of everything; the street's is its act.
+inline constexpr std::uint32_t kRoadSeconds = 8;
+inline constexpr std::uint32_t kStreetSeconds = 20;
+
 struct PerceptionRule {
   std::string_view name;
   window::Rules rules{};
   std::span<const std::uint8_t> map{};  // a block; empty: none. It outlives the drive.
   vehicle::MovedLimits moved{};         // of all sensors
+  bool has_objects = true;              // things with a speed have a say in names
 };
 
 // A cell with a positive index in one slice of a frame.
@@ -53,8 +63,9 @@ struct PerceivedFrame {
   std::uint32_t number = 0;  // of the drive
   const tools::Drive* drive = nullptr;
   const app::PerceptionReport* report = nullptr;
-  std::vector<HitCell> hits{};
+  std::vector<HitCell> hits{};  // without evidence none
   CellWindow window{};
+  std::vector<const objects::Tracker*> objects{};  // by rule
   // Of frames that are shown; else empty.
   std::vector<std::int8_t> evidence{};              // the frame's joined indexes
   std::vector<std::vector<std::int8_t>> classes{};  // class bytes, by rule
@@ -66,6 +77,7 @@ struct PerceivedDrive {
   std::uint32_t seconds = 0;
   tools::PoseOptions poses{};
   std::uint32_t shown_every = 5;  // frames of which classes and evidence are handed out
+  bool has_evidence = true;       // else neither hits nor shown frames
 };
 
 // Calls use(frame) for each frame of the reference car's drive, in order.

@@ -24,10 +24,9 @@ LocalToWorld::LocalToWorld(const pose::Pose& placed, const tools::Placement& tru
   sin_ = truth.sin * cos - truth.cos * sin;
 }
 
-LocalToWorld::Point LocalToWorld::centre_of(geometry::Cell cell) const {
-  const double x = (cell.x + 0.5) * kWindowCellM - placed_.x_m;
-  const double y = (cell.y + 0.5) * kWindowCellM - placed_.y_m;
-  return {truth_.x_m + cos_ * x - sin_ * y, truth_.y_m + sin_ * x + cos_ * y};
+LocalToWorld::Point LocalToWorld::at(double x_m, double y_m) const {
+  const Point way = turned(x_m - placed_.x_m, y_m - placed_.y_m);
+  return {truth_.x_m + way.x_m, truth_.y_m + way.y_m};
 }
 
 FrameTruth::FrameTruth(const PerceivedFrame& frame, const LocalToWorld& before) {

@@ -25,7 +25,17 @@ class LocalToWorld {
     double x_m = 0;
     double y_m = 0;
   };
-  [[nodiscard]] Point centre_of(geometry::Cell cell) const;
+  // Metres of the local frame.
+  [[nodiscard]] Point at(double x_m, double y_m) const;
+  [[nodiscard]] Point centre_of(geometry::Cell cell) const {
+    return at((cell.x + 0.5) * kWindowCellM, (cell.y + 0.5) * kWindowCellM);
+  }
+  // A way, or a velocity.
+  [[nodiscard]] Point turned(double x, double y) const {
+    return {cos_ * x - sin_ * y, sin_ * x + cos_ * y};
+  }
+  // Where the car truly was.
+  [[nodiscard]] const Point& car() const { return truth_; }
 
  private:
   Point placed_;

@@ -1,5 +1,5 @@
-"""How good the classes of the perception grid are: against the simulator's truth, beside the rule
-of Kurdej's thesis, and with bad poses."""
+"""How good the classes of the perception grid are: against the simulator's truth, beside the grid without things and
+the rule of Kurdej's thesis, and with bad poses."""
 
 from types import SimpleNamespace
 
@@ -10,6 +10,7 @@ from section import Section, select
 
 SAID = ["moving", "open", "standing", "free", "unknown"]
 SAID_CELLS = [f"{said}_cells" for said in SAID]
+DEFAULT, ALONE, THESIS = RULES = ["default", "grid alone", "thesis"]
 SCENES = {"city": "city", "ring_road": "ring road", "street": "street"}
 HITS_ON = {"standing": "what stands", "moving_car": "a moving car",
            "followed_car": "a car that keeps ahead or behind", "moving_person": "a walker"}
@@ -97,14 +98,14 @@ def _is_asked(what, scene):
 
 
 def _goals_and_rows(data, seeds):
-    """Of each goal every seed has to meet it."""
+    """Of each goal every drive has to meet it."""
     goals, rows = [], []
     for what, goal, value, is_met, decimals in MEASURES:
         for scene in ("city", "ring_road"):
             if not _is_asked(what, scene):
                 continue
-            ours, thesis = ([value(Scores(data, "perception", scene=scene, seed=int(seed), rule=rule))
-                             for seed in seeds] for rule in ("default", "thesis"))
+            together, alone, thesis = (value(Scores(data, "perception", scene=scene, rule=rule)) for rule in RULES)
+            ours = [value(Scores(data, "perception", scene=scene, seed=int(seed), rule=DEFAULT)) for seed in seeds]
             met = sum(is_met(one) for one in ours)
             verdict = "met" if met == len(seeds) else f"**missed**: met by {met} of {len(seeds)}"
             short = what.removesuffix(", city").removesuffix(", ring road")
@@ -113,8 +114,8 @@ def _goals_and_rows(data, seeds):
                               f"{fixed(shares[0], decimals)} to {fixed(shares[-1], decimals)} %",
                               met == len(seeds), "" if met == len(seeds) else f"met by {met} of {len(seeds)}"))
             rows.append([short, SCENES[scene],
-                         goal, *(shown(one, decimals) for one in ours), verdict,
-                         " ".join(fixed(100 * one, 1) for one in thesis) + " %"])
+                         goal, shown(together, decimals), fixed(shares[0], decimals), fixed(shares[-1], decimals),
+                         verdict, shown(alone, decimals), shown(thesis)])
     return goals, rows
 
 
@@ -132,48 +133,52 @@ def _hit_rows(data, rule):
 
 
 def _range_rows(data):
+    """By the grid alone and with things."""
     rows = []
-    for scene in ("city", "ring_road"):
-        scores = Scores(data, "perception", scene=scene, rule="default")
-        for hits_on in ("moving_car", "followed_car", "moving_person"):
-            of_ranges = [scores.said_of([hits_on], from_m) for from_m in (0, 15, 30)]
-            if any(said.cells for said in of_ranges):
-                rows.append([SCENES[scene], HITS_ON[hits_on],
-                             *(f"{shown(said.moving)} of {grouped(said.cells)}"
-                               for said in of_ranges)])
+    for scene in SCENES:
+        prefix = "perception_street" if scene == "street" else "perception"
+        alone, default = (Scores(data, prefix, scene=scene, rule=rule) for rule in (ALONE, DEFAULT))
+        for hits_on, name in HITS_ON.items():
+            cells = []
+            for from_m in (0, 15, 30):
+                before, after = (scores.said_of([hits_on], from_m) for scores in (alone, default))
+                decimals = 2 if hits_on == "standing" else 1
+                cells.append(f"{fixed(100 * before.moving, decimals)} → {fixed(100 * after.moving, decimals)} of "
+                             f"{grouped(after.cells)}" if after.cells else "–")
+            if set(cells) != {"–"}:
+                rows.append([SCENES[scene], name, *cells])
     return rows
 
 
-def _moving_rows(data, seeds):
+def _moving_rows(data):
     rows = []
     for scene in ("city", "ring_road"):
-        for seed in seeds:
-            for rule in ("default", "thesis"):
-                scores = Scores(data, "perception", scene=scene, seed=int(seed), rule=rule)
-                rows.append([SCENES[scene], seed, rule, grouped(scores.moving["called_cells"].sum()),
-                             shown(scores.right()), shown(scores.right("left_lately")),
-                             shown(1 - scores.right() - scores.right("left_lately")),
-                             shown(scores.right_with_evidence())])
+        for rule in RULES:
+            scores = Scores(data, "perception", scene=scene, rule=rule)
+            rows.append([SCENES[scene], rule, grouped(scores.moving["called_cells"].sum()),
+                         shown(scores.right()), shown(scores.right("left_lately")),
+                         shown(1 - scores.right() - scores.right("left_lately")),
+                         shown(scores.right_with_evidence())])
     return rows
 
 
 def _recent_rows(data, seeds):
     rows = []
     for scene in ("city", "ring_road"):
-        recent = Scores(data, "perception", scene=scene, rule="default").recent
-        for material in recent["material"].unique():
-            scores = [Scores(data, "perception", scene=scene, seed=int(seed), rule="default")
-                      for seed in seeds]
-            cells = select(recent, material=material)["hit_cells"].sum()
-            rows.append([SCENES[scene], material, grouped(cells),
-                         *(shown(one.kept(material), 2) for one in scores)])
+        together = Scores(data, "perception", scene=scene, rule=DEFAULT)
+        drives = [Scores(data, "perception", scene=scene, seed=int(seed), rule=DEFAULT) for seed in seeds]
+        for material in together.recent["material"].unique():
+            kept = [one.kept(material) for one in drives]
+            cells = select(together.recent, material=material)["hit_cells"].sum()
+            rows.append([SCENES[scene], material, grouped(cells), shown(together.kept(material), 2),
+                         shown(min(one for one in kept if one == one), 2)])
     return rows
 
 
 def _gap_rows(data):
     rows = []
     for scene in ("city", "ring_road"):
-        for rule in ("single frame", "thesis", "default"):
+        for rule in ("single frame", THESIS, DEFAULT):
             scores = Scores(data, "perception", scene=scene, rule=rule)
             rows.append([SCENES[scene], rule, shown(scores.unknown(NEAR_GAP)),
                          shown(scores.unknown(FAR_GAP))])
@@ -223,7 +228,7 @@ def _stop_times(data):
     """Of cars: the latest frame in which not most of its hits were called standing, thing by
     thing; -1 where there is none."""
     frames = data["perception_stop_frames"]
-    frames = frames[(frames["what"] == "car") & (frames["hit_cells"] >= LEAST_HITS)]
+    frames = frames[frames["hit_cells"] >= LEAST_HITS]
     is_late = 2 * frames["standing_cells"] <= frames["hit_cells"]
     late = [rows[is_late[rows.index]]["since_s"].max()
             for _, rows in frames.groupby(["seed", "thing"])]
@@ -258,12 +263,13 @@ def _pose_rows(data):
     frames, causes = data["perception_poses_frames"], data["perception_poses_causes"]
     rows = []
     for row in frames.itertuples():
-        scores = Scores(data, "perception_poses", poses=row.poses, rule="default")
+        scores, alone = (Scores(data, "perception_poses", poses=row.poses, rule=rule) for rule in (DEFAULT, ALONE))
         stands = scores.said_of(["standing"])
         of_drive = select(causes, poses=row.poses)
         named = [f"{cause.cause} {cause.times}" for cause in of_drive.itertuples() if cause.times]
         rows.append([row.poses, ", ".join(named) or "none", row.frames_not_placed,
-                     row.frames_forgotten, shown(stands.moving, 2), shown(stands.free, 3),
+                     row.frames_forgotten, shown(alone.said_of(["standing"]).moving, 2), shown(stands.moving, 2),
+                     shown(stands.free, 3),
                      shown(scores.said_of(CARS).moving), shown(scores.right_with_evidence()),
                      shown(scores.kept(), 2)])
     return rows
@@ -271,7 +277,7 @@ def _pose_rows(data):
 
 def _poses(data):
     def of(poses):
-        scores = Scores(data, "perception_poses", poses=poses, rule="default")
+        scores = Scores(data, "perception_poses", poses=poses, rule=DEFAULT)
         return SimpleNamespace(stands=scores.said_of(["standing"]).moving,
                                right=scores.right_with_evidence())
     causes = data["perception_poses_causes"].groupby("poses")["times"].sum()
@@ -282,7 +288,7 @@ def section(data) -> Section:
     seeds = [str(seed) for seed in data["perception_moving"]["seed"].unique()]
     first = int(seeds[0])
 
-    def pooled(scene, rule="default"):
+    def pooled(scene, rule=DEFAULT):
         return Scores(data, "perception", scene=scene, rule=rule)
 
     def of_first(scene, rule):
@@ -291,8 +297,8 @@ def section(data) -> Section:
     goals, goal_rows = _goals_and_rows(data, seeds)
     return Section(
         found={"seeds": seeds, "goal_rows": goal_rows,
-               "hit_rows": _hit_rows(data, "default"), "thesis_rows": _hit_rows(data, "thesis"),
-               "range_rows": _range_rows(data), "moving_rows": _moving_rows(data, seeds),
+               "hit_rows": _hit_rows(data, DEFAULT), "thesis_rows": _hit_rows(data, THESIS),
+               "range_rows": _range_rows(data), "moving_rows": _moving_rows(data),
                "recent_rows": _recent_rows(data, seeds), "gap_rows": _gap_rows(data),
                "rule_rows": _rule_rows(data, first), "stop_rows": _stop_rows(data),
                "stops": _stop_times(data), "left": _left(data), "pose_rows": _pose_rows(data),

@@ -26,6 +26,11 @@ TEST(LocalToWorld, TurnsAndMovesAsThePoseIsOff) {
   const LocalToWorld::Point at = to_world.centre_of({10, 40});
   EXPECT_NEAR(at.x_m, 7.05, 1e-9);
   EXPECT_NEAR(at.y_m, 6.95, 1e-9);
+  // What goes to the left of the local frame goes ahead in the world.
+  EXPECT_NEAR(to_world.turned(0, 3).x_m, 3, 1e-9);
+  EXPECT_NEAR(to_world.turned(0, 3).y_m, 0, 1e-9);
+  EXPECT_EQ(to_world.car().x_m, 5);
+  EXPECT_EQ(to_world.car().y_m, 7);
 }
 
 // Hits and joined indexes are found in two ways.
