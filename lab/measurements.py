@@ -153,6 +153,7 @@ PAGES = {
     "results/turning": ("target/turning",),
     "results/perception_time": ("target/perception",),
     "results/map_time": ("target/map",),
+    "results/objects": ("experiments/objects", "experiments/perception"),
     "results/scaling": ("experiments/worst_frames", "target/scaling"),
     "results/quadtree": ("experiments/quadtree", "target/frames"),
     "results/stream": ("experiments/stream", "target/frames"),

@@ -10,6 +10,8 @@ constexpr auto kExperiments = std::to_array<Experiment>({
     {"hills", "hills_classes", hills_classes},
     {"map_quality", "map_quality", map_quality},
     {"perception", "perception_rules", perception_rules},
+    {"objects", "objects_street", objects_street},
+    {"objects", "objects_roads", objects_roads},
     {"evidential", "evidential_street", evidential_street},
     {"perception", "perception_street", perception_street},
     {"evidential", "evidential_roc", evidential_roc},

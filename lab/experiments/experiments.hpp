@@ -21,6 +21,8 @@ namespace iog::lab {
 [[nodiscard]] Tables perception_rules(const Input& input);   // classes of the perception grid
 [[nodiscard]] Tables perception_street(const Input& input);  // of what stops, and leaves
 [[nodiscard]] Tables perception_poses(const Input& input);   // and when poses are bad
+[[nodiscard]] Tables objects_roads(const Input& input);      // things with a speed on it
+[[nodiscard]] Tables objects_street(const Input& input);     // and of what parks and leaves
 [[nodiscard]] Tables hills_classes(const Input& input);      // and where the world is not flat
 [[nodiscard]] Tables map_quality(const Input& input);        // names, by maps right and wrong
 [[nodiscard]] Tables free_on_things(const Input& input);     // and what is called free and is not
