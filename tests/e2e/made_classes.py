@@ -53,6 +53,7 @@ class Window:
         self.map = b""  # what it says of its map
         self.tiles: dict[tuple[int, int], bytearray] = {}
         self.objects: list[object_parts.Object] | None = None  # by id; None: the target looks for none
+        self.objects_left = (0, 0)  # tracks and hits without room
 
     def fill(self, xs: range, ys: range, byte: int) -> None:
         for y in ys:

@@ -72,8 +72,8 @@ class Target:
             bodies.append((grid_stream.TILES, self._tiles_header(0, grid_stream.TILE_COUNT, 0)))
         bodies += window.bodies() if window else []
         if window and window.objects is not None:
-            bodies += [(grid_stream.OBJECTS, body)
-                       for body in object_parts.bodies(window.objects, window.objects_us)]
+            bodies += [(grid_stream.OBJECTS, body) for body in object_parts.bodies(
+                window.objects, window.objects_us, *window.objects_left)]
         bodies.append((grid_stream.FRAME_END, self._end(len(known), grid.crc, points_used)))
         flags = made_classes.HAS_CLASSES if window else 0
         if window and window.objects is not None:

@@ -44,6 +44,8 @@ struct GridFrame {
     const bool has_tiles = end.tiles_lost == 0 && valid_tiles.all() && tiles == end.tiles_sent;
     return has_end && (has_tiles || !header.has_indexes());
   }
+  // The list has come, and the frame has a place.
+  [[nodiscard]] bool knows_objects() const { return objects && objects->has_place(); }
   [[nodiscard]] std::span<const index::OccupancyIndex, geometry::kCellCount> grid() const {
     return std::span(cells).first<geometry::kCellCount>();
   }

@@ -1,7 +1,12 @@
 #include "tools/record/mcap_recording.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "protection/protected_message.hpp"
 #include "tools/formats/ros/class_messages.hpp"
+#include "tools/formats/ros/object_messages.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -10,10 +15,19 @@ namespace {
 // Of the reference description, for vehicles that are not known here.
 constexpr double kDefaultEpsilon = description::Description{}.epsilon;
 
+// How long an object is seen that no frame names again.
+constexpr std::uint64_t kFramesOfObjects = 2;
+
 constexpr std::uint64_t ns_of(std::uint64_t time_us) { return time_us * 1000; }
 
 mcap::Writer::Times times_of(const RecordedFrame& recorded, std::uint64_t stamp_us) {
   return {.log_ns = ns_of(recorded.time_us), .publish_ns = ns_of(stamp_us)};
+}
+
+// Of the frames of a vehicle, or of the reference description if it is not known here.
+std::uint64_t period_us(std::uint32_t vehicle_id) {
+  const CatalogueEntry* const car = vehicle_of_id(vehicle_id);
+  return (car != nullptr ? *car->description : description::Description{}).frame_period_us;
 }
 
 // When the frame of a message closed, by the target's clock; otherwise, for what is no message of
@@ -75,6 +89,9 @@ void McapRecording::take_frame(const RecordedFrame& recorded) {
   if (recorded.frame->classes && recorded.frame->classes->has_window()) {
     take_classes(recorded, stamp_us);
   }
+  if (recorded.frame->knows_objects()) {
+    take_objects(recorded, stamp_us);
+  }
 }
 
 void McapRecording::take_indexes(const RecordedFrame& recorded, std::uint64_t stamp_us) {
@@ -100,6 +117,23 @@ void McapRecording::take_classes(const RecordedFrame& recorded, std::uint64_t st
         [&] { return ros::class_occupancy_grid(classes, stamp_us); });
   write(kClassesTopic, ros::kFoxgloveGrid, times,
         [&] { return ros::foxglove_class_grid(*recorded.classes, stamp_us); });
+}
+
+// Who plays frame by frame has what is gone taken away; who plays in time has it end by itself,
+// also where no list comes.
+void McapRecording::take_objects(const RecordedFrame& recorded, std::uint64_t stamp_us) {
+  const GridFrame& frame = *recorded.frame;
+  std::vector<std::uint32_t> ids;
+  std::ranges::transform(frame.objects->all(), std::back_inserter(ids), &stream::ObjectRecord::id);
+  std::vector<std::uint32_t> gone;
+  std::ranges::set_difference(object_ids_, ids, std::back_inserter(gone));
+  write(kObjectsTopic, ros::kSceneUpdate, times_of(recorded, stamp_us), [&] {
+    return ros::scene_update({.stamp_us = stamp_us,
+                              .lifetime_us = kFramesOfObjects * period_us(frame.header.vehicle_id),
+                              .objects = frame.objects->all(),
+                              .gone = gone});
+  });
+  object_ids_ = std::move(ids);
 }
 
 void McapRecording::finish(const RunStatistics::Facts& facts) {

@@ -23,11 +23,12 @@ inline constexpr std::string_view kImageTopic = "/iogrid/image";
 inline constexpr std::string_view kCellsTopic = "/iogrid/grid";
 inline constexpr std::string_view kClassOccupancyTopic = "/classes";
 inline constexpr std::string_view kClassesTopic = "/iogrid/classes";
+inline constexpr std::string_view kObjectsTopic = "/objects";
 inline constexpr std::string_view kTransformTopic = "/tf";
 inline constexpr std::string_view kMessagesTopic = "/iogrid/messages";
 inline constexpr std::array kAllTopics{kOccupancyTopic,      kImageTopic,   kCellsTopic,
-                                       kClassOccupancyTopic, kClassesTopic, kTransformTopic,
-                                       kMessagesTopic};
+                                       kClassOccupancyTopic, kClassesTopic, kObjectsTopic,
+                                       kTransformTopic,      kMessagesTopic};
 inline constexpr std::string_view kRunMetadata = "iogrid";
 
 // Which clock header.stamp and the publish time are of: the target's, which begins when it starts,
@@ -53,6 +54,7 @@ class McapRecording : public Recording {
   [[nodiscard]] std::uint16_t channel_of(std::string_view topic, const ros::MessageType& type);
   void take_indexes(const RecordedFrame& recorded, std::uint64_t stamp_us);
   void take_classes(const RecordedFrame& recorded, std::uint64_t stamp_us);
+  void take_objects(const RecordedFrame& recorded, std::uint64_t stamp_us);
   [[nodiscard]] const ros::Percents& percents_of(std::uint32_t vehicle_id);
 
   mcap::Writer file_;
@@ -61,6 +63,7 @@ class McapRecording : public Recording {
   std::map<std::string_view, std::uint16_t> schemas_;   // by their types' names
   std::map<std::string_view, std::uint16_t> channels_;  // by topic
   std::map<double, ros::Percents> percents_;            // by epsilon
+  std::vector<std::uint32_t> object_ids_;               // of the last list, in their order
 };
 
 }  // namespace iog::tools

@@ -102,7 +102,10 @@ function fields(definition) {
     .filter((field) => !field.isConstant)
     .map(({ name, type, isArray }) => ({
       name,
-      type: type.replace("builtin_interfaces/Time", "time").replace("/msg/", "/"),
+      type: type
+        .replace("builtin_interfaces/Time", "time")
+        .replace("builtin_interfaces/Duration", "duration")
+        .replace("/msg/", "/"),
       isArray: Boolean(isArray),
     }));
 }
@@ -115,8 +118,8 @@ function checkDefinition(schema) {
     assert.deepEqual(fields(main), fields(ros2jazzy[name]), schema.name);
     return;
   }
-  assert.equal(schema.name, "foxglove_msgs/msg/Grid");
-  const official = foxglove.generateRosMsgMergedSchema(foxglove.foxgloveMessageSchemas.Grid, {
+  const [, type] = /^foxglove_msgs\/msg\/(Grid|SceneUpdate)$/.exec(schema.name);
+  const official = foxglove.generateRosMsgMergedSchema(foxglove.foxgloveMessageSchemas[type], {
     rosVersion: 2,
   });
   const ours = parse(new TextDecoder().decode(schema.data), { ros2: true });
@@ -124,6 +127,7 @@ function checkDefinition(schema) {
   const byName = (all) => {
     const types = Object.fromEntries(all.map((each) => [each.name ?? "", fields(each)]));
     delete types["builtin_interfaces/Time"]; // which ROS 2 writes out and Foxglove does not
+    delete types["builtin_interfaces/Duration"];
     return types;
   };
   assert.deepEqual(byName(ours), byName(theirs), schema.name);
@@ -216,6 +220,54 @@ function checkTransform({ transforms }) {
   return { x: translation.x, y: translation.y, heading };
 }
 
+const RGB = ({ r, g, b }) => [r, g, b].map((part) => Math.round(255 * part));
+
+// Of a turn about z alone.
+function angleOf({ x, y, z, w }) {
+  assert.deepEqual([x, y], [0, 0]);
+  assert.ok(Math.abs(z ** 2 + w ** 2 - 1) < 1e-12);
+  return 2 * Math.atan2(z, w);
+}
+
+// A box on the ground, words above it, and an arrow if it moves.
+function checkEntity(entity, stamp) {
+  const { id, lifetime, metadata, arrows, cubes, texts } = entity;
+  assert.equal(entity.frame_id, "odom");
+  assert.equal(entity.frame_locked, false);
+  assert.deepEqual(entity.timestamp, stamp);
+  for (const kind of ["spheres", "cylinders", "lines", "triangles", "models"]) {
+    assert.equal(entity[kind].length, 0);
+  }
+  assert.deepEqual([cubes.length, texts.length, arrows.length <= 1], [1, 1, true]);
+  const [{ pose, size, color }] = cubes;
+  assert.deepEqual([pose.position.z - size.z / 2, size.z], [0, 1.5]);
+  assert.ok(texts[0].billboard && texts[0].scale_invariant && texts[0].pose.position.z > size.z);
+  const { x, y } = pose.position;
+  for (const other of [...arrows, ...texts]) {
+    assert.deepEqual([other.pose.position.x, other.pose.position.y], [x, y]);
+  }
+  const arrow = arrows.map((each) => {
+    assert.deepEqual(RGB(each.color), RGB(color));
+    assert.ok(each.shaft_length > 0 && each.head_length > 0);
+    return { length: each.shaft_length + each.head_length, angle: angleOf(each.pose.orientation) };
+  });
+  return {
+    id, x, y, length: size.x, width: size.y, heading: angleOf(pose.orientation),
+    colour: RGB(color), alpha: color.a, arrow: arrow[0] ?? null, text: texts[0].text,
+    lifetime_s: lifetime.sec + lifetime.nsec / 1e9,
+    metadata: Object.fromEntries(metadata.map(({ key, value }) => [key, value])),
+  };
+}
+
+function checkScene({ deletions, entities }, publishTime) {
+  const stamp = { sec: Number(publishTime / 1000000000n), nsec: Number(publishTime % 1000000000n) };
+  const gone = deletions.map(({ timestamp, type, id }) => {
+    assert.deepEqual([timestamp, type], [stamp, 0]); // MATCHING_ID
+    return id;
+  });
+  return { gone, objects: entities.map((entity) => checkEntity(entity, stamp)) };
+}
+
 class Contents {
   #readers = new Map();
   #topics = new Map();
@@ -224,6 +276,7 @@ class Contents {
   frames = [];
   classes = [];
   poses = [];
+  scenes = [];
   records = {}; // of each topic, as they are in the file
   messages = { count: 0, crc: 0 };
 
@@ -251,6 +304,7 @@ class Contents {
     if (topic === "/classes") this.#classOccupancy = message;
     if (topic === "/iogrid/classes") this.classes.push(checkClasses(this.#classOccupancy, message));
     if (topic === "/tf") this.poses.push(checkTransform(message));
+    if (topic === "/objects") this.scenes.push(checkScene(message, record.publishTime));
     if (topic === "/iogrid/messages") {
       this.messages.count += 1;
       this.messages.crc = crc32(message.data, this.messages.crc);
@@ -337,8 +391,8 @@ const isCut = process.argv[2] === "--cut";
 const bytes = fs.readFileSync(process.argv[isCut ? 3 : 2]);
 const { contents, isDone } = readFromBeginning(bytes);
 assert.equal(isDone, !isCut);
-const { frames, classes, poses, records, messages } = contents;
+const { frames, classes, poses, scenes, records, messages } = contents;
 const metadata = isCut ? [] : await checkIndex(bytes, records);
 console.log(
-  JSON.stringify({ frames, classes, poses, counts: countsOf(records), messages, metadata })
+  JSON.stringify({ frames, classes, poses, scenes, counts: countsOf(records), messages, metadata })
 );

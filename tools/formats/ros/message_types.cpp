@@ -146,12 +146,134 @@ Transform transform
 MSG: geometry_msgs/Transform
 Vector3 translation
 Quaternion rotation
+)";
 
+constexpr std::string_view kVector3 = R"(
 ================================================================================
 MSG: geometry_msgs/Vector3
 float64 x
 float64 y
 float64 z
+)";
+
+constexpr std::string_view kSceneUpdateFields = R"(foxglove_msgs/SceneEntityDeletion[] deletions
+foxglove_msgs/SceneEntity[] entities
+)";
+
+constexpr std::string_view kSceneEntities = R"(
+================================================================================
+MSG: builtin_interfaces/Duration
+int32 sec
+uint32 nanosec
+
+================================================================================
+MSG: foxglove_msgs/SceneEntityDeletion
+uint8 MATCHING_ID=0
+uint8 ALL=1
+builtin_interfaces/Time timestamp
+uint8 type
+string id
+
+================================================================================
+MSG: foxglove_msgs/SceneEntity
+builtin_interfaces/Time timestamp
+string frame_id
+string id
+builtin_interfaces/Duration lifetime
+bool frame_locked
+foxglove_msgs/KeyValuePair[] metadata
+foxglove_msgs/ArrowPrimitive[] arrows
+foxglove_msgs/CubePrimitive[] cubes
+foxglove_msgs/SpherePrimitive[] spheres
+foxglove_msgs/CylinderPrimitive[] cylinders
+foxglove_msgs/LinePrimitive[] lines
+foxglove_msgs/TriangleListPrimitive[] triangles
+foxglove_msgs/TextPrimitive[] texts
+foxglove_msgs/ModelPrimitive[] models
+
+================================================================================
+MSG: foxglove_msgs/KeyValuePair
+string key
+string value
+
+================================================================================
+MSG: foxglove_msgs/Color
+float64 r
+float64 g
+float64 b
+float64 a
+)";
+
+constexpr std::string_view kScenePrimitives = R"(
+================================================================================
+MSG: foxglove_msgs/ArrowPrimitive
+geometry_msgs/Pose pose
+float64 shaft_length
+float64 shaft_diameter
+float64 head_length
+float64 head_diameter
+foxglove_msgs/Color color
+
+================================================================================
+MSG: foxglove_msgs/CubePrimitive
+geometry_msgs/Pose pose
+geometry_msgs/Vector3 size
+foxglove_msgs/Color color
+
+================================================================================
+MSG: foxglove_msgs/SpherePrimitive
+geometry_msgs/Pose pose
+geometry_msgs/Vector3 size
+foxglove_msgs/Color color
+
+================================================================================
+MSG: foxglove_msgs/CylinderPrimitive
+geometry_msgs/Pose pose
+geometry_msgs/Vector3 size
+float64 bottom_scale
+float64 top_scale
+foxglove_msgs/Color color
+
+================================================================================
+MSG: foxglove_msgs/LinePrimitive
+uint8 LINE_STRIP=0
+uint8 LINE_LOOP=1
+uint8 LINE_LIST=2
+uint8 type
+geometry_msgs/Pose pose
+float64 thickness
+bool scale_invariant
+geometry_msgs/Point[] points
+foxglove_msgs/Color color
+foxglove_msgs/Color[] colors
+uint32[] indices
+
+================================================================================
+MSG: foxglove_msgs/TriangleListPrimitive
+geometry_msgs/Pose pose
+geometry_msgs/Point[] points
+foxglove_msgs/Color color
+foxglove_msgs/Color[] colors
+uint32[] indices
+
+================================================================================
+MSG: foxglove_msgs/TextPrimitive
+geometry_msgs/Pose pose
+bool billboard
+float64 font_size
+bool scale_invariant
+foxglove_msgs/Color color
+string text
+
+================================================================================
+MSG: foxglove_msgs/ModelPrimitive
+geometry_msgs/Pose pose
+geometry_msgs/Vector3 scale
+foxglove_msgs/Color color
+bool override_color
+string url
+string media_type
+uint8[] data
 )";
 
 }  // namespace
@@ -170,7 +292,13 @@ const MessageType kFoxgloveGrid{
 
 const MessageType kTfMessage{
     .name = "tf2_msgs/msg/TFMessage",
-    .definition = Joined<kTfMessageFields, kTransformStamped, kQuaternion, kHeader, kTime>::kText};
+    .definition =
+        Joined<kTfMessageFields, kTransformStamped, kVector3, kQuaternion, kHeader, kTime>::kText};
+
+const MessageType kSceneUpdate{
+    .name = "foxglove_msgs/msg/SceneUpdate",
+    .definition = Joined<kSceneUpdateFields, kTime, kSceneEntities, kScenePrimitives, kPose,
+                         kQuaternion, kVector3>::kText};
 
 const MessageType kUint8MultiArray{.name = "std_msgs/msg/UInt8MultiArray",
                                    .definition = kUint8MultiArrayText};

@@ -1,0 +1,30 @@
+// Objects as a scene of Foxglove, serialised.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "stream/objects.hpp"
+
+namespace iog::tools::ros {
+
+// The objects of a frame, and what a reader needs to draw them.
+struct ObjectScene {
+  std::uint64_t stamp_us = 0;     // what timestamp is to be
+  std::uint64_t lifetime_us = 0;  // after which an object that is not named again is gone
+  std::span<const stream::ObjectRecord> objects;
+  std::span<const std::uint32_t> gone;  // ids that were named before and are not any more
+};
+
+// foxglove_msgs/msg/SceneUpdate in the local frame. An entity for each object has its id, a cube
+// from the ground to 1.5 m, at least a cell wide, an arrow of one second's way if it moves, and
+// words. The colour is that of the class; what was not hit in this frame is fainter.
+[[nodiscard]] std::vector<std::byte> scene_update(const ObjectScene& scene);
+
+// Such as "7: 43 ± 4 km/h": speed and two standard deviations of it along the heading, rounded up.
+[[nodiscard]] std::string words_of(const stream::ObjectRecord& object);
+
+}  // namespace iog::tools::ros
