@@ -8,6 +8,7 @@ import made_stream
 from browser import Browser
 from made_classes import CONTRADICTED, FREE, IMPRECISE, JUMP, LATE, LOST, MOVING, OCCUPIED, RESTART, STANDING, \
     Window, class_byte, map_part
+from made_objects import Thing, objects_of
 from viewer import GridPage, Viewer, free_port
 
 CELL_M = 0.1
@@ -39,10 +40,12 @@ class Street:
     def __init__(self, page: GridPage, port: int):
         self.page = page
         self.target = made_stream.Target(port)
+        self.things: list[Thing] | None = None  # that it tells of
         self.grid = made_stream.Grid()
         self.grid.fill(range(592, 612), range(502, 522), 10)
 
     def show(self, window: Window) -> None:
+        window.objects = None if self.things is None else objects_of(self.things)
         self.target.send(self.grid, points_used=100, window=window)
         self.page.wait_for_frame(self.target.frames - 1)
 
@@ -61,6 +64,12 @@ class Street:
         """Of that place and of the eight pixels around it, of one picture."""
         left, top = self._place_in(window, column, row)
         return self.page.page.pixels(left - 1, top - 1, 3, 3)
+
+    def around(self, window: Window, forward_m: float, left_m: float, reach: int) -> list[tuple[int, int, int]]:
+        """The colours of what is so far from a car that drives upwards, and of so many pixels to every side."""
+        scale = self.page.page.value("iogPage.view.pixelsPerMetre")
+        left, top = self._place_in(window, -left_m * scale, -forward_m * scale)
+        return self.page.page.pixels(left - reach, top - reach, 2 * reach + 1, 2 * reach + 1)
 
     def _place_in(self, window: Window, column: float, row: float) -> tuple[float, float]:
         """On the page, which shows a picture of now."""

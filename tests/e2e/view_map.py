@@ -66,9 +66,7 @@ def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
         used = window_of(map_part(crc=crc, place=(2000, 0, 0.25)))
         street.show(used)
         page.page.wait_for("iogPage.view.outlines !== null")
-        for name in page.page.value("[...iogPage.view.overlays]"):
-            if name not in ("outlines", "up"):
-                page.page.click(f'[data-overlay="{name}"]')
+        page.switch_overlays_off(but=("outlines", "up"))
         ground = Ground(street, used)
         # Walls and kerbs by (north, west): the house is 3 to 13 m to the right.
         for place in ((5, -8), (12, -8), (8, -3), (8, -13), (-10, 8), (10, 14)):

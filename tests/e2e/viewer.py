@@ -140,9 +140,10 @@ class GridPage:
     def colour_at(self, x: int, y: int) -> tuple[int, int, int]:
         return self.page.pixel(*self.place_of(x, y))
 
-    def switch_overlays_off(self) -> None:
+    def switch_overlays_off(self, but: tuple[str, ...] = ()) -> None:
         """Those that have a button now."""
         for name in self.page.value("[...document.querySelectorAll('[data-overlay]:not([hidden])')]"
                                     ".map(({dataset}) => dataset.overlay)"
                                     ".filter((name) => iogPage.view.overlays.has(name))"):
-            self.page.click(f'[data-overlay="{name}"]')
+            if name not in but:
+                self.page.click(f'[data-overlay="{name}"]')

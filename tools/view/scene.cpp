@@ -13,6 +13,7 @@ constexpr std::uint32_t kIsKey = 2;
 constexpr std::uint32_t kHasTruth = 4;
 constexpr std::uint32_t kHasClasses = 8;
 constexpr std::uint32_t kHasTrueClasses = 16;
+constexpr std::uint32_t kHasObjects = 32;
 constexpr std::uint8_t kNever = 255;
 constexpr std::size_t kRow = geometry::kTileSide;
 constexpr std::int64_t kSide = kRow;
@@ -38,6 +39,27 @@ void append_points(std::string& message, const std::vector<SeenPoint>& points) {
     append(message, point.x_cm);
     append(message, point.y_cm);
     append(message, static_cast<std::uint8_t>(point.fate));
+  }
+}
+
+void append_objects(std::string& message, const std::vector<stream::ObjectRecord>& objects) {
+  append(message, static_cast<std::uint32_t>(objects.size()));
+  for (const stream::ObjectRecord& object : objects) {
+    append(message, object.id);
+    append(message, static_cast<std::uint8_t>(object.state));
+    append(message, object.existence);
+    for (const std::int32_t place_mm : {object.x_mm, object.y_mm}) {
+      append(message, place_mm);
+    }
+    for (const std::int16_t velocity : {object.vx_cm_s, object.vy_cm_s}) {
+      append(message, velocity);
+    }
+    for (const std::uint16_t number :
+         {object.sigma_v_along_cm_s, object.sigma_v_across_cm_s, object.length_cm, object.width_cm,
+          object.heading, object.flags, object.age_frames, object.since_hit_ms,
+          object.since_stopped_10ms}) {
+      append(message, number);
+    }
   }
 }
 
@@ -140,7 +162,8 @@ void Scene::set_class_layers(const LiveClasses& classes, const Surroundings& sur
 }
 
 void Scene::publish_frame(const LiveGrid& grid, const LiveClasses& classes,
-                          const Surroundings& surroundings, std::string status) {
+                          const Surroundings& surroundings, std::string status,
+                          const stream::ObjectList* objects) {
   std::function<void()> tell;
   {
     const std::lock_guard lock(mutex_);
@@ -151,6 +174,10 @@ void Scene::publish_frame(const LiveGrid& grid, const LiveClasses& classes,
     set_index_layers(grid, surroundings);
     set_class_layers(classes, surroundings);
     points_ = surroundings.points;
+    objects_.reset();
+    if (objects != nullptr) {
+      objects_.emplace(objects->all().begin(), objects->all().end());
+    }
     status_ = std::move(status);
     tell = on_news_;
   }
@@ -203,6 +230,9 @@ void Scene::append_frame(const Place& place, bool is_key, std::string& message) 
     append_bytes(message, std::as_bytes(std::span(decided_ago_)));
   }
   append_points(message, points_);
+  if (objects_) {
+    append_objects(message, *objects_);
+  }
   for (std::size_t layer = 0; layer < kLayerCount; ++layer) {
     append_tiles(static_cast<LayerName>(layer), place, is_key, message);
   }
@@ -221,7 +251,8 @@ std::string Scene::message_since(Place& place) const {
   const std::uint32_t flags = (has_frame ? kHasFrame : 0U) | (is_key ? kIsKey : 0U) |
                               (is_known(LayerName::kOccupied) ? kHasTruth : 0U) |
                               (is_known(LayerName::kClasses) ? kHasClasses : 0U) |
-                              (is_known(LayerName::kTrueClasses) ? kHasTrueClasses : 0U);
+                              (is_known(LayerName::kTrueClasses) ? kHasTrueClasses : 0U) |
+                              (objects_ ? kHasObjects : 0U);
   append(message, flags);
   append(message, static_cast<std::uint32_t>(words.size()));
   message += words;

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "stream/objects.hpp"
 #include "tile_coding/encode.hpp"
 #include "tools/frames/live_classes.hpp"
 #include "tools/frames/live_grid.hpp"
@@ -50,9 +51,11 @@ class Scene {
   // Called after each publication, by the thread that publishes.
   void on_news(std::function<void()> handler);
 
-  // A new frame: the grid and the classes as they are now, with the ages of their tiles.
+  // A new frame: the grid and the classes as they are now, with the ages of their tiles. objects:
+  // null if nothing is known of them.
   void publish_frame(const LiveGrid& grid, const LiveClasses& classes,
-                     const Surroundings& surroundings, std::string status);
+                     const Surroundings& surroundings, std::string status,
+                     const stream::ObjectList* objects = nullptr);
   // Only the words have changed.
   void publish_status(std::string status);
   // The map block of this PC, of which pages draw outlines; before pages are served.
@@ -116,6 +119,7 @@ class Scene {
   Ages class_ages_{};   // of class tiles, since they came
   Ages decided_ago_{};  // and since they were decided
   std::vector<SeenPoint> points_;
+  std::optional<std::vector<stream::ObjectRecord>> objects_;
   std::string status_ = "{}";
   std::string vehicle_ = "null";
   std::vector<std::uint8_t> map_;

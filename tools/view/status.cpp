@@ -139,6 +139,13 @@ Json classes_json(const FrameFacts& frame) {
           {"end", class_end_json(classes)}};
 }
 
+Json objects_json(const FrameFacts& frame) {
+  if (!frame.objects) {
+    return nullptr;
+  }
+  return {{"refused", frame.objects->tracks_refused}, {"hits_left", frame.objects->hits_left}};
+}
+
 Json frame_json(const FrameFacts& frame) {
   const stream::Header& header = frame.header;
   return {{"number", frame.number},
@@ -162,7 +169,8 @@ Json frame_json(const FrameFacts& frame) {
           {"packets_fused", header.packets_fused},
           {"packets_dropped", header.packets_dropped},
           {"end", end_json(frame)},
-          {"classes", classes_json(frame)}};
+          {"classes", classes_json(frame)},
+          {"objects", objects_json(frame)}};
 }
 
 Json counts_json(const FrameAssembler& assembler, std::uint64_t overflow) {
@@ -269,6 +277,10 @@ FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t 
                    .header = frame.header};
   if (frame.has_end) {
     facts.end = frame.end;
+  }
+  if (frame.objects) {
+    facts.objects = {.tracks_refused = frame.objects->tracks_refused,
+                     .hits_left = frame.objects->hits_left};
   }
   return facts;
 }

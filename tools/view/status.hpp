@@ -33,6 +33,12 @@ struct ClassFacts {
 [[nodiscard]] ClassFacts class_facts_of(const ClassGrid& frame, const LiveClasses& classes,
                                         const ClassFacts* before);
 
+// Of the objects of the frame that is shown: what had no room since the frame before.
+struct ObjectFacts {
+  std::uint16_t tracks_refused = 0;
+  std::uint16_t hits_left = 0;
+};
+
 // Of the frame that is shown.
 struct FrameFacts {
   std::uint32_t number = 0;
@@ -47,6 +53,7 @@ struct FrameFacts {
   stream::Header header{};
   std::optional<stream::FrameEnd> end{};
   std::optional<ClassFacts> classes{};
+  std::optional<ObjectFacts> objects{};  // if its list has come
 };
 
 // breaks_off: the recording ends in this frame, so that the tiles behind its last one are not lost.

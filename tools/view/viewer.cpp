@@ -61,7 +61,8 @@ void Viewer::show(const GridFrame& frame, const Surroundings& surroundings, bool
   health_.note_points_not_taken(frame.has_end ? points_not_taken(frame.end) : 0, now);
   health_.note_counts(counts, now);
   last_status_ms_ = now;
-  scene_->publish_frame(grid_, classes_, surroundings, status());
+  scene_->publish_frame(grid_, classes_, surroundings, status(),
+                        frame.knows_objects() ? &*frame.objects : nullptr);
 }
 
 std::optional<ClassFacts> Viewer::take_classes(const GridFrame& frame) {

@@ -84,7 +84,8 @@ export class Charts {
     parent.append(span);
     this.facts = make("dl", "facts number");
     parent.append(this.facts);
-    this.theme = "dark";
+    this.parent = parent;
+    this.picture = ""; // a name of what is drawn: what has the same name looks alike
   }
 
   addChart(parent, chart) {
@@ -105,6 +106,15 @@ export class Charts {
   // frames: of the history; at: the frame that is shown; said: the one of which numbers are; status:
   // the newest.
   draw({ frames, at, said, status }, { vehicle, theme }) {
+    if (status) {
+      this.showFacts(said ? { ...status, frame: said.status.frame } : status);
+    }
+    const picture = [...[frames[frames.length - 1], at, said].map((frame) => frame?.number), theme,
+                     status?.kind, vehicle?.name, window.devicePixelRatio, this.parent.clientWidth].join();
+    if (picture === this.picture) {
+      return;
+    }
+    this.picture = picture;
     const end = frames.length > 0 ? frames[frames.length - 1].timeMs : 0;
     for (const chart of this.charts) {
       chart.box.hidden = Boolean(chart.isOfClasses) && !(said && classesOf(said.status));
@@ -115,9 +125,6 @@ export class Charts {
       this.drawSeries(chart, { frames, at, said }, end, theme);
     }
     this.drawSensors({ frames, at, said }, end, vehicle, theme);
-    if (status) {
-      this.showFacts(said ? { ...status, frame: said.status.frame } : status);
-    }
   }
 
   prepare(chart) {

@@ -35,7 +35,7 @@ export class GridCanvas {
     this.scale = "index";
     this.wantsClasses = true; // where there are any
     this.isStale = false;
-    this.overlays = new Set(["mounts", "rings", "ages", "track", "up", "outlines"]);
+    this.overlays = new Set(["mounts", "rings", "ages", "track", "up", "objects", "outlines"]);
     this.track = []; // where the car was: x, y and how many seconds ago, or null where it breaks off
     this.map = null; // what the target says of it, if it ever did
     this.outlines = null; // of the map of this PC, if it has one

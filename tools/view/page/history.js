@@ -1,7 +1,7 @@
 // The frames of the last minute, as they came: messages, most of which hold only the tiles that have
 // changed. A key among them is whole in itself, so any frame is at most a second of tiles away.
 
-import { LAYERS, LAYER_COUNT, SIDE, TILE_COUNT, decodeTile, forEachTile } from "./messages.js";
+import { LAYERS, LAYER_COUNT, SIDE, TILE_COUNT, decodeTile, forEachTile, readObjects } from "./messages.js";
 
 const KEPT_MS = 60000;
 const KEPT_BYTES = 192 * 1024 * 1024;
@@ -71,6 +71,8 @@ export class ShownGrid {
     this.decidedAgo = this.ages;
     this.classes = null; // what the target says of them
     this.points = null;
+    this.objects = null; // of the frame, if it is known which there are
+    this.hasObjects = false; // whether it ever was
     this.number = -1;
     this.frame = null;
     this.version = 0; // another one: something has changed
@@ -112,6 +114,8 @@ export class ShownGrid {
     this.classAges = message.classAges ?? this.classAges;
     this.decidedAgo = message.decidedAgo ?? this.decidedAgo;
     this.points = message.points;
+    this.objects = message.objects && readObjects(message.objects);
+    this.hasObjects ||= this.objects !== null;
     const { classes, sends_classes: isExpected } = status.frame ?? {};
     if (message.hasClasses) {
       this.classes = classes;

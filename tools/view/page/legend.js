@@ -1,5 +1,6 @@
 // What the colours mean: the scale of the cells, and what only some overlays need.
 
+import { linesOfObjects } from "./objects.js";
 import { hasTruth, quadtreeLeaves } from "./overlays.js";
 import { CLASS_COUNT, FATES, MOVING, classOf, colourOfClass, colourOfIndex, css, nameOfClass,
          probabilityOf } from "./palette.js";
@@ -40,7 +41,7 @@ function elementsOfClasses({ images }) {
   });
 }
 
-export function showClasses(view, { title, list }) {
+function showClasses(view, { title, list }) {
   const elements = elementsOfClasses(view);
   if (list.childElementCount !== elements.length || title.childElementCount === 0) {
     title.replaceChildren(withDetail("What is there – the brighter, the surer", " –"));
@@ -64,7 +65,7 @@ function wordsOfMap({ in_use: isInUse, attribution, cause, delivery, tiles_waiti
 }
 
 // view.map: what the target has said last.
-export function showMap({ map, outlines }, element) {
+function showMap({ map, outlines }, element) {
   const words = map ? wordsOfMap(map, outlines).filter((line) => line !== "") : [];
   if (element.dataset.words !== words.join("\n")) {
     element.dataset.words = words.join("\n");
@@ -75,7 +76,7 @@ export function showMap({ map, outlines }, element) {
   }
 }
 
-export function showScale(view, { title, bar, ticks }) {
+function showScale(view, { title, bar, ticks }) {
   const { theme, scale, epsilon } = view;
   const context = bar.getContext("2d");
   for (let column = 0; column < bar.width; ++column) {
@@ -130,10 +131,13 @@ function linesOfAges({ ages, grid, palette }) {
           ...(isNew ? [] : [[palette.stale, "crossed: never received"]])];
 }
 
-// [colour or null, words] for each overlay that is on. kind: of the source.
-export function linesOf(view, kind) {
+// [colour or null, words, more of them where there is room] for each overlay that is on. kind: of the source.
+function linesOf(view, kind) {
   const { overlays } = view;
   const lines = [];
+  if (view.showsClasses && overlays.has("objects") && view.grid.hasObjects) {
+    lines.push(...linesOfObjects());
+  }
   if (overlays.has("ages")) {
     lines.push(...linesOfAges(view));
   }
@@ -149,15 +153,50 @@ export function linesOf(view, kind) {
   return lines;
 }
 
-export function elementsOf(lines) {
-  return lines.map(([colour, name]) => {
+function elementsOf(lines) {
+  return lines.map(([colour, name, detail = ""]) => {
     const line = Object.assign(document.createElement("span"), { className: "key" });
     if (colour) {
       const spot = document.createElement("i");
       spot.style.background = colour;
       line.append(spot);
     }
-    line.append(name);
+    const words = document.createElement("span");
+    words.append(name, Object.assign(document.createElement("span"), { className: "detail", textContent: detail }));
+    line.append(words);
     return line;
   });
+}
+
+export class Legend {
+  constructor(byId) {
+    this.boxes = Object.fromEntries(["title", "scale", "ticks", "classes", "map", "more"].map(
+        (name) => [name, byId(`legend-${name}`)]));
+    this.box = byId("legend");
+    this.words = "";
+  }
+
+  show(view) {
+    const { title, scale, ticks, classes, map } = this.boxes;
+    this.box.classList.toggle("of-classes", view.showsClasses);
+    if (view.showsClasses) {
+      showClasses(view, { title, list: classes });
+      showMap(view, map);
+    } else {
+      showScale(view, { title, bar: scale, ticks });
+    }
+  }
+
+  // What only some overlays need.
+  showMore(view, kind) {
+    if (view.showsClasses) {
+      this.show(view); // another class may have come
+    }
+    const lines = linesOf(view, kind);
+    const words = view.pictureTheme + lines.join();
+    if (words !== this.words) {
+      this.words = words;
+      this.boxes.more.replaceChildren(...elementsOf(lines));
+    }
+  }
 }

@@ -19,7 +19,10 @@ const IS_KEY = 2;
 const HAS_TRUTH = 4;
 const HAS_CLASSES = 8;
 const HAS_TRUE_CLASSES = 16;
+const HAS_OBJECTS = 32;
 const POINT_BYTES = 5;
+const OBJECT_BYTES = 36;
+const OBJECT_NOT_HIT = 2; // of its flags (docs/spec.md 3.12)
 
 const words = new TextDecoder();
 
@@ -42,6 +45,7 @@ export function readMessage(buffer) {
     classAges: null, // since the tiles came
     decidedAgo: null, // and since they were decided
     points: null,
+    objects: null, // where it is not known which there are
     tilesAt: buffer.byteLength,
   };
   let at = 8 + wordBytes;
@@ -53,10 +57,14 @@ export function readMessage(buffer) {
       result.decidedAgo = new Uint8Array(buffer, at + TILE_COUNT, TILE_COUNT);
       at += 2 * TILE_COUNT;
     }
-    const count = view.getUint32(at, true);
-    at += 4;
-    result.points = new DataView(buffer, at, count * POINT_BYTES);
-    result.tilesAt = at + count * POINT_BYTES;
+    const records = (bytes) => {
+      const size = view.getUint32(at, true) * bytes;
+      at += 4 + size;
+      return new DataView(buffer, at - size, size);
+    };
+    result.points = records(POINT_BYTES);
+    result.objects = (flags & HAS_OBJECTS) !== 0 ? records(OBJECT_BYTES) : null;
+    result.tilesAt = at;
   }
   return result;
 }
@@ -82,6 +90,29 @@ export function forEachPoint(points, visit) {
     visit(points.getInt16(at, true) / 100, points.getInt16(at + 2, true) / 100,
           points.getUint8(at + 4));
   }
+}
+
+// Objects in metres, seconds and radians of the local frame.
+export function readObjects(records) {
+  const objects = [];
+  for (let at = 0; at < records.byteLength; at += OBJECT_BYTES) {
+    const u16 = (field) => records.getUint16(at + field, true);
+    objects.push({
+      id: records.getUint32(at, true),
+      state: records.getUint8(at + 4),
+      x: records.getInt32(at + 6, true) / 1000,
+      y: records.getInt32(at + 10, true) / 1000,
+      vx: records.getInt16(at + 14, true) / 100,
+      vy: records.getInt16(at + 16, true) / 100,
+      sigmaAlong: u16(18) / 100,
+      length: u16(22) / 100,
+      width: u16(24) / 100,
+      heading: u16(26) * Math.PI / 32768,
+      isHit: (u16(28) & OBJECT_NOT_HIT) === 0,
+      ageFrames: u16(30),
+    });
+  }
+  return objects;
 }
 
 class BitReader {

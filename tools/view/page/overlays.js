@@ -2,15 +2,18 @@
 
 import { drawOutlines } from "./map_outlines.js";
 import { LAYERS, SIDE, TILES_PER_SIDE, TILE_SIDE, forEachPoint } from "./messages.js";
+import { drawObjects } from "./objects.js";
 import { FATES, MOVING, classOf, css } from "./palette.js";
 import { drawCar, drawDeviation, drawTrack, drawViews } from "./vehicle_overlays.js";
 
 // isOfClasses: it says nothing of the index grid. isOfMap: it needs a map block of this PC.
+// isOfObjects: it needs a target that tells them.
 export const OVERLAYS = [
   { id: "mounts", key: "m", name: "car, fields of view" },
   { id: "rings", key: "g", name: "distances" },
   { id: "track", key: "k", name: "track, pose", isOfClasses: true },
   { id: "up", key: "u", name: "car drives upwards", isOfClasses: true },
+  { id: "objects", key: "b", name: "objects", isOfClasses: true, isOfObjects: true },
   { id: "outlines", key: "o", name: "map outlines", isOfClasses: true, isOfMap: true },
   { id: "ages", key: "a", name: "tile ages, stale tiles" },
   { id: "points", key: "p", name: "scan points" },
@@ -52,6 +55,9 @@ export function draw(view) {
   }
   if (on("points") && view.grid.points) {
     drawPoints(view);
+  }
+  if (isOfClasses && on("objects")) {
+    drawObjects(view);
   }
   if (on("ages") && view.grid.number >= 0) {
     drawAges(view);

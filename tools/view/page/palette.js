@@ -107,6 +107,17 @@ export const isFree = (byte) => byte > 0 && classOf(byte) < MOVING;
 export const isSomething = (byte) => classOf(byte) >= MOVING;
 export const nameOfClass = (number) => CLASSES[number].name;
 
+// Of objects by their state (docs/spec.md 3.12), each in the colour of a class.
+export const [YOUNG, STANDS, MOVES, STOPPED] = [1, 2, 3, 4];
+const OBJECTS = {
+  [YOUNG]: { name: "something", colour: CLASSES[8].colour },
+  [STANDS]: { name: "stands", colour: CLASSES[6].colour },
+  [MOVES]: { name: "moves", colour: CLASSES[MOVING].colour },
+  [STOPPED]: { name: "stopped", colour: CLASSES[5].colour },
+};
+export const nameOfObject = ({ state }) => OBJECTS[state].name;
+export const colourOfObject = ({ state }) => OBJECTS[state].colour;
+
 // Of the target's stages and of everything else that charts draw.
 export const SERIES = {
   fuse: { dark: "#56b4e9", light: "#0072b2" },

@@ -77,6 +77,17 @@ export function frameOfNumbers(frames, shown) {
   return lately.reverse().find(hasEvidence) ?? shown;
 }
 
+// Of the target's frames, those that this page has skipped among them: a busy PC takes them in bursts.
+export function rateOf(frames, status) {
+  const lately = frames.slice(-51).filter((frame) => frame.status.frame);
+  if (lately.length < 2 || !status || status.state !== "live") {
+    return "";
+  }
+  const [first, last] = [lately[0], lately[lately.length - 1]].map((frame) => frame.status.frame);
+  const hz = (last.number - first.number) / (last.closed_us - first.closed_us) * 1e6;
+  return hz > 0 && hz < 1000 ? `${hz.toFixed(1)} Hz` : ""; // a target that has started anew has none
+}
+
 // Of the tab, where the beginning is what can be read.
 export function titleOf(said, isHeld) {
   const word = said.state === "stale" ? "stale" : said.word;
@@ -141,6 +152,9 @@ function factsOfClasses(classes) {
   ];
 }
 
+const factsOfObjects = ({ refused, hits_left: left }) =>
+  [["objects without room, hits left", `${refused}, ${left}`]];
+
 export function factsOf(status) {
   const { counts, frame } = status;
   const end = frame && frame.end;
@@ -151,6 +165,7 @@ export function factsOf(status) {
     ...(frame && frame.breaks_off
         ? [["tiles not recorded", String(frame.unfinished_tiles)]] : []),
     ...(frame && frame.classes ? factsOfClasses(frame.classes) : []),
+    ...(frame && frame.objects ? factsOfObjects(frame.objects) : []),
     ["messages", counts.messages.toLocaleString("en")],
     ["lost, late", `${counts.lost}, ${counts.late}`],
     ["corrupt, malformed", `${counts.corrupt}, ${counts.malformed}`],

@@ -7,16 +7,17 @@ import { addOverlaySwitches, listKeys, listenToKeys, onPress } from "./controls.
 import { GridCanvas } from "./grid_canvas.js";
 import { History, ShownGrid } from "./history.js";
 import { HoverText } from "./hover.js";
-import { elementsOf, linesOf, showClasses, showMap, showScale } from "./legend.js";
+import { Legend } from "./legend.js";
 import { fetchOutlines } from "./map_outlines.js";
 import { readMessage } from "./messages.js";
+import { ObjectList } from "./objects.js";
 import { OVERLAYS } from "./overlays.js";
 import { foldSome, listenToFolds, toggle } from "./panels.js";
 import { lastPlaceOf, trackOf } from "./place.js";
 import { listenToPointers } from "./pointers.js";
-import { describe, frameOfNumbers, titleOf } from "./status.js";
+import { describe, frameOfNumbers, rateOf, titleOf } from "./status.js";
 
-const CHARTS_EVERY_MS = 200;
+const WORDS_EVERY_MS = 200;
 const HIDDEN_EVERY_MS = 1000;
 const RETRY_MS = 1000;
 
@@ -33,6 +34,8 @@ class Page {
     this.grid = new ShownGrid();
     this.view = new GridCanvas(byId("grid"), this.grid);
     this.strip = new Charts(byId("charts"));
+    this.list = new ObjectList(byId("charts"));
+    this.legend = new Legend(byId);
     this.hover = new HoverText(byId("hover"));
     this.status = null;
     this.socket = null;
@@ -40,8 +43,10 @@ class Page {
     this.isHeld = false; // paused: a frame of the past may be shown
     this.wanted = -1; // the frame that is to be shown
     this.pointer = null;
-    this.isDirty = true;
-    this.chartsMs = 0;
+    this.isDirty = true; // the picture
+    this.areWordsOld = true; // and what is beside it
+    this.wordsMs = 0;
+    this.vehicleWords = "";
     this.pictures = 0; // drawn so far
     this.drawMs = 0; // that it took
     this.errors = 0; // messages that made no sense
@@ -91,24 +96,30 @@ class Page {
     try {
       const message = readMessage(data);
       this.status = message.status;
-      if (message.vehicle) {
-        this.view.vehicle = message.vehicle;
-        this.view.restyle();
-        this.showLegend();
-      }
+      this.takeVehicle(message.vehicle);
       this.fetchMap();
       if (message.hasFrame) {
         this.history.add(message, message.status.now_ms);
         if (!this.isHeld) {
-          this.wanted = this.history.last;
+          this.live();
         }
       }
     } catch {
       this.errors += 1;
     }
-    this.isDirty = true;
+    this.areWordsOld = true;
     this.showStateIfHidden();
     this.socket.send("ready");
+  }
+
+  // Each key has it.
+  takeVehicle(vehicle) {
+    const words = vehicle ? JSON.stringify(vehicle) : this.vehicleWords;
+    if (words !== this.vehicleWords) {
+      this.vehicleWords = words;
+      this.view.vehicle = vehicle;
+      this.restyle();
+    }
   }
 
   // Once, if the server has one.
@@ -139,8 +150,9 @@ class Page {
       this.pictures += 1;
       this.drawMs += performance.now() - now;
     }
-    if (now - this.chartsMs > CHARTS_EVERY_MS) {
-      this.chartsMs = now;
+    if (this.areWordsOld && now - this.wordsMs > WORDS_EVERY_MS) {
+      this.areWordsOld = false;
+      this.wordsMs = now;
       this.showWords();
     }
     requestAnimationFrame(() => this.tick());
@@ -153,13 +165,14 @@ class Page {
       return;
     }
     const number = Math.min(history.last, Math.max(history.first, this.wanted));
-    const showedClasses = this.view.showsClasses;
+    const named = () => `${this.view.showsClasses} ${grid.hasObjects}`;
+    const before = named();
     try {
       grid.show(history, number);
       this.view.track = grid.classes ? trackOf(history.frames, grid.frame) : [];
       this.view.map = (grid.classes && grid.classes.end && grid.classes.end.map) ?? this.view.map;
       this.view.place = grid.classes ? lastPlaceOf(history.frames, grid.frame) : null;
-      if (this.view.showsClasses !== showedClasses) {
+      if (named() !== before) {
         this.restyle();
       }
     } catch {
@@ -193,33 +206,22 @@ class Page {
 
   // What need not change with each picture.
   showWords() {
-    const { status, history, grid } = this;
+    const { status, history, grid, view } = this;
     const said = this.isHeld ? grid.frame : frameOfNumbers(history.frames, grid.frame);
-    this.strip.draw({ frames: history.frames, at: grid.frame, said, status }, this.view);
+    this.list.show(view);
+    this.strip.draw({ frames: history.frames, at: grid.frame, said, status }, view);
     this.showScrub();
     if (status) {
       setText(byId("origin"), status.problem || `${status.source}`);
       byId("origin").classList.toggle("problem", status.problem !== "");
       this.showRecording(status.recording);
     }
-    setText(byId("vehicle"), this.view.vehicle ? this.view.vehicle.name : "");
-    setText(byId("rate"), this.rate());
+    setText(byId("vehicle"), view.vehicle ? view.vehicle.name : "");
+    setText(byId("rate"), rateOf(history.frames, status));
     const frame = grid.frame && grid.frame.status.frame;
     setText(byId("frame-words"), frame
         ? `frame ${frame.number}, ${(frame.closed_us / 1e6).toFixed(2)} s` : "");
-    this.showLegendMore();
-  }
-
-  // Of the target's frames, those that this page has skipped among them: a busy PC takes them in bursts.
-  rate() {
-    const frames = this.history.frames.slice(-51).filter(({ status }) => status.frame);
-    if (frames.length < 2 || !this.status || this.status.state !== "live") {
-      return "";
-    }
-    const [first, last] = [frames[0], frames[frames.length - 1]];
-    const hz = (last.status.frame.number - first.status.frame.number) /
-               (last.status.frame.closed_us - first.status.frame.closed_us) * 1e6;
-    return hz > 0 && hz < 1000 ? `${hz.toFixed(1)} Hz` : ""; // a target that has started anew has none
+    this.legend.showMore(view, status ? status.kind : "stream");
   }
 
   showScrub() {
@@ -251,33 +253,9 @@ class Page {
     this.hover.show(cell, this.view);
   }
 
-  showLegend() {
-    const { view } = this;
-    byId("legend").classList.toggle("of-classes", view.showsClasses);
-    if (view.showsClasses) {
-      showClasses(view, { title: byId("legend-title"), list: byId("legend-classes") });
-      showMap(view, byId("legend-map"));
-    } else {
-      showScale(view, { title: byId("legend-title"), bar: byId("legend-scale"),
-                        ticks: byId("legend-ticks") });
-    }
-  }
-
-  // What only some overlays need.
-  showLegendMore() {
-    if (this.view.showsClasses) {
-      this.showLegend(); // another class may have come
-    }
-    const lines = linesOf(this.view, this.status ? this.status.kind : "stream");
-    const words = this.view.pictureTheme + lines.join();
-    if (words !== this.legendWords) {
-      this.legendWords = words;
-      byId("legend-more").replaceChildren(...elementsOf(lines));
-    }
-  }
-
   redraw() {
     this.isDirty = true;
+    this.areWordsOld = true;
   }
 
   // Shows that frame of the past until told otherwise.
@@ -352,19 +330,20 @@ class Page {
 
   restyle() {
     this.view.restyle();
-    this.showLegend();
-    this.chartsMs = 0;
+    this.legend.show(this.view);
+    this.wordsMs = 0;
     this.showButtons();
     this.redraw();
   }
 
   // Those that say something of what is shown.
   showButtons() {
-    const { showsClasses, overlays } = this.view;
-    for (const { id, name, nameOfClasses, isOfClasses, isOfMap } of OVERLAYS) {
+    const { showsClasses, overlays, outlines, grid } = this.view;
+    for (const { id, name, nameOfClasses, isOfClasses, isOfMap, isOfObjects } of OVERLAYS) {
       const button = this.overlayButtons.get(id);
       button.hidden = (Boolean(isOfClasses) && !showsClasses) ||
-                      (Boolean(isOfMap) && this.view.outlines === null);
+                      (Boolean(isOfMap) && outlines === null) ||
+                      (Boolean(isOfObjects) && !grid.hasObjects);
       button.setAttribute("aria-pressed", String(overlays.has(id)));
       setText(button.querySelector("span"), showsClasses ? nameOfClasses ?? name : name);
     }

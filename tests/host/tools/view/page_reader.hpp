@@ -32,8 +32,10 @@ class PageReader {
   bool has_truth = false;
   bool has_classes = false;
   bool has_true_classes = false;
+  bool has_objects = false;
   std::size_t tile_records = 0;
   std::size_t points = 0;
+  std::vector<stream::ObjectRecord> objects;  // but for the deviations of their places
   std::string words;
   std::vector<std::uint8_t> ages;
   std::vector<std::uint8_t> class_ages;
@@ -60,6 +62,7 @@ class PageReader {
     has_truth = (flags & 4U) != 0;
     has_classes = (flags & 8U) != 0;
     has_true_classes = (flags & 16U) != 0;
+    has_objects = (flags & 32U) != 0;
     tile_records = 0;
     std::size_t at = 8 + number(bytes, 4, 4);
     words = bytes.substr(8, at - 8);
@@ -78,10 +81,40 @@ class PageReader {
     }
     points = number(bytes, at, 4);
     at += 4 + points * 5;
+    at = has_objects ? read_objects(bytes, at) : at;
     while (at < bytes.size()) {
       at += read_tile(bytes, at);
       ++tile_records;
     }
+  }
+
+  std::size_t read_objects(std::string_view bytes, std::size_t at) {
+    constexpr std::size_t kBytes = 36;
+    objects.assign(number(bytes, at, 4), {});
+    at += 4;
+    for (stream::ObjectRecord& object : objects) {
+      const auto u16 = [&](std::size_t field) {
+        return static_cast<std::uint16_t>(number(bytes, at + field, 2));
+      };
+      object = {.id = number(bytes, at, 4),
+                .state = static_cast<stream::ObjectState>(number(bytes, at + 4, 1)),
+                .existence = static_cast<std::uint8_t>(number(bytes, at + 5, 1)),
+                .age_frames = u16(30),
+                .x_mm = static_cast<std::int32_t>(number(bytes, at + 6, 4)),
+                .y_mm = static_cast<std::int32_t>(number(bytes, at + 10, 4)),
+                .length_cm = u16(22),
+                .width_cm = u16(24),
+                .heading = u16(26),
+                .flags = u16(28),
+                .vx_cm_s = static_cast<std::int16_t>(u16(14)),
+                .vy_cm_s = static_cast<std::int16_t>(u16(16)),
+                .sigma_v_along_cm_s = u16(18),
+                .sigma_v_across_cm_s = u16(20),
+                .since_hit_ms = u16(32),
+                .since_stopped_10ms = u16(34)};
+      at += kBytes;
+    }
+    return at;
   }
 
   static std::size_t read_ages(std::string_view bytes, std::size_t at,
