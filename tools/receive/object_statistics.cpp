@@ -72,7 +72,7 @@ std::vector<std::pair<std::string, std::string>> ObjectStatistics::facts() const
   add("objects_that_moved", moved_.size());
   add("objects_refused", tracks_refused_);
   add("objects_hits_left", hits_left_);
-  facts.emplace_back("object_run_hash", hex(hash_.value()));
+  facts.emplace_back("object_run_hash", hex(run_hash()));
   return facts;
 }
 
@@ -92,7 +92,7 @@ std::string ObjectStatistics::table() const {
     text += row("objects without room",
                 std::to_string(tracks_refused_) + ", and " + std::to_string(hits_left_) + " hits");
   }
-  return text + row("object run hash", hex(hash_.value()));
+  return text + row("object run hash", hex(run_hash()));
 }
 
 }  // namespace iog::tools

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -20,6 +21,12 @@ class ObjectStatistics {
   void add(const GridFrame& frame);
 
   [[nodiscard]] std::uint64_t incomplete() const { return incomplete_; }
+  // The CRC-32 of the names of all lists of frames with evidence, as the name of a run.
+  [[nodiscard]] std::uint32_t run_hash() const { return hash_.value(); }
+  // How many there were, over all frames.
+  [[nodiscard]] std::uint64_t objects() const {
+    return std::accumulate(by_state_.begin(), by_state_.end(), std::uint64_t{0});
+  }
 
   // As RunStatistics has them.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;

@@ -130,6 +130,7 @@ struct Bench {
                  std::uint8_t log2_slice_ms = pose::SourceDescription{}.log2_slice_ms)
       : vehicle(car.vehicle()), platform(cores, patience_us) {
     vehicle.window = rules;
+    vehicle.has_objects = true;
     vehicle.poses.log2_slice_ms = log2_slice_ms;
     pipeline = std::make_unique<Pipeline>(vehicle, testing::kReplayer, platform, Coding::kShortest,
                                           masses);

@@ -91,6 +91,8 @@ TEST(ClassTarget, TheClassesAreThoseWithoutTheOtherGrid) {
   ASSERT_EQ(without.classes().records().size(), 5U);
   EXPECT_EQ(without.classes().run_hash(), with.classes().run_hash());
   EXPECT_EQ(without.incomplete() + without.classes().incomplete(), 0U);
+  EXPECT_EQ(without.objects().run_hash(), with.objects().run_hash());
+  EXPECT_EQ(without.objects().incomplete(), 0U);
 }
 
 TEST(ClassTarget, NoOrderOfPacketsShows) {
@@ -101,6 +103,8 @@ TEST(ClassTarget, NoOrderOfPacketsShows) {
   ASSERT_EQ(in_order.classes().records().size(), 5U);
   EXPECT_EQ(first_difference(shuffled.classes().records(), in_order.classes().records()),
             std::nullopt);
+  EXPECT_EQ(shuffled.objects().run_hash(), in_order.objects().run_hash());
+  EXPECT_GT(in_order.objects().objects(), 0U);
   for (const ClassRecord& record : in_order.classes().records()) {
     EXPECT_EQ(record.packets_not_placed, 0U);
     EXPECT_GT(record.slices, 3U);
