@@ -299,7 +299,7 @@ static inline void iogrid_from_local(const iogrid_receiver* r, int32_t x_mm, int
 }
 
 // The first `most` objects of the frame, by id; how many it has. -1: not known, since a part was
-// lost, the frame has no place, or the target looks for none.
+// lost, nothing has a place, or the target looks for none.
 static inline int iogrid_objects(const iogrid_receiver* r, iogrid_object* to, int most) {
   const iogrid_object_list* list = &r->objects;
   const uint64_t time_us = iogrid_be64(list->says + 4);

@@ -75,8 +75,8 @@ struct ObjectsHeader {
 
 // A frame's list: ids rise.
 struct ObjectList {
-  // Of all places, by the clock of the pose source; 0: the frame has no place, so nothing is known,
-  // and the list is empty.
+  // Of all places, by the clock of the pose source; that of an earlier frame if nothing was placed
+  // in this one. 0: nothing is known, and the list is empty.
   std::uint64_t time_us = 0;
   std::uint16_t tracks_refused = 0;
   std::uint16_t hits_left = 0;

@@ -104,7 +104,7 @@ class Frame:
     classes_lost: numpy.ndarray | None  # bool [32, 32]
     window: Window | None  # None, too: nothing of the classes has come
     velocity: tuple[float, float] | None  # of the car since the frame before, m/s in the local frame; None: not known
-    objects: list[Object] | None  # by id; None: not known, since a part was lost or the frame has no place
+    objects: list[Object] | None  # by id; None: not known, since a part was lost or nothing has a place
 
     def closing(self, thing: Object) -> tuple[float, float] | None:
         """How far the middle of an object of the frame is from the car, m, and how fast that becomes less, m/s, the car's

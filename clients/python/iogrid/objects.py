@@ -100,7 +100,7 @@ class ObjectParts:
 
     @property
     def objects(self) -> list[Object] | None:
-        """None: a part is missing, or the frame has no place, so that nothing is known."""
+        """None: a part is missing, or nothing has a place and is known."""
         if not self.are_complete or self._says[2] == 0:
             return None
         return [each for _, part in sorted(self._parts.items()) for each in part]
