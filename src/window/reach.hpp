@@ -19,10 +19,11 @@ struct Reach {
   static Reach of(std::int32_t columns, std::int32_t rows, FinePoint step) {
     const FinePoint across{(columns - 1) * step.x, (columns - 1) * step.y};
     const FinePoint up{-(rows - 1) * step.y, (rows - 1) * step.x};
-    return {.to_low = {std::min(across.x, 0) + std::min(up.x, 0),
-                       std::min(across.y, 0) + std::min(up.y, 0)},
-            .to_high = {std::max(across.x, 0) + std::max(up.x, 0),
-                        std::max(across.y, 0) + std::max(up.y, 0)}};
+    constexpr std::int32_t kHere = 0;
+    return {.to_low = {std::min(across.x, kHere) + std::min(up.x, kHere),
+                       std::min(across.y, kHere) + std::min(up.y, kHere)},
+            .to_high = {std::max(across.x, kHere) + std::max(up.x, kHere),
+                        std::max(across.y, kHere) + std::max(up.y, kHere)}};
   }
 
   [[nodiscard]] geometry::Cell low(FinePoint first) const { return along_x(first, to_low).cell(); }
