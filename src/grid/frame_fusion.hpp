@@ -134,9 +134,9 @@ class FrameFusion {
                                  ground::Lows& lows, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
-      packet.for_each_point(
-          [ count, turn = turns_.turn_to(sensor, ground, judge) ](const lidar::ScanPoint& point)
-              __attribute__((always_inline)) { count(turn.add(point)); });
+      // A call, because a point over the ground is more than its registers hold.
+      packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
+                                const lidar::ScanPoint& point) { count(turn.add(point)); });
     } else {
       const ground::PacketJudge judge(ground, lows, AzimuthCarver::tilt_of(sensor, ground, packet));
       packet.for_each_point([&](const lidar::ScanPoint& point) {

@@ -119,7 +119,6 @@ class TurnCarver {
   [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step, bool is_tall);
   void carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
                   const RankSet& behind_band);
-  // Not inlined, so that the steps' address is in a register and not computed for each change.
   // far_mm: as in TurnLayers. sector: of the ground, if it is followed. end_of(rank): where the
   // layer of this rank leaves what counts of its line.
   std::uint32_t add_points(const KeptLine& line, std::span<const WaitingPoint> points,
@@ -127,6 +126,7 @@ class TurnCarver {
     return beams_.keeps_heights() ? add_points<true>(steps_.free, line, points, far_mm, sector)
                                   : add_points<false>(steps_.free, line, points, far_mm, sector);
   }
+  // Not inlined, so that the steps' address is in a register and not computed for each change.
   template <bool kWithHeights>
   [[gnu::noinline]] std::uint32_t add_points(FreeSteps& steps, const KeptLine& line,
                                              std::span<const WaitingPoint> points,
