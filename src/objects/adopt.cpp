@@ -34,18 +34,33 @@ std::int32_t distance_of(const Track& track, const Cluster& cluster) {
   return fits ? nearest : kNowhere;
 }
 
+// The tracks that may grow, in the order of slots, and what they lie in.
+struct Growing {
+  std::size_t count = 0;
+  std::array<std::uint8_t, kMostTracks> slots{};
+  std::array<Bounds, kMostTracks> bounds{};
+
+  explicit Growing(const Tracks& tracks) {
+    for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+      if (tracks[slot].is_there() && tracks[slot].updates >= kClaimsFrom) {
+        slots[count] = static_cast<std::uint8_t>(slot);
+        bounds[count++] = bounds_of(tracks[slot].box());
+      }
+    }
+  }
+};
+
 // Its slot; kMostTracks: none.
 std::size_t nearest_to(const Cluster& cluster, std::int32_t reach_mm, const Tracks& tracks,
-                       std::span<const Bounds> bounds) {
+                       const Growing& growing) {
   std::size_t nearest = kMostTracks;
   std::int32_t least = reach_mm + 1;
   std::size_t asked = 0;
-  for (std::size_t slot = 0; slot < tracks.size() && asked < kMostAsked; ++slot) {
-    const Track& track = tracks[slot];
-    if (track.is_there() && track.updates >= kClaimsFrom &&
-        bounds[slot].is_near(cluster.bounds, reach_mm * 3 / 2)) {
+  for (std::size_t i = 0; i < growing.count && asked < kMostAsked; ++i) {
+    if (growing.bounds[i].is_near(cluster.bounds, reach_mm * 3 / 2)) {
       ++asked;
-      const std::int32_t distance = distance_of(track, cluster);
+      const std::uint8_t slot = growing.slots[i];
+      const std::int32_t distance = distance_of(tracks[slot], cluster);
       if (distance < least) {
         least = distance;
         nearest = slot;
@@ -73,16 +88,11 @@ std::int32_t cost_of(const Track& track, const Cluster& cluster) {
 }  // namespace
 
 void attach(Point car, Tracks& tracks, Clusters& clusters, std::span<FrameHit> hits) {
-  std::array<Bounds, kMostTracks> bounds{};
-  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
-    if (tracks[slot].is_there()) {
-      bounds[slot] = bounds_of(tracks[slot].box());
-    }
-  }
+  const Growing growing(tracks);
   const std::span<Cluster> all = clusters.all();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::int32_t reach = gap_mm(car, all[i].bounds.low) + kAttachMm;
-    const std::size_t slot = nearest_to(all[i], reach, tracks, bounds);
+    const std::size_t slot = nearest_to(all[i], reach, tracks, growing);
     if (slot < tracks.size() &&
         (tracks[slot].moves() || all[i].hits <= tracks[slot].updates + kSmallCluster)) {
       own(tracks[slot], slot, i, clusters, hits);

@@ -38,7 +38,7 @@ void Claim::take(Tracks& tracks, FrameHit& hit) const {
   std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
   for (const std::uint8_t slot : near_.near(hit.cell)) {
     Track& track = tracks[slot];
-    if (hit.stands && !track.moves()) {
+    if (!near_.may_take(slot, hit.at) || (hit.stands && !track.moves())) {
       continue;
     }
     const Point place = moved(hit.at, track.velocity(), hit.age_ms);

@@ -45,17 +45,15 @@ FrameHits::Left FrameHits::gather(const Frame& frame) {
 
 // Those of the rings from the nearest on that fit as a whole.
 std::size_t FrameHits::collect(const Frame& frame, Left& left) {
-  const auto is_right = [&](const Hit& hit) {
-    return hit.slice < std::min(frame.ages_ms.size(), kMostSlices) && area_.contains(hit.cell);
+  const std::size_t slices = std::min(frame.ages_ms.size(), kMostSlices);
+  const auto key = [&](const Hit& hit) {
+    return hit.slice < slices ? key_of(hit.cell, hit.slice) : kNoKey;
   };
-  std::array<std::size_t, kRings> of_ring{};
+  std::array<std::size_t, kRings + 1> of_ring{};  // and those that are wrong
   for (const Hit& hit : frame.hits) {
-    if (is_right(hit)) {
-      ++of_ring[key_of(hit.cell, hit.slice) >> kRingShift];
-    } else {
-      ++left.wrong;
-    }
+    ++of_ring[std::min<Key>(key(hit) >> kRingShift, kRings)];
   }
+  left.wrong = static_cast<std::uint32_t>(of_ring[kRings]);
   std::size_t fit = 0;
   std::uint32_t rings = 0;
   while (rings < kRings && fit + of_ring[rings] <= kMostSeen) {
@@ -63,9 +61,9 @@ std::size_t FrameHits::collect(const Frame& frame, Left& left) {
   }
   std::size_t count = 0;
   for (const Hit& hit : frame.hits) {
-    const Key key = is_right(hit) ? key_of(hit.cell, hit.slice) : ~Key{0};
-    if (key >> kRingShift < rings) {
-      keys_[count++] = key;
+    const Key its = key(hit);
+    if (its >> kRingShift < rings) {
+      keys_[count++] = its;
     }
   }
   left.beyond = static_cast<std::uint32_t>(frame.hits.size() - count) - left.wrong;
@@ -92,9 +90,12 @@ void FrameHits::sort(std::size_t count) {
   std::copy_n(other_.begin(), count, keys_.begin());
 }
 
-FrameHits::Key FrameHits::key_of(geometry::Cell cell, std::uint8_t slice) const {
+inline FrameHits::Key FrameHits::key_of(geometry::Cell cell, std::uint8_t slice) const {
   constexpr std::uint32_t kMask = geometry::kTileSide - 1;
   const window::TileNumber tile = window::window_tile(cell);
+  if (!area_.contains(tile)) {
+    return kNoKey;
+  }
   const std::int32_t away =
       std::max(numeric::magnitude(tile.a - car_tile_.a), numeric::magnitude(tile.b - car_tile_.b));
   const auto ring = static_cast<Key>(std::min<std::int32_t>(away, kRings - 1));

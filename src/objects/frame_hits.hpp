@@ -41,6 +41,8 @@ class FrameHits {
   // slice.
   using Key = std::uint32_t;
 
+  // kNoKey: outside of the window.
+  static constexpr Key kNoKey = ~Key{0};
   [[nodiscard]] Key key_of(geometry::Cell cell, std::uint8_t slice) const;
   [[nodiscard]] FrameHit hit_of(Key key, const Frame& frame) const;
   std::size_t collect(const Frame& frame, Left& left);

@@ -12,6 +12,29 @@ namespace {
 
 bool may_merge(const Track& track) { return track.is_there() && track.updates >= kMergeFrom; }
 
+// Those that may be one thing with another, in the order of slots, and what they lie in.
+struct Candidates {
+  std::size_t count = 0;
+  std::array<std::uint8_t, kMostTracks> slots{};
+  std::array<std::uint32_t, kMostTracks> ids{};
+  std::array<Bounds, kMostTracks> bounds{};
+
+  explicit Candidates(const Tracks& tracks) {
+    for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+      if (may_merge(tracks[slot])) {
+        slots[count] = static_cast<std::uint8_t>(slot);
+        ids[count] = tracks[slot].id;
+        bounds[count++] = bounds_of(tracks[slot].box());
+      }
+    }
+  }
+  // Whether the second is younger, and so near that a corner of its box may be kMergeMm out of the
+  // first's: along both sides of that, so 3/2 of it along the axes of the world are enough.
+  [[nodiscard]] bool are_near(std::size_t first, std::size_t second) const {
+    return ids[second] > ids[first] && bounds[first].is_near(bounds[second], kMergeMm * 3 / 2);
+  }
+};
+
 // The sides that the older one's box would have; longer than kLongestMm if they are two things.
 bool are_one(const Track& older, const Track& other, Sides& together) {
   const Box& box = older.box();
@@ -58,14 +81,17 @@ void merge(Tracks& tracks, std::span<FrameHit> hits) {
     now_of[slot] = static_cast<std::int16_t>(slot);
   }
   bool is_any = false;
-  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
-    for (std::size_t i = 0; i < tracks.size() && may_merge(tracks[slot]); ++i) {
-      Track& other = tracks[i];
+  Candidates all(tracks);
+  for (std::size_t first = 0; first < all.count; ++first) {
+    const std::uint8_t slot = all.slots[first];
+    for (std::size_t second = 0; second < all.count && tracks[slot].is_there(); ++second) {
+      const std::uint8_t other = all.slots[second];
       Sides together{};
-      if (may_merge(other) && other.id > tracks[slot].id &&
-          are_one(tracks[slot], other, together)) {
-        take_over(tracks[slot], other, together);
-        std::ranges::replace(now_of, static_cast<std::int16_t>(i), static_cast<std::int16_t>(slot));
+      if (all.are_near(first, second) && tracks[other].is_there() &&
+          are_one(tracks[slot], tracks[other], together)) {
+        take_over(tracks[slot], tracks[other], together);
+        all.bounds[first] = bounds_of(tracks[slot].box());
+        std::ranges::replace(now_of, std::int16_t{other}, std::int16_t{slot});
         is_any = true;
       }
     }

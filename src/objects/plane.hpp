@@ -151,6 +151,10 @@ struct Bounds {
   [[nodiscard]] constexpr Point middle() const {
     return {low.x_mm + (high.x_mm - low.x_mm) / 2, low.y_mm + (high.y_mm - low.y_mm) / 2};
   }
+  [[nodiscard]] constexpr bool contains(Point point) const {
+    return point.x_mm >= low.x_mm && point.x_mm <= high.x_mm && point.y_mm >= low.y_mm &&
+           point.y_mm <= high.y_mm;
+  }
   // Whether a point of the other is at most so far from one of this, on both axes.
   [[nodiscard]] constexpr bool is_near(const Bounds& other, std::int32_t mm) const {
     return other.low.x_mm - mm <= high.x_mm && low.x_mm - mm <= other.high.x_mm &&

@@ -44,7 +44,8 @@ std::uint32_t TileTracks::list(const Tracks& tracks, const ClaimGates& gates,
     for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
       const Track& track = tracks[slot];
       if (track.is_there() && track.updates >= kClaimsFrom && track.moves() == moves) {
-        left += add(slot, reach_of(track, gates[slot]), area);
+        reaches_[slot] = reach_of(track, gates[slot]);
+        left += add(slot, reaches_[slot], area);
       }
     }
   }

@@ -24,6 +24,10 @@ class TileTracks {
 
   // The slots of the tracks of the tile of a cell of the window, in their order.
   [[nodiscard]] std::span<const std::uint8_t> near(geometry::Cell cell) const;
+  // Whether a hit at a place may be taken by one of them. Most are ruled out by that.
+  [[nodiscard]] bool may_take(std::size_t slot, Point place) const {
+    return reaches_[slot].contains(place);
+  }
 
  private:
   struct Slots {
@@ -35,6 +39,7 @@ class TileTracks {
   std::uint32_t add(std::size_t track, const Bounds& bounds, const window::Area& area);
 
   std::array<Slots, window::kSlotCount> tiles_{};
+  std::array<Bounds, kMostTracks> reaches_{};  // of those that are listed
 };
 
 }  // namespace iog::objects

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "geometry/cell.hpp"
-#include "numeric/division.hpp"
 #include "window/area.hpp"
 #include "window/tile.hpp"
 
@@ -13,7 +12,7 @@ namespace iog::window {
 
 // The tile of the local frame that holds a cell.
 [[nodiscard]] constexpr TileNumber window_tile(geometry::Cell cell) {
-  return {numeric::div_floor(cell.x, kTileSide), numeric::div_floor(cell.y, kTileSide)};
+  return {cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2};
 }
 
 struct CellPlace {
