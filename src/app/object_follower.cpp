@@ -48,6 +48,11 @@ objects::FrameCounts ObjectFollower::follow(std::uint64_t end_us,
   return counts;
 }
 
+void ObjectFollower::pass(std::uint64_t end_us, window::WindowFusion& window) {
+  tracker_.pass(end_us);
+  name(window);
+}
+
 void ObjectFollower::name(window::WindowFusion& window) const {
   for (const objects::FrameHit& hit : tracker_.hits()) {
     if (tracker_.is_moving(hit)) {

@@ -16,9 +16,13 @@ namespace iog::app {
 class ObjectFollower {
  public:
   // A frame whose classes are decided and which has not ended. end_us: the middle of its last slice
-  // by the clock of the poses; slices: those that were placed; car: its place then.
+  // by the clock of the poses; slices: those that were placed, of which there is one at least; car:
+  // its place then.
   objects::FrameCounts follow(std::uint64_t end_us, std::span<const PlacedSlice> slices,
                               const pose::Pose& car, window::WindowFusion& window);
+
+  // A frame without slices, that ends then.
+  void pass(std::uint64_t end_us, window::WindowFusion& window);
 
   // The window has lost its place.
   void forget() { tracker_.forget(); }

@@ -90,7 +90,7 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   }
   end_ = time_us ? poses_.pose_at(*time_us) : pose::Placed{};
   const std::uint64_t half_us = std::uint64_t{500} << vehicle_->poses.log2_slice_ms;
-  objects_us_ = vehicle_->has_objects && time_us && *time_us > half_us ? *time_us - half_us : 0;
+  frame_end_us_ = vehicle_->has_objects && time_us && *time_us > half_us ? *time_us - half_us : 0;
   causes_before_ = std::exchange(causes_, poses_.cause_counts());
 }
 
@@ -145,13 +145,13 @@ void PerceptionEngine::lay_map() {
   }
 }
 
-// A frame without slices counts, too: what is not hit any more ends.
 void PerceptionEngine::follow_objects() {
   object_counts_ = {};
-  if (objects_us_ != 0) {
-    const std::span<const PlacedSlice> placed = slices_.placed();
-    object_counts_ = follower_.follow(objects_us_, placed,
-                                      placed.empty() ? end_.pose : placed.back().pose, window_);
+  const std::span<const PlacedSlice> placed = slices_.placed();
+  if (!placed.empty() && frame_end_us_ != 0) {
+    object_counts_ = follower_.follow(frame_end_us_, placed, placed.back().pose, window_);
+  } else if (frame_end_us_ != 0) {
+    follower_.pass(frame_end_us_, window_);
   }
 }
 
@@ -167,7 +167,7 @@ PerceptionReport PerceptionEngine::perception() const {
                           .packets_placed = slices_.packets_placed(),
                           .packets_not_placed = slices_.packets_not_placed(),
                           .window = counts_,
-                          .objects_us = objects_us_,
+                          .objects_us = follower_.tracker().time_us(),
                           .objects = object_counts_,
                           .map = layer_.report(),
                           .pose_fates = poses_.fates(),

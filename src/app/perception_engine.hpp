@@ -167,7 +167,7 @@ class PerceptionEngine {
   pose::CauseCounts causes_{};  // since start, and those before the frame
   pose::CauseCounts causes_before_{};
   pose::Placed end_{};
-  std::uint64_t objects_us_ = 0;  // the middle of its last slice; 0: it has no time
+  std::uint64_t frame_end_us_ = 0;  // the middle of its last slice; 0: nothing is followed
   objects::FrameCounts object_counts_{};
   window::FrameCounts counts_{};
 };

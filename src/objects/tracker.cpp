@@ -58,6 +58,14 @@ bool Tracker::begin(const Frame& frame, FrameCounts& counts) {
   return true;
 }
 
+// It may end before the one before it, as the newest pose is older than a slice that follows it.
+void Tracker::pass(std::uint64_t end_us) {
+  constexpr std::uint64_t kLongestUs = std::uint64_t{kLongestStepMs} * 1000;
+  if (now_us_ != 0 && end_us > now_us_ && end_us - now_us_ > kLongestUs) {
+    forget();
+  }
+}
+
 void Tracker::forget() {
   for (Track& track : tracks_) {
     track.end();

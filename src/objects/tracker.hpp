@@ -47,10 +47,16 @@ class Tracker {
   // frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
+  // A frame in which nothing was measured, ending then: all is as it was, until the silence is
+  // longer than kLongestStepMs, which ends all tracks. So a pause of all who send leaves no trace.
+  void pass(std::uint64_t end_us);
+
   // All tracks end, and nothing is known of what was hit: the window has lost its place. No id
   // comes again.
   void forget();
 
+  // When the last frame ended that was taken in; 0: there is none, or all was forgotten since.
+  [[nodiscard]] std::uint64_t time_us() const { return now_us_; }
   // By slot; those that are not there are free slots.
   [[nodiscard]] const Tracks& tracks() const { return tracks_; }
   // The hits of the last frame and whose they are, in their order.

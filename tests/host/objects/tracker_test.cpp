@@ -147,6 +147,28 @@ TEST_F(TrackerOf, AFrameOfTheSameTimeChangesNothing) {
   EXPECT_EQ(hash_of(tracker), before);
 }
 
+// Frames in which nobody measured anything are no steps, and a long silence ends all.
+TEST_F(TrackerOf, ASilenceOfAllLeavesNoTraceUntilItIsLong) {
+  const auto silent = std::make_unique<Tracker>();
+  tests::Scene flowing = busy_scene();
+  tests::Scene pausing = busy_scene();
+  flowing.show_until(2, tracker);
+  pausing.show_until(2, *silent, [&] {
+    const std::uint64_t before = hash_of(*silent);
+    silent->pass(silent->time_us() - 10'000);
+    silent->pass(silent->time_us());
+    silent->pass(silent->time_us() + 40'000);
+    EXPECT_EQ(hash_of(*silent), before);
+  });
+  EXPECT_EQ(hash_of(*silent), hash_of(tracker));
+  const std::uint64_t last_us = tracker.time_us();
+  tracker.pass(last_us + 200'000);
+  EXPECT_GT(count(tracker), 0U);
+  tracker.pass(last_us + 200'001);
+  EXPECT_EQ(count(tracker), 0U);
+  EXPECT_EQ(tracker.time_us(), 0U);
+}
+
 // What is not hit any more: young ones end after 0.1 s, all after 0.5 s.
 TEST_F(TrackerOf, TracksEndWithoutHits) {
   tests::Scene scene = busy_scene();
