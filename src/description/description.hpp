@@ -101,7 +101,9 @@ struct Description {
   pose::SourceDescription poses{};  // who says where the vehicle is
   map::SourceDescription maps{};    // who sends maps
   window::Rules window{};           // how evidence becomes classes
-  bool objects = true;              // whether things with a speed are followed (docs/objects.md)
+  // Whether things with a speed are followed (docs/objects.md). If it is not said, they are where
+  // no unit of the car turns.
+  std::optional<bool> objects{};
 };
 
 }  // namespace iog::description

@@ -181,7 +181,9 @@ Car read_fields(const toml::table& file, Mistakes& mistakes) {
   description.poses = read_poses(table.table("poses"));
   description.maps = read_maps(table.table("maps"));
   description.window = read_window(table.table("window"));
-  table.read("objects", description.objects);
+  if (table.has("objects")) {
+    table.read("objects", description.objects.emplace());
+  }
   car.network = read_network(table.table("network"));
   for (TomlTable& sensor : table.tables("sensors")) {
     read_sensor(sensor, car);
