@@ -132,7 +132,7 @@ STEPS = {
         "path_cost.cpp", "many_core.cpp", "traversal_cost.cpp")),
     "target/scaling": (*_IMAGES, *_programs("scaling.cpp", "a9_scaling.py")),
     "target/perception": (*_IMAGES, *_programs("perception_cost.cpp", "round_cost.cpp",
-                                               "a9_perception.py", "a9_cores.py")),
+                                               "object_cost.cpp", "a9_perception.py", "a9_cores.py")),
     "target/map": (*_IMAGES, "tools/map", *_programs("map_cost.cpp", "a9_map.py")),
     "target/turning": (*_IMAGES, *_programs("frame_cost.cpp", "turning_cost.cpp", "a9_turning.py")),
     "images": (*_all_in("board/imx6"), "vehicles", "linker", "qemu", "lab/target/images"),

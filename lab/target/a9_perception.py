@@ -18,10 +18,12 @@ STAGES = {
     "clear": ["window/slice_cells:clear", "window/frame_evidence:clear"],
     "arrivals": ["window/arrivals:find_new", "window/arrivals:count_new"],
     "list": [f"window/window_fusion:{name}"
-             for name in ("finish", "find_arrivals", "update_tiles", "end_tiles")],
+             for name in ("decide", "find_arrivals", "update_tiles", "end_frame", "end_tiles")],
     "update": ["window/window_fusion:fuse_groups"],
     "refresh": ["window/window_fusion:update_tile"],
     "remember": ["window/ground:remember"],
+    "objects": ["app/perception_engine:follow_objects", "app/object_follower:follow", "window/hit_list:add",
+                "window/moving_names:take_back"],
     "encode": ["target/perception_pass:take", "target/perception_pass:tick"],
     "encode_classes": ["app/perception_sink:take_classes"],
     "send": a9_runs.STAGES["send"],
@@ -30,6 +32,10 @@ OUTSIDE = {"benchmark": ["target/perception_pass:take_classes"],
            "stopwatch": a9_runs.OUTSIDE["stopwatch"]}
 # What is likely, and what is safe; each takes minutes.
 VARIANTS = ("nominal", "pessimistic")
+# Frames that are forged so that following things in them is dear.
+FOLLOWING = {"objects": ["objects/tracker:add"]}
+FORGED = ("anywhere", "things", "walls", "crowd")
+FORGED_FRAMES = 6
 # The window has to fill, too.
 WARM_UP = 12
 FRAMES = 4
@@ -62,9 +68,29 @@ def counted(place: a9_runs.Place, drive: str, capture: str) -> list[a9_runs.Row]
     return a9_runs.counted_rows(line, f"perception_cost drive={drive}")
 
 
+def objects_run(kind: str) -> str:
+    return f"object_cost kind={kind}"
+
+
+def objects_counted(place: a9_runs.Place, kind: str) -> list[a9_runs.Row]:
+    line, = a9_runs.counted(place, "object_cost", kind, FORGED_FRAMES)
+    return a9_runs.counted_rows(line, objects_run(kind))
+
+
+def objects_modelled(place: a9_runs.Place, kind: str, variant: str) -> list[a9_runs.Row]:
+    """All frames' cycles, and the cycles of the dearest."""
+    printed = a9_runs.printed_by_model(place, variant, FOLLOWING, place.images / "object_cost", kind, FORGED_FRAMES)
+    _, own = a9_runs.own_of(printed, FOLLOWING)
+    rounds = [int(pairs["cycles"]) for pairs in map(a9_runs.pairs_of, printed) if pairs.get("of") == "objects"]
+    return [*a9_runs.modelled_rows(objects_run(kind), variant, {"frames": FORGED_FRAMES}, own),
+            a9_runs.Row(objects_run(kind), "objects", variant, "cycles_max", str(max(rounds)))]
+
+
 def runs(place: a9_runs.Place, drives: dict[str, str], variants=VARIANTS) -> list:
     """What is counted, and what is modelled."""
+    forged = [lambda k=kind: objects_counted(place, k) for kind in FORGED]
+    forged += [lambda k=kind, v=variant: objects_modelled(place, k, v) for variant in variants for kind in FORGED]
     of_drives = [lambda d=drive, c=capture: counted(place, d, c)
                  for drive, capture in drives.items()]
-    return of_drives + [lambda d=drive, c=capture, v=variant: modelled(place, d, v, c)
+    return forged + of_drives + [lambda d=drive, c=capture, v=variant: modelled(place, d, v, c)
                         for variant in variants for drive, capture in drives.items()]

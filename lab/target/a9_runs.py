@@ -21,7 +21,7 @@ PARTS = {
     "frames": ("frame_cost", "serial_cost", "traversal_cost", "path_cost", "many_core",
                "printed_cost", "tree", "floor", "long_run", "first_frames"),
     "scaling": ("scaling",),
-    "perception": ("perception_cost",),
+    "perception": ("perception_cost", "object_cost"),
     "map": ("map_cost",),
     "turning": ("turning", "turning_cost"),
 }
@@ -108,7 +108,7 @@ def pairs_of(line: str) -> dict[str, str]:
 
 # What an image prints to say which run its line is of.
 NAMING = {"frame_cost": ("sensors",), "traversal_cost": ("walk", "r"),
-          "many_core": ("approach", "cell_mm"), "perception_cost": (), "map_cost": (),
+          "many_core": ("approach", "cell_mm"), "perception_cost": (), "object_cost": ("kind",), "map_cost": (),
           "printed_cost": ("extent",), "path_cost": (),
           "scaling": ("cells_per_side", "cell_mm", "sensors", "azimuths", "range_cm")}
 # fuse_sum, fuse_min, fuse_max: of a stage over its frames. A mean follows from the sum.
