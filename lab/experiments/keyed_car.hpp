@@ -2,7 +2,9 @@
 // that are those of its poses.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lidar/formats.hpp"
@@ -14,7 +16,7 @@ namespace iog::lab {
 struct Keys {
   vehicle::GroundLimits ground{};  // of its units that turn
   vehicle::MovedLimits moved{};
-  bool has_objects = true;
+  std::optional<bool> has_objects{};  // none: where no unit turns
 };
 
 class KeyedCar {
@@ -35,7 +37,8 @@ class KeyedCar {
     vehicle_.sensors = sensors_;
     vehicle_.window = rules;
     vehicle_.grids = vehicle::Grids::kClasses;
-    vehicle_.has_objects = keys.has_objects;
+    vehicle_.has_objects = keys.has_objects.value_or(std::ranges::none_of(
+        sensors_, [](const vehicle::Sensor& sensor) { return lidar::turns(sensor.format); }));
     vehicle_.frame_period_us = kFramePeriodUs;
     vehicle::derive_rules(sensors_, vehicle_.window);
   }
