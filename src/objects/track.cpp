@@ -83,6 +83,10 @@ void Track::begin_heading(const Sides& sides) {
       {mean(a.place(), b.place()), mean(a.both(), b.both()), mean(a.speed(), b.speed())});
 }
 
+bool Track::is_mostly_standing() const {
+  return seen.standing > seen.hits && longest_of(box_.sides) >= kSmallMm && speed_ < kParkedSpeed;
+}
+
 bool Track::is_small() const { return longest_of(box_.sides) < kSmallMm && speed_ < kSmallSpeed; }
 
 void Track::place() {

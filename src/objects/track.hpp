@@ -70,6 +70,9 @@ class Track {
   [[nodiscard]] std::int32_t speed() const { return speed_; }  // mm/s, rounded down
   // Of the speed along both sides together, mm/s.
   [[nodiscard]] std::int32_t speed_deviation() const { return speed_deviation_; }
+  // It is larger than a walker, slow, and most of its hits stand: it may be beside something that
+  // is parked, and the hits that stand are not known to be its own.
+  [[nodiscard]] bool is_mostly_standing() const;
   // A walker, by size and speed.
   [[nodiscard]] bool is_small() const;
 

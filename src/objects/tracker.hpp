@@ -62,9 +62,14 @@ class Tracker {
   // The hits of the last frame and whose they are, in their order.
   [[nodiscard]] std::span<const FrameHit> hits() const { return hits_.all(); }
 
-  // Whether a hit of the last frame is on something that moves.
+  // Whether a hit of the last frame is on something that moves. One that stands is not if its track
+  // is mostly standing.
   [[nodiscard]] bool is_moving(const FrameHit& hit) const {
-    return hit.owner != kNobody && tracks_[static_cast<std::size_t>(hit.owner)].moves();
+    if (hit.owner == kNobody) {
+      return false;
+    }
+    const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
+    return track.moves() && !(hit.stands && track.is_mostly_standing());
   }
   // Whether a cell may hold a part of something that moves, hit or not: it is at most kTailMm out
   // of its box.

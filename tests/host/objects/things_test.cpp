@@ -186,6 +186,25 @@ TEST_F(Things, ACarThatLeavesMoves) {
   EXPECT_GT(scene.moving_share(0, tracker), 0.9);
 }
 
+// Three hits of its own and four that stand, of a slow car, are mostly standing: it may be beside
+// something that is parked. Three and three are not, nor is a walker in front of a wall, nor a car
+// that drives with 8 m/s.
+TEST(Track, IsMostlyStandingIfItIsLargeAndSlowAndMoreOfItsHitsStand) {
+  const auto track_of = [](std::int32_t length_mm, std::int32_t standing) {
+    Track track;
+    track.begin(1, {.sides = {Interval{0, length_mm}, Interval{0, 600}}}, kStartUs);
+    track.seen = {.hits = 3, .standing = standing};
+    return track;
+  };
+  EXPECT_TRUE(track_of(4500, 4).is_mostly_standing());
+  EXPECT_FALSE(track_of(4500, 3).is_mostly_standing());
+  EXPECT_FALSE(track_of(600, 4).is_mostly_standing());
+  Track fast = track_of(4500, 4);
+  fast.correct(kAlong, {.place = 0, .speed = 8 << 16}, 1000);
+  EXPECT_EQ(fast.speed(), 8000);
+  EXPECT_FALSE(fast.is_mostly_standing());
+}
+
 // A lorry of 16.5 m overtakes at 22 m/s a car that drives at 12: one track, and as long as it is.
 // Abreast both of its ends are out of sight or seen aslant; 20 m ahead its rear is in full view.
 TEST_F(Things, ALorryIsOneTrack) {
