@@ -7,6 +7,7 @@
 #include "numeric/arctangent.hpp"
 #include "numeric/division.hpp"
 #include "numeric/square_root.hpp"
+#include "objects/stated.hpp"
 
 namespace iog::app {
 namespace {
@@ -53,8 +54,11 @@ std::uint32_t root_of(std::int32_t variance) {
 }
 
 // cm/s.
-std::uint16_t speed_deviation_of(const objects::Track& track, objects::Side side) {
-  return at_most((root_of(track.covariance(side).speed()) + 9) / 10, stream::kNotBelieved - 1);
+std::uint16_t speed_deviation_of(const objects::Track& track, objects::Side side,
+                                 std::uint64_t now_us, objects::Point car) {
+  const std::uint32_t deviation =
+      objects::stated_deviation(root_of(track.covariance(side).speed()), track, now_us, car);
+  return at_most((deviation + 9) / 10, stream::kNotBelieved - 1);
 }
 
 std::uint16_t flags_of(const objects::Track& track, std::uint64_t now_us) {
@@ -66,7 +70,8 @@ std::uint16_t flags_of(const objects::Track& track, std::uint64_t now_us) {
 
 }  // namespace
 
-stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us) {
+stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us,
+                               objects::Point car) {
   const objects::Box& box = track.box();
   const objects::Point middle = middle_of(box);
   const objects::Velocity velocity = track.believed_velocity();
@@ -89,8 +94,8 @@ stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us
     object.heading = numeric::angle_of(box.along.x, box.along.y);
   }
   if (object.is_believed()) {
-    object.sigma_v_along_cm_s = speed_deviation_of(track, kAlong);
-    object.sigma_v_across_cm_s = speed_deviation_of(track, kAcross);
+    object.sigma_v_along_cm_s = speed_deviation_of(track, kAlong, now_us, car);
+    object.sigma_v_across_cm_s = speed_deviation_of(track, kAcross, now_us, car);
   }
   if (object.state == stream::ObjectState::kStopped) {
     object.since_stopped_10ms = or_more((now_us - track.stopped_us) / 10'000);
@@ -108,9 +113,10 @@ void list_objects(const PerceptionReport& report, const objects::Tracks& tracks,
   if (!list.has_place()) {
     return;
   }
+  const objects::Point car{report.end.pose.x_mm, report.end.pose.y_mm};
   for (const objects::Track& track : tracks) {
     if (track.is_there() && track.updates >= kToldFrom) {
-      list.records[list.count++] = record_of(track, list.time_us);
+      list.records[list.count++] = record_of(track, list.time_us, car);
     }
   }
   std::ranges::sort(std::span(list.records).first(list.count), {}, &stream::ObjectRecord::id);

@@ -13,7 +13,8 @@ namespace iog::app {
 inline constexpr std::uint32_t kToldFrom = 4;  // updates
 
 // A track that is there. now_us: the time of its place.
-[[nodiscard]] stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us);
+[[nodiscard]] stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us,
+                                             objects::Point car);
 
 // Those of the frame's tracks that are told, in the order of their ids; none if the frame has no
 // place.

@@ -134,6 +134,11 @@ inline constexpr std::uint64_t kUnseenUs = 480'000;       // moves, or has stopp
 inline constexpr std::uint64_t kUnseenYoungUs = 100'000;  // any other
 inline constexpr std::int32_t kNoThingMm = 20'000;
 
+// How sure of its velocity a track is said to be (objects/stated.hpp).
+inline constexpr std::uint64_t kStatedAgeMs = 3000;
+inline constexpr std::int32_t kStatedNearMm = 10'000;
+inline constexpr std::uint64_t kStatedNear = 4;
+
 // What was called moving and is so far out of every box that moves is not any more.
 inline constexpr std::int32_t kTailMm = 300;
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numeric/magnitude.hpp"
+#include "objects/stated.hpp"
 
 namespace iog::lab {
 namespace {
@@ -86,6 +87,7 @@ class Maker {
   Maker(const PerceivedFrame& frame, const FrameTruth& truth, const objects::Tracker& tracker)
       : to_world_(&truth.last().to_world),
         tracks_(&tracker.tracks()),
+        car_{frame.report->end.pose.x_mm, frame.report->end.pose.y_mm},
         hits_(frame, truth, tracker),
         motions_(truth.last().things.motions()) {
     made_.time_us = frame.report->objects_us;
@@ -142,9 +144,15 @@ class Maker {
         {.id = its.id,
          .at = at,
          .velocity = in_metres(to_world_->turned(velocity.x / 1000.0, velocity.y / 1000.0)),
-         .deviation = its.speed_deviation() / 1000.0,
+         .deviation = stated(its),
          .born_us = its.born_us,
          .on = on_of(hits)});
+  }
+
+  // m/s
+  [[nodiscard]] double stated(const objects::Track& its) const {
+    const auto deviation = static_cast<std::uint32_t>(its.speed_deviation());
+    return objects::stated_deviation(deviation, its, made_.time_us, car_) / 1000.0;
   }
 
   [[nodiscard]] ReportedOn on_of(const HitsByTruth::OfTrack& hits) const {
@@ -170,6 +178,7 @@ class Maker {
 
   const LocalToWorld* to_world_;
   const objects::Tracks* tracks_;
+  objects::Point car_;
   HitsByTruth hits_;
   std::map<std::uint32_t, TrueMotion> motions_;
   std::map<std::int64_t, std::vector<std::size_t>> tells_;  // by slot, places in movers

@@ -22,12 +22,15 @@ using stream::ObjectState;
 using tests::FakePlatform;
 
 constexpr std::uint64_t kNowUs = 5'000'000'000;
+constexpr objects::Point kCar{100'000, 0};  // far away
 
-// Born at rest: 100 mm and 10 m/s deviations. Its point is 1 m behind its middle.
+// Born at rest 3 s ago: 100 mm and 10 m/s deviations, of which twice as much is stated after 3 s.
+// Its point is 1 m behind its middle.
 Track something(std::uint32_t id) {
   Track track;
   track.begin(id, {.at = {10'000, -2'000}, .sides = {{{-1000, 3000}, {-900, 904}}}}, kNowUs);
   track.updates = kToldFrom;
+  track.born_us = kNowUs - 3'000'000;
   return track;
 }
 
@@ -43,7 +46,7 @@ Track car(std::uint32_t id, std::int32_t speed) {
 }
 
 TEST(ObjectMessages, ACarThatMovesIsToldAsItIs) {
-  const ObjectRecord object = record_of(car(9, 12'345), kNowUs);
+  const ObjectRecord object = record_of(car(9, 12'345), kNowUs, kCar);
   EXPECT_EQ(object, (ObjectRecord{.id = 9,
                                   .state = ObjectState::kMoves,
                                   .existence = 127,
@@ -56,8 +59,8 @@ TEST(ObjectMessages, ACarThatMovesIsToldAsItIs) {
                                   .flags = stream::kObjectHasHeading,
                                   .vx_cm_s = 0,
                                   .vy_cm_s = -1234,
-                                  .sigma_v_along_cm_s = 1000,
-                                  .sigma_v_across_cm_s = 1000,
+                                  .sigma_v_along_cm_s = 2000,
+                                  .sigma_v_across_cm_s = 2000,
                                   .sigma_along_mm = 100,
                                   .sigma_across_mm = 100,
                                   .since_hit_ms = 0,
@@ -69,7 +72,7 @@ TEST(ObjectMessages, WhatIsNotBelievedHasNoSpeed) {
   for (const State state : {State::kYoung, State::kStands}) {
     Track track = car(9, 12'345);
     track.state = state;
-    const ObjectRecord object = record_of(track, kNowUs);
+    const ObjectRecord object = record_of(track, kNowUs, kCar);
     EXPECT_EQ(object.state, state == State::kYoung ? ObjectState::kYoung : ObjectState::kStands);
     EXPECT_EQ(object.vx_cm_s, 0);
     EXPECT_EQ(object.vy_cm_s, 0);
@@ -83,27 +86,42 @@ TEST(ObjectMessages, WhatHasStoppedIsToldSinceWhen) {
   track.state = State::kStopped;
   track.rest();
   track.stopped_us = kNowUs - 1'239'999;
-  ObjectRecord object = record_of(track, kNowUs);
+  ObjectRecord object = record_of(track, kNowUs, kCar);
   EXPECT_EQ(object.state, ObjectState::kStopped);
   EXPECT_EQ(object.since_stopped_10ms, 123);
   EXPECT_EQ(object.vy_cm_s, 0);
-  EXPECT_EQ(object.sigma_v_along_cm_s, 1000);
+  EXPECT_EQ(object.sigma_v_along_cm_s, 2000);
   track.stopped_us = kNowUs - 700'000'000;
-  EXPECT_EQ(record_of(track, kNowUs).since_stopped_10ms, 65535);
+  EXPECT_EQ(record_of(track, kNowUs, kCar).since_stopped_10ms, 65535);
 }
 
 TEST(ObjectMessages, WhatWasNotHitIsToldSinceWhen) {
   Track track = something(1);
-  EXPECT_EQ(record_of(track, kNowUs).flags, 0);
-  EXPECT_EQ(record_of(track, kNowUs + 47'900).flags, stream::kObjectNotHit);
-  EXPECT_EQ(record_of(track, kNowUs + 47'900).since_hit_ms, 47);
-  EXPECT_EQ(record_of(track, kNowUs + 70'000'000).since_hit_ms, 65535);
+  EXPECT_EQ(record_of(track, kNowUs, kCar).flags, 0);
+  EXPECT_EQ(record_of(track, kNowUs + 47'900, kCar).flags, stream::kObjectNotHit);
+  EXPECT_EQ(record_of(track, kNowUs + 47'900, kCar).since_hit_ms, 47);
+  EXPECT_EQ(record_of(track, kNowUs + 70'000'000, kCar).since_hit_ms, 65535);
   track.seen.is_end_hidden = true;
-  EXPECT_EQ(record_of(track, kNowUs).flags, stream::kObjectEndHidden);
+  EXPECT_EQ(record_of(track, kNowUs, kCar).flags, stream::kObjectEndHidden);
+}
+
+// The younger and the nearer, the wider.
+TEST(ObjectMessages, VelocitiesAreAsSureAsTheyAreOldAndFar) {
+  Track track = car(1, 5'000);
+  const auto stated = [&](std::uint64_t age_us, objects::Point from) {
+    track.born_us = kNowUs - age_us;
+    return record_of(track, kNowUs, from).sigma_v_along_cm_s;
+  };
+  EXPECT_EQ(stated(300'000, kCar), 10'000);  // 11 times 10 m/s: not more than anything can have
+  EXPECT_EQ(stated(600'000, kCar), 6'000);
+  EXPECT_EQ(stated(30'000'000, kCar), 1'100);
+  EXPECT_EQ(stated(30'000'000, {19'000, -2'000}), 4'000);
+  EXPECT_EQ(stated(600'000, {19'000, -2'000}), 6'000);
+  EXPECT_EQ(stated(30'000'000, {20'000, -2'000}), 1'100);
 }
 
 // By floating point, and never less than they are.
-TEST(ObjectMessages, DeviationsAreThoseOfTheFilter) {
+TEST(ObjectMessages, DeviationsFollowThoseOfTheFilter) {
   Track track = car(1, 5'000);
   for (int step = 0; step < 200; ++step) {
     track.predict(objects::Step(40));
@@ -111,25 +129,25 @@ TEST(ObjectMessages, DeviationsAreThoseOfTheFilter) {
       static_cast<void>(track.covariance(kAlong).measure(10'000));
       static_cast<void>(track.covariance(kAcross).measure(3'000));
     }
-    const ObjectRecord object = record_of(track, kNowUs);
+    const ObjectRecord object = record_of(track, kNowUs, kCar);
     const auto root = [&](objects::Side side, bool of_speed) {
       const objects::Covariance& its = track.covariance(side);
       return std::sqrt(static_cast<double>(of_speed ? its.speed() : its.place()));
     };
     ASSERT_EQ(object.sigma_along_mm, std::ceil(root(kAlong, false)));
     ASSERT_EQ(object.sigma_across_mm, std::ceil(root(kAcross, false)));
-    ASSERT_EQ(object.sigma_v_along_cm_s, std::ceil(root(kAlong, true) / 10));
-    ASSERT_EQ(object.sigma_v_across_cm_s, std::ceil(root(kAcross, true) / 10));
+    ASSERT_EQ(object.sigma_v_along_cm_s, std::ceil(2 * std::ceil(root(kAlong, true)) / 10));
+    ASSERT_EQ(object.sigma_v_across_cm_s, std::ceil(2 * std::ceil(root(kAcross, true)) / 10));
   }
 }
 
 TEST(ObjectMessages, ConfidenceIsToldInPartsOf255) {
   Track track = something(1);
-  EXPECT_EQ(record_of(track, kNowUs).existence, 0);
+  EXPECT_EQ(record_of(track, kNowUs, kCar).existence, 0);
   track.confidence = 5;
-  EXPECT_EQ(record_of(track, kNowUs).existence, 106);
+  EXPECT_EQ(record_of(track, kNowUs, kCar).existence, 106);
   track.confidence = objects::kMostConfidence;
-  EXPECT_EQ(record_of(track, kNowUs).existence, 255);
+  EXPECT_EQ(record_of(track, kNowUs, kCar).existence, 255);
 }
 
 class ObjectListing : public testing::Test {
@@ -150,7 +168,7 @@ TEST_F(ObjectListing, IsInTheOrderOfIds) {
   ASSERT_EQ(told->count, 4);
   const std::uint32_t ids[] = {5, 6, 700, 70'000};
   EXPECT_TRUE(std::ranges::equal(told->all(), ids, {}, &ObjectRecord::id));
-  EXPECT_EQ(told->records[0], record_of((*tracks)[3], kNowUs));
+  EXPECT_EQ(told->records[0], record_of((*tracks)[3], kNowUs, {}));
   EXPECT_EQ(told->time_us, kNowUs);
 }
 
@@ -222,7 +240,7 @@ TEST_F(ObjectListing, GoesOutInParts) {
   for (const stream::ObjectPart& part : frame.objects) {
     EXPECT_EQ(part.header.objects, 70);
     for (const ObjectRecord& object : part.all()) {
-      EXPECT_EQ(object, record_of((*tracks)[id++], kNowUs));
+      EXPECT_EQ(object, record_of((*tracks)[id++], kNowUs, {}));
     }
   }
   EXPECT_EQ(id, 70U);
