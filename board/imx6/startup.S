@@ -138,7 +138,7 @@ Reset_Handler:
         bl    start_neon
 
         // What start_memory() and the report of a fault keep. All else of the zeroed data has to wait
-        // for the caches: it is up to 112 MiB.
+        // for the caches: it is up to 126 MiB.
         ldr   r0, =early_bss_begin
         ldr   r1, =early_bss_end
         bl    zero_data
@@ -177,7 +177,7 @@ serve_watchdog:
         .size serve_watchdog, . - serve_watchdog
 
 // Zeroes from r0 to r1, which the linker script keeps on 16 bytes, and serves the watchdog every 64 KiB:
-// 112 MiB may take longer than its period. Uses r2 to r8.
+// 126 MiB may take longer than its period. Uses r2 to r8.
         .global zero_data
         .type   zero_data, %function
 zero_data:

@@ -82,7 +82,7 @@ class Sabrelite:
             ["-object", f"filter-dump,id=recorder,netdev=wire,file={record_to}"]
         with open(folder / "qemu.txt", "wb") as log:
             self._qemu = subprocess.Popen(
-                ["qemu-system-arm", "-M", "sabrelite", "-display", "none", "-monitor", "none",
+                ["qemu-system-arm", "-M", "sabrelite", "-m", "256M", "-display", "none", "-monitor", "none",
                  "-serial", line, "-serial", f"file:{self._console}", "-kernel", image,
                  "-netdev", f"dgram,id=wire,local.type=unix,local.path={self._there},"
                             f"remote.type=unix,remote.path={self._here}",
