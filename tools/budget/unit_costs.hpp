@@ -10,29 +10,29 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 598.72;
+inline constexpr double kPointCycles = 605.08;
 // A cell, carved.
 inline constexpr double kCellCycles = 2.83;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8983.81;
+inline constexpr double kTileCycles = 8931.89;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 50316.91;
+inline constexpr double kClassTileCycles = 59448.43;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5067.69;
+inline constexpr double kPointOnceCycles = 5033.59;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 482.87;
+inline constexpr double kLaterEchoCycles = 482.31;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9190.13;
+inline constexpr double kDearestTileCycles = 9139.81;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 53857.74;
+inline constexpr double kDearestClassTileCycles = 59629.47;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 787.89;
+inline constexpr double kTurnStepCycles = 801.65;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 359.48;
+inline constexpr double kTurnPointCycles = 355.99;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 1572975.05;
+inline constexpr double kGroundTurnCycles = 1777457.25;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 179.17;
+inline constexpr double kGroundPointCycles = 156.71;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -53,33 +53,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4695674},
-    {"ring_road", 2321, 721236, 478, 8151020},
+    {"city", 2885, 466621, 231, 4696270},
+    {"ring_road", 2321, 721236, 478, 8152012},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1297659},
-    {"city, 3 LUX", 2240, 369547, 154, 1844901},
-    {"city, 4 LUX", 2885, 466621, 231, 2434862},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1285902},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1945918},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3040479},
+    {"city, 2 LUX", 1551, 254292, 132, 1306422},
+    {"city, 3 LUX", 2240, 369547, 154, 1856684},
+    {"city, 4 LUX", 2885, 466621, 231, 2449640},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1297744},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1965079},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3057640},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1425860, 668, 10722827},
-    {"random_ranges", 3216, 744269, 600, 9576494},
-    {"layers_apart", 3216, 888311, 665, 10526249},
-    {"beyond_range", 3216, 1451672, 680, 10354517},
-    {"three_echoes", 9648, 1344110, 668, 12650410},
-    {"missing_returns", 1618, 721934, 664, 9859036},
-    {"random_azimuths", 3216, 2000851, 665, 21323106},
-    {"diagonal", 3216, 2223052, 126, 7750506},
-    {"one_direction", 3216, 1538745, 48, 1704529},
-    {"short_beams", 9648, 24984, 4, 4732893},
-    {"flood", 9648, 6805584, 126, 10576110},
+    {"full_range", 3216, 1425860, 668, 10729202},
+    {"random_ranges", 3216, 744269, 600, 9555279},
+    {"layers_apart", 3216, 888311, 665, 10530534},
+    {"beyond_range", 3216, 1451672, 680, 10353892},
+    {"three_echoes", 9648, 1344110, 668, 12515402},
+    {"missing_returns", 1618, 721934, 664, 9809196},
+    {"random_azimuths", 3216, 2000851, 665, 21179000},
+    {"diagonal", 3216, 2223052, 126, 7721779},
+    {"one_direction", 3216, 1538745, 48, 1690666},
+    {"short_beams", 9648, 24984, 4, 4726916},
+    {"flood", 9648, 6805584, 126, 10534056},
 }};
 
 struct ModelledTurn {
@@ -93,16 +93,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 20426598},
-    {"HDL-32E", 69466, 460, 34977826},
-    {"HDL-64E S3", 111130, 466, 51752892},
+    {"VLP-16", 28954, 323, 20357305},
+    {"HDL-32E", 69466, 460, 34928465},
+    {"HDL-64E S3", 111130, 466, 51393505},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 27309615},
-    {"HDL-32E", 69466, 474, 48756001},
-    {"HDL-64E S3", 111130, 489, 73356335},
+    {"VLP-16", 28954, 330, 26894354},
+    {"HDL-32E", 69466, 474, 47153668},
+    {"HDL-64E S3", 111130, 489, 70802335},
 }};
 
 }  // namespace iog::tools
