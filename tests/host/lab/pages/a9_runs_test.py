@@ -101,6 +101,11 @@ class Runs(unittest.TestCase):
                                        list(worst)),
                 *a9_scaling.runs(place)]})["modelled"]
         with mock.patch.object(a9_runs, "printed_by_model",
+                               lambda *_: ["object_cost frames=0", "modelled of=objects cycles=0"]):
+            for variant in a9_perception.VARIANTS:
+                for kind in a9_perception.FORGED:
+                    rows += a9_perception.objects_modelled(place, kind, variant)
+        with mock.patch.object(a9_runs, "printed_by_model",
                                lambda *_: ["perception_cost groups_fused_after=0"]):
             for variant in a9_perception.VARIANTS:
                 for drive in ("city", "ring_road"):
