@@ -41,11 +41,14 @@ class Setting:
 # A frame is 40 ms long, as a LUX scans; the rest is what a car's file says if it says nothing.
 SCAN = {"frame_period_us": "40_000", "grids": '"classes"'}
 GROUND = {"ground": "{ low_m = 0.22, top_m = 2.2 }"}
+BOTH = GROUND | {"moved": "{ low_m = 0.6, tall_m = 0.3 }"}
 SETTINGS = {
     "flat band": Setting(SCAN),
     "ground": Setting(SCAN, GROUND),
     "opened from below": Setting(SCAN, {"moved": "{ low_m = 0.6, tall_m = 0.7 }"}),
-    "both": Setting(SCAN, GROUND | {"moved": "{ low_m = 0.6, tall_m = 0.3 }"}),
+    # Of the last one the page says whether its goals are met.
+    "both, followed": Setting(SCAN | {"objects": "true"}, BOTH),
+    "both": Setting(SCAN, BOTH),
 }
 RUN_COUNTS = {  # of class_frames' table
     "packets_placed": r"packets placed +(\d+)", "packets_not_placed": r"packets placed .* (\d+) without a place",
