@@ -15,7 +15,8 @@ namespace {
 
 // Only the addresses of these mean something (linker/imx6.ld).
 extern "C" {
-extern std::uint32_t code_begin, code_end, data_begin, data_end, dma_begin, dma_end;
+extern std::uint32_t code_begin, car_block, car_block_end, text_begin, constants_begin;
+extern std::uint32_t constants_end, data_begin, data_end, dma_begin, dma_end;
 extern std::uint32_t boot_record_section, stacks_begin;
 extern std::uint32_t main_stack_bottom, main_stack_top, undefined_stack_bottom;
 extern std::uint32_t undefined_stack_top, abort_stack_bottom, abort_stack_top;
@@ -58,7 +59,12 @@ void read_the_linker() {
                 address_of(helper_exception_stack_top) + skipped};
   }
   const std::uint32_t record = address_of(boot_record_section);
-  map = {.code = {address_of(code_begin), address_of(code_end)},
+  // The alignment of the text fills its last page.
+  map = {.image_section = address_of(code_begin),
+         .code = {{{address_of(code_begin), address_of(car_block)},
+                   {address_of(text_begin), address_of(constants_begin)}}},
+         .constants = {{{address_of(car_block), address_of(car_block_end)},
+                        {address_of(constants_begin), address_of(constants_end)}}},
          .data = {address_of(data_begin), address_of(data_end)},
          .dma = {address_of(dma_begin), address_of(dma_end)},
          .boot_record = {record, record + mmu::kSectionBytes},
@@ -70,6 +76,8 @@ void read_the_linker() {
 }  // namespace
 
 const mmu::MemoryMap& memory_map() { return map; }
+
+const mmu::Tables& translation_tables() { return tables; }
 
 bool l2_cache_is_on() { return l2_cache_on; }
 
@@ -86,7 +94,7 @@ std::uint32_t main_stack_used_bytes() {
 extern "C" void start_memory() {
   Watchdog(wdog1).start();
   read_the_linker();
-  mmu::build(tables, map, machine::bus_address(tables.stack_pages));
+  mmu::build(tables, map, machine::bus_address(tables.image), machine::bus_address(tables.stacks));
   // SCU first: with ACTLR.SMP set and the SCU off, coherent requests would have nobody to answer
   // them.
   scu.invalidate_all.write(ScuRegisters::kInvalidateAllWaysAllCores);

@@ -1,9 +1,9 @@
 // Translation tables as values: what every address may be used for, decided here and nowhere else.
 //
-// Addresses are mapped one to one, in sections of 1 MiB. Only the section of the stacks has a
-// second-level table of 4 KiB pages, so that the page below each stack can be left unmapped. Access
-// to anything else is a fault: null pointers, the boot ROM, the other peripherals, DDR past the
-// end.
+// Addresses are mapped one to one, in sections of 1 MiB. Two sections have second-level tables:
+// that of the stacks, so that the page below each can be left unmapped, and the first of the image,
+// where what is executed and what is only read lie in pages of 4 and 64 KiB. Access to anything
+// else is a fault: null pointers, the boot ROM, the other peripherals, DDR past the end.
 #pragma once
 
 #include <array>
@@ -13,14 +13,16 @@
 namespace iog::imx6::mmu {
 
 inline constexpr std::uint32_t kSectionBytes = 1u << 20;
+inline constexpr std::uint32_t kLargePageBytes = 1u << 16;
 inline constexpr std::uint32_t kPageBytes = 1u << 12;
 inline constexpr std::uint32_t kFault = 0;
 
 enum class Memory : std::uint8_t {
-  kCode,      // cached, read-only, executable
-  kData,      // cached, read and write, never executed
-  kUncached,  // normal memory without caches, for DMA and for the boot record; never executed
-  kDevice,    // strongly ordered, never executed
+  kCode,       // cached, read-only, executable
+  kConstants,  // cached, read-only, never executed
+  kData,       // cached, read and write, never executed
+  kUncached,   // normal memory without caches, for DMA and for the boot record; never executed
+  kDevice,     // strongly ordered, never executed
 };
 
 namespace detail {
@@ -41,6 +43,8 @@ constexpr Attributes attributes(Memory memory) {
   switch (memory) {
     case Memory::kCode:
       return {.tex = 1, .c = 1, .b = 1, .s = 1, .ap2 = 1, .xn = 0};
+    case Memory::kConstants:
+      return {.tex = 1, .c = 1, .b = 1, .s = 1, .ap2 = 1, .xn = 1};
     case Memory::kData:
       return {.tex = 1, .c = 1, .b = 1, .s = 1, .ap2 = 0, .xn = 1};
     case Memory::kUncached:
@@ -69,6 +73,13 @@ constexpr std::uint32_t small_page(std::uint32_t address, Memory memory) {
          detail::kAp10Privileged << 4 | a.c << 3 | a.b << 2 | 0b10 | a.xn;
 }
 
+// It stands in 16 entries that follow one another.
+constexpr std::uint32_t large_page(std::uint32_t address, Memory memory) {
+  const detail::Attributes a = detail::attributes(memory);
+  return (address & ~(kLargePageBytes - 1)) | a.xn << 15 | a.tex << 12 | a.s << 10 | a.ap2 << 9 |
+         detail::kAp10Privileged << 4 | a.c << 3 | a.b << 2 | 0b01;
+}
+
 constexpr std::uint32_t page_table(std::uint32_t table_address) {
   return (table_address & ~0x3ffu) | 0b01;
 }
@@ -81,25 +92,33 @@ struct Range {
   constexpr bool contains(std::uint32_t address) const { return begin <= address && address < end; }
 };
 
-// What linker/imx6.ld laid out. All ranges but the stacks begin and end on sections; the stacks
-// begin and end on pages and lie in the one section at stack_section.
+// What linker/imx6.ld laid out. In the sections that have a table, ranges begin and end on pages,
+// elsewhere on sections.
 struct MemoryMap {
-  Range code;
+  std::uint32_t image_section;     // has a table
+  std::array<Range, 2> code;       // vectors, text
+  std::array<Range, 2> constants;  // the car's block, constants
   Range data;
   Range dma;
   Range boot_record;
-  std::uint32_t stack_section;
+  std::uint32_t stack_section;  // has the other one
   std::span<const Range> stacks;
   std::span<const Range> devices;
 };
 
-struct Tables {
-  alignas(16 * 1024) std::array<std::uint32_t, 4096> sections;
-  alignas(1024) std::array<std::uint32_t, 256> stack_pages;
+struct PageTable {
+  alignas(1024) std::array<std::uint32_t, 256> pages;
 };
 
-// Fills the tables. stack_pages_address is where the hardware finds tables.stack_pages.
-void build(Tables& tables, const MemoryMap& map, std::uint32_t stack_pages_address);
+struct Tables {
+  alignas(16 * 1024) std::array<std::uint32_t, 4096> sections;
+  PageTable image;
+  PageTable stacks;
+};
+
+// Fills the tables. bus_address(table) is where the hardware finds a page table.
+void build(Tables& tables, const MemoryMap& map, std::uint32_t image_address,
+           std::uint32_t stacks_address);
 
 // Is this the address of a guard page: in the section of the stacks, but of no stack?
 bool in_stack_guard(const MemoryMap& map, std::uint32_t address);

@@ -8,7 +8,9 @@ namespace iog::imx6 {
 namespace {
 
 constexpr std::array<mmu::Range, 1> kStacks{{{0x1030'1000, 0x1034'1000}}};
-const mmu::MemoryMap kMap{.code = {},
+const mmu::MemoryMap kMap{.image_section = 0x1010'0000,
+                          .code = {},
+                          .constants = {},
                           .data = {},
                           .dma = {},
                           .boot_record = {},
