@@ -1,0 +1,24 @@
+// Words around memory that many write, such as the rings of a DMA engine: nobody has business to
+// write them, so another value shows that somebody has gone beyond his own. They are a region of
+// the check of memory (health/memory_check.hpp), where no page can be left unmapped between
+// neighbours.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace iog::health {
+
+// Lines of the caches of its own. Zeros until it is set: it may lie in memory that begins as zeros.
+struct alignas(64) Guard {
+  static constexpr std::uint32_t kWord = 0x6775'6172;  // no address, no cell, no count
+
+  void set() { words.fill(kWord); }
+  [[nodiscard]] std::span<const std::byte> bytes() const { return std::as_bytes(std::span(words)); }
+
+  std::array<std::uint32_t, 16> words{};
+};
+
+}  // namespace iog::health
