@@ -1,6 +1,7 @@
 #include "board.hpp"
 
 #include "clocks.hpp"
+#include "fault.hpp"
 #include "gic.hpp"
 #include "mac_fuses.hpp"
 #include "memory.hpp"
@@ -12,16 +13,24 @@
 namespace iog::imx6 {
 namespace {
 
-std::string_view name(BootReason reason) {
-  switch (reason) {
-    case BootReason::kColdStart:
+std::string_view reason_of(hal::EndCause cause) {
+  switch (cause) {
+    case hal::EndCause::kPowerUp:
       return "cold start";
-    case BootReason::kAfterLastWord:
-      return "reset after a last word";
-    case BootReason::kWithoutAWord:
+    case hal::EndCause::kWithoutAWord:
       return "reset without a word";
+    default:
+      return "reset after a last word";
   }
-  return "unknown";
+}
+
+std::string_view words_of(hal::EndCause cause) {
+  switch (cause) {
+    case hal::EndCause::kMemory:
+      return "memory has changed";
+    default:
+      return "the run ended";
+  }
 }
 
 // core_start.S.
@@ -76,13 +85,19 @@ void Board::idle() {
   machine::barrier();
 }
 
+void Board::end_run(hal::End end, std::string_view words) {
+  TextLine line;
+  line.text(words_of(end.cause)).text(": ").text(words);
+  end_with_last_word(end, line.view());
+}
+
 std::uint32_t Board::stack_used_bytes() const { return main_stack_used_bytes(); }
 std::uint32_t Board::stack_bytes() const { return main_stack_bytes(); }
 
 void Board::print_banner() {
   TextLine line;
-  line.text("iogrid ").text(kVersion).text(" on i.MX6Q, boot ").decimal(boot_.number);
-  line.text(": ").text(name(boot_.reason)).text(", SRSR ").hex(reset_status_);
+  line.text("iogrid ").text(kVersion).text(" on i.MX6Q, boot ").decimal(boot_.before.starts);
+  line.text(": ").text(reason_of(boot_.before.end.cause)).text(", SRSR ").hex(reset_status_);
   line.text(", run ").hex(run_number_).text("\n");
   console_.write(line.view());
   line = {};
@@ -101,7 +116,7 @@ void Board::print_banner() {
   }
   line.text(mac_is_of_fuses_ ? " of the fuses\n" : " of the image\n");
   console_.write(line.view());
-  if (boot_.reason == BootReason::kAfterLastWord) {
+  if (boot_.last_word_bytes != 0) {
     console_.write("previous run: LAST WORD ");
     console_.write(boot_.last_word_text());
     console_.write("\n");

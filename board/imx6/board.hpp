@@ -6,6 +6,7 @@
 #include "boot_record.hpp"
 #include "cores.hpp"
 #include "ethernet/enet_port.hpp"
+#include "hal/end_of_run.hpp"
 #include "memory/l2_cache.hpp"
 #include "serial_link.hpp"
 #include "time/gpt_clock.hpp"
@@ -48,6 +49,10 @@ class Board {
 
   // Of this run, as hal::RunNumber.
   std::uint32_t run_number() const { return run_number_; }
+
+  // As hal::EndsRuns: by a last word, and the watchdog's reset.
+  void end_run(hal::End end, std::string_view words);
+  hal::RunBefore run_before() const { return boot_.before; }
 
   // The deepest the main stack has been since start, and how deep it may be.
   std::uint32_t stack_used_bytes() const;

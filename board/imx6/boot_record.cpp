@@ -12,6 +12,8 @@ std::uint32_t seal_of(const BootRecord& record) {
   const auto add = [&hash](std::uint32_t value) { hash = (hash ^ value) * 0x0100'0193; };
   add(record.boots);
   add(record.run_number);
+  add(record.cause);
+  add(record.detail);
   add(record.last_word_bytes);
   const std::size_t used =
       std::min<std::size_t>(record.last_word_bytes, BootRecord::kLastWordBytes);
@@ -53,13 +55,17 @@ Boot open_boot_record(BootRecord& record, L2Cache& cache) {
   const bool valid =
       record.last_word_bytes <= BootRecord::kLastWordBytes && record.seal == seal_of(record);
   if (valid) {
-    boot.number = record.boots + 1;
+    boot.before.starts = record.boots + 1;
+    boot.before.end = {.cause = hal::EndCause::kWithoutAWord};
     boot.last_word_bytes = record.last_word_bytes;
     boot.last_word = record.last_word;
-    boot.reason =
-        record.last_word_bytes != 0 ? BootReason::kAfterLastWord : BootReason::kWithoutAWord;
   }
-  record.boots = boot.number;
+  if (valid && record.last_word_bytes != 0) {
+    boot.before.end = {.cause = static_cast<hal::EndCause>(record.cause), .detail = record.detail};
+  }
+  record.boots = boot.before.starts;
+  record.cause = 0;
+  record.detail = 0;
   record.run_number = valid ? record.run_number : 0;
   record.last_word_bytes = 0;
   close(record, cache);
@@ -74,10 +80,12 @@ std::uint32_t begin_run(BootRecord& record, const Differences& differences, L2Ca
   return record.run_number;
 }
 
-void write_last_word(BootRecord& record, std::string_view text, L2Cache& cache) {
+void write_last_word(BootRecord& record, hal::End end, std::string_view text, L2Cache& cache) {
   const std::size_t bytes = std::min(text.size(), BootRecord::kLastWordBytes);
   std::copy_n(text.begin(), bytes, record.last_word.begin());
   record.last_word_bytes = static_cast<std::uint32_t>(bytes);
+  record.cause = static_cast<std::uint32_t>(end.cause);
+  record.detail = end.detail;
   close(record, cache);
 }
 

@@ -11,15 +11,10 @@
 #include <span>
 #include <string_view>
 
+#include "hal/end_of_run.hpp"
 #include "memory/l2_cache.hpp"
 
 namespace iog::imx6 {
-
-enum class BootReason : std::uint8_t {
-  kColdStart,      // there was no record
-  kAfterLastWord,  // the previous run ended with a last word
-  kWithoutAWord,   // the previous run was reset while it seemed alive: its watchdog, or the button
-};
 
 struct BootRecord {
   static constexpr std::size_t kLastWordBytes = 240;
@@ -27,6 +22,8 @@ struct BootRecord {
   std::uint32_t seal;
   std::uint32_t boots;       // since the cold start
   std::uint32_t run_number;  // of the last run that had one, 0: none since the cold start
+  std::uint32_t cause;       // hal::EndCause of a last word
+  std::uint32_t detail;      // of its hal::End
   std::uint32_t last_word_bytes;
   std::array<char, kLastWordBytes> last_word;
 };
@@ -40,8 +37,7 @@ extern "C" const std::array<std::uint32_t, 1024> boot_noise;
 
 // What a boot learns about the run before it.
 struct Boot {
-  BootReason reason = BootReason::kColdStart;
-  std::uint32_t number = 1;  // 1 for a cold start
+  hal::RunBefore before{};
   std::uint32_t last_word_bytes = 0;
   std::array<char, BootRecord::kLastWordBytes> last_word{};
 
@@ -63,7 +59,7 @@ struct Differences {
 // number drawn from the differences, each bit of it from all of them.
 std::uint32_t begin_run(BootRecord& record, const Differences& differences, L2Cache& cache);
 
-// Leaves a last word for the next boot; it is cut to the space there is.
-void write_last_word(BootRecord& record, std::string_view text, L2Cache& cache);
+// Leaves a last word, which is not empty, for the next boot; it is cut to the space there is.
+void write_last_word(BootRecord& record, hal::End end, std::string_view text, L2Cache& cache);
 
 }  // namespace iog::imx6

@@ -38,7 +38,7 @@ FaultStatus read_status(FaultKind kind) {
 
 }  // namespace
 
-void end_with_last_word(std::string_view text) {
+void end_with_last_word(hal::End end, std::string_view text) {
   // A fault while reporting a fault says nothing more: the first word is the one that counts.
   if (ending) {
     wait_for_reset();
@@ -46,7 +46,7 @@ void end_with_last_word(std::string_view text) {
   ending = true;
   // Recorded before it is printed, because recording cannot block.
   L2Cache cache(pl310);
-  write_last_word(boot_record, text, cache);
+  write_last_word(boot_record, end, text, cache);
   // If the end came before start_memory() started the watchdog, somebody has to.
   Watchdog(wdog1).start();
   Uart console(uart2);
@@ -58,15 +58,16 @@ void end_with_last_word(std::string_view text) {
 }
 
 // A helper ends alone; core 0 does its work.
-void end_core(const TextLine& last_word) {
+void end_core(hal::End end, const TextLine& last_word) {
   if (core_number() != 0) {
     end_helper(hal::CoreState::kFaulted, last_word);
   }
-  end_with_last_word(last_word.view());
+  end_with_last_word(end, last_word.view());
 }
 
 void report_fault(const FaultFrame* frame) {
-  end_core(describe(*frame, read_status(frame->kind), memory_map()));
+  end_core({.cause = hal::EndCause::kException, .detail = static_cast<std::uint32_t>(frame->kind)},
+           describe(*frame, read_status(frame->kind), memory_map()));
 }
 
 }  // namespace iog::imx6
@@ -76,5 +77,6 @@ void iog::programmer_error(const char* file, int line) {
   imx6::TextLine text;
   text.text("requirement broken at ").text(file).text(":");
   text.decimal(static_cast<std::uint32_t>(line));
-  imx6::end_core(text);
+  imx6::end_core({.cause = hal::EndCause::kRequirement, .detail = static_cast<std::uint32_t>(line)},
+                 text);
 }

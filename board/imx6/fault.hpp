@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "hal/end_of_run.hpp"
 #include "memory/mmu.hpp"
 #include "text_line.hpp"
 
@@ -42,10 +43,10 @@ struct FaultStatus {
 TextLine describe(const FaultFrame& frame, const FaultStatus& status, const mmu::MemoryMap& map);
 
 // Prints and records the line and waits for the watchdog to reset the chip.
-[[noreturn]] void end_with_last_word(std::string_view text);
+[[noreturn]] void end_with_last_word(hal::End end, std::string_view text);
 
 // Ends the run if this is core 0, else this helper.
-[[noreturn]] void end_core(const TextLine& last_word);
+[[noreturn]] void end_core(hal::End end, const TextLine& last_word);
 
 // Called by startup.S on the stack of the exception's mode.
 extern "C" [[noreturn]] void report_fault(const FaultFrame* frame);

@@ -5,8 +5,10 @@
 #include "board.hpp"
 #include "car_block/car_block.hpp"
 #include "car_of_image.hpp"
+#include "constant_memory.hpp"
 #include "core_count.hpp"
 #include "firmware_grids.hpp"
+#include "health/memory_check.hpp"
 #include "net/config.hpp"
 #include "text_line.hpp"
 
@@ -50,6 +52,18 @@ void print_car(Board& board, const iog::vehicle::Vehicle& car, const iog::net::C
       {.reason = static_cast<std::uint8_t>(verdict.refusal), .words = words.view()});
 }
 
+// All of it once, before anything is made with it. Memory that is not what it should be ends the
+// run: what is wrong with it may be wrong with anything.
+iog::health::MemoryCheck check_of(Board& board, iog::imx6::ConstantMemory& memory) {
+  const iog::health::MemoryCheck check(memory.regions());
+  if (const auto changed = check.look_at_all()) {
+    board.end_run(
+        {.cause = iog::hal::EndCause::kMemory, .detail = static_cast<std::uint32_t>(*changed)},
+        memory.regions()[*changed].name);
+  }
+  return check;
+}
+
 }  // namespace
 
 int main() {
@@ -61,6 +75,10 @@ int main() {
   const car_block::Verdict verdict = car_block::read_car(block, kGrids, sensors, car);
   static Board board(network ? network->mac.octets : iog::imx6::MacAddress{});
   board.print_banner();
+  static iog::imx6::ConstantMemory constants;
+  constants.add("the car's sensors", std::as_bytes(std::span(&sensors, 1)));
+  constants.add("the car", std::as_bytes(std::span(&car, 1)));
+  static iog::health::MemoryCheck check = check_of(board, constants);
   if (verdict.refusal != car_block::Refusal::kNone) {
     refuse(board, network, verdict);
   }
@@ -73,5 +91,5 @@ int main() {
   if (const auto map = iog::imx6::map_of_image(); !map.empty()) {
     pipeline.begin_with_map(map);
   }
-  iog::app::run(board, platform, serial, pipeline);
+  iog::app::run(board, platform, serial, check, pipeline);
 }

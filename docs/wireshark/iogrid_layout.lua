@@ -220,7 +220,7 @@ local LINK = {
   "fragments refused", "datagrams joined", "datagrams expired", "datagrams displaced",
   "cores at work", "items for lost cores", "items of core 0", "items of core 1", "items of core 2",
   "items of core 3", "port without room", "port restarts", "received lost by restarts",
-  "unsent lost by restarts",
+  "unsent lost by restarts", "starts since power-up", "end of the run before", "detail of that end",
 }
 local POSE_FATES = { "used", "unconfirmed", "stranger", "too short", "not ours", "wrong version",
                      "damaged", "wrong length", "wrong flags", "not zero", "out of range",

@@ -24,10 +24,12 @@
 #include "hal/clock.hpp"
 #include "hal/console.hpp"
 #include "hal/cores.hpp"
+#include "hal/end_of_run.hpp"
 #include "hal/ethernet_port.hpp"
 #include "hal/run_number.hpp"
 #include "hal/serial_port.hpp"
 #include "hal/watchdog.hpp"
+#include "health/memory_check.hpp"
 #include "net/host.hpp"
 #include "require/require.hpp"
 #include "work/team.hpp"
@@ -43,6 +45,7 @@ concept Machine = requires(T& machine) {
   requires hal::EthernetPort<std::remove_reference_t<decltype(machine.ethernet())>>;
   requires hal::SerialPort<std::remove_reference_t<decltype(machine.serial())>>;
   requires hal::RunNumber<T>;
+  requires hal::EndsRuns<T>;
   requires hal::Cores<std::remove_reference_t<decltype(machine.cores())>>;
   requires hal::Console<std::remove_reference_t<decltype(machine.console())>>;
   { machine.stack_used_bytes() } -> std::convertible_to<std::uint32_t>;
@@ -117,6 +120,10 @@ class MachinePlatform {
     append(std::array{static_cast<std::uint32_t>(team_.cores()), team_.redone(), team_.items(0),
                       team_.items(1), team_.items(2), team_.items(3)});
     append(std::array{port.receive_overflows, port.restarts, port.lost_received, port.lost_unsent});
+    require(vitals.link_counters.size() - out.size() == stream::kEndCounters);
+    const hal::RunBefore before = machine_.run_before();
+    append(
+        std::array{before.starts, static_cast<std::uint32_t>(before.end.cause), before.end.detail});
     vitals.link_counter_count = vitals.link_counters.size() - out.size();
     vitals.link_drops = port.receive_errors + port.oversized + port.receive_overflows +
                         port.lost_received + fragments.expired + fragments.displaced;
@@ -205,13 +212,24 @@ bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial, Backlog&
   return true;
 }
 
+// A slice of the check of memory, if one is due. What has changed is believed no more.
+template <Machine M>
+void check_memory(M& machine, health::MemoryCheck& check) {
+  if (const auto changed = check.step(machine.clock().now_us())) {
+    machine.end_run(
+        {.cause = hal::EndCause::kMemory, .detail = static_cast<std::uint32_t>(*changed)},
+        check.regions()[*changed].name);
+  }
+}
+
 // Never returns. The pipeline holds the grid and belongs into static memory.
 template <Machine M, typename ItsPipeline>
 [[noreturn]] void run(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
-                      ItsPipeline& pipeline) {
+                      health::MemoryCheck& check, ItsPipeline& pipeline) {
   Backlog backlog;
   pipeline.start(machine.clock().now_us());
   for (;;) {
+    check_memory(machine, check);
     if (!pass(machine, platform, serial, backlog, pipeline)) {
       machine.idle();
     }

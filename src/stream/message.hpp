@@ -76,6 +76,10 @@ inline constexpr std::size_t kMaxLinkCounters = 56;
 // cores, and those done by core 0 to 3.
 inline constexpr std::size_t kCoreCounters = 42;
 
+// And where those of the run before: starts since power-up, how it has ended (hal::EndCause) and a
+// number that belongs to that.
+inline constexpr std::size_t kEndCounters = 52;
+
 // The last message of a frame.
 struct FrameEnd {
   std::uint32_t tiles_sent = 0;

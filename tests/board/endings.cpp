@@ -43,6 +43,11 @@ void abort_asynchronously() {
 
 alignas(64) constinit std::array<std::uint32_t, 16> no_code{};
 
+// A constant: read-only and never executed (linker/imx6.ld).
+// NOLINTNEXTLINE(readability-identifier-naming): a symbol of the linker script
+extern "C" const std::uint32_t image_seal_word __asm__("image_seal");
+const auto image_seal = reinterpret_cast<std::uintptr_t>(&image_seal_word);
+
 void end_of_boot(std::uint32_t number, Board& board) {
   switch (number) {
     case 1:
@@ -64,19 +69,28 @@ void end_of_boot(std::uint32_t number, Board& board) {
       write(reinterpret_cast<std::uintptr_t>(&end_of_boot));
       return;
     case 7:
+      write(image_seal);
+      return;
+    case 8:
+      call(image_seal);
+      return;
+    case 9:
       board.clock().wait_us(2000);  // the tick is pending by now
       __asm__ volatile("cpsie i");
       return;
-    case 8:
+    case 10:
       iog::require(iog::tests::never());
       return;
-    case 9:
+    case 11:
       board.ethernet().commit(60);  // without acquire()
       return;
-    case 10:
+    case 12:
       abort_asynchronously();
       return;
-    case 11:
+    case 13:
+      board.end_run({.cause = iog::hal::EndCause::kMemory, .detail = 2}, "constants");
+      return;
+    case 14:
       board.console().write("silence\n");
       for (;;) {
         board.idle();
@@ -95,9 +109,14 @@ void end_of_boot(std::uint32_t number, Board& board) {
 int main() {
   Board board({0x02, 0, 0, 0, 0, 1});
   board.print_banner();
+  const iog::hal::End end = board.run_before().end;
+  iog::imx6::TextLine line;
+  line.text("end ").decimal(static_cast<std::uint32_t>(end.cause)).text(" ").decimal(end.detail);
+  line.text("\n");
+  board.console().write(line.view());
   const bool painted = board.stack_used_bytes() > 0 && board.stack_used_bytes() < 8192;
   board.console().write(painted ? "stack measured\n" : "stack not measured\n");
-  end_of_boot(board.boot().number, board);
+  end_of_boot(board.run_before().starts, board);
   board.console().write("the end did not come\n");
   for (;;) {
     board.watchdog().service();

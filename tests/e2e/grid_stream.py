@@ -40,7 +40,8 @@ LINK_COUNTERS = ("frames received", "datagrams delivered", "ARP answered", "ARP 
                  "fragments refused", "datagrams joined", "datagrams expired", "datagrams displaced",
                  "cores at work", "items for lost cores",
                  *(f"items of core {core}" for core in range(4)), "port without room",
-                 "port restarts", "received lost by restarts", "unsent lost by restarts")
+                 "port restarts", "received lost by restarts", "unsent lost by restarts",
+                 "starts since power-up", "end of the run before", "detail of that end")
 # What the header of a message counts as dropped, besides PACKET_DROPS: damaged datagrams.
 DAMAGED = ("short", "bad IP header", "bad IP checksum", "fragment", "bad source", "bad UDP length",
            "bad UDP checksum", "receive errors", "oversized", "datagrams expired", "datagrams displaced",

@@ -56,8 +56,8 @@ class Sabrelite:
     """
 
     def __init__(self, image: str, folder: pathlib.Path, record_to: pathlib.Path | None = None,
-                 line: str = "null"):
-        """line: what QEMU makes of UART1."""
+                 line: str = "null", options: tuple[str, ...] = ()):
+        """line: what QEMU makes of UART1; options: further ones of QEMU."""
         self.frames_received = 0
         self.arp_requests = 0
         self.arp_replies: collections.Counter[tuple[bytes, bytes]] = collections.Counter()
@@ -66,6 +66,7 @@ class Sabrelite:
         self.strays: list[str] = []
         self._messages: queue.Queue[bytes] = queue.Queue()
         self._assembler = grid_stream.Assembler()
+        self._awaits_a_new_run = False
         self._console = folder / "console.txt"
         self._console.unlink(missing_ok=True)
         # A path in the address of a socket has 107 bytes at most; relative ones are short.
@@ -86,7 +87,7 @@ class Sabrelite:
                  "-serial", line, "-serial", f"file:{self._console}", "-kernel", image,
                  "-netdev", f"dgram,id=wire,local.type=unix,local.path={self._there},"
                             f"remote.type=unix,remote.path={self._here}",
-                 "-net", "nic,netdev=wire,model=imx.enet", *recorder],
+                 "-net", "nic,netdev=wire,model=imx.enet", *recorder, *options],
                 stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
         self._thread.start()
 
@@ -121,10 +122,17 @@ class Sabrelite:
             except queue.Empty:
                 stray = f"; it sent {self.strays[0]}" if self.strays else ""
                 raise AssertionError(f"the firmware fell silent{stray}; it said:\n{self.console()}")
+            if self._awaits_a_new_run and message[10:12] == FIRST_SESSION:
+                self._assembler = grid_stream.Assembler()
+                self._awaits_a_new_run = False
             if self._assembler.messages == 0 and message[10:12] != FIRST_SESSION:
                 raise HostStalled("the first frame was over before this PC answered ARP")
             if frame := self._assembler.take(message):
                 return frame
+
+    def expect_a_new_run(self) -> None:
+        """The firmware starts anew, once; until it does, what it sends is of the run before."""
+        self._awaits_a_new_run = True
 
     def next_message(self) -> bytes:
         """The next message as it came, of a firmware that sends no grid."""

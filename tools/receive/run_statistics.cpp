@@ -58,6 +58,7 @@ void RunStatistics::add(const GridFrame& frame) {
     packet_drops_ = frame.end.packet_drops;
     stack_used_bytes_ = std::max(stack_used_bytes_, frame.end.stack_used_bytes);
     core_shares_ = core_shares_of(frame.end);
+    run_before_ = run_before_of(frame.end);
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);
     add_states(frame);
@@ -160,6 +161,12 @@ RunStatistics::Facts RunStatistics::facts() const {
       facts.emplace_back("items_of_core_" + std::to_string(core),
                          std::to_string(core_shares_->items[core]));
     }
+  }
+  if (run_before_) {
+    facts.emplace_back("starts_since_power_up", std::to_string(run_before_->starts));
+    facts.emplace_back("end_of_the_run_before",
+                       std::to_string(static_cast<unsigned>(run_before_->end.cause)));
+    facts.emplace_back("detail_of_that_end", std::to_string(run_before_->end.detail));
   }
   facts.emplace_back("run_hash", hex(run_hash()));
   std::ranges::move(classes_.facts(), std::back_inserter(facts));
@@ -267,6 +274,9 @@ std::string RunStatistics::table(bool has_target) const {
   }
   if (core_shares_) {
     text += row("cores at work", words_of(*core_shares_));
+  }
+  if (run_before_ && run_before_->starts > 1) {
+    text += row("target's starts", words_of(*run_before_));
   }
   return text + row("run hash", hex(run_hash())) + classes_.table() + objects_.table();
 }

@@ -14,6 +14,7 @@
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/object_statistics.hpp"
+#include "tools/receive/run_before.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::tools {
@@ -82,6 +83,7 @@ class RunStatistics {
   double until_published_us_ = 0;       // of the last frame: all but publishing
   std::optional<stream::Header> last_;  // of the last frame with an end
   std::uint32_t stack_used_bytes_ = 0;
+  std::optional<hal::RunBefore> run_before_;
   std::optional<CoreShares> core_shares_;  // since the target's start
   std::uint8_t sensor_count_ = 0;
   std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state

@@ -11,6 +11,7 @@
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/map_words.hpp"
+#include "tools/receive/run_before.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -44,6 +45,7 @@ Json end_json(const FrameFacts& frame) {
     return end.stopwatch_hz == 0 ? 0.0 : 1e6 * ticks / end.stopwatch_hz;
   };
   const std::optional<CoreShares> cores = core_shares_of(end);
+  const std::optional<hal::RunBefore> before = run_before_of(end);
   return {{"tiles_sent", end.tiles_sent},
           {"tiles_lost", end.tiles_lost},
           {"crc", hex(end.grid_crc)},
@@ -54,6 +56,7 @@ Json end_json(const FrameFacts& frame) {
           {"perceive_us", us(end.ticks.perceive)},
           {"stack_bytes", end.stack_used_bytes},
           {"cores", cores ? words_of(*cores) : ""},
+          {"starts", before && before->starts > 1 ? words_of(*before) : ""},
           {"fates", end.fates},
           {"drops", end.packet_drops},
           {"sensors", sensors_json(frame)}};

@@ -21,6 +21,7 @@
 #include "ethernet/transmit_ring.hpp"
 #include "ethernet/transmit_shaper.hpp"
 #include "hal/ethernet_port.hpp"
+#include "health/guard.hpp"
 #include "memory/l2_cache.hpp"
 #include "registers/enet.hpp"
 #include "time/gpt_clock.hpp"
@@ -30,6 +31,7 @@ namespace iog::imx6 {
 using MacAddress = std::array<std::uint8_t, 6>;
 
 // Everything the controller's DMA touches. One of these, in the uncached region (linker/imx6.ld).
+// Below and behind the region nothing is mapped, for a processor; between its parts stand guards.
 //
 // Receive: 256 frames. Four LUX at 25 Hz send some 1000 frames of 1500 bytes a second and a
 // Velodyne 1500, so this is 100 ms of both together, longer than the slowest pass of the loop.
@@ -40,14 +42,25 @@ struct EnetMemory {
   static constexpr std::size_t kTransmitFrames = 1024 + 64 + 64;
   static constexpr std::size_t kBudgetBytes = 3u << 20;
 
+  health::Guard below;
   alignas(64) std::array<Descriptor, kReceiveFrames> receive_descriptors;
+  health::Guard behind_receive_descriptors;
   alignas(64) std::array<Descriptor, kTransmitFrames> transmit_descriptors;
+  health::Guard behind_transmit_descriptors;
   alignas(64) std::array<std::byte, kReceiveFrames * ReceiveRing::kBufferBytes> receive_buffers;
+  health::Guard behind_receive_buffers;
   alignas(64) std::array<std::byte, kTransmitFrames * TransmitRing::kBufferBytes> transmit_buffers;
+  health::Guard behind_transmit_buffers;
 };
 static_assert(EnetMemory::kTransmitFrames == 1152);
 static_assert(sizeof(EnetMemory) <= EnetMemory::kBudgetBytes,
               "fits three sections of the DMA region");
+
+// From low to high.
+constexpr std::array<health::Guard*, 5> guards_of(EnetMemory& memory) {
+  return {&memory.below, &memory.behind_receive_descriptors, &memory.behind_transmit_descriptors,
+          &memory.behind_receive_buffers, &memory.behind_transmit_buffers};
+}
 
 // The memory of the firmware's one controller, constinit where it is defined.
 extern EnetMemory enet_memory;  // NOLINT(bugprone-dynamic-static-initializers)

@@ -7,9 +7,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fakes/fake_ethernet_port.hpp"
 #include "fakes/scripted_cores.hpp"
+#include "hal/end_of_run.hpp"
 
 namespace iog::app::testing {
 
@@ -50,8 +52,18 @@ class FakeMachine {
   tests::ScriptedCores& cores() { return cores_; }
   FakeConsole& console() { return console_; }
   [[nodiscard]] std::uint32_t run_number() const { return 1; }
+  // It goes on: whoever ends it looks at `ends`.
+  void end_run(hal::End end, std::string_view words) {
+    ends.push_back(end);
+    last_words += words;
+  }
+  [[nodiscard]] hal::RunBefore run_before() const { return before; }
   [[nodiscard]] std::uint32_t stack_used_bytes() const { return 0; }
   void idle() { clock_.time_us += 100; }
+
+  hal::RunBefore before{};
+  std::vector<hal::End> ends{};
+  std::string last_words{};
 
  private:
   FakeClock clock_;

@@ -16,13 +16,16 @@ namespace {
 Pl310Registers pl310_in_ram{};
 L2Cache l2_cache(pl310_in_ram);
 
+using hal::EndCause;
+constexpr hal::End kEnd{.cause = EndCause::kException, .detail = 4};
+
 TEST(BootRecord, ZeroedOrRandomMemoryIsAColdStart) {
   for (const int fill : {0x00, 0xff, 0x5a}) {
     BootRecord record{};
     std::memset(static_cast<void*>(&record), fill, sizeof(record));
     const Boot boot = open_boot_record(record, l2_cache);
-    EXPECT_EQ(boot.reason, BootReason::kColdStart);
-    EXPECT_EQ(boot.number, 1u);
+    EXPECT_EQ(boot.before.end.cause, EndCause::kPowerUp);
+    EXPECT_EQ(boot.before.starts, 1u);
     EXPECT_EQ(boot.last_word_text(), "");
   }
 }
@@ -31,20 +34,22 @@ TEST(BootRecord, AResetWithoutALastWordIsToldApart) {
   BootRecord record{};
   open_boot_record(record, l2_cache);
   const Boot second = open_boot_record(record, l2_cache);
-  EXPECT_EQ(second.reason, BootReason::kWithoutAWord);
-  EXPECT_EQ(second.number, 2u);
+  EXPECT_EQ(second.before.end.cause, EndCause::kWithoutAWord);
+  EXPECT_EQ(second.before.starts, 2u);
 }
 
 TEST(BootRecord, ALastWordIsReportedOnce) {
   BootRecord record{};
   open_boot_record(record, l2_cache);
-  write_last_word(record, "data abort", l2_cache);
+  write_last_word(record, kEnd, "data abort", l2_cache);
   const Boot second = open_boot_record(record, l2_cache);
-  EXPECT_EQ(second.reason, BootReason::kAfterLastWord);
+  EXPECT_EQ(second.before.end.cause, EndCause::kException);
+  EXPECT_EQ(second.before.end.detail, 4u);
   EXPECT_EQ(second.last_word_text(), "data abort");
   const Boot third = open_boot_record(record, l2_cache);
-  EXPECT_EQ(third.reason, BootReason::kWithoutAWord);
-  EXPECT_EQ(third.number, 3u);
+  EXPECT_EQ(third.before.end.cause, EndCause::kWithoutAWord);
+  EXPECT_EQ(third.before.end.detail, 0u);
+  EXPECT_EQ(third.before.starts, 3u);
   EXPECT_EQ(third.last_word_text(), "");
 }
 
@@ -65,7 +70,7 @@ TEST(BootRecord, IsInMemoryAfterEachChange) {
   BootRecord record{};
   expect_drained_after([&record] { open_boot_record(record, l2_cache); });
   expect_drained_after([&record] { begin_run(record, {.ticks = 5}, l2_cache); });
-  expect_drained_after([&record] { write_last_word(record, "data abort", l2_cache); });
+  expect_drained_after([&record] { write_last_word(record, kEnd, "data abort", l2_cache); });
 }
 
 TEST(RunNumber, AResetAddsOne) {
@@ -73,7 +78,7 @@ TEST(RunNumber, AResetAddsOne) {
   open_boot_record(record, l2_cache);
   const std::uint32_t first = begin_run(record, {.ticks = 5}, l2_cache);
   for (std::uint32_t reset = 1; reset <= 3; ++reset) {
-    EXPECT_EQ(open_boot_record(record, l2_cache).number, reset + 1);
+    EXPECT_EQ(open_boot_record(record, l2_cache).before.starts, reset + 1);
     EXPECT_EQ(begin_run(record, {.ticks = 77 * reset}, l2_cache), first + reset)
         << "whatever differs";
   }
@@ -83,7 +88,7 @@ TEST(RunNumber, ALastWordAndABootThatEndsBeforeItsRunKeepIt) {
   BootRecord record{};
   open_boot_record(record, l2_cache);
   const std::uint32_t first = begin_run(record, {.ticks = 5}, l2_cache);
-  write_last_word(record, "watch out", l2_cache);
+  write_last_word(record, kEnd, "watch out", l2_cache);
   open_boot_record(record, l2_cache);
   open_boot_record(record, l2_cache);
   EXPECT_EQ(begin_run(record, {}, l2_cache), first + 1);
@@ -95,8 +100,8 @@ TEST(RunNumber, IsDrawnWhenTheColdStartDidNotGetThatFar) {
   BootRecord record{};
   std::memset(static_cast<void*>(&record), 0x5a, sizeof(record));
   open_boot_record(record, l2_cache);
-  write_last_word(record, "data abort", l2_cache);
-  ASSERT_EQ(open_boot_record(record, l2_cache).reason, BootReason::kAfterLastWord);
+  write_last_word(record, kEnd, "data abort", l2_cache);
+  ASSERT_EQ(open_boot_record(record, l2_cache).before.end.cause, EndCause::kException);
   BootRecord fresh{};
   open_boot_record(fresh, l2_cache);
   EXPECT_EQ(begin_run(record, {.ticks = 9}, l2_cache), begin_run(fresh, {.ticks = 9}, l2_cache));
@@ -169,19 +174,20 @@ TEST(RunNumber, TicksAloneTellPowerUpsApart) {
 TEST(BootRecord, ALongLastWordIsCut) {
   BootRecord record{};
   open_boot_record(record, l2_cache);
-  write_last_word(record, std::string(1000, 'x'), l2_cache);
+  write_last_word(record, kEnd, std::string(1000, 'x'), l2_cache);
   EXPECT_EQ(open_boot_record(record, l2_cache).last_word_text(), std::string(240, 'x'));
 }
 
 TEST(BootRecord, AnyBitThatFlipsMakesItACuriosityNotARecord) {
   BootRecord sealed{};
   open_boot_record(sealed, l2_cache);
-  write_last_word(sealed, "ab", l2_cache);
+  write_last_word(sealed, kEnd, "ab", l2_cache);
   constexpr std::size_t kUsed = offsetof(BootRecord, last_word) + 2;
   for (std::size_t bit = 0; bit < 8 * kUsed; ++bit) {
     BootRecord record = sealed;
     reinterpret_cast<unsigned char*>(&record)[bit / 8] ^= static_cast<unsigned char>(1u << bit % 8);
-    EXPECT_EQ(open_boot_record(record, l2_cache).reason, BootReason::kColdStart) << "bit " << bit;
+    EXPECT_EQ(open_boot_record(record, l2_cache).before.end.cause, EndCause::kPowerUp)
+        << "bit " << bit;
   }
 }
 

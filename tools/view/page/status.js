@@ -177,6 +177,9 @@ export function factsOf(status) {
   if (end && end.cores) {
     rows.push(["cores at work", end.cores]);
   }
+  if (end && end.starts) {
+    rows.push(["target's starts", end.starts]);
+  }
   if (end && end.stack_bytes > 0) {
     rows.push(["deepest stack", `${end.stack_bytes.toLocaleString("en")} bytes`]);
   }

@@ -1,0 +1,42 @@
+// What must not change while the firmware runs, for the check of memory: the image as the build has
+// sealed it, what the start-up has made, and guards around what devices write.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "health/memory_check.hpp"
+
+namespace iog::imx6 {
+
+// One of the ranges of linker/imx6.ld, with the CRC-32 of its bytes as seal_image has written it.
+struct ImageSeal {
+  std::uint32_t begin;
+  std::uint32_t end;
+  std::uint32_t crc;
+};
+
+class ConstantMemory {
+ public:
+  // With the image, the translation tables and the guards. The numbers of regions are those of
+  // docs/spec.md 3.7.
+  ConstantMemory();
+
+  // As it is now. The name and the bytes outlive it.
+  void add(std::string_view name, std::span<const std::byte> bytes);
+
+  [[nodiscard]] std::span<const health::Region> regions() const {
+    return std::span(regions_).first(count_);
+  }
+
+ private:
+  void add_sealed(std::string_view name, const ImageSeal& seal);
+
+  std::array<health::Region, 16> regions_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace iog::imx6

@@ -1,0 +1,40 @@
+// The seam to how a run ends, and to what is known of the run before this one.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <string_view>
+
+namespace iog::hal {
+
+// How a run has ended. The numbers are on the wire (docs/spec.md 3.7).
+enum class EndCause : std::uint8_t {
+  kPowerUp = 0,       // nothing is known: there was no run, or its record is gone
+  kWithoutAWord = 1,  // reset while it seemed alive: its watchdog, or the button
+  kException = 2,     // of the processor; detail: its kind (docs/spec.md)
+  kRequirement = 3,   // the program found itself wrong; detail: line of its source
+  kMemory = 4,        // what must not change has changed; detail: its number in the check's list
+};
+
+struct End {
+  EndCause cause = EndCause::kPowerUp;
+  std::uint32_t detail = 0;
+  friend constexpr bool operator==(const End&, const End&) = default;
+};
+
+struct RunBefore {
+  std::uint32_t starts = 1;  // since power-up, this one included
+  End end{};
+  friend constexpr bool operator==(const RunBefore&, const RunBefore&) = default;
+};
+
+// end_run(end, words):  does not return on a machine. The next run finds the end, and people the
+//                       words, at most 200 characters.
+// run_before():         the same from start to end of a run.
+template <typename T>
+concept EndsRuns = requires(T& machine, const T& view, End end, std::string_view words) {
+  { machine.end_run(end, words) } -> std::same_as<void>;
+  { view.run_before() } -> std::same_as<RunBefore>;
+};
+
+}  // namespace iog::hal
