@@ -90,9 +90,9 @@ PoseOptions pose_options(const SimulateOptions& options) {
 }
 
 // The capture, and what is in it.
-class Recording {
+class DriveRecording {
  public:
-  Recording(const std::string& path, const CatalogueEntry& car)
+  DriveRecording(const std::string& path, const CatalogueEntry& car)
       : path_(path), car_(&car), capture_(path) {}
 
   void write(const std::vector<CapturedDatagram>& datagrams) {
@@ -207,7 +207,7 @@ void simulate(const SimulateOptions& options) {
     poses.emplace(simulated_poses(drive.scene(), feed, options.seed, options.seconds + 0.1),
                   car.vehicle->poses.udp_port);
   }
-  Recording recording(options.out, car);
+  DriveRecording recording(options.out, car);
   make_truth_folder(options);
   std::optional<CellTruthFile> cells;
   if (!options.truth_cells.empty()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "tools/formats/capture/datagram.hpp"
@@ -9,6 +10,7 @@
 #include "tools/frames/live_classes.hpp"
 #include "tools/frames/live_grid.hpp"
 #include "tools/receive/run_statistics.hpp"
+#include "tools/vehicles/seen_point.hpp"
 
 namespace iog::tools {
 
@@ -18,6 +20,8 @@ struct RecordedFrame {
   const LiveGrid* live;        // with the older states of tiles that are missing in it
   const LiveClasses* classes;  // likewise, if the frame has classes
   std::uint64_t time_us = 0;   // since 1970, by the recorder's clock or the capture's
+  std::span<const SeenPoint>
+      points{};  // that it was made of, where the sensors' packets are at hand
 };
 
 class Recording {

@@ -14,6 +14,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/program/time_of_day.hpp"
 #include "tools/receive/frame_notes.hpp"
 #include "tools/receive/nothing_came.hpp"
 #include "tools/receive/udp_receiver.hpp"
@@ -26,12 +27,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kLongestWait{100};
-
-std::uint64_t now_us() {
-  using std::chrono::microseconds;
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return static_cast<std::uint64_t>(std::chrono::duration_cast<microseconds>(now).count());
-}
 
 Endpoint endpoint_of(const LiveSource& source) {
   in_addr address{};
@@ -53,7 +48,7 @@ class LiveRecording {
     notes_.say_listening();
     while (!is_done() && !was_interrupted() && !is_idle()) {
       UdpReceiver::Messages messages = receiver_.take(kLongestWait);
-      const std::uint64_t time_us = now_us();
+      const std::uint64_t time_us = time_of_day_us();
       const bool has_arrived = !messages.empty();
       for (std::vector<std::byte>& message : messages) {
         if (!is_done()) {

@@ -1,7 +1,6 @@
 #include "tools/view/recorder.hpp"
 
 #include <array>
-#include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "net/udp.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/time_of_day.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -51,11 +51,8 @@ void Recorder::take(std::span<const std::byte> message) {
   if (!is_open() || message.size() > net::kMaxUdpPayloadBytes) {
     return;
   }
-  using std::chrono::microseconds;
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  const auto now_us = std::chrono::duration_cast<microseconds>(now).count();
   try {
-    file_->write({.time_us = static_cast<std::uint64_t>(now_us),
+    file_->write({.time_us = time_of_day_us(),
                   .source = {.ipv4 = kLoopback, .port = port_},
                   .destination = {.ipv4 = kLoopback, .port = port_},
                   .payload = {message.begin(), message.end()}});

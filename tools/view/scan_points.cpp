@@ -11,9 +11,11 @@ namespace {
 constexpr double kReachM = 300;  // 16 bits of centimetres hold it
 
 void append(const PointPlace& place, vehicle::Fate fate, std::vector<SeenPoint>& points) {
-  if (std::abs(place.x_m) <= kReachM && std::abs(place.y_m) <= kReachM) {
+  const auto is_near = [](double value_m) { return std::abs(value_m) <= kReachM; };
+  if (is_near(place.x_m) && is_near(place.y_m) && is_near(place.z_m)) {
     points.push_back({.x_cm = static_cast<std::int16_t>(std::lround(place.x_m * 100)),
                       .y_cm = static_cast<std::int16_t>(std::lround(place.y_m * 100)),
+                      .z_cm = static_cast<std::int16_t>(std::lround(place.z_m * 100)),
                       .fate = fate});
   }
 }

@@ -84,6 +84,34 @@ uint32 step
 uint8[] data
 )";
 
+constexpr std::string_view kPointCloudFields = R"(std_msgs/Header header
+uint32 height
+uint32 width
+PointField[] fields
+bool is_bigendian
+uint32 point_step
+uint32 row_step
+uint8[] data
+bool is_dense
+)";
+
+constexpr std::string_view kPointField = R"(
+================================================================================
+MSG: sensor_msgs/PointField
+uint8 INT8=1
+uint8 UINT8=2
+uint8 INT16=3
+uint8 UINT16=4
+uint8 INT32=5
+uint8 UINT32=6
+uint8 FLOAT32=7
+uint8 FLOAT64=8
+string name
+uint32 offset
+uint8 datatype
+uint32 count
+)";
+
 constexpr std::string_view kFoxgloveGridFields = R"(builtin_interfaces/Time timestamp
 string frame_id
 geometry_msgs/Pose pose
@@ -285,6 +313,10 @@ const MessageType kOccupancyGrid{
 
 const MessageType kImage{.name = "sensor_msgs/msg/Image",
                          .definition = Joined<kImageFields, kHeader, kTime>::kText};
+
+const MessageType kPointCloud{
+    .name = "sensor_msgs/msg/PointCloud2",
+    .definition = Joined<kPointCloudFields, kHeader, kTime, kPointField>::kText};
 
 const MessageType kFoxgloveGrid{
     .name = "foxglove_msgs/msg/Grid",

@@ -61,7 +61,7 @@ class ObjectSceneTest : public testing::Test {
 TEST_F(ObjectSceneTest, APageIsToldAllOfThemWhateverIsAround) {
   for (const std::uint16_t count :
        {std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{33}, std::uint16_t{256}}) {
-    points_.push_back({.x_cm = 7, .y_cm = -7, .fate = vehicle::Fate::kUsed});
+    points_.push_back({.x_cm = 7, .y_cm = -7, .z_cm = 0, .fate = vehicle::Fate::kUsed});
     const stream::ObjectList list = random_list(count);
     publish(&list);
     ASSERT_TRUE(page_.has_objects);

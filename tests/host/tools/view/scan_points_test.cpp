@@ -39,6 +39,16 @@ TEST(ScanPoints, LieWhereMountAndAngleSay) {
   }
 }
 
+// So much over the unit as the layer rises on the way.
+TEST(ScanPoints, AreAsHighAsTheBeam) {
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  std::vector<SeenPoint> points;
+  append_points(car, packet(12002, 0, 20), points);
+  ASSERT_EQ(points.size(), 1U);
+  const double unit_m = car.sensors[sensor_of_port(car, 12002)].mount.z_m;
+  EXPECT_NEAR(points[0].z_cm, 100 * (unit_m + 20 * std::sin(0.4 * kPi / 180)), 0.51);
+}
+
 TEST(ScanPoints, CarryTheirFate) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   std::vector<SeenPoint> points;
