@@ -1,15 +1,9 @@
-// Boost.Beast, one thread, everything asynchronous. A connection keeps itself alive by the
-// operations that wait for it, and ends with them.
-//
 // A page acknowledges each message that it has dealt with; two may be under way. So what a page
 // shows is never older than that, however slow it or the network is.
 #include "tools/view/web_server.hpp"
 
 #include <algorithm>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/strand.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
@@ -20,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/program/exit_status.hpp"
+#include "tools/view/http_door.hpp"
 #include "tools/view/literal_host.hpp"
 #include "tools/view/page_files.hpp"
 
@@ -31,12 +25,10 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
-using asio::ip::tcp;
 
-constexpr std::chrono::seconds kPatience{30};     // with a browser that asks nothing
-constexpr std::chrono::milliseconds kPause{100};  // when nobody can be let in
-constexpr std::size_t kMaxPages = 16;             // open at the same time
-constexpr std::size_t kMaxRequestBytes = 64;      // what a page has to say is a word
+constexpr std::chrono::seconds kPatience{30};  // with a page that says nothing
+constexpr std::size_t kMaxPages = 16;          // open at the same time
+constexpr std::size_t kMaxRequestBytes = 64;   // what a page has to say is a word
 constexpr int kMessagesUnderWay = 2;
 
 // Nothing but our own files, no frames, no forms; nothing is kept, so that a page and the program
@@ -45,18 +37,6 @@ constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-std::string_view text_of(beast::string_view words) { return {words.data(), words.size()}; }
-
-using Request = http::request<http::empty_body>;
-using Response = http::response<http::string_body>;
-
-Response plain_answer(const Request& request, http::status status, std::string words) {
-  Response response{status, request.version()};
-  response.set(http::field::content_type, "text/plain; charset=utf-8");
-  response.body() = std::move(words);
-  return response;
-}
-
 Response binary_answer(const Request& request, std::span<const std::uint8_t> bytes) {
   Response response{http::status::ok, request.version()};
   response.set(http::field::content_type, "application/octet-stream");
@@ -64,7 +44,7 @@ Response binary_answer(const Request& request, std::span<const std::uint8_t> byt
   return response;
 }
 
-Response answer(const Request& request, const Scene& scene) {
+Response file_answer(const Request& request, const Scene& scene) {
   if (!is_literal_host(text_of(request[http::field::host]))) {
     return plain_answer(request, http::status::forbidden,
                         "Open this page by its address, such as http://127.0.0.1:8080/\n");
@@ -85,27 +65,27 @@ Response answer(const Request& request, const Scene& scene) {
   return response;
 }
 
-Response complete(const Request& request, Response response) {
-  response.set(http::field::server, "iog view");
-  response.set("Content-Security-Policy", kPolicy);
-  response.set("X-Content-Type-Options", "nosniff");
-  response.set("Referrer-Policy", "no-referrer");
-  response.set("Cross-Origin-Opener-Policy", "same-origin");
-  response.set("Cross-Origin-Resource-Policy", "same-origin");
-  response.set(http::field::cache_control, "no-store");
-  response.keep_alive(request.keep_alive());
-  response.prepare_payload();
-  if (request.method() == http::verb::head) {
-    response.body().clear();
-  }
-  return response;
-}
-
 // A WebSocket of a page that came from here.
 bool is_own_page(const Request& request) {
   const std::string_view host = text_of(request[http::field::host]);
   return request.target() == "/live" && is_literal_host(host) &&
          text_of(request[http::field::origin]) == "http://" + std::string(host);
+}
+
+// Nothing for a page of ours that asks for its WebSocket.
+std::optional<Response> answer(const Request& request, const Scene& scene) {
+  if (websocket::is_upgrade(request) && is_own_page(request)) {
+    return std::nullopt;
+  }
+  Response response =
+      websocket::is_upgrade(request)
+          ? plain_answer(request, http::status::forbidden, "Only for pages of this server.\n")
+          : file_answer(request, scene);
+  response.set("Content-Security-Policy", kPolicy);
+  response.set("Referrer-Policy", "no-referrer");
+  response.set("Cross-Origin-Opener-Policy", "same-origin");
+  response.set("Cross-Origin-Resource-Policy", "same-origin");
+  return response;
 }
 
 class LivePage : public std::enable_shared_from_this<LivePage> {
@@ -210,78 +190,16 @@ class Pages {
   std::vector<std::weak_ptr<LivePage>> pages_;
 };
 
-class Connection : public std::enable_shared_from_this<Connection> {
- public:
-  Connection(tcp::socket&& socket, Scene& scene, Pages& pages)
-      : stream_(std::move(socket)), scene_(&scene), pages_(&pages) {}
-
-  void read() {
-    parser_.emplace();
-    parser_->body_limit(0);
-    stream_.expires_after(kPatience);
-    http::async_read(stream_, buffer_, *parser_,
-                     [self = shared_from_this()](beast::error_code error, std::size_t) {
-                       if (!error) {
-                         self->serve(self->parser_->release());
-                       }
-                     });
-  }
-
- private:
-  void serve(const Request& request) {
-    if (!websocket::is_upgrade(request)) {
-      write(complete(request, answer(request, *scene_)));
-      return;
-    }
-    if (!is_own_page(request)) {
-      write(complete(request, plain_answer(request, http::status::forbidden,
-                                           "Only for pages of this server.\n")));
-      return;
-    }
-    const auto page = std::make_shared<LivePage>(std::move(stream_), *scene_);
-    if (pages_->add(page)) {
-      page->run(request);
-    }
-  }
-
-  void write(Response response) {
-    response_ = std::move(response);
-    http::async_write(stream_, response_,
-                      [self = shared_from_this()](beast::error_code error, std::size_t) {
-                        if (!error && self->response_.keep_alive()) {
-                          self->read();
-                        }
-                      });
-  }
-
-  beast::tcp_stream stream_;
-  Scene* scene_;
-  Pages* pages_;
-  beast::flat_buffer buffer_;
-  std::optional<http::request_parser<http::empty_body>> parser_;
-  Response response_;
-};
-
 }  // namespace
 
 class WebServer::Implementation {
  public:
   Implementation(const std::string& address, std::uint16_t port, Scene& scene)
-      : scene_(&scene), acceptor_(context_) {
-    beast::error_code error;
-    const tcp::endpoint here{asio::ip::make_address(address, error), port};
-    if (error) {
-      throw UsageError("--http-bind " + address + ": give an IP address such as 127.0.0.1");
-    }
-    acceptor_.open(here.protocol());
-    acceptor_.set_option(asio::socket_base::reuse_address(true));
-    acceptor_.bind(here, error);
-    if (error) {
-      throw UsageError("cannot serve on " + address + ":" + std::to_string(port) + ": " +
-                       error.message());
-    }
-    acceptor_.listen();
-    accept();
+      : scene_(&scene),
+        door_(context_, address, port,
+              {.answer = [this](const Request& request) { return answer(request, *scene_); },
+               .let_in = [this](beast::tcp_stream&& stream,
+                                const Request& request) { let_in(std::move(stream), request); }}) {
     scene.on_news([this] { asio::post(context_, [this] { pages_.send_news(); }); });
     thread_ = std::thread([this] { context_.run(); });
   }
@@ -295,37 +213,20 @@ class WebServer::Implementation {
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
-  [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+  [[nodiscard]] std::uint16_t port() const { return door_.port(); }
 
  private:
-  void accept() {
-    acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
-      if (error) {
-        accept_later();
-        return;
-      }
-      socket.set_option(tcp::no_delay(true), error);
-      std::make_shared<Connection>(std::move(socket), *scene_, pages_)->read();
-      accept();
-    });
-  }
-
-  // The file descriptors are used up. Who waits at the door is still there, so to ask again at once
-  // would be a loop without rest.
-  void accept_later() {
-    pause_.expires_after(kPause);
-    pause_.async_wait([this](beast::error_code error) {
-      if (!error) {
-        accept();
-      }
-    });
+  void let_in(beast::tcp_stream&& stream, const Request& request) {
+    const auto page = std::make_shared<LivePage>(std::move(stream), *scene_);
+    if (pages_.add(page)) {
+      page->run(request);
+    }
   }
 
   Scene* scene_;
   Pages pages_;
   asio::io_context context_{1};
-  tcp::acceptor acceptor_;
-  asio::steady_timer pause_{context_};
+  HttpDoor door_;
   std::thread thread_;
 };
 
