@@ -6,6 +6,7 @@ import re
 import signal
 import socket
 import subprocess
+import typing
 
 from browser import Page
 
@@ -23,14 +24,20 @@ def free_port() -> int:
 class Viewer:
     """The process. Use it in a `with` statement, or it stays."""
 
-    def __init__(self, iog: str, *options: str, http_port: int = 0):
+    def __init__(self, iog: str, *options: str, http_port: int = 0, errors: typing.TextIO | None = None):
         self._process = subprocess.Popen([iog, "view", "--http", str(http_port), *options],
-                                         stdout=subprocess.PIPE, text=True)
+                                         stdout=subprocess.PIPE, stderr=errors, text=True)
         line = self._process.stdout.readline()
         found = re.match(r"Look at (http://127\.0\.0\.1:(\d+)/)$", line)
         assert found, f"iog view says {line!r}"
         self.address = found.group(1)
         self.port = int(found.group(2))
+        if "--foxglove" in options:
+            line = self._process.stdout.readline()
+            found = re.match(r"Foxglove: (ws://127\.0\.0\.1:(\d+))$", line)
+            assert found, f"iog view says {line!r}"
+            self.foxglove = found.group(1)
+            self.foxglove_port = int(found.group(2))
 
     def __enter__(self) -> "Viewer":
         return self

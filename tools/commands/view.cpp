@@ -10,6 +10,7 @@
 #include "map/block.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/foxglove/live_feed.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/hexadecimal.hpp"
@@ -17,6 +18,7 @@
 #include "tools/receive/frame_record.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
+#include "tools/view/foxglove_server.hpp"
 #include "tools/view/sources.hpp"
 #include "tools/view/web_server.hpp"
 
@@ -24,6 +26,7 @@ namespace iog::tools {
 namespace {
 
 constexpr std::uint16_t kUsualHttpPort = 8080;
+constexpr const char* kUsualFoxglovePort = "8765";
 
 struct ViewOptions {
   std::string bind = "127.0.0.1";
@@ -31,6 +34,7 @@ struct ViewOptions {
   std::uint16_t forward = 0;
   std::string http_bind = "127.0.0.1";
   std::optional<std::uint16_t> http;
+  std::optional<std::uint16_t> foxglove;
   bool open = false;
   std::string pcap;
   std::string simulate;
@@ -71,6 +75,14 @@ void open_browser(const std::string& address) {
   }
 }
 
+// By which address the servers of this PC are found, and at that port.
+std::string host_words(const ViewOptions& options, std::uint16_t port) {
+  const std::string host =
+      options.http_bind == "0.0.0.0" || options.http_bind == "::" ? "127.0.0.1" : options.http_bind;
+  return (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" +
+         std::to_string(port);
+}
+
 std::string words_of_origin(const ViewOptions& options) {
   if (!options.pcap.empty()) {
     return options.pcap;
@@ -105,12 +117,18 @@ void view_grid(const ViewOptions& options) {
   }
   view::Viewer viewer(scene, origin, view::Recorder(options.records, options.port));
   const std::unique_ptr<view::WebServer> server = serve(options, scene);
-  const std::string host =
-      options.http_bind == "0.0.0.0" || options.http_bind == "::" ? "127.0.0.1" : options.http_bind;
-  const std::string address = "http://" +
-                              (host.find(':') == std::string::npos ? host : "[" + host + "]") +
-                              ":" + std::to_string(server->port()) + "/";
+  const std::string address = "http://" + host_words(options, server->port()) + "/";
+  foxglove::LiveFeed feed;
+  std::unique_ptr<view::FoxgloveServer> foxglove_server;
+  if (options.foxglove) {
+    viewer.show_also(feed);
+    foxglove_server = std::make_unique<view::FoxgloveServer>(options.http_bind, *options.foxglove,
+                                                             feed, [&scene] { scene.note_page(); });
+  }
   std::cout << "Look at " << address << std::endl;
+  if (foxglove_server) {
+    std::cout << "Foxglove: ws://" << host_words(options, foxglove_server->port()) << std::endl;
+  }
   if (options.open) {
     open_browser(address);
   }
@@ -162,9 +180,18 @@ void add_view(CLI::App& program) {
       ->option_text("PORT  (default 8080, or a free one)")
       ->check(CLI::Range(0, 65'535));
   command
-      ->add_option("--http-bind", options->http_bind,
-                   "IP address of the page; others than this PC see it only if it is not loopback")
+      ->add_option(
+          "--http-bind", options->http_bind,
+          "IP address of the page and of --foxglove; others than this PC see them only if it "
+          "is not loopback")
       ->option_text("ADDRESS  (default 127.0.0.1)");
+  command
+      ->add_option("--foxglove", options->foxglove,
+                   "Serve Foxglove, too, by its WebSocket protocol; 0 for any free port")
+      ->option_text("[PORT]  (default 8765)")
+      ->expected(0, 1)
+      ->default_str(kUsualFoxglovePort)
+      ->check(CLI::Range(0, 65'535));
   command
       ->add_option("--map", options->map,
                    "Draw the outlines of this block while the target says that it uses it")
@@ -177,7 +204,9 @@ void add_view(CLI::App& program) {
   command->footer(
       "Ctrl-C ends it. A capture of the sensors' packets is fused in this process, so that its "
       "scan\n"
-      "points can be shown, too. docs/view.md explains what there is to see.");
+      "points can be shown, too. docs/view.md explains what there is to see, docs/foxglove.md "
+      "what\n"
+      "Foxglove gets.");
   command->callback([options] {
     catch_interrupts();
     view_grid(*options);

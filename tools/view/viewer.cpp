@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/program/time_of_day.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -31,6 +32,12 @@ void Viewer::take(std::span<const std::byte> datagram) {
     recorder_.take(datagram);
   } catch (const UsageError& error) {
     problem_ = error.what();  // what comes is shown all the same
+  }
+  if (other_ != nullptr) {
+    other_->take_datagram({.time_us = time_of_day_us(),
+                           .source = {},
+                           .destination = {},
+                           .payload = {datagram.begin(), datagram.end()}});
   }
   assembler_.take(datagram);
 }
@@ -63,6 +70,13 @@ void Viewer::show(const GridFrame& frame, const Surroundings& surroundings, bool
   last_status_ms_ = now;
   scene_->publish_frame(grid_, classes_, surroundings, status(),
                         frame.knows_objects() ? &*frame.objects : nullptr);
+  if (other_ != nullptr) {
+    other_->take_frame({.frame = &frame,
+                        .live = &grid_,
+                        .classes = &classes_,
+                        .time_us = time_of_day_us(),
+                        .points = surroundings.points});
+  }
 }
 
 std::optional<ClassFacts> Viewer::take_classes(const GridFrame& frame) {

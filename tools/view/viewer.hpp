@@ -12,6 +12,7 @@
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/frames/live_classes.hpp"
 #include "tools/frames/live_grid.hpp"
+#include "tools/record/recording.hpp"
 #include "tools/view/recorder.hpp"
 #include "tools/view/scene.hpp"
 #include "tools/view/status.hpp"
@@ -30,6 +31,10 @@ class Viewer {
  public:
   // The scene outlives the viewer.
   Viewer(Scene& scene, Origin origin, Recorder recorder);
+
+  // From now on the other gets each datagram and each frame, too, with this PC's time. It outlives
+  // the viewer.
+  void show_also(Recording& other) { other_ = &other; }
 
   // One datagram of the stream, of whatever bytes. Its frame is shown as soon as it is complete,
   // unless frames are being held back.
@@ -72,6 +77,7 @@ class Viewer {
   Scene* scene_;
   Origin origin_;
   Recorder recorder_;
+  Recording* other_ = nullptr;
   FrameAssembler assembler_;
   LiveGrid grid_;
   LiveClasses classes_;
