@@ -1,13 +1,13 @@
 // Ranges. A stored byte is -63 ... 63, and so is one of a slice. Points are below 2^13 cells,
 // which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and 62 steps of at most
-// 2^16. Points that are eight steps apart are eight additions of one step apart, exactly. Eight
-// by eight cells reach 7 sqrt(2) cells far, and so are within a square of 11 cells of the grid.
+// 2^16. Points that are eight steps apart are eight additions of one step apart, exactly.
 #include "window/frame_evidence.hpp"
 
 #include <algorithm>
 #include <bit>
 
 #include "require/require.hpp"
+#include "window/bring.hpp"
 #include "window/eight_bytes.hpp"
 #include "window/look_up.hpp"
 #include "window/reach.hpp"
@@ -35,62 +35,6 @@ bool is_known_between(const SliceCells& slice, geometry::Cell low, geometry::Cel
 
 constexpr std::int32_t kEight = EightBytes::kCount;
 static_assert(kEight == SliceCells::kBlockSide);
-
-void clear_block(std::size_t x, Band& band) {
-  for (std::size_t row = x; row < band.size(); row += geometry::kTileSide) {
-    EightBytes::none().store(&band[row]);
-  }
-}
-
-// The indexes that a band's cells find in the grid, all of them inside of it. Its blocks of eight
-// by eight cells are looked up where something may be known. False if it is nowhere.
-bool look_up_inside(const SliceCells& slice, const Reach& block, FinePoint first, FinePoint step,
-                    Band& found) {
-  bool is_known = false;
-  for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
-    const bool is_near = slice.is_known_near(block.low(first));
-    is_known = is_known || is_near;
-    if (is_near) {
-      look_up_block(slice, first, step, x, found);
-    } else {
-      clear_block(x, found);
-    }
-    first = {first.x + kEight * step.x, first.y + kEight * step.y};
-  }
-  return is_known;
-}
-
-// The same of any cells; outside of the grid all indexes are 0.
-void look_up_anywhere(const SliceCells& slice, FinePoint first, FinePoint step, Band& found) {
-  std::int8_t* out = found.data();
-  for (std::int32_t y = 0; y < kEight; ++y, first = along_y(first, step)) {
-    FinePoint point = first;
-    for (std::int32_t x = 0; x < kTileSide; ++x, point = along_x(point, step)) {
-      const geometry::Cell cell = point.cell();
-      *out++ = geometry::kGridArea.contains(cell)
-                   ? slice.cells()[cell.y * std::int32_t{SliceCells::kStride} + cell.x]
-                   : std::int8_t{0};
-    }
-  }
-}
-
-// Two free bytes: their indexes are added, their bits joined. All is of eight bits without a sign,
-// so that the compiler does many at once.
-void join_free(const Band& found, std::span<std::int8_t, kBandCells> evidence) {
-  constexpr std::uint8_t kMost = kMostIndex;
-  constexpr std::uint8_t kBit = kBeside;
-  const auto freedom = [](std::int8_t byte) {
-    return static_cast<std::uint8_t>(byte < 0 ? -byte : 0);
-  };
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::uint8_t before = freedom(evidence[i]);
-    const std::uint8_t next = freedom(found[i]);
-    const auto sum = static_cast<std::uint8_t>((before & kMost) + (next & kMost));
-    const auto bit = static_cast<std::uint8_t>((before | next) & kBit);
-    const auto joined = static_cast<std::uint8_t>((sum < kMost ? sum : kMost) | bit);
-    evidence[i] = evidence[i] > 0 ? evidence[i] : static_cast<std::int8_t>(-joined);
-  }
-}
 
 void join_hit(std::int32_t index, std::int8_t& evidence) {
   evidence =
@@ -198,30 +142,34 @@ void FrameEvidence::pull(const Adding& adding, const Region& region) {
       const geometry::Cell low = reach.low(first);
       const geometry::Cell high = reach.high(first);
       if (is_known_between(*adding.slice, low, high)) {
-        pull_tile(*adding.slice,
-                  geometry::kGridArea.contains(low) && geometry::kGridArea.contains(high), first,
-                  step, adding.slot_at({region.low.a + a, region.low.b + b}));
+        pull_tile(*adding.slice, first, step, adding.slot_at({region.low.a + a, region.low.b + b}));
       }
     }
   }
 }
 
-void FrameEvidence::pull_tile(const SliceCells& slice, bool is_inside, FinePoint first,
-                              FinePoint step, std::size_t slot) {
+// Blocks of eight by eight cells are looked up where something may be known. The evidence of a band
+// is brought before: among what is looked up its lines would come one by one.
+void FrameEvidence::pull_tile(const SliceCells& slice, FinePoint first, FinePoint step,
+                              std::size_t slot) {
   const Reach block = Reach::of_square(kEight, step);
-  alignas(8) Band found;
-  const std::span cells = cells_[slot];
-  for (std::size_t at = 0; at < cells.size(); at += kBandCells) {
-    bool is_known = true;
-    if (is_inside) {
-      is_known = look_up_inside(slice, block, first, step, found);
-    } else {
-      look_up_anywhere(slice, first, step, found);
+  for (std::size_t row = 0; row < geometry::kTileCells; row += kBandCells) {
+    const std::span band = std::span(cells_[slot]).subspan(row).first<kBandCells>();
+    bool is_known = false;
+    FinePoint at = first;
+    for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
+      const geometry::Cell low = block.low(at);
+      const geometry::Cell high = block.high(at);
+      if (slice.is_known_near(low, high)) {
+        if (!is_known) {
+          bring(std::as_bytes(band));
+          is_known = true;
+        }
+        pull_block(slice, at, step, low, high, &band[x]);
+      }
+      at = {at.x + kEight * step.x, at.y + kEight * step.y};
     }
-    if (is_known) {
-      is_touched_[slot] = true;
-      join_free(found, cells.subspan(at).first<kBandCells>());
-    }
+    is_touched_[slot] = is_touched_[slot] || is_known;
     first = {first.x - kEight * step.y, first.y + kEight * step.x};
   }
 }

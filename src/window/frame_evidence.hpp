@@ -139,8 +139,7 @@ class FrameEvidence {
   void put_back(const Area& area, const Region& region, const Before& before);
   void add_to(const Region& region, const Addings& addings);
   void pull(const Adding& adding, const Region& region);
-  void pull_tile(const SliceCells& slice, bool is_inside, FinePoint first, FinePoint step,
-                 std::size_t slot);
+  void pull_tile(const SliceCells& slice, FinePoint first, FinePoint step, std::size_t slot);
   void push(const Adding& adding, const Region& region);
   void push_hit(const Adding& adding, geometry::Cell cell, std::int8_t byte);
 

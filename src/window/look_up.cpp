@@ -2,17 +2,16 @@
 
 namespace iog::window {
 
-void look_up_block(const SliceCells& slice, FinePoint first, FinePoint step, std::size_t x,
-                   Band& band) {
-  constexpr std::int32_t kStride = SliceCells::kStride;
-  for (std::size_t row = x; row < band.size(); row += geometry::kTileSide) {
+void pull_block(const SliceCells& slice, FinePoint first, FinePoint step, geometry::Cell /*low*/,
+                geometry::Cell /*high*/, std::int8_t* evidence) {
+  for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y) {
     FinePoint point = first;
-    for (std::size_t i = row; i < row + SliceCells::kBlockSide; ++i) {
-      const geometry::Cell cell = point.cell();
-      band[i] = slice.cells()[cell.y * kStride + cell.x];
+    for (std::int32_t x = 0; x < SliceCells::kBlockSide; ++x) {
+      evidence[x] = joined_free(evidence[x], slice.at(point.cell()));
       point = along_x(point, step);
     }
     first = along_y(first, step);
+    evidence += kTileSide;
   }
 }
 

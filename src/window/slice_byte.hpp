@@ -36,6 +36,16 @@ static_assert(kMostIndex == kBeside - 1);
   return static_cast<std::int8_t>(index < 0 ? most - beside : most + beside);
 }
 
+// What is said of a cell that one more slice frees, or does not: free indexes are added, and a bit
+// stays. What is above 0 counts hits, and no beam changes it; of `found` it says nothing of free.
+[[nodiscard]] constexpr std::int8_t joined_free(std::int8_t evidence, std::int8_t found) {
+  if (evidence > 0 || found >= 0) {
+    return evidence;
+  }
+  return byte_of(index_of(evidence) + index_of(found),
+                 evidence < -kMostIndex || found < -kMostIndex);
+}
+
 [[nodiscard]] constexpr bool is_tall(std::int8_t byte) { return byte > kMostIndex; }
 [[nodiscard]] constexpr bool is_from_below(std::int8_t byte) { return byte < -kMostIndex; }
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 
-#include "window/bring.hpp"
 #include "window/eight_bytes.hpp"
-#include "work/before_images.hpp"
 
 namespace iog::window {
 namespace {
@@ -15,29 +14,14 @@ constexpr std::size_t kSide = geometry::kTileSide;
 constexpr std::size_t kBlock = SliceCells::kBlockSide;
 static_assert(kBlock == EightBytes::kCount);
 
-constexpr std::array<std::int8_t, kSide> kUnknown{};
+constexpr std::size_t kSquare = 4;
 
-// What a band has in each column: the bits that an index has, and those that its negative has, of
-// which the sign says that a cell is hit.
-struct alignas(8) BandBits {
+// What four rows have in each column: the bits that an index has, and those that its negative has,
+// of which the sign says that a cell is hit.
+struct alignas(8) SquareBits {
   std::array<std::int8_t, kSide> bits;
   std::array<std::int8_t, kSide> negative;
 };
-
-// A byte that is 1 for each of six bits that is set, in its place.
-constexpr std::size_t kNearBits = 6;
-using ByteByBit = std::array<std::array<std::int8_t, EightBytes::kCount>, 1U << kNearBits>;
-
-consteval ByteByBit make_byte_by_bit() {
-  ByteByBit table{};
-  for (unsigned bits = 0; bits < table.size(); ++bits) {
-    for (unsigned i = 0; i < kNearBits; ++i) {
-      table[bits][i] = static_cast<std::int8_t>(bits >> i & 1U);
-    }
-  }
-  return table;
-}
-constexpr ByteByBit kByteByBit = make_byte_by_bit();
 
 // By eight bits, the byte kBeside where one is set.
 using BesideByBits = std::array<std::array<std::int8_t, EightBytes::kCount>, 256>;
@@ -54,13 +38,32 @@ consteval BesideByBits make_beside_by_bits() {
 constexpr BesideByBits kBesideByBits = make_beside_by_bits();
 
 template <std::size_t... kRows>
-BandBits band_of(const std::int8_t* rows, std::index_sequence<kRows...> /*all*/) {
-  BandBits band;
+SquareBits squares_of(const std::int8_t* rows, std::index_sequence<kRows...> /*all*/) {
+  SquareBits squares;
   for (std::size_t x = 0; x < kSide; ++x) {
-    band.bits[x] = static_cast<std::int8_t>((rows[kRows * kSide + x] | ...));
-    band.negative[x] = static_cast<std::int8_t>((-rows[kRows * kSide + x] | ...));
+    squares.bits[x] = static_cast<std::int8_t>((rows[kRows * kSide + x] | ...));
+    squares.negative[x] = static_cast<std::int8_t>((-rows[kRows * kSide + x] | ...));
   }
-  return band;
+  return squares;
+}
+
+// A bit for each square in which a bit is set.
+std::uint8_t known_of(const SquareBits& squares) {
+  unsigned known = 0;
+  for (std::size_t x = 0; x < kSide; x += kSquare) {
+    std::uint32_t four = 0;
+    __builtin_memcpy(&four, &squares.bits[x], sizeof four);
+    known |= (four != 0 ? 1U : 0U) << x / kSquare;
+  }
+  return static_cast<std::uint8_t>(known);
+}
+
+bool is_hit(const SquareBits& squares) {
+  return EightBytes::load(squares.negative.data())
+      .bit_or(EightBytes::load(&squares.negative[8]))
+      .bit_or(EightBytes::load(&squares.negative[16]))
+      .bit_or(EightBytes::load(&squares.negative[24]))
+      .has_negative();
 }
 
 // The bytes of a row's indexes. A bit beside an index of either sign is bit 5 of its byte, turned
@@ -81,28 +84,21 @@ void write_row(const std::int8_t* indexes, std::uint32_t bits, std::int8_t* row)
 
 void SliceCells::copy(std::size_t tile, TileIndexes indexes, const Plane& low_and_tall) {
   unsigned hit_bands = 0;
-  unsigned known_blocks = 0;
+  TileSquares known{};
   const std::int8_t* in = indexes.data();
-  std::int8_t* row = &cells_[first_of(tile)];
-  for (std::size_t block_y = 0; block_y < kBlocksOfTile; ++block_y) {
-    for (std::size_t y = 0; y < kBlock; ++y) {
-      bring_line(&row[y * kStride]);
-    }
-    const BandBits band = band_of(in, std::make_index_sequence<kBlock>());
-    for (std::size_t y = block_y * kBlock; y < (block_y + 1) * kBlock; ++y) {
+  std::int8_t* row = tiles_[places_[tile]].data();
+  for (std::size_t square_y = 0; square_y < kSquaresOfTile; ++square_y) {
+    const SquareBits squares = squares_of(in, std::make_index_sequence<kSquare>());
+    known[square_y] = known_of(squares);
+    hit_bands |= (is_hit(squares) ? 1U : 0U) << square_y * kSquare / kBlock;
+    for (std::size_t y = square_y * kSquare; y < (square_y + 1) * kSquare; ++y) {
       write_row(in, low_and_tall[y], row);
       in += kSide;
-      row += kStride;
-    }
-    for (std::size_t block_x = 0; block_x < kBlocksOfTile; ++block_x) {
-      const bool is_known = !EightBytes::load(&band.bits[block_x * kBlock]).is_zero();
-      known_blocks |= (is_known ? 1U : 0U) << (block_y * kBlocksOfTile + block_x);
-      const bool is_hit = EightBytes::load(&band.negative[block_x * kBlock]).has_negative();
-      hit_bands |= (is_hit ? 1U : 0U) << block_y;
+      row += kSide;
     }
   }
+  known_squares_[tile] = known;
   hit_bands_[tile] = static_cast<std::uint8_t>(hit_bands);
-  known_blocks_[tile] = static_cast<std::uint16_t>(known_blocks);
   is_known_[tile] = true;
 }
 
@@ -114,19 +110,12 @@ void SliceCells::note(std::size_t tile) {
   note_known(tile);
 }
 
-// A block is above or to the right of nine blocks, itself included. So what is known of the tile's
-// four rows of blocks counts for six rows of six: `rows` has three of the rows in its low bits.
 void SliceCells::note_known(std::size_t tile) {
-  constexpr unsigned kRowBits = kBlocksOfTile;
-  static_assert(kBlocksBefore == 2);
-  std::int8_t* near = &is_near_[tile / geometry::kTilesPerSide * kBlocksOfTile * kNearStride +
-                                tile % geometry::kTilesPerSide * kBlocksOfTile];
-  unsigned rows = unsigned{known_blocks_[tile]} << 2 * kRowBits;
-  for (std::size_t y = 0; y < kBlocksOfTile + kBlocksBefore; ++y, rows >>= kRowBits) {
-    const unsigned row = (rows | rows >> kRowBits | rows >> 2 * kRowBits) & ((1U << kRowBits) - 1);
-    const unsigned wide = row | row << 1 | row << 2;
-    EightBytes::load(near).bit_or(EightBytes::load(kByteByBit[wide].data())).store(near);
-    near += kNearStride;
+  std::size_t at = (kRowsAround + tile / geometry::kTilesPerSide * kSquaresOfTile) * kSquareStride +
+                   1 + tile % geometry::kTilesPerSide;
+  for (const std::uint8_t row : known_squares_[tile]) {
+    squares_[at] = row;
+    at += kSquareStride;
   }
 }
 
@@ -138,14 +127,19 @@ void SliceCells::note_extent(std::size_t tile) {
 }
 
 void SliceCells::clear() {
-  begin();
-  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
-    leave(tile);
-  }
+  is_known_.fill(false);
+  used_ = 0;
+  forget_notes();
 }
 
+// Each tile has a place of its own, whichever core copies it.
 void SliceCells::begin() {
-  is_near_.fill(0);
+  std::iota(places_.begin(), places_.end(), std::uint16_t{0});
+  forget_notes();
+}
+
+void SliceCells::forget_notes() {
+  squares_.fill(0);
   extent_ = {};
   hit_tile_count_ = 0;
 }
@@ -156,18 +150,6 @@ void SliceCells::note_all() {
       note(tile);
     }
   }
-}
-
-void SliceCells::leave(std::size_t tile) {
-  if (!is_known_[tile]) {
-    return;
-  }
-  std::int8_t* row = &cells_[first_of(tile)];
-  for (std::size_t y = 0; y < kSide; ++y, row += kStride) {
-    __builtin_memcpy(row, kUnknown.data(), kSide);
-  }
-  work::keep_order();
-  is_known_[tile] = false;
 }
 
 }  // namespace iog::window

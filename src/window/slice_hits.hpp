@@ -22,7 +22,7 @@ inline void for_each_hit_of_band(const std::int8_t* row, FinePoint at_row, FineP
                                  Visit& visit) {
   constexpr std::int32_t kEight = EightBytes::kCount;
   const FinePoint eight_steps{kEight * step.x, kEight * step.y};
-  for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y, row += SliceCells::kStride) {
+  for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y, row += geometry::kTileSide) {
     FinePoint at = at_row;
     for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
       const auto eight = EightBytes::load(row + x);
@@ -53,12 +53,12 @@ inline void for_each_hit(const SliceCells& slice, const CellMap& to_window, Meet
     if (!meets(of_tile.low(first), of_tile.high(first))) {
       continue;
     }
-    const std::int8_t* row = slice.cells() + SliceCells::first_of(tile);
+    const std::int8_t* row = slice.cells({tile % kTiles, tile / kTiles}).data();
     for (std::size_t band = 0; band < geometry::kTileSide / kBandRows; ++band) {
       if (slice.may_be_hit(tile, band) && meets(of_band.low(first), of_band.high(first))) {
         for_each_hit_of_band(row, first, step, visit);
       }
-      row += kBandRows * SliceCells::kStride;
+      row += kBandCells;
       first = {first.x - kRows * step.y, first.y + kRows * step.x};
     }
   }

@@ -182,27 +182,43 @@ TEST(SliceCells, SayWhereSomethingIsKnown) {
     std::size_t found = 0;
     for (std::int32_t y = 0; y < 1024; ++y) {
       for (std::int32_t x = 0; x < 1024; ++x) {
-        found += cells->cells()[static_cast<std::size_t>(y) * SliceCells::kStride +
-                                static_cast<std::size_t>(x)] != 0
-                     ? 1U
-                     : 0U;
+        found += cells->at({x, y}) != 0 ? 1U : 0U;
       }
     }
     slice.for_each([&](Cell cell, int index) {
       --found;
       EXPECT_TRUE(cells->is_known(geometry::tile_of(cell)));
-      for (std::int32_t away = 0; away < 64; ++away) {
-        const Cell low{std::max<std::int32_t>(cell.x - away % 8, 0),
-                       std::max<std::int32_t>(cell.y - away / 8, 0)};
-        ASSERT_TRUE(cells->is_known_near(low)) << cell.x << ' ' << cell.y << ' ' << away;
+      for (int i = 0; i < 64; ++i) {
+        const Cell low{cell.x - random.between(0, 10), cell.y - random.between(0, 10)};
+        const Cell high{random.between(cell.x, low.x + 10), random.between(cell.y, low.y + 10)};
+        ASSERT_TRUE(cells->is_known_near(low, high)) << cell.x << ' ' << cell.y;
       }
       const auto band = static_cast<std::size_t>(cell.y) % geometry::kTileSide / 8;
       EXPECT_TRUE(index < 0 || cells->may_be_hit(geometry::tile_of(cell), band));
     });
     EXPECT_EQ(found, 0U);
     cells->clear();
-    EXPECT_FALSE(cells->is_known_near({random.between(0, 1023), random.between(0, 1023)}));
+    const Cell low{random.between(0, 1023), random.between(0, 1023)};
+    EXPECT_FALSE(cells->is_known_near(low, {low.x + 10, low.y + 10}));
   }
+}
+
+// Squares of four cells around what is known count, no others; nor does what lies outside.
+TEST(SliceCells, NothingIsKnownWhereNoSquareIsNear) {
+  const auto cells = std::make_unique<SliceCells>();
+  Slice slice;
+  slice.set({64, 1020}, -14);
+  slice.set({1023, 0}, -14);
+  tests::hand_over(slice, *cells);
+  EXPECT_TRUE(cells->is_known_near({57, 1010}, {67, 1020}));
+  EXPECT_TRUE(cells->is_known_near({67, 1023}, {77, 1030}));
+  EXPECT_FALSE(cells->is_known_near({68, 1015}, {78, 1025}));
+  EXPECT_FALSE(cells->is_known_near({53, 1015}, {63, 1025}));
+  EXPECT_FALSE(cells->is_known_near({60, 1009}, {70, 1019}));
+  EXPECT_TRUE(cells->is_known_near({1023, -10}, {1033, 0}));
+  EXPECT_FALSE(cells->is_known_near({1024, -10}, {1034, 0}));
+  EXPECT_FALSE(cells->is_known_near({0, -30}, {10, -20}));
+  EXPECT_FALSE(cells->is_known_near({-30, 0}, {-20, 10}));
 }
 
 // What a slice leaves in the copy must not show in the next one.
