@@ -23,6 +23,12 @@ struct PortCounters {
   std::uint32_t lost_unsent = 0;        // frames that were sent or queued, and lost by that
 };
 
+// Whether a port lives.
+struct PortLife {
+  std::uint32_t moved = 0;  // frames that came, bad ones too, or left since it was opened; wraps
+  bool is_excused = true;   // that none moves: there is no link, or it can receive and none waits
+};
+
 // receive():  the oldest frame that has arrived, empty if there is none. The view stays valid and
 //             the same frame is returned until release().
 // release():  done with that frame. Only after a non-empty receive().
@@ -39,6 +45,7 @@ concept EthernetPort = requires(Port& port, const Port& view, std::size_t frame_
   { port.commit(frame_bytes) } -> std::same_as<void>;
   { port.pump() } -> std::same_as<void>;
   { view.counters() } -> std::convertible_to<PortCounters>;
+  { view.life() } -> std::same_as<PortLife>;
 };
 
 }  // namespace iog::hal

@@ -66,7 +66,9 @@ void end_core(hal::End end, const TextLine& last_word) {
 }
 
 void report_fault(const FaultFrame* frame) {
-  end_core({.cause = hal::EndCause::kException, .detail = static_cast<std::uint32_t>(frame->kind)},
+  const bool hangs = frame->kind == FaultKind::kFastInterrupt;
+  end_core({.cause = hangs ? hal::EndCause::kHang : hal::EndCause::kException,
+            .detail = hangs ? frame->pc : static_cast<std::uint32_t>(frame->kind)},
            describe(*frame, read_status(frame->kind), memory_map()));
 }
 

@@ -17,7 +17,7 @@ enum class FaultKind : std::uint32_t {
   kPrefetchAbort = 3,
   kDataAbort = 4,
   kInterrupt = 5,
-  kFastInterrupt = 6,
+  kFastInterrupt = 6,  // the watchdog's: the loop hangs (gic.hpp)
 };
 
 // As startup.S pushes it.

@@ -17,7 +17,7 @@ std::string_view name(FaultKind kind) {
     case FaultKind::kInterrupt:
       return "interrupt taken";
     case FaultKind::kFastInterrupt:
-      return "fast interrupt taken";
+      return "hung";
   }
   return "unknown exception";
 }

@@ -1,4 +1,4 @@
-// Interrupts wake the loop; nothing is ever interrupted.
+// Interrupts wake the loop; nothing is ever interrupted, but for one that ends it.
 //
 // On core 0 the firmware is one loop; the interrupts of the other cores are in helper.hpp. CPSR
 // masks interrupts from the first instruction on, and nothing unmasks them. The GIC passes three
@@ -13,6 +13,10 @@
 //
 // There is no interrupt handler, no critical section and no variable shared between two flows. An
 // exception of kind IRQ means that somebody unmasked interrupts: it is a fault like any other.
+//
+// The watchdog's interrupt comes half a second before it resets the chip, as a fast one, which core
+// 0 does not mask: so a loop that hangs is interrupted wherever it is, and leaves a last word that
+// says where. Nothing comes back from it, so it shares nothing with what it interrupts.
 #pragma once
 
 #include "registers/gic.hpp"
@@ -22,8 +26,9 @@ namespace iog::imx6 {
 inline constexpr unsigned kInterruptUart1 = 32 + 26;
 inline constexpr unsigned kInterruptEpit1 = 32 + 56;
 inline constexpr unsigned kInterruptEnet = 32 + 118;
+inline constexpr unsigned kInterruptWatchdog = 32 + 80;
 
-// Lets exactly these three through to core 0.
+// Lets exactly these four through to core 0.
 void start_gic(GicDistributorRegisters& distributor, GicCpuRegisters& cpu);
 
 }  // namespace iog::imx6

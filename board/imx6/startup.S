@@ -45,8 +45,8 @@ Vectors:
         .global Reset_Handler
         .type   Reset_Handler, %function
 Reset_Handler:
-        // Supervisor mode. Interrupts and fast interrupts are masked for ever, asynchronous aborts until
-        // there are stacks to report them on.
+        // Supervisor mode. Interrupts are masked for ever, asynchronous aborts until there are stacks to
+        // report them on, fast interrupts until the board is up (gic.hpp).
         cpsid aif, #kModeSupervisor
 
         // Core 0 comes up here, the others in core_start.S. Another one that comes here sleeps.

@@ -18,6 +18,10 @@ static_assert((kTimeoutField + 1) * 500 == Watchdog::kTimeoutMs && kTimeoutField
 constexpr std::uint16_t kTimeout = kTimeoutField << R::kWcrTimeoutShift;
 constexpr std::uint16_t kTimeoutBits = 0xff << R::kWcrTimeoutShift;
 
+// WICT counts half seconds before the end of the period.
+constexpr std::uint16_t kInterrupt = R::kWicrEnable | Watchdog::kLastWordMs / 500;
+static_assert(Watchdog::kLastWordMs % 500 == 0 && Watchdog::kLastWordMs > 0);
+
 // SRS and WDA are active low: leaving them high means neither a reset at once nor the WDOG_B pin.
 constexpr std::uint16_t kControl =
     kTimeout | R::kWcrNoExternalAssert | R::kWcrNoSoftwareReset | R::kWcrEnable;
@@ -28,6 +32,10 @@ void Watchdog::start() {
   // The power-down counter runs from reset and would assert WDOG_B after 16 s. PDE can be cleared
   // once.
   registers_.wmcr.write(0);
+  // WIE and WICT can be written once, too.
+  if ((registers_.wicr.read() & R::kWicrEnable) == 0) {
+    registers_.wicr.write(kInterrupt);
+  }
   // The mode bits and WDE can be written once after reset, and a loader may have done so. WT can be
   // written at any time and counts from the next service on; the other bits stay as they are.
   // A fault starts it again: no write then, because QEMU's model takes a second one for its end.

@@ -8,7 +8,10 @@ namespace iog::imx6 {
 class Watchdog {
  public:
   // Some hundred times longer than the slowest pass of the loop, and short for a person.
-  static constexpr unsigned kTimeoutMs = 2000;
+  static constexpr unsigned kHangMs = 2000;
+  // Then its interrupt tells core 0 (gic.hpp), which has this long to leave a last word.
+  static constexpr unsigned kLastWordMs = 500;
+  static constexpr unsigned kTimeoutMs = kHangMs + kLastWordMs;
 
   explicit Watchdog(WatchdogRegisters& registers) : registers_(registers) {}
 

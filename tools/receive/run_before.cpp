@@ -1,9 +1,29 @@
 #include "tools/receive/run_before.hpp"
 
+#include <array>
 #include <span>
+#include <string_view>
+
+#include "tools/program/hexadecimal.hpp"
 
 namespace iog::tools {
 namespace {
+
+// docs/spec.md 3.7.
+constexpr std::array<std::string_view, 10> kMustLive{
+    "datagrams",           "time",   "network", "serial line", "frames", "check of memory",
+    "Ethernet controller", "core 1", "core 2",  "core 3"};
+
+std::string words_of_silent(std::uint32_t bits) {
+  std::string words;
+  for (std::size_t i = 0; i < 32; ++i) {
+    if ((bits >> i & 1U) != 0) {
+      words += words.empty() ? "" : ", ";
+      words += i < kMustLive.size() ? kMustLive.at(i) : "number " + std::to_string(i);
+    }
+  }
+  return words;
+}
 
 // A number that this program does not know is of a later target.
 std::string words_of_end(const hal::End& end) {
@@ -19,6 +39,10 @@ std::string words_of_end(const hal::End& end) {
       return "requirement broken, line " + detail;
     case hal::EndCause::kMemory:
       return "memory has changed, region " + detail;
+    case hal::EndCause::kLate:
+      return "silent: " + words_of_silent(end.detail);
+    case hal::EndCause::kHang:
+      return "hung at 0x" + hex(end.detail);
   }
   return "cause " + std::to_string(static_cast<unsigned>(end.cause)) + ", " + detail;
 }

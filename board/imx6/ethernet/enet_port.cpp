@@ -78,6 +78,17 @@ hal::PortCounters EnetPort::counters() const {
   return counters;
 }
 
+// It can receive while RDAR is active: the controller clears it when it finds no empty buffer, or
+// has been stopped (IMX6DQRM, ENET_RDAR).
+hal::PortLife EnetPort::life() const {
+  const bool can_receive = (registers_.ecr.read() & R::kEcrEtherEn) != 0 &&
+                           (registers_.rdar.read() & R::kRdarActive) != 0;
+  const bool nothing_waits = transmit_ring_.in_flight() == 0 && transmit_ring_.queued() == 0;
+  return {.moved = counters_.received + counters_.receive_errors + counters_.oversized +
+                   transmit_ring_.sent(),
+          .is_excused = !link_monitor_.link().up || (can_receive && nothing_waits)};
+}
+
 void EnetPort::release() {
   require(!frame_.empty());
   frame_ = {};

@@ -94,6 +94,7 @@ class EnetPort {
   void commit(std::size_t frame_bytes);
   void pump();
   hal::PortCounters counters() const;
+  hal::PortLife life() const;
 
   // Withdraws the wake-up request of the frames received so far. Poll the rings after it.
   void clear_event() { registers_.eir.clear(EnetRegisters::kEirReceivedFrame); }

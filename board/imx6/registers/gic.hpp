@@ -29,7 +29,8 @@ struct GicDistributorRegisters {
   Gap<0xc28, 0xf00> gap_c28;
   Wo32 sgir;
 
-  static constexpr std::uint32_t kCtlrEnable = 1u << 0;
+  static constexpr std::uint32_t kCtlrEnable = 1u << 0;  // group 0
+  static constexpr std::uint32_t kCtlrEnableGroup1 = 1u << 1;
   static constexpr unsigned kSgirTargetShift = 16;  // CPUTargetList, one bit a core
 };
 
@@ -49,7 +50,9 @@ struct GicCpuRegisters {
   Ro32 iar;
   Wo32 eoir;
 
-  static constexpr std::uint32_t kCtlrEnable = 1u << 0;
+  static constexpr std::uint32_t kCtlrEnable = 1u << 0;  // group 0
+  static constexpr std::uint32_t kCtlrEnableGroup1 = 1u << 1;
+  static constexpr std::uint32_t kCtlrFiq = 1u << 3;  // group 0 comes as fast interrupts
   static constexpr std::uint32_t kPmrAll = 0xff;
 };
 

@@ -17,7 +17,7 @@ using machine::poke;
 using machine::recorder;
 using machine::Write;
 
-TEST(Gic, LetsExactlyTheThreeLinesThrough) {
+TEST(Gic, LetsExactlyTheFourLinesThrough) {
   recorder.reset();
   GicDistributorRegisters distributor{};
   GicCpuRegisters cpu{};
@@ -28,9 +28,12 @@ TEST(Gic, LetsExactlyTheThreeLinesThrough) {
       enabled.push_back(write);
     }
   }
-  // UART1 is 58 = 32 + 26, EPIT1 is 88 = 2 * 32 + 24, ENET is 150 = 4 * 32 + 22 (IMX6DQRM, table
-  // "ARM domain interrupts").
-  EXPECT_EQ(enabled, (std::vector<Write>{{0x104, 1u << 26}, {0x108, 1u << 24}, {0x110, 1u << 22}}));
+  // UART1 is 58 = 32 + 26, EPIT1 is 88 = 2 * 32 + 24, WDOG1 112 = 3 * 32 + 16, ENET 150 = 4 * 32 +
+  // 22 (IMX6DQRM, table "ARM domain interrupts").
+  EXPECT_EQ(enabled,
+            (std::vector<Write>{
+                {0x104, 1u << 26}, {0x108, 1u << 24}, {0x110, 1u << 22}, {0x10c, 1u << 16}}));
+  EXPECT_EQ(last_write(distributor, 0x800 + 112), 1u);
   EXPECT_EQ(last_write(distributor, 0x800 + 58), 1u);
   EXPECT_EQ(last_write(distributor, 0x800 + 88), 1u);
   EXPECT_EQ(last_write(distributor, 0x800 + 150), 1u);
@@ -43,13 +46,29 @@ TEST(Gic, DisablesWhatALoaderLeftAndEnablesItselfLast) {
   start_gic(distributor, cpu);
   const std::vector<Write> writes = machine::writes_to(distributor);
   EXPECT_EQ(writes.front(), (Write{0x000, 0}));
-  EXPECT_EQ(writes.back(), (Write{0x000, 1}));
+  EXPECT_EQ(writes.back(), (Write{0x000, 3}));
   for (std::size_t word = 0; word < 5; ++word) {
     EXPECT_EQ(last_write(distributor, 0x180 + 4 * word), 0xffff'ffffu);
     EXPECT_EQ(last_write(distributor, 0x280 + 4 * word), 0xffff'ffffu);
   }
-  // Without FIQEn (bit 3), which would make fast interrupts of them.
-  EXPECT_EQ(machine::writes_to(cpu), (std::vector<Write>{{0x00, 0}, {0x04, 0xff}, {0x00, 1}}));
+  // Both groups, and FIQEn (bit 3), which makes fast interrupts of group 0.
+  EXPECT_EQ(machine::writes_to(cpu), (std::vector<Write>{{0x00, 0}, {0x04, 0xff}, {0x00, 0xb}}));
+}
+
+// ARM IHI 0048, GICD_IGROUPR: a zero is group 0. What only wakes must not come as a fast interrupt.
+TEST(Gic, TheWatchdogsAloneIsAFastInterrupt) {
+  recorder.reset();
+  GicDistributorRegisters distributor{};
+  GicCpuRegisters cpu{};
+  start_gic(distributor, cpu);
+  for (std::size_t word = 0; word < 5; ++word) {
+    EXPECT_EQ(last_write(distributor, 0x080 + 4 * word), word == 3 ? ~(1u << 16) : 0xffff'ffffu);
+  }
+  // A core is told of the most urgent one alone, which is the lowest number (3.3, "Interrupt
+  // prioritization").
+  for (const std::size_t other : {58u, 88u, 150u}) {
+    EXPECT_LT(last_write(distributor, 0x400 + 112), last_write(distributor, 0x400 + other));
+  }
 }
 
 TEST(Clocks, OpenTheGatesAndKeepWfiFromStoppingTheBuses) {

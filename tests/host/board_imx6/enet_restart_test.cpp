@@ -200,6 +200,37 @@ TEST_F(Restart, WithoutALinkNothingIsStuck) {
   EXPECT_EQ(restarts(), 1u);
 }
 
+// docs/safety.md: a port that is silent has a reason, or is not alive.
+TEST_F(Restart, SilenceIsExcusedByNoLinkOrByNothingToDo) {
+  queue(1);
+  pump_at(0);
+  EXPECT_TRUE(port_.life().is_excused) << "there is no link";
+  link_up(1'000'000, kFull100);
+  pump_at(1'100'000);
+  queue(1);
+  EXPECT_FALSE(port_.life().is_excused) << "a frame waits";
+  pump_at(1'101'000);
+  EXPECT_FALSE(port_.life().is_excused) << "it is on its way";
+  const std::uint32_t moved = port_.life().moved;
+  EXPECT_EQ(send(1), 1u);
+  pump_at(1'200'000);
+  EXPECT_EQ(port_.life().moved, moved + 1) << "it has left";
+  EXPECT_TRUE(port_.life().is_excused);
+}
+
+// IMX6DQRM, ENET_RDAR and ENET_ECR: neither reads as set once the controller has stopped.
+TEST_F(Restart, AReceiverThatHasStoppedIsNoExcuse) {
+  link_up(0, kFull100);
+  pump_at(100'000);
+  ASSERT_TRUE(port_.life().is_excused);
+  machine::poke(registers_.rdar, 0u);
+  EXPECT_FALSE(port_.life().is_excused);
+  machine::poke(registers_.rdar, EnetRegisters::kRdarActive);
+  const auto control = machine::peek<std::uint32_t>(registers_.ecr);
+  machine::poke(registers_.ecr, control & ~EnetRegisters::kEcrEtherEn);
+  EXPECT_FALSE(port_.life().is_excused);
+}
+
 TEST_F(Restart, WaitsForABufferThatIsBeingFilled) {
   const std::span<std::byte> buffer = port_.acquire();
   raise(kBusError);

@@ -11,15 +11,15 @@ namespace {
 using machine::recorder;
 using machine::Write;
 
-TEST(Watchdog, StartsWithTwoSecondsAndServesAtOnce) {
+TEST(Watchdog, TellsAHangAfterTwoSecondsAndResetsHalfASecondLater) {
   recorder.reset();
   WatchdogRegisters registers{};
   Watchdog(registers).start();
   const std::vector<Write> expected = {
       {0x08, 0x0000},  // WMCR: power-down counter off
-      {0x00, 0x0334},  // WCR: WT = 3 is (3 + 1) half seconds; WDA and SRS inactive; WDE
-      {0x02, 0x5555},
-      {0x02, 0xaaaa},
+      {0x06, 0x8001},  // WICR: WIE; WICT = 1, half a second before the end
+      {0x00, 0x0434},  // WCR: WT = 4 is (4 + 1) half seconds; WDA and SRS inactive; WDE
+      {0x02, 0x5555}, {0x02, 0xaaaa},
   };
   EXPECT_EQ(machine::writes_to(registers), expected);
 }
@@ -32,6 +32,7 @@ TEST(Watchdog, WritesTheWriteOnceBitsOnce) {
   watchdog.start();
   for (const Write& write : machine::writes_to(registers)) {
     EXPECT_NE(write.offset, 0u);
+    EXPECT_NE(write.offset, 6u);
   }
 }
 
@@ -41,7 +42,7 @@ TEST(Watchdog, GivesALoadersWatchdogItsOwnPeriodAndNoOtherBits) {
   recorder.reset();
   Watchdog(registers).start();
   const std::vector<Write> expected = {
-      {0x08, 0x0000}, {0x00, 0x033d}, {0x02, 0x5555}, {0x02, 0xaaaa}};
+      {0x08, 0x0000}, {0x06, 0x8001}, {0x00, 0x043d}, {0x02, 0x5555}, {0x02, 0xaaaa}};
   EXPECT_EQ(machine::writes_to(registers), expected);
 }
 

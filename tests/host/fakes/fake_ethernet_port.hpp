@@ -70,6 +70,9 @@ class FakeEthernetPort {
   void pump() { queued_ = 0; }
 
   [[nodiscard]] hal::PortCounters counters() const { return counters_; }
+  [[nodiscard]] hal::PortLife life() const {
+    return {.moved = counters_.received + counters_.sent, .is_excused = is_excused_};
+  }
 
   // --- the test's side ------------------------------------------------------------------------
 
@@ -84,6 +87,9 @@ class FakeEthernetPort {
     counters_.lost_received += lost_received;
     counters_.lost_unsent += lost_unsent;
   }
+
+  // Whether it has a reason to be silent.
+  void excuse(bool is_excused) { is_excused_ = is_excused; }
 
   // Frames that can be committed before pump() makes room again.
   void set_ring_slots(std::size_t slots) { ring_slots_ = slots; }
@@ -106,6 +112,7 @@ class FakeEthernetPort {
   std::size_t queued_ = 0;
   int violations_ = 0;
   bool received_ = false;
+  bool is_excused_ = true;
   bool acquired_ = false;
 };
 

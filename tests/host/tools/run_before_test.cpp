@@ -28,6 +28,10 @@ TEST(EndOfTheRunBefore, InWords) {
   EXPECT_EQ(words(3, 2, 4), "3 since power-up; before: exception of the processor, kind 4");
   EXPECT_EQ(words(3, 3, 77), "3 since power-up; before: requirement broken, line 77");
   EXPECT_EQ(words(9, 4, 1), "9 since power-up; before: memory has changed, region 1");
+  EXPECT_EQ(words(2, 5, 0x100), "2 since power-up; before: silent: core 2");
+  EXPECT_EQ(words(2, 5, 0x441),
+            "2 since power-up; before: silent: datagrams, Ethernet controller, number 10");
+  EXPECT_EQ(words(2, 6, 0x10100014), "2 since power-up; before: hung at 0x10100014");
   EXPECT_EQ(words(9, 200, 1), "9 since power-up; before: cause 200, 1") << "of a later target";
 }
 
