@@ -19,6 +19,7 @@
 
 #include "app/backlog.hpp"
 #include "app/core_report.hpp"
+#include "app/life.hpp"
 #include "app/pipeline.hpp"
 #include "app/serial_sink.hpp"
 #include "hal/clock.hpp"
@@ -83,6 +84,11 @@ class MachinePlatform {
     return host_.send_message(message);
   }
 
+  // Of which each must show that he lives (app/life.hpp); how many frames have been closed, modulo
+  // 2^32.
+  [[nodiscard]] Team& team() { return team_; }
+  [[nodiscard]] std::uint32_t frames() const { return frames_; }
+
   [[nodiscard]] std::size_t cores() const { return team_.cores(); }
   void share(std::size_t items, work::Work work) {
     const std::uint32_t before = team_.troubles();
@@ -98,6 +104,7 @@ class MachinePlatform {
 
   // The link's counters in the order of docs/spec.md; damaged datagrams count as dropped packets.
   [[nodiscard]] Vitals vitals() {
+    ++frames_;
     Vitals vitals{.stack_used_bytes = machine_.stack_used_bytes()};
     const net::Counters& net = host_.counters();
     const hal::PortCounters port = machine_.ethernet().counters();
@@ -147,6 +154,7 @@ class MachinePlatform {
   M& machine_;
   net::Host<Port> host_;
   Team team_;
+  std::uint32_t frames_ = 0;
 };
 
 // The target's pipeline: every frame goes to the network, with classes if its vehicle asks for
@@ -191,27 +199,6 @@ void leave_datagrams(M& machine, MachinePlatform<M>& platform, ItsPipeline& pipe
   }
 }
 
-// One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
-template <Machine M, typename ItsPipeline>
-bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial, Backlog& backlog,
-          ItsPipeline& pipeline) {
-  backlog.begin_pass(machine.clock().now_us());
-  take_datagrams(machine, platform, backlog, pipeline);
-  pipeline.tick(machine.clock().now_us());
-  machine.ethernet().pump();
-  serial.pump(machine.clock().now_us(), machine.serial());
-  machine.watchdog().service();
-  if (machine.ethernet().receive().empty()) {
-    backlog.clear();
-    return false;
-  }
-  if (backlog.is_too_long(machine.clock().now_us())) {
-    leave_datagrams(machine, platform, pipeline);
-    backlog.clear();
-  }
-  return true;
-}
-
 // A slice of the check of memory, if one is due. What has changed is believed no more.
 template <Machine M>
 void check_memory(M& machine, health::MemoryCheck& check) {
@@ -222,15 +209,42 @@ void check_memory(M& machine, health::MemoryCheck& check) {
   }
 }
 
+// One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
+template <Machine M, typename ItsPipeline>
+bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial, Backlog& backlog,
+          health::MemoryCheck& check, Life& life, ItsPipeline& pipeline) {
+  const auto now_us = [&machine] { return machine.clock().now_us(); };
+  backlog.begin_pass(now_us());
+  take_datagrams(machine, platform, backlog, pipeline);
+  life.lives(Alive::kDatagrams, now_us());
+  pipeline.tick(now_us());
+  life.lives(Alive::kTime, now_us());
+  machine.ethernet().pump();
+  life.lives(Alive::kNetwork, now_us());
+  serial.pump(now_us(), machine.serial());
+  life.lives(Alive::kLine, now_us());
+  check_memory(machine, check);
+  life.end_pass(machine, platform, check);
+  if (machine.ethernet().receive().empty()) {
+    backlog.clear();
+    return false;
+  }
+  if (backlog.is_too_long(now_us())) {
+    leave_datagrams(machine, platform, pipeline);
+    backlog.clear();
+  }
+  return true;
+}
+
 // Never returns. The pipeline holds the grid and belongs into static memory.
 template <Machine M, typename ItsPipeline>
 [[noreturn]] void run(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
                       health::MemoryCheck& check, ItsPipeline& pipeline) {
   Backlog backlog;
+  Life life(machine.clock().now_us());
   pipeline.start(machine.clock().now_us());
   for (;;) {
-    check_memory(machine, check);
-    if (!pass(machine, platform, serial, backlog, pipeline)) {
+    if (!pass(machine, platform, serial, backlog, check, life, pipeline)) {
       machine.idle();
     }
   }

@@ -68,6 +68,13 @@ class Team {
     redone_ += static_cast<std::uint32_t>(round_.redo());
   }
 
+  // Between rounds: wakes every helper that may come, though there is nothing to do, so that
+  // comes() can tell who lives.
+  void call() {
+    lose_faulted();
+    for_each_helper([this](std::size_t core) { cores_->wake(core); });
+  }
+
   // How many cores work or may come, core 0 included.
   [[nodiscard]] std::size_t cores() const {
     std::size_t cores = 0;
@@ -79,6 +86,15 @@ class Team {
   [[nodiscard]] Loss loss(std::size_t core) const { return loss_[core]; }
   [[nodiscard]] std::string_view last_word(std::size_t core) const {
     return cores_->last_word(core);
+  }
+
+  // Whether a helper should come when it is woken: it is up, and not known to be gone.
+  [[nodiscard]] bool is_asked(std::size_t core) const {
+    return loss_[core] == Loss::kNone || loss_[core] == Loss::kSilent;
+  }
+  // Since the start, modulo 2^32: how often a helper came when it was woken, and has gone again.
+  [[nodiscard]] std::uint32_t comes(std::size_t core) const {
+    return seats_[core].comes.load(std::memory_order_relaxed);
   }
 
   // Since the start, modulo 2^32: what a core has done, and what core 0 did for lost ones.
@@ -98,6 +114,7 @@ class Team {
   struct alignas(64) Seat {
     std::atomic<std::uint32_t> place{0};  // kInside, or the round that it found without items
     std::atomic<std::uint32_t> items{0};
+    std::atomic<std::uint32_t> comes{0};
   };
 
   static void help_from(void* context, std::size_t core) {
@@ -106,11 +123,8 @@ class Team {
     // Released by claiming the first item.
     seat.place.store(kInside, std::memory_order_relaxed);
     const Round::Ticket last = team.round_.help(core, seat.items);
+    count_up(seat.comes, 1);
     seat.place.store(last.number(), std::memory_order_release);
-  }
-
-  [[nodiscard]] bool is_asked(std::size_t core) const {
-    return loss_[core] == Loss::kNone || loss_[core] == Loss::kSilent;
   }
 
   template <typename Visit>

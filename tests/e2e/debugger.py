@@ -6,6 +6,7 @@ While it is connected the machine stands still; leaving the `with` lets it go on
 import os
 import pathlib
 import socket
+import struct
 import subprocess
 import time
 
@@ -38,6 +39,7 @@ class Debugger:
 
     def __enter__(self) -> "Debugger":
         self.ask("?")
+        self.ask("qXfer:features:read:target.xml:0,ffb")  # who has not asked may set no register
         return self
 
     def __exit__(self, *_) -> None:
@@ -61,6 +63,16 @@ class Debugger:
 
     def flip(self, address: int, bit: int = 0) -> None:
         self.write(address, bytes([self.read(address, 1)[0] ^ 1 << bit]))
+
+    def choose(self, core: int) -> None:
+        """Whose registers are meant from now on; QEMU calls cores threads and counts them from 1."""
+        assert self.ask(f"Hg{core + 1:x}") == "OK", f"no core {core}"
+
+    def register(self, number: int) -> int:
+        return struct.unpack("<I", bytes.fromhex(self.ask(f"p{number:x}")))[0]
+
+    def set_register(self, number: int, value: int) -> None:
+        assert self.ask(f"P{number:x}={struct.pack('<I', value).hex()}") == "OK", f"register {number} is not taken"
 
     def _packet(self) -> str:
         while True:

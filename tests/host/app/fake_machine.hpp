@@ -31,7 +31,8 @@ struct FakeConsole {
 };
 
 struct FakeWatchdog {
-  void service() {}
+  void service() { ++services; }
+  std::uint32_t services = 0;
 };
 
 struct FakeLine {

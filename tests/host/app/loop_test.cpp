@@ -111,7 +111,7 @@ class Bench {
     const std::uint64_t end_us = machine_.clock().now_us() + duration_us;
     while (machine_.clock().now_us() < end_us) {
       traffic.arrive(machine_.clock().now_us(), machine_.ethernet());
-      if (!pass(machine_, platform_, *serial_, backlog_, slow_)) {
+      if (!pass(machine_, platform_, *serial_, backlog_, check_, life_, slow_)) {
         machine_.idle();
       }
       receive();
@@ -178,6 +178,8 @@ class Bench {
   MachinePlatform<FakeMachine> platform_{machine_, kConfig};
   std::unique_ptr<SerialSink> serial_ = std::make_unique<SerialSink>();
   Backlog backlog_;
+  health::MemoryCheck check_{{}};
+  Life life_{machine_.clock().now_us()};
   std::unique_ptr<Target> target_ = std::make_unique<Target>(ThreeLux::kVehicle, kConfig.peer.value,
                                                              platform_, Coding::kRaw, *serial_);
   SlowTarget slow_;
@@ -227,32 +229,6 @@ TEST(Loop, TheLinkCountersEndWithTheRunBefore) {
   EXPECT_EQ(vitals.link_counters[stream::kEndCounters], 7U);
   EXPECT_EQ(vitals.link_counters[stream::kEndCounters + 1], 4U);
   EXPECT_EQ(vitals.link_counters[stream::kEndCounters + 2], 9U);
-}
-
-// docs/safety.md: within a round and a pass, with the number of what has changed.
-TEST(Loop, MemoryThatHasChangedEndsTheRun) {
-  FakeMachine machine;
-  std::vector<std::byte> code(100'000);
-  std::vector<std::byte> tables(5000);
-  const std::vector<health::Region> regions = {
-      {.name = "code", .bytes = code, .crc = health::crc_of(code)},
-      {.name = "tables", .bytes = tables, .crc = health::crc_of(tables)}};
-  health::MemoryCheck check(regions);
-  const auto run_until_ended = [&](std::uint64_t most_us) {
-    const std::uint64_t end_us = machine.clock().now_us() + most_us;
-    while (machine.ends.empty() && machine.clock().now_us() < end_us) {
-      check_memory(machine, check);
-      machine.idle();
-    }
-  };
-  run_until_ended(3 * health::MemoryCheck::kRoundUs);
-  EXPECT_TRUE(machine.ends.empty());
-  tables[4999] ^= std::byte{0x80};
-  run_until_ended(health::MemoryCheck::kRoundUs + 1000);
-  ASSERT_EQ(machine.ends.size(), 1U);
-  EXPECT_EQ(machine.ends[0].cause, hal::EndCause::kMemory);
-  EXPECT_EQ(machine.ends[0].detail, 1U);
-  EXPECT_EQ(machine.last_words, "tables");
 }
 
 // It takes the emulated board longer to set up the pipeline's memory than two frames last.

@@ -235,5 +235,36 @@ TEST(Team, AllHelpersMayBeLostInTheSameRound) {
   ASSERT_TRUE(crew->share());
 }
 
+// Nobody has work for them: they come when they are called, and are counted.
+TEST_P(Cores, ComeWhenTheyAreCalledWithoutWork) {
+  const auto crew = std::make_unique<Crew>(GetParam(), kAnyTimeUs);
+  crew->team.start(GetParam());
+  for (std::uint32_t call = 1; call <= 20; ++call) {
+    crew->team.call();
+    for (std::size_t core = 1; core < GetParam(); ++core) {
+      while (crew->team.comes(core) < call) {
+        crew->cores.pause();
+      }
+    }
+  }
+  EXPECT_TRUE(crew->share()) << "and a round is as ever";
+  EXPECT_EQ(crew->team.troubles(), 0U);
+}
+
+TEST(Team, OneThatHangsIdleDoesNotComeWhenItIsCalled) {
+  const auto crew = std::make_unique<Crew>(3, kAnyTimeUs);
+  crew->team.start(3);
+  crew->cores.hang_at(2, Phase::kAwake);
+  for (std::uint32_t call = 1; call <= 5; ++call) {
+    crew->team.call();
+    while (crew->team.comes(1) < call) {
+      crew->cores.pause();
+    }
+  }
+  EXPECT_EQ(crew->team.comes(2), 0U);
+  EXPECT_TRUE(crew->team.is_asked(2)) << "it is up, as far as anybody knows";
+  crew->cores.hang_at(2, Phase::kNever);
+}
+
 }  // namespace
 }  // namespace iog::work

@@ -1,0 +1,53 @@
+// Who must show from time to time that he lives, and who is late: the alive supervision of a
+// watchdog manager (AUTOSAR SWS WdgM), with one window for each checkpoint.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace iog::health {
+
+struct Checkpoint {
+  std::string_view name;
+  std::uint64_t window_us = 0;  // how long it may be silent
+};
+
+// kCount checkpoints, at most 32, known by their number.
+template <std::size_t kCount>
+class Supervision {
+  static_assert(kCount <= 32);
+
+ public:
+  using Checkpoints = std::array<Checkpoint, kCount>;
+
+  // Everybody has shown that he lives.
+  Supervision(const Checkpoints& checkpoints, std::uint64_t now_us) : checkpoints_(checkpoints) {
+    seen_us_.fill(now_us);
+  }
+
+  void lives(std::size_t checkpoint, std::uint64_t now_us) { seen_us_[checkpoint] = now_us; }
+
+  // Bit i: checkpoint i has been silent for longer than its window.
+  [[nodiscard]] std::uint32_t late(std::uint64_t now_us) const {
+    std::uint32_t late = 0;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      late |= now_us - seen_us_[i] > checkpoints_[i].window_us ? 1U << i : 0U;
+    }
+    return late;
+  }
+
+  // Of the lowest bit; not 0.
+  [[nodiscard]] std::string_view name_of_first(std::uint32_t late) const {
+    return checkpoints_[static_cast<std::size_t>(std::countr_zero(late))].name;
+  }
+
+ private:
+  Checkpoints checkpoints_;
+  std::array<std::uint64_t, kCount> seen_us_{};
+};
+
+}  // namespace iog::health
