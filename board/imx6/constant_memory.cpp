@@ -7,10 +7,11 @@
 namespace iog::imx6 {
 namespace {
 
-// linker/imx6.ld.
+// NOLINTNEXTLINE(readability-identifier-naming): a symbol of the linker script
 extern "C" const std::array<ImageSeal, 3> image_seal;
 
 std::span<const std::byte> memory_from(std::uint32_t begin, std::uint32_t end) {
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): the linker's tables hold addresses
   return {reinterpret_cast<const std::byte*>(begin), end - begin};
 }
 

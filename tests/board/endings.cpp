@@ -46,7 +46,7 @@ alignas(64) constinit std::array<std::uint32_t, 16> no_code{};
 // A constant: read-only and never executed (linker/imx6.ld).
 // NOLINTNEXTLINE(readability-identifier-naming): a symbol of the linker script
 extern "C" const std::uint32_t image_seal_word __asm__("image_seal");
-const auto image_seal = reinterpret_cast<std::uintptr_t>(&image_seal_word);
+const auto kImageSeal = reinterpret_cast<std::uintptr_t>(&image_seal_word);
 
 void end_of_boot(std::uint32_t number, Board& board) {
   switch (number) {
@@ -69,10 +69,10 @@ void end_of_boot(std::uint32_t number, Board& board) {
       write(reinterpret_cast<std::uintptr_t>(&end_of_boot));
       return;
     case 7:
-      write(image_seal);
+      write(kImageSeal);
       return;
     case 8:
-      call(image_seal);
+      call(kImageSeal);
       return;
     case 9:
       board.clock().wait_us(2000);  // the tick is pending by now
