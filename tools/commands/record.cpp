@@ -25,6 +25,14 @@ namespace {
 
 std::vector<std::string> all_topics() { return {kAllTopics.begin(), kAllTopics.end()}; }
 
+// Without scan points, which a stream does not have: so what is made of a capture can be made of
+// its recording again.
+std::vector<std::string> usual_topics() {
+  std::vector<std::string> topics = all_topics();
+  std::erase(topics, kPointsTopic);
+  return topics;
+}
+
 std::string list_of_topics() {
   std::string list;
   for (const std::string_view topic : kAllTopics) {
@@ -39,7 +47,8 @@ struct RecordOptions {
   std::string vehicle = kDefaultVehicle;
   std::string stream;
   std::vector<std::string> out;
-  std::vector<std::string> topics = all_topics();
+  std::vector<std::string> topics = usual_topics();
+  bool has_points = false;
   bool is_uncompressed = false;
   std::string stamp = "target";
   std::string map;
@@ -109,7 +118,10 @@ void remove_empty_files(const RecordOptions& options) {
   }
 }
 
-void record(const RecordOptions& options) {
+void record(RecordOptions options) {
+  if (options.has_points) {
+    options.topics.emplace_back(kPointsTopic);
+  }
   check_out(options);
   if (!options.pcap.empty()) {
     demand_fit(options.pcap, find_vehicle(options.vehicle));
@@ -186,9 +198,11 @@ void add_destinations(CLI::App& command, RecordOptions& options) {
       ->option_text("FILE | FOLDER  (required)")
       ->required();
   command.add_option("--topics", options.topics, "What an MCAP file is to hold")
-      ->option_text(list_of_topics() + "  (default all)")
+      ->option_text(list_of_topics() + "  (default all but /points)")
       ->delimiter(',')
       ->check(CLI::IsMember(all_topics()));
+  command.add_flag("--points", options.has_points, "And scan points, on /points")
+      ->needs(command.get_option("--pcap"));
   command.add_flag("--uncompressed", options.is_uncompressed, "Do not compress MCAP files (zstd)");
   command
       .add_option(

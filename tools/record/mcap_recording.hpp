@@ -22,6 +22,7 @@ class McapRecording : public Recording, private TopicSink {
   McapRecording(const std::string& path, const std::vector<std::string>& topics,
                 mcap::Compression compression, Stamp stamp = Stamp::kTarget);
 
+  [[nodiscard]] bool wants_points() const override { return topics_.contains(kPointsTopic); }
   void take_datagram(const CapturedDatagram& datagram) override;
   void take_frame(const RecordedFrame& frame) override;
   void finish(const RunStatistics::Facts& facts) override;

@@ -1,5 +1,6 @@
 #include "tools/record/recorder.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "net/udp.hpp"
@@ -23,6 +24,14 @@ void Recorder::take(const CapturedDatagram& datagram) {
   census_.take(datagram.payload);
 }
 
+void Recorder::add_points(std::span<const SeenPoint> points) {
+  points_.insert(points_.end(), points.begin(), points.end());
+}
+
+bool Recorder::wants_points() const {
+  return std::ranges::any_of(recordings_, [](const auto& each) { return each->wants_points(); });
+}
+
 void Recorder::note_silence(std::uint64_t now_us) {
   now_us_ = now_us;
   census_.note_silence();
@@ -38,11 +47,20 @@ void Recorder::finish() {
 }
 
 void Recorder::take_frame(const GridFrame& frame) {
+  const bool has_evidence = frame.header.has_evidence();
   live_.take(frame);
   live_classes_.take(frame);
   for (const std::unique_ptr<Recording>& recording : recordings_) {
-    recording->take_frame(
-        {.frame = &frame, .live = &live_, .classes = &live_classes_, .time_us = now_us_});
+    recording->take_frame({.frame = &frame,
+                           .live = &live_,
+                           .classes = &live_classes_,
+                           .time_us = now_us_,
+                           .points = has_evidence ? std::span<const SeenPoint>(points_)
+                                                  : std::span<const SeenPoint>()});
+  }
+  if (has_evidence) {
+    ++evidence_frames_;
+    points_.clear();
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "tools/formats/capture/datagram.hpp"
@@ -21,6 +22,11 @@ class Recorder {
 
   // The next datagram. One that is too long for a message of any target is counted, and dropped.
   void take(const CapturedDatagram& datagram);
+
+  // Scan points of the frame that is open: the next one with evidence has them.
+  void add_points(std::span<const SeenPoint> points);
+  [[nodiscard]] bool wants_points() const;  // whether any recording does
+  [[nodiscard]] std::uint64_t evidence_frames() const { return evidence_frames_; }
 
   // Nothing has come for longer than a running target is ever silent.
   void note_silence(std::uint64_t now_us);
@@ -42,6 +48,8 @@ class Recorder {
   std::uint64_t now_us_ = 0;
   std::uint64_t datagrams_ = 0;
   std::uint64_t too_long_ = 0;
+  std::uint64_t evidence_frames_ = 0;
+  std::vector<SeenPoint> points_;
 };
 
 }  // namespace iog::tools

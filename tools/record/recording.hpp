@@ -31,6 +31,8 @@ class Recording {
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
+  // Whether the points of a frame are of any use here.
+  [[nodiscard]] virtual bool wants_points() const { return false; }
   // Every datagram, as it came.
   virtual void take_datagram(const CapturedDatagram& datagram) = 0;
   // Every frame, in order, after its last datagram.

@@ -10,6 +10,7 @@
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/fuse/offline_target.hpp"
+#include "tools/fuse/scan_points.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
@@ -110,6 +111,61 @@ class LiveRecording {
   Clock::time_point last_arrival_ = Clock::now();
 };
 
+// The target in this process, whose messages are recorded with the scan points that they are of.
+class CapturedTarget {
+ public:
+  CapturedTarget(const CatalogueEntry& car, Recorder& recorder)
+      : car_(&car),
+        recorder_(&recorder),
+        wants_points_(recorder.wants_points()),
+        target_(
+            *car.vehicle,
+            [this](auto message) { messages_.emplace_back(message.begin(), message.end()); },
+            Stopwatch::kStands) {}
+
+  void begin_with_map(const std::string& path) { target_.begin_with_map(read_block(path)); }
+
+  // Frames that the packet has closed without being in them hold the points before it.
+  void take(const CapturedDatagram& packet) {
+    time_us_ = packet.time_us;
+    const std::uint64_t first = recorder_->evidence_frames();
+    const OfflineTarget::Closed closed = target_.take(packet);
+    std::vector<SeenPoint> points;
+    if (wants_points_) {
+      append_points(*car_, packet, points);
+    }
+    for (const std::vector<std::byte>& message : std::exchange(messages_, {})) {
+      if (recorder_->evidence_frames() == first + closed.before) {
+        recorder_->add_points(std::exchange(points, {}));
+      }
+      record(message);
+    }
+    recorder_->add_points(points);
+  }
+
+  void finish() {
+    target_.finish();
+    for (const std::vector<std::byte>& message : std::exchange(messages_, {})) {
+      record(message);
+    }
+  }
+
+ private:
+  void record(const std::vector<std::byte>& message) {
+    recorder_->take({.time_us = time_us_,
+                     .source = kStreamSource,
+                     .destination = kStreamDestination,
+                     .payload = message});
+  }
+
+  const CatalogueEntry* car_;
+  Recorder* recorder_;
+  bool wants_points_;
+  std::uint64_t time_us_ = 0;
+  std::vector<std::vector<std::byte>> messages_;
+  OfflineTarget target_;
+};
+
 }  // namespace
 
 std::uint64_t record_live(const LiveSource& source, Recorder& recorder) {
@@ -122,25 +178,15 @@ void record_capture(const std::string& path, const std::string& vehicle, const s
                     Recorder& recorder) {
   const CatalogueEntry& car = find_vehicle(vehicle);
   PcapReader capture(path);
-  std::uint64_t time_us = 0;
-  const auto target = std::make_unique<OfflineTarget>(
-      *car.vehicle,
-      [&](std::span<const std::byte> message) {
-        recorder.take({.time_us = time_us,
-                       .source = kStreamSource,
-                       .destination = kStreamDestination,
-                       .payload = {message.begin(), message.end()}});
-      },
-      Stopwatch::kStands);
+  const auto target = std::make_unique<CapturedTarget>(car, recorder);  // too large for the stack
   if (!map.empty()) {
-    target->begin_with_map(read_block(map));
+    target->begin_with_map(map);
   }
   Progress progress("packets");
   std::optional<CapturedDatagram> datagram;
   while (!was_interrupted() && (datagram = capture.next())) {
-    time_us = datagram->time_us;
     if (takes_port(car, datagram->destination.port)) {
-      static_cast<void>(target->take(*datagram));
+      target->take(*datagram);
     }
     progress.show(capture.counts().datagrams);
   }

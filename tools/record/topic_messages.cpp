@@ -6,6 +6,7 @@
 
 #include "protection/protected_message.hpp"
 #include "tools/formats/ros/class_messages.hpp"
+#include "tools/formats/ros/mount_messages.hpp"
 #include "tools/formats/ros/object_messages.hpp"
 #include "tools/formats/ros/point_messages.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
@@ -58,6 +59,7 @@ void TopicMessages::take_frame(const RecordedFrame& recorded) {
   const MessageTimes times{
       .arrival_us = recorded.time_us,
       .stamp_us = stamp_ == Stamp::kArrival ? recorded.time_us : frame.header.closed_us};
+  take_mounts(recorded, times);
   if (frame.header.has_indexes()) {
     take_indexes(recorded, times);
   }
@@ -70,6 +72,14 @@ void TopicMessages::take_frame(const RecordedFrame& recorded) {
   if (!recorded.points.empty()) {
     write(kPointsTopic, ros::kPointCloud, times,
           [&] { return ros::point_cloud(recorded.points, times.stamp_us); });
+  }
+}
+
+// In every frame, so that who comes late or begins in the middle has them.
+void TopicMessages::take_mounts(const RecordedFrame& recorded, const MessageTimes& times) {
+  if (const CatalogueEntry* const car = vehicle_of_id(recorded.frame->header.vehicle_id)) {
+    write(kMountsTopic, ros::kTfMessage, times,
+          [&] { return ros::mounts_of(car->sensors, times.stamp_us); });
   }
 }
 
@@ -101,6 +111,13 @@ void TopicMessages::take_classes(const RecordedFrame& recorded, const MessageTim
 // also where no list comes.
 void TopicMessages::take_objects(const RecordedFrame& recorded, const MessageTimes& times) {
   const GridFrame& frame = *recorded.frame;
+  const std::uint64_t lifetime_us = kFramesOfObjects * period_us(frame.header.vehicle_id);
+  write(kMarkersTopic, ros::kMarkerArray, times, [&] {
+    return ros::marker_array({.stamp_us = times.stamp_us,
+                              .lifetime_us = lifetime_us,
+                              .objects = frame.objects->all(),
+                              .gone = {}});
+  });
   write(kObjectsTopic, ros::kSceneUpdate, times, [&] {
     std::vector<std::uint32_t> ids;
     std::ranges::transform(frame.objects->all(), std::back_inserter(ids),
@@ -109,7 +126,7 @@ void TopicMessages::take_objects(const RecordedFrame& recorded, const MessageTim
     std::ranges::set_difference(object_ids_, ids, std::back_inserter(gone));
     object_ids_ = std::move(ids);
     return ros::scene_update({.stamp_us = times.stamp_us,
-                              .lifetime_us = kFramesOfObjects * period_us(frame.header.vehicle_id),
+                              .lifetime_us = lifetime_us,
                               .objects = frame.objects->all(),
                               .gone = gone});
   });

@@ -17,17 +17,20 @@ namespace iog::tools {
 
 // A topic that the stream has nothing for has no message.
 inline constexpr std::string_view kTransformTopic = "/tf";
+inline constexpr std::string_view kMountsTopic = "/tf_static";
 inline constexpr std::string_view kOccupancyTopic = "/grid";
 inline constexpr std::string_view kImageTopic = "/iogrid/image";
 inline constexpr std::string_view kCellsTopic = "/iogrid/grid";
 inline constexpr std::string_view kClassOccupancyTopic = "/classes";
 inline constexpr std::string_view kClassesTopic = "/iogrid/classes";
 inline constexpr std::string_view kObjectsTopic = "/objects";
+inline constexpr std::string_view kMarkersTopic = "/objects/markers";
 inline constexpr std::string_view kPointsTopic = "/points";
 inline constexpr std::string_view kMessagesTopic = "/iogrid/messages";
-inline constexpr std::array kAllTopics{kTransformTopic, kOccupancyTopic,      kImageTopic,
-                                       kCellsTopic,     kClassOccupancyTopic, kClassesTopic,
-                                       kObjectsTopic,   kPointsTopic,         kMessagesTopic};
+inline constexpr std::array kAllTopics{kTransformTopic, kMountsTopic,  kOccupancyTopic,
+                                       kImageTopic,     kCellsTopic,   kClassOccupancyTopic,
+                                       kClassesTopic,   kObjectsTopic, kMarkersTopic,
+                                       kPointsTopic,    kMessagesTopic};
 // Of every message: all in one encoding, as `ros2 bag play` demands of a file.
 inline constexpr std::string_view kMessageEncoding = "cdr";
 inline constexpr std::string_view kSchemaEncoding = "ros2msg";
@@ -68,6 +71,7 @@ class TopicMessages {
 
   void write(std::string_view topic, const ros::MessageType& type, const MessageTimes& times,
              const Message& message);
+  void take_mounts(const RecordedFrame& recorded, const MessageTimes& times);
   void take_indexes(const RecordedFrame& recorded, const MessageTimes& times);
   void take_classes(const RecordedFrame& recorded, const MessageTimes& times);
   void take_objects(const RecordedFrame& recorded, const MessageTimes& times);

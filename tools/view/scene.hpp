@@ -23,7 +23,7 @@
 #include "tools/frames/live_classes.hpp"
 #include "tools/frames/live_grid.hpp"
 #include "tools/simulate/truth/cell_truth.hpp"
-#include "tools/view/scan_points.hpp"
+#include "tools/vehicles/seen_point.hpp"
 
 namespace iog::tools::view {
 

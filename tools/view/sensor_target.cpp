@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "tools/fuse/scan_points.hpp"
+
 namespace iog::tools::view {
 
 SensorTarget::SensorTarget(const CatalogueEntry& car, Viewer& viewer)

@@ -3,90 +3,15 @@
 
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
-import zlib from "node:zlib";
 
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader } from "@foxglove/rosmsg2-serialization";
 
+import { checkClasses, checkFrame, checkImage, crc32 } from "./grids.mjs";
+
 const require = createRequire(import.meta.url);
 const { ros2jazzy } = require("@foxglove/rosmsg-msgs-common");
 const foxglove = require("@foxglove/schemas/internal");
-
-const SIDE = 1024;
-const TILE = 32;
-const NEVER_ARRIVED = 255;
-const TILE_M = 3.2;
-const PERCENT_OF_CLASS = [-1, 0, 10, 5, 90, 85, 80, 100, 70]; // docs/recordings.md
-// By the byte of an index: the recursive set of epsilon = 0.05.
-const PERCENT_OF_INDEX = Array.from({ length: 256 }, (_, byte) =>
-  Math.floor(100 / (1 + (0.45 / 0.55) ** ((byte << 24) >> 24)) + 0.5)
-);
-const PIXEL_OF_PERCENT = Array.from({ length: 101 }, (_, percent) =>
-  Math.floor(2.55 * (100 - percent) + 0.5 + 1e-9)
-);
-// Table of CRC-32 as in zlib, which node offers from version 20.15 only.
-const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
-  let crc = byte;
-  for (let bit = 0; bit < 8; ++bit) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
-  return crc >>> 0;
-});
-export function crc32(bytes, crc = 0) {
-  if (zlib.crc32) return zlib.crc32(bytes, crc);
-  let state = ~crc >>> 0;
-  for (const byte of bytes) state = TABLE[(state ^ byte) & 0xff] ^ (state >>> 8);
-  return ~state >>> 0;
-}
-
-// docs/spec.md 3.6, "The name of a grid", over cells that are `stride` bytes apart.
-function nameOfGrid(data, stride) {
-  let crc = 0;
-  const tile = new Uint8Array(4 + TILE * TILE);
-  for (let y = 0; y < SIDE / TILE; ++y) {
-    for (let x = 0; x < SIDE / TILE; ++x) {
-      let known = 0;
-      tile.set([x >> 8, x & 0xff, y >> 8, y & 0xff]);
-      for (let i = 0; i < TILE * TILE; ++i) {
-        const cell = (y * TILE + Math.floor(i / TILE)) * SIDE + x * TILE + (i % TILE);
-        known |= tile[4 + i] = data[cell * stride];
-      }
-      if (known) crc = crc32(tile, crc);
-    }
-  }
-  return crc.toString(16).padStart(8, "0");
-}
-
-// docs/spec.md 3.10, the name of a class grid, over cells of which `byteOf` says the byte.
-function nameOfClasses(a, b, byteOf) {
-  const corner = new Uint8Array(8);
-  new DataView(corner.buffer).setInt32(0, a);
-  new DataView(corner.buffer).setInt32(4, b);
-  let crc = crc32(corner);
-  let isEmpty = true;
-  const tile = new Uint8Array(2 + TILE * TILE);
-  for (let slot = 0; slot < (SIDE / TILE) ** 2; ++slot) {
-    const x = modulo((slot % TILE) - a, SIDE / TILE);
-    const y = modulo(Math.floor(slot / TILE) - b, SIDE / TILE);
-    let known = 0;
-    tile.set([slot >> 8, slot & 0xff]);
-    for (let i = 0; i < TILE * TILE; ++i) {
-      const cell = (y * TILE + Math.floor(i / TILE)) * SIDE + x * TILE + (i % TILE);
-      known |= tile[2 + i] = byteOf(cell);
-    }
-    if (known) {
-      crc = crc32(tile, crc);
-      isEmpty = false;
-    }
-  }
-  return (isEmpty ? 0 : crc).toString(16).padStart(8, "0");
-}
-
-// Of a million cells: asserting costs more than comparing.
-function demandEqual(found, expected, cell) {
-  if (found !== expected) assert.fail(`${found} and not ${expected} in cell ${cell}`);
-}
-function modulo(n, m) {
-  return ((n % m) + m) % m;
-}
 
 // Names and types of the fields, as parsed: what is only said in two ways is made one.
 function fields(definition) {
@@ -102,14 +27,14 @@ function fields(definition) {
     }));
 }
 
-// The definition in the file is the published one.
+// The definition in the file is the published one, and so are those of the types that it is made of.
 function checkDefinition(schema) {
-  const [main] = parse(new TextDecoder().decode(schema.data), { ros2: true });
-  const name = schema.name.replace("/msg/", "/");
-  if (name in ros2jazzy) {
-    assert.deepEqual(fields(main), fields(ros2jazzy[name]), schema.name);
-    return;
+  const types = parse(new TextDecoder().decode(schema.data), { ros2: true });
+  for (const type of types) {
+    const published = ros2jazzy[type.name ?? schema.name.replace("/msg/", "/")];
+    if (published) assert.deepEqual(fields(type), fields(published), `${schema.name}: ${type.name}`);
   }
+  if (schema.name.replace("/msg/", "/") in ros2jazzy) return;
   const [, type] = /^foxglove_msgs\/msg\/(Grid|SceneUpdate)$/.exec(schema.name);
   const official = foxglove.generateRosMsgMergedSchema(foxglove.foxgloveMessageSchemas[type], {
     rosVersion: 2,
@@ -123,81 +48,6 @@ function checkDefinition(schema) {
     return types;
   };
   assert.deepEqual(byName(ours), byName(theirs), schema.name);
-}
-
-// The frame as JSON; /grid is held against the indexes of the same frame.
-function checkFrame(occupancy, cells) {
-  assert.deepEqual(cells.fields, [
-    { name: "index", offset: 0, type: 2 },
-    { name: "probability_percent", offset: 1, type: 1 },
-    { name: "age_frames", offset: 2, type: 1 },
-  ]);
-  assert.deepEqual([cells.column_count, cells.cell_stride, cells.row_stride], [SIDE, 3, 3 * SIDE]);
-  assert.deepEqual(cells.cell_size, { x: 0.1, y: 0.1 });
-  assert.equal(cells.data.length, 3 * SIDE * SIDE);
-  const { info, header } = occupancy;
-  assert.deepEqual([info.width, info.height], [SIDE, SIDE]);
-  assert.equal(info.resolution, Math.fround(0.1));
-  for (const pose of [info.origin, cells.pose]) {
-    assert.deepEqual(pose.position, { x: -51.2, y: -51.2, z: 0 });
-    assert.deepEqual(pose.orientation, { x: 0, y: 0, z: 0, w: 1 });
-  }
-  assert.equal(header.frame_id, cells.frame_id);
-  assert.deepEqual(header.stamp, cells.timestamp);
-  const hasAge = new Uint8Array(256);
-  for (let cell = 0; cell < SIDE * SIDE; ++cell) {
-    const index = cells.data[3 * cell];
-    const age = cells.data[3 * cell + 2];
-    const percent = PERCENT_OF_INDEX[index];
-    demandEqual(cells.data[3 * cell + 1], percent, cell);
-    demandEqual(occupancy.data[cell], index === 0 || age > 0 ? -1 : percent, cell);
-    hasAge[age] = 1;
-  }
-  return {
-    stamp: header.stamp,
-    crc: nameOfGrid(cells.data, 3),
-    oldest: Math.max(0, hasAge.lastIndexOf(1, NEVER_ARRIVED - 1)),
-    has_gaps: hasAge[NEVER_ARRIVED] === 1,
-  };
-}
-
-// The picture shows the probabilities of /grid, x upwards and y to the left.
-function checkImage(occupancy, image) {
-  assert.deepEqual([image.width, image.height, image.step], [SIDE, SIDE, SIDE]);
-  assert.equal(image.encoding, "mono8");
-  for (let cell = 0; cell < SIDE * SIDE; ++cell) {
-    const [x, y] = [cell % SIDE, Math.floor(cell / SIDE)];
-    const percent = occupancy.data[cell] === -1 ? 50 : occupancy.data[cell];
-    const pixel = image.data[(SIDE - 1 - x) * SIDE + (SIDE - 1 - y)];
-    demandEqual(pixel, PIXEL_OF_PERCENT[percent], cell);
-  }
-}
-
-// The classes of a frame as JSON; /classes is held against them, and its place is in whole tiles.
-function checkClasses(occupancy, cells) {
-  assert.deepEqual(cells.fields, [
-    { name: "class", offset: 0, type: 1 },
-    { name: "sureness", offset: 1, type: 1 },
-    { name: "age_frames", offset: 2, type: 1 },
-  ]);
-  assert.equal(cells.data.length, 3 * SIDE * SIDE);
-  const { info, header } = occupancy;
-  assert.equal(cells.frame_id, "odom");
-  assert.equal(header.frame_id, "odom");
-  assert.deepEqual(header.stamp, cells.timestamp);
-  assert.deepEqual(info.origin, cells.pose);
-  assert.deepEqual(cells.pose.orientation, { x: 0, y: 0, z: 0, w: 1 });
-  const [a, b] = [cells.pose.position.x / TILE_M, cells.pose.position.y / TILE_M].map(Math.round);
-  assert.ok(Math.abs(cells.pose.position.x - a * TILE_M) < 1e-9);
-  assert.ok(Math.abs(cells.pose.position.y - b * TILE_M) < 1e-9);
-  const hasNumber = new Uint8Array(256);
-  for (let cell = 0; cell < SIDE * SIDE; ++cell) {
-    const number = cells.data[3 * cell];
-    demandEqual(occupancy.data[cell], PERCENT_OF_CLASS[number], cell);
-    hasNumber[number] = 1;
-  }
-  const name = nameOfClasses(a, b, (cell) => 8 * cells.data[3 * cell] + cells.data[3 * cell + 1]);
-  return { name, numbers: [...hasNumber.keys()].filter((number) => hasNumber[number]) };
 }
 
 // One transform, of a turn about z alone.
@@ -260,6 +110,56 @@ function checkScene({ deletions, entities }, publishTime) {
   return { gone, objects: entities.map((entity) => checkEntity(entity, stamp)) };
 }
 
+// The mounts of a car: where each sensor is, and its axes, column by column, in the vehicle frame.
+function checkMounts({ transforms }) {
+  return transforms.map(({ header, child_frame_id, transform }) => {
+    assert.equal(header.frame_id, "base_link");
+    const { x, y, z, w } = transform.rotation;
+    assert.ok(Math.abs(x ** 2 + y ** 2 + z ** 2 + w ** 2 - 1) < 1e-12);
+    const axes = [
+      [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
+      [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],
+      [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
+    ];
+    const { translation } = transform;
+    return { name: child_frame_id, at: [translation.x, translation.y, translation.z], axes };
+  });
+}
+
+// Markers say what a scene says of the same objects; those of earlier ones are taken away first.
+function checkMarkers({ markers }, { objects }, stamp) {
+  const [first, ...rest] = markers;
+  assert.equal(first.action, 3); // DELETEALL
+  const boxes = rest.filter(({ ns }) => ns === "box");
+  assert.deepEqual(boxes.map(({ id }) => String(id >>> 0)), objects.map(({ id }) => id));
+  for (const marker of rest) {
+    const object = objects.find(({ id }) => id === String(marker.id >>> 0));
+    assert.equal(marker.header.frame_id, "odom");
+    assert.deepEqual(marker.header.stamp, stamp);
+    assert.deepEqual([marker.action, marker.frame_locked], [0, false]);
+    assert.equal(marker.lifetime.sec + marker.lifetime.nsec / 1e9, object.lifetime_s);
+    const { position, orientation } = marker.pose;
+    assert.deepEqual([position.x, position.y], [object.x, object.y]);
+    const { scale, color } = marker;
+    if (marker.ns === "box") {
+      assert.deepEqual([marker.type, scale], [1, { x: object.length, y: object.width, z: 1.5 }]);
+      assert.equal(position.z, 0.75);
+      assert.equal(angleOf(orientation), object.heading);
+      assert.deepEqual([RGB(color), color.a], [object.colour, Math.fround(object.alpha)]);
+    } else if (marker.ns === "way") {
+      assert.equal(marker.type, 0);
+      assert.ok(Math.abs(scale.x - object.arrow.length) < 1e-9);
+      assert.equal(angleOf(orientation), object.arrow.angle);
+      assert.deepEqual(RGB(color), object.colour);
+    } else {
+      assert.deepEqual([marker.ns, marker.type, marker.text], ["words", 9, object.text]);
+      assert.ok(scale.z > 0 && position.z > 1.5);
+    }
+  }
+  const ways = objects.filter(({ arrow }) => arrow).length;
+  assert.equal(rest.length, 2 * objects.length + ways);
+}
+
 // Of a cloud: how many points have which fate, and within which box they lie.
 function checkPoints(cloud) {
   const { header, fields, data } = cloud;
@@ -295,11 +195,14 @@ export class Contents {
   #topics = new Map();
   #occupancy;
   #classOccupancy;
+  #scene;
+  #markers;
   frames = [];
   classes = [];
   poses = [];
   scenes = [];
   points = [];
+  mounts = []; // of the last message
   messages = { count: 0, crc: 0 };
 
   addChannel(channel, schema) {
@@ -310,6 +213,16 @@ export class Contents {
     this.#readers.set(channel.id, new MessageReader(definition));
     this.#topics.set(channel.id, channel.topic);
   }
+
+  // If those of both topics have come for a frame.
+  #compareMarkers() {
+    const time = this.#scene?.time;
+    if (time === undefined || this.#markers?.time !== time) return;
+    const stamp = { sec: Number(time / 1000000000n), nsec: Number(time % 1000000000n) };
+    checkMarkers(this.#markers.message, this.#scene, stamp);
+    this.compared += 1;
+  }
+  compared = 0; // lists of markers
 
   topicOf(record) {
     return this.#topics.get(record.channelId);
@@ -342,7 +255,16 @@ export class Contents {
       case "/tf":
         return keep(this.poses, checkTransform(message));
       case "/objects":
-        return keep(this.scenes, checkScene(message, record.publishTime));
+        this.#scene = { time: record.publishTime, ...checkScene(message, record.publishTime) };
+        this.#compareMarkers();
+        return keep(this.scenes, { gone: this.#scene.gone, objects: this.#scene.objects });
+      case "/objects/markers":
+        this.#markers = { time: record.publishTime, message };
+        this.#compareMarkers();
+        return {};
+      case "/tf_static":
+        this.mounts = checkMounts(message);
+        return { mounts: this.mounts };
       case "/points":
         return keep(this.points, checkPoints(message));
       case "/iogrid/messages":

@@ -10,7 +10,8 @@ import fs from "node:fs";
 import zstd from "@foxglove/wasm-zstd";
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
 
-import { Contents, crc32 } from "./messages.mjs";
+import { crc32 } from "./grids.mjs";
+import { Contents } from "./messages.mjs";
 
 const decompressHandlers = { zstd: (bytes, size) => zstd.decompress(bytes, Number(size)) };
 
@@ -98,10 +99,11 @@ const isCut = process.argv[2] === "--cut";
 const bytes = fs.readFileSync(process.argv[isCut ? 3 : 2]);
 const { contents, records, isDone } = readFromBeginning(bytes);
 assert.equal(isDone, !isCut);
-const { frames, classes, poses, scenes, points, messages } = contents;
+const { frames, classes, poses, scenes, points, mounts, compared, messages } = contents;
 const metadata = isCut ? [] : await checkIndex(bytes, records);
 console.log(
   JSON.stringify({
-    frames, classes, poses, scenes, points, counts: countsOf(records), messages, metadata,
+    frames, classes, poses, scenes, points, mounts, compared, counts: countsOf(records), messages,
+    metadata,
   })
 );

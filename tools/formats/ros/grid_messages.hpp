@@ -27,6 +27,7 @@ extern const MessageType kFoxgloveGrid;     // foxglove_msgs/msg/Grid
 extern const MessageType kUint8MultiArray;  // std_msgs/msg/UInt8MultiArray
 extern const MessageType kTfMessage;        // tf2_msgs/msg/TFMessage
 extern const MessageType kSceneUpdate;      // foxglove_msgs/msg/SceneUpdate
+extern const MessageType kMarkerArray;      // visualization_msgs/msg/MarkerArray
 extern const MessageType kPointCloud;       // sensor_msgs/msg/PointCloud2
 
 // The probability in percent of each index from -127, rounded to the nearest; a half upwards.

@@ -1,64 +1,11 @@
 // The definitions as ROS 2 and Foxglove publish them, without their comments. A reader checks the
 // names and types of the fields; those of the types that a message is made of follow behind a line
 // of 80 equals signs.
-#include <algorithm>
-#include <array>
-
 #include "tools/formats/ros/grid_messages.hpp"
+#include "tools/formats/ros/type_parts.hpp"
 
 namespace iog::tools::ros {
 namespace {
-
-// Texts one behind the other, joined by the compiler.
-template <const std::string_view&... kParts>
-class Joined {
-  static constexpr auto make() {
-    std::array<char, (kParts.size() + ...)> letters{};
-    auto* end = letters.data();
-    ((end = std::ranges::copy(kParts, end).out), ...);
-    return letters;
-  }
-  static constexpr auto kLetters = make();
-
- public:
-  static constexpr std::string_view kText{kLetters.data(), kLetters.size()};
-};
-
-constexpr std::string_view kTime = R"(
-================================================================================
-MSG: builtin_interfaces/Time
-int32 sec
-uint32 nanosec
-)";
-
-constexpr std::string_view kHeader = R"(
-================================================================================
-MSG: std_msgs/Header
-builtin_interfaces/Time stamp
-string frame_id
-)";
-
-constexpr std::string_view kPose = R"(
-================================================================================
-MSG: geometry_msgs/Pose
-Point position
-Quaternion orientation
-
-================================================================================
-MSG: geometry_msgs/Point
-float64 x
-float64 y
-float64 z
-)";
-
-constexpr std::string_view kQuaternion = R"(
-================================================================================
-MSG: geometry_msgs/Quaternion
-float64 x 0
-float64 y 0
-float64 z 0
-float64 w 1
-)";
 
 constexpr std::string_view kOccupancyGridFields = R"(std_msgs/Header header
 MapMetaData info
@@ -176,134 +123,6 @@ Vector3 translation
 Quaternion rotation
 )";
 
-constexpr std::string_view kVector3 = R"(
-================================================================================
-MSG: geometry_msgs/Vector3
-float64 x
-float64 y
-float64 z
-)";
-
-constexpr std::string_view kSceneUpdateFields = R"(foxglove_msgs/SceneEntityDeletion[] deletions
-foxglove_msgs/SceneEntity[] entities
-)";
-
-constexpr std::string_view kSceneEntities = R"(
-================================================================================
-MSG: builtin_interfaces/Duration
-int32 sec
-uint32 nanosec
-
-================================================================================
-MSG: foxglove_msgs/SceneEntityDeletion
-uint8 MATCHING_ID=0
-uint8 ALL=1
-builtin_interfaces/Time timestamp
-uint8 type
-string id
-
-================================================================================
-MSG: foxglove_msgs/SceneEntity
-builtin_interfaces/Time timestamp
-string frame_id
-string id
-builtin_interfaces/Duration lifetime
-bool frame_locked
-foxglove_msgs/KeyValuePair[] metadata
-foxglove_msgs/ArrowPrimitive[] arrows
-foxglove_msgs/CubePrimitive[] cubes
-foxglove_msgs/SpherePrimitive[] spheres
-foxglove_msgs/CylinderPrimitive[] cylinders
-foxglove_msgs/LinePrimitive[] lines
-foxglove_msgs/TriangleListPrimitive[] triangles
-foxglove_msgs/TextPrimitive[] texts
-foxglove_msgs/ModelPrimitive[] models
-
-================================================================================
-MSG: foxglove_msgs/KeyValuePair
-string key
-string value
-
-================================================================================
-MSG: foxglove_msgs/Color
-float64 r
-float64 g
-float64 b
-float64 a
-)";
-
-constexpr std::string_view kScenePrimitives = R"(
-================================================================================
-MSG: foxglove_msgs/ArrowPrimitive
-geometry_msgs/Pose pose
-float64 shaft_length
-float64 shaft_diameter
-float64 head_length
-float64 head_diameter
-foxglove_msgs/Color color
-
-================================================================================
-MSG: foxglove_msgs/CubePrimitive
-geometry_msgs/Pose pose
-geometry_msgs/Vector3 size
-foxglove_msgs/Color color
-
-================================================================================
-MSG: foxglove_msgs/SpherePrimitive
-geometry_msgs/Pose pose
-geometry_msgs/Vector3 size
-foxglove_msgs/Color color
-
-================================================================================
-MSG: foxglove_msgs/CylinderPrimitive
-geometry_msgs/Pose pose
-geometry_msgs/Vector3 size
-float64 bottom_scale
-float64 top_scale
-foxglove_msgs/Color color
-
-================================================================================
-MSG: foxglove_msgs/LinePrimitive
-uint8 LINE_STRIP=0
-uint8 LINE_LOOP=1
-uint8 LINE_LIST=2
-uint8 type
-geometry_msgs/Pose pose
-float64 thickness
-bool scale_invariant
-geometry_msgs/Point[] points
-foxglove_msgs/Color color
-foxglove_msgs/Color[] colors
-uint32[] indices
-
-================================================================================
-MSG: foxglove_msgs/TriangleListPrimitive
-geometry_msgs/Pose pose
-geometry_msgs/Point[] points
-foxglove_msgs/Color color
-foxglove_msgs/Color[] colors
-uint32[] indices
-
-================================================================================
-MSG: foxglove_msgs/TextPrimitive
-geometry_msgs/Pose pose
-bool billboard
-float64 font_size
-bool scale_invariant
-foxglove_msgs/Color color
-string text
-
-================================================================================
-MSG: foxglove_msgs/ModelPrimitive
-geometry_msgs/Pose pose
-geometry_msgs/Vector3 scale
-foxglove_msgs/Color color
-bool override_color
-string url
-string media_type
-uint8[] data
-)";
-
 }  // namespace
 
 const MessageType kOccupancyGrid{
@@ -326,11 +145,6 @@ const MessageType kTfMessage{
     .name = "tf2_msgs/msg/TFMessage",
     .definition =
         Joined<kTfMessageFields, kTransformStamped, kVector3, kQuaternion, kHeader, kTime>::kText};
-
-const MessageType kSceneUpdate{
-    .name = "foxglove_msgs/msg/SceneUpdate",
-    .definition = Joined<kSceneUpdateFields, kTime, kSceneEntities, kScenePrimitives, kPose,
-                         kQuaternion, kVector3>::kText};
 
 const MessageType kUint8MultiArray{.name = "std_msgs/msg/UInt8MultiArray",
                                    .definition = kUint8MultiArrayText};

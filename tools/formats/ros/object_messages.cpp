@@ -24,7 +24,8 @@ constexpr double kShaftM = 0.2;     // of an arrow, across
 constexpr double kHeadM = 0.6;      // along and across
 constexpr double kWordsAboveM = 2;  // the ground
 constexpr double kWordsPixels = 14;
-constexpr double kHit = 0.6;  // of light that it lets through, the rest
+constexpr double kLettersM = 0.8;  // where a reader knows no pixels
+constexpr double kHit = 0.6;       // of light that it lets through, the rest
 constexpr double kNotHit = 0.25;
 constexpr std::uint8_t kMatchingId = 0;  // SceneEntityDeletion
 
@@ -77,6 +78,19 @@ std::string_view name_of(ObjectState state) {
       return "something";
   }
 }
+
+Colour colour_of(ObjectState state) {
+  const int surest =
+      static_cast<int>(class_of(state)) * stream::kSurenessCount + stream::kSurenessCount - 1;
+  return colour_of_class(static_cast<std::int8_t>(surest));
+}
+
+// Of a second.
+bool has_way(const ObjectRecord& object) {
+  return object.state == ObjectState::kMoves && speed_of(object) > 0;
+}
+
+double length_m(std::uint16_t length_cm) { return std::max(kSmallestM, length_cm / 100.0); }
 
 class SceneWriter {
  public:
@@ -140,9 +154,7 @@ class SceneWriter {
   }
 
   void put_colour(const ObjectRecord& object, double alpha) {
-    const int surest = static_cast<int>(class_of(object.state)) * stream::kSurenessCount +
-                       stream::kSurenessCount - 1;
-    const Colour colour = colour_of_class(static_cast<std::int8_t>(surest));
+    const Colour colour = colour_of(object.state);
     for (const std::uint8_t part : {colour.red, colour.green, colour.blue}) {
       out_.put(part / 255.0);
     }
@@ -150,11 +162,11 @@ class SceneWriter {
   }
 
   void put_arrow(const ObjectRecord& object) {
-    const double way_m = speed_of(object);  // of a second
-    if (object.state != ObjectState::kMoves || way_m == 0) {
+    if (!has_way(object)) {
       put_none();
       return;
     }
+    const double way_m = speed_of(object);
     const double head_m = std::min(kHeadM, way_m / 2);
     put_one();
     put_pose(object, kHeightM, turn_to(object.vx_cm_s, object.vy_cm_s));
@@ -167,8 +179,8 @@ class SceneWriter {
   void put_cube(const ObjectRecord& object) {
     put_one();
     put_pose(object, kHeightM / 2, turn_of(object.heading));
-    out_.put(std::max(kSmallestM, object.length_cm / 100.0));
-    out_.put(std::max(kSmallestM, object.width_cm / 100.0));
+    out_.put(length_m(object.length_cm));
+    out_.put(length_m(object.width_cm));
     out_.put(kHeightM);
     put_colour(object, object.has(stream::kObjectNotHit) ? kNotHit : kHit);
   }
@@ -189,7 +201,106 @@ class SceneWriter {
   CdrWriter out_;
 };
 
+// Who draws by markers has those of the frame before taken away first, so that nobody need know
+// what is gone.
+class MarkerWriter {
+ public:
+  explicit MarkerWriter(const ObjectScene& scene) : scene_(&scene) {}
+
+  std::vector<std::byte> write() {
+    const auto arrows = static_cast<std::size_t>(std::ranges::count_if(scene_->objects, has_way));
+    out_.put(static_cast<std::uint32_t>(1 + 2 * scene_->objects.size() + arrows));
+    put_head("", 0, Kind::kArrow, kDeleteAll);
+    put_rest({}, {}, {}, {}, 0, {});
+    for (const ObjectRecord& object : scene_->objects) {
+      put_marks(object);
+    }
+    return out_.take();
+  }
+
+ private:
+  enum class Kind : std::int32_t { kArrow = 0, kCube = 1, kText = 9 };
+  static constexpr std::int32_t kAdd = 0;
+  static constexpr std::int32_t kDeleteAll = 3;
+
+  struct Size {
+    double x = 0;
+    double y = 0;
+    double z = 0;
+  };
+  struct Spot {
+    double x_m = 0;
+    double y_m = 0;
+    double z_m = 0;
+  };
+
+  void put_marks(const ObjectRecord& object) {
+    const auto id = static_cast<std::int32_t>(object.id);
+    const auto spot = [&](double z_m) {
+      return Spot{object.x_mm / 1000.0, object.y_mm / 1000.0, z_m};
+    };
+    const Colour colour = colour_of(object.state);
+    put_head("box", id, Kind::kCube, kAdd);
+    put_rest(spot(kHeightM / 2), turn_of(object.heading),
+             {length_m(object.length_cm), length_m(object.width_cm), kHeightM}, colour,
+             object.has(stream::kObjectNotHit) ? kNotHit : kHit, {});
+    if (has_way(object)) {
+      put_head("way", id, Kind::kArrow, kAdd);
+      put_rest(spot(kHeightM), turn_to(object.vx_cm_s, object.vy_cm_s),
+               {speed_of(object), kShaftM, kHeadM}, colour, 1, {});
+    }
+    put_head("words", id, Kind::kText, kAdd);
+    put_rest(spot(kWordsAboveM), {}, {0, 0, kLettersM}, {.red = 255, .green = 255, .blue = 255}, 1,
+             words_of(object));
+  }
+
+  void put_head(std::string_view ns, std::int32_t id, Kind kind, std::int32_t action) {
+    put_stamp(out_, scene_->stamp_us);
+    out_.put(kLocalFrameId);
+    out_.put(ns);
+    out_.put(id);
+    out_.put(static_cast<std::int32_t>(kind));
+    out_.put(action);
+  }
+
+  void put_rest(const Spot& spot, Turn turn, const Size& size, Colour colour, double alpha,
+                std::string_view text) {
+    for (const double value :
+         {spot.x_m, spot.y_m, spot.z_m, 0.0, 0.0, turn.z, turn.w, size.x, size.y, size.z}) {
+      out_.put(value);
+    }
+    for (const std::uint8_t part : {colour.red, colour.green, colour.blue}) {
+      out_.put(static_cast<float>(part) / 255);
+    }
+    out_.put(static_cast<float>(alpha));
+    put_stamp(out_, scene_->lifetime_us);
+    out_.put(std::uint8_t{0});  // frame_locked
+    put_none();                 // points
+    put_none();                 // colors
+    out_.put(std::string_view());
+    put_stamp(out_, scene_->stamp_us);  // of a texture, which there is not
+    out_.put(std::string_view());
+    out_.put(std::string_view());
+    put_none();
+    put_none();  // uv_coordinates
+    out_.put(text);
+    out_.put(std::string_view());  // a mesh, its file and what is in it
+    out_.put(std::string_view());
+    put_none();
+    out_.put(std::uint8_t{0});
+  }
+
+  void put_none() { out_.put(std::uint32_t{0}); }
+
+  const ObjectScene* scene_;
+  CdrWriter out_;
+};
+
 }  // namespace
+
+std::vector<std::byte> marker_array(const ObjectScene& scene) {
+  return MarkerWriter(scene).write();
+}
 
 std::vector<std::byte> scene_update(const ObjectScene& scene) { return SceneWriter(scene).write(); }
 

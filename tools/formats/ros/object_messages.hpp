@@ -1,4 +1,4 @@
-// Objects as a scene of Foxglove, serialised.
+// Objects as a scene of Foxglove and as markers of ROS 2, serialised.
 #pragma once
 
 #include <cstddef>
@@ -23,6 +23,11 @@ struct ObjectScene {
 // from the ground to 1.5 m, at least a cell wide, an arrow of one second's way if it moves, and
 // words. The colour is that of the class; what was not hit in this frame is fainter.
 [[nodiscard]] std::vector<std::byte> scene_update(const ObjectScene& scene);
+
+// visualization_msgs/msg/MarkerArray of the same: namespaces `box`, `way` and `words`, the id that
+// of the object as a signed number, behind a marker that takes all earlier ones away. `gone` is of
+// no use.
+[[nodiscard]] std::vector<std::byte> marker_array(const ObjectScene& scene);
 
 // Such as "7: 43 ± 4 km/h": speed and two standard deviations of it along the heading, rounded up.
 [[nodiscard]] std::string words_of(const stream::ObjectRecord& object);

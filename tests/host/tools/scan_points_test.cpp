@@ -1,13 +1,13 @@
-#include "tools/view/scan_points.hpp"
+#include "tools/fuse/scan_points.hpp"
 
 #include <cmath>
 
 #include "gtest/gtest.h"
 
-#include "../drive_sample.hpp"
+#include "drive_sample.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 
-namespace iog::tools::view {
+namespace iog::tools {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -71,4 +71,4 @@ TEST(ScanPoints, WhatIsNoPacketOfASensorHasNone) {
 }
 
 }  // namespace
-}  // namespace iog::tools::view
+}  // namespace iog::tools

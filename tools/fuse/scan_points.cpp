@@ -1,11 +1,11 @@
-#include "tools/view/scan_points.hpp"
+#include "tools/fuse/scan_points.hpp"
 
 #include <cmath>
 
 #include "intake/packet.hpp"
 #include "tools/vehicles/point_place.hpp"
 
-namespace iog::tools::view {
+namespace iog::tools {
 namespace {
 
 constexpr double kReachM = 300;  // 16 bits of centimetres hold it
@@ -43,4 +43,4 @@ void append_points(const CatalogueEntry& car, const CapturedDatagram& packet,
   });
 }
 
-}  // namespace iog::tools::view
+}  // namespace iog::tools
