@@ -13,6 +13,15 @@ bool is_empty(const Plane& plane) {
   return bits == 0;
 }
 
+// Whether a cell that is not beside what stands lacks the bit.
+bool is_lacking(const Plane& plane, const Plane& beside) {
+  std::uint32_t bits = 0;
+  for (std::size_t y = 0; y < plane.size(); ++y) {
+    bits |= ~(plane[y] | beside[y]);
+  }
+  return bits != 0;
+}
+
 Plane cells_beside(const Window& window, std::size_t slot) {
   return middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));
 }
@@ -37,8 +46,11 @@ Plane cells_open_around(const Window& window, std::size_t slot) {
 
 void remember(Window& window, std::size_t slot, bool is_new_period) {
   const Plane beside = cells_beside(window, slot);
-  const Plane dense = cells_seen_around(window, slot);
-  const Plane open = cells_open_around(window, slot);
+  // What all cells have already is not looked for, because it stays.
+  const Ground& before = window.tile(slot).ground;
+  const Plane dense = is_lacking(before.dense, beside) ? cells_seen_around(window, slot) : Plane{};
+  const Plane open =
+      is_new_period || is_lacking(before.open, beside) ? cells_open_around(window, slot) : Plane{};
   const std::uint32_t period = is_new_period ? ~0U : 0U;
   Ground& ground = window.open(slot).ground;
   for (std::size_t y = 0; y < geometry::kTileSide; ++y) {
