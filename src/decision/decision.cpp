@@ -5,6 +5,7 @@
 
 #include "decision/cell.hpp"
 #include "evidence/cell.hpp"
+#include "evidence/fusion.hpp"
 
 namespace iog::decision {
 namespace {
@@ -34,6 +35,16 @@ FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided) {
   const Bits bits = decide(free, evidence::Taken{}, ruled_out, of_this_frame, decided);
   return {.freed = bits.freed, .seen = bits.seen};
+}
+
+std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups) {
+  std::array<FreeBits, 2> bits;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const Crossed& group = groups[i];
+    evidence::fuse_free(*group.free, *group.fading, *group.indexes, *group.gains);
+    bits[i] = decide_free(*group.free, *group.ruled_out, *group.indexes, *group.decided);
+  }
+  return bits;
 }
 
 }  // namespace iog::decision

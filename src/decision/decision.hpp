@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "evidence/assignment.hpp"
+#include "evidence/factors.hpp"
 #include "evidence/group.hpp"
 
 namespace iog::decision {
@@ -67,5 +68,18 @@ struct alignas(2) FreeBits {
 // What decide() does to a group of which nothing is taken: all its other bits are 0.
 FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided);
+
+// A group that is fused by evidence::fuse_free() and decided by decide_free().
+struct Crossed {
+  evidence::Free* free;
+  const evidence::Fading* fading;
+  const evidence::Indexes* indexes;
+  const evidence::Gains* gains;
+  const RuledOut* ruled_out;
+  Decided* decided;
+};
+
+// Both of two groups at once: each is as long as the results of the other are waited for.
+std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups);
 
 }  // namespace iog::decision

@@ -8,6 +8,7 @@
 
 #include "decision/cell.hpp"
 #include "decision/decision.hpp"
+#include "evidence/free_lanes_neon.hpp"
 #include "evidence/mass_lanes_neon.hpp"
 
 namespace iog::decision {
@@ -102,6 +103,16 @@ uint8x8_t seen_of(int16x8_t free, const evidence::Indexes& of_this_frame) {
   return vand_u8(above(free, kSeenAbove), vreinterpret_u8_s8(vld1_s8(of_this_frame.data())));
 }
 
+// Decides a group of which nothing is taken; four bytes to be added up of what is freed, and four
+// of what is seen.
+inline uint8x8_t named_free(int16x8_t free, const RuledOut& ruled_out,
+                            const evidence::Indexes& of_this_frame, Decided& decided) {
+  const uint8x8_t score = upper_byte(free);
+  const uint8x8_t base = vtbl1_u8(vcreate_u8(base_by_mask(kFreeClasses)), masks_of(ruled_out));
+  store(vand_u8(vsra_n_u8(base, score, 3), is_half(score)), decided);
+  return signs_of(above(free, kFreedAbove), seen_of(free, of_this_frame));
+}
+
 }  // namespace
 
 Bits decide(const evidence::Free& free_masses, const evidence::Taken& taken_masses,
@@ -124,16 +135,29 @@ Bits decide(const evidence::Free& free_masses, const evidence::Taken& taken_mass
 
 FreeBits decide_free(const evidence::Free& free_masses, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided) {
-  const int16x8_t free = evidence::load(free_masses);
-  const uint8x8_t score = upper_byte(free);
-  const uint8x8_t base = vtbl1_u8(vcreate_u8(base_by_mask(kFreeClasses)), masks_of(ruled_out));
-  store(vand_u8(vsra_n_u8(base, score, 3), is_half(score)), decided);
-
-  const uint8x8_t fours = signs_of(above(free, kFreedAbove), seen_of(free, of_this_frame));
+  const uint8x8_t fours =
+      named_free(evidence::load(free_masses), ruled_out, of_this_frame, decided);
   const uint8x8_t twos = vpadd_u8(fours, fours);
   const uint8x8_t bytes = vpadd_u8(twos, twos);
   const std::uint16_t word = vget_lane_u16(vreinterpret_u16_u8(bytes), 0);
   return __builtin_bit_cast(FreeBits, word);
+}
+
+std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups) {
+  const auto& [one, other] = groups;
+  const int16x8_t free_of_one =
+      evidence::free_after(evidence::load(*one.free), *one.fading, *one.indexes, *one.gains);
+  const int16x8_t free_of_other = evidence::free_after(evidence::load(*other.free), *other.fading,
+                                                       *other.indexes, *other.gains);
+  evidence::store(free_of_one, *one.free);
+  evidence::store(free_of_other, *other.free);
+  const uint8x8_t fours_of_one =
+      named_free(free_of_one, *one.ruled_out, *one.indexes, *one.decided);
+  const uint8x8_t fours_of_other =
+      named_free(free_of_other, *other.ruled_out, *other.indexes, *other.decided);
+  const uint8x8_t twos = vpadd_u8(fours_of_one, fours_of_other);
+  const std::uint32_t word = vget_lane_u32(vreinterpret_u32_u8(vpadd_u8(twos, twos)), 0);
+  return __builtin_bit_cast(std::array<FreeBits, 2>, word);
 }
 
 }  // namespace iog::decision

@@ -4,40 +4,20 @@
 #include <arm_neon.h>
 #include <cstddef>
 
+#include "evidence/free_lanes_neon.hpp"
 #include "evidence/fusion.hpp"
 #include "evidence/mass_lanes_neon.hpp"
 
 namespace iog::evidence {
 namespace {
 
-int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
-
-// 0 ... 32767 has no bit that 32767 lacks.
-int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
-
-int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) { return vbslq_s16(mask, yes, no); }
-
-static_assert(sizeof(Fading) == sizeof(int16x8_t) && offsetof(Fading, persistence) == 8);
 static_assert(offsetof(Gains, persistence) == 2 && offsetof(Gains, specialisation) == 6);
-
-// Factors of free, occupied, moving and standing; persistence is lane 4.
-int16x8_t factors_of(const Fading& fading) {
-  int16x8_t factors;
-  __builtin_memcpy(&factors, &fading, sizeof(factors));
-  return factors;
-}
 
 // Lane 1: persistence, 2: decline, 3: specialisation.
 int16x4_t weights_of(const Gains& gains) {
   int16x4_t weights;
   __builtin_memcpy(&weights, &gains, sizeof(weights));
   return weights;
-}
-
-// A product with kWhole is -mass, exactly; one with any other factor is not negative.
-template <int kLane>
-int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
-  return vabsq_s16(vqdmulhq_lane_s16(mass, factors, kLane));
 }
 
 // The masses of a table by index, in units of 2^-15; 0 of an index below 0, because a lookup out of
@@ -116,9 +96,6 @@ inline void fuse_lanes(Free& free_masses, Taken& taken_masses, const Fading& fad
   after.put(choose(no_evidence, old_persistence, persistence));
 }
 
-// All ones where a crossing beam is the evidence.
-int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15); }
-
 }  // namespace
 
 void age(Free& free_masses, Taken& taken, const Fading& fading) {
@@ -157,14 +134,8 @@ void age_free(Free& free, const Fading& fading) {
   store(left_of<0>(load(free), vget_low_s16(factors_of(fading))), free);
 }
 
-// o, c, x and P are 0, so that F' = F.~0 + W.f with W = ~F.
 void fuse_free(Free& free, const Fading& fading, const Indexes& indexes, const Gains& gains) {
-  const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));
-  const int16x8_t crossed = vandq_s16(vld1q_dup_s16(&gains.free_mass), is_crossed(wide));
-  const int16x8_t before = left_of<0>(load(free), vget_low_s16(factors_of(fading)));
-  const int16x8_t after =
-      vaddq_s16(product(before, vdupq_n_s16(kCertain)), product(complement(before), crossed));
-  store(choose(vceqq_s16(wide, vdupq_n_s16(0)), before, after), free);
+  store(free_after(load(free), fading, indexes, gains), free);
 }
 
 }  // namespace iog::evidence

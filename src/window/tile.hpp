@@ -25,6 +25,7 @@ static_assert(geometry::kTileSide == 32);
 
 // What the map rules out in a tile, row by row from the lowest y.
 using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
+alignas(8) inline constexpr decision::RuledOut kNothingRuledOut{};
 
 // What is asked of a cell's neighbourhood, as found when its group was last decided.
 struct Found {
@@ -51,6 +52,11 @@ struct Tile {
     return aged_at[group] != ageing::Clock::kNever;
   }
 
+  // What the map rules out in a group. Without a map nobody reads a kilobyte of zeros.
+  [[nodiscard]] const decision::RuledOut& ruled_out_in(std::size_t group) const {
+    return has_ruled_out ? ruled_out[group] : kNothingRuledOut;
+  }
+
   // Row by row from the lowest y, and so is all that is by group.
   alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
   std::array<evidence::Taken, kGroupsPerTile> taken{};
@@ -66,6 +72,8 @@ struct Tile {
   std::array<bool, kGroupsPerTile> is_free_alone{};
   Found found{};
   Ground ground{};
+  // Whether `ruled_out` is not 0 somewhere.
+  bool has_ruled_out = false;
   // A beam that was low has freed the cell since the tile is known, and nothing stood there since.
   Plane from_below{};
 };

@@ -72,6 +72,27 @@ class TileUpdate {
     decide_free(tile, group, indexes);
   }
 
+  // The same of two groups.
+  void cross(Tile& tile, std::array<std::size_t, 2> groups,
+             std::array<const evidence::Indexes*, 2> indexes) const {
+    const auto crossed = [&](std::size_t i) -> decision::Crossed {
+      const std::size_t group = groups[i];
+      return {.free = &tile.free[group],
+              .fading = &clock_->since(tile.aged_at[group]),
+              .indexes = indexes[i],
+              .gains = gains_[tile.evidence_at[group]],
+              .ruled_out = &tile.ruled_out_in(group),
+              .decided = &tile.decided[group]};
+    };
+    const std::array<decision::FreeBits, 2> bits = decision::cross_free({crossed(0), crossed(1)});
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      tile.aged_at[groups[i]] = now_;
+      tile.evidence_at[groups[i]] = now_;
+      set_eight(tile.found.freed, groups[i], bits[i].freed);
+      set_eight(tile.found.seen, groups[i], bits[i].seen);
+    }
+  }
+
   // Whether something is known of the group, and it was not fused in this frame.
   [[nodiscard]] bool is_old(const Tile& tile, std::size_t group) const {
     return tile.is_known(group) && tile.aged_at[group] != now_;
@@ -95,8 +116,9 @@ class TileUpdate {
 
  private:
   static void decide(Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
-    const decision::Bits bits = decision::decide(
-        tile.free[group], tile.taken[group], tile.ruled_out[group], indexes, tile.decided[group]);
+    const decision::Bits bits =
+        decision::decide(tile.free[group], tile.taken[group], tile.ruled_out_in(group), indexes,
+                         tile.decided[group]);
     tile.is_free_alone[group] = bits.held == 0;
     set_eight(tile.found.freed, group, bits.freed);
     set_eight(tile.found.seen, group, bits.seen);
@@ -106,8 +128,8 @@ class TileUpdate {
 
   // What stands and what is taken is none already.
   static void decide_free(Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
-    const decision::FreeBits bits = decision::decide_free(tile.free[group], tile.ruled_out[group],
-                                                          indexes, tile.decided[group]);
+    const decision::FreeBits bits = decision::decide_free(
+        tile.free[group], tile.ruled_out_in(group), indexes, tile.decided[group]);
     set_eight(tile.found.freed, group, bits.freed);
     set_eight(tile.found.seen, group, bits.seen);
   }

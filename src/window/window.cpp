@@ -37,6 +37,7 @@ void Window::rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
     rename(tile, ruled_out);
   }
   tile.ruled_out = ruled_out;
+  tile.has_ruled_out = ruled_out != TileRuledOut{};
 }
 
 // A cell without a class has none whatever the map says, so that most masses need not be read.

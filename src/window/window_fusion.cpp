@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "require/require.hpp"
-#include "window/bring.hpp"
+#include "window/bring_tile.hpp"
 #include "window/eight_bytes.hpp"
 #include "window/ground.hpp"
 #include "work/runs.hpp"
@@ -16,27 +16,6 @@ namespace {
 // Where they lie: a copy of them would still be on its way to the cache when it is needed.
 const evidence::Indexes& indexes_of(const FrameEvidence::TileIndexes& tile, std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
-}
-
-// Asks for the lines of a group that is needed soon.
-void prefetch(const Tile& tile, std::size_t group) {
-  __builtin_prefetch(&tile.free[group]);
-  if (!tile.is_free_alone[group]) {
-    __builtin_prefetch(&tile.taken[group].occupied);
-    __builtin_prefetch(&tile.taken[group].standing);
-  }
-}
-
-// Brings the small things of some rows of a tile to the cache. Then the lines of its masses follow
-// one another, and nothing comes between them.
-void bring_rows(const Tile& tile, std::size_t first, std::size_t last) {
-  const std::size_t count = (last - first + 1) * kGroupsPerRow;
-  bring(std::as_bytes(std::span(tile.decided).subspan(first * kGroupsPerRow, count)));
-  bring(std::as_bytes(std::span(tile.ruled_out).subspan(first * kGroupsPerRow, count)));
-  bring(std::as_bytes(std::span(tile.aged_at)));
-  bring(std::as_bytes(std::span(tile.evidence_at)));
-  bring(std::as_bytes(std::span(tile.is_free_alone)));
-  bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
 EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
@@ -308,16 +287,28 @@ void WindowFusion::fuse_groups(const TileUpdate& update, std::size_t slot, Group
   bring_rows(tile, groups.numbers[0] / kGroupsPerRow,
              groups.numbers[groups.count - 1] / kGroupsPerRow);
   const bool all_moved = rules_.moved == Moved::kLiteral;
+  const bool has_hit = evidence_.has_hit(slot);
+  const auto is_crossed = [&](std::size_t group) {
+    return update.needs_no_taken(tile, group) &&
+           !(has_hit && eight_at(indexes, group).has_positive());
+  };
   for (std::size_t i = 0; i < groups.count; ++i) {
     const std::size_t group = groups.numbers[i];
     prefetch(tile, groups.numbers[i + kGroupsAhead]);
     (before.keep(tile, group), ...);
-    if (update.needs_no_taken(tile, group) && !eight_at(indexes, group).has_positive()) {
+    if (!is_crossed(group)) {
+      update.fuse(tile, group, indexes_of(indexes, group),
+                  all_moved ? std::uint8_t{0xFF} : eight_of(arrivals_.moved(slot), group));
+      continue;
+    }
+    const std::size_t next = groups.numbers[i + 1];
+    if (i + 1 == groups.count || !is_crossed(next)) {
       update.cross(tile, group, indexes_of(indexes, group));
       continue;
     }
-    update.fuse(tile, group, indexes_of(indexes, group),
-                all_moved ? std::uint8_t{0xFF} : eight_of(arrivals_.moved(slot), group));
+    (before.keep(tile, next), ...);
+    update.cross(tile, {group, next}, {&indexes_of(indexes, group), &indexes_of(indexes, next)});
+    ++i;
   }
 }
 

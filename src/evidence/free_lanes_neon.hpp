@@ -1,0 +1,53 @@
+// What is free of a group, eight cells a register: how it ages and takes in a frame's evidence. The
+// words of fusion_neon.cpp, for whoever does more with the result.
+#pragma once
+
+#include <arm_neon.h>
+#include <cstddef>
+
+#include "evidence/assignment.hpp"
+#include "evidence/factors.hpp"
+#include "evidence/group.hpp"
+
+namespace iog::evidence {
+
+inline int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
+
+// 0 ... 32767 has no bit that 32767 lacks.
+inline int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
+
+inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {
+  return vbslq_s16(mask, yes, no);
+}
+
+static_assert(sizeof(Fading) == sizeof(int16x8_t) && offsetof(Fading, persistence) == 8);
+
+// Factors of free, occupied, moving and standing; persistence is lane 4.
+inline int16x8_t factors_of(const Fading& fading) {
+  int16x8_t factors;
+  __builtin_memcpy(&factors, &fading, sizeof(factors));
+  return factors;
+}
+
+// A product with kWhole is -mass, exactly; one with any other factor is not negative.
+template <int kLane>
+inline int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
+  return vabsq_s16(vqdmulhq_lane_s16(mass, factors, kLane));
+}
+
+// All ones where a crossing beam is the evidence.
+inline int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15); }
+
+// What is free after a frame in which nothing was hit, of a group of which nothing is taken. o, c,
+// x and P are 0, so that F' = F.~0 + W.f with W = ~F.
+inline int16x8_t free_after(int16x8_t free, const Fading& fading, const Indexes& indexes,
+                            const Gains& gains) {
+  const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));
+  const int16x8_t crossed = vandq_s16(vld1q_dup_s16(&gains.free_mass), is_crossed(wide));
+  const int16x8_t before = left_of<0>(free, vget_low_s16(factors_of(fading)));
+  const int16x8_t after =
+      vaddq_s16(product(before, vdupq_n_s16(kCertain)), product(complement(before), crossed));
+  return choose(vceqq_s16(wide, vdupq_n_s16(0)), before, after);
+}
+
+}  // namespace iog::evidence

@@ -1,0 +1,35 @@
+// Brings parts of a tile to the cache that are needed soon.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "window/bring.hpp"
+#include "window/tile.hpp"
+
+namespace iog::window {
+
+// Asks for the lines of a group that is needed soon.
+inline void prefetch(const Tile& tile, std::size_t group) {
+  __builtin_prefetch(&tile.free[group]);
+  if (!tile.is_free_alone[group]) {
+    __builtin_prefetch(&tile.taken[group].occupied);
+    __builtin_prefetch(&tile.taken[group].standing);
+  }
+}
+
+// Brings the small things of some rows of a tile to the cache. Then the lines of its masses follow
+// one another, and nothing comes between them.
+inline void bring_rows(const Tile& tile, std::size_t first, std::size_t last) {
+  const std::size_t count = (last - first + 1) * kGroupsPerRow;
+  bring(std::as_bytes(std::span(tile.decided).subspan(first * kGroupsPerRow, count)));
+  if (tile.has_ruled_out) {
+    bring(std::as_bytes(std::span(tile.ruled_out).subspan(first * kGroupsPerRow, count)));
+  }
+  bring(std::as_bytes(std::span(tile.aged_at)));
+  bring(std::as_bytes(std::span(tile.evidence_at)));
+  bring(std::as_bytes(std::span(tile.is_free_alone)));
+  bring(std::as_bytes(std::span(&tile.found, 1)));
+}
+
+}  // namespace iog::window
