@@ -9,6 +9,7 @@
 #include "geometry/cell.hpp"
 #include "geometry/grid.hpp"
 #include "window/eight_bytes.hpp"
+#include "window/hit_eights.hpp"
 #include "window/look_up.hpp"
 #include "window/placement.hpp"
 #include "window/reach.hpp"
@@ -16,25 +17,20 @@
 
 namespace iog::window {
 
-// Calls visit(cell, byte) for each hit of a band of eight rows, the first of which is at `row`.
+// Calls visit(cell, byte) for each hit of a band of eight rows, whose first cell lies at `first`.
 template <typename Visit>
-inline void for_each_hit_of_band(const std::int8_t* row, FinePoint at_row, FinePoint step,
+inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FinePoint step,
                                  Visit& visit) {
-  constexpr std::int32_t kEight = EightBytes::kCount;
-  const FinePoint eight_steps{kEight * step.x, kEight * step.y};
-  for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y, row += geometry::kTileSide) {
-    FinePoint at = at_row;
-    for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
-      const auto eight = EightBytes::load(row + x);
-      if (eight.has_positive()) {
-        for (std::uint32_t left = eight.positive(); left != 0; left &= left - 1) {
-          const int i = std::countr_zero(left);
-          visit(FinePoint{at.x + i * step.x, at.y + i * step.y}.cell(), row[x + std::size_t(i)]);
-        }
-      }
-      at = along_x(at, eight_steps);
+  for (std::uint32_t eights = hit_eights(band); eights != 0; eights &= eights - 1) {
+    const auto number = static_cast<std::uint32_t>(std::countr_zero(eights));
+    const std::int8_t* const eight = band + number * EightBytes::kCount;
+    const auto x = static_cast<std::int32_t>(number % kEightsPerRow * EightBytes::kCount);
+    const auto y = static_cast<std::int32_t>(number / kEightsPerRow);
+    const FinePoint at{first.x + x * step.x - y * step.y, first.y + x * step.y + y * step.x};
+    for (std::uint32_t left = EightBytes::load(eight).positive(); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      visit(FinePoint{at.x + i * step.x, at.y + i * step.y}.cell(), eight[i]);
     }
-    at_row = along_y(at_row, step);
   }
 }
 
