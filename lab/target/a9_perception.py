@@ -23,6 +23,7 @@ STAGES = {
     "refresh": ["window/window_fusion:update_tile"],
     "remember": ["window/ground:remember"],
     "objects": ["app/perception_engine:follow_objects", "app/object_follower:follow", "window/hit_list:add",
+                "window/moving_names:note_tile",
                 "window/moving_names:take_back"],
     "encode": ["target/perception_pass:take", "target/perception_pass:tick"],
     "encode_classes": ["app/perception_sink:take_classes"],

@@ -1,6 +1,7 @@
 #include "window/moving_names.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace iog::window {
 namespace {
@@ -15,6 +16,30 @@ std::uint8_t MovingNames::moving_of(const decision::Decided& decided) {
   constexpr EightBytes kClass = EightBytes::all(kMoving);
   const EightBytes differs = EightBytes::load(decided.data()).bit_and(kClassBits).bit_xor(kClass);
   return static_cast<std::uint8_t>(~differs.positive());
+}
+
+// Nothing moves by its masses where less than a quarter of all mass is of what is taken, which a
+// plane says by cell (decision/decision.hpp).
+void MovingNames::note_tile(std::size_t slot, const Tile& tile) {
+  Groups groups = changed_[slot];
+  for (std::size_t word = 0; word < groups.size(); ++word) {
+    const auto rows =
+        std::span(tile.found.taken).subspan(word * kRowsPerWord).first<kRowsPerWord>();
+    if ((rows[0] | rows[1] | rows[2] | rows[3] | rows[4] | rows[5] | rows[6] | rows[7]) == 0) {
+      continue;
+    }
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+      for (std::uint32_t left = rows[y]; left != 0;) {
+        const auto in_row =
+            static_cast<std::size_t>(std::countr_zero(left)) / evidence::kGroupCells;
+        const std::size_t group = y * kGroupsPerRow + in_row;
+        const bool is_any = moving_of(tile.decided[word * kGroupsPerWord + group]) != 0;
+        groups[word] |= (is_any ? 1U : 0U) << group;
+        left &= ~(std::uint32_t{0xFF} << in_row * evidence::kGroupCells);
+      }
+    }
+  }
+  moving_[slot] = groups;
 }
 
 void MovingNames::take_back(Window& window) {

@@ -27,8 +27,12 @@ class MovingNames {
   // is known of its group.
   void give(geometry::Cell cell, std::uint8_t sureness, Window& window);
 
+  // The masses of a tile, or its names by them, have changed. Several cores may say so of different
+  // tiles.
+  void note_tile(std::size_t slot, const Tile& tile);
+
   // A cell that is called moving and was not hit in this frame becomes unknown, but where
-  // is_held(cell) says that something which moves may be there.
+  // is_held(cell) says that something which moves may be there. All tiles were noted as they are.
   template <typename IsHeld>
   void withdraw(const FrameEvidence& evidence, Window& window, IsHeld&& is_held) {
     for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
@@ -40,6 +44,8 @@ class MovingNames {
 
  private:
   static constexpr std::size_t kGroupsPerWord = 32;
+  static constexpr std::size_t kRowsPerWord = kGroupsPerWord / kGroupsPerRow;
+  static_assert(kRowsPerWord == 8);
   using Groups = std::array<std::uint32_t, kGroupsPerTile / kGroupsPerWord>;
 
   // The cells of a group that are called moving, bit i of cell i.
@@ -53,26 +59,32 @@ class MovingNames {
     is_changed_[slot] = true;
   }
 
+  // By slot the groups in which a cell may move by the masses, and those that were renamed.
+  std::array<Groups, kSlotCount> moving_{};
   std::array<Groups, kSlotCount> changed_{};
   std::array<bool, kSlotCount> is_changed_{};
 };
 
-// Where nothing is taken nothing moves.
 template <typename IsHeld>
 void MovingNames::withdraw(const FrameEvidence& evidence, std::size_t slot, Window& window,
                            IsHeld& is_held) {
   const Tile& tile = window.tile(slot);
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    std::uint32_t left = tile.is_free_alone[group] ? 0U : moving_of(tile.decided[group]);
-    if (left != 0 && evidence.is_touched(slot)) {
-      left &= ~std::uint32_t{
-          EightBytes::load(&evidence.tile(slot)[group * evidence::kGroupCells]).positive()};
-    }
-    for (; left != 0; left &= left - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      if (!is_held(cell_at(window.area(), slot, group, i))) {
-        window.open(slot).decided[group][i] = 0;
-        note(slot, group);
+  for (std::size_t word = 0; word < moving_[slot].size(); ++word) {
+    const std::uint32_t groups = moving_[slot][word] | changed_[slot][word];
+    for (std::uint32_t rest = groups; rest != 0; rest &= rest - 1) {
+      const std::size_t group =
+          word * kGroupsPerWord + static_cast<std::size_t>(std::countr_zero(rest));
+      std::uint32_t left = moving_of(tile.decided[group]);
+      if (left != 0 && evidence.is_touched(slot)) {
+        left &= ~std::uint32_t{
+            EightBytes::load(&evidence.tile(slot)[group * evidence::kGroupCells]).positive()};
+      }
+      for (; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        if (!is_held(cell_at(window.area(), slot, group, i))) {
+          window.open(slot).decided[group][i] = 0;
+          note(slot, group);
+        }
       }
     }
   }

@@ -24,9 +24,9 @@ EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
 
 }  // namespace
 
-WindowFusion::WindowFusion(const Rules& rules, bool lists_hits)
+WindowFusion::WindowFusion(const Rules& rules, bool is_followed)
     : rules_(rules),
-      lists_hits_(lists_hits),
+      is_followed_(is_followed),
       clock_(rules.discounting, rules.weighing),
       arrivals_(rules.is_opened_from_below) {}
 
@@ -49,7 +49,7 @@ void WindowFusion::add(std::span<const PlacedCells> slices, const work::Crew& cr
   }
   if (count > 0) {
     evidence_.add(std::span(inside).first(count), window_.area(), crew);
-    if (lists_hits_) {
+    if (is_followed_) {
       hits_.add(std::span(inside).first(count), window_.area());
     }
     counts_.slices += static_cast<std::uint32_t>(count);
@@ -245,6 +245,7 @@ void WindowFusion::update_tile(const TileUpdate& update, std::size_t slot, Budge
   if (rules_.is_opened_from_below && window_.is_known(slot)) {
     opening_.remember(window_.open(slot), evidence_.is_touched(slot), slot);
   }
+  note_names(slot);
 }
 
 template <typename... Before>

@@ -64,8 +64,8 @@ struct FrameCounts {
 class WindowFusion {
  public:
   // Not constexpr: in static memory it is set up at start-up, not carried by the image.
-  // lists_hits: the hits of a frame are kept as a list, too.
-  explicit WindowFusion(const Rules& rules = {}, bool lists_hits = false);
+  // is_followed: things are followed, so hits of a frame are listed, and names may be said.
+  explicit WindowFusion(const Rules& rules = {}, bool is_followed = false);
   WindowFusion(const WindowFusion&) = delete;
   WindowFusion& operator=(const WindowFusion&) = delete;
 
@@ -86,10 +86,10 @@ class WindowFusion {
   void decide(std::uint64_t stamp_us, const work::Crew& crew);
   FrameCounts end_frame(const work::Crew& crew);
 
-  // The hits of the frame, if they are listed, and how many had no room.
+  // The hits of the frame, if it is followed, and how many had no room.
   [[nodiscard]] std::span<const Hit> hits() const { return hits_.all(); }
   [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
-  // As MovingNames.
+  // As MovingNames, of a window that is followed.
   void name_moving(geometry::Cell cell, std::uint8_t sureness) {
     names_.give(cell, sureness, window_);
   }
@@ -101,6 +101,7 @@ class WindowFusion {
   // What the map rules out in the tile at a slot: see Window. Names alone follow, and at once.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
     window_.rule_out(slot, ruled_out);
+    note_names(slot);
   }
 
   // Whether finish() makes a frame of what was added: it has a slice, or time has passed.
@@ -210,6 +211,11 @@ class WindowFusion {
   void keep_ground(work::Run run, std::size_t item, std::size_t core);
   void end_slots(work::Run run, bool is_new_period);
   void add_up();
+  void note_names(std::size_t slot) {
+    if (is_followed_ && window_.is_known(slot)) {
+      names_.note_tile(slot, window_.tile(slot));
+    }
+  }
 
   // What is aligned to a cache line comes first.
   work::BeforeImages<TilesBefore> tiles_before_;
@@ -219,7 +225,7 @@ class WindowFusion {
   HitList hits_;
   MovingNames names_;
   Rules rules_;
-  bool lists_hits_;
+  bool is_followed_;
   ageing::Clock clock_;
   std::uint32_t frames_ = 0;
   std::uint32_t fused_frames_ = 0;

@@ -26,6 +26,18 @@ Slice patch(tests::Random& random) {
   return slice;
 }
 
+// Eight things of 2 by 2 cells that go over it, five cells a frame.
+Slice things(int frame) {
+  Slice slice;
+  for (std::int32_t y = 0; y < 40; ++y) {
+    for (std::int32_t x = 0; x < 40; ++x) {
+      const bool is_hit = y % 5 < 2 && (x + 5 * y + 35 * frame) % 40 < 2;
+      slice.set({kCarCell.x + 20 + x, kCarCell.y + y}, is_hit ? 12 : -14);
+    }
+  }
+  return slice;
+}
+
 class Window {
  public:
   Window() { fusion_->follow(at_cell({0, 0}).pose); }
@@ -43,6 +55,10 @@ class Window {
     frame(slice, [](WindowFusion& /*fusion*/) {});
   }
 
+  void rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
+    fusion_->rule_out(slot, ruled_out);
+  }
+
   [[nodiscard]] Class at(Cell cell) const { return class_of(byte_at(cell)); }
   [[nodiscard]] std::int8_t byte_at(Cell cell) const { return fusion_->view().name_of(cell); }
   [[nodiscard]] std::vector<std::int8_t> all() const {
@@ -56,7 +72,7 @@ class Window {
   }
 
  private:
-  std::unique_ptr<WindowFusion> fusion_ = std::make_unique<WindowFusion>();
+  std::unique_ptr<WindowFusion> fusion_ = std::make_unique<WindowFusion>(Rules(), true);
   std::uint64_t now_us_ = 0;
 };
 
@@ -81,6 +97,38 @@ TEST(MovingNames, WhatIsSaidIsTakenBack) {
     });
     ASSERT_EQ(before, silent.all()) << frame;
   }
+}
+
+// What moves by the masses, whenever that was decided, and whatever a map has ruled out since.
+TEST(MovingNames, AllThatMovesAndNobodyHitsOrHoldsIsWithdrawn) {
+  tests::Random random(17);
+  Window spoken_to;
+  Window silent;
+  int withdrawn = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    const Slice slice = frame % 3 == 2 ? Slice() : things(frame);
+    silent.frame(slice);
+    spoken_to.frame(slice, [](WindowFusion& fusion) {
+      fusion.withdraw_moving([](Cell cell) { return cell.x % 3 == 0; });
+    });
+    for (std::int32_t y = 0; y < 64; ++y) {
+      for (std::int32_t x = 0; x < 96; ++x) {
+        const bool is_hit = slice.at({kCarCell.x + x, kCarCell.y + y}) > 0;
+        const bool goes = silent.at({x, y}) == Class::kMoving && !is_hit && x % 3 != 0;
+        ASSERT_EQ(spoken_to.byte_at({x, y}), goes ? 0 : silent.byte_at({x, y})) << x << ", " << y;
+        withdrawn += goes ? 1 : 0;
+      }
+    }
+    if (frame % 5 == 2) {
+      TileRuledOut ruled_out{};
+      ruled_out[random.below(kGroupsPerTile)].fill(decision::kRoad + decision::kIntermediate);
+      for (const std::size_t slot : {0U, 1U, 32U, 33U}) {
+        silent.rule_out(slot, ruled_out);
+        spoken_to.rule_out(slot, ruled_out);
+      }
+    }
+  }
+  EXPECT_GT(withdrawn, 100);
 }
 
 TEST(MovingNames, AHitIsMovingAndAtLeastSoSure) {
