@@ -31,10 +31,12 @@ constexpr std::array<std::uint8_t, 5> kAgesMs{32, 24, 16, 8, 0};
 
 // Anything is called moving, on ground that was open.
 struct Moving {
-  [[nodiscard]] static objects::Name name_of(geometry::Cell /*cell*/) {
-    return objects::Name::kMoving;
+  [[nodiscard]] static objects::CellName look_at(geometry::Cell /*cell*/) {
+    return {.name = objects::Name::kMoving, .is_open = true};
   }
-  [[nodiscard]] static bool is_open(geometry::Cell /*cell*/) { return true; }
+  [[nodiscard]] static objects::Names names_around(geometry::Cell /*cell*/) {
+    return objects::Names(1U << static_cast<unsigned>(decision::Class::kMoving));
+  }
 };
 
 // Numerical Recipes' generator: which numbers does not matter, but they are the same everywhere.

@@ -10,10 +10,13 @@ class NamesOf {
  public:
   explicit NamesOf(const window::WindowView& window) : window_(window) {}
 
-  [[nodiscard]] objects::Name name_of(geometry::Cell cell) const {
-    return objects::name_of(decision::class_of(window_.name_of(cell)));
+  [[nodiscard]] objects::CellName look_at(geometry::Cell cell) const {
+    return {.name = objects::name_of(decision::class_of(window_.name_of(cell))),
+            .is_open = window_.is_open(cell)};
   }
-  [[nodiscard]] bool is_open(geometry::Cell cell) const { return window_.is_open(cell); }
+  [[nodiscard]] objects::Names names_around(geometry::Cell cell) const {
+    return objects::Names(window_.classes_around(cell));
+  }
 
  private:
   window::WindowView window_;

@@ -6,6 +6,7 @@
 #include "numeric/magnitude.hpp"
 #include "objects/claim.hpp"
 #include "objects/claim_gate.hpp"
+#include "objects/strips.hpp"
 
 namespace iog::objects {
 namespace {
@@ -39,25 +40,33 @@ struct Growing {
   std::size_t count = 0;
   std::array<std::uint8_t, kMostTracks> slots{};
   std::array<Bounds, kMostTracks> bounds{};
+  StripsOfAll strips{};
 
-  explicit Growing(const Tracks& tracks) {
+  explicit Growing(std::span<const Track> tracks) {
     for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
       if (tracks[slot].is_there() && tracks[slot].updates >= kClaimsFrom) {
         slots[count] = static_cast<std::uint8_t>(slot);
-        bounds[count++] = bounds_of(tracks[slot].box());
+        bounds[count] = bounds_of(tracks[slot].box());
+        strips.set(count, Strips::of(bounds[count], 0));
+        ++count;
       }
     }
   }
 };
 
 // Its slot; kMostTracks: none.
-std::size_t nearest_to(const Cluster& cluster, std::int32_t reach_mm, const Tracks& tracks,
+std::size_t nearest_to(const Cluster& cluster, std::int32_t reach_mm, std::span<const Track> tracks,
                        const Growing& growing) {
   std::size_t nearest = kMostTracks;
   std::int32_t least = reach_mm + 1;
+  const std::int32_t near_mm = reach_mm * 3 / 2;
+  const Strips strips = Strips::of(cluster.bounds, near_mm);
   std::size_t asked = 0;
-  for (std::size_t i = 0; i < growing.count && asked < kMostAsked; ++i) {
-    if (growing.bounds[i].is_near(cluster.bounds, reach_mm * 3 / 2)) {
+  const auto next = [&](std::size_t from) {
+    return growing.strips.next(strips, from, growing.count);
+  };
+  for (std::size_t i = next(0); i < growing.count && asked < kMostAsked; i = next(i + 1)) {
+    if (growing.bounds[i].is_near(cluster.bounds, near_mm)) {
       ++asked;
       const std::uint8_t slot = growing.slots[i];
       const std::int32_t distance = distance_of(tracks[slot], cluster);
@@ -87,7 +96,7 @@ std::int32_t cost_of(const Track& track, const Cluster& cluster) {
 
 }  // namespace
 
-void attach(Point car, Tracks& tracks, Clusters& clusters, std::span<FrameHit> hits) {
+void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits) {
   const Growing growing(tracks);
   const std::span<Cluster> all = clusters.all();
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -100,7 +109,7 @@ void attach(Point car, Tracks& tracks, Clusters& clusters, std::span<FrameHit> h
   }
 }
 
-void associate(Tracks& tracks, Clusters& clusters, std::span<FrameHit> hits) {
+void associate(std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits) {
   const std::span<Cluster> all = clusters.all();
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
     const Track& track = tracks[slot];

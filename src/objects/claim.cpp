@@ -21,7 +21,8 @@ bool is_contradicted(const Track& track, const ClaimGate& gate, Point place, con
 
 }  // namespace
 
-std::uint32_t Claim::take(const window::Area& area, Tracks& tracks, std::span<FrameHit> hits) {
+std::uint32_t Claim::take(const window::Area& area, std::span<Track> tracks,
+                          std::span<FrameHit> hits) {
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
     if (tracks[slot].is_there()) {
       gates_[slot] = claim_gate_of(tracks[slot]);
@@ -34,14 +35,14 @@ std::uint32_t Claim::take(const window::Area& area, Tracks& tracks, std::span<Fr
   return left;
 }
 
-void Claim::take(Tracks& tracks, FrameHit& hit) const {
+void Claim::take(std::span<Track> tracks, FrameHit& hit) const {
   std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
   for (const std::uint8_t slot : near_.near(hit.cell)) {
     Track& track = tracks[slot];
-    if (!near_.may_take(slot, hit.at) || (hit.stands && !track.moves())) {
+    if (!near_.may_take(slot, hit.at()) || (hit.stands && !track.moves())) {
       continue;
     }
-    const Point place = moved(hit.at, track.velocity(), hit.age_ms);
+    const Point place = moved(hit.at(), track.velocity(), hit.age_ms);
     const std::int32_t outside = track.box().outside(place);
     const std::int32_t gate = hit.stands ? kGateStandingMm : gates_[slot].mm;
     if (outside > gate || outside >= nearest) {
@@ -58,7 +59,7 @@ void Claim::take(Tracks& tracks, FrameHit& hit) const {
 
 void own(const Track& track, std::size_t slot, FrameHit& hit) {
   hit.owner = static_cast<std::int16_t>(slot);
-  hit.moved = moved(hit.at, track.velocity(), hit.age_ms);
+  hit.moved = moved(hit.at(), track.velocity(), hit.age_ms);
 }
 
 }  // namespace iog::objects

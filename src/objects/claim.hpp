@@ -16,10 +16,10 @@ class Claim {
   // Of each hit the owner: of the tracks within whose gate it lies that whose box is nearest, of
   // equals that of the lower slot. A hit that stands is taken by what moves alone. A track that a
   // hit contradicts does not take it, and remembers that. Returns what list() does.
-  std::uint32_t take(const window::Area& area, Tracks& tracks, std::span<FrameHit> hits);
+  std::uint32_t take(const window::Area& area, std::span<Track> tracks, std::span<FrameHit> hits);
 
  private:
-  void take(Tracks& tracks, FrameHit& hit) const;
+  void take(std::span<Track> tracks, FrameHit& hit) const;
 
   ClaimGates gates_{};
   TileTracks near_{};

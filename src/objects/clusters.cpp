@@ -62,16 +62,16 @@ void Clusters::grow(std::size_t seed, FrameHits& hits) {
 
 // All cells within the gap that still have their bits.
 void Clusters::take_around(const FrameHit& hit, FrameHits& hits) {
-  const std::int32_t cells = gap_mm(car_, hit.at) / geometry::kCellMm;
+  const std::int32_t cells = gap_mm(car_, hit.at()) / geometry::kCellMm;
   const geometry::Cell middle = in_window(hit);
   const std::int32_t low_x = std::max<std::int32_t>(middle.x - cells, 0);
   const std::int32_t high_x = std::min(middle.x + cells, window::kCellsAcross - 1);
   const std::int32_t low_y = std::max<std::int32_t>(middle.y - cells, 0);
   const std::int32_t high_y = std::min(middle.y + cells, window::kCellsAcross - 1);
-  for (std::int32_t y = low_y; y <= high_y; ++y) {
-    for (std::int32_t word = low_x / 32; word <= high_x / 32; ++word) {
-      const std::uint32_t asked = bits_between(std::max<std::int32_t>(low_x - word * 32, 0),
-                                               std::min<std::int32_t>(high_x - word * 32, 31));
+  for (std::int32_t word = low_x / 32; word <= high_x / 32; ++word) {
+    const std::uint32_t asked = bits_between(std::max<std::int32_t>(low_x - word * 32, 0),
+                                             std::min<std::int32_t>(high_x - word * 32, 31));
+    for (std::int32_t y = low_y; y <= high_y; ++y) {
       const std::uint32_t found =
           plane_[static_cast<std::size_t>(y)][static_cast<std::size_t>(word)] & asked;
       for (std::uint32_t rest = found; rest != 0; rest &= rest - 1) {
@@ -108,6 +108,9 @@ void Clusters::take_cell(geometry::Cell cell, FrameHits& hits) {
 // What had no room.
 void Clusters::clear(FrameHits& hits) {
   for (const FrameHit& hit : hits.all()) {
+    if (!is_fresh(hit) || hit.cluster != kNobody) {
+      continue;
+    }
     const geometry::Cell cell = in_window(hit);
     plane_[static_cast<std::size_t>(cell.y)][static_cast<std::size_t>(cell.x) / 32] &=
         ~(std::uint32_t{1} << (cell.x % 32));

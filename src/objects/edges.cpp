@@ -10,41 +10,55 @@
 namespace iog::objects {
 namespace {
 
-Ends ends_of(const Box& box, Side side, std::span<const std::uint16_t> numbers,
-             std::span<const FrameHit> hits) {
-  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
-  Interval outermost{kMost, -kMost};
-  for (const std::uint16_t number : numbers) {
-    if (const FrameHit& hit = hits[number]; !hit.stands) {
-      outermost.include(box.place(hit.moved, side));
-    }
-  }
-  if (outermost.low > outermost.high) {
-    return {{.mm = box.sides[side].low}, {.mm = box.sides[side].high}};
-  }
-  Edge low{.hits = 0};
+// What is known of one side's ends while hits are looked at.
+struct Sums {
+  Interval outermost{std::numeric_limits<std::int32_t>::max(),
+                     -std::numeric_limits<std::int32_t>::max()};
+  Edge low{.hits = 0};  // from the outermost
   Edge high{.hits = 0};
-  for (const std::uint16_t number : numbers) {
-    if (const FrameHit& hit = hits[number]; !hit.stands) {
-      const std::int32_t its = box.place(hit.moved, side);
-      const bool is_low = its - outermost.low <= kSlabMm;
-      const bool is_high = outermost.high - its <= kSlabMm;
-      low.mm += is_low ? its - outermost.low : 0;
-      low.hits += is_low ? 1 : 0;
-      high.mm += is_high ? outermost.high - its : 0;
-      high.hits += is_high ? 1 : 0;
-    }
+
+  void add(std::int32_t place) {
+    const std::int32_t from_low = place - outermost.low;
+    const std::int32_t from_high = outermost.high - place;
+    low.mm += from_low <= kSlabMm ? from_low : 0;
+    low.hits += from_low <= kSlabMm ? 1 : 0;
+    high.mm += from_high <= kSlabMm ? from_high : 0;
+    high.hits += from_high <= kSlabMm ? 1 : 0;
   }
-  low.mm = outermost.low + low.mm / low.hits;
-  high.mm = outermost.high - high.mm / high.hits;
-  return {low, high};
-}
+  [[nodiscard]] Ends ends() const {
+    return {.low = {.mm = outermost.low + low.mm / low.hits, .hits = low.hits},
+            .high = {.mm = outermost.high - high.mm / high.hits, .hits = high.hits}};
+  }
+};
 
 }  // namespace
 
 Edges edges_of(const Box& box, std::span<const std::uint16_t> numbers,
                std::span<const FrameHit> hits) {
-  return {ends_of(box, kAlong, numbers, hits), ends_of(box, kAcross, numbers, hits)};
+  const auto for_each_place = [&](auto&& visit) {
+    for (const std::uint16_t number : numbers) {
+      if (const FrameHit& hit = hits[number]; !hit.stands) {
+        visit(box.place(hit.moved, kAlong), box.place(hit.moved, kAcross));
+      }
+    }
+  };
+  Sums along;
+  Sums across;
+  for_each_place([&](std::int32_t a, std::int32_t b) {
+    along.outermost.include(a);
+    across.outermost.include(b);
+  });
+  if (along.outermost.low > along.outermost.high) {
+    const auto own = [](const Interval& side) {
+      return Ends{.low = {.mm = side.low}, .high = {.mm = side.high}};
+    };
+    return {own(box.sides[kAlong]), own(box.sides[kAcross])};
+  }
+  for_each_place([&](std::int32_t a, std::int32_t b) {
+    along.add(a);
+    across.add(b);
+  });
+  return {along.ends(), across.ends()};
 }
 
 Sides sides_of(const Edges& edges) {

@@ -1,6 +1,7 @@
 #include "objects/frame_hits.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "numeric/division.hpp"
 #include "numeric/magnitude.hpp"
@@ -10,26 +11,37 @@ namespace iog::objects {
 namespace {
 
 constexpr unsigned kSliceBits = 5;
-constexpr unsigned kCellBits = 2 * geometry::kTileSideLog2;
+constexpr unsigned kSideBits = geometry::kTileSideLog2;
 constexpr unsigned kSlotBits = 10;
-constexpr unsigned kRings = 32;
 static_assert(kMostSlices <= 1U << kSliceBits);
-static_assert(window::kSlotCount == 1U << kSlotBits);
+static_assert(window::kSlotCount == 1U << kSlotBits && kSlotBits == 2 * kSideBits);
 
-constexpr unsigned kSlotShift = kSliceBits + kCellBits;
+constexpr unsigned kSlotShift = kSliceBits + 2 * kSideBits;
 constexpr unsigned kRingShift = kSlotShift + kSlotBits;
 
 // Three digits are all of a key.
 constexpr unsigned kDigitBits = 10;
 constexpr std::uint32_t kDigits = 1U << kDigitBits;
-static_assert(kRingShift + 5 == 3 * kDigitBits && kRings == 1U << 5);
+constexpr std::size_t kDigitsOfAKey = 3;
+static_assert(kRingShift + 5 == kDigitsOfAKey * kDigitBits);
+
+constexpr std::uint32_t digit_of(std::uint32_t key, std::size_t digit) {
+  return key >> digit * kDigitBits & (kDigits - 1);
+}
+
+constexpr std::uint32_t kInTile = geometry::kTileSide - 1;
+constexpr std::uint32_t kInWindow = window::kCellsAcross - 1;
+
+// A coordinate of a cell of the window, by its lowest ten bits and the window's lowest.
+constexpr std::int32_t coordinate(std::uint32_t low_bits, std::int32_t lowest) {
+  const std::uint32_t from_lowest = (low_bits - static_cast<std::uint32_t>(lowest)) & kInWindow;
+  return lowest + static_cast<std::int32_t>(from_lowest);
+}
 
 }  // namespace
 
 FrameHits::Left FrameHits::gather(const Frame& frame) {
-  area_ = frame.area;
-  car_tile_ = window::window_tile({numeric::div_floor(frame.car.x_mm, geometry::kCellMm),
-                                   numeric::div_floor(frame.car.y_mm, geometry::kCellMm)});
+  begin(frame);
   Left left;
   const std::size_t seen = collect(frame, left);
   sort(seen);
@@ -38,84 +50,116 @@ FrameHits::Left FrameHits::gather(const Frame& frame) {
   count_ = std::min(once, kMostHits);
   left.beyond += static_cast<std::uint32_t>(once - count_);
   for (std::size_t i = 0; i < count_; ++i) {
-    hits_[i] = hit_of(keys_[i], frame);
+    begin_hit(keys_[i], frame, hits_[i]);
   }
   return left;
 }
 
-// Those of the rings from the nearest on that fit as a whole.
-std::size_t FrameHits::collect(const Frame& frame, Left& left) {
-  const std::size_t slices = std::min(frame.ages_ms.size(), kMostSlices);
-  const auto key = [&](const Hit& hit) {
-    return hit.slice < slices ? key_of(hit.cell, hit.slice) : kNoKey;
+void FrameHits::begin(const Frame& frame) {
+  area_ = frame.area;
+  const window::TileNumber car =
+      window::window_tile({numeric::div_floor(frame.car.x_mm, geometry::kCellMm),
+                           numeric::div_floor(frame.car.y_mm, geometry::kCellMm)});
+  const auto away = [](std::int32_t from, std::int32_t to) {
+    return static_cast<std::uint8_t>(
+        std::min<std::int32_t>(numeric::magnitude(to - from), kRings - 1));
   };
-  std::array<std::size_t, kRings + 1> of_ring{};  // and those that are wrong
-  for (const Hit& hit : frame.hits) {
-    ++of_ring[std::min<Key>(key(hit) >> kRingShift, kRings)];
+  for (std::size_t i = 0; i < columns_away_.size(); ++i) {
+    const window::TileNumber tile = area_.tile_at(i * window::kTilesAcross + i);
+    columns_away_[i] = away(car.a, tile.a);
+    rows_away_[i] = away(car.b, tile.b);
   }
-  left.wrong = static_cast<std::uint32_t>(of_ring[kRings]);
+}
+
+inline std::uint32_t FrameHits::ring_of(window::TileNumber tile) const {
+  constexpr std::uint32_t kMask = window::kTilesAcross - 1;
+  return std::max(columns_away_[static_cast<std::uint32_t>(tile.a) & kMask],
+                  rows_away_[static_cast<std::uint32_t>(tile.b) & kMask]);
+}
+
+// From the nearest on.
+std::uint32_t FrameHits::rings_that_fit(const Frame& frame) const {
+  std::array<std::size_t, kRings> of_ring{};
+  for (const Hit& hit : frame.hits) {
+    const window::TileNumber tile = window::window_tile(hit.cell);
+    if (area_.contains(tile)) {
+      ++of_ring[ring_of(tile)];
+    }
+  }
   std::size_t fit = 0;
   std::uint32_t rings = 0;
   while (rings < kRings && fit + of_ring[rings] <= kMostSeen) {
     fit += of_ring[rings++];
   }
+  return rings;
+}
+
+std::size_t FrameHits::collect(const Frame& frame, Left& left) {
+  const std::size_t slices = std::min(frame.ages_ms.size(), kMostSlices);
+  const std::uint32_t rings = frame.hits.size() <= kMostSeen ? kRings : rings_that_fit(frame);
   std::size_t count = 0;
   for (const Hit& hit : frame.hits) {
-    const Key its = key(hit);
-    if (its >> kRingShift < rings) {
-      keys_[count++] = its;
+    if (hit.slice >= slices || !area_.contains(window::window_tile(hit.cell))) {
+      ++left.wrong;
+      continue;
+    }
+    const Key key = key_of(hit.cell, hit.slice);
+    if (key >> kRingShift < rings) {
+      other_[count++] = key;
+    } else {
+      ++left.beyond;
     }
   }
-  left.beyond = static_cast<std::uint32_t>(frame.hits.size() - count) - left.wrong;
   return count;
 }
 
 // By digits, the lowest first: each round keeps the order of the one before.
 void FrameHits::sort(std::size_t count) {
-  const auto one_round = [&](const auto& from, auto& to, unsigned shift) {
-    std::array<std::uint16_t, kDigits + 1> begin{};
-    for (std::size_t i = 0; i < count; ++i) {
-      ++begin[(from[i] >> shift & (kDigits - 1)) + 1];
+  std::array<std::array<std::uint16_t, kDigits>, kDigitsOfAKey> places{};  // how many, then where
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t digit = 0; digit < kDigitsOfAKey; ++digit) {
+      ++places[digit][digit_of(other_[i], digit)];
     }
-    for (std::size_t digit = 1; digit < begin.size(); ++digit) {
-      begin[digit] = static_cast<std::uint16_t>(begin[digit] + begin[digit - 1]);
-    }
+  }
+  for (auto& of_digit : places) {
+    std::exclusive_scan(of_digit.begin(), of_digit.end(), of_digit.begin(), std::uint16_t{0});
+  }
+  const auto one_round = [&](std::size_t digit, const auto& from, auto& to) {
     for (std::size_t i = 0; i < count; ++i) {
-      to[begin[from[i] >> shift & (kDigits - 1)]++] = from[i];
+      to[places[digit][digit_of(from[i], digit)]++] = from[i];
     }
   };
-  one_round(keys_, other_, 0);
-  one_round(other_, keys_, kDigitBits);
-  one_round(keys_, other_, 2 * kDigitBits);
-  std::copy_n(other_.begin(), count, keys_.begin());
+  one_round(0, other_, keys_);
+  one_round(1, keys_, other_);
+  one_round(2, other_, keys_);
 }
 
 inline FrameHits::Key FrameHits::key_of(geometry::Cell cell, std::uint8_t slice) const {
-  constexpr std::uint32_t kMask = geometry::kTileSide - 1;
   const window::TileNumber tile = window::window_tile(cell);
-  if (!area_.contains(tile)) {
-    return kNoKey;
-  }
-  const std::int32_t away =
-      std::max(numeric::magnitude(tile.a - car_tile_.a), numeric::magnitude(tile.b - car_tile_.b));
-  const auto ring = static_cast<Key>(std::min<std::int32_t>(away, kRings - 1));
   const auto slot = static_cast<Key>(window::slot_of(tile));
-  const Key in_tile = (static_cast<Key>(cell.y) & kMask) << geometry::kTileSideLog2 |
-                      (static_cast<Key>(cell.x) & kMask);
-  return ring << kRingShift | slot << kSlotShift | in_tile << kSliceBits | slice;
+  const Key in_tile =
+      (static_cast<Key>(cell.y) & kInTile) << kSideBits | (static_cast<Key>(cell.x) & kInTile);
+  return ring_of(tile) << kRingShift | slot << kSlotShift | in_tile << kSliceBits | slice;
 }
 
-FrameHit FrameHits::hit_of(Key key, const Frame& frame) const {
-  constexpr std::uint32_t kMask = geometry::kTileSide - 1;
-  const window::TileNumber tile = area_.tile_at(key >> kSlotShift & (window::kSlotCount - 1));
-  const auto x = static_cast<std::int32_t>(key >> kSliceBits & kMask);
-  const auto y = static_cast<std::int32_t>(key >> (kSliceBits + geometry::kTileSideLog2) & kMask);
-  FrameHit hit;
-  hit.cell = {tile.a * window::kTileSide + x, tile.b * window::kTileSide + y};
-  hit.at = centre_of(hit.cell);
-  hit.moved = hit.at;
+// In its place: a copy would take as long as all the rest.
+inline void FrameHits::begin_hit(Key key, const Frame& frame, FrameHit& hit) const {
+  const Key slot = key >> kSlotShift;
+  const Key in_tile = key >> kSliceBits;
+  const Key x = (slot & kInTile) << kSideBits | (in_tile & kInTile);
+  const Key y = (slot >> kSideBits & kInTile) << kSideBits | (in_tile >> kSideBits & kInTile);
+  const geometry::Cell cell{coordinate(x, area_.corner().a * window::kTileSide),
+                            coordinate(y, area_.corner().b * window::kTileSide)};
+  hit.cell = cell;
+  hit.moved = centre_of(cell);
   hit.age_ms = frame.ages_ms[key & ((1U << kSliceBits) - 1)];
-  return hit;
+  hit.owner = kNobody;
+  hit.cluster = kNobody;
+  hit.name = Name::kUnknown;
+  hit.is_open = false;
+  hit.stands = false;
+  hit.is_old = false;
+  hit.oldest_epoch = 0;
 }
 
 std::size_t FrameHits::first_of(geometry::Cell cell) const {

@@ -41,19 +41,25 @@ class FrameHits {
   // slice.
   using Key = std::uint32_t;
 
-  // kNoKey: outside of the window.
-  static constexpr Key kNoKey = ~Key{0};
+  static constexpr std::uint32_t kRings = 32;
+
+  void begin(const Frame& frame);
+  // Of a cell of the window.
+  [[nodiscard]] std::uint32_t ring_of(window::TileNumber tile) const;
   [[nodiscard]] Key key_of(geometry::Cell cell, std::uint8_t slice) const;
-  [[nodiscard]] FrameHit hit_of(Key key, const Frame& frame) const;
+  void begin_hit(Key key, const Frame& frame, FrameHit& hit) const;
+  [[nodiscard]] std::uint32_t rings_that_fit(const Frame& frame) const;
   std::size_t collect(const Frame& frame, Left& left);
   void sort(std::size_t count);
 
   window::Area area_{};
-  window::TileNumber car_tile_{};
+  // How many tiles a column of tiles is away from the car, and a row, by their slots.
+  std::array<std::uint8_t, window::kTilesAcross> columns_away_{};
+  std::array<std::uint8_t, window::kTilesAcross> rows_away_{};
   std::array<FrameHit, kMostHits> hits_{};
   std::size_t count_ = 0;
-  std::array<Key, kMostSeen> keys_{};  // in order, of the hits first
-  std::array<Key, kMostSeen> other_{};
+  std::array<Key, kMostSeen> keys_{};   // in order, of the hits first
+  std::array<Key, kMostSeen> other_{};  // as they come
 };
 
 }  // namespace iog::objects

@@ -8,12 +8,17 @@
 
 namespace iog::objects {
 
-// name_of: what a cell of the local frame is called after the frame; kUnknown outside of the
-// window. is_open: whether the ground there was known to be open when the frame began.
+struct CellName {
+  Name name = Name::kUnknown;  // after the frame; kUnknown outside of the window
+  bool is_open = false;        // the ground was known to be open when the frame began
+};
+
+// look_at: a cell of the local frame. names_around: what the nine cells around one are called,
+// itself included.
 template <typename T>
 concept Namer = requires(const T& its, geometry::Cell cell) {
-  { its.name_of(cell) } -> std::same_as<Name>;
-  { its.is_open(cell) } -> std::same_as<bool>;
+  { its.look_at(cell) } -> std::same_as<CellName>;
+  { its.names_around(cell) } -> std::same_as<Names>;
 };
 
 class GridNames {
@@ -22,33 +27,20 @@ class GridNames {
   template <Namer T>
   explicit GridNames(const T& namer)
       : its_(&namer),
-        name_of_([](const void* its, geometry::Cell cell) {
-          return static_cast<const T*>(its)->name_of(cell);
+        look_at_([](const void* its, geometry::Cell cell) {
+          return static_cast<const T*>(its)->look_at(cell);
         }),
-        is_open_([](const void* its, geometry::Cell cell) {
-          return static_cast<const T*>(its)->is_open(cell);
+        names_around_([](const void* its, geometry::Cell cell) {
+          return static_cast<const T*>(its)->names_around(cell);
         }) {}
 
-  [[nodiscard]] Name name_of(geometry::Cell cell) const { return name_of_(its_, cell); }
-  [[nodiscard]] bool is_open(geometry::Cell cell) const { return is_open_(its_, cell); }
-
-  // Whether one of the nine cells around a cell, itself included, has a name that is asked for.
-  template <typename IsAsked>
-  [[nodiscard]] bool is_any_near(geometry::Cell cell, IsAsked&& is_asked) const {
-    for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
-      for (std::int32_t x = cell.x - 1; x <= cell.x + 1; ++x) {
-        if (is_asked(name_of(geometry::Cell{x, y}))) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
+  [[nodiscard]] CellName look_at(geometry::Cell cell) const { return look_at_(its_, cell); }
+  [[nodiscard]] Names names_around(geometry::Cell cell) const { return names_around_(its_, cell); }
 
  private:
   const void* its_;
-  Name (*name_of_)(const void*, geometry::Cell);
-  bool (*is_open_)(const void*, geometry::Cell);
+  CellName (*look_at_)(const void*, geometry::Cell);
+  Names (*names_around_)(const void*, geometry::Cell);
 };
 
 }  // namespace iog::objects

@@ -15,9 +15,9 @@ using window::Hit;
 // No track, no cluster.
 inline constexpr std::int16_t kNobody = -1;
 
-struct FrameHit {
+// A line of the level 1 cache.
+struct alignas(32) FrameHit {
   geometry::Cell cell{};
-  Point at{};                      // the cell's centre
   Point moved{};                   // to the frame's end, with the speed of its owner
   std::int32_t age_ms = 0;         // from its slice's middle to the frame's end, 0 ... 255
   std::int16_t owner = kNobody;    // a track's slot
@@ -27,6 +27,10 @@ struct FrameHit {
   bool stands = false;             // it, or what lies beside it, is known to stand
   bool is_old = false;             // something was there for long
   std::uint8_t oldest_epoch = 0;   // how many epochs ago something was hit there first; 0: never
+
+  // The cell's centre.
+  [[nodiscard]] constexpr Point at() const { return centre_of(cell); }
 };
+static_assert(sizeof(FrameHit) == 32);
 
 }  // namespace iog::objects

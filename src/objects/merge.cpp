@@ -6,11 +6,16 @@
 #include <limits>
 
 #include "numeric/magnitude.hpp"
+#include "objects/strips.hpp"
 
 namespace iog::objects {
 namespace {
 
 bool may_merge(const Track& track) { return track.is_there() && track.updates >= kMergeFrom; }
+
+// A corner of the younger one's box may be kMergeMm out of the older one's: along both sides of
+// that, so 3/2 of it along the axes of the world are enough.
+constexpr std::int32_t kMergeReach = kMergeMm * 3 / 2;
 
 // Those that may be one thing with another, in the order of slots, and what they lie in.
 struct Candidates {
@@ -18,20 +23,30 @@ struct Candidates {
   std::array<std::uint8_t, kMostTracks> slots{};
   std::array<std::uint32_t, kMostTracks> ids{};
   std::array<Bounds, kMostTracks> bounds{};
+  StripsOfAll strips{};  // half of the reach on each side
 
-  explicit Candidates(const Tracks& tracks) {
+  explicit Candidates(std::span<const Track> tracks) {
     for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
       if (may_merge(tracks[slot])) {
         slots[count] = static_cast<std::uint8_t>(slot);
         ids[count] = tracks[slot].id;
-        bounds[count++] = bounds_of(tracks[slot].box());
+        find_place(count++, tracks[slot]);
       }
     }
   }
-  // Whether the second is younger, and so near that a corner of its box may be kMergeMm out of the
-  // first's: along both sides of that, so 3/2 of it along the axes of the world are enough.
-  [[nodiscard]] bool are_near(std::size_t first, std::size_t second) const {
-    return ids[second] > ids[first] && bounds[first].is_near(bounds[second], kMergeMm * 3 / 2);
+  void find_place(std::size_t number, const Track& track) {
+    bounds[number] = bounds_of(track.box());
+    strips.set(number, Strips::of(bounds[number], kMergeReach / 2));
+  }
+  // The next from `from` on that is younger than the first and near to it; count: there is none.
+  [[nodiscard]] std::size_t next_near(std::size_t first, std::size_t from) const {
+    const auto next = [&](std::size_t number) { return strips.next(strips[first], number, count); };
+    std::size_t second = next(from);
+    while (second < count &&
+           !(ids[second] > ids[first] && bounds[first].is_near(bounds[second], kMergeReach))) {
+      second = next(second + 1);
+    }
+    return second;
   }
 };
 
@@ -75,7 +90,7 @@ void take_over(Track& older, Track& other, const Sides& together) {
 
 }  // namespace
 
-void merge(Tracks& tracks, std::span<FrameHit> hits) {
+void merge(std::span<Track> tracks, std::span<FrameHit> hits) {
   std::array<std::int16_t, kMostTracks> now_of{};  // by slot, whose its hits are now
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
     now_of[slot] = static_cast<std::int16_t>(slot);
@@ -84,13 +99,13 @@ void merge(Tracks& tracks, std::span<FrameHit> hits) {
   Candidates all(tracks);
   for (std::size_t first = 0; first < all.count; ++first) {
     const std::uint8_t slot = all.slots[first];
-    for (std::size_t second = 0; second < all.count && tracks[slot].is_there(); ++second) {
+    for (std::size_t second = all.next_near(first, 0);
+         second < all.count && tracks[slot].is_there(); second = all.next_near(first, second + 1)) {
       const std::uint8_t other = all.slots[second];
       Sides together{};
-      if (all.are_near(first, second) && tracks[other].is_there() &&
-          are_one(tracks[slot], tracks[other], together)) {
+      if (tracks[other].is_there() && are_one(tracks[slot], tracks[other], together)) {
         take_over(tracks[slot], tracks[other], together);
-        all.bounds[first] = bounds_of(tracks[slot].box());
+        all.find_place(first, tracks[slot]);
         std::ranges::replace(now_of, std::int16_t{other}, std::int16_t{slot});
         is_any = true;
       }

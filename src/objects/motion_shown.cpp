@@ -27,16 +27,14 @@ void weigh_left(const Snapshot& then, Point car, bool open_counts, const GridNam
     if (track.box().outside(place) <= kLeftMm) {
       continue;
     }
-    const auto is_near = [&](Name asked) {
-      return grid.is_any_near(cell, [=](Name name) { return name == asked; });
-    };
+    const Names near = grid.names_around(cell);
     Seen& seen = track.seen;
-    if (is_near(Name::kStanding)) {
+    if (near.has<Name::kStanding>()) {
       ++seen.bad;
-    } else if (is_near(Name::kOccupied)) {
+    } else if (near.has<Name::kOccupied>()) {
       const bool is_hidden = open_counts && track.box().is_between(car, place);
       ++(is_hidden ? seen.neutral : seen.bad);
-    } else if (grid.name_of(cell) == Name::kFree) {
+    } else if (grid.look_at(cell).name == Name::kFree) {
       ++seen.good;
     } else {
       ++seen.neutral;
@@ -48,7 +46,7 @@ void weigh_reached(const Snapshot& then, bool open_counts, std::span<const std::
                    std::span<const FrameHit> hits, Seen& seen) {
   for (const std::uint16_t number : numbers) {
     const FrameHit& hit = hits[number];
-    if (then.box.outside(hit.at) <= kLeftMm) {
+    if (then.box.outside(hit.at()) <= kLeftMm) {
       continue;
     }
     if (hit.name == Name::kMoving || (open_counts && hit.is_open)) {

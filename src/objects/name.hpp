@@ -30,4 +30,29 @@ enum class Name : std::uint8_t { kUnknown, kFree, kMoving, kStanding, kOccupied 
   return Name::kUnknown;
 }
 
+// What some cells are called, by the classes that they have: bit i is of the class i.
+class Names {
+ public:
+  constexpr Names() = default;
+  explicit constexpr Names(std::uint32_t classes) : classes_(classes) {}
+
+  template <Name kName>
+  [[nodiscard]] constexpr bool has() const {
+    return (classes_ & classes_of(kName)) != 0;
+  }
+
+ private:
+  static constexpr std::uint32_t kClassCount = 9;
+
+  static consteval std::uint32_t classes_of(Name name) {
+    std::uint32_t classes = 0;
+    for (std::uint32_t i = 0; i < kClassCount; ++i) {
+      classes |= name_of(static_cast<decision::Class>(i)) == name ? std::uint32_t{1} << i : 0;
+    }
+    return classes;
+  }
+
+  std::uint32_t classes_ = 0;
+};
+
 }  // namespace iog::objects

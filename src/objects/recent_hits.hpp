@@ -35,6 +35,7 @@ class RecentHits {
   [[nodiscard]] static std::uint32_t place_of(std::int32_t x, std::int32_t y) {
     return (static_cast<std::uint32_t>(y) % kSide) * kSide + static_cast<std::uint32_t>(x) % kSide;
   }
+  [[nodiscard]] std::uint32_t three_from(std::int32_t x, std::int32_t y) const;
   void drop(std::size_t epoch);
 
   std::uint64_t epoch_ = 0;

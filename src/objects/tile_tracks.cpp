@@ -26,19 +26,18 @@ Bounds reach_of(const Track& track, const ClaimGate& gate) {
 
 }  // namespace
 
-void TileTracks::Slots::insert(std::uint8_t slot) {
-  std::size_t place = count++;
+void TileTracks::insert(std::size_t tile, std::uint8_t slot) {
+  Slots& slots = slots_[tile];
+  std::size_t place = counts_[tile]++;
   for (; place > 0 && slots[place - 1] > slot; --place) {
     slots[place] = slots[place - 1];
   }
   slots[place] = slot;
 }
 
-std::uint32_t TileTracks::list(const Tracks& tracks, const ClaimGates& gates,
+std::uint32_t TileTracks::list(std::span<const Track> tracks, const ClaimGates& gates,
                                const window::Area& area) {
-  for (Slots& tile : tiles_) {
-    tile.count = 0;
-  }
+  counts_.fill(0);
   std::uint32_t left = 0;
   for (const bool moves : {true, false}) {
     for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
@@ -64,9 +63,9 @@ std::uint32_t TileTracks::add(std::size_t track, const Bounds& bounds, const win
   std::uint32_t left = 0;
   for (std::int32_t y = b.low; y <= b.high; ++y) {
     for (std::int32_t x = a.low; x <= a.high; ++x) {
-      Slots& tile = tiles_[window::slot_of({x, y})];
-      if (tile.count < tile.slots.size()) {
-        tile.insert(static_cast<std::uint8_t>(track));
+      const std::size_t tile = window::slot_of({x, y});
+      if (counts_[tile] < kMostTracksOfATile) {
+        insert(tile, static_cast<std::uint8_t>(track));
       } else {
         ++left;
       }
@@ -76,8 +75,8 @@ std::uint32_t TileTracks::add(std::size_t track, const Bounds& bounds, const win
 }
 
 std::span<const std::uint8_t> TileTracks::near(geometry::Cell cell) const {
-  const Slots& tile = tiles_[window::slot_of(window::window_tile(cell))];
-  return std::span(tile.slots).first(tile.count);
+  const std::size_t tile = window::slot_of(window::window_tile(cell));
+  return std::span(slots_[tile]).first(counts_[tile]);
 }
 
 }  // namespace iog::objects

@@ -20,7 +20,8 @@ namespace iog::objects {
 class TileTracks {
  public:
   // Returns how many tracks found no room in a tile, one for each tile.
-  std::uint32_t list(const Tracks& tracks, const ClaimGates& gates, const window::Area& area);
+  std::uint32_t list(std::span<const Track> tracks, const ClaimGates& gates,
+                     const window::Area& area);
 
   // The slots of the tracks of the tile of a cell of the window, in their order.
   [[nodiscard]] std::span<const std::uint8_t> near(geometry::Cell cell) const;
@@ -30,15 +31,14 @@ class TileTracks {
   }
 
  private:
-  struct Slots {
-    std::array<std::uint8_t, kMostTracksOfATile> slots{};
-    std::uint8_t count = 0;
-    // In their order. There is room.
-    void insert(std::uint8_t slot);
-  };
+  using Slots = std::array<std::uint8_t, kMostTracksOfATile>;
   std::uint32_t add(std::size_t track, const Bounds& bounds, const window::Area& area);
+  // Into a tile's slots in their order. There is room.
+  void insert(std::size_t tile, std::uint8_t slot);
 
-  std::array<Slots, window::kSlotCount> tiles_{};
+  // Apart from the slots, so that all are soon 0.
+  std::array<std::uint8_t, window::kSlotCount> counts_{};
+  std::array<Slots, window::kSlotCount> slots_{};
   std::array<Bounds, kMostTracks> reaches_{};  // of those that are listed
 };
 

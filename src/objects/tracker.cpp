@@ -18,20 +18,22 @@ FrameCounts Tracker::add(const Frame& frame, const GridNames& grid) {
   }
   counts.hits = hits_.gather(frame);
   look_at_hits(grid);
-  for (Track& track : tracks_) {
+  for (Track& track : used()) {
     if (track.is_there()) {
       track.seen = {};
       track.predict(step_);
     }
   }
-  counts.tiles_crowded = claim_.take(frame.area, tracks_, hits_.all());
+  counts.tiles_crowded = claim_.take(frame.area, used(), hits_.all());
   counts.hits_not_clustered = clusters_.find(frame.area, car_, hits_);
-  attach(car_, tracks_, clusters_, hits_.all());
-  associate(tracks_, clusters_, hits_.all());
+  attach(car_, used(), clusters_, hits_.all());
+  associate(used(), clusters_, hits_.all());
   measure_all();
   counts.tracks_refused = give_birth();
-  merge(tracks_, hits_.all());
+  merge(used(), hits_.all());
   judge_all(grid);
+  leave_free_slots();
+  moving_.list(used());
   recent_.add(now_us_, hits_.all());
   return counts;
 }
@@ -67,9 +69,11 @@ void Tracker::pass(std::uint64_t end_us) {
 }
 
 void Tracker::forget() {
-  for (Track& track : tracks_) {
+  for (Track& track : used()) {
     track.end();
   }
+  leave_free_slots();
+  moving_.clear();
   recent_.forget();
   now_us_ = 0;
   car_velocity_ = {};
@@ -77,11 +81,11 @@ void Tracker::forget() {
 
 void Tracker::look_at_hits(const GridNames& grid) {
   for (FrameHit& hit : hits_.all()) {
-    hit.name = grid.name_of(hit.cell);
-    hit.is_open = grid.is_open(hit.cell);
+    const CellName its = grid.look_at(hit.cell);
+    hit.name = its.name;
+    hit.is_open = its.is_open;
     hit.stands = hit.name == Name::kStanding ||
-                 (hit.name != Name::kMoving &&
-                  grid.is_any_near(hit.cell, [](Name name) { return name == Name::kStanding; }));
+                 (hit.name != Name::kMoving && grid.names_around(hit.cell).has<Name::kStanding>());
     hit.oldest_epoch = static_cast<std::uint8_t>(recent_.oldest(hit.cell));
     hit.is_old = hit.stands || (hit.name != Name::kMoving && hit.oldest_epoch >= kOldEpochs);
   }
@@ -93,16 +97,26 @@ void Tracker::group_by_owner() {
 
 void Tracker::measure_all() {
   group_by_owner();
-  for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
+  for (std::size_t slot = 0; slot < used_; ++slot) {
     if (tracks_[slot].is_there()) {
       measure(car_, now_us_, owned_.of(slot), hits_.all(), tracks_[slot]);
     }
   }
 }
 
-std::size_t Tracker::free_slot() const {
-  const auto found = std::ranges::find(tracks_, State::kNone, &Track::state);
-  return static_cast<std::size_t>(found - tracks_.begin());
+// The lowest; null: there is none.
+Track* Tracker::free_slot() {
+  const auto found = std::ranges::find(used(), State::kNone, &Track::state);
+  if (found != used().end()) {
+    return &*found;
+  }
+  return used_ < tracks_.size() ? &tracks_[used_++] : nullptr;
+}
+
+void Tracker::leave_free_slots() {
+  while (used_ > 0 && !tracks_[used_ - 1].is_there()) {
+    --used_;
+  }
 }
 
 // Of clusters that are nobody's; the nearest have the lowest numbers.
@@ -116,18 +130,18 @@ std::uint32_t Tracker::give_birth() {
         bounds.high.y_mm - bounds.low.y_mm > kLongestMm) {
       continue;
     }
-    const std::size_t slot = free_slot();
-    if (slot == tracks_.size()) {
+    Track* const track = free_slot();
+    if (track == nullptr) {
       ++refused;
       continue;
     }
     Box box{.at = bounds.middle()};
     box.sides = sides_of(edges_of(box, clusters_.hits_of(i), hits_.all()));
-    tracks_[slot].begin(next_id_++, box, now_us_);
-    own(tracks_[slot], slot, i, clusters_, hits_.all());
+    track->begin(next_id_++, box, now_us_);
+    own(*track, static_cast<std::size_t>(track - tracks_.data()), i, clusters_, hits_.all());
     for (const std::uint16_t number : clusters_.hits_of(i)) {
-      ++tracks_[slot].seen.hits;
-      tracks_[slot].seen.moving += hits_.all()[number].name == Name::kMoving ? 1 : 0;
+      ++track->seen.hits;
+      track->seen.moving += hits_.all()[number].name == Name::kMoving ? 1 : 0;
     }
   }
   return refused;
@@ -135,7 +149,7 @@ std::uint32_t Tracker::give_birth() {
 
 void Tracker::judge_all(const GridNames& grid) {
   group_by_owner();
-  for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
+  for (std::size_t slot = 0; slot < used_; ++slot) {
     Track& track = tracks_[slot];
     if (track.is_there() && is_judged(now_us_, step_, track)) {
       weigh_motion(now_us_, car_, car_velocity_, owned_.of(slot), hits_.all(), grid, track);
@@ -143,13 +157,6 @@ void Tracker::judge_all(const GridNames& grid) {
       judge(now_us_, track);
     }
   }
-}
-
-bool Tracker::is_in_moving_box(geometry::Cell cell) const {
-  const Point at = centre_of(cell);
-  return std::ranges::any_of(tracks_, [&](const Track& track) {
-    return track.moves() && track.box().outside(at) <= kTailMm;
-  });
 }
 
 }  // namespace iog::objects

@@ -20,6 +20,7 @@
 #include "objects/frame_hits.hpp"
 #include "objects/grid_names.hpp"
 #include "objects/grouped.hpp"
+#include "objects/moving_boxes.hpp"
 #include "objects/recent_hits.hpp"
 #include "objects/step.hpp"
 #include "objects/track.hpp"
@@ -73,7 +74,9 @@ class Tracker {
   }
   // Whether a cell may hold a part of something that moves, hit or not: it is at most kTailMm out
   // of its box.
-  [[nodiscard]] bool is_in_moving_box(geometry::Cell cell) const;
+  [[nodiscard]] bool is_in_moving_box(geometry::Cell cell) const {
+    return moving_.hold(centre_of(cell));
+  }
 
  private:
   [[nodiscard]] bool begin(const Frame& frame, FrameCounts& counts);
@@ -82,15 +85,20 @@ class Tracker {
   std::uint32_t give_birth();
   void judge_all(const GridNames& grid);
   void group_by_owner();
-  [[nodiscard]] std::size_t free_slot() const;
+  // Behind them no slot has a track.
+  [[nodiscard]] std::span<Track> used() { return std::span(tracks_).first(used_); }
+  [[nodiscard]] Track* free_slot();
+  void leave_free_slots();
 
   Tracks tracks_{};
+  std::size_t used_ = 0;
   std::uint32_t next_id_ = 1;
   FrameHits hits_{};
   RecentHits recent_{};
   Claim claim_{};
   Clusters clusters_{};
   OwnedHits owned_{};
+  MovingBoxes moving_{};
   // Of the frame at hand.
   std::uint64_t now_us_ = 0;  // 0: there was none yet
   Step step_{1};

@@ -68,7 +68,7 @@ class Area {
   }
   [[nodiscard]] constexpr bool contains(geometry::Cell cell) const {
     return contains(
-        TileNumber{numeric::div_floor(cell.x, kTileSide), numeric::div_floor(cell.y, kTileSide)});
+        TileNumber{cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2});
   }
 
   // The tile of this area that lies at a slot. It wraps where the area would leave 32 bits.

@@ -6,6 +6,14 @@
 #include "window/eight_bytes.hpp"
 
 namespace iog::window {
+namespace {
+
+// Of a class byte, which is never below 0.
+std::uint32_t bit_of_class(std::byte byte) {
+  return std::uint32_t{1} << std::to_integer<unsigned>(byte) / unsigned{decision::kSurenessCount};
+}
+
+}  // namespace
 
 std::optional<WindowView::ClassBytes> WindowView::class_bytes(std::size_t slot) const {
   if (!window_->is_known(slot)) {
@@ -29,16 +37,26 @@ bool WindowView::copy_classes(std::size_t slot,
   return classes.has_value();
 }
 
-std::int8_t WindowView::name_of(geometry::Cell cell) const {
+std::uint32_t WindowView::classes_around(geometry::Cell cell) const {
+  constexpr std::uint32_t kLast = kTileSide - 1;
   const CellPlace at = place_of(cell);
-  return area().contains(cell) && is_known(at.slot)
-             ? tile(at.slot).decided[at.group()][at.in_group()]
-             : std::int8_t{0};
-}
-
-bool WindowView::is_open(geometry::Cell cell) const {
-  const CellPlace at = place_of(cell);
-  return area().contains(cell) && is_known(at.slot) && at.is_in(tile(at.slot).ground.open);
+  const bool is_inner = at.x > 0 && at.x < kLast && at.y > 0 && at.y < kLast;
+  std::uint32_t classes = 0;
+  if (is_inner && area().contains(cell) && is_known(at.slot)) {
+    const auto bytes = std::as_bytes(std::span(tile(at.slot).decided));
+    for (std::uint32_t y = at.y - 1; y <= at.y + 1; ++y) {
+      for (std::uint32_t x = at.x - 1; x <= at.x + 1; ++x) {
+        classes |= bit_of_class(bytes[y * kTileSide + x]);
+      }
+    }
+    return classes;
+  }
+  for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (std::int32_t x = cell.x - 1; x <= cell.x + 1; ++x) {
+      classes |= bit_of_class(std::byte(name_of({x, y})));
+    }
+  }
+  return classes;
 }
 
 }  // namespace iog::window

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "ageing/clock.hpp"
+#include "window/cell_place.hpp"
 #include "window/window.hpp"
 
 namespace iog::window {
@@ -42,9 +43,20 @@ class WindowView {
   bool copy_classes(std::size_t slot, std::span<std::int8_t, geometry::kTileCells> to) const;
 
   // The class byte of a cell of the local frame; 0 outside of the window.
-  [[nodiscard]] std::int8_t name_of(geometry::Cell cell) const;
+  [[nodiscard]] std::int8_t name_of(geometry::Cell cell) const {
+    const CellPlace at = place_of(cell);
+    return area().contains(cell) && is_known(at.slot)
+               ? tile(at.slot).decided[at.group()][at.in_group()]
+               : std::int8_t{0};
+  }
   // Whether it is remembered that the ground there was open.
-  [[nodiscard]] bool is_open(geometry::Cell cell) const;
+  [[nodiscard]] bool is_open(geometry::Cell cell) const {
+    const CellPlace at = place_of(cell);
+    return area().contains(cell) && is_known(at.slot) && at.is_in(tile(at.slot).ground.open);
+  }
+
+  // Which classes the nine cells around one have, itself included: bit i is of the class i.
+  [[nodiscard]] std::uint32_t classes_around(geometry::Cell cell) const;
 
   // How many frames ago the oldest of them was decided. Of a tile that is known.
   [[nodiscard]] std::uint8_t age_frames(std::size_t slot) const {

@@ -45,8 +45,8 @@ class ClustersOf : public testing::Test {
 // its range, along both axes.
 std::vector<int> components_of(std::span<const FrameHit> hits) {
   const auto gap = [](const FrameHit& hit) {
-    const double longer = std::max(std::abs(hit.at.x_mm), std::abs(hit.at.y_mm));
-    const double shorter = std::min(std::abs(hit.at.x_mm), std::abs(hit.at.y_mm));
+    const double longer = std::max(std::abs(hit.at().x_mm), std::abs(hit.at().y_mm));
+    const double shorter = std::min(std::abs(hit.at().x_mm), std::abs(hit.at().y_mm));
     return 400 + 14 * std::floor((longer + shorter * 3 / 8) / 1000);
   };
   const auto is_fresh = [](const FrameHit& hit) { return hit.owner == kNobody && !hit.is_old; };
@@ -63,8 +63,8 @@ std::vector<int> components_of(std::span<const FrameHit> hits) {
     for (std::size_t next = 0; next < found.size(); ++next) {
       const FrameHit& hit = hits[found[next]];
       for (std::size_t i = 0; i < hits.size(); ++i) {
-        const std::int32_t off = std::max(std::abs(hits[i].at.x_mm - hit.at.x_mm),
-                                          std::abs(hits[i].at.y_mm - hit.at.y_mm));
+        const std::int32_t off = std::max(std::abs(hits[i].at().x_mm - hit.at().x_mm),
+                                          std::abs(hits[i].at().y_mm - hit.at().y_mm));
         if (off <= gap(hit)) {
           take(i);
         }
@@ -105,7 +105,7 @@ TEST_F(ClustersOf, HitsAreComponents) {
       counted += cluster.hits;
       ASSERT_EQ(clusters->hits_of(number).size(), cluster.hits);
       for (const std::uint16_t of : clusters->hits_of(number)) {
-        const Point at = hits->all()[of].at;
+        const Point at = hits->all()[of].at();
         ASSERT_LE(cluster.bounds.low.x_mm, at.x_mm);
         ASSERT_GE(cluster.bounds.high.y_mm, at.y_mm);
       }

@@ -135,6 +135,33 @@ Name Scene::name_of(geometry::Cell cell) const {
   return now_us - its->last_us <= 40'000 ? Name::kUnknown : Name::kFree;
 }
 
+// Of each name one class that is called so.
+Names Scene::names_around(geometry::Cell cell) const {
+  using decision::Class;
+  const auto class_of = [](Name name) {
+    switch (name) {
+      case Name::kUnknown:
+        return Class::kUnknown;
+      case Name::kFree:
+        return Class::kFree;
+      case Name::kMoving:
+        return Class::kMoving;
+      case Name::kStanding:
+        return Class::kStopped;
+      case Name::kOccupied:
+        break;
+    }
+    return Class::kOccupied;
+  };
+  std::uint32_t classes = 0;
+  for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (std::int32_t x = cell.x - 1; x <= cell.x + 1; ++x) {
+      classes |= 1U << static_cast<unsigned>(class_of(name_of({x, y})));
+    }
+  }
+  return Names(classes);
+}
+
 bool Scene::is_open(geometry::Cell cell) const {
   const std::uint64_t now_us = us_of(now_s());
   for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {

@@ -88,8 +88,10 @@ class Scene {
   [[nodiscard]] double moving_share(std::size_t thing, const Tracker& tracker) const;
 
   // As GridNames asks.
-  [[nodiscard]] Name name_of(geometry::Cell cell) const;
-  [[nodiscard]] bool is_open(geometry::Cell cell) const;
+  [[nodiscard]] CellName look_at(geometry::Cell cell) const {
+    return {.name = name_of(cell), .is_open = is_open(cell)};
+  }
+  [[nodiscard]] Names names_around(geometry::Cell cell) const;
 
   // The order in which the frame's hits are given.
   std::function<void(std::vector<Hit>&)> reorder = [](std::vector<Hit>&) {};
@@ -112,6 +114,8 @@ class Scene {
   void look_along(double angle, const Place& car, const std::vector<Place>& places,
                   std::uint8_t slice, std::uint64_t end_us, std::vector<Hit>& hits);
   void meet(geometry::Cell cell, std::size_t thing, std::uint64_t end_us);
+  [[nodiscard]] Name name_of(geometry::Cell cell) const;
+  [[nodiscard]] bool is_open(geometry::Cell cell) const;
   [[nodiscard]] const Memory* memory_of(geometry::Cell cell) const;
 
   Motion car_;

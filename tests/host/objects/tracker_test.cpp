@@ -26,8 +26,13 @@ constexpr window::Area kArea = window::Area::around({0, 0});
 // A grid that calls every cell the same.
 struct Everywhere {
   Name name = Name::kFree;
-  [[nodiscard]] Name name_of(geometry::Cell /*cell*/) const { return name; }
-  [[nodiscard]] bool is_open(geometry::Cell /*cell*/) const { return name == Name::kFree; }
+  [[nodiscard]] Names names_around(geometry::Cell /*cell*/) const {
+    return name == Name::kStanding ? Names(1U << static_cast<unsigned>(decision::Class::kStopped))
+                                   : Names();
+  }
+  [[nodiscard]] CellName look_at(geometry::Cell /*cell*/) const {
+    return {.name = name, .is_open = name == Name::kFree};
+  }
 };
 
 // FNV-1a of all that is said of the tracks.
