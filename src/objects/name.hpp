@@ -38,13 +38,14 @@ class Names {
 
   template <Name kName>
   [[nodiscard]] constexpr bool has() const {
-    return (classes_ & classes_of(kName)) != 0;
+    constexpr std::uint32_t kAsked = classes_of(kName);
+    return (classes_ & kAsked) != 0;
   }
 
  private:
   static constexpr std::uint32_t kClassCount = 9;
 
-  static consteval std::uint32_t classes_of(Name name) {
+  static constexpr std::uint32_t classes_of(Name name) {
     std::uint32_t classes = 0;
     for (std::uint32_t i = 0; i < kClassCount; ++i) {
       classes |= name_of(static_cast<decision::Class>(i)) == name ? std::uint32_t{1} << i : 0;

@@ -54,7 +54,10 @@ struct Tile {
 
   // What the map rules out in a group. Without a map nobody reads a kilobyte of zeros.
   [[nodiscard]] const decision::RuledOut& ruled_out_in(std::size_t group) const {
-    return has_ruled_out ? ruled_out[group] : kNothingRuledOut;
+    if (!has_ruled_out) {
+      return kNothingRuledOut;
+    }
+    return ruled_out[group];
   }
 
   // Row by row from the lowest y, and so is all that is by group.
