@@ -1,7 +1,7 @@
 """What the firmware needs: memory by its images, and instructions as counted in QEMU."""
 
 from cortex_a9 import CortexA9, frame_run
-from markdown import grouped, percent
+from markdown import fixed, grouped, percent
 from section import Section, one, select
 
 RUN = frame_run("city", coding="shortest")
@@ -87,6 +87,13 @@ def _serial_line(a9):
     return rows
 
 
+def _things(a9):
+    """Following things with a speed: instructions and modelled milliseconds of a mean frame."""
+    runs = {drive.replace("_", " "): f"perception_cost drive={drive}" for drive in ("city", "ring_road")}
+    return [[words, grouped(a9.mean(run, "instructions", "objects", "nominal")),
+             fixed(a9.mean(run, "cycles", "objects", "nominal") / 1e6, 2)] for words, run in runs.items()]
+
+
 def _per_point(a9):
     return {stage: grouped(a9.value(RUN, "instructions", stage) / a9.value(RUN, "points"))
             for stage in ("frame", "fuse", "aim")}
@@ -115,5 +122,6 @@ def section(data) -> Section:
         "counter": grouped(a9.value(RUN, "instructions", "counter")),
         "cells_a_point": grouped(a9.value(RUN, "cells") / a9.value(RUN, "points")),
         "tiles_per_grid": grouped(a9.value(RUN, "tiles_per_grid")),
-        "operations": _operations(a9), "serial_line": _serial_line(a9),
+        "operations": _operations(a9), "serial_line": _serial_line(a9), "things": _things(a9),
+        "things_bytes": grouped(a9.value("object_cost kind=anywhere", "bytes")),
         "made_with": _made_with(data["made_with"])})
