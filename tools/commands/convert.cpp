@@ -132,8 +132,11 @@ void convert_messages(const ConvertOptions& options) {
   }
   std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
   PcapWriter capture(options.out);
+  Progress progress("packets", datagrams.size());
+  std::uint64_t written = 0;
   for (const CapturedDatagram& datagram : datagrams) {
     capture.write(datagram);
+    progress.show(++written);
   }
   capture.finish();
   const std::uint64_t span_us = datagrams.back().time_us - datagrams.front().time_us;

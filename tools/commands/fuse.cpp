@@ -75,7 +75,7 @@ std::uint64_t feed(PcapReader& capture, const CatalogueEntry& car, OfflineTarget
     } else {
       ++other_ports;
     }
-    progress.show(capture.counts().datagrams);
+    progress.show(capture.counts().datagrams, capture.part_read());
   }
   target.finish();
   return other_ports;
@@ -122,8 +122,8 @@ void print_input(const PcapReader& capture, std::uint64_t other_ports) {
   if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {
     std::cout << row("not looked at", skipped);
   }
-  if (capture.is_cut_off()) {
-    std::cout << row("capture", "breaks off in a packet");
+  if (!capture.trouble().empty()) {
+    std::cout << row("capture", capture.trouble());
   }
 }
 
@@ -198,7 +198,7 @@ void add_fuse(CLI::App& program) {
   auto* const command =
       program.add_subcommand("fuse", "Fuse a capture on this PC, with the target's own code");
   const auto options = std::make_shared<FuseOptions>();
-  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")
+  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng; .gz or .zst)")
       ->option_text("FILE  (required)")
       ->required();
   add_vehicle_options(*command, options->vehicle);

@@ -56,8 +56,9 @@ void read(const std::string& path, std::vector<TurningUnit>& units, MotionLog& m
     for (TurningUnit& unit : units) {
       unit.turns.take(*datagram);
     }
-    progress.show(capture.counts().datagrams);
+    progress.show(capture.counts().datagrams, capture.part_read());
   }
+  warn_of(path, capture);
   for (TurningUnit& unit : units) {
     unit.turns.finish();
   }
@@ -104,7 +105,7 @@ void add_mount(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "mount", "Find how the car's turning lidars are mounted, by the ground of a recording");
   const auto options = std::make_shared<MountOptions>();
-  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")
+  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng; .gz or .zst)")
       ->option_text("FILE  (required)")
       ->required();
   add_vehicle_options(*command, options->vehicle);

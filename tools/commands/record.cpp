@@ -162,8 +162,9 @@ void add_sources(CLI::App& command, RecordOptions& options) {
       ->check(CLI::Range(1, 65'535));
   auto* const pcap =
       sources
-          ->add_option("--pcap", options.pcap,
-                       "Fuse this capture of sensors (pcap or pcapng), and record that")
+          ->add_option(
+              "--pcap", options.pcap,
+              "Fuse this capture of sensors (pcap or pcapng; .gz or .zst), and record that")
           ->option_text("FILE");
   sources
       ->add_option("--stream", options.stream,

@@ -119,10 +119,11 @@ class Replay {
       ++other_ports_;
     }
     skipped_ += capture.counts().skipped();
+    warn_of(options_->pcap, capture);
     return std::nullopt;
   }
 
-  void send(const CapturedDatagram& datagram) {
+  void send(const CapturedDatagram& datagram, const PcapReader& capture) {
     last_time_us_ = clock_.move_to(datagram.time_us) + time_offset_;
     pace_.wait_for(last_time_us_);
     const auto port = std::ranges::find(ports_, datagram.destination.port);
@@ -136,7 +137,7 @@ class Replay {
       last_pose_ = std::chrono::steady_clock::now();
       has_sent_pose_ = true;
     }
-    progress_.show(sent_);
+    progress_.show(sent_, options_->loop ? std::nullopt : capture.part_read());
   }
 
   // Twice, because nobody says what has arrived. Classes are named as soon as the target uses it.
@@ -162,7 +163,7 @@ class Replay {
       if (was_interrupted()) {
         return;
       }
-      send(*datagram);
+      send(*datagram, capture);
     }
   }
 
@@ -175,7 +176,7 @@ class Replay {
         if (&datagram == &frame.back()) {
           let_poses_arrive();
         }
-        send(datagram);
+        send(datagram, capture);
         let_packets_arrive(datagram);
       }
       const bool has_packets = has_sensor_packet(frame);
@@ -283,7 +284,7 @@ void add_replay(CLI::App& program) {
   auto* const command =
       program.add_subcommand("replay", "Send the packets of a capture to a target");
   const auto options = std::make_shared<ReplayOptions>();
-  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng)")
+  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng; .gz or .zst)")
       ->option_text("FILE  (required)")
       ->required();
   add_vehicle_options(*command, options->vehicle);

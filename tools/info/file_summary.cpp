@@ -159,7 +159,7 @@ std::string summary_of_capture(const std::string& path) {
     }
     first_us = first_us.value_or(datagram->time_us);
     last_us = std::max(last_us, datagram->time_us);
-    progress.show(capture.counts().datagrams);
+    progress.show(capture.counts().datagrams, capture.part_read());
   }
   std::string text = row("kind", "capture, " + seconds(last_us - first_us.value_or(last_us)));
   text += census.table();
@@ -169,8 +169,8 @@ std::string summary_of_capture(const std::string& path) {
   if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {
     text += skipped + "\n";
   }
-  if (capture.is_cut_off()) {
-    text += "the file breaks off in a packet\n";
+  if (!capture.trouble().empty()) {
+    text += "the file " + capture.trouble() + "\n";
   }
   for (auto& [port, stream] : streams) {
     stream.finish();
@@ -186,7 +186,7 @@ std::string summary_of_mcap(const std::string& path) {
   Progress progress("messages");
   while (const std::optional<mcap::Message> message = file.next()) {
     census->add(*message, file.channels().at(message->channel_id).topic == kMessagesTopic);
-    progress.show(file.counts().messages);
+    progress.show(file.counts().messages, file.part_read());
   }
   census->stream.finish();
   const std::uint64_t duration_us = census->duration_us();

@@ -18,6 +18,7 @@
 #include "tools/map/map_readers.hpp"
 #include "tools/map/osm_rules.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/progress.hpp"
 
 namespace iog::tools {
 namespace {
@@ -235,6 +236,26 @@ std::optional<GeoExtent> bounds_of(const osmium::io::Header& header) {
   return bounds.is_empty() ? std::nullopt : std::optional(bounds);
 }
 
+// Beside other handlers: shows how much of the file has been read.
+class Watched : public osmium::handler::Handler {
+ public:
+  Watched(const std::string& what, const osmium::io::Reader& reader)
+      : reader_(&reader), progress_(what) {}
+
+  void osm_object(const osmium::OSMObject& /*object*/) {
+    constexpr std::uint64_t kSeldom = 1024;
+    if (++objects_ % kSeldom == 0) {
+      progress_.show(objects_, static_cast<double>(reader_->offset()) /
+                                   static_cast<double>(reader_->file_size()));
+    }
+  }
+
+ private:
+  const osmium::io::Reader* reader_;
+  Progress progress_;
+  std::uint64_t objects_ = 0;
+};
+
 // A file whose objects are in the usual order: by type, then by number.
 class OrderedFile {
  public:
@@ -242,13 +263,18 @@ class OrderedFile {
 
   template <typename Areas>
   void read_relations(Areas& areas) {
-    osmium::relations::read_relations(file_, areas);
+    osmium::io::Reader reader(file_, osmium::osm_entity_bits::relation);
+    Watched watched("relations", reader);
+    osmium::apply(reader, areas, watched);
+    reader.close();
+    areas.prepare_for_lookup();
   }
   template <typename... Handlers>
   std::optional<GeoExtent> read(Handlers&&... handlers) {
     osmium::io::Reader reader(file_);
     const auto bounds = bounds_of(reader.header());
-    osmium::apply(reader, handlers...);
+    Watched watched("objects", reader);
+    osmium::apply(reader, handlers..., watched);
     reader.close();
     return bounds;
   }

@@ -188,12 +188,10 @@ void record_capture(const std::string& path, const std::string& vehicle, const s
     if (takes_port(car, datagram->destination.port)) {
       target->take(*datagram);
     }
-    progress.show(capture.counts().datagrams);
+    progress.show(capture.counts().datagrams, capture.part_read());
   }
   target->finish();
-  if (capture.is_cut_off()) {
-    std::cerr << "iog: " << path << ": breaks off in a packet; recorded as far as it goes\n";
-  }
+  warn_of(path, capture);
   if (recorder.census().statistics().records().empty() && !was_interrupted()) {
     throw UsageError(path + ": no frame has evidence: what came to the ports of " + vehicle +
                      " holds no scan of its sensors");
@@ -206,7 +204,7 @@ void record_stream(const std::string& path, Recorder& recorder) {
   std::optional<CapturedDatagram> datagram;
   while (!was_interrupted() && (datagram = file.next())) {
     recorder.take(*datagram);
-    progress.show(recorder.datagrams());
+    progress.show(recorder.datagrams(), file.part_read());
   }
   if (recorder.datagrams() == 0 && !was_interrupted()) {
     throw UsageError(path + ": no message of a target in it");

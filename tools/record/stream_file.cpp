@@ -53,9 +53,13 @@ std::optional<CapturedDatagram> StreamFile::next_of_mcap() {
   return std::nullopt;
 }
 
+std::optional<double> StreamFile::part_read() const {
+  return capture_ ? capture_->part_read() : mcap_->part_read();
+}
+
 bool StreamFile::is_damaged() const {
   if (capture_) {
-    return capture_->is_cut_off() || capture_->counts().skipped() > 0;
+    return !capture_->trouble().empty() || capture_->counts().skipped() > 0;
   }
   const mcap::ReadCounts& counts = mcap_->counts();
   return !mcap_->is_finished() ||

@@ -21,6 +21,9 @@ class StreamFile {
   // The next datagram of the stream; nothing at the end. Other datagrams of a capture are skipped.
   [[nodiscard]] std::optional<CapturedDatagram> next();
 
+  // How much of the file has been read, 0 to 1; nothing where nobody knows its size.
+  [[nodiscard]] std::optional<double> part_read() const;
+
   // Whether the file breaks off or is damaged. Known when all has been read.
   [[nodiscard]] bool is_damaged() const;
 

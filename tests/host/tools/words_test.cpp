@@ -16,6 +16,7 @@
 #include "tools/identity/vehicle_fit.hpp"
 #include "tools/info/file_summary.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/progress.hpp"
 #include "tools/program/word_distance.hpp"
 #include "tools/receive/nothing_came.hpp"
 #include "tools/receive/run_statistics.hpp"
@@ -187,6 +188,21 @@ TEST(Silence, SaysWhatWasWaitedForAndWhatToLookAt) {
       words_of_silence("0.0.0.0", 15000, std::chrono::seconds(3), ", and nothing is written");
   EXPECT_TRUE(contains(all, "in 3.0 s, and nothing is written. Does")) << all;
   EXPECT_FALSE(contains(all, "--bind")) << all;
+}
+
+// What is left takes as long as what was done: 10 s for a quarter are 30 s for the rest.
+TEST(Progress, SaysHowMuchAndForHowLong) {
+  using std::chrono::seconds;
+  const auto line = [](std::uint64_t total, std::optional<double> part, int s) {
+    return progress_line("packets", 250, total, part, seconds(s));
+  };
+  EXPECT_EQ(line(0, std::nullopt, 10), "packets 250");
+  EXPECT_EQ(line(1000, std::nullopt, 10),
+            "packets 250 of 1000 [#####...............] 25 %, 0:30 left");
+  EXPECT_EQ(line(0, 0.5, 3725), "packets 250 [##########..........] 50 %, 1:02:05 left");
+  EXPECT_EQ(line(0, 0.5, 1), "packets 250 [##########..........] 50 %");
+  EXPECT_EQ(line(0, 0.0, 10), "packets 250 [....................] 0 %");
+  EXPECT_EQ(line(0, 1.5, 10), "packets 250 [####################] 100 %, 0:00 left");
 }
 
 }  // namespace

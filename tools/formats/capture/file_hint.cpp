@@ -1,7 +1,6 @@
 #include "tools/formats/capture/file_hint.hpp"
 
 #include <array>
-#include <fstream>
 #include <string_view>
 
 namespace iog::tools {
@@ -19,12 +18,10 @@ constexpr std::string_view kOfRos =
     "payloads of the driver's packet topic out one behind the other, and `iog convert` makes a "
     "capture of those of a LUX or a Velodyne";
 
-// RFC 1952, RFC 8878, the file formats of xz, bzip2, lz4, ZIP, ROS bags 2.0, SQLite and MCAP;
+// The file formats of xz, bzip2, lz4, ZIP, ROS bags 2.0, SQLite and MCAP;
 // docs/spec.md 1 and 6.
-constexpr std::array<Kind, 11> kKinds{
-    {{"\x1F\x8B"sv, "a gzip file: unpack it first, `gunzip -k FILE`"},
-     {"\x28\xB5\x2F\xFD"sv, "a zstd file: unpack it first, `unzstd FILE`"},
-     {"\xFD\x37\x7A\x58\x5A\x00"sv, "an xz file: unpack it first, `unxz -k FILE`"},
+constexpr std::array<Kind, 9> kKinds{
+    {{"\xFD\x37\x7A\x58\x5A\x00"sv, "an xz file: unpack it first, `unxz -k FILE`"},
      {"BZh"sv, "a bzip2 file: unpack it first, `bunzip2 -k FILE`"},
      {"\x04\x22\x4D\x18"sv, "an lz4 file: unpack it first, `unlz4 FILE`"},
      {"PK\x03\x04"sv, "a ZIP file: unpack it first, `unzip FILE`"},
@@ -50,11 +47,8 @@ bool is_raw_velodyne(std::string_view bytes) {
 
 }  // namespace
 
-std::string hint_of_file(const std::string& path) {
-  std::array<char, 1208> begin{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), begin.size());
-  const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
+std::string hint_of(std::span<const std::byte> begin) {
+  const std::string_view bytes(reinterpret_cast<const char*>(begin.data()), begin.size());
   for (const Kind& kind : kKinds) {
     if (bytes.starts_with(kind.begin)) {
       const bool is_of_ros = kind.begin.starts_with('#') || kind.begin.starts_with('S');

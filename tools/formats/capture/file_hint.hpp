@@ -2,12 +2,14 @@
 // and what to do with them.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 namespace iog::tools {
 
-// "a gzip file: unpack it first, `gunzip -k FILE`"; empty if the file cannot be read or begins as
-// none that is known.
-[[nodiscard]] std::string hint_of_file(const std::string& path);
+// "an xz file: unpack it first, `unxz -k FILE`", of the file's first 1208 bytes; empty if none
+// that is known begins so.
+[[nodiscard]] std::string hint_of(std::span<const std::byte> begin);
 
 }  // namespace iog::tools

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <iostream>
 #include <pcap/pcap.h>
+#include <string_view>
 #include <utility>
 
 #include "net/ethernet.hpp"
@@ -62,21 +65,44 @@ bool is_known_link(int link_type) {
          link_type == DLT_RAW || link_type == DLT_IPV4;
 }
 
+// What libpcap reads from. The bytes outlive it.
+std::FILE* c_file_of(UnpackedFile& bytes) {
+  const auto read = [](void* from, char* to, std::size_t count) {
+    return static_cast<ssize_t>(
+        static_cast<UnpackedFile*>(from)->read(std::as_writable_bytes(std::span(to, count))));
+  };
+  std::FILE* const file = fopencookie(
+      &bytes, "rb", {.read = read, .write = nullptr, .seek = nullptr, .close = nullptr});
+  if (file == nullptr) {
+    throw UsageError("no memory to read a capture");
+  }
+  return file;
+}
+
+std::string why_no_capture(const UnpackedFile& bytes, const std::string& reason) {
+  if (!bytes.trouble().empty()) {
+    return bytes.trouble();
+  }
+  const std::string hint = hint_of(bytes.begin());
+  if (hint.empty()) {
+    return reason + "; captures are pcap or pcapng files, as they are or packed by gzip or zstd";
+  }
+  const std::string packer = bytes.packer();
+  return (packer.empty() ? "" : "packed by " + packer + ", which is unpacked for captures only: ") +
+         hint;
+}
+
 }  // namespace
 
 void PcapReader::Closer::operator()(pcap* file) const { pcap_close(file); }
 
-PcapReader::PcapReader(const std::string& path) {
+PcapReader::PcapReader(const std::string& path) : bytes_(path) {
   std::array<char, PCAP_ERRBUF_SIZE> error{};
-  file_.reset(pcap_open_offline(path.c_str(), error.data()));
+  std::FILE* const bytes = c_file_of(bytes_);
+  file_.reset(pcap_fopen_offline(bytes, error.data()));
   if (!file_) {
-    if (const std::string hint = hint_of_file(path); !hint.empty()) {
-      throw UsageError(path + ": " + hint);
-    }
-    const std::string reason = error.data();
-    throw UsageError(reason.find(path) != std::string::npos
-                         ? reason
-                         : path + ": " + reason + "; captures are pcap or pcapng files");
+    static_cast<void>(std::fclose(bytes));
+    throw UsageError(path + ": " + why_no_capture(bytes_, error.data()));
   }
   link_type_ = pcap_datalink(file_.get());
   if (!is_known_link(link_type_)) {
@@ -104,7 +130,12 @@ std::optional<CapturedDatagram> PcapReader::next() {
       return datagram;
     }
   }
-  is_cut_off_ = status == PCAP_ERROR;
+  trouble_ = bytes_.trouble();
+  if (status == PCAP_ERROR && trouble_.empty()) {
+    const std::string_view reason = pcap_geterr(file_.get());
+    trouble_ = reason.starts_with("truncated") ? "breaks off in a packet"
+                                               : "cannot be read further: " + std::string(reason);
+  }
   return std::nullopt;
 }
 
@@ -153,6 +184,12 @@ bool PcapReader::extract(std::span<const std::byte> frame, CapturedDatagram& dat
   datagram.destination = {ip->destination.value, udp.datagram.destination_port};
   datagram.payload.assign(udp.datagram.payload.begin(), udp.datagram.payload.end());
   return true;
+}
+
+void warn_of(const std::string& path, const PcapReader& capture) {
+  if (!capture.trouble().empty()) {
+    std::cerr << "iog: " << path << ": " << capture.trouble() << "; used as far as it goes\n";
+  }
 }
 
 std::string describe_skipped(const CaptureCounts& counts) {

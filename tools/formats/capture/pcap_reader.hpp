@@ -1,6 +1,7 @@
-// Reads the UDP datagrams of a capture file: pcap or pcapng, Ethernet (with or without VLAN tags),
-// Linux cooked, or raw IP. Fragments are joined by the target's own code, and their datagram has
-// the time of the last one that came. Everything else is skipped and counted.
+// Reads the UDP datagrams of a capture file: pcap or pcapng, as it is or packed by gzip or zstd;
+// Ethernet (with or without VLAN tags), Linux cooked, or raw IP. Fragments are joined by the
+// target's own code, and their datagram has the time of the last one that came. Everything else is
+// skipped and counted.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 
 #include "net/reassembly.hpp"
 #include "tools/formats/capture/datagram.hpp"
+#include "tools/formats/capture/unpacked_file.hpp"
 
 struct pcap;
 
@@ -34,12 +36,15 @@ class PcapReader {
   // UsageError if the file cannot be read or its link type is another.
   explicit PcapReader(const std::string& path);
 
-  // The next datagram; nothing at the end of the file. A file that breaks off in a packet ends
-  // there, and is_cut_off() is true.
+  // The next datagram; nothing at the end of the file, or where it breaks off or cannot be read
+  // further.
   [[nodiscard]] std::optional<CapturedDatagram> next();
 
   [[nodiscard]] const CaptureCounts& counts() const { return counts_; }
-  [[nodiscard]] bool is_cut_off() const { return is_cut_off_; }
+  // "breaks off in a packet": why the file cannot be read to its end; empty if it can.
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  // How much of the file has been read, 0 to 1; nothing where nobody knows its size.
+  [[nodiscard]] std::optional<double> part_read() const { return bytes_.part_read(); }
 
  private:
   struct Closer {
@@ -50,13 +55,17 @@ class PcapReader {
   // The packet itself, or the one that it completes; nothing if it is counted among the skipped.
   [[nodiscard]] std::optional<net::Ipv4Packet> whole_packet(std::span<const std::byte> packet);
 
-  std::unique_ptr<pcap, Closer> file_;
+  UnpackedFile bytes_;
+  std::unique_ptr<pcap, Closer> file_;  // reads the bytes
   int link_type_ = 0;
   CaptureCounts counts_;
   std::unique_ptr<net::Reassembly> reassembly_ = std::make_unique<net::Reassembly>();
   std::uint64_t newest_us_ = 0;  // a capture may run backwards, reassembly does not
-  bool is_cut_off_ = false;
+  std::string trouble_;
 };
+
+// Says on stderr that the capture could not be read to its end, if so, when all has been read.
+void warn_of(const std::string& path, const PcapReader& capture);
 
 // "12 packets skipped: 3 not UDP, ..."; empty if none was.
 [[nodiscard]] std::string describe_skipped(const CaptureCounts& counts);

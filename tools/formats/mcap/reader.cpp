@@ -48,7 +48,12 @@ Reader::Reader(std::istream& in) : in_(&in) {
   if (!in || !is_magic(magic)) {
     throw UsageError("not an MCAP file");
   }
-  remaining_ = static_cast<std::uint64_t>(bytes) - magic.size();
+  bytes_ = static_cast<std::uint64_t>(bytes);
+  remaining_ = bytes_ - magic.size();
+}
+
+double Reader::part_read() const {
+  return 1 - static_cast<double>(remaining_) / static_cast<double>(bytes_);
 }
 
 std::optional<Message> Reader::next() {

@@ -53,6 +53,8 @@ class Reader {
   [[nodiscard]] const std::string& compression() const { return compression_; }
   // The number of messages in the file's statistics, if it has any.
   [[nodiscard]] std::optional<std::uint64_t> promised_messages() const { return promised_; }
+  // How much of the file has been read, 0 to 1.
+  [[nodiscard]] double part_read() const;
   // Whether the last record and the magic number at the end are there. Known when all has been
   // read.
   [[nodiscard]] bool is_finished() const { return is_finished_; }
@@ -74,7 +76,8 @@ class Reader {
   void take_metadata(wire::ByteReader in);
 
   std::istream* in_;
-  std::uint64_t remaining_ = 0;  // bytes of the file
+  std::uint64_t bytes_ = 0;      // of the file
+  std::uint64_t remaining_ = 0;  // of them
   std::vector<std::byte> record_;
   std::unique_ptr<std::byte[]> unpacked_;
   wire::ByteReader chunk_{{}};  // what is left of the chunk that is open
