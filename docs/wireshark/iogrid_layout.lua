@@ -222,6 +222,15 @@ local LINK = {
   "items of core 3", "port without room", "port restarts", "received lost by restarts",
   "unsent lost by restarts", "starts since power-up", "end of the run before", "detail of that end",
 }
+-- Rows of the loop's times, of which each has the same counters.
+for _, row in ipairs({ "fuse", "mark", "publish", "perceive", "frame", "late", "core 0", "core 1",
+                       "core 2", "core 3" }) do
+  for _, what in ipairs({ "worst us", "sum us high", "sum us low" }) do
+    table.insert(LINK, row .. " " .. what)
+  end
+  for octave = 8, 16 do table.insert(LINK, string.format("%s below %d us", row, 2 ^ octave)) end
+  table.insert(LINK, row .. " longer")
+end
 local POSE_FATES = { "used", "unconfirmed", "stranger", "too short", "not ours", "wrong version",
                      "damaged", "wrong length", "wrong flags", "not zero", "out of range",
                      "no sigma", "too old", "not newer", "flood", "of a past run" }

@@ -97,7 +97,7 @@ class MeasuredPlatform {
 
   // Called once for each frame, before its first message. One datagram closes two frames at most,
   // the second of which is all but empty, so that the last message of either is still in the ring.
-  [[nodiscard]] app::Vitals vitals() {
+  [[nodiscard]] app::Vitals vitals(const app::FrameTimes& /*times*/) {
     slot_ ^= 1U;
     ++closed_;
     return {};

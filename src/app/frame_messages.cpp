@@ -35,16 +35,16 @@ stream::Header header_of(const FrameReport& report) {
           .run_number = report.run_number};
 }
 
-stream::FrameEnd frame_end_of(const FrameReport& report) {
-  return {.opened_us = report.opened_us,
-          .stopwatch_hz = report.ticks_hz,
-          .ticks = report.ticks,
-          .stack_used_bytes = report.vitals.stack_used_bytes,
-          .fates = report.fates,
-          .packet_drops = report.packet_drops,
-          .link_counter_count = static_cast<std::uint8_t>(report.vitals.link_counter_count),
-          .link_counters = report.vitals.link_counters,
-          .sensors = report.sensors};
+void set_frame_end(const FrameReport& report, stream::FrameEnd& end) {
+  end = {.opened_us = report.opened_us,
+         .stopwatch_hz = report.ticks_hz,
+         .ticks = report.ticks,
+         .stack_used_bytes = report.vitals.stack_used_bytes,
+         .fates = report.fates,
+         .packet_drops = report.packet_drops,
+         .link_counter_count = static_cast<std::uint8_t>(report.vitals.link_counter_count),
+         .link_counters = report.vitals.link_counters,
+         .sensors = report.sensors};
 }
 
 }  // namespace iog::app

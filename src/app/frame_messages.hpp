@@ -9,7 +9,7 @@ namespace iog::app {
 // The header of the frame's messages. Their type and number do not matter.
 [[nodiscard]] stream::Header header_of(const FrameReport& report);
 
-// Everything but what became of the tiles.
-[[nodiscard]] stream::FrameEnd frame_end_of(const FrameReport& report);
+// Everything but what became of the tiles. It is long, and not to be on the stack twice.
+void set_frame_end(const FrameReport& report, stream::FrameEnd& end);
 
 }  // namespace iog::app

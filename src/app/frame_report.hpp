@@ -21,6 +21,13 @@ struct Vitals {
       link_counters{};  // since start, as docs/spec.md
 };
 
+// What a frame has taken.
+struct FrameTimes {
+  stream::StageTicks ticks{};  // publish: that of the frame before
+  std::uint32_t late_us = 0;   // how long after its deadline it was closed
+  bool has_packets = false;
+};
+
 struct FrameReport {
   std::uint32_t run_number = 0;
   std::uint32_t number = 0;     // wraps

@@ -44,6 +44,7 @@ class GridEngine {
     return frame_.classify(packet);
   }
   void leave(const intake::SensorPacket& packet) { frame_.leave(packet); }
+  [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] bool is_complete() const { return frame_.is_complete(); }
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return frame_.is_overdue(now_us); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }

@@ -20,8 +20,10 @@
 #include "app/backlog.hpp"
 #include "app/core_report.hpp"
 #include "app/life.hpp"
+#include "app/loop_times.hpp"
 #include "app/pipeline.hpp"
 #include "app/serial_sink.hpp"
+#include "app/times_report.hpp"
 #include "hal/clock.hpp"
 #include "hal/console.hpp"
 #include "hal/cores.hpp"
@@ -92,20 +94,30 @@ class MachinePlatform {
   [[nodiscard]] std::size_t cores() const { return team_.cores(); }
   void share(std::size_t items, work::Work work) {
     const std::uint32_t before = team_.troubles();
-    team_.share(items, work);
+    auto timed = [this, work](std::size_t item, std::size_t core) {
+      const std::uint32_t begin = machine_.stopwatch().ticks();
+      work.run(work.context, item, core);
+      core_times_.add(core, machine_.stopwatch().ticks() - begin);
+    };
+    team_.share(items, work::work_of(timed));
     if (team_.troubles() != before) {
       report_cores(machine_.console(), team_);
     }
   }
+
+  // For the console, when nothing waits.
+  void tell_times(std::uint64_t now_us) { times_report_.tell(times_, now_us, machine_.console()); }
 
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
   std::uint32_t run_number() { return machine_.run_number(); }
 
   // The link's counters in the order of docs/spec.md; damaged datagrams count as dropped packets.
-  [[nodiscard]] Vitals vitals() {
+  [[nodiscard]] const Vitals& vitals(const FrameTimes& times) {
     ++frames_;
-    Vitals vitals{.stack_used_bytes = machine_.stack_used_bytes()};
+    times_.add(times, core_times_, ticks_hz());
+    Vitals& vitals = vitals_;
+    vitals.stack_used_bytes = machine_.stack_used_bytes();
     const net::Counters& net = host_.counters();
     const hal::PortCounters port = machine_.ethernet().counters();
     std::span<std::uint32_t> out = vitals.link_counters;
@@ -131,6 +143,9 @@ class MachinePlatform {
     const hal::RunBefore before = machine_.run_before();
     append(
         std::array{before.starts, static_cast<std::uint32_t>(before.end.cause), before.end.detail});
+    require(vitals.link_counters.size() - out.size() == stream::kTimeCounters);
+    times_.write(out.first<LoopTimes::kCounters>());
+    out = out.subspan<LoopTimes::kCounters>();
     vitals.link_counter_count = vitals.link_counters.size() - out.size();
     vitals.link_drops = port.receive_errors + port.oversized + port.receive_overflows +
                         port.lost_received + fragments.expired + fragments.displaced;
@@ -154,7 +169,11 @@ class MachinePlatform {
   M& machine_;
   net::Host<Port> host_;
   Team team_;
+  LoopTimes times_;
+  work::CoreTimes core_times_;
+  TimesReport times_report_;
   std::uint32_t frames_ = 0;
+  Vitals vitals_;
 };
 
 // The target's pipeline: every frame goes to the network, with classes if its vehicle asks for
@@ -164,39 +183,50 @@ using MachinePipeline = std::conditional_t<vehicle::have_classes(kGrids),
                                            PerceptionPipeline<MachinePlatform<M>, SerialSink>,
                                            Pipeline<MachinePlatform<M>, SerialSink>>;
 
-// What has come, as far as one pass goes: kMaxDatagramsPerPass, or until the open frame's time runs
-// out, so that it is closed on time however slow its points are, or until too much has waited.
+// Whether the end of the frame at hand is due, and fusing has to wait for it.
+template <typename ItsPipeline>
+[[nodiscard]] bool must_yield(const Backlog& backlog, const ItsPipeline& pipeline,
+                              std::uint64_t now_us) {
+  return pipeline.is_begun() && backlog.must_yield(pipeline.deadline_us(), now_us);
+}
+
+// What has come, as far as one pass goes: kMaxDatagramsPerPass, or until the frame's end is due, so
+// that it is closed on time however slow its points are, or until too much has waited.
 template <Machine M, typename ItsPipeline>
 void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& backlog,
                     ItsPipeline& pipeline) {
-  std::uint64_t now_us = machine.clock().now_us();
-  const bool was_overdue = now_us >= pipeline.deadline_us();
   for (int taken = 0; taken < kMaxDatagramsPerPass; ++taken) {
+    const std::uint64_t now_us = machine.clock().now_us();
+    if (must_yield(backlog, pipeline, now_us) || backlog.is_too_long(now_us)) {
+      break;
+    }
     const auto datagram = platform.host().poll(now_us);
     if (!datagram) {
       break;
     }
     pipeline.take({datagram->source.value, datagram->destination_port, datagram->payload}, now_us);
     machine.serial().pump();
-    now_us = machine.clock().now_us();
-    const bool is_overdue = !was_overdue && now_us >= pipeline.deadline_us();
-    if (is_overdue || backlog.is_too_long(now_us)) {
-      break;
-    }
   }
 }
 
-// Leaves what waits in the receive ring.
+// Leaves what waits in the receive ring. The frame's end comes first; then the rest is left in the
+// next pass.
 template <Machine M, typename ItsPipeline>
-void leave_datagrams(M& machine, MachinePlatform<M>& platform, ItsPipeline& pipeline) {
-  const std::uint64_t now_us = machine.clock().now_us();
+void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
+                     ItsPipeline& pipeline) {
+  std::uint64_t now_us = machine.clock().now_us();
   for (int left = 0; left < kMaxDatagramsLeft; ++left) {
+    if (must_yield(backlog, pipeline, now_us)) {
+      return;
+    }
     const auto datagram = platform.host().poll(now_us);
     if (!datagram) {
       break;
     }
     pipeline.leave({datagram->source.value, datagram->destination_port, datagram->payload}, now_us);
+    now_us = machine.clock().now_us();
   }
+  backlog.begin(now_us);
 }
 
 // A slice of the check of memory, if one is due. What has changed is believed no more.
@@ -227,11 +257,11 @@ bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial, Backlog&
   life.end_pass(machine, platform, check);
   if (machine.ethernet().receive().empty()) {
     backlog.clear();
+    platform.tell_times(now_us());
     return false;
   }
   if (backlog.is_too_long(now_us())) {
-    leave_datagrams(machine, platform, pipeline);
-    backlog.clear();
+    leave_datagrams(machine, platform, backlog, pipeline);
   }
   return true;
 }

@@ -43,7 +43,7 @@ class NetworkSink {
   void begin_frame(const FrameReport& report, std::uint8_t flags) {
     header_ = header_of(report);
     header_.flags = static_cast<std::uint8_t>(header_.flags | flags);
-    end_ = frame_end_of(report);
+    set_frame_end(report, end_);
     hash_ = {};
     tiles_.begin(header_);
   }

@@ -70,6 +70,7 @@ class PerceptionEngine {
   // Keeps the packet until the frame ends: there is nothing to do yet for a crew.
   void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
   void leave(const intake::SensorPacket& packet) { frame_.leave(packet); }
+  [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] bool is_complete() const { return frame_.is_complete(); }
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return frame_.is_overdue(now_us); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }

@@ -7,8 +7,10 @@
 // file. A closed frame goes to the network, and to whatever other sinks there are.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -90,6 +92,8 @@ class EnginePipeline {
     }
   }
 
+  // Whether the frame at hand has packets; when its time is over.
+  [[nodiscard]] bool is_begun() const { return engine_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
 
  private:
@@ -109,8 +113,17 @@ class EnginePipeline {
     report.run_number = platform_->run_number();
     report.ticks = watch_.ticks();
     report.ticks_hz = platform_->ticks_hz();
-    report.vitals = platform_->vitals();
+    report.vitals = platform_->vitals({.ticks = report.ticks,
+                                       .late_us = late_us(now_us),
+                                       .has_packets = report.packets_fused > 0});
     return report;
+  }
+
+  // How long the frame's time has been over.
+  [[nodiscard]] std::uint32_t late_us(std::uint64_t now_us) const {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    const std::uint64_t deadline_us = engine_.deadline_us();
+    return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
   // The engine owns the grid: it shows each known tile once, and clears it.

@@ -70,7 +70,7 @@ struct StageTicks {
 };
 inline constexpr std::size_t kStageCount = 4;
 
-inline constexpr std::size_t kMaxLinkCounters = 56;
+inline constexpr std::size_t kMaxLinkCounters = 192;
 
 // Where the counters of the cores are among the link counters: cores at work, items done for lost
 // cores, and those done by core 0 to 3.
@@ -79,6 +79,11 @@ inline constexpr std::size_t kCoreCounters = 42;
 // And where those of the run before: starts since power-up, how it has ended (hal::EndCause) and a
 // number that belongs to that.
 inline constexpr std::size_t kEndCounters = 52;
+
+// And where the loop's times are: rows of the worst, the sum in two words, and a histogram.
+inline constexpr std::size_t kTimeCounters = 55;
+inline constexpr std::size_t kTimeRows = 10;
+inline constexpr std::size_t kTimeRowCounters = 13;
 
 // The last message of a frame.
 struct FrameEnd {

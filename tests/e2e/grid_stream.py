@@ -32,6 +32,10 @@ NET_DROPS = ("short", "not for us (MAC)", "VLAN tagged", "neither IPv4 nor ARP",
              "bad IP checksum", "fragment", "not for us (IP)", "bad source", "neither UDP nor ICMP",
              "bad UDP length", "bad UDP checksum", "bad ICMP", "ping ignored", "other ICMP",
              "bad ARP", "ARP ignored", "address conflict", "reply without room")
+LOOP_TIMES = ("fuse", "mark", "publish", "perceive", "frame", "late",
+              *(f"core {core}" for core in range(4)))
+TIME_COUNTERS = ("worst us", "sum us high", "sum us low",
+                 *(f"below {256 << octave} us" for octave in range(9)), "longer")
 LINK_COUNTERS = ("frames received", "datagrams delivered", "ARP answered", "ARP learned",
                  "pings answered", "messages sent", "ARP requested", *NET_DROPS,
                  "peer unresolved", "ring full", "misuse",
@@ -41,7 +45,8 @@ LINK_COUNTERS = ("frames received", "datagrams delivered", "ARP answered", "ARP 
                  "cores at work", "items for lost cores",
                  *(f"items of core {core}" for core in range(4)), "port without room",
                  "port restarts", "received lost by restarts", "unsent lost by restarts",
-                 "starts since power-up", "end of the run before", "detail of that end")
+                 "starts since power-up", "end of the run before", "detail of that end",
+                 *(f"{row} {what}" for row in LOOP_TIMES for what in TIME_COUNTERS))
 # What the header of a message counts as dropped, besides PACKET_DROPS: damaged datagrams.
 DAMAGED = ("short", "bad IP header", "bad IP checksum", "fragment", "bad source", "bad UDP length",
            "bad UDP checksum", "receive errors", "oversized", "datagrams expired", "datagrams displaced",

@@ -37,7 +37,7 @@ class OfflinePlatform {
   [[nodiscard]] bool send_message(std::span<const std::byte> message);
   [[nodiscard]] std::uint32_t ticks() const;
   [[nodiscard]] std::uint32_t ticks_hz() const { return 1'000'000; }
-  [[nodiscard]] app::Vitals vitals() const { return {}; }
+  [[nodiscard]] static app::Vitals vitals(const app::FrameTimes& /*times*/) { return {}; }
   [[nodiscard]] std::uint32_t run_number() const { return run_number_; }
   static constexpr std::size_t kMostCores = 1;
   [[nodiscard]] std::size_t cores() const { return kMostCores; }

@@ -59,6 +59,7 @@ void RunStatistics::add(const GridFrame& frame) {
     stack_used_bytes_ = std::max(stack_used_bytes_, frame.end.stack_used_bytes);
     core_shares_ = core_shares_of(frame.end);
     run_before_ = run_before_of(frame.end);
+    loop_times_ = loop_times_of(frame.end);
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);
     add_states(frame);
@@ -168,6 +169,11 @@ RunStatistics::Facts RunStatistics::facts() const {
                        std::to_string(static_cast<unsigned>(run_before_->end.cause)));
     facts.emplace_back("detail_of_that_end", std::to_string(run_before_->end.detail));
   }
+  for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
+    const std::string name = key_of("loop_", kLoopTimeNames[i]);
+    facts.emplace_back(name + "_us_mean", fixed((*loop_times_)[i].mean_us()));
+    facts.emplace_back(name + "_us_worst", std::to_string((*loop_times_)[i].worst_us));
+  }
   facts.emplace_back("run_hash", hex(run_hash()));
   std::ranges::move(classes_.facts(), std::back_inserter(facts));
   std::ranges::move(objects_.facts(), std::back_inserter(facts));
@@ -243,6 +249,15 @@ void RunStatistics::append_over_budget(std::string& text) const {
   text += row("OVER BUDGET", words);
 }
 
+// What the target itself has measured, of all its frames since its start.
+void RunStatistics::append_loop_times(std::string& text) const {
+  for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
+    if ((*loop_times_)[i].count() > 0) {
+      text += row("loop: " + std::string(kLoopTimeNames[i]), words_of((*loop_times_)[i]));
+    }
+  }
+}
+
 std::string RunStatistics::table(bool has_target) const {
   std::string text;
   text +=
@@ -278,6 +293,7 @@ std::string RunStatistics::table(bool has_target) const {
   if (run_before_ && run_before_->starts > 1) {
     text += row("target's starts", words_of(*run_before_));
   }
+  append_loop_times(text);
   return text + row("run hash", hex(run_hash())) + classes_.table() + objects_.table();
 }
 

@@ -13,6 +13,7 @@
 #include "tools/receive/class_statistics.hpp"
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
+#include "tools/receive/loop_times.hpp"
 #include "tools/receive/object_statistics.hpp"
 #include "tools/receive/run_before.hpp"
 #include "vehicle/beam.hpp"
@@ -64,6 +65,7 @@ class RunStatistics {
   void append_ground(std::string& text) const;
   void append_too_slow(std::string& text) const;
   void append_over_budget(std::string& text) const;
+  void append_loop_times(std::string& text) const;
 
   std::uint64_t frames_ = 0;
   std::uint64_t timed_out_ = 0;
@@ -84,6 +86,7 @@ class RunStatistics {
   std::optional<stream::Header> last_;  // of the last frame with an end
   std::uint32_t stack_used_bytes_ = 0;
   std::optional<hal::RunBefore> run_before_;
+  std::optional<LoopTimes> loop_times_;
   std::optional<CoreShares> core_shares_;  // since the target's start
   std::uint8_t sensor_count_ = 0;
   std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state

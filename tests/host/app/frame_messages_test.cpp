@@ -51,7 +51,8 @@ TEST(FrameMessages, TheEndHasTheRest) {
                      .vitals = {.stack_used_bytes = 8, .link_counter_count = 2}};
   report.vitals.link_counters = {11, 12};
   report.sensors[1].points = 99;
-  const stream::FrameEnd end = frame_end_of(report);
+  stream::FrameEnd end;
+  set_frame_end(report, end);
   EXPECT_EQ(end.opened_us, 33U);
   EXPECT_EQ(end.ticks.publish, 3U);
   EXPECT_EQ(end.stopwatch_hz, 1000U);

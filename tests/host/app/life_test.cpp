@@ -59,7 +59,7 @@ class Bench {
       }
     }
     if (shows(Alive::kFrames)) {
-      static_cast<void>(platform_.vitals());
+      static_cast<void>(platform_.vitals({}));
     }
     if (shows(Alive::kMemory)) {
       static_cast<void>(check_.step(now_us()));

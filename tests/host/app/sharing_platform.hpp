@@ -40,7 +40,7 @@ class SharingPlatform {
   }
   std::uint32_t ticks() { return 0; }
   std::uint32_t ticks_hz() { return 1; }
-  Vitals vitals() { return {}; }
+  Vitals vitals(const FrameTimes& /*times*/) { return {}; }
   std::uint32_t run_number() { return 1; }
   [[nodiscard]] std::size_t cores() const { return team_.cores(); }
 

@@ -63,7 +63,7 @@ class FakePlatform {
   static constexpr std::size_t kMostCores = 1;
   [[nodiscard]] static std::size_t cores() { return kMostCores; }
   static void share(std::size_t items, work::Work work) { work::do_alone(items, work); }
-  [[nodiscard]] app::Vitals vitals() const {
+  [[nodiscard]] app::Vitals vitals(const app::FrameTimes& /*times*/) const {
     return {.stack_used_bytes = 4711, .link_drops = link_drops};
   }
 
