@@ -1,5 +1,5 @@
-"""What `iog budget` reckons with (tools/budget/unit_costs.hpp), made of lab/data/cortex_a9.csv: cycles
-of a unit of a frame's work by the nominal variant of the cost model, and the frames that its figures
+"""What `iog budget` reckons with (tools/budget/unit_costs.hpp), made of lab/data/cortex_a9.csv and
+cores_modelled.csv: cycles of a unit of a frame's work by the nominal variant of the cost model, and the frames that its figures
 are compared with.
 
 Typical is the mean of both drives, with tiles sent as the firmware sends them. A point of an azimuth
@@ -9,11 +9,15 @@ dearest tile, and the dearest of classes, are those of the ring road.
 A turn of a unit that turns takes so much for each of its azimuth steps, the line of which is carved,
 and so much for each point: what fits the frames of three units best. Where it follows the ground, a
 turn takes so much more, and so much more for each point.
+
+What several cores take is the share of one core's time that the dearer of both drives with classes
+takes on them.
 """
 
 import pathlib
 
 from cortex_a9 import STAGES, CortexA9, frame_run
+from results.four_cores import MOST, Frames
 from results.turning import BAND, UNITS
 
 PATH = pathlib.Path(__file__).resolve().parents[2] / "tools/budget/unit_costs.hpp"
@@ -138,6 +142,13 @@ def _array(words: str, name: str, rows: list[str], of: str = "ModelledFrame") ->
             f"{''.join(rows)}}}}};\n\n")
 
 
+def _shares(data) -> list[float]:
+    """Of one core's time, on one core, two, and so on."""
+    drives = [Frames(data["cores_modelled"], drive, "nominal") for drive in SCENES]
+    return [1.0, *(max(drive.whole(cores) / drive.undivided("frame") for drive in drives)
+                   for cores in range(2, MOST + 1))]
+
+
 def text(data) -> str:
     """The header."""
     a9 = CortexA9(data)
@@ -152,6 +163,9 @@ def text(data) -> str:
     turns, over_ground = ([_frame(a9, name, _turning(vehicle, kind), ("frame",), ("points", "tiles"))
                            for vehicle, name in UNITS.items()] for kind in (BAND, ""))
     return (HEAD + numbers +
+            "\n// The share of one core's time that a frame with classes takes on one core, two, and so on.\n"
+            f"inline constexpr std::array<double, {MOST}> kShareOfCores{{"
+            + ", ".join(f"{share:.3f}" for share in _shares(data)) + "};\n"
             "\n// A mean frame of the reference car without classes, by the same model.\n"
             "struct ModelledFrame {\n  std::string_view name;\n  double points;\n  double cells;\n"
             "  double tiles;\n  double cycles;\n};\n\n" +

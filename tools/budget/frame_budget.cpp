@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <sstream>
+#include <string_view>
 
 #include "geometry/grid.hpp"
 #include "tools/budget/unit_costs.hpp"
@@ -272,6 +274,34 @@ std::string warning_of_budget(const CatalogueEntry& car) {
        << ": frame_period_us: a typical frame takes " << budget.typical.ms
        << " ms by the cost model, and the car wants one every " << budget.period_ms
        << " ms; the target will leave packets (iog budget)\n";
+  return text.str();
+}
+
+std::size_t cores_for(double ms, double period_ms) {
+  const auto* const found =
+      std::ranges::find_if(kShareOfCores, [=](double share) { return share * ms <= period_ms; });
+  return found == kShareOfCores.end()
+             ? 0
+             : static_cast<std::size_t>(std::distance(kShareOfCores.begin(), found)) + 1;
+}
+
+std::string line_of_cores(const CatalogueEntry& car) {
+  const VehicleBudget budget = budget_of(car);
+  std::ostringstream text;
+  text << std::left << std::setw(16) << car.vehicle->name << std::fixed << std::setprecision(1)
+       << " every " << budget.period_ms << " ms";
+  const auto append = [&](std::string_view name, double ms) {
+    const std::size_t cores = cores_for(ms, budget.period_ms);
+    text << "; " << name << ' ' << ms << " ms, ";
+    if (cores == 0) {
+      text << "not on " << kShareOfCores.size() << " cores";
+    } else {
+      text << "on " << cores << (cores == 1 ? " core" : " cores");
+    }
+  };
+  append("typical", budget.typical.ms);
+  append("worst", budget.worst.ms);
+  text << '\n';
   return text.str();
 }
 

@@ -8,6 +8,7 @@
 // known.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "tools/vehicles/vehicle_catalogue.hpp"
@@ -47,6 +48,13 @@ struct VehicleBudget {
 // A table for a person: one line a frame, then which data it is of and how far it is off.
 [[nodiscard]] std::string words_of_budget(const CatalogueEntry& car);
 [[nodiscard]] std::string words_of_budget_errors();
+
+// Fewest cores on which what takes one core so long is done within the period, if what is divided
+// among them is divided as a frame with classes is; 0 if that takes more than there are.
+[[nodiscard]] std::size_t cores_for(double ms, double period_ms);
+
+// A line: on how many cores the vehicle's frames are within its period.
+[[nodiscard]] std::string line_of_cores(const CatalogueEntry& car);
 
 // A line, if a typical frame is longer than the vehicle's period; else empty. It is no refusal: the
 // target leaves what it is too slow for (app/backlog.hpp), and the model may be off.

@@ -42,6 +42,9 @@ inline constexpr double kTypicalClassTiles = 454.49;
 // Known tiles of a turn, mean of three units.
 inline constexpr double kTurnTiles = 416.17;
 
+// The share of one core's time that a frame with classes takes on one core, two, and so on.
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.773, 0.589, 0.517};
+
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
   std::string_view name;

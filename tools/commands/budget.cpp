@@ -7,6 +7,7 @@
 #include "tools/budget/frame_budget.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/vehicles/two_returns.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -24,12 +25,36 @@ void show_budgets(const std::string& name) {
   std::cout << words_of_budget_errors();
 }
 
+// Every car of vehicles/ has its period, at least in typical frames and on all cores.
+void check_all() {
+  std::string too_slow;
+  for (const CatalogueEntry& car : all_vehicles()) {
+    std::cout << line_of_cores(car);
+    const VehicleBudget budget = budget_of(car);
+    if (cores_for(budget.typical.ms, budget.period_ms) == 0) {
+      too_slow += (too_slow.empty() ? "" : ", ") + std::string(car.vehicle->name);
+    }
+  }
+  std::cout
+      << "Modelled: one Cortex-A9 at 1 GHz, docs/a9_model.md, and what several of them divide "
+         "(docs/cores.md).\n"
+         "Worst is the bound; what is beyond the period is left and counted (docs/safety.md).\n";
+  if (!too_slow.empty()) {
+    throw CheckFailed("a typical frame is longer than the period, on any number of cores: " +
+                      too_slow);
+  }
+}
+
 }  // namespace
 
 void add_budget(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "budget", "Say what a frame of a vehicle takes the target, by its cost model");
   const auto name = std::make_shared<std::string>();
+  const auto is_check = std::make_shared<bool>(false);
+  command->add_flag(
+      "--all", *is_check,
+      "A line a car: on how many cores it has its period; fails if one has it on none");
   add_vehicle_options(*command, *name, "NAME  (default all of them)");
   command->footer(
       "Typical: the sensors see as much of what they could as the reference car's on two drives, "
@@ -38,7 +63,13 @@ void add_budget(CLI::App& program) {
       "a direction. Worst: all that the description allows, each direction as dear as the dearest "
       "known.\n"
       "Milliseconds of one core, from the packets to the last message.\n");
-  command->callback([name] { show_budgets(*name); });
+  command->callback([name, is_check] {
+    if (*is_check) {
+      check_all();
+    } else {
+      show_budgets(*name);
+    }
+  });
 }
 
 }  // namespace iog::tools

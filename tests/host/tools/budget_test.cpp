@@ -116,6 +116,24 @@ TEST(Budget, OfAUnitWithOneReturnIsThatOfAllItsPoints) {
   EXPECT_EQ(budget_of(find_vehicle("roof_os1_64")).typical.work.turn_points, 64 * 1'024);
 }
 
+// docs/results/four_cores.md: the city's frame takes 0.77, 0.59, 0.52 of one core's time.
+TEST(Budget, TakesTheFewestCoresThatAreEnough) {
+  EXPECT_EQ(cores_for(39.9, 40), 1U);
+  EXPECT_EQ(cores_for(50, 40), 2U);
+  EXPECT_EQ(cores_for(66, 40), 3U);
+  EXPECT_EQ(cores_for(76, 40), 4U);
+  EXPECT_EQ(cores_for(80, 40), 0U);
+}
+
+TEST(Budget, SaysOnHowManyCoresACarHasItsPeriod) {
+  for (const CatalogueEntry& car : all_vehicles()) {
+    const VehicleBudget budget = budget_of(car);
+    const bool is_held = budget.worst.ms * kShareOfCores.back() <= budget.period_ms;
+    EXPECT_EQ(line_of_cores(car).find("not on 4 cores") == std::string::npos, is_held)
+        << line_of_cores(car);
+  }
+}
+
 TEST(Budget, SaysThatItIsModelledAndOfWhichData) {
   const std::string words = words_of_budget_errors();
   EXPECT_NE(words.find("Modelled, not measured"), std::string::npos);
