@@ -68,8 +68,8 @@ class MeasuredPlatform {
     imx6::EnetPort& port = Wire::of_machine().port();
     const std::span<std::byte> buffer = port.acquire();
     require(buffer.size() >= net::kMaxFrameBytes);
-    const std::size_t frame_bytes = net::build_message(buffer.first<net::kMaxFrameBytes>(),
-                                                       kNetwork, kPeer, identification_++, message);
+    const std::size_t frame_bytes = net::build_datagram(
+        buffer.first<net::kMaxFrameBytes>(), kNetwork, kPeer, identification_++, message);
     last_messages_[slot_] = buffer.subspan(net::kMessageOffset, message.size());
     port.commit(frame_bytes);
     sent_bytes_ += frame_bytes;
@@ -123,7 +123,10 @@ class MeasuredPlatform {
                                         .peer_port = 15'000,
                                         .source_port = 15'001};
   static_assert(net::is_valid(kNetwork));
-  static constexpr net::MacAddress kPeer{{0x02, 0, 0, 0, 0, 2}};
+  static constexpr net::Destination kPeer{.mac = {{0x02, 0, 0, 0, 0, 2}},
+                                          .address = kNetwork.peer,
+                                          .port = kNetwork.peer_port,
+                                          .source_port = kNetwork.source_port};
 
   InstructionCounter& counter_;
   std::size_t cores_;

@@ -50,6 +50,14 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
   return {address.value | host_mask(prefix_bits)};
 }
 
+// A group of hosts and the group of stations that its packets are sent to (RFC 1112, section 6.4).
+[[nodiscard]] constexpr bool is_group(Ipv4Address address) { return address.value >> 28 == 0xE; }
+
+[[nodiscard]] constexpr MacAddress group_mac(Ipv4Address group) {
+  return {{0x01, 0x00, 0x5E, static_cast<std::uint8_t>(group.value >> 16 & 0x7FU),
+           static_cast<std::uint8_t>(group.value >> 8), static_cast<std::uint8_t>(group.value)}};
+}
+
 // True for an address that one host on a network can have: not 0/8 ("this network"), not 127/8
 // (loopback), not multicast, reserved or limited broadcast (224/3). RFC 1122, section 3.2.1.3.
 [[nodiscard]] constexpr bool is_host_address(Ipv4Address address) {

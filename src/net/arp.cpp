@@ -60,8 +60,8 @@ bool asks_for_us(const ArpPacket& packet, const Config& config) {
          is_other_station(packet.sender_mac, config) && answerable;
 }
 
-bool tells_peer_mac(const ArpPacket& packet, const Config& config) {
-  return packet.sender_address == config.peer && is_other_station(packet.sender_mac, config);
+bool tells_mac_of(Ipv4Address host, const ArpPacket& packet, const Config& config) {
+  return packet.sender_address == host && is_other_station(packet.sender_mac, config);
 }
 
 }  // namespace iog::net

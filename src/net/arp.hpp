@@ -36,7 +36,7 @@ void write_arp(wire::ByteWriter& writer, const ArpPacket& packet);
 // of our subnet or one that probes for a free address (sender 0.0.0.0, RFC 5227, section 2.1.1).
 [[nodiscard]] bool asks_for_us(const ArpPacket& packet, const Config& config);
 
-// True if the packet, request or reply, tells the peer's Ethernet address.
-[[nodiscard]] bool tells_peer_mac(const ArpPacket& packet, const Config& config);
+// True if the packet, request or reply, tells the Ethernet address of `host`.
+[[nodiscard]] bool tells_mac_of(Ipv4Address host, const ArpPacket& packet, const Config& config);
 
 }  // namespace iog::net

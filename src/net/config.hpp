@@ -7,6 +7,12 @@
 
 namespace iog::net {
 
+// Where services are discovered (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol names the parameters
+// SD_MULTICAST_IP and SD_PORT; these are the values that everybody uses).
+inline constexpr Ipv4Address kDiscoveryGroup = ipv4(224, 244, 224, 245);
+inline constexpr MacAddress kDiscoveryGroupMac = group_mac(kDiscoveryGroup);
+inline constexpr std::uint16_t kDiscoveryPort = 30490;
+
 struct Config {
   // Our Ethernet address: unicast, unique on the segment.
   MacAddress mac;
@@ -26,6 +32,10 @@ struct Config {
 
   // UDP port that the messages come from, 1 to 65535.
   std::uint16_t source_port;
+
+  // The instance of the service that is offered by SOME/IP service discovery, and whose port and
+  // group are listened to then; 0: none is, and nothing but the above is known of the network.
+  std::uint8_t service_instance = 0;
 };
 
 // What Host relies on. Meant for a static_assert beside the configuration.

@@ -17,13 +17,13 @@ namespace iog::net {
 // place.
 enum class Drop : std::uint8_t {
   kShort,            // less than an Ethernet header
-  kNotForUsMac,      // destination neither our Ethernet address nor broadcast
+  kNotForUsMac,      // destination neither our Ethernet address nor broadcast nor our group
   kVlanTagged,       // 802.1Q or 802.1ad tag; the sensors' network is untagged
   kNotIpv4OrArp,     // another EtherType, or an 802.3 length
   kBadIpHeader,      // version, header length or total length contradict the frame
   kBadIpChecksum,    // header checksum wrong
   kFragment,         // part of a datagram, and of no use (Reassembly says why, or it is not of UDP)
-  kNotForUsIp,       // destination neither our address nor a broadcast that reaches us
+  kNotForUsIp,       // destination neither our address nor a broadcast or group that reaches us
   kBadSource,        // source that no other host can have: 0/8, 127/8, 224/3, broadcast, our own
   kNotUdpOrIcmp,     // another protocol
   kBadUdpLength,     // UDP length less than its header or more than the datagram
@@ -32,7 +32,7 @@ enum class Drop : std::uint8_t {
   kPingIgnored,      // echo request from another than the peer, to a broadcast, or peer unresolved
   kIcmpIgnored,      // ICMP message that is not an echo request
   kBadArp,           // ARP packet short, or not for Ethernet and IPv4
-  kArpIgnored,       // ARP packet that neither asks for us nor comes from the peer
+  kArpIgnored,       // ARP packet that neither asks for us nor tells what we want to know
   kAddressConflict,  // another station claims our address in its ARP packet
   kReplyRingFull,    // an ARP or ping reply was due, but the transmit ring was full
 };
@@ -63,10 +63,10 @@ struct Counters {
   std::uint32_t received = 0;       // frames taken from the port
   std::uint32_t delivered = 0;      // datagrams returned by poll()
   std::uint32_t arp_answered = 0;   // requests for our address answered
-  std::uint32_t arp_learned = 0;    // other ARP packets that told the peer's Ethernet address
+  std::uint32_t arp_learned = 0;    // others that told the Ethernet address of peer or neighbour
   std::uint32_t ping_answered = 0;  // echo requests of the peer answered
   std::uint32_t sent = 0;           // messages committed to the port
-  std::uint32_t arp_requested = 0;  // ARP requests for the peer committed to the port
+  std::uint32_t arp_requested = 0;  // ARP requests committed to the port
   std::array<std::uint32_t, kDropCauses> drops{};
   std::array<std::uint32_t, kRefusalCauses> refusals{};
   FragmentCounters fragments{};

@@ -1,10 +1,11 @@
 // A small network host on one Ethernet port: frames in, datagrams out, messages to one peer.
 //
 // It answers ARP for its address to every host of its subnet, so that sensors can reach it. It
-// answers ping to the peer alone, and it sends messages to nobody else. It has no clock, and no
-// memory but the port's buffers and that of datagrams in fragments. Nothing else is copied on the
-// way in. On the way out everything is copied once, and summed on the way: the port's memory is
-// uncached, and reading it for the checksum would be slow.
+// answers ping to the peer alone, and it sends messages to nobody else of its own accord: whoever
+// calls send_to() says to whom. Besides the peer it may know one more host by ARP, the neighbour.
+// It has no clock, and no memory but the port's buffers and that of datagrams in fragments. Nothing
+// else is copied on the way in. On the way out everything is copied once, and summed on the way:
+// the port's memory is uncached, and reading it for the checksum would be slow.
 //
 // The loop calls poll() until it returns nothing, sends its messages, and calls the port's pump().
 #pragma once
@@ -47,6 +48,15 @@ class Host {
   // than kMaxUdpPayloadBytes, the peer unresolved or the transmit ring full (each counted).
   [[nodiscard]] bool send_message(std::span<const std::byte> payload);
 
+  // The same to anybody, whose Ethernet address the caller knows.
+  [[nodiscard]] bool send_to(const Destination& to, std::span<const std::byte> payload);
+
+  // Another host of the subnet that ARP is to be asked for, or nobody any more.
+  void know(std::optional<Ipv4Address> neighbour);
+
+  // What ARP has told of the neighbour: its Ethernet address, and when it last did so.
+  [[nodiscard]] std::optional<Told> neighbour() const;
+
   [[nodiscard]] const Counters& counters() const { return counters_; }
 
  private:
@@ -54,10 +64,11 @@ class Host {
   [[nodiscard]] std::optional<FrameBuffer> acquire();
 
   void release_frame();
-  void request_peer(std::uint64_t now_us);
+  void request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us);
   // The datagram that this fragment completes, or that it is kept, or dropped.
   [[nodiscard]] std::optional<Datagram> take_fragment(const Ipv4Packet& fragment,
                                                       std::uint64_t now_us);
+  [[nodiscard]] bool learn(const ArpPacket& packet, std::uint64_t now_us);
   void answer_arp(const ArpPacket& packet, std::uint64_t now_us);
   void answer_ping(std::span<const std::byte> request);
   void drop(Drop cause) { ++counters_.of(cause); }
@@ -65,6 +76,8 @@ class Host {
   Port& port_;
   Config config_;
   PeerResolver resolver_;
+  std::optional<Ipv4Address> neighbour_;
+  PeerResolver neighbour_resolver_;  // of neighbour_, if there is one
   Counters counters_;
   Reassembly reassembly_;
   std::uint16_t identification_ = 0;  // of the next IPv4 packet
@@ -74,7 +87,10 @@ class Host {
 template <hal::EthernetPort Port>
 std::optional<Datagram> Host<Port>::poll(std::uint64_t now_us) {
   release_frame();
-  request_peer(now_us);
+  request(resolver_, config_.peer, now_us);
+  if (neighbour_) {
+    request(neighbour_resolver_, *neighbour_, now_us);
+  }
   for (int frames = 0; frames < kMaxFramesPerPoll; ++frames) {
     const std::span<const std::byte> frame = port_.receive();
     if (frame.empty()) {
@@ -140,14 +156,43 @@ bool Host<Port>::send_message(std::span<const std::byte> payload) {
     ++counters_.of(Refusal::kUnresolved);
     return false;
   }
+  if (!send_to({.mac = resolver_.mac(),
+                .address = config_.peer,
+                .port = config_.peer_port,
+                .source_port = config_.source_port},
+               payload)) {
+    return false;
+  }
+  ++counters_.sent;
+  return true;
+}
+
+template <hal::EthernetPort Port>
+bool Host<Port>::send_to(const Destination& to, std::span<const std::byte> payload) {
+  if (payload.size() > kMaxUdpPayloadBytes) {
+    ++counters_.of(Refusal::kMisuse);
+    return false;
+  }
   const auto buffer = acquire();
   if (!buffer) {
     ++counters_.of(Refusal::kRingFull);
     return false;
   }
-  port_.commit(build_message(*buffer, config_, resolver_.mac(), identification_++, payload));
-  ++counters_.sent;
+  port_.commit(build_datagram(*buffer, config_, to, identification_++, payload));
   return true;
+}
+
+template <hal::EthernetPort Port>
+void Host<Port>::know(std::optional<Ipv4Address> neighbour) {
+  if (neighbour != neighbour_) {
+    neighbour_ = neighbour;
+    neighbour_resolver_ = {};
+  }
+}
+
+template <hal::EthernetPort Port>
+std::optional<Told> Host<Port>::neighbour() const {
+  return neighbour_ ? neighbour_resolver_.told() : std::nullopt;
 }
 
 template <hal::EthernetPort Port>
@@ -171,15 +216,29 @@ void Host<Port>::release_frame() {
 // needs before it passes anything to us. A request that finds the ring full is not kept: the next
 // one is due a second later.
 template <hal::EthernetPort Port>
-void Host<Port>::request_peer(std::uint64_t now_us) {
-  const std::optional<MacAddress> whom = resolver_.request_due(now_us);
+void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us) {
+  const std::optional<MacAddress> whom = resolver.request_due(now_us);
   if (!whom) {
     return;
   }
   if (const auto buffer = acquire()) {
-    port_.commit(build_arp_request(*buffer, config_, *whom));
+    port_.commit(build_arp_request(*buffer, config_, host, *whom));
     ++counters_.arp_requested;
   }
+}
+
+// Whether it tells the Ethernet address of somebody who is to be known.
+template <hal::EthernetPort Port>
+bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
+  const bool tells_peer = tells_mac_of(config_.peer, packet, config_);
+  if (tells_peer) {
+    resolver_.learn(packet.sender_mac, now_us);
+  }
+  const bool tells_neighbour = neighbour_ && tells_mac_of(*neighbour_, packet, config_);
+  if (tells_neighbour) {
+    neighbour_resolver_.learn(packet.sender_mac, now_us);
+  }
+  return tells_peer || tells_neighbour;
 }
 
 // RFC 826, "Packet Reception": the sender is learnt first, then the request answered. A packet of
@@ -190,12 +249,9 @@ void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
     drop(Drop::kAddressConflict);
     return;
   }
-  const bool tells_peer = tells_peer_mac(packet, config_);
-  if (tells_peer) {
-    resolver_.learn(packet.sender_mac, now_us);
-  }
+  const bool is_learnt = learn(packet, now_us);
   if (!asks_for_us(packet, config_)) {
-    if (tells_peer) {
+    if (is_learnt) {
       ++counters_.arp_learned;
     } else {
       drop(Drop::kArpIgnored);

@@ -11,10 +11,18 @@ Inbound dropped(Drop cause) { return {.kind = InboundKind::kDropped, .drop = cau
 
 bool is_vlan(std::uint16_t type) { return type == kEtherTypeVlan || type == kEtherTypeServiceVlan; }
 
+bool has_joined(const Config& config) { return config.service_instance != 0; }
+
 // Lidars commonly broadcast, to the limited address or to that of the subnet.
 bool reaches_us(Ipv4Address destination, const Config& config) {
   return destination == config.address || destination == kLimitedBroadcast ||
-         destination == directed_broadcast(config.address, config.prefix_bits);
+         destination == directed_broadcast(config.address, config.prefix_bits) ||
+         (has_joined(config) && destination == kDiscoveryGroup);
+}
+
+bool reaches_us(const MacAddress& destination, const Config& config) {
+  return destination == config.mac || destination == kBroadcastMac ||
+         (has_joined(config) && destination == kDiscoveryGroupMac);
 }
 
 bool can_be_source(Ipv4Address source, const Config& config) {
@@ -100,6 +108,7 @@ Inbound classify_ipv4(const EthernetFrame& frame, const Config& config) {
   if (is_of_peer(inbound, config)) {
     inbound.peer_mac = frame.source;
   }
+  inbound.datagram.station = frame.source;
   return inbound;
 }
 
@@ -120,7 +129,7 @@ Inbound classify_frame(std::span<const std::byte> frame, const Config& config) {
   if (!ethernet) {
     return dropped(Drop::kShort);
   }
-  if (ethernet->destination != config.mac && ethernet->destination != kBroadcastMac) {
+  if (!reaches_us(ethernet->destination, config)) {
     return dropped(Drop::kNotForUsMac);
   }
   if (is_vlan(ethernet->type)) {

@@ -26,29 +26,24 @@ std::size_t build_arp(FrameBuffer frame, const MacAddress& destination, const Ar
   return padded(frame, kEthernetHeaderBytes + writer.written().size());
 }
 
-// The IPv4 payload is in place already. Everything of IPv4 that we send goes to the peer.
-std::size_t wrap_ipv4(FrameBuffer frame, const Config& config, const MacAddress& peer_mac,
-                      std::uint8_t protocol, std::uint16_t identification,
-                      std::size_t payload_bytes) {
-  write_ethernet_header(frame.first<kEthernetHeaderBytes>(), peer_mac, config.mac, kEtherTypeIpv4);
-  write_ipv4_header(frame.subspan<kIpv4Offset, kIpv4HeaderBytes>(),
-                    {.source = config.address,
-                     .destination = config.peer,
-                     .protocol = protocol,
-                     .identification = identification,
-                     .payload_bytes = payload_bytes});
-  return padded(frame, kIpv4PayloadOffset + payload_bytes);
+// The IPv4 payload is in place already.
+std::size_t wrap_ipv4(FrameBuffer frame, const MacAddress& to, const MacAddress& from,
+                      const Ipv4Header& header) {
+  write_ethernet_header(frame.first<kEthernetHeaderBytes>(), to, from, kEtherTypeIpv4);
+  write_ipv4_header(frame.subspan<kIpv4Offset, kIpv4HeaderBytes>(), header);
+  return padded(frame, kIpv4PayloadOffset + header.payload_bytes);
 }
 
 }  // namespace
 
-std::size_t build_arp_request(FrameBuffer frame, const Config& config, const MacAddress& whom) {
+std::size_t build_arp_request(FrameBuffer frame, const Config& config, Ipv4Address host,
+                              const MacAddress& whom) {
   return build_arp(frame, whom,
                    {.operation = ArpOperation::kRequest,
                     .sender_mac = config.mac,
                     .sender_address = config.address,
                     .target_mac = {},
-                    .target_address = config.peer});
+                    .target_address = host});
 }
 
 std::size_t build_arp_reply(FrameBuffer frame, const Config& config, const ArpPacket& request) {
@@ -63,18 +58,28 @@ std::size_t build_arp_reply(FrameBuffer frame, const Config& config, const ArpPa
 std::size_t build_echo_reply(FrameBuffer frame, const Config& config, const MacAddress& peer_mac,
                              std::uint16_t identification, std::span<const std::byte> request) {
   write_echo_reply(frame.subspan(kIpv4PayloadOffset, request.size()), request);
-  return wrap_ipv4(frame, config, peer_mac, kProtocolIcmp, identification, request.size());
+  return wrap_ipv4(frame, peer_mac, config.mac,
+                   {.source = config.address,
+                    .destination = config.peer,
+                    .protocol = kProtocolIcmp,
+                    .identification = identification,
+                    .payload_bytes = request.size()});
 }
 
-std::size_t build_message(FrameBuffer frame, const Config& config, const MacAddress& peer_mac,
-                          std::uint16_t identification, std::span<const std::byte> payload) {
+std::size_t build_datagram(FrameBuffer frame, const Config& config, const Destination& to,
+                           std::uint16_t identification, std::span<const std::byte> payload) {
   const std::size_t datagram_bytes = write_udp(frame.subspan(kIpv4PayloadOffset),
                                                {.source = config.address,
-                                                .destination = config.peer,
-                                                .source_port = config.source_port,
-                                                .destination_port = config.peer_port},
+                                                .destination = to.address,
+                                                .source_port = to.source_port,
+                                                .destination_port = to.port},
                                                payload);
-  return wrap_ipv4(frame, config, peer_mac, kProtocolUdp, identification, datagram_bytes);
+  return wrap_ipv4(frame, to.mac, config.mac,
+                   {.source = config.address,
+                    .destination = to.address,
+                    .protocol = kProtocolUdp,
+                    .identification = identification,
+                    .payload_bytes = datagram_bytes});
 }
 
 }  // namespace iog::net

@@ -1,5 +1,6 @@
-// Builds the four kinds of frame that we send. Each function fills the front of a buffer that holds
-// the largest frame, pads it with zeros to the smallest, and returns the length to commit.
+// Builds the kinds of frame that we send: ARP, echo replies, datagrams. Each function fills the
+// front of a buffer that holds the largest frame, pads it with zeros to the smallest, and returns
+// the length to commit.
 #pragma once
 
 #include <cstddef>
@@ -21,9 +22,19 @@ using FrameBuffer = std::span<std::byte, kMaxFrameBytes>;
 inline constexpr std::size_t kMessageOffset =
     kEthernetHeaderBytes + kIpv4HeaderBytes + kUdpHeaderBytes;
 
-// Asks a station, or everyone, for the peer's Ethernet address.
+// Where a datagram goes, and from which of our ports.
+struct Destination {
+  MacAddress mac{};
+  Ipv4Address address{};
+  std::uint16_t port = 0;
+  std::uint16_t source_port = 0;
+
+  friend constexpr bool operator==(const Destination&, const Destination&) = default;
+};
+
+// Asks a station, or everyone, for the Ethernet address of `host`.
 [[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config,
-                                            const MacAddress& whom);
+                                            Ipv4Address host, const MacAddress& whom);
 
 // Tells the sender of `request`, and nobody else, our Ethernet address.
 [[nodiscard]] std::size_t build_arp_reply(FrameBuffer frame, const Config& config,
@@ -34,10 +45,10 @@ inline constexpr std::size_t kMessageOffset =
                                            const MacAddress& peer_mac, std::uint16_t identification,
                                            std::span<const std::byte> request);
 
-// A datagram to the peer with a copy of the payload, which is at most kMaxUdpPayloadBytes long. The
-// frame is only written: on the target it lies in uncached memory.
-[[nodiscard]] std::size_t build_message(FrameBuffer frame, const Config& config,
-                                        const MacAddress& peer_mac, std::uint16_t identification,
-                                        std::span<const std::byte> payload);
+// A datagram with a copy of the payload, which is at most kMaxUdpPayloadBytes long. The frame is
+// only written: on the target it lies in uncached memory.
+[[nodiscard]] std::size_t build_datagram(FrameBuffer frame, const Config& config,
+                                         const Destination& to, std::uint16_t identification,
+                                         std::span<const std::byte> payload);
 
 }  // namespace iog::net

@@ -1,4 +1,4 @@
-// Remembers the peer's Ethernet address and says when to ask for it.
+// Remembers the Ethernet address of one host, here called the peer, and says when to ask for it.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,12 @@ inline constexpr std::uint64_t kArpRequestIntervalUs = 1'000'000;
 // RFC 1122, section 2.3.2.1: an address that nobody has confirmed for this long is asked for again.
 inline constexpr std::uint64_t kArpRefreshUs = 30'000'000;
 
+// An Ethernet address, and when ARP last told it.
+struct Told {
+  MacAddress mac{};
+  std::uint64_t at_us = 0;
+};
+
 // Time never goes backwards from call to call.
 class PeerResolver {
  public:
@@ -22,6 +28,11 @@ class PeerResolver {
   // Only when known(). An address is never forgotten, only replaced: a peer that is silent for a
   // while loses no message, and one that has gone costs one request a second.
   [[nodiscard]] const MacAddress& mac() const { return *mac_; }
+
+  // The same with the time when it was last told; nothing before.
+  [[nodiscard]] std::optional<Told> told() const {
+    return mac_ ? std::optional(Told{*mac_, learned_us_}) : std::nullopt;
+  }
 
   void learn(const MacAddress& mac, std::uint64_t now_us);
 

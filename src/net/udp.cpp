@@ -40,9 +40,11 @@ UdpResult parse_udp(const Ipv4Packet& packet) {
   }
   return {.status = UdpStatus::kOk,
           .datagram = {.source = packet.source,
+                       .destination = packet.destination,
                        .source_port = source_port,
                        .destination_port = destination_port,
-                       .payload = datagram.subspan(kUdpHeaderBytes)}};
+                       .payload = datagram.subspan(kUdpHeaderBytes),
+                       .station = {}}};
 }
 
 std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,

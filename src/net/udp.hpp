@@ -15,9 +15,11 @@ inline constexpr std::size_t kMaxUdpPayloadBytes = kMaxIpv4PayloadBytes - kUdpHe
 // A UDP datagram that has been addressed to us. The payload is a view of the received frame.
 struct Datagram {
   Ipv4Address source{};
+  Ipv4Address destination{};  // our address, a broadcast that reaches us, or our group
   std::uint16_t source_port = 0;
   std::uint16_t destination_port = 0;
   std::span<const std::byte> payload{};
+  MacAddress station{};  // that sent the frame; all zero if it came in fragments
 };
 
 enum class UdpStatus : std::uint8_t { kOk, kBadLength, kBadChecksum };

@@ -229,9 +229,10 @@ TEST(Icmp, RepliesAsLinuxDoes) {
 }
 
 TEST(Outbound, AsksAndAnswersArpAsLinuxDoes) {
-  EXPECT_EQ(
-      built([](FrameBuffer frame) { return build_arp_request(frame, kLinux, kBroadcastMac); }),
-      padded(linux_arp_request()));
+  EXPECT_EQ(built([](FrameBuffer frame) {
+              return build_arp_request(frame, kLinux, kLinux.peer, kBroadcastMac);
+            }),
+            padded(linux_arp_request()));
   const ArpPacket request{.operation = ArpOperation::kRequest,
                           .sender_mac = kConfig.mac,
                           .sender_address = kConfig.address,
@@ -242,10 +243,14 @@ TEST(Outbound, AsksAndAnswersArpAsLinuxDoes) {
 }
 
 TEST(Outbound, WrapsMessagesAsLinuxDoes) {
-  const auto message = [](const Frame& expected, std::uint16_t identification) {
+  const Destination to{.mac = kConfig.mac,
+                       .address = kLinux.peer,
+                       .port = kLinux.peer_port,
+                       .source_port = kLinux.source_port};
+  const auto message = [&](const Frame& expected, std::uint16_t identification) {
     return built([&](FrameBuffer frame) {
-      return build_message(frame, kLinux, kConfig.mac, identification,
-                           std::span(expected).subspan(kPayloadOffset));
+      return build_datagram(frame, kLinux, to, identification,
+                            std::span(expected).subspan(kPayloadOffset));
     });
   };
   EXPECT_EQ(message(linux_udp_even(), 0x73E5), padded(linux_udp_even()));
