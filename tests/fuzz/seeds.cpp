@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "car_block/content.hpp"
+#include "discovery/bytes.hpp"
 #include "fakes/bytes_of.hpp"
 #include "fakes/ground_turns.hpp"
 #include "fakes/hesai_packet.hpp"
@@ -16,7 +17,6 @@
 #include "fakes/reference_block.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "geometry/grid.hpp"
-#include "net/frames.hpp"
 #include "pose/message.hpp"
 #include "stream/class_end.hpp"
 #include "stream/objects.hpp"
@@ -140,6 +140,7 @@ void add_network_seeds(Seeds& seeds) {
     }
     seeds.add("network_host", all);
   }
+  seeds.add("discovery", joined({std::byte{17}}, piece_of(discovery::testing::scapy_subscribe())));
   tools::PcapWriter writer(seeds.next_path("capture_file"));
   writer.write({.time_us = 1, .source = {1, 2}, .destination = {3, 4}, .payload = Bytes(20)});
   writer.write({.time_us = 2, .source = {1, 2}, .destination = {3, 4}, .payload = Bytes(7)});

@@ -1,0 +1,35 @@
+// How often strangers are answered: a token bucket, one token a datagram that wants an answer. So a
+// flood of questions is no flood of answers.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace iog::discovery {
+
+class AnswerBudget {
+ public:
+  static constexpr std::uint32_t kBurst = 8;
+  static constexpr std::uint32_t kPerTokenUs = 100'000;
+
+  // Takes a token, if there is one. now_us never goes back.
+  [[nodiscard]] constexpr bool take(std::uint64_t now_us) {
+    // A full bucket gains nothing from here on: a division of 32 bits is enough.
+    const auto elapsed_us = static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(now_us - since_us_, std::uint64_t{kBurst} * kPerTokenUs));
+    const std::uint32_t gained = elapsed_us / kPerTokenUs;
+    tokens_ = std::min(kBurst, tokens_ + gained);
+    since_us_ = tokens_ == kBurst ? now_us : since_us_ + std::uint64_t{gained} * kPerTokenUs;
+    if (tokens_ == 0) {
+      return false;
+    }
+    --tokens_;
+    return true;
+  }
+
+ private:
+  std::uint32_t tokens_ = kBurst;
+  std::uint64_t since_us_ = 0;
+};
+
+}  // namespace iog::discovery
