@@ -34,6 +34,7 @@ struct PortLife {
 // release():  done with that frame. Only after a non-empty receive().
 // acquire():  a free transmit buffer of at least 1514 bytes, empty when the ring is full (counted).
 //             Calling it again before commit() returns the same buffer.
+// room():     how many buffers are free for acquire() now, at least.
 // commit(n):  queues the first n bytes of the acquired buffer, 14 <= n <= 1514.
 // pump():     hands a bounded number of queued frames to the controller. Once per pass of the loop.
 //             May start a controller anew that has stopped, but not while a buffer is acquired.
@@ -42,6 +43,7 @@ concept EthernetPort = requires(Port& port, const Port& view, std::size_t frame_
   { port.receive() } -> std::same_as<std::span<const std::byte>>;
   { port.release() } -> std::same_as<void>;
   { port.acquire() } -> std::same_as<std::span<std::byte>>;
+  { port.room() } -> std::same_as<std::size_t>;
   { port.commit(frame_bytes) } -> std::same_as<void>;
   { port.pump() } -> std::same_as<void>;
   { view.counters() } -> std::convertible_to<PortCounters>;

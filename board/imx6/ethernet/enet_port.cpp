@@ -107,6 +107,11 @@ std::span<std::byte> EnetPort::acquire() {
   return acquired_;
 }
 
+std::size_t EnetPort::room() {
+  transmit_ring_.reclaim();
+  return transmit_ring_.room();
+}
+
 void EnetPort::commit(std::size_t frame_bytes) {
   require(!acquired_.empty());
   require(frame_bytes >= kMinFrameBytes && frame_bytes <= kMaxFrameBytes);

@@ -36,10 +36,11 @@ using MacAddress = std::array<std::uint8_t, 6>;
 // Receive: 256 frames. Four LUX at 25 Hz send some 1000 frames of 1500 bytes a second and a
 // Velodyne 1500, so this is 100 ms of both together, longer than the slowest pass of the loop.
 // Transmit: a complete grid without waiting: 1024 tiles, 64 frames of other kinds that may fall
-// into the same moment (status, ARP, echo replies), and 64 that may still be in flight from before.
+// into the same moment (status, ARP, echo replies), and 64 that may still be in flight from before;
+// and 256 for a subscriber's copies, which go only where the peer needs no room (app/offering.hpp).
 struct EnetMemory {
   static constexpr std::size_t kReceiveFrames = 256;
-  static constexpr std::size_t kTransmitFrames = 1024 + 64 + 64;
+  static constexpr std::size_t kTransmitFrames = 1024 + 64 + 64 + 256;
   static constexpr std::size_t kBudgetBytes = 3u << 20;
 
   health::Guard below;
@@ -52,7 +53,7 @@ struct EnetMemory {
   alignas(64) std::array<std::byte, kTransmitFrames * TransmitRing::kBufferBytes> transmit_buffers;
   health::Guard behind_transmit_buffers;
 };
-static_assert(EnetMemory::kTransmitFrames == 1152);
+static_assert(EnetMemory::kTransmitFrames == 1408);
 static_assert(sizeof(EnetMemory) <= EnetMemory::kBudgetBytes,
               "fits three sections of the DMA region");
 
@@ -87,10 +88,14 @@ class EnetPort {
   // Resets the controller, finds the PHY, starts receiving. Pads and clocks must be up already.
   void start(const MacAddress& address);
 
+  // From now on frames to this group of stations are received, too, and some to other groups.
+  void join(const MacAddress& group);
+
   // hal::EthernetPort; see there.
   std::span<const std::byte> receive();
   void release();
   std::span<std::byte> acquire();
+  std::size_t room();
   void commit(std::size_t frame_bytes);
   void pump();
   hal::PortCounters counters() const;
@@ -107,6 +112,7 @@ class EnetPort {
   void run();
   void reset();
   void set_address();
+  void set_groups();
   void set_frame_limits();
   void set_mode(const Link& mode);
   bool must_start_anew(std::uint64_t now_us);
@@ -132,6 +138,7 @@ class EnetPort {
   bool in_long_frame_ = false;        // the buffers up to the next "last" belong to a dropped frame
   phy::Identity phy_;
   MacAddress address_{};
+  std::uint64_t groups_ = 0;         // bins of the filter's hash table for groups
   Link mode_;                        // the speed and duplex that the controller is set to
   std::uint64_t restarted_us_ = 0;   // never: 0
   std::uint64_t progress_us_ = 0;    // when a frame was last seen to leave, or none was in flight

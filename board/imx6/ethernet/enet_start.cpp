@@ -22,6 +22,7 @@ constexpr std::uint64_t kBusErrorPauseUs = 100'000;
 constexpr std::uint32_t kPauseType = 0x8808;
 // Opcode 1 is fixed in the upper half; the lower half is how long a pause of ours would be.
 constexpr std::uint32_t kPauseOpcode = 0x0001'0020;
+constexpr std::uint32_t kCrcPolynomial = 0xEDB8'8320;
 
 }  // namespace
 
@@ -73,16 +74,44 @@ void EnetPort::reset() {
   registers_.mibc.write(0);
 }
 
-// The filter lets our address and broadcast through. All hash tables empty: no group is joined and
-// no second address answered to. The network layer checks again, because QEMU has no filter.
+namespace {
+
+// A group has the bin that the six highest bits of the CRC-32 of its address name: that of the FCS
+// before it is inverted (ENET, "Ethernet address recognition"; Linux fec_main.c set_multicast_list,
+// FreeBSD if_ffec.c ffec_hash_maddr). One bit at a time, because it happens once.
+std::uint64_t bin_of(const MacAddress& group) {
+  std::uint32_t crc = 0xFFFF'FFFF;
+  for (const std::uint8_t octet : group) {
+    crc ^= octet;
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = crc >> 1 ^ ((crc & 1) != 0 ? kCrcPolynomial : 0);
+    }
+  }
+  return std::uint64_t{1} << (crc >> 26);
+}
+
+}  // namespace
+
+// The filter lets our address, broadcast and the bins of joined groups through; no second address
+// is answered to. The network layer checks again, because QEMU has no filter and a bin many groups.
 void EnetPort::set_address() {
   const auto byte = [this](std::size_t index) { return std::uint32_t{address_[index]}; };
   registers_.palr.write(byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3));
   registers_.paur.write(byte(4) << 24 | byte(5) << 16 | kPauseType);
   registers_.iaur.write(0);
   registers_.ialr.write(0);
-  registers_.gaur.write(0);
-  registers_.galr.write(0);
+  set_groups();
+}
+
+void EnetPort::set_groups() {
+  registers_.gaur.write(static_cast<std::uint32_t>(groups_ >> 32));
+  registers_.galr.write(static_cast<std::uint32_t>(groups_));
+}
+
+// The table may change while frames come; a restart writes it again.
+void EnetPort::join(const MacAddress& group) {
+  groups_ |= bin_of(group);
+  set_groups();
 }
 
 void EnetPort::set_frame_limits() {

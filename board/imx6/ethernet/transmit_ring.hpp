@@ -31,7 +31,8 @@ class TransmitRing {
   // What the controller is told (TDSR).
   std::uint32_t bus_address() const { return machine::bus_address(descriptors_.front()); }
 
-  bool full() const { return queued_ + in_flight_ == descriptors_.size(); }
+  std::size_t room() const { return descriptors_.size() - queued_ - in_flight_; }
+  bool full() const { return room() == 0; }
   std::size_t queued() const { return queued_; }
   std::size_t in_flight() const { return in_flight_; }
   // Frames that have left since the ring was made; wraps.

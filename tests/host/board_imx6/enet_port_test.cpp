@@ -45,6 +45,34 @@ TEST_F(Port, StartsByTheManualWithEtherenNearTheEnd) {
   EXPECT_EQ(end, expected);
 }
 
+// The group of service discovery, 224.244.224.245, and another: the six highest bits of the CRC-32
+// of their addresses, by Python's zlib and inverted back, as Linux's fec_main.c has it.
+TEST_F(Port, LetsAGroupThroughItsFilterAlsoAfterARestart) {
+  EXPECT_EQ(last_write(registers_, 0x120), 0u);
+  EXPECT_EQ(last_write(registers_, 0x124), 0u);
+  port_.join({0x01, 0x00, 0x5e, 0x74, 0xe0, 0xf5});  // 27
+  EXPECT_EQ(last_write(registers_, 0x120), 0u);
+  EXPECT_EQ(last_write(registers_, 0x124), 1u << 27);
+  port_.join({0x01, 0x00, 0x5e, 0x00, 0x00, 0xfb});  // 33
+  EXPECT_EQ(last_write(registers_, 0x120), 1u << 1);
+  EXPECT_EQ(last_write(registers_, 0x124), 1u << 27);
+  forget();
+  link_up(1'000'000, 0x0101, 0x0800);  // another speed
+  EXPECT_EQ(port_.counters().restarts, 1u);
+  EXPECT_EQ(last_write(registers_, 0x120), 1u << 1);
+  EXPECT_EQ(last_write(registers_, 0x124), 1u << 27);
+}
+
+TEST_F(Port, SaysHowManyBuffersAreFree) {
+  EXPECT_EQ(port_.room(), kTransmit);
+  queue(5);
+  EXPECT_EQ(port_.room(), kTransmit - 5);
+  pump_at(1'000);
+  EXPECT_EQ(port_.room(), kTransmit - 5) << "in flight";
+  send(3);
+  EXPECT_EQ(port_.room(), kTransmit - 2);
+}
+
 TEST_F(Port, ShowsTheOldestFrameUntilItIsReleased) {
   EXPECT_TRUE(port_.receive().empty());
   arrive(64);

@@ -55,6 +55,10 @@ class FakeEthernetPort {
     return buffer_;
   }
 
+  [[nodiscard]] std::size_t room() const {
+    return ring_slots_ > queued_ ? ring_slots_ - queued_ : 0;
+  }
+
   void commit(std::size_t frame_bytes) {
     if (!acquired_ || frame_bytes < kMinCommitBytes || frame_bytes > kMaxFrameBytes) {
       ++violations_;
