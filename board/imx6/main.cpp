@@ -83,6 +83,9 @@ int main() {
     refuse(board, network, verdict);
   }
   print_car(board, car, *network);
+  if (network->service_instance != 0) {
+    board.ethernet().join(iog::net::kDiscoveryGroupMac.octets);
+  }
   static Platform platform(board, with_mac(*network, board.mac_address()), iog::imx6::kCores);
   static iog::app::SerialSink serial;
   // The peer is the only destination that the firmware ever sends messages to, and it may replay

@@ -63,6 +63,7 @@ class Life {
     }
     const std::uint32_t late = supervision_.late(now_us);
     if (late != 0) {
+      platform.offering().withdraw();
       machine.end_run({.cause = hal::EndCause::kLate, .detail = late},
                       supervision_.name_of_first(late));
       return;

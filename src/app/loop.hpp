@@ -21,6 +21,7 @@
 #include "app/core_report.hpp"
 #include "app/life.hpp"
 #include "app/loop_times.hpp"
+#include "app/offering.hpp"
 #include "app/pipeline.hpp"
 #include "app/serial_sink.hpp"
 #include "app/times_report.hpp"
@@ -73,17 +74,21 @@ class MachinePlatform {
 
   // cores: how many are to work, if the machine has as many.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1)
-      : machine_(machine), host_(machine.ethernet(), config), team_(machine.cores(), kPatienceUs) {
+      : machine_(machine),
+        host_(machine.ethernet(), config),
+        offering_(machine.ethernet(), host_, config, machine.run_number()),
+        team_(machine.cores(), kPatienceUs) {
     team_.start(cores);
     report_cores(machine_.console(), team_);
   }
 
   [[nodiscard]] net::Host<Port>& host() { return host_; }
+  [[nodiscard]] Offering<Port>& offering() { return offering_; }
 
   // The line's transmitter is looked after between two messages, too: there may be hundreds.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     machine_.serial().pump();
-    return host_.send_message(message);
+    return offering_.send_message(message);
   }
 
   // Of which each must show that he lives (app/life.hpp); how many frames have been closed, modulo
@@ -115,6 +120,7 @@ class MachinePlatform {
   // The link's counters in the order of docs/spec.md; damaged datagrams count as dropped packets.
   [[nodiscard]] const Vitals& vitals(const FrameTimes& times) {
     ++frames_;
+    offering_.begin_frame();
     times_.add(times, core_times_, ticks_hz());
     Vitals& vitals = vitals_;
     vitals.stack_used_bytes = machine_.stack_used_bytes();
@@ -146,6 +152,10 @@ class MachinePlatform {
     require(vitals.link_counters.size() - out.size() == stream::kTimeCounters);
     times_.write(out.first<LoopTimes::kCounters>());
     out = out.subspan<LoopTimes::kCounters>();
+    if (offering_.is_on()) {
+      require(vitals.link_counters.size() - out.size() == stream::kDiscoveryCounters);
+      append(offering_.counts());
+    }
     vitals.link_counter_count = vitals.link_counters.size() - out.size();
     vitals.link_drops = port.receive_errors + port.oversized + port.receive_overflows +
                         port.lost_received + fragments.expired + fragments.displaced;
@@ -168,6 +178,7 @@ class MachinePlatform {
 
   M& machine_;
   net::Host<Port> host_;
+  Offering<Port> offering_;
   Team team_;
   LoopTimes times_;
   work::CoreTimes core_times_;
@@ -204,6 +215,9 @@ void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& bac
     if (!datagram) {
       break;
     }
+    if (platform.offering().take(*datagram, now_us)) {
+      continue;
+    }
     pipeline.take({datagram->source.value, datagram->destination_port, datagram->payload}, now_us);
     machine.serial().pump();
   }
@@ -223,7 +237,10 @@ void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
     if (!datagram) {
       break;
     }
-    pipeline.leave({datagram->source.value, datagram->destination_port, datagram->payload}, now_us);
+    if (!platform.offering().take(*datagram, now_us)) {
+      pipeline.leave({datagram->source.value, datagram->destination_port, datagram->payload},
+                     now_us);
+    }
     now_us = machine.clock().now_us();
   }
   backlog.begin(now_us);
@@ -248,6 +265,7 @@ bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial, Backlog&
   take_datagrams(machine, platform, backlog, pipeline);
   life.lives(Alive::kDatagrams, now_us());
   pipeline.tick(now_us());
+  platform.offering().tick(now_us());
   life.lives(Alive::kTime, now_us());
   machine.ethernet().pump();
   life.lives(Alive::kNetwork, now_us());

@@ -33,7 +33,7 @@ void write_network(const net::Config& network, WritableBlock block, const Record
     out.u8(octet);
   }
   out.u8(network.prefix_bits);
-  out.zeros(1);
+  out.u8(network.service_instance);
   out.u32_be(network.address.value);
   out.u32_be(network.peer.value);
   out.u16_be(network.peer_port);
@@ -49,7 +49,7 @@ std::optional<net::Config> read_network(Block block, const RecordPlace& place) {
     octet = in.u8();
   }
   network.prefix_bits = in.u8();
-  in.skip(1);
+  network.service_instance = in.u8();
   network.address.value = in.u32_be();
   network.peer.value = in.u32_be();
   network.peer_port = in.u16_be();

@@ -15,6 +15,11 @@ inline constexpr std::uint8_t kInterfaceVersion = 4;
 inline constexpr std::uint8_t kOldestReadVersion = 3;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
+// What is subscribed to by service discovery: all events of the network channel. The minor version
+// is that of what may change within a major one: fields that are appended.
+inline constexpr std::uint16_t kEventGroup = 0x0001;
+inline constexpr std::uint32_t kMinorVersion = 0;
+
 // A receiver is alarmed when more messages than these are missing in a row. A frame of a wide road
 // is some 480 messages if its tiles are sent raw, and never more than 1025.
 inline constexpr std::uint16_t kMaxDeltaCounter = 512;

@@ -70,7 +70,7 @@ struct StageTicks {
 };
 inline constexpr std::size_t kStageCount = 4;
 
-inline constexpr std::size_t kMaxLinkCounters = 192;
+inline constexpr std::size_t kMaxLinkCounters = 200;
 
 // Where the counters of the cores are among the link counters: cores at work, items done for lost
 // cores, and those done by core 0 to 3.
@@ -84,6 +84,10 @@ inline constexpr std::size_t kEndCounters = 52;
 inline constexpr std::size_t kTimeCounters = 55;
 inline constexpr std::size_t kTimeRows = 10;
 inline constexpr std::size_t kTimeRowCounters = 13;
+
+// And where those of service discovery (discovery/counters.hpp) of a target that offers its
+// service.
+inline constexpr std::size_t kDiscoveryCounters = 185;
 
 // The last message of a frame.
 struct FrameEnd {

@@ -160,6 +160,7 @@ net::Config read_network(TomlTable table) {
   table.read("peer", network.peer);
   table.read("peer_port", network.peer_port);
   table.read("source_port", network.source_port);
+  table.read("service_instance", network.service_instance);
   table.refuse_others();
   return network;
 }

@@ -89,6 +89,19 @@ TEST(CarBlock, WithoutACarItIsRefused) {
   }
 }
 
+// docs/spec.md 8.3: behind the bits of the subnet; 0 is what it was before there was any service.
+TEST(CarBlock, TheNetworkSaysWhichInstanceIsOffered) {
+  CarBytes bytes(vehicles::cars()[0]);
+  net::Config network = vehicles::cars()[0].network;
+  EXPECT_EQ(bytes.at(64 + 16 + 7), std::byte{0}) << "by default none";
+  for (const std::uint8_t instance : std::array<std::uint8_t, 3>{0, 1, 255}) {
+    network.service_instance = instance;
+    write_block(vehicles::cars()[0].vehicle, network, bytes.writable());
+    EXPECT_EQ(bytes.at(64 + 16 + 7), std::byte{instance});
+    EXPECT_EQ(read_network(bytes.block())->service_instance, instance);
+  }
+}
+
 TEST(CarBlock, TheNetworkStandsTwice) {
   const net::Config& written = vehicles::cars()[0].network;
   CarBytes bytes(vehicles::cars()[0]);

@@ -1,0 +1,111 @@
+// The service that a target offers: service discovery on its host, and a copy of each message to
+// whoever has subscribed. A target that offers nothing sends its peer the same messages, and no
+// more.
+//
+// The peer comes first. A frame is at most kMostMessages; so many buffers, less what the peer has
+// of this frame, are never given to a copy. The port's ring is larger by what copies may take.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "discovery/server.hpp"
+#include "hal/ethernet_port.hpp"
+#include "net/config.hpp"
+#include "net/host.hpp"
+#include "stream/channel.hpp"
+
+namespace iog::app {
+
+template <hal::EthernetPort Port>
+class Offering {
+ public:
+  // A whole grid of raw tiles, and what else may fall into the same moment.
+  static constexpr std::size_t kMostMessages = 1024 + 64;
+  // What is left to the peer of a frame that has more.
+  static constexpr std::size_t kLeastRoom = 64;
+
+  // Port and host outlive it. run_number: the delay before the first offer is drawn from it.
+  Offering(Port& port, net::Host<Port>& host, const net::Config& config, std::uint32_t run_number)
+      : port_(port),
+        host_(host),
+        is_on_(config.service_instance != 0),
+        server_(config,
+                {.service = stream::kServiceId,
+                 .major = stream::kInterfaceVersion,
+                 .minor = stream::kMinorVersion,
+                 .event_group = stream::kEventGroup},
+                scattered(run_number ^ config.address.value)) {}
+
+  [[nodiscard]] bool is_on() const { return is_on_; }
+  [[nodiscard]] const discovery::Counts& counts() const { return server_.counts(); }
+
+  // Whether the datagram was one of service discovery, which is answered then.
+  [[nodiscard]] bool take(const net::Datagram& datagram, std::uint64_t now_us) {
+    if (!is_on_ || datagram.destination_port != net::kDiscoveryPort) {
+      return false;
+    }
+    send(server_.receive(datagram, now_us));
+    return true;
+  }
+
+  // Time has passed: what is due is sent.
+  void tick(std::uint64_t now_us) {
+    if (is_on_) {
+      host_.know(server_.neighbour());
+      send(server_.tick(now_us, host_.neighbour()));
+    }
+  }
+
+  // Before the run is ended, and once: it goes at once, if the controller takes it.
+  void withdraw() {
+    if (is_on_) {
+      send(server_.withdraw());
+      port_.pump();
+    }
+  }
+
+  // The next message is the first of its frame.
+  void begin_frame() { messages_ = 0; }
+
+  // To the peer, and then to the subscriber. False if nobody gets it.
+  [[nodiscard]] bool send_message(std::span<const std::byte> message) {
+    const bool is_sent = host_.send_message(message);
+    ++messages_;
+    return copy(message) || is_sent;
+  }
+
+ private:
+  // Neighbouring numbers become distant ones (Knuth, The Art of Computer Programming, 6.4).
+  static constexpr std::uint32_t scattered(std::uint32_t number) { return number * 2'654'435'761U; }
+
+  [[nodiscard]] bool copy(std::span<const std::byte> message) {
+    const auto subscriber = is_on_ ? server_.subscriber() : std::nullopt;
+    if (!subscriber) {
+      return false;
+    }
+    const bool is_copied = port_.room() > room_of_peer() && host_.send_to(*subscriber, message);
+    server_.count(is_copied ? discovery::Count::kCopied : discovery::Count::kNotCopied);
+    return is_copied;
+  }
+
+  [[nodiscard]] std::size_t room_of_peer() const {
+    return messages_ + kLeastRoom < kMostMessages ? kMostMessages - messages_ : kLeastRoom;
+  }
+
+  void send(const std::optional<discovery::Outgoing>& outgoing) {
+    if (outgoing) {
+      static_cast<void>(host_.send_to(outgoing->to, outgoing->view()));
+    }
+  }
+
+  Port& port_;
+  net::Host<Port>& host_;
+  bool is_on_;
+  discovery::Server server_;
+  std::size_t messages_ = 0;  // of the frame at hand
+};
+
+}  // namespace iog::app
