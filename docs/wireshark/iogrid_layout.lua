@@ -231,6 +231,15 @@ for _, row in ipairs({ "fuse", "mark", "publish", "perceive", "frame", "late", "
   for octave = 8, 16 do table.insert(LINK, string.format("%s below %d us", row, 2 ^ octave)) end
   table.insert(LINK, row .. " longer")
 end
+-- And those of a target that offers its service.
+for _, name in ipairs({
+  "SD received", "SD malformed", "SD spoofed", "SD unanswered", "SD offers", "SD found",
+  "SD subscriptions acknowledged", "SD subscriptions refused", "SD subscriptions unconfirmed",
+  "SD subscriptions stopped", "SD subscriptions expired", "SD subscribers rebooted", "SD copied",
+  "SD not copied",
+}) do
+  table.insert(LINK, name)
+end
 local POSE_FATES = { "used", "unconfirmed", "stranger", "too short", "not ours", "wrong version",
                      "damaged", "wrong length", "wrong flags", "not zero", "out of range",
                      "no sigma", "too old", "not newer", "flood", "of a past run" }

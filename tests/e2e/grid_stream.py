@@ -47,6 +47,11 @@ LINK_COUNTERS = ("frames received", "datagrams delivered", "ARP answered", "ARP 
                  "port restarts", "received lost by restarts", "unsent lost by restarts",
                  "starts since power-up", "end of the run before", "detail of that end",
                  *(f"{row} {what}" for row in LOOP_TIMES for what in TIME_COUNTERS))
+# Of a target that offers its service.
+DISCOVERY_COUNTERS = ("SD received", "SD malformed", "SD spoofed", "SD unanswered", "SD offers", "SD found",
+                      "SD subscriptions acknowledged", "SD subscriptions refused",
+                      "SD subscriptions unconfirmed", "SD subscriptions stopped",
+                      "SD subscriptions expired", "SD subscribers rebooted", "SD copied", "SD not copied")
 # What the header of a message counts as dropped, besides PACKET_DROPS: damaged datagrams.
 DAMAGED = ("short", "bad IP header", "bad IP checksum", "fragment", "bad source", "bad UDP length",
            "bad UDP checksum", "receive errors", "oversized", "datagrams expired", "datagrams displaced",
@@ -277,14 +282,15 @@ def read_frame_end(body: bytes) -> FrameEnd:
     sent, lost, crc, _, opened_us, _ = struct.unpack_from(">IIIIQI", body)
     stages, fates, causes, links = struct.unpack_from(">BBBB", body, 28)
     assert stages == 4 and fates in (10, 13), "10 until version 4 had the ground"
-    assert causes == len(PACKET_DROPS) and links in (0, len(LINK_COUNTERS)), "another spec.md"
+    all_links = LINK_COUNTERS + DISCOVERY_COUNTERS
+    assert causes == len(PACKET_DROPS) and links in (0, len(LINK_COUNTERS), len(all_links)), "another spec.md"
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
     at = 32 + 4 * len(counts)
     assert body[at:at + 4] == b"\x10\0\0\0", "a sensor record is 16 bytes"
     assert len(body) == at + 4 + 4 * 16
     sensors = [Sensor(*struct.unpack_from(">BxHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
     return FrameEnd(sent, lost, crc, opened_us, counts[stages:stages + fates],
-                    dict(zip(PACKET_DROPS + LINK_COUNTERS, counts[stages + fates:])), sensors)
+                    dict(zip(PACKET_DROPS + all_links, counts[stages + fates:])), sensors)
 
 
 class Assembler:
