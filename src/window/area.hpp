@@ -29,6 +29,11 @@ struct TileNumber {
   friend constexpr bool operator==(const TileNumber&, const TileNumber&) = default;
 };
 
+// The tile of the local frame that holds a cell.
+[[nodiscard]] constexpr TileNumber window_tile(geometry::Cell cell) {
+  return {cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2};
+}
+
 [[nodiscard]] constexpr std::size_t slot_of(TileNumber tile) {
   constexpr std::uint32_t kMask = kTilesAcross - 1;
   return (static_cast<std::uint32_t>(tile.b) & kMask) * kTilesAcross +
@@ -67,8 +72,7 @@ class Area {
     return is_inside(tile.a - corner_.a) && is_inside(tile.b - corner_.b);
   }
   [[nodiscard]] constexpr bool contains(geometry::Cell cell) const {
-    return contains(
-        TileNumber{cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2});
+    return contains(window_tile(cell));
   }
 
   // The tile of this area that lies at a slot. It wraps where the area would leave 32 bits.

@@ -10,11 +10,6 @@
 
 namespace iog::window {
 
-// The tile of the local frame that holds a cell.
-[[nodiscard]] constexpr TileNumber window_tile(geometry::Cell cell) {
-  return {cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2};
-}
-
 struct CellPlace {
   std::size_t slot = 0;
   std::uint32_t x = 0;  // in its tile
