@@ -63,7 +63,9 @@ void ObjectFollower::name(window::WindowFusion& window) const {
       window.name_moving(hit.cell, sureness_of(tracker_.tracks()[owner]));
     }
   }
-  window.withdraw_moving([this](geometry::Cell cell) { return tracker_.is_in_moving_box(cell); });
+  window.withdraw_moving([this](geometry::Cell first, std::uint32_t asked) {
+    return tracker_.in_moving_boxes(first, asked);
+  });
 }
 
 }  // namespace iog::app

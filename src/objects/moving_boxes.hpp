@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,21 +21,29 @@ class MovingBoxes {
     for (const Track& track : tracks) {
       if (track.moves()) {
         boxes_[count_] = track.box();
-        bounds_[count_++] = bounds_of(track.box());
+        reaches_[count_++] = bounds_of(track.box()).grown(kReachMm);
       }
     }
   }
   void clear() { count_ = 0; }
 
-  // Whether a point is at most kTailMm out of one of them.
-  [[nodiscard]] bool hold(Point point) const {
-    const Bounds its{.low = point, .high = point};
+  // Of cells in a row those whose centre is at most kTailMm out of one of them. Bit i is the cell i
+  // to the right of the first; one is asked for at least.
+  [[nodiscard]] std::uint32_t hold(geometry::Cell first, std::uint32_t asked) const {
+    const Bounds row{.low = centre_of({first.x + std::countr_zero(asked), first.y}),
+                     .high = centre_of({first.x + 31 - std::countl_zero(asked), first.y})};
+    std::uint32_t held = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-      if (bounds_[i].is_near(its, kReachMm) && boxes_[i].outside(point) <= kTailMm) {
-        return true;
+      if (!reaches_[i].meets(row)) {
+        continue;
+      }
+      for (std::uint32_t left = asked & ~held; left != 0; left &= left - 1) {
+        const int x = std::countr_zero(left);
+        const bool is_held = boxes_[i].outside(centre_of({first.x + x, first.y})) <= kTailMm;
+        held |= (is_held ? std::uint32_t{1} : 0) << x;
       }
     }
-    return false;
+    return held;
   }
 
  private:
@@ -42,7 +51,7 @@ class MovingBoxes {
   static constexpr std::int32_t kReachMm = kTailMm * 3 / 2;
 
   std::size_t count_ = 0;
-  std::array<Bounds, kMostTracks> bounds_{};
+  std::array<Bounds, kMostTracks> reaches_{};
   std::array<Box, kMostTracks> boxes_{};
 };
 

@@ -136,7 +136,8 @@ struct Box {
   }
 };
 
-// What lies between two points of which one is lower in both coordinates.
+// What lies between two points of which one is lower in both coordinates. What is asked has one
+// answer from four signs, because nobody can foresee four branches.
 struct Bounds {
   Point low{INT32_MAX, INT32_MAX};
   Point high{INT32_MIN, INT32_MIN};
@@ -152,13 +153,17 @@ struct Bounds {
     return {low.x_mm + (high.x_mm - low.x_mm) / 2, low.y_mm + (high.y_mm - low.y_mm) / 2};
   }
   [[nodiscard]] constexpr bool contains(Point point) const {
-    return point.x_mm >= low.x_mm && point.x_mm <= high.x_mm && point.y_mm >= low.y_mm &&
-           point.y_mm <= high.y_mm;
+    return ((point.x_mm - low.x_mm) | (high.x_mm - point.x_mm) | (point.y_mm - low.y_mm) |
+            (high.y_mm - point.y_mm)) >= 0;
   }
+  [[nodiscard]] constexpr Bounds grown(std::int32_t mm) const {
+    return {.low = {low.x_mm - mm, low.y_mm - mm}, .high = {high.x_mm + mm, high.y_mm + mm}};
+  }
+  [[nodiscard]] constexpr bool meets(const Bounds& other) const { return is_near(other, 0); }
   // Whether a point of the other is at most so far from one of this, on both axes.
   [[nodiscard]] constexpr bool is_near(const Bounds& other, std::int32_t mm) const {
-    return other.low.x_mm - mm <= high.x_mm && low.x_mm - mm <= other.high.x_mm &&
-           other.low.y_mm - mm <= high.y_mm && low.y_mm - mm <= other.high.y_mm;
+    return ((high.x_mm - other.low.x_mm + mm) | (other.high.x_mm - low.x_mm + mm) |
+            (high.y_mm - other.low.y_mm + mm) | (other.high.y_mm - low.y_mm + mm)) >= 0;
   }
 };
 

@@ -18,10 +18,7 @@ Bounds reach_of(const Track& track, const ClaimGate& gate) {
   const Velocity its = track.velocity();
   const std::int32_t faster = std::max(numeric::magnitude(its.x), numeric::magnitude(its.y));
   const std::int32_t more = gate.mm * 3 / 2 + faster / kOldestHitsPerSecond + geometry::kCellMm;
-  Bounds bounds = bounds_of(track.box());
-  bounds.low = {bounds.low.x_mm - more, bounds.low.y_mm - more};
-  bounds.high = {bounds.high.x_mm + more, bounds.high.y_mm + more};
-  return bounds;
+  return bounds_of(track.box()).grown(more);
 }
 
 }  // namespace

@@ -72,10 +72,10 @@ class Tracker {
     const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
     return track.moves() && !(hit.stands && track.is_mostly_standing());
   }
-  // Whether a cell may hold a part of something that moves, hit or not: it is at most kTailMm out
-  // of its box.
-  [[nodiscard]] bool is_in_moving_box(geometry::Cell cell) const {
-    return moving_.hold(centre_of(cell));
+  // Of cells in a row those which may hold a part of something that moves, hit or not: at most
+  // kTailMm out of its box. See MovingBoxes::hold().
+  [[nodiscard]] std::uint32_t in_moving_boxes(geometry::Cell first, std::uint32_t asked) const {
+    return moving_.hold(first, asked);
   }
 
  private:

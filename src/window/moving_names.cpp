@@ -22,10 +22,12 @@ std::uint8_t MovingNames::moving_of(const decision::Decided& decided) {
 // plane says by cell (decision/decision.hpp).
 void MovingNames::note_tile(std::size_t slot, const Tile& tile) {
   Groups groups = changed_[slot];
+  std::uint32_t any = 0;
   for (std::size_t word = 0; word < groups.size(); ++word) {
     const auto rows =
         std::span(tile.found.taken).subspan(word * kRowsPerWord).first<kRowsPerWord>();
     if ((rows[0] | rows[1] | rows[2] | rows[3] | rows[4] | rows[5] | rows[6] | rows[7]) == 0) {
+      any |= groups[word];
       continue;
     }
     for (std::size_t y = 0; y < rows.size(); ++y) {
@@ -38,8 +40,10 @@ void MovingNames::note_tile(std::size_t slot, const Tile& tile) {
         left &= ~(std::uint32_t{0xFF} << in_row * evidence::kGroupCells);
       }
     }
+    any |= groups[word];
   }
   moving_[slot] = groups;
+  may_move_[slot] = any != 0;
 }
 
 void MovingNames::take_back(Window& window) {

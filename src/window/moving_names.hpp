@@ -31,13 +31,14 @@ class MovingNames {
   // tiles.
   void note_tile(std::size_t slot, const Tile& tile);
 
-  // A cell that is called moving and was not hit in this frame becomes unknown, but where
-  // is_held(cell) says that something which moves may be there. All tiles were noted as they are.
-  template <typename IsHeld>
-  void withdraw(const FrameEvidence& evidence, Window& window, IsHeld&& is_held) {
+  // A cell that is called moving and was not hit in this frame becomes unknown, but where something
+  // which moves may be: held(first, asked) says where, of the cells of a group that are asked for,
+  // bit i of the cell i to the right of the first. All tiles were noted as they are.
+  template <typename Held>
+  void withdraw(const FrameEvidence& evidence, Window& window, Held&& held) {
     for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-      if (window.is_known(slot)) {
-        withdraw(evidence, slot, window, is_held);
+      if (may_move_[slot] && window.is_known(slot)) {
+        withdraw(evidence, slot, window, held);
       }
     }
   }
@@ -51,41 +52,47 @@ class MovingNames {
   // The cells of a group that are called moving, bit i of cell i.
   [[nodiscard]] static std::uint8_t moving_of(const decision::Decided& decided);
 
-  template <typename IsHeld>
-  void withdraw(const FrameEvidence& evidence, std::size_t slot, Window& window, IsHeld& is_held);
+  template <typename Held>
+  void withdraw(const FrameEvidence& evidence, std::size_t slot, Window& window, Held& held);
 
   void note(std::size_t slot, std::size_t group) {
     changed_[slot][group / kGroupsPerWord] |= 1U << group % kGroupsPerWord;
     is_changed_[slot] = true;
+    may_move_[slot] = true;
   }
 
   // By slot the groups in which a cell may move by the masses, and those that were renamed.
   std::array<Groups, kSlotCount> moving_{};
   std::array<Groups, kSlotCount> changed_{};
   std::array<bool, kSlotCount> is_changed_{};
+  std::array<bool, kSlotCount> may_move_{};  // whether there is a group in either
 };
 
-template <typename IsHeld>
+template <typename Held>
 void MovingNames::withdraw(const FrameEvidence& evidence, std::size_t slot, Window& window,
-                           IsHeld& is_held) {
+                           Held& held) {
   const Tile& tile = window.tile(slot);
+  const std::int8_t* const hits = evidence.is_touched(slot) ? evidence.tile(slot).data() : nullptr;
   for (std::size_t word = 0; word < moving_[slot].size(); ++word) {
     const std::uint32_t groups = moving_[slot][word] | changed_[slot][word];
     for (std::uint32_t rest = groups; rest != 0; rest &= rest - 1) {
       const std::size_t group =
           word * kGroupsPerWord + static_cast<std::size_t>(std::countr_zero(rest));
       std::uint32_t left = moving_of(tile.decided[group]);
-      if (left != 0 && evidence.is_touched(slot)) {
-        left &= ~std::uint32_t{
-            EightBytes::load(&evidence.tile(slot)[group * evidence::kGroupCells]).positive()};
+      if (left != 0 && hits != nullptr) {
+        left &= ~std::uint32_t{EightBytes::load(&hits[group * evidence::kGroupCells]).positive()};
       }
+      if (left != 0) {
+        left &= ~held(cell_at(window.area(), slot, group, 0), left);
+      }
+      if (left == 0) {
+        continue;
+      }
+      decision::Decided& decided = window.open(slot).decided[group];
       for (; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(left));
-        if (!is_held(cell_at(window.area(), slot, group, i))) {
-          window.open(slot).decided[group][i] = 0;
-          note(slot, group);
-        }
+        decided[static_cast<std::size_t>(std::countr_zero(left))] = 0;
       }
+      note(slot, group);
     }
   }
 }

@@ -93,9 +93,9 @@ class WindowFusion {
   void name_moving(geometry::Cell cell, std::uint8_t sureness) {
     names_.give(cell, sureness, window_);
   }
-  template <typename IsHeld>
-  void withdraw_moving(IsHeld&& is_held) {
-    names_.withdraw(evidence_, window_, is_held);
+  template <typename Held>
+  void withdraw_moving(Held&& held) {
+    names_.withdraw(evidence_, window_, held);
   }
 
   // What the map rules out in the tile at a slot: see Window. Names alone follow, and at once.

@@ -31,17 +31,23 @@ TEST(MovingBoxes, HoldWhatIsNearABoxOfATrackThatMoves) {
   boxes.list(*tracks);
   int held = 0;
   for (int i = 0; i < 10'000; ++i) {
-    const Point point{random.between(-25'000, 25'000), random.between(-25'000, 25'000)};
-    const bool is_held = std::ranges::any_of(*tracks, [&](const Track& track) {
-      return track.is_there() && track.state == State::kMoves &&
-             track.box().outside(point) <= kTailMm;
-    });
-    ASSERT_EQ(boxes.hold(point), is_held) << i;
-    held += is_held ? 1 : 0;
+    const geometry::Cell first{random.between(-250, 250), random.between(-250, 250)};
+    const auto asked = static_cast<std::uint32_t>(random.between(1, 0xFF));
+    std::uint32_t expected = 0;
+    for (std::int32_t x = 0; x < 8; ++x) {
+      const bool is_held = std::ranges::any_of(*tracks, [&](const Track& track) {
+        return track.is_there() && track.state == State::kMoves &&
+               track.box().outside(centre_of({first.x + x, first.y})) <= kTailMm;
+      });
+      expected |= (is_held ? 1U : 0U) << x;
+    }
+    ASSERT_EQ(boxes.hold(first, asked), expected & asked) << i;
+    held += expected == 0 ? 0 : 1;
   }
   EXPECT_GT(held, 50);
   boxes.clear();
-  EXPECT_FALSE(boxes.hold((*tracks)[0].box().at));
+  const Point middle = (*tracks)[0].box().at;
+  EXPECT_EQ(boxes.hold({middle.x_mm / geometry::kCellMm, middle.y_mm / geometry::kCellMm}, 1), 0U);
 }
 
 }  // namespace
