@@ -5,7 +5,6 @@
 
 #include "numeric/division.hpp"
 #include "numeric/magnitude.hpp"
-#include "window/cell_place.hpp"
 
 namespace iog::objects {
 namespace {
@@ -65,25 +64,17 @@ void FrameHits::begin(const Frame& frame) {
         std::min<std::int32_t>(numeric::magnitude(to - from), kRings - 1));
   };
   for (std::size_t i = 0; i < columns_away_.size(); ++i) {
-    const window::TileNumber tile = area_.tile_at(i * window::kTilesAcross + i);
-    columns_away_[i] = away(car.a, tile.a);
-    rows_away_[i] = away(car.b, tile.b);
+    columns_away_[i] = away(car.a, area_.corner().a + static_cast<std::int32_t>(i));
+    rows_away_[i] = away(car.b, area_.corner().b + static_cast<std::int32_t>(i));
   }
-}
-
-inline std::uint32_t FrameHits::ring_of(window::TileNumber tile) const {
-  constexpr std::uint32_t kMask = window::kTilesAcross - 1;
-  return std::max(columns_away_[static_cast<std::uint32_t>(tile.a) & kMask],
-                  rows_away_[static_cast<std::uint32_t>(tile.b) & kMask]);
 }
 
 // From the nearest on.
 std::uint32_t FrameHits::rings_that_fit(const Frame& frame) const {
   std::array<std::size_t, kRings> of_ring{};
   for (const Hit& hit : frame.hits) {
-    const window::TileNumber tile = window::window_tile(hit.cell);
-    if (area_.contains(tile)) {
-      ++of_ring[ring_of(tile)];
+    if (const geometry::Cell at = in_window(hit.cell); window::kWindowCells.contains(at)) {
+      ++of_ring[ring_of(at)];
     }
   }
   std::size_t fit = 0;
@@ -97,19 +88,21 @@ std::uint32_t FrameHits::rings_that_fit(const Frame& frame) const {
 std::size_t FrameHits::collect(const Frame& frame, Left& left) {
   const std::size_t slices = std::min(frame.ages_ms.size(), kMostSlices);
   const std::uint32_t rings = frame.hits.size() <= kMostSeen ? kRings : rings_that_fit(frame);
-  std::size_t count = 0;
+  Key* next = other_.data();
+  std::uint32_t wrong = 0;
   for (const Hit& hit : frame.hits) {
-    if (hit.slice >= slices || !area_.contains(window::window_tile(hit.cell))) {
-      ++left.wrong;
-      continue;
-    }
-    const Key key = key_of(hit.cell, hit.slice);
-    if (key >> kRingShift < rings) {
-      other_[count++] = key;
+    const geometry::Cell at = in_window(hit.cell);
+    if (hit.slice >= slices || !window::kWindowCells.contains(at)) {
+      ++wrong;
     } else {
-      ++left.beyond;
+      // No branch that nobody can foresee: what is too far is overwritten by the next.
+      const std::uint32_t ring = ring_of(at);
+      *next = key_of(ring, hit.cell, hit.slice);
+      next += ring < rings ? 1 : 0;
     }
   }
+  const auto count = static_cast<std::size_t>(next - other_.data());
+  left = {.beyond = static_cast<std::uint32_t>(frame.hits.size() - count) - wrong, .wrong = wrong};
   return count;
 }
 
@@ -134,12 +127,27 @@ void FrameHits::sort(std::size_t count) {
   one_round(2, other_, keys_);
 }
 
-inline FrameHits::Key FrameHits::key_of(geometry::Cell cell, std::uint8_t slice) const {
-  const window::TileNumber tile = window::window_tile(cell);
-  const auto slot = static_cast<Key>(window::slot_of(tile));
-  const Key in_tile =
-      (static_cast<Key>(cell.y) & kInTile) << kSideBits | (static_cast<Key>(cell.x) & kInTile);
-  return ring_of(tile) << kRingShift | slot << kSlotShift | in_tile << kSliceBits | slice;
+// From the area's lowest. The difference is exact modulo 2^32, so what is outside stays outside.
+inline geometry::Cell FrameHits::in_window(geometry::Cell cell) const {
+  const auto from = [](std::int32_t lowest_tile, std::int32_t at) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(at) -
+                                     static_cast<std::uint32_t>(lowest_tile * window::kTileSide));
+  };
+  return {from(area_.corner().a, cell.x), from(area_.corner().b, cell.y)};
+}
+
+inline std::uint32_t FrameHits::ring_of(geometry::Cell at) const {
+  return std::max(columns_away_[static_cast<std::uint32_t>(at.x) >> kSideBits],
+                  rows_away_[static_cast<std::uint32_t>(at.y) >> kSideBits]);
+}
+
+inline FrameHits::Key FrameHits::key_of(std::uint32_t ring, geometry::Cell cell,
+                                        std::uint8_t slice) {
+  const auto x = static_cast<Key>(cell.x);
+  const auto y = static_cast<Key>(cell.y);
+  const Key slot = (y >> kSideBits & kInTile) << kSideBits | (x >> kSideBits & kInTile);
+  const Key in_tile = (y & kInTile) << kSideBits | (x & kInTile);
+  return ring << kRingShift | slot << kSlotShift | in_tile << kSliceBits | slice;
 }
 
 // In its place: a copy would take as long as all the rest.
@@ -163,7 +171,7 @@ inline void FrameHits::begin_hit(Key key, const Frame& frame, FrameHit& hit) con
 }
 
 std::size_t FrameHits::first_of(geometry::Cell cell) const {
-  const Key key = key_of(cell, 0);
+  const Key key = key_of(ring_of(in_window(cell)), cell, 0);
   const auto end = keys_.begin() + static_cast<std::ptrdiff_t>(count_);
   const auto found = std::lower_bound(keys_.begin(), end, key);
   const bool is_there = found != end && (*found ^ key) >> kSliceBits == 0;

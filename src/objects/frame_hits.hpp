@@ -44,22 +44,23 @@ class FrameHits {
   static constexpr std::uint32_t kRings = 32;
 
   void begin(const Frame& frame);
-  // Of a cell of the window.
-  [[nodiscard]] std::uint32_t ring_of(window::TileNumber tile) const;
-  [[nodiscard]] Key key_of(geometry::Cell cell, std::uint8_t slice) const;
+  [[nodiscard]] geometry::Cell in_window(geometry::Cell cell) const;
+  // Of a cell of the window, counted from its lowest.
+  [[nodiscard]] std::uint32_t ring_of(geometry::Cell at) const;
+  [[nodiscard]] static Key key_of(std::uint32_t ring, geometry::Cell cell, std::uint8_t slice);
   void begin_hit(Key key, const Frame& frame, FrameHit& hit) const;
   [[nodiscard]] std::uint32_t rings_that_fit(const Frame& frame) const;
   std::size_t collect(const Frame& frame, Left& left);
   void sort(std::size_t count);
 
   window::Area area_{};
-  // How many tiles a column of tiles is away from the car, and a row, by their slots.
+  // How many tiles a column of tiles is away from the car, and a row, from the lowest on.
   std::array<std::uint8_t, window::kTilesAcross> columns_away_{};
   std::array<std::uint8_t, window::kTilesAcross> rows_away_{};
   std::array<FrameHit, kMostHits> hits_{};
   std::size_t count_ = 0;
-  std::array<Key, kMostSeen> keys_{};   // in order, of the hits first
-  std::array<Key, kMostSeen> other_{};  // as they come
+  std::array<Key, kMostSeen> keys_{};       // in order, of the hits first
+  std::array<Key, kMostSeen + 1> other_{};  // as they come, and one that is too far
 };
 
 }  // namespace iog::objects
