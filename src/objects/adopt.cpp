@@ -35,40 +35,21 @@ std::int32_t distance_of(const Track& track, const Cluster& cluster) {
   return fits ? nearest : kNowhere;
 }
 
-// The tracks that may grow, in the order of slots, and what they lie in.
-struct Growing {
-  std::size_t count = 0;
-  std::array<std::uint8_t, kMostTracks> slots{};
-  std::array<Bounds, kMostTracks> bounds{};
-  StripsOfAll strips{};
-
-  explicit Growing(std::span<const Track> tracks) {
-    for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
-      if (tracks[slot].is_there() && tracks[slot].updates >= kClaimsFrom) {
-        slots[count] = static_cast<std::uint8_t>(slot);
-        bounds[count] = bounds_of(tracks[slot].box());
-        strips.set(count, Strips::of(bounds[count], 0));
-        ++count;
-      }
-    }
-  }
-};
+bool may_grow(const Track& track) { return track.is_there() && track.updates >= kClaimsFrom; }
 
 // Its slot; kMostTracks: none.
 std::size_t nearest_to(const Cluster& cluster, std::int32_t reach_mm, std::span<const Track> tracks,
-                       const Growing& growing) {
+                       const PlacedTracks& growing) {
   std::size_t nearest = kMostTracks;
   std::int32_t least = reach_mm + 1;
   const std::int32_t near_mm = reach_mm * 3 / 2;
   const Strips strips = Strips::of(cluster.bounds, near_mm);
   std::size_t asked = 0;
-  const auto next = [&](std::size_t from) {
-    return growing.strips.next(strips, from, growing.count);
-  };
-  for (std::size_t i = next(0); i < growing.count && asked < kMostAsked; i = next(i + 1)) {
-    if (growing.bounds[i].is_near(cluster.bounds, near_mm)) {
+  for (std::size_t i = growing.next(strips, 0); i < growing.count() && asked < kMostAsked;
+       i = growing.next(strips, i + 1)) {
+    if (growing.bounds(i).is_near(cluster.bounds, near_mm)) {
       ++asked;
-      const std::uint8_t slot = growing.slots[i];
+      const std::uint8_t slot = growing.slot(i);
       const std::int32_t distance = distance_of(tracks[slot], cluster);
       if (distance < least) {
         least = distance;
@@ -97,7 +78,7 @@ std::int32_t cost_of(const Track& track, const Cluster& cluster) {
 }  // namespace
 
 void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits) {
-  const Growing growing(tracks);
+  const PlacedTracks growing(tracks, 0, may_grow);
   const std::span<Cluster> all = clusters.all();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::int32_t reach = gap_mm(car, all[i].bounds.low) + kAttachMm;

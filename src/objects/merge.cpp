@@ -17,38 +17,19 @@ bool may_merge(const Track& track) { return track.is_there() && track.updates >=
 // that, so 3/2 of it along the axes of the world are enough.
 constexpr std::int32_t kMergeReach = kMergeMm * 3 / 2;
 
-// Those that may be one thing with another, in the order of slots, and what they lie in.
-struct Candidates {
-  std::size_t count = 0;
-  std::array<std::uint8_t, kMostTracks> slots{};
-  std::array<std::uint32_t, kMostTracks> ids{};
-  std::array<Bounds, kMostTracks> bounds{};
-  StripsOfAll strips{};  // half of the reach on each side
-
-  explicit Candidates(std::span<const Track> tracks) {
-    for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
-      if (may_merge(tracks[slot])) {
-        slots[count] = static_cast<std::uint8_t>(slot);
-        ids[count] = tracks[slot].id;
-        find_place(count++, tracks[slot]);
-      }
-    }
+// The next from `from` on that is younger than the first and near to it; count(): there is none.
+std::size_t next_near(std::span<const Track> tracks, const PlacedTracks& all, std::size_t first,
+                      std::size_t from) {
+  const auto is_one = [&](std::size_t number) {
+    return all.bounds(first).is_near(all.bounds(number), kMergeReach) &&
+           tracks[all.slot(number)].id > tracks[all.slot(first)].id;
+  };
+  std::size_t second = all.next(all.strips(first), from);
+  while (second < all.count() && !is_one(second)) {
+    second = all.next(all.strips(first), second + 1);
   }
-  void find_place(std::size_t number, const Track& track) {
-    bounds[number] = bounds_of(track.box());
-    strips.set(number, Strips::of(bounds[number], kMergeReach / 2));
-  }
-  // The next from `from` on that is younger than the first and near to it; count: there is none.
-  [[nodiscard]] std::size_t next_near(std::size_t first, std::size_t from) const {
-    const auto next = [&](std::size_t number) { return strips.next(strips[first], number, count); };
-    std::size_t second = next(from);
-    while (second < count &&
-           !(ids[second] > ids[first] && bounds[first].is_near(bounds[second], kMergeReach))) {
-      second = next(second + 1);
-    }
-    return second;
-  }
-};
+  return second;
+}
 
 // The sides that the older one's box would have; longer than kLongestMm if they are two things.
 bool are_one(const Track& older, const Track& other, Sides& together) {
@@ -96,16 +77,17 @@ void merge(std::span<Track> tracks, std::span<FrameHit> hits) {
     now_of[slot] = static_cast<std::int16_t>(slot);
   }
   bool is_any = false;
-  Candidates all(tracks);
-  for (std::size_t first = 0; first < all.count; ++first) {
-    const std::uint8_t slot = all.slots[first];
-    for (std::size_t second = all.next_near(first, 0);
-         second < all.count && tracks[slot].is_there(); second = all.next_near(first, second + 1)) {
-      const std::uint8_t other = all.slots[second];
+  PlacedTracks all(tracks, kMergeReach / 2, may_merge);  // each has half of the reach
+  for (std::size_t first = 0; first < all.count(); ++first) {
+    const std::uint8_t slot = all.slot(first);
+    for (std::size_t second = next_near(tracks, all, first, 0);
+         second < all.count() && tracks[slot].is_there();
+         second = next_near(tracks, all, first, second + 1)) {
+      const std::uint8_t other = all.slot(second);
       Sides together{};
       if (tracks[other].is_there() && are_one(tracks[slot], tracks[other], together)) {
         take_over(tracks[slot], tracks[other], together);
-        all.find_place(first, tracks[slot]);
+        all.place(first, tracks[slot]);
         std::ranges::replace(now_of, std::int16_t{other}, std::int16_t{slot});
         is_any = true;
       }

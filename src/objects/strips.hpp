@@ -6,9 +6,11 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "objects/plane.hpp"
 #include "objects/rules.hpp"
+#include "objects/track.hpp"
 
 namespace iog::objects {
 
@@ -38,22 +40,45 @@ struct Strips {
   }
 };
 
-// Those of up to kMostTracks rectangles, by their numbers.
-class StripsOfAll {
+// Tracks of one kind in the order of slots, counted from 0, and the rectangles that they lie in.
+class PlacedTracks {
  public:
-  void set(std::size_t number, const Strips& its) { all_[number] = its; }
-  [[nodiscard]] const Strips& operator[](std::size_t number) const { return all_[number]; }
+  // Those of which is_asked(track) is true, by strips that are so much wider on each side.
+  template <typename IsAsked>
+  PlacedTracks(std::span<const Track> tracks, std::int32_t more_mm, IsAsked&& is_asked)
+      : more_mm_(more_mm) {
+    for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+      if (is_asked(tracks[slot])) {
+        slots_[count_] = static_cast<std::uint8_t>(slot);
+        place(count_++, tracks[slot]);
+      }
+    }
+  }
+  // The track of this number lies elsewhere, or is larger.
+  void place(std::size_t number, const Track& track) {
+    bounds_[number] = bounds_of(track.box());
+    strips_[number] = Strips::of(bounds_[number], more_mm_);
+  }
 
-  // The first number from `from` on, below `end`, of which the strips may meet these; else `end`.
-  [[nodiscard]] std::size_t next(const Strips& its, std::size_t from, std::size_t end) const {
-    while (from < end && !all_[from].may_meet(its)) {
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::uint8_t slot(std::size_t number) const { return slots_[number]; }
+  [[nodiscard]] const Bounds& bounds(std::size_t number) const { return bounds_[number]; }
+  [[nodiscard]] const Strips& strips(std::size_t number) const { return strips_[number]; }
+
+  // The first number from `from` on of which the strips may meet these; count(): there is none.
+  [[nodiscard]] std::size_t next(const Strips& its, std::size_t from) const {
+    while (from < count_ && !strips_[from].may_meet(its)) {
       ++from;
     }
     return from;
   }
 
  private:
-  std::array<Strips, kMostTracks> all_{};
+  std::int32_t more_mm_;
+  std::size_t count_ = 0;
+  std::array<std::uint8_t, kMostTracks> slots_{};
+  std::array<Bounds, kMostTracks> bounds_{};
+  std::array<Strips, kMostTracks> strips_{};
 };
 
 }  // namespace iog::objects

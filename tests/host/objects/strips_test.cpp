@@ -2,6 +2,8 @@
 #include "objects/strips.hpp"
 
 #include <gtest/gtest.h>
+#include <memory>
+#include <vector>
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
@@ -41,21 +43,36 @@ TEST(Strips, MeetWhereRectanglesAreNear) {
   EXPECT_GT(ruled_out, 100);
 }
 
-TEST(Strips, TheNextIsTheFirstThatMayMeet) {
+TEST(PlacedTracks, TheNextIsTheFirstOfThoseAskedForThatMayMeet) {
   Random random(6);
-  StripsOfAll all;
-  for (std::size_t number = 0; number < kMostTracks; ++number) {
-    all.set(number, Strips::of(random_bounds(random, {0, 0}), 0));
+  const auto tracks = std::make_unique<Tracks>();
+  std::vector<std::size_t> asked;  // slots
+  for (std::size_t slot = 0; slot < kMostTracks; ++slot) {
+    const Bounds bounds = random_bounds(random, {0, 0});
+    const Point middle = bounds.middle();
+    const Box box{.at = middle,
+                  .sides = {{{bounds.low.x_mm - middle.x_mm, bounds.high.x_mm - middle.x_mm},
+                             {bounds.low.y_mm - middle.y_mm, bounds.high.y_mm - middle.y_mm}}}};
+    (*tracks)[slot].begin(static_cast<std::uint32_t>(slot + 1), box, 1);
+    if (random.one_in(3)) {
+      (*tracks)[slot].end();
+    } else {
+      asked.push_back(slot);
+    }
   }
-  for (std::size_t number = 0; number < kMostTracks; ++number) {
+  const PlacedTracks all(*tracks, 0, [](const Track& track) { return track.is_there(); });
+  ASSERT_EQ(all.count(), asked.size());
+  for (std::size_t number = 0; number < asked.size(); ++number) {
+    ASSERT_EQ(all.slot(number), asked[number]);
+    const Strips strips = Strips::of(bounds_of((*tracks)[asked[number]].box()), 0);
     std::size_t from = 0;
-    for (std::size_t other = 0; other < kMostTracks; ++other) {
-      if (all[number].may_meet(all[other])) {
-        ASSERT_EQ(all.next(all[number], from, kMostTracks), other);
+    for (std::size_t other = 0; other < asked.size(); ++other) {
+      if (strips.may_meet(Strips::of(bounds_of((*tracks)[asked[other]].box()), 0))) {
+        ASSERT_EQ(all.next(strips, from), other);
         from = other + 1;
       }
     }
-    ASSERT_EQ(all.next(all[number], from, kMostTracks), kMostTracks);
+    ASSERT_EQ(all.next(strips, from), all.count());
   }
 }
 
