@@ -41,6 +41,8 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   uint32_t number, vehicle, run, points_used;
   uint64_t closed_us;         // by the target's clock
   uint8_t complete, partial;  // bit i: sensor i has delivered its scan, or a part of it
+  uint8_t knows_unwatched;    // of an older target: false
+  uint64_t unwatched;         // bit i: no sensor watches sector i of 64 around the car now (3.5)
   uint8_t has_indexes, has_classes, has_objects, is_whole;
   iogrid_grid indexes, classes;
   iogrid_object_list objects;    // iogrid_objects() reads them
@@ -119,6 +121,7 @@ static inline void iogrid_open(iogrid_receiver* r, const uint8_t* content) {
   iogrid_begin_grid(&r->indexes, 0);
   iogrid_begin_grid(&r->classes, 1);
   memset(&r->objects, 0, sizeof r->objects);
+  r->knows_unwatched = 0;
 }
 
 static inline int iogrid_take_body(iogrid_receiver* r, const uint8_t* content, const uint8_t* body,
@@ -151,6 +154,8 @@ static inline int iogrid_take_body(iogrid_receiver* r, const uint8_t* content, c
     grid->not_sent = iogrid_be32(body + at + 4);
     grid->name = iogrid_be32(body + at + 8);
     grid->has_end = 1;
+    if (content[0] == 2)
+      r->knows_unwatched = (uint8_t)iogrid_unwatched(content[24], body, bytes, &r->unwatched);
   }
   return 1;
 }
@@ -250,6 +255,18 @@ static inline enum iogrid_result iogrid_take(iogrid_receiver* r, const void* dat
   }
   iogrid_close(r);
   return IOGRID_FRAME;
+}
+
+// Whether sensors watch every direction from the one to the other now, counter-clockwise from
+// straight ahead: -0.2 to 0.2 is the sector ahead. What is not known is not watched.
+static inline int iogrid_is_watched(const iogrid_receiver* r, double from_rad, double to_rad) {
+  const double sectors_per_rad = 64 / 6.283185307179586;
+  const double first = floor(from_rad * sectors_per_rad), last = floor(to_rad * sectors_per_rad);
+  if (!r->knows_unwatched || !(first <= last && last - first <= 64 && fabs(first) < 1e6)) return 0;
+  for (int i = (int)first; i <= (int)last; ++i) {
+    if (r->unwatched >> ((unsigned)i & 63) & 1) return 0;
+  }
+  return 1;
 }
 
 // The occupancy index of a place: above 0 occupied, below free, 0 unknown or outside.

@@ -138,4 +138,16 @@ static inline void iogrid_close_grid(iogrid_grid* grid, const uint32_t* table, u
   }
 }
 
+// What the end of a frame says behind its counters and sensors (3.5); false of an older target.
+static inline int iogrid_unwatched(uint32_t sensors, const uint8_t* body, size_t bytes,
+                                   uint64_t* to) {
+  if (bytes < 32) return 0;
+  size_t at = 32 + 4 * ((size_t)body[28] + body[29] + body[30] + body[31]);
+  if (at >= bytes) return 0;
+  at += 4 + (size_t)sensors * body[at];
+  if (at + 8 > bytes) return 0;
+  *to = iogrid_be64(body + at);
+  return 1;
+}
+
 #endif

@@ -44,6 +44,10 @@ function ends.show_frame_end(tree, cursor, info, sensor_count)
     parts.show_counters(item, cursor, frame_end[name], layout.COUNTERS[name])
   end
   show_sensors(item, cursor, sensor_count)
+  local unwatched = layout.PARTS.unwatched
+  if cursor.left() >= layout.bytes_of(unwatched) then
+    parts.add_part(item, cursor.take(layout.bytes_of(unwatched), "the sectors"), unwatched)
+  end
 end
 
 -- What the target says of its map, and skips what it does not know of it.

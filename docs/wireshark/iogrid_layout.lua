@@ -191,6 +191,9 @@ layout.PARTS.sensor_size = {
   { "uint8", "sensor_bytes", "Bytes of a sensor record", base.DEC },
   { "uint8" }, { "uint8" }, { "uint8" },
 }
+layout.PARTS.unwatched = {
+  { "uint64", "unwatched", "Sectors of 64 around the vehicle that no sensor watches", base.HEX },
+}
 layout.PARTS.sensor = {
   { "uint8", "sensor.state", "State", base.DEC, layout.SENSOR_STATES },
   { "uint8" },

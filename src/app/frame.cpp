@@ -26,7 +26,7 @@ void add_points(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
 }
 
 Frame::Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
-    : vehicle_(&vehicle), intake_(vehicle.sensors, replayer_ipv4) {
+    : vehicle_(&vehicle), intake_(vehicle.sensors, replayer_ipv4), watched_(vehicle.sensors) {
   require(most_marks_of(vehicle) <= grid::kMaxMarks);
 }
 
@@ -58,6 +58,7 @@ FrameReport Frame::report(std::uint64_t now_us) const {
                      .grids = vehicle_->grids,
                      .has_objects = vehicle_->has_objects,
                      .sensor_count = vehicle_->sensors.size(),
+                     .unwatched = watched_.unwatched(intake_, now_us),
                      .packets_fused = intake_.packets_accepted(),
                      .packets_dropped = intake_.packets_dropped(),
                      .packet_drops = intake_.packet_drops(),
@@ -73,6 +74,7 @@ FrameReport Frame::report(std::uint64_t now_us) const {
 }
 
 void Frame::start_next(std::uint64_t now_us) {
+  watched_.end_frame(intake_, now_us);
   ++number_;
   opened_us_ = now_us;
   fates_ = {};

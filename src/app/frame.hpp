@@ -18,6 +18,7 @@
 #include "app/frame_report.hpp"
 #include "grid/frame_fusion.hpp"
 #include "intake/intake.hpp"
+#include "intake/watched_sectors.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::app {
@@ -89,6 +90,7 @@ class Frame {
  private:
   const vehicle::Vehicle* vehicle_;
   intake::Intake intake_;
+  intake::WatchedSectors watched_;
   std::uint64_t opened_us_ = 0;
   std::uint32_t number_ = 0;
   Fates fates_{};

@@ -44,7 +44,8 @@ void set_frame_end(const FrameReport& report, stream::FrameEnd& end) {
          .packet_drops = report.packet_drops,
          .link_counter_count = static_cast<std::uint8_t>(report.vitals.link_counter_count),
          .link_counters = report.vitals.link_counters,
-         .sensors = report.sensors};
+         .sensors = report.sensors,
+         .unwatched = report.unwatched};
 }
 
 }  // namespace iog::app

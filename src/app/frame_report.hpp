@@ -40,6 +40,7 @@ struct FrameReport {
   bool has_objects = false;                         // likewise
 
   std::size_t sensor_count = 0;
+  std::uint64_t unwatched = 0;  // sectors around the vehicle (intake/watched_sectors.hpp)
   std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};
   std::uint32_t packets_fused = 0;                                     // of this frame
   std::uint32_t packets_dropped = 0;                                   // since start

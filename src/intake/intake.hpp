@@ -62,6 +62,10 @@ class Intake {
   [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
     return trackers_[sensor].swept_ticks();
   }
+  // Ticks of a sector that the sensor has not swept.
+  [[nodiscard]] std::uint32_t missing_ticks(std::size_t sensor, const lidar::Sector& sector) const {
+    return trackers_[sensor].missing_ticks(sector);
+  }
   [[nodiscard]] std::uint32_t packets_accepted() const { return packets_accepted_; }
   [[nodiscard]] std::uint32_t points_dropped(vehicle::Fate fate) const {
     return points_dropped_[static_cast<std::size_t>(fate)];

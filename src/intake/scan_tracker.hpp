@@ -51,6 +51,10 @@ class ScanTracker {
   }
   // How many ticks of its turn it has swept in this frame.
   [[nodiscard]] std::uint32_t swept_ticks() const { return swept_.count(); }
+  // Ticks of a sector that it has not.
+  [[nodiscard]] std::uint32_t missing_ticks(const lidar::Sector& sector) const {
+    return swept_.missing_of(sector);
+  }
   [[nodiscard]] std::uint16_t packets() const { return packets_; }  // in this frame
   [[nodiscard]] std::uint32_t points() const { return points_; }    // in those packets
   [[nodiscard]] std::uint32_t scan_number() const { return scan_number_; }

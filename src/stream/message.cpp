@@ -130,6 +130,9 @@ std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
   for (std::size_t i = 0; i < sensor_count; ++i) {
     write_sensor(end.sensors[i], out);
   }
+  if (end.unwatched) {
+    out.u64_be(*end.unwatched);
+  }
   return written_bytes(out);
 }
 
@@ -165,6 +168,10 @@ ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_c
   for (std::size_t i = 0; i < sensor_count; ++i) {
     end.sensors[i] = read_sensor(in);
     in.skip(record_bytes - std::size_t{kSensorRecordBytes});
+  }
+  end.unwatched.reset();
+  if (in.remaining() > 0) {
+    end.unwatched = in.u64_be();
   }
   return in.ok() ? ReadStatus::kOk : ReadStatus::kTooShort;
 }

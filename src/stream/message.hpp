@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "intake/sensor_report.hpp"
@@ -103,6 +104,8 @@ struct FrameEnd {
   std::uint8_t link_counter_count = 0;
   std::array<std::uint32_t, kMaxLinkCounters> link_counters{};       // since start, as docs/spec.md
   std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};  // Header::sensor_count of them
+  // Bit i: no sensor watches sector i around the vehicle. Empty of an older target.
+  std::optional<std::uint64_t> unwatched{};
 };
 
 // Why a content could not be read.

@@ -32,10 +32,9 @@ NET_DROPS = ("short", "not for us (MAC)", "VLAN tagged", "neither IPv4 nor ARP",
              "bad IP checksum", "fragment", "not for us (IP)", "bad source", "neither UDP nor ICMP",
              "bad UDP length", "bad UDP checksum", "bad ICMP", "ping ignored", "other ICMP",
              "bad ARP", "ARP ignored", "address conflict", "reply without room")
-LOOP_TIMES = ("fuse", "mark", "publish", "perceive", "frame", "late",
-              *(f"core {core}" for core in range(4)))
-TIME_COUNTERS = ("worst us", "sum us high", "sum us low",
-                 *(f"below {256 << octave} us" for octave in range(9)), "longer")
+LOOP_TIMES = ("fuse", "mark", "publish", "perceive", "frame", "late", *(f"core {core}" for core in range(4)))
+TIME_COUNTERS = ("worst us", "sum us high", "sum us low", *(f"below {256 << octave} us" for octave in range(9)),
+                 "longer")
 LINK_COUNTERS = ("frames received", "datagrams delivered", "ARP answered", "ARP learned",
                  "pings answered", "messages sent", "ARP requested", *NET_DROPS,
                  "peer unresolved", "ring full", "misuse",
@@ -150,6 +149,7 @@ class FrameEnd:
     fates: tuple[int, ...]
     counters: dict[str, int]
     sensors: list[Sensor]
+    unwatched: int | None  # bit i: no sensor watches sector i of 64; until 26 November no target said so
 
 
 @dataclasses.dataclass(frozen=True)
@@ -177,6 +177,7 @@ class Frame:
     class_tiles_received: int
     class_crc_of_tiles: int
     objects: object_parts.List | None  # None: it looks for none
+    unwatched: int | None  # bit i: no sensor watches sector i of 64
 
     @property
     def has_evidence(self) -> bool:
@@ -287,10 +288,11 @@ def read_frame_end(body: bytes) -> FrameEnd:
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
     at = 32 + 4 * len(counts)
     assert body[at:at + 4] == b"\x10\0\0\0", "a sensor record is 16 bytes"
-    assert len(body) == at + 4 + 4 * 16
+    assert len(rest := body[at + 4 + 4 * 16:]) in (0, 8), "the sectors are 64 bits"
     sensors = [Sensor(*struct.unpack_from(">BxHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
     return FrameEnd(sent, lost, crc, opened_us, counts[stages:stages + fates],
-                    dict(zip(PACKET_DROPS + all_links, counts[stages + fates:])), sensors)
+                    dict(zip(PACKET_DROPS + all_links, counts[stages + fates:])), sensors,
+                    int.from_bytes(rest, "big") if rest else None)
 
 
 class Assembler:
@@ -394,4 +396,5 @@ class Assembler:
                      end.tiles_sent, end.tiles_lost, sum(self._encodings), tuple(self._encodings),
                      end.crc, self._crc, end.counters, end.sensors, self._class_end,
                      self._class_tiles, self._class_crc if self._class_tiles > 0 else 0,
-                     object_parts.joined(self._objects) if self._objects else None)
+                     object_parts.joined(self._objects) if self._objects else None,
+                     end.unwatched)

@@ -9,6 +9,7 @@
 
 #include "tools/program/file.hpp"
 #include "tools/program/hexadecimal.hpp"
+#include "tools/receive/watched_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -60,6 +61,9 @@ void RunStatistics::add(const GridFrame& frame) {
     core_shares_ = core_shares_of(frame.end);
     run_before_ = run_before_of(frame.end);
     loop_times_ = loop_times_of(frame.end);
+    if (frame.end.unwatched) {
+      unwatched_ = frame.end.unwatched;
+    }
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);
     add_states(frame);
@@ -169,6 +173,9 @@ RunStatistics::Facts RunStatistics::facts() const {
                        std::to_string(static_cast<unsigned>(run_before_->end.cause)));
     facts.emplace_back("detail_of_that_end", std::to_string(run_before_->end.detail));
   }
+  if (unwatched_) {
+    facts.emplace_back("unwatched_sectors", hex(*unwatched_, 16));
+  }
   for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
     const std::string name = key_of("loop_", kLoopTimeNames[i]);
     facts.emplace_back(name + "_us_mean", fixed((*loop_times_)[i].mean_us()));
@@ -268,6 +275,9 @@ std::string RunStatistics::table(bool has_target) const {
                                         std::to_string(damaged_) + " damaged");
   }
   append_sensors(text);
+  if (unwatched_) {
+    text += row("not watched at last", words_of_unwatched(*unwatched_));
+  }
   text += row("scan points", list_of(fates_, kFateNames));
   append_ground(text);
   append_too_slow(text);

@@ -87,7 +87,8 @@ class RunStatistics {
   std::uint32_t stack_used_bytes_ = 0;
   std::optional<hal::RunBefore> run_before_;
   std::optional<LoopTimes> loop_times_;
-  std::optional<CoreShares> core_shares_;  // since the target's start
+  std::optional<std::uint64_t> unwatched_;  // of the newest frame that says it
+  std::optional<CoreShares> core_shares_;   // since the target's start
   std::uint8_t sensor_count_ = 0;
   std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state
   std::uint64_t packets_fused_ = 0;

@@ -59,6 +59,7 @@ Json end_json(const FrameFacts& frame) {
           {"starts", before && before->starts > 1 ? words_of(*before) : ""},
           {"fates", end.fates},
           {"drops", end.packet_drops},
+          {"unwatched", end.unwatched ? hex(*end.unwatched, 16) : ""},
           {"sensors", sensors_json(frame)}};
 }
 

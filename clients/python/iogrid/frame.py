@@ -96,6 +96,7 @@ class Frame:
     complete: int  # bit i: sensor i has delivered its whole scan
     partial: int  # bit i: a part of it
     points_used: int
+    unwatched: int | None  # bit i: no sensor watches sector i of 64 around the car now (3.5); None: not known
     is_whole: bool  # nothing of it was lost, and its grids have the names that the target gave them
     indexes: numpy.ndarray | None  # int8 [SIDE, SIDE], above 0 occupied, below free; [0, 0] is at (-51.2, -51.2) m
     indexes_lost: numpy.ndarray | None  # bool [32, 32]: tiles whose cells did not come, and are 0
@@ -116,6 +117,14 @@ class Frame:
         distance = math.hypot(x, y)
         rate = x * (thing.vx_m_s - self.velocity[0]) + y * (thing.vy_m_s - self.velocity[1])
         return distance, -rate / distance if distance > 0 else 0.0
+
+    def is_watched(self, from_rad: float, to_rad: float) -> bool:
+        """Whether sensors watch every direction from the one to the other now, counter-clockwise from straight ahead:
+        -0.2 to 0.2 is the sector ahead. What is not known is not watched. ValueError if that is no sector."""
+        if not 0 <= to_rad - from_rad <= math.tau:
+            raise ValueError(f"not counter-clockwise within a turn: {from_rad}, {to_rad}")
+        sectors = range(math.floor(from_rad * 64 / math.tau), math.floor(to_rad * 64 / math.tau) + 1)
+        return self.unwatched is not None and not any(self.unwatched >> i % 64 & 1 for i in sectors)
 
     def index_at(self, x_m: float, y_m: float) -> int:
         """The occupancy index of a place; 0, unknown, outside of the grid."""

@@ -56,6 +56,13 @@ class Grid:
         window, at = self.window_of(body, 0)
         self.end, self.window = struct.unpack_from(">III", body, at), window
 
+    @staticmethod
+    def unwatched_of(body: bytes, sensors: int) -> int | None:
+        """What the end of a frame says behind its counters and sensors (3.5); an older target does not."""
+        at = 32 + 4 * sum(body[28:32])
+        at += 4 + sensors * body[at] if at < len(body) else 0
+        return struct.unpack_from(">Q", body, at)[0] if at + 8 <= len(body) else None
+
     def decode(self, frame: int, own: References,
                dropped: collections.Counter[str]) -> tuple[numpy.ndarray, numpy.ndarray, bool]:
         """The cells [y, x], the tiles that were lost, likewise, and whether nothing was."""

@@ -26,6 +26,37 @@ def frame_with(window: made_classes.Window, grid: made_stream.Grid | None = None
     return frame
 
 
+class Watched(unittest.TestCase):
+    def frame_of(self, unwatched: int) -> iogrid.Frame:
+        target = made_stream.Target(0)
+        target.unwatched = unwatched
+        frame, = received(target.messages_of(made_stream.Grid(), 1))[0]
+        return frame
+
+    def test_the_sector_ahead(self):
+        """64 sectors of 0.098 rad, counter-clockwise: 62 and 63 are to the right of straight ahead, 0 and 1 to the left."""
+        self.assertTrue(self.frame_of(0).is_watched(-0.19, 0.19))
+        for sector in (62, 63, 0, 1):
+            self.assertFalse(self.frame_of(1 << sector).is_watched(-0.19, 0.19), sector)
+        self.assertTrue(self.frame_of(2 ** 62 - 4).is_watched(-0.19, 0.19))  # all but these
+
+    def test_all_around_and_across_behind(self):
+        self.assertTrue(self.frame_of(0).is_watched(-math.pi, math.pi))
+        self.assertFalse(self.frame_of(1 << 32).is_watched(-math.pi, math.pi))
+        self.assertFalse(self.frame_of(1 << 31).is_watched(3.1, 3.2))
+        self.assertTrue(self.frame_of(1 << 31).is_watched(3.15, 3.2))
+
+    def test_what_an_older_target_does_not_say_is_not_watched(self):
+        frame, = received(streams.messages_of(streams.VERSION_3))[0][:1]
+        self.assertIsNone(frame.unwatched)
+        self.assertFalse(frame.is_watched(0, 0.1))
+
+    def test_no_sector(self):
+        for begin, end in ((0.2, 0.1), (0, 7), (math.nan, 0)):
+            with self.assertRaises(ValueError):
+                self.frame_of(0).is_watched(begin, end)
+
+
 class Places(unittest.TestCase):
     def test_a_cell_of_the_occupancy_grid(self):
         grid = made_stream.Grid()

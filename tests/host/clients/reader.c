@@ -67,6 +67,13 @@ static void print(const iogrid_receiver* r) {
          r->has_indexes ? lost(&r->indexes) : 0, r->has_classes ? lost(&r->classes) : 0,
          picture(r, 0), picture(r, 1));
   print_objects(r);
+  uint32_t is_watched = 0;
+  for (int i = 0; i < 32; ++i) {
+    is_watched |= (uint32_t)iogrid_is_watched(r, -3.3 + i * 0.213, -3.3 + i * 0.213 + i % 4 * 0.31)
+                  << i;
+  }
+  printf(" unwatched %d %016llx watched %08x", r->knows_unwatched,
+         r->knows_unwatched ? (unsigned long long)r->unwatched : 0ULL, is_watched);
   printf(
       " causes %x pose %d %.3f %.3f %.6f end %llu moving %u %.3f free %u at %d car %d %.3f %.3f\n",
       r->causes, r->has_pose, r->has_pose ? r->x_m : 0, r->has_pose ? r->y_m : 0,

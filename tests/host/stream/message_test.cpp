@@ -116,9 +116,31 @@ TEST(Message, AFrameEndSurvivesTheWire) {
   }
 }
 
+// docs/spec.md 3.5: 64 bits behind the sensors; an older target ends before them, a later one may
+// have more.
+TEST(Message, AFrameEndMaySayWhatIsNotWatched) {
+  FrameEnd end = some_frame_end();
+  std::vector<std::byte> wire(protection::kMaxContentBytes - kHeaderBytes);
+  const std::size_t before = write_frame_end(end, 2, wire);
+  end.unwatched = 0x0123'4567'89AB'CDEF;
+  const std::size_t bytes = write_frame_end(end, 2, wire);
+  ASSERT_EQ(bytes, before + 8);
+  EXPECT_EQ(wire.at(before), std::byte{0x01});
+  EXPECT_EQ(wire.at(bytes - 1), std::byte{0xEF});
+  FrameEnd read;
+  ASSERT_EQ(read_frame_end(std::span(wire).first(bytes + 3), 2, read), ReadStatus::kOk);
+  EXPECT_EQ(read.unwatched, end.unwatched);
+  for (std::size_t size = before + 1; size < bytes; ++size) {
+    EXPECT_EQ(read_frame_end(std::span(wire).first(size), 2, read), ReadStatus::kTooShort);
+  }
+  ASSERT_EQ(read_frame_end(std::span(wire).first(before), 2, read), ReadStatus::kOk);
+  EXPECT_EQ(read.unwatched, std::nullopt);
+}
+
 TEST(Message, TheLongestFrameEndFitsAMessage) {
   FrameEnd end = some_frame_end();
   end.link_counter_count = kMaxLinkCounters;
+  end.unwatched = 0;
   std::vector<std::byte> wire(protection::kMaxContentBytes - kHeaderBytes);
   EXPECT_GT(write_frame_end(end, vehicle::kMaxSensors, wire), 0U);
 }

@@ -4,7 +4,7 @@ import { drawOutlines } from "./map_outlines.js";
 import { LAYERS, SIDE, TILES_PER_SIDE, TILE_SIDE, forEachPoint } from "./messages.js";
 import { drawObjects } from "./objects.js";
 import { FATES, MOVING, classOf, css } from "./palette.js";
-import { drawCar, drawDeviation, drawTrack, drawViews } from "./vehicle_overlays.js";
+import { drawCar, drawDeviation, drawTrack, drawUnwatched, drawViews } from "./vehicle_overlays.js";
 
 // isOfClasses: it says nothing of the index grid. isOfMap: it needs a map block of this PC.
 // isOfObjects: it needs a target that tells them.
@@ -67,6 +67,9 @@ export function draw(view) {
   }
   if (isOfClasses && on("track")) {
     drawDeviation(view);
+  }
+  if (on("mounts")) {
+    drawUnwatched(view);
   }
   drawCar(view, on("mounts"));
   drawScaleBar(view);

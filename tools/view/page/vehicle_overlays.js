@@ -82,6 +82,33 @@ function drawSensors(view, sensors) {
   }
 }
 
+const SECTORS = 64;
+
+// A hatched ring where no sensor watches now (docs/spec.md, 3.5): a bit a sector, counter-clockwise
+// from straight ahead.
+export function drawUnwatched(view) {
+  const { context, palette, grid } = view;
+  const sectors = BigInt(`0x${grid.frame?.status.frame?.end?.unwatched || "0"}`);
+  if (sectors === 0n || (view.showsClasses && !view.hasPlace)) {
+    return;
+  }
+  view.inVehicle((scale) => {
+    context.strokeStyle = palette.unwatched;
+    context.lineWidth = 10;
+    context.lineCap = "butt";
+    context.setLineDash([2, 4]);
+    for (let i = 0; i < SECTORS; i += 1) {
+      if ((sectors >> BigInt(i)) & 1n) {
+        const [end, begin] = [i, i + 1].map((at) => -Math.PI / 2 - (2 * Math.PI * at) / SECTORS);
+        context.beginPath();
+        context.arc(0, 0, Math.max(40, 4 * scale), begin, end);
+        context.stroke();
+      }
+    }
+    context.setLineDash([]);
+  });
+}
+
 // The car may be anywhere in its outline grown by the deviation of its pose: worth a look only where
 // that is more than a cell.
 export function drawDeviation(view) {

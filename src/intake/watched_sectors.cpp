@@ -1,0 +1,144 @@
+#include "intake/watched_sectors.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "geometry/grid.hpp"
+#include "lidar/formats.hpp"
+#include "numeric/arctangent.hpp"
+#include "numeric/sine_table.hpp"
+#include "require/require.hpp"
+
+namespace iog::intake {
+namespace {
+
+constexpr std::int32_t kDistanceM = 20;
+constexpr std::int64_t kDistance =
+    std::int64_t{kDistanceM} * 1000 * geometry::kResolution / geometry::kCellMm;
+
+struct Vector {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+
+std::int64_t cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
+
+// From the sensor to the circle in that direction, of 64 a turn, in subcells: below 2^20.
+Vector from_sensor(const vehicle::Sensor& sensor, std::uint32_t direction) {
+  constexpr auto kTable = numeric::kSineTable<kSectors>;
+  constexpr std::int64_t kOrigin = std::int64_t{geometry::kOriginCell} * geometry::kResolution;
+  const auto along = [](std::int32_t share) {
+    return kDistance * share / (std::int64_t{1} << numeric::kSineFractionBits);
+  };
+  return {.x = kOrigin + along(kTable.cosine(direction)) - sensor.origin.x,
+          .y = kOrigin + along(kTable.sine(direction)) - sensor.origin.y};
+}
+
+// The axes of the sensor on the plane, of any length below 2^31.
+struct Axes {
+  Vector forward;
+  Vector left;
+
+  explicit Axes(const vehicle::Layer& layer)
+      : forward{.x = layer.x.forward, .y = layer.y.forward},
+        left{.x = layer.x.left, .y = layer.y.left} {}
+
+  [[nodiscard]] bool are_upside_down() const { return cross(forward, left) < 0; }
+};
+
+// The azimuth in which the sensor sees it: d = u forward + v left by Cramer's rule, whose divisor
+// is left out but for its sign, since only the direction of (u, v) counts. Products stay below
+// 2^52.
+std::uint32_t azimuth_ticks(const Axes& axes, const Vector& d, std::uint32_t ticks_per_turn) {
+  const std::int64_t sign = axes.are_upside_down() ? -1 : 1;
+  const std::int64_t u = sign * cross(d, axes.left);
+  const std::int64_t v = sign * cross(axes.forward, d);
+  const auto longest = static_cast<std::uint64_t>(std::max(u < 0 ? -u : u, v < 0 ? -v : v));
+  const int shift = std::max(0, static_cast<int>(std::bit_width(longest)) - 30);
+  const std::uint64_t angle = numeric::angle_of(static_cast<std::int32_t>(u >> shift),
+                                                static_cast<std::int32_t>(v >> shift));
+  return static_cast<std::uint32_t>((angle * ticks_per_turn + (1U << 15)) >> 16) % ticks_per_turn;
+}
+
+bool reaches(const vehicle::Sensor& sensor, const Vector& d) {
+  const std::int64_t range =
+      std::int64_t{sensor.range.mm()} * geometry::kResolution / geometry::kCellMm;
+  return d.x * d.x + d.y * d.y <= range * range;
+}
+
+}  // namespace
+
+SectorView view_of(const vehicle::Sensor& sensor) {
+  SectorView view{};
+  const std::uint32_t turn = sensor.azimuths.ticks_per_turn();
+  const Axes axes(sensor.layers[0]);
+  for (std::uint32_t i = 0; i < kSectors; ++i) {
+    const Vector begin = from_sensor(sensor, i);
+    const Vector end = from_sensor(sensor, (i + 1) % kSectors);
+    if (!reaches(sensor, begin) || !reaches(sensor, end)) {
+      continue;
+    }
+    std::uint32_t first = azimuth_ticks(axes, begin, turn);
+    std::uint32_t last = azimuth_ticks(axes, end, turn);
+    if (axes.are_upside_down()) {
+      std::swap(first, last);
+    }
+    // One who stands outside of the circle sees some of it the other way round.
+    const std::uint32_t width = (last + turn - first) % turn;
+    if (width < turn / 2) {
+      view[i] = {.first_ticks = static_cast<std::uint16_t>(first),
+                 .width_ticks = static_cast<std::uint16_t>(width)};
+    }
+  }
+  return view;
+}
+
+WatchedSectors::WatchedSectors(std::span<const vehicle::Sensor> sensors) : sensors_(sensors) {
+  require(sensors.size() <= views_.size());
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    views_[i] = view_of(sensors[i]);
+  }
+}
+
+std::uint64_t WatchedSectors::swept_by(std::size_t sensor, const Intake& intake) const {
+  if (intake.report_of(sensor).points == 0) {
+    return 0;
+  }
+  const std::uint32_t most_missing = lidar::turns(sensors_[sensor].format) ? 4 : 1;  // of eight
+  std::uint64_t swept = 0;
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    const lidar::Sector& sector = views_[sensor][i];
+    const bool is_swept = sector.width_ticks > 0 && 8 * intake.missing_ticks(sensor, sector) <=
+                                                        most_missing * sector.width_ticks;
+    swept |= std::uint64_t{is_swept ? 1U : 0U} << i;
+  }
+  return swept;
+}
+
+std::uint64_t WatchedSectors::unwatched(const Intake& intake, std::uint64_t now_us) const {
+  std::uint64_t watched = 0;
+  for (std::size_t sensor = 0; sensor < sensors_.size(); ++sensor) {
+    watched |= swept_by(sensor, intake);
+    for (std::size_t i = 0; i < kSectors; ++i) {
+      const bool is_fresh = now_us - swept_us_[sensor][i] <= kTurnUs;
+      watched |= is_fresh ? was_swept_[sensor] & std::uint64_t{1} << i : 0;
+    }
+  }
+  return ~watched;
+}
+
+void WatchedSectors::end_frame(const Intake& intake, std::uint64_t now_us) {
+  for (std::size_t sensor = 0; sensor < sensors_.size(); ++sensor) {
+    if (!lidar::turns(sensors_[sensor].format)) {
+      continue;
+    }
+    const std::uint64_t swept = swept_by(sensor, intake);
+    was_swept_[sensor] |= swept;
+    for (std::size_t i = 0; i < kSectors; ++i) {
+      swept_us_[sensor][i] = (swept >> i & 1U) != 0 ? now_us : swept_us_[sensor][i];
+    }
+  }
+}
+
+}  // namespace iog::intake

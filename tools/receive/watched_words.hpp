@@ -1,0 +1,12 @@
+// Which directions around the vehicle no sensor watches, in words (docs/spec.md 3.5).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace iog::tools {
+
+// "90 to 129, -129 to -90 degrees", counter-clockwise from straight ahead; "none", or "all around".
+[[nodiscard]] std::string words_of_unwatched(std::uint64_t sectors);
+
+}  // namespace iog::tools
