@@ -61,7 +61,10 @@ std::string words_of_way_out(car_block::Firmware firmware, const car_block::Firm
 std::string words_of_network(const net::Config& network) {
   return words_of(network.mac) + ", " + dotted(network.address.value) + "/" +
          std::to_string(network.prefix_bits) + ", to " + dotted(network.peer.value) + ":" +
-         std::to_string(network.peer_port) + " from port " + std::to_string(network.source_port);
+         std::to_string(network.peer_port) + " from port " + std::to_string(network.source_port) +
+         (network.service_instance == 0
+              ? ""
+              : ", offered as instance " + std::to_string(network.service_instance));
 }
 
 std::string words_of_sensor(const vehicle::Sensor& sensor) {
