@@ -11,9 +11,6 @@ import struct
 import subprocess
 import time
 
-from selenium.webdriver.common.keys import Keys
-
-import capture
 import made_stream
 import vehicle_id
 from browser import Browser
@@ -180,48 +177,6 @@ def check_crowd(iog: str, browser: Browser) -> None:
         first.page.close()
 
 
-def check_recording(iog: str, folder: pathlib.Path, browser: Browser) -> None:
-    """A recording begins when somebody looks, is then over, and every frame of it can be shown."""
-    drive = folder / "drive.pcap"
-    subprocess.run([iog, "simulate", "--seconds", "1", "--out", drive], check=True,
-                   stdout=subprocess.DEVNULL)
-    with Viewer(iog, "--pcap", str(drive)) as viewer:
-        time.sleep(1.5)
-        page = GridPage(browser.open(viewer.address))
-        page.wait_for_state("end of recording")
-        # Of its 25 frames, a slow browser misses some of the first.
-        assert page.page.value("iogPage.history.frames[0].status.frame.number") < 20
-        page.page.press(Keys.HOME)
-        page.wait_for_state("paused")
-        page.page.close()
-
-
-def check_unfinished(iog: str, folder: pathlib.Path, browser: Browser) -> None:
-    """A recorded stream has the target's times; what it does not hold is not called a loss."""
-    drive, stream, cut = (folder / f"{name}.pcap" for name in ("drive", "stream", "cut"))
-    for command in (["simulate", "--seconds", "1", "--out", drive],
-                    ["fuse", "--pcap", drive, "--stream", stream]):
-        subprocess.run([iog, *command], check=True, stdout=subprocess.DEVNULL)
-    packets = capture.read(str(stream))
-    capture.write(str(cut), packets[:-2])  # the last frame's end and its last tiles
-    with Viewer(iog, "--pcap", str(cut)) as viewer:
-        page = GridPage(browser.open(viewer.address))
-        page.wait_for_banner("The recording ends in mid-frame")
-        assert page.state == "end of recording, in mid-frame", page.state
-        page.wait_for_fact("tiles not recorded",
-                           str(page.page.value("iogPage.status.frame.unfinished_tiles")))
-        assert page.page.value("iogPage.status.frame.missing_tiles") == 0
-        page.page.wait_for("document.querySelector('#chart-times h2').textContent === "
-                           "'Time on the target'")
-        assert not page.page.complaints(), page.page.complaints()
-        page.page.close()
-    with Viewer(iog, "--pcap", str(stream)) as viewer:
-        page = GridPage(browser.open(viewer.address))
-        page.wait_for_state("end of recording")
-        assert page.state == "end of recording" and page.banner == "", (page.state, page.banner)
-        page.page.close()
-
-
 def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
     """Words from outside are words: a file's name; and a car that nobody knows is called so."""
     name = '<img src=x onerror="document.title=1"><b>&amp;.pcap'
@@ -253,6 +208,4 @@ def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
         check_many(viewer)
     check_siege(iog)
     check_crowd(iog, browser)
-    check_recording(iog, folder, browser)
-    check_unfinished(iog, folder, browser)
     check_words(iog, folder, browser)

@@ -18,6 +18,7 @@
 #include "tools/receive/frame_record.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
+#include "tools/view/forward.hpp"
 #include "tools/view/foxglove_server.hpp"
 #include "tools/view/sources.hpp"
 #include "tools/view/web_server.hpp"
@@ -95,16 +96,16 @@ std::string words_of_origin(const ViewOptions& options) {
 
 std::unique_ptr<view::Source> source_of(const ViewOptions& options) {
   if (!options.pcap.empty()) {
-    return view::make_capture_source({.path = options.pcap,
-                                      .vehicle = options.vehicle,
-                                      .port = options.port,
-                                      .speed = options.speed,
-                                      .loops = options.loop});
+    return view::make_recording_source({.path = options.pcap,
+                                        .vehicle = options.vehicle,
+                                        .port = options.port,
+                                        .speed = options.speed,
+                                        .loops = options.loop});
   }
   if (!options.simulate.empty()) {
     return view::make_drive_source(options.simulate, options.vehicle, options.seed);
   }
-  return view::make_stream_source(options.bind, options.port, options.forward);
+  return view::make_stream_source(options.bind, options.port);
 }
 
 void view_grid(const ViewOptions& options) {
@@ -118,6 +119,10 @@ void view_grid(const ViewOptions& options) {
   view::Viewer viewer(scene, origin, view::Recorder(options.records, options.port));
   const std::unique_ptr<view::WebServer> server = serve(options, scene);
   const std::string address = "http://" + host_words(options, server->port()) + "/";
+  std::optional<view::Forward> forward;
+  if (options.forward != 0) {
+    viewer.show_also(forward.emplace(options.forward));
+  }
   foxglove::LiveFeed feed;
   std::unique_ptr<view::FoxgloveServer> foxglove_server;
   if (options.foxglove) {
@@ -143,31 +148,32 @@ void add_sources(CLI::App& command, ViewOptions& options) {
       ->check(CLI::Range(1, 65'535));
   auto* const bind = command.add_option("--bind", options.bind, "IPv4 address to receive on");
   bind->option_text("ADDRESS  (default 127.0.0.1)");
-  auto* const forward =
-      command.add_option("--forward", options.forward,
-                         "Hand each datagram on to this port of this PC, for `iog receive`");
-  forward->option_text("PORT")->check(CLI::Range(1, 65'535));
+  command
+      .add_option("--forward", options.forward,
+                  "Hand each message on to this port of this PC, for `iog receive`")
+      ->option_text("PORT")
+      ->check(CLI::Range(1, 65'535));
   auto* const pcap =
       command
-          .add_option("--pcap", options.pcap, "Show a capture instead: of sensors, or of a grid")
+          .add_option(
+              "FILE,--pcap", options.pcap,
+              "Show a recording instead: a capture of sensors or of a grid, or an MCAP file")
           ->option_text("FILE");
   auto* const simulate =
       command.add_option("--simulate", options.simulate,
                          "Show a simulated drive instead, with its truth: " + scene_option_help());
   simulate->option_text("SCENE")->excludes(pcap);
-  for (auto* const of_network : {bind, forward}) {
-    of_network->excludes(pcap)->excludes(simulate);
-  }
+  bind->excludes(pcap)->excludes(simulate);
   add_vehicle_options(command, options.vehicle);
   command.add_option("--seed", options.seed, "Of the simulated drive")
       ->option_text("N  (default 1)")
       ->check(CLI::NonNegativeNumber)
       ->needs(simulate);
-  command.add_option("--speed", options.speed, "Of the capture: 2 is twice as fast as recorded")
+  command.add_option("--speed", options.speed, "Of the recording: 2 is twice as fast")
       ->option_text("FACTOR  (default 1)")
       ->check(CLI::Range(0.01, 100.0))
       ->needs(pcap);
-  command.add_flag("--loop", options.loop, "The capture again and again")->needs(pcap);
+  command.add_flag("--loop", options.loop, "The recording again and again")->needs(pcap);
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ void Recorder::note_silence(std::uint64_t now_us) {
 }
 
 void Recorder::finish() {
+  is_over_ = true;
   census_.finish();
   for (const std::unique_ptr<Recording>& recording : recordings_) {
     recording->finish(census_.facts());
@@ -47,6 +48,9 @@ void Recorder::finish() {
 }
 
 void Recorder::take_frame(const GridFrame& frame) {
+  if (is_over_ && !frame.has_end) {
+    return;
+  }
   const bool has_evidence = frame.header.has_evidence();
   live_.take(frame);
   live_classes_.take(frame);

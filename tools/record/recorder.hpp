@@ -31,7 +31,8 @@ class Recorder {
   // Nothing has come for longer than a running target is ever silent.
   void note_silence(std::uint64_t now_us);
 
-  // Hands over the frames that still wait, and finishes the recordings.
+  // Hands over the frames that still wait, and finishes the recordings. A frame whose end has not
+  // come, because the recording was stopped in its middle, is in none but as its messages.
   void finish();
 
   [[nodiscard]] const StreamCensus& census() const { return census_; }
@@ -49,6 +50,7 @@ class Recorder {
   std::uint64_t datagrams_ = 0;
   std::uint64_t too_long_ = 0;
   std::uint64_t evidence_frames_ = 0;
+  bool is_over_ = false;
   std::vector<SeenPoint> points_;
 };
 

@@ -1,5 +1,6 @@
 #include "tools/record/sources.hpp"
 
+#include <algorithm>
 #include <arpa/inet.h>
 #include <chrono>
 #include <iostream>
@@ -28,6 +29,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kLongestWait{100};
+constexpr std::uint64_t kLongestSilenceUs =
+    std::chrono::microseconds(FrameAssembler::kLongestSilence).count();
 
 Endpoint endpoint_of(const LiveSource& source) {
   in_addr address{};
@@ -202,7 +205,13 @@ void record_stream(const std::string& path, Recorder& recorder) {
   StreamFile file(path);
   Progress progress("messages");
   std::optional<CapturedDatagram> datagram;
+  std::uint64_t last_us = 0;  // before the first one no silence can be
   while (!was_interrupted() && (datagram = file.next())) {
+    const std::uint64_t silent_us = last_us + kLongestSilenceUs;
+    if (last_us != 0 && datagram->time_us > silent_us) {
+      recorder.note_silence(silent_us);
+    }
+    last_us = std::max(last_us, datagram->time_us);
     recorder.take(*datagram);
     progress.show(recorder.datagrams(), file.part_read());
   }

@@ -22,13 +22,11 @@ class Source {
   virtual void run(Viewer& viewer) = 0;
 };
 
-// The stream of a target to a UDP port. forward_port: of this PC, for another receiver; 0: none.
-// UsageError if the port cannot be bound.
+// The stream of a target to a UDP port. UsageError if the port cannot be bound.
 [[nodiscard]] std::unique_ptr<Source> make_stream_source(const std::string& address,
-                                                         std::uint16_t port,
-                                                         std::uint16_t forward_port);
+                                                         std::uint16_t port);
 
-struct CaptureOptions {
+struct RecordingOptions {
   std::string path;
   std::string vehicle;
   std::uint16_t port;  // to which a recorded stream went
@@ -36,9 +34,10 @@ struct CaptureOptions {
   bool loops;
 };
 
-// A capture of a vehicle's sensors, or of a target's stream, in its own time. UsageError if the
-// file cannot be read, or nothing in it can be shown.
-[[nodiscard]] std::unique_ptr<Source> make_capture_source(const CaptureOptions& options);
+// A capture of a vehicle's sensors, or of a target's stream, or an MCAP file that has a stream, in
+// its own time, from wherever pages ask. UsageError if the file cannot be read, or nothing in it
+// can be shown.
+[[nodiscard]] std::unique_ptr<Source> make_recording_source(const RecordingOptions& options);
 
 // A drive that is made up as it goes, with the truth of its world. UsageError if there is no such
 // scene or vehicle, or its sensors cannot be simulated.

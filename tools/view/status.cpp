@@ -162,8 +162,6 @@ Json frame_json(const FrameFacts& frame) {
           {"whole", frame.is_whole},
           {"damaged", frame.is_damaged},
           {"missing_tiles", frame.missing_tiles},
-          {"breaks_off", frame.breaks_off},
-          {"unfinished_tiles", frame.unfinished_tiles},
           {"stale_tiles", frame.stale_tiles},
           {"known_tiles", frame.known_tiles},
           {"complete", header.complete_sensors},
@@ -218,6 +216,13 @@ Json recording_json(const Recorder& recorder) {
           {"bytes", recorder.bytes()}};
 }
 
+Json playback_json(const std::optional<Playback>& playback) {
+  if (!playback) {
+    return nullptr;
+  }
+  return {{"place_ms", playback->place_ms}, {"span_ms", playback->span_ms}};
+}
+
 Json sensor_json(const description::SensorConfig& sensor) {
   return {{"name", sensor.name},
           {"format", lidar::name_of(sensor.format)},
@@ -227,15 +232,6 @@ Json sensor_json(const description::SensorConfig& sensor) {
           {"yaw_deg", sensor.mount.yaw_deg},
           {"width_deg", 360.0 * sensor.scan_width_ticks / lidar::ticks_per_turn(sensor.format)},
           {"range", sensor.range_max_mm / 1000.0}};
-}
-
-// A target speaks of its tiles in the order of their numbers.
-std::size_t tiles_behind_last(const GridFrame& frame) {
-  std::size_t count = 0;
-  while (count < geometry::kTileCount && !frame.valid_tiles[geometry::kTileCount - 1 - count]) {
-    ++count;
-  }
-  return count;
 }
 
 }  // namespace
@@ -264,18 +260,14 @@ ClassFacts class_facts_of(const ClassGrid& frame, const LiveClasses& classes,
   return facts;
 }
 
-FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t message_bytes,
-                    bool breaks_off) {
+FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t message_bytes) {
   const bool has_indexes = (frame.header.flags & stream::kFlagNoIndexes) == 0;
   const std::size_t missing = geometry::kTileCount - frame.valid_tiles.count();
-  const std::size_t unfinished = breaks_off && has_indexes ? tiles_behind_last(frame) : 0;
   FrameFacts facts{.number = frame.header.frame_number,
                    .message_bytes = message_bytes,
                    .is_whole = frame.is_whole() || frame.is_damaged,
                    .is_damaged = frame.is_damaged,
-                   .missing_tiles = has_indexes ? missing - unfinished : 0,
-                   .breaks_off = breaks_off,
-                   .unfinished_tiles = unfinished,
+                   .missing_tiles = has_indexes ? missing : 0,
                    .stale_tiles = grid.stale_tiles(),
                    .known_tiles = frame.tiles,
                    .header = frame.header};
@@ -310,6 +302,8 @@ std::string status_json(const StatusParts& parts) {
                   {"channel", channel_name(parts.assembler->channel())},
                   {"counts", counts_json(*parts.assembler, parts.overflow)},
                   {"recording", recording_json(*parts.recorder)},
+                  {"playback", playback_json(parts.playback)},
+                  {"breaks_off", health.breaks_off()},
                   {"frame", *parts.frame ? frame_json(**parts.frame) : nullptr}});
 }
 

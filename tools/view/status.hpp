@@ -46,8 +46,6 @@ struct FrameFacts {
   bool is_whole = false;            // everything has arrived
   bool is_damaged = false;          // and it is not the grid that the target has hashed
   std::size_t missing_tiles = 0;
-  bool breaks_off = false;           // the recording ends before its last message
-  std::size_t unfinished_tiles = 0;  // and before so many of its tiles
   std::size_t stale_tiles = 0;
   std::size_t known_tiles = 0;
   stream::Header header{};
@@ -56,9 +54,14 @@ struct FrameFacts {
   std::optional<ObjectFacts> objects{};  // if its list has come
 };
 
-// breaks_off: the recording ends in this frame, so that the tiles behind its last one are not lost.
 [[nodiscard]] FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid,
-                                  std::uint64_t message_bytes, bool breaks_off = false);
+                                  std::uint64_t message_bytes);
+
+// How far a recording has been played.
+struct Playback {
+  std::uint64_t place_ms = 0;
+  std::uint64_t span_ms = 0;
+};
 
 // What there is to say at one moment. Whatever it refers to lives that long.
 struct StatusParts {
@@ -66,11 +69,12 @@ struct StatusParts {
   const FrameAssembler* assembler;
   const Recorder* recorder;
   const std::optional<FrameFacts>* frame;
-  std::string source;          // such as "UDP 127.0.0.1:15000"
-  std::string kind;            // Source::kind()
-  std::string block;           // of the map of this PC, its CRC; empty: none
-  std::string problem;         // of the last request of the page; empty: none
-  std::uint64_t overflow = 0;  // messages that this PC dropped
+  std::string source;                  // such as "UDP 127.0.0.1:15000"
+  std::string kind;                    // Source::kind()
+  std::string block;                   // of the map of this PC, its CRC; empty: none
+  std::string problem;                 // of the last request of the page; empty: none
+  std::optional<Playback> playback{};  // of a recording
+  std::uint64_t overflow = 0;          // messages that this PC dropped
   std::int64_t now_ms = 0;
 };
 

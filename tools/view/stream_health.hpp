@@ -33,8 +33,13 @@ class StreamHealth {
   }
   void note_counts(const MessageCounts& counts, std::int64_t now_ms);
   void note_end() { has_ended_ = true; }
+  // The recording ends in the middle of a frame.
+  void note_broken_off() { breaks_off_ = true; }
+  // It is played once more.
+  void note_begin() { has_ended_ = breaks_off_ = false; }
 
   [[nodiscard]] StreamState state(std::int64_t now_ms) const;
+  [[nodiscard]] bool breaks_off() const { return breaks_off_; }
   // Time since the last frame; 0 if there was none.
   [[nodiscard]] std::int64_t silent_ms(std::int64_t now_ms) const;
 
@@ -58,6 +63,7 @@ class StreamHealth {
 
   std::optional<std::int64_t> last_frame_ms_;
   bool has_ended_ = false;
+  bool breaks_off_ = false;
   Watch restarts_;
   Watch corrupt_;
   Watch too_slow_;

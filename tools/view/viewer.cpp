@@ -1,5 +1,7 @@
 #include "tools/view/viewer.hpp"
 
+#include <charconv>
+#include <string_view>
 #include <utility>
 
 #include "tools/program/exit_status.hpp"
@@ -8,6 +10,24 @@
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools::view {
+namespace {
+
+constexpr std::string_view kJump = "jump ";
+
+// Of "jump 12345"; nothing of other words.
+std::optional<std::uint64_t> jump_of(std::string_view request) {
+  if (!request.starts_with(kJump)) {
+    return std::nullopt;
+  }
+  request.remove_prefix(kJump.size());
+  std::uint64_t place_ms = 0;
+  const auto [end, error] =
+      std::from_chars(request.data(), request.data() + request.size(), place_ms);
+  const bool is_whole = error == std::errc() && end == request.data() + request.size();
+  return is_whole ? std::optional(place_ms) : std::nullopt;
+}
+
+}  // namespace
 
 Viewer::Viewer(Scene& scene, Origin origin, Recorder recorder)
     : scene_(&scene),
@@ -33,11 +53,11 @@ void Viewer::take(std::span<const std::byte> datagram) {
   } catch (const UsageError& error) {
     problem_ = error.what();  // what comes is shown all the same
   }
-  if (other_ != nullptr) {
-    other_->take_datagram({.time_us = time_of_day_us(),
-                           .source = {},
-                           .destination = {},
-                           .payload = {datagram.begin(), datagram.end()}});
+  for (Recording* const other : others_) {
+    other->take_datagram({.time_us = time_of_day_us(),
+                          .source = {},
+                          .destination = {},
+                          .payload = {datagram.begin(), datagram.end()}});
   }
   assembler_.take(datagram);
 }
@@ -48,10 +68,10 @@ void Viewer::show_next(const Surroundings& surroundings) {
   show(frame, surroundings);
 }
 
-void Viewer::show(const GridFrame& frame, const Surroundings& surroundings, bool breaks_off) {
+void Viewer::show(const GridFrame& frame, const Surroundings& surroundings) {
   const MessageCounts& counts = assembler_.counts();
   grid_.take(frame);
-  FrameFacts facts = facts_of(frame, grid_, counts.bytes - bytes_before_, breaks_off);
+  FrameFacts facts = facts_of(frame, grid_, counts.bytes - bytes_before_);
   facts.classes = take_classes(frame);
   frame_ = facts;
   bytes_before_ = counts.bytes;
@@ -70,12 +90,12 @@ void Viewer::show(const GridFrame& frame, const Surroundings& surroundings, bool
   last_status_ms_ = now;
   scene_->publish_frame(grid_, classes_, surroundings, status(),
                         frame.knows_objects() ? &*frame.objects : nullptr);
-  if (other_ != nullptr) {
-    other_->take_frame({.frame = &frame,
-                        .live = &grid_,
-                        .classes = &classes_,
-                        .time_us = time_of_day_us(),
-                        .points = surroundings.points});
+  for (Recording* const other : others_) {
+    other->take_frame({.frame = &frame,
+                       .live = &grid_,
+                       .classes = &classes_,
+                       .time_us = time_of_day_us(),
+                       .points = surroundings.points});
   }
 }
 
@@ -95,6 +115,8 @@ void Viewer::obey(const std::string& request) {
       recorder_.start();
     } else if (request == "stop") {
       recorder_.stop();
+    } else if (const auto place_ms = jump_of(request); place_ms && playback_) {
+      jump_ms_ = std::min(*place_ms, playback_->span_ms);
     }
   } catch (const UsageError& error) {
     problem_ = error.what();
@@ -121,8 +143,13 @@ void Viewer::note_silence() {
   classes_.forget();
 }
 
+// Frames that still wait are of the place before.
 void Viewer::begin_again() {
+  is_holding_ = true;
   assembler_.forget();
+  held_.clear();
+  is_holding_ = false;
+  health_.note_begin();
   grid_.forget();
   classes_.forget();
 }
@@ -133,7 +160,11 @@ void Viewer::note_end() {
   while (!held_.empty()) {
     const GridFrame frame = std::move(held_.front());
     held_.erase(held_.begin());
-    show(frame, {}, held_.empty() && !frame.has_end);
+    if (frame.has_end || !held_.empty()) {
+      show(frame, {});
+    } else {
+      health_.note_broken_off();
+    }
   }
   health_.note_end();
   scene_->publish_status(status());
@@ -148,6 +179,7 @@ std::string Viewer::status() const {
                       .kind = origin_.kind,
                       .block = origin_.block,
                       .problem = problem_,
+                      .playback = playback_,
                       .overflow = overflow_,
                       .now_ms = now_ms()});
 }

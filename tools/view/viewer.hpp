@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/frames/frame_assembler.hpp"
@@ -34,7 +35,7 @@ class Viewer {
 
   // From now on the other gets each datagram and each frame, too, with this PC's time. It outlives
   // the viewer.
-  void show_also(Recording& other) { other_ = &other; }
+  void show_also(Recording& other) { others_.push_back(&other); }
 
   // One datagram of the stream, of whatever bytes. Its frame is shown as soon as it is complete,
   // unless frames are being held back.
@@ -55,10 +56,16 @@ class Viewer {
   // Nothing has come for longer than a running target is silent. The picture stays; the next one
   // says nothing of tiles that are not in it.
   void note_silence();
-  // The recording is played from its beginning once more.
+  // The recording is played once more, from its beginning or from another place.
   void begin_again();
-  // The recording is over, perhaps in the middle of a frame.
+  // The recording is over. A frame in whose middle it ends is not shown.
   void note_end();
+
+  // A recording: how long it is, and where in it the next datagram is, in milliseconds.
+  void note_span(std::uint64_t span_ms) { playback_ = Playback{.span_ms = span_ms}; }
+  void note_place(std::uint64_t place_ms) { playback_->place_ms = place_ms; }
+  // Where in it a page has asked to go on, once.
+  [[nodiscard]] std::optional<std::uint64_t> take_jump() { return std::exchange(jump_ms_, {}); }
 
   // Ends a recording in good order. UsageError if that is not possible.
   void finish() { recorder_.stop(); }
@@ -68,8 +75,7 @@ class Viewer {
   static constexpr std::int64_t kStatusEveryMs = 200;
 
   [[nodiscard]] std::int64_t now_ms() const;
-  // breaks_off: the recording ends before the frame does.
-  void show(const GridFrame& frame, const Surroundings& surroundings, bool breaks_off = false);
+  void show(const GridFrame& frame, const Surroundings& surroundings);
   [[nodiscard]] std::optional<ClassFacts> take_classes(const GridFrame& frame);
   void obey(const std::string& request);
   [[nodiscard]] std::string status() const;
@@ -77,7 +83,7 @@ class Viewer {
   Scene* scene_;
   Origin origin_;
   Recorder recorder_;
-  Recording* other_ = nullptr;
+  std::vector<Recording*> others_;
   FrameAssembler assembler_;
   LiveGrid grid_;
   LiveClasses classes_;
@@ -85,6 +91,8 @@ class Viewer {
   std::optional<FrameFacts> frame_;
   std::vector<GridFrame> held_;
   bool is_holding_ = false;
+  std::optional<Playback> playback_;
+  std::optional<std::uint64_t> jump_ms_;
   std::optional<std::uint32_t> vehicle_id_;
   std::string problem_;
   std::uint64_t bytes_before_ = 0;

@@ -113,18 +113,19 @@ std::uint32_t frame_of(const std::vector<std::byte>& message) {
   return header.frame_number;
 }
 
-// Frames 0 to 3, perhaps a silence, and the first message of frame 4.
+// Frames 0 to 3, perhaps a silence, and frame 4 without its first message.
 std::size_t unknown_tiles_after(bool is_silent) {
   Given given;
   Recorder recorder(keeping(given));
+  bool has_begun = false;
   for (const auto& message : sample_stream()) {
-    const bool is_next = frame_of(message) == 4;
-    if (is_next && is_silent) {
+    const bool is_first = frame_of(message) == 4 && !has_begun;
+    has_begun = has_begun || is_first;
+    if (is_first && is_silent) {
       recorder.note_silence(2);
     }
-    recorder.take(datagram_of(message));
-    if (is_next) {
-      break;
+    if (!is_first && frame_of(message) < 5) {
+      recorder.take(datagram_of(message));
     }
   }
   recorder.finish();

@@ -9,6 +9,8 @@ const KEYS = [
   [["ArrowRight", "."], "step", "one frame forward"],
   [["Home"], "oldest", "the oldest frame of the last minute"],
   [["End", "l"], "live", "back to the newest frame"],
+  [["["], "rewind", "of a recording: 10 s back"],
+  [["]"], "forward", "of a recording: 10 s forward"],
   [["r"], "record", "record the stream, stop recording"],
   [["+", "="], "nearer", "nearer"],
   [["-"], "farther", "farther"],

@@ -41,24 +41,12 @@ export function describe(status, serverSilentMs, isConnected) {
                      `this iog reads ${status.versions_read}.`
                    : "What comes cannot be shown." };
     case "ended":
-      return describeEnd(status.frame);
+      return { state: "ended", word: `end of recording${status.breaks_off ? ", in mid-frame" : ""}`,
+               title: "", text: "" };
     default:
       return { state: "waiting", word: "waiting", title: "Waiting for a grid",
                text: `on ${status.source}` };
   }
-}
-
-function describeEnd(frame) {
-  const ended = { state: "ended", word: "end of recording", title: "", text: "" };
-  if (!frame || !frame.breaks_off) {
-    return ended;
-  }
-  return { ...ended, word: "end of recording, in mid-frame",
-           title: "The recording ends in mid-frame",
-           text: frame.unfinished_tiles > 0
-               ? `${frame.unfinished_tiles} of 1024 tiles of frame ${frame.number} are not in it; ` +
-                 "they are shown as they were before."
-               : `The last message of frame ${frame.number} is not in it.` };
 }
 
 const FATE_NOT_TAKEN = 9; // docs/spec.md 1.3
@@ -162,8 +150,6 @@ export function factsOf(status) {
     ["grid CRC", crcWords(frame)],
     ["tiles known", frame ? `${frame.known_tiles} of 1024` : "–"],
     ["tiles missing, stale", frame ? `${frame.missing_tiles}, ${frame.stale_tiles}` : "–"],
-    ...(frame && frame.breaks_off
-        ? [["tiles not recorded", String(frame.unfinished_tiles)]] : []),
     ...(frame && frame.classes ? factsOfClasses(frame.classes) : []),
     ...(frame && frame.objects ? factsOfObjects(frame.objects) : []),
     ["messages", counts.messages.toLocaleString("en")],

@@ -14,6 +14,7 @@ import { ObjectList } from "./objects.js";
 import { OVERLAYS } from "./overlays.js";
 import { foldSome, listenToFolds, toggle } from "./panels.js";
 import { lastPlaceOf, trackOf } from "./place.js";
+import { Playback } from "./playback.js";
 import { listenToPointers } from "./pointers.js";
 import { describe, frameOfNumbers, rateOf, titleOf } from "./status.js";
 
@@ -37,6 +38,7 @@ class Page {
     this.list = new ObjectList(byId("charts"));
     this.legend = new Legend(byId);
     this.hover = new HoverText(byId("hover"));
+    this.playback = new Playback(byId, (words) => this.ask(words));
     this.status = null;
     this.socket = null;
     this.lastMessageMs = 0;
@@ -215,6 +217,7 @@ class Page {
       setText(byId("origin"), status.problem || `${status.source}`);
       byId("origin").classList.toggle("problem", status.problem !== "");
       this.showRecording(status.recording);
+      this.playback.show(status.playback);
     }
     setText(byId("vehicle"), view.vehicle ? view.vehicle.name : "");
     setText(byId("rate"), rateOf(history.frames, status));
@@ -302,9 +305,13 @@ class Page {
     this.redraw();
   }
 
-  record() {
+  record() { this.ask(this.status && this.status.recording.open ? "stop" : "record"); }
+  rewind() { this.playback.rewind(); }
+  forward() { this.playback.forward(); }
+
+  ask(words) {
     if (this.status && this.socket.readyState === WebSocket.OPEN) {
-      this.socket.send(this.status.recording.open ? "stop" : "record");
+      this.socket.send(words);
     }
   }
 

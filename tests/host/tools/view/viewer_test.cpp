@@ -77,32 +77,28 @@ TEST_F(ViewerTest, AnotherGridIsIncompatibleThoughFramesEnd) {
   EXPECT_TRUE(says(R"("state":"incompatible")")) << page_.words;
 }
 
-TEST_F(ViewerTest, TheLastFrameOfARecordingIsShownThoughItBreaksOff) {
+// Half a frame would look as if the rest of the world were unknown.
+TEST_F(ViewerTest, ARecordingThatEndsInMidFrameEndsAtTheLastWholeOne) {
   const auto second = std::ranges::find_if(sample(), is_end) + 1;
   take({sample().begin(), second + 1});
   ASSERT_TRUE(says(R"("number":0)"));
   viewer_.note_end();
-  EXPECT_TRUE(says(R"("number":1)")) << page_.words;
+  EXPECT_TRUE(says(R"("number":0)")) << page_.words;
+  EXPECT_TRUE(says(R"("breaks_off":true)")) << page_.words;
+  EXPECT_TRUE(says(R"("missing_tiles":0)")) << page_.words;
   EXPECT_TRUE(says(R"("state":"ended")"));
 }
 
-// What a recording does not hold was not lost on the way.
-TEST_F(ViewerTest, ARecordingThatEndsInMidFrameHasLostNothing) {
+// That it has an end says that the recording goes on to there.
+TEST_F(ViewerTest, ALastFrameThatLacksTilesIsShown) {
   const auto second = std::ranges::find_if(sample(), is_end) + 1;
-  take({sample().begin(), second + 1});
-  viewer_.note_end();
-  EXPECT_TRUE(says(R"("breaks_off":true)")) << page_.words;
-  EXPECT_TRUE(says(R"("missing_tiles":0)")) << page_.words;
-  EXPECT_FALSE(says(R"("unfinished_tiles":0)")) << page_.words;
-}
-
-TEST_F(ViewerTest, WhatIsMissingBeforeTheEndOfARecordingIsLost) {
-  const auto second = std::ranges::find_if(sample(), is_end) + 1;
+  const auto third = std::find_if(second, sample().end(), is_end) + 1;
   take({sample().begin(), second});
-  take({second + 1, second + 3});  // without the first tiles
+  take({second + 1, third});  // without the first tiles
   viewer_.note_end();
-  EXPECT_TRUE(says(R"("breaks_off":true)")) << page_.words;
-  EXPECT_FALSE(says(R"("missing_tiles":0)")) << page_.words;
+  EXPECT_TRUE(says(R"("number":1)")) << page_.words;
+  EXPECT_TRUE(says(R"("breaks_off":false)")) << page_.words;
+  EXPECT_TRUE(says(R"("whole":false)")) << page_.words;
 }
 
 TEST_F(ViewerTest, ARecordingThatEndsWithAFrameDoesNotBreakOff) {
@@ -110,6 +106,37 @@ TEST_F(ViewerTest, ARecordingThatEndsWithAFrameDoesNotBreakOff) {
   viewer_.note_end();
   EXPECT_TRUE(says(R"("breaks_off":false)")) << page_.words;
   EXPECT_TRUE(says(R"("missing_tiles":0)")) << page_.words;
+}
+
+TEST_F(ViewerTest, APageMayAskForAnotherPlaceOfARecordingOnly) {
+  scene_->ask("jump 5");
+  viewer_.tend();
+  EXPECT_FALSE(viewer_.take_jump());
+  viewer_.note_span(60'000);
+  for (const char* const words :
+       {"jump", "jump ", "jump x", "jump -1", "jump 1.5", "jump 99999999999999999999"}) {
+    scene_->ask(words);
+  }
+  viewer_.tend();
+  EXPECT_FALSE(viewer_.take_jump());
+  scene_->ask("jump 1500");
+  viewer_.tend();
+  EXPECT_EQ(viewer_.take_jump(), 1500U);
+  EXPECT_FALSE(viewer_.take_jump());
+  scene_->ask("jump 60001");
+  viewer_.tend();
+  EXPECT_EQ(viewer_.take_jump(), 60'000U);
+}
+
+// What is played from another place has the run and the frames that it had before.
+TEST_F(ViewerTest, ARecordingIsPlayedAgainAfterItsEnd) {
+  take(sample());
+  viewer_.note_end();
+  viewer_.begin_again();
+  const auto second = std::ranges::find_if(sample(), is_end) + 1;
+  take({sample().begin(), second});
+  EXPECT_TRUE(says(R"("number":0)")) << page_.words;
+  EXPECT_TRUE(says(R"("state":"live")"));
 }
 
 }  // namespace
