@@ -1,6 +1,8 @@
-"""Does `cmake --install` put the program and its readers where other programs find them?"""
+"""Does `cmake --install` put the program and its readers where other programs find them, and the Debian package, too?"""
 
+import gzip
 import os
+import re
 import shutil
 import subprocess
 import unittest
@@ -39,6 +41,40 @@ class Install(unittest.TestCase):
 
     def test_program(self):
         self.assertRegex(run(self.prefix / "bin/iog", "--version"), r"^iog \d")
+
+    def test_manual_has_each_command_and_option(self):
+        iog, folder = self.prefix / "bin/iog", self.prefix / "share/man/man1"
+        commands = re.findall(r"^  ([a-z-]+)  ", run(iog, "--help").split("Subcommands:")[1], re.M)
+        self.assertIn("fuse", commands)
+        pages = {f"iog-{name}": run(iog, name, "--help") for name in commands} | {"iog": run(iog, "--help")}
+        self.assertEqual({f"{name}.1.gz" for name in pages}, {path.name for path in folder.iterdir()})
+        for name, said in pages.items():
+            page = gzip.decompress((folder / f"{name}.1.gz").read_bytes()).decode().replace("\\-", "-")
+            self.assertRegex(page, rf"^\.TH \"{name.upper()}\" 1 ")
+            for option in re.findall(r"^  -[^ ]+", said, re.M):
+                self.assertIn(f"\n.TP\n.B {option.strip()}", page)
+
+    def test_documents_and_examples(self):
+        folder = self.prefix / "share/doc/iogrid"
+        for name in ("README.md", "LICENSE", "docs/view.md", "docs/foxglove_layout.json", "docs/wireshark/iogrid.lua",
+                     "examples/vehicles/reference_car.toml", "examples/iogrid_node.py"):
+            self.assertTrue((folder / name).is_file(), name)
+
+    def test_debian_package(self):
+        """It has what is installed and no more, asks for the libraries that iog is linked with, and its iog runs."""
+        folder = streams.FOLDER / "package"
+        shutil.rmtree(folder, ignore_errors=True)
+        run("cpack", "-G", "DEB", "-B", folder, cwd=os.environ["BUILD"])
+        (package,) = folder.glob("iogrid_*.deb")
+        run("dpkg-deb", "-x", package, folder / "unpacked")
+        files = [{path.relative_to(root) for path in root.rglob("*") if path.is_file()}
+                 for root in (self.prefix, folder / "unpacked/usr")]
+        self.assertEqual(*files)
+        wanted = run("dpkg-deb", "-f", package, "Depends")
+        for library in ("libc6", "libpcap0.8", "libpng16-16", "libzstd1", "zlib1g"):
+            self.assertIn(library, wanted)
+        said = run(folder / "unpacked/usr/bin/iog", "info", streams.VERSION_3)
+        self.assertIn("frames                2", said)
 
     def test_c_is_found_by_cmake(self):
         source, build = streams.FOLDER / "user", streams.FOLDER / "user/build"
