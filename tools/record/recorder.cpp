@@ -35,6 +35,10 @@ bool Recorder::wants_points() const {
 void Recorder::note_silence(std::uint64_t now_us) {
   now_us_ = now_us;
   census_.note_silence();
+  note_gap();
+}
+
+void Recorder::note_gap() {
   live_.forget();
   live_classes_.forget();
 }

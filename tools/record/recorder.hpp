@@ -31,6 +31,9 @@ class Recorder {
   // Nothing has come for longer than a running target is ever silent.
   void note_silence(std::uint64_t now_us);
 
+  // The same of a file. Its gap may be one of whoever recorded it, so that no frame ends there.
+  void note_gap();
+
   // Hands over the frames that still wait, and finishes the recordings. A frame whose end has not
   // come, because the recording was stopped in its middle, is in none but as its messages.
   void finish();

@@ -207,9 +207,8 @@ void record_stream(const std::string& path, Recorder& recorder) {
   std::optional<CapturedDatagram> datagram;
   std::uint64_t last_us = 0;  // before the first one no silence can be
   while (!was_interrupted() && (datagram = file.next())) {
-    const std::uint64_t silent_us = last_us + kLongestSilenceUs;
-    if (last_us != 0 && datagram->time_us > silent_us) {
-      recorder.note_silence(silent_us);
+    if (last_us != 0 && datagram->time_us > last_us + kLongestSilenceUs) {
+      recorder.note_gap();
     }
     last_us = std::max(last_us, datagram->time_us);
     recorder.take(*datagram);

@@ -200,7 +200,7 @@ class RecordingSource : public Source {
       const bool is_lead = place_us < from_us;
       if (time_us > now_us_ + kLongestSilenceUs) {
         wait(is_lead ? nullptr : &pace, now_us_ + kLongestSilenceUs, viewer);
-        viewer.note_silence();
+        viewer.note_gap();
       }
       wait(is_lead ? nullptr : &pace, time_us, viewer);
       if (jump_us_) {

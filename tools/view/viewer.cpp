@@ -139,6 +139,10 @@ void Viewer::tend(std::uint64_t overflow) {
 
 void Viewer::note_silence() {
   assembler_.note_silence();
+  note_gap();
+}
+
+void Viewer::note_gap() {
   grid_.forget();
   classes_.forget();
 }

@@ -56,6 +56,9 @@ class Viewer {
   // Nothing has come for longer than a running target is silent. The picture stays; the next one
   // says nothing of tiles that are not in it.
   void note_silence();
+  // The same of a recording. Its gap may be one of whoever recorded it, so that no frame ends
+  // there.
+  void note_gap();
   // The recording is played once more, from its beginning or from another place.
   void begin_again();
   // The recording is over. A frame in whose middle it ends is not shown.

@@ -1,5 +1,4 @@
 // A stream in a file, recorded once more: where it is silent, and where it ends.
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -54,14 +53,15 @@ const Messages& whole_stream() {
   return messages;
 }
 
-// Of a file with all but one message of the stream, and a gap before that one's place.
-Seen seen_of(std::size_t left_out, std::uint64_t gap_us) {
+// Of a file with all but one message of the stream, and a gap before the place of that or another
+// one.
+Seen seen_of(std::size_t left_out, std::size_t gap_at, std::uint64_t gap_us) {
   const tests::TemporaryFolder folder;
   const std::string path = folder / "stream.pcap";
   PcapWriter writer(path);
   std::uint64_t time_us = kFirstUs;
   for (std::size_t i = 0; i < whole_stream().size(); ++i) {
-    time_us += i == left_out ? gap_us : 100;
+    time_us += i == gap_at ? gap_us : 100;
     if (i != left_out) {
       writer.write({.time_us = time_us,
                     .source = kStreamSource,
@@ -79,25 +79,37 @@ Seen seen_of(std::size_t left_out, std::uint64_t gap_us) {
   return seen;
 }
 
-// The first message of the second half, which has tiles.
-std::size_t a_middle_message() { return whole_stream().size() / 2; }
+// The first message of frame 2, which has tiles.
+std::size_t first_of_frame_2() {
+  std::size_t ends = 0;
+  std::size_t i = 0;
+  for (; ends < 2; ++i) {
+    const std::byte type = whole_stream()[i].at(protection::kProtectionBytes);
+    ends += type == static_cast<std::byte>(stream::MessageType::kFrameEnd) ? 1U : 0U;
+  }
+  return i;
+}
 
 // As of a live stream (FrameAssembler::kLongestSilence): how old they are is not known.
 TEST(RecordedStream, AfterASilenceNothingIsKnownOfOlderTiles) {
-  const Seen without = seen_of(a_middle_message(), 499'900);
-  const Seen with = seen_of(a_middle_message(), 499'901);
-  EXPECT_EQ(without.unknown_tiles.back(), 0U);
-  EXPECT_EQ(without.frames.size(), kFrames);
-  std::size_t unknown = 0;
-  for (const std::size_t tiles : with.unknown_tiles) {
-    unknown = std::max(unknown, tiles);
-  }
-  EXPECT_GT(unknown, 0U);
+  const Seen without = seen_of(first_of_frame_2(), first_of_frame_2(), 499'900);
+  const Seen with = seen_of(first_of_frame_2(), first_of_frame_2(), 499'901);
+  ASSERT_EQ(without.frames.size(), kFrames);
+  EXPECT_EQ(without.unknown_tiles.at(2), 0U);
+  EXPECT_GT(with.unknown_tiles.at(2), 0U);
   EXPECT_EQ(with.datagrams, without.datagrams);
 }
 
+// Who has recorded it was busy for a while, and the network has kept all for him.
+TEST(RecordedStream, NoFrameEndsInAGap) {
+  const std::size_t none = whole_stream().size();
+  const Seen seen = seen_of(none, first_of_frame_2() + 2, 3'000'000);
+  EXPECT_EQ(seen.frames, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(seen.unknown_tiles, (std::vector<std::size_t>{0, 0, 0, 0}));
+}
+
 TEST(RecordedStream, OneThatWasStoppedInMidFrameEndsAtTheLastWholeOne) {
-  const Seen seen = seen_of(whole_stream().size() - 1, 0);
+  const Seen seen = seen_of(whole_stream().size() - 1, 0, 0);
   EXPECT_EQ(seen.datagrams, whole_stream().size() - 1);
   EXPECT_EQ(seen.frames, (std::vector<std::uint32_t>{0, 1, 2}));
 }
