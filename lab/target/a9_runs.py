@@ -44,7 +44,7 @@ STAGES = {
     "carve": ["grid/carving:carve_blocks", "grid/carving:carve_cells"],
     "mark": ["grid/frame_fusion:finish"],
     "encode": ["target/stage_pass:take", "target/stage_pass:tick"],
-    "send": ["net/outbound:build_message",
+    "send": ["net/outbound:build_datagram",
              *(f"ethernet/enet_port:{name}" for name in ("acquire", "commit", "pump"))],
     "clear": ["grid/block_grid:clear_tile"],
 }

@@ -10,29 +10,29 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 602.40;
+inline constexpr double kPointCycles = 606.40;
 // A cell, carved.
-inline constexpr double kCellCycles = 2.83;
+inline constexpr double kCellCycles = 2.82;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8975.57;
+inline constexpr double kTileCycles = 9018.22;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 48004.42;
+inline constexpr double kClassTileCycles = 48063.45;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5033.94;
+inline constexpr double kPointOnceCycles = 5026.91;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 484.37;
+inline constexpr double kLaterEchoCycles = 485.94;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9178.35;
+inline constexpr double kDearestTileCycles = 9178.82;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 49472.42;
+inline constexpr double kDearestClassTileCycles = 49539.41;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 813.62;
+inline constexpr double kTurnStepCycles = 832.28;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 355.19;
+inline constexpr double kTurnPointCycles = 353.34;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 1307277.12;
+inline constexpr double kGroundTurnCycles = 1071847.62;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 168.30;
+inline constexpr double kGroundPointCycles = 172.60;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -43,7 +43,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.773, 0.589, 0.517};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.769, 0.586, 0.514};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -56,33 +56,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4705865},
-    {"ring_road", 2321, 721236, 478, 8155264},
+    {"city", 2885, 466621, 231, 4750566},
+    {"ring_road", 2321, 721236, 478, 8156341},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1301639},
-    {"city, 3 LUX", 2240, 369547, 154, 1849834},
-    {"city, 4 LUX", 2885, 466621, 231, 2447864},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1290800},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1950379},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3043841},
+    {"city, 2 LUX", 1551, 254292, 132, 1305687},
+    {"city, 3 LUX", 2240, 369547, 154, 1855334},
+    {"city, 4 LUX", 2885, 466621, 231, 2456013},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1293800},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1957871},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3054294},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1425860, 668, 10689850},
-    {"random_ranges", 3216, 744269, 600, 9552394},
-    {"layers_apart", 3216, 888311, 665, 10521598},
-    {"beyond_range", 3216, 1451672, 680, 10316325},
-    {"three_echoes", 9648, 1344110, 668, 12505058},
-    {"missing_returns", 1618, 721934, 664, 9811992},
-    {"random_azimuths", 3216, 2000851, 665, 21191630},
-    {"diagonal", 3216, 2223052, 126, 7711966},
-    {"one_direction", 3216, 1538745, 48, 1703580},
-    {"short_beams", 9648, 24984, 4, 4745602},
-    {"flood", 9648, 6805584, 126, 10534798},
+    {"full_range", 3216, 1425860, 668, 10739711},
+    {"random_ranges", 3216, 744269, 600, 9625772},
+    {"layers_apart", 3216, 888311, 665, 10597664},
+    {"beyond_range", 3216, 1451672, 680, 10383790},
+    {"three_echoes", 9648, 1344110, 668, 12623149},
+    {"missing_returns", 1618, 721934, 664, 9870590},
+    {"random_azimuths", 3216, 2000851, 665, 21213276},
+    {"diagonal", 3216, 2223052, 126, 7759682},
+    {"one_direction", 3216, 1538745, 48, 1751652},
+    {"short_beams", 9648, 24984, 4, 4811590},
+    {"flood", 9648, 6805584, 126, 10595822},
 }};
 
 struct ModelledTurn {
@@ -96,16 +96,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 20443367},
-    {"HDL-32E", 69466, 460, 35012831},
-    {"HDL-64E S3", 111130, 466, 51422024},
+    {"VLP-16", 28954, 323, 20629383},
+    {"HDL-32E", 69466, 460, 35017327},
+    {"HDL-64E S3", 111130, 466, 51464333},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 26965007},
-    {"HDL-32E", 69466, 474, 47337669},
-    {"HDL-64E S3", 111130, 489, 71764445},
+    {"VLP-16", 28954, 330, 26980335},
+    {"HDL-32E", 69466, 474, 47523872},
+    {"HDL-64E S3", 111130, 489, 71991448},
 }};
 
 }  // namespace iog::tools
