@@ -173,7 +173,7 @@ class Replay {
     std::vector<CapturedDatagram> frame = grouper.next();
     while (!frame.empty() && !was_interrupted()) {
       for (const CapturedDatagram& datagram : frame) {
-        if (&datagram == &frame.back()) {
+        if (is_of_sensor(datagram)) {
           let_poses_arrive();
         }
         send(datagram, capture);
@@ -189,9 +189,10 @@ class Replay {
     }
   }
 
-  // The target closes the frame with its last packet, and the poses before it must be there by
-  // then. What goes to different ports may overtake one another: QEMU looks at them in an order of
-  // its own. So on this PC they have to be read first; others have the time that a wire takes.
+  // A target takes the hour of a packet's time from the newest pose, and closes a frame with its
+  // last packet: the poses before a packet must be there by then. What goes to different ports may
+  // overtake one another: QEMU looks at them in an order of its own. So on this PC they have to be
+  // read first; others have the time that a wire takes.
   void let_poses_arrive() {
     constexpr std::chrono::milliseconds kOnTheWay{5};
     if (std::exchange(has_sent_pose_, false) && !wait_until_taken(car_->vehicle->poses.udp_port)) {
