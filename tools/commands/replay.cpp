@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -133,10 +134,9 @@ class Replay {
     } else {
       ++refused_;
     }
-    if (is_pose_port(*car_, datagram.destination.port)) {
-      last_pose_ = std::chrono::steady_clock::now();
-      has_sent_pose_ = true;
-    }
+    last_sent_ = std::chrono::steady_clock::now();
+    are_poses_on_the_way_ = is_pose_port(*car_, datagram.destination.port);
+    ports_on_the_way_.insert(datagram.destination.port);
     progress_.show(sent_, options_->loop ? std::nullopt : capture.part_read());
   }
 
@@ -173,9 +173,7 @@ class Replay {
     std::vector<CapturedDatagram> frame = grouper.next();
     while (!frame.empty() && !was_interrupted()) {
       for (const CapturedDatagram& datagram : frame) {
-        if (is_of_sensor(datagram)) {
-          let_poses_arrive();
-        }
+        let_other_kind_arrive(is_pose_port(*car_, datagram.destination.port));
         send(datagram, capture);
         let_packets_arrive(datagram);
       }
@@ -190,14 +188,18 @@ class Replay {
   }
 
   // A target takes the hour of a packet's time from the newest pose, and closes a frame with its
-  // last packet: the poses before a packet must be there by then. What goes to different ports may
-  // overtake one another: QEMU looks at them in an order of its own. So on this PC they have to be
-  // read first; others have the time that a wire takes.
-  void let_poses_arrive() {
+  // last packet: the poses before a packet must be there by then, and those behind it not yet. What
+  // goes to different ports may overtake one another: QEMU looks at them in an order of its own. So
+  // on this PC they have to be read first; others have the time that a wire takes.
+  void let_other_kind_arrive(bool is_pose) {
     constexpr std::chrono::milliseconds kOnTheWay{5};
-    if (std::exchange(has_sent_pose_, false) && !wait_until_taken(car_->vehicle->poses.udp_port)) {
-      std::this_thread::sleep_until(last_pose_ + kOnTheWay);
+    if (is_pose == are_poses_on_the_way_ || ports_on_the_way_.empty()) {
+      return;
     }
+    if (!wait_until_taken(ports_on_the_way_)) {
+      std::this_thread::sleep_until(last_sent_ + kOnTheWay);
+    }
+    ports_on_the_way_.clear();
   }
 
   // As fast as it goes would be faster than a program on this PC reads: a port of Linux holds
@@ -205,23 +207,28 @@ class Replay {
   void let_packets_arrive(const CapturedDatagram& datagram) {
     constexpr std::uint64_t kAtOnce = 16;
     if (sent_ % kAtOnce == 0 && options_->speed.value_or(0) <= 0 && is_of_sensor(datagram)) {
-      static_cast<void>(wait_until_taken(datagram.destination.port));
+      static_cast<void>(wait_until_taken({datagram.destination.port}));
     }
   }
 
-  // Until whoever listens to the port on this PC has read all of it, or does not for a second.
+  // Until whoever listens to the ports on this PC has read all of it, or does not for a second.
   // False if nobody knows.
-  bool wait_until_taken(std::uint16_t port) const {
+  bool wait_until_taken(const std::set<std::uint16_t>& ports) const {
     constexpr std::chrono::seconds kPatience{1};
     constexpr std::chrono::microseconds kPause{200};
-    const auto index = static_cast<std::size_t>(std::ranges::find(ports_, port) - ports_.begin());
     const auto end = std::chrono::steady_clock::now() + kPatience;
-    std::optional<bool> taken = sender_.has_been_taken(index);
-    while (taken == false && !was_interrupted() && std::chrono::steady_clock::now() < end) {
-      std::this_thread::sleep_for(kPause);
-      taken = sender_.has_been_taken(index);
+    for (const std::uint16_t port : ports) {
+      const auto index = static_cast<std::size_t>(std::ranges::find(ports_, port) - ports_.begin());
+      std::optional<bool> taken = sender_.has_been_taken(index);
+      while (taken == false && !was_interrupted() && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(kPause);
+        taken = sender_.has_been_taken(index);
+      }
+      if (!taken) {
+        return false;
+      }
     }
-    return taken.has_value();
+    return true;
   }
 
   // The last poses of a capture are behind its last frame, and nobody answers to them.
@@ -262,8 +269,9 @@ class Replay {
   const CatalogueEntry* car_;
   std::vector<std::uint16_t> ports_;
   PoseRounds poses_;
-  std::chrono::steady_clock::time_point last_pose_;
-  bool has_sent_pose_ = false;  // that the target may not have yet
+  std::set<std::uint16_t> ports_on_the_way_;  // whose datagrams the target may not have yet
+  bool are_poses_on_the_way_ = false;
+  std::chrono::steady_clock::time_point last_sent_;
   UdpSender sender_;
   Pace pace_;
   Progress progress_;
