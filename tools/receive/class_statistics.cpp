@@ -4,21 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <string_view>
 
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/table.hpp"
 #include "tools/receive/map_words.hpp"
+#include "tools/receive/stream_names.hpp"
 
 namespace iog::tools {
 namespace {
-
-constexpr std::array<std::string_view, pose::kCauseCount> kCauseNames{
-    "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted"};
-constexpr std::array<std::string_view, pose::kFateCount> kPoseNames{
-    "used",    "unconfirmed",  "stranger",    "too short",    "not ours",     "wrong version",
-    "damaged", "wrong length", "wrong flags", "not zero",     "out of range", "no sigma",
-    "too old", "not newer",    "flood",       "of a past run"};
 
 std::array<std::uint32_t, pose::kCauseCount> slices_of(const stream::ClassEnd& end) {
   std::array<std::uint32_t, pose::kCauseCount> slices{};
@@ -77,14 +70,14 @@ std::vector<std::pair<std::string, std::string>> ClassStatistics::facts() const 
   add("packets_not_placed", packets_not_placed_);
   add("slices_over_budget", slices_over_budget_);
   add("groups_over_budget", groups_left_);
-  for (std::size_t i = 0; i < kCauseNames.size(); ++i) {
-    add(key_of("slices_", kCauseNames[i]), last_.causes[i].slices);
+  for (std::size_t i = 0; i < kPoseCauseNames.size(); ++i) {
+    add(key_of("slices_", kPoseCauseNames[i]), last_.causes[i].slices);
   }
-  for (std::size_t i = 1; i < kCauseNames.size(); ++i) {
-    add(key_of("times_", kCauseNames[i]), last_.causes[i].began.times);
+  for (std::size_t i = 1; i < kPoseCauseNames.size(); ++i) {
+    add(key_of("times_", kPoseCauseNames[i]), last_.causes[i].began.times);
   }
-  for (std::size_t i = 0; i < kPoseNames.size(); ++i) {
-    add(key_of("poses_", kPoseNames[i]), last_.pose_fates[i]);
+  for (std::size_t i = 0; i < kPoseFateNames.size(); ++i) {
+    add(key_of("poses_", kPoseFateNames[i]), last_.pose_fates[i]);
   }
   if (last_.map) {
     std::ranges::move(map_facts(*last_.map), std::back_inserter(facts));
@@ -108,16 +101,16 @@ std::string ClassStatistics::table() const {
   }
   text += row("packets placed", std::to_string(packets_placed_) + ", and " +
                                     std::to_string(packets_not_placed_) + " without a place");
-  text += row("slices", list_of(slices_of(last_), kCauseNames));
+  text += row("slices", list_of(slices_of(last_), kPoseCauseNames));
   if (slices_over_budget_ + groups_left_ > 0) {
     text += row("over budget", std::to_string(slices_over_budget_) + " slices, " +
                                    std::to_string(groups_left_) + " groups of cells");
   }
   const auto spells = spells_of(last_);
   if (std::ranges::any_of(spells, [](std::uint32_t times) { return times > 0; })) {
-    text += row("times without a place", list_of(spells, kCauseNames));
+    text += row("times without a place", list_of(spells, kPoseCauseNames));
   }
-  text += row("poses", list_of(last_.pose_fates, kPoseNames));
+  text += row("poses", list_of(last_.pose_fates, kPoseFateNames));
   text += last_.map ? map_table(*last_.map) : std::string();
   return text + row("class run hash", hex(run_hash()));
 }

@@ -5,25 +5,15 @@
 #include <iterator>
 #include <numeric>
 #include <sstream>
-#include <string_view>
 
 #include "tools/program/file.hpp"
 #include "tools/program/hexadecimal.hpp"
+#include "tools/receive/stream_names.hpp"
 #include "tools/receive/watched_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {
-
-constexpr std::array<std::string_view, vehicle::kFateCount> kFateNames{
-    "used",    "no return",  "too near",        "too far", "height band",
-    "flagged", "later echo", "malformed",       "stale",   "not taken",
-    "ground",  "overhang",   "under the ground"};
-constexpr std::array<std::string_view, intake::kPacketDropCount> kDropNames{
-    "stranger",  "wrong length", "wrong type",  "wrong angle", "wrong point",
-    "duplicate", "late",         "over budget", "other unit",  "not taken"};
-constexpr std::array<std::string_view, 4> kStateNames{"never seen", "silent", "partial",
-                                                      "complete"};
 
 std::string fixed(double value) {
   std::ostringstream text;
@@ -89,7 +79,7 @@ void RunStatistics::add_states(const GridFrame& frame) {
   }
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const auto state = static_cast<std::size_t>(frame.end.sensors[i].state);
-    sensor_frames_[i][std::min(state, kStateNames.size() - 1)] += 1;
+    sensor_frames_[i][std::min(state, kSensorStateNames.size() - 1)] += 1;
   }
 }
 
@@ -146,10 +136,10 @@ RunStatistics::Facts RunStatistics::facts() const {
               {"tiles", std::to_string(tiles_)},
               {"tiles_not_sent", std::to_string(tiles_not_sent_)}};
   for (std::size_t i = 0; i < fates_.size(); ++i) {
-    facts.emplace_back(key_of("points_", kFateNames[i]), std::to_string(fates_[i]));
+    facts.emplace_back(key_of("points_", kPointFateNames[i]), std::to_string(fates_[i]));
   }
   for (std::size_t i = 0; i < packet_drops_.size(); ++i) {
-    facts.emplace_back(key_of("packets_", kDropNames[i]), std::to_string(packet_drops_[i]));
+    facts.emplace_back(key_of("packets_", kPacketDropNames[i]), std::to_string(packet_drops_[i]));
   }
   const std::array stages{std::pair{"fuse", &fuse_us_}, std::pair{"mark", &mark_us_},
                           std::pair{"perceive", &perceive_us_}, std::pair{"publish", &publish_us_}};
@@ -189,7 +179,7 @@ RunStatistics::Facts RunStatistics::facts() const {
 
 void RunStatistics::append_sensors(std::string& text) const {
   for (std::size_t i = 0; i < sensor_count_; ++i) {
-    text += row("sensor " + std::to_string(i), list_of(sensor_frames_[i], kStateNames));
+    text += row("sensor " + std::to_string(i), list_of(sensor_frames_[i], kSensorStateNames));
   }
 }
 
@@ -210,7 +200,7 @@ void RunStatistics::append_ground(std::string& text) const {
     const std::size_t its = static_cast<std::size_t>(fate);
     words << (fate == kOfGround.front() ? "" : ", ")
           << 100 * static_cast<double>(fates_[its]) / static_cast<double>(all) << " % "
-          << kFateNames[its];
+          << kPointFateNames[its];
   }
   text += row("over the ground", words.str());
 }
@@ -278,11 +268,11 @@ std::string RunStatistics::table(bool has_target) const {
   if (unwatched_) {
     text += row("not watched at last", words_of_unwatched(*unwatched_));
   }
-  text += row("scan points", list_of(fates_, kFateNames));
+  text += row("scan points", list_of(fates_, kPointFateNames));
   append_ground(text);
   append_too_slow(text);
   append_over_budget(text);
-  text += row("packets dropped", list_of(packet_drops_, kDropNames));
+  text += row("packets dropped", list_of(packet_drops_, kPacketDropNames));
   text += row("tiles", std::to_string(tiles_));
   if (tiles_not_sent_ > 0) {
     text += row("tiles not sent", std::to_string(tiles_not_sent_));

@@ -6,9 +6,11 @@
 
 #include "protection/protected_message.hpp"
 #include "tools/formats/ros/class_messages.hpp"
+#include "tools/formats/ros/diagnostic_messages.hpp"
 #include "tools/formats/ros/mount_messages.hpp"
 #include "tools/formats/ros/object_messages.hpp"
 #include "tools/formats/ros/point_messages.hpp"
+#include "tools/record/frame_diagnostics.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -59,6 +61,7 @@ void TopicMessages::take_frame(const RecordedFrame& recorded) {
   const MessageTimes times{
       .arrival_us = recorded.time_us,
       .stamp_us = stamp_ == Stamp::kArrival ? recorded.time_us : frame.header.closed_us};
+  take_diagnostics(recorded, times);
   take_mounts(recorded, times);
   if (frame.header.has_indexes()) {
     take_indexes(recorded, times);
@@ -73,6 +76,14 @@ void TopicMessages::take_frame(const RecordedFrame& recorded) {
     write(kPointsTopic, ros::kPointCloud, times,
           [&] { return ros::point_cloud(recorded.points, times.stamp_us); });
   }
+}
+
+void TopicMessages::take_diagnostics(const RecordedFrame& recorded, const MessageTimes& times) {
+  write(kDiagnosticsTopic, ros::kDiagnosticArray, times, [&] {
+    return ros::diagnostic_array(diagnostics_of(*recorded.frame),
+                                 words_of_vehicle(recorded.frame->header.vehicle_id),
+                                 times.stamp_us);
+  });
 }
 
 // In every frame, so that who comes late or begins in the middle has them.

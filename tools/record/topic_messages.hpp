@@ -26,11 +26,12 @@ inline constexpr std::string_view kClassesTopic = "/iogrid/classes";
 inline constexpr std::string_view kObjectsTopic = "/objects";
 inline constexpr std::string_view kMarkersTopic = "/objects/markers";
 inline constexpr std::string_view kPointsTopic = "/points";
+inline constexpr std::string_view kDiagnosticsTopic = "/diagnostics";
 inline constexpr std::string_view kMessagesTopic = "/iogrid/messages";
-inline constexpr std::array kAllTopics{kTransformTopic, kMountsTopic,  kOccupancyTopic,
-                                       kImageTopic,     kCellsTopic,   kClassOccupancyTopic,
-                                       kClassesTopic,   kObjectsTopic, kMarkersTopic,
-                                       kPointsTopic,    kMessagesTopic};
+inline constexpr std::array kAllTopics{kTransformTopic, kMountsTopic,      kOccupancyTopic,
+                                       kImageTopic,     kCellsTopic,       kClassOccupancyTopic,
+                                       kClassesTopic,   kObjectsTopic,     kMarkersTopic,
+                                       kPointsTopic,    kDiagnosticsTopic, kMessagesTopic};
 // Of every message: all in one encoding, as `ros2 bag play` demands of a file.
 inline constexpr std::string_view kMessageEncoding = "cdr";
 inline constexpr std::string_view kSchemaEncoding = "ros2msg";
@@ -71,6 +72,7 @@ class TopicMessages {
 
   void write(std::string_view topic, const ros::MessageType& type, const MessageTimes& times,
              const Message& message);
+  void take_diagnostics(const RecordedFrame& recorded, const MessageTimes& times);
   void take_mounts(const RecordedFrame& recorded, const MessageTimes& times);
   void take_indexes(const RecordedFrame& recorded, const MessageTimes& times);
   void take_classes(const RecordedFrame& recorded, const MessageTimes& times);

@@ -160,6 +160,20 @@ function checkMarkers({ markers }, { objects }, stamp) {
   assert.equal(rest.length, 2 * objects.length + ways);
 }
 
+// What a frame says of its target: one name each, at a known level, of one device.
+function checkDiagnostics({ header, status }, publishTime) {
+  const { sec, nsec } = header.stamp;
+  assert.equal(BigInt(sec) * 1000000000n + BigInt(nsec), publishTime);
+  assert.equal(header.frame_id, "");
+  assert.equal(new Set(status.map(({ name }) => name)).size, status.length);
+  assert.ok(new Set(status.map(({ hardware_id }) => hardware_id)).size <= 1);
+  return Object.fromEntries(status.map(({ level, name, message, hardware_id, values }) => {
+    assert.ok(level <= 2 && message.length > 0, name);
+    return [name, { level, message, hardware_id,
+      values: Object.fromEntries(values.map(({ key, value }) => [key, value])) }];
+  }));
+}
+
 // Of a cloud: how many points have which fate, and within which box they lie.
 function checkPoints(cloud) {
   const { header, fields, data } = cloud;
@@ -203,6 +217,7 @@ export class Contents {
   scenes = [];
   points = [];
   mounts = []; // of the last message
+  diagnostics = [];
   messages = { count: 0, crc: 0 };
 
   addChannel(channel, schema) {
@@ -265,6 +280,8 @@ export class Contents {
       case "/tf_static":
         this.mounts = checkMounts(message);
         return { mounts: this.mounts };
+      case "/diagnostics":
+        return keep(this.diagnostics, checkDiagnostics(message, record.publishTime));
       case "/points":
         return keep(this.points, checkPoints(message));
       case "/iogrid/messages":

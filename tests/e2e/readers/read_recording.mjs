@@ -99,11 +99,11 @@ const isCut = process.argv[2] === "--cut";
 const bytes = fs.readFileSync(process.argv[isCut ? 3 : 2]);
 const { contents, records, isDone } = readFromBeginning(bytes);
 assert.equal(isDone, !isCut);
-const { frames, classes, poses, scenes, points, mounts, compared, messages } = contents;
+const { frames, classes, poses, scenes, points, mounts, diagnostics, compared, messages } = contents;
 const metadata = isCut ? [] : await checkIndex(bytes, records);
 console.log(
   JSON.stringify({
-    frames, classes, poses, scenes, points, mounts, compared, counts: countsOf(records), messages,
+    frames, classes, poses, scenes, points, mounts, diagnostics, compared, counts: countsOf(records), messages,
     metadata,
   })
 );
