@@ -57,6 +57,7 @@ FrameReport Frame::report(std::uint64_t now_us) const {
                      .rule = vehicle_->rule,
                      .grids = vehicle_->grids,
                      .has_objects = vehicle_->has_objects,
+                     .has_receptions = vehicle_->depends_on_arrival(),
                      .sensor_count = vehicle_->sensors.size(),
                      .unwatched = watched_.unwatched(intake_, now_us),
                      .packets_fused = intake_.packets_accepted(),

@@ -47,6 +47,11 @@ class Frame {
     return intake_.receive(datagram);
   }
 
+  // Whether it is for a sensor's port, from one who may send in its name.
+  [[nodiscard]] bool listens_to(const intake::Datagram& datagram) const {
+    return intake_.listens_to(datagram);
+  }
+
   // Whether the packet belongs to the open frame; if to the next one, ask again after closing this.
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet) {
     return intake_.classify(packet);

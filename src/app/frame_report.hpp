@@ -38,6 +38,7 @@ struct FrameReport {
   vehicle::FusionRule rule = vehicle::FusionRule::kHitsWin;
   vehicle::Grids grids = vehicle::Grids::kIndexes;  // that its vehicle asks for
   bool has_objects = false;                         // likewise
+  bool has_receptions = false;                      // likewise
 
   std::size_t sensor_count = 0;
   std::uint64_t unwatched = 0;  // sectors around the vehicle (intake/watched_sectors.hpp)

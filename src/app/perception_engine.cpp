@@ -24,6 +24,7 @@ PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_
       maps_(vehicle.maps, replayer_ipv4),
       frame_(vehicle, replayer_ipv4),
       poses_(vehicle.poses, replayer_ipv4),
+      receptions_(vehicle.depends_on_arrival()),
       vehicle_(&vehicle) {
   require(unfit_for_perception(vehicle) == Unfit::kNone);
 }
@@ -31,12 +32,18 @@ PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_
 std::optional<intake::SensorPacket> PerceptionEngine::receive(const intake::Datagram& datagram,
                                                               std::uint64_t now_us) {
   if (poses_.listens_to(datagram.destination_port)) {
-    static_cast<void>(poses_.receive(datagram.source_ipv4, datagram.payload, now_us));
+    const pose::Fate fate = poses_.receive(datagram.source_ipv4, datagram.payload, now_us);
+    if (fate != pose::Fate::kStranger) {
+      receptions_.add(datagram, now_us);
+    }
     return std::nullopt;
   }
   if (maps_.listens_to(datagram.destination_port)) {
     static_cast<void>(maps_.receive(datagram.source_ipv4, datagram.payload, now_us));
     return std::nullopt;
+  }
+  if (frame_.listens_to(datagram)) {
+    receptions_.add(datagram, now_us);
   }
   return frame_.receive(datagram, now_us);
 }
@@ -181,6 +188,7 @@ PerceptionReport PerceptionEngine::perception() const {
 
 void PerceptionEngine::start_next(std::uint64_t now_us) {
   packets_.clear();
+  receptions_.clear();
   frame_.start_next(now_us);
 }
 

@@ -23,6 +23,7 @@
 #include "app/fused_slices.hpp"
 #include "app/object_follower.hpp"
 #include "app/perception_report.hpp"
+#include "app/reception_log.hpp"
 #include "app/shared_fusion.hpp"
 #include "map/delivery.hpp"
 #include "map/layer.hpp"
@@ -69,7 +70,10 @@ class PerceptionEngine {
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet);
   // Keeps the packet until the frame ends: there is nothing to do yet for a crew.
   void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
-  void leave(const intake::SensorPacket& packet) { frame_.leave(packet); }
+  void leave(const intake::SensorPacket& packet) {
+    receptions_.note_left();
+    frame_.leave(packet);
+  }
   [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] bool is_complete() const { return frame_.is_complete(); }
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return frame_.is_overdue(now_us); }
@@ -79,6 +83,7 @@ class PerceptionEngine {
   // crew, and calls lap(stage) with the stream::StageTicks that has just ended.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
+    receptions_.close(now_us);
     open_slices(now_us);
     if (crew.is_one()) {
       fuse_alone(lap);
@@ -100,6 +105,8 @@ class PerceptionEngine {
   [[nodiscard]] window::WindowView classes() const { return window_.view(); }
   // The things with a speed, likewise; none if the car's description switches them off.
   [[nodiscard]] const objects::Tracker& objects() const { return follower_.tracker(); }
+  // What the frame has received, likewise; of a vehicle whose classes depend on when that was.
+  [[nodiscard]] const ReceptionLog& receptions() const { return receptions_; }
   template <typename Visit>
   void release(Visit&& visit) {
     fusion_.release(visit);
@@ -159,6 +166,7 @@ class PerceptionEngine {
   FramePackets packets_;
   FrameSlices slices_;
   pose::Source poses_;
+  ReceptionLog receptions_;
   const vehicle::Vehicle* vehicle_;
   window::WindowClock clock_;
   window::Contradiction contradiction_;  // of the poses, by what they have placed

@@ -10,10 +10,12 @@
 #include "app/network_sink.hpp"
 #include "app/object_messages.hpp"
 #include "app/perception_report.hpp"
+#include "app/reception_log.hpp"
 #include "stream/class_end.hpp"
 #include "stream/class_hash.hpp"
 #include "stream/message.hpp"
 #include "stream/objects.hpp"
+#include "stream/receptions.hpp"
 #include "vehicle/vehicle.hpp"
 #include "window/window_view.hpp"
 
@@ -33,8 +35,9 @@ class PerceptionSink : private NetworkSink<P> {
     has_indexes_ = vehicle::have_indexes(report.grids);
     const unsigned indexes = has_indexes_ ? 0U : stream::kFlagNoIndexes;
     const unsigned objects = report.has_objects ? stream::kFlagObjects : 0U;
-    Indexes::begin_frame(report,
-                         static_cast<std::uint8_t>(stream::kFlagClasses | indexes | objects));
+    const unsigned receptions = report.has_receptions ? stream::kFlagReceptions : 0U;
+    Indexes::begin_frame(
+        report, static_cast<std::uint8_t>(stream::kFlagClasses | indexes | objects | receptions));
   }
 
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
@@ -74,6 +77,16 @@ class PerceptionSink : private NetworkSink<P> {
       this->messages().send(
           this->header(), stream::MessageType::kObjects,
           [&](std::span<std::byte> body) { return stream::write_objects(objects_, part, body); });
+    }
+  }
+
+  // Of a frame that says so (FrameReport::has_receptions).
+  void take_receptions(const ReceptionLog& log) {
+    for (std::size_t part = 0; part < stream::reception_parts_of(log.all().size()); ++part) {
+      this->messages().send(
+          this->header(), stream::MessageType::kReceptions, [&](std::span<std::byte> body) {
+            return stream::write_receptions(log.all(), log.not_listed(), part, body);
+          });
     }
   }
 

@@ -143,6 +143,11 @@ class EnginePipeline {
             sink.take_objects(perception, engine_.objects().tracks());
           }
         }
+        if constexpr (ReceptionSink<Sink>) {
+          if (report.has_receptions) {
+            sink.take_receptions(engine_.receptions());
+          }
+        }
       });
     }
     for_each_sink([](auto& sink) { sink.end_frame(); });

@@ -8,6 +8,7 @@
 
 #include "app/frame_report.hpp"
 #include "app/perception_report.hpp"
+#include "app/reception_log.hpp"
 #include "tile_coding/tile_cells.hpp"
 #include "window/window_view.hpp"
 #include "work/round.hpp"
@@ -61,6 +62,12 @@ template <typename T>
 concept ObjectSink = ClassSink<T> &&
     requires(T& sink, const PerceptionReport& report, const objects::Tracks& tracks) {
   { sink.take_objects(report, tracks) } -> std::same_as<void>;
+};
+
+// And what the frame has received, after these.
+template <typename T>
+concept ReceptionSink = FrameSink<T> && requires(T& sink, const ReceptionLog& log) {
+  { sink.take_receptions(log) } -> std::same_as<void>;
 };
 
 }  // namespace iog::app

@@ -39,6 +39,11 @@ class Intake {
   // sensors outlive the intake. replayer_ipv4 may send in the name of every sensor, 0: nobody may.
   Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
 
+  // Whether it is for a sensor's port, from one who may send in its name.
+  [[nodiscard]] bool listens_to(const Datagram& datagram) const {
+    return sensor_of(datagram) != kNobody;
+  }
+
   // Finds the datagram's sensor and decodes it. Empty if it was dropped. The payload outlives what
   // comes of it.
   [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);

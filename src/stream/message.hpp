@@ -26,14 +26,16 @@ enum class MessageType : std::uint8_t {
   kClassEnd = 3,
   kCarRefused = 4,  // instead of all others (stream/car_refusal.hpp)
   kObjects = 5,     // (stream/objects.hpp)
+  kReceptions = 6,  // (stream/receptions.hpp)
 };
 
 // Bits of Header::flags.
-inline constexpr std::uint8_t kFlagTimedOut = 0x01;   // closed by time, not by its sensors
-inline constexpr std::uint8_t kFlagBayes = 0x02;      // fused by the rule bayes, not hits_win
-inline constexpr std::uint8_t kFlagClasses = 0x04;    // the frame has messages of classes
-inline constexpr std::uint8_t kFlagNoIndexes = 0x08;  // and no tiles of occupancy indexes
-inline constexpr std::uint8_t kFlagObjects = 0x10;    // the frame has messages of objects
+inline constexpr std::uint8_t kFlagTimedOut = 0x01;    // closed by time, not by its sensors
+inline constexpr std::uint8_t kFlagBayes = 0x02;       // fused by the rule bayes, not hits_win
+inline constexpr std::uint8_t kFlagClasses = 0x04;     // the frame has messages of classes
+inline constexpr std::uint8_t kFlagNoIndexes = 0x08;   // and no tiles of occupancy indexes
+inline constexpr std::uint8_t kFlagObjects = 0x10;     // the frame has messages of objects
+inline constexpr std::uint8_t kFlagReceptions = 0x20;  // and of what it has received
 
 struct Header {
   MessageType type = MessageType::kTiles;
@@ -60,6 +62,7 @@ struct Header {
   [[nodiscard]] constexpr bool has_indexes() const { return (flags & kFlagNoIndexes) == 0; }
   // Whether the frame has messages of objects. There is one also if it has no object.
   [[nodiscard]] constexpr bool has_objects() const { return (flags & kFlagObjects) != 0; }
+  [[nodiscard]] constexpr bool has_receptions() const { return (flags & kFlagReceptions) != 0; }
 };
 
 // Time on the target, in ticks of a stopwatch whose rate is in the message.

@@ -196,6 +196,12 @@ struct Vehicle {
   pose::SourceDescription poses{};
   map::SourceDescription maps{};
   window::Rules window{};
+
+  // Whether its classes depend on when its packets arrive, because some sensor's clock is not that
+  // of the poses.
+  [[nodiscard]] constexpr bool depends_on_arrival() const {
+    return have_classes(grids) && !std::ranges::all_of(sensors, &Sensor::is_synchronised);
+  }
 };
 
 }  // namespace iog::vehicle

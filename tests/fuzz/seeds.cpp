@@ -1,4 +1,7 @@
 // Writes a few good inputs for each target into <folder>/<target>/: where the fuzzing begins.
+#include "seeds.hpp"
+
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -18,8 +21,6 @@
 #include "fakes/velodyne_packet.hpp"
 #include "geometry/grid.hpp"
 #include "pose/message.hpp"
-#include "stream/class_end.hpp"
-#include "stream/objects.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
@@ -28,40 +29,6 @@
 
 namespace iog::fuzz {
 namespace {
-
-using Bytes = std::vector<std::byte>;
-
-class Seeds {
- public:
-  explicit Seeds(std::filesystem::path root) : root_{std::move(root)} {}
-
-  [[nodiscard]] std::string next_path(const std::string& target) {
-    const std::filesystem::path folder = root_ / target;
-    std::filesystem::create_directories(folder);
-    return folder / std::to_string(count_++);
-  }
-
-  void add(const std::string& target, const Bytes& bytes) {
-    std::ofstream file(next_path(target), std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
-  }
-
- private:
-  std::filesystem::path root_;
-  int count_ = 0;
-};
-
-Bytes piece_of(const Bytes& bytes) {
-  Bytes piece{static_cast<std::byte>(bytes.size() >> 8), static_cast<std::byte>(bytes.size())};
-  piece.insert(piece.end(), bytes.begin(), bytes.end());
-  return piece;
-}
-
-Bytes joined(Bytes first, const Bytes& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
 
 Bytes lux_message(int points) {
   tests::LuxMessage message;
@@ -186,96 +153,6 @@ void add_car_seeds(Seeds& seeds) {
                              [&](std::uint8_t byte) { content.push_back(std::byte{byte}); });
     seeds.add("car_block", content);
   }
-}
-
-Bytes end_content(std::uint32_t frame_number) {
-  Bytes head(stream::kHeaderBytes);
-  static_cast<void>(stream::write_header({.type = stream::MessageType::kFrameEnd,
-                                          .sequence = 2 * frame_number + 1,
-                                          .frame_number = frame_number,
-                                          .closed_us = frame_number,
-                                          .sensor_count = 2},
-                                         head));
-  Bytes end(400);
-  end.resize(stream::write_frame_end({.tiles_sent = 1, .link_counter_count = 3}, 2, end));
-  return joined(std::move(head), end);
-}
-
-Bytes tiles_content(std::uint32_t frame_number, tile_coding::Encoding encoding,
-                    const Bytes& payload) {
-  stream::TilesWriter writer;
-  writer.begin_grid({.frame_number = frame_number, .closed_us = frame_number},
-                    stream::geometry_of_level(0));
-  static_cast<void>(writer.append(3, encoding, payload));
-  const auto message = writer.finish(geometry::kTileCount, 2 * frame_number);
-  return {message.begin() + protection::kProtectionBytes, message.end()};
-}
-
-constexpr stream::ClassWindow kWindow{
-    .causes = stream::kCauseLate, .corner_a = -3, .corner_b = 70, .slices = 2, .slice_ms = 8};
-
-stream::Header header_of_classes(stream::MessageType type, std::uint32_t sequence) {
-  return {.type = type,
-          .flags = stream::kFlagClasses | stream::kFlagNoIndexes,
-          .sequence = sequence,
-          .frame_number = 5};
-}
-
-Bytes class_end_content() {
-  Bytes head(stream::kHeaderBytes);
-  static_cast<void>(
-      stream::write_header(header_of_classes(stream::MessageType::kClassEnd, 11), head));
-  Bytes end(protection::kMaxContentBytes);
-  end.resize(stream::write_class_end({.window = kWindow, .tiles_sent = 1, .slice_count = 2}, end));
-  return joined(std::move(head), end);
-}
-
-// Two parts of a list.
-Bytes objects_content(std::size_t part, std::uint32_t sequence) {
-  stream::ObjectList list{.time_us = 5, .count = 33};
-  for (std::size_t i = 0; i < list.count; ++i) {
-    list.records.at(i) = {.id = static_cast<std::uint32_t>(i) + 1};
-  }
-  list.records[0].state = stream::ObjectState::kMoves;
-  list.records[0].sigma_v_along_cm_s = list.records[0].sigma_v_across_cm_s = 20;
-  stream::Header header = header_of_classes(stream::MessageType::kObjects, sequence);
-  header.flags |= stream::kFlagObjects;
-  Bytes head(stream::kHeaderBytes);
-  static_cast<void>(stream::write_header(header, head));
-  Bytes body(protection::kMaxContentBytes);
-  body.resize(stream::write_objects(list, part, body));
-  return joined(std::move(head), body);
-}
-
-Bytes classes_content() {
-  stream::TilesWriter writer;
-  writer.begin_classes(header_of_classes(stream::MessageType::kTiles, 10), kWindow);
-  static_cast<void>(writer.append(3, tile_coding::Encoding::kRaw, 2, Bytes(1024, std::byte{33})));
-  const auto message = writer.finish(geometry::kTileCount, 10);
-  return {message.begin() + protection::kProtectionBytes, message.end()};
-}
-
-// Two frames of one tile, the second against the first.
-void add_stream_seeds(Seeds& seeds) {
-  const Bytes raw(1024, std::byte{3});
-  Bytes since{std::byte{0}, std::byte{0}, std::byte{0}, std::byte{5}};
-  since.insert(since.end(), {std::byte{0}, std::byte{0x00}, std::byte{0x20}, std::byte{0x00}});
-  const Bytes first = tiles_content(5, tile_coding::Encoding::kRaw, raw);
-  const Bytes second = tiles_content(6, tile_coding::Encoding::kChangedSince, since);
-  seeds.add("stream_message", first);
-  seeds.add("stream_message", end_content(5));
-  seeds.add("stream_message", classes_content());
-  seeds.add("stream_message", class_end_content());
-  seeds.add("stream_message", objects_content(0, 0));
-  for (const char* target : {"frame_assembler", "client_reader"}) {
-    seeds.add(target, joined(joined(piece_of(classes_content()), piece_of(class_end_content())),
-                             piece_of(end_content(6))));
-    seeds.add(target, joined(piece_of(objects_content(0, 0)), piece_of(objects_content(1, 1))));
-    seeds.add(target, joined(joined(piece_of(first), piece_of(end_content(5))),
-                             joined(piece_of(second), piece_of(end_content(6)))));
-  }
-  seeds.add("serial_line",
-            joined(piece_of(first), piece_of(tiles_content(6, tile_coding::Encoding::kRaw, raw))));
 }
 
 void add_tile_seeds(Seeds& seeds) {

@@ -5,6 +5,7 @@
 #include "law.hpp"
 #include "stream/class_end.hpp"
 #include "stream/objects.hpp"
+#include "stream/receptions.hpp"
 #include "stream/tiles.hpp"
 #include "wire/byte_order.hpp"
 
@@ -111,6 +112,24 @@ void check_objects(std::span<const std::byte> body) {
       "a list survives the wire");
 }
 
+void check_receptions(std::span<const std::byte> body) {
+  stream::ReceptionPart part;
+  if (stream::read_receptions(body, part) != stream::ReadStatus::kOk) {
+    return;
+  }
+  law(part.part < part.header.parts && part.count <= part.header.receptions,
+      "a part is one of what was received");
+  if (part.header.parts > 1) {
+    return;
+  }
+  Buffer once{};
+  const std::size_t bytes = stream::write_receptions(part.all(), part.header.not_listed, 0, once);
+  stream::ReceptionPart again;
+  law(stream::read_receptions(std::span(once).first(bytes), again) == stream::ReadStatus::kOk &&
+          again.header == part.header && std::ranges::equal(again.all(), part.all()),
+      "what was received survives the wire");
+}
+
 void check_content(std::span<const std::byte> message) {
   stream::Header header;
   std::span<const std::byte> body;
@@ -121,6 +140,7 @@ void check_content(std::span<const std::byte> message) {
   check_tiles(body);
   check_class_end(body);
   check_objects(body);
+  check_receptions(body);
   check_again(
       header,
       [](std::span<const std::byte> bytes, stream::Header& part) {

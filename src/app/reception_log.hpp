@@ -1,0 +1,67 @@
+// What a frame has received, and when, for a PC that repeats it (docs/spec.md 3.13).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "intake/datagram.hpp"
+#include "stream/receptions.hpp"
+
+namespace iog::app {
+
+class ReceptionLog {
+ public:
+  // One that is off holds nothing.
+  explicit ReceptionLog(bool is_on) : is_on_(is_on) {}
+
+  // A datagram that is taken now, of one who may send it.
+  void add(const intake::Datagram& datagram, std::uint64_t now_us) {
+    if (!is_on_) {
+      return;
+    }
+    if (count_ == list_.size()) {
+      ++not_listed_;
+      return;
+    }
+    // Until the frame is closed it is the time itself, modulo 2^32.
+    list_[count_++] = {.port = datagram.destination_port,
+                       .key = stream::key_of(datagram.payload),
+                       .before_close_us = static_cast<std::uint32_t>(now_us)};
+  }
+
+  // The last one has waited too long.
+  void note_left() {
+    if (is_on_ && not_listed_ == 0 && count_ > 0) {
+      list_[count_ - 1].was_left = true;
+    }
+  }
+
+  // Once a frame, before it is asked. A frame is closed within 2^32 us of all of them.
+  void close(std::uint64_t closed_us) {
+    for (stream::Reception& each : std::span(list_).first(count_)) {
+      each.before_close_us = static_cast<std::uint32_t>(closed_us) - each.before_close_us;
+    }
+  }
+
+  // In the order in which they came.
+  [[nodiscard]] std::span<const stream::Reception> all() const {
+    return std::span(list_).first(count_);
+  }
+  // How many came behind the last one for which there was room.
+  [[nodiscard]] std::uint32_t not_listed() const { return not_listed_; }
+
+  void clear() {
+    count_ = 0;
+    not_listed_ = 0;
+  }
+
+ private:
+  bool is_on_;
+  std::size_t count_ = 0;
+  std::uint32_t not_listed_ = 0;
+  std::array<stream::Reception, stream::kMaxReceptions> list_{};
+};
+
+}  // namespace iog::app
