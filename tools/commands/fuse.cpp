@@ -16,6 +16,7 @@
 #include "tools/frames/chosen_frame.hpp"
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
+#include "tools/fuse/repeated_run.hpp"
 #include "tools/fuse/stream_recorder.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/identity/vehicle_fit.hpp"
@@ -25,6 +26,7 @@
 #include "tools/program/progress.hpp"
 #include "tools/receive/class_record.hpp"
 #include "tools/receive/run_statistics.hpp"
+#include "tools/record/stream_file.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -43,6 +45,7 @@ struct FuseOptions {
   std::string classes_hashes;
   std::string classes_png;
   std::string map;
+  std::string as_received;
 };
 
 vehicle::Vehicle vehicle_with_rule(const CatalogueEntry& car, const std::string& rule) {
@@ -78,6 +81,30 @@ std::uint64_t feed(PcapReader& capture, const CatalogueEntry& car, OfflineTarget
     progress.show(capture.counts().datagrams, capture.part_read());
   }
   target.finish();
+  return other_ports;
+}
+
+// Each datagram when the target of a recorded stream took it.
+std::uint64_t feed_as_received(const std::string& stream, PcapReader& capture,
+                               const CatalogueEntry& car, OfflineTarget& target,
+                               CaptureIdentity& identity) {
+  RepeatedRun run(target.vehicle());
+  // What of its last frames is not whole is none.
+  FrameAssembler received([&run](GridFrame&& frame) { run.add(frame); });
+  StreamFile file(stream);
+  while (const std::optional<CapturedDatagram> datagram = file.next()) {
+    received.take(datagram->payload);
+  }
+  std::uint64_t other_ports = 0;
+  while (std::optional<CapturedDatagram> datagram = capture.next()) {
+    identity.add(*datagram);
+    if (takes_port(car, datagram->destination.port)) {
+      run.add(*std::move(datagram));
+    } else {
+      ++other_ports;
+    }
+  }
+  run.play(target);
   return other_ports;
 }
 
@@ -158,7 +185,10 @@ void fuse(const FuseOptions& options) {
     target->begin_with_map(read_block(options.map));
   }
   CaptureIdentity identity;
-  const std::uint64_t other_ports = feed(capture, car, *target, identity);
+  const std::uint64_t other_ports =
+      options.as_received.empty()
+          ? feed(capture, car, *target, identity)
+          : feed_as_received(options.as_received, capture, car, *target, identity);
   assembler.finish();
   if (recorder) {
     recorder->finish();
@@ -233,6 +263,12 @@ void add_fuse(CLI::App& program) {
       ->add_option("--classes-png", options->classes_png,
                    "Draw the class grid of the frame, or of the last one that has a place")
       ->option_text("FILE");
+  command
+      ->add_option(
+          "--as-received", options->as_received,
+          "Take each datagram when the target of this recorded stream took it, which repeats "
+          "its classes also where sensors' clocks are not those of the poses")
+      ->option_text("STREAM");
   command
       ->add_option("--map", options->map,
                    "The map that the target has from the start, made by `iog map`")

@@ -14,12 +14,15 @@
 
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/formats/capture/made_capture.hpp"
+#include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/picture/frame_writer.hpp"
 #include "tools/frames/chosen_frame.hpp"
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/program/time_of_day.hpp"
 #include "tools/receive/frame_notes.hpp"
 #include "tools/receive/link_counts.hpp"
 #include "tools/receive/nothing_came.hpp"
@@ -44,6 +47,7 @@ struct ReceiveOptions {
   std::string expect;
   std::string classes_hashes;
   std::string expect_classes;
+  std::string stream;
   SerialOptions serial;
 };
 
@@ -58,6 +62,9 @@ class Reception {
         assembler_([this](GridFrame&& frame) { take(std::move(frame)); }),
         frames_wanted_(options.frames),
         progress_("frames", options.frames) {
+    if (!options.stream.empty()) {
+      stream_.emplace(options.stream);
+    }
     if (!options.expect.empty()) {
       expected_ = read_records(options.expect);
       frames_wanted_ = frames_wanted_ > 0 ? frames_wanted_ : expected_.size();
@@ -77,6 +84,9 @@ class Reception {
       const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
       for (const std::vector<std::byte>& message : messages) {
         if (!is_done()) {  // what has begun of the frame behind the last is no loss
+          if (stream_) {
+            stream_->write(datagram_of_stream(time_of_day_us(), message));
+          }
           assembler_.take(message);
         }
       }
@@ -84,6 +94,9 @@ class Reception {
       note_arrival(!messages.empty());
     }
     assembler_.finish();
+    if (stream_) {
+      stream_->finish();
+    }
     end_ = Clock::now();
     overflow_ = receiver.overflow();
   }
@@ -265,6 +278,7 @@ class Reception {
   std::optional<std::uint32_t> vehicle_id_;  // of the last frame
   FrameWriter pictures_;
   FrameNotes notes_;
+  std::optional<PcapWriter> stream_;
   FrameAssembler assembler_;
   std::vector<FrameRecord> expected_;
   std::vector<ClassRecord> expected_classes_;
@@ -362,6 +376,8 @@ void add_receive(CLI::App& program) {
   command
       ->add_option("--expect-classes", options->expect_classes,
                    "Compare with such a file; exit status 1 if they differ")
+      ->option_text("FILE");
+  command->add_option("--stream", options->stream, "Write the messages that come, as a capture")
       ->option_text("FILE");
   command->add_flag("--strict", options->strict, "Exit status 1 also if a message was lost");
   command

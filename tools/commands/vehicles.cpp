@@ -60,6 +60,13 @@ void show_ports(const std::string& name) {
   }
 }
 
+std::string_view placed_by(const vehicle::Vehicle& vehicle) {
+  if (!vehicle::have_classes(vehicle.grids)) {
+    return "none";
+  }
+  return vehicle.depends_on_arrival() ? "arrival" : "clocks";
+}
+
 // Its own if the build makes one, else that for cars of its kind.
 void show_firmware(const std::string& name) {
   const vehicle::Vehicle& car = *find_vehicle(name).vehicle;
@@ -83,16 +90,23 @@ void add_vehicles(CLI::App& program) {
   command->add_option(
       "--grids", *asking,
       "Only which grids this vehicle asks for, for scripts: indexes, classes or both");
+  const auto placed = std::make_shared<std::string>();
+  command->add_option(
+      "--placed-by", *placed,
+      "Only what places this vehicle's packets in time, for scripts: clocks, or arrival, "
+      "if some sensor's clock is not that of the poses; none without classes");
   const auto carried = std::make_shared<std::string>();
   command->add_option("--firmware", *carried,
                       "Only the firmware of the build that `iog image` can put this one into, for "
                       "scripts");
   add_vehicle_file_option(*command);
-  command->callback([name, connected, asking, carried] {
+  command->callback([name, connected, asking, placed, carried] {
     if (!carried->empty()) {
       show_firmware(*carried);
     } else if (!asking->empty()) {
       std::cout << word_of(find_vehicle(*asking).vehicle->grids) << '\n';
+    } else if (!placed->empty()) {
+      std::cout << placed_by(*find_vehicle(*placed).vehicle) << '\n';
     } else if (!connected->empty()) {
       std::cout << network_line(*find_vehicle(*connected).network) << '\n';
     } else {

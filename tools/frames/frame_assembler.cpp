@@ -18,7 +18,8 @@ static_assert(kSupervision.is_valid());
 
 // What the frame has.
 constexpr unsigned contents_of(const stream::Header& header) {
-  return header.flags & (stream::kFlagClasses | stream::kFlagNoIndexes | stream::kFlagObjects);
+  return header.flags & (stream::kFlagClasses | stream::kFlagNoIndexes | stream::kFlagObjects |
+                         stream::kFlagReceptions);
 }
 
 }  // namespace
@@ -190,6 +191,8 @@ FrameAssembler::Fate FrameAssembler::take_body(const stream::Header& header,
       return take_class_end(waiting, body);
     case stream::MessageType::kObjects:
       return take_objects(waiting, body);
+    case stream::MessageType::kReceptions:
+      return take_receptions(waiting, body);
     case stream::MessageType::kCarRefused:
       break;  // of no frame
   }
@@ -239,6 +242,15 @@ FrameAssembler::Fate FrameAssembler::take_objects(WaitingFrame& waiting,
   const bool is_taken = waiting.frame.header.has_objects() &&
                         stream::read_objects(body, part) == stream::ReadStatus::kOk &&
                         waiting.objects.take(part);
+  return is_taken ? &MessageCounts::messages : &MessageCounts::malformed;
+}
+
+FrameAssembler::Fate FrameAssembler::take_receptions(WaitingFrame& waiting,
+                                                     std::span<const std::byte> body) {
+  stream::ReceptionPart part;
+  const bool is_taken = waiting.frame.header.has_receptions() &&
+                        stream::read_receptions(body, part) == stream::ReadStatus::kOk &&
+                        waiting.receptions.take(part);
   return is_taken ? &MessageCounts::messages : &MessageCounts::malformed;
 }
 
@@ -330,6 +342,7 @@ void FrameAssembler::hand_over_first() {
     take_back_if_damaged(*waiting.frame.classes);
   }
   waiting.frame.objects = waiting.objects.list();
+  waiting.frame.receptions = waiting.receptions.list();
   if (waiting.frame.header.has_evidence()) {
     waiting.frame.evidence_number = evidence_frames_++;
   }

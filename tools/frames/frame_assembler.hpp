@@ -27,6 +27,7 @@
 #include "tools/frames/grid_frame.hpp"
 #include "tools/frames/message_counts.hpp"
 #include "tools/frames/object_parts.hpp"
+#include "tools/frames/reception_parts.hpp"
 #include "tools/frames/run_watch.hpp"
 #include "tools/frames/sequence_watch.hpp"
 #include "tools/frames/tile_messages.hpp"
@@ -51,6 +52,8 @@ class FrameAssembler {
 
   // A running target reports even silence every two frame periods, which are 150 ms at most.
   static constexpr std::chrono::milliseconds kLongestSilence{500};
+  static constexpr std::uint64_t kLongestSilenceUs =
+      std::chrono::microseconds(kLongestSilence).count();
   // To be called when nothing has come for longer than that. Hands over the frames that still wait.
   void note_silence();
 
@@ -83,13 +86,15 @@ class FrameAssembler {
     TileMessages indexes;
     TileMessages classes;
     ObjectParts objects;
+    ReceptionParts receptions;
     bool has_window = false;  // of classes: the first message about them has come
 
     [[nodiscard]] bool is_complete() const {
       const bool has_indexes = !frame.header.has_indexes() || indexes.are_complete();
       const bool has_classes = !frame.classes || (frame.classes->has_end && classes.are_complete());
       const bool has_objects = !frame.header.has_objects() || objects.are_complete();
-      return frame.has_end && has_indexes && has_classes && has_objects;
+      const bool has_receptions = !frame.header.has_receptions() || receptions.are_complete();
+      return frame.has_end && has_indexes && has_classes && has_objects && has_receptions;
     }
     // Whether the window is that of the frame's other messages.
     [[nodiscard]] bool agree_on(const stream::ClassWindow& window);
@@ -112,6 +117,7 @@ class FrameAssembler {
                                              std::span<const std::byte> body);
   [[nodiscard]] static Fate take_class_end(WaitingFrame& waiting, std::span<const std::byte> body);
   [[nodiscard]] static Fate take_objects(WaitingFrame& waiting, std::span<const std::byte> body);
+  [[nodiscard]] static Fate take_receptions(WaitingFrame& waiting, std::span<const std::byte> body);
   [[nodiscard]] static Fate take_end(WaitingFrame& waiting, const stream::Header& header,
                                      std::span<const std::byte> body);
   WaitingFrame& frame_of(const stream::Header& header);

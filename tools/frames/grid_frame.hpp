@@ -14,6 +14,7 @@
 #include "stream/objects.hpp"
 #include "tile_coding/tile_cells.hpp"
 #include "tools/frames/class_grid.hpp"
+#include "tools/frames/reception_parts.hpp"
 #include "tools/frames/tile_set.hpp"
 
 namespace iog::tools {
@@ -37,6 +38,8 @@ struct GridFrame {
   std::optional<ClassGrid> classes{};
   // If the target looks for objects (stream::kFlagObjects), and all of their list has come.
   std::optional<stream::ObjectList> objects{};
+  // If its classes depend on when packets arrive (stream::kFlagReceptions), and all of it has come.
+  std::optional<Receptions> receptions{};
 
   // Everything that the target knows of the grid has arrived, or it sends none; of its classes see
   // there.

@@ -57,6 +57,12 @@ void OfflineTarget::close_overdue() {
   std::visit([](auto& pipeline) { pipeline->tick(pipeline->deadline_us()); }, pipeline_);
 }
 
+intake::Datagram OfflineTarget::datagram_of(const CapturedDatagram& captured) {
+  return {.source_ipv4 = kReplayer,
+          .destination_port = captured.destination.port,
+          .payload = captured.payload};
+}
+
 OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   Closed closed;
   const std::uint64_t now_us = clock_.move_to(datagram.time_us);
@@ -64,9 +70,7 @@ OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
     close_overdue();
   }
   closed.before = platform_.take_evidence_frames();
-  const intake::Datagram its{.source_ipv4 = kReplayer,
-                             .destination_port = datagram.destination.port,
-                             .payload = datagram.payload};
+  const intake::Datagram its = datagram_of(datagram);
   std::visit([&](auto& pipeline) { pipeline->take(its, now_us); }, pipeline_);
   // A frame that is open and one period old at most has begun with this datagram, so the frame that
   // was closed just now had been closed before it. Otherwise the datagram completed it.
@@ -77,6 +81,21 @@ OfflineTarget::Closed OfflineTarget::take(const CapturedDatagram& datagram) {
   closed.after = by_datagram - (began_next ? 1U : 0U);
   is_open_ = closed.after == 0;
   return closed;
+}
+
+void OfflineTarget::start(std::uint64_t now_us) {
+  std::visit([now_us](auto& pipeline) { pipeline->start(now_us); }, pipeline_);
+}
+
+void OfflineTarget::take_at(const CapturedDatagram& datagram, std::uint64_t now_us, bool is_left) {
+  const intake::Datagram its = datagram_of(datagram);
+  std::visit(
+      [&](auto& pipeline) { is_left ? pipeline->leave(its, now_us) : pipeline->take(its, now_us); },
+      pipeline_);
+}
+
+void OfflineTarget::pass(std::uint64_t now_us) {
+  std::visit([now_us](auto& pipeline) { pipeline->tick(now_us); }, pipeline_);
 }
 
 void OfflineTarget::finish() {
@@ -91,8 +110,9 @@ bool OfflinePlatform::send_message(std::span<const std::byte> message) {
   std::span<const std::byte> body;
   const std::span content = message.subspan(protection::kProtectionBytes);
   if (stream::read_header(content, header, body) == stream::ReadStatus::kOk &&
-      header.type == stream::MessageType::kFrameEnd && header.has_evidence()) {
-    ++evidence_frames_;
+      header.type == stream::MessageType::kFrameEnd) {
+    ++frames_ended_;
+    evidence_frames_ += header.has_evidence() ? 1U : 0U;
   }
   on_message_(message);
   return true;

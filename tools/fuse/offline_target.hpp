@@ -43,6 +43,8 @@ class OfflinePlatform {
   [[nodiscard]] std::size_t cores() const { return kMostCores; }
   void share(std::size_t items, work::Work work) { work::do_alone(items, work); }
 
+  // Since the start.
+  [[nodiscard]] std::uint64_t frames_ended() const { return frames_ended_; }
   // Frames with evidence that have left since the last call.
   [[nodiscard]] unsigned take_evidence_frames() { return std::exchange(evidence_frames_, 0U); }
 
@@ -51,6 +53,7 @@ class OfflinePlatform {
   Stopwatch stopwatch_;
   std::uint32_t run_number_;
   unsigned evidence_frames_ = 0;
+  std::uint64_t frames_ended_ = 0;
 };
 
 class OfflineTarget {
@@ -80,6 +83,16 @@ class OfflineTarget {
   // its time close first.
   Closed take(const CapturedDatagram& datagram);
 
+  [[nodiscard]] const vehicle::Vehicle& vehicle() const { return *vehicle_; }
+
+  // The same by a target's clock instead of the capture's: when it started; the next datagram,
+  // taken then, or left for want of time; that time has passed, which ends a frame that is over.
+  void start(std::uint64_t now_us);
+  void take_at(const CapturedDatagram& datagram, std::uint64_t now_us, bool is_left);
+  void pass(std::uint64_t now_us);
+  // Whether they have evidence or not.
+  [[nodiscard]] std::uint64_t frames_ended() const { return platform_.frames_ended(); }
+
   // The capture is over: lets its last frame time out, if one is open or has drops to report.
   void finish();
 
@@ -90,6 +103,8 @@ class OfflineTarget {
   using Classes = app::PerceptionPipeline<OfflinePlatform>;
   using AnyPipeline = std::variant<std::unique_ptr<Indexes>, std::unique_ptr<Classes>>;
 
+  // As its replayer sends it. The capture's datagram outlives it.
+  [[nodiscard]] static intake::Datagram datagram_of(const CapturedDatagram& captured);
   [[nodiscard]] AnyPipeline pipeline_of(const vehicle::Vehicle& vehicle);
   [[nodiscard]] std::uint64_t deadline_us() const;
   void close_overdue();

@@ -15,10 +15,7 @@ void StreamRecorder::take(std::span<const std::byte> message) {
       stream::ReadStatus::kOk) {
     throw std::logic_error("the pipeline has made a message without a header");
   }
-  file_.write({.time_us = header.closed_us,
-               .source = kStreamSource,
-               .destination = kStreamDestination,
-               .payload = {message.begin(), message.end()}});
+  file_.write(datagram_of_stream(header.closed_us, message));
 }
 
 }  // namespace iog::tools

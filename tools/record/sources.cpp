@@ -29,8 +29,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kLongestWait{100};
-constexpr std::uint64_t kLongestSilenceUs =
-    std::chrono::microseconds(FrameAssembler::kLongestSilence).count();
 
 Endpoint endpoint_of(const LiveSource& source) {
   in_addr address{};
@@ -155,10 +153,7 @@ class CapturedTarget {
 
  private:
   void record(const std::vector<std::byte>& message) {
-    recorder_->take({.time_us = time_us_,
-                     .source = kStreamSource,
-                     .destination = kStreamDestination,
-                     .payload = message});
+    recorder_->take(datagram_of_stream(time_us_, message));
   }
 
   const CatalogueEntry* car_;
@@ -207,7 +202,7 @@ void record_stream(const std::string& path, Recorder& recorder) {
   std::optional<CapturedDatagram> datagram;
   std::uint64_t last_us = 0;  // before the first one no silence can be
   while (!was_interrupted() && (datagram = file.next())) {
-    if (last_us != 0 && datagram->time_us > last_us + kLongestSilenceUs) {
+    if (last_us != 0 && datagram->time_us > last_us + FrameAssembler::kLongestSilenceUs) {
       recorder.note_gap();
     }
     last_us = std::max(last_us, datagram->time_us);

@@ -44,10 +44,7 @@ std::optional<CapturedDatagram> StreamFile::next_of_mcap() {
       continue;
     }
     if (const auto bytes = ros::bytes_of_uint8_multi_array(message->data)) {
-      return CapturedDatagram{.time_us = message->log_ns / 1000,
-                              .source = kStreamSource,
-                              .destination = kStreamDestination,
-                              .payload = {bytes->begin(), bytes->end()}};
+      return datagram_of_stream(message->log_ns / 1000, *bytes);
     }
   }
   return std::nullopt;

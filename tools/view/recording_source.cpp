@@ -23,8 +23,6 @@ namespace iog::tools::view {
 namespace {
 
 constexpr std::chrono::milliseconds kTendAfter{50};
-constexpr std::uint64_t kLongestSilenceUs =
-    std::chrono::microseconds(FrameAssembler::kLongestSilence).count();
 
 // Before the place that a page asks for so much is taken without being waited for: a target decides
 // each tile of a stream anew within eight frames, and of scans it has to find out what stands.
@@ -198,8 +196,8 @@ class RecordingSource : public Source {
       const std::uint64_t place_us = since_first(*datagram);
       const std::uint64_t time_us = round_start_us_ + clock.move_to(datagram->time_us);
       const bool is_lead = place_us < from_us;
-      if (time_us > now_us_ + kLongestSilenceUs) {
-        wait(is_lead ? nullptr : &pace, now_us_ + kLongestSilenceUs, viewer);
+      if (time_us > now_us_ + FrameAssembler::kLongestSilenceUs) {
+        wait(is_lead ? nullptr : &pace, now_us_ + FrameAssembler::kLongestSilenceUs, viewer);
         viewer.note_gap();
       }
       wait(is_lead ? nullptr : &pace, time_us, viewer);

@@ -2,7 +2,9 @@
 // or fused on this PC.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "tools/formats/capture/datagram.hpp"
 
@@ -18,5 +20,14 @@ inline constexpr std::uint32_t kUnnamedIpv4 = 0x0A000264;  // of a sensor whose 
 // (board/imx6/main.cpp).
 inline constexpr Endpoint kStreamSource{.ipv4 = kTargetIpv4, .port = 15001};
 inline constexpr Endpoint kStreamDestination{.ipv4 = 0x0A000202, .port = 15000};
+
+// A message of it.
+[[nodiscard]] inline CapturedDatagram datagram_of_stream(std::uint64_t time_us,
+                                                         std::span<const std::byte> message) {
+  return {.time_us = time_us,
+          .source = kStreamSource,
+          .destination = kStreamDestination,
+          .payload = {message.begin(), message.end()}};
+}
 
 }  // namespace iog::tools
