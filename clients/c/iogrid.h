@@ -228,6 +228,8 @@ static inline enum iogrid_result iogrid_take(iogrid_receiver* r, const void* dat
     r->refusal[body[1]] = 0;
     return IOGRID_NONE;
   }
+  r->used += content[0] == 6; /* receptions: for a PC that repeats the target's run */
+  if (content[0] == 6) return IOGRID_NONE;
   if (content[0] < 1 || content[0] > 5 || content[0] == 4)
     return iogrid_drop_it(r, IOGRID_NOT_UNDERSTOOD);
   if (r->has_next && number - r->next >= 0x80000000U) return iogrid_drop_it(r, IOGRID_TOO_LATE);

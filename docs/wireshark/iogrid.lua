@@ -13,11 +13,12 @@ local parts = require("iogrid_parts")
 local tiles = require("iogrid_tiles")
 local ends = require("iogrid_ends")
 local objects = require("iogrid_objects")
+local receptions = require("iogrid_receptions")
 local protection = require("iogrid_protection")
 
 local PORT = 15000
 local INTERFACE_VERSIONS = { [3] = true, [4] = true }
-local TILES, FRAME_END, CLASS_END, OBJECTS = 1, 2, 3, 5
+local TILES, FRAME_END, CLASS_END, OBJECTS, RECEPTIONS = 1, 2, 3, 5, 6
 
 local iogrid = Proto("iogrid", "iogrid grid stream")
 parts.give_to(iogrid)
@@ -36,7 +37,7 @@ local function show_header(tree, cursor)
   local range = cursor.take(layout.bytes_of(layout.PARTS.header), "the header")
   local item = tree:add(range, "Header")
   local header, items = parts.add_part(item, range, layout.PARTS.header)
-  for _, flag in ipairs({ "by_time", "bayes", "classes", "no_indexes", "objects" }) do
+  for _, flag in ipairs({ "by_time", "bayes", "classes", "no_indexes", "objects", "receptions" }) do
     items.flags:add(fields["flags." .. flag], range:range(1, 1))
   end
   items.complete:append_text(sensors_of(header.complete))
@@ -61,6 +62,8 @@ local function show_content(tree, cursor, info, counter)
     ends.show_class_end(tree, cursor, info)
   elseif header.type == OBJECTS then
     objects.show(tree, cursor, info)
+  elseif header.type == RECEPTIONS then
+    receptions.show(tree, cursor, info)
   else
     info(string.format(", message type %d", header.type))
     items.type:add_proto_expert_info(experts.unknown, "a message type that is not known")

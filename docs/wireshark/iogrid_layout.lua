@@ -5,7 +5,7 @@
 local layout = {}
 
 layout.TYPES = { [1] = "tiles", [2] = "frame end", [3] = "end of the classes",
-                 [4] = "refused car", [5] = "objects" }
+                 [4] = "refused car", [5] = "objects", [6] = "receptions" }
 layout.STORAGES = { [0] = "occupancy index", [1] = "highest index of the cells below",
                     [2] = "class" }
 layout.CAUSES = { [0x01] = "late", [0x02] = "lost", [0x04] = "imprecise", [0x08] = "jump",
@@ -186,6 +186,22 @@ layout.PARTS.object = {
   { "uint16", "object.sigma_across", "Deviation of the place across, mm", base.DEC },
   { "uint16", "object.since_hit_ms", "Since it was hit last, ms", base.DEC },
   { "uint16", "object.since_stopped", "Since it stopped, 10 ms", base.DEC },
+}
+layout.PARTS.receptions = {
+  { "uint16", "receptions.header_bytes", "Bytes of this header", base.DEC },
+  { "uint16", "receptions.record_bytes", "Bytes of a reception", base.DEC },
+  { "uint16", "receptions.count", "Receptions in the frame", base.DEC },
+  { "uint8", "receptions.part", "Part, from 0", base.DEC },
+  { "uint8", "receptions.parts", "Parts", base.DEC },
+  { "uint32", "receptions.not_listed", "Received without room here", base.DEC },
+  { "uint32" },
+}
+layout.PARTS.reception = {
+  { "uint16", "reception.port", "UDP port", base.DEC },
+  { "uint8", "reception.flags", "Flags", base.HEX },
+  { "uint8" },
+  { "uint32", "reception.key", "CRC-32 of its ends", base.HEX },
+  { "uint32", "reception.before_close_us", "Taken before the end of the frame, us", base.DEC },
 }
 layout.PARTS.sensor_size = {
   { "uint8", "sensor_bytes", "Bytes of a sensor record", base.DEC },

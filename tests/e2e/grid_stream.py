@@ -7,15 +7,12 @@ import zlib
 import map_state
 import object_parts
 import protected_message
+import reception_parts
 import tile_coding
 import vehicle_id
 
 TILES, FRAME_END, CLASS_END, OBJECTS = 1, 2, 3, 5
-CLOSED_BY_TIME = 0x01
-BAYES = 0x02
-HAS_CLASSES = 0x04
-HAS_NO_INDEXES = 0x08
-HAS_OBJECTS = 0x10
+CLOSED_BY_TIME, BAYES, HAS_CLASSES, HAS_NO_INDEXES, HAS_OBJECTS = 0x01, 0x02, 0x04, 0x08, 0x10
 CLASSES = 2  # a storage
 HEADER_BYTES = 48
 TILES_BYTES = 24
@@ -197,7 +194,7 @@ class Frame:
 def read_header(content: bytes) -> Header:
     kind, flags, size, sequence, frame, closed_us, vehicle, sensors, complete, partial, zero, used, \
         other, fused, dropped, run = struct.unpack_from(">BBHIIQIBBBBIIIII", content)
-    known = CLOSED_BY_TIME | BAYES | HAS_CLASSES | HAS_NO_INDEXES | HAS_OBJECTS
+    known = CLOSED_BY_TIME | BAYES | HAS_CLASSES | HAS_NO_INDEXES | HAS_OBJECTS | reception_parts.FLAG
     assert size == HEADER_BYTES and flags <= known and zero == 0
     assert vehicle == vehicle_id.REFERENCE_CAR and sensors == 4
     assert run != 0

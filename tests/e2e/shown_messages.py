@@ -7,6 +7,7 @@ import grid_stream
 import map_state
 import object_parts
 import protected_message
+import reception_parts
 import tile_coding
 import vehicle_id
 
@@ -52,6 +53,8 @@ def shown_of(number: int, message: bytes) -> dict[str, list]:
         shown |= shown_of_class_end(header.frame, grid_stream.read_class_end(body))
     elif header.kind == grid_stream.OBJECTS:
         shown |= shown_of_objects(header.frame, object_parts.read(body))
+    elif header.kind == reception_parts.KIND:
+        shown |= shown_of_receptions(header.frame, reception_parts.read(body))
     else:
         shown |= shown_of_frame_end(header.frame, grid_stream.read_frame_end(body))
     return {field: [str(value) for value in values] for field, values in shown.items()}
@@ -129,6 +132,18 @@ def shown_of_objects(frame: int, part: object_parts.Part) -> dict[str, list]:
                  "sigma_v_along", "sigma_v_across", "sigma_along", "sigma_across", "since_hit_ms", "since_stopped"):
         shown[f"iogrid.object.{name}"] = [getattr(each, name) for each in part.objects]
     return shown
+
+
+def shown_of_receptions(frame: int, part: reception_parts.Part) -> dict[str, list]:
+    all_of_it = part.receptions
+    return {"_ws.col.Info": [f"frame {frame} receptions, part {part.number + 1} of {part.parts}, "
+                             f"{len(all_of_it)} of them"],
+            "iogrid.receptions.count": [part.count], "iogrid.receptions.part": [part.number],
+            "iogrid.receptions.parts": [part.parts], "iogrid.receptions.not_listed": [part.not_listed],
+            "iogrid.reception.port": [each.port for each in all_of_it],
+            "iogrid.reception.left": [each.left for each in all_of_it],
+            "iogrid.reception.key": [f"0x{each.key:08x}" for each in all_of_it],
+            "iogrid.reception.before_close_us": [each.before_close_us for each in all_of_it]}
 
 
 def shown_of_map(state: map_state.MapState) -> dict[str, list]:

@@ -14,7 +14,7 @@ from iogrid.protection import Unsound, content_of, require
 
 _HAS_CLASSES, _HAS_NO_INDEXES, _HAS_OBJECTS = 0x04, 0x08, 0x10
 _CONTENTS = _HAS_CLASSES | _HAS_NO_INDEXES | _HAS_OBJECTS
-_TILES, _FRAME_END, _CLASS_END, _CAR_REFUSED, _OBJECTS = range(1, 6)
+_TILES, _FRAME_END, _CLASS_END, _CAR_REFUSED, _OBJECTS, _RECEPTIONS = range(1, 7)
 _HEADER = struct.Struct(">BBHIIQIBBBBIIIII")
 _WORD, _HALF = 0xFFFFFFFF, 0x80000000  # numbers wrap: those that are half of them ahead are behind
 
@@ -121,11 +121,15 @@ class Receiver:
         header = _HEADER.unpack_from(content)
         kind, flags, size, sequence, number, *_ = header
         body = content[size:]
-        require(kind in (_TILES, _FRAME_END, _CLASS_END, _CAR_REFUSED, _OBJECTS), "unknown type")
+        require(kind in (_TILES, _FRAME_END, _CLASS_END, _CAR_REFUSED, _OBJECTS, _RECEPTIONS), "unknown type")
         if kind == _CAR_REFUSED:
             require(len(body) >= 4 and len(body) >= 4 + body[1], "malformed")
             self.refusal = "".join(chr(byte) if 32 <= byte < 127 else "?" for byte in body[4:4 + body[1]])
             return
+        if kind == _RECEPTIONS and self._next is not None:
+            self._count(sequence)
+        if kind == _RECEPTIONS:
+            return  # for a PC that repeats the target's run
         if self._next is None:
             self._next, self._first, self._expected = (number - _HALF // 2) & _WORD, sequence, sequence
         require(self._ahead(number) < _HALF, "too late")
