@@ -3,6 +3,7 @@
 While it is connected the machine stands still; leaving the `with` lets it go on.
 """
 
+import functools
 import os
 import pathlib
 import socket
@@ -37,19 +38,31 @@ class Debugger:
                 time.sleep(0.02)
         self._bytes = b""
 
-    def __enter__(self) -> "Debugger":
+    def begin(self) -> None:
         self.ask("?")
         self.ask("qXfer:features:read:target.xml:0,ffb")  # who has not asked may set no register
+
+    def close(self) -> None:
+        self._socket.close()
+
+    def __enter__(self) -> "Debugger":
+        self.begin()
         return self
 
     def __exit__(self, *_) -> None:
         assert self.ask("D") == "OK", "it does not let the machine go on"
-        self._socket.close()
+        self.close()
+
+    def has_answer(self) -> bool:
+        """One that has been received already."""
+        return b"#" in self._bytes[self._bytes.find(b"$") + 1:] if b"$" in self._bytes else False
+
+    def fileno(self) -> int:
+        return self._socket.fileno()
 
     def ask(self, command: str) -> str:
         """Sends a packet and waits for the answer to it."""
-        body = command.encode("ascii")
-        self._socket.sendall(b"$" + body + b"#" + f"{sum(body) & 0xFF:02x}".encode("ascii"))
+        self._send(command)
         while True:
             packet = self._packet()
             if not packet.startswith("T") or command == "?":
@@ -64,6 +77,39 @@ class Debugger:
     def flip(self, address: int, bit: int = 0) -> None:
         self.write(address, bytes([self.read(address, 1)[0] ^ 1 << bit]))
 
+    def write_device(self, address: int, value: int) -> None:
+        """A register of a device, past what the firmware's MMU allows."""
+        assert self.ask("Qqemu.PhyMemMode:1") == "OK"
+        self.write(address, struct.pack("<I", value))
+        assert self.ask("Qqemu.PhyMemMode:0") == "OK"
+
+    def break_at(self, address: int) -> None:
+        assert self.ask(f"Z0,{address:x},4") == "OK", f"no breakpoint at {address:#x}"
+
+    def forget_break(self, address: int) -> None:
+        assert self.ask(f"z0,{address:x},4") == "OK", f"no breakpoint at {address:#x}"
+
+    def go_on(self) -> None:
+        """Who stands at a breakpoint has to leave it first: see step()."""
+        self._send("c")
+
+    def step(self, core: int) -> None:
+        """One instruction of one core, while the others stand still."""
+        self._send(f"vCont;s:{core + 1:x}")
+        self.stopped_core()
+
+    def interrupt(self) -> None:
+        """The machine is stopped soon."""
+        self._socket.sendall(b"\3")
+
+    def stopped_core(self) -> int | None:
+        """Waits until the machine stops; None: QEMU has ended."""
+        try:
+            packet = self._packet()
+        except (AssertionError, ConnectionError):
+            return None
+        return None if packet[0] in "WX" else int(packet[packet.index("thread:") + 7:].split(";")[0].split(".")[-1], 16) - 1
+
     def choose(self, core: int) -> None:
         """Whose registers are meant from now on; QEMU calls cores threads and counts them from 1."""
         assert self.ask(f"Hg{core + 1:x}") == "OK", f"no core {core}"
@@ -71,8 +117,22 @@ class Debugger:
     def register(self, number: int) -> int:
         return struct.unpack("<I", bytes.fromhex(self.ask(f"p{number:x}")))[0]
 
+    def flip_register(self, number: int, bit: int) -> None:
+        """Of any size: bit 0 is the lowest."""
+        value = bytearray(bytes.fromhex(self.ask(f"p{number:x}")))
+        value[bit // 8] ^= 1 << bit % 8
+        assert self.ask(f"P{number:x}={value.hex()}") == "OK", f"register {number} is not taken"
+
     def set_register(self, number: int, value: int) -> None:
         assert self.ask(f"P{number:x}={struct.pack('<I', value).hex()}") == "OK", f"register {number} is not taken"
+
+    def _send(self, command: str) -> None:
+        body = command.encode("ascii")
+        self._socket.sendall(b"$" + body + b"#" + f"{sum(body) & 0xFF:02x}".encode("ascii"))
+        # Once it is acknowledged, whatever comes is an answer.
+        while b"+" not in self._bytes:
+            self._receive()
+        self._bytes = self._bytes.replace(b"+", b"", 1)
 
     def _packet(self) -> str:
         while True:
@@ -82,11 +142,15 @@ class Debugger:
                 body, self._bytes = self._bytes[begin + 1:end], self._bytes[end + 3:]
                 self._socket.sendall(b"+")
                 return body.decode("ascii")
-            more = self._socket.recv(4096)
-            assert more, "QEMU has hung up"
-            self._bytes += more
+            self._receive()
+
+    def _receive(self) -> None:
+        more = self._socket.recv(4096)
+        assert more, "QEMU has hung up"
+        self._bytes += more
 
 
+@functools.cache
 def symbols_of(image: str) -> dict[str, int]:
     """Addresses by the names that C++ gives them."""
     table = subprocess.run(["arm-none-eabi-nm", "-C", image], check=True, text=True, stdout=subprocess.PIPE).stdout

@@ -1,0 +1,54 @@
+// Where in the firmware's memory what lies: the lines of a table in a section of their own, which
+// tests/faults/places.py reads and adds to the addresses of the image. Compiled without access
+// control, since most of it is private.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "app/loop.hpp"
+#include "board.hpp"
+#include "firmware_grids.hpp"
+
+namespace {
+
+using iog::imx6::Board;
+using iog::imx6::EnetMemory;
+using Platform = iog::app::MachinePlatform<Board>;
+using Pipeline = iog::app::MachinePipeline<Board, iog::imx6::kGrids>;
+using Engine = iog::app::PerceptionEngine;
+
+struct Line {
+  std::array<char, 24> kind;
+  std::array<char, 40> object;  // a symbol of the image
+  std::uint32_t offset;
+  std::uint32_t bytes;
+};
+
+constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
+
+// A macro, because a member's name is no value.
+#define IOG_LINE(kind, object, base, type, member) \
+  Line { {kind}, {object}, (base) + offsetof(type, member), sizeof(type::member) }
+#define IOG_OF_ENGINE(kind, member) IOG_LINE(kind, "main::pipeline", kEngine, Engine, member)
+#define IOG_OF_DMA(kind, member) IOG_LINE(kind, "iog::imx6::enet_memory", 0, EnetMemory, member)
+
+[[gnu::used, gnu::section("layout")]] constexpr std::array kLayout = {
+    IOG_LINE("index grids", "main::pipeline", 0, Pipeline, helpers_),
+    IOG_OF_ENGINE("index grids", fusion_),
+    IOG_OF_ENGINE("index grids", fused_),
+    IOG_OF_ENGINE("class planes", window_),
+    IOG_OF_ENGINE("objects", follower_),
+    IOG_OF_ENGINE("intake", frame_),
+    IOG_OF_ENGINE("intake", packets_),
+    IOG_OF_ENGINE("intake", slices_),
+    IOG_OF_ENGINE("poses", poses_),
+    IOG_LINE("stream", "main::pipeline", 0, Pipeline, network_),
+    Line{{"network and team"}, {"main::platform"}, 0, sizeof(Platform)},
+    Line{{"drivers"}, {"main::board"}, 0, sizeof(Board)},
+    IOG_OF_DMA("receive descriptors", receive_descriptors),
+    IOG_OF_DMA("transmit descriptors", transmit_descriptors),
+    IOG_OF_DMA("receive buffers", receive_buffers),
+    IOG_OF_DMA("transmit buffers", transmit_buffers),
+};
+
+}  // namespace
