@@ -56,6 +56,10 @@ struct RecordOptions {
   bool with_maps = false;
 };
 
+Stamp stamp_of(const std::string& name) {
+  return static_cast<Stamp>(std::ranges::find(kStampNames, name) - kStampNames.begin());
+}
+
 // Of one that is not written yet by its name; of anything else that is not a folder, an error.
 std::unique_ptr<Recording> recording_of(const std::string& path, const RecordOptions& options) {
   const std::string suffix = std::filesystem::path(path).extension();
@@ -63,7 +67,7 @@ std::unique_ptr<Recording> recording_of(const std::string& path, const RecordOpt
     return std::make_unique<McapRecording>(
         path, options.topics,
         options.is_uncompressed ? mcap::Compression::kNone : mcap::Compression::kZstd,
-        options.stamp == "arrival" ? Stamp::kArrival : Stamp::kTarget);
+        stamp_of(options.stamp));
   }
   if (suffix == ".pcap") {
     return std::make_unique<PcapRecording>(path);
@@ -208,10 +212,10 @@ void add_destinations(CLI::App& command, RecordOptions& options) {
   command
       .add_option(
           "--stamp", options.stamp,
-          "The clock of the stamps in an MCAP file: the target's, which begins when it starts, "
-          "or that of the log time, to be joined with what others record")
-      ->option_text("target | arrival  (default target)")
-      ->check(CLI::IsMember({"target", "arrival"}));
+          "The clock of the stamps in an MCAP file: the target's, which begins when it starts; "
+          "that of the log time, or that of the poses, to be joined with what others record")
+      ->option_text("target | arrival | poses  (default target)")
+      ->check(CLI::IsMember({"target", "arrival", "poses"}));
   command.add_option("--every", options.pictures.every, "Draw every Nth frame")
       ->option_text("N  (default 1)")
       ->check(CLI::PositiveNumber);

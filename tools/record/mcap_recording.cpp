@@ -49,7 +49,7 @@ std::uint16_t McapRecording::channel_of(std::string_view topic, const ros::Messa
 
 void McapRecording::finish(const RunStatistics::Facts& facts) {
   std::map<std::string, std::string> known(facts.begin(), facts.end());
-  known["stamps"] = stamp_ == Stamp::kArrival ? "arrival" : "target";
+  known["stamps"] = kStampNames.at(static_cast<std::size_t>(stamp_));
   file_.finish(kRunMetadata, known);
 }
 

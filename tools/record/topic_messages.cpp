@@ -50,7 +50,7 @@ void TopicMessages::write(std::string_view topic, const ros::MessageType& type,
 }
 
 void TopicMessages::take_datagram(const CapturedDatagram& datagram) {
-  const std::uint64_t stamp_us = stamp_ == Stamp::kArrival ? datagram.time_us : sent_us(datagram);
+  const std::uint64_t stamp_us = stamp_ == Stamp::kTarget ? sent_us(datagram) : datagram.time_us;
   write(kMessagesTopic, ros::kUint8MultiArray,
         {.arrival_us = datagram.time_us, .stamp_us = stamp_us},
         [&] { return ros::uint8_multi_array(datagram.payload); });
@@ -58,9 +58,11 @@ void TopicMessages::take_datagram(const CapturedDatagram& datagram) {
 
 void TopicMessages::take_frame(const RecordedFrame& recorded) {
   const GridFrame& frame = *recorded.frame;
-  const MessageTimes times{
-      .arrival_us = recorded.time_us,
-      .stamp_us = stamp_ == Stamp::kArrival ? recorded.time_us : frame.header.closed_us};
+  const std::optional<std::uint64_t> stamp_us = stamp_of(recorded);
+  if (!stamp_us) {
+    return;
+  }
+  const MessageTimes times{.arrival_us = recorded.time_us, .stamp_us = *stamp_us};
   take_diagnostics(recorded, times);
   take_mounts(recorded, times);
   if (frame.header.has_indexes()) {
@@ -76,6 +78,20 @@ void TopicMessages::take_frame(const RecordedFrame& recorded) {
     write(kPointsTopic, ros::kPointCloud, times,
           [&] { return ros::point_cloud(recorded.points, times.stamp_us); });
   }
+}
+
+std::optional<std::uint64_t> TopicMessages::stamp_of(const RecordedFrame& recorded) const {
+  const GridFrame& frame = *recorded.frame;
+  switch (stamp_) {
+    case Stamp::kTarget:
+      return frame.header.closed_us;
+    case Stamp::kArrival:
+      return recorded.time_us;
+    case Stamp::kPoses:
+      break;
+  }
+  const bool has_window = frame.classes && frame.classes->has_window();
+  return has_window ? std::optional(frame.classes->window.slices_end_us) : std::nullopt;
 }
 
 void TopicMessages::take_diagnostics(const RecordedFrame& recorded, const MessageTimes& times) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -36,9 +37,11 @@ inline constexpr std::array kAllTopics{kTransformTopic, kMountsTopic,      kOccu
 inline constexpr std::string_view kMessageEncoding = "cdr";
 inline constexpr std::string_view kSchemaEncoding = "ros2msg";
 
-// Which clock header.stamp and the publish time are of: the target's, which begins when it starts,
-// or the recorder's, at which the frame had arrived.
-enum class Stamp : std::uint8_t { kTarget, kArrival };
+// Which clock header.stamp and the publish time are of: the target's, which begins when it starts;
+// the recorder's, at which the frame had arrived; or that of the poses, at the end of the frame's
+// last slice (docs/spec.md 5.3).
+enum class Stamp : std::uint8_t { kTarget, kArrival, kPoses };
+inline constexpr std::array<std::string_view, 3> kStampNames{"target", "arrival", "poses"};
 
 struct MessageTimes {
   std::uint64_t arrival_us = 0;  // since 1970
@@ -61,7 +64,8 @@ class TopicSink {
 
 class TopicMessages {
  public:
-  // The sink outlives this.
+  // The sink outlives this. With kPoses frames without classes have no message but those of
+  // kMessagesTopic, whose stamps are those of arrival.
   TopicMessages(TopicSink& sink, Stamp stamp) : sink_(&sink), stamp_(stamp) {}
 
   void take_datagram(const CapturedDatagram& datagram);
@@ -77,6 +81,7 @@ class TopicMessages {
   void take_indexes(const RecordedFrame& recorded, const MessageTimes& times);
   void take_classes(const RecordedFrame& recorded, const MessageTimes& times);
   void take_objects(const RecordedFrame& recorded, const MessageTimes& times);
+  [[nodiscard]] std::optional<std::uint64_t> stamp_of(const RecordedFrame& recorded) const;
   [[nodiscard]] const ros::Percents& percents_of(std::uint32_t vehicle_id);
 
   TopicSink* sink_;
