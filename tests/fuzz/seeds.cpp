@@ -182,9 +182,9 @@ void add_tile_seeds(Seeds& seeds) {
   for (int i = 0; i < 100; ++i) {
     drawing.push_back(static_cast<std::byte>(i * 37));
   }
-  seeds.add("tile_encoder", drawing);
-  seeds.add("protected_link", drawing);
-  seeds.add("cobs", drawing);
+  for (const char* const name : {"tile_encoder", "protected_link", "cobs", "secured_message"}) {
+    seeds.add(name, drawing);
+  }
 }
 
 // Driving on, message after message and slice after slice; and one message as its bytes.

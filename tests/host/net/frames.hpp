@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fakes/from_hex.hpp"
 #include "net/config.hpp"
 
 namespace iog::net::testing {
@@ -26,24 +27,7 @@ static_assert(is_valid(kConfig));
 
 inline constexpr MacAddress kPeerMac{{0x02, 0, 0, 0, 0, 0x02}};
 
-// Bytes from hexadecimal digits; blanks are for the eye.
-inline Frame from_hex(std::string_view text) {
-  Frame bytes;
-  unsigned high = 0;
-  bool half = false;
-  for (const char c : text) {
-    if (c == ' ') {
-      continue;
-    }
-    const auto digit = static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10);
-    if (half) {
-      bytes.push_back(static_cast<std::byte>(high << 4 | digit));
-    }
-    high = digit;
-    half = !half;
-  }
-  return bytes;
-}
+using tests::from_hex;
 
 inline std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

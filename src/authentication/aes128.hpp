@@ -1,0 +1,26 @@
+// AES with a key of 128 bits, encryption alone (FIPS 197). No table, no branch and no address
+// depends on key or data.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "authentication/key.hpp"
+#include "authentication/planes.hpp"
+
+namespace iog::authentication {
+
+class Aes128 {
+ public:
+  explicit Aes128(const Key& key);
+
+  [[nodiscard]] Block encrypt(std::span<const std::byte, kBlockBytes> block) const;
+
+ private:
+  static constexpr std::size_t kRounds = 10;
+
+  std::array<Planes, kRounds + 1> round_keys_;
+};
+
+}  // namespace iog::authentication

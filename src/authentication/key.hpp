@@ -1,0 +1,14 @@
+// The key that sender and target share: 128 bits, as AES-128 has them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace iog::authentication {
+
+inline constexpr std::size_t kBlockBytes = 16;
+
+using Block = std::array<std::byte, kBlockBytes>;
+using Key = Block;
+
+}  // namespace iog::authentication
