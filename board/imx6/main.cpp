@@ -52,6 +52,19 @@ void print_car(Board& board, const iog::vehicle::Vehicle& car, const iog::net::C
       {.reason = static_cast<std::uint8_t>(verdict.refusal), .words = words.view()});
 }
 
+// Of a car that has a key.
+std::optional<iog::app::SignedCommands> signed_commands(Board& board, car_block::Block block,
+                                                        const iog::vehicle::Vehicle& car,
+                                                        const iog::net::Config& network) {
+  const auto key = car_block::read_key(block);
+  if (!key) {
+    return std::nullopt;
+  }
+  board.console().write("poses and maps have to be signed\n");
+  return iog::app::SignedCommands{
+      .key = *key, .vehicle = &car, .replayer_ipv4 = network.peer.value};
+}
+
 // All of it once, before anything is made with it. Memory that is not what it should be ends the
 // run: what is wrong with it may be wrong with anything.
 iog::health::MemoryCheck check_of(Board& board, iog::imx6::ConstantMemory& memory) {
@@ -86,7 +99,8 @@ int main() {
   if (network->service_instance != 0) {
     board.ethernet().join(iog::net::kDiscoveryGroupMac.octets);
   }
-  static Platform platform(board, with_mac(*network, board.mac_address()), iog::imx6::kCores);
+  static Platform platform(board, with_mac(*network, board.mac_address()), iog::imx6::kCores,
+                           signed_commands(board, block, car, *network));
   static iog::app::SerialSink serial;
   // The peer is the only destination that the firmware ever sends messages to, and it may replay
   // recordings in the name of the sensors.

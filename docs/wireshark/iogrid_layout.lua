@@ -259,6 +259,14 @@ for _, name in ipairs({
 }) do
   table.insert(LINK, name)
 end
+-- And those of a target that wants its commands signed.
+for _, kind in ipairs({ "poses", "maps" }) do
+  for _, what in ipairs({ "authentic", "unsigned", "replayed", "forged", "last counter" }) do
+    table.insert(LINK, kind .. " " .. what)
+  end
+end
+table.insert(LINK, "commands MAC high")
+table.insert(LINK, "commands MAC low")
 local POSE_FATES = { "used", "unconfirmed", "stranger", "too short", "not ours", "wrong version",
                      "damaged", "wrong length", "wrong flags", "not zero", "out of range",
                      "no sigma", "too old", "not newer", "flood", "of a past run" }

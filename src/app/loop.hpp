@@ -13,11 +13,13 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
 
 #include "app/backlog.hpp"
+#include "app/command_gate.hpp"
 #include "app/core_report.hpp"
 #include "app/life.hpp"
 #include "app/loop_times.hpp"
@@ -72,11 +74,13 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // cores: how many are to work, if the machine has as many.
-  MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1)
+  // cores: how many are to work, if the machine has as many. commands: of a car that has a key.
+  MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
+                  const std::optional<SignedCommands>& commands = {})
       : machine_(machine),
         host_(machine.ethernet(), config),
         offering_(machine.ethernet(), host_, config, machine.run_number()),
+        gate_(commands, machine.run_number()),
         team_(machine.cores(), kPatienceUs) {
     team_.start(cores);
     report_cores(machine_.console(), team_);
@@ -84,6 +88,16 @@ class MachinePlatform {
 
   [[nodiscard]] net::Host<Port>& host() { return host_; }
   [[nodiscard]] Offering<Port>& offering() { return offering_; }
+
+  // A datagram as the pipeline is to see it, valid until the next one. Nothing: it was of service
+  // discovery, and is dealt with; or it was to be signed, and is dropped.
+  [[nodiscard]] std::optional<intake::Datagram> admit(const net::Datagram& datagram,
+                                                      std::uint64_t now_us) {
+    if (offering_.take(datagram, now_us)) {
+      return std::nullopt;
+    }
+    return gate_.pass({datagram.source.value, datagram.destination_port, datagram.payload});
+  }
 
   // The line's transmitter is looked after between two messages, too: there may be hundreds.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
@@ -152,9 +166,13 @@ class MachinePlatform {
     require(vitals.link_counters.size() - out.size() == stream::kTimeCounters);
     times_.write(out.first<LoopTimes::kCounters>());
     out = out.subspan<LoopTimes::kCounters>();
-    if (offering_.is_on()) {
+    if (offering_.is_on() || gate_.is_on()) {
       require(vitals.link_counters.size() - out.size() == stream::kDiscoveryCounters);
       append(offering_.counts());
+    }
+    if (gate_.is_on()) {
+      require(vitals.link_counters.size() - out.size() == stream::kCommandCounters);
+      append(gate_.counts());
     }
     vitals.link_counter_count = vitals.link_counters.size() - out.size();
     vitals.link_drops = port.receive_errors + port.oversized + port.receive_overflows +
@@ -179,6 +197,7 @@ class MachinePlatform {
   M& machine_;
   net::Host<Port> host_;
   Offering<Port> offering_;
+  CommandGate gate_;
   Team team_;
   LoopTimes times_;
   work::CoreTimes core_times_;
@@ -215,10 +234,9 @@ void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& bac
     if (!datagram) {
       break;
     }
-    if (platform.offering().take(*datagram, now_us)) {
-      continue;
+    if (const auto admitted = platform.admit(*datagram, now_us)) {
+      pipeline.take(*admitted, now_us);
     }
-    pipeline.take({datagram->source.value, datagram->destination_port, datagram->payload}, now_us);
     machine.serial().pump();
   }
 }
@@ -237,9 +255,8 @@ void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
     if (!datagram) {
       break;
     }
-    if (!platform.offering().take(*datagram, now_us)) {
-      pipeline.leave({datagram->source.value, datagram->destination_port, datagram->payload},
-                     now_us);
+    if (const auto admitted = platform.admit(*datagram, now_us)) {
+      pipeline.leave(*admitted, now_us);
     }
     now_us = machine.clock().now_us();
   }

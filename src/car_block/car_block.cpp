@@ -57,12 +57,39 @@ std::optional<net::Config> read_network(Block block, const RecordPlace& place) {
   return in.ok() && net::is_valid(network) ? std::optional(network) : std::nullopt;
 }
 
+std::span<const std::byte> bytes_of(Block block, const RecordPlace& place) {
+  return block.subspan(place.offset, place.capacity);
+}
+
+// A block of the time before there were keys has zeros there, too.
+Refusal refusal_of_key(Block block) {
+  const auto is_zero = [](std::byte byte) { return byte == std::byte{0}; };
+  if (std::ranges::all_of(bytes_of(block, kKeyRecord), is_zero)) {
+    return Refusal::kNone;
+  }
+  const Record record = read_record(block, kKeyRecord);
+  const bool has_key = record.content.size() == authentication::kBlockBytes;
+  return record.refusal == Refusal::kNone && !has_key ? Refusal::kWrongLength : record.refusal;
+}
+
 // Of what keeps to its limits.
 void derive(vehicle::Vehicle& car, SensorMemory& memory) {
   vehicle::derive_rules(car.sensors, car.window);
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     vehicle::derive_limits(car.footprint, car.z_min, car.z_max, memory.sensors[i]);
   }
+}
+
+std::string_view name_of(Part part) {
+  switch (part) {
+    case Part::kCar:
+      return "description: ";
+    case Part::kNetwork:
+      return "network: ";
+    case Part::kKey:
+      return "authentication: ";
+  }
+  return "unknown: ";
 }
 
 std::string_view text_of(Refusal refusal) {
@@ -90,6 +117,22 @@ std::string_view text_of(Refusal refusal) {
 }
 
 }  // namespace
+
+void write_key(const authentication::Key& key, WritableBlock block) {
+  wire::ByteWriter out = content_of(block, kKeyRecord);
+  out.bytes(key);
+  frame_record(block, kKeyRecord, out.written().size());
+}
+
+std::optional<authentication::Key> read_key(Block block) {
+  const Record record = read_record(block, kKeyRecord);
+  authentication::Key key{};
+  if (record.content.size() != key.size()) {
+    return std::nullopt;
+  }
+  std::ranges::copy(record.content, key.begin());
+  return key;
+}
 
 Firmware firmware_of(vehicle::Grids grids) {
   return {.cell_mm = geometry::kCellMm,
@@ -134,7 +177,10 @@ Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                  vehicle::Vehicle& vehicle) {
   const std::optional<net::Config> network = read_network(block);
   if (!network) {
-    return {.refusal = Refusal::kDamaged, .is_of_network = true};
+    return {.refusal = Refusal::kDamaged, .part = Part::kNetwork};
+  }
+  if (const Refusal refusal = refusal_of_key(block); refusal != Refusal::kNone) {
+    return {.refusal = refusal, .part = Part::kKey};
   }
   const Record record = read_record(block, kCarRecord);
   if (record.refusal != Refusal::kNone) {
@@ -156,7 +202,7 @@ Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
 }
 
 Words::Words(const Verdict& verdict) {
-  add(verdict.is_of_network ? "network: " : "description: ");
+  add(name_of(verdict.part));
   add(text_of(verdict.refusal));
   if (verdict.refusal != Refusal::kLimit) {
     return;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "authentication/key.hpp"
 #include "car_block/layout.hpp"
 #include "car_block/read_vehicle.hpp"
 #include "car_block/record.hpp"
@@ -39,14 +40,23 @@ void write_block_without_car(vehicle::Grids grids, const net::Config& network, W
 // Nothing: the block does not say.
 [[nodiscard]] std::optional<Firmware> read_firmware(Block block);
 
+// Asks for commands that are signed with that key, in a block that has been written.
+void write_key(const authentication::Key& key, WritableBlock block);
+
+// The key, if there is one. What is damaged is not taken for none: read_car() refuses it.
+[[nodiscard]] std::optional<authentication::Key> read_key(Block block);
+
 // That of either of its two records; nothing if both are damaged or not valid.
 [[nodiscard]] std::optional<net::Config> read_network(Block block);
+
+// Which of the records.
+enum class Part : std::uint8_t { kCar, kNetwork, kKey };
 
 // What has become of a block.
 struct Verdict {
   Refusal refusal = Refusal::kNone;
-  bool is_of_network = false;  // the record that was refused; else that of the car
-  vehicle::Fault fault{};      // of kLimit
+  Part part = Part::kCar;  // that was refused
+  vehicle::Fault fault{};  // of kLimit
 };
 
 // All of a car, checked. grids: of the firmware. vehicle refers to the block and to the memory;

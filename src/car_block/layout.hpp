@@ -24,7 +24,8 @@ struct RecordPlace {
   std::size_t capacity = 0;  // with the header
 };
 
-inline constexpr RecordPlace kFirmwareRecord{0x494F4746, 0, 64};  // "IOGF"
+inline constexpr RecordPlace kFirmwareRecord{0x494F4746, 0, 32};  // "IOGF"
+inline constexpr RecordPlace kKeyRecord{0x494F474B, 32, 32};      // "IOGK"; all 0: there is none
 inline constexpr RecordPlace kNetworkRecord{0x494F474E, 64, 64};  // "IOGN"
 inline constexpr RecordPlace kNetworkCopy{0x494F474E, kBlockBytes - 64, 64};
 inline constexpr RecordPlace kCarRecord{0x494F4743, 128, kBlockBytes - 64 - 128};  // "IOGC"

@@ -74,7 +74,7 @@ struct StageTicks {
 };
 inline constexpr std::size_t kStageCount = 4;
 
-inline constexpr std::size_t kMaxLinkCounters = 200;
+inline constexpr std::size_t kMaxLinkCounters = 216;
 
 // Where the counters of the cores are among the link counters: cores at work, items done for lost
 // cores, and those done by core 0 to 3.
@@ -90,8 +90,11 @@ inline constexpr std::size_t kTimeRows = 10;
 inline constexpr std::size_t kTimeRowCounters = 13;
 
 // And where those of service discovery (discovery/counters.hpp) of a target that offers its
-// service.
+// service, or wants its commands signed.
 inline constexpr std::size_t kDiscoveryCounters = 185;
+
+// And where those of signed commands (app/command_gate.hpp) of a target that wants them signed.
+inline constexpr std::size_t kCommandCounters = 199;
 
 // The last message of a frame.
 struct FrameEnd {

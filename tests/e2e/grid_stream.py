@@ -10,6 +10,7 @@ import protected_message
 import reception_parts
 import tile_coding
 import vehicle_id
+from link_counters import COMMAND_COUNTERS, DISCOVERY_COUNTERS, LINK_COUNTERS, PACKET_DROPS
 
 TILES, FRAME_END, CLASS_END, OBJECTS = 1, 2, 3, 5
 CLOSED_BY_TIME, BAYES, HAS_CLASSES, HAS_NO_INDEXES, HAS_OBJECTS = 0x01, 0x02, 0x04, 0x08, 0x10
@@ -22,36 +23,6 @@ TILE_COUNT = TILES_ACROSS * TILES_ACROSS
 OLDEST_REFERENCE = 7  # frames
 NEVER_SEEN, SILENT, PARTIAL, COMPLETE = range(4)
 NEVER = 0xFFFF  # the age of a sensor that was never seen
-
-PACKET_DROPS = ("stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
-                "late", "over budget", "other unit", "not taken")
-NET_DROPS = ("short", "not for us (MAC)", "VLAN tagged", "neither IPv4 nor ARP", "bad IP header",
-             "bad IP checksum", "fragment", "not for us (IP)", "bad source", "neither UDP nor ICMP",
-             "bad UDP length", "bad UDP checksum", "bad ICMP", "ping ignored", "other ICMP",
-             "bad ARP", "ARP ignored", "address conflict", "reply without room")
-LOOP_TIMES = ("fuse", "mark", "publish", "perceive", "frame", "late", *(f"core {core}" for core in range(4)))
-TIME_COUNTERS = ("worst us", "sum us high", "sum us low", *(f"below {256 << octave} us" for octave in range(9)),
-                 "longer")
-LINK_COUNTERS = ("frames received", "datagrams delivered", "ARP answered", "ARP learned",
-                 "pings answered", "messages sent", "ARP requested", *NET_DROPS,
-                 "peer unresolved", "ring full", "misuse",
-                 "port received", "receive errors", "oversized", "port sent", "port refused",
-                 "fragments joined", "fragments duplicate", "fragments overlapping", "fragments bad",
-                 "fragments refused", "datagrams joined", "datagrams expired", "datagrams displaced",
-                 "cores at work", "items for lost cores",
-                 *(f"items of core {core}" for core in range(4)), "port without room",
-                 "port restarts", "received lost by restarts", "unsent lost by restarts",
-                 "starts since power-up", "end of the run before", "detail of that end",
-                 *(f"{row} {what}" for row in LOOP_TIMES for what in TIME_COUNTERS))
-# Of a target that offers its service.
-DISCOVERY_COUNTERS = ("SD received", "SD malformed", "SD spoofed", "SD unanswered", "SD offers", "SD found",
-                      "SD subscriptions acknowledged", "SD subscriptions refused",
-                      "SD subscriptions unconfirmed", "SD subscriptions stopped",
-                      "SD subscriptions expired", "SD subscribers rebooted", "SD copied", "SD not copied")
-# What the header of a message counts as dropped, besides PACKET_DROPS: damaged datagrams.
-DAMAGED = ("short", "bad IP header", "bad IP checksum", "fragment", "bad source", "bad UDP length",
-           "bad UDP checksum", "receive errors", "oversized", "datagrams expired", "datagrams displaced",
-           "port without room", "received lost by restarts")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -280,8 +251,10 @@ def read_frame_end(body: bytes) -> FrameEnd:
     sent, lost, crc, _, opened_us, _ = struct.unpack_from(">IIIIQI", body)
     stages, fates, causes, links = struct.unpack_from(">BBBB", body, 28)
     assert stages == 4 and fates in (10, 13), "10 until version 4 had the ground"
-    all_links = LINK_COUNTERS + DISCOVERY_COUNTERS
-    assert causes == len(PACKET_DROPS) and links in (0, len(LINK_COUNTERS), len(all_links)), "another spec.md"
+    with_discovery = LINK_COUNTERS + DISCOVERY_COUNTERS
+    all_links = with_discovery + COMMAND_COUNTERS
+    assert causes == len(PACKET_DROPS) and links in (0, len(LINK_COUNTERS), len(with_discovery), len(all_links)), \
+        "another spec.md"
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
     at = 32 + 4 * len(counts)
     assert body[at:at + 4] == b"\x10\0\0\0", "a sensor record is 16 bytes"

@@ -4,6 +4,7 @@ reads it."""
 import re
 
 import grid_stream
+import link_counters
 import map_state
 import object_parts
 import protected_message
@@ -165,7 +166,7 @@ def shown_of_frame_end(frame: int, end: grid_stream.FrameEnd) -> dict[str, list]
              "iogrid.tiles_sent": [end.tiles_sent], "iogrid.tiles_lost": [end.tiles_lost],
              "iogrid.grid_crc": [f"0x{end.crc:08x}"], "iogrid.opened_us": [end.opened_us]}
     shown |= {field_of("fate", name): [count] for name, count in zip(FATES, end.fates)}
-    shown |= {field_of("drop" if name in grid_stream.PACKET_DROPS else "link", name): [count]
+    shown |= {field_of("drop" if name in link_counters.PACKET_DROPS else "link", name): [count]
               for name, count in end.counters.items()}
     for name, field in (("state", "state"), ("age", "age"), ("packets", "packets"),
                         ("points", "points"), ("scan_number", "scan")):

@@ -102,6 +102,44 @@ TEST(CarBlock, TheNetworkSaysWhichInstanceIsOffered) {
   }
 }
 
+// docs/spec.md 8.6: a record behind the firmware's, where a car without a key has zeros.
+TEST(CarBlock, TheKeyStandsBehindTheFirmware) {
+  CarBytes bytes(vehicles::car("reference_car"));
+  EXPECT_FALSE(read_key(bytes.block()));
+  for (std::size_t at = 24; at < 64; ++at) {
+    EXPECT_EQ(bytes.at(at), std::byte{0}) << at;
+  }
+  const std::vector<std::byte> before(bytes.block().begin(), bytes.block().end());
+  authentication::Key key{};
+  key.front() = std::byte{0xA0};
+  key.back() = std::byte{0x0B};
+  write_key(key, bytes.writable());
+  EXPECT_EQ(read_key(bytes.block()), key);
+  EXPECT_EQ(bytes.be32(32), 0x494F474BU);
+  EXPECT_EQ(bytes.be32(40), 16U);
+  EXPECT_EQ(bytes.be32(48), 0xA0000000U);
+  EXPECT_EQ(bytes.be32(60), 0x0000000BU);
+  for (std::size_t at = 0; at < before.size(); ++at) {
+    EXPECT_TRUE(bytes.at(at) == before[at] || (at >= 32 && at < 64)) << at;
+  }
+  EXPECT_EQ(bytes.read().refusal, Refusal::kNone);
+  EXPECT_EQ(bytes.car.id, vehicles::car("reference_car").vehicle.id) << "it is no part of its name";
+}
+
+// Else a bit that flips would let everybody in.
+TEST(CarBlock, ADamagedKeyIsNotTakenForNone) {
+  CarBytes bytes(vehicles::car("reference_car"));
+  write_key(authentication::Key{std::byte{1}}, bytes.writable());
+  for (std::size_t bit = 8 * 32; bit < 8 * 64; ++bit) {
+    const auto flipped = static_cast<std::byte>(1U << bit % 8);
+    bytes.at(bit / 8) ^= flipped;
+    EXPECT_NE(bytes.read().refusal, Refusal::kNone) << bit;
+    bytes.at(bit / 8) ^= flipped;
+  }
+  bytes.at(50) ^= std::byte{1};
+  EXPECT_EQ(Words(bytes.read()).view(), "authentication: it is damaged");
+}
+
 TEST(CarBlock, TheNetworkStandsTwice) {
   const net::Config& written = vehicles::cars()[0].network;
   CarBytes bytes(vehicles::cars()[0]);
