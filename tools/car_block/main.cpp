@@ -55,6 +55,10 @@ void fill(const Request& request, car_block::WritableBlock block) {
     throw UsageError(request.paths[0] + ": its grids are not " +
                      std::string(word_of(*request.grids)));
   }
+  if (!car.key_file.empty()) {
+    throw UsageError(request.paths[0] +
+                     ": a key is no part of a build; `iog image` puts the car into an image");
+  }
   car_block::write_block(car.vehicle, car.network, block);
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "map/block.hpp"
+#include "tools/commands/signing_options.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/poses/pose_encoder.hpp"
@@ -40,6 +41,7 @@ struct PoseLogOptions {
   std::string origin;
   std::optional<double> map_sigma_mm;
   double map_heading_sigma_mrad = 2;
+  SigningOptions signing;
 };
 
 // By the name of what is to be read.
@@ -137,8 +139,8 @@ void write(const std::vector<CapturedDatagram>& datagrams, const std::string& pa
   std::cout << datagrams.size() << " poses in " << path << '\n';
 }
 
-void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& options) {
-  catch_interrupts();
+void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& options,
+          CommandSigner signer) {
   UdpSender sender(options.target, {options.port});
   Pace pace(options.speed);
   std::size_t sent = 0;
@@ -148,7 +150,8 @@ void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& 
     if (was_interrupted()) {
       break;
     }
-    ++(sender.send(0, datagram.payload) ? sent : refused);
+    const std::vector<std::byte> message = signer.as_sent(pose::kPoseChannel, datagram.payload);
+    ++(sender.send(0, message) ? sent : refused);
   }
   std::cout << sent << " poses sent, " << refused << " refused by the system; worst delay "
             << pace.worst_delay_us() << " us\n";
@@ -157,6 +160,9 @@ void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& 
 void convert(const PoseLogOptions& options) {
   if (options.out.empty() == options.target.empty()) {
     throw UsageError("give either --out FILE or --target ADDRESS");
+  }
+  if (!options.signing.key.empty() && options.target.empty()) {
+    throw UsageError("--key needs --target: what is signed is signed for one run of a target");
   }
   PoseLog read = log_of(options);
   const std::optional<PoseConversion::Map> map = map_of(options);
@@ -178,8 +184,12 @@ void convert(const PoseLogOptions& options) {
   for (const PoseSample& sample : log.samples) {
     datagrams.push_back(encoder.datagram_of(sample));
   }
+  if (!options.target.empty()) {
+    catch_interrupts();
+  }
+  const CommandSigner signer = signer_of(options.signing);
   print_remarks(options, log);
-  options.out.empty() ? send(datagrams, options) : write(datagrams, options.out);
+  options.out.empty() ? send(datagrams, options, signer) : write(datagrams, options.out);
 }
 
 void add_map_options(CLI::App& command, PoseLogOptions& options) {
@@ -247,6 +257,8 @@ void add_pose(CLI::App& program) {
       ->option_text("N  (default 1)")
       ->check(CLI::Range(1U, 0xFFFFFFFFU));
   add_map_options(*command, *options);
+  add_signing_options(*command, options->signing);
+  add_listening_options(*command, options->signing);
   command->footer(
       "csv: the first line names the columns, at least time_s,x_m,y_m,heading_deg; speed_m_s,\n"
       "yaw_rate_deg_s, sigma_m and sigma_heading_deg if known. oxts: a folder of KITTI with\n"

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/commands/signing_options.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
@@ -43,6 +44,7 @@ struct ReplayOptions {
   bool step = false;
   bool loop = false;
   std::string map;
+  SigningOptions signing;
 };
 
 // Where nobody says more, the target of the vehicle's own description; with --port-base a PC's own
@@ -74,6 +76,7 @@ class Replay {
         car_(&find_vehicle(options.vehicle)),
         ports_(ports_of(*car_)),
         poses_(options.loop ? rounds_before() : 0),
+        signer_(signer_of(options.signing)),
         sender_(target_of(options, *car_), target_ports(options, ports_)),
         pace_(options.speed.value_or(options.step ? 0.0 : 1.0)),
         progress_("packets") {
@@ -124,11 +127,20 @@ class Replay {
     return std::nullopt;
   }
 
+  [[nodiscard]] std::vector<std::byte> as_sent(const CapturedDatagram& datagram) {
+    if (is_pose_port(*car_, datagram.destination.port)) {
+      return signer_.as_sent(pose::kPoseChannel, datagram.payload);
+    }
+    return is_map_port(*car_, datagram.destination.port)
+               ? signer_.as_sent(map::kMapChannel, datagram.payload)
+               : datagram.payload;
+  }
+
   void send(const CapturedDatagram& datagram, const PcapReader& capture) {
     last_time_us_ = clock_.move_to(datagram.time_us) + time_offset_;
     pace_.wait_for(last_time_us_);
     const auto port = std::ranges::find(ports_, datagram.destination.port);
-    if (sender_.send(static_cast<std::size_t>(port - ports_.begin()), datagram.payload)) {
+    if (sender_.send(static_cast<std::size_t>(port - ports_.begin()), as_sent(datagram))) {
       ++sent_;
       bytes_ += datagram.payload.size();
     } else {
@@ -150,7 +162,7 @@ class Replay {
       throw UsageError("--map: " + options_->vehicle + " has no classes, so it has no use for one");
     }
     const std::vector<std::uint8_t> block = read_block(options_->map);
-    MapSender map(block, sender_, static_cast<std::size_t>(port - ports_.begin()));
+    MapSender map(block, sender_, static_cast<std::size_t>(port - ports_.begin()), signer_);
     for (int round = 0; round < 2; ++round) {
       refused_ += map.send_all(kChunksPerSecond);
     }
@@ -272,6 +284,7 @@ class Replay {
   std::set<std::uint16_t> ports_on_the_way_;  // whose datagrams the target may not have yet
   bool are_poses_on_the_way_ = false;
   std::chrono::steady_clock::time_point last_sent_;
+  CommandSigner signer_;
   UdpSender sender_;
   Pace pace_;
   Progress progress_;
@@ -314,6 +327,8 @@ void add_replay(CLI::App& program) {
   command->add_flag("--step", options->step, "After each frame wait for a line on standard input");
   command->add_option("--map", options->map, "Send this map first, made by `iog map`")
       ->option_text("FILE");
+  add_signing_options(*command, options->signing);
+  add_listening_options(*command, options->signing);
   command->add_flag("--loop", options->loop, "Begin again at the end, until interrupted");
   command->footer(
       "--speed is 1, with --step 0. For --step press Enter, or let `iog receive --notify` write "

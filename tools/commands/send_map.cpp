@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "map/chunk.hpp"
+#include "tools/commands/signing_options.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/map/block_file.hpp"
@@ -33,6 +34,7 @@ struct SendMapOptions {
   std::string bind = "127.0.0.1";
   double rate = kChunksPerSecond;
   unsigned rounds = 5;
+  SigningOptions signing;  // what it listens to is above
 };
 
 // What the target says of its map.
@@ -78,8 +80,9 @@ class SendMap {
   explicit SendMap(const SendMapOptions& options)
       : options_(&options),
         block_(read_block(options.file)),
+        signer_(signer_of(options)),
         sender_(options.target, {options.port}),
-        map_(block_, sender_, 0) {
+        map_(block_, sender_, 0, signer_) {
     if (options.listen != 0) {
       answer_.emplace(options.bind, options.listen);
     }
@@ -99,6 +102,13 @@ class SendMap {
   }
 
  private:
+  static CommandSigner signer_of(const SendMapOptions& options) {
+    SigningOptions signing = options.signing;
+    signing.listen = options.listen;
+    signing.bind = options.bind;
+    return tools::signer_of(signing);
+  }
+
   // As long as a block of 4 MiB is checked while frames are of silence, and half as much again.
   static constexpr std::chrono::seconds kPatience{5};
 
@@ -175,6 +185,7 @@ class SendMap {
 
   const SendMapOptions* options_;
   std::vector<std::uint8_t> block_;
+  CommandSigner signer_;
   UdpSender sender_;
   MapSender map_;
   std::optional<Answer> answer_;
@@ -207,6 +218,7 @@ void add_send_map(CLI::App& program) {
   command->add_option("--bind", options->bind, "IPv4 address to listen on")
       ->option_text("ADDRESS  (default 127.0.0.1)")
       ->needs("--listen");
+  add_signing_options(*command, options->signing);
   command->add_option("--rate", options->rate, "Chunks of 1280 bytes a second")
       ->option_text("N  (default 1000)")
       ->check(CLI::Range(1.0, 100'000.0));

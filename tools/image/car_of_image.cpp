@@ -1,13 +1,16 @@
 #include "tools/image/car_of_image.hpp"
 
 #include <memory>
+#include <span>
 
+#include "authentication/cmac.hpp"
 #include "car_block/car_block.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
 #include "tools/vehicles/car_words.hpp"
+#include "tools/vehicles/key_file.hpp"
 #include "tools/vehicles/network_words.hpp"
 
 namespace iog::tools {
@@ -67,6 +70,20 @@ std::string words_of_network(const net::Config& network) {
               : ", offered as instance " + std::to_string(network.service_instance));
 }
 
+// That of ANSI X9.24-1: the first five bytes of the CMAC of a block of zeros. It tells keys apart
+// and nothing else about them.
+std::string check_value(const authentication::Key& key) {
+  const authentication::CmacKey ready(key);
+  authentication::Cmac cmac(ready);
+  cmac.add(authentication::Block{});
+  const authentication::Block whole = cmac.finish();
+  std::string words;
+  for (const std::byte byte : std::span(whole).first<5>()) {
+    words += hex(std::to_integer<std::uint8_t>(byte), 2);
+  }
+  return words;
+}
+
 std::string words_of_sensor(const vehicle::Sensor& sensor) {
   std::string words(lidar::name_of(sensor.format));
   words += ", UDP " + std::to_string(sensor.udp_port);
@@ -91,6 +108,9 @@ void put_car(const CatalogueEntry& car, FirmwareImage& image) {
   std::vector<std::byte> block(car_block::kBlockBytes);
   const auto bytes = std::span(block).first<car_block::kBlockBytes>();
   car_block::write_block(*car.vehicle, *car.network, bytes);
+  if (!car.key_file.empty()) {
+    car_block::write_key(read_key_file(std::string(car.key_file)), bytes);
+  }
   image.set_block(bytes);
   demand_accepted(image);
 }
@@ -104,6 +124,9 @@ std::string words_of_image(const FirmwareImage& image) {
   }
   if (const auto network = car_block::read_network(block)) {
     words += row("network", words_of_network(*network));
+  }
+  if (const auto key = car_block::read_key(block)) {
+    words += row("commands", "signed, check value of the key " + check_value(*key));
   }
   const ReadCar car(block);
   if (car.verdict.refusal != car_block::Refusal::kNone) {

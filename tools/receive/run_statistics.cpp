@@ -50,6 +50,7 @@ void RunStatistics::add(const GridFrame& frame) {
     stack_used_bytes_ = std::max(stack_used_bytes_, frame.end.stack_used_bytes);
     core_shares_ = core_shares_of(frame.end);
     run_before_ = run_before_of(frame.end);
+    commands_ = command_counts_of(frame.end, frame.header.run_number);
     loop_times_ = loop_times_of(frame.end);
     if (frame.end.unwatched) {
       unwatched_ = frame.end.unwatched;
@@ -162,6 +163,9 @@ RunStatistics::Facts RunStatistics::facts() const {
     facts.emplace_back("end_of_the_run_before",
                        std::to_string(static_cast<unsigned>(run_before_->end.cause)));
     facts.emplace_back("detail_of_that_end", std::to_string(run_before_->end.detail));
+  }
+  if (commands_) {
+    facts.emplace_back("commands", words_of(*commands_));
   }
   if (unwatched_) {
     facts.emplace_back("unwatched_sectors", hex(*unwatched_, 16));
@@ -292,6 +296,9 @@ std::string RunStatistics::table(bool has_target) const {
   }
   if (run_before_ && run_before_->starts > 1) {
     text += row("target's starts", words_of(*run_before_));
+  }
+  if (commands_) {
+    text += row("commands", words_of(*commands_));
   }
   append_loop_times(text);
   return text + row("run hash", hex(run_hash())) + classes_.table() + objects_.table();

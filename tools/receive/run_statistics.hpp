@@ -11,6 +11,7 @@
 #include "tools/frames/grid_frame.hpp"
 #include "tools/program/table.hpp"
 #include "tools/receive/class_statistics.hpp"
+#include "tools/receive/command_counts.hpp"
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/loop_times.hpp"
@@ -86,6 +87,7 @@ class RunStatistics {
   std::optional<stream::Header> last_;  // of the last frame with an end
   std::uint32_t stack_used_bytes_ = 0;
   std::optional<hal::RunBefore> run_before_;
+  std::optional<CommandCounts> commands_;
   std::optional<LoopTimes> loop_times_;
   std::optional<std::uint64_t> unwatched_;  // of the newest frame that says it
   std::optional<CoreShares> core_shares_;   // since the target's start

@@ -6,14 +6,17 @@
 
 namespace iog::tools {
 
-MapSender::MapSender(std::span<const std::uint8_t> block, UdpSender& sender, std::size_t index)
+MapSender::MapSender(std::span<const std::uint8_t> block, UdpSender& sender, std::size_t index,
+                     CommandSigner& signer)
     : block_(std::as_bytes(block)),
       name_{.crc = map::Block(block).crc(), .bytes = static_cast<std::uint32_t>(block.size())},
       sender_(&sender),
-      index_(index) {}
+      index_(index),
+      signer_(&signer) {}
 
 bool MapSender::send(std::size_t number) {
-  return sender_->send(index_, encoder_.encode(map::chunk_of(name_.crc, block_, number)));
+  const auto message = encoder_.encode(map::chunk_of(name_.crc, block_, number));
+  return sender_->send(index_, signer_->as_sent(map::kMapChannel, message));
 }
 
 std::size_t MapSender::send_all(double chunks_per_s) {

@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "map/chunk.hpp"
+#include "tools/replay/command_signer.hpp"
 #include "tools/replay/udp_sender.hpp"
 
 namespace iog::tools {
 
 class MapSender {
  public:
-  // A sound block, which outlives this. To the sender's port base + index.
-  MapSender(std::span<const std::uint8_t> block, UdpSender& sender, std::size_t index);
+  // A sound block, which outlives this, as the signer does. To the sender's port base + index.
+  MapSender(std::span<const std::uint8_t> block, UdpSender& sender, std::size_t index,
+            CommandSigner& signer);
 
   [[nodiscard]] std::size_t chunks() const { return map::chunk_count(name_); }
   [[nodiscard]] const map::BlockName& name() const { return name_; }
@@ -31,6 +33,7 @@ class MapSender {
   map::BlockName name_;
   UdpSender* sender_;
   std::size_t index_;
+  CommandSigner* signer_;
   map::ChunkEncoder encoder_;
 };
 

@@ -165,7 +165,19 @@ net::Config read_network(TomlTable table) {
   return network;
 }
 
-Car read_fields(const toml::table& file, Mistakes& mistakes) {
+// Where the key is to be found; it is read by whoever needs it.
+std::string read_authentication(TomlTable table, const std::string& path) {
+  std::string key_file;
+  table.read("key_file", key_file);
+  table.demand({"key_file"});
+  table.refuse_others();
+  if (!key_file.empty()) {
+    key_file = std::filesystem::path(path).parent_path() / key_file;
+  }
+  return key_file;
+}
+
+Car read_fields(const toml::table& file, const std::string& path, Mistakes& mistakes) {
   TomlTable table(file, "", mistakes);
   Car car;
   description::Description& description = car.description;
@@ -186,6 +198,7 @@ Car read_fields(const toml::table& file, Mistakes& mistakes) {
     table.read("objects", description.objects.emplace());
   }
   car.network = read_network(table.table("network"));
+  car.key_file = read_authentication(table.table("authentication"), path);
   for (TomlTable& sensor : table.tables("sensors")) {
     read_sensor(sensor, car);
   }
@@ -282,6 +295,13 @@ void check_name(const std::string& path, const Car& car, const vehicle::Tell& te
   }
 }
 
+void check_key(const Car& car, const vehicle::Tell& tell) {
+  if (!car.key_file.empty() && !vehicle::have_classes(car.description.grids)) {
+    tell({.field = "authentication",
+          .allowed = "none, because a car whose grids have no classes takes no commands"});
+  }
+}
+
 void demand_none(const std::string& path, Mistakes& mistakes) {
   if (!mistakes.empty()) {
     throw UsageError(words_of(path, mistakes));
@@ -293,11 +313,12 @@ void demand_none(const std::string& path, Mistakes& mistakes) {
 Car parse_car(std::string_view text, const std::string& path) {
   const toml::table file = parse(text, path);
   Mistakes mistakes;
-  Car car = read_fields(file, mistakes);
+  Car car = read_fields(file, path, mistakes);
   demand_none(path, mistakes);
   Listener listener(file, mistakes);
   const vehicle::Tell tell(listener);
   check_name(path, car, tell);
+  check_key(car, tell);
   description::check(car.description, car.sensors, tell);
   for (const description::SensorConfig& sensor : car.sensors) {
     car.tables.push_back(description::numbers_of(sensor));

@@ -20,6 +20,7 @@ struct Car {
   description::Description description;
   std::vector<description::SensorConfig> sensors;
   net::Config network{};
+  std::string key_file;                 // of its authentication; empty: it has none
   std::vector<vehicle::Sensor> tables;  // of the sensors, in their order
   vehicle::Vehicle vehicle;             // what the target would know of it
 

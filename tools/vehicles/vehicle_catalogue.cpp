@@ -16,7 +16,8 @@ CatalogueEntry entry_of(const Car& car) {
   return {.vehicle = &car.vehicle,
           .description = &car.description,
           .sensors = car.sensors,
-          .network = &car.network};
+          .network = &car.network,
+          .key_file = car.key_file};
 }
 
 struct Catalogue {

@@ -19,6 +19,7 @@ struct CatalogueEntry {
   const description::Description* description;         // in metres, as a person wrote it
   std::span<const description::SensorConfig> sensors;  // in the order of vehicle->sensors
   const net::Config* network;
+  std::string_view key_file{};  // tools/vehicles/key_file.hpp; empty: the car has no key
 };
 
 [[nodiscard]] std::span<const CatalogueEntry> all_vehicles();

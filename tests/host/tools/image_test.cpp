@@ -188,5 +188,21 @@ TEST_F(ImageFile, ADamagedBlockIsToldAndMended) {
   EXPECT_NO_THROW(demand_accepted(image));
 }
 
+// docs/spec.md 8.6. The check value is of OpenSSL 3.0: openssl mac over 16 zeros.
+TEST_F(ImageFile, AKeyIsPutThereWithItsCar) {
+  FirmwareImage image(write(raw_image()));
+  EXPECT_EQ(words_of_image(image).find("commands"), std::string::npos);
+  CatalogueEntry car = find_vehicle("reference_car");
+  const std::string key_file = folder_ / "car.key";
+  OutputFile(key_file).write("2b7e151628aed2a6abf7158809cf4f3c\n");
+  car.key_file = key_file;
+  put_car(car, image);
+  EXPECT_NE(words_of_image(image).find("signed, check value of the key 7ad386c376"),
+            std::string::npos)
+      << words_of_image(image);
+  put_car(find_vehicle("reference_car"), image);
+  EXPECT_FALSE(car_block::read_key(image.block())) << "a car without a key takes it away";
+}
+
 }  // namespace
 }  // namespace iog::tools
