@@ -125,6 +125,8 @@ class Sabrelite:
             if self._awaits_a_new_run and message[10:12] == FIRST_SESSION:
                 self._assembler = grid_stream.Assembler()
                 self._awaits_a_new_run = False
+            if self._awaits_a_new_run and not self._continues(message):
+                raise HostStalled("the first frame of the new run was over before this PC answered ARP")
             if self._assembler.messages == 0 and message[10:12] != FIRST_SESSION:
                 raise HostStalled("the first frame was over before this PC answered ARP")
             if frame := self._assembler.take(message):
@@ -133,6 +135,10 @@ class Sabrelite:
     def expect_a_new_run(self) -> None:
         """The firmware starts anew, once; until it does, what it sends is of the run before."""
         self._awaits_a_new_run = True
+
+    def _continues(self, message: bytes) -> bool:
+        """Whether it is the next of the run before."""
+        return struct.unpack_from(">H", message, 10)[0] == self._assembler.messages % 0xFFFF + 1
 
     def next_message(self) -> bytes:
         """The next message as it came, of a firmware that sends no grid."""
