@@ -12,7 +12,9 @@
 #include <utility>
 #include <variant>
 
-#include "lidar/hesai.hpp"
+#include "lidar/hesai_pandar40p.hpp"
+#include "lidar/hesai_pandar64.hpp"
+#include "lidar/hesai_xt.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/ibeo_lux8.hpp"
 #include "lidar/ouster.hpp"
@@ -25,7 +27,9 @@ namespace iog::lidar {
 
 // The wire formats that are understood (docs/spec.md): the one list of them, from which all others
 // follow.
-using AnyDecoder = std::variant<HesaiPandar64,     //
+using AnyDecoder = std::variant<HesaiPandar40p,    //
+                                HesaiPandar64,     //
+                                HesaiXt16,         //
                                 HesaiXt32,         //
                                 IbeoLux,           //
                                 IbeoLux8,          //

@@ -9,6 +9,7 @@ namespace iog::lidar {
 namespace {
 
 constexpr std::uint8_t kMaker = 0x42;
+constexpr std::uint16_t kBlockFlag = 0xEEFF;
 constexpr std::uint16_t kHesaiTurn = HesaiPacket::kTicksPerTurn;
 constexpr std::array<std::uint8_t, 4> kSingleModes{0x33, 0x34, 0x37, 0x38};
 constexpr std::array<std::uint8_t, 5> kDualModes{0x39, 0x3A, 0x3B, 0x3C, 0x3E};
@@ -44,7 +45,8 @@ DecodeStatus HesaiPacket::read(const HesaiUnit& unit, std::span<const std::byte>
   }
   packet_ = datagram;
   corrections_ = corrections.size() == unit.lasers ? corrections : corrections_;
-  if (!is_of(unit) || !read_mode(unit)) {
+  const bool begins = unit.header_bytes == 0 ? has_flags_of(unit) : has_header_of(unit);
+  if (!begins || byte_at(unit.maker_at) != kMaker || !read_mode(unit)) {
     return DecodeStatus::kWrongType;
   }
   const DecodeStatus status = read_azimuths(unit);
@@ -53,17 +55,26 @@ DecodeStatus HesaiPacket::read(const HesaiUnit& unit, std::span<const std::byte>
   }
   info_.point_count = static_cast<std::uint32_t>(unit.blocks * unit.lasers);
   read_times(unit);
-  const std::uint64_t of_azimuth = fingerprint(packet_.subspan(unit.header_bytes).first(2));
+  const std::uint64_t of_azimuth = fingerprint(packet_.subspan(unit.block_at(0)).first(2));
   const std::uint64_t of_tail = fingerprint(packet_.subspan(unit.mode_at), of_azimuth);
   info_.fingerprint = fingerprint(packet_.subspan(unit.time_at).first(4), of_tail);
   return DecodeStatus::kOk;
 }
 
-bool HesaiPacket::is_of(const HesaiUnit& unit) const {
+bool HesaiPacket::has_header_of(const HesaiUnit& unit) const {
   return byte_at(0) == 0xEE && byte_at(1) == 0xFF && byte_at(2) == unit.model[0] &&
          byte_at(3) == unit.model[1] && byte_at(unit.counts_at) == unit.lasers &&
          byte_at(unit.counts_at + 1) == unit.blocks &&
-         byte_at(unit.distance_unit_at) == kMillimetresPerUnit && byte_at(unit.maker_at) == kMaker;
+         byte_at(unit.distance_unit_at) == kMillimetresPerUnit;
+}
+
+bool HesaiPacket::has_flags_of(const HesaiUnit& unit) const {
+  for (std::size_t block = 0; block < unit.blocks; ++block) {
+    if (half_at(unit.block_at(block) - unit.flag_bytes) != kBlockFlag) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool HesaiPacket::read_mode(const HesaiUnit& unit) {
@@ -127,8 +138,9 @@ void HesaiPacket::read_times(const HesaiUnit& unit) {
     const std::int64_t us = (ns + kSomeUs * 1'000 + 500) / 1'000 - kSomeUs;
     return stamp + static_cast<std::uint64_t>(us);  // modulo 2^64
   };
-  info_.sweep = {.begin_us = at(unit.first_laser_ns - (firings - 1) * unit.firing_ns),
-                 .end_us = at(unit.last_laser_ns),
+  const std::int64_t first_block_ns = unit.last_block_ns - (firings - 1) * unit.firing_ns;
+  info_.sweep = {.begin_us = at(first_block_ns + unit.first_laser_ns),
+                 .end_us = at(unit.last_block_ns + unit.last_laser_ns),
                  .turns_right = true,
                  .is_of_packet = true};
 }

@@ -1,11 +1,12 @@
-// Hesai Pandar64 and PandarXT-32 data packets: wire bytes to scan points.
+// Hesai Pandar and PandarXT data packets: what the units of the family share, and the one decoder
+// for all of them.
 //
 // One datagram, little endian: a header that says how many lasers and blocks follow, the blocks,
 // each an azimuth and a range for each laser, and a tail with time, return mode and the maker's
-// byte (docs/spec.md; Pandar64 User Manual, PandarXT User Manual, "Point Cloud Data Packet"). The
-// azimuth is clockwise from forward. In dual return mode blocks come in pairs of one azimuth; which
-// of the two is the nearer return differs from unit to unit, so it is told by the ranges. What else
-// the units differ in is a HesaiUnit, of which the compiler makes a decoder.
+// byte (docs/spec.md). A Pandar40P has no header; each of its blocks begins with a flag instead.
+// The azimuth is clockwise from forward. In dual return mode blocks come in pairs of one azimuth;
+// which of the two is the nearer return differs from unit to unit, so it is told by the ranges.
+// What else the units differ in is a HesaiUnit, of which the compiler makes a decoder.
 //
 // A point's azimuth is that of its block and its laser's own offset; that the head turns by up to
 // 0.2 degrees while the lasers of a block fire is left out, as in the maker's own conversion.
@@ -26,13 +27,14 @@
 
 namespace iog::lidar {
 
-// Times are after the stamp of the packet, ns: of the first laser of the last firing, of its last
-// laser, and from firing to firing.
+// Times in ns: of the last block, after the packet's stamp; of the first and the last laser of a
+// block, after their block; from firing to firing.
 struct HesaiUnit {
   std::array<std::uint8_t, 2> model{};  // the header's bytes 2 and 3
-  std::size_t header_bytes = 0;
-  std::size_t counts_at = 0;         // lasers and blocks in the header
-  std::size_t distance_unit_at = 0;  // in the header
+  std::size_t header_bytes = 0;         // none: each block has a flag
+  std::size_t counts_at = 0;            // lasers and blocks in the header
+  std::size_t distance_unit_at = 0;     // in the header
+  std::size_t flag_bytes = 0;           // before each azimuth
   std::size_t blocks = 0;
   std::size_t lasers = 0;
   std::size_t channel_bytes = 0;
@@ -42,12 +44,14 @@ struct HesaiUnit {
   std::size_t maker_at = 0;
   std::size_t bytes = 0;           // without what may follow
   std::size_t sequence_bytes = 0;  // may follow
+  std::int64_t last_block_ns = 0;
   std::int64_t first_laser_ns = 0;
   std::int64_t last_laser_ns = 0;
   std::int64_t firing_ns = 0;
 
+  // Where a block's azimuth is.
   [[nodiscard]] constexpr std::size_t block_at(std::size_t block) const {
-    return header_bytes + block * (2 + lasers * channel_bytes);
+    return header_bytes + flag_bytes + block * (flag_bytes + 2 + lasers * channel_bytes);
   }
 };
 
@@ -61,7 +65,7 @@ class HesaiPacket {
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
   // The wire does not say how far the head turns in the last block; see VelodynePacket.
   static constexpr std::uint32_t kSeamTicks = 10;
-  static constexpr std::size_t kMaxBlocks = 8;
+  static constexpr std::size_t kMaxBlocks = 10;
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
@@ -109,7 +113,8 @@ class HesaiPacket {
   [[nodiscard]] std::uint8_t byte_at(std::size_t offset) const;
   [[nodiscard]] std::uint16_t half_at(std::size_t offset) const;
   [[nodiscard]] std::uint32_t word_at(std::size_t offset) const;
-  [[nodiscard]] bool is_of(const HesaiUnit& unit) const;
+  [[nodiscard]] bool has_header_of(const HesaiUnit& unit) const;
+  [[nodiscard]] bool has_flags_of(const HesaiUnit& unit) const;
   [[nodiscard]] bool read_mode(const HesaiUnit& unit);
   [[nodiscard]] DecodeStatus read_azimuths(const HesaiUnit& unit);
   [[nodiscard]] std::uint64_t stamp_us(const HesaiUnit& unit) const;
@@ -159,65 +164,6 @@ class HesaiDecoder : public HesaiPacket {
       }
     });
   }
-};
-
-// Pandar64 User Manual, appendix "Absolute time of point cloud data": block 6 fires 42.58 us before
-// the stamp, a block 55.56 us before the next; its lasers 3.62 to 54.67 us before that.
-inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
-                                         .header_bytes = 8,
-                                         .counts_at = 2,
-                                         .distance_unit_at = 5,
-                                         .blocks = 6,
-                                         .lasers = 64,
-                                         .channel_bytes = 3,
-                                         .mode_at = 1186,
-                                         .utc_at = 1188,
-                                         .time_at = 1182,
-                                         .maker_at = 1187,
-                                         .bytes = 1194,
-                                         .sequence_bytes = 4,
-                                         .first_laser_ns = -42'580 - 54'670,
-                                         .last_laser_ns = -42'580 - 3'620,
-                                         .firing_ns = 55'560};
-// PandarXT User Manual, likewise: block 8 fires 5.632 us after the stamp, a block 50 us before the
-// next; laser n 0.368 + 1.512 (n - 1) us after that.
-inline constexpr HesaiUnit kXt32Unit{.model = {0x06, 0x01},
-                                     .header_bytes = 12,
-                                     .counts_at = 6,
-                                     .distance_unit_at = 9,
-                                     .blocks = 8,
-                                     .lasers = 32,
-                                     .channel_bytes = 4,
-                                     .mode_at = 1062,
-                                     .utc_at = 1065,
-                                     .time_at = 1071,
-                                     .maker_at = 1075,
-                                     .bytes = 1080,
-                                     .sequence_bytes = 0,
-                                     .first_laser_ns = 5'632 + 368,
-                                     .last_laser_ns = 5'632 + 368 + 31 * 1'512,
-                                     .firing_ns = 50'000};
-
-class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
- public:
-  static constexpr std::string_view kName = "Hesai Pandar64";
-  // One turn with one return is 300 packets of 384 points; with two returns it is more than a frame
-  // can mark (Pandar64 User Manual).
-  static constexpr DataSheet kDataSheet{
-      .type = "hesai_pandar64", .range_min_mm = 500, .max_points_per_scan = 320 * 384};
-  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit's own
-};
-
-class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
- public:
-  static constexpr std::string_view kName = "Hesai PandarXT-32";
-  // One turn is 250 packets of 256 points, with two returns 500 (PandarXT User Manual).
-  static constexpr DataSheet kDataSheet{
-      .type = "hesai_xt32", .range_min_mm = 500, .max_points_per_scan = 512 * 256};
-  // By channel, which is the order on the wire.
-  static constexpr std::array<double, 32> kElevationsDeg{
-      15, 14, 13, 12, 11, 10, 9,  8,  7,  6,   5,   4,   3,   2,   1,   0,
-      -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15, -16};
 };
 
 }  // namespace iog::lidar

@@ -1,12 +1,11 @@
 // Hesai: the first byte chooses the unit, and the rest is filled up with zeros, so that the length
 // does not hide what follows.
-#include "lidar/hesai.hpp"
-
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "law.hpp"
+#include "lidar/formats.hpp"
 
 namespace iog::fuzz {
 namespace {
@@ -15,7 +14,9 @@ constexpr std::array<lidar::LaserCorrection, 64> kCorrections{
     {{521, 0}, {-521, 30'000}, {32'767, -30'000}, {-32'768, 1}}};
 
 template <typename Decoder>
-void check(std::size_t packet_bytes, std::span<const std::byte> bytes) {
+void check(bool has_sequence, std::span<const std::byte> bytes) {
+  constexpr lidar::HesaiUnit kUnit = Decoder::unit();
+  const std::size_t packet_bytes = kUnit.bytes + (has_sequence ? kUnit.sequence_bytes : 0);
   const auto corrections = std::span(kCorrections).first(Decoder::kLayers);
   std::vector<std::byte> packet(packet_bytes);
   std::ranges::copy(bytes.first(std::min(bytes.size(), packet.size())), packet.begin());
@@ -42,10 +43,20 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   iog::wire::ByteReader in(iog::fuzz::input_bytes(data, size));
   const std::uint8_t choice = in.u8();
   const auto packet = in.bytes(in.remaining());
-  if ((choice & 1U) != 0) {
-    iog::fuzz::check<iog::lidar::HesaiXt32>(1080, packet);
-  } else {
-    iog::fuzz::check<iog::lidar::HesaiPandar64>((choice & 2U) != 0 ? 1194 : 1198, packet);
+  const bool has_sequence = (choice & 4U) == 0;
+  switch (choice & 3U) {
+    case 0:
+      iog::fuzz::check<iog::lidar::HesaiPandar40p>(has_sequence, packet);
+      break;
+    case 1:
+      iog::fuzz::check<iog::lidar::HesaiPandar64>(has_sequence, packet);
+      break;
+    case 2:
+      iog::fuzz::check<iog::lidar::HesaiXt16>(has_sequence, packet);
+      break;
+    default:
+      iog::fuzz::check<iog::lidar::HesaiXt32>(has_sequence, packet);
+      break;
   }
   return 0;
 }

@@ -74,12 +74,14 @@ void add_velodyne_seeds(Seeds& seeds) {
 }
 
 void add_hesai_seeds(Seeds& seeds) {
-  for (const bool is_xt32 : {false, true}) {
+  int choice = 0;  // as hesai.cpp chooses
+  for (const lidar::Format format : tests::kHesaiFormats) {
     for (const bool is_dual : {false, true}) {
       const tests::HesaiPacket packet{
-          .is_xt32 = is_xt32, .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
-      seeds.add("hesai", joined({static_cast<std::byte>(is_xt32)}, packet.bytes()));
+          .format = format, .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
+      seeds.add("hesai", joined({static_cast<std::byte>(choice)}, packet.bytes()));
     }
+    ++choice;
   }
 }
 

@@ -95,7 +95,8 @@ constexpr std::array<HesaiHeader, 11> kHesaiHeaders{
      {64, 6, 0, 0, 8 + 6 * (2 + 3 * 64), "Hesai Pandar64"},
      {20, 20, 0, 0, 8 + 20 * (2 + 3 * 20), "Hesai Pandar20"}}};
 
-// Two units of ours are among them: what of theirs comes here is in a mode that is not taken.
+// Units of ours are among them, and the Pandar40P is one: what of theirs comes here is in a mode
+// that is not taken.
 std::string_view hesai(Bytes bytes) {
   if (!begins(bytes, {0xEE, 0xFF})) {
     return {};

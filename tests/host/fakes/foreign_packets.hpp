@@ -27,17 +27,6 @@ inline std::vector<std::byte> vls128_packet() {
   return bytes;
 }
 
-// Pandar40P User Manual, "Point cloud UDP data": 10 blocks of a flag, an azimuth and 40 channels of
-// 3 bytes, then 22 bytes, the 16th of which is 0x42.
-inline std::vector<std::byte> pandar40p_packet() {
-  std::vector<std::byte> bytes(1262);
-  for (std::size_t block = 0; block < 10; ++block) {
-    put(bytes, 124 * block, {0xFF, 0xEE, static_cast<int>(20 * block), 0});
-  }
-  put(bytes, 1255, {0x42});
-  return bytes;
-}
-
 // Hesai's later units, "Pre-header" and "Header": start, protocol, lasers, blocks, unit of range.
 inline std::vector<std::byte> hesai_header_packet(int major, int minor, int lasers, int blocks,
                                                   std::size_t size) {
@@ -72,8 +61,6 @@ struct ForeignPacket {
 inline std::vector<ForeignPacket> foreign_packets() {
   return {{"Velodyne VLS-128", vls128_packet()},
           {"Velodyne Puck Hi-Res", VelodynePacket{.product = 0x24}.bytes()},
-          {"Hesai Pandar40P", pandar40p_packet()},
-          {"Hesai PandarXT-16", hesai_header_packet(6, 1, 16, 8, 568)},
           {"Hesai PandarXT-32M", hesai_header_packet(6, 1, 32, 6, 820)},
           {"Hesai PandarQT-64", hesai_header_packet(3, 1, 64, 4, 1072)},
           {"Hesai QT128", hesai_header_packet(3, 2, 128, 2, 1127)},

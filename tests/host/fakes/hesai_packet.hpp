@@ -6,18 +6,43 @@
 #include <cstdint>
 #include <vector>
 
+#include "lidar/formats.hpp"
+
 namespace iog::tests {
 
+inline constexpr std::array<lidar::Format, 4> kHesaiFormats{
+    lidar::kFormat<lidar::HesaiPandar40p>, lidar::kFormat<lidar::HesaiPandar64>,
+    lidar::kFormat<lidar::HesaiXt16>, lidar::kFormat<lidar::HesaiXt32>};
+
 struct HesaiPacket {
-  bool is_xt32 = false;
+  lidar::Format format = lidar::kFormat<lidar::HesaiPandar64>;
   int first_azimuth = 0;  // 0.01 degrees, clockwise
   int step = 20;          // from block to block, in dual mode from pair to pair
   int mode = 0x37;
   bool is_dual = false;
   std::array<int, 6> utc{24, 2, 29, 23, 59, 59};  // the first as it is on the wire
   std::uint32_t time_us = 500'000;
-  bool has_sequence = true;                     // of a Pandar64
-  std::array<std::array<int, 64>, 8> ranges{};  // 4 mm
+  bool has_sequence = true;                      // of a Pandar64 and a Pandar40P
+  std::array<std::array<int, 64>, 10> ranges{};  // 4 mm
+
+  // What the manuals say of a packet of the unit.
+  struct Layout {
+    bool is_xt;
+    int blocks;
+    int lasers;
+    std::vector<int> header;
+    std::vector<int> flag;  // of each block
+  };
+  [[nodiscard]] Layout layout() const {
+    if (format == lidar::kFormat<lidar::HesaiPandar40p>) {
+      return {false, 10, 40, {}, {0xFF, 0xEE}};
+    }
+    if (format == lidar::kFormat<lidar::HesaiPandar64>) {
+      return {false, 6, 64, {0xEE, 0xFF, 64, 6, 0, 4, 0, 0}, {}};
+    }
+    const int lasers = format == lidar::kFormat<lidar::HesaiXt16> ? 16 : 32;
+    return {true, 8, lasers, {0xEE, 0xFF, 6, 1, 0, 0, lasers, 8, 1, 4, is_dual ? 2 : 1, 0}, {}};
+  }
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
     std::vector<std::byte> out;
@@ -26,24 +51,23 @@ struct HesaiPacket {
         out.push_back(static_cast<std::byte>(value));
       }
     };
-    const int blocks = is_xt32 ? 8 : 6;
-    const std::size_t lasers = is_xt32 ? 32 : 64;
-    append(is_xt32 ? std::vector{0xEE, 0xFF, 6, 1, 0, 0, 32, 8, 1, 4, is_dual ? 2 : 1, 0}
-                   : std::vector{0xEE, 0xFF, 64, 6, 0, 4, 0, 0});
-    for (int block = 0; block < blocks; ++block) {
+    const Layout unit = layout();
+    append(unit.header);
+    for (int block = 0; block < unit.blocks; ++block) {
+      append(unit.flag);
       const int azimuth = (first_azimuth + (is_dual ? block / 2 : block) * step) % 36'000;
       append({azimuth & 0xFF, azimuth >> 8});
-      for (std::size_t laser = 0; laser < lasers; ++laser) {
-        const int range = ranges[static_cast<std::size_t>(block)][laser];
+      for (int laser = 0; laser < unit.lasers; ++laser) {
+        const int range = ranges[static_cast<std::size_t>(block)][static_cast<std::size_t>(laser)];
         append({range & 0xFF, range >> 8, 33});
-        append(is_xt32 ? std::vector{255} : std::vector<int>{});
+        append(unit.is_xt ? std::vector{255} : std::vector<int>{});
       }
     }
     const auto us = static_cast<int>(time_us);
     const std::vector<int> time{us & 0xFF, us >> 8 & 0xFF, us >> 16 & 0xFF, us >> 24 & 0xFF};
     const std::vector<int> date(utc.begin(), utc.end());
-    out.resize(out.size() + (is_xt32 ? 10 : 8));
-    if (is_xt32) {
+    out.resize(out.size() + (unit.is_xt ? 10 : 8));
+    if (unit.is_xt) {
       append({mode, 0x57, 0x02});
       append(date);
       append(time);

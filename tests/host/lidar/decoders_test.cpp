@@ -33,9 +33,8 @@ Bytes sound_packet(tests::Random& random) {
                                  .has_two_banks = banks == 2}
         .bytes();
   } else if constexpr (std::is_base_of_v<HesaiPacket, Decoder>) {
-    return tests::HesaiPacket{.is_xt32 = std::is_same_v<Decoder, HesaiXt32>,
-                              .mode = is_dual ? 0x39 : 0x38,
-                              .is_dual = is_dual}
+    return tests::HesaiPacket{
+        .format = kFormat<Decoder>, .mode = is_dual ? 0x39 : 0x38, .is_dual = is_dual}
         .bytes();
   } else if constexpr (std::is_base_of_v<OusterPacket, Decoder>) {
     return tests::OusterPacket{

@@ -1,75 +1,89 @@
 #include "lidar/hesai.hpp"
 
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <type_traits>
 #include <vector>
 
 #include "fakes/hesai_packet.hpp"
+#include "fakes/real_hesai_packets.hpp"
 #include "fakes/real_packets.hpp"
 
 namespace iog::lidar {
 namespace {
 
 using Sent = tests::HesaiPacket;
+using tests::kHesaiFormats;
+
+constexpr Format kPandar40p = kFormat<HesaiPandar40p>;
+constexpr Format kPandar64 = kFormat<HesaiPandar64>;
+constexpr Format kXt16 = kFormat<HesaiXt16>;
+constexpr Format kXt32 = kFormat<HesaiXt32>;
 
 // A packet, decoded as one of that unit.
 struct Decoded {
-  Decoded(const std::vector<std::byte>& bytes, bool is_xt32,
+  Decoded(const std::vector<std::byte>& bytes, Format format,
           std::span<const LaserCorrection> corrections = {}) {
-    if (is_xt32) {
-      decode<HesaiXt32>(bytes, corrections);
-    } else {
-      decode<HesaiPandar64>(bytes, corrections);
-    }
+    with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+      if constexpr (std::is_base_of_v<HesaiPacket, Decoder>) {
+        Decoder decoder;
+        status = decoder.decode(bytes, corrections);
+        info = decoder.info();
+        if (status == DecodeStatus::kOk) {
+          decoder.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
+        }
+      }
+    });
   }
-  DecodeStatus status{};
+  DecodeStatus status = DecodeStatus::kWrongType;
   PacketInfo info;
   std::vector<ScanPoint> points;
-
- private:
-  template <typename Decoder>
-  void decode(const std::vector<std::byte>& bytes, std::span<const LaserCorrection> corrections) {
-    Decoder decoder;
-    status = decoder.decode(bytes, corrections);
-    info = decoder.info();
-    if (status == DecodeStatus::kOk) {
-      decoder.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
-    }
-  }
 };
 
-DecodeStatus decode(const std::vector<std::byte>& bytes, bool is_xt32) {
-  return Decoded(bytes, is_xt32).status;
+DecodeStatus decode(const std::vector<std::byte>& bytes, Format format) {
+  return Decoded(bytes, format).status;
 }
 
-// User manuals: 1194 bytes, 1198 with a sequence number; 1080.
+// User manuals: of a Pandar40P 1262 bytes, 1266 with a sequence number; of a Pandar64 1194, 1198;
+// of a PandarXT-16 568, of a PandarXT-32 1080.
 TEST(Hesai, PacketsAreAsLongAsTheManualsSay) {
-  EXPECT_EQ(Sent{}.bytes().size(), 1198U);
-  EXPECT_EQ(Sent{.has_sequence = false}.bytes().size(), 1194U);
-  EXPECT_EQ(Sent{.is_xt32 = true}.bytes().size(), 1080U);
-  for (const bool is_xt32 : {false, true}) {
-    auto bytes = Sent{.is_xt32 = is_xt32}.bytes();
-    EXPECT_EQ(decode(bytes, is_xt32), DecodeStatus::kOk);
-    EXPECT_EQ(decode(bytes, !is_xt32), DecodeStatus::kWrongLength);
+  struct Row {
+    Format format;
+    std::size_t bytes;
+    std::size_t bytes_without_sequence;
+  };
+  for (const Row& row : {Row{kPandar40p, 1266, 1262}, Row{kPandar64, 1198, 1194},
+                         Row{kXt16, 568, 568}, Row{kXt32, 1080, 1080}}) {
+    auto bytes = Sent{.format = row.format}.bytes();
+    EXPECT_EQ(bytes.size(), row.bytes);
+    EXPECT_EQ(decode(bytes, row.format), DecodeStatus::kOk);
+    for (const Format other : kHesaiFormats) {
+      EXPECT_EQ(decode(bytes, other) == DecodeStatus::kOk, other == row.format);
+    }
     bytes.pop_back();
-    EXPECT_EQ(decode(bytes, is_xt32), DecodeStatus::kWrongLength);
-    EXPECT_EQ(decode({}, is_xt32), DecodeStatus::kWrongLength);
+    EXPECT_EQ(decode(bytes, row.format), DecodeStatus::kWrongLength);
+    EXPECT_EQ(decode({}, row.format), DecodeStatus::kWrongLength);
+    const auto shorter = Sent{.format = row.format, .has_sequence = false}.bytes();
+    EXPECT_EQ(shorter.size(), row.bytes_without_sequence);
+    EXPECT_EQ(decode(shorter, row.format), DecodeStatus::kOk);
   }
-  EXPECT_EQ(decode(Sent{.has_sequence = false}.bytes(), false), DecodeStatus::kOk);
 }
 
 TEST(Hesai, TurnsUnitsIntoPoints) {
-  for (const bool is_xt32 : {false, true}) {
-    const std::size_t lasers = is_xt32 ? 32 : 64;
-    Sent sent{.is_xt32 = is_xt32, .first_azimuth = 9000};
+  for (const Format format : kHesaiFormats) {
+    Sent sent{.format = format, .first_azimuth = 9000};
+    const auto lasers = static_cast<std::size_t>(sent.layout().lasers);
+    const auto blocks = static_cast<std::size_t>(sent.layout().blocks);
     sent.ranges[0][0] = 2500;
     sent.ranges[5][lasers - 1] = 0xFFFF;
-    std::vector<LaserCorrection> lasers_of_unit(lasers);
+    std::array<LaserCorrection, 64> lasers_of_unit{};
     lasers_of_unit[0] = {.azimuth_ticks = -521, .range_mm = 30};
     lasers_of_unit[lasers - 1] = {.azimuth_ticks = 27'000, .range_mm = 0};
-    const Decoded packet(sent.bytes(), is_xt32, lasers_of_unit);
+    const Decoded packet(sent.bytes(), format, std::span(lasers_of_unit).first(lasers));
     ASSERT_EQ(packet.status, DecodeStatus::kOk);
     const auto& points = packet.points;
-    ASSERT_EQ(points.size(), (is_xt32 ? 8U : 6U) * lasers);
+    ASSERT_EQ(points.size(), blocks * lasers);
     EXPECT_EQ(packet.info.point_count, points.size());
     EXPECT_EQ(points[0].range_mm, 10'030U);
     // 90 degrees clockwise from forward is 270 to the left.
@@ -81,32 +95,37 @@ TEST(Hesai, TurnsUnitsIntoPoints) {
 }
 
 TEST(Hesai, SweepsClockwiseSoItsSectorEndsWhereItBegan) {
-  const Decoded packet(Sent{.first_azimuth = 35'960}.bytes(), false);
+  const Decoded packet(Sent{.first_azimuth = 35'960}.bytes(), kPandar64);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   EXPECT_EQ(packet.info.sector.width_ticks, 6 * 20 + HesaiPacket::kSeamTicks);
   EXPECT_EQ(packet.info.sector.first_ticks, 36'000 - 80 - HesaiPacket::kSeamTicks);
 }
 
 // Pandar64 User Manual: block 6 fires 42.58 us before the stamp, the lasers of a block 3.62
-// to 54.67 us before it, a block 55.56 us before the next. PandarXT User Manual: block 8
-// fires 5.632 us after the stamp, laser n 0.368 + 1.512 (n - 1) us later, a block 50 us before the
-// next.
+// to 54.67 us before it, a block 55.56 us before the next. Pandar40P User Manual: the same, but
+// block 10 28.58 us before the stamp. PandarXT User Manual: block 8 fires 5.632 us after the stamp,
+// laser n of 32 0.368 + 1.512 (n - 1) us later, of 16 0.368 + 3.024 (n - 1), a block 50 us before
+// the next.
 TEST(Hesai, ItsTimesAreThoseOfTheManuals) {
   constexpr std::uint64_t kStampUs = 1'709'251'199'500'000U;  // 2024-02-29 23:59:59.5 UTC
   struct Row {
-    bool is_xt32;
+    Format format;
     bool is_dual;
     double first_us;
     double last_us;
   };
-  for (const Row& row : {Row{false, false, -42.58 - 5 * 55.56 - 54.67, -42.58 - 3.62},
-                         Row{false, true, -42.58 - 2 * 55.56 - 54.67, -42.58 - 3.62},
-                         Row{true, false, 5.632 - 7 * 50 + 0.368, 5.632 + 0.368 + 31 * 1.512},
-                         Row{true, true, 5.632 - 3 * 50 + 0.368, 5.632 + 0.368 + 31 * 1.512}}) {
-    Sent sent{.is_xt32 = row.is_xt32, .mode = row.is_dual ? 0x39 : 0x37, .is_dual = row.is_dual};
+  for (const Row& row : {Row{kPandar64, false, -42.58 - 5 * 55.56 - 54.67, -42.58 - 3.62},
+                         Row{kPandar64, true, -42.58 - 2 * 55.56 - 54.67, -42.58 - 3.62},
+                         Row{kPandar40p, false, -28.58 - 9 * 55.56 - 54.67, -28.58 - 3.62},
+                         Row{kPandar40p, true, -28.58 - 4 * 55.56 - 54.67, -28.58 - 3.62},
+                         Row{kXt16, false, 5.632 - 7 * 50 + 0.368, 5.632 + 0.368 + 15 * 3.024},
+                         Row{kXt16, true, 5.632 - 3 * 50 + 0.368, 5.632 + 0.368 + 15 * 3.024},
+                         Row{kXt32, false, 5.632 - 7 * 50 + 0.368, 5.632 + 0.368 + 31 * 1.512},
+                         Row{kXt32, true, 5.632 - 3 * 50 + 0.368, 5.632 + 0.368 + 31 * 1.512}}) {
+    Sent sent{.format = row.format, .mode = row.is_dual ? 0x39 : 0x37, .is_dual = row.is_dual};
     for (const int year : {24, 124}) {
       sent.utc[0] = year;
-      const Decoded packet(sent.bytes(), row.is_xt32);
+      const Decoded packet(sent.bytes(), row.format);
       ASSERT_EQ(packet.status, DecodeStatus::kOk);
       const Sweep sweep = packet.info.sweep;
       const auto since = [](std::uint64_t us) {
@@ -131,7 +150,7 @@ TEST(Hesai, DatesAreThoseOfTheCalendar) {
                                                     {{120, 6, 25, 12, 2, 9}, 1'593'086'529},
                                                     {{0, 0, 1, 2, 3, 4}, 0x01020304}}) {
     // The last laser of an XT-32 fires 52.872 us after the stamp.
-    const Decoded packet(Sent{.is_xt32 = true, .utc = utc, .time_us = 0}.bytes(), true);
+    const Decoded packet(Sent{.format = kXt32, .utc = utc, .time_us = 0}.bytes(), kXt32);
     ASSERT_EQ(packet.status, DecodeStatus::kOk);
     EXPECT_EQ(packet.info.sweep.end_us, unix_s * 1'000'000 + 53);
   }
@@ -139,7 +158,7 @@ TEST(Hesai, DatesAreThoseOfTheCalendar) {
 
 // A real Pandar64 sends the farther return first, a real XT-32 the nearer.
 TEST(Hesai, OfARealPairTheNearerIsTheFirstEcho) {
-  const Decoded packet(tests::real_pandar64(), false);
+  const Decoded packet(tests::real_pandar64(), kPandar64);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   const auto& points = packet.points;
   ASSERT_EQ(points.size(), 384U);
@@ -158,7 +177,7 @@ TEST(Hesai, OfARealPairTheNearerIsTheFirstEcho) {
 }
 
 TEST(Hesai, ARealXt32IsUnderstood) {
-  const Decoded packet(tests::real_xt32(), true);
+  const Decoded packet(tests::real_xt32(), kXt32);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   const auto& points = packet.points;
   ASSERT_EQ(points.size(), 256U);
@@ -171,22 +190,87 @@ TEST(Hesai, ARealXt32IsUnderstood) {
   EXPECT_EQ(packet.info.sweep.end_us, 1'564'024'769'619'765U + 53);
 }
 
+// Where a point lies: forward, left and up, in mm. The azimuth has the laser's own offset already.
+struct Place {
+  double x;
+  double y;
+  double z;
+};
+Place place_of(const ScanPoint& point, double elevation_deg) {
+  constexpr double kDegree = 3.14159265358979 / 180;
+  const double elevation = elevation_deg * kDegree;
+  const double azimuth = point.azimuth_ticks / 100.0 * kDegree;
+  const double flat = point.range_mm * std::cos(elevation);
+  return {flat * std::cos(azimuth), flat * std::sin(azimuth), point.range_mm * std::sin(elevation)};
+}
+
+// Nebula lists the returns of a firing by channels, the farther before the nearer. It knows
+// azimuths to a thousandth of a degree, and here they are rounded to 0.01.
+void expect_nebulas(const std::vector<ScanPoint>& points, std::span<const double> elevations_deg,
+                    std::span<const tests::NebulaPoint> cloud) {
+  std::size_t next = 0;
+  const std::size_t lasers = elevations_deg.size();
+  for (std::size_t channel = 0; channel < lasers; ++channel) {
+    for (const std::size_t echo : {1U, 0U}) {
+      const ScanPoint& point = points.at(echo * lasers + channel);
+      EXPECT_EQ(point.echo, echo);
+      if (point.range_mm == 0) {
+        continue;
+      }
+      ASSERT_LT(next, cloud.size());
+      const auto& its = cloud[next++];
+      const Place place = place_of(point, elevations_deg[channel]);
+      const double tolerance_mm = 1 + 1e-4 * point.range_mm;
+      EXPECT_NEAR(place.x, its.y_mm, tolerance_mm) << channel;
+      EXPECT_NEAR(-place.y, its.x_mm, tolerance_mm) << channel;
+      EXPECT_NEAR(place.z, its.z_mm, tolerance_mm) << channel;
+    }
+  }
+  EXPECT_EQ(next, cloud.size());
+}
+
+// Nebula's calibration/Pandar40P.csv: lasers 7 to 30 look 3.125 degrees to the right, 5.208 and
+// 1.042 to the left, by turns from the seventh on; all others 1.042 to the left.
+TEST(Hesai, ARealPandar40pIsWhereAnotherDecoderPutsIt) {
+  constexpr std::array<double, 40> kElevationsDeg{
+      14.794, 10.944, 7.971,  4.969,   2.952,  1.94,    1.6,     1.263,   0.925,   0.587,
+      0.249,  -0.088, -0.425, -0.763,  -1.101, -1.439,  -1.776,  -2.116,  -2.453,  -2.788,
+      -3.128, -3.463, -3.8,   -4.138,  -4.473, -4.808,  -5.145,  -5.479,  -5.814,  -6.149,
+      -7.151, -8.147, -9.148, -10.133, -11.12, -12.094, -13.062, -14.018, -18.977, -24.985};
+  std::vector<LaserCorrection> lasers(40, LaserCorrection{.azimuth_ticks = 104});
+  for (std::size_t i = 6; i < 30; i += 3) {
+    lasers[i].azimuth_ticks = -313;
+    lasers[i + 1].azimuth_ticks = 521;
+  }
+  const Decoded packet(tests::real_pandar40p(), kPandar40p, lasers);
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  expect_nebulas(packet.points, kElevationsDeg, tests::kNebulaOfPandar40p);
+}
+
+TEST(Hesai, ARealXt16IsWhereAnotherDecoderPutsIt) {
+  const Decoded packet(tests::real_xt16(), kXt16);
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  expect_nebulas(packet.points, HesaiXt16::kElevationsDeg, tests::kNebulaOfXt16);
+}
+
 TEST(Hesai, RefusesWhatIsNotItsUnit) {
-  for (const bool is_xt32 : {false, true}) {
-    const auto good = Sent{.is_xt32 = is_xt32}.bytes();
-    const std::size_t unit_at = is_xt32 ? 9 : 5;
-    const std::size_t counts_at = is_xt32 ? 6 : 2;
-    const std::size_t mode_at = is_xt32 ? 1062 : 1186;
-    const std::size_t maker_at = is_xt32 ? 1075 : 1187;
-    for (const std::size_t at : {std::size_t{0}, std::size_t{1}, std::size_t{2}, unit_at, counts_at,
-                                 counts_at + 1, mode_at, maker_at}) {
+  struct Row {
+    Format format;
+    std::vector<std::size_t> checked;  // header or flags, counts, unit of distance, mode, maker
+  };
+  for (const Row& row :
+       {Row{kPandar40p, {0, 1, 124, 9 * 124 + 1, 1254, 1255}},
+        Row{kPandar64, {0, 1, 2, 3, 5, 1186, 1187}}, Row{kXt16, {0, 1, 2, 3, 6, 7, 9, 550, 563}},
+        Row{kXt32, {0, 1, 2, 3, 6, 7, 9, 1062, 1075}}}) {
+    const auto good = Sent{.format = row.format}.bytes();
+    for (const std::size_t at : row.checked) {
       auto bytes = good;
       bytes[at] ^= std::byte{0x40};
-      EXPECT_EQ(decode(bytes, is_xt32), DecodeStatus::kWrongType) << at;
+      EXPECT_EQ(decode(bytes, row.format), DecodeStatus::kWrongType) << at;
     }
-    EXPECT_EQ(decode(Sent{.is_xt32 = is_xt32, .step = 301}.bytes(), is_xt32),
+    EXPECT_EQ(decode(Sent{.format = row.format, .step = 301}.bytes(), row.format),
               DecodeStatus::kWrongAngle);
-    EXPECT_EQ(decode(Sent{.is_xt32 = is_xt32, .mode = 0x39}.bytes(), is_xt32),
+    EXPECT_EQ(decode(Sent{.format = row.format, .mode = 0x39}.bytes(), row.format),
               DecodeStatus::kWrongAngle)
         << "no pairs";
   }

@@ -103,29 +103,29 @@ TEST(Sampling, OfVelodynes) {
   expect_samples_of_velodyne<VelodyneHdl64eS3>(0, true);
 }
 
-TEST(Sampling, OfHesais) {
+template <typename Decoder>
+void expect_samples_of_hesai() {
   Random random(2);
-  for (const bool is_xt32 : {false, true}) {
-    for (const bool is_dual : {false, true}) {
-      tests::HesaiPacket packet{
-          .is_xt32 = is_xt32, .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
-      for (auto& block : packet.ranges) {
-        for (int& range : block) {
-          range = random.between(0, 60'000);
-        }
-      }
-      const std::vector<std::byte> bytes = packet.bytes();
-      if (is_xt32) {
-        HesaiXt32 decoder;
-        ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
-        expect_samples(decoder, 32);
-      } else {
-        HesaiPandar64 decoder;
-        ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
-        expect_samples(decoder, 64);
+  for (const bool is_dual : {false, true}) {
+    tests::HesaiPacket packet{
+        .format = kFormat<Decoder>, .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
+    for (auto& block : packet.ranges) {
+      for (int& range : block) {
+        range = random.between(0, 60'000);
       }
     }
+    const std::vector<std::byte> bytes = packet.bytes();
+    Decoder decoder;
+    ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
+    expect_samples(decoder, Decoder::kLayers);
   }
+}
+
+TEST(Sampling, OfHesais) {
+  expect_samples_of_hesai<HesaiPandar40p>();
+  expect_samples_of_hesai<HesaiPandar64>();
+  expect_samples_of_hesai<HesaiXt16>();
+  expect_samples_of_hesai<HesaiXt32>();
 }
 
 TEST(Sampling, OfOusters) {

@@ -37,9 +37,12 @@ TEST(UnitWatch, KnowsEachProfileByItsLengthAndItsColumns) {
   EXPECT_EQ(seen.ticks_per_turn, 46'080U);
 }
 
-TEST(UnitWatch, KnowsEachHesaiByItsHead) {
-  EXPECT_EQ(name_seen(tests::HesaiPacket{}.bytes()), "Hesai Pandar64");
-  EXPECT_EQ(name_seen(tests::HesaiPacket{.is_xt32 = true}.bytes()), "Hesai PandarXT-32");
+TEST(UnitWatch, KnowsEachHesaiByItsHeadOrItsFlags) {
+  for (const lidar::Format format : tests::kHesaiFormats) {
+    const auto bytes = tests::HesaiPacket{.format = format}.bytes();
+    EXPECT_EQ(name_seen(bytes), lidar::name_of(format));
+    EXPECT_TRUE(UnitWatch{}.take(bytes).is_sound);
+  }
   EXPECT_FALSE(UnitWatch{}.take(tests::HesaiPacket{}.bytes()).is_numbered);
 }
 
@@ -63,9 +66,11 @@ TEST(UnitWatch, NamesWhatIsNotTaken) {
 
 // A unit that is taken, in a mode that is not: 0x3D is three returns.
 TEST(UnitWatch, AnUnknownModeLeavesTheName) {
-  const auto bytes = tests::HesaiPacket{.mode = 0x3D}.bytes();
-  EXPECT_EQ(name_seen(bytes), "Hesai Pandar64");
-  EXPECT_TRUE(UnitWatch{}.take(bytes).formats.is_empty());
+  for (const lidar::Format format : tests::kHesaiFormats) {
+    const auto bytes = tests::HesaiPacket{.format = format, .mode = 0x3D}.bytes();
+    EXPECT_EQ(name_seen(bytes), lidar::name_of(format));
+    EXPECT_TRUE(UnitWatch{}.take(bytes).formats.is_empty());
+  }
 }
 
 TEST(UnitWatch, WhatIsOfNobodyHasNoName) {

@@ -1,8 +1,8 @@
 #include "tools/simulate/scanners/hesai_encoder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <ctime>
+#include <initializer_list>
 #include <optional>
 #include <span>
 
@@ -18,18 +18,9 @@ constexpr std::uint64_t kHesaiTurn = lidar::HesaiPacket::kTicksPerTurn;
 constexpr std::uint16_t kRpm = 60 * kTurnsPerSecond;
 constexpr std::uint8_t kStrongest = 0x37;
 constexpr std::uint8_t kMaker = 0x42;
+constexpr std::uint16_t kBlockFlag = 0xEEFF;  // of a unit without a header
 constexpr std::uint8_t kHesaiReflectivity = 40;
 constexpr std::uint8_t kSureOfIt = 255;
-
-// Lasers, blocks, returns, unit of distance in mm, reserved.
-constexpr std::array<std::uint8_t, 8> kPandar64Head{0xEE, 0xFF, 64, 6, 0, 4, 0, 0};
-// Version, reserved, lasers, blocks, which block is first, unit of distance in mm, returns, flags.
-constexpr std::array<std::uint8_t, 12> kXt32Head{0xEE, 0xFF, 6, 1, 0, 0, 32, 8, 2, 4, 1, 0};
-
-// User manuals, "Absolute time of point cloud data": so long after (before) the stamp the last
-// block fires.
-constexpr std::uint64_t kPandar64StampAfterNs = 42'580;
-constexpr std::uint64_t kXt32StampBeforeNs = 5'632;
 
 void write_utc(std::uint64_t unix_s, unsigned years_before, wire::ByteWriter& out) {
   const auto seconds = static_cast<std::time_t>(unix_s);
@@ -58,10 +49,23 @@ std::uint64_t HesaiEncoder::packet_ns() const {
 }
 
 void HesaiEncoder::write_head(wire::ByteWriter& out) const {
-  if (is_xt32()) {
-    out.bytes(std::as_bytes(std::span(kXt32Head)));
+  if (unit_.header_bytes == 0) {
+    return;
+  }
+  constexpr std::uint8_t kUnitMm = lidar::HesaiPacket::kMillimetresPerUnit;
+  constexpr std::uint8_t kFirstIsStrongest = 2;
+  const auto lasers = static_cast<std::uint8_t>(unit_.lasers);
+  const auto blocks = static_cast<std::uint8_t>(unit_.blocks);
+  const auto write = [&](std::initializer_list<std::uint8_t> bytes) {
+    out.bytes(std::as_bytes(std::span(bytes.begin(), bytes.size())));
+  };
+  write({0xEE, 0xFF});
+  if (is_xt()) {
+    // Version, reserved, lasers, blocks, which block is first, unit, returns, flags.
+    write({6, 1, 0, 0, lasers, blocks, kFirstIsStrongest, kUnitMm, 1, 0});
   } else {
-    out.bytes(std::as_bytes(std::span(kPandar64Head)));
+    // Lasers, blocks, returns, unit, reserved.
+    write({lasers, blocks, 0, kUnitMm, 0, 0});
   }
 }
 
@@ -69,7 +73,7 @@ void HesaiEncoder::write_tail(std::uint64_t stamp_us, std::uint64_t number,
                               wire::ByteWriter& out) const {
   constexpr std::uint64_t kSecondUs = 1'000'000;
   const auto in_second = static_cast<std::uint32_t>(stamp_us % kSecondUs);
-  if (is_xt32()) {
+  if (is_xt()) {
     out.zeros(10);  // reserved, state
     out.u8(kStrongest);
     out.u16_le(kRpm);
@@ -99,6 +103,9 @@ std::vector<std::byte> HesaiEncoder::packet(std::uint64_t begin_ns, std::uint64_
     const std::uint64_t turned = fires_ns % kHesaiTurnNs;
     const std::uint64_t azimuth =
         (turned * kHesaiTurn + kHesaiTurnNs / 2) / kHesaiTurnNs % kHesaiTurn;
+    if (unit_.flag_bytes != 0) {
+      out.u16_le(kBlockFlag);
+    }
     out.u16_le(static_cast<std::uint16_t>(azimuth));
     for (std::size_t laser = 0; laser < unit_.lasers; ++laser) {
       const Measured measured =
@@ -107,15 +114,13 @@ std::vector<std::byte> HesaiEncoder::packet(std::uint64_t begin_ns, std::uint64_
       const std::uint16_t range = range_units(measured.range_m);
       out.u16_le(range);
       out.u8(range == 0 ? std::uint8_t{0} : kHesaiReflectivity);
-      if (is_xt32()) {
+      if (is_xt()) {
         out.u8(range == 0 ? std::uint8_t{0} : kSureOfIt);
       }
     }
   }
-  const std::uint64_t last_ns = kDriveStartUs * 1'000 + fires_ns;
-  const std::uint64_t stamp_ns =
-      is_xt32() ? last_ns - kXt32StampBeforeNs : last_ns + kPandar64StampAfterNs;
-  write_tail(stamp_ns / 1'000, number, out);
+  const auto last_ns = static_cast<std::int64_t>(kDriveStartUs * 1'000 + fires_ns);
+  write_tail(static_cast<std::uint64_t>(last_ns - unit_.last_block_ns) / 1'000, number, out);
   require(out.ok() && out.remaining() == 0);
   return bytes;
 }

@@ -26,7 +26,8 @@ class HesaiEncoder final : public PacketEncoder {
                                               std::vector<PointTruth>& truth) const override;
 
  private:
-  [[nodiscard]] bool is_xt32() const { return unit_.lasers == 32; }
+  // It says of each range how sure it is.
+  [[nodiscard]] bool is_xt() const { return unit_.channel_bytes == 4; }
   void write_head(wire::ByteWriter& out) const;
   void write_tail(std::uint64_t stamp_us, std::uint64_t number, wire::ByteWriter& out) const;
 

@@ -1,0 +1,42 @@
+// Hesai Pandar64 data packets (Pandar64 User Manual, "Point Cloud Data Packet"). Elevations are
+// each unit's own: a description gives them.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "lidar/hesai.hpp"
+
+namespace iog::lidar {
+
+// Appendix "Absolute time of point cloud data": block 6 fires 42.58 us before the stamp, a block
+// 55.56 us before the next; its lasers 3.62 to 54.67 us before that.
+inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
+                                         .header_bytes = 8,
+                                         .counts_at = 2,
+                                         .distance_unit_at = 5,
+                                         .blocks = 6,
+                                         .lasers = 64,
+                                         .channel_bytes = 3,
+                                         .mode_at = 1186,
+                                         .utc_at = 1188,
+                                         .time_at = 1182,
+                                         .maker_at = 1187,
+                                         .bytes = 1194,
+                                         .sequence_bytes = 4,
+                                         .last_block_ns = -42'580,
+                                         .first_laser_ns = -54'670,
+                                         .last_laser_ns = -3'620,
+                                         .firing_ns = 55'560};
+
+class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
+ public:
+  static constexpr std::string_view kName = "Hesai Pandar64";
+  // One turn with one return is 300 packets of 384 points; with two returns it is more than a frame
+  // can mark.
+  static constexpr DataSheet kDataSheet{
+      .type = "hesai_pandar64", .range_min_mm = 500, .max_points_per_scan = 320 * 384};
+  static constexpr std::array<double, 0> kElevationsDeg{};
+};
+
+}  // namespace iog::lidar
