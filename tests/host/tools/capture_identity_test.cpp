@@ -2,6 +2,7 @@
 // share UDP ports are told apart by what their sensors send.
 #include "tools/identity/capture_identity.hpp"
 
+#include <array>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
@@ -74,8 +75,9 @@ Payload vlp16_packet(int number) {
       .bytes();
 }
 
-Payload pandar64_packet(int number) {
-  return tests::HesaiPacket{.first_azimuth = number * 120 % 36'000,
+Payload hesai_packet(lidar::Format format, int number) {
+  return tests::HesaiPacket{.format = format,
+                            .first_azimuth = number * 120 % 36'000,
                             .time_us = static_cast<std::uint32_t>(number) * 333}
       .bytes();
 }
@@ -116,24 +118,38 @@ TEST(CaptureIdentity, GarbageHasNoName) {
   EXPECT_TRUE(contains(capture.refusal_by("reference_car"), "of no lidar that iog knows"));
 }
 
-// Six cars have a scanner on port 2368; the one that fits is named, to whoever asks.
+// Many cars have a scanner on port 2368; the one that fits is named, to whoever asks.
 TEST(CaptureIdentity, TheFittingCarIsNamedToEveryOther) {
   Capture of_vlp16;
-  Capture of_pandar64;
   for (int i = 0; i < 40; ++i) {
-    const auto time_us = static_cast<std::uint64_t>(i) * 1'327;
-    of_vlp16.add(2368, time_us, vlp16_packet(i));
-    of_pandar64.add(2368, time_us / 4, pandar64_packet(i));
+    of_vlp16.add(2368, static_cast<std::uint64_t>(i) * 1'327, vlp16_packet(i));
   }
   EXPECT_EQ(of_vlp16.refusal_by("roof_vlp16"), "");
-  EXPECT_EQ(of_pandar64.refusal_by("roof_pandar64"), "");
   for (const char* const car : {"reference_car", "roof_hdl32e", "roof_hdl64e", "roof_xt32"}) {
     const std::string vlp16 = of_vlp16.refusal_by(car);
     EXPECT_TRUE(contains(vlp16, "of a Velodyne VLP-16")) << vlp16;
     EXPECT_TRUE(vlp16.ends_with(": try --vehicle roof_vlp16")) << vlp16;
-    const std::string pandar64 = of_pandar64.refusal_by(car);
-    EXPECT_TRUE(contains(pandar64, "of a Hesai Pandar64")) << pandar64;
-    EXPECT_TRUE(pandar64.ends_with(": try --vehicle roof_pandar64")) << pandar64;
+  }
+}
+
+TEST(CaptureIdentity, EachHesaiIsOfItsOwnCarAlone) {
+  const std::array<const char*, 4> cars{"roof_pandar40p", "roof_pandar64", "roof_xt16",
+                                        "roof_xt32"};
+  for (std::size_t unit = 0; unit < cars.size(); ++unit) {
+    const lidar::Format format = tests::kHesaiFormats[unit];
+    Capture capture;
+    for (int i = 0; i < 40; ++i) {
+      capture.add(2368, static_cast<std::uint64_t>(i) * 332, hesai_packet(format, i));
+    }
+    EXPECT_EQ(capture.refusal_by(cars[unit]), "");
+    for (const char* const car :
+         {"reference_car", "roof_hdl32e", "roof_hdl64e", cars[0], cars[1], cars[2], cars[3]}) {
+      if (car != cars[unit]) {
+        const std::string refusal = capture.refusal_by(car);
+        EXPECT_TRUE(contains(refusal, "of a " + std::string(lidar::name_of(format)))) << refusal;
+        EXPECT_TRUE(refusal.ends_with(": try --vehicle " + std::string(cars[unit]))) << refusal;
+      }
+    }
   }
 }
 

@@ -89,7 +89,19 @@ TEST(Descriptions, AHesaiHasTheChannelsOfItsFile) {
   ASSERT_EQ(corrections.size(), 64U);
   EXPECT_EQ(corrections[0].azimuth_ticks, 104);  // -1.042
   EXPECT_NEAR(elevation_deg(sensor, 0), 14.7, 1e-4);
+  EXPECT_TRUE(first_sensor_of("roof_xt16").unit().corrections.empty());
   EXPECT_TRUE(first_sensor_of("roof_xt32").unit().corrections.empty());
+}
+
+// calibration/made_up_pandar40p.csv
+TEST(Descriptions, APandar40pLooksByTurnsToTheSides) {
+  const vehicle::Sensor& sensor = first_sensor_of("roof_pandar40p");
+  const auto corrections = sensor.unit().corrections;
+  ASSERT_EQ(corrections.size(), 40U);
+  EXPECT_EQ(corrections[0].azimuth_ticks, 104);   // -1.042
+  EXPECT_EQ(corrections[6].azimuth_ticks, -313);  // 3.125
+  EXPECT_EQ(corrections[7].azimuth_ticks, 521);   // -5.208
+  EXPECT_NEAR(elevation_deg(sensor, 39), -25, 1e-4);
 }
 
 }  // namespace
