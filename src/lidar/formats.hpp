@@ -20,6 +20,7 @@
 #include "lidar/ouster.hpp"
 #include "lidar/velodyne_hdl32e.hpp"
 #include "lidar/velodyne_hdl64e.hpp"
+#include "lidar/velodyne_puck_hires.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 #include "lidar/velodyne_vlp32c.hpp"
 
@@ -27,19 +28,20 @@ namespace iog::lidar {
 
 // The wire formats that are understood (docs/spec.md): the one list of them, from which all others
 // follow.
-using AnyDecoder = std::variant<HesaiPandar40p,    //
-                                HesaiPandar64,     //
-                                HesaiXt16,         //
-                                HesaiXt32,         //
-                                IbeoLux,           //
-                                IbeoLux8,          //
-                                OusterLegacy,      //
-                                OusterRng15,       //
-                                OusterRng19,       //
-                                VelodyneHdl32e,    //
-                                VelodyneHdl64eS2,  //
-                                VelodyneHdl64eS3,  //
-                                VelodyneVlp16,     //
+using AnyDecoder = std::variant<HesaiPandar40p,     //
+                                HesaiPandar64,      //
+                                HesaiXt16,          //
+                                HesaiXt32,          //
+                                IbeoLux,            //
+                                IbeoLux8,           //
+                                OusterLegacy,       //
+                                OusterRng15,        //
+                                OusterRng19,        //
+                                VelodyneHdl32e,     //
+                                VelodyneHdl64eS2,   //
+                                VelodyneHdl64eS3,   //
+                                VelodynePuckHires,  //
+                                VelodyneVlp16,      //
                                 VelodyneVlp32c>;
 
 inline constexpr std::size_t kFormatCount = std::variant_size_v<AnyDecoder>;

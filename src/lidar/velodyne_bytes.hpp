@@ -24,6 +24,7 @@ inline constexpr std::uint8_t kModeLast = 0x38;
 inline constexpr std::uint8_t kModeDual = 0x39;
 inline constexpr std::uint8_t kProductHdl32e = 0x21;  // and VLP-16 before firmware 3.0.29
 inline constexpr std::uint8_t kProductVlp16 = 0x22;
+inline constexpr std::uint8_t kProductPuckHires = 0x24;
 inline constexpr std::uint8_t kProductVlp32c = 0x28;
 
 inline std::uint16_t word_at(std::span<const std::byte> packet, std::size_t offset) {

@@ -66,6 +66,7 @@ void add_velodyne_seeds(Seeds& seeds) {
   for (const int mode : {0x37, 0x38, 0x39}) {
     add_velodyne_seeds(seeds, {.mode = mode});
     add_velodyne_seeds(seeds, {.mode = mode, .product = 0x21});
+    add_velodyne_seeds(seeds, {.mode = mode, .product = 0x24});
     add_velodyne_seeds(seeds, {.mode = mode, .product = 0x28});
   }
   for (const int blocks_of_azimuth : {2, 4}) {

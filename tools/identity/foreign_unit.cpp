@@ -46,8 +46,6 @@ std::string_view velodyne(Bytes bytes) {
   switch (byte_at(bytes, lidar::velodyne::kProductOffset)) {
     case 0x23:
       return "Velodyne VLP-32A or VLP-32B";
-    case 0x24:
-      return "Velodyne Puck Hi-Res";
     case 0x63:
     case 0xA1:
       return "Velodyne VLS-128";

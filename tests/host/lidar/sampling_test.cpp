@@ -98,6 +98,7 @@ void expect_samples_of_velodyne(int product, bool has_two_banks) {
 TEST(Sampling, OfVelodynes) {
   expect_samples_of_velodyne<VelodyneVlp16>(0x22, false);
   expect_samples_of_velodyne<VelodyneHdl32e>(0x21, false);
+  expect_samples_of_velodyne<VelodynePuckHires>(0x24, false);
   expect_samples_of_velodyne<VelodyneVlp32c>(0x28, false);
   expect_samples_of_velodyne<VelodyneHdl64eS2>(0, true);
   expect_samples_of_velodyne<VelodyneHdl64eS3>(0, true);

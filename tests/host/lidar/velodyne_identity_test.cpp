@@ -78,8 +78,9 @@ TEST(VelodyneIdentity, ARealVlp16OfOldFirmwareIsKnownByItsFirst) {
 TEST(VelodyneIdentity, WhatSaysItsNameIsBelieved) {
   VelodyneIdentity identity;
   EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kVlp32c)), FormatSet(kFormat<VelodyneVlp32c>));
+  EXPECT_EQ(identity.add(Packet{.product = 0x24}.bytes()), FormatSet(kFormat<VelodynePuckHires>));
   EXPECT_EQ(identity.add(Packet{}.bytes()), kVlp16);
-  EXPECT_TRUE(identity.add(Packet{.product = 0x24}.bytes()).is_empty());
+  EXPECT_TRUE(identity.add(Packet{.product = 0x23}.bytes()).is_empty());
   EXPECT_TRUE(identity.add(std::span<const std::byte>()).is_empty());
   EXPECT_TRUE(identity.add(tests::vls128_packet()).is_empty());
 }

@@ -39,6 +39,7 @@ Packet turning(const Packet& unit) {
 }
 
 constexpr Packet kHdl32e{.product = 0x21};
+constexpr Packet kPuckHires{.product = 0x24};
 constexpr Packet kVlp32c{.product = 0x28};
 constexpr Packet kHdl64e{
     .mode = 0x37, .product = 0x21, .blocks_of_azimuth = 2, .has_two_banks = true};
@@ -144,6 +145,25 @@ TEST(VelodyneUnits, AnHdl64eShowsItsModeByItsAzimuths) {
   EXPECT_EQ(points[96 + 9].range_mm, 0U);
 }
 
+// VLP-16 User Manual, table 9-1: vertical angles of a Puck Hi-Res by laser id. When they fire it
+// says of both units at once: 2.304 us apart, the second sequence after 55.296 us.
+TEST(VelodyneUnits, APuckHiResIsAVlp16WithOtherAngles) {
+  const std::array<double, 16> expected{-10.00, 0.67, -8.67, 2.00, -7.33, 3.33, -6.00, 4.67,
+                                        -4.67,  6.00, -3.33, 7.33, -2.00, 8.67, -0.67, 10.00};
+  for (std::size_t laser = 0; laser < 16; ++laser) {
+    EXPECT_NEAR(VelodynePuckHires::kElevationsDeg[laser], expected[laser], 0.004) << laser;
+  }
+  Packet packet = turning(kPuckHires);
+  packet.ranges[0][17] = 1'000;
+  const auto points = points_of<VelodynePuckHires>(packet.bytes());
+  for (std::size_t k = 0; k < 32; ++k) {
+    EXPECT_EQ(points[k].layer, k % 16);
+    const double us = 2.304 * static_cast<double>(k % 16) + (k < 16 ? 0 : 55.296);
+    EXPECT_NEAR(turned(points[k]), 240 * us / 110.592, 0.51) << k;
+  }
+  EXPECT_EQ(points[17].range_mm, 2'000U);
+}
+
 // How long a packet takes: 12 azimuths, 6 if there are two returns or two banks, 3 if both.
 TEST(VelodyneUnits, APacketLastsAsLongAsItsFirings) {
   const auto lasts_us = [](const auto decoder, const Packet& packet) {
@@ -189,6 +209,10 @@ TEST(VelodyneUnits, EachRefusesWhatSaysThatItIsOfAnother) {
   EXPECT_EQ(status_of<VelodyneHdl32e>(vlp16), DecodeStatus::kOtherUnit);
   EXPECT_EQ(status_of<VelodyneHdl32e>(hdl64e), DecodeStatus::kOtherUnit);
   EXPECT_EQ(status_of<VelodyneVlp16>(vlp32c), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneVlp16>(kPuckHires.bytes()), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodynePuckHires>(vlp16), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodynePuckHires>(Packet{.product = 0x21}.bytes()),
+            DecodeStatus::kOtherUnit);
   EXPECT_EQ(status_of<VelodyneVlp32c>(vlp16), DecodeStatus::kOtherUnit);
   EXPECT_EQ(status_of<VelodyneHdl64eS2>(vlp16), DecodeStatus::kOtherUnit);
   EXPECT_EQ(status_of<VelodyneHdl64eS3>(vlp32c), DecodeStatus::kOtherUnit);

@@ -153,6 +153,20 @@ TEST(CaptureIdentity, EachHesaiIsOfItsOwnCarAlone) {
   }
 }
 
+// The packets are those of a VLP-16 but for the byte that names the unit.
+TEST(CaptureIdentity, APuckHiResIsNoVlp16) {
+  Capture capture;
+  for (int i = 0; i < 40; ++i) {
+    auto bytes = vlp16_packet(i);
+    bytes[1205] = std::byte{0x24};
+    capture.add(2368, static_cast<std::uint64_t>(i) * 1'327, bytes);
+  }
+  EXPECT_EQ(capture.refusal_by("roof_puck_hires"), "");
+  const std::string refusal = capture.refusal_by("roof_vlp16");
+  EXPECT_TRUE(contains(refusal, "of a Velodyne Puck Hi-Res")) << refusal;
+  EXPECT_TRUE(refusal.ends_with(": try --vehicle roof_puck_hires")) << refusal;
+}
+
 // An old VLP-16 calls itself what an HDL-32E does.
 TEST(CaptureIdentity, InfoNamesOnlyTheCarThatFits) {
   Capture capture;

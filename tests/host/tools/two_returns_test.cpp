@@ -23,6 +23,7 @@ bool contains(const std::string& text, std::string_view part) {
 TEST(TwoReturns, SendWhatTheDataSheetsSay) {
   using namespace lidar;
   EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneVlp16>) * 10, 578'700, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<VelodynePuckHires>) * 10, 578'700, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneHdl32e>) * 10, 1'388'900, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneVlp32c>) * 10, 1'157'400, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneHdl64eS3>) * 10, 2'222'200, 500);
