@@ -37,6 +37,7 @@ using AnyDecoder = std::variant<HesaiPandar40p,     //
                                 OusterLegacy,       //
                                 OusterRng15,        //
                                 OusterRng19,        //
+                                OusterRng19Dual,    //
                                 VelodyneHdl32e,     //
                                 VelodyneHdl64eS2,   //
                                 VelodyneHdl64eS3,   //

@@ -34,7 +34,55 @@ DecodeStatus OusterPacket::read(const OusterProfile& profile, std::span<const st
   if (!profile.is_legacy() && half_at(packet_, 0) != kLidarPacket) {
     return DecodeStatus::kWrongType;
   }
-  return read_columns(profile);
+  if (const DecodeStatus status = read_columns(profile); status != DecodeStatus::kOk) {
+    return status;
+  }
+  return has_bits_of_other(profile) || has_rows_of_other(profile) ? DecodeStatus::kOtherUnit
+                                                                  : DecodeStatus::kOk;
+}
+
+// 64 and 128 rows in RNG15 are as many bytes as 16 and 32 rows with two returns, and their columns
+// begin at the same places. The 15th byte of a pixel with two returns is always 0; in RNG15 it is
+// the reflectivity of every fourth row.
+bool OusterPacket::has_bits_of_other(const OusterProfile& profile) const {
+  constexpr std::size_t kUnused = 14;
+  if (profile.returns() != 2) {
+    return false;
+  }
+  for (std::size_t column = first_; column < end_; ++column) {
+    const auto pixels = pixels_of(profile, column);
+    for (std::size_t row = 0; row < corrections_.size(); ++row) {
+      if (pixels[row * profile.pixel_bytes + kUnused] != std::byte{0}) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Where the near infrared of a pixel with two returns stands, RNG15 has the range of every fourth
+// row. Many returns in these rows, and none with a reflectivity, are not of RNG15.
+bool OusterPacket::has_rows_of_other(const OusterProfile& profile) const {
+  constexpr std::size_t kLowRatePixelBytes = 4;
+  constexpr std::size_t kRowsOfPixel = 4;
+  constexpr std::size_t kFewestRows = 16;
+  constexpr std::uint32_t kMany = 64;
+  if (profile.pixel_bytes != kLowRatePixelBytes ||
+      corrections_.size() < kFewestRows * kRowsOfPixel) {
+    return false;
+  }
+  std::uint32_t returns = 0;
+  for (std::size_t column = first_; column < end_; ++column) {
+    const auto pixels = pixels_of(profile, column);
+    for (std::size_t row = kRowsOfPixel - 1; row < corrections_.size(); row += kRowsOfPixel) {
+      const std::uint32_t word = number_at(pixels, row * profile.pixel_bytes);
+      if ((word >> 16 & 0xFFU) != 0) {
+        return false;
+      }
+      returns += (word & profile.range_mask) != 0 ? 1U : 0U;
+    }
+  }
+  return returns >= kMany;
 }
 
 OusterPacket::Column OusterPacket::column_at(const OusterProfile& profile,
@@ -113,7 +161,8 @@ void OusterPacket::describe(const OusterProfile& profile, const Column& first, c
   const std::uint32_t end = edge_ticks(last.number + 1);
   constexpr auto kTurn = static_cast<std::uint32_t>(kTicksPerTurn);
   info_.scan_number = first.frame;
-  info_.point_count = static_cast<std::uint32_t>((end_ - first_) * corrections_.size());
+  info_.point_count =
+      static_cast<std::uint32_t>((end_ - first_) * corrections_.size() * profile.returns());
   // Clockwise on the wire: the sweep ends where, counter-clockwise, its sector begins.
   info_.sector = {.first_ticks = static_cast<std::uint16_t>((kTurn + kTurn / 2 - end) % kTurn),
                   .width_ticks = static_cast<std::uint16_t>(end - begin)};

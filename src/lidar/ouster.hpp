@@ -2,9 +2,9 @@
 //
 // One datagram, little endian: 16 columns, each a time, its number in the turn and a range for each
 // row of the unit (docs/spec.md; Ouster "Firmware User Manual", chapter "Lidar Data Packet
-// Format"). Three profiles: the one that was the only one before firmware 2.0 (LEGACY), "low data
-// rate" (RNG15) and "single return" (RNG19). A packet does not say which profile it is, how many
-// rows and how many columns a turn has: its unit's description does.
+// Format"). Four profiles: the one that was the only one before firmware 2.0 (LEGACY), "low data
+// rate" (RNG15), "single return" (RNG19) and "dual return" (RNG19 dual). A packet does not say
+// which profile it is, how many rows and how many columns a turn has: its unit's description does.
 //
 // Column i of W is measured where the head has turned i / W of a turn clockwise from the side
 // opposite to x forward. The head is 16 mm wide; its beams are taken to start in its middle, which
@@ -19,6 +19,7 @@
 #include <string_view>
 
 #include "lidar/data_sheet.hpp"
+#include "lidar/echo_pair.hpp"
 #include "lidar/laser.hpp"
 #include "lidar/sampling.hpp"
 #include "lidar/scan_point.hpp"
@@ -27,7 +28,8 @@
 
 namespace iog::lidar {
 
-// What the profiles differ in. The range is the pixel's first word, masked and shifted left, mm.
+// What the profiles differ in. A range is a word of the pixel, masked and shifted left, mm: the
+// first, and, if each beam has two returns, another.
 struct OusterProfile {
   std::size_t header_bytes = 0;
   std::size_t column_header_bytes = 0;
@@ -36,7 +38,9 @@ struct OusterProfile {
   std::size_t footer_bytes = 0;
   std::uint32_t range_mask = 0;
   std::uint32_t range_shift = 0;
+  std::size_t second_range_at = 0;  // 0: one return
 
+  [[nodiscard]] constexpr std::uint8_t returns() const { return second_range_at == 0 ? 1 : 2; }
   [[nodiscard]] constexpr bool is_legacy() const { return header_bytes == 0; }
   [[nodiscard]] constexpr std::size_t column_bytes(std::size_t rows) const {
     return column_header_bytes + rows * pixel_bytes + column_tail_bytes;
@@ -56,10 +60,6 @@ class OusterPacket {
   // Rows of the units that there are.
   [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
     return layers == 16 || layers == 32 || layers == 64 || layers == 128;
-  }
-
-  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t layers) {
-    return kColumns * layers;
   }
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
@@ -87,36 +87,51 @@ class OusterPacket {
                            profile.column_header_bytes);
   }
 
-  // Calls visit(const ScanPoint&) for each row of a column of the packet that was measured.
+  // Calls visit(const ScanPoint&) for each return of each row of a column of the packet that was
+  // measured.
   template <typename Visit>
   void for_each_row(const OusterProfile& profile, std::size_t column, Visit&& visit) const {
     const auto pixels = pixels_of(profile, column);
     for (std::size_t row = 0; row < corrections_.size(); ++row) {
-      visit(point(profile, pixels.subspan(row * profile.pixel_bytes), column, row));
+      const auto pixel = pixels.subspan(row * profile.pixel_bytes);
+      for (std::uint8_t echo = 0; echo < profile.returns(); ++echo) {
+        visit(point(profile, pixel, column, row, echo));
+      }
     }
   }
 
   [[nodiscard]] ScanPoint point(const OusterProfile& profile, std::span<const std::byte> pixel,
-                                std::size_t column, std::size_t row) const {
-    const std::uint32_t word = wire::load_le32(pixel.first<4>());
+                                std::size_t column, std::size_t row, std::uint8_t echo) const {
     const LaserCorrection& laser = corrections_[row];
     // An azimuth in a turn, and 16 bits of an offset, less than a turn.
     std::int32_t azimuth = azimuths_[column] + laser.azimuth_ticks;
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
-    const std::uint32_t range_mm = (word & profile.range_mask) << profile.range_shift;
+    std::uint32_t range_mm = range_at(profile, pixel, 0);
+    if (profile.second_range_at != 0) {
+      range_mm = range_of_echo(range_mm, range_at(profile, pixel, profile.second_range_at), echo);
+    }
     return {.range_mm = std::min(corrected_range_mm(range_mm, laser.range_mm), kMaxRangeMm),
             .azimuth_ticks = static_cast<std::uint16_t>(azimuth),
-            .layer = static_cast<std::uint8_t>(row)};
+            .layer = static_cast<std::uint8_t>(row),
+            .echo = echo};
   }
 
   [[nodiscard]] std::size_t first_column() const { return first_; }
   [[nodiscard]] std::size_t end_column() const { return end_; }
 
  private:
+  [[nodiscard]] static std::uint32_t range_at(const OusterProfile& profile,
+                                              std::span<const std::byte> pixel, std::size_t at) {
+    const std::uint32_t word = wire::load_le32(pixel.subspan(at).first<4>());
+    return (word & profile.range_mask) << profile.range_shift;
+  }
+
   [[nodiscard]] Column column_at(const OusterProfile& profile, std::size_t column) const;
   [[nodiscard]] std::uint32_t edge_ticks(std::uint32_t column) const;
   [[nodiscard]] DecodeStatus read_columns(const OusterProfile& profile);
+  [[nodiscard]] bool has_bits_of_other(const OusterProfile& profile) const;
+  [[nodiscard]] bool has_rows_of_other(const OusterProfile& profile) const;
   [[nodiscard]] bool is_in_turn(const OusterProfile& profile, const Column& column) const;
   void describe(const OusterProfile& profile, const Column& first, const Column& last);
 
@@ -138,18 +153,23 @@ class OusterDecoder : public OusterPacket {
     return kProfile.header_bytes + kProfile.footer_bytes + kColumns * kProfile.column_bytes(rows);
   }
 
+  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t layers) {
+    return kColumns * layers * kProfile.returns();
+  }
+
   [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
 
   // The view lives as long as the datagram and the unit's corrections, one for each row. kOk,
   // kWrongLength; kWrongType: another type of packet, or columns not so far apart in time as the
   // unit's mode has them; kWrongAngle: a column that the turn does not have or in another place
   // than its encoder says, or columns that do not follow one another; kWrongPoint: nothing
-  // measured.
+  // measured; kOtherUnit: the pixels are those of another profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }
 
-  // Calls visit(const ScanPoint&) for each row of each column that was measured, in wire order.
+  // Calls visit(const ScanPoint&) for each return of each row of each column that was measured, in
+  // wire order, the nearer return first.
   // Only after decode() was kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
@@ -158,7 +178,8 @@ class OusterDecoder : public OusterPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for the points of a sampling, of the columns that were measured.
+  // Calls visit(const ScanPoint&) for the first echoes of a sampling, of the columns that were
+  // measured.
   // Only after decode() was kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
@@ -166,7 +187,7 @@ class OusterDecoder : public OusterPacket {
       const auto pixels = pixels_of(kProfile, first_column() + firing);
       for (const std::uint8_t row : sampling.layers) {
         visit(point(kProfile, pixels.subspan(row * kProfile.pixel_bytes), first_column() + firing,
-                    row));
+                    row, 0));
       }
     });
   }
@@ -188,6 +209,12 @@ inline constexpr OusterProfile kOusterRng19Profile{.header_bytes = 32,
                                                    .pixel_bytes = 12,
                                                    .footer_bytes = 32,
                                                    .range_mask = 0x0007'FFFF};
+inline constexpr OusterProfile kOusterRng19DualProfile{.header_bytes = 32,
+                                                       .column_header_bytes = 12,
+                                                       .pixel_bytes = 16,
+                                                       .footer_bytes = 32,
+                                                       .range_mask = 0x0007'FFFF,
+                                                       .second_range_at = 4};
 
 // They see from 0.3 m (Hardware User Manual). How many points a turn has depends on rows and mode.
 constexpr DataSheet data_sheet_of_ouster(std::string_view type) {
@@ -210,6 +237,12 @@ class OusterRng19 : public OusterDecoder<kOusterRng19Profile> {
  public:
   static constexpr std::string_view kName = "Ouster OS, RNG19";
   static constexpr DataSheet kDataSheet = data_sheet_of_ouster("ouster_rng19");
+};
+
+class OusterRng19Dual : public OusterDecoder<kOusterRng19DualProfile> {
+ public:
+  static constexpr std::string_view kName = "Ouster OS, RNG19 dual";
+  static constexpr DataSheet kDataSheet = data_sheet_of_ouster("ouster_rng19_dual");
 };
 
 }  // namespace iog::lidar

@@ -64,10 +64,9 @@ void add_velodyne_seeds(Seeds& seeds, tests::VelodynePacket packet) {
 
 void add_velodyne_seeds(Seeds& seeds) {
   for (const int mode : {0x37, 0x38, 0x39}) {
-    add_velodyne_seeds(seeds, {.mode = mode});
-    add_velodyne_seeds(seeds, {.mode = mode, .product = 0x21});
-    add_velodyne_seeds(seeds, {.mode = mode, .product = 0x24});
-    add_velodyne_seeds(seeds, {.mode = mode, .product = 0x28});
+    for (const int product : {0x21, 0x22, 0x24, 0x28}) {
+      add_velodyne_seeds(seeds, {.mode = mode, .product = product});
+    }
   }
   for (const int blocks_of_azimuth : {2, 4}) {
     add_velodyne_seeds(seeds, {.blocks_of_azimuth = blocks_of_azimuth, .has_two_banks = true});
@@ -75,26 +74,24 @@ void add_velodyne_seeds(Seeds& seeds) {
 }
 
 void add_hesai_seeds(Seeds& seeds) {
-  int choice = 0;  // as hesai.cpp chooses
-  for (const lidar::Format format : tests::kHesaiFormats) {
+  for (std::size_t unit = 0; unit < tests::kHesaiFormats.size(); ++unit) {
     for (const bool is_dual : {false, true}) {
       const tests::HesaiPacket packet{
-          .format = format, .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
-      seeds.add("hesai", joined({static_cast<std::byte>(choice)}, packet.bytes()));
+          .format = tests::kHesaiFormats[unit], .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
+      seeds.add("hesai", joined({static_cast<std::byte>(unit)}, packet.bytes()));
     }
-    ++choice;
   }
 }
 
 void add_ouster_seeds(Seeds& seeds) {
-  constexpr int k1024x10 = 12;  // as ouster.cpp chooses
-  int choice = k1024x10;
-  for (const lidar::Format format :
-       {lidar::kFormat<lidar::OusterLegacy>, lidar::kFormat<lidar::OusterRng15>,
-        lidar::kFormat<lidar::OusterRng19>}) {
-    const Bytes packet = tests::OusterPacket{.format = format, .rows = 4}.bytes();
-    seeds.add("ouster", joined({static_cast<std::byte>(choice)}, packet));
-    ++choice;
+  using Packet = tests::OusterPacket;
+  int choice = 20;  // 1024x10, as ouster.cpp chooses
+  for (const Packet& packet : {Packet{.format = lidar::kFormat<lidar::OusterLegacy>, .rows = 4},
+                               Packet{.format = lidar::kFormat<lidar::OusterRng15>, .rows = 4},
+                               Packet{.format = lidar::kFormat<lidar::OusterRng19>, .rows = 4},
+                               Packet{.format = lidar::kFormat<lidar::OusterRng19Dual>, .rows = 4},
+                               Packet{.format = lidar::kFormat<lidar::OusterRng15>, .rows = 64}}) {
+    seeds.add("ouster", joined({static_cast<std::byte>(choice++)}, packet.bytes()));
   }
 }
 

@@ -36,6 +36,9 @@ double echoes_of(const description::SensorConfig& sensor) {
   if (repeats(sensor)) {
     return 3;
   }
+  if (sends_two_returns(sensor.format)) {
+    return 2;
+  }
   const std::uint32_t points = points_with_two_returns(sensor.format);
   return points > 0 && points <= sensor.max_points_per_scan ? 2 : 1;
 }

@@ -110,39 +110,6 @@ std::string_view hesai(Bytes bytes) {
   return {};
 }
 
-// Ouster "Firmware User Manual", "Dual return": 32 bytes of header, 16 columns of 12 bytes and 16
-// for each row, 32 of footer. A unit with 16 or 32 rows sends what one of 64 or 128 does in the low
-// data rate.
-std::string_view ouster(Bytes bytes) {
-  constexpr std::size_t kEnds = 32;
-  constexpr std::size_t kColumns = 16;
-  struct Unit {
-    std::size_t rows;
-    std::string_view name;
-  };
-  constexpr std::array<Unit, 4> kUnits{{{16, "Ouster OS, two returns 16"},
-                                        {32, "Ouster OS, two returns 32"},
-                                        {64, "Ouster OS, two returns 64"},
-                                        {128, "Ouster OS, two returns 128"}}};
-  for (const Unit& unit : kUnits) {
-    const std::size_t column_bytes = 12 + 16 * unit.rows;
-    if (bytes.size() != 2 * kEnds + kColumns * column_bytes || half_at(bytes, 0) != 1) {
-      continue;
-    }
-    const auto number_of = [&](std::size_t column) {
-      return half_at(bytes, kEnds + column * column_bytes + 8);
-    };
-    std::size_t followers = 1;
-    while (followers < kColumns && number_of(followers) == number_of(0) + followers) {
-      ++followers;
-    }
-    if (followers == kColumns) {
-      return unit.name;
-    }
-  }
-  return {};
-}
-
 // RS-LiDAR-16 User Guide, "MSOP" and "DIFOP"; later units have another beginning.
 std::string_view robosense(Bytes bytes) {
   if (begins(bytes, {0x55, 0xAA, 0x05, 0x0A, 0x5A, 0xA5, 0x50, 0xA0})) {
@@ -172,7 +139,7 @@ std::string_view livox(Bytes bytes) {
 }  // namespace
 
 std::string_view name_of_foreign(Bytes payload) {
-  for (const auto maker : {velodyne, pandar40p, hesai, ouster, robosense, livox}) {
+  for (const auto maker : {velodyne, pandar40p, hesai, robosense, livox}) {
     if (const std::string_view name = maker(payload); !name.empty()) {
       return name;
     }

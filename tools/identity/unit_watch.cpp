@@ -50,12 +50,27 @@ std::optional<SeenUnit> seen_ouster(Payload payload, lidar::Format format) {
   return std::nullopt;
 }
 
+// Until something is seen, 64 and 128 rows in RNG15 may be 16 and 32 with two returns.
+std::optional<SeenUnit> seen_low_rate_ouster(Payload payload) {
+  auto seen = seen_ouster<lidar::OusterRng15>(payload, lidar::kFormat<lidar::OusterRng15>);
+  constexpr lidar::Format kDual = lidar::kFormat<lidar::OusterRng19Dual>;
+  const auto as_dual = seen_ouster<lidar::OusterRng19Dual>(payload, kDual);
+  if (seen && as_dual) {
+    seen->name += " or " + as_dual->name;
+    seen->formats.add(kDual);
+    seen->is_in_doubt = true;
+  }
+  return seen;
+}
+
 // As one of the format's. Nothing in the packets of a LUX tells four layers from eight, and a
 // Velodyne is not known by a packet alone.
 std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
   std::optional<SeenUnit> seen;
   lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
-    if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
+    if constexpr (std::is_same_v<lidar::OusterRng15, Decoder>) {
+      seen = seen_low_rate_ouster(payload);
+    } else if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
       seen = seen_ouster<Decoder>(payload, format);
     } else if constexpr (std::is_same_v<lidar::IbeoLux, Decoder> ||
                          std::is_base_of_v<lidar::HesaiPacket, Decoder>) {

@@ -11,6 +11,16 @@ constexpr std::uint64_t kTenHertzNs = 100'000'000;
 
 }  // namespace
 
+bool sends_two_returns(lidar::Format format) {
+  bool it_does = false;
+  lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
+      it_does = Decoder::profile().returns() == 2;
+    }
+  });
+  return it_does;
+}
+
 std::uint32_t points_with_two_returns(lidar::Format format) {
   std::uint64_t points = 0;
   lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

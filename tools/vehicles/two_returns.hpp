@@ -12,6 +12,9 @@ namespace iog::tools {
 // that is taken.
 [[nodiscard]] std::uint32_t points_with_two_returns(lidar::Format format);
 
+// Whether a packet of the format has two returns of each beam, however the unit is set up.
+[[nodiscard]] bool sends_two_returns(lidar::Format format);
+
 // A line for each sensor whose max_points_per_scan is below that: which, and how much of a turn
 // would be dropped. Empty if there is none.
 [[nodiscard]] std::string warning_of_two_returns(const CatalogueEntry& car);

@@ -35,17 +35,6 @@ inline std::vector<std::byte> hesai_header_packet(int major, int minor, int lase
   return bytes;
 }
 
-// Ouster "Firmware User Manual", "Dual return": header, 16 columns of 12 bytes and 16 for each row,
-// footer; columns are numbered.
-inline std::vector<std::byte> ouster_dual_packet(std::size_t rows) {
-  std::vector<std::byte> bytes(64 + 16 * (12 + 16 * rows));
-  put(bytes, 0, {1, 0, 7, 0});
-  for (std::size_t column = 0; column < 16; ++column) {
-    put(bytes, 32 + column * (12 + 16 * rows) + 8, {static_cast<int>(32 + column), 0, 1, 0});
-  }
-  return bytes;
-}
-
 // RS-LiDAR-16 User Guide, "MSOP": header, 12 blocks, index and tail.
 inline std::vector<std::byte> robosense_packet() {
   std::vector<std::byte> bytes(1248);
@@ -64,8 +53,6 @@ inline std::vector<ForeignPacket> foreign_packets() {
           {"Hesai PandarQT-64", hesai_header_packet(3, 1, 64, 4, 1072)},
           {"Hesai QT128", hesai_header_packet(3, 2, 128, 2, 1127)},
           {"Hesai Pandar128 or OT128", hesai_header_packet(1, 4, 128, 2, 893)},
-          {"Ouster OS, two returns 64", ouster_dual_packet(64)},
-          {"Ouster OS, two returns 128", ouster_dual_packet(128)},
           {"RoboSense RS-16, RS-32 or Bpearl", robosense_packet()}};
 }
 

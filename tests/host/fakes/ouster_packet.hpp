@@ -20,9 +20,10 @@ struct OusterPacket {
   std::uint64_t column_ns = 97'656;
   int first_measured = 0;  // of the 16
   int end_measured = 16;
-  // By column of the packet, and row; in the units of the wire.
+  // By column of the packet, and row; in the units of the wire. second_ranges: of RNG19 dual.
   std::vector<std::vector<std::uint32_t>> ranges =
       std::vector<std::vector<std::uint32_t>>(16, std::vector<std::uint32_t>(128));
+  std::vector<std::vector<std::uint32_t>> second_ranges = ranges;
 
   [[nodiscard]] bool is_legacy() const { return format == lidar::kFormat<lidar::OusterLegacy>; }
 
@@ -52,8 +53,18 @@ struct OusterPacket {
         little(is_measured ? 1 : 0, 2);
       }
       for (int row = 0; row < rows; ++row) {
-        little(ranges[static_cast<std::size_t>(i)][static_cast<std::size_t>(row)], 4);
-        if (format != lidar::kFormat<lidar::OusterRng15>) {
+        const auto range_of = [&](const std::vector<std::vector<std::uint32_t>>& all) {
+          return all[static_cast<std::size_t>(i)][static_cast<std::size_t>(row)];
+        };
+        if (format == lidar::kFormat<lidar::OusterRng15>) {
+          little(range_of(ranges) | 0x1122'0000U, 4);  // near infrared, reflectivity
+        } else if (format == lidar::kFormat<lidar::OusterRng19Dual>) {
+          little(range_of(ranges) | 0x2200'0000U, 4);  // reflectivity
+          little(range_of(second_ranges), 4);
+          little(0x3344'5566, 4);  // signals
+          little(0x5500'7788, 4);  // near infrared, window
+        } else {
+          little(range_of(ranges), 4);
           little(0x1122'3344'5566'7788, 8);  // reflectivity, signal, near infrared
         }
       }

@@ -1,11 +1,13 @@
 #include "lidar/ouster.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <type_traits>
 #include <vector>
 
 #include "fakes/ouster_packet.hpp"
+#include "fakes/real_ouster_pixels.hpp"
 #include "fakes/real_packets.hpp"
 #include "lidar/formats.hpp"
 
@@ -14,7 +16,11 @@ namespace {
 
 using Sent = tests::OusterPacket;
 
-constexpr Format kFormats[] = {kFormat<OusterLegacy>, kFormat<OusterRng15>, kFormat<OusterRng19>};
+constexpr Format kLegacy = kFormat<OusterLegacy>;
+constexpr Format kRng15 = kFormat<OusterRng15>;
+constexpr Format kRng19 = kFormat<OusterRng19>;
+constexpr Format kDual = kFormat<OusterRng19Dual>;
+constexpr Format kFormats[] = {kLegacy, kRng15, kRng19, kDual};
 
 // A unit whose rows look to the left by as many ticks as their numbers, and by turns to the right.
 class TestUnit {
@@ -75,33 +81,27 @@ std::size_t packet_bytes(Format format, int rows) {
   return bytes;
 }
 
-// Firmware User Manual, "Lidar Data Packet Format": bytes of a packet by profile and rows.
+// Firmware User Manual, "Lidar Data Packet Format": bytes of a packet of 16, 32, 64 and 128 rows.
 TEST(Ouster, PacketsAreAsLongAsTheManualSays) {
   struct Row {
     Format format;
-    int rows;
-    std::size_t bytes;
+    std::array<std::size_t, 4> bytes;
   };
-  for (const auto& [format, rows, bytes] : std::vector<Row>{{kFormat<OusterLegacy>, 16, 3392},
-                                                            {kFormat<OusterLegacy>, 32, 6464},
-                                                            {kFormat<OusterLegacy>, 64, 12608},
-                                                            {kFormat<OusterLegacy>, 128, 24896},
-                                                            {kFormat<OusterRng15>, 16, 1280},
-                                                            {kFormat<OusterRng15>, 64, 4352},
-                                                            {kFormat<OusterRng15>, 128, 8448},
-                                                            {kFormat<OusterRng19>, 32, 6400},
-                                                            {kFormat<OusterRng19>, 64, 12544},
-                                                            {kFormat<OusterRng19>, 128, 24832}}) {
-    const Sent packet{.format = format, .rows = rows};
-    const TestUnit unit(packet);
-    EXPECT_EQ(packet_bytes(format, rows), bytes);
-    auto datagram = packet.bytes();
-    ASSERT_EQ(datagram.size(), bytes);
-    EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kOk);
-    datagram.pop_back();
-    EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kWrongLength);
-    datagram.resize(bytes + 1);
-    EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kWrongLength);
+  for (const Row& row :
+       {Row{kLegacy, {3392, 6464, 12608, 24896}}, Row{kRng15, {1280, 2304, 4352, 8448}},
+        Row{kRng19, {3328, 6400, 12544, 24832}}, Row{kDual, {4352, 8448, 16640, 33024}}}) {
+    for (std::size_t i = 0; i < row.bytes.size(); ++i) {
+      const Sent packet{.format = row.format, .rows = 16 << i};
+      const TestUnit unit(packet);
+      EXPECT_EQ(packet_bytes(row.format, packet.rows), row.bytes[i]);
+      auto datagram = packet.bytes();
+      ASSERT_EQ(datagram.size(), row.bytes[i]);
+      EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kOk);
+      datagram.pop_back();
+      EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kWrongLength);
+      datagram.resize(row.bytes[i] + 1);
+      EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kWrongLength);
+    }
   }
 }
 
@@ -109,7 +109,7 @@ TEST(Ouster, PacketsAreAsLongAsTheManualSays) {
 // 19 bits of mm.
 TEST(Ouster, RangesHaveTheBitsOfTheirProfile) {
   const std::uint32_t expected[] = {0xF'FFFF, 0x7FFF * 8, 0x7'FFFF};
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {  // with two returns: below
     Sent sent{.format = kFormats[i], .rows = 32};
     sent.ranges[3][7] = 0xFFFF'FFFF;
     sent.ranges[15][31] = 1;
@@ -123,6 +123,56 @@ TEST(Ouster, RangesHaveTheBitsOfTheirProfile) {
     EXPECT_EQ(points[3 * 32 + 7].layer, 7);
     EXPECT_EQ(points[15 * 32 + 31].range_mm, i == 1 ? 8U : 1U);
     EXPECT_EQ(points[0].range_mm, 0U);
+  }
+}
+
+// Ranges of 19 bits in the first two words; whichever of them is nearer is the first echo.
+TEST(Ouster, OfTwoReturnsTheNearerIsTheFirstEcho) {
+  Sent sent{.format = kDual, .rows = 32};
+  sent.ranges[3][7] = 9'000;
+  sent.second_ranges[3][7] = 4'000;
+  sent.ranges[3][8] = 4'000;
+  sent.second_ranges[3][8] = 0xF7'FFFF;  // five bits of flags above it
+  sent.ranges[15][31] = 5'000;
+  const TestUnit unit(sent);
+  const Decoded packet(sent.bytes(), unit);
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  ASSERT_EQ(packet.points.size(), 2U * 16 * 32);
+  EXPECT_EQ(packet.info.point_count, packet.points.size());
+  EXPECT_EQ(OusterRng19Dual::points_of_packet(32), packet.points.size());
+  const auto expect = [&](std::size_t column, std::size_t row, unsigned nearer_mm,
+                          unsigned farther_mm) {
+    const ScanPoint* const pair = &packet.points.at(2 * (column * 32 + row));
+    EXPECT_EQ(pair[0].range_mm, nearer_mm);
+    EXPECT_EQ(pair[1].range_mm, farther_mm);
+    for (const std::size_t echo : {0U, 1U}) {
+      EXPECT_EQ(pair[echo].echo, echo);
+      EXPECT_EQ(pair[echo].layer, row);
+      EXPECT_EQ(pair[echo].azimuth_ticks,
+                (46'080 / 2 - static_cast<int>(column) * 45 + unit.offset(row) + 46'080) % 46'080);
+    }
+  };
+  expect(3, 7, 4'000, 9'000);
+  expect(3, 8, 4'000, 0x7'FFFF);
+  expect(15, 31, 5'000, 0);
+}
+
+// 8448 bytes are 128 rows in RNG15 and 32 with two returns, 4352 64 and 16. What no unit of the one
+// profile sends tells them apart, as soon as something is seen.
+TEST(Ouster, RowsAreNotTakenForReturns) {
+  for (const int rows : {16, 32}) {
+    Sent dual{.format = kDual, .rows = rows};
+    Sent low_rate{.format = kRng15, .rows = 4 * rows};
+    const TestUnit dual_unit(dual);
+    const TestUnit low_rate_unit(low_rate);
+    for (std::size_t column = 0; column < 16; ++column) {
+      dual.ranges[column].assign(128, 12'345);
+      low_rate.ranges[column].assign(128, 1'234);
+    }
+    EXPECT_EQ(Decoded(dual.bytes(), dual_unit).status, DecodeStatus::kOk);
+    EXPECT_EQ(Decoded(dual.bytes(), low_rate_unit).status, DecodeStatus::kOtherUnit);
+    EXPECT_EQ(Decoded(low_rate.bytes(), low_rate_unit).status, DecodeStatus::kOk);
+    EXPECT_EQ(Decoded(low_rate.bytes(), dual_unit).status, DecodeStatus::kOtherUnit);
   }
 }
 
@@ -201,7 +251,7 @@ TEST(Ouster, SectorsOfATurnMeet) {
 
 // 1024 columns ten times a second are 97.656 us apart.
 TEST(Ouster, ItsTimesAreThoseOfItsColumns) {
-  const Sent sent{.format = kFormat<OusterRng19>, .frame = 0xFFFE};
+  const Sent sent{.format = kRng19, .frame = 0xFFFE};
   const TestUnit unit(sent);
   const Decoded packet(sent.bytes(), unit);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
@@ -221,8 +271,8 @@ TEST(Ouster, ColumnsThatWereNotMeasuredAreNoPoints) {
     const TestUnit unit(sent);
     const Decoded packet(sent.bytes(), unit);
     ASSERT_EQ(packet.status, DecodeStatus::kOk);
-    EXPECT_EQ(packet.info.point_count, 4U * 64);
-    EXPECT_EQ(packet.points.size(), 4U * 64);
+    EXPECT_EQ(packet.info.point_count, 4U * 64 * (format == kDual ? 2 : 1));
+    EXPECT_EQ(packet.points.size(), packet.info.point_count);
     EXPECT_EQ(packet.info.sector.width_ticks, 4 * 45);
     EXPECT_EQ(packet.info.sector.first_ticks, 46'080 / 2 - 169 * 45);
   }
@@ -247,7 +297,7 @@ TEST(Ouster, NoModeIsTakenForAnother) {
         const Sent like{.format = format, .columns_per_turn = described.columns};
         const bool is_it = is.columns == described.columns && is.turns == described.turns;
         const bool looks_like_it = is.columns * is.turns == described.columns * described.turns &&
-                                   format != kFormat<OusterLegacy> && described.columns > 495;
+                                   format != kLegacy && described.columns > 495;
         EXPECT_EQ(Decoded(bytes, TestUnit(like, described.turns)).status == DecodeStatus::kOk,
                   is_it || looks_like_it);
       }
@@ -281,8 +331,50 @@ TEST(Ouster, ARealOs1IsUnderstood) {
   EXPECT_EQ(points[0].azimuth_ticks, 46'080 / 2 - 160 * 45);
 }
 
+// A packet of the profile whose columns all have these pixels.
+std::vector<std::byte> packet_with(const Sent& like, const std::vector<std::byte>& pixels) {
+  std::vector<std::byte> bytes = like.bytes();
+  for (std::size_t column = 0; column < 16; ++column) {
+    std::ranges::copy(pixels, bytes.begin() + static_cast<std::ptrdiff_t>(
+                                                  32 + column * (12 + pixels.size()) + 12));
+  }
+  return bytes;
+}
+
+TEST(Ouster, OfARealOs0TwoReturnsAreThoseOfItsSdk) {
+  const Sent like{.format = kDual, .rows = 32};
+  const Decoded packet(packet_with(like, tests::real_os0_32_dual_pixels()), TestUnit(like));
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  for (std::size_t row = 0; row < 32; ++row) {
+    const std::uint32_t first_mm = tests::kOs0DualFirst[row];
+    const std::uint32_t second_mm = tests::kOs0DualSecond[row];
+    const bool has_two = second_mm != 0;
+    EXPECT_EQ(packet.points[2 * row].range_mm, has_two ? std::min(first_mm, second_mm) : first_mm);
+    EXPECT_EQ(packet.points[2 * row + 1].range_mm, has_two ? std::max(first_mm, second_mm) : 0);
+  }
+  const Sent low_rate{.format = kRng15, .rows = 128};
+  EXPECT_EQ(Decoded(packet_with(like, tests::real_os0_32_dual_pixels()), TestUnit(low_rate)).status,
+            DecodeStatus::kOtherUnit);
+}
+
+TEST(Ouster, RangesOfRealUnitsAreThoseOfTheSdk) {
+  const auto expect = [](const Sent& like, const std::vector<std::byte>& pixels,
+                         std::span<const std::uint32_t> ranges_mm) {
+    const Decoded packet(packet_with(like, pixels), TestUnit(like));
+    ASSERT_EQ(packet.status, DecodeStatus::kOk);
+    for (std::size_t row = 0; row < ranges_mm.size(); ++row) {
+      EXPECT_EQ(packet.points[row].range_mm, ranges_mm[row]) << row;
+    }
+  };
+  expect({.format = kRng19, .rows = 32}, tests::real_os2_rng19_pixels(), tests::kOs2Rng19);
+  expect({.format = kRng15, .rows = 128}, tests::real_os0_128_rng15_pixels(), tests::kOs0Rng15);
+  const Sent dual{.format = kDual, .rows = 32};
+  EXPECT_EQ(Decoded(packet_with(dual, tests::real_os0_128_rng15_pixels()), TestUnit(dual)).status,
+            DecodeStatus::kOtherUnit);
+}
+
 TEST(Ouster, RefusesWhatIsNotItsFormat) {
-  Sent sent{.format = kFormat<OusterRng19>};
+  Sent sent{.format = kRng19};
   const TestUnit unit(sent);
   const auto good = sent.bytes();
   auto bytes = good;

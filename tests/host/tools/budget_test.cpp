@@ -109,11 +109,18 @@ TEST(Budget, CountsWhatDescriptionsAllow) {
   EXPECT_EQ(roof.typical.work.points, 0);
 }
 
-// The file of the Pandar64 has no room for two returns, and an Ouster with two is not taken: 64
-// lasers in 1,800 and 1,024 directions, of which the file of the former allows some more.
+// The file of the Pandar64 has no room for two returns, and an Ouster with two has a profile of its
+// own: 64 lasers in 1,800 and 1,024 directions, of which the file of the former allows some more.
 TEST(Budget, OfAUnitWithOneReturnIsThatOfAllItsPoints) {
   EXPECT_NEAR(budget_of(find_vehicle("roof_pandar64")).typical.work.turn_points, 64 * 1'800, 8'000);
   EXPECT_EQ(budget_of(find_vehicle("roof_os1_64")).typical.work.turn_points, 64 * 1'024);
+}
+
+// 32 rows in 1,024 directions, each twice.
+TEST(Budget, OfAnOusterWithTwoReturnsTheSecondIsALaterEcho) {
+  const FrameWork work = budget_of(find_vehicle("roof_os0_32_dual")).worst.work;
+  EXPECT_EQ(work.points_once, 32 * 1'024);
+  EXPECT_EQ(work.later_echoes, 32 * 1'024);
 }
 
 // docs/results/four_cores.md: the city's frame takes 0.77, 0.59, 0.52 of one core's time.

@@ -33,6 +33,9 @@ TEST(TwoReturns, SendWhatTheDataSheetsSay) {
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt32>) * 10, 1'280'000, 500);
   EXPECT_EQ(points_with_two_returns(kFormat<VelodyneHdl64eS2>), 0U);
   EXPECT_EQ(points_with_two_returns(kFormat<OusterLegacy>), 0U);
+  EXPECT_FALSE(sends_two_returns(kFormat<OusterRng19>));
+  EXPECT_TRUE(sends_two_returns(kFormat<OusterRng19Dual>));
+  EXPECT_FALSE(sends_two_returns(kFormat<HesaiXt32>));
   EXPECT_EQ(points_with_two_returns(kFormat<IbeoLux>), 0U);
 }
 

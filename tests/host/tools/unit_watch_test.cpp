@@ -1,6 +1,7 @@
 // Packets are known without a description of their unit; those of nobody have no name.
 #include "tools/identity/unit_watch.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -27,14 +28,34 @@ TEST(UnitWatch, KnowsEachProfileByItsLengthAndItsColumns) {
   EXPECT_EQ(
       name_seen(OusterPacket{.format = lidar::kFormat<lidar::OusterRng19>, .rows = 32}.bytes()),
       "Ouster OS, RNG19 32");
+  OusterPacket dual{.format = lidar::kFormat<lidar::OusterRng19Dual>, .rows = 32};
+  EXPECT_EQ(name_seen(dual.bytes()), "Ouster OS, RNG19 dual 32");
+  EXPECT_FALSE(UnitWatch{}.take(dual.bytes()).is_in_doubt);
   EXPECT_EQ(name_seen(OusterPacket{.columns_per_turn = 2048, .column_ns = 48'828}.bytes()),
             "Ouster OS, legacy 64");
+  dual.rows = 128;
+  EXPECT_EQ(name_seen(dual.bytes()), "Ouster OS, RNG19 dual 128");
   const auto bytes = OusterPacket{.frame = 77}.bytes();
   const SeenUnit seen = UnitWatch{}.take(bytes);
   EXPECT_TRUE(seen.is_sound);
   EXPECT_TRUE(seen.is_numbered);
   EXPECT_EQ(seen.info.scan_number, 77U);
   EXPECT_EQ(seen.ticks_per_turn, 46'080U);
+}
+
+// The sky at night: 128 rows, or 32 with two returns.
+TEST(UnitWatch, AnOusterThatSeesNothingMayBeOfTwoProfiles) {
+  auto bytes =
+      tests::OusterPacket{.format = lidar::kFormat<lidar::OusterRng15>, .rows = 128}.bytes();
+  for (std::size_t column = 0; column < 16; ++column) {
+    std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(32 + 524 * column + 12), 512,
+                std::byte{0});
+  }
+  const SeenUnit seen = UnitWatch{}.take(bytes);
+  EXPECT_EQ(seen.name, "Ouster OS, RNG15 128 or Ouster OS, RNG19 dual 32");
+  EXPECT_TRUE(seen.is_in_doubt);
+  EXPECT_TRUE(seen.formats.has(lidar::kFormat<lidar::OusterRng15>));
+  EXPECT_TRUE(seen.formats.has(lidar::kFormat<lidar::OusterRng19Dual>));
 }
 
 TEST(UnitWatch, KnowsEachHesaiByItsHeadOrItsFlags) {

@@ -82,6 +82,14 @@ TEST(Descriptions, AnOusterHasTheRowsAndTheModeOfItsMetadata) {
   EXPECT_NEAR(elevation_deg(sensor, 63), -16.6, 1e-4);
 }
 
+// calibration/made_up_os0_128.json: no unit has more rows.
+TEST(Descriptions, AnOusterMayHave128Rows) {
+  const vehicle::Sensor& sensor = first_sensor_of("roof_os0_128");
+  ASSERT_EQ(sensor.unit().corrections.size(), 128U);
+  EXPECT_EQ(sensor.unit().corrections[127].azimuth_ticks, 1229);  // -9.6
+  EXPECT_NEAR(elevation_deg(sensor, 127), -45, 1e-4);
+}
+
 // calibration/made_up_pandar64.csv: clockwise, and its channels count from 1.
 TEST(Descriptions, AHesaiHasTheChannelsOfItsFile) {
   const vehicle::Sensor& sensor = first_sensor_of("roof_pandar64");

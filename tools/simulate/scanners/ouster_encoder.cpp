@@ -13,6 +13,7 @@ namespace {
 using lidar::OusterPacket;
 
 constexpr std::uint8_t kOusterReflectivity = 40;
+constexpr std::uint16_t kNearInfrared = 100;
 constexpr std::uint16_t kLidarPacket = 1;
 
 // In the profile's units, of 8 mm with RNG15; 0: nothing came back.
@@ -58,7 +59,12 @@ void OusterEncoder::write_pixels(std::uint32_t column, std::uint64_t fires_ns,
     truth.push_back(measured.truth);
     const std::uint32_t range = range_units(profile_, measured.range_m);
     const std::uint8_t reflectivity = range == 0 ? std::uint8_t{0} : kOusterReflectivity;
-    if (profile_.pixel_bytes == 4) {
+    if (profile_.returns() == 2) {
+      truth.emplace_back();  // no second return
+      out.u32_le(range | std::uint32_t{reflectivity} << 24);
+      out.zeros(8);  // the second return, signals
+      out.u32_le(kNearInfrared);
+    } else if (profile_.pixel_bytes == 4) {
       out.u16_le(static_cast<std::uint16_t>(range));
       out.u8(reflectivity);
       out.u8(0);  // near infrared
