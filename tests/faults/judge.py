@@ -3,6 +3,7 @@
 import dataclasses
 
 import grid_stream
+import link_counters
 import protected_message
 
 NO_EFFECT, RECOVERED, STOPPED, SILENT, HANG, EMULATOR = \
@@ -39,9 +40,9 @@ def seen(frame: grid_stream.Frame) -> Seen:
              "tiles lost": (frame.tiles_lost, classes.tiles_lost), "packets": frame.packets_fused,
              "placed": (classes.packets_placed, classes.packets_not_placed, classes.slices_over_budget),
              "groups": classes.groups, "fates": classes.pose_fates, "causes": [cause[:2] for cause in classes.causes],
-             "drops": [frame.counters[name] for name in grid_stream.PACKET_DROPS],
+             "drops": [frame.counters[name] for name in link_counters.PACKET_DROPS],
              "cores": frame.counters["cores at work"], "items": frame.counters["items for lost cores"],
-             "damaged": [frame.counters[name] for name in grid_stream.DAMAGED],
+             "damaged": [frame.counters[name] for name in link_counters.DAMAGED],
              "restarts": frame.counters["port restarts"], "unwatched": frame.unwatched}
     contradiction = ""
     if frame.crc != frame.crc_of_tiles:
@@ -112,7 +113,7 @@ def end_of(message: bytes) -> tuple:
     """A frame's end without times and counts of the loop."""
     body = message[28 + grid_stream.HEADER_BYTES:]
     end = grid_stream.read_frame_end(body)
-    lossy = [*grid_stream.PACKET_DROPS, *grid_stream.DAMAGED, "port restarts", "cores at work", "items for lost cores"]
+    lossy = [*link_counters.PACKET_DROPS, *link_counters.DAMAGED, "port restarts", "cores at work", "items for lost cores"]
     return (message[29], message[52:72], end.tiles_sent, end.tiles_lost, end.crc, end.fates, end.sensors, end.unwatched,
             [end.counters[name] for name in lossy])
 
