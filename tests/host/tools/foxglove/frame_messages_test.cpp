@@ -87,16 +87,16 @@ TEST_F(FrameMessagesTest, ChannelsAreOfWhatTheStreamHasAndOfOneVehicle) {
   EXPECT_TRUE(first.gone.empty());
   EXPECT_EQ(topics_of(messages_.channels()),
             (std::vector<std::string_view>{"/grid", "/iogrid/image", "/iogrid/grid", "/points",
-                                           "/iogrid/messages"}));
-  EXPECT_EQ(first.added.size(), 5U);
+                                           "/diagnostics", "/iogrid/messages"}));
+  EXPECT_EQ(first.added.size(), 6U);
   take_frame(1);
   const FrameMessages::Changes second = messages_.take(feed_.newest());
   EXPECT_TRUE(second.gone.empty() && second.added.empty());
   take_frame(2);
   const FrameMessages::Changes third = messages_.take(feed_.newest());
-  EXPECT_EQ(third.gone.size(), 5U);
-  EXPECT_EQ(third.added.size(), 5U);
-  EXPECT_GT(third.added.front().id, 5U) << "no id has two meanings";
+  EXPECT_EQ(third.gone.size(), 6U);
+  EXPECT_EQ(third.added.size(), 6U);
+  EXPECT_GT(third.added.front().id, 6U) << "no id has two meanings";
 }
 
 TEST_F(FrameMessagesTest, AMessageIsMadeOnceForAll) {
@@ -112,7 +112,7 @@ TEST_F(FrameMessagesTest, AMessageIsMadeOnceForAll) {
   ASSERT_EQ(some.size(), 1U);
   EXPECT_EQ(some.front().arrival_ns, 1'000'000U);
   const auto everything = messages_.of_channels(all);
-  ASSERT_EQ(everything.size(), 6U) << "and two datagrams";
+  ASSERT_EQ(everything.size(), 7U) << "and two datagrams";
   EXPECT_EQ(everything[3].bytes, some.front().bytes) << "the same bytes, not equal ones";
   EXPECT_TRUE(messages_.of_channels({999}).empty());
 }
