@@ -10,29 +10,29 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 606.40;
+inline constexpr double kPointCycles = 606.24;
 // A cell, carved.
-inline constexpr double kCellCycles = 2.82;
+inline constexpr double kCellCycles = 2.83;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 9018.22;
+inline constexpr double kTileCycles = 9037.19;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 48063.45;
+inline constexpr double kClassTileCycles = 47864.85;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5026.91;
+inline constexpr double kPointOnceCycles = 5053.98;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 485.94;
+inline constexpr double kLaterEchoCycles = 484.11;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9178.82;
+inline constexpr double kDearestTileCycles = 9192.87;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 49539.41;
+inline constexpr double kDearestClassTileCycles = 49363.20;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 832.28;
+inline constexpr double kTurnStepCycles = 793.24;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 353.34;
+inline constexpr double kTurnPointCycles = 365.46;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 1071847.62;
+inline constexpr double kGroundTurnCycles = 2312647.20;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 172.60;
+inline constexpr double kGroundPointCycles = 145.51;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -43,7 +43,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.769, 0.586, 0.514};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.771, 0.588, 0.515};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -56,33 +56,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4750566},
-    {"ring_road", 2321, 721236, 478, 8156341},
+    {"city", 2885, 466621, 231, 4761860},
+    {"ring_road", 2321, 721236, 478, 8161787},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1305687},
-    {"city, 3 LUX", 2240, 369547, 154, 1855334},
-    {"city, 4 LUX", 2885, 466621, 231, 2456013},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1293800},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1957871},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3054294},
+    {"city, 2 LUX", 1551, 254292, 132, 1305805},
+    {"city, 3 LUX", 2240, 369547, 154, 1854306},
+    {"city, 4 LUX", 2885, 466621, 231, 2454428},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1294409},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1958473},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3067357},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1425860, 668, 10739711},
-    {"random_ranges", 3216, 744269, 600, 9625772},
-    {"layers_apart", 3216, 888311, 665, 10597664},
-    {"beyond_range", 3216, 1451672, 680, 10383790},
-    {"three_echoes", 9648, 1344110, 668, 12623149},
-    {"missing_returns", 1618, 721934, 664, 9870590},
-    {"random_azimuths", 3216, 2000851, 665, 21213276},
-    {"diagonal", 3216, 2223052, 126, 7759682},
-    {"one_direction", 3216, 1538745, 48, 1751652},
-    {"short_beams", 9648, 24984, 4, 4811590},
-    {"flood", 9648, 6805584, 126, 10595822},
+    {"full_range", 3216, 1425860, 668, 10756100},
+    {"random_ranges", 3216, 744269, 600, 9610703},
+    {"layers_apart", 3216, 888311, 665, 10581564},
+    {"beyond_range", 3216, 1451672, 680, 10378454},
+    {"three_echoes", 9648, 1344110, 668, 12568074},
+    {"missing_returns", 1618, 721934, 664, 9882005},
+    {"random_azimuths", 3216, 2000851, 665, 21311484},
+    {"diagonal", 3216, 2223052, 126, 7831816},
+    {"one_direction", 3216, 1538745, 48, 1739599},
+    {"short_beams", 9648, 24984, 4, 4794069},
+    {"flood", 9648, 6805584, 126, 10668428},
 }};
 
 struct ModelledTurn {
@@ -96,16 +96,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 20629383},
-    {"HDL-32E", 69466, 460, 35017327},
-    {"HDL-64E S3", 111130, 466, 51464333},
+    {"VLP-16", 28954, 323, 20774027},
+    {"HDL-32E", 69466, 460, 35347810},
+    {"HDL-64E S3", 111130, 466, 52602948},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 26980335},
-    {"HDL-32E", 69466, 474, 47523872},
-    {"HDL-64E S3", 111130, 489, 71991448},
+    {"VLP-16", 28954, 330, 27183426},
+    {"HDL-32E", 69466, 474, 47998334},
+    {"HDL-64E S3", 111130, 489, 70973372},
 }};
 
 }  // namespace iog::tools
