@@ -36,6 +36,8 @@ Intake::Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_
     trackers_[i] =
         ScanTracker(lidar::turns(sensors[i].format), sensors[i].azimuths.ticks_per_turn(),
                     sensors[i].scan_width_ticks, sensors[i].max_points_per_scan / kPointsOfPacket);
+    digests_[i] = RangeDigest(sensors[i]);
+    frozen_[i].look_back(trackers_[i].remembered_packets());
   }
 }
 
@@ -76,6 +78,8 @@ std::optional<SensorPacket> Intake::receive(const Datagram& datagram) {
   if (status != lidar::DecodeStatus::kOk) {
     drop(cause_of(status), vehicle::Fate::kMalformed, received->packet);
     received.reset();
+  } else {
+    received->range_digest = digests_[sensor].of(received->packet);
   }
   return received;
 }
@@ -102,6 +106,11 @@ Intake::Outcome Intake::classify(const SensorPacket& packet) {
     case ScanTracker::Outcome::kPartOfFrame:
       break;
   }
+  if (frozen_[packet.sensor].is_frozen(packet.range_digest)) {
+    frozen_[packet.sensor].note_frozen(packet.range_digest);
+    drop(PacketDrop::kFrozen, vehicle::Fate::kStale, packet.packet);
+    return Outcome::kDropped;
+  }
   if (tracker.points() + info.point_count > sensors_[packet.sensor].max_points_per_scan) {
     drop(PacketDrop::kOverBudget, vehicle::Fate::kMalformed, packet.packet);
     return Outcome::kDropped;
@@ -111,6 +120,7 @@ Intake::Outcome Intake::classify(const SensorPacket& packet) {
 
 void Intake::accept(const SensorPacket& packet) {
   trackers_[packet.sensor].accept(packet.packet.info());
+  frozen_[packet.sensor].note_taken(packet.range_digest);
   ++packets_accepted_;
 }
 
@@ -128,6 +138,9 @@ void Intake::start_frame() {
   points_dropped_ = {};
   for (ScanTracker& tracker : trackers_) {
     tracker.start_frame();
+  }
+  for (FrozenWatch& watch : frozen_) {
+    watch.start_frame();
   }
 }
 

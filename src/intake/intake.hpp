@@ -12,6 +12,7 @@
 #include <span>
 
 #include "intake/datagram.hpp"
+#include "intake/measured_ranges.hpp"
 #include "intake/packet.hpp"
 #include "intake/scan_tracker.hpp"
 #include "intake/sensor_report.hpp"
@@ -26,6 +27,7 @@ struct SensorPacket {
   std::size_t sensor = 0;
   Packet packet;
   std::span<const std::byte> payload{};
+  std::uint64_t range_digest = RangeDigest::kNone;
 };
 
 class Intake {
@@ -48,7 +50,7 @@ class Intake {
   // comes of it.
   [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);
 
-  // Whether the packet belongs to the open frame.
+  // Whether the packet belongs to the open frame. One whose ranges were measured before does not.
   [[nodiscard]] Outcome classify(const SensorPacket& packet);
 
   // Counts the packet in. Only after classify() said kThisFrame.
@@ -95,6 +97,8 @@ class Intake {
   std::uint32_t replayer_ipv4_;
   std::array<ScanTracker, vehicle::kMaxSensors> trackers_;
   std::array<lidar::VelodyneIdentity, vehicle::kMaxSensors> identities_;
+  std::array<RangeDigest, vehicle::kMaxSensors> digests_;
+  std::array<FrozenWatch, vehicle::kMaxSensors> frozen_;
   std::uint32_t packets_accepted_ = 0;
   std::array<std::uint32_t, vehicle::kFateCount> points_dropped_{};
   std::array<std::uint32_t, kPacketDropCount> packet_drops_{};

@@ -58,6 +58,8 @@ class ScanTracker {
   [[nodiscard]] std::uint16_t packets() const { return packets_; }  // in this frame
   [[nodiscard]] std::uint32_t points() const { return points_; }    // in those packets
   [[nodiscard]] std::uint32_t scan_number() const { return scan_number_; }
+  // How many packets back a duplicate is known.
+  [[nodiscard]] std::size_t remembered_packets() const { return remembered_; }
   [[nodiscard]] bool was_ever_seen() const { return fingerprint_count_ > 0; }
   [[nodiscard]] std::uint16_t age_frames() const { return age_frames_; }
 

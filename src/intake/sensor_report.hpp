@@ -18,8 +18,9 @@ enum class PacketDrop : std::uint8_t {
   kOverBudget,  // more points than the sensor's description allows in one scan
   kOtherUnit,   // of another unit of the same maker's, or of nobody knows which of two
   kNotTaken,    // it has waited too long, because the target is too slow
+  kFrozen,      // new by its stamp, but its ranges are those of a packet before
 };
-inline constexpr std::size_t kPacketDropCount = 10;
+inline constexpr std::size_t kPacketDropCount = 11;
 
 enum class SensorState : std::uint8_t {
   kNeverSeen,  // since start

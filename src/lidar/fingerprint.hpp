@@ -11,12 +11,13 @@
 namespace iog::lidar {
 
 inline constexpr std::uint64_t kFingerprintStart = 0xCBF29CE484222325U;
+inline constexpr std::uint64_t kFingerprintPrime = 0x00000100000001B3U;
 
 constexpr std::uint64_t fingerprint(std::span<const std::byte> bytes,
                                     std::uint64_t start = kFingerprintStart) {
   std::uint64_t hash = start;
   for (const std::byte byte : bytes) {
-    hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x00000100000001B3U;
+    hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * kFingerprintPrime;
   }
   return hash;
 }

@@ -16,8 +16,8 @@ inline constexpr std::array<std::string_view, vehicle::kFateCount> kPointFateNam
     "flagged", "later echo", "malformed",       "stale",   "not taken",
     "ground",  "overhang",   "under the ground"};
 inline constexpr std::array<std::string_view, intake::kPacketDropCount> kPacketDropNames{
-    "stranger",  "wrong length", "wrong type",  "wrong angle", "wrong point",
-    "duplicate", "late",         "over budget", "other unit",  "not taken"};
+    "stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
+    "late",     "over budget",  "other unit", "not taken",   "frozen"};
 inline constexpr std::array<std::string_view, 4> kSensorStateNames{"never seen", "silent",
                                                                    "partial", "complete"};
 inline constexpr std::array<std::string_view, pose::kCauseCount> kPoseCauseNames{
