@@ -21,7 +21,8 @@
 
 namespace iog::app {
 
-// Whose commands are to be signed, and with what. A car without classes takes none.
+// Whose commands are to be signed, and with what; its stream is signed, too. A car without classes
+// takes none.
 struct SignedCommands {
   authentication::Key key{};
   const vehicle::Vehicle* vehicle = nullptr;
@@ -57,6 +58,9 @@ class CommandGate {
   CommandGate& operator=(const CommandGate&) = delete;
 
   [[nodiscard]] bool is_on() const { return key_.has_value(); }
+
+  // Of a gate that is on; as long as the gate.
+  [[nodiscard]] const authentication::CmacKey& key() const { return *key_; }
 
   // The datagram as the pipeline is to see it, valid until the next one; nothing: it is no
   // authentic command. A stranger's is passed without its bytes, and counted as a stranger's there:

@@ -27,6 +27,7 @@
 #include "app/pipeline.hpp"
 #include "app/serial_sink.hpp"
 #include "app/times_report.hpp"
+#include "authentication/stream_signer.hpp"
 #include "hal/clock.hpp"
 #include "hal/console.hpp"
 #include "hal/cores.hpp"
@@ -38,6 +39,8 @@
 #include "health/memory_check.hpp"
 #include "net/host.hpp"
 #include "require/require.hpp"
+#include "stream/channel.hpp"
+#include "stream/message.hpp"
 #include "work/team.hpp"
 
 namespace iog::app {
@@ -84,6 +87,9 @@ class MachinePlatform {
         team_(machine.cores(), kPatienceUs) {
     team_.start(cores);
     report_cores(machine_.console(), team_);
+    if (gate_.is_on()) {
+      signer_.emplace(gate_.key(), stream::kSignatureChannel, machine.run_number());
+    }
   }
 
   [[nodiscard]] net::Host<Port>& host() { return host_; }
@@ -102,7 +108,11 @@ class MachinePlatform {
   // The line's transmitter is looked after between two messages, too: there may be hundreds.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     machine_.serial().pump();
-    return offering_.send_message(message);
+    const bool is_sent = offering_.send_message(message);
+    if (signer_) {
+      sign(message);
+    }
+    return is_sent;
   }
 
   // Of which each must show that he lives (app/life.hpp); how many frames have been closed, modulo
@@ -191,6 +201,14 @@ class MachinePlatform {
       net::Drop::kBadUdpChecksum,
   };
 
+  // Behind each frame, and within one of many messages.
+  void sign(std::span<const std::byte> message) {
+    signer_->add(message);
+    if (signer_->is_full() || stream::ends_frame(message)) {
+      static_cast<void>(offering_.send_message(signer_->sign()));
+    }
+  }
+
   // A frame's period, in which every tile is encoded many times over.
   static constexpr std::uint32_t kPatienceUs = 40'000;
 
@@ -198,6 +216,7 @@ class MachinePlatform {
   net::Host<Port> host_;
   Offering<Port> offering_;
   CommandGate gate_;
+  std::optional<authentication::StreamSigner> signer_;
   Team team_;
   LoopTimes times_;
   work::CoreTimes core_times_;

@@ -13,6 +13,7 @@
 #include <span>
 
 #include "intake/sensor_report.hpp"
+#include "protection/protected_message.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -121,6 +122,12 @@ enum class ReadStatus : std::uint8_t { kOk, kTooShort, kInconsistent };
 std::size_t write_header(const Header& header, std::span<std::byte> buffer);
 std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
                             std::span<std::byte> buffer);
+
+// Whether a protected message is the last one of its frame.
+[[nodiscard]] constexpr bool ends_frame(std::span<const std::byte> message) {
+  return message.size() > protection::kProtectionBytes &&
+         message[protection::kProtectionBytes] == static_cast<std::byte>(MessageType::kFrameEnd);
+}
 
 // Changes one thing in a header that has been written.
 void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t sequence);

@@ -5,6 +5,7 @@ nothing is lost outside the firmware and every frame that was sent can be found 
 """
 
 import collections
+import hashlib
 import os
 import pathlib
 import queue
@@ -24,6 +25,7 @@ PEER_MAC = ethernet.mac("02:00:00:00:00:02")
 PEER_IP = ethernet.ip("10.0.2.2")
 GRID_PORT = 15000
 GRID_SOURCE_PORT = 15001
+SIGNATURE = b"OG\x80\x05"  # how a message begins that signs those before it (docs/spec.md 9.2)
 
 MARK = b"a mark in the stream"
 PATIENCE_S = 10  # a loaded PC may take long for what should take milliseconds
@@ -51,6 +53,7 @@ class Sabrelite:
     """A machine for one `with`. A thread plays the peer: it answers ARP and sorts what arrives.
 
     What was received, by kind; anything that the firmware has no business to send is in `strays`.
+    `signatures` are of a car with a key: each with the names of the messages since the one before.
     Messages of the grid are kept as they are until a frame is asked for: to read them takes time,
     which the thread would take from whoever is sending a frame.
     """
@@ -64,6 +67,8 @@ class Sabrelite:
         self.echo_replies: list[bytes] = []
         self.marks = 0  # of frame_from_now() that have come back
         self.strays: list[str] = []
+        self.signatures: list[tuple[bytes, list[bytes]]] = []
+        self._unsigned: list[bytes] = []
         self._messages: queue.Queue[bytes] = queue.Queue()
         self._assembler = grid_stream.Assembler()
         self._awaits_a_new_run = False
@@ -209,7 +214,13 @@ class Sabrelite:
         ports = struct.unpack_from(">HH", packet, 20)
         assert packet[9] == ethernet.UDP and ports == (GRID_SOURCE_PORT, GRID_PORT), "another port"
         assert ethernet.udp_checksum(IP, PEER_IP, packet[20:]) == 0, "a wrong UDP checksum"
-        self._messages.put(packet[28:])
+        message = packet[28:]
+        if message[:4] == SIGNATURE:
+            self.signatures.append((message, self._unsigned))
+            self._unsigned = []
+            return
+        self._unsigned.append(hashlib.sha256(message).digest()[:16])
+        self._messages.put(message)
 
     def _sort_arp(self, destination: bytes, packet: bytes) -> None:
         operation = struct.unpack_from(">H", packet, 6)[0]
