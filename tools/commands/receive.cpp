@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "tools/commands/serial_options.hpp"
+#include "tools/commands/signing_options.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/made_capture.hpp"
@@ -29,6 +31,7 @@
 #include "tools/receive/run_statistics.hpp"
 #include "tools/receive/serial/reception.hpp"
 #include "tools/receive/udp_receiver.hpp"
+#include "tools/vehicles/key_file.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -48,6 +51,7 @@ struct ReceiveOptions {
   std::string classes_hashes;
   std::string expect_classes;
   std::string stream;
+  std::string key;
   SerialOptions serial;
 };
 
@@ -64,6 +68,9 @@ class Reception {
         progress_("frames", options.frames) {
     if (!options.stream.empty()) {
       stream_.emplace(options.stream);
+    }
+    if (!options.key.empty()) {
+      assembler_.believe_signed(read_key_file(options.key));
     }
     if (!options.expect.empty()) {
       expected_ = read_records(options.expect);
@@ -294,28 +301,6 @@ class Reception {
   std::uint64_t overflow_ = 0;
 };
 
-void add_serial_options(CLI::App& command, SerialOptions& options) {
-  command
-      .add_option("--serial", options.path,
-                  "Instead of UDP: a terminal device, a Unix socket such as QEMU's, or a file")
-      ->option_text("PATH")
-      ->excludes("--port");
-  command.add_option("--baud", options.baud, "With --serial: the rate of a terminal device")
-      ->option_text("RATE  (default 115200)")
-      ->needs("--serial");
-  command
-      .add_option("--max-age", options.max_age_s,
-                  "With --serial: show cells that are older as the coarse grids have them")
-      ->option_text("SECONDS  (default 5)")
-      ->check(CLI::PositiveNumber)
-      ->needs("--serial");
-  command
-      .add_option("--tiles", options.tiles,
-                  "With --serial: write frame, number and cells' CRC of each tile that was told of")
-      ->option_text("FILE")
-      ->needs("--serial");
-}
-
 void receive(ReceiveOptions& options) {
   if (!options.serial.path.empty()) {
     options.serial.pictures = options.pictures;
@@ -346,6 +331,7 @@ void add_receive(CLI::App& program) {
   command->add_option("--bind", options->bind, "IPv4 address to receive on")
       ->option_text("ADDRESS  (default 127.0.0.1)");
   add_serial_options(*command, options->serial);
+  add_believing_option(*command, options->key);
   add_vehicle_file_option(*command);
   add_picture_options(*command, options->pictures);
   command

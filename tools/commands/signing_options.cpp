@@ -93,6 +93,15 @@ void add_listening_options(CLI::App& command, SigningOptions& options) {
       ->needs("--listen");
 }
 
+void add_believing_option(CLI::App& command, std::string& key) {
+  command
+      .add_option(
+          "--key", key,
+          "Believe only what is signed with the key of that file, by a target whose car has "
+          "`authentication`")
+      ->option_text("FILE");
+}
+
 CommandSigner signer_of(const SigningOptions& options) {
   if (options.key.empty()) {
     return {};

@@ -1,4 +1,5 @@
-// Options of commands that send poses or maps to a target that wants them signed.
+// Options of commands that send poses or maps to a target that wants them signed, and of those that
+// read its stream.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,9 @@ struct SigningOptions {
 void add_signing_options(CLI::App& command, SigningOptions& options);
 // And --listen and --bind, where a command has them for nothing else.
 void add_listening_options(CLI::App& command, SigningOptions& options);
+
+// --key of a receiver: it believes what is signed with the key of that file, and nothing else.
+void add_believing_option(CLI::App& command, std::string& key);
 
 // Hears the target for up to 5 s if it is told where. UsageError, or CheckFailed if the target says
 // nothing, or wants nothing signed. Without a key it signs nothing.

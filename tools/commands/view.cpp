@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "map/block.hpp"
+#include "tools/commands/signing_options.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/foxglove/live_feed.hpp"
@@ -17,6 +18,7 @@
 #include "tools/program/interrupt.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
+#include "tools/vehicles/key_file.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/view/forward.hpp"
 #include "tools/view/foxglove_server.hpp"
@@ -45,6 +47,7 @@ struct ViewOptions {
   bool loop = false;
   std::string records = ".";
   std::string map;
+  std::string key;
 };
 
 // The usual port, or where nobody has named one and it is taken, any free one.
@@ -117,6 +120,9 @@ void view_grid(const ViewOptions& options) {
     origin.block = hex(map::Block(scene.map()).crc());
   }
   view::Viewer viewer(scene, origin, view::Recorder(options.records, options.port));
+  if (!options.key.empty()) {
+    viewer.believe_signed(read_key_file(options.key));
+  }
   const std::unique_ptr<view::WebServer> server = serve(options, scene);
   const std::string address = "http://" + host_words(options, server->port()) + "/";
   std::optional<view::Forward> forward;
@@ -202,6 +208,7 @@ void add_view(CLI::App& program) {
       ->add_option("--map", options->map,
                    "Draw the outlines of this block while the target says that it uses it")
       ->option_text("FILE.iogmap");
+  add_believing_option(*command, options->key);
   command->add_flag("--open", options->open, "Open the page with xdg-open");
   command
       ->add_option("--records", options->records,

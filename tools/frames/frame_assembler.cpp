@@ -37,7 +37,30 @@ std::string words_of_version(std::uint8_t sent) {
 FrameAssembler::FrameAssembler(FrameHandler on_frame)
     : on_frame_(std::move(on_frame)), supervisor_(kSupervision) {}
 
+void FrameAssembler::believe_signed(const authentication::Key& key) {
+  signed_ = std::make_unique<SignedStream>(key);
+}
+
 void FrameAssembler::take(std::span<const std::byte> datagram) {
+  if (!signed_) {
+    take_message(datagram);
+    return;
+  }
+  signed_->take(datagram, [this](std::span<const std::byte> message) { take_message(message); });
+  count_signed();
+}
+
+void FrameAssembler::count_signed() {
+  counts_.signatures = signed_->signatures();
+  counts_.forged_signatures = signed_->forged_signatures();
+  counts_.not_signed = signed_->unsigned_messages();
+}
+
+void FrameAssembler::take_message(std::span<const std::byte> datagram) {
+  if (SignedStream::claims_to_sign(datagram)) {
+    ++counts_.signatures;
+    return;
+  }
   const protection::Received received = receiver_.receive(datagram);
   using protection::SomeIpStatus;
   switch (received.header) {
@@ -88,7 +111,7 @@ void FrameAssembler::take_content(std::span<const std::byte> content) {
 
 // It is handed over as far as it has come. Nothing of it stays.
 void FrameAssembler::end_run() {
-  finish();
+  hand_over_all();
   indexes_.forget();
   classes_.forget();
   sequences_.restart();
@@ -97,6 +120,9 @@ void FrameAssembler::end_run() {
 }
 
 void FrameAssembler::forget() {
+  if (signed_) {
+    signed_->forget();
+  }
   end_run();
   runs_ = {};
 }
@@ -155,10 +181,18 @@ void FrameAssembler::take_refusal(const stream::Header& header, std::span<const 
 
 void FrameAssembler::note_silence() {
   supervisor_.update(protection::CheckStatus::kNoNewData);
-  finish();
+  hand_over_all();
 }
 
 void FrameAssembler::finish() {
+  if (signed_) {
+    signed_->finish();
+    count_signed();
+  }
+  hand_over_all();
+}
+
+void FrameAssembler::hand_over_all() {
   while (!waiting_.empty()) {
     hand_over_first();
   }

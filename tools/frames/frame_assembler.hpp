@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,7 @@
 #include "tools/frames/reception_parts.hpp"
 #include "tools/frames/run_watch.hpp"
 #include "tools/frames/sequence_watch.hpp"
+#include "tools/frames/signed_stream.hpp"
 #include "tools/frames/tile_messages.hpp"
 
 namespace iog::tools {
@@ -46,6 +48,9 @@ class FrameAssembler {
 
   // on_frame is called for each frame, in order, complete or not.
   explicit FrameAssembler(FrameHandler on_frame);
+
+  // From now on nothing is believed but what is signed with this key.
+  void believe_signed(const authentication::Key& key);
 
   // Takes one datagram; it may hold any bytes.
   void take(std::span<const std::byte> datagram);
@@ -100,6 +105,9 @@ class FrameAssembler {
     [[nodiscard]] bool agree_on(const stream::ClassWindow& window);
   };
 
+  void count_signed();
+  void hand_over_all();
+  void take_message(std::span<const std::byte> datagram);
   void take_refusal(const stream::Header& header, std::span<const std::byte> body);
 
   // The counter under which a datagram is counted.
@@ -128,6 +136,7 @@ class FrameAssembler {
   void hand_over_first();
 
   FrameHandler on_frame_;
+  std::unique_ptr<SignedStream> signed_;
   MessageCounts counts_;
   protection::Receiver receiver_{stream::kNetworkChannel};
   protection::Supervisor supervisor_;

@@ -16,6 +16,10 @@ struct MessageCounts {
   std::uint64_t not_ours = 0;        // another protocol, service or event
   std::uint64_t other_version = 0;   // of ours: another version of the interface
   std::uint64_t not_understood = 0;  // a type, a storage or a grid that is new to us
+  std::uint64_t signatures = 0;      // of the others; with the target's key, those that are right
+  // Of a receiver that has the target's key (tools/frames/signed_stream.hpp).
+  std::uint64_t forged_signatures = 0;
+  std::uint64_t not_signed = 0;
 
   std::uint64_t bytes = 0;            // in the messages
   std::uint64_t late = 0;             // of these, behind one that was sent after it, still in time
@@ -28,7 +32,7 @@ struct MessageCounts {
 
   [[nodiscard]] std::uint64_t datagrams() const {
     return messages + repeated + too_late + other_run + corrupt + malformed + not_ours +
-           other_version + not_understood;
+           other_version + not_understood + signatures + forged_signatures + not_signed;
   }
 };
 

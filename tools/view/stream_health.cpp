@@ -31,7 +31,9 @@ bool StreamHealth::Watch::is_recent(std::int64_t now_ms) const {
 
 void StreamHealth::note_counts(const MessageCounts& counts, std::int64_t now_ms) {
   restarts_.note(counts.restarts, now_ms);
-  corrupt_.note(counts.corrupt + counts.malformed + counts.tiles_malformed, now_ms);
+  corrupt_.note(counts.corrupt + counts.malformed + counts.tiles_malformed +
+                    counts.forged_signatures + counts.not_signed,
+                now_ms);
   other_version_.note(counts.other_version, now_ms);
   not_understood_.note(counts.not_understood + counts.tiles_not_understood, now_ms);
 }

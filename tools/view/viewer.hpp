@@ -37,6 +37,9 @@ class Viewer {
   // the viewer.
   void show_also(Recording& other) { others_.push_back(&other); }
 
+  // From now on nothing is shown but what is signed with this key.
+  void believe_signed(const authentication::Key& key) { assembler_.believe_signed(key); }
+
   // One datagram of the stream, of whatever bytes. Its frame is shown as soon as it is complete,
   // unless frames are being held back.
   void take(std::span<const std::byte> datagram);

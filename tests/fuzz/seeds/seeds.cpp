@@ -182,7 +182,8 @@ void add_tile_seeds(Seeds& seeds) {
   for (int i = 0; i < 100; ++i) {
     drawing.push_back(static_cast<std::byte>(i * 37));
   }
-  for (const char* const name : {"tile_encoder", "protected_link", "cobs", "secured_message"}) {
+  for (const char* const name :
+       {"tile_encoder", "protected_link", "cobs", "secured_message", "signed_stream"}) {
     seeds.add(name, drawing);
   }
 }
