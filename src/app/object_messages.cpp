@@ -6,6 +6,7 @@
 
 #include "numeric/arctangent.hpp"
 #include "numeric/division.hpp"
+#include "numeric/heap_sort.hpp"
 #include "numeric/square_root.hpp"
 #include "objects/stated.hpp"
 
@@ -119,7 +120,9 @@ void list_objects(const PerceptionReport& report, const objects::Tracks& tracks,
       list.records[list.count++] = record_of(track, list.time_us, car);
     }
   }
-  std::ranges::sort(std::span(list.records).first(list.count), {}, &stream::ObjectRecord::id);
+  numeric::heap_sort(
+      std::span(list.records).first(list.count),
+      [](const stream::ObjectRecord& a, const stream::ObjectRecord& b) { return a.id < b.id; });
 }
 static_assert(objects::kMostTracks <= stream::kMaxObjects);
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "index/occupancy_index.hpp"
+#include "numeric/heap_sort.hpp"
 #include "require/require.hpp"
 
 namespace iog::grid {
@@ -15,8 +16,9 @@ void rank(const vehicle::Sensor& sensor, TurnLayers& its) {
   const auto layers = std::span(its.layers).first(sensor.layer_count);
   const auto by_rank = std::span(its.by_rank).first(sensor.layer_count);
   std::iota(by_rank.begin(), by_rank.end(), std::uint8_t{0});
-  std::ranges::sort(by_rank, [&](std::uint8_t a, std::uint8_t b) {
-    return layers[a].band.ends_behind(layers[b].band);
+  numeric::heap_sort(by_rank, [&](std::uint8_t a, std::uint8_t b) {
+    const bool is_first = layers[a].band.ends_behind(layers[b].band);
+    return is_first || (a < b && !layers[b].band.ends_behind(layers[a].band));
   });
   for (std::uint32_t rank = 0; rank < by_rank.size(); ++rank) {
     layers[by_rank[rank]].rank = rank;

@@ -10,6 +10,7 @@
 
 #include "geometry/sizes.hpp"
 #include "numeric/division.hpp"
+#include "numeric/heap_sort.hpp"
 #include "numeric/sine_table.hpp"
 #include "vehicle/beam.hpp"
 
@@ -77,7 +78,7 @@ Slope Beams::slope_to(std::int32_t end_z) const {
 void Beams::sort_layers(const vehicle::Sensor& sensor) {
   const auto layers = std::span(from_below_).first(layer_count_);
   std::iota(layers.begin(), layers.end(), std::uint8_t{0});
-  std::ranges::sort(layers, [&](std::uint8_t a, std::uint8_t b) {
+  numeric::heap_sort(layers, [&](std::uint8_t a, std::uint8_t b) {
     const std::int64_t height_a = sensor.layers[a].z.base;
     const std::int64_t height_b = sensor.layers[b].z.base;
     return height_a != height_b ? height_a < height_b : a < b;
