@@ -253,7 +253,8 @@ def read_frame_end(body: bytes) -> FrameEnd:
     assert stages == 4 and fates in (10, 13), "10 until version 4 had the ground"
     with_discovery = LINK_COUNTERS + DISCOVERY_COUNTERS
     all_links = with_discovery + COMMAND_COUNTERS
-    assert causes == len(PACKET_DROPS) and links in (0, len(LINK_COUNTERS), len(with_discovery), len(all_links)), \
+    assert causes in (10, len(PACKET_DROPS)), "10 until frozen sensors had a cause"
+    assert links in (0, len(LINK_COUNTERS), len(with_discovery), len(all_links)), \
         "another spec.md"
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
     at = 32 + 4 * len(counts)
@@ -261,7 +262,7 @@ def read_frame_end(body: bytes) -> FrameEnd:
     assert len(rest := body[at + 4 + 4 * 16:]) in (0, 8), "the sectors are 64 bits"
     sensors = [Sensor(*struct.unpack_from(">BxHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
     return FrameEnd(sent, lost, crc, opened_us, counts[stages:stages + fates],
-                    dict(zip(PACKET_DROPS + all_links, counts[stages + fates:])), sensors,
+                    dict(zip(PACKET_DROPS[:causes] + all_links, counts[stages + fates:])), sensors,
                     int.from_bytes(rest, "big") if rest else None)
 
 
