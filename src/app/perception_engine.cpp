@@ -42,7 +42,7 @@ std::optional<intake::SensorPacket> PerceptionEngine::receive(const intake::Data
     static_cast<void>(maps_.receive(datagram.source_ipv4, datagram.payload, now_us));
     return std::nullopt;
   }
-  if (frame_.listens_to(datagram)) {
+  if (receptions_.is_on() && frame_.listens_to(datagram)) {
     receptions_.add(datagram, now_us);
   }
   return frame_.receive(datagram, now_us);

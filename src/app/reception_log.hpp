@@ -16,6 +16,8 @@ class ReceptionLog {
   // One that is off holds nothing.
   explicit ReceptionLog(bool is_on) : is_on_(is_on) {}
 
+  [[nodiscard]] bool is_on() const { return is_on_; }
+
   // A datagram that is taken now, of one who may send it.
   void add(const intake::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_) {
