@@ -6,6 +6,8 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "lab/scenarios/worst_frames.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
@@ -20,6 +22,7 @@ struct Options {
   std::uint32_t frames = kMeasuredWorstFrames;
   std::uint64_t seed = 1;
   std::string out;
+  bool has_poses = false;
 };
 
 std::string list_of_frames() {
@@ -42,16 +45,21 @@ void write_worst(const Options& options) {
   tools::PcapWriter capture(options.out);
   std::uint64_t datagrams = 0;
   std::uint64_t bytes = 0;
+  tools::PoseFeed poses = poses_of_worst_frames(options.frames);
   for (std::uint32_t frame = 0; frame < options.frames; ++frame) {
-    for (const tools::CapturedDatagram& datagram : worst_datagrams(worst, options.seed, frame)) {
+    std::vector<tools::CapturedDatagram> sent = worst_datagrams(worst, options.seed, frame);
+    if (options.has_poses) {
+      sent = tools::with_poses(std::move(sent), poses);
+    }
+    for (const tools::CapturedDatagram& datagram : sent) {
       capture.write(datagram);
       ++datagrams;
       bytes += datagram.payload.size();
     }
   }
   capture.finish();
-  std::cout << options.frames << " frames, " << datagrams << " packets, " << bytes
-            << " bytes of scans in " << options.out << '\n';
+  std::cout << options.frames << " frames, " << datagrams << " packets, " << bytes << " bytes in "
+            << options.out << '\n';
 }
 
 void add_options(CLI::App& program) {
@@ -71,6 +79,8 @@ void add_options(CLI::App& program) {
   program.add_option("--seed", options->seed, "Another seed, other random numbers")
       ->option_text("N  (default 1)")
       ->check(CLI::NonNegativeNumber);
+  program.add_flag("--poses", options->has_poses,
+                   "And the poses of a car that goes straight ahead at 15 m/s, for classes");
   program.footer("The kinds of frames, and what they are hard on (*: no LUX sends such a scan):\n" +
                  list_of_frames() +
                  "They are the reference car's. Every point of them is believed, and no scan is "

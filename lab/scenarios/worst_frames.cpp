@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lidar/ibeo_lux.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/simulate/scanners/lux_burst.hpp"
 #include "tools/simulate/scanners/lux_scanner.hpp"
@@ -240,6 +241,19 @@ std::string known_names() {
   return names;
 }
 
+// Some points are nearer, or farther away where they are near already: all stay points that are
+// believed.
+void vary(std::vector<tools::LuxPoint>& points, tools::Random& random) {
+  constexpr std::size_t kEach = 4;
+  constexpr std::uint16_t kNearestCm = 1'000;
+  for (std::size_t i = 0; i < points.size(); i += kEach) {
+    const auto by_cm = static_cast<std::uint16_t>(random.below(8));
+    std::uint16_t& range_cm = points[i].range_cm;
+    range_cm =
+        static_cast<std::uint16_t>(range_cm > kNearestCm ? range_cm - by_cm : range_cm + by_cm);
+  }
+}
+
 }  // namespace
 
 std::span<const WorstFrame> all_worst_frames() { return kWorstFrames; }
@@ -258,8 +272,26 @@ std::vector<tools::CapturedDatagram> worst_datagrams(const WorstFrame& worst, st
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
   return tools::lux_burst(car, frame, [&](std::size_t sensor) {
     tools::Random random(seed, std::uint64_t{frame} * vehicle::kMaxSensors + sensor);
-    return worst.points(car.vehicle->sensors[sensor], random);
+    std::vector<tools::LuxPoint> points = worst.points(car.vehicle->sensors[sensor], random);
+    vary(points, random);
+    return points;
   });
+}
+
+tools::PoseFeed poses_of_worst_frames(std::uint32_t frames) {
+  constexpr double kSpeed = 15;
+  constexpr std::uint64_t kPeriodUs = 10'000;
+  constexpr std::uint32_t kAgeUs = 2'000;
+  std::vector<tools::PoseSample> samples;
+  for (std::uint64_t at_us = 0; at_us <= (frames + 1) * tools::kLuxPeriodUs; at_us += kPeriodUs) {
+    samples.push_back({.time_us = tools::kDriveStartUs + at_us,
+                       .age_us = kAgeUs,
+                       .x_m = kSpeed * static_cast<double>(at_us) / 1e6,
+                       .speed_mps = kSpeed,
+                       .sigma_m = 0.02,
+                       .sigma_heading_rad = 0.001});
+  }
+  return tools::PoseFeed(std::move(samples));
 }
 
 }  // namespace iog::lab

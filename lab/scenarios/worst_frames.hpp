@@ -15,6 +15,7 @@
 
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
+#include "tools/simulate/drives/pose_source.hpp"
 #include "tools/simulate/random.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -36,9 +37,14 @@ inline constexpr std::uint32_t kMeasuredWorstFrames = 4;
 [[nodiscard]] const WorstFrame& find_worst_frame(std::string_view name);
 
 // What the car's scanners send for frame 0, 1, ...: each of them drawn anew, the same for the same
-// seed.
+// seed. One point of a scan is up to 7 cm beside where it would be: whoever sends the same scan
+// twice is frozen (docs/spec.md 1.4).
 [[nodiscard]] std::vector<tools::CapturedDatagram> worst_datagrams(const WorstFrame& worst,
                                                                    std::uint64_t seed,
                                                                    std::uint32_t frame);
+
+// The poses that such a car sends until so many of its frames have ended: it goes straight ahead at
+// 15 m/s, and says so without an error.
+[[nodiscard]] tools::PoseFeed poses_of_worst_frames(std::uint32_t frames);
 
 }  // namespace iog::lab

@@ -37,6 +37,9 @@ VARIANTS = ("nominal", "pessimistic")
 FOLLOWING = {"objects": ["objects/tracker:add"]}
 FORGED = ("anywhere", "things", "walls", "crowd")
 FORGED_FRAMES = 6
+# Frames whose points are as dear as points can be, with poses, beside those of drives.
+MOVING = "moving_"
+FRAMES_OF_WORST = 12
 # The window has to fill, too.
 WARM_UP = 12
 FRAMES = 4
@@ -57,6 +60,12 @@ def modelled(place: a9_runs.Place, drive: str, variant: str, capture: str) -> li
                                                 "groups_fused": head["groups_fused_after"]},
                                  a9_runs.with_whole({stage: own[stage] for stage in STAGES}, "frame"))
     return [*rows, a9_runs.Row(run, "frame", variant, "cycles_max", str(max(rounds)))]
+
+
+def make_worst(place: a9_runs.Place) -> dict[str, str]:
+    """Their captures by the names of their runs."""
+    names = a9_runs.make_worst(place, "--poses", "--frames", str(FRAMES_OF_WORST), prefix=MOVING)
+    return {f"worst_{name}": MOVING + a9_runs.worst_capture(name) for name in names}
 
 
 def counted(place: a9_runs.Place, drive: str, capture: str) -> list[a9_runs.Row]:
@@ -87,11 +96,12 @@ def objects_modelled(place: a9_runs.Place, kind: str, variant: str) -> list[a9_r
             a9_runs.Row(objects_run(kind), "objects", variant, "cycles_max", str(max(rounds)))]
 
 
-def runs(place: a9_runs.Place, drives: dict[str, str], variants=VARIANTS) -> list:
-    """What is counted, and what is modelled."""
+def runs(place: a9_runs.Place, drives: dict[str, str], variants=VARIANTS, worst: dict[str, str] | None = None) -> list:
+    """What is counted, and what is modelled, but of the worst frames."""
+    worst = worst or {}
     forged = [lambda k=kind: objects_counted(place, k) for kind in FORGED]
     forged += [lambda k=kind, v=variant: objects_modelled(place, k, v) for variant in variants for kind in FORGED]
     of_drives = [lambda d=drive, c=capture: counted(place, d, c)
-                 for drive, capture in drives.items()]
+                 for drive, capture in (drives | worst).items()]
     return forged + of_drives + [lambda d=drive, c=capture, v=variant: modelled(place, d, v, c)
                         for variant in variants for drive, capture in drives.items()]

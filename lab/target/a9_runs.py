@@ -290,11 +290,11 @@ def worst_capture(name: str) -> str:
     return f"worst_{name}.pcap"
 
 
-def make_worst(place: Place) -> list[str]:
+def make_worst(place: Place, *options: str, prefix: str = "") -> list[str]:
     """Their captures; returns their names."""
     names = worst_names(place)
     for name in names:
-        output_of(place.worst_frames, "--name", name, "--out", place.work / worst_capture(name))
+        output_of(place.worst_frames, "--name", name, "--out", place.work / (prefix + worst_capture(name)), *options)
     return names
 
 

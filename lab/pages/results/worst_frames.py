@@ -157,6 +157,73 @@ def _late(kinds, period_ms):
         for sender in ("lux", "forged") for variant in ("nominal", "pessimistic")}
 
 
+@dataclasses.dataclass(frozen=True)
+class ClassKind:
+    """A kind of frames with classes, of a car that goes ahead."""
+
+    name: str
+    most_groups: float
+    groups_left: float
+    tiles: float
+    mean: float  # instructions of a frame
+    largest: float
+
+
+def class_kind_of(a9, name):
+    run = f"perception_cost drive=worst_{name}"
+    return ClassKind(name, a9.value(run, "most_groups"), a9.mean(run, "groups_left"), a9.mean(run, "class_tiles"),
+                     a9.mean(run, "instructions", "frame"), a9.value(run, "instructions_max", "frame"))
+
+
+@dataclasses.dataclass(frozen=True)
+class ClassBound:
+    """Instructions of a frame with classes: those of the bound without, and what classes and things add."""
+
+    without: float
+    groups: float
+    per_group: float
+    things: float
+
+    @property
+    def whole(self) -> float:
+        return self.without + self.groups * self.per_group + self.things
+
+
+def class_bound_of(a9, classes, kinds, bound):
+    """What classes add is charged to the groups, of frames that have many; the rest is that of things."""
+    without = {kind.name: kind.frame.counted.largest for kind in kinds}
+    budget = a9.value(f"perception_cost drive=worst_{classes[0].name}", "group_budget")
+    many = [kind for kind in classes if kind.most_groups > budget / 2]
+    return ClassBound(bound.whole, budget,
+                      max((kind.largest - without[kind.name]) / kind.most_groups for kind in many),
+                      max(a9.value(run, "instructions_max", "objects") for run in a9.runs("object_cost")))
+
+
+def _class_words(a9, classes, kinds, bound):
+    of_classes = class_bound_of(a9, classes, kinds, bound)
+    for kind in classes:
+        assert kind.largest <= of_classes.whole and kind.most_groups <= of_classes.groups, f"{kind.name} is above its bound"
+    a_cycle = {variant: min(a9.value(run, "instructions", "frame", variant) / a9.value(run, "cycles", "frame", variant)
+                            for run in a9.runs("perception_cost", variant)) for variant in ("nominal", "pessimistic")}
+
+    def ms(instructions):
+        nominal, pessimistic = (instructions / CLOCK_HZ * 1e3 / a_cycle[variant] for variant in ("nominal", "pessimistic"))
+        return f"{fixed(nominal, 0)} ({fixed(pessimistic, 0)})"
+
+    of_lux = {kind.name for kind in kinds if kind.sender == "lux"}
+    dearest = max(classes, key=lambda kind: kind.largest)
+    dearest_of_lux = max((kind for kind in classes if kind.name in of_lux), key=lambda kind: kind.largest)
+    return {"rows": [[kind.name, *map(grouped, (kind.most_groups, kind.groups_left, kind.tiles, kind.mean, kind.largest)),
+                      ms(kind.largest)] for kind in classes],
+            "frames": grouped(a9.value(f"perception_cost drive=worst_{dearest.name}", "frames")),
+            "a_cycle": f"{fixed(a_cycle['nominal'], 2)} ({fixed(a_cycle['pessimistic'], 2)})",
+            "groups": grouped(of_classes.groups), "per_group": grouped(of_classes.per_group),
+            "things": grouped(of_classes.things), "whole": grouped(of_classes.whole), "ms": ms(of_classes.whole),
+            "dearest": dearest.name, "dearest_ms": ms(dearest.largest),
+            "dearest_share": percent(dearest.largest / of_classes.whole, 0),
+            "of_lux": dearest_of_lux.name, "of_lux_ms": ms(dearest_of_lux.largest)}
+
+
 def section(data) -> Section:
     a9 = CortexA9(data)
     kinds = [kind_of(a9, row) for row in data["worst_frames"].itertuples()]
@@ -174,4 +241,5 @@ def section(data) -> Section:
         "costs": _costs(kinds), "rates": _rates(kinds, period_ms),
         "period_ms": fixed(period_ms, 0), "hz": fixed(1000 / period_ms, 0),
         "dearest_share": percent(max(kind.frame.largest_cycles.ms.nominal for kind in made_up) / period_ms, 0),
-        "bound": _bound_words(bound, kinds, limits), "late": _late(kinds, period_ms)})
+        "bound": _bound_words(bound, kinds, limits), "late": _late(kinds, period_ms),
+        "classes": _class_words(a9, [class_kind_of(a9, kind.name) for kind in made_up], made_up, bound)})
