@@ -1,0 +1,34 @@
+// Numbers in IEEE 754 binary32, as some wires carry them, without floating-point arithmetic.
+//
+// Such a number is m 2^(e - 150), m below 2^24. Times a factor below 2^32 it is below 2^56 times a
+// power of two, so one product of 64 bits and one shift are exact.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace iog::wire {
+
+// The whole number nearest to value * factor / 2^fraction_bits, a tie away from 0. bits: of the
+// value. fraction_bits: 0 ... 32. None: the value is no number, infinite, or 2^(19 + fraction_bits)
+// or more.
+[[nodiscard]] constexpr std::optional<std::int64_t> nearest_product(std::uint32_t bits,
+                                                                    std::uint32_t factor,
+                                                                    int fraction_bits) {
+  constexpr std::uint32_t kHidden = std::uint32_t{1} << 23;
+  const auto exponent = static_cast<int>(bits >> 23 & 0xFFU);
+  const int shift = fraction_bits + 150 - (exponent == 0 ? 1 : exponent);
+  if (exponent == 0xFF || shift < 4) {
+    return std::nullopt;
+  }
+  if (shift > 57) {
+    return 0;  // below a quarter
+  }
+  const std::uint32_t mantissa = (bits & (kHidden - 1)) | (exponent == 0 ? 0 : kHidden);
+  const std::uint64_t product = std::uint64_t{mantissa} * factor;
+  const auto size =
+      static_cast<std::int64_t>((product + (std::uint64_t{1} << (shift - 1))) >> shift);
+  return (bits >> 31) != 0 ? -size : size;
+}
+
+}  // namespace iog::wire
