@@ -24,11 +24,11 @@ class Reassembly {
  public:
   // Each lidar sends one datagram after the other, so as many as there are lidars that do so.
   static constexpr std::size_t kDatagrams = 4;
-  // The longest payload of an Ouster unit, 33,024 bytes (128 rows, dual return), and the UDP
-  // header.
-  static constexpr std::size_t kMaxBytes = 33'024 + 8;
-  // 33,032 bytes in pieces of 1480 are 23. Smaller pieces than 1032 bytes are nobody's.
-  static constexpr std::size_t kMaxPieces = 32;
+  // The longest payload of a unit, 35,336 bytes of a Continental ARS548 (an Ouster of 128 rows with
+  // two returns has 33,024), and the UDP header.
+  static constexpr std::size_t kMaxBytes = 35'336 + 8;
+  // 35,344 bytes in pieces of 1480 are 24. Smaller pieces than 984 bytes are nobody's.
+  static constexpr std::size_t kMaxPieces = 36;
   // From the first piece that came. The pieces of one datagram follow one another within 3 ms at
   // 100 Mbit/s; the identification of a lidar that sends 1,280 a second repeats after 51 s.
   static constexpr std::uint64_t kTimeoutUs = 100'000;
