@@ -15,6 +15,7 @@
 
 #include "checksum/reflected_crc32.hpp"
 #include "geometry/grid.hpp"
+#include "lidar/scanner_facts.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::car_block {
@@ -47,6 +48,14 @@ void visit_profile(auto& content, auto& profile) {
   }
 }
 
+void visit_arc(auto& content, auto& arc) {
+  content.numbers(arc.cell_ticks);
+  content.below(sensor_model::kMaxArcCells + 1, arc.count);
+  for (std::size_t i = 0; i < arc.count && content.ok(); ++i) {
+    content.numbers(arc.marks[i]);
+  }
+}
+
 void visit_sensor(auto& content, auto& sensor) {
   content.text(sensor.name);
   content.format(sensor.format);
@@ -62,6 +71,7 @@ void visit_sensor(auto& content, auto& sensor) {
   visit_layers(content, sensor);
   content.numbers(sensor.columns_per_turn, sensor.column_ns);
   visit_profile(content, sensor.profile);
+  content.arc(sensor.format, sensor.arc);
 }
 
 void visit_window(auto& content, auto& rules) {
@@ -135,6 +145,12 @@ class Writer {
     number(std::uint8_t{0});
   }
   void format(lidar::Format format) { text(lidar::name_of(format)); }
+  // Others than radars have none.
+  void arc(lidar::Format format, const sensor_model::Arc& arc) {
+    if (lidar::facts_of(format).is_radar) {
+      visit_arc(*this, arc);
+    }
+  }
   void length(const traversal::LineLength& length) { number(length.mm()); }
   void azimuths(const vehicle::Sensor& sensor) {
     numbers(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());

@@ -104,6 +104,26 @@ void check_unit(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
 }
 
+// What a radar does not see is not free.
+void check_radar(const Vehicle& car, std::size_t number, const Tell& tell) {
+  const Sensor& sensor = car.sensors[number];
+  if (!lidar::facts_of(sensor.format).is_radar) {
+    return;
+  }
+  if (vehicle::have_classes(car.grids)) {
+    tell({number, "type", "no radar, because grids have classes"});
+  }
+  if (sensor.no_return_clears_mm > 0) {
+    tell({number, "no_return_clears_mm", "0, because a radar frees nothing"});
+  }
+  if (sensor.moved.are_given()) {
+    tell({number, "moved", "none, because a radar frees nothing"});
+  }
+  if (sensor.is_calibrated) {
+    tell({number, "lasers", "none, because detections of a radar say their directions"});
+  }
+}
+
 bool is_source(std::uint32_t ipv4) { return ipv4 == 0 || net::is_host_address({ipv4}); }
 
 bool is_sensor_address_taken(std::span<const Sensor> sensors, std::size_t number,
@@ -204,6 +224,7 @@ void check_numbers(const Vehicle& car, const net::Config& network, const Tell& t
     check_own(car.sensors, i, network, tell);
     check_range(car.sensors[i], i, tell);
     check_unit(car.sensors[i], i, tell);
+    check_radar(car, i, tell);
   }
   check_network(network, tell);
   check_sources(car, network, tell);

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "car_block/content.hpp"
-#include "lidar/formats.hpp"
+#include "lidar/scanner_facts.hpp"
 #include "vehicle/derived.hpp"
 #include "wire/byte_reader.hpp"
 
@@ -90,6 +90,13 @@ class Reader {
       }
     });
     demand(is_known);
+  }
+
+  void arc(lidar::Format format, sensor_model::Arc& arc) {
+    arc = {};
+    if (lidar::facts_of(format).is_radar) {
+      content_detail::visit_arc(*this, arc);
+    }
   }
 
   // A length of 0 has no reciprocal; the limits refuse one that is too short or too long.

@@ -145,6 +145,16 @@ bool is_sound(const Sensor& sensor, const vehicle::Layer& layer) {
          is_within<std::uint32_t>(layer.range_share, 1, kWhole);
 }
 
+// Of at most a degree, with an index in its middle at least. Others have none.
+void check_arc(const Sensor& sensor, std::size_t number, const Tell& tell) {
+  const sensor_model::Arc& arc = sensor.arc;
+  const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);
+  if (!facts.is_radar ? arc != sensor_model::Arc{}
+                      : arc.cell_ticks > facts.ticks_per_turn / 360 || !arc.is_valid()) {
+    tell({number, "azimuth_sigma_deg", kArcWords});
+  }
+}
+
 // Whether they are beams, by which they can be looked at further.
 bool check_layers(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const auto layers = std::span(sensor.layers).first(sensor.layer_count);
@@ -275,6 +285,7 @@ void check_tables(const Vehicle& car, const Tell& tell) {
       tell({i, "precision_mm", "1 ... 1000, with which the sensor can mark"});
     }
     check_lasers(sensor, i, tell);
+    check_arc(sensor, i, tell);
     if (check_layers(sensor, i, tell)) {
       check_band(car, i, tell);
     }

@@ -51,17 +51,29 @@ void check_car(const Description& car, const Tell& tell) {
 
 // A 1D cell much shorter than sigma cannot mark (thesis section 4.2.1.2, figure 4.6d); of one above
 // 4 sigma the model does not hold (sensor_model/single_target.hpp).
+// A radar's arc says less than a beam.
 bool can_mark(const Description& car, const SensorConfig& config) {
   const double ratio = config.precision_mm / (1000 * config.sigma_m);
   if (!is_within(ratio, 0.25, 4.0)) {
     return false;
   }
   const auto profile = sensor_model::profile_of(profile_config(car, config));
-  return profile && profile->is_valid();
+  return profile && profile->is_valid() &&
+         (!lidar::facts_of(config.format).is_radar || arc_of(car, config).is_given());
+}
+
+// Said by its own field; what is no number is no length of an angular cell either.
+bool is_sigma_sound(const SensorConfig& config) {
+  return lidar::facts_of(config.format).is_radar ? is_within(config.azimuth_sigma_deg, 0.1, 1.0)
+                                                 : config.azimuth_sigma_deg == 0;
 }
 
 void check_model(const Description& car, const SensorConfig& config, std::size_t number,
                  const Tell& tell) {
+  if (!is_sigma_sound(config)) {
+    tell({number, "azimuth_sigma_deg", car_block::kArcWords});
+    return;
+  }
   if (!is_within(config.sigma_m, 0.001, 1.0)) {
     tell({number, "sigma_m", "0.001 ... 1"});
   } else if (is_within<std::uint32_t>(config.precision_mm, 1, 1000) &&

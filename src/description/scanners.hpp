@@ -20,6 +20,7 @@ constexpr SensorConfig scanner_of(lidar::Format format) {
     config.range_max_mm = kSheet.range_max_mm;
     config.precision_mm = kSheet.precision_mm;
     config.sigma_m = kSheet.sigma_m;
+    config.azimuth_sigma_deg = kSheet.azimuth_sigma_deg;
     config.scan_width_ticks =
         kSheet.scan_width_ticks != 0 ? kSheet.scan_width_ticks : Decoder::kTicksPerTurn;
     config.max_points_per_scan = kSheet.max_points_per_scan;

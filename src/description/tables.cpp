@@ -222,6 +222,12 @@ sensor_model::ProfileConfig profile_config(const Description& car, const SensorC
           .quantisation = car.quantisation};
 }
 
+sensor_model::Arc arc_of(const Description& car, const SensorConfig& config) {
+  const double ticks = config.azimuth_sigma_deg * lidar::ticks_per_turn(config.format) / 360;
+  return sensor_model::arc_of(profile_config(car, config),
+                              static_cast<std::uint16_t>(numeric::round(ticks)));
+}
+
 Sensor numbers_of(const SensorConfig& config) {
   Sensor sensor;
   sensor.name = config.name;
@@ -277,6 +283,9 @@ Sensor sensor_of(const SensorConfig& config, const Description& car) {
                    subcells(grid_metres(config.mount.y_m))};
   sensor.origin_z = subcells(config.mount.z_m + mean_height_m(config.lasers));
   sensor.profile = *sensor_model::profile_of(profile_config(car, config));
+  if (lidar::facts_of(config.format).is_radar) {
+    sensor.arc = arc_of(car, config);
+  }
   vehicle::derive_limits(footprint_of(car.footprint), subcells(car.z_min_m), subcells(car.z_max_m),
                          sensor);
   lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

@@ -13,6 +13,7 @@
 #include <span>
 
 #include "geometry/grid.hpp"
+#include "grid/arc_marker.hpp"
 #include "grid/azimuth_carver.hpp"
 #include "grid/frame_grids.hpp"
 #include "grid/frame_view.hpp"
@@ -45,11 +46,13 @@ class FrameFusion {
   // By the place of their sensor among them.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
-  // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
-  // vehicle's, and the point is judged by its height band; the point's layer and azimuth are those
-  // of its format.
-  // All points of a frame mark at most kMaxMarks cells.
+  // Carves the beam of this point, now or later, and remembers its mark, or those of a radar's arc.
+  // The sensor is one of the vehicle's, and the point is judged by its height band; the point's
+  // layer and azimuth are those of its format. All points of a frame mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
+    if (sensor.arc.is_given()) {
+      return arcs_.add(sensor, point);
+    }
     return sensor.layers_share_lines ? turns_.turn_to(sensor).add(point)
                                      : azimuths_.add(sensor, point);
   }
@@ -68,6 +71,9 @@ class FrameFusion {
       // Inline, because a call costs some 30 instructions a point.
       packet.for_each_point([ count, turn = turns_.turn_to(sensor) ](const lidar::ScanPoint& point)
                                 __attribute__((always_inline)) { count(turn.add(point)); });
+    } else if (sensor.arc.is_given()) {
+      packet.for_each_point(
+          [&](const lidar::ScanPoint& point) { count(arcs_.add(sensor, point)); });
     } else {
       packet.for_each_point(
           [&](const lidar::ScanPoint& point) { count(azimuths_.add(sensor, point)); });
@@ -154,6 +160,7 @@ class FrameFusion {
   vehicle::FusionRule rule_;
   alignas(8) std::array<OccupancyIndex, geometry::kTileCells> tile_cells_{};
   PendingMarks marks_;
+  ArcMarker arcs_{marks_};
   std::array<ground::Lows, vehicle::kMaxGroundSensors> lows_{};
 };
 

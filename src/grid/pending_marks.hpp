@@ -3,6 +3,7 @@
 // Marks commute among themselves, but not with carving.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -29,9 +30,26 @@ static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 
 // two units of 64 layers, or of a Pandar64 with two returns (230,400 points).
 inline constexpr std::size_t kMaxMarks = 262'144;
 
-// The most cells that one point of this sensor can mark: its own, and the cells behind it that its
-// near 1D cells reach. A line of length d enters at most sqrt(2) d / cell + 2 further cells.
+// From one step of a radar's arc to the next, in ticks: at most a cell long at this range, or a
+// tick. 2 pi is taken for a little more.
+[[nodiscard]] constexpr std::int32_t arc_step_ticks(std::uint32_t ticks_per_turn,
+                                                    std::uint32_t range_mm) {
+  constexpr std::uint64_t kTwoPi = 6'283'186;
+  const std::uint64_t at_one_mm =
+      std::uint64_t{ticks_per_turn} * geometry::kCellMm * 1'000'000 / kTwoPi;
+  const std::uint32_t ticks =
+      static_cast<std::uint32_t>(at_one_mm) / std::max<std::uint32_t>(range_mm, 1);
+  return static_cast<std::int32_t>(std::max<std::uint32_t>(ticks, 1));
+}
+
+// The most cells that one point of this sensor can mark: of a radar the steps of its longest arc;
+// of others its own, and the cells behind it that its near 1D cells reach. A line of length d
+// enters at most sqrt(2) d / cell + 2 further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
+  if (sensor.arc.is_given()) {
+    const std::int32_t step = arc_step_ticks(sensor.azimuths.ticks_per_turn(), sensor.range.mm());
+    return 1 + 2 * static_cast<std::uint32_t>(sensor.arc.reach_ticks() / step);
+  }
   const std::uint32_t near_mm = sensor.profile.near_after_count == 0
                                     ? 0
                                     : (sensor.profile.near_after_count + 1U) * sensor.precision_mm;
@@ -50,6 +68,13 @@ class PendingMarks {
     }
     if (sensor.profile.near_after_count > 0 && !line.in_grid().is_empty()) {
       mark_behind(sensor, line, hit, range_mm, is_tall);
+    }
+  }
+
+  // The same of a cell that somebody else has found.
+  void mark(geometry::Cell cell, OccupancyIndex index) {
+    if (geometry::kGridArea.contains(cell)) {
+      remember(cell, index, true);
     }
   }
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/grid.hpp"
-#include "lidar/formats.hpp"
+#include "lidar/scanner_facts.hpp"
 #include "numeric/arctangent.hpp"
 #include "numeric/sine_table.hpp"
 #include "require/require.hpp"
@@ -97,7 +97,7 @@ SectorView view_of(const vehicle::Sensor& sensor) {
 WatchedSectors::WatchedSectors(std::span<const vehicle::Sensor> sensors) : sensors_(sensors) {
   require(sensors.size() <= views_.size());
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    views_[i] = view_of(sensors[i]);
+    views_[i] = lidar::facts_of(sensors[i].format).is_radar ? SectorView{} : view_of(sensors[i]);
   }
 }
 

@@ -19,6 +19,8 @@ struct DataSheet {
   // Of one turn, some more than it can have; 0: it depends on how the unit is set up, and the file
   // of a car must say it.
   std::uint32_t max_points_per_scan = 0;
+  // Of a radar: standard deviation of an azimuth.
+  double azimuth_sigma_deg = 0;
 };
 
 }  // namespace iog::lidar

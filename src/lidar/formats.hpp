@@ -12,6 +12,7 @@
 #include <utility>
 #include <variant>
 
+#include "lidar/continental_ars548.hpp"
 #include "lidar/hesai_pandar40p.hpp"
 #include "lidar/hesai_pandar64.hpp"
 #include "lidar/hesai_xt.hpp"
@@ -28,7 +29,8 @@ namespace iog::lidar {
 
 // The wire formats that are understood (docs/spec.md): the one list of them, from which all others
 // follow.
-using AnyDecoder = std::variant<HesaiPandar40p,     //
+using AnyDecoder = std::variant<ContinentalArs548,  //
+                                HesaiPandar40p,     //
                                 HesaiPandar64,      //
                                 HesaiXt16,          //
                                 HesaiXt32,          //

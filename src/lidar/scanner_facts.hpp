@@ -16,6 +16,7 @@ struct ScannerFacts {
   bool has_elevations = false;  // of its format; else they are each unit's own
   bool has_modes = false;       // its packets do not say how fast it turns
   bool has_beam_tilt = false;   // its mirror is tilted
+  bool is_radar = false;        // it says where something is, and of no place that it is free
 };
 
 template <typename Decoder>
@@ -39,6 +40,11 @@ concept HasBeamTilt = requires {
 };
 
 template <typename Decoder>
+concept IsRadar = requires {
+  Decoder::kIsRadar;
+};
+
+template <typename Decoder>
 constexpr std::size_t layers_of() {
   if constexpr (HasOneLayerCount<Decoder>) {
     return Decoder::kLayers;
@@ -55,7 +61,8 @@ constexpr ScannerFacts facts_of(Format format) {
              .turns = Decoder::kTurns,
              .has_elevations = !Decoder::kElevationsDeg.empty(),
              .has_modes = HasModes<Decoder>,
-             .has_beam_tilt = HasBeamTilt<Decoder>};
+             .has_beam_tilt = HasBeamTilt<Decoder>,
+             .is_radar = IsRadar<Decoder>};
   });
   return facts;
 }

@@ -18,6 +18,7 @@
 #include "numeric/reciprocal.hpp"
 #include "numeric/sine_table.hpp"
 #include "pose/source_description.hpp"
+#include "sensor_model/arc.hpp"
 #include "sensor_model/profile.hpp"
 #include "vehicle/azimuth_steps.hpp"
 #include "vehicle/beam_line.hpp"
@@ -138,7 +139,8 @@ struct Sensor {
   bool is_synchronised = false;  // with the poses
   std::uint32_t latency_us = 0;  // from measurement to arrival, if it is not
   sensor_model::Profile profile;
-  RangeProducts on_car_x;  // together: within the vehicle's footprint
+  sensor_model::Arc arc{};  // of a radar
+  RangeProducts on_car_x;   // together: within the vehicle's footprint
   RangeProducts on_car_y;
   RangeProducts in_band;  // within its height band
   RangeProducts tall;     // the same of those that are tall by `moved`

@@ -93,6 +93,7 @@ void read_sensor(TomlTable& table, Car& car) {
   table.read("range_max_mm", sensor.range_max_mm);
   table.read("precision_mm", sensor.precision_mm);
   table.read("sigma_m", sensor.sigma_m);
+  table.read("azimuth_sigma_deg", sensor.azimuth_sigma_deg);
   table.read("no_return_clears_mm", sensor.no_return_clears_mm);
   table.read("scan_width_ticks", sensor.scan_width_ticks);
   table.read("azimuth_steps_per_turn", sensor.azimuth_steps_per_turn);

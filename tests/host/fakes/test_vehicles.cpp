@@ -42,6 +42,9 @@ const vehicle::Vehicle ThreeLux::kVehicle = compiled(ThreeLux::kConfigs, ThreeLu
 const vehicle::Vehicle LevelVlp16::kVehicle =
     compiled(LevelVlp16::kConfigs, LevelVlp16::kDescription);
 const vehicle::Vehicle MixedCar::kVehicle = compiled(MixedCar::kConfigs, MixedCar::kDescription);
+const vehicle::Vehicle RadarCar::kVehicle = compiled(RadarCar::kConfigs, RadarCar::kDescription);
+const vehicle::Vehicle BayesRadarCar::kVehicle =
+    compiled(RadarCar::kConfigs, BayesRadarCar::kDescription);
 const vehicle::Vehicle HighAndFar::kVehicle =
     compiled(HighAndFar::kConfigs, HighAndFar::kDescription);
 const vehicle::Vehicle SteepVlp16::kVehicle =

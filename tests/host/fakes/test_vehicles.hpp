@@ -120,6 +120,41 @@ struct MixedCar {
   static const vehicle::Vehicle kVehicle;
 };
 
+constexpr description::SensorConfig test_radar(std::uint16_t port,
+                                               const description::MountConfig& mount) {
+  description::SensorConfig config =
+      description::scanner_of(lidar::kFormat<lidar::ContinentalArs548>);
+  config.name = "radar";
+  config.udp_port = port;
+  config.mount = mount;
+  return config;
+}
+
+// A VLP-16, and two radars off every border, one of them tilted, on a car with a footprint.
+struct RadarCar {
+  static constexpr std::array kConfigs{
+      test_vlp16(100, {.z_m = 1.5}),
+      test_radar(101, {.x_m = 2.03, .y_m = 0.51, .z_m = 0.6, .yaw_deg = 7}),
+      test_radar(102, {.x_m = -2.07, .z_m = 0.7, .yaw_deg = 175, .pitch_deg = 3, .roll_deg = 31}),
+  };
+  static constexpr description::Description kDescription{
+      .name = "radar_car",
+      .footprint = {.x_min_m = -2.1, .x_max_m = 2.1, .y_min_m = -0.9, .y_max_m = 0.9},
+      .z_min_m = 0.2,
+      .z_max_m = 2.2};
+  static const vehicle::Vehicle kVehicle;
+};
+
+// The same by the other rule.
+struct BayesRadarCar {
+  static constexpr description::Description kDescription = [] {
+    description::Description car = RadarCar::kDescription;
+    car.rule = vehicle::FusionRule::kBayes;
+    return car;
+  }();
+  static const vehicle::Vehicle kVehicle;
+};
+
 // Two VLP-16 with lines of 50 m, one above the height band and one beside the grid.
 struct HighAndFar {
   static constexpr std::array kConfigs = [] {

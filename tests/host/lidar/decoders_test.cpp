@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "fakes/ars548_list.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
@@ -39,6 +40,9 @@ Bytes sound_packet(tests::Random& random) {
   } else if constexpr (std::is_base_of_v<OusterPacket, Decoder>) {
     return tests::OusterPacket{
         .format = kFormat<Decoder>, .rows = kOusterRows, .first_column = 1'008}
+        .bytes();
+  } else if constexpr (IsRadar<Decoder>) {
+    return tests::Ars548List{.detections = std::vector<tests::Ars548Detection>(random.below(20))}
         .bytes();
   } else {
     return tests::LuxMessage{.points = std::vector<tests::LuxPoint>(20), .flags = 0x402}.bytes();

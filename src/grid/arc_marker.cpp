@@ -1,0 +1,53 @@
+#include "grid/arc_marker.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace iog::grid {
+
+vehicle::Fate ArcMarker::add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
+  const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
+  const vehicle::Classification its = vehicle::classify(sensor, beam, point);
+  if (its.evidence.marks()) {
+    mark_arc(sensor, point);
+  }
+  return its.fate;
+}
+
+// The point of the arc on the line of each step; what lies on the car is the car's own.
+void ArcMarker::mark_arc(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
+  const auto turn = static_cast<std::int32_t>(sensor.azimuths.ticks_per_turn());
+  const std::int32_t step = arc_step_ticks(sensor.azimuths.ticks_per_turn(), point.range_mm);
+  const std::int32_t last = sensor.arc.reach_ticks() / step * step;
+  const vehicle::Layer& layer = sensor.layers[point.layer];
+  for (std::int32_t off = -last; off <= last; off += step) {
+    const std::int32_t azimuth = (point.azimuth_ticks + off + turn) % turn;
+    const vehicle::BeamLine line = vehicle::line_of(
+        sensor, layer, vehicle::direction_of(sensor, static_cast<std::uint32_t>(azimuth)));
+    if (!vehicle::ranges_on_car(sensor, line).contain(point.range_mm)) {
+      step_into(line.cell(line.through(point.range_mm, sensor.range)), sensor.arc.at(off));
+    }
+  }
+  const std::size_t kept = std::min(entered_, kLately);
+  for (std::size_t i = entered_ - kept; i < entered_; ++i) {
+    marks_->mark(lately_[i % kLately].cell, lately_[i % kLately].index);
+  }
+  entered_ = 0;
+}
+
+void ArcMarker::step_into(geometry::Cell cell, OccupancyIndex index) {
+  const auto known = std::span(lately_).first(std::min(entered_, kLately));
+  const auto again = std::ranges::find(known, cell, &Step::cell);
+  if (again != known.end()) {
+    again->index = std::max(again->index, index);
+    return;
+  }
+  Step& place = lately_[entered_ % kLately];
+  if (entered_ >= kLately) {
+    marks_->mark(place.cell, place.index);
+  }
+  place = {cell, index};
+  ++entered_;
+}
+
+}  // namespace iog::grid

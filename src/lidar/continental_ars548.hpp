@@ -1,0 +1,100 @@
+// Continental ARS548 RDI radar, detection lists: wire bytes to scan points.
+//
+// One datagram is a whole list: a header of 101 bytes, 800 places for detections of 44 bytes, of
+// which the first are in use, and 35 bytes that say how many. All numbers are big-endian, angles
+// and distances binary32 in radians and metres (docs/spec.md, section 1.2.3). The maker's document
+// is not public; the layout is that of two drivers, tier4/nebula and robotics-upo/ars548_ros.
+//
+// A detection is a place from which something was reflected. It has a direction of its own. Its
+// elevation is far less precise than its azimuth, and it says how much: the elevation that is taken
+// is nearer to the horizon by one standard deviation, or the horizon, rounded to a layer. So what
+// the height band drops is outside of it for sure, as far as the unit knows. Speeds are not used.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "lidar/data_sheet.hpp"
+#include "lidar/scan_point.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::lidar {
+
+class ContinentalArs548 {
+ public:
+  static constexpr std::string_view kName = "Continental ARS548";
+  // It says of its ranges and azimuths that they are precise to 0.2 m and 0.5 degrees. A 1D cell of
+  // twice that marks most (docs/model.md, section 10).
+  static constexpr DataSheet kDataSheet{.type = "continental_ars548",
+                                        .range_min_mm = 200,
+                                        .precision_mm = 400,
+                                        .sigma_m = 0.20,
+                                        .scan_width_ticks = 3840,  // 60 degrees to either side
+                                        .max_points_per_scan = 800,
+                                        .azimuth_sigma_deg = 0.5};
+  static constexpr bool kIsRadar = true;
+  static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
+  static constexpr bool kTurns = false;
+  // In steps of a degree, from 30 below the horizon to 30 above it.
+  static constexpr std::int32_t kSteepestDeg = 30;
+  static constexpr auto kElevationsDeg = [] {
+    std::array<double, 2 * kSteepestDeg + 1> elevations{};
+    double degrees = -kSteepestDeg;
+    for (double& elevation : elevations) {
+      elevation = degrees;
+      degrees += 1;
+    }
+    return elevations;
+  }();
+
+  static constexpr std::uint16_t kMethod = 336;
+  static constexpr std::size_t kMostDetections = 800;
+  static constexpr std::size_t kHeadBytes = 101;
+  static constexpr std::size_t kDetectionBytes = 44;
+  static constexpr std::size_t kTailBytes = 35;
+  static constexpr std::size_t kBytes =
+      kHeadBytes + kMostDetections * kDetectionBytes + kTailBytes;  // 35,336
+  static constexpr std::uint8_t kLeastExistence = 50;               // per cent
+
+  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
+    return kMostDetections;
+  }
+
+  // Checks the whole list, every detection included, and keeps a view of it. The view lives as long
+  // as the datagram. kOk; kWrongLength; kWrongType: another of the unit's messages, as its objects
+  // or its status; kWrongPoint: more than 800 detections, or one that is valid and no place.
+  [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
+
+  [[nodiscard]] const PacketInfo& info() const { return info_; }
+
+  // From now on the view is of this copy of the datagram.
+  void move_to(std::span<const std::byte> copy) {
+    detections_ = copy.subspan(kHeadBytes, detections_.size());
+  }
+
+  // Calls visit(const ScanPoint&) for each detection, in wire order. Only after decode() was kOk.
+  // What is no target is rain: what the unit calls invalid or noise, or less likely to exist than
+  // kLeastExistence, or high enough to drive under it, and what lies outside its field of view.
+  template <typename Visit>
+  void for_each_point(Visit&& visit) const {
+    for (auto rest = detections_; rest.size() >= kDetectionBytes;
+         rest = rest.subspan(kDetectionBytes)) {
+      visit(point(rest.first<kDetectionBytes>()));
+    }
+  }
+
+ private:
+  using DetectionBytes = std::span<const std::byte, kDetectionBytes>;
+
+  // Invalid ones have no range.
+  [[nodiscard]] static ScanPoint point(DetectionBytes bytes);
+  [[nodiscard]] static bool is_place(DetectionBytes bytes);
+
+  PacketInfo info_;
+  std::span<const std::byte> detections_;
+};
+
+}  // namespace iog::lidar
