@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "geometry/grid.hpp"
+#include "grid/pending_marks.hpp"
 #include "tools/budget/unit_costs.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/vehicles/two_returns.hpp"
@@ -148,6 +149,15 @@ double period_ms(const CatalogueEntry& car) {
   return std::ranges::any_of(car.vehicle->sensors, turns) ? std::min(most_ms, kTurnMs) : most_ms;
 }
 
+bool is_radar(const vehicle::Sensor& sensor) { return sensor.arc.is_given(); }
+
+// Of all detections of a list, so far away.
+double arc_steps_at(const vehicle::Sensor& sensor, std::uint32_t range_mm) {
+  const std::int32_t step = grid::arc_step_ticks(sensor.azimuths.ticks_per_turn(), range_mm);
+  const std::int32_t to_one_side = sensor.arc.reach_ticks() / step;
+  return sensor.max_points_per_scan * (1.0 + 2.0 * to_one_side);
+}
+
 void add_ground(const vehicle::Sensor& sensor, double points, FrameWork& work) {
   if (sensor.ground.is_followed()) {
     work.ground_turns += 1;
@@ -163,7 +173,9 @@ FrameWork typical_work(const CatalogueEntry& car) {
   FrameWork work{.tiles = typical_tiles(car)};
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     const double directions = directions_of(car.sensors[i]);
-    if (turns(car.vehicle->sensors[i])) {
+    if (is_radar(car.vehicle->sensors[i])) {
+      work.arc_steps += arc_steps_at(car.vehicle->sensors[i], car.sensors[i].range_max_mm / 2);
+    } else if (turns(car.vehicle->sensors[i])) {
       work.turn_steps += car.vehicle->sensors[i].azimuths.steps_per_turn();
       work.turn_points += directions;  // it sends all of them, with an echo or without
     } else if (repeats(car.sensors[i])) {
@@ -184,6 +196,10 @@ FrameWork worst_work(const CatalogueEntry& car) {
   FrameWork work{.tiles = tiles_in_reach(car)};
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     const description::SensorConfig& sensor = car.sensors[i];
+    if (is_radar(car.vehicle->sensors[i])) {
+      work.arc_steps += arc_steps_at(car.vehicle->sensors[i], sensor.range_max_mm);
+      continue;
+    }
     work.points_once += directions_of(sensor);
     work.later_echoes += sensor.max_points_per_scan - directions_of(sensor);
     add_ground(car.vehicle->sensors[i], sensor.max_points_per_scan, work);
@@ -198,7 +214,8 @@ double ground_ms(const FrameWork& work) {
 }
 
 double worst_ms(const FrameWork& work) {
-  return ms_of(work.points_once * kPointOnceCycles + work.later_echoes * kLaterEchoCycles +
+  return ms_of(work.points_once * kPointOnceCycles +
+               (work.later_echoes + work.arc_steps) * kLaterEchoCycles +
                work.tiles * kDearestTileCycles + work.class_tiles * kDearestClassTileCycles) +
          ground_ms(work);
 }
@@ -214,8 +231,8 @@ std::string line_of(const std::string& name, const FrameBudget& frame, double pe
   std::ostringstream text;
   text << std::fixed << std::setprecision(0) << "  " << std::left << std::setw(9) << name
        << std::right << std::setw(8)
-       << work.points + work.turn_points + work.points_once + work.later_echoes << " points"
-       << std::setw(6) << work.tiles << " tiles" << std::setw(6) << work.class_tiles
+       << work.points + work.turn_points + work.points_once + work.later_echoes + work.arc_steps
+       << " points" << std::setw(6) << work.tiles << " tiles" << std::setw(6) << work.class_tiles
        << " of classes" << std::setprecision(1) << std::setw(9) << frame.ms << " ms, "
        << percent_of(frame.ms, period_ms) << " of the period"
        << (frame.ms > period_ms ? ": TOO SLOW" : "") << '\n';
@@ -239,7 +256,7 @@ std::string errors_of(const Frames& frames, Cycles&& reckoned) {
 double typical_ms(const FrameWork& work) {
   return ms_of(work.points * kPointCycles + work.turn_steps * kTurnStepCycles +
                work.turn_points * kTurnPointCycles + work.points_once * kPointOnceCycles +
-               work.later_echoes * kLaterEchoCycles + work.cells * kCellCycles +
+               (work.later_echoes + work.arc_steps) * kLaterEchoCycles + work.cells * kCellCycles +
                work.tiles * kTileCycles + work.class_tiles * kClassTileCycles) +
          ground_ms(work);
 }
@@ -339,7 +356,10 @@ std::string words_of_budget_errors() {
          "of the same where they follow the ground: " +
          errors_of(kGroundTurns, over_ground) +
          ".\n"
-         "A unit that turns and is not level counts as if no azimuth came again. What the key "
+         "A step of the arc of a radar's detection counts as a later echo, a point; typical is "
+         "half its "
+         "range. A unit that turns and is not level counts as if no azimuth came again. What the "
+         "key "
          "`moved` costs is not in it.\n";
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "intake/packet.hpp"
-#include "lidar/formats.hpp"
+#include "lidar/scanner_facts.hpp"
 #include "tools/identity/foreign_unit.hpp"
 #include "tools/identity/format_names.hpp"
 
@@ -72,7 +72,7 @@ std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
       seen = seen_low_rate_ouster(payload);
     } else if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
       seen = seen_ouster<Decoder>(payload, format);
-    } else if constexpr (std::is_same_v<lidar::IbeoLux, Decoder> ||
+    } else if constexpr (std::is_same_v<lidar::IbeoLux, Decoder> || lidar::IsRadar<Decoder> ||
                          std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
       Decoder decoder;
       lidar::FormatSet formats(format);

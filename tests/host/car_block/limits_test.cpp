@@ -93,6 +93,49 @@ TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].latency_us = 1'000'001; }), "0.latency_us");
 }
 
+// A radar marks an arc, and says of nothing that it is free.
+TEST(CarLimits, OfARadar) {
+  const auto fault_of = [](auto&& change) { return fault_with(change, "roof_vlp16_radar"); };
+  EXPECT_EQ(fault_of([](Changed& c) { c.car.grids = vehicle::Grids::kClasses; }), "1.type");
+  EXPECT_EQ(fault_of([](Changed& c) { c.car.grids = vehicle::Grids::kBoth; }), "1.type");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].no_return_clears_mm = 1; }),
+            "1.no_return_clears_mm");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].moved = {600, 700}; }), "1.moved");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].ground = {220, 2'200}; }), "1.ground");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].is_calibrated = true; }), "1.lasers");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].layer_count = 60; }), "1.lasers");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].max_points_per_scan = 799; }),
+            "1.max_points_per_scan");
+  const auto fault_of_arc = [&](const sensor_model::Arc& arc) {
+    return fault_of([&](Changed& c) { c.sensors[1].arc = arc; });
+  };
+  EXPECT_EQ(fault_of_arc({.cell_ticks = 32, .count = 3, .marks = {9, 9, 1}}), "");
+  EXPECT_EQ(fault_of_arc({.cell_ticks = 33, .count = 3, .marks = {9, 9, 1}}),
+            "1.azimuth_sigma_deg");
+  EXPECT_EQ(fault_of_arc({.cell_ticks = 32, .count = 3, .marks = {9, 9, 0}}),
+            "1.azimuth_sigma_deg");
+  EXPECT_EQ(fault_of_arc({.cell_ticks = 32, .count = 2, .marks = {1, 2}}), "1.azimuth_sigma_deg");
+  EXPECT_EQ(fault_of_arc({}), "1.azimuth_sigma_deg");
+  EXPECT_EQ(fault_with([](Changed& c) {
+              c.sensors[0].arc = {16, 2, {2, 1}};
+            }),
+            "0.azimuth_sigma_deg");
+}
+
+// 800 detections of 79 steps at 73 m, and a turn of the lidar beside it.
+TEST(CarLimits, AllStepsOfAnArcMark) {
+  const auto fault_of_points = [](std::uint32_t points) {
+    return fault_with(
+        [&](Changed& c) {
+          c.sensors[1].arc = {32, 3, {9, 9, 1}};
+          c.sensors[0].max_points_per_scan = points;
+        },
+        "roof_vlp16_radar");
+  };
+  EXPECT_EQ(fault_of_points(262'144 - 800 * 79), "");
+  EXPECT_EQ(fault_of_points(262'144 - 800 * 79 + 1), "1.max_points_per_scan");
+}
+
 TEST(CarLimits, OfTheGround) {
   const auto fault_of_limits = [](std::uint16_t low_mm, std::uint16_t top_mm) {
     return fault_with([&](Changed& c) { c.sensors[0].ground = {low_mm, top_mm}; }, "roof_hdl64e");

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
+#include "fakes/ars548_list.hpp"
 #include "fakes/fake_platform.hpp"
 #include "fakes/ground_car.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/random.hpp"
+#include "fakes/real_ars548_list.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "pose/message.hpp"
 #include "vehicles/cars.hpp"
@@ -64,6 +66,19 @@ TEST(Golden, FourLuxHaveOneNameEverywhere) {
   }
   ASSERT_EQ(platform.frames.size(), 3U);
   EXPECT_EQ(name_of_run(platform.frames), 0x04E7E467U);
+}
+
+// A list that a real radar has sent; the next one ends its frame.
+TEST(Golden, ARadarHasOneNameEverywhere) {
+  tests::FakePlatform platform;
+  const auto pipeline = std::make_unique<app::Pipeline<tests::FakePlatform>>(
+      vehicles::car("roof_vlp16_radar").vehicle, kReplayer, platform);
+  const auto list = tests::real_ars548_list();
+  const auto next = tests::Ars548List{.seconds = 1'708'578'204}.bytes();
+  pipeline->take({kReplayer, 42'102, list}, 50'000);
+  pipeline->take({kReplayer, 42'102, next}, 100'000);
+  ASSERT_EQ(platform.frames.size(), 1U);
+  EXPECT_EQ(name_of_run(platform.frames), 0x89733C96U);
 }
 
 constexpr std::uint64_t kDriveUs = 1'714'564'800'000'000;  // 2024-05-01 12:00 UTC

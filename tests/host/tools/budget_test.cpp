@@ -123,6 +123,17 @@ TEST(Budget, OfAnOusterWithTwoReturnsTheSecondIsALaterEcho) {
   EXPECT_EQ(work.later_echoes, 32 * 1'024);
 }
 
+// 800 detections; 23 ticks to either side, in steps of 2 at 73 m and of 5 at half of that.
+TEST(Budget, OfARadarTheStepsOfItsArcsCount) {
+  const VehicleBudget budget = budget_of(find_vehicle("roof_vlp16_radar"));
+  const VehicleBudget without = budget_of(find_vehicle("roof_vlp16"));
+  EXPECT_EQ(budget.worst.work.arc_steps, 800 * 23);
+  EXPECT_EQ(budget.typical.work.arc_steps, 800 * 9);
+  EXPECT_EQ(budget.worst.work.points_once, without.worst.work.points_once);
+  EXPECT_EQ(budget.typical.work.turn_points, without.typical.work.turn_points);
+  EXPECT_GT(budget.typical.ms, without.typical.ms);
+}
+
 // docs/results/four_cores.md: the city's frame takes 0.77, 0.59, 0.52 of one core's time.
 TEST(Budget, TakesTheFewestCoresThatAreEnough) {
   EXPECT_EQ(cores_for(39.9, 40), 1U);

@@ -1,5 +1,5 @@
-// The packets of a unit that turns, as it would send them: their bytes, and when each of their
-// beams is sent where.
+// The packets of a unit that turns, or of a radar, as it would send them: their bytes, and when
+// each of their beams is sent where.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ class PacketEncoder {
                                                       std::vector<PointTruth>& truth) const = 0;
 };
 
-// Of the sensor, which outlives it; nullptr if it does not turn.
+// Of the sensor, which outlives it; nullptr if it has a mirror.
 [[nodiscard]] std::unique_ptr<PacketEncoder> encoder_of(const description::SensorConfig& config);
 
 }  // namespace iog::tools

@@ -1,5 +1,6 @@
-// A simulated unit whose head turns, ten times a second (an Ouster as it is set): a frame is a
-// tenth of a second. Packets come when they are full, so one may belong to two turns.
+// A simulated unit whose head turns, ten times a second (an Ouster as it is set), or a radar with
+// as many cycles: a frame is a tenth of a second. Packets come when they are full, so one may
+// belong to two turns.
 #pragma once
 
 #include <memory>
