@@ -11,12 +11,14 @@
 
 #include "car_block/content.hpp"
 #include "discovery/bytes.hpp"
+#include "fakes/ars548_list.hpp"
 #include "fakes/bytes_of.hpp"
 #include "fakes/ground_turns.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/ouster_packet.hpp"
 #include "fakes/random.hpp"
+#include "fakes/real_ars548_list.hpp"
 #include "fakes/reference_block.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "geometry/grid.hpp"
@@ -49,6 +51,10 @@ void add_lidar_seeds(Seeds& seeds) {
     const auto half = tests::LuxMessage{.points = {{.layer = 3}, {.echo = 1}}, .flags = flags};
     seeds.add("ibeo_lux8", joined(piece_of(lux), half.bytes()));
   }
+  const Bytes list = tests::real_ars548_list();
+  seeds.add("continental_ars548",
+            joined({std::byte{11}}, Bytes(list.begin() + 36, list.begin() + 101 + 44 * 44)));
+  seeds.add("continental_ars548", tests::Ars548List{.detections = {{}, {}}}.bytes());
   seeds.add("scan_stream", joined({std::byte{50}}, joined(lux, lux_message(3))));
   seeds.add("lux_recording", joined(lux, lux_message(3)));
 }
