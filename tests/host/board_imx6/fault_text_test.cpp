@@ -1,6 +1,7 @@
 // The last word, read by a person.
 #include <array>
 #include <gtest/gtest.h>
+#include <string_view>
 
 #include "fault.hpp"
 
@@ -59,6 +60,22 @@ TEST(LastWord, OfASynchronousExternalAbortNamesTheAddress) {
 TEST(LastWord, HasNoFaultAddressWhereThereIsNone) {
   EXPECT_EQ(describe(frame(FaultKind::kInterrupt), {}, kMap).view(),
             "interrupt taken pc=10100abc lr=10100def sp=10340ff0 spsr=600001d3");
+}
+
+// Each kind has a name of its own, and one that startup.S never gives has one, too.
+TEST(LastWord, NamesEachKind) {
+  const std::array<std::string_view, 8> names{"unknown exception",
+                                              "undefined instruction",
+                                              "supervisor call",
+                                              "prefetch abort",
+                                              "data abort",
+                                              "interrupt taken",
+                                              "hung",
+                                              "unknown exception"};
+  for (std::uint32_t kind = 0; kind < names.size(); ++kind) {
+    const TextLine line = describe(frame(static_cast<FaultKind>(kind)), {}, kMap);
+    EXPECT_EQ(line.view().substr(0, line.view().find(" pc=")), names[kind]);
+  }
 }
 
 TEST(LastWord, FitsTheBootRecord) {

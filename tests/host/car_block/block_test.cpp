@@ -1,5 +1,7 @@
 // The block of a car: each car comes back as it went, and nothing that is damaged is believed.
 #include <gtest/gtest.h>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "car_block/car_block.hpp"
@@ -225,6 +227,18 @@ TEST(CarBlock, EachKindOfWrongBlockIsTold) {
             Refusal::kNotACar);
   CarBytes bytes(vehicles::car("reference_car"));
   EXPECT_EQ(bytes.read(vehicle::Grids::kIndexes).refusal, Refusal::kOtherGrids);
+}
+
+// A person who reads it can tell what is wrong, and with what.
+TEST(CarBlock, EachRefusalHasWordsOfItsOwn) {
+  std::set<std::string> told;
+  for (const Part part : {Part::kCar, Part::kNetwork, Part::kKey}) {
+    for (int refusal = 0; refusal < static_cast<int>(Refusal::kLimit); ++refusal) {
+      const Words words({.refusal = static_cast<Refusal>(refusal), .part = part});
+      EXPECT_GT(words.view().size(), std::string_view("network: ").size());
+      EXPECT_TRUE(told.emplace(words.view()).second) << words.view();
+    }
+  }
 }
 
 // Whatever it is cut to, with a right CRC.

@@ -27,7 +27,7 @@ Bytes counting(int first, int last) {
 }
 
 Bytes frame_of(const Bytes& message) {
-  Bytes frame(max_framed_bytes(message.size()));
+  Bytes frame(max_framed_bytes(message.size()), std::byte{0xA5});  // what was there before
   frame.resize(encode_cobs(message, frame));
   return frame;
 }

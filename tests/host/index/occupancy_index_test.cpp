@@ -1,6 +1,7 @@
 // Saturating addition: all 65,536 pairs, and the laws that make a frame independent of order.
 #include "index/occupancy_index.hpp"
 
+#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace iog::index {
@@ -25,6 +26,14 @@ TEST(SaturatingAddition, LoweringIsTheSameSum) {
       const auto y = static_cast<OccupancyIndex>(b);
       ASSERT_EQ(sat_lower(x, y), sat_add(x, y)) << a << " + " << b;
     }
+  }
+}
+
+// A carved byte may go one below the range of an index.
+TEST(SaturatingAddition, ACarvedByteIsRaisedToTheFloorOfAnIndex) {
+  EXPECT_EQ(int{raised(-128)}, -127);
+  for (int byte = -127; byte <= 127; ++byte) {
+    ASSERT_EQ(int{raised(static_cast<std::int8_t>(byte))}, byte);
   }
 }
 
