@@ -57,6 +57,17 @@ TEST_F(SecuredMessage, IsThePlainOneBehindTheMac) {
   EXPECT_FALSE(is_signed(message));
 }
 
+// Header, protection and trailer, nothing between: both lengths say so (docs/spec.md 9).
+TEST_F(SecuredMessage, OneWithoutContentIsSignedToo) {
+  const Bytes secured = from_hex(
+      "4f478003 00000020 00000001 01010200 00140000 494f4703 00000000"
+      "00000007 0000000000000000");
+  EXPECT_TRUE(is_signed(secured));
+  for (std::size_t bytes = 0; bytes < secured.size(); ++bytes) {
+    EXPECT_FALSE(is_signed(std::span(secured).first(bytes))) << bytes;
+  }
+}
+
 TEST_F(SecuredMessage, OneWithoutAMacIsUnsigned) {
   EXPECT_EQ(verifier_.verify(plain_message()), Verdict::kUnsigned);
   EXPECT_EQ(verifier_.verify({}), Verdict::kUnsigned);
