@@ -45,6 +45,7 @@ const vehicle::Vehicle MixedCar::kVehicle = compiled(MixedCar::kConfigs, MixedCa
 const vehicle::Vehicle RadarCar::kVehicle = compiled(RadarCar::kConfigs, RadarCar::kDescription);
 const vehicle::Vehicle BayesRadarCar::kVehicle =
     compiled(RadarCar::kConfigs, BayesRadarCar::kDescription);
+const vehicle::Vehicle RadarBus::kVehicle = compiled(RadarBus::kConfigs, RadarBus::kDescription);
 const vehicle::Vehicle HighAndFar::kVehicle =
     compiled(HighAndFar::kConfigs, HighAndFar::kDescription);
 const vehicle::Vehicle SteepVlp16::kVehicle =

@@ -155,6 +155,17 @@ struct BayesRadarCar {
   static const vehicle::Vehicle kVehicle;
 };
 
+// A radar that looks along the side of a bus.
+struct RadarBus {
+  static constexpr std::array kConfigs{test_radar(101, {.x_m = -9, .y_m = 1, .z_m = 0.6})};
+  static constexpr description::Description kDescription{
+      .name = "radar_bus",
+      .footprint = {.x_min_m = -10, .x_max_m = 10, .y_min_m = -0.9, .y_max_m = 0.9},
+      .z_min_m = 0.2,
+      .z_max_m = 2.2};
+  static const vehicle::Vehicle kVehicle;
+};
+
 // Two VLP-16 with lines of 50 m, one above the height band and one beside the grid.
 struct HighAndFar {
   static constexpr std::array kConfigs = [] {

@@ -131,6 +131,35 @@ TEST(ArcMarker, MarksTheArcOfEachDetectionAndNothingElse) {
   EXPECT_EQ(tests::cells_of(*fusion), expected);
 }
 
+// Half of such an arc may lie on the car, and is the car's own.
+TEST(ArcMarker, WhatOfAnArcIsOnTheCarDoesNotMark) {
+  const Vehicle& car = tests::RadarBus::kVehicle;
+  std::size_t all = 0;
+  std::size_t marked = 0;
+  for (int off = -13; off <= 13; ++off) {
+    const lidar::ScanPoint point =
+        within_a_turn({.range_mm = 15'000,
+                       .azimuth_ticks = static_cast<std::uint16_t>(11520 + off),
+                       .layer = 30});
+    auto fusion = std::make_unique<FrameFusion>(car);
+    const vehicle::Fate fate = fusion->add(car.sensors[0], point);
+    EXPECT_EQ(fate, off < -12 ? vehicle::Fate::kTooNear : vehicle::Fate::kUsed) << off;
+    fusion->finish();
+    const auto arc = fate == vehicle::Fate::kUsed ? arc_of(car, car.sensors[0], point)
+                                                  : std::map<std::pair<int, int>, int>{};
+    const auto cells = tests::cells_of(*fusion);
+    for (const auto& [cell, index] : arc) {
+      EXPECT_EQ(cells.at(static_cast<std::size_t>(geometry::number_of({cell.first, cell.second}))),
+                index);
+    }
+    const auto count = std::ranges::count_if(cells, [](auto cell) { return cell > 0; });
+    EXPECT_EQ(static_cast<std::size_t>(count), arc.size()) << off;
+    all += fate == vehicle::Fate::kUsed ? 3 : 0;
+    marked += arc.size();
+  }
+  EXPECT_LT(marked, all);
+}
+
 // A detection at 40 m is half a degree wide to either side of its middle, 0.35 m, and once more.
 TEST(ArcMarker, AnArcHasNoGaps) {
   const Vehicle& car = RadarCar::kVehicle;
