@@ -17,7 +17,7 @@ extern "C" const std::byte car_blocks[];
 namespace iog::vehicles {
 namespace {
 
-constexpr std::size_t kMostCars = 16;
+constexpr std::size_t kMostCars = 24;
 
 class Fleet {
  public:

@@ -15,6 +15,7 @@
 #include "lidar/continental_ars548.hpp"
 #include "lidar/hesai_pandar40p.hpp"
 #include "lidar/hesai_pandar64.hpp"
+#include "lidar/hesai_qt64.hpp"
 #include "lidar/hesai_xt.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/ibeo_lux8.hpp"
@@ -32,8 +33,10 @@ namespace iog::lidar {
 using AnyDecoder = std::variant<ContinentalArs548,  //
                                 HesaiPandar40p,     //
                                 HesaiPandar64,      //
+                                HesaiQt64,          //
                                 HesaiXt16,          //
                                 HesaiXt32,          //
+                                HesaiXt32m,         //
                                 IbeoLux,            //
                                 IbeoLux8,           //
                                 OusterLegacy,       //

@@ -65,7 +65,7 @@ bool HesaiPacket::has_header_of(const HesaiUnit& unit) const {
   return byte_at(0) == 0xEE && byte_at(1) == 0xFF && byte_at(2) == unit.model[0] &&
          byte_at(3) == unit.model[1] && byte_at(unit.counts_at) == unit.lasers &&
          byte_at(unit.counts_at + 1) == unit.blocks &&
-         byte_at(unit.distance_unit_at) == kMillimetresPerUnit;
+         byte_at(unit.distance_unit_at) == unit.distance_unit_mm;
 }
 
 bool HesaiPacket::has_flags_of(const HesaiUnit& unit) const {
@@ -138,9 +138,11 @@ void HesaiPacket::read_times(const HesaiUnit& unit) {
     const std::int64_t us = (ns + kSomeUs * 1'000 + 500) / 1'000 - kSomeUs;
     return stamp + static_cast<std::uint64_t>(us);  // modulo 2^64
   };
-  const std::int64_t first_block_ns = unit.last_block_ns - (firings - 1) * unit.firing_ns;
+  const std::int64_t all_but_one_ns = (firings - 1) * unit.firing_ns;
+  const std::int64_t first_block_ns =
+      unit.stamped_block_ns - (unit.is_first_stamped ? 0 : all_but_one_ns);
   info_.sweep = {.begin_us = at(first_block_ns + unit.first_laser_ns),
-                 .end_us = at(unit.last_block_ns + unit.last_laser_ns),
+                 .end_us = at(first_block_ns + all_but_one_ns + unit.last_laser_ns),
                  .turns_right = true,
                  .is_of_packet = true};
 }

@@ -1,5 +1,5 @@
-// Hesai Pandar and PandarXT data packets: what the units of the family share, and the one decoder
-// for all of them.
+// Hesai Pandar, PandarXT and PandarQT data packets: what the units of the family share, and the one
+// decoder for all of them.
 //
 // One datagram, little endian: a header that says how many lasers and blocks follow, the blocks,
 // each an azimuth and a range for each laser, and a tail with time, return mode and the maker's
@@ -27,14 +27,15 @@
 
 namespace iog::lidar {
 
-// Times in ns: of the last block, after the packet's stamp; of the first and the last laser of a
-// block, after their block; from firing to firing.
+// Times in ns: of the last block, or of the first, after the packet's stamp; of the first and the
+// last laser of a block, after their block; from firing to firing.
 struct HesaiUnit {
   std::array<std::uint8_t, 2> model{};  // the header's bytes 2 and 3
   std::size_t header_bytes = 0;         // none: each block has a flag
   std::size_t counts_at = 0;            // lasers and blocks in the header
   std::size_t distance_unit_at = 0;     // in the header
-  std::size_t flag_bytes = 0;           // before each azimuth
+  std::uint32_t distance_unit_mm = 4;
+  std::size_t flag_bytes = 0;  // before each azimuth
   std::size_t blocks = 0;
   std::size_t lasers = 0;
   std::size_t channel_bytes = 0;
@@ -44,7 +45,8 @@ struct HesaiUnit {
   std::size_t maker_at = 0;
   std::size_t bytes = 0;           // without what may follow
   std::size_t sequence_bytes = 0;  // may follow
-  std::int64_t last_block_ns = 0;
+  bool is_first_stamped = false;   // and not the last block
+  std::int64_t stamped_block_ns = 0;
   std::int64_t first_laser_ns = 0;
   std::int64_t last_laser_ns = 0;
   std::int64_t firing_ns = 0;
@@ -59,9 +61,8 @@ class HesaiPacket {
  public:
   static constexpr std::int32_t kTicksPerTurn = 36'000;  // 0.01 degree
   static constexpr bool kTurns = true;
-  static constexpr std::uint32_t kMillimetresPerUnit = 4;
-  // At 20 Hz a firing is 0.4 degrees. If two neighbours are more than 3 degrees apart, the packet
-  // is not one sweep.
+  // At 20 Hz a firing is 1.2 degrees at most. If two neighbours are more than 3 degrees apart, the
+  // packet is not one sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
   // The wire does not say how far the head turns in the last block; see VelodynePacket.
   static constexpr std::uint32_t kSeamTicks = 10;
@@ -107,7 +108,7 @@ class HesaiPacket {
   [[nodiscard]] std::uint32_t range_mm(const HesaiUnit& unit, std::size_t block,
                                        std::size_t channel) const {
     const std::size_t at = unit.block_at(block) + 2 + channel * unit.channel_bytes;
-    return wire::load_le16(packet_.subspan(at).first<2>()) * kMillimetresPerUnit;
+    return wire::load_le16(packet_.subspan(at).first<2>()) * unit.distance_unit_mm;
   }
 
   [[nodiscard]] std::uint8_t byte_at(std::size_t offset) const;

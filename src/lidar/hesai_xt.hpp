@@ -1,5 +1,5 @@
-// Hesai PandarXT-16 and PandarXT-32 data packets (PandarXT User Manual, "Point Cloud Data Packet"),
-// which differ in the number of lasers.
+// Hesai PandarXT-16, PandarXT-32 and PandarXT-32M data packets (PandarXT User Manual, "Point Cloud
+// Data Packet"), which differ in the number of lasers and blocks and in the unit of distance.
 #pragma once
 
 #include <array>
@@ -11,18 +11,27 @@
 
 namespace iog::lidar {
 
-// Appendix "Absolute time of point cloud data": block 8 fires 5.632 us after the stamp, a block
-// 50 us before the next; its first laser 0.368 us after that, and each so long after the one
+struct HesaiXtLayout {
+  std::size_t blocks = 8;
+  std::size_t lasers = 0;
+  std::size_t lasers_at_once = 1;
+  std::int64_t laser_ns = 0;
+  std::uint32_t distance_unit_mm = 4;
+};
+
+// Appendix "Absolute time of point cloud data": the last block fires 5.632 us after the stamp, a
+// block 50 us before the next; its first laser 0.368 us after that, and each so long after the one
 // before.
-consteval HesaiUnit make_hesai_xt(std::size_t lasers, std::int64_t laser_ns) {
+consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
   HesaiUnit unit{.model = {0x06, 0x01},
                  .header_bytes = 12,
                  .counts_at = 6,
                  .distance_unit_at = 9,
-                 .blocks = 8,
-                 .lasers = lasers,
+                 .distance_unit_mm = layout.distance_unit_mm,
+                 .blocks = layout.blocks,
+                 .lasers = layout.lasers,
                  .channel_bytes = 4,
-                 .last_block_ns = 5'632,
+                 .stamped_block_ns = 5'632,
                  .first_laser_ns = 368,
                  .firing_ns = 50'000};
   const std::size_t tail = unit.block_at(unit.blocks);
@@ -31,11 +40,15 @@ consteval HesaiUnit make_hesai_xt(std::size_t lasers, std::int64_t laser_ns) {
   unit.time_at = tail + 19;
   unit.maker_at = tail + 23;
   unit.bytes = tail + 28;
-  unit.last_laser_ns = unit.first_laser_ns + static_cast<std::int64_t>(lasers - 1) * laser_ns;
+  const auto steps = static_cast<std::int64_t>(layout.lasers / layout.lasers_at_once) - 1;
+  unit.last_laser_ns = unit.first_laser_ns + steps * layout.laser_ns;
   return unit;
 }
-inline constexpr HesaiUnit kXt16Unit = make_hesai_xt(16, 3'024);
-inline constexpr HesaiUnit kXt32Unit = make_hesai_xt(32, 1'512);
+inline constexpr HesaiUnit kXt16Unit = make_hesai_xt({.lasers = 16, .laser_ns = 3'024});
+inline constexpr HesaiUnit kXt32Unit = make_hesai_xt({.lasers = 32, .laser_ns = 1'512});
+// Lasers k and k + 16 fire together. Three returns of a beam are a mode that is not taken.
+inline constexpr HesaiUnit kXt32mUnit = make_hesai_xt(
+    {.blocks = 6, .lasers = 32, .lasers_at_once = 2, .laser_ns = 2'888, .distance_unit_mm = 5});
 
 class HesaiXt16 : public HesaiDecoder<kXt16Unit> {
  public:
@@ -58,6 +71,25 @@ class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
   static constexpr std::array<double, 32> kElevationsDeg{
       15, 14, 13, 12, 11, 10, 9,  8,  7,  6,   5,   4,   3,   2,   1,   0,
       -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15, -16};
+};
+
+// The data sheet: 40.3 degrees from 19.5 down, 1.3 degrees apart.
+consteval std::array<double, 32> elevations_of_xt32m() {
+  std::array<double, 32> elevations{};
+  for (std::size_t channel = 0; channel < elevations.size(); ++channel) {
+    elevations[channel] = 19.5 - 1.3 * static_cast<double>(channel);
+  }
+  return elevations;
+}
+
+class HesaiXt32m : public HesaiDecoder<kXt32mUnit> {
+ public:
+  static constexpr std::string_view kName = "Hesai PandarXT-32M";
+  // One turn is 334 packets of 192 points, with two returns 667.
+  static constexpr DataSheet kDataSheet{
+      .type = "hesai_xt32m", .range_min_mm = 500, .max_points_per_scan = 682 * 192};
+  // By channel, which is the order on the wire.
+  static constexpr std::array<double, 32> kElevationsDeg = elevations_of_xt32m();
 };
 
 }  // namespace iog::lidar

@@ -43,8 +43,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   iog::wire::ByteReader in(iog::fuzz::input_bytes(data, size));
   const std::uint8_t choice = in.u8();
   const auto packet = in.bytes(in.remaining());
-  const bool has_sequence = (choice & 4U) == 0;
-  switch (choice & 3U) {
+  const bool has_sequence = choice < 128;
+  switch (choice % 6U) {
     case 0:
       iog::fuzz::check<iog::lidar::HesaiPandar40p>(has_sequence, packet);
       break;
@@ -52,10 +52,16 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       iog::fuzz::check<iog::lidar::HesaiPandar64>(has_sequence, packet);
       break;
     case 2:
+      iog::fuzz::check<iog::lidar::HesaiQt64>(has_sequence, packet);
+      break;
+    case 3:
       iog::fuzz::check<iog::lidar::HesaiXt16>(has_sequence, packet);
       break;
-    default:
+    case 4:
       iog::fuzz::check<iog::lidar::HesaiXt32>(has_sequence, packet);
+      break;
+    default:
+      iog::fuzz::check<iog::lidar::HesaiXt32m>(has_sequence, packet);
       break;
   }
   return 0;

@@ -10,9 +10,10 @@
 
 namespace iog::tests {
 
-inline constexpr std::array<lidar::Format, 4> kHesaiFormats{
+inline constexpr std::array<lidar::Format, 6> kHesaiFormats{
     lidar::kFormat<lidar::HesaiPandar40p>, lidar::kFormat<lidar::HesaiPandar64>,
-    lidar::kFormat<lidar::HesaiXt16>, lidar::kFormat<lidar::HesaiXt32>};
+    lidar::kFormat<lidar::HesaiQt64>,      lidar::kFormat<lidar::HesaiXt16>,
+    lidar::kFormat<lidar::HesaiXt32>,      lidar::kFormat<lidar::HesaiXt32m>};
 
 struct HesaiPacket {
   lidar::Format format = lidar::kFormat<lidar::HesaiPandar64>;
@@ -22,12 +23,12 @@ struct HesaiPacket {
   bool is_dual = false;
   std::array<int, 6> utc{24, 2, 29, 23, 59, 59};  // the first as it is on the wire
   std::uint32_t time_us = 500'000;
-  bool has_sequence = true;                      // of a Pandar64 and a Pandar40P
-  std::array<std::array<int, 64>, 10> ranges{};  // 4 mm
+  bool has_sequence = true;                      // of all but an XT
+  std::array<std::array<int, 64>, 10> ranges{};  // 4 mm, of an XT-32M 5 mm
 
   // What the manuals say of a packet of the unit.
   struct Layout {
-    bool is_xt;
+    enum class Tail { kOfPandar, kOfQt, kOfXt } tail;
     int blocks;
     int lasers;
     std::vector<int> header;
@@ -35,13 +36,26 @@ struct HesaiPacket {
   };
   [[nodiscard]] Layout layout() const {
     if (format == lidar::kFormat<lidar::HesaiPandar40p>) {
-      return {false, 10, 40, {}, {0xFF, 0xEE}};
+      return {Layout::Tail::kOfPandar, 10, 40, {}, {0xFF, 0xEE}};
     }
     if (format == lidar::kFormat<lidar::HesaiPandar64>) {
-      return {false, 6, 64, {0xEE, 0xFF, 64, 6, 0, 4, 0, 0}, {}};
+      return {Layout::Tail::kOfPandar, 6, 64, {0xEE, 0xFF, 64, 6, 0, 4, 0, 0}, {}};
     }
+    const int returns = is_dual ? 2 : 1;
+    if (format == lidar::kFormat<lidar::HesaiQt64>) {
+      const int flags = has_sequence ? 1 : 0;
+      return {
+          Layout::Tail::kOfQt, 4, 64, {0xEE, 0xFF, 3, 1, 0, 0, 64, 4, 1, 4, returns, flags}, {}};
+    }
+    const bool is_xt32m = format == lidar::kFormat<lidar::HesaiXt32m>;
     const int lasers = format == lidar::kFormat<lidar::HesaiXt16> ? 16 : 32;
-    return {true, 8, lasers, {0xEE, 0xFF, 6, 1, 0, 0, lasers, 8, 1, 4, is_dual ? 2 : 1, 0}, {}};
+    const int blocks = is_xt32m ? 6 : 8;
+    const int unit_mm = is_xt32m ? 5 : 4;
+    return {Layout::Tail::kOfXt,
+            blocks,
+            lasers,
+            {0xEE, 0xFF, 6, 1, 0, 0, lasers, blocks, 1, unit_mm, returns, 0},
+            {}};
   }
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
@@ -60,14 +74,14 @@ struct HesaiPacket {
       for (int laser = 0; laser < unit.lasers; ++laser) {
         const int range = ranges[static_cast<std::size_t>(block)][static_cast<std::size_t>(laser)];
         append({range & 0xFF, range >> 8, 33});
-        append(unit.is_xt ? std::vector{255} : std::vector<int>{});
+        append(unit.tail == Layout::Tail::kOfPandar ? std::vector<int>{} : std::vector{255});
       }
     }
     const auto us = static_cast<int>(time_us);
     const std::vector<int> time{us & 0xFF, us >> 8 & 0xFF, us >> 16 & 0xFF, us >> 24 & 0xFF};
     const std::vector<int> date(utc.begin(), utc.end());
-    out.resize(out.size() + (unit.is_xt ? 10 : 8));
-    if (unit.is_xt) {
+    out.resize(out.size() + (unit.tail == Layout::Tail::kOfPandar ? 8 : 10));
+    if (unit.tail == Layout::Tail::kOfXt) {
       append({mode, 0x57, 0x02});
       append(date);
       append(time);

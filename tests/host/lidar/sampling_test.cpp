@@ -125,8 +125,10 @@ void expect_samples_of_hesai() {
 TEST(Sampling, OfHesais) {
   expect_samples_of_hesai<HesaiPandar40p>();
   expect_samples_of_hesai<HesaiPandar64>();
+  expect_samples_of_hesai<HesaiQt64>();
   expect_samples_of_hesai<HesaiXt16>();
   expect_samples_of_hesai<HesaiXt32>();
+  expect_samples_of_hesai<HesaiXt32m>();
 }
 
 TEST(Sampling, OfOusters) {

@@ -133,8 +133,8 @@ TEST(CaptureIdentity, TheFittingCarIsNamedToEveryOther) {
 }
 
 TEST(CaptureIdentity, EachHesaiIsOfItsOwnCarAlone) {
-  const std::array<const char*, 4> cars{"roof_pandar40p", "roof_pandar64", "roof_xt16",
-                                        "roof_xt32"};
+  const std::array<const char*, 6> cars{"roof_pandar40p", "roof_pandar64", "roof_qt64",
+                                        "roof_xt16",      "roof_xt32",     "roof_xt32m"};
   for (std::size_t unit = 0; unit < cars.size(); ++unit) {
     const lidar::Format format = tests::kHesaiFormats[unit];
     Capture capture;
@@ -142,8 +142,8 @@ TEST(CaptureIdentity, EachHesaiIsOfItsOwnCarAlone) {
       capture.add(2368, static_cast<std::uint64_t>(i) * 332, hesai_packet(format, i));
     }
     EXPECT_EQ(capture.refusal_by(cars[unit]), "");
-    for (const char* const car :
-         {"reference_car", "roof_hdl32e", "roof_hdl64e", cars[0], cars[1], cars[2], cars[3]}) {
+    for (const char* const car : {"reference_car", "roof_hdl32e", "roof_hdl64e", cars[0], cars[1],
+                                  cars[2], cars[3], cars[4], cars[5]}) {
       if (car != cars[unit]) {
         const std::string refusal = capture.refusal_by(car);
         EXPECT_TRUE(contains(refusal, "of a " + std::string(lidar::name_of(format)))) << refusal;

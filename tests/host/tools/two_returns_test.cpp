@@ -29,8 +29,10 @@ TEST(TwoReturns, SendWhatTheDataSheetsSay) {
   EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneHdl64eS3>) * 10, 2'222'200, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiPandar40p>) * 10, 1'440'000, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiPandar64>) * 10, 2'304'000, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiQt64>) * 10, 768'000, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt16>) * 10, 640'000, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt32>) * 10, 1'280'000, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt32m>) * 10, 1'280'000, 500);
   EXPECT_EQ(points_with_two_returns(kFormat<VelodyneHdl64eS2>), 0U);
   EXPECT_EQ(points_with_two_returns(kFormat<OusterLegacy>), 0U);
   EXPECT_FALSE(sends_two_returns(kFormat<OusterRng19>));

@@ -99,6 +99,18 @@ TEST(Descriptions, AHesaiHasTheChannelsOfItsFile) {
   EXPECT_NEAR(elevation_deg(sensor, 0), 14.7, 1e-4);
   EXPECT_TRUE(first_sensor_of("roof_xt16").unit().corrections.empty());
   EXPECT_TRUE(first_sensor_of("roof_xt32").unit().corrections.empty());
+  EXPECT_TRUE(first_sensor_of("roof_xt32m").unit().corrections.empty());
+}
+
+// calibration/made_up_qt64.csv
+TEST(Descriptions, AQt64LooksSteeplyUpAndDown) {
+  const vehicle::Sensor& sensor = first_sensor_of("roof_qt64");
+  const auto corrections = sensor.unit().corrections;
+  ASSERT_EQ(corrections.size(), 64U);
+  EXPECT_EQ(corrections[0].azimuth_ticks, -728);  // 7.28
+  EXPECT_EQ(corrections[63].azimuth_ticks, 668);  // -6.68
+  EXPECT_NEAR(elevation_deg(sensor, 0), -52.03, 1e-4);
+  EXPECT_NEAR(elevation_deg(sensor, 63), 52.03, 1e-4);
 }
 
 // calibration/made_up_pandar40p.csv

@@ -33,12 +33,12 @@ void write_utc(std::uint64_t unix_s, unsigned years_before, wire::ByteWriter& ou
   }
 }
 
-// In the unit's 4 mm; 0: nothing came back.
-std::uint16_t range_units(const std::optional<double>& range_m) {
+// 0: nothing came back.
+std::uint16_t range_units(const std::optional<double>& range_m, std::uint32_t unit_mm) {
   if (!range_m) {
     return 0;
   }
-  const double units = *range_m * 1000 / lidar::HesaiPacket::kMillimetresPerUnit;
+  const double units = *range_m * 1000 / unit_mm;
   return static_cast<std::uint16_t>(numeric::round(std::clamp(units, 1.0, 65'535.0)));
 }
 
@@ -52,7 +52,7 @@ void HesaiEncoder::write_head(wire::ByteWriter& out) const {
   if (unit_.header_bytes == 0) {
     return;
   }
-  constexpr std::uint8_t kUnitMm = lidar::HesaiPacket::kMillimetresPerUnit;
+  const auto unit_mm = static_cast<std::uint8_t>(unit_.distance_unit_mm);
   constexpr std::uint8_t kFirstIsStrongest = 2;
   const auto lasers = static_cast<std::uint8_t>(unit_.lasers);
   const auto blocks = static_cast<std::uint8_t>(unit_.blocks);
@@ -60,12 +60,14 @@ void HesaiEncoder::write_head(wire::ByteWriter& out) const {
     out.bytes(std::as_bytes(std::span(bytes.begin(), bytes.size())));
   };
   write({0xEE, 0xFF});
-  if (is_xt()) {
+  if (has_long_head()) {
     // Version, reserved, lasers, blocks, which block is first, unit, returns, flags.
-    write({6, 1, 0, 0, lasers, blocks, kFirstIsStrongest, kUnitMm, 1, 0});
+    const std::uint8_t has_sequence = unit_.sequence_bytes == 0 ? 0 : 1;
+    write({unit_.model[0], unit_.model[1], 0, 0, lasers, blocks, kFirstIsStrongest, unit_mm, 1,
+           has_sequence});
   } else {
     // Lasers, blocks, returns, unit, reserved.
-    write({lasers, blocks, 0, kUnitMm, 0, 0});
+    write({lasers, blocks, 0, unit_mm, 0, 0});
   }
 }
 
@@ -73,20 +75,22 @@ void HesaiEncoder::write_tail(std::uint64_t stamp_us, std::uint64_t number,
                               wire::ByteWriter& out) const {
   constexpr std::uint64_t kSecondUs = 1'000'000;
   const auto in_second = static_cast<std::uint32_t>(stamp_us % kSecondUs);
-  if (is_xt()) {
-    out.zeros(10);  // reserved, state
+  const std::size_t tail = unit_.block_at(unit_.blocks) - unit_.flag_bytes;
+  const unsigned years_before = has_long_head() ? 1900 : 2000;
+  if (unit_.mode_at < unit_.time_at) {
+    out.zeros(unit_.mode_at - tail);  // reserved, state
     out.u8(kStrongest);
     out.u16_le(kRpm);
-    write_utc(stamp_us / kSecondUs, 1900, out);
+    write_utc(stamp_us / kSecondUs, years_before, out);
     out.u32_le(in_second);
     out.u8(kMaker);
   } else {
-    out.zeros(8);
+    out.zeros(unit_.time_at - 2 - tail);
     out.u16_le(kRpm);
     out.u32_le(in_second);
     out.u8(kStrongest);
     out.u8(kMaker);
-    write_utc(stamp_us / kSecondUs, 2000, out);
+    write_utc(stamp_us / kSecondUs, years_before, out);
   }
   out.u32_le(static_cast<std::uint32_t>(number));
 }
@@ -111,16 +115,17 @@ std::vector<std::byte> HesaiEncoder::packet(std::uint64_t begin_ns, std::uint64_
       const Measured measured =
           beams_.measure(laser, static_cast<std::int32_t>(azimuth), fires_ns, rays, random);
       truth.push_back(measured.truth);
-      const std::uint16_t range = range_units(measured.range_m);
+      const std::uint16_t range = range_units(measured.range_m, unit_.distance_unit_mm);
       out.u16_le(range);
       out.u8(range == 0 ? std::uint8_t{0} : kHesaiReflectivity);
-      if (is_xt()) {
+      if (unit_.channel_bytes == 4) {
         out.u8(range == 0 ? std::uint8_t{0} : kSureOfIt);
       }
     }
   }
-  const auto last_ns = static_cast<std::int64_t>(kDriveStartUs * 1'000 + fires_ns);
-  write_tail(static_cast<std::uint64_t>(last_ns - unit_.last_block_ns) / 1'000, number, out);
+  const std::uint64_t stamped_ns = unit_.is_first_stamped ? begin_ns : fires_ns;
+  const auto block_ns = static_cast<std::int64_t>(kDriveStartUs * 1'000 + stamped_ns);
+  write_tail(static_cast<std::uint64_t>(block_ns - unit_.stamped_block_ns) / 1'000, number, out);
   require(out.ok() && out.remaining() == 0);
   return bytes;
 }

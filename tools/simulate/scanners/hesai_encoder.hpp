@@ -26,8 +26,8 @@ class HesaiEncoder final : public PacketEncoder {
                                               std::vector<PointTruth>& truth) const override;
 
  private:
-  // It says of each range how sure it is.
-  [[nodiscard]] bool is_xt() const { return unit_.channel_bytes == 4; }
+  // Of the later units: with a version of it, and a tail whose years count from 1900.
+  [[nodiscard]] bool has_long_head() const { return unit_.header_bytes == 12; }
   void write_head(wire::ByteWriter& out) const;
   void write_tail(std::uint64_t stamp_us, std::uint64_t number, wire::ByteWriter& out) const;
 
