@@ -25,6 +25,7 @@
 #include "lidar/velodyne_puck_hires.hpp"
 #include "lidar/velodyne_vlp16.hpp"
 #include "lidar/velodyne_vlp32c.hpp"
+#include "lidar/velodyne_vls128.hpp"
 
 namespace iog::lidar {
 
@@ -48,7 +49,8 @@ using AnyDecoder = std::variant<ContinentalArs548,  //
                                 VelodyneHdl64eS3,   //
                                 VelodynePuckHires,  //
                                 VelodyneVlp16,      //
-                                VelodyneVlp32c>;
+                                VelodyneVlp32c,     //
+                                VelodyneVls128>;
 
 inline constexpr std::size_t kFormatCount = std::variant_size_v<AnyDecoder>;
 

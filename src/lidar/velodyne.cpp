@@ -1,5 +1,7 @@
 #include "lidar/velodyne.hpp"
 
+#include <algorithm>
+
 #include "lidar/fingerprint.hpp"
 
 namespace iog::lidar {
@@ -35,21 +37,21 @@ DecodeStatus VelodynePacket::read(const VelodyneUnit& unit, std::span<const std:
   return DecodeStatus::kOk;
 }
 
-// The flags of the blocks and, of a unit with one bank, mode and product.
+// The flags of the blocks and, of a unit that is no HDL-64E, mode and product.
 DecodeStatus VelodynePacket::read_ends(const VelodyneUnit& unit) const {
   for (std::size_t block = 0; block < kBlocks; ++block) {
     const std::uint16_t flag = word_at(packet_, block * kBlockBytes);
-    const bool is_lower = block % unit.banks == 1;
-    if (flag != (is_lower ? velodyne::kLowerFlag : velodyne::kBlockFlag)) {
-      const bool has_other_bank = flag == velodyne::kLowerFlag || flag == velodyne::kBlockFlag;
-      return has_other_bank ? DecodeStatus::kOtherUnit : DecodeStatus::kWrongType;
+    if (flag != velodyne::kBankFlags[block % unit.banks]) {
+      const auto* const other = std::ranges::find(velodyne::kBankFlags, flag);
+      return other != velodyne::kBankFlags.end() ? DecodeStatus::kOtherUnit
+                                                 : DecodeStatus::kWrongType;
     }
   }
   if (unit.banks == 2) {
     return DecodeStatus::kOk;
   }
   if (look_.mode != velodyne::kModeStrongest && look_.mode != velodyne::kModeLast &&
-      look_.mode != velodyne::kModeDual) {
+      !(look_.mode == velodyne::kModeDual && unit.has_two_returns)) {
     return DecodeStatus::kWrongType;
   }
   return look_.product == unit.product || look_.product == unit.old_product

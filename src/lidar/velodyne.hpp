@@ -24,8 +24,8 @@ namespace iog::lidar {
 
 struct VelodyneUnit {
   std::uint8_t layers = 0;
-  // Blocks that share one azimuth when each beam has one return: 2 where a block is too short for
-  // all lasers.
+  // Blocks that share one azimuth when each beam has one return: 2 or 4 where a block is too short
+  // for all lasers.
   std::uint8_t banks = 1;
   std::uint8_t product = 0;      // byte 1205; with two banks that byte says something else
   std::uint8_t old_product = 0;  // the same byte of old firmware
@@ -37,6 +37,17 @@ struct VelodyneUnit {
   std::array<std::uint8_t, 32> fires_at{};
   // Clockwise, 0.01 degrees: to add to the direction in which the unit looks.
   std::array<std::int16_t, 32> azimuth_offsets{};
+  // Likewise: when a bank begins. Without it all banks fire at the same time.
+  std::array<std::uint8_t, 4> bank_fires_at{};
+
+  // The parts of that time after which a channel of a bank fires.
+  [[nodiscard]] constexpr std::uint32_t fires_after(std::size_t bank, std::size_t channel) const {
+    return std::uint32_t{bank_fires_at[bank]} + fires_at[channel];
+  }
+  // Banks that differ in when their channels fire.
+  [[nodiscard]] constexpr std::size_t bank_times() const {
+    return bank_fires_at == std::array<std::uint8_t, 4>{} ? 1 : banks;
+  }
 };
 
 // packets: of one turn. They see from 1 m.
@@ -83,11 +94,11 @@ class VelodynePacket {
     std::uint32_t step = 0xFFFF;  // azimuth gained in the block; no packet has this one
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
   };
-  static void turn(const VelodyneUnit& unit, std::uint32_t step, Firing& firing) {
+  static void turn(const VelodyneUnit& unit, std::size_t bank, std::uint32_t step, Firing& firing) {
     firing.step = step;
     for (std::size_t channel = 0; channel < kPointsPerBlock; ++channel) {
       const std::uint32_t turned =
-          (step * unit.fires_at[channel] + unit.block_parts / 2) / unit.block_parts;
+          (step * unit.fires_after(bank, channel) + unit.block_parts / 2) / unit.block_parts;
       firing.ticks[channel] = static_cast<std::int16_t>(unit.azimuth_offsets[channel] +
                                                         static_cast<std::int32_t>(turned));
     }
@@ -199,16 +210,14 @@ class VelodyneDecoder : public VelodynePacket {
     // A block is a firing, a part of one, or holds several; echoes have blocks of their own.
     constexpr std::size_t kFirings = kLayers < kPointsPerBlock ? kPointsPerBlock / kLayers : 1;
     const std::size_t blocks = blocks_of_firing(kUnit);
-    std::array<Firing, 2> turns;
+    Turns turns;
     sampling.for_each_firing(kBlocks / blocks * kFirings, [&](std::size_t firing) {
       const std::size_t first = firing / kFirings * blocks;
-      Firing& turned = turns[step(first) % 2];
-      if (turned.step != step(first)) {
-        turn(kUnit, step(first), turned);
-      }
       for (const std::uint8_t layer : sampling.layers) {
+        const std::size_t bank = layer / kPointsPerBlock;
         const std::size_t channel = firing % kFirings * kLayers + layer % kPointsPerBlock;
-        const Block its = block(kUnit, first + layer / kPointsPerBlock);
+        const Firing& turned = turns.of(bank, step(first));
+        const Block its = block(kUnit, first + bank);
         visit(look().is_dual ? point<true>(kUnit, its, turned, channel)
                              : point<false>(kUnit, its, turned, channel));
       }
@@ -216,16 +225,29 @@ class VelodyneDecoder : public VelodynePacket {
   }
 
  private:
+  // The firings that were asked for last. A head that turns evenly has two steps from block to
+  // block, one more than the other.
+  class Turns {
+   public:
+    [[nodiscard]] const Firing& of(std::size_t bank, std::uint32_t step) {
+      Firing& firing = firings_[bank % kTimes][step % 2];
+      if (firing.step != step) {
+        turn(kUnit, bank % kTimes, step, firing);
+      }
+      return firing;
+    }
+
+   private:
+    static constexpr std::size_t kTimes = kUnit.bank_times();
+    std::array<std::array<Firing, 2>, kTimes> firings_;
+  };
+
   template <bool kIsDual, typename Visit>
   void for_each_point_of(Visit&& visit) const {
-    // A head that turns evenly has two steps from block to block, one more than the other.
-    std::array<Firing, 2> firings;
+    Turns turns;
     for (std::size_t number = 0; number < kBlocks; ++number) {
       const Block its = block(kUnit, number);
-      Firing& firing = firings[step(number) % 2];
-      if (firing.step != step(number)) {
-        turn(kUnit, step(number), firing);
-      }
+      const Firing& firing = turns.of(number % kUnit.banks, step(number));
       for (std::size_t channel = 0; channel < kPointsPerBlock; ++channel) {
         visit(point<kIsDual>(kUnit, its, firing, channel));
       }

@@ -1,6 +1,7 @@
 // Where the bytes of a Velodyne data packet stand, and what they can be (docs/spec.md).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,7 +19,8 @@ inline constexpr std::size_t kTimeOffset = 1200;
 inline constexpr std::size_t kModeOffset = 1204;
 inline constexpr std::size_t kProductOffset = 1205;
 inline constexpr std::uint16_t kBlockFlag = 0xEEFF;
-inline constexpr std::uint16_t kLowerFlag = 0xDDFF;  // the lower bank of an HDL-64E
+// Of the banks in turn: an HDL-64E has two of them, a VLS-128 four.
+inline constexpr std::array<std::uint16_t, 4> kBankFlags{kBlockFlag, 0xDDFF, 0xCCFF, 0xBBFF};
 inline constexpr std::uint8_t kModeStrongest = 0x37;
 inline constexpr std::uint8_t kModeLast = 0x38;
 inline constexpr std::uint8_t kModeDual = 0x39;
@@ -26,6 +28,8 @@ inline constexpr std::uint8_t kProductHdl32e = 0x21;  // and VLP-16 before firmw
 inline constexpr std::uint8_t kProductVlp16 = 0x22;
 inline constexpr std::uint8_t kProductPuckHires = 0x24;
 inline constexpr std::uint8_t kProductVlp32c = 0x28;
+inline constexpr std::uint8_t kProductVls128 = 0xA1;
+inline constexpr std::uint8_t kProductVls128ByManual = 0x63;
 
 inline std::uint16_t word_at(std::span<const std::byte> packet, std::size_t offset) {
   return wire::load_le16(packet.subspan(offset).first<2>());

@@ -45,13 +45,14 @@ constexpr std::uint32_t kLongestGapUs = 40'000;
 // An azimuth is known to 0.01 degrees; over this many the error is small.
 constexpr std::uint32_t kEnoughTicks = 200;
 
-// Two banks take turns; a VLS-128 goes on with a third one.
+// Two banks take turns; a VLS-128 goes on with two more.
 bool has_flags(std::span<const std::byte> packet) {
   const auto flag = [&](std::size_t block) {
     return velodyne::word_at(packet, block * velodyne::kBlockBytes);
   };
-  return flag(0) == velodyne::kBlockFlag &&
-         (flag(1) != velodyne::kLowerFlag || flag(2) == velodyne::kBlockFlag);
+  const std::array<std::uint16_t, 4>& flags = velodyne::kBankFlags;
+  const bool is_vls128 = flag(2) == flags[2] && flag(3) == flags[3];
+  return flag(0) == flags[0] && (flag(1) != flags[1] || flag(2) == flags[0] || is_vls128);
 }
 
 // Those that may be of this packet.

@@ -7,12 +7,23 @@ std::uint32_t azimuth_of(std::span<const std::byte> packet, std::size_t block) {
   return velodyne::word_at(packet, block * velodyne::kBlockBytes + 2) % velodyne::kTurn;
 }
 
+// One bank, two that take turns, or four.
+std::uint8_t banks_of(std::span<const std::byte> packet) {
+  const auto flag = [&](std::size_t block) {
+    return velodyne::word_at(packet, block * velodyne::kBlockBytes);
+  };
+  if (flag(1) != velodyne::kBankFlags[1]) {
+    return 1;
+  }
+  return flag(2) == velodyne::kBankFlags[2] ? 4 : 2;
+}
+
 }  // namespace
 
 // A unit with two banks has no byte for its mode: with two returns it says each azimuth four times.
 VelodyneLook look_at(std::span<const std::byte, velodyne::kPacketBytes> packet) {
   VelodyneLook look;
-  look.banks = velodyne::word_at(packet, velodyne::kBlockBytes) == velodyne::kLowerFlag ? 2 : 1;
+  look.banks = banks_of(packet);
   look.mode = velodyne::byte_at(packet, velodyne::kModeOffset);
   look.product = velodyne::byte_at(packet, velodyne::kProductOffset);
   look.is_dual = look.banks == 2 ? azimuth_of(packet, 0) == azimuth_of(packet, 2)

@@ -53,7 +53,8 @@ UnitPackets::UnitPackets(const description::SensorConfig& sensor, const Head& he
     const std::size_t channel = place % kChannels;
     channels_[place % unit_->layers].push_back(
         {.number = place,
-         .fires_us = block_us_ * unit_->fires_at[channel] / unit_->block_parts,
+         .fires_us =
+             block_us_ * unit_->fires_after(place / kChannels, channel) / unit_->block_parts,
          .right = static_cast<double>(unit_->azimuth_offsets[channel]) /
                   lidar::VelodynePacket::kTicksPerTurn});
   }

@@ -75,8 +75,9 @@ void add_velodyne_seeds(Seeds& seeds) {
     }
   }
   for (const int blocks_of_azimuth : {2, 4}) {
-    add_velodyne_seeds(seeds, {.blocks_of_azimuth = blocks_of_azimuth, .has_two_banks = true});
+    add_velodyne_seeds(seeds, {.blocks_of_azimuth = blocks_of_azimuth, .banks = 2});
   }
+  add_velodyne_seeds(seeds, {.product = 0xA1, .banks = 4});
 }
 
 void add_hesai_seeds(Seeds& seeds) {

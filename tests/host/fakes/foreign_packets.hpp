@@ -18,11 +18,12 @@ inline void put(std::vector<std::byte>& bytes, std::size_t at, std::initializer_
                          [](int value) { return static_cast<std::byte>(value); });
 }
 
-// VLS-128 User Manual (63-9483), "Packet structure": four banks of 32 lasers, each with its flag.
+// VLS-128 User Manual (63-9483), "Packet structure": with two returns, which are not taken, each
+// bank of 32 lasers comes twice.
 inline std::vector<std::byte> vls128_packet() {
-  auto bytes = VelodynePacket{.product = 0xA1, .blocks_of_azimuth = 4}.bytes();
+  auto bytes = VelodynePacket{.mode = 0x39, .product = 0xA1, .blocks_of_azimuth = 8}.bytes();
   for (std::size_t block = 0; block < 12; ++block) {
-    put(bytes, 100 * block, {0xFF, 0xEE - static_cast<int>(block % 4) * 0x11});
+    put(bytes, 100 * block, {0xFF, 0xEE - static_cast<int>(block / 2 % 4) * 0x11});
   }
   return bytes;
 }

@@ -10,15 +10,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "fakes/nebula_point.hpp"
 #include "fakes/real_packets.hpp"
 
 namespace iog::tests {
-
-struct NebulaPoint {
-  int x_mm;
-  int y_mm;
-  int z_mm;
-};
 
 inline std::vector<std::byte> real_pandar40p() {
   return bytes_of_hex(

@@ -15,8 +15,8 @@ struct VelodynePacket {
   int product = 0x22;     // of an HDL-64E: the status value
   std::uint32_t time_us = 0;
   std::array<std::array<int, 32>, 12> ranges{};  // in units of range
-  int blocks_of_azimuth = 0;                     // 0: by the mode, 1 or, if dual, 2
-  bool has_two_banks = false;
+  int blocks_of_azimuth = 0;                     // 0: by the mode, the banks or, if dual, twice
+  int banks = 1;                                 // 2 of an HDL-64E, 4 of a VLS-128
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
     std::vector<std::byte> out;
@@ -25,10 +25,10 @@ struct VelodynePacket {
         out.push_back(static_cast<std::byte>(value >> (8 * i)));
       }
     };
-    const int of_mode = mode == 0x39 ? 2 : 1;
+    const int of_mode = banks * (mode == 0x39 ? 2 : 1);
     const int together = blocks_of_azimuth == 0 ? of_mode : blocks_of_azimuth;
     for (int block = 0; block < 12; ++block) {
-      little(has_two_banks && block % 2 == 1 ? 0xDDFF : 0xEEFF, 2);
+      little(0xEEFFU - static_cast<std::uint32_t>(block % banks) * 0x1100U, 2);
       little(static_cast<std::uint32_t>((first_azimuth + block / together * step) % 36000), 2);
       for (const int range : ranges[static_cast<std::size_t>(block)]) {
         little(static_cast<std::uint32_t>(range), 2);

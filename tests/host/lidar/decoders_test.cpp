@@ -24,14 +24,15 @@ constexpr std::size_t kOusterRows = 4;
 // A sound packet of the format, one or two returns of each beam.
 template <typename Decoder>
 Bytes sound_packet(tests::Random& random) {
-  const bool is_dual = random.one_in(2);
+  bool is_dual = random.one_in(2);
   if constexpr (std::is_base_of_v<VelodynePacket, Decoder>) {
     const int banks = Decoder::unit().banks;
+    is_dual = is_dual && banks < 4;
     return tests::VelodynePacket{.first_azimuth = random.between(0, 36'000),
                                  .mode = is_dual ? 0x39 : 0x37,
                                  .product = Decoder::unit().product,
                                  .blocks_of_azimuth = is_dual ? 2 * banks : banks,
-                                 .has_two_banks = banks == 2}
+                                 .banks = banks}
         .bytes();
   } else if constexpr (std::is_base_of_v<HesaiPacket, Decoder>) {
     return tests::HesaiPacket{

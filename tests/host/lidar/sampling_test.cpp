@@ -74,15 +74,18 @@ void expect_samples(const Decoder& packet, std::size_t layers) {
 }
 
 template <typename Decoder>
-void expect_samples_of_velodyne(int product, bool has_two_banks) {
+void expect_samples_of_velodyne(int product, int banks = 1) {
   Random random(1);
   for (const bool is_dual : {false, true}) {
     tests::VelodynePacket packet;
     packet.first_azimuth = 35'900;
     packet.product = product;
-    packet.has_two_banks = has_two_banks;
-    packet.mode = is_dual && !has_two_banks ? 0x39 : 0x37;
-    packet.blocks_of_azimuth = (has_two_banks ? 2 : 1) * (is_dual ? 2 : 1);
+    if (is_dual && banks == 4) {
+      return;  // a mode that is not taken
+    }
+    packet.banks = banks;
+    packet.mode = is_dual && banks == 1 ? 0x39 : 0x37;
+    packet.blocks_of_azimuth = banks * (is_dual ? 2 : 1);
     for (auto& block : packet.ranges) {
       for (int& range : block) {
         range = random.between(0, 60'000);
@@ -96,12 +99,13 @@ void expect_samples_of_velodyne(int product, bool has_two_banks) {
 }
 
 TEST(Sampling, OfVelodynes) {
-  expect_samples_of_velodyne<VelodyneVlp16>(0x22, false);
-  expect_samples_of_velodyne<VelodyneHdl32e>(0x21, false);
-  expect_samples_of_velodyne<VelodynePuckHires>(0x24, false);
-  expect_samples_of_velodyne<VelodyneVlp32c>(0x28, false);
-  expect_samples_of_velodyne<VelodyneHdl64eS2>(0, true);
-  expect_samples_of_velodyne<VelodyneHdl64eS3>(0, true);
+  expect_samples_of_velodyne<VelodyneVlp16>(0x22);
+  expect_samples_of_velodyne<VelodyneHdl32e>(0x21);
+  expect_samples_of_velodyne<VelodynePuckHires>(0x24);
+  expect_samples_of_velodyne<VelodyneVlp32c>(0x28);
+  expect_samples_of_velodyne<VelodyneHdl64eS2>(0, 2);
+  expect_samples_of_velodyne<VelodyneHdl64eS3>(0, 2);
+  expect_samples_of_velodyne<VelodyneVls128>(0xA1, 4);
 }
 
 template <typename Decoder>

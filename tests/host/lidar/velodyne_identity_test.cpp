@@ -9,6 +9,7 @@
 #include "fakes/foreign_packets.hpp"
 #include "fakes/random.hpp"
 #include "fakes/real_velodyne_packets.hpp"
+#include "fakes/real_vls128_packet.hpp"
 #include "fakes/velodyne_packet.hpp"
 
 namespace iog::lidar {
@@ -31,7 +32,7 @@ struct Unit {
   int mode = 0x37;
   int product = 0x21;
   int blocks_of_azimuth = 1;
-  bool has_two_banks = false;
+  int banks = 1;
 
   [[nodiscard]] double packet_us() const { return 12 / blocks_of_azimuth * block_us; }
 
@@ -41,7 +42,7 @@ struct Unit {
                         .product = product,
                         .time_us = static_cast<std::uint32_t>(time_us),
                         .blocks_of_azimuth = blocks_of_azimuth,
-                        .has_two_banks = has_two_banks}
+                        .banks = banks}
                      .bytes();
     for (int block = 0; block < 12; ++block) {
       const double at_us = time_us + block / blocks_of_azimuth * block_us;
@@ -57,9 +58,9 @@ constexpr Unit kHdl32eUnit21{.block_us = 46.08};
 constexpr Unit kHdl32eDual{.block_us = 46.08, .mode = 0x39, .blocks_of_azimuth = 2};
 constexpr Unit kVlp16Unit21{.block_us = 110.592};
 constexpr Unit kVlp16Dual21{.block_us = 110.592, .mode = 0x39, .blocks_of_azimuth = 2};
-constexpr Unit kHdl64eS2{.block_us = 48.0, .blocks_of_azimuth = 2, .has_two_banks = true};
-constexpr Unit kHdl64eS3{.block_us = 57.6, .blocks_of_azimuth = 2, .has_two_banks = true};
-constexpr Unit kHdl64eS3Dual{.block_us = 57.6, .blocks_of_azimuth = 4, .has_two_banks = true};
+constexpr Unit kHdl64eS2{.block_us = 48.0, .blocks_of_azimuth = 2, .banks = 2};
+constexpr Unit kHdl64eS3{.block_us = 57.6, .blocks_of_azimuth = 2, .banks = 2};
+constexpr Unit kHdl64eS3Dual{.block_us = 57.6, .blocks_of_azimuth = 4, .banks = 2};
 
 // At 11.8 Hz an HDL-32E turns as much in a block as a VLP-16 at 5 Hz.
 TEST(VelodyneIdentity, ARealHdl32eIsKnownByItsSecondPacket) {
@@ -82,7 +83,8 @@ TEST(VelodyneIdentity, WhatSaysItsNameIsBelieved) {
   EXPECT_EQ(identity.add(Packet{}.bytes()), kVlp16);
   EXPECT_TRUE(identity.add(Packet{.product = 0x23}.bytes()).is_empty());
   EXPECT_TRUE(identity.add(std::span<const std::byte>()).is_empty());
-  EXPECT_TRUE(identity.add(tests::vls128_packet()).is_empty());
+  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kVls128)), FormatSet(kFormat<VelodyneVls128>));
+  EXPECT_TRUE(identity.add(tests::vls128_packet()).is_empty()) << "two returns";
 }
 
 // Whatever was lost, repeated or came late, and at whatever speed: a packet is called the other

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fakes/real_velodyne_packets.hpp"
+#include "fakes/real_vls128_packet.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "lidar/formats.hpp"
 
@@ -41,8 +42,8 @@ Packet turning(const Packet& unit) {
 constexpr Packet kHdl32e{.product = 0x21};
 constexpr Packet kPuckHires{.product = 0x24};
 constexpr Packet kVlp32c{.product = 0x28};
-constexpr Packet kHdl64e{
-    .mode = 0x37, .product = 0x21, .blocks_of_azimuth = 2, .has_two_banks = true};
+constexpr Packet kHdl64e{.mode = 0x37, .product = 0x21, .blocks_of_azimuth = 2, .banks = 2};
+constexpr Packet kVls128{.product = 0xA1, .banks = 4};
 
 // How far a point of the first azimuth lies clockwise of 100 degrees, in 0.01 degrees.
 double turned(const ScanPoint& point) { return 26'000.0 - point.azimuth_ticks; }
@@ -164,7 +165,62 @@ TEST(VelodyneUnits, APuckHiResIsAVlp16WithOtherAngles) {
   EXPECT_EQ(points[17].range_mm, 2'000U);
 }
 
-// How long a packet takes: 12 azimuths, 6 if there are two returns or two banks, 3 if both.
+// VLS-128 User Manual, chapter 9.4: a firing is 20 slots of 2.665 us; eight lasers fire in each of
+// the first eight, one slot is a pause, eight fire in each of the next eight. Lasers look by turns
+// 6.354, 4.548, 2.732 and 0.911 degrees past the azimuth and before it.
+TEST(VelodyneUnits, AVls128FiresEightLasersAtOnce) {
+  constexpr std::array<double, 8> kOffsets{635.4, 454.8,  273.2,  91.1,
+                                           -91.1, -273.2, -454.8, -635.4};
+  Packet packet = turning(kVls128);
+  packet.ranges[7][31] = 1'000;
+  const auto points = points_of<VelodyneVls128>(packet.bytes());
+  for (std::size_t laser = 0; laser < 128; ++laser) {
+    EXPECT_EQ(points[laser].layer, laser);
+    const std::size_t group = laser / 8;
+    const auto slot = static_cast<double>(group < 8 ? group : group + 1);
+    EXPECT_NEAR(turned(points[laser]), 240 * slot / 20 + kOffsets[laser % 8], 1.01) << laser;
+    EXPECT_NEAR(turned(points[128 + laser]) - 240, turned(points[laser]), 1e-9);
+  }
+  EXPECT_EQ(points[7 * 32 + 31].range_mm, 4'000U);
+  EXPECT_DOUBLE_EQ(VelodyneVls128::kElevationsDeg[36], -25);
+  EXPECT_DOUBLE_EQ(VelodyneVls128::kElevationsDeg[59], 15);
+}
+
+// Nebula knows each laser's elevation and offset, but does not turn the first three banks on until
+// they fire. The head of this packet gains 0.19 degrees meanwhile.
+TEST(VelodyneUnits, ARealVls128IsWhereAnotherDecoderPutsIt) {
+  constexpr double kDegree = 3.14159265358979 / 180;
+  const auto points = points_of<VelodyneVls128>(tests::bytes_of_hex(tests::kVls128));
+  std::size_t next = 0;
+  for (std::size_t laser = 0; laser < 128; ++laser) {
+    const ScanPoint& point = points[laser];
+    if (point.range_mm == 0) {
+      continue;
+    }
+    ASSERT_LT(next, tests::kNebulaOfVls128.size());
+    const tests::NebulaPoint& its = tests::kNebulaOfVls128[next++];
+    const auto slot = static_cast<double>(laser / 8 + laser / 64);
+    const double not_turned_deg = laser < 96 ? 0.19 * slot / 20 : 0;
+    const double azimuth = (point.azimuth_ticks / 100.0 + not_turned_deg) * kDegree;
+    const double elevation = VelodyneVls128::kElevationsDeg.at(laser) * kDegree;
+    const double flat_mm = point.range_mm * std::cos(elevation);
+    const double tolerance_mm = 1 + 2e-4 * point.range_mm;
+    EXPECT_NEAR(flat_mm * std::cos(azimuth), its.x_mm, tolerance_mm) << laser;
+    EXPECT_NEAR(flat_mm * std::sin(azimuth), its.y_mm, tolerance_mm) << laser;
+    EXPECT_NEAR(point.range_mm * std::sin(elevation), its.z_mm, tolerance_mm) << laser;
+  }
+  EXPECT_EQ(next, tests::kNebulaOfVls128.size());
+}
+
+// No recording of that mode is known.
+TEST(VelodyneUnits, TwoReturnsOfAVls128AreNotTaken) {
+  Packet packet = kVls128;
+  packet.mode = 0x39;
+  EXPECT_EQ(status_of<VelodyneVls128>(packet.bytes()), DecodeStatus::kWrongType);
+}
+
+// How long a packet takes: 12 azimuths, 6 if there are two returns or two banks, 3 if both or
+// if there are four banks.
 TEST(VelodyneUnits, APacketLastsAsLongAsItsFirings) {
   const auto lasts_us = [](const auto decoder, const Packet& packet) {
     auto copy = decoder;
@@ -181,6 +237,7 @@ TEST(VelodyneUnits, APacketLastsAsLongAsItsFirings) {
   EXPECT_EQ(lasts_us(VelodyneHdl64eS2(), kHdl64e), 288U);
   EXPECT_EQ(lasts_us(VelodyneHdl64eS3(), kHdl64e), 346U);
   EXPECT_EQ(lasts_us(VelodyneHdl64eS3(), dual64), 173U);
+  EXPECT_EQ(lasts_us(VelodyneVls128(), kVls128), 166U);
 }
 
 TEST(VelodyneUnits, ACalibratedLaserIsTurnedAndItsRangeMended) {
@@ -216,6 +273,9 @@ TEST(VelodyneUnits, EachRefusesWhatSaysThatItIsOfAnother) {
   EXPECT_EQ(status_of<VelodyneVlp32c>(vlp16), DecodeStatus::kOtherUnit);
   EXPECT_EQ(status_of<VelodyneHdl64eS2>(vlp16), DecodeStatus::kOtherUnit);
   EXPECT_EQ(status_of<VelodyneHdl64eS3>(vlp32c), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneHdl64eS3>(kVls128.bytes()), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneVls128>(hdl64e), DecodeStatus::kOtherUnit);
+  EXPECT_EQ(status_of<VelodyneVls128>(vlp16), DecodeStatus::kOtherUnit);
 }
 
 // A flat ground is as far below the scanner as the beam that meets it goes down.

@@ -67,6 +67,9 @@ TEST(Descriptions, ACalibratedUnitHasTheLasersOfItsFile) {
   expect_laser(0, 5.3521, -3.3381, 119.14, 21.49);
   expect_laser(63, -1.0030, -15.3130, 120.72, 14.26);
   EXPECT_TRUE(first_sensor_of("roof_vlp32c").unit().corrections.empty());
+  const vehicle::Sensor& vls128 = first_sensor_of("roof_vls128");
+  EXPECT_TRUE(vls128.unit().corrections.empty());
+  EXPECT_NEAR(elevation_deg(vls128, 36), -25, 1e-4);
 }
 
 // The first and the last row of calibration/made_up_os1_64.json, and its mode. Azimuths there are

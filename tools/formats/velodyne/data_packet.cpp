@@ -33,7 +33,7 @@ std::vector<std::byte> data_packet(const lidar::VelodyneUnit& unit, const Velody
   std::vector<std::byte> bytes(lidar::VelodynePacket::kPacketBytes);
   wire::ByteWriter out(bytes);
   for (std::size_t block = 0; block < blocks.size(); ++block) {
-    out.u16_le(block % unit.banks == 0 ? lidar::velodyne::kBlockFlag : lidar::velodyne::kLowerFlag);
+    out.u16_le(lidar::velodyne::kBankFlags[block % unit.banks]);
     out.u16_le(blocks[block].azimuth_ticks);
     for (const std::uint16_t range : blocks[block].ranges) {
       out.u16_le(range);

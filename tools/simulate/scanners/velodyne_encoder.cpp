@@ -44,7 +44,7 @@ std::vector<std::byte> VelodyneEncoder::packet(std::uint64_t begin_ns, std::uint
     blocks[block].azimuth_ticks = static_cast<std::uint16_t>(azimuth_at(block_ns));
     for (std::size_t channel = 0; channel < VelodynePacket::kPointsPerBlock; ++channel) {
       const std::uint64_t fires_ns =
-          std::uint64_t{unit_.fires_at[channel]} * unit_.block_ns / unit_.block_parts;
+          std::uint64_t{unit_.fires_after(bank, channel)} * unit_.block_ns / unit_.block_parts;
       const std::size_t layer = (bank * VelodynePacket::kPointsPerBlock + channel) % unit_.layers;
       const std::int32_t right = azimuth_at(block_ns + fires_ns) + unit_.azimuth_offsets[channel];
       const Measured measured = beams_.measure(layer, right, block_ns + fires_ns, rays, random);
