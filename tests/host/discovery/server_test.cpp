@@ -78,6 +78,7 @@ TEST(Discovery, IsRenewedAtOnceAndEndsWithItsTime) {
     bench.advance(2 * kSecondUs);
     ASSERT_TRUE(bench.server.subscriber());
     EXPECT_EQ(bench.next(), of_session(scapy_acknowledgement(), 1 + renewals));
+    EXPECT_EQ(bench.count(Count::kAcknowledged), 1 + renewals);
   }
   bench.advance(3 * kSecondUs - 10'000);
   EXPECT_TRUE(bench.server.subscriber());
