@@ -73,3 +73,9 @@ def protect(content_bytes: bytes, number: int, channel: Channel = OVER_UDP) -> b
                        channel.data_id)
     crc = crc32_p4(protected_part(head + bytes(4) + content_bytes))
     return head + struct.pack(">I", crc) + content_bytes
+
+
+def of_version(message: bytes, interface_version: int) -> bytes:
+    """The same message of another interface version: maps and poses have their own. Also sealed anew if it was changed."""
+    changed = message[:13] + bytes([interface_version]) + message[14:24] + bytes(4) + message[28:]
+    return changed[:24] + struct.pack(">I", crc32_p4(protected_part(changed))) + changed[28:]
