@@ -11,7 +11,7 @@ import struct
 import subprocess
 import time
 
-PATIENCE_S = 10
+PATIENCE_S = 300  # a campaign of low priority may wait long on a busy PC
 
 
 class Stub:
@@ -77,11 +77,22 @@ class Debugger:
     def flip(self, address: int, bit: int = 0) -> None:
         self.write(address, bytes([self.read(address, 1)[0] ^ 1 << bit]))
 
-    def write_device(self, address: int, value: int) -> None:
-        """A register of a device, past what the firmware's MMU allows."""
+    def write_device(self, address: int, value: int, count: int = 4) -> None:
+        """A register of a device, of so many bytes, past what the firmware's MMU allows."""
         assert self.ask("Qqemu.PhyMemMode:1") == "OK"
-        self.write(address, struct.pack("<I", value))
+        self.write(address, value.to_bytes(count, "little"))
         assert self.ask("Qqemu.PhyMemMode:0") == "OK"
+
+    def read_device(self, address: int) -> int:
+        assert self.ask("Qqemu.PhyMemMode:1") == "OK"
+        value = int.from_bytes(self.read(address, 4), "little")
+        assert self.ask("Qqemu.PhyMemMode:0") == "OK"
+        return value
+
+    def command(self, line: str) -> None:
+        """One of QEMU's own, which has nothing to say."""
+        answer = self.ask(f"qRcmd,{line.encode('ascii').hex()}")
+        assert answer == "OK", bytes.fromhex(answer[1:]).decode() if answer.startswith("O") else answer
 
     def break_at(self, address: int) -> None:
         assert self.ask(f"Z0,{address:x},4") == "OK", f"no breakpoint at {address:#x}"

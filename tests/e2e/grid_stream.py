@@ -21,6 +21,7 @@ WINDOW_BYTES = 48
 TILES_ACROSS = 32
 TILE_COUNT = TILES_ACROSS * TILES_ACROSS
 OLDEST_REFERENCE = 7  # frames
+FRAME_NUMBERS = tile_coding.FRAME_NUMBERS
 NEVER_SEEN, SILENT, PARTIAL, COMPLETE = range(4)
 NEVER = 0xFFFF  # the age of a sensor that was never seen
 
@@ -118,6 +119,7 @@ class FrameEnd:
     counters: dict[str, int]
     sensors: list[Sensor]
     unwatched: int | None  # bit i: no sensor watches sector i of 64; until 26 November no target said so
+    stack_bytes: int  # the deepest since start
 
 
 @dataclasses.dataclass(frozen=True)
@@ -146,6 +148,7 @@ class Frame:
     class_crc_of_tiles: int
     objects: object_parts.List | None  # None: it looks for none
     unwatched: int | None  # bit i: no sensor watches sector i of 64
+    stack_bytes: int  # the deepest since start
 
     @property
     def has_evidence(self) -> bool:
@@ -248,7 +251,7 @@ def read_tiles(body: bytes, level: int = 0) -> Tiles:
 
 
 def read_frame_end(body: bytes) -> FrameEnd:
-    sent, lost, crc, _, opened_us, _ = struct.unpack_from(">IIIIQI", body)
+    sent, lost, crc, stack_bytes, opened_us, _ = struct.unpack_from(">IIIIQI", body)
     stages, fates, causes, links = struct.unpack_from(">BBBB", body, 28)
     assert stages == 4 and fates in (10, 13), "10 until version 4 had the ground"
     with_discovery = LINK_COUNTERS + DISCOVERY_COUNTERS
@@ -263,7 +266,7 @@ def read_frame_end(body: bytes) -> FrameEnd:
     sensors = [Sensor(*struct.unpack_from(">BxHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
     return FrameEnd(sent, lost, crc, opened_us, counts[stages:stages + fates],
                     dict(zip(PACKET_DROPS[:causes] + all_links, counts[stages + fates:])), sensors,
-                    int.from_bytes(rest, "big") if rest else None)
+                    int.from_bytes(rest, "big") if rest else None, stack_bytes)
 
 
 class Assembler:
@@ -286,6 +289,11 @@ class Assembler:
         self._class_tiles = 0
         self._class_end: ClassEnd | None = None
         self._objects: list[object_parts.Part] = []
+
+    def begin_behind(self, sequence: int) -> None:
+        """Messages were lost up to this one, the last of its frame."""
+        self.messages = sequence + 1
+        self._begin_frame()
 
     def take(self, message: bytes) -> Frame | None:
         """The frame that this message ends, if it does."""
@@ -343,8 +351,7 @@ class Assembler:
         assert end.tiles_lost > 0 or end.tiles_sent == self._class_tiles
         self._class_end = end
 
-    @staticmethod
-    def _cells_of(frame: int, tile: Tile, own: dict[int, tuple[int, bytes]]) -> bytes:
+    def _cells_of(self, frame: int, tile: Tile, own: dict[int, tuple[int, bytes]]) -> bytes:
         reference = tile.reference(frame)
         if reference is None:
             cells = tile_coding.decode(tile.encoding, tile.payload, None)
@@ -352,7 +359,7 @@ class Assembler:
             return cells
         own_frame, own_cells = own[tile.number]
         assert reference == own_frame, "not the last one that was sent by itself"
-        assert frame - own_frame <= OLDEST_REFERENCE, f"frame {frame} refers to {own_frame}"
+        assert (frame - own_frame) % FRAME_NUMBERS <= OLDEST_REFERENCE, f"frame {frame} refers to {own_frame}"
         return tile_coding.decode(tile.encoding, tile.payload, own_cells)
 
     def _frame(self, header: Header, end: FrameEnd) -> Frame:
@@ -368,4 +375,4 @@ class Assembler:
                      end.crc, self._crc, end.counters, end.sensors, self._class_end,
                      self._class_tiles, self._class_crc if self._class_tiles > 0 else 0,
                      object_parts.joined(self._objects) if self._objects else None,
-                     end.unwatched)
+                     end.unwatched, end.stack_bytes)

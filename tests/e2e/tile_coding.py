@@ -6,6 +6,7 @@ RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE = range(6
 SIDE = 32
 CELLS = SIDE * SIDE
 UNKNOWN = bytes(CELLS)
+FRAME_NUMBERS = 1 << 32  # they wrap
 
 
 def symbol_bits(symbols: int) -> int:
@@ -139,7 +140,7 @@ def reference_of(encoding: int, payload: bytes, frame: int) -> int | None:
     """The number of the frame that a tile of this frame refers to; None if it stands by itself."""
     if encoding == CHANGED_SINCE:
         return struct.unpack_from(">I", payload)[0]
-    return frame - payload[0] if encoding == RUN_STARTS_SINCE else None
+    return (frame - payload[0]) % FRAME_NUMBERS if encoding == RUN_STARTS_SINCE else None
 
 
 def decode(encoding: int, payload: bytes, reference: bytes | None) -> bytes:

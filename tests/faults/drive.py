@@ -17,11 +17,15 @@ def frames(iog: str, folder: pathlib.Path) -> list[list[bytes]]:
     path = folder / "drive.pcap"
     subprocess.run([iog, "simulate", "--seed", str(SEED), "--seconds", str(SECONDS), "--moving", "--out", path],
                    check=True, stdout=subprocess.DEVNULL)
-    packets = capture.read(str(path))
+    return [[scan(packet.source, packet.ports, packet.payload) for packet in frame]
+            for frame in by_scan(capture.read(str(path)))]
+
+
+def by_scan(packets: list[capture.Packet]) -> list[list[capture.Packet]]:
+    """What comes up to the last packet of each scan."""
     last = {packet.scan_number: at for at, packet in enumerate(packets) if packet.ports[1] != POSE_PORT}
     ends = [0, *(at + 1 for at in sorted(last.values()))]
-    return [[scan(packet.source, packet.ports, packet.payload) for packet in packets[begin:end]]
-            for begin, end in zip(ends, ends[1:])]
+    return [packets[begin:end] for begin, end in zip(ends, ends[1:])]
 
 
 def play(board: machine.Machine, frame: list[bytes], patience_s: float) -> list[bytes]:

@@ -13,9 +13,12 @@ namespace {
 
 using iog::imx6::Board;
 using iog::imx6::EnetMemory;
+using iog::imx6::GptClock;
 using Platform = iog::app::MachinePlatform<Board>;
 using Pipeline = iog::app::MachinePipeline<Board, iog::imx6::kGrids>;
 using Engine = iog::app::PerceptionEngine;
+using Frame = iog::app::Frame;
+using iog::health::MemoryCheck;
 
 struct Line {
   std::array<char, 24> kind;
@@ -49,6 +52,10 @@ constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
     IOG_OF_DMA("transmit descriptors", transmit_descriptors),
     IOG_OF_DMA("receive buffers", receive_buffers),
     IOG_OF_DMA("transmit buffers", transmit_buffers),
+    // Nothing is drawn of these: tests/soak sets them before a drive begins, or looks at them.
+    IOG_LINE("wraps of the clock", "main::board", offsetof(Board, clock_), GptClock, wraps_),
+    IOG_LINE("frame number", "main::pipeline", kEngine + offsetof(Engine, frame_), Frame, number_),
+    IOG_LINE("rounds of the check", "main::check", 0, MemoryCheck, rounds_),
 };
 
 }  // namespace

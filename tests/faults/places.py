@@ -53,6 +53,11 @@ class Places:
         self._functions = sorted((address, name) for name, address in symbols.items()
                                  if symbols["code_begin"] <= address < symbols["text_end"])
 
+    def address_of(self, kind: str) -> int:
+        """Of a kind that is one place."""
+        area, = self._areas[kind]
+        return area.begin
+
     def function_at(self, pc: int) -> str:
         """The function and how far it is behind its begin."""
         inside = [(address, name) for address, name in self._functions if address <= pc]
