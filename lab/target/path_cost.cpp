@@ -22,7 +22,8 @@ constexpr std::uint32_t kDirections = 720;
 constexpr std::uint32_t kFew = 20;
 constexpr std::uint32_t kMany = 80;
 
-constexpr std::int64_t kLongSubcells = 50'000 / geometry::kCellMm * geometry::kResolution;
+constexpr std::int64_t kLongSubcells =
+    std::int64_t{50'000} / geometry::kCellMm * geometry::kResolution;
 constexpr std::int32_t kStart = geometry::kOriginCell * geometry::kResolution;
 
 struct PathCost {

@@ -152,6 +152,10 @@ int run(const Request& request) {
       cost = {};
     }
   }
+  if (request.frames == 0 || cost.points == 0) {
+    std::puts("turning_cost: no turn was fused");
+    return 1;
+  }
   std::printf("turning_cost");
   print("layers", request.layers);
   print("azimuths", request.azimuths);
