@@ -10,29 +10,29 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 606.24;
+inline constexpr double kPointCycles = 625.72;
 // A cell, carved.
 inline constexpr double kCellCycles = 2.83;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 9037.19;
+inline constexpr double kTileCycles = 9131.69;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 47864.85;
+inline constexpr double kClassTileCycles = 47819.09;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5053.98;
+inline constexpr double kPointOnceCycles = 5068.46;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 484.11;
+inline constexpr double kLaterEchoCycles = 503.43;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9192.87;
+inline constexpr double kDearestTileCycles = 9271.03;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 49363.20;
+inline constexpr double kDearestClassTileCycles = 49319.91;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 793.24;
+inline constexpr double kTurnStepCycles = 731.04;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 365.46;
+inline constexpr double kTurnPointCycles = 382.80;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 2312647.20;
+inline constexpr double kGroundTurnCycles = 2761189.38;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 145.51;
+inline constexpr double kGroundPointCycles = 148.82;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -43,7 +43,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.771, 0.588, 0.515};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.773, 0.590, 0.518};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -56,33 +56,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4761860},
-    {"ring_road", 2321, 721236, 478, 8161787},
+    {"city", 2885, 466621, 231, 4847810},
+    {"ring_road", 2321, 721236, 478, 8246050},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1305805},
-    {"city, 3 LUX", 2240, 369547, 154, 1854306},
-    {"city, 4 LUX", 2885, 466621, 231, 2454428},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1294409},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1958473},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3067357},
+    {"city, 2 LUX", 1551, 254292, 132, 1330533},
+    {"city, 3 LUX", 2240, 369547, 154, 1891393},
+    {"city, 4 LUX", 2885, 466621, 231, 2514650},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1313570},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1988362},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3115682},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1425860, 668, 10756100},
-    {"random_ranges", 3216, 744269, 600, 9610703},
-    {"layers_apart", 3216, 888311, 665, 10581564},
-    {"beyond_range", 3216, 1451672, 680, 10378454},
-    {"three_echoes", 9648, 1344110, 668, 12568074},
-    {"missing_returns", 1618, 721934, 664, 9882005},
-    {"random_azimuths", 3216, 2000851, 665, 21311484},
-    {"diagonal", 3216, 2223052, 126, 7831816},
-    {"one_direction", 3216, 1538745, 48, 1739599},
-    {"short_beams", 9648, 24984, 4, 4794069},
-    {"flood", 9648, 6805584, 126, 10668428},
+    {"full_range", 3216, 1424967, 668, 10864176},
+    {"random_ranges", 3216, 744588, 600, 9694725},
+    {"layers_apart", 3216, 888340, 665, 10688320},
+    {"beyond_range", 3216, 1451672, 680, 10487826},
+    {"three_echoes", 9648, 1344110, 666, 12755476},
+    {"missing_returns", 1618, 721483, 664, 9945008},
+    {"random_azimuths", 3216, 1999952, 665, 21382392},
+    {"diagonal", 3216, 2222062, 126, 7887044},
+    {"one_direction", 3216, 1538471, 48, 1797592},
+    {"short_beams", 9648, 24984, 4, 4987618},
+    {"flood", 9648, 6802620, 126, 10849300},
 }};
 
 struct ModelledTurn {
@@ -96,16 +96,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 20774027},
-    {"HDL-32E", 69466, 460, 35347810},
-    {"HDL-64E S3", 111130, 466, 52602948},
+    {"VLP-16", 28954, 323, 21040219},
+    {"HDL-32E", 69466, 460, 35538774},
+    {"HDL-64E S3", 111130, 466, 54281356},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 27183426},
-    {"HDL-32E", 69466, 474, 47998334},
-    {"HDL-64E S3", 111130, 489, 70973372},
+    {"VLP-16", 28954, 330, 27840748},
+    {"HDL-32E", 69466, 474, 49169734},
+    {"HDL-64E S3", 111130, 489, 73318955},
 }};
 
 }  // namespace iog::tools
