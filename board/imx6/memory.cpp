@@ -17,7 +17,7 @@ namespace {
 extern "C" {
 extern std::uint32_t code_begin, car_block, car_block_end, text_begin, constants_begin;
 extern std::uint32_t constants_end, data_begin, data_end, dma_begin, dma_end;
-extern std::uint32_t boot_record_section, stacks_begin;
+extern std::uint32_t boot_record_section, page_tables, page_tables_end;
 extern std::uint32_t main_stack_bottom, main_stack_top, undefined_stack_bottom;
 extern std::uint32_t undefined_stack_top, abort_stack_bottom, abort_stack_top;
 extern std::uint32_t irq_stack_bottom, irq_stack_top, fiq_stack_bottom, fiq_stack_top;
@@ -68,7 +68,8 @@ void read_the_linker() {
          .data = {address_of(data_begin), address_of(data_end)},
          .dma = {address_of(dma_begin), address_of(dma_end)},
          .boot_record = {record, record + mmu::kSectionBytes},
-         .stack_section = address_of(stacks_begin),
+         .stack_section = address_of(page_tables),
+         .tables = {address_of(page_tables), address_of(page_tables_end)},
          .stacks = stacks,
          .devices = kDevices};
 }

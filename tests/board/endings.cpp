@@ -7,6 +7,7 @@
 
 #include "board.hpp"
 #include "deep_stack.hpp"
+#include "memory.hpp"
 #include "require/require.hpp"
 #include "text_line.hpp"
 
@@ -72,30 +73,33 @@ void end_of_boot(std::uint32_t number, Board& board) {
       write(kImageSeal);
       return;
     case 8:
-      call(kImageSeal);
+      write(reinterpret_cast<std::uintptr_t>(&iog::imx6::translation_tables()));
       return;
     case 9:
+      call(kImageSeal);
+      return;
+    case 10:
       board.clock().wait_us(2000);  // the tick is pending by now
       __asm__ volatile("cpsie i");
       return;
-    case 10:
+    case 11:
       iog::require(iog::tests::never());
       return;
-    case 11:
+    case 12:
       board.ethernet().commit(60);  // without acquire()
       return;
-    case 12:
+    case 13:
       abort_asynchronously();
       return;
-    case 13:
+    case 14:
       board.end_run({.cause = iog::hal::EndCause::kMemory, .detail = 2}, "constants");
       return;
-    case 14:
+    case 15:
       board.console().write("silence\n");
       for (;;) {
         board.idle();
       }
-    case 15:
+    case 16:
       board.console().write("silence without interrupts\n");
       __asm__ volatile("cpsid f");
       for (;;) {

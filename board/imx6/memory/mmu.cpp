@@ -72,11 +72,12 @@ void build(Tables& tables, const MemoryMap& map, std::uint32_t image_address,
   for (const Range& range : map.devices) {
     map_sections(tables, map, range, Memory::kDevice);
   }
+  map_range(tables, map, map.tables, Memory::kConstants);
   map_all(tables, map, map.stacks, Memory::kData);
 }
 
 bool in_stack_guard(const MemoryMap& map, std::uint32_t address) {
-  if (address - map.stack_section >= kSectionBytes) {
+  if (address - map.stack_section >= kSectionBytes || map.tables.contains(address)) {
     return false;
   }
   for (const Range& stack : map.stacks) {

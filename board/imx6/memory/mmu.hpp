@@ -1,8 +1,9 @@
 // Translation tables as values: what every address may be used for, decided here and nowhere else.
 //
 // Addresses are mapped one to one, in sections of 1 MiB. Two sections have second-level tables:
-// that of the stacks, so that the page below each can be left unmapped, and the first of the image,
-// where what is executed and what is only read lie in pages of 4 and 64 KiB. Access to anything
+// that of the stacks, so that the page below each can be left unmapped and these tables themselves
+// are only read, and the first of the image, where what is executed and what is only read lie in
+// pages of 4 and 64 KiB. Access to anything
 // else is a fault: null pointers, the boot ROM, the other peripherals, DDR past the end.
 #pragma once
 
@@ -102,6 +103,7 @@ struct MemoryMap {
   Range dma;
   Range boot_record;
   std::uint32_t stack_section;  // has the other one
+  Range tables;                 // in that section; the cores only read them once they are in force
   std::span<const Range> stacks;
   std::span<const Range> devices;
 };
@@ -120,7 +122,7 @@ struct Tables {
 void build(Tables& tables, const MemoryMap& map, std::uint32_t image_address,
            std::uint32_t stacks_address);
 
-// Is this the address of a guard page: in the section of the stacks, but of no stack?
+// Is this the address of a guard page: in the section of the stacks, but of no stack and no table?
 bool in_stack_guard(const MemoryMap& map, std::uint32_t address);
 
 }  // namespace iog::imx6::mmu

@@ -16,6 +16,7 @@ const mmu::MemoryMap kMap{.image_section = 0x1010'0000,
                           .dma = {},
                           .boot_record = {},
                           .stack_section = 0x1030'0000,
+                          .tables = {},
                           .stacks = kStacks,
                           .devices = {}};
 constexpr FaultFrame frame(FaultKind kind) {

@@ -64,6 +64,7 @@ class Map : public testing::Test {
                  .dma = {0x1050'0000, 0x1080'0000},
                  .boot_record = {0x1000'0000, 0x1010'0000},
                  .stack_section = 0x1040'0000,
+                 .tables = {0x1040'8000, 0x1041'1000},
                  .stacks = stacks_,
                  .devices = devices_};
   std::unique_ptr<Tables> tables_ = std::make_unique<Tables>();
@@ -111,6 +112,18 @@ TEST_F(Map, APageIsMissingBelowEachStack) {
   EXPECT_EQ(page_at(0x1040'3000), kFault);
   EXPECT_EQ(page_at(0x1040'4000), small_page(0x1040'4000, Memory::kData));
   EXPECT_EQ(page_at(0x1040'5000), kFault);
+}
+
+// A fault can be reported only while the tables say where its handler is.
+TEST_F(Map, ItsOwnTablesAreOnlyRead) {
+  build_tables();
+  EXPECT_EQ(page_at(0x1040'7000), kFault);
+  EXPECT_EQ(page_at(0x1040'8000), small_page(0x1040'8000, Memory::kConstants));
+  EXPECT_EQ(page_at(0x1041'0000), small_page(0x1041'0000, Memory::kConstants));
+  EXPECT_EQ(page_at(0x1041'1000), kFault);
+  EXPECT_FALSE(in_stack_guard(map_, 0x1040'8000));
+  EXPECT_FALSE(in_stack_guard(map_, 0x1041'0ffc));
+  EXPECT_TRUE(in_stack_guard(map_, 0x1041'1000));
 }
 
 TEST_F(Map, GuardsAreWhereTheStacksAreNot) {
