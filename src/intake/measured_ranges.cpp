@@ -13,20 +13,20 @@ constexpr int kLog2Firings = 2;
 // FNV-1a (lidar/fingerprint.hpp), a range at a time.
 class Ranges {
  public:
-  void operator()(const lidar::ScanPoint& point) {
-    hash_ = (hash_ ^ point.range_mm) * lidar::kFingerprintPrime;
-    returns_ += point.range_mm != 0 ? 1U : 0U;
-    ++points_;
+  void operator()(std::uint32_t range) {
+    hash_ = (hash_ ^ range) * lidar::kFingerprintPrime;
+    returns_ += range != 0 ? 1U : 0U;
+    ++ranges_;
   }
 
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
   [[nodiscard]] std::uint32_t returns() const { return returns_; }
-  [[nodiscard]] std::uint32_t points() const { return points_; }
+  [[nodiscard]] std::uint32_t ranges() const { return ranges_; }
 
  private:
   std::uint64_t hash_ = lidar::kFingerprintStart;
   std::uint32_t returns_ = 0;
-  std::uint32_t points_ = 0;
+  std::uint32_t ranges_ = 0;
 };
 
 }  // namespace
@@ -45,14 +45,9 @@ RangeDigest::RangeDigest(const vehicle::Sensor& sensor) {
 
 std::uint64_t RangeDigest::of(const Packet& packet) const {
   Ranges ranges;
-  const bool are_all = layer_count_ == 0;
-  if (are_all) {
-    packet.for_each_point(ranges);
-  } else {
-    packet.for_each_sample(
-        {.layers = std::span(layers_).first(layer_count_), .log2_firings = kLog2Firings}, ranges);
-  }
-  const std::uint32_t fewest = are_all ? 0 : ranges.points() / 2;
+  const auto layers = std::span(layers_).first(layer_count_);
+  packet.for_each_range({.layers = layers, .log2_firings = kLog2Firings}, ranges);
+  const std::uint32_t fewest = layers.empty() ? 0 : ranges.ranges() / 2;
   return ranges.returns() < std::max(kFewestReturns, fewest) ? kNone : ranges.hash();
 }
 

@@ -1,8 +1,10 @@
 // What a scanner has measured, so that one that measures no more is found: it sends what it has
 // sent before, under new stamps and numbers.
 //
-// A measured range has noise. Of units that measure to 8 mm and vary by 5, no two packets with 32
-// returns in the same places agree in all of them in a million years.
+// A measured range has noise. The coarsest unit here, an Ouster in steps of 8 mm that vary by 5 mm,
+// measures the same range twice in 41 of 100 cases: of two packets all of 64 or more ranges agree
+// once in 10^24, and of 16 rows, where 32 may be enough, once in 10^12. Others measure to 5 mm or
+// finer, or vary more: they agree in at most 27 of 100 cases, and 32 of them once in 10^18.
 #pragma once
 
 #include <array>
@@ -16,8 +18,8 @@
 
 namespace iog::intake {
 
-// A number for the ranges of a packet: of all points of a LUX; of a unit that turns, of up to 128
-// points, spread evenly over its layers and the packet's firings.
+// A number for the ranges of a packet: of all points of a unit that does not turn; of one that
+// turns, of up to 128 points, spread evenly over its layers and the packet's firings.
 class RangeDigest {
  public:
   // Of a packet with fewer returns among the points looked at: it may well come twice.

@@ -72,6 +72,19 @@ class Packet {
     });
   }
 
+  // Calls visit(std::uint32_t) for ranges of a sound packet as they are on the wire: of a unit that
+  // turns those of a sampling, of others all.
+  template <typename Visit>
+  void for_each_range(const lidar::Sampling& sampling, Visit&& visit) const {
+    with_decoder(*this, [&](const auto& decoder) {
+      if constexpr (requires { decoder.for_each_range(sampling, visit); }) {
+        decoder.for_each_range(sampling, visit);
+      } else {
+        decoder.for_each_range(visit);
+      }
+    });
+  }
+
   // What a sound packet of a Velodyne shows of its unit; none of others.
   [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
     const lidar::VelodyneLook* look = nullptr;

@@ -86,9 +86,21 @@ class ContinentalArs548 {
     }
   }
 
+  // Calls visit(std::uint32_t) for the range of each, as on the wire. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_range(Visit&& visit) const {
+    for (auto rest = detections_; rest.size() >= kDetectionBytes;
+         rest = rest.subspan(kDetectionBytes)) {
+      visit(range_at(rest.first<kDetectionBytes>()));
+    }
+  }
+
  private:
   using DetectionBytes = std::span<const std::byte, kDetectionBytes>;
 
+  [[nodiscard]] static std::uint32_t range_at(DetectionBytes bytes) {
+    return wire::load_be32(bytes.subspan<17, 4>());
+  }
   // Invalid ones have no range.
   [[nodiscard]] static ScanPoint point(DetectionBytes bytes);
   [[nodiscard]] static bool is_place(DetectionBytes bytes);

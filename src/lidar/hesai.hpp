@@ -104,11 +104,17 @@ class HesaiPacket {
     return point;
   }
 
+  // A range as on the wire.
+  [[nodiscard]] std::uint32_t range_at(const HesaiUnit& unit, std::size_t block,
+                                       std::size_t channel) const {
+    const std::size_t at = unit.block_at(block) + 2 + channel * unit.channel_bytes;
+    return wire::load_le16(packet_.subspan(at).first<2>());
+  }
+
  private:
   [[nodiscard]] std::uint32_t range_mm(const HesaiUnit& unit, std::size_t block,
                                        std::size_t channel) const {
-    const std::size_t at = unit.block_at(block) + 2 + channel * unit.channel_bytes;
-    return wire::load_le16(packet_.subspan(at).first<2>()) * unit.distance_unit_mm;
+    return range_at(unit, block, channel) * unit.distance_unit_mm;
   }
 
   [[nodiscard]] std::uint8_t byte_at(std::size_t offset) const;
@@ -158,10 +164,28 @@ class HesaiDecoder : public HesaiPacket {
   // Calls visit(const ScanPoint&) for the first echoes of a sampling. Only after decode() was kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
+    for_each_place(sampling, [&](std::size_t block, std::uint8_t layer) {
+      visit(point(kUnit, block, layer));
+    });
+  }
+
+  // Calls visit(std::uint32_t) for the ranges of the same, as on the wire. Only after decode() was
+  // kOk.
+  template <typename Visit>
+  void for_each_range(const Sampling& sampling, Visit&& visit) const {
+    for_each_place(sampling, [&](std::size_t block, std::uint8_t layer) {
+      visit(range_at(kUnit, block, layer));
+    });
+  }
+
+ private:
+  // Calls visit(block, layer) for each point of a sampling.
+  template <typename Visit>
+  void for_each_place(const Sampling& sampling, Visit&& visit) const {
     const std::size_t echoes = is_dual() ? 2 : 1;
     sampling.for_each_firing(kUnit.blocks / echoes, [&](std::size_t firing) {
       for (const std::uint8_t layer : sampling.layers) {
-        visit(point(kUnit, firing * echoes, layer));
+        visit(firing * echoes, layer);
       }
     });
   }

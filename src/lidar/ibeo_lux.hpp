@@ -62,8 +62,18 @@ class IbeoLux {
     }
   }
 
+  // Calls visit(std::uint32_t) for the range of each, as on the wire. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_range(Visit&& visit) const {
+    for (auto rest = points_; rest.size() >= kPointBytes; rest = rest.subspan(kPointBytes)) {
+      visit(range_at(rest.first<kPointBytes>()));
+    }
+  }
+
  private:
   using PointBytes = std::span<const std::byte, kPointBytes>;
+
+  static std::uint32_t range_at(PointBytes bytes) { return wire::load_le16(bytes.subspan<4, 2>()); }
 
   static ScanPoint point(PointBytes bytes) {
     constexpr std::uint8_t kRain = 0x02;
@@ -74,7 +84,7 @@ class IbeoLux {
     const std::uint8_t flags = wire::load_u8(bytes.subspan<1, 1>());
     const std::int32_t angle = signed_angle(bytes);
     return {
-        .range_mm = wire::load_le16(bytes.subspan<4, 2>()) * kMillimetresPerUnit,
+        .range_mm = range_at(bytes) * kMillimetresPerUnit,
         .azimuth_ticks = static_cast<std::uint16_t>(angle < 0 ? angle + kTicksPerTurn : angle),
         .layer = static_cast<std::uint8_t>(layer_and_echo & 0x0F),
         .echo = static_cast<std::uint8_t>(layer_and_echo >> 4),

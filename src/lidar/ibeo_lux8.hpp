@@ -59,6 +59,12 @@ class IbeoLux8 {
     });
   }
 
+  // Calls visit(std::uint32_t) for the range of each, as on the wire. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_range(Visit&& visit) const {
+    scan_.for_each_range(visit);
+  }
+
  private:
   static constexpr std::uint8_t kLayersOfSide = IbeoLux::kElevationsDeg.size();
 

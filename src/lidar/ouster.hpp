@@ -117,16 +117,16 @@ class OusterPacket {
             .echo = echo};
   }
 
-  [[nodiscard]] std::size_t first_column() const { return first_; }
-  [[nodiscard]] std::size_t end_column() const { return end_; }
-
- private:
   [[nodiscard]] static std::uint32_t range_at(const OusterProfile& profile,
                                               std::span<const std::byte> pixel, std::size_t at) {
     const std::uint32_t word = wire::load_le32(pixel.subspan(at).first<4>());
     return (word & profile.range_mask) << profile.range_shift;
   }
 
+  [[nodiscard]] std::size_t first_column() const { return first_; }
+  [[nodiscard]] std::size_t end_column() const { return end_; }
+
+ private:
   [[nodiscard]] Column column_at(const OusterProfile& profile, std::size_t column) const;
   [[nodiscard]] std::uint32_t edge_ticks(std::uint32_t column) const;
   [[nodiscard]] DecodeStatus read_columns(const OusterProfile& profile);
@@ -183,11 +183,29 @@ class OusterDecoder : public OusterPacket {
   // Only after decode() was kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
+    for_each_pixel(sampling,
+                   [&](std::span<const std::byte> pixel, std::size_t column, std::uint8_t row) {
+                     visit(point(kProfile, pixel, column, row, 0));
+                   });
+  }
+
+  // Calls visit(std::uint32_t) for the ranges of the same, before the unit's corrections.
+  // Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_range(const Sampling& sampling, Visit&& visit) const {
+    for_each_pixel(sampling, [&](std::span<const std::byte> pixel, std::size_t /*column*/,
+                                 std::uint8_t /*row*/) { visit(range_at(kProfile, pixel, 0)); });
+  }
+
+ private:
+  // Calls visit(pixel, column, row) for each point of a sampling.
+  template <typename Visit>
+  void for_each_pixel(const Sampling& sampling, Visit&& visit) const {
     sampling.for_each_firing(end_column() - first_column(), [&](std::size_t firing) {
-      const auto pixels = pixels_of(kProfile, first_column() + firing);
+      const std::size_t column = first_column() + firing;
+      const auto pixels = pixels_of(kProfile, column);
       for (const std::uint8_t row : sampling.layers) {
-        visit(point(kProfile, pixels.subspan(row * kProfile.pixel_bytes), first_column() + firing,
-                    row, 0));
+        visit(pixels.subspan(row * kProfile.pixel_bytes), column, row);
       }
     });
   }

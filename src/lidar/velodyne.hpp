@@ -104,6 +104,16 @@ class VelodynePacket {
     }
   }
 
+  // A range of a block as on the wire.
+  [[nodiscard]] static std::uint32_t range_at(std::span<const std::byte, kBlockBytes> block,
+                                              std::size_t channel) {
+    return wire::load_le16(block.subspan(4 + 3 * channel).first<2>());
+  }
+
+  [[nodiscard]] std::span<const std::byte, kBlockBytes> bytes_of(std::size_t block) const {
+    return packet_.subspan(block * kBlockBytes).first<kBlockBytes>();
+  }
+
   // What the points of a block have in common, so that each asks for little.
   struct Block {
     std::span<const std::byte, kBlockBytes> bytes;
@@ -123,9 +133,6 @@ class VelodynePacket {
 
   [[nodiscard]] Block block(const VelodyneUnit& unit, std::size_t number) const {
     const std::size_t first_layer = number % unit.banks * kPointsPerBlock;
-    const auto bytes_of = [&](std::size_t block) {
-      return packet_.subspan(block * kBlockBytes).first<kBlockBytes>();
-    };
     return {.bytes = bytes_of(number),
             .other = bytes_of(look_.is_dual ? number ^ unit.banks : number),
             .corrections = corrections_.empty() ? corrections_ : corrections_.subspan(first_layer),
@@ -163,8 +170,7 @@ class VelodynePacket {
   [[nodiscard]] static std::uint32_t range_mm(const VelodyneUnit& unit,
                                               std::span<const std::byte, kBlockBytes> block,
                                               std::size_t channel) {
-    return std::uint32_t{wire::load_le16(block.subspan(4 + 3 * channel).first<2>())} *
-           unit.range_unit_mm;
+    return range_at(block, channel) * unit.range_unit_mm;
   }
 
   [[nodiscard]] DecodeStatus read_ends(const VelodyneUnit& unit) const;
@@ -207,24 +213,40 @@ class VelodyneDecoder : public VelodynePacket {
   // Calls visit(const ScanPoint&) for the first echoes of a sampling. Only after decode() was kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
-    // A block is a firing, a part of one, or holds several; echoes have blocks of their own.
-    constexpr std::size_t kFirings = kLayers < kPointsPerBlock ? kPointsPerBlock / kLayers : 1;
-    const std::size_t blocks = blocks_of_firing(kUnit);
     Turns turns;
-    sampling.for_each_firing(kBlocks / blocks * kFirings, [&](std::size_t firing) {
-      const std::size_t first = firing / kFirings * blocks;
-      for (const std::uint8_t layer : sampling.layers) {
-        const std::size_t bank = layer / kPointsPerBlock;
-        const std::size_t channel = firing % kFirings * kLayers + layer % kPointsPerBlock;
-        const Firing& turned = turns.of(bank, step(first));
-        const Block its = block(kUnit, first + bank);
-        visit(look().is_dual ? point<true>(kUnit, its, turned, channel)
-                             : point<false>(kUnit, its, turned, channel));
-      }
+    for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
+      const Firing& turned = turns.of(bank, step(first));
+      const Block its = block(kUnit, first + bank);
+      visit(look().is_dual ? point<true>(kUnit, its, turned, channel)
+                           : point<false>(kUnit, its, turned, channel));
+    });
+  }
+
+  // Calls visit(std::uint32_t) for the ranges of the same, as on the wire. Only after decode() was
+  // kOk.
+  template <typename Visit>
+  void for_each_range(const Sampling& sampling, Visit&& visit) const {
+    for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
+      visit(range_at(bytes_of(first + bank), channel));
     });
   }
 
  private:
+  // Calls visit(the firing's first block, which of its banks, channel) for each point of a
+  // sampling. A block is a firing, a part of one, or holds several; echoes have blocks of their
+  // own.
+  template <typename Visit>
+  void for_each_place(const Sampling& sampling, Visit&& visit) const {
+    constexpr std::size_t kFirings = kLayers < kPointsPerBlock ? kPointsPerBlock / kLayers : 1;
+    const std::size_t blocks = blocks_of_firing(kUnit);
+    sampling.for_each_firing(kBlocks / blocks * kFirings, [&](std::size_t firing) {
+      for (const std::uint8_t layer : sampling.layers) {
+        visit(firing / kFirings * blocks, layer / kPointsPerBlock,
+              firing % kFirings * kLayers + layer % kPointsPerBlock);
+      }
+    });
+  }
+
   // The firings that were asked for last. A head that turns evenly has two steps from block to
   // block, one more than the other.
   class Turns {

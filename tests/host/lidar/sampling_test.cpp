@@ -1,5 +1,5 @@
 // The points of a sampling are those of its layers in every so manyth firing, as for_each_point()
-// has them.
+// has them, and its ranges are theirs.
 #include "lidar/sampling.hpp"
 
 #include <array>
@@ -42,34 +42,44 @@ bool is_same(const ScanPoint& a, const ScanPoint& b) {
          a.echo == b.echo;
 }
 
-// On the wire a firing has one first echo of each layer, in the layers' order.
+// On the wire a firing has one first echo of each layer, in the layers' order. Which range of a
+// pair stands first there is up to the unit.
 template <typename Decoder>
-void expect_samples(const Decoder& packet, std::size_t layers) {
-  std::vector<ScanPoint> first_echoes;
-  packet.for_each_point([&](const ScanPoint& point) {
-    if (point.echo == 0) {
-      first_echoes.push_back(point);
-    }
-  });
+void expect_samples(const Decoder& packet, std::size_t layers, std::uint32_t range_unit_mm) {
+  std::array<std::vector<ScanPoint>, 2> echoes;
+  packet.for_each_point([&](const ScanPoint& point) { echoes.at(point.echo).push_back(point); });
+  const std::vector<ScanPoint>& first_echoes = echoes[0];
+  const std::vector<ScanPoint>& last_echoes = echoes[1].empty() ? echoes[0] : echoes[1];
   ASSERT_EQ(first_echoes.size() % layers, 0U);
+  ASSERT_EQ(first_echoes.size(), last_echoes.size());
   const std::array<std::uint8_t, 4> some{static_cast<std::uint8_t>(layers - 1), 0, 3,
                                          static_cast<std::uint8_t>(layers / 2)};
   for (int log2_firings = 0; log2_firings <= 4; ++log2_firings) {
     std::vector<ScanPoint> expected;
+    std::vector<std::uint32_t> last_ranges;
     for (const std::size_t firing : firings_of(log2_firings, first_echoes.size() / layers)) {
       for (const std::uint8_t layer : some) {
         expected.push_back(first_echoes[firing * layers + layer]);
+        last_ranges.push_back(last_echoes[firing * layers + layer].range_mm);
         ASSERT_EQ(expected.back().layer, layer);
       }
     }
-    std::size_t count = 0;
-    packet.for_each_sample({.layers = some, .log2_firings = log2_firings},
-                           [&](const ScanPoint& point) {
-                             ASSERT_LT(count, expected.size());
-                             EXPECT_TRUE(is_same(point, expected[count]));
-                             ++count;
-                           });
-    EXPECT_EQ(count, expected.size());
+    const Sampling sampling{.layers = some, .log2_firings = log2_firings};
+    std::size_t points = 0;
+    packet.for_each_sample(sampling, [&](const ScanPoint& point) {
+      ASSERT_LT(points, expected.size());
+      EXPECT_TRUE(is_same(point, expected[points]));
+      ++points;
+    });
+    EXPECT_EQ(points, expected.size());
+    std::size_t ranges = 0;
+    packet.for_each_range(sampling, [&](std::uint32_t range) {
+      ASSERT_LT(ranges, expected.size());
+      const std::uint32_t range_mm = range * range_unit_mm;
+      EXPECT_TRUE(range_mm == expected[ranges].range_mm || range_mm == last_ranges[ranges]);
+      ++ranges;
+    });
+    EXPECT_EQ(ranges, expected.size());
   }
 }
 
@@ -94,7 +104,7 @@ void expect_samples_of_velodyne(int product, int banks = 1) {
     const std::vector<std::byte> bytes = packet.bytes();
     Decoder decoder;
     ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
-    expect_samples(decoder, Decoder::kLayers);
+    expect_samples(decoder, Decoder::kLayers, Decoder::unit().range_unit_mm);
   }
 }
 
@@ -122,7 +132,7 @@ void expect_samples_of_hesai() {
     const std::vector<std::byte> bytes = packet.bytes();
     Decoder decoder;
     ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
-    expect_samples(decoder, Decoder::kLayers);
+    expect_samples(decoder, Decoder::kLayers, Decoder::unit().distance_unit_mm);
   }
 }
 
@@ -153,7 +163,7 @@ TEST(Sampling, OfOusters) {
         decoder.decode(bytes,
                        {.corrections = corrections, .columns_per_turn = 1024, .column_ns = 97'656}),
         DecodeStatus::kOk);
-    expect_samples(decoder, rows);
+    expect_samples(decoder, rows, 1);
   }
 }
 
