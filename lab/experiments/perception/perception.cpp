@@ -65,6 +65,12 @@ std::vector<PoseTrouble> pose_troubles() {
       {"jump of 0.5 m", with([](auto& options) {
          options.jumps = {{kTroubleS, 0.5}};
        })},
+      {"swing of 0.28 m in 2 s", with([](auto& options) {
+         options.swings = {{kTroubleS, 0.28, 2}};
+       })},
+      {"swing of 0.7 m in 8 s", with([](auto& options) {
+         options.swings = {{kTroubleS, 0.7, 8}};
+       })},
       {"gap of 0.5 s", with([](auto& options) {
          options.gaps = {{kTroubleS, 0.5}};
        })},

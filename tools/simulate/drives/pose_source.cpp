@@ -56,14 +56,23 @@ bool is_in_gap(const PoseOptions& options, double time_s) {
   });
 }
 
-// By how much all jumps until then have moved the position.
-Vector3 jumped(const Scene& scene, const PoseOptions& options, double time_s) {
+// By how much all jumps and swings have moved the position.
+Vector3 moved_aside(const Scene& scene, const PoseOptions& options, double time_s) {
   Vector3 sum;
+  const auto add = [&](double from_s, double metres) {
+    const Placement at = scene.ego_at(from_s).at;
+    sum.x -= metres * at.sin;
+    sum.y += metres * at.cos;
+  };
   for (const PoseOptions::Jump& jump : options.jumps) {
     if (time_s >= jump.time_s) {
-      const Placement at = scene.ego_at(jump.time_s).at;
-      sum.x -= jump.metres * at.sin;
-      sum.y += jump.metres * at.cos;
+      add(jump.time_s, jump.metres);
+    }
+  }
+  for (const PoseOptions::Swing& swing : options.swings) {
+    if (time_s >= swing.begin_s) {
+      const double turns = (time_s - swing.begin_s) / swing.period_s;
+      add(swing.begin_s, swing.metres / 2 * numeric::sin(2 * numeric::kPi * turns));
     }
   }
   return sum;
@@ -112,13 +121,13 @@ std::vector<PoseSample> simulated_poses(const Scene& scene, const PoseOptions& o
   for (std::size_t i = 0; i <= count; ++i) {
     const double time_s = static_cast<double>(i) / options.rate_hz;
     PoseSample sample = stuck_pose(scene, options, time_s);
-    const Vector3 jump = jumped(scene, options, time_s);
+    const Vector3 aside = moved_aside(scene, options, time_s);
     sample.time_us = kDriveStartUs + static_cast<std::uint64_t>(numeric::round(time_s * 1e6));
     sample.age_us = kLeastAgeUs + static_cast<std::uint32_t>(random.below(kAgeSpanUs));
     sample.run = first_run + static_cast<std::uint32_t>(std::ranges::count_if(
                                  options.restarts_s, [&](double at_s) { return at_s <= time_s; }));
-    sample.x_m += jump.x + x.next(random);
-    sample.y_m += jump.y + y.next(random);
+    sample.x_m += aside.x + x.next(random);
+    sample.y_m += aside.y + y.next(random);
     sample.heading_rad += heading.next(random);
     sample.speed_mps += options.sigma_m * random.bell();
     sample.yaw_rate_rps += options.sigma_heading_rad * random.bell();

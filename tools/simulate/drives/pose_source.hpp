@@ -38,12 +38,22 @@ struct PoseOptions {
     double length_s;
   };
 
+  // From begin_s on all positions swing to the left and right of where they would have been, seen
+  // from the car at that time: by so much from one side to the other, first to the left. The speed
+  // that is said does not.
+  struct Swing {
+    double begin_s;
+    double metres;
+    double period_s;
+  };
+
   double rate_hz = 100;  // 1 ... 125
   double sigma_m = 0.02;
   double sigma_heading_rad = 0.001;
   std::vector<Gap> gaps{};
   std::vector<Jump> jumps{};
   std::vector<Freeze> freezes{};
+  std::vector<Swing> swings{};
   std::vector<double> restarts_s{};         // from then on the source has another run
   std::optional<pose::MapTransform> map{};  // what each message says of the map
 };

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -98,6 +99,32 @@ PerceptionScores scores_if(const Paint& paint) {
     scorer.add(painted, truth, !frame.classes.empty());
   });
   return scorer.scores().front();
+}
+
+// The scores of a drive in the city whose poses are these.
+PerceptionScores scores_with(const tools::PoseOptions& poses) {
+  const PerceivedDrive drive{.scene = "city", .seed = 5, .seconds = 4, .poses = poses};
+  PerceptionScorer scorer(1, 0);
+  LocalToWorld to_world;
+  perceive_drive(drive, kOneRule, [&](const PerceivedFrame& frame) {
+    const FrameTruth truth(frame, to_world);
+    to_world = truth.last().to_world;
+    scorer.add(frame, truth, !frame.classes.empty());
+  });
+  return scorer.scores().front();
+}
+
+// Poses that swing by less than a jump in each second are not found out. What stands survives them:
+// where it has been hit lately, it is not free.
+TEST(PerceivedDrive, WhatStandsSurvivesPosesThatSwing) {
+  for (const tools::PoseOptions::Swing swing : {tools::PoseOptions::Swing{0.5, 0.28, 2},  //
+                                                tools::PoseOptions::Swing{0.5, 0.7, 8}}) {
+    const RecentHits::Kept recent = scores_with({.swings = {swing}}).recent;
+    const std::uint64_t freed =
+        std::accumulate(recent.freed.begin(), recent.freed.end(), std::uint64_t{0});
+    EXPECT_GT(recent.all_cells(), 10'000U);
+    EXPECT_LE(freed, recent.all_cells() / 200) << swing.metres;
+  }
 }
 
 constexpr std::int8_t kMovingByte = 4 * 8;

@@ -182,6 +182,32 @@ TEST(SimulatedPoses, JumpAsFarAndWhenStated) {
   }
 }
 
+// To the left by half of it a quarter of a period later, and to the right by as much half a period
+// after that.
+TEST(SimulatedPoses, SwingAsFarAsStated) {
+  const Scene scene = circle(10);
+  const auto still = simulated_poses(scene, kExact, 1, 10);
+  PoseOptions options = kExact;
+  options.swings = {{4.0, 0.28, 2.0}};
+  const auto swinging = simulated_poses(scene, options, 1, 10);
+  ASSERT_EQ(still.size(), swinging.size());
+  const double heading = kCurvature * kSpeed * 4;
+  const auto left_m = [&](std::size_t i) {
+    return (swinging[i].y_m - still[i].y_m) * std::cos(heading) -
+           (swinging[i].x_m - still[i].x_m) * std::sin(heading);
+  };
+  for (const auto& [at, expected] : {std::pair{200U, 0.0},
+                                    {400U, 0.0},
+                                    {450U, 0.14},
+                                    {500U, 0.0},
+                                    {550U, -0.14},
+                                    {600U, 0.0},
+                                    {650U, 0.14}}) {
+    EXPECT_NEAR(left_m(at), expected, 1e-9) << at;
+    EXPECT_EQ(swinging[at].speed_mps, still[at].speed_mps);
+  }
+}
+
 std::vector<CapturedDatagram> datagrams_of(const PoseOptions& options, std::uint64_t seed = 1) {
   PoseFeed feed(simulated_poses(circle(10), options, seed, 10));
   return feed.take_until(kDriveStartUs + 20'000'000);
