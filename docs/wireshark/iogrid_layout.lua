@@ -225,7 +225,7 @@ local FATES = { "used", "no return", "too near", "too far", "outside the height 
                 "later echo", "malformed", "stale", "not taken", "ground", "overhang",
                 "under the ground" }
 local DROPS = { "stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
-                "late", "over budget", "other unit", "not taken", "frozen" }
+                "late", "over budget", "other unit", "not taken", "frozen", "too soon" }
 local LINK = {
   "frames received", "datagrams delivered", "ARP answered", "ARP learned", "pings answered",
   "messages sent", "ARP requested",

@@ -101,6 +101,9 @@ Intake::Outcome Intake::classify(const SensorPacket& packet) {
     case ScanTracker::Outcome::kLate:
       drop(PacketDrop::kLate, vehicle::Fate::kStale, packet.packet);
       return Outcome::kDropped;
+    case ScanTracker::Outcome::kTooSoon:
+      drop(PacketDrop::kTooSoon, vehicle::Fate::kStale, packet.packet);
+      return Outcome::kDropped;
     case ScanTracker::Outcome::kNextScan:
       return Outcome::kNextFrame;
     case ScanTracker::Outcome::kPartOfFrame:

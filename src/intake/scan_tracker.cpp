@@ -33,6 +33,9 @@ ScanTracker::Outcome ScanTracker::classify_scan(const lidar::PacketInfo& packet)
   if (packet.scan_number == scan_number_) {
     return packets_ > 0 ? Outcome::kPartOfFrame : Outcome::kLate;
   }
+  if (is_too_soon(packet)) {
+    return Outcome::kTooSoon;
+  }
   return packets_ > 0 ? Outcome::kNextScan : Outcome::kPartOfFrame;
 }
 
@@ -43,10 +46,14 @@ ScanTracker::Outcome ScanTracker::classify_turn(const lidar::PacketInfo& packet)
   if (is_older(packet)) {
     return packets_ == 0 || sweeps_again ? Outcome::kLate : Outcome::kPartOfFrame;
   }
+  if (sweeps_again && is_too_soon(packet)) {
+    return Outcome::kTooSoon;
+  }
   return sweeps_again ? Outcome::kNextScan : Outcome::kPartOfFrame;
 }
 
 void ScanTracker::accept(const lidar::PacketInfo& packet) {
+  begin_us_ = packets_ == 0 ? packet.sweep.begin_us : std::min(begin_us_, packet.sweep.begin_us);
   scan_number_ = was_ever_seen() && is_older(packet) ? scan_number_ : packet.scan_number;
   swept_.add(packet.sector);
   points_ += packet.point_count;

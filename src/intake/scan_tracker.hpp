@@ -7,6 +7,9 @@
 // and what comes of one whose frame is closed is late. A head that turns has neither beginning nor
 // end, and a frame may be shorter than a turn: the next turn shows by sweeping only what the frame
 // has swept. Where turns are numbered, what is of an older one opens no frame.
+//
+// Whoever scans ends frames, and one that scans faster than it can, by its own stamps, would end
+// them without bound. What begins too soon is left.
 #pragma once
 
 #include <algorithm>
@@ -26,6 +29,7 @@ class ScanTracker {
     kNextScan,     // the sensor's next scan has begun: close the frame first, then ask again
     kDuplicate,    // this very packet has been seen
     kLate,         // of a scan whose frame is closed
+    kTooSoon,      // of a next scan that begins sooner after the last one than any unit scans
   };
 
   // turns: its scans are those of a head that turns. scan_width_ticks: of a whole scan. packets:
@@ -67,6 +71,9 @@ class ScanTracker {
   static constexpr std::size_t kRemembered = 192;
   // Longer than the packets of one dual-return turn of an HDL-64E S3 at 10 Hz, 579.
   static constexpr std::size_t kMaxRemembered = 640;
+  // No unit here scans or turns twice as fast: a LUX scans 50 times a second, others turn 20 times.
+  static constexpr std::uint64_t kShortestScanUs = 10'000;
+  static constexpr std::uint64_t kShortestTurnUs = 25'000;
   // A packet this many scans behind the last one is late; further behind, the sensor has restarted.
   static constexpr std::uint16_t kLateScans = 8;
 
@@ -75,6 +82,12 @@ class ScanTracker {
   [[nodiscard]] bool is_older(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_scan(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_turn(const lidar::PacketInfo& packet) const;
+  // Whether a next scan begins with this packet too soon after the last one. Of stamps that stand
+  // still or go back it is not asked.
+  [[nodiscard]] bool is_too_soon(const lidar::PacketInfo& packet) const {
+    const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
+    return since_us != 0 && since_us < (turns_ ? kShortestTurnUs : kShortestScanUs);
+  }
 
   SweptSectors swept_;
   bool turns_ = false;
@@ -83,6 +96,7 @@ class ScanTracker {
   std::uint16_t packets_ = 0;
   std::uint32_t points_ = 0;
   std::uint32_t scan_number_ = 0;  // the newest; always 0 where the format has none
+  std::uint64_t begin_us_ = 0;     // of the newest scan; of a turn's part in this frame
   std::uint16_t age_frames_ = 0;
   std::array<std::uint64_t, kMaxRemembered> fingerprints_{};  // a ring, the oldest is overwritten
   std::size_t fingerprint_count_ = 0;

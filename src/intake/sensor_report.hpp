@@ -19,8 +19,9 @@ enum class PacketDrop : std::uint8_t {
   kOtherUnit,   // of another unit of the same maker's, or of nobody knows which of two
   kNotTaken,    // it has waited too long, because the target is too slow
   kFrozen,      // new by its stamp, but its ranges are those of a packet before
+  kTooSoon,     // of a scan that begins sooner after the one before than any unit scans
 };
-inline constexpr std::size_t kPacketDropCount = 11;
+inline constexpr std::size_t kPacketDropCount = 12;
 
 enum class SensorState : std::uint8_t {
   kNeverSeen,  // since start

@@ -256,7 +256,7 @@ def read_frame_end(body: bytes) -> FrameEnd:
     assert stages == 4 and fates in (10, 13), "10 until version 4 had the ground"
     with_discovery = LINK_COUNTERS + DISCOVERY_COUNTERS
     all_links = with_discovery + COMMAND_COUNTERS
-    assert causes in (10, len(PACKET_DROPS)), "10 until frozen sensors had a cause"
+    assert causes in (10, 11, len(PACKET_DROPS)), "10 and 11 of older targets"
     assert links in (0, len(LINK_COUNTERS), len(with_discovery), len(all_links)), \
         "another spec.md"
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)

@@ -1,7 +1,7 @@
 """The counters of a frame's end by name, in the order of docs/spec.md 1.4 and 3.7."""
 
 PACKET_DROPS = ("stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
-                "late", "over budget", "other unit", "not taken", "frozen")
+                "late", "over budget", "other unit", "not taken", "frozen", "too soon")
 NET_DROPS = ("short", "not for us (MAC)", "VLAN tagged", "neither IPv4 nor ARP", "bad IP header",
              "bad IP checksum", "fragment", "not for us (IP)", "bad source", "neither UDP nor ICMP",
              "bad UDP length", "bad UDP checksum", "bad ICMP", "ping ignored", "other ICMP",

@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, vehicle::kFateCount> kPointFateNam
     "ground",  "overhang",   "under the ground"};
 inline constexpr std::array<std::string_view, intake::kPacketDropCount> kPacketDropNames{
     "stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
-    "late",     "over budget",  "other unit", "not taken",   "frozen"};
+    "late",     "over budget",  "other unit", "not taken",   "frozen",      "too soon"};
 inline constexpr std::array<std::string_view, 4> kSensorStateNames{"never seen", "silent",
                                                                    "partial", "complete"};
 inline constexpr std::array<std::string_view, pose::kCauseCount> kPoseCauseNames{

@@ -234,5 +234,53 @@ TEST(ScanTracker, CountsTheFramesSinceItWasSeen) {
   EXPECT_FALSE(tracker.is_complete());
 }
 
+// Scans of a whole width, every so many us, and how many of them are taken in a second.
+int scans_taken(ScanTracker tracker, std::uint64_t every_us, lidar::PacketInfo packet) {
+  int taken = 0;
+  for (std::uint64_t time_us = every_us; time_us <= 1'000'000; time_us += every_us) {
+    ++packet.fingerprint;
+    ++packet.scan_number;
+    packet.sweep.begin_us = 1'000'000'000 + time_us;
+    if (tracker.classify(packet) == Outcome::kTooSoon) {
+      continue;
+    }
+    if (tracker.classify(packet) == Outcome::kNextScan) {
+      tracker.start_frame();
+    }
+    EXPECT_EQ(tracker.classify(packet), Outcome::kPartOfFrame);
+    tracker.accept(packet);
+    ++taken;
+  }
+  return taken;
+}
+
+// A LUX scans 12.5, 25 or 50 times a second, units that turn do it 5 to 20 times.
+TEST(ScanTracker, WhatAUnitCanDoIsTaken) {
+  EXPECT_EQ(scans_taken(lux_tracker(), 80'000, lux_packet(1, 9920, 3200)), 12);
+  EXPECT_EQ(scans_taken(lux_tracker(), 20'000, lux_packet(1, 9920, 3200)), 50);
+  EXPECT_EQ(scans_taken(numbered_tracker(), 50'000, numbered_packet(1, 0)), 20);
+}
+
+// It ends at most 100 frames a second, or 40, however fast it says to scan.
+TEST(ScanTracker, AScanThatBeginsTooSoonIsLeft) {
+  for (const std::uint64_t every_us : {40U, 100U, 1'000U, 9'999U}) {
+    EXPECT_LE(scans_taken(lux_tracker(), every_us, lux_packet(1, 9920, 3200)), 100) << every_us;
+    EXPECT_LE(scans_taken(numbered_tracker(), every_us, numbered_packet(1, 0)), 40) << every_us;
+  }
+  EXPECT_GT(scans_taken(lux_tracker(), 1'000, lux_packet(1, 9920, 3200)), 90);
+}
+
+// A clock that is set back, or that nobody runs, is no reason to leave what was measured.
+TEST(ScanTracker, StampsThatStandStillOrGoBackAreNotTooSoon) {
+  ScanTracker tracker = lux_tracker();
+  for (const std::uint64_t begin_us : {5'000'000U, 5'000'000U, 5'000'000U, 4'999'999U, 0U, 0U}) {
+    lidar::PacketInfo packet = lux_packet(tracker.scan_number() + 1, 9920, 3200);
+    packet.sweep.begin_us = begin_us;
+    ASSERT_EQ(tracker.classify(packet), Outcome::kPartOfFrame) << begin_us;
+    tracker.accept(packet);
+    tracker.start_frame();
+  }
+}
+
 }  // namespace
 }  // namespace iog::intake
