@@ -40,7 +40,10 @@ struct Costs {
   std::uint64_t left_us = 0;      // for one that it leaves
   std::uint64_t close_us = 0;     // to close a frame
   std::uint64_t pass_us = 0;      // for what else is done in a pass
+  std::uint64_t stranger_us = 0;  // for a datagram of a stranger
 };
+
+inline constexpr std::uint16_t kStrangersPort = 999;
 
 struct SlowTarget {
   Target& target;
@@ -51,7 +54,9 @@ struct SlowTarget {
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
     const std::uint32_t frames = platform.frames();
     target.take(datagram, now_us);
-    clock.time_us += costs.datagram_us + (platform.frames() - frames) * costs.close_us;
+    const bool is_strange = datagram.destination_port == kStrangersPort;
+    clock.time_us += (is_strange ? costs.stranger_us : costs.datagram_us) +
+                     (platform.frames() - frames) * costs.close_us;
   }
   void leave(const intake::Datagram& datagram, std::uint64_t now_us) {
     target.leave(datagram, now_us);
@@ -79,18 +84,28 @@ inline Frame datagram_to(std::uint16_t port, const std::vector<std::byte>& paylo
   return frame;
 }
 
-// Three LUX at 25 Hz, each scan in eight messages, evenly over the period: 24 datagrams.
+// Three LUX at 25 Hz, each scan in eight messages, evenly over the period: 24 datagrams; and
+// datagrams of a stranger to a port that nobody listens to.
 class Traffic {
  public:
   // What has come by now, as far as the ring holds it.
   void arrive(std::uint64_t now_us, fakes::FakeEthernetPort& port) {
-    for (; next_us() <= now_us; ++sent_) {
-      if (port.waiting() >= kRingFrames) {
-        port.overflow();
-        continue;
+    while (std::min(next_us(), next_of_flood_us()) <= now_us) {
+      if (next_us() <= next_of_flood_us()) {
+        put(frame(), port);
+        ++sent_;
+      } else {
+        put(stranger_, port);
+        ++flood_sent_;
       }
-      port.arrive(frame());
     }
+  }
+
+  // From now on so many a second come of the stranger.
+  void flood(std::uint64_t now_us, std::uint64_t per_second) {
+    flood_from_us_ = now_us;
+    flood_per_second_ = per_second;
+    flood_sent_ = 0;
   }
 
   [[nodiscard]] std::uint64_t sent() const { return sent_; }
@@ -99,6 +114,19 @@ class Traffic {
  private:
   [[nodiscard]] std::uint64_t next_us() const {
     return 1'000'000 + sent_ * kPeriodUs / (3 * kParts);
+  }
+
+  [[nodiscard]] std::uint64_t next_of_flood_us() const {
+    return flood_per_second_ == 0 ? UINT64_MAX
+                                  : flood_from_us_ + flood_sent_ * 1'000'000 / flood_per_second_;
+  }
+
+  static void put(const Frame& frame, fakes::FakeEthernetPort& port) {
+    if (port.waiting() >= kRingFrames) {
+      port.overflow();
+    } else {
+      port.arrive(frame);
+    }
   }
 
   [[nodiscard]] Frame frame() const {
@@ -114,6 +142,10 @@ class Traffic {
   }
 
   std::uint64_t sent_ = 0;
+  Frame stranger_ = datagram_to(kStrangersPort, std::vector<std::byte>(18));
+  std::uint64_t flood_from_us_ = 0;
+  std::uint64_t flood_per_second_ = 0;
+  std::uint64_t flood_sent_ = 0;
 };
 
 class Bench {
@@ -148,6 +180,8 @@ class Bench {
     }
     return longest_us;
   }
+
+  void flood(std::uint64_t per_second) { traffic.flood(machine_.clock().now_us(), per_second); }
 
   // The machine stands still, and its ring fills.
   void stall(std::uint64_t duration_us) { machine_.clock().time_us += duration_us; }

@@ -145,6 +145,26 @@ TEST(Loop, WhatTheControllerHasNoRoomForIsCountedAsDropped) {
   EXPECT_GE(bench.receiver.frames.back().header.packets_dropped, bench.overflows());
 }
 
+// docs/safety.md: a receive ring, less what the sensors themselves send meanwhile, over the time
+// that a frame's end takes. Below it nothing is lost; at eight times as much it is, and counted.
+TEST(Loop, AFloodBelowTheStatedRateLosesNothing) {
+  for (const std::uint64_t close_us : {7'000U, 21'400U, 37'800U}) {
+    const std::uint64_t own = 24 * close_us / kPeriodUs + 1;
+    const std::uint64_t rate = (kRingFrames - own) * 1'000'000 / close_us;
+    Bench bench(Costs{.datagram_us = 50, .close_us = close_us, .pass_us = 10, .stranger_us = 2});
+    bench.flood(rate * 95 / 100);
+    bench.run(2'000'000);
+    EXPECT_EQ(bench.overflows(), 0U) << rate;
+    EXPECT_EQ(bench.points(Fate::kNotTaken), 0U) << rate;
+    EXPECT_GE(bench.receiver.frames.size(), 48U) << rate;
+    bench.flood(8 * rate);
+    bench.run(2'000'000);
+    EXPECT_GT(bench.overflows(), rate) << rate;
+    EXPECT_LE(bench.longest_us(), 2 * kPeriodUs + close_us) << rate;
+    EXPECT_GE(bench.receiver.frames.size(), 48U + 40U) << rate;
+  }
+}
+
 // 24 datagrams of 3 ms are 72 ms of work for 40 ms of time.
 TEST(Loop, ATargetThatIsTooSlowSaysSo) {
   constexpr std::uint64_t kDurationUs = 2'400'000;
