@@ -14,6 +14,7 @@
 #include "fake_machine.hpp"
 #include "fakes/fake_platform.hpp"
 #include "fakes/lux_message.hpp"
+#include "fakes/random.hpp"
 #include "loop_bench.hpp"
 #include "net/frames.hpp"
 
@@ -124,6 +125,47 @@ TEST(Loop, EveryPointHasAFate) {
   EXPECT_EQ(points(1, Fate::kStale), 40U);
   EXPECT_EQ(platform.frames[0].header.points_used + platform.frames[0].header.points_other, 160U);
   EXPECT_EQ(platform.frames[1].header.points_other, 40U);
+}
+
+// One of three scans a thousand times a second, by its own stamps; the others 25 times, as the
+// car's file says. It ends at most 100 frames, and of the others nothing is missing.
+TEST(Loop, OneThatScansTooFastEndsFewFrames) {
+  constexpr std::uint64_t kNtpUnitsPerMs = (std::uint64_t{1} << 32) / 1000;
+  constexpr std::uint64_t kNtpOf1970 = std::uint64_t{2'208'988'800} << 32;
+  tests::FakePlatform platform;
+  const auto pipeline = std::make_unique<Pipeline<tests::FakePlatform>>(
+      ThreeLux::kVehicle, kConfig.peer.value, platform);
+  tests::Random random(79);
+  const auto take = [&](int sensor, int number, int ms) {
+    const std::uint64_t start = kNtpOf1970 + static_cast<std::uint64_t>(ms + 1) * kNtpUnitsPerMs;
+    LuxMessage scan{.scan_number = number, .points = {}, .start_ntp = start, .end_ntp = start};
+    for (int i = 0; i < 40; ++i) {
+      scan.points.push_back({.angle_ticks = i, .range_cm = random.between(500, 900)});
+    }
+    pipeline->take({kConfig.peer.value, static_cast<std::uint16_t>(100 + sensor), scan.bytes()},
+                   static_cast<std::uint64_t>(ms) * 1000);
+  };
+  for (int ms = 0; ms < 1000; ++ms) {
+    take(0, ms, ms);
+    if (ms % 40 == 17) {
+      take(1, ms / 40, ms);
+      take(2, ms / 40, ms);
+    }
+  }
+  pipeline->tick(1'100'000);
+  EXPECT_LE(platform.frames.size(), 101U);
+  std::array<std::uint32_t, 3> complete{};
+  for (const tests::ReceivedFrame& frame : platform.frames) {
+    for (std::size_t sensor = 0; sensor < 3; ++sensor) {
+      complete.at(sensor) +=
+          frame.end.sensors[sensor].state == intake::SensorState::kComplete ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(complete[0], 90U);
+  EXPECT_EQ(complete[1], 25U);
+  EXPECT_EQ(complete[2], 25U);
+  constexpr auto kTooSoon = static_cast<std::size_t>(intake::PacketDrop::kTooSoon);
+  EXPECT_EQ(platform.frames.back().end.packet_drops[kTooSoon], 1000U - complete[0]);
 }
 
 TEST(Loop, ATargetThatKeepsUpLeavesNothing) {

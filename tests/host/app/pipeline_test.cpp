@@ -70,10 +70,6 @@ std::vector<Datagram> frame_of_three(int number, int parts, tests::Random& rando
   return frame;
 }
 
-std::uint32_t drops(const Bench& bench, PacketDrop cause) {
-  return bench.platform.frames.back().end.packet_drops[static_cast<std::size_t>(cause)];
-}
-
 TEST(Pipeline, AFrameClosesWhenEverySensorHasDelivered) {
   tests::Random random(71);
   Bench bench;
@@ -180,40 +176,6 @@ TEST(Pipeline, ASensorsNextScanClosesTheFrameBeforeIt) {
   EXPECT_EQ(bench.platform.frames[1].header.frame_number, 1U);
 }
 
-// One of three scans a thousand times a second, by its own stamps; the others 25 times, as the
-// car's file says. It ends at most 100 frames, and of the others nothing is missing.
-TEST(Pipeline, OneThatScansTooFastEndsFewFrames) {
-  constexpr std::uint64_t kNtpUnitsPerMs = (std::uint64_t{1} << 32) / 1000;
-  constexpr std::uint64_t kNtpOf1970 = std::uint64_t{2'208'988'800} << 32;
-  tests::Random random(79);
-  Bench bench;
-  for (int ms = 0; ms < 1000; ++ms) {
-    const auto now_us = static_cast<std::uint64_t>(ms) * 1000;
-    const std::uint64_t start = kNtpOf1970 + static_cast<std::uint64_t>(ms + 1) * kNtpUnitsPerMs;
-    LuxMessage wild{.scan_number = ms, .points = {}, .start_ntp = start, .end_ntp = start};
-    for (int i = 0; i < 40; ++i) {
-      wild.points.push_back({.angle_ticks = i, .range_cm = random.between(500, 900)});
-    }
-    bench.take({100, wild.bytes()}, now_us);
-    if (ms % 40 == 17) {
-      bench.take(scan(101, ms / 40 + 1, 1, random)[0], now_us);
-      bench.take(scan(102, ms / 40 + 1, 1, random)[0], now_us);
-    }
-  }
-  bench.pipeline->tick(1'100'000);
-  EXPECT_LE(bench.platform.frames.size(), 101U);
-  std::array<int, 3> complete{};
-  for (const auto& frame : bench.platform.frames) {
-    for (std::size_t sensor = 0; sensor < 3; ++sensor) {
-      complete.at(sensor) += frame.end.sensors[sensor].state == SensorState::kComplete ? 1 : 0;
-    }
-  }
-  EXPECT_GT(complete[0], 90);
-  EXPECT_EQ(complete[1], 25);
-  EXPECT_EQ(complete[2], 25);
-  EXPECT_EQ(drops(bench, PacketDrop::kTooSoon), 1000U - static_cast<unsigned>(complete[0]));
-}
-
 // Silence is reported, and is not evidence: an empty grid has no tiles.
 TEST(Pipeline, SilenceIsReportedEveryTwoPeriods) {
   tests::Random random(76);
@@ -231,6 +193,10 @@ TEST(Pipeline, SilenceIsReportedEveryTwoPeriods) {
   EXPECT_FALSE(silent.header.has_evidence());
   EXPECT_EQ(silent.end.sensors[0].state, SensorState::kSilent);
   EXPECT_EQ(silent.end.sensors[0].age_frames, 2);
+}
+
+std::uint32_t drops(const Bench& bench, PacketDrop cause) {
+  return bench.platform.frames.back().end.packet_drops[static_cast<std::size_t>(cause)];
 }
 
 TEST(Pipeline, EveryBadDatagramIsCountedByItsCauseAndCostsNothingElse) {

@@ -197,12 +197,12 @@ TEST(SimulatedPoses, SwingAsFarAsStated) {
            (swinging[i].x_m - still[i].x_m) * std::sin(heading);
   };
   for (const auto& [at, expected] : {std::pair{200U, 0.0},
-                                    {400U, 0.0},
-                                    {450U, 0.14},
-                                    {500U, 0.0},
-                                    {550U, -0.14},
-                                    {600U, 0.0},
-                                    {650U, 0.14}}) {
+                                     {400U, 0.0},
+                                     {450U, 0.14},
+                                     {500U, 0.0},
+                                     {550U, -0.14},
+                                     {600U, 0.0},
+                                     {650U, 0.14}}) {
     EXPECT_NEAR(left_m(at), expected, 1e-9) << at;
     EXPECT_EQ(swinging[at].speed_mps, still[at].speed_mps);
   }
