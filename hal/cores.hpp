@@ -1,7 +1,7 @@
 // The seam to the machine's other cores, the helpers. Core 0 is the one that asks.
 //
 // A helper sleeps until it is woken, then does its job once, and sleeps again. It never gives up by
-// itself what it has begun; whoever wakes it watches the time and stops it.
+// itself what it has begun; core 0 watches the time and stops it.
 #pragma once
 
 #include <concepts>

@@ -14,7 +14,7 @@ enum class EndCause : std::uint8_t {
   kException = 2,     // of the processor; detail: its kind (docs/spec.md)
   kRequirement = 3,   // the program found itself wrong; detail: line of its source
   kMemory = 4,        // what must not change has changed; detail: its number in the check's list
-  kLate = 5,          // who must show that he lives did not; detail: a bit for each of them
+  kLate = 5,          // supervised parts did not report; detail: a bit for each of them
   kHang = 6,          // the loop hung until the watchdog was about to reset; detail: where
 };
 

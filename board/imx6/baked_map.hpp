@@ -14,7 +14,7 @@ extern "C" const std::uint32_t baked_map_bytes;
 
 namespace iog::imx6 {
 
-// Empty: there is none. Nobody has looked at it yet.
+// Empty: there is none. It is not checked yet.
 [[nodiscard]] inline std::span<const std::uint8_t> map_of_image() {
   return std::span(baked_map).first(baked_map_bytes);
 }

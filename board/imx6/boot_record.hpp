@@ -31,7 +31,7 @@ struct BootRecord {
 // The record, at an address of linker/imx6.ld. It is deliberately never initialised.
 extern "C" BootRecord boot_record;
 
-// DDR behind the record that nobody ever writes: what the power-up left there.
+// DDR behind the record that is never written: what the power-up left there.
 // NOLINTNEXTLINE(readability-identifier-naming): a symbol of the linker script
 extern "C" const std::array<std::uint32_t, 1024> boot_noise;
 

@@ -12,7 +12,7 @@
 // All three are level-triggered, so the GIC follows the flags and is never acknowledged.
 //
 // There is no interrupt handler, no critical section and no variable shared between two flows. An
-// exception of kind IRQ means that somebody unmasked interrupts: it is a fault like any other.
+// exception of kind IRQ means that interrupts were unmasked: it is a fault like any other.
 //
 // The watchdog's interrupt comes half a second before it resets the chip, as a fast one, which core
 // 0 does not mask: so a loop that hangs is interrupted wherever it is, and leaves a last word that

@@ -36,7 +36,7 @@ void print_car(Board& board, const iog::vehicle::Vehicle& car, const iog::net::C
   board.console().write(line.view());
 }
 
-// No grid without a car. Whoever is to be told is, if the network at least is known.
+// No grid without a car. The peer is told, if the network at least is known.
 [[noreturn]] void refuse(Board& board, const std::optional<iog::net::Config>& network,
                          const car_block::Verdict& verdict) {
   static const car_block::Words words(verdict);

@@ -9,7 +9,7 @@ namespace iog::imx6 {
 // The map of this image, addresses taken from the linker.
 const mmu::MemoryMap& memory_map();
 
-// What the MMU walks; nobody writes it after the start.
+// What the MMU walks; read-only after the start.
 const mmu::Tables& translation_tables();
 
 // Whether the L2 cache came on. QEMU has none.

@@ -1,4 +1,4 @@
-// How deep a stack has ever been, read off the paint that nobody has written over.
+// How deep a stack has ever been, read off the paint that is still there.
 //
 // To look at all of the paint in every frame would be 65,536 loads and a quarter of the L2 cache.
 // So a look takes a bounded number of them: just below the deepest word, and a part of the rest, in

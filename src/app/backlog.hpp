@@ -1,7 +1,7 @@
 // Whether the loop keeps up with what comes.
 //
 // A target that is too slow for its sensors never finds the receive ring empty. What waits there
-// grows old, and in the end the controller drops what nobody can count. So what waits is left, and
+// grows old, and in the end the controller drops frames unread. So what waits is left, and
 // counted, as soon as the loop has been busy for as long as the ring holds: the frames that go out
 // are of what is fused, and no older.
 #pragma once

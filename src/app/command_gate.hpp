@@ -64,7 +64,7 @@ class CommandGate {
 
   // The datagram as the pipeline is to see it, valid until the next one; nothing: it is no
   // authentic command. A stranger's is passed without its bytes, and counted as a stranger's there:
-  // nobody can make the target compute MACs from an address that it does not listen to.
+  // no MAC is computed for an address that the target does not listen to.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
     for (std::optional<Door>& door : doors_) {
       if (door && door->udp_port == datagram.destination_port) {

@@ -35,7 +35,7 @@ class Frame {
   using Outcome = intake::Intake::Outcome;
 
   // vehicle outlives the frame. Its sensors' scans together mark at most grid::kMaxMarks cells.
-  // replayer_ipv4 may send in the name of every sensor, 0: nobody may.
+  // replayer_ipv4 may send in the name of every sensor, 0: none.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4);
 
   // Before the first datagram: silence is counted from now on.
@@ -47,7 +47,7 @@ class Frame {
     return intake_.receive(datagram);
   }
 
-  // Whether it is for a sensor's port, from one who may send in its name.
+  // Whether it is for a sensor's port, from a sender that may speak for it.
   [[nodiscard]] bool listens_to(const intake::Datagram& datagram) const {
     return intake_.listens_to(datagram);
   }

@@ -22,8 +22,8 @@ struct FramePart {
 
 class FrameParts {
  public:
-  // As many as are fused in one round: some more than the packets of four LUX, so that their last
-  // part keeps nobody waiting for long.
+  // As many as are fused in one round: some more than the packets of four LUX, so that no
+  // core waits long for the last part.
   static constexpr std::size_t kMostOfARound = 24;
 
   // Deals out packets that are in groups 0 to groups - 1 or nowhere. Such a part of all bytes, at

@@ -1,4 +1,5 @@
-// What a frame says of itself: who took part, what became of the scan points, and what it cost.
+// What a frame says of itself: which sensors took part, what became of the scan points, and what it
+// cost.
 #pragma once
 
 #include <array>

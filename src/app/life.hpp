@@ -1,6 +1,6 @@
 // When the watchdog is served: while each step of the loop, each core, the Ethernet controller, the
-// rhythm of frames and the check of memory have shown in their windows that they live. Who is late
-// ends the run, and the next one says who it was.
+// rhythm of frames and the check of memory have reported in their windows. A late one ends the run,
+// and the next run names it.
 //
 // A core that has ended by a fault, or was ended, is known to be gone and excused: the others do
 // its work (docs/cores.md). One that should live and does not come when it is woken is not, whether
@@ -101,7 +101,7 @@ class Life {
     }
   }
 
-  // Who has come since the last call lives; all are woken again.
+  // Cores that have come since the last call live; all are woken again.
   template <typename Team>
   void call(Team& team, std::uint64_t now_us) {
     for (std::size_t core = 1; core < hal::kMaxCores; ++core) {

@@ -115,8 +115,7 @@ class MachinePlatform {
     return is_sent;
   }
 
-  // Of which each must show that he lives (app/life.hpp); how many frames have been closed, modulo
-  // 2^32.
+  // The cores, which are supervised (app/life.hpp); how many frames have been closed, modulo 2^32.
   [[nodiscard]] Team& team() { return team_; }
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
 

@@ -1,5 +1,5 @@
 // The service that a target offers: service discovery on its host, and a copy of each message to
-// whoever has subscribed. A target that offers nothing sends its peer the same messages, and no
+// the subscriber. A target that offers nothing sends its peer the same messages, and no
 // more.
 //
 // The peer comes first. A frame is at most kMostMessages; so many buffers, less what the peer has
@@ -70,7 +70,7 @@ class Offering {
   // The next message is the first of its frame.
   void begin_frame() { messages_ = 0; }
 
-  // To the peer, and then to the subscriber. False if nobody gets it.
+  // To the peer, and then to the subscriber. False if neither gets it.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     const bool is_sent = host_.send_message(message);
     ++messages_;

@@ -34,7 +34,7 @@ template <typename Engine, Platform P, FrameSink... Sinks>
 class EnginePipeline {
  public:
   // vehicle, platform and sinks outlive the pipeline. replayer_ipv4 may send in the name of every
-  // sensor, 0: nobody may.
+  // sensor, 0: none.
   EnginePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                  Coding coding, Sinks&... sinks)
       : helpers_(vehicle),

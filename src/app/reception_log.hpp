@@ -18,7 +18,7 @@ class ReceptionLog {
 
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // A datagram that is taken now, of one who may send it.
+  // A datagram that is taken now, from a sender that may send it.
   void add(const intake::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_) {
       return;

@@ -49,8 +49,8 @@ void SharedFusion::fuse_part(const FramePart& part, grid::FrameFusion& fusion,
   fused.tiles.move_from(fusion);
 }
 
-// If nothing has been added to the grid before, what is there is of nobody who has ended his item,
-// and is forgotten; else adding cannot be done again from its start, and core 0 does it alone.
+// The first join of a frame forgets each tile before it adds to it, so an item of a lost core can
+// be done again. A later one adds to what is there and cannot be repeated: core 0 does it alone.
 void SharedFusion::join(const work::Crew& crew) {
   const bool is_first = !is_joined_;
   const work::Crew alone;

@@ -6,8 +6,9 @@
 //                          tiles of all parts -> the frame's grid      a row of tiles an item
 //
 // Saturated sums of one sign do not mind in which grid they were begun (grid/joined_grid.hpp), so
-// which core has which part does not show. A part that a core has left can be fused again from its
-// start: what it wrote is its core's fusion, which nobody uses again, and its own place here.
+// which core has which part does not show. A part that a lost core has begun can be fused again
+// from its start: what was written is that core's fusion, which is not used again, and the part's
+// place.
 #pragma once
 
 #include <array>
@@ -31,7 +32,7 @@ namespace iog::app {
 // So many parts can wait to be joined.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
-// What fusing a part makes. Whoever does it writes it.
+// The result of a part, written by the core that fuses it.
 struct FusedPart {
   Fates fates{};
   grid::FrameTiles tiles;
@@ -92,7 +93,7 @@ class SharedFusion {
   // All of the frame's packets were fused: the ground is renewed of sensors whose turn is over.
   void end_frame(const Frame& frame);
 
-  // The frame's grid, of what was joined. Whoever releases it begins another frame.
+  // The frame's grid, of what was joined. Its release begins another frame.
   [[nodiscard]] grid::JoinedGrid& joined() { return joined_; }
   template <typename Visit>
   void release(Visit&& visit) {

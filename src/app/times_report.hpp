@@ -1,6 +1,6 @@
 // What the loop has measured of itself, for the console: "worst publish 12345 us" when one of its
-// times has become worse. A line fits into the transmitter of a serial line, so nobody waits for
-// it.
+// times has become worse. A line fits into the transmitter of a serial line, so writing it does
+// not block.
 #pragma once
 
 #include <array>

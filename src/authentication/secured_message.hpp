@@ -1,4 +1,4 @@
-// A message that says who has sent it, as AUTOSAR has it (PRS_SecOcProtocol: Secured I-PDU): behind
+// A message whose sender is proved, as AUTOSAR has it (PRS_SecOcProtocol: Secured I-PDU): behind
 // the message, and counted by the length of SOME/IP but not by that of E2E,
 //
 //    n - 12  u32 counter: the freshness value, truncated to its low half
@@ -8,7 +8,7 @@
 // the complete freshness value, which is the number of the target's run, u32, and the counter. As
 // with E2E, what is before byte 8 is not covered: the data id and the length stand for it.
 //
-// The target's run is never sent here: who signs has to know it. So no message of another run is
+// The target's run is never sent here: the signer has to know it. So no message of another run is
 // believed, also not after a reset, and neither end has to remember anything. Within a run the
 // counter of each kind of message rises.
 //
@@ -58,8 +58,8 @@ enum class Verdict : std::uint8_t {
 };
 inline constexpr std::size_t kVerdictCount = 4;
 
-// What a target says of the messages that it has taken, so that whoever signs knows what comes next
-// and from whom he knows it: the first 64 bits of the CMAC of the data id, the run, and these
+// What a target says of the messages that it has taken, so that the signer knows what comes next
+// and that the target says so: the first 64 bits of the CMAC of the data id, the run, and these
 // counters, big endian.
 [[nodiscard]] std::array<std::uint32_t, 2> mac_of_counters(const CmacKey& key,
                                                            std::uint16_t data_id, std::uint32_t run,

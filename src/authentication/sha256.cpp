@@ -29,7 +29,7 @@ constexpr std::array<std::uint32_t, kRounds> kConstants{
 constexpr State kStart{0x6A09E667, 0xBB67AE85, 0x3C6EF372, 0xA54FF53A,
                        0x510E527F, 0x9B05688C, 0x1F83D9AB, 0x5BE0CD19};
 
-// 6.2.2, a round. Instead of moving all eight words by one place, whoever calls it moves their
+// 6.2.2, a round. Instead of moving all eight words by one place, the caller moves their
 // names.
 void round(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t& d, std::uint32_t e,
            std::uint32_t f, std::uint32_t g, std::uint32_t& h, std::uint32_t constant_and_word) {

@@ -1,4 +1,4 @@
-// A stream of messages that says who has sent it (docs/spec.md 9.2). Behind some messages comes one
+// A stream of messages whose sender is proved (docs/spec.md 9.2). Behind some messages comes one
 // that names them, and carries a MAC as a command does (authentication/secured_message.hpp). So a
 // message is as it is without a key, and hashing it takes a tenth of what a MAC of it would.
 //
@@ -23,7 +23,7 @@
 
 namespace iog::authentication {
 
-// Whoever knows a message and its name needs 2^128 trials for another message of that name.
+// Knowing a message and its name, one needs 2^128 trials for another message of that name.
 using MessageName = std::array<std::byte, 16>;
 
 inline constexpr std::size_t kNamesHeaderBytes = 12;

@@ -1,7 +1,7 @@
 // The bytes of a car: all that its description has become, as the block of an image has them
 // (docs/spec.md, section 8.4). Two cars that differ in anything have different bytes.
 //
-// The members stand here once, in their order, for who writes them and who reads them. Left out is
+// The members stand here once, in their order, for the writer and the reader. Left out is
 // what follows from other members (vehicle/derived.hpp), and what is not in use of tables of fixed
 // size.
 #pragma once

@@ -13,7 +13,7 @@ inline constexpr std::uint32_t kRepetitionsBaseUs = 100'000;
 inline constexpr unsigned kRepetitionsMax = 3;
 inline constexpr std::uint32_t kCyclicOfferUs = 1'000'000;
 
-// How long an offer holds: whoever has missed two knows that the target is gone.
+// How long an offer holds: a client that has missed two knows that the target is gone.
 inline constexpr std::uint32_t kOfferTtlS = 3;
 
 // Time never goes backwards from call to call.
@@ -22,7 +22,7 @@ class OfferSchedule {
   // noise: what the initial delay is drawn from; another target has another.
   constexpr explicit OfferSchedule(std::uint32_t noise) : noise_(noise) {}
 
-  // True in the initial wait phase, in which nothing is offered and nobody is answered.
+  // True in the initial wait phase, in which nothing is offered and no question answered.
   [[nodiscard]] constexpr bool is_waiting() const { return offers_ == 0; }
 
   // Whether an offer is due, which then counts as sent. Time begins with the first call. Offers

@@ -83,7 +83,7 @@ Server::Answer Server::answer_of(const Message& message, const net::Datagram& da
   return answer;
 }
 
-// Whether somebody looks for us.
+// Whether the service is looked for.
 bool Server::is_wanted(const Entry& entry) const {
   return entry.type == EntryType::kFind && entry.service == service_.service &&
          (entry.instance == config_.service_instance || entry.instance == kAnyInstance) &&
@@ -122,7 +122,7 @@ void Server::look_for_reboot(const Message& message, const net::Datagram& datagr
   }
 }
 
-// Never but to the host that asks, so that nobody sends the stream to somebody else.
+// Never but to the host that asks, so that no host can have the stream sent to another.
 bool Server::is_acceptable(const Entry& entry, const std::optional<Endpoint>& endpoint,
                            const net::Datagram& datagram) const {
   return entry.instance == config_.service_instance && entry.major == service_.major &&
@@ -167,7 +167,7 @@ void Server::take_subscription(const Message& message, const Entry& entry,
   static_cast<void>(subscription_->by_unicast.is_rebooted(session_of(message)));
 }
 
-// Nobody ends the subscription of another host. Which port it had is not asked: there is one.
+// A host cannot end the subscription of another. Which port it had is not asked: there is one.
 void Server::stop(const Entry& entry, const net::Datagram& datagram) {
   if (is_of_subscriber(datagram) && entry.instance == config_.service_instance &&
       entry.event_group() == service_.event_group) {

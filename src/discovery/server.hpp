@@ -72,7 +72,8 @@ class Server {
   // Whom ARP is to be asked for.
   [[nodiscard]] std::optional<net::Ipv4Address> neighbour() const;
 
-  // Who gets a copy of each message. Not a subscriber that is the peer, who gets them anyway.
+  // The host that gets a copy of each message. Not a subscriber that is the peer, which gets them
+  // anyway.
   [[nodiscard]] std::optional<net::Destination> subscriber() const;
 
   void count(Count what) { ++counts_[static_cast<std::size_t>(what)]; }
@@ -81,7 +82,7 @@ class Server {
  private:
   struct Subscription {
     Endpoint endpoint{};         // where messages go
-    net::Destination partner{};  // who subscribed: where answers go
+    net::Destination partner{};  // the subscriber: where answers go
     Entry entry{};               // of the newest subscription
     std::uint64_t since_us = 0;  // the candidate, or the newest renewal
     bool is_confirmed = false;
@@ -122,7 +123,7 @@ class Server {
   Service service_;
   OfferSchedule schedule_;
   SessionCounter to_all_;
-  SessionCounter to_one_;  // whoever it is: everybody sees ids that rise
+  SessionCounter to_one_;  // every receiver sees ids that rise
   AnswerBudget strangers_;
   AnswerBudget subscribers_;
   std::optional<Subscription> subscription_;

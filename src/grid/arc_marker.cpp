@@ -7,11 +7,11 @@ namespace iog::grid {
 
 vehicle::Fate ArcMarker::add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
   const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-  const vehicle::Classification its = vehicle::classify(sensor, beam, point);
-  if (its.evidence.marks()) {
+  const vehicle::Classification classified = vehicle::classify(sensor, beam, point);
+  if (classified.evidence.marks()) {
     mark_arc(sensor, point);
   }
-  return its.fate;
+  return classified.fate;
 }
 
 // The point of the arc on the line of each step; what lies on the car is the car's own.

@@ -111,13 +111,13 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
     turn_to(sensor, point.azimuth_ticks);
   }
   KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
-  const vehicle::Classification its =
+  const vehicle::Classification classified =
       vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
-  if (its.evidence.is_any()) {
-    take(beam, its.evidence, point.range_mm,
-         its.evidence.marks() && beam.is_tall(sensor, point.range_mm));
+  if (classified.evidence.is_any()) {
+    take(beam, classified.evidence, point.range_mm,
+         classified.evidence.marks() && beam.is_tall(sensor, point.range_mm));
   }
-  return its.fate;
+  return classified.fate;
 }
 
 inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const ground::Ground& ground,
@@ -130,7 +130,7 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
   const vehicle::Ranges& in_band = beam.ranges().in_band;
   const ground::Beams& beams = ground.beams();
   bool is_tall = false;
-  const vehicle::Classification its = vehicle::classify(
+  const vehicle::Classification classified = vehicle::classify(
       sensor, beam.ranges().on_car, point, point.range_mm, [&](std::uint32_t reach_mm) {
         const std::int32_t z_mm = beams.height_mm(beams.slope_to(beam.end_z()), point.range_mm);
         const std::uint32_t out_mm = beams.out_mm(point.layer, point.range_mm);
@@ -140,10 +140,10 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
                                .otherwise = judged.fate,
                                .is_whole = in_band.first == 0 && in_band.contain(reach_mm)};
       });
-  if (its.evidence.is_any()) {
-    take(beam, its.evidence, point.range_mm, is_tall);
+  if (classified.evidence.is_any()) {
+    take(beam, classified.evidence, point.range_mm, is_tall);
   }
-  return its.fate;
+  return classified.fate;
 }
 
 }  // namespace iog::grid

@@ -2,7 +2,7 @@
 //
 // A lidar whose mirror stops at fixed azimuths asks for the same lines in every scan. Where a line
 // runs, how far it stays in the grid and through which blocks it goes depends on the mount alone.
-// So each line is found once and kept under its azimuth. Nobody has to say which azimuths a sensor
+// So each line is found once and kept under its azimuth. No list says which azimuths a sensor
 // has. If a line is not there, because its azimuth is new or another one took its place, it is
 // found again; that costs more and gives the same.
 #pragma once

@@ -6,8 +6,8 @@
 // 256 sets of a level 1 cache.
 //
 // Outside of this room cells are numbered row by row (geometry/grid.hpp). A stored byte is an
-// occupancy index, or -128, which stands for -127: carving stops where bytes stop, and whoever
-// reads raises the byte.
+// occupancy index, or -128, which stands for -127: carving stops where bytes stop, and reading
+// raises the byte.
 #pragma once
 
 #include <array>

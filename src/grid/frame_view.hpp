@@ -1,4 +1,4 @@
-// A finished frame for whoever looks at it: sinks, tools and measurements. It changes nothing, and
+// A finished frame, as sinks, tools and measurements see it. It changes nothing, and
 // is valid until the frame is cleared.
 #pragma once
 

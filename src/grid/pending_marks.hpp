@@ -71,7 +71,7 @@ class PendingMarks {
     }
   }
 
-  // The same of a cell that somebody else has found.
+  // The same of a cell that is known already.
   void mark(geometry::Cell cell, OccupancyIndex index) {
     if (geometry::kGridArea.contains(cell)) {
       remember(cell, index, true);

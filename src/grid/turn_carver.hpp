@@ -174,8 +174,8 @@ inline vehicle::Fate TurnCarver::TurnInBand::add(const lidar::ScanPoint& point) 
   const TurnLayer& layer = layers_[point.layer];
   const std::uint32_t along_mm = vehicle::along_line_mm(point.range_mm, layer.range_share);
   const vehicle::BeamRanges ranges{.on_car = waiting_->on_car(step), .in_band = layer.in_band};
-  const vehicle::Classification its = vehicle::classify(*sensor_, ranges, point, along_mm);
-  const vehicle::Evidence evidence = its.evidence;
+  const vehicle::Classification classified = vehicle::classify(*sensor_, ranges, point, along_mm);
+  const vehicle::Evidence evidence = classified.evidence;
   if (evidence.is_any()) {
     const bool is_tall = evidence.marks() && tall_[point.layer].contain(along_mm);
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
@@ -187,7 +187,7 @@ inline vehicle::Fate TurnCarver::TurnInBand::add(const lidar::ScanPoint& point) 
       waiting_->add(step, {{along_mm, evidence, is_tall}, point.layer});
     }
   }
-  return its.fate;
+  return classified.fate;
 }
 
 // Where a beam leaves the limits is its layer's and its sector's own.
@@ -201,7 +201,7 @@ inline vehicle::Fate TurnCarver::TurnOverGround::add(const lidar::ScanPoint& poi
   const std::uint32_t sector = beams_->sector_of(step);
   const std::uint32_t to_mm = exits_->to_mm(sector, point.layer);
   bool is_tall = false;
-  const vehicle::Classification its = vehicle::classify(
+  const vehicle::Classification classified = vehicle::classify(
       *sensor_, waiting_->on_car(step), point, along_mm, [&](std::uint32_t reach_mm) {
         const std::int32_t z_mm = beams_->height_mm(beams_->slope(point.layer), along_mm);
         const auto judged = judge_.judge(sector, along_mm, z_mm);
@@ -210,7 +210,7 @@ inline vehicle::Fate TurnCarver::TurnOverGround::add(const lidar::ScanPoint& poi
                                .otherwise = judged.fate,
                                .is_whole = reach_mm <= to_mm};
       });
-  const vehicle::Evidence evidence = its.evidence;
+  const vehicle::Evidence evidence = classified.evidence;
   if (evidence.is_any()) {
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
       if (evidence.marks()) {
@@ -221,7 +221,7 @@ inline vehicle::Fate TurnCarver::TurnOverGround::add(const lidar::ScanPoint& poi
       waiting_->add(step, {{along_mm, evidence, is_tall}, point.layer});
     }
   }
-  return its.fate;
+  return classified.fate;
 }
 
 template <typename Packet>

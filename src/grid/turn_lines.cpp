@@ -12,9 +12,9 @@ namespace iog::grid {
 namespace {
 
 // Says what each layer is among the others.
-void rank(const vehicle::Sensor& sensor, TurnLayers& its) {
-  const auto layers = std::span(its.layers).first(sensor.layer_count);
-  const auto by_rank = std::span(its.by_rank).first(sensor.layer_count);
+void rank(const vehicle::Sensor& sensor, TurnLayers& turn_layers) {
+  const auto layers = std::span(turn_layers.layers).first(sensor.layer_count);
+  const auto by_rank = std::span(turn_layers.by_rank).first(sensor.layer_count);
   std::iota(by_rank.begin(), by_rank.end(), std::uint8_t{0});
   numeric::heap_sort(by_rank, [&](std::uint8_t a, std::uint8_t b) {
     const bool is_first = layers[a].band.ends_behind(layers[b].band);
@@ -24,13 +24,13 @@ void rank(const vehicle::Sensor& sensor, TurnLayers& its) {
     layers[by_rank[rank]].rank = rank;
   }
   const std::int32_t freer = -sensor.profile.free;
-  its.enough_beams =
+  turn_layers.enough_beams =
       static_cast<std::uint32_t>((index::kIndexMax<OccupancyIndex> + freer - 1) / freer);
-  its.near_rank = sensor.layer_count / 2U;
-  its.far_mm = layers[by_rank[its.near_rank]].band.is_free_before_mm();
-  its.start_in_band =
+  turn_layers.near_rank = sensor.layer_count / 2U;
+  turn_layers.far_mm = layers[by_rank[turn_layers.near_rank]].band.is_free_before_mm();
+  turn_layers.start_in_band =
       std::ranges::all_of(layers, [](const TurnLayer& layer) { return layer.in_band.first == 0; });
-  if (its.start_in_band) {
+  if (turn_layers.start_in_band) {
     for (TurnLayer& layer : layers) {
       layer.behind_mm = layer.band.is_free_before_mm();
     }
@@ -47,12 +47,13 @@ TurnLines::TurnLines(const vehicle::Vehicle& vehicle) : first_sensor_(vehicle.se
       first_[i] = places;
       places += sensor.azimuths.steps_per_turn();
       for (std::size_t layer = 0; layer < sensor.layer_count; ++layer) {
-        const vehicle::Layer& its = sensor.layers[layer];
-        const std::int32_t end_z = vehicle::end_height_of(its, {});
-        layers_[i].layers[layer] = {.range_share = its.range_share,
-                                    .in_band = vehicle::ranges_in_band(sensor, end_z),
-                                    .clears_mm = its.along_line_mm(sensor.no_return_clears_mm),
-                                    .band = BandLimits(vehicle.band(), sensor, end_z)};
+        const vehicle::Layer& described = sensor.layers[layer];
+        const std::int32_t end_z = vehicle::end_height_of(described, {});
+        layers_[i].layers[layer] = {
+            .range_share = described.range_share,
+            .in_band = vehicle::ranges_in_band(sensor, end_z),
+            .clears_mm = described.along_line_mm(sensor.no_return_clears_mm),
+            .band = BandLimits(vehicle.band(), sensor, end_z)};
         layers_[i].tall[layer] = vehicle::tall_ranges(sensor, end_z);
         layers_[i].low[layer] = BandLimits(vehicle.low_band(sensor), sensor, end_z);
       }

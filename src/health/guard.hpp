@@ -1,5 +1,5 @@
-// Words around memory that many write, such as the rings of a DMA engine: nobody has business to
-// write them, so another value shows that somebody has gone beyond his own. They are a region of
+// Words around memory that many write, such as the rings of a DMA engine. Nothing writes the words,
+// so another value shows an overrun. They are a region of
 // the check of memory (health/memory_check.hpp), where no page can be left unmapped between
 // neighbours.
 #pragma once

@@ -1,4 +1,4 @@
-// Who must show from time to time that he lives, and who is late: the alive supervision of a
+// Which checkpoints must report from time to time, and which are late: the alive supervision of a
 // watchdog manager (AUTOSAR SWS WdgM), with one window for each checkpoint.
 #pragma once
 
@@ -24,7 +24,7 @@ class Supervision {
  public:
   using Checkpoints = std::array<Checkpoint, kCount>;
 
-  // Everybody has shown that he lives.
+  // All have just reported.
   Supervision(const Checkpoints& checkpoints, std::uint64_t now_us) : checkpoints_(checkpoints) {
     seen_us_.fill(now_us);
   }

@@ -68,9 +68,10 @@ std::optional<SensorPacket> Intake::receive(const Datagram& datagram) {
     drop(PacketDrop::kStranger);
     return std::nullopt;
   }
-  const vehicle::Sensor& its = sensors_[sensor];
-  std::optional<SensorPacket> received(SensorPacket{
-      sensor, Packet::decode(its.format, datagram.payload, its.unit()), datagram.payload});
+  const vehicle::Sensor& described = sensors_[sensor];
+  std::optional<SensorPacket> received(
+      SensorPacket{sensor, Packet::decode(described.format, datagram.payload, described.unit()),
+                   datagram.payload});
   lidar::DecodeStatus status = received->packet.status();
   if (status == lidar::DecodeStatus::kOk && !is_of_unit(sensor, received->packet)) {
     status = lidar::DecodeStatus::kOtherUnit;

@@ -38,10 +38,10 @@ class Intake {
     kNextFrame,  // close the frame, then classify() it again
   };
 
-  // sensors outlive the intake. replayer_ipv4 may send in the name of every sensor, 0: nobody may.
+  // sensors outlive the intake. replayer_ipv4 may send in the name of every sensor, 0: none.
   Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
 
-  // Whether it is for a sensor's port, from one who may send in its name.
+  // Whether it is for a sensor's port, from a sender that may speak for it.
   [[nodiscard]] bool listens_to(const Datagram& datagram) const {
     return sensor_of(datagram) != kNobody;
   }

@@ -8,8 +8,8 @@
 // end, and a frame may be shorter than a turn: the next turn shows by sweeping only what the frame
 // has swept. Where turns are numbered, what is of an older one opens no frame.
 //
-// Whoever scans ends frames, and one that scans faster than it can, by its own stamps, would end
-// them without bound. What begins too soon is left.
+// A next scan ends the frame, so a unit that scans faster than it can, by its own stamps, would end
+// frames without bound. What begins too soon is left.
 #pragma once
 
 #include <algorithm>

@@ -16,7 +16,7 @@ enum class PacketDrop : std::uint8_t {
   kDuplicate,   // this very packet was fused before
   kLate,        // of a scan whose frame is closed
   kOverBudget,  // more points than the sensor's description allows in one scan
-  kOtherUnit,   // of another unit of the same maker's, or of nobody knows which of two
+  kOtherUnit,   // of another unit of the same maker's, or it is not known of which of two
   kNotTaken,    // it has waited too long, because the target is too slow
   kFrozen,      // new by its stamp, but its ranges are those of a packet before
   kTooSoon,     // of a scan that begins sooner after the one before than any unit scans

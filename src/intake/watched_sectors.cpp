@@ -84,7 +84,7 @@ SectorView view_of(const vehicle::Sensor& sensor) {
     if (axes.are_upside_down()) {
       std::swap(first, last);
     }
-    // One who stands outside of the circle sees some of it the other way round.
+    // Seen from outside of the circle, some of it runs the other way round.
     const std::uint32_t width = (last + turn - first) % turn;
     if (width < turn / 2) {
       view[i] = {.first_ticks = static_cast<std::uint16_t>(first),

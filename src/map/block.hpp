@@ -2,7 +2,7 @@
 // in docs/spec.md, section 6.
 //
 // Nothing of a block is believed before check() has passed it whole. What a Block reads afterwards
-// needs no further test, as long as nobody writes to the bytes.
+// needs no further test, as long as the bytes stay as they are.
 #pragma once
 
 #include <algorithm>
@@ -66,10 +66,10 @@ struct Tables {
   std::size_t features_at = 0;  // the first one
 };
 
-// The same in pieces, for who has no time for all of it at once.
+// The same in pieces, where there is no time for all of it at once.
 class Check {
  public:
-  // The bytes outlive the check, and nobody writes to them meanwhile.
+  // The bytes outlive the check, and do not change meanwhile.
   explicit Check(std::span<const std::uint8_t> bytes);
 
   // Goes on for what about so many bytes cost. A feature and a bucket are not divided: one of
@@ -116,7 +116,7 @@ class Block {
   [[nodiscard]] const BoxCm& extent() const { return tables_.extent; }
   [[nodiscard]] Source source() const { return static_cast<Source>(words_.u8(6)); }
   [[nodiscard]] std::uint8_t belief() const { return words_.u8(7); }  // of 256
-  // Seconds since 1970, UTC; 0 if nobody knows.
+  // Seconds since 1970, UTC; 0 if unknown.
   [[nodiscard]] std::uint32_t date_s() const { return words_.u32(48); }
   // 95 of 100 vertices are less than this from where they belong.
   [[nodiscard]] std::uint32_t accuracy_mm() const { return words_.u32(52); }

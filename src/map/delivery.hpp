@@ -49,7 +49,7 @@ struct DeliveryReport {
 // Holds 8.4 MB: belongs into static memory.
 class Delivery {
  public:
-  // description.is_valid(). replayer_ipv4 may send in the name of the source, 0: nobody may.
+  // description.is_valid(). replayer_ipv4 may send in the name of the source, 0: none.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;

@@ -1,4 +1,4 @@
-// Who may send maps: part of a vehicle's description.
+// The senders of maps: part of a vehicle's description.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Numbers of a block's bytes, big endian, at offsets that somebody has checked.
+// Numbers of a block's bytes, big endian, at offsets that are checked before.
 #pragma once
 
 #include <cstddef>

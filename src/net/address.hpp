@@ -12,7 +12,7 @@ struct MacAddress {
 
   friend constexpr bool operator==(const MacAddress&, const MacAddress&) = default;
 
-  // The lowest bit of the first octet marks a group of stations; all zero marks nobody.
+  // The lowest bit of the first octet marks a group of stations; all zero is no address.
   [[nodiscard]] constexpr bool is_unicast() const {
     return (octets[0] & 1U) == 0 && *this != MacAddress{};
   }

@@ -1,4 +1,4 @@
-// Who we are on the network and whom we talk to. One aggregate, of the car in the image.
+// The target's own addresses and its peer's. One aggregate, of the car in the image.
 #pragma once
 
 #include <cstdint>

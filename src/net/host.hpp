@@ -1,11 +1,11 @@
 // A small network host on one Ethernet port: frames in, datagrams out, messages to one peer.
 //
 // It answers ARP for its address to every host of its subnet, so that sensors can reach it. It
-// answers ping to the peer alone, and it sends messages to nobody else of its own accord: whoever
-// calls send_to() says to whom. Besides the peer it may know one more host by ARP, the neighbour.
-// It has no clock, and no memory but the port's buffers and that of datagrams in fragments. Nothing
-// else is copied on the way in. On the way out everything is copied once, and summed on the way:
-// the port's memory is uncached, and reading it for the checksum would be slow.
+// answers ping to the peer alone, and of its own accord it sends messages to no other host:
+// send_to() is told its destination. Besides the peer it may know one more host by ARP, the
+// neighbour. It has no clock, and no memory but the port's buffers and that of datagrams in
+// fragments. Nothing else is copied on the way in. On the way out everything is copied once, and
+// summed on the way: the port's memory is uncached, and reading it for the checksum would be slow.
 //
 // The loop calls poll() until it returns nothing, sends its messages, and calls the port's pump().
 #pragma once
@@ -51,7 +51,7 @@ class Host {
   // The same to anybody, whose Ethernet address the caller knows.
   [[nodiscard]] bool send_to(const Destination& to, std::span<const std::byte> payload);
 
-  // Another host of the subnet that ARP is to be asked for, or nobody any more.
+  // Another host of the subnet that ARP is to be asked for, or none any more.
   void know(std::optional<Ipv4Address> neighbour);
 
   // What ARP has told of the neighbour: its Ethernet address, and when it last did so.
@@ -227,7 +227,7 @@ void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t
   }
 }
 
-// Whether it tells the Ethernet address of somebody who is to be known.
+// Whether it tells the Ethernet address of the peer or the neighbour.
 template <hal::EthernetPort Port>
 bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   const bool tells_peer = tells_mac_of(config_.peer, packet, config_);

@@ -36,7 +36,7 @@ struct Destination {
 [[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config,
                                             Ipv4Address host, const MacAddress& whom);
 
-// Tells the sender of `request`, and nobody else, our Ethernet address.
+// Tells our Ethernet address to the sender of `request` alone.
 [[nodiscard]] std::size_t build_arp_reply(FrameBuffer frame, const Config& config,
                                           const ArpPacket& request);
 

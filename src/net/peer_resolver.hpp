@@ -11,7 +11,7 @@ namespace iog::net {
 // RFC 1122, section 2.3.2.1: no more than one ARP request per second to one destination.
 inline constexpr std::uint64_t kArpRequestIntervalUs = 1'000'000;
 
-// RFC 1122, section 2.3.2.1: an address that nobody has confirmed for this long is asked for again.
+// RFC 1122, section 2.3.2.1: an address unconfirmed for this long is asked for again.
 inline constexpr std::uint64_t kArpRefreshUs = 30'000'000;
 
 // An Ethernet address, and when ARP last told it.

@@ -7,7 +7,7 @@
 // that says again, byte for byte, what is there is a duplicate and does no harm.
 //
 // There is room for kDatagrams at once. If another one begins, the oldest is displaced, so that
-// pieces of a forger can delay nobody for longer than their own number.
+// forged pieces delay others for no longer than their own number.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ class Reassembly {
   // The longest payload of a unit, 35,336 bytes of a Continental ARS548 (an Ouster of 128 rows with
   // two returns has 33,024), and the UDP header.
   static constexpr std::size_t kMaxBytes = 35'336 + 8;
-  // 35,344 bytes in pieces of 1480 are 24. Smaller pieces than 984 bytes are nobody's.
+  // 35,344 bytes in pieces of 1480 are 24. No sender makes pieces smaller than 984 bytes.
   static constexpr std::size_t kMaxPieces = 36;
   // From the first piece that came. The pieces of one datagram follow one another within 3 ms at
   // 100 Mbit/s; the identification of a lidar that sends 1,280 a second repeats after 51 s.

@@ -20,7 +20,7 @@ enum class Fate : std::uint8_t {
   kWrongFlags,    // a flag that does not exist
   kNotZero,       // something that has to be zero is not
   kOutOfRange,    // position, speed or yaw rate cannot be
-  kNoSigma,       // a standard deviation of zero: nobody knows so well
+  kNoSigma,       // a standard deviation of zero: no source is so precise
   kTooOld,        // older than kMaxAgeUs when it was sent
   kNotNewer,      // not newer than the newest of its run
   kFlood,         // less than kMinSpacingUs newer

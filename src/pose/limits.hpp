@@ -36,7 +36,7 @@ inline constexpr std::size_t kConfirmations = 3;
 inline constexpr std::uint16_t kMaxSigmaMm = 150;
 inline constexpr std::uint16_t kMaxSigmaHeading = kMaxSigmaMm * 100'000 / kReachMm;  // 10 urad
 
-// Who was contradicted by the sensors is not believed before so long, or a way that would be a
+// A source that the sensors contradicted is not believed before so long, or a way that would be a
 // jump.
 inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
 

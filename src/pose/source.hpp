@@ -1,4 +1,4 @@
-// The poses' source as the target knows it: who may send, what came of each datagram, and what came
+// The poses' source as the target knows it: its senders, what came of each datagram, and what came
 // of each slice that asked for a pose. Everything that is not used is counted by its cause.
 //
 // The CRC finds what a network spoils; it is no authentication. Whoever can send in the name of the
@@ -30,7 +30,7 @@ struct CauseCounts {
 
 class Source {
  public:
-  // description.is_valid(). replayer_ipv4 may send in the name of the source, 0: nobody may.
+  // description.is_valid(). replayer_ipv4 may send in the name of the source, 0: none.
   explicit Source(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
 
   // Whether a datagram to this port is of poses.

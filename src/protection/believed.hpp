@@ -7,8 +7,8 @@
 
 namespace iog::protection {
 
-// By its address: the described sender's, 0: anybody's; or that of who may replay in the name of
-// every sender, 0: nobody.
+// By its address: the described sender's, 0: any; or that of the replayer, which may send in
+// the name of every sender, 0: none.
 [[nodiscard]] constexpr bool may_send(std::uint32_t ipv4, std::uint32_t described_ipv4,
                                       std::uint32_t replayer_ipv4) {
   return described_ipv4 == 0 || described_ipv4 == ipv4 ||

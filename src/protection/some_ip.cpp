@@ -6,7 +6,7 @@
 namespace iog::protection {
 namespace {
 
-constexpr std::uint16_t kClientId = 0;  // a notification answers nobody
+constexpr std::uint16_t kClientId = 0;  // a notification answers no request
 constexpr std::uint8_t kProtocolVersion = 1;
 constexpr std::uint8_t kNotification = 0x02;
 constexpr std::uint8_t kReturnOk = 0x00;

@@ -2,7 +2,8 @@
 //
 // They are never mixed with operating errors, which have a status. A broken requirement stops the
 // program with its place; the board prints it as a last word and lets the watchdog reset, the PC
-// aborts. programmer_error() is defined by whoever links the core: board/imx6/ or tools/ or tests/.
+// aborts. programmer_error() is defined by the program that links the core: board/imx6/ or tools/
+// or tests/.
 #pragma once
 
 namespace iog {

@@ -55,7 +55,7 @@ void read_counts(std::size_t count, std::span<std::uint32_t> counts, wire::ByteR
   }
 }
 
-// Causes, states and refusals of a later version stay numbers that nobody has a word for.
+// Causes, states and refusals of a later version stay numbers without a name.
 void read_fields(wire::ByteReader& in, MapState& state) {
   map::LayerReport& layer = state.layer;
   layer.cause = static_cast<map::Cause>(in.u8());

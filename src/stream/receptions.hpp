@@ -12,7 +12,7 @@
 
 namespace iog::stream {
 
-// A datagram for the port of a sensor or of the poses, from one who may send it.
+// A datagram for the port of a sensor or of the poses, from a sender that may send it.
 struct Reception {
   std::uint16_t port = 0;             // UDP, to which it went
   bool was_left = false;              // for want of time; of a sensor

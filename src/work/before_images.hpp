@@ -2,9 +2,9 @@
 // again from its start.
 //
 // Each helper has one image. It stores there what its item is about to change, says of which item
-// that is, and only then changes it. Who does the item again puts back what the image of a lost
-// core holds, if one is of this item; if none is, nothing was changed yet. Core 0 needs no image:
-// nobody does again what it does.
+// that is, and only then changes it. Before an item is done again, the image of the lost core
+// is put back if it is of this item; if none is, nothing was changed yet. Core 0 needs no image:
+// its items are never done again.
 //
 // Core 0 reads the image of a helper when that has ended. To a core's own stores its end is what a
 // signal is: what it stored first is there if what it stored later is. So it is enough that the

@@ -1,4 +1,4 @@
-// Who does the items of a round: a team, a platform that has one, or core 0 alone.
+// The cores that do the items of a round: a team, a platform that has one, or core 0 alone.
 //
 // A reference, so that a room that divides its work need not know by whom it is done.
 #pragma once

@@ -1,7 +1,7 @@
 // A round: work cut into items that any core may take, each of which is done.
 //
-// One word, the ticket, says which round it is and how many items nobody has taken. A core takes an
-// item by lowering the ticket (LDREX and STREX on the Cortex-A9), does it, and sets the item's
+// One word, the ticket, says which round it is and how many items are not taken yet. A core takes
+// an item by lowering the ticket (LDREX and STREX on the Cortex-A9), does it, and sets the item's
 // flag. Core 0 opens a round when every item of the round before has its flag, so what a core reads
 // of a round between taking an item and its flag stays as it is. docs/cores.md has the order of
 // memory.
@@ -40,7 +40,7 @@ template <typename Callable>
           .context = &callable};
 }
 
-// Adds to what one core alone counts and others may read. A load and a store, because nobody else
+// Adds to what one core alone counts and others may read. A load and a store, because no other core
 // writes in between; so there is no exclusive access that could follow a store to a device.
 inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
@@ -65,7 +65,7 @@ class Round {
   // that was seen and there is one left; if not, `seen` becomes the ticket of now.
   [[nodiscard]] Ticket look() const { return {ticket_.load(std::memory_order_acquire)}; }
   [[nodiscard]] std::optional<std::size_t> claim(Ticket& seen);
-  // Whoever claimed the item.
+  // By the core that claimed the item.
   void run(std::size_t item, std::size_t core) { work_.run(work_.context, item, core); }
   void finish(std::size_t item) { is_done_[item].store(true, std::memory_order_release); }
 
@@ -76,12 +76,12 @@ class Round {
   // Core 0: whether every item has its flag. What was stored for them is then visible.
   [[nodiscard]] bool is_done();
 
-  // Core 0, when nobody else does items any more: does those without a flag. How many they were.
+  // Core 0, when no other core does items any more: does those without a flag. Returns how many.
   std::size_t redo();
 
  private:
-  // On one cache line: who takes an item needs the work next. Behind the ticket all is written by
-  // core 0 alone, while no item is left to take.
+  // On one cache line: a core that takes an item needs the work next. Behind the ticket all is
+  // written by core 0 alone, while no item is left to take.
   alignas(64) std::atomic<std::uint32_t> ticket_{0};
   std::size_t items_ = 0;
   std::size_t checked_ = 0;  // of core 0: the items below it have their flags

@@ -1,7 +1,7 @@
 // Things cut into runs, each an item of a round: long ones first, then shorter and shorter ones.
 //
-// Cores take items in their order. So there are few of them, and whoever takes one of the last
-// keeps the others waiting for little: guided self-scheduling (Polychronopoulos and Kuck, IEEE
+// Cores take items in their order. So there are few of them, and the last ones are
+// short enough that no core waits long: guided self-scheduling (Polychronopoulos and Kuck, IEEE
 // Transactions on Computers C-36, 1987), with half of its share.
 #pragma once
 

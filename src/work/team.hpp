@@ -69,7 +69,7 @@ class Team {
   }
 
   // Between rounds: wakes every helper that may come, though there is nothing to do, so that
-  // comes() can tell who lives.
+  // comes() can tell which live.
   void call() {
     lose_faulted();
     for_each_helper([this](std::size_t core) { cores_->wake(core); });
@@ -136,8 +136,8 @@ class Team {
     }
   }
 
-  // Who has ended is lost; who did not come in time when it was woken is silent. Who has come is
-  // about to be woken again.
+  // A helper that has ended is lost; one that did not come in time when it was woken is silent. One
+  // that has come is about to be woken again.
   void look_around() {
     const std::uint64_t now_us = cores_->now_us();
     lose_faulted();
@@ -162,8 +162,8 @@ class Team {
     });
   }
 
-  // Until every item is done or nobody is left who does one. All are taken by now, and whoever has
-  // one is inside.
+  // Until every item is done or no helper is left that does one. All are taken by now, and a helper
+  // that has one is inside.
   void wait() {
     const std::uint64_t begin_us = cores_->now_us();
     bool is_anyone_inside = true;
@@ -182,7 +182,7 @@ class Team {
     }
   }
 
-  // A core that cannot be ended could write over what is done in its place: then nobody may go on.
+  // A core that cannot be ended could write over what is done in its place: then the run ends.
   void lose_stuck() {
     for_each_helper([this](std::size_t core) {
       if (place(core) == kInside) {

@@ -170,8 +170,8 @@ bool EnetPort::is_stuck(std::uint64_t now_us) {
   return now_us - progress_us_ >= kStuckUs;
 }
 
-// What waits in either ring is lost, and counted: of half a ring nobody knows where the controller
-// was. Takes some 0.2 ms, most of it the descriptors.
+// What waits in either ring is lost, and counted: of half a ring it is not known where the
+// controller was. Takes some 0.2 ms, most of it the descriptors.
 void EnetPort::start_anew(std::uint64_t now_us) {
   ++counters_.restarts;
   counters_.lost_received += static_cast<std::uint32_t>(receive_ring_.waiting());

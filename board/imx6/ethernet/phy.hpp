@@ -47,7 +47,7 @@ constexpr Link resolve(std::uint16_t advertised, std::uint16_t partner,
   return {.up = true, .speed = Link::Speed::k10, .full_duplex = (common & 1u << 6) != 0};
 }
 
-// Who is on the management bus.
+// The PHYs on the management bus.
 struct Identity {
   static constexpr std::uint32_t kNobody = 0xffff'ffff;
 
