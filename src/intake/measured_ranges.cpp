@@ -44,9 +44,9 @@ RangeDigest::RangeDigest(const vehicle::Sensor& sensor) {
 }
 
 std::uint64_t RangeDigest::of(const Packet& packet) const {
-  Ranges ranges;
   const auto layers = std::span(layers_).first(layer_count_);
-  packet.for_each_range({.layers = layers, .log2_firings = kLog2Firings}, ranges);
+  const auto ranges =
+      packet.for_each_range({.layers = layers, .log2_firings = kLog2Firings}, Ranges{});
   const std::uint32_t fewest = layers.empty() ? 0 : ranges.ranges() / 2;
   return ranges.returns() < std::max(kFewestReturns, fewest) ? kNone : ranges.hash();
 }

@@ -72,17 +72,18 @@ class Packet {
     });
   }
 
-  // Calls visit(std::uint32_t) for ranges of a sound packet as they are on the wire: of a unit that
-  // turns those of a sampling, of others all.
+  // Calls visit(std::uint32_t) for ranges of a sound packet as they are on the wire, and returns
+  // it: of a unit that turns those of a sampling, of others all.
   template <typename Visit>
-  void for_each_range(const lidar::Sampling& sampling, Visit&& visit) const {
+  [[nodiscard]] Visit for_each_range(const lidar::Sampling& sampling, Visit visit) const {
     with_decoder(*this, [&](const auto& decoder) {
       if constexpr (requires { decoder.for_each_range(sampling, visit); }) {
-        decoder.for_each_range(sampling, visit);
+        visit = decoder.for_each_range(sampling, visit);
       } else {
-        decoder.for_each_range(visit);
+        visit = decoder.for_each_range(visit);
       }
     });
+    return visit;
   }
 
   // What a sound packet of a Velodyne shows of its unit; none of others.

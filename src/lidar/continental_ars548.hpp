@@ -86,13 +86,15 @@ class ContinentalArs548 {
     }
   }
 
-  // Calls visit(std::uint32_t) for the range of each, as on the wire. Only after decode() was kOk.
+  // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
+  // decode() was kOk.
   template <typename Visit>
-  void for_each_range(Visit&& visit) const {
+  [[nodiscard]] Visit for_each_range(Visit visit) const {
     for (auto rest = detections_; rest.size() >= kDetectionBytes;
          rest = rest.subspan(kDetectionBytes)) {
       visit(range_at(rest.first<kDetectionBytes>()));
     }
+    return visit;
   }
 
  private:

@@ -169,13 +169,14 @@ class HesaiDecoder : public HesaiPacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of the same, as on the wire. Only after decode() was
-  // kOk.
+  // Calls visit(std::uint32_t) for the ranges of the same, as on the wire, and returns it. Only
+  // after decode() was kOk.
   template <typename Visit>
-  void for_each_range(const Sampling& sampling, Visit&& visit) const {
+  [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t block, std::uint8_t layer) {
       visit(range_at(kUnit, block, layer));
     });
+    return visit;
   }
 
  private:

@@ -62,12 +62,14 @@ class IbeoLux {
     }
   }
 
-  // Calls visit(std::uint32_t) for the range of each, as on the wire. Only after decode() was kOk.
+  // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
+  // decode() was kOk.
   template <typename Visit>
-  void for_each_range(Visit&& visit) const {
+  [[nodiscard]] Visit for_each_range(Visit visit) const {
     for (auto rest = points_; rest.size() >= kPointBytes; rest = rest.subspan(kPointBytes)) {
       visit(range_at(rest.first<kPointBytes>()));
     }
+    return visit;
   }
 
  private:

@@ -59,10 +59,11 @@ class IbeoLux8 {
     });
   }
 
-  // Calls visit(std::uint32_t) for the range of each, as on the wire. Only after decode() was kOk.
+  // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
+  // decode() was kOk.
   template <typename Visit>
-  void for_each_range(Visit&& visit) const {
-    scan_.for_each_range(visit);
+  [[nodiscard]] Visit for_each_range(Visit visit) const {
+    return scan_.for_each_range(visit);
   }
 
  private:

@@ -189,12 +189,13 @@ class OusterDecoder : public OusterPacket {
                    });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of the same, before the unit's corrections.
-  // Only after decode() was kOk.
+  // Calls visit(std::uint32_t) for the ranges of the same, before the unit's corrections, and
+  // returns it. Only after decode() was kOk.
   template <typename Visit>
-  void for_each_range(const Sampling& sampling, Visit&& visit) const {
+  [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_pixel(sampling, [&](std::span<const std::byte> pixel, std::size_t /*column*/,
                                  std::uint8_t /*row*/) { visit(range_at(kProfile, pixel, 0)); });
+    return visit;
   }
 
  private:

@@ -222,13 +222,14 @@ class VelodyneDecoder : public VelodynePacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of the same, as on the wire. Only after decode() was
-  // kOk.
+  // Calls visit(std::uint32_t) for the ranges of the same, as on the wire, and returns it, as
+  // std::for_each() does: what it counts stays in registers. Only after decode() was kOk.
   template <typename Visit>
-  void for_each_range(const Sampling& sampling, Visit&& visit) const {
+  [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
       visit(range_at(bytes_of(first + bank), channel));
     });
+    return visit;
   }
 
  private:

@@ -73,12 +73,12 @@ void expect_samples(const Decoder& packet, std::size_t layers, std::uint32_t ran
     });
     EXPECT_EQ(points, expected.size());
     std::size_t ranges = 0;
-    packet.for_each_range(sampling, [&](std::uint32_t range) {
+    static_cast<void>(packet.for_each_range(sampling, [&](std::uint32_t range) {
       ASSERT_LT(ranges, expected.size());
       const std::uint32_t range_mm = range * range_unit_mm;
       EXPECT_TRUE(range_mm == expected[ranges].range_mm || range_mm == last_ranges[ranges]);
       ++ranges;
-    });
+    }));
     EXPECT_EQ(ranges, expected.size());
   }
 }
