@@ -6,41 +6,16 @@
 #include <string>
 
 #include "car_bytes.hpp"
+#include "changed_car.hpp"
 #include "fakes/random.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::car_block {
 namespace {
-
 using tests::CarBytes;
+using tests::Changed;
+using tests::fault_with;
 using vehicle::Sensor;
-using vehicle::Vehicle;
-
-struct Changed {
-  explicit Changed(const vehicles::Car& from)
-      : sensors(from.vehicle.sensors.begin(), from.vehicle.sensors.end()),
-        car(from.vehicle),
-        network(from.network) {
-    car.sensors = sensors;
-  }
-  // "2.udp_port", "name"; empty: none
-  [[nodiscard]] std::string fault() const {
-    const vehicle::Fault fault = fault_of(car, network);
-    const bool is_of_car = fault.sensor == vehicle::Fault::kCar;
-    return (is_of_car ? "" : std::to_string(fault.sensor) + ".") + std::string(fault.field);
-  }
-
-  std::vector<Sensor> sensors;
-  Vehicle car;
-  net::Config network;
-};
-
-template <typename Change>
-std::string fault_with(Change&& change, std::string_view name = "reference_car") {
-  Changed changed(vehicles::car(name));
-  change(changed);
-  return changed.fault();
-}
 
 TEST(CarLimits, ThoseOfEachCarHold) {
   for (const vehicles::Car& car : vehicles::cars()) {

@@ -1,0 +1,123 @@
+// Limits of the fields of a block that a car's file and a forged block have in common: each side of
+// each of them.
+#include <gtest/gtest.h>
+#include <string_view>
+
+#include "changed_car.hpp"
+
+namespace iog::car_block {
+namespace {
+
+using std::string_view_literals::operator""sv;
+using tests::Changed;
+using tests::fault_with;
+
+TEST(FieldLimits, NamesAreShortWordsOfLettersAndDigits) {
+  const auto fault_of_car = [](std::string_view name) {
+    return fault_with([&](Changed& c) { c.car.name = name; });
+  };
+  EXPECT_EQ(fault_of_car(""), "name");
+  EXPECT_EQ(fault_of_car("a_car_with_31_letters_as_allowed"), "name") << "32 letters";
+  EXPECT_EQ(fault_of_car("a_car_with_31_letters_is_allowed"sv.substr(1)), "");
+  EXPECT_EQ(fault_of_car("my-car"), "name");
+  EXPECT_EQ(fault_of_car("_Car9"), "");
+  const auto fault_of_sensor = [](std::string_view name) {
+    return fault_with([&](Changed& c) { c.sensors[0].name = name; });
+  };
+  EXPECT_EQ(fault_of_sensor(""), "0.name");
+  EXPECT_EQ(fault_of_sensor("roof_in_the_rear"), "0.name") << "16 letters";
+  EXPECT_EQ(fault_of_sensor("roof_in_the_rea"), "");
+}
+
+// RFC 1122, 3.2.1.3: 0, 127 and what is a group or beyond are nobody's address.
+TEST(FieldLimits, AddressesAreThoseOfHosts) {
+  for (const std::uint32_t nobody : {net::ipv4(0, 1, 2, 3).value, net::ipv4(127, 0, 0, 1).value,
+                                     net::ipv4(224, 0, 0, 1).value, net::kLimitedBroadcast.value}) {
+    EXPECT_EQ(fault_with([&](Changed& c) { c.sensors[2].source_ipv4 = nobody; }), "2.source_ipv4");
+    EXPECT_EQ(fault_with([&](Changed& c) { c.car.poses.source_ipv4 = nobody; }),
+              "poses.source_ipv4");
+    EXPECT_EQ(fault_with([&](Changed& c) { c.car.maps.source_ipv4 = nobody; }), "maps.source_ipv4");
+  }
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].source_ipv4 = 0; }), "") << "from anybody";
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].source_ipv4 = c.network.address.value; }),
+            "0.source_ipv4");
+  EXPECT_EQ(fault_with([](Changed& c) { c.car.poses.source_ipv4 = c.network.address.value; }),
+            "poses.source_ipv4");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[1].udp_port = 0; }), "1.udp_port");
+}
+
+// IEEE 802: the lowest bit of a group's first octet is set. RFC 1122: neither the subnet's own name
+// nor its broadcast is a host's.
+TEST(FieldLimits, OfTheNetwork) {
+  const auto fault_of = [](auto&& change) {
+    return fault_with([&](Changed& c) { change(c.network); });
+  };
+  EXPECT_EQ(fault_of([](net::Config& n) { n.prefix_bits = 7; }), "network.prefix_bits");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.prefix_bits = 31; }), "network.prefix_bits");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.prefix_bits = 8; }), "");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.prefix_bits = 27; }), "") << "10.0.2.15 and .2";
+  EXPECT_EQ(fault_of([](net::Config& n) { n.mac.octets[0] = 1; }), "network.mac");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.address = net::ipv4(10, 0, 2, 0); }),
+            "network.address");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.address = net::ipv4(10, 0, 2, 255); }),
+            "network.address");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.address = net::ipv4(127, 0, 0, 1); }),
+            "network.address");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.peer = net::ipv4(10, 0, 3, 2); }), "network.peer");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.peer = net::ipv4(10, 0, 2, 255); }), "network.peer");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.peer_port = 0; }), "network.peer_port");
+  EXPECT_EQ(fault_of([](net::Config& n) { n.source_port = 0; }), "network.source_port");
+}
+
+// An Ouster of before firmware 2.0 does not say in which mode it is: 1024 columns ten times a
+// second are a column each 97,656 ns.
+TEST(FieldLimits, OfAnOustersMode) {
+  const auto fault_of_mode = [](std::uint16_t columns, std::uint32_t column_ns) {
+    return fault_with(
+        [&](Changed& c) {
+          c.sensors[0].columns_per_turn = columns;
+          c.sensors[0].column_ns = column_ns;
+        },
+        "roof_os1_64");
+  };
+  EXPECT_EQ(fault_of_mode(1024, 97'656), "");
+  EXPECT_EQ(fault_of_mode(512, 195'312), "");
+  EXPECT_EQ(fault_of_mode(1024, 48'828), "") << "twenty times a second";
+  EXPECT_EQ(fault_of_mode(1024, 97'657), "0.mode");
+  EXPECT_EQ(fault_of_mode(2048, 24'414), "0.mode") << "no unit turns that fast with 2048";
+  EXPECT_EQ(fault_of_mode(0, 0), "0.mode");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].column_ns = 1; }), "0.mode");
+}
+
+// The elevations of an Ouster are each unit's own.
+TEST(FieldLimits, OfLasers) {
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].is_calibrated = false; }, "roof_os1_64"),
+            "0.lasers");
+  EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].layer_count = 129; }, "roof_os1_64"),
+            "0.lasers");
+  const auto fault_of = [](std::int16_t ticks, std::int16_t mm) {
+    return fault_with(
+        [&](Changed& c) {
+          c.sensors[0].laser_corrections[3] = {.azimuth_ticks = ticks, .range_mm = mm};
+        },
+        "roof_hdl64e");
+  };
+  EXPECT_EQ(fault_of(3'000, 10'000), "");
+  EXPECT_EQ(fault_of(-3'000, -10'000), "");
+  EXPECT_EQ(fault_of(3'001, 0), "0.lasers");
+  EXPECT_EQ(fault_of(0, 10'001), "0.lasers");
+  EXPECT_EQ(fault_of(0, -10'001), "0.lasers");
+}
+
+TEST(FieldLimits, SharedLinesAreLevel) {
+  const auto fault_of = [](auto&& change) {
+    return fault_with([&](Changed& c) { change(c.sensors[0].layers[3]); }, "roof_vlp16");
+  };
+  EXPECT_EQ(fault_of([](vehicle::Layer& layer) { layer.z.forward = 1; }), "0.mount");
+  EXPECT_EQ(fault_of([](vehicle::Layer& layer) { layer.range_share = (1U << 30) + 1; }), "0.mount");
+  EXPECT_EQ(fault_of([](vehicle::Layer& layer) { layer.z.base = INT64_MAX / 4; }), "0.mount");
+  EXPECT_EQ(fault_of([](vehicle::Layer& layer) { layer.z.base = -(INT64_MAX / 4); }), "0.mount");
+}
+
+}  // namespace
+}  // namespace iog::car_block
