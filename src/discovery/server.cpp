@@ -105,9 +105,9 @@ bool Server::concerns_us(const Message& message) const {
   return false;
 }
 
+// In its name from another station nothing comes that far.
 bool Server::is_of_subscriber(const net::Datagram& datagram) const {
-  return subscription_ && datagram.source == subscription_->endpoint.address &&
-         datagram.station == subscription_->partner.mac;
+  return subscription_ && datagram.source == subscription_->endpoint.address;
 }
 
 // A subscriber that has started anew has forgotten that it is one.
@@ -130,13 +130,13 @@ bool Server::is_acceptable(const Entry& entry, const std::optional<Endpoint>& en
          endpoint->address == datagram.source && endpoint->port != 0;
 }
 
-bool Server::has_room_for(const Endpoint& endpoint, const net::Datagram& datagram,
-                          std::uint64_t now_us) const {
+// An endpoint is that of the host that asks.
+bool Server::has_room_for(const Endpoint& endpoint, std::uint64_t now_us) const {
   if (!subscription_ ||
       (!subscription_->is_confirmed && now_us - subscription_->since_us >= kConfirmUs)) {
     return true;
   }
-  return subscription_->endpoint == endpoint && is_of_subscriber(datagram);
+  return subscription_->endpoint == endpoint;
 }
 
 void Server::take_subscription(const Message& message, const Entry& entry,
@@ -147,12 +147,12 @@ void Server::take_subscription(const Message& message, const Entry& entry,
     return;
   }
   const auto endpoint = message.udp_endpoint_of(entry);
-  if (!is_acceptable(entry, endpoint, datagram) || !has_room_for(*endpoint, datagram, now_us)) {
+  if (!is_acceptable(entry, endpoint, datagram) || !has_room_for(*endpoint, now_us)) {
     count(Count::kRefused);
     answer.add(answer_to(entry, 0));
     return;
   }
-  if (subscription_ && is_of_subscriber(datagram) && subscription_->endpoint == *endpoint) {
+  if (subscription_ && subscription_->endpoint == *endpoint) {
     subscription_->entry = entry;
     subscription_->partner = back_to(datagram);
     if (subscription_->is_confirmed) {

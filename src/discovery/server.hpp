@@ -108,8 +108,7 @@ class Server {
   void take_subscription(const Message& message, const Entry& entry, const net::Datagram& datagram,
                          std::uint64_t now_us, Answer& answer);
   void stop(const Entry& entry, const net::Datagram& datagram);
-  [[nodiscard]] bool has_room_for(const Endpoint& endpoint, const net::Datagram& datagram,
-                                  std::uint64_t now_us) const;
+  [[nodiscard]] bool has_room_for(const Endpoint& endpoint, std::uint64_t now_us) const;
   void end(Count why);
   [[nodiscard]] std::optional<Outgoing> confirm(std::uint64_t now_us,
                                                 const std::optional<net::Told>& told);

@@ -37,11 +37,12 @@ class Bench {
   }
 
   // What it is answered with at once, empty without an answer.
-  Frame ask(const Frame& payload) {
+  Frame ask(const Frame& payload) { return ask_from_port(30'490, payload); }
+  Frame ask_from_port(std::uint16_t port, const Frame& payload) {
     said.clear();
     say(server.receive({.source = source,
                         .destination = destination,
-                        .source_port = 30'490,
+                        .source_port = port,
                         .destination_port = 30'490,
                         .payload = payload,
                         .station = station},

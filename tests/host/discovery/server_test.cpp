@@ -166,5 +166,94 @@ TEST(Discovery, AnOfferIsWithdrawn) {
   EXPECT_EQ(Frame(outgoing.view().begin(), outgoing.view().end()), expected);
 }
 
+// One offer says it to all of them, and each entry is looked at.
+TEST(Discovery, TwoThatLookForItInOneMessageGetOneOffer) {
+  Bench bench;
+  const Frame find = scapy_find();
+  Frame twice = find;
+  twice.insert(twice.begin() + kEntryAt, find.begin() + kEntryAt, find.begin() + kEntryAt + 16);
+  put_be16(twice, 6, static_cast<std::uint16_t>(twice.size() - 8));  // SOME/IP's length
+  put_be16(twice, kEntryAt - 2, 2 * 16);                             // of the entries
+  EXPECT_EQ(bench.ask(twice), of_session(scapy_offer(), 1));
+  EXPECT_EQ(bench.count(Count::kFound), 1U);
+}
+
+TEST(Discovery, FromNoPortOrAGroupIsMalformed) {
+  Bench bench;
+  bench.station = {{0x01, 0x00, 0x5E, 0x00, 0x00, 0x01}};
+  EXPECT_TRUE(bench.ask(scapy_find()).empty());
+  bench.station = kStation;
+  EXPECT_TRUE(bench.ask_from_port(0, scapy_find()).empty());
+  EXPECT_EQ(bench.count(Count::kMalformed), 2U);
+  EXPECT_FALSE(bench.ask(scapy_find()).empty());
+}
+
+TEST(Discovery, ASubscriptionOfAnotherServiceIsNoneOfOurs) {
+  Bench bench;
+  EXPECT_TRUE(bench.ask(with(scapy_subscribe(), kEntryAt + 4, 0x4E)).empty());
+  EXPECT_FALSE(bench.server.neighbour());
+  EXPECT_EQ(bench.count(Count::kRefused), 0U);
+}
+
+// Asked again before ARP has answered, it is still one, with the time that was asked for last.
+TEST(Discovery, OneThatIsNotConfirmedYetMayAskAgain) {
+  Bench bench;
+  EXPECT_TRUE(bench.ask(scapy_subscribe()).empty());
+  EXPECT_TRUE(bench.next(with(scapy_subscribe(), kTtlAt + 2, 9)).empty());
+  EXPECT_EQ(bench.count(Count::kAcknowledged), 0U);
+  bench.answer_arp();
+  bench.tick();
+  EXPECT_EQ(bench.said, with(scapy_acknowledgement(), kTtlAt + 2, 9));
+  EXPECT_EQ(bench.count(Count::kAcknowledged), 1U);
+}
+
+// The event group and the instance are part of what is stopped (PRS, "StopSubscribeEventgroup").
+TEST(Discovery, AStopOfSomethingElseStopsNothing) {
+  Bench bench;
+  bench.subscribe();
+  const Frame stop = with(scapy_subscribe(), kTtlAt + 2, 0);
+  EXPECT_TRUE(bench.next(with(stop, kEntryAt + 7, 2)).empty());
+  EXPECT_TRUE(bench.server.subscriber()) << "another instance";
+  EXPECT_TRUE(bench.next(with(stop, kEntryAt + 15, 2)).empty());
+  EXPECT_TRUE(bench.server.subscriber()) << "another event group";
+  EXPECT_TRUE(bench.next(stop).empty());
+  EXPECT_FALSE(bench.server.subscriber());
+}
+
+TEST(Discovery, WithoutAnAnswerOfArpASubscriptionEnds) {
+  Bench bench;
+  bench.subscribe();
+  bench.told.reset();
+  bench.tick();
+  EXPECT_FALSE(bench.server.subscriber());
+  EXPECT_EQ(bench.count(Count::kExpired), 1U);
+}
+
+// A candidate that has had its second makes room, also before the next pass of the loop says so.
+TEST(Discovery, ACandidateHoldsThePlaceForItsTimeAlone) {
+  Bench bench;
+  EXPECT_TRUE(bench.ask(scapy_subscribe()).empty());
+  bench.source = net::ipv4(10, 0, 2, 78);
+  bench.station.octets[5] = 0x4E;
+  const Frame of_another = with(scapy_subscribe(), kAddressAt + 3, 78);
+  bench.now_us += kConfirmUs - 1;
+  EXPECT_EQ(bench.ask(of_another), of_session(refusal(), 1));
+  EXPECT_EQ(bench.server.neighbour(), kSubscriber);
+  bench.now_us += 1;
+  EXPECT_TRUE(bench.ask(of_another).empty());
+  EXPECT_EQ(bench.server.neighbour(), bench.source);
+}
+
+// PRS, "Reboot Detection": the flag is set until the session id has wrapped from 0xFFFF to 1.
+TEST(Discovery, TheRebootFlagGoesWhenItsSessionsHaveWrapped) {
+  Bench bench;
+  for (unsigned session = 2; session <= 0xFFFF; ++session) {
+    ASSERT_EQ(bench.server.withdraw().view()[kFlagsAt], std::byte{0xC0}) << session;
+  }
+  const Outgoing outgoing = bench.server.withdraw();
+  EXPECT_EQ(outgoing.view()[kFlagsAt], std::byte{0x40});
+  EXPECT_EQ(outgoing.view()[kSessionAt + 1], std::byte{1});
+}
+
 }  // namespace
 }  // namespace iog::discovery::testing
