@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -189,6 +190,23 @@ TEST(BootRecord, AnyBitThatFlipsMakesItACuriosityNotARecord) {
     EXPECT_EQ(open_boot_record(record, l2_cache).before.end.cause, EndCause::kPowerUp)
         << "bit " << bit;
   }
+}
+
+TEST(BootRecord, ALastWordThatIsTooLongIsCut) {
+  BootRecord record{};
+  const std::string text(BootRecord::kLastWordBytes + 1, 'x');
+  write_last_word(record, kEnd, text, l2_cache);
+  const Boot boot = open_boot_record(record, l2_cache);
+  EXPECT_EQ(boot.last_word_bytes, BootRecord::kLastWordBytes);
+  EXPECT_EQ(boot.before.end.cause, kEnd.cause);
+}
+
+// A bit of DDR that has flipped while the firmware ran: nothing behind the record is read.
+TEST(BootRecord, ALengthThatCannotBeIsNotFollowed) {
+  const auto record = std::make_unique<BootRecord>();
+  record->last_word_bytes = 0x8000'0000;
+  static_cast<void>(begin_run(*record, {}, l2_cache));
+  EXPECT_EQ(open_boot_record(*record, l2_cache).before.starts, Boot{}.before.starts);
 }
 
 }  // namespace

@@ -120,6 +120,21 @@ TEST_F(Port, ARingFullOfBadFramesIsGivenBackToo) {
   EXPECT_EQ(peek<std::uint32_t>(registers_.rdar), 0x0100'0000u);
 }
 
+// Bad frames come as fast as they are dropped: the loop has its turn after one ring of them.
+TEST_F(Port, AFloodOfBadFramesHoldsNobody) {
+  const auto arrive_bad = [this] { arrive(64, receive_flag::kLast | receive_flag::kBadCrc); };
+  arrive_bad();
+  machine::recorder.on_store = [&](const void* address, std::uint32_t /*value*/) {
+    if (address == &registers_.rdar) {
+      arrive_bad();
+    }
+  };
+  EXPECT_TRUE(port_.receive().empty());
+  EXPECT_EQ(port_.counters().receive_errors, EnetMemory::kReceiveFrames);
+  EXPECT_TRUE(port_.receive().empty());
+  EXPECT_EQ(port_.counters().receive_errors, 2 * EnetMemory::kReceiveFrames);
+}
+
 TEST_F(Port, TheRingTurnsForEver) {
   for (int count = 0; count < 1000; ++count) {
     arrive(64);

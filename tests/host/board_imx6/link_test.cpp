@@ -186,6 +186,14 @@ TEST(Resolve, TakesTheBestOfBothEnds) {
   EXPECT_EQ(phy::resolve(0x01e1, 0x0021, 0x0300, 0x0000), (Link{true, Speed::k10, false}));
 }
 
+// Nobody drives the wire, and a pull-up holds it: all ones are no status with a link in it.
+TEST_F(Phy, AStatusOfAllOnesIsNoLink) {
+  plug_in(0x45e1, 0x0800);
+  EXPECT_TRUE(round()->up);
+  table_[phy::kBasicStatus] = 0xffff;
+  EXPECT_EQ(round(), Link{});
+}
+
 TEST_F(Phy, TheMonitorReportsChangesOnly) {
   EXPECT_EQ(round(), std::nullopt) << "down from the start";
   plug_in(0x45e1, 0x0800);

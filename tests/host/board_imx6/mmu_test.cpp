@@ -153,5 +153,21 @@ TEST_F(MapDeathTest, RegionsOffTheGrainAreAProgrammersError) {
   EXPECT_DEATH(build_tables(), "");
 }
 
+// Half a page, or half of a section that has no pages, would be open or closed with its neighbour.
+TEST_F(MapDeathTest, PartsOfAGrainAreAProgrammersError) {
+  const MemoryMap sound = map_;
+  const auto expect_death = [&](auto&& change) {
+    map_ = sound;
+    change();
+    EXPECT_DEATH(build_tables(), "");
+  };
+  expect_death([&] { map_.data.begin += 0x1000; });
+  expect_death([&] { map_.code[0].end -= 0x800; });
+  expect_death([&] { map_.code[0].begin += 0x800; });
+  expect_death([&] { map_.constants[1].end = 0x1028'0000; });
+  stacks_[1].begin -= 0x800;
+  expect_death([] {});
+}
+
 }  // namespace
 }  // namespace iog::imx6::mmu
