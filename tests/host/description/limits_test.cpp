@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,57 @@ TEST(DescriptionLimits, AnAzimuthStepIsAPowerOfTwoOfATurn) {
   EXPECT_EQ(faults_in_steps(128), "0.azimuth_steps_per_turn");
   EXPECT_EQ(faults_in_steps(3'000), "0.azimuth_steps_per_turn");
   EXPECT_EQ(faults_in_steps(32'768), "0.azimuth_steps_per_turn");
+}
+
+// What no car is as large as, and what is no number.
+TEST(DescriptionLimits, ACarLiesBetweenTheEndsOfItsWorld) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  const auto faults = [](auto&& change) { return faults_with(Grids::kIndexes, change); };
+  for (const double wrong : {-1'000.1, -kEndless, kNone}) {
+    EXPECT_EQ(faults([&](Description& car) { car.z_min_m = wrong; }), "z_min_m");
+    EXPECT_EQ(faults([&](Description& car) { car.footprint.x_min_m = wrong; }),
+              "footprint.x_min_m");
+    EXPECT_EQ(faults([&](Description& car) { car.footprint.y_min_m = wrong; }),
+              "footprint.y_min_m");
+  }
+  for (const double wrong : {1'000.1, kEndless}) {
+    EXPECT_EQ(faults([&](Description& car) { car.z_max_m = wrong; }), "z_max_m");
+    EXPECT_EQ(faults([&](Description& car) { car.footprint.x_max_m = wrong; }),
+              "footprint.x_min_m");
+    EXPECT_EQ(faults([&](Description& car) { car.footprint.y_max_m = wrong; }),
+              "footprint.y_min_m");
+  }
+  EXPECT_EQ(faults([](Description& car) { car.z_max_m = car.z_min_m; }), "z_min_m");
+  EXPECT_EQ(faults([](Description& car) {
+              car.z_min_m = -1'000;
+              car.z_max_m = 1'000;
+            }),
+            "");
+}
+
+TEST(DescriptionLimits, ASensorWithoutARangeIsNone) {
+  SensorConfig config = on_port_100();
+  config.range_max_mm = 0;
+  config.range_min_mm = 0;
+  EXPECT_EQ(faults_of(described(Grids::kIndexes), {config}), "0.range_max_mm");
+}
+
+// A laser that looks up from far below has its beam beside the car.
+TEST(DescriptionLimits, ALaserIsWithinReachOfItsUnit) {
+  const auto faults = [](const lidar::Laser& laser) {
+    SensorConfig config = on_port_100();
+    const std::vector<lidar::Laser> lasers(16, laser);
+    config.lasers = lasers;
+    const std::string told = faults_of(described(Grids::kIndexes), {config});
+    return told.substr(0, told.find(' '));
+  };
+  EXPECT_EQ(faults({.elevation_deg = 5, .azimuth_deg = 30, .height_m = 0.1, .range_m = 10}), "");
+  EXPECT_EQ(faults({.elevation_deg = 89.1}), "0.lasers");
+  EXPECT_EQ(faults({.elevation_deg = 5, .azimuth_deg = -30.1}), "0.lasers");
+  EXPECT_EQ(faults({.elevation_deg = 5, .height_m = -10.1}), "0.lasers");
+  EXPECT_EQ(faults({.elevation_deg = 5, .range_m = 10.1}), "0.lasers");
+  EXPECT_EQ(faults({.elevation_deg = 80, .height_m = 2}), "0.lasers") << "2 m tan(80) are 11.3 m";
 }
 
 // 8,192 lines are kept. Of a sensor that is tilted none are.
