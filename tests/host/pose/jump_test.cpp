@@ -101,6 +101,18 @@ TEST(Jump, IsNotExplainedByASpeedMadeOfPositions) {
   EXPECT_EQ(driven.history.epoch(), 1U);
 }
 
+// Of two messages at most 100 ms apart (docs/spec.md, 5.5); later the speed may have changed.
+TEST(Jump, IsLookedForByTheSpeedBeforeForAHundredMilliseconds) {
+  for (const std::uint64_t apart_us : {99'999U, 100'000U, 100'001U}) {
+    Driven driven;
+    Message message = message_at(driven.newest_us + apart_us);
+    message.pose.x_mm += 400;
+    message.speed_mm_per_s = 18'000;  // which explains 400 mm in 100 ms
+    ASSERT_EQ(driven.take(message), Fate::kUsed);
+    EXPECT_EQ(driven.history.epoch(), apart_us <= 100'000 ? 1U : 0U) << apart_us;
+  }
+}
+
 // The state of a car, in double.
 struct Car {
   double x = 0;
