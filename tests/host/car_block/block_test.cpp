@@ -23,6 +23,8 @@ void expect_equal(const vehicle::Sensor& read, const vehicle::Sensor& made) {
   EXPECT_EQ(read.on_car_x.low, made.on_car_x.low);
   EXPECT_EQ(read.on_car_y.high, made.on_car_y.high);
   EXPECT_EQ(read.in_band.low, made.in_band.low);
+  EXPECT_EQ(read.layers_share_lines, made.layers_share_lines);
+  EXPECT_EQ(read.ground.is_followed(), made.ground.is_followed());
   EXPECT_EQ(read.profile, made.profile);
   EXPECT_EQ(read.unit().corrections.size(), made.unit().corrections.size());
 }
@@ -59,7 +61,7 @@ TEST(CarBlock, TheGroundComesBackAsItIs) {
   EXPECT_EQ(bytes.car.sensors[0].ground.top_mm, 2'300);
   EXPECT_EQ(bytes.car.id, identity_of(car.vehicle));
   EXPECT_NE(bytes.car.id, roof.vehicle.id);
-  expect_equal(bytes.car.sensors[0], roof.vehicle.sensors[0]);
+  expect_equal(bytes.car.sensors[0], sensors[0]);
 }
 
 TEST(CarBlock, WhatOpensGroundComesBackAsItIs) {

@@ -155,6 +155,40 @@ TEST(DescriptionLimits, ASensorWithoutARangeIsNone) {
   EXPECT_EQ(faults_of(described(Grids::kIndexes), {config}), "0.range_max_mm");
 }
 
+// docs/vehicles.md: low_m 0.1 ... 10, tall_m 0 ... 10; the tables ask for more by what is an
+// obstacle.
+TEST(DescriptionLimits, HeightsThatOpenGroundAreThoseOfThings) {
+  const auto faults = [](MovedConfig moved) {
+    SensorConfig config = on_port_100();
+    config.moved = moved;
+    const std::string told = faults_of(described(Grids::kIndexes), {config});
+    return told.substr(0, told.find(' '));
+  };
+  EXPECT_EQ(faults({.low_m = 0.6, .tall_m = 0.7}), "");
+  EXPECT_EQ(faults({.low_m = 0.09, .tall_m = 0.7}), "0.moved.low_m");
+  EXPECT_EQ(faults({.low_m = 10.1, .tall_m = 0.7}), "0.moved.low_m");
+  EXPECT_EQ(faults({.low_m = 0.6, .tall_m = -0.1}), "0.moved.tall_m");
+  EXPECT_EQ(faults({.low_m = 0.6, .tall_m = 10.1}), "0.moved.tall_m");
+}
+
+// 20 m of a VLP-16 at 10 m: its lowest beam, of -15 degrees, comes down to 4.8 m. Tilted by 30
+// degrees to whichever side it comes to the ground.
+TEST(DescriptionLimits, SomeBeamMeetsTheBand) {
+  const auto faults = [](double pitch_deg, double roll_deg) {
+    SensorConfig config = on_port_100();
+    config.range_max_mm = 20'000;
+    config.mount.z_m = 10;
+    config.mount.pitch_deg = pitch_deg;
+    config.mount.roll_deg = roll_deg;
+    return faults_of(described(Grids::kIndexes), {config});
+  };
+  EXPECT_EQ(faults(0, 0), "0.mount.z_m");
+  for (const double tilt_deg : {-30.0, 30.0}) {
+    EXPECT_EQ(faults(tilt_deg, 0), "");
+    EXPECT_EQ(faults(0, tilt_deg), "");
+  }
+}
+
 // A laser that looks up from far below has its beam beside the car.
 TEST(DescriptionLimits, ALaserIsWithinReachOfItsUnit) {
   const auto faults = [](const lidar::Laser& laser) {
