@@ -1,9 +1,11 @@
 // Limits of the fields of a block that a car's file and a forged block have in common: each side of
 // each of them.
 #include <gtest/gtest.h>
+#include <string>
 #include <string_view>
 
 #include "changed_car.hpp"
+#include "geometry/grid.hpp"
 
 namespace iog::car_block {
 namespace {
@@ -117,6 +119,32 @@ TEST(FieldLimits, SharedLinesAreLevel) {
   EXPECT_EQ(fault_of([](vehicle::Layer& layer) { layer.range_share = (1U << 30) + 1; }), "0.mount");
   EXPECT_EQ(fault_of([](vehicle::Layer& layer) { layer.z.base = INT64_MAX / 4; }), "0.mount");
   EXPECT_EQ(fault_of([](vehicle::Layer& layer) { layer.z.base = -(INT64_MAX / 4); }), "0.mount");
+}
+
+// In subcells, 1024 a cell of 100 mm, from the grid's corner; the grid ends behind its last cell.
+TEST(FieldLimits, TheFootprintLiesInTheGrid) {
+  constexpr std::int32_t kEnd = geometry::kCellsPerSide * geometry::kResolution;
+  const auto fault_of = [](vehicle::Footprint footprint) {
+    const std::string fault = fault_with([&](Changed& c) { c.car.footprint = footprint; });
+    return fault.find("footprint") == 0 ? fault : "";
+  };
+  EXPECT_EQ(fault_of({.x_min = 0, .x_max = kEnd, .y_min = 0, .y_max = kEnd}), "");
+  EXPECT_EQ(fault_of({.x_min = -1, .x_max = kEnd, .y_min = 0, .y_max = kEnd}), "footprint.x_max_m");
+  EXPECT_EQ(fault_of({.x_min = 0, .x_max = kEnd + 1, .y_min = 0, .y_max = 1}), "footprint.x_max_m");
+  EXPECT_EQ(fault_of({.x_min = 0, .x_max = 1, .y_min = -1, .y_max = 1}), "footprint.y_max_m");
+  EXPECT_EQ(fault_of({.x_min = 0, .x_max = 1, .y_min = 0, .y_max = kEnd + 1}), "footprint.y_max_m");
+}
+
+TEST(FieldLimits, OfAUnitEachFromBothSides) {
+  const auto fault_of = [](auto&& change) {
+    return fault_with([&](Changed& c) { change(c.sensors[0]); });
+  };
+  EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.scan_width_ticks = 0; }), "0.scan_width_ticks");
+  EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.scan_width_ticks = 1; }), "");
+  EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.latency_us = 1'000'000; }), "");
+  EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.range_min_mm = s.range.mm(); }), "0.range_max_mm");
+  EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.range_min_mm = s.range.mm() - 1; }), "");
+  EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.no_return_clears_mm = s.range.mm(); }), "");
 }
 
 }  // namespace

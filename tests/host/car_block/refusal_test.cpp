@@ -127,6 +127,28 @@ TEST(CarRefusal, OnlyWithClassesAreThingsNotFollowed) {
   }
 }
 
+// A truth is 0 or 1 (docs/spec.md, 8.4): whether the clock is that of the poses, and whether the
+// unit is calibrated.
+TEST(CarRefusal, ATruthIsZeroOrOne) {
+  const vehicles::Car& car = vehicles::car("roof_vlp16");
+  const vehicle::Sensor& sensor = car.vehicle.sensors[0];
+  CarBytes bytes(car);
+  const std::size_t place =
+      place_of_be32(bytes, sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn()) + 8 +
+      16 + 6;
+  for (const int truth : {0, 1}) {
+    bytes.at(place) = static_cast<std::byte>(truth);
+    bytes.mend_crc();
+    EXPECT_EQ(bytes.read().refusal, Refusal::kNone);
+    EXPECT_EQ(bytes.car.sensors[0].is_synchronised, truth == 1);
+  }
+  for (const int truth : {2, 255}) {
+    bytes.at(place) = static_cast<std::byte>(truth);
+    bytes.mend_crc();
+    EXPECT_EQ(bytes.read().refusal, Refusal::kNotACar) << truth;
+  }
+}
+
 // The firmware has two tables of masses. A third would be an estimator that nobody has measured.
 TEST(CarRefusal, MassesAreThoseThatTheFirmwareKnows) {
   const vehicles::Car& car = vehicles::car("reference_car");
