@@ -142,7 +142,21 @@ TEST(Message, TheLongestFrameEndFitsAMessage) {
   end.link_counter_count = kMaxLinkCounters;
   end.unwatched = 0;
   std::vector<std::byte> wire(protection::kMaxContentBytes - kHeaderBytes);
-  EXPECT_GT(write_frame_end(end, vehicle::kMaxSensors, wire), 0U);
+  const std::size_t bytes = write_frame_end(end, vehicle::kMaxSensors, wire);
+  ASSERT_GT(bytes, 0U);
+  FrameEnd read;
+  const auto status_of = [&](std::uint8_t sensors) {
+    return read_frame_end(std::span(wire).first(bytes), sensors, read);
+  };
+  EXPECT_EQ(status_of(vehicle::kMaxSensors), ReadStatus::kOk);
+  EXPECT_EQ(status_of(vehicle::kMaxSensors + 1), ReadStatus::kInconsistent) << "there is no place";
+}
+
+// docs/spec.md 3.2: a frame of which no sensor had anything has no evidence.
+TEST(Message, OneSensorIsEvidence) {
+  EXPECT_FALSE(Header{}.has_evidence());
+  EXPECT_TRUE(Header{.complete_sensors = 1}.has_evidence());
+  EXPECT_TRUE(Header{.partial_sensors = 0x80}.has_evidence());
 }
 
 TEST(Message, ReadingIsTotalOnGarbage) {

@@ -218,6 +218,21 @@ TEST(HeightBand, IsWholeWhereBothEndsAreInside) {
   EXPECT_TRUE(part_in_band(TiltedLux::kVehicle.band(), sensor, beam.end_z, 5'000).is_whole);
 }
 
+// Both limits belong to the band.
+TEST(HeightBand, AnEndOnALimitIsInside) {
+  const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
+  for (const std::int32_t end_z : {sensor.origin_z - 100, sensor.origin_z + 100}) {
+    const bool rises = end_z > sensor.origin_z;
+    const auto is_whole = [&](std::int32_t less) {
+      const HeightBand band{.low = rises ? sensor.origin_z : end_z + less,
+                            .high = rises ? end_z - less : sensor.origin_z};
+      return part_in_band(band, sensor, end_z, sensor.range.mm()).is_whole;
+    };
+    EXPECT_TRUE(is_whole(0));
+    EXPECT_FALSE(is_whole(1));
+  }
+}
+
 TEST(HeightBand, EndsWhereTheBeamLeavesIt) {
   const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
   const Beam beam = aim(sensor, 0, 0);
