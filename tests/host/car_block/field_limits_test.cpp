@@ -1,5 +1,6 @@
 // Limits of the fields of a block that a car's file and a forged block have in common: each side of
 // each of them.
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <string>
 #include <string_view>
@@ -145,6 +146,23 @@ TEST(FieldLimits, OfAUnitEachFromBothSides) {
   EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.range_min_mm = s.range.mm(); }), "0.range_max_mm");
   EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.range_min_mm = s.range.mm() - 1; }), "");
   EXPECT_EQ(fault_of([](vehicle::Sensor& s) { s.no_return_clears_mm = s.range.mm(); }), "");
+}
+
+TEST(FieldLimits, ABeamIsAsLongAsItsRangeAlongEachAxis) {
+  using vehicle::EndCoordinate;
+  using vehicle::Layer;
+  for (EndCoordinate Layer::*const axis : {&Layer::x, &Layer::y, &Layer::z}) {
+    for (std::int32_t EndCoordinate::*const part :
+         {&EndCoordinate::forward, &EndCoordinate::left}) {
+      for (const std::int32_t sign : {1, -1}) {
+        EXPECT_EQ(fault_with([&](Changed& c) {
+                    std::int32_t& end = c.sensors[0].layers[2].*axis.*part;
+                    end = sign * (std::abs(end) + 9'000'000);
+                  }),
+                  "0.mount");
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -155,6 +155,20 @@ TEST(DescriptionLimits, ASensorWithoutARangeIsNone) {
   EXPECT_EQ(faults_of(described(Grids::kIndexes), {config}), "0.range_max_mm");
 }
 
+// docs/model.md 4: a 1D cell is between a quarter and four of the deviation.
+TEST(DescriptionLimits, ACellIsAboutAsLongAsTheDeviation) {
+  const auto faults = [](std::uint32_t precision_mm, double sigma_m) {
+    SensorConfig config = on_port_100();
+    config.precision_mm = precision_mm;
+    config.sigma_m = sigma_m;
+    return faults_of(described(Grids::kIndexes), {config});
+  };
+  EXPECT_EQ(faults(24, 0.1), "0.precision_mm");
+  EXPECT_EQ(faults(100, 0.1), "");
+  EXPECT_EQ(faults(401, 0.1), "0.precision_mm");
+  EXPECT_EQ(faults(100, 1.01), "0.sigma_m");
+}
+
 // docs/vehicles.md: low_m 0.1 ... 10, tall_m 0 ... 10; the tables ask for more by what is an
 // obstacle.
 TEST(DescriptionLimits, HeightsThatOpenGroundAreThoseOfThings) {

@@ -136,6 +136,8 @@ TEST(MapCheck, RefusesFeaturesThatDoNotLieEndToEnd) {
   EXPECT_EQ(with(offsets + 4, 0xFFFFFFFF, 4), Refusal::kWrongOffsets);
   EXPECT_EQ(with(offsets + 4, 0, 4), Refusal::kWrongOffsets);
   EXPECT_EQ(with(56, 1, 4), Refusal::kWrongOffsets) << "what stands behind the last one";
+  EXPECT_EQ(with(offsets + 4, first_feature() + 20, 4), Refusal::kWrongOffsets)
+      << "its header has 24 bytes";
   auto bytes = sound().bytes();
   bytes.resize(bytes.size() + 4);
   EXPECT_EQ(check(sealed(bytes)), Refusal::kWrongRing);
