@@ -1,12 +1,11 @@
 """Where messages come from: a UDP port, or a capture."""
 
-import collections
 import contextlib
 import socket
-import struct
 import time
 from collections.abc import Iterator
 
+from iogrid.captures import datagrams
 from iogrid.frame import Frame
 from iogrid.receiver import Receiver
 
@@ -34,30 +33,9 @@ def listen(port: int = 15000, address: str = "127.0.0.1", receiver: Receiver | N
 
 
 def replay(path: str, port: int = 15000, receiver: Receiver | None = None) -> Iterator[Frame]:
-    """The frames of a capture (pcap of Ethernet, Linux "any" or raw IP), as fast as they are asked for. ValueError if
-    it is none; one that is cut short ends there, and Receiver.dropped says so."""
+    """The frames of a capture (pcap or pcapng of Ethernet, Linux "any" or raw IP, as it is or .gz), as fast as they are
+    asked for. ValueError if it is none; one that is cut short or damaged ends there, and Receiver.dropped says so."""
     receiver = receiver or Receiver()
-    for datagram in _datagrams(path, port, receiver.dropped):
+    for datagram in datagrams(path, port, receiver.dropped):
         yield from receiver.take(datagram)
     yield from receiver.finish()
-
-
-def _datagrams(path: str, port: int, dropped: collections.Counter[str]) -> Iterator[bytes]:
-    with open(path, "rb") as file:
-        head = file.read(24)
-        order = {b"\xd4\xc3\xb2\xa1": "<", b"\x4d\x3c\xb2\xa1": "<", b"\xa1\xb2\xc3\xd4": ">",
-                 b"\xa1\xb2\x3c\x4d": ">"}.get(head[:4]) if len(head) == 24 else None
-        link = struct.unpack(order + "20xI", head)[0] & 0xFFFF if order else None
-        if link not in (1, 101, 113, 276):
-            raise ValueError(f"{path}: no pcap of Ethernet, Linux cooked or raw IP; pcapng: editcap -F pcap")
-        at = {1: 14, 101: 0, 113: 16, 276: 20}[link]  # of the IPv4 header
-        while record := file.read(16):
-            size = struct.unpack(order + "8xI4x", record)[0] if len(record) == 16 else 1 << 32
-            packet = file.read(size) if size <= 262144 else b""
-            if len(packet) < size:
-                dropped["capture that is cut short"] += 1
-                return
-            ip, udp = packet[at:at + 20], at + 4 * (packet[at] & 15) if len(packet) > at + 20 else 0
-            if len(packet) >= udp + 8 and len(ip) == 20 and ip[0] >> 4 == 4 and ip[9] == 17 and \
-                    not (ip[6] & 0x3F or ip[7]) and packet[udp + 2:udp + 4] == struct.pack(">H", port):
-                yield packet[udp + 8:udp + struct.unpack_from(">H", packet, udp + 4)[0]]

@@ -1,5 +1,6 @@
 """Does clients/python bear any bytes: no exception, no wrong grid, and each datagram counted?"""
 
+import gzip
 import itertools
 import random
 import struct
@@ -142,21 +143,26 @@ class Hostile(unittest.TestCase):
 
     def test_mutated_captures(self):
         rng, path = random.Random(SEED), streams.FOLDER / "mutated.pcap"
-        whole = streams.raw().read_bytes()
-        faults = 0
-        for _ in range(100):
-            path.write_bytes(mutated(whole[:60] if rng.random() < 0.3 else whole, rng))
-            try:
-                for frame in iogrid.replay(str(path)):
-                    self.check_frame(frame)
-            except ValueError as fault:
-                self.assertIn("no pcap", str(fault))
-                faults += 1
-        self.assertGreater(faults, 0)
-        path.write_bytes(whole[:-5])
-        receiver = iogrid.Receiver()
-        self.assertEqual([frame.is_whole for frame in iogrid.replay(str(path), receiver=receiver)], [True, False])
-        self.assertEqual(receiver.dropped, {"capture that is cut short": 1})
+        plain = streams.raw().read_bytes()
+        for whole in (plain, streams.as_pcapng(streams.raw()).read_bytes(), gzip.compress(plain)):
+            faults = cuts = 0
+            for _ in range(100):
+                path.write_bytes(mutated(whole[:60] if rng.random() < 0.3 else whole, rng))
+                receiver = iogrid.Receiver()
+                try:
+                    for frame in iogrid.replay(str(path), receiver=receiver):
+                        self.check_frame(frame)
+                except ValueError as fault:
+                    self.assertIn("no pcap", str(fault))
+                    faults += 1
+                cuts += receiver.dropped["capture that is cut short"]
+            self.assertGreater(faults, 0)
+            self.assertGreater(cuts, 0)
+            path.write_bytes(whole[:-5])
+            receiver = iogrid.Receiver()
+            frames = [frame.is_whole for frame in iogrid.replay(str(path), receiver=receiver)]
+            self.assertEqual(frames[:1], [True])
+            self.assertEqual(receiver.dropped, {"capture that is cut short": 1})
 
 
 def has_value_twice(encoding: int, payload: bytes) -> bool:

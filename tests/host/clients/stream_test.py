@@ -1,6 +1,7 @@
 """Does clients/python make the grids that `iog` makes of the same bytes, whatever the network did to these?"""
 
 import functools
+import gzip
 import pathlib
 import random
 import re
@@ -53,6 +54,20 @@ def received(messages) -> tuple[list[iogrid.Frame], iogrid.Receiver]:
     receiver = iogrid.Receiver()
     frames = [frame for message in messages for frame in receiver.take(message)]
     return frames + receiver.finish(), receiver
+
+
+def pcapng_of(frames: list[bytes]) -> bytes:
+    """Big endian: a simple packet first, and half of the others in a second section, as raw IP."""
+    def block(kind: int, body: bytes) -> bytes:
+        size = 12 + len(body) + -len(body) % 4
+        return struct.pack(">II", kind, size) + body + bytes(-len(body) % 4) + struct.pack(">I", size)
+
+    section, half = block(0x0A0D0D0A, struct.pack(">IHHq", 0x1A2B3C4D, 1, 0, -1)), len(frames) // 2
+    enhanced = [block(6, struct.pack(">IIIII", 0, 0, i, len(each), len(each)) + each)
+                for i, each in enumerate(frames[1:half] + [frame[14:] for frame in frames[half:]])]
+    ethernet, raw = (block(1, struct.pack(">HHI", link, 0, 0)) for link in (1, 101))
+    simple = block(3, struct.pack(">I", len(frames[0])) + frames[0])
+    return b"".join((section, ethernet, simple, *enhanced[:half - 1], section, block(5, bytes(12)), raw, *enhanced[half - 1:]))
 
 
 class Stream(unittest.TestCase):
@@ -153,6 +168,21 @@ class Stream(unittest.TestCase):
         for frame, other in zip(frames, right[1:], strict=True):
             self.check_same(frame, other)
         self.assertTrue(all(frame.is_whole for frame in frames[7:]))
+
+    def test_captures_of_every_kind_have_the_same_frames(self):
+        """pcapng is by Wireshark's editcap; by hand in the other byte order, with a simple packet and a second section
+        whose interface 0 is another (draft-ietf-opsawg-pcapng, 4)."""
+        plain, made, packed = streams.version_4(), streams.FOLDER / "made.pcapng", streams.FOLDER / "packed.gz"
+        right = [(frame.number, frame.is_whole) for frame in replayed(plain)[0]]
+        made.write_bytes(pcapng_of([packet.frame for packet in streams.capture.read(plain)]))
+        ng = streams.as_pcapng(plain)
+        packed.write_bytes(gzip.compress(ng.read_bytes()))
+        for path in (ng, made, packed):
+            frames, receiver = replayed(path)
+            self.assertEqual([(frame.number, frame.is_whole) for frame in frames], right, path)
+            self.assertEqual(receiver.dropped, {}, path)
+        made.write_bytes(b"\x28\xb5\x2f\xfd" + bytes(50))
+        self.assertRaisesRegex(ValueError, "zstd -d", replayed, made)
 
     def test_another_run_takes_over_with_its_third_message(self):
         """3.2."""

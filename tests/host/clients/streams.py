@@ -111,3 +111,9 @@ def some_tiles() -> list[grid_stream.Tile]:
             for of, tile in tiles_of(message):
                 kept[of].append(tile)
     return [tile for tiles in kept.values() for tile in tiles[:30]]
+
+
+def as_pcapng(path: pathlib.Path) -> pathlib.Path:
+    """The same packets, by Wireshark's program."""
+    subprocess.run(["editcap", "-F", "pcapng", path, made := path.with_suffix(".pcapng")], check=True, timeout=120)
+    return made

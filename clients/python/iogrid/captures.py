@@ -1,0 +1,98 @@
+"""UDP datagrams out of a capture file: pcap or pcapng, as it is or packed by gzip."""
+
+import collections
+import gzip
+import struct
+import zlib
+from collections.abc import Iterator
+from typing import BinaryIO
+
+PCAP_ORDERS = {b"\xd4\xc3\xb2\xa1": "<", b"\x4d\x3c\xb2\xa1": "<", b"\xa1\xb2\xc3\xd4": ">", b"\xa1\xb2\x3c\x4d": ">"}
+PCAPNG, PCAPNG_ORDERS = b"\n\r\r\n", {b"\x4d\x3c\x2b\x1a": "<", b"\x1a\x2b\x3c\x4d": ">"}
+GZIP, ZSTD = b"\x1f\x8b", b"\x28\xb5\x2f\xfd"
+IPV4_AT = {1: 14, 101: 0, 113: 16, 276: 20}  # by link type: Ethernet, raw IP, both of Linux "any"
+INTERFACE, PACKET, SIMPLE_PACKET = 1, 6, 3  # blocks of pcapng
+LONGEST_PACKET, LONGEST_BLOCK = 1 << 18, 1 << 24  # bytes
+
+
+class _BreaksOff(Exception):
+    """The file ends in the middle, or goes on with what is none."""
+
+
+def datagrams(path: str, port: int, dropped: collections.Counter[str]) -> Iterator[bytes]:
+    """What went to a UDP port, in the order of the file. ValueError if it is no capture."""
+    with open(path, "rb") as plain:
+        magic = plain.read(4)
+        plain.seek(0)
+        file = gzip.GzipFile(fileobj=plain) if magic[:2] == GZIP else plain
+        try:
+            for link, packet in _packets(path, file):
+                if (payload := _payload(link, packet, port)) is not None:
+                    yield payload
+        except (_BreaksOff, EOFError, gzip.BadGzipFile, zlib.error):
+            dropped["capture that is cut short"] += 1
+
+
+def _packets(path: str, file: BinaryIO) -> Iterator[tuple[int, bytes]]:
+    """Link types and packets."""
+    magic = file.read(4)
+    if order := PCAP_ORDERS.get(magic):
+        yield from _pcap(path, file, order)
+    elif magic == PCAPNG:
+        yield from _pcapng(file)
+    else:
+        raise ValueError(f"{path}: no pcap or pcapng" + ("; zstd -d unpacks it" if magic == ZSTD else ""))
+
+
+def _exactly(file: BinaryIO, count: int) -> bytes:
+    data = file.read(count)
+    if len(data) < count:
+        raise _BreaksOff
+    return data
+
+
+def _pcap(path: str, file: BinaryIO, order: str) -> Iterator[tuple[int, bytes]]:
+    link = struct.unpack(order + "16xI", _exactly(file, 20))[0] & 0xFFFF
+    if link not in IPV4_AT:
+        raise ValueError(f"{path}: no pcap of Ethernet, Linux cooked or raw IP")
+    while head := file.read(16):
+        size = struct.unpack(order + "8xI4x", head)[0] if len(head) == 16 else LONGEST_PACKET + 1
+        if size > LONGEST_PACKET:
+            raise _BreaksOff
+        yield link, _exactly(file, size)
+
+
+def _pcapng(file: BinaryIO) -> Iterator[tuple[int, bytes]]:
+    kind, order, links = PCAPNG, "<", []
+    while kind:
+        if len(kind) < 4:
+            raise _BreaksOff
+        head = _exactly(file, 8 if kind == PCAPNG else 4)
+        if kind == PCAPNG:  # a section begins, in an order of its own
+            order, links = PCAPNG_ORDERS.get(head[4:]), []
+        size = struct.unpack_from(order + "I", head)[0] if order else 0
+        if size % 4 or not 12 <= size <= LONGEST_BLOCK:
+            raise _BreaksOff
+        body = _exactly(file, size - 4 - len(head))[:-4]  # behind it the size again
+        number = struct.unpack(order + "I", kind)[0]
+        if number == INTERFACE and len(body) >= 2:
+            links.append(struct.unpack_from(order + "H", body)[0])
+        elif number == PACKET and len(body) >= 20:
+            interface, size = struct.unpack_from(order + "I8xI", body)
+            if interface < len(links):
+                yield links[interface], body[20:20 + size]
+        elif number == SIMPLE_PACKET and links:
+            yield links[0], body[4:4 + struct.unpack_from(order + "I", body)[0]] if len(body) >= 4 else b""
+        kind = file.read(4)
+
+
+def _payload(link: int, packet: bytes, port: int) -> bytes | None:
+    """Of an unfragmented UDP datagram over IPv4 to that port; a message of the stream is never longer."""
+    if link not in IPV4_AT:
+        return None
+    at = IPV4_AT[link]
+    ip, udp = packet[at:at + 20], at + 4 * (packet[at] & 15) if len(packet) > at + 20 else 0
+    if len(packet) < udp + 8 or len(ip) < 20 or ip[0] >> 4 != 4 or ip[9] != 17 or ip[6] & 0x3F or ip[7]:
+        return None
+    to, size = struct.unpack_from(">HH", packet, udp + 2)
+    return packet[udp + 8:udp + size] if to == port else None
