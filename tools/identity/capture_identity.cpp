@@ -60,6 +60,14 @@ std::string one(std::string_view name) {
   return (is_spoken_open ? "an " : "a ") + std::string(name);
 }
 
+bool is_name_of_ours(std::string_view name) {
+  bool is_one = false;
+  for (unsigned number = 0; number < lidar::kFormatCount; ++number) {
+    is_one = is_one || lidar::name_of(static_cast<lidar::Format>(number)) == name;
+  }
+  return is_one;
+}
+
 std::string port_words(std::uint16_t number) { return "UDP port " + std::to_string(number); }
 
 }  // namespace
@@ -79,6 +87,8 @@ void CaptureIdentity::add(const CapturedDatagram& datagram) {
     return;
   }
   port.has_ours = port.has_ours || !seen.formats.is_empty();
+  port.has_other_mode =
+      port.has_other_mode || (seen.formats.is_empty() && is_name_of_ours(seen.name));
   if (seen.is_in_doubt) {
     port.doubted = seen.name;
     port.doubted_formats = seen.formats;
@@ -235,12 +245,18 @@ std::string CaptureIdentity::words_of_ports() const {
   std::vector<std::string> parts;
   for (const auto& [number, port] : ports_) {
     if (port.is_of_lidar() && parts.size() < kNamedPorts) {
-      parts.push_back("what comes to " + port_words(number) + " is of " + one(port.name()));
+      parts.push_back("what comes to " + port_words(number) + " is of " + one(port.name()) +
+                      (port.has_other_mode ? " in a mode that iogrid does not take" : ""));
     }
   }
+  if (parts.empty() || has_ours()) {
+    return joined(parts, "; ");
+  }
+  const bool has_other_mode = std::ranges::any_of(
+      ports_, [](const auto& number_and_port) { return number_and_port.second.has_other_mode; });
   return joined(parts, "; ") +
-         (parts.empty() || has_ours()
-              ? ""
+         (has_other_mode
+              ? " (docs/sensors.md, \"Two returns\")"
               : ", and iogrid takes none of such a unit (docs/sensors.md lists those it takes)");
 }
 

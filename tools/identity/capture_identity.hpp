@@ -54,6 +54,7 @@ class CaptureIdentity {
     std::string doubted;                         // of the last one that is in doubt
     lidar::FormatSet doubted_formats;
     bool has_ours = false;                         // of a unit that iogrid takes
+    bool has_other_mode = false;                   // of such a unit, in a mode that is not taken
     std::set<const vehicle::Sensor*> its_senders;  // that would send what came, of any vehicle
     // How often two neighbouring directions of a message were so many ticks apart.
     std::map<std::int32_t, std::uint64_t> steps;

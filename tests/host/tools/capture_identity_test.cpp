@@ -100,11 +100,28 @@ TEST(CaptureIdentity, WhatAHeaderNamesIsNamedWhetherItIsTakenOrNot) {
       }
       const std::string refusal = capture.refusal_by(car);
       EXPECT_TRUE(contains(refusal, " " + std::string(packet.name))) << refusal;
-      EXPECT_TRUE(contains(refusal, "iogrid takes none of such a unit")) << refusal;
+      const bool is_of_ours = packet.name == "Velodyne VLS-128";
+      EXPECT_TRUE(contains(refusal, is_of_ours ? "VLS-128 in a mode that iogrid does not take"
+                                               : "iogrid takes none of such a unit"))
+          << refusal;
       EXPECT_FALSE(contains(refusal, "--vehicle")) << refusal;
       EXPECT_TRUE(contains(capture.info(), packet.name)) << capture.info();
     }
   }
+}
+
+// PandarXT User Manual, "Return mode": 0x3D is three returns.
+TEST(CaptureIdentity, AUnitInAModeThatIsNotTakenIsNamedSo) {
+  Capture capture;
+  for (const std::uint64_t time_us : {1U, 2U, 3U}) {
+    capture.add(
+        2368, time_us,
+        tests::HesaiPacket{.format = lidar::kFormat<lidar::HesaiXt32m>, .mode = 0x3D}.bytes());
+  }
+  const std::string refusal = capture.refusal_by("roof_xt32m");
+  EXPECT_TRUE(contains(refusal, "Hesai PandarXT-32M in a mode that iogrid does not take"))
+      << refusal;
+  EXPECT_TRUE(contains(capture.info(), "in a mode that iogrid does not take")) << capture.info();
 }
 
 TEST(CaptureIdentity, GarbageHasNoName) {
