@@ -50,6 +50,18 @@ std::optional<CapturedDatagram> StreamFile::next_of_mcap() {
   return std::nullopt;
 }
 
+std::optional<std::uint64_t> StreamFile::place() const {
+  return capture_ ? capture_->place() : mcap_->place();
+}
+
+void StreamFile::go_to(std::uint64_t place) {
+  if (capture_) {
+    capture_->go_to(place);
+  } else {
+    mcap_->go_to(place);
+  }
+}
+
 std::optional<double> StreamFile::part_read() const {
   return capture_ ? capture_->part_read() : mcap_->part_read();
 }

@@ -21,6 +21,13 @@ class StreamFile {
   // The next datagram of the stream; nothing at the end. Other datagrams of a capture are skipped.
   [[nodiscard]] std::optional<CapturedDatagram> next();
 
+  // Not behind the next datagram, for go_to(); nothing in a file that is read from its beginning
+  // only.
+  [[nodiscard]] std::optional<std::uint64_t> place() const;
+
+  // Goes on from a place() of this file, or a little before it.
+  void go_to(std::uint64_t place);
+
   // How much of the file has been read, 0 to 1; nothing where nobody knows its size.
   [[nodiscard]] std::optional<double> part_read() const;
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
@@ -28,6 +29,9 @@ constexpr std::chrono::milliseconds kTendAfter{50};
 // each tile of a stream anew within eight frames, and of scans it has to find out what stands.
 constexpr std::uint64_t kLeadOfStreamUs = 1'000'000;
 constexpr std::uint64_t kLeadOfScansUs = 3'000'000;
+
+// An hour has so 3,600 marks, and a jump reads a second that it does not show.
+constexpr std::uint64_t kBetweenMarksUs = 1'000'000;
 
 // The datagrams of a file that can be shown: of a vehicle's sensors, and of a target's stream.
 class ShownFile {
@@ -62,6 +66,19 @@ class ShownFile {
     return capture_ && takes_port(*car_, datagram.destination.port);
   }
   [[nodiscard]] bool is_mcap() const { return stream_ != nullptr; }
+
+  // As of StreamFile.
+  [[nodiscard]] std::optional<std::uint64_t> place() const {
+    return stream_ ? stream_->place() : capture_->place();
+  }
+  void go_to(std::uint64_t place) {
+    if (stream_) {
+      stream_->go_to(place);
+    } else {
+      capture_->go_to(place);
+    }
+  }
+
   [[nodiscard]] std::optional<double> part_read() const {
     return stream_ ? stream_->part_read() : capture_->part_read();
   }
@@ -85,22 +102,24 @@ class ShownFile {
 class RecordingSource : public Source {
  public:
   explicit RecordingSource(const RecordingOptions& options)
-      : options_(options), car_(&find_vehicle(options.vehicle)) {
-    ShownFile file(options_, *car_);
+      : options_(options),
+        car_(&find_vehicle(options.vehicle)),
+        file_(std::make_unique<ShownFile>(options_, *car_)) {
     CaptureIdentity others;
-    const std::optional<CapturedDatagram> first = file.next(&others);
+    const std::optional<CapturedDatagram> first = file_->next(&others);
     if (!first) {
       throw UsageError(options_.path +
-                       (file.is_mcap() ? ": no stream of a target in it; `iog record` writes one, "
-                                         "with the topic /iogrid/messages"
-                                       : ": no grid to port " + std::to_string(options_.port) +
-                                             ", and " + others.refusal(*car_)));
+                       (file_->is_mcap()
+                            ? ": no stream of a target in it; `iog record` writes one, "
+                              "with the topic /iogrid/messages"
+                            : ": no grid to port " + std::to_string(options_.port) + ", and " +
+                                  others.refusal(*car_)));
     }
-    is_of_target_ = !file.is_of_car(*first);
+    is_of_target_ = !file_->is_of_car(*first);
     if (!is_of_target_) {
       demand_fit(options_.path, *car_);
     }
-    find_span(*first, file);
+    find_span(*first);
   }
 
   [[nodiscard]] std::string kind() const override {
@@ -130,17 +149,39 @@ class RecordingSource : public Source {
     std::this_thread::sleep_for(kTendAfter);
   }
 
-  // How long the file is, which nobody knows before all of it has been read.
-  void find_span(const CapturedDatagram& first, ShownFile& file) {
+  // How long the file is, which nobody knows before all of it has been read, and its marks.
+  void find_span(const CapturedDatagram& first) {
     Progress progress("datagrams");
     std::uint64_t count = 1;
     first_us_ = first.time_us;
     std::optional<CapturedDatagram> datagram;
-    while (!was_interrupted() && (datagram = file.next())) {
+    while (!was_interrupted() && (datagram = file_->next())) {
       span_us_ = std::max(span_us_, since_first(*datagram));
-      progress.show(++count, file.part_read());
+      progress.show(++count, file_->part_read());
+      if (marks_.empty() || span_us_ >= marks_.back().longest_us + kBetweenMarksUs) {
+        if (const std::optional<std::uint64_t> place = file_->place()) {
+          marks_.push_back({.longest_us = span_us_, .place = *place});
+        }
+      }
     }
-    file.warn(options_.path);
+    file_->warn(options_.path);
+  }
+
+  // The first datagram that was so long after the first one or longer, by reading on from the last
+  // mark before it, or from the beginning.
+  [[nodiscard]] std::optional<CapturedDatagram> find(std::uint64_t wanted_us) {
+    const auto behind = std::ranges::partition_point(
+        marks_, [&](const Mark& mark) { return mark.longest_us < wanted_us; });
+    if (behind == marks_.begin()) {
+      file_ = std::make_unique<ShownFile>(options_, *car_);
+    } else {
+      file_->go_to(std::prev(behind)->place);
+    }
+    std::optional<CapturedDatagram> datagram = file_->next();
+    while (datagram && since_first(*datagram) < wanted_us) {
+      datagram = file_->next();
+    }
+    return datagram;
   }
 
   // A capture may run backwards.
@@ -184,13 +225,9 @@ class RecordingSource : public Source {
 
   void play(Viewer& viewer, std::uint64_t from_us) {
     const std::uint64_t lead_us = is_of_target_ ? kLeadOfStreamUs : kLeadOfScansUs;
-    ShownFile file(options_, *car_);
     CaptureClock clock;
     Pace pace(options_.speed);
-    std::optional<CapturedDatagram> datagram = file.next();
-    while (datagram && since_first(*datagram) + lead_us < from_us) {
-      datagram = file.next();
-    }
+    std::optional<CapturedDatagram> datagram = find(from_us - std::min(from_us, lead_us));
     now_us_ = round_start_us_;
     while (datagram && !is_called_away(viewer)) {
       const std::uint64_t place_us = since_first(*datagram);
@@ -206,8 +243,8 @@ class RecordingSource : public Source {
       }
       viewer.note_place(place_us / 1000);
       datagram->time_us = time_us;
-      show(*datagram, file, viewer);
-      datagram = file.next();
+      show(*datagram, viewer);
+      datagram = file_->next();
     }
   }
 
@@ -228,8 +265,8 @@ class RecordingSource : public Source {
     }
   }
 
-  void show(const CapturedDatagram& datagram, const ShownFile& file, Viewer& viewer) {
-    if (!file.is_of_car(datagram)) {
+  void show(const CapturedDatagram& datagram, Viewer& viewer) {
+    if (!file_->is_of_car(datagram)) {
       viewer.take(datagram.payload);
       return;
     }
@@ -239,8 +276,16 @@ class RecordingSource : public Source {
     target_->take(datagram, nullptr);
   }
 
+  // A place in the file, before which no datagram was longer after the first one.
+  struct Mark {
+    std::uint64_t longest_us;
+    std::uint64_t place;
+  };
+
   RecordingOptions options_;
   const CatalogueEntry* car_;
+  std::unique_ptr<ShownFile> file_;
+  std::vector<Mark> marks_;    // none of a file that is read from its beginning only
   bool is_of_target_ = false;  // a recorded stream
   std::uint64_t first_us_ = 0;
   std::uint64_t span_us_ = 0;

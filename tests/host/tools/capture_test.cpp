@@ -297,7 +297,7 @@ TEST(Capture, APackedOneThatIsABombEndsAtTheLimit) {
 
 // By draft-ietf-opsawg-pcapng: section header, one interface of Ethernet whose times are
 // microseconds, and an enhanced packet, each with its length before and behind.
-TEST(Capture, PcapngIsRead) {
+std::vector<std::byte> pcapng_of_a_datagram() {
   const auto plain = capture_of(1);
   const auto frame = std::span<const std::byte>(plain).subspan(kFirstFrame);
   std::vector<std::byte> bytes;
@@ -316,6 +316,11 @@ TEST(Capture, PcapngIsRead) {
   bytes.insert(bytes.end(), frame.begin(), frame.end());
   bytes.resize(bytes.size() + (4 - count % 4) % 4);
   add({block});
+  return bytes;
+}
+
+TEST(Capture, PcapngIsRead) {
+  const auto bytes = pcapng_of_a_datagram();
   for (const Packer pack : kPackers) {
     for (const auto& file : {bytes, pack(bytes)}) {
       const Reading reading = reading_of(file);
@@ -324,6 +329,46 @@ TEST(Capture, PcapngIsRead) {
       EXPECT_EQ(reading.datagrams[0].time_us, 42U);
     }
   }
+}
+
+// Whoever has come by a place comes back to the same packets, from anywhere.
+TEST(Capture, GoesOnFromAnyPlace) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "plain.pcap";
+  write_bytes(path, capture_of(100));
+  PcapReader reader(path);
+  std::vector<std::uint64_t> places{reader.place().value()};
+  while (reader.next()) {
+    places.push_back(reader.place().value());
+  }
+  PcapReader fresh(path);
+  for (const std::size_t from : {100U, 99U, 0U, 57U, 58U, 1U}) {
+    for (PcapReader* const each : {&reader, &fresh}) {
+      each->go_to(places.at(from));
+      const auto rest = read_capture(*each);
+      ASSERT_EQ(rest.size(), 100 - from);
+      for (std::size_t i = 0; i < rest.size(); ++i) {
+        EXPECT_EQ(rest[i].payload, datagram_of(from + i, 1000 + from + i).payload);
+      }
+      EXPECT_EQ(each->trouble(), "");
+    }
+  }
+}
+
+TEST(Capture, APackedOneAndAPcapngHaveNoPlaces) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "some.file";
+  for (const Packer pack : kPackers) {
+    write_bytes(path, pack(capture_of(3)));
+    PcapReader reader(path);
+    EXPECT_FALSE(reader.place());
+    EXPECT_TRUE(reader.next());
+    EXPECT_FALSE(reader.place());
+    EXPECT_THROW(reader.go_to(24), UsageError);
+    EXPECT_EQ(read_capture(reader).size(), 2U);
+  }
+  write_bytes(path, pcapng_of_a_datagram());
+  EXPECT_FALSE(PcapReader(path).place());
 }
 
 TEST(Capture, WhatIsNoCaptureIsRefused) {

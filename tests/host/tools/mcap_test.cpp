@@ -110,6 +110,27 @@ TEST_P(Mcap, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(reader.counts().broken_chunks + reader.counts().malformed, 0U);
 }
 
+// A place is that of a chunk: of a second here, four messages.
+TEST_P(Mcap, GoesOnFromThePlaceOfAnyMessage) {
+  const std::vector<Kept> messages = sample_messages(23);
+  std::istringstream in(file_of(messages, GetParam()));
+  Reader reader(in);
+  std::vector<std::uint64_t> places;
+  while (reader.next()) {
+    places.push_back(reader.place());
+  }
+  ASSERT_EQ(places.size(), messages.size());
+  for (const std::size_t from : {22U, 4U, 0U, 11U}) {
+    reader.go_to(places.at(from));
+    const std::vector<Kept> rest = all_of(reader);
+    ASSERT_GE(rest.size(), messages.size() - from);
+    ASSERT_LT(rest.size(), messages.size() - from + 5);
+    EXPECT_TRUE(
+        std::ranges::equal(rest, std::span(messages).subspan(messages.size() - rest.size())));
+    EXPECT_TRUE(reader.is_finished());
+  }
+}
+
 TEST_P(Mcap, AFileWithoutMessagesIsWhole) {
   std::istringstream in(file_of({}, GetParam()));
   Reader reader(in);

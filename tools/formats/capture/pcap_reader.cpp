@@ -71,8 +71,16 @@ std::FILE* c_file_of(UnpackedFile& bytes) {
     return static_cast<ssize_t>(
         static_cast<UnpackedFile*>(from)->read(std::as_writable_bytes(std::span(to, count))));
   };
-  std::FILE* const file = fopencookie(
-      &bytes, "rb", {.read = read, .write = nullptr, .seek = nullptr, .close = nullptr});
+  const auto seek = [](void* from, off64_t* to, int whence) {
+    auto& file = *static_cast<UnpackedFile*>(from);
+    if (whence == SEEK_CUR && *to == 0) {
+      *to = static_cast<off64_t>(file.place());
+      return file.can_go() ? 0 : -1;
+    }
+    return whence == SEEK_SET && file.go_to(static_cast<std::uint64_t>(*to)) ? 0 : -1;
+  };
+  std::FILE* const file =
+      fopencookie(&bytes, "rb", {.read = read, .write = nullptr, .seek = seek, .close = nullptr});
   if (file == nullptr) {
     throw UsageError("no memory to read a capture");
   }
@@ -110,6 +118,21 @@ PcapReader::PcapReader(const std::string& path) : bytes_(path) {
     throw UsageError(path + ": link type " + (name != nullptr ? name : std::to_string(link_type_)) +
                      "; record on Ethernet, or convert the capture to it");
   }
+}
+
+std::optional<std::uint64_t> PcapReader::place() const {
+  const bool is_pcapng = !bytes_.begin().empty() && bytes_.begin()[0] == std::byte{0x0A};
+  const off64_t place = is_pcapng || !bytes_.can_go() ? -1 : ftello64(pcap_file(file_.get()));
+  return place < 0 ? std::nullopt : std::optional(static_cast<std::uint64_t>(place));
+}
+
+void PcapReader::go_to(std::uint64_t place) {
+  if (fseeko64(pcap_file(file_.get()), static_cast<off64_t>(place), SEEK_SET) != 0) {
+    throw UsageError("a capture cannot be read from another place");
+  }
+  reassembly_ = std::make_unique<net::Reassembly>();
+  newest_us_ = 0;
+  trouble_.clear();
 }
 
 std::optional<CapturedDatagram> PcapReader::next() {

@@ -40,6 +40,14 @@ class PcapReader {
   // further.
   [[nodiscard]] std::optional<CapturedDatagram> next();
 
+  // Where the next packet begins, for go_to(); nothing in a file that is read from its beginning
+  // only: pcapng, in which a packet needs what was said before it, what is packed, and a pipe.
+  [[nodiscard]] std::optional<std::uint64_t> place() const;
+
+  // Goes on from a place() of this file. Packets that are read again are counted again, and of a
+  // datagram in fragments those before that place are lost.
+  void go_to(std::uint64_t place);
+
   [[nodiscard]] const CaptureCounts& counts() const { return counts_; }
   // "breaks off in a packet": why the file cannot be read to its end; empty if it can.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }

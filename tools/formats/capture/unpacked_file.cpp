@@ -157,6 +157,17 @@ std::optional<double> UnpackedFile::part_read() const {
   return std::min(1.0, taken / static_cast<double>(file_bytes_));
 }
 
+bool UnpackedFile::go_to(std::uint64_t place) {
+  if (!can_go() || lseek(descriptor_, static_cast<off_t>(place), SEEK_SET) < 0) {
+    return false;
+  }
+  packed_ = unpacked_ = place;
+  input_ = {};
+  has_ended_ = false;
+  trouble_.clear();
+  return true;
+}
+
 bool UnpackedFile::has_input() {
   if (!input_.empty() || has_ended_) {
     return !input_.empty();

@@ -24,6 +24,16 @@ class UnpackedFile {
   // Some of the next bytes; none where nothing more comes.
   [[nodiscard]] std::size_t read(std::span<std::byte> to);
 
+  // How many bytes have come.
+  [[nodiscard]] std::uint64_t place() const { return unpacked_; }
+
+  // Whether the bytes can be read from any place: what nothing has packed, and is no pipe.
+  [[nodiscard]] bool can_go() const { return !unpacker_ && file_bytes_ > 0; }
+
+  // The next byte is that of a place in the file; false, and nothing is changed, where that cannot
+  // be.
+  [[nodiscard]] bool go_to(std::uint64_t place);
+
   // "breaks off: …", why there is nothing more to read; empty if that is the file's end.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 

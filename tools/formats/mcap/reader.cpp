@@ -56,6 +56,15 @@ double Reader::part_read() const {
   return 1 - static_cast<double>(remaining_) / static_cast<double>(bytes_);
 }
 
+void Reader::go_to(std::uint64_t place) {
+  in_->clear();
+  in_->seekg(static_cast<std::streamoff>(place));
+  record_at_ = place;
+  remaining_ = bytes_ - std::min(bytes_, place);
+  chunk_ = wire::ByteReader({});
+  is_finished_ = false;
+}
+
 std::optional<Message> Reader::next() {
   while (const std::optional<Record> record =
              chunk_.remaining() > 0 ? next_of_chunk() : next_of_file()) {
@@ -72,6 +81,7 @@ std::optional<Reader::Record> Reader::next_of_file() {
   if (is_finished_ || remaining_ < head.size()) {
     return std::nullopt;
   }
+  record_at_ = bytes_ - remaining_;
   in_->read(reinterpret_cast<char*>(head.data()), head.size());
   remaining_ -= head.size();
   wire::ByteReader reader(head);

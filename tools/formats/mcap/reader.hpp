@@ -42,6 +42,13 @@ class Reader {
   // The next message in the order of the file; nothing at its end.
   [[nodiscard]] std::optional<Message> next();
 
+  // Where the record of the file begins that the last message was in, mostly a chunk.
+  [[nodiscard]] std::uint64_t place() const { return record_at_; }
+
+  // Goes on from a place(): the next message is the first one of that record. Channels that have
+  // been read stay; what is read again is counted again.
+  void go_to(std::uint64_t place);
+
   [[nodiscard]] const ReadCounts& counts() const { return counts_; }
   [[nodiscard]] const std::string& profile() const { return profile_; }
   [[nodiscard]] const std::string& library() const { return library_; }
@@ -78,6 +85,7 @@ class Reader {
   std::istream* in_;
   std::uint64_t bytes_ = 0;      // of the file
   std::uint64_t remaining_ = 0;  // of them
+  std::uint64_t record_at_ = 0;  // where the last record of the file begins
   std::vector<std::byte> record_;
   std::unique_ptr<std::byte[]> unpacked_;
   wire::ByteReader chunk_{{}};  // what is left of the chunk that is open
