@@ -64,6 +64,30 @@ TEST(CarBlock, TheGroundComesBackAsItIs) {
   expect_equal(bytes.car.sensors[0], sensors[0]);
 }
 
+// Each of the three that share a byte, with and without the others (docs/spec.md, 8.4).
+TEST(CarBlock, WhatSharesAByteComesBackByItself) {
+  const vehicles::Car& roof = vehicles::car("roof_vlp16");
+  for (unsigned bits = 0; bits < 4; ++bits) {
+    std::vector<vehicle::Sensor> sensors(roof.vehicle.sensors.begin(), roof.vehicle.sensors.end());
+    sensors[0].ground = {};
+    sensors[0].moved = {};
+    if ((bits & 1U) != 0) {
+      sensors[0].ground = {.low_mm = 250, .top_mm = 2'300};
+    }
+    if ((bits & 2U) != 0) {
+      sensors[0].moved = {.low_mm = 600, .tall_mm = 700};
+    }
+    vehicles::Car car = roof;
+    car.vehicle.sensors = sensors;
+    CarBytes bytes(car);
+    ASSERT_EQ(bytes.read().refusal, Refusal::kNone) << bits;
+    const vehicle::Sensor& read = bytes.car.sensors[0];
+    EXPECT_TRUE(read.layers_share_lines) << bits;
+    EXPECT_EQ(read.ground.is_followed(), (bits & 1U) != 0);
+    EXPECT_EQ(read.moved.are_given(), (bits & 2U) != 0);
+  }
+}
+
 TEST(CarBlock, WhatOpensGroundComesBackAsItIs) {
   const vehicles::Car& roof = vehicles::car("roof_hdl64e");
   std::vector<vehicle::Sensor> sensors(roof.vehicle.sensors.begin(), roof.vehicle.sensors.end());
