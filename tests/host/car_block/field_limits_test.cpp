@@ -1,5 +1,6 @@
 // Limits of the fields of a block that a car's file and a forged block have in common: each side of
 // each of them.
+#include <algorithm>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <string>
@@ -163,6 +164,26 @@ TEST(FieldLimits, ABeamIsAsLongAsItsRangeAlongEachAxis) {
       }
     }
   }
+}
+
+// A height band below the car is met as long as the lowest end of a tilted unit's beams is in it.
+TEST(FieldLimits, SomeBeamMeetsTheBandHoweverFarItSwings) {
+  const auto fault_of_top = [](std::int32_t over_lowest) {
+    return fault_with(
+        [&](Changed& c) {
+          std::int64_t lowest = INT64_MAX;
+          for (std::size_t i = 0; i < c.sensors[0].layer_count; ++i) {
+            const vehicle::EndCoordinate& z = c.sensors[0].layers[i].z;
+            lowest =
+                std::min<std::int64_t>(lowest, z.base - std::abs(z.forward) - std::abs(z.left));
+          }
+          c.car.z_max = static_cast<std::int32_t>(lowest >> 10) + over_lowest;
+          c.car.z_min = c.car.z_max - 1'000;
+        },
+        "roof_ld_mrs");
+  };
+  EXPECT_EQ(fault_of_top(1), "");
+  EXPECT_EQ(fault_of_top(-1), "0.mount.z_m");
 }
 
 }  // namespace

@@ -181,6 +181,7 @@ TEST(DescriptionLimits, HeightsThatOpenGroundAreThoseOfThings) {
   EXPECT_EQ(faults({.low_m = 0.6, .tall_m = 0.7}), "");
   EXPECT_EQ(faults({.low_m = 0.09, .tall_m = 0.7}), "0.moved.low_m");
   EXPECT_EQ(faults({.low_m = 10.1, .tall_m = 0.7}), "0.moved.low_m");
+  EXPECT_EQ(faults({.low_m = 1e300, .tall_m = 0.7}), "0.moved.low_m") << "not taken for none";
   EXPECT_EQ(faults({.low_m = 0.6, .tall_m = -0.1}), "0.moved.tall_m");
   EXPECT_EQ(faults({.low_m = 0.6, .tall_m = 10.1}), "0.moved.tall_m");
 }
