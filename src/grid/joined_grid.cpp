@@ -1,28 +1,15 @@
-// Eight bits are enough on the way, so that sixteen cells are joined at once: with indexes in
-// -127 ... 127, the room that one leaves to +-127 is 0 ... 127, and what is added is cut to it.
 #include "grid/joined_grid.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+
+#include "grid/lanes.hpp"
 
 namespace iog::grid {
 namespace {
 
 using index::OccupancyIndex;
-
-constexpr OccupancyIndex kMost = index::kIndexMax<OccupancyIndex>;
-constexpr OccupancyIndex kLeast = index::kIndexMin<OccupancyIndex>;
-
-constexpr OccupancyIndex above(OccupancyIndex index) { return std::max(index, index::kUnknown); }
-constexpr OccupancyIndex below(OccupancyIndex index) { return std::min(index, index::kUnknown); }
-
-constexpr OccupancyIndex joined(OccupancyIndex a, OccupancyIndex b) {
-  const auto room_above = static_cast<OccupancyIndex>(kMost - above(a));
-  const auto room_below = static_cast<OccupancyIndex>(kLeast - below(a));
-  const auto hit = static_cast<OccupancyIndex>(above(a) + std::min(above(b), room_above));
-  const auto free = static_cast<OccupancyIndex>(below(a) + std::max(below(b), room_below));
-  return hit > 0 ? hit : free;
-}
 
 std::uint32_t hits_of(const OccupancyIndex* row) {
   std::uint32_t hits = 0;
@@ -34,9 +21,18 @@ std::uint32_t hits_of(const OccupancyIndex* row) {
 
 }  // namespace
 
+// Sixteen cells at once: saturation is that of the machine, at 127 and, raised by one, at -127. A
+// sum of indexes of both signs means nothing, and is left out where something is hit.
 void join(std::span<OccupancyIndex, geometry::kTileCells> to, JoinedGrid::TileIndexes more) {
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    to[i] = joined(to[i], more[i]);
+  static_assert(index::kIndexMax<OccupancyIndex> == 127);
+  const Lanes unknown = Lanes::all(index::kUnknown);
+  const Lanes least = Lanes::all(index::kIndexMin<OccupancyIndex>);
+  for (std::size_t i = 0; i < to.size(); i += kLaneCount) {
+    const Lanes one = Lanes::load_bytes(&to[i]);
+    const Lanes other = Lanes::load_bytes(&more[i]);
+    const Lanes hit = one.max(unknown).add(other.max(unknown));
+    const Lanes free = one.add(other).max(least);
+    hit.bit_or(free.and_not(hit.above_zero())).store_bytes(&to[i]);
   }
 }
 

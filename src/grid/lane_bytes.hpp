@@ -15,10 +15,16 @@ struct LaneBytes {
   friend constexpr bool operator==(const LaneBytes&, const LaneBytes&) = default;
 };
 
-// What subtract() of any Lanes computes, lane by lane: the difference, but not below -128.
+// What subtract() and add() of any Lanes compute, lane by lane: no less than -128, no more than
+// 127.
+[[nodiscard]] constexpr std::int8_t saturated(int value) {
+  return static_cast<std::int8_t>(value < -128 ? -128 : value > 127 ? 127 : value);
+}
 [[nodiscard]] constexpr std::int8_t subtract_saturated(std::int8_t minuend, std::int8_t amount) {
-  const int difference = minuend - amount;
-  return static_cast<std::int8_t>(difference < -128 ? -128 : difference > 127 ? 127 : difference);
+  return saturated(minuend - amount);
+}
+[[nodiscard]] constexpr std::int8_t add_saturated(std::int8_t a, std::int8_t b) {
+  return saturated(a + b);
 }
 
 }  // namespace iog::grid

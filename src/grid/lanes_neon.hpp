@@ -17,6 +17,7 @@ class NeonLanes {
     __builtin_memcpy(&lanes, __builtin_assume_aligned(&from, kLaneCount), kLaneCount);
     return NeonLanes(lanes);
   }
+  static NeonLanes load_bytes(const std::int8_t* from) { return NeonLanes(vld1q_s8(from)); }
   static NeonLanes all(std::int8_t value) { return NeonLanes(vdupq_n_s8(value)); }
   void store(LaneBytes& to) const {
     __builtin_memcpy(__builtin_assume_aligned(&to, kLaneCount), &lanes_, kLaneCount);
@@ -33,6 +34,12 @@ class NeonLanes {
   }
   [[nodiscard]] NeonLanes subtract(NeonLanes amount) const {
     return NeonLanes(vqsubq_s8(lanes_, amount.lanes_));
+  }
+  [[nodiscard]] NeonLanes add(NeonLanes other) const {
+    return NeonLanes(vqaddq_s8(lanes_, other.lanes_));
+  }
+  [[nodiscard]] NeonLanes above_zero() const {
+    return NeonLanes(vreinterpretq_s8_u8(vcgtq_s8(lanes_, vdupq_n_s8(0))));
   }
   [[nodiscard]] NeonLanes max(NeonLanes least) const {
     return NeonLanes(vmaxq_s8(lanes_, least.lanes_));

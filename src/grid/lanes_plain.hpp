@@ -13,6 +13,11 @@ namespace iog::grid {
 class PlainLanes {
  public:
   static PlainLanes load(const LaneBytes& from) { return PlainLanes(from); }
+  static PlainLanes load_bytes(const std::int8_t* from) {
+    LaneBytes lanes;
+    std::copy_n(from, kLaneCount, lanes.bytes.begin());
+    return PlainLanes(lanes);
+  }
   static PlainLanes all(std::int8_t value) {
     LaneBytes lanes;
     lanes.bytes.fill(value);
@@ -32,6 +37,13 @@ class PlainLanes {
   }
   [[nodiscard]] PlainLanes subtract(const PlainLanes& amount) const {
     return each(amount, subtract_saturated);
+  }
+  [[nodiscard]] PlainLanes add(const PlainLanes& other) const { return each(other, add_saturated); }
+  // All bits of those that are above 0.
+  [[nodiscard]] PlainLanes above_zero() const {
+    return each(*this, [](std::int8_t a, std::int8_t /*same*/) {
+      return static_cast<std::int8_t>(a > 0 ? -1 : 0);
+    });
   }
   [[nodiscard]] PlainLanes max(const PlainLanes& least) const {
     return each(least, [](std::int8_t a, std::int8_t b) { return a < b ? b : a; });

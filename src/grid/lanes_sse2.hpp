@@ -14,6 +14,9 @@ class Sse2Lanes {
   static Sse2Lanes load(const LaneBytes& from) {
     return Sse2Lanes(_mm_load_si128(reinterpret_cast<const __m128i*>(&from)));
   }
+  static Sse2Lanes load_bytes(const std::int8_t* from) {
+    return Sse2Lanes(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
+  }
   static Sse2Lanes all(std::int8_t value) { return Sse2Lanes(_mm_set1_epi8(value)); }
   void store(LaneBytes& to) const { _mm_store_si128(reinterpret_cast<__m128i*>(&to), lanes_); }
   void store_bytes(std::int8_t* to) const {
@@ -28,6 +31,12 @@ class Sse2Lanes {
   }
   [[nodiscard]] Sse2Lanes subtract(Sse2Lanes amount) const {
     return Sse2Lanes(_mm_subs_epi8(lanes_, amount.lanes_));
+  }
+  [[nodiscard]] Sse2Lanes add(Sse2Lanes other) const {
+    return Sse2Lanes(_mm_adds_epi8(lanes_, other.lanes_));
+  }
+  [[nodiscard]] Sse2Lanes above_zero() const {
+    return Sse2Lanes(_mm_cmpgt_epi8(lanes_, _mm_setzero_si128()));
   }
   // SSE2 has no maximum of signed bytes: select by comparing.
   [[nodiscard]] Sse2Lanes max(Sse2Lanes least) const {

@@ -1,9 +1,7 @@
 #include "window/slice_cells.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
-#include <utility>
 
 #include "window/eight_bytes.hpp"
 
@@ -13,15 +11,6 @@ namespace {
 constexpr std::size_t kSide = geometry::kTileSide;
 constexpr std::size_t kBlock = SliceCells::kBlockSide;
 static_assert(kBlock == EightBytes::kCount);
-
-constexpr std::size_t kSquare = 4;
-
-// What four rows have in each column: the bits that an index has, and those that its negative has,
-// of which the sign says that a cell is hit.
-struct alignas(8) SquareBits {
-  std::array<std::int8_t, kSide> bits;
-  std::array<std::int8_t, kSide> negative;
-};
 
 // By eight bits, the byte kBeside where one is set.
 using BesideByBits = std::array<std::array<std::int8_t, EightBytes::kCount>, 256>;
@@ -37,42 +26,9 @@ consteval BesideByBits make_beside_by_bits() {
 }
 constexpr BesideByBits kBesideByBits = make_beside_by_bits();
 
-template <std::size_t... kRows>
-SquareBits squares_of(const std::int8_t* rows, std::index_sequence<kRows...> /*all*/) {
-  SquareBits squares;
-  for (std::size_t x = 0; x < kSide; ++x) {
-    squares.bits[x] = static_cast<std::int8_t>((rows[kRows * kSide + x] | ...));
-    squares.negative[x] = static_cast<std::int8_t>((-rows[kRows * kSide + x] | ...));
-  }
-  return squares;
-}
-
-// A bit for each square in which a bit is set.
-std::uint8_t known_of(const SquareBits& squares) {
-  unsigned known = 0;
-  for (std::size_t x = 0; x < kSide; x += kSquare) {
-    std::uint32_t four = 0;
-    __builtin_memcpy(&four, &squares.bits[x], sizeof four);
-    known |= (four != 0 ? 1U : 0U) << x / kSquare;
-  }
-  return static_cast<std::uint8_t>(known);
-}
-
-bool is_hit(const SquareBits& squares) {
-  return EightBytes::load(squares.negative.data())
-      .bit_or(EightBytes::load(&squares.negative[8]))
-      .bit_or(EightBytes::load(&squares.negative[16]))
-      .bit_or(EightBytes::load(&squares.negative[24]))
-      .has_negative();
-}
-
-// The bytes of a row's indexes. A bit beside an index of either sign is bit 5 of its byte, turned
-// round: that of 1 ... 31 is 0, that of -1 ... -31 is 1.
-void write_row(const std::int8_t* indexes, std::uint32_t bits, std::int8_t* row) {
-  constexpr std::int8_t kMost = kMostIndex;
-  for (std::size_t x = 0; x < kSide; ++x) {
-    row[x] = std::clamp<std::int8_t>(indexes[x], -kMost, kMost);
-  }
+// A bit beside an index of either sign is bit 5 of its byte, turned round: that of 1 ... 31 is 0,
+// that of -1 ... -31 is 1.
+void set_beside(std::uint32_t bits, std::int8_t* row) {
   for (std::int8_t* eight = row; bits != 0; eight += kBlock, bits >>= kBlock) {
     EightBytes::load(eight)
         .bit_xor(EightBytes::load(kBesideByBits[bits % 256].data()))
@@ -83,28 +39,18 @@ void write_row(const std::int8_t* indexes, std::uint32_t bits, std::int8_t* row)
 }  // namespace
 
 void SliceCells::copy(std::size_t tile, TileIndexes indexes, const Plane& low_and_tall) {
-  unsigned hit_bands = 0;
-  TileSquares known{};
-  const std::int8_t* in = indexes.data();
   std::int8_t* row = tiles_[places_[tile]].data();
-  for (std::size_t square_y = 0; square_y < kSquaresOfTile; ++square_y) {
-    const SquareBits squares = squares_of(in, std::make_index_sequence<kSquare>());
-    known[square_y] = known_of(squares);
-    hit_bands |= (is_hit(squares) ? 1U : 0U) << square_y * kSquare / kBlock;
-    for (std::size_t y = square_y * kSquare; y < (square_y + 1) * kSquare; ++y) {
-      write_row(in, low_and_tall[y], row);
-      in += kSide;
-      row += kSide;
-    }
+  notes_[tile] = write_bytes(indexes.data(), row);
+  for (const std::uint32_t bits : low_and_tall) {
+    set_beside(bits, row);
+    row += kSide;
   }
-  known_squares_[tile] = known;
-  hit_bands_[tile] = static_cast<std::uint8_t>(hit_bands);
   is_known_[tile] = true;
 }
 
 void SliceCells::note(std::size_t tile) {
   note_extent(tile);
-  if (hit_bands_[tile] != 0) {
+  if (notes_[tile].hit_bands != 0) {
     hit_tiles_[hit_tile_count_++] = static_cast<std::uint16_t>(tile);
   }
   note_known(tile);
@@ -113,7 +59,7 @@ void SliceCells::note(std::size_t tile) {
 void SliceCells::note_known(std::size_t tile) {
   std::size_t at = (kRowsAround + tile / geometry::kTilesPerSide * kSquaresOfTile) * kSquareStride +
                    1 + tile % geometry::kTilesPerSide;
-  for (const std::uint8_t row : known_squares_[tile]) {
+  for (const std::uint8_t row : notes_[tile].known) {
     squares_[at] = row;
     at += kSquareStride;
   }

@@ -13,7 +13,7 @@
 
 #include "geometry/cell.hpp"
 #include "geometry/grid.hpp"
-#include "window/slice_byte.hpp"
+#include "window/slice_bytes.hpp"
 
 namespace iog::window {
 
@@ -51,7 +51,7 @@ class SliceCells {
 
   // Whether a cell of a tile may be hit, in the band of kBlockSide rows of this number.
   [[nodiscard]] bool may_be_hit(std::size_t tile, std::size_t band) const {
-    return (hit_bands_[tile] >> band & 1U) != 0;
+    return (notes_[tile].hit_bands >> band & 1U) != 0;
   }
 
   // The tiles in which a cell may be hit.
@@ -91,12 +91,6 @@ class SliceCells {
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
   static constexpr Bytes kUnknown{};
 
-  // What is known is noted by squares of four cells, a bit each, rows of bits one after the other.
-  static constexpr std::int32_t kSquareSide = 4;
-  static constexpr std::size_t kSquaresOfTile = geometry::kTileSide / kSquareSide;
-  static_assert(kSquaresOfTile == 8, "a byte a row of squares of a tile");
-  using TileSquares = std::array<std::uint8_t, kSquaresOfTile>;
-
   // Squares outside of the grid lie around it, as far as a rectangle reaches that has one of its
   // own.
   static constexpr std::int32_t kAround = 16;
@@ -123,9 +117,7 @@ class SliceCells {
   std::uint16_t used_ = 0;                                    // places, by set()
   std::array<bool, geometry::kTileCount> is_known_{};
   Extent extent_;
-  std::array<std::uint8_t, geometry::kTileCount> hit_bands_{};  // bit i: band i
-  // By row of squares, from the lowest: bit x of the square x.
-  std::array<TileSquares, geometry::kTileCount> known_squares_{};
+  std::array<TileNotes, geometry::kTileCount> notes_{};
   std::size_t hit_tile_count_ = 0;
   std::array<std::uint16_t, geometry::kTileCount> hit_tiles_{};
   // The same of the grid, with unknown squares around it; a byte a tile.

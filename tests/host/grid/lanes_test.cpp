@@ -1,6 +1,7 @@
 // Sixteen bytes at once are what they are one by one, on every machine.
 #include "grid/lanes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
 
@@ -42,6 +43,8 @@ TEST(Lanes, AreThePlainOnes) {
   expect_the_same([](auto a, auto b) { return a.bit_or(b); });
   expect_the_same([](auto a, auto b) { return a.subtract(b); });
   expect_the_same([](auto a, auto b) { return a.max(b); });
+  expect_the_same([](auto a, auto b) { return a.add(b); });
+  expect_the_same([](auto a, auto b) { return a.add(b).above_zero(); });
 }
 
 // docs/model.md section 3: what is carved saturates. A byte does at -128.
@@ -51,6 +54,25 @@ TEST(Lanes, SubtractDownToTheLowestByte) {
   EXPECT_EQ(int{subtract_saturated(0, 127)}, -127);
   EXPECT_EQ(int{subtract_saturated(-128, 127)}, -128);
   EXPECT_EQ(int{subtract_saturated(127, -128)}, 127);
+}
+
+TEST(Lanes, AddUpToTheHighestByte) {
+  EXPECT_EQ(int{add_saturated(120, 7)}, 127);
+  EXPECT_EQ(int{add_saturated(120, 8)}, 127);
+  EXPECT_EQ(int{add_saturated(-120, -9)}, -128);
+  EXPECT_EQ(int{add_saturated(127, -128)}, -1);
+}
+
+TEST(Lanes, AreLoadedFromAnyPlace) {
+  std::array<std::int8_t, kLaneCount + 3> bytes{};
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    bytes[i] = static_cast<std::int8_t>(3 * i);
+  }
+  for (std::size_t from = 0; from <= 3; ++from) {
+    std::array<std::int8_t, kLaneCount> found{};
+    Lanes::load_bytes(&bytes[from]).store_bytes(found.data());
+    EXPECT_TRUE(std::equal(found.begin(), found.end(), &bytes[from]));
+  }
 }
 
 TEST(Lanes, AreZeroIfAllAre) {
