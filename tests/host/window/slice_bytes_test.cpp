@@ -11,7 +11,7 @@
 namespace iog::window {
 namespace {
 
-constexpr std::size_t kSide = geometry::kTileSide;
+constexpr std::size_t kRowCells = geometry::kTileSide;
 using Cells = std::array<std::int8_t, geometry::kTileCells>;
 
 void expect_right(const Cells& indexes) {
@@ -25,14 +25,14 @@ void expect_right(const Cells& indexes) {
     const std::size_t y = square / kSquaresOfTile;
     bool is_known = false;
     for (std::size_t i = 0; i < 16; ++i) {
-      is_known = is_known || indexes[(4 * y + i / 4) * kSide + 4 * x + i % 4] != 0;
+      is_known = is_known || indexes[(4 * y + i / 4) * kRowCells + 4 * x + i % 4] != 0;
     }
     ASSERT_EQ((notes.known[y] >> x & 1) != 0, is_known) << x << " " << y;
   }
   for (std::size_t band = 0; band < 8; ++band) {
     bool is_hit = false;
-    for (std::size_t i = 0; band < 4 && i < 8 * kSide; ++i) {
-      is_hit = is_hit || indexes[8 * band * kSide + i] > 0;
+    for (std::size_t i = 0; band < 4 && i < 8 * kRowCells; ++i) {
+      is_hit = is_hit || indexes[8 * band * kRowCells + i] > 0;
     }
     ASSERT_EQ((notes.hit_bands >> band & 1) != 0, is_hit) << band;
   }
