@@ -83,14 +83,19 @@ class Page:
     def value(self, expression: str):
         return self.run(f"return {expression}")
 
-    def wait_for(self, expression: str, longest_s: float = 20) -> None:
-        """Until the expression is true, if need be on the page that comes next."""
+    def has_come(self, expression: str, longest_s: float) -> bool:
+        """Whether the expression becomes true, if need be on the page that comes next."""
         try:
             WebDriverWait(self, longest_s, 0.02).until(lambda _: self.value(f"Boolean({expression})"))
         except TimeoutException:
+            return False
+        return True
+
+    def wait_for(self, expression: str, longest_s: float = 20) -> None:
+        if not self.has_come(expression, longest_s):
             words = " ".join(self.value("document.body.innerText").split())
             raise AssertionError(f"in vain waited for {expression}; the page says: {words}; "
-                                 f"{self.complaints()}") from None
+                                 f"{self.complaints()}")
 
     def complaints(self) -> list[dict]:
         """Errors and warnings of the console, and exceptions that nobody caught, on any open page."""
