@@ -62,6 +62,8 @@ void WindowFusion::forget() {
   hits_.clear();
   counts_ = {};
   frames_ = 0;
+  fused_frames_ = 0;
+  last_turns_ = {};
 }
 
 void WindowFusion::decide(std::uint64_t stamp_us, const work::Crew& crew) {

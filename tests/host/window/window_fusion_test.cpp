@@ -228,27 +228,36 @@ TEST(WindowFusion, AnOlderStampCountsAsTheNewest) {
   }
 }
 
-// Every second column of a square is free, so that it is open but never dense, in four frames of
-// each period of 480 ms. Then two cells are hit at once.
+// Every second column of a square is free.
+std::vector<PlacedSlice> striped_ground() {
+  std::vector<PlacedSlice> slices(1);
+  for (std::int32_t i = 0; i < 30 * 30; i += 2) {
+    slices[0].slice.set({512 + i % 30, 512 + i / 30}, -14);
+  }
+  return slices;
+}
+
+std::vector<PlacedSlice> hits_on_stripes() {
+  std::vector<PlacedSlice> slices(1);
+  slices[0].slice.set({512 + 14, 512 + 14}, 2);
+  slices[0].slice.set({512 + 16, 512 + 15}, 2);
+  return slices;
+}
+
+// So that it is open but never dense, in four frames of each period of 480 ms. Then two cells are
+// hit at once.
 decision::Class hit_after(const std::vector<std::uint64_t>& periods) {
   Fusion fusion;
   fusion.follow({0, 0});
-  PlacedSlice stripes;
-  for (std::int32_t i = 0; i < 30 * 30; i += 2) {
-    stripes.slice.set({512 + i % 30, 512 + i / 30}, -14);
-  }
   std::uint64_t newest_us = 0;
   for (const std::uint64_t period : periods) {
     for (std::uint64_t frame = 1; frame <= 4; ++frame) {
       const std::uint64_t stamp_us = (1000 + period) * kPeriodUs + frame * kFrameUs;
-      fusion.frame({stripes}, stamp_us);
+      fusion.frame(striped_ground(), stamp_us);
       newest_us = std::max(newest_us, stamp_us);
     }
   }
-  PlacedSlice hits;
-  hits.slice.set({512 + 14, 512 + 14}, 2);
-  hits.slice.set({512 + 16, 512 + 15}, 2);
-  fusion.frame({hits}, newest_us + kFrameUs);
+  fusion.frame(hits_on_stripes(), newest_us + kFrameUs);
   EXPECT_EQ(fusion.class_at({14, 14}), fusion.class_at({16, 15}));
   return fusion.class_at({14, 14});
 }
@@ -279,6 +288,28 @@ TEST(WindowFusion, TheLiteralRuleLetsEverythingMove) {
     fusion.frame({hit});
     EXPECT_EQ(fusion.class_at({0, 0}),
               rule == Moved::kLiteral ? decision::Class::kMoving : decision::Class::kOccupied);
+  }
+}
+
+// However many frames there were before, and in whichever period they ended.
+TEST(WindowFusion, AWindowThatIsForgottenGoesOnLikeANewOne) {
+  for (std::uint64_t before = 1; before <= 5; ++before) {
+    Fusion forgotten;
+    Fusion fresh;
+    forgotten.follow({0, 0});
+    for (std::uint64_t frame = 0; frame < before; ++frame) {
+      forgotten.frame(striped_ground(), 5'000'000 + frame * kFrameUs);
+    }
+    forgotten.forget();
+    forgotten.follow({0, 0});
+    fresh.follow({0, 0});
+    for (std::uint64_t frame = 0; frame < 60; ++frame) {
+      const std::uint64_t stamp_us = 5'500'000 + frame * kFrameUs;
+      const auto slices = frame % 20 > 16 ? hits_on_stripes() : striped_ground();
+      forgotten.frame(slices, stamp_us);
+      fresh.frame(slices, stamp_us);
+      ASSERT_TRUE(forgotten.classes() == fresh.classes()) << before << " before, frame " << frame;
+    }
   }
 }
 
