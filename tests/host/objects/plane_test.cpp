@@ -88,6 +88,24 @@ TEST(Box, IsBetweenTwoPointsIfTheWayMeetsIt) {
   EXPECT_GT(met, 10);
 }
 
+// As far from one corner as from the other, but for the half of an odd length.
+TEST(Bounds, TheirMiddleIsAsFarFromEachCorner) {
+  Random random(5);
+  for (int i = 0; i < effort(5'000, 200); ++i) {
+    Bounds bounds;
+    for (int point = 0; point < 3; ++point) {
+      bounds.include({random.between(-900'000'000, 900'000'000), random.between(-9'000, 9'000)});
+    }
+    const Point middle = bounds.middle();
+    for (const std::int32_t off :
+         {(bounds.high.x_mm - middle.x_mm) - (middle.x_mm - bounds.low.x_mm),
+          (bounds.high.y_mm - middle.y_mm) - (middle.y_mm - bounds.low.y_mm)}) {
+      ASSERT_GE(off, 0);
+      ASSERT_LE(off, 1);
+    }
+  }
+}
+
 TEST(Plane, ARangeIsItsRootToASixteenth) {
   Random random(4);
   for (int i = 0; i < effort(20'000, 500); ++i) {

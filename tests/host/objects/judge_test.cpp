@@ -1,0 +1,123 @@
+// The borders of what a track is judged by, as docs/objects.md has them.
+#include "objects/judge.hpp"
+
+#include <cstdint>
+#include <gtest/gtest.h>
+
+namespace iog::objects {
+namespace {
+
+constexpr std::uint64_t kBeginUs = 1'000'000'000;
+constexpr Step kStep{40};
+constexpr Interval kCarsWidth{0, 1800};
+
+// So long, and so fast along itself, mm/s.
+Track track_of(std::int32_t length_mm, std::int32_t speed) {
+  Track track;
+  track.begin(1, {.sides = {Interval{0, length_mm}, kCarsWidth}}, kBeginUs);
+  track.correct(kAlong, {.place = 0, .speed = 1 << 16}, speed);
+  track.seen.hits = 5;
+  return track;
+}
+
+// One of which the speed is as sure as it gets.
+Track sure_track_of(std::int32_t speed) {
+  Track track = track_of(4500, speed);
+  track.covariance(kAlong) = {100, 0, 100};
+  track.covariance(kAcross) = {100, 0, 100};
+  track.predict(Step(1));
+  return track;
+}
+
+// "40 % of them called moving", and two at least: then a track's confidence grows by 2, though the
+// grid has shown nothing of its places.
+TEST(Judge, ATrackIsToldIfTheGridCallsTwoFifthsOfItsHitsMoving) {
+  struct Case {
+    std::int32_t moving;
+    std::int32_t hits;
+    bool is_told;
+  };
+  for (const Case its : {Case{2, 5, true}, Case{2, 6, false}, Case{1, 1, false}, Case{4, 10, true},
+                         Case{39, 98, false}, Case{40, 100, true}}) {
+    Track track = sure_track_of(2000);
+    track.seen.hits = its.hits;
+    track.seen.moving = its.moving;
+    track.confidence = 1;
+    judge(kBeginUs, track);
+    EXPECT_EQ(track.confidence, its.is_told ? 3 : 1) << its.moving << " of " << its.hits;
+  }
+}
+
+// "Slower than 0.3 m/s for 0.4 s": without a break, and a faster frame is one.
+TEST(Judge, ATrackThatIsSlowTwiceButNeverForLongMoves) {
+  const auto judged = [](Track& track, std::uint64_t ms, std::int32_t speed) {
+    track.correct(kAlong, {.place = 0, .speed = 1 << 16}, speed - track.velocity().x);
+    track.confidence = kMostConfidence;
+    judge(kBeginUs + ms * 1000, track);
+    return track.state;
+  };
+  Track track = sure_track_of(5000);
+  track.state = State::kMoves;
+  EXPECT_EQ(judged(track, 0, 200), State::kMoves);
+  EXPECT_EQ(judged(track, 360, 200), State::kMoves);
+  EXPECT_EQ(judged(track, 400, 300), State::kMoves);
+  EXPECT_EQ(judged(track, 440, 299), State::kMoves);
+  EXPECT_EQ(judged(track, 839, 200), State::kMoves);
+  EXPECT_EQ(judged(track, 840, 200), State::kStopped);
+  EXPECT_EQ(track.stopped_us, kBeginUs + 440'000);
+  EXPECT_EQ(track.speed(), 0);
+}
+
+// "A track ends when its box is longer than 20 m."
+TEST(Judge, ATrackOfTwentyMetresIsTheLongest) {
+  Track longest = track_of(20'000, 0);
+  EXPECT_TRUE(is_judged(kBeginUs, kStep, longest));
+  Track longer = track_of(20'001, 0);
+  EXPECT_FALSE(is_judged(kBeginUs, kStep, longer));
+  EXPECT_FALSE(longer.is_there());
+}
+
+// "For 0.4 s three hits and four times as many as others in its box stood, below 3 m/s."
+TEST(Judge, ATrackHasParkedIfFourOfFiveOfItsHitsStand) {
+  struct Case {
+    std::int32_t standing;
+    std::int32_t hits;
+    std::int32_t speed;
+    bool is_parked;
+  };
+  for (const Case its : {Case{12, 3, 2999, true}, Case{11, 3, 2999, false}, Case{3, 0, 0, true},
+                         Case{2, 0, 0, false}, Case{12, 3, 3000, false}}) {
+    Track track = sure_track_of(its.speed);
+    track.state = State::kMoves;
+    track.seen.hits = its.hits;
+    track.seen.standing = its.standing;
+    for (int frame = 1; frame <= 10; ++frame) {
+      EXPECT_TRUE(track.moves()) << its.standing << " of " << its.hits << ", frame " << frame;
+      static_cast<void>(is_judged(kBeginUs, kStep, track));
+    }
+    EXPECT_EQ(track.state == State::kStopped, its.is_parked)
+        << its.standing << " beside " << its.hits << " at " << its.speed;
+  }
+}
+
+// "Unseen for 100 ms, 480 ms if it moves or has stopped."
+TEST(Judge, ATrackThatIsNotSeenEnds) {
+  const auto lasts = [](State state, std::uint64_t unseen_us) {
+    Track track = sure_track_of(2000);
+    track.state = state;
+    track.seen = {};
+    static_cast<void>(is_judged(kBeginUs + unseen_us, kStep, track));
+    return track.is_there();
+  };
+  for (const State state : {State::kYoung, State::kStands}) {
+    EXPECT_TRUE(lasts(state, 100'000));
+    EXPECT_FALSE(lasts(state, 100'001));
+  }
+  for (const State state : {State::kMoves, State::kStopped}) {
+    EXPECT_TRUE(lasts(state, 480'000));
+    EXPECT_FALSE(lasts(state, 480'001));
+  }
+}
+
+}  // namespace
+}  // namespace iog::objects
