@@ -1,8 +1,10 @@
 """A copy of the tree in which mutants wait for a test to ask for one of them."""
 
+import io
 import pathlib
 import re
 import subprocess
+import tarfile
 import typing
 
 from candidates import Mutant
@@ -66,14 +68,17 @@ def with_mutants(content: bytes, mutants: list[tuple[int, Mutant]]) -> bytes:
 
 
 def contents(root: pathlib.Path) -> dict[str, tuple[bytes, int]]:
-    """Of all that is built, as it is now: the tree may change before the campaign is over."""
-    names = subprocess.run(["git", "ls-files", "-z", *COPIED], cwd=root, check=True, text=True,
-                           stdout=subprocess.PIPE).stdout.split("\0")
-    return {name: ((root / name).read_bytes(), (root / name).stat().st_mode) for name in names if name}
+    """Of all that is built, as committed: results are of a commit, and in a tree tests may be newer than what they test."""
+    archive = subprocess.run(["git", "archive", "HEAD", *COPIED], cwd=root, check=True, stdout=subprocess.PIPE).stdout
+    with tarfile.open(fileobj=io.BytesIO(archive)) as files:
+        return {each.name: (files.extractfile(each).read(), each.mode) for each in files if each.isfile()}
 
 
 def place(files: dict[str, tuple[bytes, int]], tree: pathlib.Path, mutants: dict[int, Mutant]) -> None:
-    """Makes the copy, or makes it anew."""
+    """Makes the copy, or makes it anew, without what is no part of it any more: CMake compiles what it finds."""
+    for path in [path for folder in COPIED for path in (tree / folder).rglob("*") if path.is_file()]:
+        if str(path.relative_to(tree)) not in files:
+            path.unlink()
     for name, (content, mode) in files.items():
         inside = [(number, mutant) for number, mutant in mutants.items() if mutant.file == name]
         write(tree / name, with_mutants(content, inside) if inside else content)
