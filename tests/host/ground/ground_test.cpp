@@ -1,9 +1,13 @@
 // When a sensor's ground is renewed, and when it is forgotten.
 #include "ground/ground.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "description/tables.hpp"
 #include "fakes/ground_car.hpp"
 #include "fakes/ground_turns.hpp"
 #include "fakes/random.hpp"
@@ -39,6 +43,56 @@ TEST(Grounds, AreRenewedAfterATurn) {
     EXPECT_EQ(bench.grounds->end_frame(0, bench.turn_ticks / 2), LowsAre::kOfTurn);
   }
   EXPECT_EQ(bench.grounds->end_frame(0, bench.turn_ticks), LowsAre::kOfTurn);
+}
+
+// What opens ground is at most 0.6 m high over it here, and a beam counts between 0.22 and 2.2 m. A
+// sensor that is higher has low beams only from where they come down to 0.6 m; one that is lower
+// from its own place to where they rise over it; one for which any height opens all the way.
+TEST(Ground, BeamsAreLowWhereTheyAreAtMostAsHighAsOpensIt) {
+  constexpr double kSine = 0.267949;  // of 15 degrees, by its cosine: along the line
+  const auto stretch = [](double sensor_m, vehicle::MovedLimits moved, std::size_t layer) {
+    description::SensorConfig config = tests::test_vlp16(100, {.z_m = sensor_m});
+    vehicle::Vehicle car = tests::LevelVlp16::kVehicle;
+    const std::array sensors{description::sensor_of(config, tests::LevelVlp16::kDescription)};
+    car.sensors = sensors;
+    const tests::GroundCar followed(car, {220, 2'200}, moved);
+    const auto grounds = std::make_unique<Grounds>(followed.vehicle());
+    return tests::ground_of(*grounds, 0).low_stretch(0, layer);
+  };
+  constexpr std::size_t kDown = 0;
+  constexpr std::size_t kUp = 15;
+  constexpr vehicle::MovedLimits kSixty{.low_mm = 600, .tall_mm = 600};
+  const Ground::Stretch high_down = stretch(1.5, kSixty, kDown);
+  EXPECT_NEAR(high_down.from_mm, 900 / kSine, 4);
+  EXPECT_NEAR(high_down.to_mm, 1'280 / kSine, 4);
+  const Ground::Stretch low_up = stretch(0.5, kSixty, kUp);
+  EXPECT_EQ(low_up.from_mm, 0U);
+  EXPECT_NEAR(low_up.to_mm, 100 / kSine, 4);
+  const Ground::Stretch low_down = stretch(0.5, kSixty, kDown);
+  EXPECT_EQ(low_down.from_mm, 0U);
+  EXPECT_NEAR(low_down.to_mm, 280 / kSine, 4);
+  const Ground::Stretch on_border = stretch(0.6, kSixty, kDown);
+  EXPECT_EQ(on_border.from_mm, 0U);
+  EXPECT_NEAR(on_border.to_mm, 380 / kSine, 4);
+  const Ground::Stretch any = stretch(1.5, {}, kUp);
+  EXPECT_EQ(any.from_mm, 0U);
+  EXPECT_NEAR(any.to_mm, 700 / kSine, 4);
+}
+
+// Whatever becomes of it.
+TEST(PacketJudge, EachReturnIsAmongTheLows) {
+  const Bench bench;
+  const Ground& ground = tests::ground_of(*bench.grounds, 0);
+  Lows lows;
+  const PacketJudge judge(ground, lows, {});
+  Lows expected;
+  for (const std::int32_t z_mm : {-900, -10, 300, 9'000}) {
+    const auto along_mm = static_cast<std::uint32_t>(10'000 + z_mm);
+    static_cast<void>(judge.judge(7, along_mm, z_mm));
+    expected.add(ground.beams().bins(), 7, along_mm, z_mm);
+  }
+  EXPECT_TRUE(lows == expected);
+  EXPECT_FALSE(lows == Lows());
 }
 
 // Frames of 40 ms: 25 of them are a second.

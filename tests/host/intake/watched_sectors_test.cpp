@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "description/mount.hpp"
+#include "description/tables.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/velodyne_packet.hpp"
@@ -153,17 +155,22 @@ void expect_view(const vehicle::Sensor& sensor, const description::SensorConfig&
       std::cos(yaw) * std::sin(pitch) * std::sin(roll) - std::sin(yaw) * std::cos(roll);
   const double left_y =
       std::sin(yaw) * std::sin(pitch) * std::sin(roll) + std::cos(yaw) * std::cos(roll);
+  const double up = forward_x * left_y - forward_y * left_x;
   const double turn = sensor.azimuths.ticks_per_turn();
   const auto ticks_of = [&](double direction) {
     const double x = 20 * std::cos(direction) - mount.x_m;
     const double y = 20 * std::sin(direction) - mount.y_m;
-    const double azimuth = std::atan2(forward_x * y - forward_y * x, x * left_y - y * left_x);
+    const double azimuth =
+        std::atan2((forward_x * y - forward_y * x) / up, (x * left_y - y * left_x) / up);
     return azimuth / (2 * std::numbers::pi) * turn;
   };
   const SectorView view = view_of(sensor);
   for (std::size_t i = 0; i < kSectors; ++i) {
-    const double first = ticks_of(static_cast<double>(i) * kSectorRad);
-    const double last = ticks_of(static_cast<double>(i + 1) * kSectorRad);
+    double first = ticks_of(static_cast<double>(i) * kSectorRad);
+    double last = ticks_of(static_cast<double>(i + 1) * kSectorRad);
+    if (up < 0) {  // it counts clockwise
+      std::swap(first, last);
+    }
     EXPECT_NEAR(std::remainder(view.at(i).first_ticks - first, turn), 0, 1.5) << i;
     EXPECT_NEAR(std::remainder(view.at(i).width_ticks - (last - first), turn), 0, 2.5) << i;
   }
@@ -174,6 +181,13 @@ TEST(WatchedSectors, AreSeenWhereTheMountsSay) {
   expect_view(tests::TiltedLux::kVehicle.sensors[0], tests::TiltedLux::kConfigs[0]);
   expect_view(tests::ThreeLux::kVehicle.sensors[1], tests::ThreeLux::kConfigs[1]);
   expect_view(tests::MixedCar::kVehicle.sensors[1], tests::MixedCar::kConfigs[1]);
+}
+
+// Rolled over, its left is on the car's right.
+TEST(WatchedSectors, OneThatHangsUpsideDownIsSeenWhereItsMountSays) {
+  const description::SensorConfig hanging =
+      tests::test_vlp16(100, {.x_m = 1.3, .y_m = 0.4, .z_m = 2, .yaw_deg = 31, .roll_deg = 178});
+  expect_view(description::sensor_of(hanging, tests::LevelVlp16::kDescription), hanging);
 }
 
 // 70 m ahead of the vehicle, and looking at it.

@@ -75,6 +75,19 @@ TEST(IbeoLux8, IsALuxOtherwise) {
   });
 }
 
+// Ranges alone, as they stand in the message: 2 bytes, cm.
+TEST(IbeoLux8, RangesAreThoseOfItsPoints) {
+  const auto bytes =
+      LuxMessage{.points = {{.layer = 2, .range_cm = 1234}, {.range_cm = 0}, {.range_cm = 65535}},
+                 .flags = 0x402}
+          .bytes();
+  IbeoLux8 lux;
+  ASSERT_EQ(lux.decode(bytes), DecodeStatus::kOk);
+  std::vector<std::uint32_t> ranges_cm;
+  static_cast<void>(lux.for_each_range([&](std::uint32_t range) { ranges_cm.push_back(range); }));
+  EXPECT_EQ(ranges_cm, (std::vector<std::uint32_t>{1234, 0, 65535}));
+}
+
 // The two halves of a picture differ in their numbers and in their flag.
 TEST(IbeoLux8, HalvesAreNoDuplicates) {
   IbeoLux8 front;

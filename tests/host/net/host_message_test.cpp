@@ -113,6 +113,19 @@ TEST(HostMessage, IsRefusedWhileTheRingIsFull) {
   EXPECT_TRUE(station.conserved());
 }
 
+// Nor to anybody else who is told to get it.
+TEST(HostMessage, TooLongIsNotSentElsewhere) {
+  Station station;
+  station.resolve();
+  const Destination elsewhere{
+      .mac = kPeerMac, .address = kConfig.peer, .port = 9, .source_port = 10};
+  EXPECT_FALSE(station.host.send_to(elsewhere, Frame(kMaxUdpPayloadBytes + 1)));
+  EXPECT_EQ(station.refused(Refusal::kMisuse), 1U);
+  EXPECT_TRUE(station.port.take_sent().empty());
+  EXPECT_TRUE(station.host.send_to(elsewhere, Frame(kMaxUdpPayloadBytes)));
+  EXPECT_EQ(station.port.take_sent().size(), 1U);
+}
+
 TEST(HostMessage, TooLongIsNotSent) {
   Station station;
   station.resolve();

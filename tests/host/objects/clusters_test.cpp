@@ -80,8 +80,10 @@ TEST_F(ClustersOf, HitsAreComponents) {
     std::vector<geometry::Cell> cells;
     cells.reserve(60);
     const geometry::Cell middle{random.between(-400, 400), random.between(-400, 400)};
+    const std::int32_t reach = i % 3 == 0 ? 3 : 40;  // some have several hits in a cell
     for (int n = 0; n < 60; ++n) {
-      cells.push_back({middle.x + random.between(-40, 40), middle.y + random.between(-40, 40)});
+      cells.push_back(
+          {middle.x + random.between(-reach, reach), middle.y + random.between(-reach, reach)});
     }
     gather(cells);
     EXPECT_EQ(clusters->find(kArea, {}, *hits), 0U);

@@ -110,6 +110,22 @@ TEST(PoseSource, EachCauseIsCountedFromWhenItBegan) {
   EXPECT_EQ(bench.source.epoch(), 1U);
 }
 
+// Slices that were not placed, and a cause that began again, each by itself: a break may pass
+// before any slice asks, and a spell may go on for many slices.
+TEST(CauseCounts, ACauseIsMetIfItBeganOrASliceFellToIt) {
+  CauseCounts before;
+  EXPECT_EQ(before.since(before), 0U);
+  for (unsigned cause = 0; cause < kCauseCount; ++cause) {
+    const auto bit = static_cast<std::uint8_t>(cause == 0 ? 0U : 1U << cause);  // kNone is none
+    CauseCounts slice = before;
+    ++slice.slices[cause];
+    EXPECT_EQ(slice.since(before), bit);
+    CauseCounts begun = before;
+    ++begun.began[cause].times;
+    EXPECT_EQ(begun.since(before), bit);
+  }
+}
+
 TEST(PoseSource, APacketWithoutTheSourcesClockGetsItFromItsArrival) {
   Bench bench;
   EXPECT_EQ(bench.source.source_time(77), std::nullopt);

@@ -113,6 +113,14 @@ TEST(ClassTiles, LeaveTilesOfIndexesAsTheyAre) {
   EXPECT_TRUE(std::ranges::equal(writer.finish(8, 0), expected));
 }
 
+// docs/spec.md, 3.9: its corner is the tile of lowest x and y, and tiles begin at multiples of
+// their side.
+TEST(ClassWindow, ItsTilesBeginAtItsCorner) {
+  const window::Area area = area_of({.corner_a = -7, .corner_b = 12});
+  EXPECT_EQ(area.corner().a, -7);
+  EXPECT_EQ(area.corner().b, 12);
+}
+
 constexpr std::size_t kWindowEnd = kTilesHeaderBytes + kClassWindowBytes;
 
 TEST(ClassTiles, ALongerWindowOfALaterDayIsSkipped) {

@@ -258,5 +258,15 @@ TEST(HeightBand, ASensorOutsideTheBandSeesOnlyWhereItsBeamEnters) {
   EXPECT_TRUE(up.is_empty);
 }
 
+TEST(HeightBand, ALevelBeamIsInItAllTheWayOrNever) {
+  const Sensor& sensor = TiltedLux::kVehicle.sensors[0];
+  const std::int32_t level = sensor.origin_z;
+  for (const HeightBand band :
+       {HeightBand{level + 1, level + 9}, HeightBand{level - 9, level - 1}}) {
+    EXPECT_TRUE(part_in_band(band, sensor, level, 50'000).is_empty);
+  }
+  EXPECT_TRUE(part_in_band({level - 9, level}, sensor, level, 50'000).is_whole);
+}
+
 }  // namespace
 }  // namespace iog::vehicle
