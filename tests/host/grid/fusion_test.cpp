@@ -55,6 +55,34 @@ TEST(Fusion, AHitSurvivesABeamThatPassesOverItIfHitsWin) {
             -12);
 }
 
+// A car block may say what no sensor's profile does: nothing in the first 1D cell behind a hit, and
+// something in the second.
+TEST(Fusion, AGapBehindAHitStaysUnknown) {
+  std::vector<vehicle::Sensor> sensors(1, LevelLux::kVehicle.sensors[0]);
+  sensors[0].profile.near_after = {0, 3};
+  sensors[0].profile.near_after_count = 2;
+  Vehicle car = LevelLux::kVehicle;
+  car.sensors = sensors;
+  const auto cells = fuse(car, {level(5'050)});
+  EXPECT_EQ(ahead(cells, 50), 2);
+  EXPECT_EQ(ahead(cells, 51), 0);
+  EXPECT_EQ(ahead(cells, 52), 3);
+  EXPECT_EQ(ahead(cells, 53), 0);
+}
+
+// From 70 m ahead, 19 m beside the grid: one beam looks into it, the other one away from it.
+TEST(Fusion, ABeamThatNeverMeetsTheGridSaysNothing) {
+  constexpr std::uint16_t kAway = 5'760;
+  const auto is_anything_known = [](std::uint16_t azimuth_ticks) {
+    const auto cells =
+        fuse(ThreeLux::kVehicle,
+             {{2, {.range_mm = 30'000, .azimuth_ticks = azimuth_ticks, .layer = 2}}});
+    return std::ranges::any_of(cells, [](OccupancyIndex its) { return its != 0; });
+  };
+  EXPECT_TRUE(is_anything_known(0));
+  EXPECT_FALSE(is_anything_known(kAway));
+}
+
 // Rising by 0.4 degrees, the beam leaves each 2D cell a fraction of a millimetre late, in the next
 // 1D cell: from a corner the zones before the hit reach one cell further back, which overstates
 // nothing. (At coarse resolutions the fraction is lost, hence not among the laws of sampling.)

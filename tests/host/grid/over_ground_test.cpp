@@ -15,10 +15,10 @@
 #include "fakes/effort.hpp"
 #include "fakes/fake_packet.hpp"
 #include "fakes/ground_car.hpp"
+#include "fakes/ground_surfaces.hpp"
 #include "fakes/ground_turns.hpp"
 #include "fakes/low_and_tall.hpp"
 #include "fakes/random.hpp"
-#include "fakes/reference_ground.hpp"
 #include "fakes/reference_tilt.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/turning_rule.hpp"
@@ -31,35 +31,18 @@ namespace {
 using geometry::Cell;
 using lidar::ScanPoint;
 using tests::FakePacket;
+using tests::fate_at;
+using tests::kLimits;
 using tests::LevelVlp16;
 using tests::ManyLayers;
 using tests::MixedCar;
 using tests::Random;
+using tests::Surfaces;
 using tests::TurningRay;
 using tests::Whole;
 using vehicle::Fate;
 
-constexpr vehicle::GroundLimits kLimits{.low_mm = 220, .top_mm = 2'200};
 constexpr vehicle::MovedLimits kMoved{.low_mm = 600, .tall_mm = 600};
-
-// A turn's lowest returns and the surface made of them, by both implementations.
-struct Surfaces {
-  Surfaces(const vehicle::Vehicle& car, std::size_t sensor, const tests::Turn& turn)
-      : grounds(car), reference(tests::ground_of(grounds, sensor).beams().bins().length_mm()) {
-    ground::Lows lows;
-    for (const tests::Return& its : turn) {
-      lows.add(tests::ground_of(grounds, sensor).beams().bins(),
-               static_cast<std::uint32_t>(its.sector), static_cast<std::uint32_t>(its.along_mm),
-               its.z_mm);
-      reference.see(its.sector, its.along_mm, its.z_mm);
-    }
-    grounds.close_turn(sensor, lows);
-    reference.close_turn();
-  }
-
-  ground::Grounds grounds;
-  tests::ReferenceGround reference;
-};
 
 // A point as both implementations see it.
 struct Place {
@@ -67,16 +50,6 @@ struct Place {
   Whole along_mm = 0;
   Whole z_mm = 0;
 };
-
-Fate fate_at(Whole height_mm) {
-  if (height_mm < -400) {
-    return Fate::kUnderGround;
-  }
-  if (height_mm < kLimits.low_mm) {
-    return Fate::kGround;
-  }
-  return height_mm > kLimits.top_mm ? Fate::kOverhang : Fate::kUsed;
-}
 
 // The last of 0, 2, 4 ... mm up to which a beam is between the limits over the reference's ground.
 // In units of 2^-24 mm, times the length of a bin: below 2^62.
@@ -351,23 +324,45 @@ TEST(OverGround, ATiltedUnitMarksByTheGround) {
   const auto fusion = std::make_unique<FrameFusion>(car.vehicle());
   const auto flat = std::make_unique<FrameFusion>(car.vehicle());
   fusion->follow(surfaces->grounds);
+  struct Over {
+    Whole out_mm;
+    Whole height_mm;
+  };
+  const auto over = [&](const ScanPoint& its) {
+    const vehicle::Beam beam = vehicle::aim(sensor, its.layer, its.azimuth_ticks);
+    const Whole out_mm = beams.out_mm(its.layer, its.range_mm);
+    return Over{.out_mm = out_mm,
+                .height_mm = surfaces->reference.height_over(
+                    beams.sector_of(sensor.azimuths.nearest(its.azimuth_ticks)), out_mm,
+                    beams.height_mm(beams.slope_to(beam.end_z), its.range_mm))};
+  };
   std::array<int, vehicle::kFateCount> fates{};
+  int tilted = 0;
   for (int i = 0; i < tests::effort(400, 100); ++i) {
     const ScanPoint point = tests::random_point(random, 16, 60'000);
-    const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
+    // Every eighth packet sees a car that leans: its samples lie along a slope of 2 %.
+    FakePacket packet{.points = {point}, .samples = {}};
+    std::vector<tests::ReferenceSample> heights;
+    for (int n = 0; n < 4'000 && i % 8 == 0 && packet.samples.size() < 44; ++n) {
+      ScanPoint sample = tests::random_point(random, 16, 31'000);
+      sample.range_mm += 1'000;
+      const Over its = over(sample);
+      if (std::abs(its.height_mm - its.out_mm / 50) < 150) {
+        packet.samples.push_back(sample);
+        heights.push_back({its.out_mm, its.height_mm});
+      }
+    }
+    const tests::ReferenceTilt tilt = tests::ReferenceLine().of(heights, 12);
+    tilted += tilt.up_mm != 0 || tilt.slope != 0 ? 1 : 0;
     const Fate by_band = flat->add(sensor, point);
     Fate fate = Fate::kMalformed;
-    fusion->add_all(sensor, FakePacket{.points = {point}, .samples = {}},
-                    [&](Fate its) { fate = its; });
+    fusion->add_all(sensor, packet, [&](Fate its) { fate = its; });
     flat->finish();
     fusion->finish();
     ++fates[static_cast<std::size_t>(fate)];
     if (by_band == Fate::kUsed || by_band == Fate::kOutsideHeightBand) {
-      const std::uint32_t out_mm = beams.out_mm(point.layer, point.range_mm);
-      const std::int32_t z_mm = beams.height_mm(beams.slope_to(beam.end_z), point.range_mm);
-      ASSERT_EQ(fate,
-                fate_at(surfaces->reference.height_over(
-                    beams.sector_of(sensor.azimuths.nearest(point.azimuth_ticks)), out_mm, z_mm)));
+      const Over its = over(point);
+      ASSERT_EQ(fate, fate_at(its.height_mm - tilt.at(its.out_mm)));
     } else {
       ASSERT_EQ(fate, by_band);
     }
@@ -389,6 +384,7 @@ TEST(OverGround, ATiltedUnitMarksByTheGround) {
   for (const Fate fate : {Fate::kUsed, Fate::kGround, Fate::kOverhang, Fate::kUnderGround}) {
     EXPECT_GT(fates[static_cast<std::size_t>(fate)], 0) << static_cast<int>(fate);
   }
+  EXPECT_GT(tilted, 0);
 }
 
 }  // namespace

@@ -11,13 +11,17 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
+#include "fakes/fake_packet.hpp"
+#include "fakes/ground_car.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/turning_rule.hpp"
 #include "grid/frame_fusion.hpp"
+#include "ground/ground.hpp"
 
 namespace iog::grid {
 namespace {
@@ -148,6 +152,31 @@ TEST(Turning, EveryCellIsAsTheRuleSaysBehindTheBand) {
     }
   }
   EXPECT_GT(alone.count(Fate::kOutsideHeightBand), 5);
+}
+
+// Less than a millimetre along its line, there is nothing before a point to carve: it marks the
+// cell of the sensor, whether heights are over the ground or over the car's plane.
+TEST(Turning, APointAtTheSensorMarksAndCarvesNothing) {
+  std::vector<vehicle::Sensor> sensors(1, ManyLayers::kVehicle.sensors[0]);
+  sensors[0].range_min_mm = 0;
+  vehicle::Vehicle car = ManyLayers::kVehicle;
+  car.sensors = sensors;
+  const tests::GroundCar over_ground(car);
+  const auto grounds = std::make_unique<ground::Grounds>(over_ground.vehicle());
+  for (const bool is_followed : {false, true}) {
+    const vehicle::Vehicle& its = is_followed ? over_ground.vehicle() : car;
+    const auto fusion = std::make_unique<FrameFusion>(its);
+    if (is_followed) {
+      fusion->follow(*grounds);
+    }
+    const tests::FakePacket packet{.points = {{.range_mm = 1, .layer = 0}}, .samples = {}};
+    fusion->add_all(its.sensors[0], packet, [](Fate fate) { EXPECT_EQ(fate, Fate::kUsed); });
+    fusion->finish();
+    // 0.123 m ahead and 0.456 m to the left of the middle.
+    EXPECT_EQ(fusion->view().at({513, 516}), its.sensors[0].profile.hit);
+    const auto cells = tests::cells_of(*fusion);
+    EXPECT_EQ(std::ssize(cells) - std::ranges::count(cells, 0), 1);
+  }
 }
 
 // Beams of a line wait for one another, several azimuths at a time, and their lines are kept from
