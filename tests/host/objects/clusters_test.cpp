@@ -136,6 +136,15 @@ TEST_F(ClustersOf, HaveABound) {
   EXPECT_EQ(clusters->find(kArea, {}, *hits), 0U);
   EXPECT_EQ(clusters->all().size(), 1U);
   EXPECT_EQ(clusters->all()[0].hits, 1U);
+  // Beside the farthest, which had no room.
+  for (const geometry::Cell far : cells) {
+    if (far.x == -200 || far.y == -200) {
+      gather({{far.x + 1, far.y + 1}});
+      EXPECT_EQ(clusters->find(kArea, {}, *hits), 0U);
+      ASSERT_EQ(clusters->all().size(), 1U);
+      EXPECT_EQ(clusters->all()[0].bounds.low, clusters->all()[0].bounds.high);
+    }
+  }
 }
 
 }  // namespace

@@ -60,6 +60,17 @@ TEST(RecentHits, AreThoseOfTheLastEightEpochs) {
   EXPECT_EQ(recent->oldest({0, 0}), 0);
 }
 
+// A break of thousands of years is over at once.
+TEST(RecentHits, ALongBreakTakesNoLonger) {
+  const auto recent = std::make_unique<RecentHits>();
+  recent->add(8'000'000, std::vector{hit_at({0, 0})});
+  constexpr std::uint64_t kLateUs = std::uint64_t{1} << 62;
+  recent->add(kLateUs, std::vector{hit_at({50, 50})});
+  EXPECT_EQ(recent->oldest({0, 0}), 0);
+  recent->add(kLateUs + 160'000, {});
+  EXPECT_EQ(recent->oldest({50, 50}), 2);
+}
+
 // As many as two full frames of an epoch are remembered, and more do no harm.
 TEST(RecentHits, HaveABound) {
   const auto recent = std::make_unique<RecentHits>();
