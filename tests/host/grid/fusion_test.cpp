@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "description/scanners.hpp"
+#include "description/tables.hpp"
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/evidence.hpp"
@@ -68,6 +70,23 @@ TEST(Fusion, AGapBehindAHitStaysUnknown) {
   EXPECT_EQ(ahead(cells, 51), 0);
   EXPECT_EQ(ahead(cells, 52), 3);
   EXPECT_EQ(ahead(cells, 53), 0);
+}
+
+// Of a level unit with eight layers: those as far up and as far down are over the same cells.
+TEST(Fusion, LayersAsFarUpAsDownAreOfOneLine) {
+  description::SensorConfig config = description::scanner_of(lidar::kFormat<lidar::IbeoLux8>);
+  config.beam_tilt_deg = 1.6;
+  const std::vector sensors{description::sensor_of(config, tests::OneLux::kDescription)};
+  Vehicle car = tests::OneLux::kVehicle;
+  car.sensors = sensors;
+  for (const std::uint8_t layer : {std::uint8_t{0}, std::uint8_t{1}}) {
+    const auto opposite = static_cast<std::uint8_t>(7 - layer);
+    EXPECT_EQ(sensors[0].layers[opposite].line, sensors[0].layers[layer].line);
+    const auto fused = [&](std::uint8_t its) {
+      return fuse(car, {{0, {.range_mm = 12'340, .azimuth_ticks = 300, .layer = its}}});
+    };
+    EXPECT_EQ(fused(opposite), fused(layer));
+  }
 }
 
 // From 70 m ahead, 19 m beside the grid: one beam looks into it, the other one away from it.

@@ -312,6 +312,22 @@ TEST(OverGround, LowsAreOfEveryReturn) {
   EXPECT_FALSE(expected == ground::Lows());
 }
 
+// How far out a return is, and how high over the reference's ground.
+struct Over {
+  Whole out_mm;
+  Whole height_mm;
+};
+Over over_ground(Surfaces& surfaces, std::size_t number, const vehicle::Sensor& sensor,
+                 const ScanPoint& point) {
+  const ground::Beams& beams = tests::ground_of(surfaces.grounds, number).beams();
+  const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
+  const Whole out_mm = beams.out_mm(point.layer, point.range_mm);
+  return {.out_mm = out_mm,
+          .height_mm = surfaces.reference.height_over(
+              beams.sector_of(sensor.azimuths.nearest(point.azimuth_ticks)), out_mm,
+              beams.height_mm(beams.slope_to(beam.end_z), point.range_mm))};
+}
+
 // A tilted unit carves in the height band, and marks what is an obstacle over the ground.
 TEST(OverGround, ATiltedUnitMarksByTheGround) {
   constexpr std::size_t kTilted = 1;
@@ -320,21 +336,11 @@ TEST(OverGround, ATiltedUnitMarksByTheGround) {
   const vehicle::Sensor& sensor = car.vehicle().sensors[kTilted];
   const auto surfaces =
       std::make_unique<Surfaces>(car.vehicle(), kTilted, tests::rough_turn(random, 1'024));
-  const ground::Beams& beams = tests::ground_of(surfaces->grounds, kTilted).beams();
   const auto fusion = std::make_unique<FrameFusion>(car.vehicle());
   const auto flat = std::make_unique<FrameFusion>(car.vehicle());
   fusion->follow(surfaces->grounds);
-  struct Over {
-    Whole out_mm;
-    Whole height_mm;
-  };
   const auto over = [&](const ScanPoint& its) {
-    const vehicle::Beam beam = vehicle::aim(sensor, its.layer, its.azimuth_ticks);
-    const Whole out_mm = beams.out_mm(its.layer, its.range_mm);
-    return Over{.out_mm = out_mm,
-                .height_mm = surfaces->reference.height_over(
-                    beams.sector_of(sensor.azimuths.nearest(its.azimuth_ticks)), out_mm,
-                    beams.height_mm(beams.slope_to(beam.end_z), its.range_mm))};
+    return over_ground(*surfaces, kTilted, sensor, its);
   };
   std::array<int, vehicle::kFateCount> fates{};
   int tilted = 0;
