@@ -123,6 +123,9 @@ class FrameFusion {
   template <typename Visit>
   void release_with_heights(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+      if (!grids_.indexes.is_touched(tile)) {
+        continue;
+      }
       const TileBits bits = grids_.keep_heights ? grids_.low_and_tall(tile) : TileBits{};
       if (take_tile(tile, tile_cells_)) {
         visit(tile, std::span<const OccupancyIndex, geometry::kTileCells>(tile_cells_), bits);

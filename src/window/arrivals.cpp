@@ -24,14 +24,6 @@ Plane hits_of(const FrameEvidence::TileIndexes& indexes) {
   return hits;
 }
 
-bool is_any(const Plane& plane) {
-  std::uint32_t bits = 0;
-  for (const std::uint32_t row : plane) {
-    bits |= row;
-  }
-  return bits != 0;
-}
-
 // Whether a hit is on ground of which something is remembered.
 bool is_any_on(const Plane& hits, const Ground& ground) {
   std::uint32_t bits = 0;
@@ -101,8 +93,8 @@ void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std
     open_[slot][y] = open & ~tile.ground.dense[y];
     moved_[slot][y] = candidates & tile.ground.dense[y];
   }
-  has_new_[slot] = is_any(new_[slot]);
-  has_open_[slot] = is_any(open_[slot]);
+  has_new_[slot] = !is_empty(new_[slot]);
+  has_open_[slot] = !is_empty(open_[slot]);
 }
 
 void Arrivals::count_new(const Window& window, std::size_t slot) {

@@ -3,16 +3,6 @@
 namespace iog::window {
 namespace {
 
-// A tile without a cell of its own that is freed, or seen, has none that is shut, or dense: a
-// square of 5 by 5 cells that holds any given cell fits into the tile, and nothing in it is.
-bool is_empty(const Plane& plane) {
-  std::uint32_t bits = 0;
-  for (const std::uint32_t row : plane) {
-    bits |= row;
-  }
-  return bits == 0;
-}
-
 // Whether a cell that is not beside what stands lacks the bit.
 bool is_lacking(const Plane& plane, const Plane& beside) {
   std::uint32_t bits = 0;
@@ -26,6 +16,8 @@ Plane cells_beside(const Window& window, std::size_t slot) {
   return middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));
 }
 
+// A tile without a cell of its own that is freed, or seen, has none that is shut, or dense: a
+// square of 5 by 5 cells that holds any given cell fits into the tile, and nothing in it is.
 Plane cells_seen_around(const Window& window, std::size_t slot) {
   if (is_empty(window.tile(slot).found.seen)) {
     return Plane{};

@@ -41,11 +41,14 @@ void set_beside(std::uint32_t bits, std::int8_t* row) {
 void SliceCells::copy(std::size_t tile, TileIndexes indexes, const Plane& low_and_tall) {
   std::int8_t* row = tiles_[places_[tile]].data();
   notes_[tile] = write_bytes(indexes.data(), row);
+  is_known_[tile] = true;
+  if (is_empty(low_and_tall)) {
+    return;
+  }
   for (const std::uint32_t bits : low_and_tall) {
     set_beside(bits, row);
     row += kSide;
   }
-  is_known_[tile] = true;
 }
 
 void SliceCells::note(std::size_t tile) {

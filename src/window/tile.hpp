@@ -23,6 +23,15 @@ inline constexpr std::size_t kGroupsPerTile = geometry::kTileCells / evidence::k
 using Plane = std::array<std::uint32_t, geometry::kTileSide>;
 static_assert(geometry::kTileSide == 32);
 
+// No cell has the bit. All words are read: that is quicker than to ask each.
+[[nodiscard]] inline bool is_empty(const Plane& plane) {
+  std::uint32_t bits = 0;
+  for (const std::uint32_t row : plane) {
+    bits |= row;
+  }
+  return bits == 0;
+}
+
 // What the map rules out in a tile, row by row from the lowest y.
 using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
 alignas(8) inline constexpr decision::RuledOut kNothingRuledOut{};
