@@ -72,8 +72,7 @@ void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
   cost_.clear += taken - copied;
   measured(cost_.hash, [&] {
     if (is_known) {
-      hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
-               std::as_bytes(std::span(cells)));
+      hash.add(tile, std::as_bytes(std::span(cells)));
     }
     return is_known;
   });

@@ -9,7 +9,6 @@
 #include "app/message_sender.hpp"
 #include "app/platform.hpp"
 #include "app/tile_sender.hpp"
-#include "geometry/grid.hpp"
 #include "stream/grid_hash.hpp"
 #include "stream/message.hpp"
 
@@ -29,8 +28,7 @@ class NetworkSink {
 
   // Counts what was sent, and names all of it.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
-    hash_.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide, cells);
-    tiles_.add(tile, cells);
+    tiles_.add(tile, cells, CellsStay::kForTheCall);
   }
 
   void end_frame() {
@@ -39,20 +37,24 @@ class NetworkSink {
   }
 
  protected:
+  // The same of cells that stay as they are to the frame's end.
+  void take_staying(std::size_t tile, tile_coding::TileCells cells) {
+    tiles_.add(tile, cells, CellsStay::kToTheFinish);
+  }
+
   // flags: of the stream's header, beside those of the report.
   void begin_frame(const FrameReport& report, std::uint8_t flags) {
     header_ = header_of(report);
     header_.flags = static_cast<std::uint8_t>(header_.flags | flags);
     set_frame_end(report, end_);
-    hash_ = {};
     tiles_.begin(header_);
   }
 
   void end_tiles() {
-    const auto counts = tiles_.finish();
-    end_.tiles_sent = counts.sent;
-    end_.tiles_lost = counts.lost;
-    end_.grid_crc = hash_.value();
+    const auto sent = tiles_.finish();
+    end_.tiles_sent = sent.tiles;
+    end_.tiles_lost = sent.tiles_lost;
+    end_.grid_crc = sent.crc;
   }
 
   void send_frame_end() {
@@ -68,10 +70,9 @@ class NetworkSink {
   // The frame at hand.
   stream::Header header_;
   stream::FrameEnd end_;
-  stream::GridHash hash_;
 
   MessageSender<P> messages_;
-  TileSender<P> tiles_;
+  TileSender<P, stream::GridHash> tiles_;
 };
 
 }  // namespace iog::app

@@ -40,9 +40,10 @@ class PerceptionSink : private NetworkSink<P> {
         report, static_cast<std::uint8_t>(stream::kFlagClasses | indexes | objects | receptions));
   }
 
+  // The cells stay as they are to the frame's end.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
     if (has_indexes_) {
-      Indexes::take_tile(tile, cells);
+      Indexes::take_staying(tile, cells);
     }
   }
 
@@ -53,18 +54,16 @@ class PerceptionSink : private NetworkSink<P> {
     const window::TileNumber corner = classes.area().corner();
     const stream::ClassWindow window = class_window_of(report, corner);
     stream::ClassEnd end = class_end_of(report, window);
-    stream::ClassHash hash(corner);
     classes_.begin(this->header(), window);
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
-      if (const auto cells = classes.class_bytes(slot)) {
-        hash.add(slot, *cells);
-        classes_.add(slot, *cells, classes.age_frames(slot));
+      if (const auto cells = classes.known_bytes(slot)) {
+        classes_.add_classes(slot, *cells, classes.age_frames(slot));
       }
     }
-    const auto counts = classes_.finish();
-    end.tiles_sent = counts.sent;
-    end.tiles_lost = counts.lost;
-    end.classes_crc = hash.value();
+    const auto sent = classes_.finish();
+    end.tiles_sent = sent.tiles;
+    end.tiles_lost = sent.tiles_lost;
+    end.classes_crc = sent.crc;
     this->messages().send(
         this->header(), stream::MessageType::kClassEnd,
         [&](std::span<std::byte> body) { return stream::write_class_end(end, body); });
@@ -95,7 +94,7 @@ class PerceptionSink : private NetworkSink<P> {
 
  private:
   bool has_indexes_ = true;
-  TileSender<P> classes_;
+  TileSender<P, stream::ClassHash> classes_;
   stream::ObjectList objects_;
 };
 

@@ -1,9 +1,9 @@
 // The tiles of one grid on their way into messages: each as short as it can be, also by what has
 // changed since it was sent.
 //
-// Several cores encode a batch of them at a time, each tile by itself; in their order they become
-// messages. So the bytes are the same for any number of cores. One core alone encodes each tile at
-// once, while it is in its cache.
+// Several cores encode a batch of them at a time and find what each adds to the grid's name, each
+// tile by itself; in their order they become messages and the name. So the bytes are the same for
+// any number of cores. One core alone encodes each tile at once, while it is in its cache.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include "hal/cores.hpp"
 #include "require/require.hpp"
 #include "stream/class_window.hpp"
+#include "stream/crc32.hpp"
 #include "stream/message.hpp"
 #include "stream/references.hpp"
 #include "stream/tiles.hpp"
@@ -31,13 +32,18 @@ namespace iog::app {
 // instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
-// Holds what was sent, and a batch, 1.4 MB: belongs into static memory.
-template <Platform P>
+// Until when the cells of a tile stay as they were added.
+enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
+
+// Holds what was sent, and a batch, 1.4 MB: belongs into static memory. Hash: stream::GridHash of
+// indexes, stream::ClassHash of classes.
+template <Platform P, typename Hash>
 class TileSender {
  public:
-  struct Counts {
-    std::uint32_t sent = 0;
-    std::uint32_t lost = 0;  // the network took no message
+  struct Sent {
+    std::uint32_t tiles = 0;
+    std::uint32_t tiles_lost = 0;  // the network took no message
+    std::uint32_t crc = 0;         // the grid's name
   };
 
   // platform and messages outlive the sender.
@@ -47,43 +53,31 @@ class TileSender {
   // Begins a frame's grid of occupancy indexes, or of classes.
   void begin(const stream::Header& header) {
     begin_frame(header);
+    hash_ = Hash();
     tiles_.begin_grid(header, stream::geometry_of_level(0));
   }
   void begin(const stream::Header& header, const stream::ClassWindow& window) {
     begin_frame(header);
+    hash_ = Hash({.a = window.corner_a, .b = window.corner_b});
     tiles_.begin_classes(header, window);
   }
 
-  // Tiles come in rising order. age_frames: of classes, since the tile was decided.
-  void add(std::size_t tile, tile_coding::TileCells cells,
-           std::optional<std::uint8_t> age_frames = std::nullopt) {
-    if (coding_ == Coding::kRaw) {
-      append_or_send(tile, stream::Encoding::kRaw, age_frames, cells);
-      return;
-    }
-    if (platform_->cores() == 1) {
-      encode_batch();  // helpers may be lost while a batch fills
-      Entry& entry = batch_.front();
-      entry.tile = tile;
-      entry.age_frames = age_frames;
-      encode(entry, cells, encoders_.front());
-      send(entry, cells);
-      return;
-    }
-    Entry& entry = batch_[batched_++];
-    entry.tile = tile;
-    entry.age_frames = age_frames;
-    std::ranges::copy(cells, entry.cells.begin());
-    if (batched_ == kBatch) {
-      encode_batch();
-    }
+  // Tiles come in rising order. Of indexes: something is known in it.
+  void add(std::size_t tile, tile_coding::TileCells cells, CellsStay cells_stay) {
+    add({.tile = tile, .cells = cells}, cells_stay);
+  }
+  // Of classes, which stay to the finish; left out if no cell has one. age_frames: since the tile
+  // was decided.
+  void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames) {
+    add({.tile = tile, .cells = cells, .age_frames = age_frames}, CellsStay::kToTheFinish);
   }
 
   // Ends the grid: its messages have spoken of every tile.
-  Counts finish() {
+  Sent finish() {
     encode_batch();
     send_tiles(geometry::kTileCount);
-    return counts_;
+    sent_.crc = hash_.value();
+    return sent_;
   }
 
  private:
@@ -93,29 +87,70 @@ class TileSender {
   // Of them one core has so many together.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
-  struct Entry {
+  struct Added {
     std::size_t tile = 0;
+    tile_coding::TileCells cells;
     std::optional<std::uint8_t> age_frames{};
+
+    // Only of classes it has to be asked.
+    [[nodiscard]] bool is_left_out() const { return age_frames && tile_coding::is_blank(cells); }
+  };
+  // Where several cores find what is sent of a tile.
+  struct Entry {
+    std::optional<Added> added;
+    bool is_left_out = false;
+    std::uint32_t remainder = 0;  // what the cells add to the name
     tile_coding::EncodedTile encoded{};
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> cells{};
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> payload{};
   };
 
+  void add(const Added& added, CellsStay cells_stay) {
+    if (coding_ == Coding::kRaw || platform_->cores() == 1) {
+      encode_batch();  // helpers may be lost while a batch fills
+      if (!added.is_left_out()) {
+        hash_.add(added.tile, added.cells);
+        encode_and_send(added);
+      }
+      return;
+    }
+    Entry& entry = batch_[batched_++];
+    entry.added = added;
+    if (cells_stay == CellsStay::kForTheCall) {
+      std::ranges::copy(added.cells, entry.cells.begin());
+      entry.added->cells = entry.cells;
+    }
+    if (batched_ == kBatch) {
+      encode_batch();
+    }
+  }
+
+  void encode_and_send(const Added& added) {
+    if (coding_ == Coding::kRaw) {
+      append_or_send(added, stream::Encoding::kRaw, added.cells);
+      return;
+    }
+    auto& payload = batch_.front().payload;
+    send(added, encode(added, payload, encoders_.front()), payload);
+  }
+
   // An item reads what no other writes, and writes its own entries and its core's encoder alone.
-  void encode(Entry& entry, tile_coding::TileCells cells, tile_coding::Encoder& encoder) const {
-    entry.encoded = encoder.encode(cells, frame_number_,
-                                   references_.usable(entry.tile, frame_number_), entry.payload);
+  tile_coding::EncodedTile encode(const Added& added, tile_coding::MutableTileCells payload,
+                                  tile_coding::Encoder& encoder) const {
+    return encoder.encode(added.cells, frame_number_, references_.usable(added.tile, frame_number_),
+                          payload);
   }
 
   // Of a tile that is encoded: in the order of tiles.
-  void send(const Entry& entry, tile_coding::TileCells cells) {
-    const auto [encoding, bytes] = entry.encoded;
+  void send(const Added& added, tile_coding::EncodedTile encoded,
+            std::span<const std::byte> payload) {
+    const auto [encoding, bytes] = encoded;
     if (stream::stands_by_itself(encoding)) {
-      references_.keep(entry.tile, cells, frame_number_, bytes);
+      references_.keep(added.tile, added.cells, frame_number_, bytes);
     } else {
-      references_.note_changes(entry.tile, bytes);
+      references_.note_changes(added.tile, bytes);
     }
-    append_or_send(entry.tile, encoding, entry.age_frames, std::span(entry.payload).first(bytes));
+    append_or_send(added, encoding, payload.first(bytes));
   }
 
   void encode_batch() {
@@ -126,48 +161,55 @@ class TileSender {
     auto encode_run = [this, &runs](std::size_t item, std::size_t core) {
       const work::Run run = runs[item];
       for (Entry& entry : std::span(batch_).subspan(run.first, run.end - run.first)) {
-        encode(entry, entry.cells, encoders_[core]);
+        entry.is_left_out = entry.added->is_left_out();
+        if (!entry.is_left_out) {
+          entry.remainder = stream::Crc32::remainder_of(entry.added->cells);
+          entry.encoded = encode(*entry.added, entry.payload, encoders_[core]);
+        }
       }
     };
     platform_->share(runs.count(), work::work_of(encode_run));
     for (const Entry& entry : std::span(batch_).first(batched_)) {
-      send(entry, entry.cells);
+      if (!entry.is_left_out) {
+        hash_.add_remainder(entry.added->tile, entry.remainder);
+        send(*entry.added, entry.encoded, entry.payload);
+      }
     }
     batched_ = 0;
   }
 
   void begin_frame(const stream::Header& header) {
     frame_number_ = header.frame_number;
-    counts_ = {};
+    sent_ = {};
   }
 
-  [[nodiscard]] bool append(std::size_t tile, stream::Encoding encoding,
-                            std::optional<std::uint8_t> age_frames,
+  [[nodiscard]] bool append(const Added& added, stream::Encoding encoding,
                             std::span<const std::byte> payload) {
-    return age_frames ? tiles_.append(tile, encoding, *age_frames, payload)
-                      : tiles_.append(tile, encoding, payload);
+    return added.age_frames ? tiles_.append(added.tile, encoding, *added.age_frames, payload)
+                            : tiles_.append(added.tile, encoding, payload);
   }
 
-  void append_or_send(std::size_t tile, stream::Encoding encoding,
-                      std::optional<std::uint8_t> age_frames, std::span<const std::byte> payload) {
-    if (append(tile, encoding, age_frames, payload)) {
+  void append_or_send(const Added& added, stream::Encoding encoding,
+                      std::span<const std::byte> payload) {
+    if (append(added, encoding, payload)) {
       return;
     }
-    send_tiles(tile);
-    require(append(tile, encoding, age_frames, payload));
+    send_tiles(added.tile);
+    require(append(added, encoding, payload));
   }
 
   void send_tiles(std::size_t end_tile) {
     const std::uint32_t count = tiles_.tile_count();
     const bool is_sent = messages_->send(tiles_.finish(end_tile, messages_->sequence()));
-    (is_sent ? counts_.sent : counts_.lost) += count;
+    (is_sent ? sent_.tiles : sent_.tiles_lost) += count;
   }
 
   P* platform_;
   MessageSender<P>* messages_;
   Coding coding_;
   std::uint32_t frame_number_ = 0;
-  Counts counts_;
+  Sent sent_;
+  Hash hash_;
   stream::TilesWriter tiles_;
   std::size_t batched_ = 0;
   std::array<Entry, kBatch> batch_{};

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "checksum/reflected_crc32.hpp"
+#include "checksum/reflected_field.hpp"
 #include "geometry/grid.hpp"
 #include "lidar/scanner_facts.hpp"
 #include "vehicle/vehicle.hpp"
@@ -190,9 +190,9 @@ void write_content(const vehicle::Vehicle& car, auto&& put) {
 
 // The number by which messages name a car: the CRC-32 of its bytes. Of everything but `id` itself.
 inline std::uint32_t identity_of(const vehicle::Vehicle& car) {
-  using Crc = checksum::ReflectedCrc32<0x04C11DB7, 1>;
-  std::uint32_t state = Crc{}.state();
-  write_content(car, [&state](std::uint8_t byte) { state = Crc::times_x8(state ^ byte); });
+  using Field = checksum::ReflectedField<0x04C11DB7>;
+  std::uint32_t state = ~0U;
+  write_content(car, [&state](std::uint8_t byte) { state = Field::times_x8(state ^ byte); });
   return ~state;
 }
 

@@ -15,10 +15,26 @@ class FastCrc32 {
  public:
   void update(std::span<const std::byte> bytes);
 
+  // What a part of the bytes adds to their CRC. No bytes before it change that, so that several
+  // cores can find it of a part each.
+  static constexpr std::size_t kPartBytes = 1024;
+  using Part = std::span<const std::byte, kPartBytes>;
+  [[nodiscard]] static std::uint32_t remainder_of(Part part) {
+    FastCrc32 crc;
+    crc.state_ = 0;
+    crc.update(part);
+    return crc.state_;
+  }
+  // As update() with a part that has this remainder.
+  void add_remainder(std::uint32_t remainder) { state_ = after_zeros(state_) ^ remainder; }
+
   // The CRC of all bytes so far; more may follow.
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:
+  // A state after a part of zeros.
+  static std::uint32_t after_zeros(std::uint32_t state);
+
   std::uint32_t state_ = 0xFFFFFFFFU;
 };
 

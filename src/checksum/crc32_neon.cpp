@@ -102,6 +102,11 @@ void FastCrc32<kPolynomial>::update(std::span<const std::byte> bytes) {
   state_ = crc.state();
 }
 
+template <std::uint32_t kPolynomial>
+std::uint32_t FastCrc32<kPolynomial>::after_zeros(std::uint32_t state) {
+  return ProductCrc32<kPolynomial, NeonProducts>::template after_zeros<kPartBytes>(state);
+}
+
 template class FastCrc32<0x04C11DB7>;
 template class FastCrc32<0xF4ACFB13>;
 

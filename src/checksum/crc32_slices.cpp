@@ -1,6 +1,7 @@
 // Where nothing multiplies without carry: by look-ups.
 #include "checksum/crc32.hpp"
 #include "checksum/reflected_crc32.hpp"
+#include "checksum/reflected_field.hpp"
 
 namespace iog::checksum {
 
@@ -10,6 +11,12 @@ void FastCrc32<kPolynomial>::update(std::span<const std::byte> bytes) {
   crc.set_state(state_);
   crc.update(bytes);
   state_ = crc.state();
+}
+
+template <std::uint32_t kPolynomial>
+std::uint32_t FastCrc32<kPolynomial>::after_zeros(std::uint32_t state) {
+  using Field = ReflectedField<kPolynomial>;
+  return Field::product(state, Field::power_of_x8(kPartBytes));
 }
 
 template class FastCrc32<0x04C11DB7>;

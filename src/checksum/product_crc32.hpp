@@ -17,6 +17,7 @@
 
 #include "checksum/products.hpp"
 #include "checksum/reflected_crc32.hpp"
+#include "checksum/reflected_field.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::checksum {
@@ -37,12 +38,20 @@ class ProductCrc32 {
   // The CRC of all bytes so far; more may follow.
   [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
 
+  // A state after so many bytes of zeros, eight at least.
+  template <std::size_t kBytes>
+  static std::uint32_t after_zeros(std::uint32_t state) {
+    static constexpr Factors kFirst = make_first<kBytes>();
+    return reduced(of_state(state, kFirst));
+  }
+
   // As of ReflectedCrc32.
   [[nodiscard]] std::uint32_t state() const { return rest_.state(); }
   void set_state(std::uint32_t state) { rest_.set_state(state); }
 
  private:
   using Bytewise = ReflectedCrc32<kPolynomial, 1>;
+  using Field = ReflectedField<kPolynomial>;
 
   static constexpr std::size_t kMostBlockBytes = 1408;  // a whole message
   static constexpr std::size_t kLeastBlockBytes = 32;   // below, adding up and reducing costs more
@@ -76,13 +85,23 @@ class ProductCrc32 {
     FactorsOfHalf factors{};
     std::uint32_t factor = 0x8000'0000U;  // 1
     for (int byte = 0; byte < 4; ++byte) {
-      factor = Bytewise::times_x8(factor);
+      factor = Field::times_x8(factor);
     }
     for (std::size_t i = kGroups * kProductLanes; i > 0; --i) {
       factors[(i - 1) / kProductLanes].set((i - 1) % kProductLanes, factor);
-      factor = Bytewise::times_x8(factor);
+      factor = Field::times_x8(factor);
     }
     return factors;
+  }
+
+  // Of the first bytes of so many.
+  template <std::size_t kBytes>
+  static consteval Factors make_first() {
+    Factors first{};
+    for (std::size_t lane = 0; lane < kProductLanes; ++lane) {
+      first.set(lane, Field::power_of_x8(kBytes - lane + sizeof(std::uint32_t) - 1));
+    }
+    return first;
   }
 
   static const FactorsOfHalf kFactors;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 
+#include "checksum/reflected_field.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::checksum {
@@ -51,14 +52,6 @@ class ReflectedCrc32 {
     return (state >> 8) ^ kTables[0][state & 0xFFU];
   }
 
-  // The same bit by bit, for what the compiler computes.
-  static constexpr std::uint32_t times_x8(std::uint32_t state) {
-    for (int bit = 0; bit < 8; ++bit) {
-      state = (state >> 1) ^ ((state & 1U) != 0 ? reflected(kPolynomial) : 0U);
-    }
-    return state;
-  }
-
  private:
   using Table = std::array<std::uint32_t, 256>;
   using Tables = std::array<Table, kSlices>;
@@ -76,19 +69,11 @@ class ReflectedCrc32 {
     return next;
   }
 
-  static constexpr std::uint32_t reflected(std::uint32_t polynomial) {
-    std::uint32_t mirror = 0;
-    for (int bit = 0; bit < 32; ++bit) {
-      mirror = (mirror << 1) | ((polynomial >> bit) & 1U);
-    }
-    return mirror;
-  }
-
   // Table t: the effect of a byte that lies t bytes before the end of the group.
   static constexpr Tables make_tables() {
     Tables tables{};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {
-      tables[0][byte] = times_x8(byte);
+      tables[0][byte] = ReflectedField<kPolynomial>::times_x8(byte);
     }
     for (std::size_t t = 1; t < kSlices; ++t) {
       for (std::size_t byte = 0; byte < 256; ++byte) {

@@ -15,14 +15,18 @@ namespace iog::stream {
 // without classes has CRC 0.
 class ClassHash {
  public:
-  explicit ClassHash(window::TileNumber corner);
+  explicit ClassHash(window::TileNumber corner = {});
 
   // A tile of which a cell has a class. number: window::slot_of().
   void add(std::size_t number, tile_coding::TileCells cells);
+  // The same of cells that have this remainder (checksum::FastCrc32::remainder_of()).
+  void add_remainder(std::size_t number, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return is_empty_ ? 0 : crc_.value(); }
 
  private:
+  void add_place(std::size_t number);
+
   Crc32 crc_;
   bool is_empty_ = true;
 };

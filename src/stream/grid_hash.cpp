@@ -1,18 +1,30 @@
 #include "stream/grid_hash.hpp"
 
 #include <array>
+#include <span>
 
+#include "geometry/grid.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::stream {
 
-void GridHash::add(std::size_t tile_x, std::size_t tile_y,
-                   std::span<const std::byte, tile_coding::kTileBytes> tile) {
+void GridHash::add(std::size_t tile, tile_coding::TileCells cells) {
+  add_place(tile);
+  crc_.update(cells);
+}
+
+void GridHash::add_remainder(std::size_t tile, std::uint32_t remainder) {
+  add_place(tile);
+  crc_.add_remainder(remainder);
+}
+
+void GridHash::add_place(std::size_t tile) {
+  const std::size_t x = tile % geometry::kTilesPerSide;
+  const std::size_t y = tile / geometry::kTilesPerSide;
   std::array<std::byte, 4> place{};
-  wire::store_be16(std::span(place).first<2>(), static_cast<std::uint16_t>(tile_x));
-  wire::store_be16(std::span(place).last<2>(), static_cast<std::uint16_t>(tile_y));
+  wire::store_be16(std::span(place).first<2>(), static_cast<std::uint16_t>(x));
+  wire::store_be16(std::span(place).last<2>(), static_cast<std::uint16_t>(y));
   crc_.update(place);
-  crc_.update(tile);
 }
 
 }  // namespace iog::stream

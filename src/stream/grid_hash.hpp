@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "stream/crc32.hpp"
 #include "tile_coding/tile_cells.hpp"
@@ -14,11 +13,16 @@ namespace iog::stream {
 // tile y, big endian, then its 1024 cells. A grid in which nothing is known has CRC 0.
 class GridHash {
  public:
-  void add(std::size_t tile_x, std::size_t tile_y,
-           std::span<const std::byte, tile_coding::kTileBytes> tile);
+  // tile: its number, row by row.
+  void add(std::size_t tile, tile_coding::TileCells cells);
+  // The same of cells that have this remainder (checksum::FastCrc32::remainder_of()).
+  void add_remainder(std::size_t tile, std::uint32_t remainder);
+
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }
 
  private:
+  void add_place(std::size_t tile);
+
   Crc32 crc_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "geometry/tile.hpp"
@@ -18,5 +19,17 @@ inline constexpr std::byte kNoIndex{0x80};
 
 using TileCells = std::span<const std::byte, kTileBytes>;
 using MutableTileCells = std::span<std::byte, kTileBytes>;
+
+// All cells are 0.
+[[nodiscard]] inline bool is_blank(TileCells cells) {
+  for (std::size_t at = 0; at < cells.size(); at += sizeof(std::uint64_t)) {
+    std::uint64_t eight = 0;
+    __builtin_memcpy(&eight, &cells[at], sizeof eight);
+    if (eight != 0) {
+      return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace iog::tile_coding

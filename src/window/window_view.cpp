@@ -15,15 +15,21 @@ std::uint32_t bit_of_class(std::byte byte) {
 
 }  // namespace
 
+std::optional<WindowView::ClassBytes> WindowView::known_bytes(std::size_t slot) const {
+  if (!window_->is_known(slot)) {
+    return std::nullopt;
+  }
+  return std::as_bytes(std::span(window_->tile(slot).decided));
+}
+
 std::optional<WindowView::ClassBytes> WindowView::class_bytes(std::size_t slot) const {
   if (!window_->is_known(slot)) {
     return std::nullopt;
   }
-  const auto& groups = window_->tile(slot).decided;
-  const bool is_any = std::ranges::any_of(groups, [](const decision::Decided& decided) {
-    return !EightBytes::load(decided.data()).is_zero();
-  });
-  return is_any ? std::optional(std::as_bytes(std::span(groups))) : std::nullopt;
+  const bool is_any = std::ranges::any_of(
+      window_->tile(slot).decided,
+      [](const decision::Decided& decided) { return !EightBytes::load(decided.data()).is_zero(); });
+  return is_any ? known_bytes(slot) : std::nullopt;
 }
 
 bool WindowView::copy_classes(std::size_t slot,

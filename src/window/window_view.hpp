@@ -38,6 +38,8 @@ class WindowView {
   // The class bytes of the tile at a slot, row by row from its lowest y, as they lie in memory.
   // Empty if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> class_bytes(std::size_t slot) const;
+  // The same where no cell has a class, if something was ever known of the tile.
+  [[nodiscard]] std::optional<ClassBytes> known_bytes(std::size_t slot) const;
 
   // A copy of them. False if no cell has a class: all are 0 then.
   bool copy_classes(std::size_t slot, std::span<std::int8_t, geometry::kTileCells> to) const;

@@ -26,8 +26,7 @@ std::uint32_t grid_crc_of(const GridFrame& frame) {
   stream::GridHash hash;
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (frame.known_tiles.test(tile)) {
-      hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
-               cells_of_tile(frame.cells, tile));
+      hash.add(tile, cells_of_tile(frame.cells, tile));
     }
   }
   return hash.value();

@@ -114,8 +114,7 @@ TEST(Pipeline, TheTilesCarryTheGrid) {
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     std::array<grid::OccupancyIndex, tile_coding::kTileBytes> cells;
     if (direct->view().copy_tile(tile, cells)) {
-      hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide,
-               std::as_bytes(std::span(cells)));
+      hash.add(tile, std::as_bytes(std::span(cells)));
       ++tiles;
     }
   }
@@ -333,7 +332,7 @@ class TileList {
     tiles = 0;
   }
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
-    hash.add(tile % geometry::kTilesPerSide, tile / geometry::kTilesPerSide, cells);
+    hash.add(tile, cells);
     ++tiles;
   }
   void end_frame() { ++ended; }

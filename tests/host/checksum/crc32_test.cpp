@@ -107,5 +107,28 @@ TEST(Crc32P4, SeesUpToFiveFlippedBits) {
   }
 }
 
+// Bytes before, a part of which only the remainder is known, and bytes after.
+template <typename Crc>
+void expect_the_slow_one_by_a_remainder(std::uint32_t mirrored_polynomial) {
+  tests::Random random(52);
+  std::vector<std::byte> bytes(Crc::kPartBytes + 40);
+  for (std::byte& byte : bytes) {
+    byte = static_cast<std::byte>(random.next());
+  }
+  for (std::size_t before = 0; before <= 40; before += 4) {
+    const auto part = std::span(bytes).subspan(before);
+    Crc crc;
+    crc.update(std::span(bytes).first(before));
+    crc.add_remainder(Crc::remainder_of(part.template first<Crc::kPartBytes>()));
+    crc.update(part.subspan(Crc::kPartBytes));
+    ASSERT_EQ(crc.value(), BitwiseCrc32(mirrored_polynomial).add(bytes).value()) << before;
+  }
+}
+
+TEST(Crc32, APartIsAddedByItsRemainder) {
+  expect_the_slow_one_by_a_remainder<Crc32>(BitwiseCrc32::kIsoHdlc);
+  expect_the_slow_one_by_a_remainder<Crc32P4>(BitwiseCrc32::kP4);
+}
+
 }  // namespace
 }  // namespace iog::checksum

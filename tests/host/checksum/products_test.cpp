@@ -76,6 +76,24 @@ TEST(ProductCrc32, IsTheBytewiseOne) {
   expect_the_bytewise_one<ProductCrc32<0xF4ACFB13, PlainProducts>>(bytewise<0xF4ACFB13>);
 }
 
+template <std::uint32_t kPolynomial, std::size_t kBytes>
+void expect_the_bytewise_zeros() {
+  const std::vector<std::byte> zeros(kBytes);
+  for (const std::uint32_t state : {0U, 1U, 0x8000'0000U, 0xFFFF'FFFFU, 0x1234'5678U}) {
+    ReflectedCrc32<kPolynomial, 1> crc;
+    crc.set_state(state);
+    crc.update(zeros);
+    using Products = ProductCrc32<kPolynomial, PlainProducts>;
+    EXPECT_EQ(Products::template after_zeros<kBytes>(state), crc.state()) << state;
+  }
+}
+
+TEST(ProductCrc32, PassesOverZerosAsTheBytewiseOne) {
+  expect_the_bytewise_zeros<0x04C11DB7, 8>();
+  expect_the_bytewise_zeros<0x04C11DB7, 1024>();
+  expect_the_bytewise_zeros<0xF4ACFB13, 1024>();
+}
+
 // On the target this is the twin.
 TEST(FastCrc32, IsTheBytewiseOne) {
   expect_the_bytewise_one<Crc32>(bytewise<0x04C11DB7>);

@@ -12,7 +12,7 @@ TEST(GridHash, IsTheCrcOfPlaceAndCells) {
   tile.fill(std::byte{3});
   GridHash hash;
   EXPECT_EQ(hash.value(), 0U);
-  hash.add(4, 5, tile);
+  hash.add(5 * geometry::kTilesPerSide + 4, tile);
   EXPECT_EQ(hash.value(), 0xAB6383F9U);
 }
 
