@@ -76,6 +76,17 @@ bool is_mode_known(const Sensor& sensor) {
   });
 }
 
+// Whether some of its lasers do not fire with the others, and then have no range.
+bool has_silent_lasers(lidar::Format format) {
+  bool has_some = false;
+  lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    if constexpr (requires { Decoder::unit().bank_lasers; }) {
+      has_some = Decoder::unit().bank_lasers != 0;
+    }
+  });
+  return has_some;
+}
+
 void check_unit(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);
   if (!is_within<std::uint32_t>(sensor.precision_mm, 1, 1000)) {
@@ -98,6 +109,9 @@ void check_unit(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
   if (!is_mode_known(sensor)) {
     tell({number, "mode", "512x10 ... 2048x10 of an Ouster, of others none"});
+  }
+  if (sensor.no_return_clears_mm > 0 && has_silent_lasers(sensor.format)) {
+    tell({number, "no_return_clears_mm", "0, because not every laser of this scanner fires"});
   }
   if (sensor.latency_us > 1'000'000) {
     tell({number, "latency_us", "at most 1000000"});

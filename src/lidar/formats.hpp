@@ -15,6 +15,7 @@
 #include "lidar/continental_ars548.hpp"
 #include "lidar/hesai_pandar40p.hpp"
 #include "lidar/hesai_pandar64.hpp"
+#include "lidar/hesai_qt128.hpp"
 #include "lidar/hesai_qt64.hpp"
 #include "lidar/hesai_xt.hpp"
 #include "lidar/ibeo_lux.hpp"
@@ -35,6 +36,7 @@ using AnyDecoder = std::variant<ContinentalArs548,  //
                                 HesaiPandar40p,     //
                                 HesaiPandar64,      //
                                 HesaiQt64,          //
+                                HesaiQt128,         //
                                 HesaiXt16,          //
                                 HesaiXt32,          //
                                 HesaiXt32m,         //

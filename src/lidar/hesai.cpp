@@ -40,7 +40,7 @@ std::uint32_t HesaiPacket::word_at(std::size_t offset) const {
 DecodeStatus HesaiPacket::read(const HesaiUnit& unit, std::span<const std::byte> datagram,
                                std::span<const LaserCorrection> corrections) {
   *this = HesaiPacket{};
-  if (datagram.size() != unit.bytes && datagram.size() != unit.bytes + unit.sequence_bytes) {
+  if (datagram.size() != unit.bytes && datagram.size() != unit.bytes + unit.may_follow_bytes) {
     return DecodeStatus::kWrongLength;
   }
   packet_ = datagram;
@@ -83,10 +83,21 @@ bool HesaiPacket::read_mode(const HesaiUnit& unit) {
   return is_dual_ || std::ranges::find(kSingleModes, mode) != kSingleModes.end();
 }
 
+// How far the head turns until the next firing, to the nearest tick.
+std::uint32_t HesaiPacket::step_by_speed(const HesaiUnit& unit) const {
+  constexpr std::uint64_t kMinuteNs = 60'000'000'000;
+  const std::uint64_t rpm = half_at(unit.speed_at);
+  const auto firing_ns = static_cast<std::uint64_t>(unit.firing_ns);
+  return static_cast<std::uint32_t>((rpm * kHesaiTurn * firing_ns + kMinuteNs / 2) / kMinuteNs);
+}
+
 DecodeStatus HesaiPacket::read_azimuths(const HesaiUnit& unit) {
   const std::size_t stride = is_dual_ ? 2 : 1;
   std::uint32_t swept = 0;
-  std::uint32_t step = 0;
+  std::uint32_t step = unit.blocks > stride ? 0 : step_by_speed(unit);
+  if (step > kMaxBlockStepTicks) {
+    return DecodeStatus::kWrongAngle;
+  }
   for (std::size_t block = 0; block < unit.blocks; ++block) {
     const std::uint16_t azimuth = half_at(unit.block_at(block));
     if (azimuth > kHesaiTurn) {

@@ -1,5 +1,5 @@
-// Hesai Pandar, PandarXT and PandarQT data packets: what the units of the family share, and the one
-// decoder for all of them.
+// Hesai Pandar, PandarXT, PandarQT and QT128 data packets: what the units of the family share, and
+// the one decoder for all of them.
 //
 // One datagram, little endian: a header that says how many lasers and blocks follow, the blocks,
 // each an azimuth and a range for each laser, and a tail with time, return mode and the maker's
@@ -31,6 +31,7 @@ namespace iog::lidar {
 // last laser of a block, after their block; from firing to firing.
 struct HesaiUnit {
   std::array<std::uint8_t, 2> model{};  // the header's bytes 2 and 3
+  std::uint8_t flags = 0;               // its byte 11, of a long one; told by the length as well
   std::size_t header_bytes = 0;         // none: each block has a flag
   std::size_t counts_at = 0;            // lasers and blocks in the header
   std::size_t distance_unit_at = 0;     // in the header
@@ -38,14 +39,17 @@ struct HesaiUnit {
   std::size_t flag_bytes = 0;  // before each azimuth
   std::size_t blocks = 0;
   std::size_t lasers = 0;
+  std::size_t bank_lasers = 0;  // of the first two banks of so many, a firing has one, by turns
   std::size_t channel_bytes = 0;
-  std::size_t mode_at = 0;  // the others are behind the blocks
+  std::size_t bank_at = 0;   // behind the blocks, like the others: which bank the first firing has
+  std::size_t speed_at = 0;  // rpm; of a unit of which a packet may have one firing
+  std::size_t mode_at = 0;
   std::size_t utc_at = 0;
   std::size_t time_at = 0;
   std::size_t maker_at = 0;
-  std::size_t bytes = 0;           // without what may follow
-  std::size_t sequence_bytes = 0;  // may follow
-  bool is_first_stamped = false;   // and not the last block
+  std::size_t bytes = 0;             // without what may follow
+  std::size_t may_follow_bytes = 0;  // a sequence number, or a signature
+  bool is_first_stamped = false;     // and not the last block
   std::int64_t stamped_block_ns = 0;
   std::int64_t first_laser_ns = 0;
   std::int64_t last_laser_ns = 0;
@@ -123,6 +127,7 @@ class HesaiPacket {
   [[nodiscard]] bool has_header_of(const HesaiUnit& unit) const;
   [[nodiscard]] bool has_flags_of(const HesaiUnit& unit) const;
   [[nodiscard]] bool read_mode(const HesaiUnit& unit);
+  [[nodiscard]] std::uint32_t step_by_speed(const HesaiUnit& unit) const;
   [[nodiscard]] DecodeStatus read_azimuths(const HesaiUnit& unit);
   [[nodiscard]] std::uint64_t stamp_us(const HesaiUnit& unit) const;
   void read_times(const HesaiUnit& unit);

@@ -14,6 +14,7 @@ namespace iog::lidar {
 // 166.67 us before the next; its lasers 12.31 to 146.45 us after that. (HesaiLidar_SDK_2.0 has
 // 2.31 to 136.45.)
 inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
+                                     .flags = 0x01,
                                      .header_bytes = 12,
                                      .counts_at = 6,
                                      .distance_unit_at = 9,
@@ -25,7 +26,7 @@ inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
                                      .time_at = 1056,
                                      .maker_at = 1061,
                                      .bytes = 1068,
-                                     .sequence_bytes = 4,
+                                     .may_follow_bytes = 4,
                                      .is_first_stamped = true,
                                      .stamped_block_ns = 25'710,
                                      .first_laser_ns = 12'310,

@@ -10,13 +10,13 @@
 namespace iog::fuzz {
 namespace {
 
-constexpr std::array<lidar::LaserCorrection, 64> kCorrections{
+constexpr std::array<lidar::LaserCorrection, 128> kCorrections{
     {{521, 0}, {-521, 30'000}, {32'767, -30'000}, {-32'768, 1}}};
 
 template <typename Decoder>
-void check(bool has_sequence, std::span<const std::byte> bytes) {
+void check(bool is_longest, std::span<const std::byte> bytes) {
   constexpr lidar::HesaiUnit kUnit = Decoder::unit();
-  const std::size_t packet_bytes = kUnit.bytes + (has_sequence ? kUnit.sequence_bytes : 0);
+  const std::size_t packet_bytes = kUnit.bytes + (is_longest ? kUnit.may_follow_bytes : 0);
   const auto corrections = std::span(kCorrections).first(Decoder::kLayers);
   std::vector<std::byte> packet(packet_bytes);
   std::ranges::copy(bytes.first(std::min(bytes.size(), packet.size())), packet.begin());
@@ -43,25 +43,28 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   iog::wire::ByteReader in(iog::fuzz::input_bytes(data, size));
   const std::uint8_t choice = in.u8();
   const auto packet = in.bytes(in.remaining());
-  const bool has_sequence = choice < 128;
-  switch (choice % 6U) {
+  const bool is_longest = choice < 128;
+  switch (choice % 7U) {
     case 0:
-      iog::fuzz::check<iog::lidar::HesaiPandar40p>(has_sequence, packet);
+      iog::fuzz::check<iog::lidar::HesaiPandar40p>(is_longest, packet);
       break;
     case 1:
-      iog::fuzz::check<iog::lidar::HesaiPandar64>(has_sequence, packet);
+      iog::fuzz::check<iog::lidar::HesaiPandar64>(is_longest, packet);
       break;
     case 2:
-      iog::fuzz::check<iog::lidar::HesaiQt64>(has_sequence, packet);
+      iog::fuzz::check<iog::lidar::HesaiQt64>(is_longest, packet);
       break;
     case 3:
-      iog::fuzz::check<iog::lidar::HesaiXt16>(has_sequence, packet);
+      iog::fuzz::check<iog::lidar::HesaiQt128>(is_longest, packet);
       break;
     case 4:
-      iog::fuzz::check<iog::lidar::HesaiXt32>(has_sequence, packet);
+      iog::fuzz::check<iog::lidar::HesaiXt16>(is_longest, packet);
+      break;
+    case 5:
+      iog::fuzz::check<iog::lidar::HesaiXt32>(is_longest, packet);
       break;
     default:
-      iog::fuzz::check<iog::lidar::HesaiXt32m>(has_sequence, packet);
+      iog::fuzz::check<iog::lidar::HesaiXt32m>(is_longest, packet);
       break;
   }
   return 0;

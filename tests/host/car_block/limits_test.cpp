@@ -68,6 +68,13 @@ TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].latency_us = 1'000'001; }), "0.latency_us");
 }
 
+// A laser of a QT128 that did not fire has no range, and says of nothing that it is free.
+TEST(CarLimits, OfAScannerWithSilentLasers) {
+  const auto fault_of = [](auto&& change) { return fault_with(change, "roof_qt128"); };
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[0].no_return_clears_mm = 1; }),
+            "0.no_return_clears_mm");
+}
+
 // A radar marks an arc, and says of nothing that it is free.
 TEST(CarLimits, OfARadar) {
   const auto fault_of = [](auto&& change) { return fault_with(change, "roof_vlp16_radar"); };

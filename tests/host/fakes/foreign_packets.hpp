@@ -50,7 +50,6 @@ struct ForeignPacket {
 
 inline std::vector<ForeignPacket> foreign_packets() {
   return {{"Velodyne VLS-128", vls128_packet()},
-          {"Hesai QT128", hesai_header_packet(3, 2, 128, 2, 1127)},
           {"Hesai Pandar128 or OT128", hesai_header_packet(1, 4, 128, 2, 893)},
           {"RoboSense RS-16, RS-32 or Bpearl", robosense_packet()}};
 }

@@ -10,10 +10,11 @@
 
 namespace iog::tests {
 
-inline constexpr std::array<lidar::Format, 6> kHesaiFormats{
+inline constexpr std::array<lidar::Format, 7> kHesaiFormats{
     lidar::kFormat<lidar::HesaiPandar40p>, lidar::kFormat<lidar::HesaiPandar64>,
-    lidar::kFormat<lidar::HesaiQt64>,      lidar::kFormat<lidar::HesaiXt16>,
-    lidar::kFormat<lidar::HesaiXt32>,      lidar::kFormat<lidar::HesaiXt32m>};
+    lidar::kFormat<lidar::HesaiQt64>,      lidar::kFormat<lidar::HesaiQt128>,
+    lidar::kFormat<lidar::HesaiXt16>,      lidar::kFormat<lidar::HesaiXt32>,
+    lidar::kFormat<lidar::HesaiXt32m>};
 
 struct HesaiPacket {
   lidar::Format format = lidar::kFormat<lidar::HesaiPandar64>;
@@ -23,12 +24,13 @@ struct HesaiPacket {
   bool is_dual = false;
   std::array<int, 6> utc{24, 2, 29, 23, 59, 59};  // the first as it is on the wire
   std::uint32_t time_us = 500'000;
-  bool has_sequence = true;                      // of all but an XT
-  std::array<std::array<int, 64>, 10> ranges{};  // 4 mm, of an XT-32M 5 mm
+  int rpm = 599;
+  bool has_sequence = true;                       // of all but an XT; of a QT128 a signature
+  std::array<std::array<int, 128>, 10> ranges{};  // 4 mm, of an XT-32M 5 mm
 
   // What the manuals say of a packet of the unit.
   struct Layout {
-    enum class Tail { kOfPandar, kOfQt, kOfXt } tail;
+    enum class Tail { kOfPandar, kOfQt, kOfQt128, kOfXt } tail;
     int blocks;
     int lasers;
     std::vector<int> header;
@@ -46,6 +48,14 @@ struct HesaiPacket {
       const int flags = has_sequence ? 1 : 0;
       return {
           Layout::Tail::kOfQt, 4, 64, {0xEE, 0xFF, 3, 1, 0, 0, 64, 4, 1, 4, returns, flags}, {}};
+    }
+    if (format == lidar::kFormat<lidar::HesaiQt128>) {
+      const int flags = has_sequence ? 0x1D : 0x15;
+      return {Layout::Tail::kOfQt128,
+              2,
+              128,
+              {0xEE, 0xFF, 3, 2, 3, 0, 128, 2, 1, 4, returns, flags},
+              {}};
     }
     const bool is_xt32m = format == lidar::kFormat<lidar::HesaiXt32m>;
     const int lasers = format == lidar::kFormat<lidar::HesaiXt16> ? 16 : 32;
@@ -80,14 +90,26 @@ struct HesaiPacket {
     const auto us = static_cast<int>(time_us);
     const std::vector<int> time{us & 0xFF, us >> 8 & 0xFF, us >> 16 & 0xFF, us >> 24 & 0xFF};
     const std::vector<int> date(utc.begin(), utc.end());
+    const std::vector<int> speed{rpm & 0xFF, rpm >> 8};
+    if (unit.tail == Layout::Tail::kOfQt128) {
+      out.resize(out.size() + 4 + 17);  // checksum, functional safety
+      append({0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, mode});
+      append(speed);
+      append(date);
+      append(time);
+      append({0x42, 1, 2, 3, 4, 5, 6, 7, 8});
+      out.resize(out.size() + (has_sequence ? 32 : 0));
+      return out;
+    }
     out.resize(out.size() + (unit.tail == Layout::Tail::kOfPandar ? 8 : 10));
     if (unit.tail == Layout::Tail::kOfXt) {
-      append({mode, 0x57, 0x02});
+      append({mode});
+      append(speed);
       append(date);
       append(time);
       append({0x42, 1, 2, 3, 4});
     } else {
-      append({0x57, 0x02});
+      append(speed);
       append(time);
       append({mode, 0x42});
       append(date);

@@ -9,6 +9,7 @@
 #include "fakes/hesai_packet.hpp"
 #include "fakes/real_hesai_packets.hpp"
 #include "fakes/real_packets.hpp"
+#include "fakes/real_qt128_packet.hpp"
 
 namespace iog::lidar {
 namespace {
@@ -19,6 +20,7 @@ using tests::kHesaiFormats;
 constexpr Format kPandar40p = kFormat<HesaiPandar40p>;
 constexpr Format kPandar64 = kFormat<HesaiPandar64>;
 constexpr Format kQt64 = kFormat<HesaiQt64>;
+constexpr Format kQt128 = kFormat<HesaiQt128>;
 constexpr Format kXt16 = kFormat<HesaiXt16>;
 constexpr Format kXt32 = kFormat<HesaiXt32>;
 constexpr Format kXt32m = kFormat<HesaiXt32m>;
@@ -48,16 +50,17 @@ DecodeStatus decode(const std::vector<std::byte>& bytes, Format format) {
 }
 
 // User manuals: of a Pandar40P 1262 bytes, 1266 with a sequence number; of a Pandar64 1194, 1198;
-// of a PandarQT-64 1068, 1072; of a PandarXT-16 568, of a PandarXT-32 1080, of a PandarXT-32M 820.
+// of a PandarQT-64 1068, 1072; of a QT128 1095, 1127 with a signature; of a PandarXT-16 568, of a
+// PandarXT-32 1080, of a PandarXT-32M 820.
 TEST(Hesai, PacketsAreAsLongAsTheManualsSay) {
   struct Row {
     Format format;
     std::size_t bytes;
     std::size_t bytes_without_sequence;
   };
-  for (const Row& row :
-       {Row{kPandar40p, 1266, 1262}, Row{kPandar64, 1198, 1194}, Row{kQt64, 1072, 1068},
-        Row{kXt16, 568, 568}, Row{kXt32, 1080, 1080}, Row{kXt32m, 820, 820}}) {
+  for (const Row& row : {Row{kPandar40p, 1266, 1262}, Row{kPandar64, 1198, 1194},
+                         Row{kQt64, 1072, 1068}, Row{kQt128, 1127, 1095}, Row{kXt16, 568, 568},
+                         Row{kXt32, 1080, 1080}, Row{kXt32m, 820, 820}}) {
     auto bytes = Sent{.format = row.format}.bytes();
     EXPECT_EQ(bytes.size(), row.bytes);
     EXPECT_EQ(decode(bytes, row.format), DecodeStatus::kOk);
@@ -79,8 +82,8 @@ TEST(Hesai, TurnsUnitsIntoPoints) {
     const auto lasers = static_cast<std::size_t>(sent.layout().lasers);
     const auto blocks = static_cast<std::size_t>(sent.layout().blocks);
     sent.ranges[0][0] = 2500;
-    sent.ranges[3][lasers - 1] = 0xFFFF;
-    std::array<LaserCorrection, 64> lasers_of_unit{};
+    sent.ranges[blocks - 1][lasers - 1] = 0xFFFF;
+    std::array<LaserCorrection, 128> lasers_of_unit{};
     lasers_of_unit[0] = {.azimuth_ticks = -521, .range_mm = 30};
     lasers_of_unit[lasers - 1] = {.azimuth_ticks = 27'000, .range_mm = 0};
     const Decoded packet(sent.bytes(), format, std::span(lasers_of_unit).first(lasers));
@@ -92,9 +95,9 @@ TEST(Hesai, TurnsUnitsIntoPoints) {
     EXPECT_EQ(points[0].range_mm, 2500 * unit_mm + 30);
     // 90 degrees clockwise from forward is 270 to the left.
     EXPECT_EQ(points[0].azimuth_ticks, 27'000 - 521);
-    EXPECT_EQ(points[4 * lasers - 1].range_mm, 0xFFFFU * unit_mm);
-    EXPECT_EQ(points[4 * lasers - 1].layer, lasers - 1);
-    EXPECT_EQ(points[4 * lasers - 1].azimuth_ticks, 54'000 - 36'000 - 3 * 20);
+    EXPECT_EQ(points.back().range_mm, 0xFFFFU * unit_mm);
+    EXPECT_EQ(points.back().layer, lasers - 1);
+    EXPECT_EQ(points.back().azimuth_ticks, 54'000 - 36'000 - static_cast<int>(blocks - 1) * 20);
   }
 }
 
@@ -105,13 +108,33 @@ TEST(Hesai, SweepsClockwiseSoItsSectorEndsWhereItBegan) {
   EXPECT_EQ(packet.info.sector.first_ticks, 36'000 - 80 - HesaiPacket::kSeamTicks);
 }
 
+// A QT128 with two returns sends each firing on its own: its speed says how far it turns meanwhile,
+// by which its packets leave no azimuth out.
+TEST(Hesai, AFiringThatIsAloneSweepsAsFarAsTheHeadTurns) {
+  struct Row {
+    int rpm;
+    std::uint16_t ticks;
+  };
+  for (const Row& row : {Row{300, 20}, Row{599, 40}, Row{1200, 80}, Row{0, 0}}) {
+    Sent sent{.format = kQt128, .first_azimuth = 35'980, .mode = 0x39, .is_dual = true};
+    sent.rpm = row.rpm;
+    const Decoded packet(sent.bytes(), kQt128);
+    ASSERT_EQ(packet.status, DecodeStatus::kOk);
+    EXPECT_EQ(packet.info.sector.width_ticks, row.ticks + HesaiPacket::kSeamTicks);
+    EXPECT_EQ((packet.info.sector.first_ticks + packet.info.sector.width_ticks) % 36'000, 20);
+    sent.rpm = 0xFFFF;
+    EXPECT_EQ(decode(sent.bytes(), kQt128), DecodeStatus::kWrongAngle);
+  }
+}
+
 // Pandar64 User Manual: block 6 fires 42.58 us before the stamp, the lasers of a block 3.62
 // to 54.67 us before it, a block 55.56 us before the next. Pandar40P User Manual: the same, but
 // block 10 28.58 us before the stamp. PandarXT User Manual: block 8 fires 5.632 us after the stamp,
 // laser n of 32 0.368 + 1.512 (n - 1) us later, of 16 0.368 + 3.024 (n - 1), a block 50 us before
 // the next. PandarXT-32M User Manual: the same of block 6, and lasers n and n + 16 0.368 + 2.888
 // (n - 1) us later. PandarQT User Manual: block 1 25.71 us after the stamp, a block 166.67 us after
-// the one before, the lasers 12.31 to 146.45 us later.
+// the one before, the lasers 12.31 to 146.45 us later. HesaiLidar_SDK_2.0, QT128C2X: block 1 9 us
+// after the stamp, a block 111.11 us after the one before, the lasers 0.6 to 100.52 us later.
 TEST(Hesai, ItsTimesAreThoseOfTheManuals) {
   constexpr std::uint64_t kStampUs = 1'709'251'199'500'000U;  // 2024-02-29 23:59:59.5 UTC
   struct Row {
@@ -120,18 +143,20 @@ TEST(Hesai, ItsTimesAreThoseOfTheManuals) {
     double first_us;
     double last_us;
   };
-  for (const Row& row : {Row{kPandar64, false, -42.58 - 5 * 55.56 - 54.67, -42.58 - 3.62},
-                         Row{kPandar64, true, -42.58 - 2 * 55.56 - 54.67, -42.58 - 3.62},
-                         Row{kPandar40p, false, -28.58 - 9 * 55.56 - 54.67, -28.58 - 3.62},
-                         Row{kPandar40p, true, -28.58 - 4 * 55.56 - 54.67, -28.58 - 3.62},
-                         Row{kXt16, false, 5.632 - 7 * 50 + 0.368, 5.632 + 0.368 + 15 * 3.024},
-                         Row{kXt16, true, 5.632 - 3 * 50 + 0.368, 5.632 + 0.368 + 15 * 3.024},
-                         Row{kXt32, false, 5.632 - 7 * 50 + 0.368, 5.632 + 0.368 + 31 * 1.512},
-                         Row{kXt32, true, 5.632 - 3 * 50 + 0.368, 5.632 + 0.368 + 31 * 1.512},
-                         Row{kXt32m, false, 5.632 - 5 * 50 + 0.368, 5.632 + 0.368 + 15 * 2.888},
-                         Row{kXt32m, true, 5.632 - 2 * 50 + 0.368, 5.632 + 0.368 + 15 * 2.888},
-                         Row{kQt64, false, 25.71 + 12.31, 25.71 + 500 + 146.45},
-                         Row{kQt64, true, 25.71 + 12.31, 25.71 + 166.67 + 146.45}}) {
+  for (const Row& row :
+       {Row{kPandar64, false, -42.58 - 5 * 55.56 - 54.67, -42.58 - 3.62},
+        Row{kPandar64, true, -42.58 - 2 * 55.56 - 54.67, -42.58 - 3.62},
+        Row{kPandar40p, false, -28.58 - 9 * 55.56 - 54.67, -28.58 - 3.62},
+        Row{kPandar40p, true, -28.58 - 4 * 55.56 - 54.67, -28.58 - 3.62},
+        Row{kXt16, false, 5.632 - 7 * 50 + 0.368, 5.632 + 0.368 + 15 * 3.024},
+        Row{kXt16, true, 5.632 - 3 * 50 + 0.368, 5.632 + 0.368 + 15 * 3.024},
+        Row{kXt32, false, 5.632 - 7 * 50 + 0.368, 5.632 + 0.368 + 31 * 1.512},
+        Row{kXt32, true, 5.632 - 3 * 50 + 0.368, 5.632 + 0.368 + 31 * 1.512},
+        Row{kXt32m, false, 5.632 - 5 * 50 + 0.368, 5.632 + 0.368 + 15 * 2.888},
+        Row{kXt32m, true, 5.632 - 2 * 50 + 0.368, 5.632 + 0.368 + 15 * 2.888},
+        Row{kQt64, false, 25.71 + 12.31, 25.71 + 500 + 146.45},
+        Row{kQt64, true, 25.71 + 12.31, 25.71 + 166.67 + 146.45},
+        Row{kQt128, false, 9 + 0.6, 9 + 111.11 + 100.52}, Row{kQt128, true, 9 + 0.6, 9 + 100.52}}) {
     Sent sent{.format = row.format, .mode = row.is_dual ? 0x39 : 0x37, .is_dual = row.is_dual};
     for (const int year : {24, 124}) {
       sent.utc[0] = year;
@@ -294,6 +319,21 @@ TEST(Hesai, ARealQt64IsWhereAnotherDecoderPutsIt) {
                  {.echoes = {0, 1}, .range_min_mm = 100});
 }
 
+// Lasers 1 to 32 did not fire then. What is nearer than 0.3 m nebula leaves out.
+TEST(Hesai, ARealQt128IsWhereAnotherDecoderPutsIt) {
+  std::vector<LaserCorrection> lasers;
+  for (const std::int16_t azimuth : tests::kAzimuthsOfQt128) {
+    lasers.push_back({.azimuth_ticks = azimuth});
+  }
+  const Decoded packet(tests::real_qt128(), kQt128, lasers);
+  ASSERT_EQ(packet.status, DecodeStatus::kOk);
+  expect_nebulas(packet.points, tests::kElevationsOfQt128Deg, tests::kNebulaOfQt128,
+                 {.range_min_mm = 300});
+  // By its own clock 2020-10-09 12:03:29 UTC and 518,451 us; 40 ticks by its 600 rpm.
+  EXPECT_EQ(packet.info.sweep.end_us, 1'602'245'009'518'451U + 110);
+  EXPECT_EQ(packet.info.sector.width_ticks, 40 + HesaiPacket::kSeamTicks);
+}
+
 // Nebula's calibration/PandarXT32M.csv: within 0.13 degrees those of the data sheet, and lasers
 // look up to 0.17 degrees to the sides. The unit was set to the first and the strongest return.
 TEST(Hesai, ARealXt32mIsWhereAnotherDecoderPutsIt) {
@@ -329,7 +369,8 @@ TEST(Hesai, RefusesWhatIsNotItsUnit) {
        {Row{kPandar40p, {0, 1, 124, 9 * 124 + 1, 1254, 1255}},
         Row{kPandar64, {0, 1, 2, 3, 5, 1186, 1187}}, Row{kXt16, {0, 1, 2, 3, 6, 7, 9, 550, 563}},
         Row{kXt32, {0, 1, 2, 3, 6, 7, 9, 1062, 1075}}, Row{kXt32m, {0, 1, 2, 3, 6, 7, 9, 802, 815}},
-        Row{kQt64, {0, 1, 2, 3, 6, 7, 9, 1060, 1061}}}) {
+        Row{kQt64, {0, 1, 2, 3, 6, 7, 9, 1060, 1061}},
+        Row{kQt128, {0, 1, 2, 3, 6, 7, 9, 1073, 1086}}}) {
     const auto good = Sent{.format = row.format}.bytes();
     for (const std::size_t at : row.checked) {
       auto bytes = good;

@@ -140,6 +140,7 @@ TEST(Sampling, OfHesais) {
   expect_samples_of_hesai<HesaiPandar40p>();
   expect_samples_of_hesai<HesaiPandar64>();
   expect_samples_of_hesai<HesaiQt64>();
+  expect_samples_of_hesai<HesaiQt128>();
   expect_samples_of_hesai<HesaiXt16>();
   expect_samples_of_hesai<HesaiXt32>();
   expect_samples_of_hesai<HesaiXt32m>();

@@ -150,8 +150,9 @@ TEST(CaptureIdentity, TheFittingCarIsNamedToEveryOther) {
 }
 
 TEST(CaptureIdentity, EachHesaiIsOfItsOwnCarAlone) {
-  const std::array<const char*, 6> cars{"roof_pandar40p", "roof_pandar64", "roof_qt64",
-                                        "roof_xt16",      "roof_xt32",     "roof_xt32m"};
+  const std::array<const char*, 7> cars{"roof_pandar40p", "roof_pandar64", "roof_qt64",
+                                        "roof_qt128",     "roof_xt16",     "roof_xt32",
+                                        "roof_xt32m"};
   for (std::size_t unit = 0; unit < cars.size(); ++unit) {
     const lidar::Format format = tests::kHesaiFormats[unit];
     Capture capture;
@@ -160,7 +161,7 @@ TEST(CaptureIdentity, EachHesaiIsOfItsOwnCarAlone) {
     }
     EXPECT_EQ(capture.refusal_by(cars[unit]), "");
     for (const char* const car : {"reference_car", "roof_hdl32e", "roof_hdl64e", cars[0], cars[1],
-                                  cars[2], cars[3], cars[4], cars[5]}) {
+                                  cars[2], cars[3], cars[4], cars[5], cars[6]}) {
       if (car != cars[unit]) {
         const std::string refusal = capture.refusal_by(car);
         EXPECT_TRUE(contains(refusal, "of a " + std::string(lidar::name_of(format)))) << refusal;

@@ -30,6 +30,7 @@ TEST(TwoReturns, SendWhatTheDataSheetsSay) {
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiPandar40p>) * 10, 1'440'000, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiPandar64>) * 10, 2'304'000, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiQt64>) * 10, 768'000, 500);
+  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiQt128>) * 10, 2'304'000, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt16>) * 10, 640'000, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt32>) * 10, 1'280'000, 500);
   EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt32m>) * 10, 1'280'000, 500);
@@ -43,8 +44,9 @@ TEST(TwoReturns, SendWhatTheDataSheetsSay) {
 
 TEST(TwoReturns, OnlyThoseThatDoNotFitAreWarnedOf) {
   for (const CatalogueEntry& car : all_vehicles()) {
+    const std::string_view name = car.vehicle->name;
     const bool is_too_dense =
-        car.vehicle->name == "roof_pandar64" || car.vehicle->name == "roof_hdl64e";
+        name == "roof_pandar64" || name == "roof_hdl64e" || name == "roof_qt128";
     EXPECT_EQ(!warning_of_two_returns(car).empty(), is_too_dense) << car.vehicle->name;
   }
   EXPECT_EQ(

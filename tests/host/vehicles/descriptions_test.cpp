@@ -116,6 +116,17 @@ TEST(Descriptions, AQt64LooksSteeplyUpAndDown) {
   EXPECT_NEAR(elevation_deg(sensor, 63), 52.03, 1e-4);
 }
 
+// calibration/made_up_qt128.csv
+TEST(Descriptions, AQt128LooksSteeplyUpAndDownToo) {
+  const vehicle::Sensor& sensor = first_sensor_of("roof_qt128");
+  const auto corrections = sensor.unit().corrections;
+  ASSERT_EQ(corrections.size(), 128U);
+  EXPECT_EQ(corrections[0].azimuth_ticks, -1010);  // 10.1
+  EXPECT_EQ(corrections[127].azimuth_ticks, 1010);
+  EXPECT_NEAR(elevation_deg(sensor, 0), -52.4, 1e-4);
+  EXPECT_NEAR(elevation_deg(sensor, 127), 52.4, 1e-4);
+}
+
 // calibration/made_up_pandar40p.csv
 TEST(Descriptions, APandar40pLooksByTurnsToTheSides) {
   const vehicle::Sensor& sensor = first_sensor_of("roof_pandar40p");

@@ -18,6 +18,7 @@ constexpr std::uint64_t kHesaiTurn = lidar::HesaiPacket::kTicksPerTurn;
 constexpr std::uint16_t kRpm = 60 * kTurnsPerSecond;
 constexpr std::uint8_t kStrongest = 0x37;
 constexpr std::uint8_t kMaker = 0x42;
+constexpr std::uint8_t kLaterBankFirst = 1;
 constexpr std::uint16_t kBlockFlag = 0xEEFF;  // of a unit without a header
 constexpr std::uint8_t kHesaiReflectivity = 40;
 constexpr std::uint8_t kSureOfIt = 255;
@@ -62,9 +63,8 @@ void HesaiEncoder::write_head(wire::ByteWriter& out) const {
   write({0xEE, 0xFF});
   if (has_long_head()) {
     // Version, reserved, lasers, blocks, which block is first, unit, returns, flags.
-    const std::uint8_t has_sequence = unit_.sequence_bytes == 0 ? 0 : 1;
     write({unit_.model[0], unit_.model[1], 0, 0, lasers, blocks, kFirstIsStrongest, unit_mm, 1,
-           has_sequence});
+           unit_.flags});
   } else {
     // Lasers, blocks, returns, unit, reserved.
     write({lasers, blocks, 0, unit_mm, 0, 0});
@@ -78,7 +78,13 @@ void HesaiEncoder::write_tail(std::uint64_t stamp_us, std::uint64_t number,
   const std::size_t tail = unit_.block_at(unit_.blocks) - unit_.flag_bytes;
   const unsigned years_before = has_long_head() ? 1900 : 2000;
   if (unit_.mode_at < unit_.time_at) {
-    out.zeros(unit_.mode_at - tail);  // reserved, state
+    // Reserved, state, and between them which bank is the first.
+    const bool has_banks = unit_.bank_lasers != 0;
+    out.zeros((has_banks ? unit_.bank_at : unit_.mode_at) - tail);
+    if (has_banks) {
+      out.u8(kLaterBankFirst);
+      out.zeros(unit_.mode_at - unit_.bank_at - 1);
+    }
     out.u8(kStrongest);
     out.u16_le(kRpm);
     write_utc(stamp_us / kSecondUs, years_before, out);
@@ -93,12 +99,18 @@ void HesaiEncoder::write_tail(std::uint64_t stamp_us, std::uint64_t number,
     write_utc(stamp_us / kSecondUs, years_before, out);
   }
   out.u32_le(static_cast<std::uint32_t>(number));
+  out.zeros(out.remaining());  // checksum, signature
+}
+
+// The first block is of the later bank, the second of the first.
+bool HesaiEncoder::fires(std::size_t block, std::size_t laser) const {
+  return unit_.bank_lasers == 0 || laser / unit_.bank_lasers != block % 2;
 }
 
 std::vector<std::byte> HesaiEncoder::packet(std::uint64_t begin_ns, std::uint64_t number,
                                             const RayCaster& rays, Random& random,
                                             std::vector<PointTruth>& truth) const {
-  std::vector<std::byte> bytes(unit_.bytes + unit_.sequence_bytes);
+  std::vector<std::byte> bytes(unit_.bytes + unit_.may_follow_bytes);
   wire::ByteWriter out(bytes);
   write_head(out);
   std::uint64_t fires_ns = begin_ns;
@@ -113,7 +125,9 @@ std::vector<std::byte> HesaiEncoder::packet(std::uint64_t begin_ns, std::uint64_
     out.u16_le(static_cast<std::uint16_t>(azimuth));
     for (std::size_t laser = 0; laser < unit_.lasers; ++laser) {
       const Measured measured =
-          beams_.measure(laser, static_cast<std::int32_t>(azimuth), fires_ns, rays, random);
+          fires(block, laser)
+              ? beams_.measure(laser, static_cast<std::int32_t>(azimuth), fires_ns, rays, random)
+              : Measured{};
       truth.push_back(measured.truth);
       const std::uint16_t range = range_units(measured.range_m, unit_.distance_unit_mm);
       out.u16_le(range);

@@ -28,6 +28,7 @@ class HesaiEncoder final : public PacketEncoder {
  private:
   // Of the later units: with a version of it, and a tail whose years count from 1900.
   [[nodiscard]] bool has_long_head() const { return unit_.header_bytes == 12; }
+  [[nodiscard]] bool fires(std::size_t block, std::size_t laser) const;
   void write_head(wire::ByteWriter& out) const;
   void write_tail(std::uint64_t stamp_us, std::uint64_t number, wire::ByteWriter& out) const;
 

@@ -27,9 +27,10 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 const std::vector<std::string> kCars{
-    "roof_hdl32e",    "roof_hdl64e",   "roof_os0_128",    "roof_os0_32_dual", "roof_os1_64",
-    "roof_pandar40p", "roof_pandar64", "roof_puck_hires", "roof_qt64",        "roof_vlp16",
-    "roof_vlp32c",    "roof_vls128",   "roof_xt16",       "roof_xt32",        "roof_xt32m"};
+    "roof_hdl32e", "roof_hdl64e",    "roof_os0_128",  "roof_os0_32_dual",
+    "roof_os1_64", "roof_pandar40p", "roof_pandar64", "roof_puck_hires",
+    "roof_qt128",  "roof_qt64",      "roof_vlp16",    "roof_vlp32c",
+    "roof_vls128", "roof_xt16",      "roof_xt32",     "roof_xt32m"};
 
 // A road that turns right by 0.4 rad/s at 10 m/s towards a long wall across.
 constexpr Course kCurve{.radians_per_metre = -0.04, .swings = {{{0, 100}, {0, 100}}}};
@@ -277,6 +278,7 @@ TEST(MovingUnits, BytesArePinned) {
             0x9C30C072U);
   EXPECT_EQ(crc_of_drives({"roof_qt64", "roof_xt32m"}), 0x0A513F28U);
   EXPECT_EQ(crc_of_drives({"roof_vls128"}), 0xAA6506CEU);
+  EXPECT_EQ(crc_of_drives({"roof_qt128"}), 0xA6515580U);
 }
 
 // Three LUX and two that turn: everything comes in order, and each at its own rate.

@@ -39,9 +39,10 @@ struct Rate {
 const std::vector<Rate> kRates{
     {"roof_hdl32e", 1'808.45},   {"roof_hdl64e", 2'893.52},   {"roof_os0_128", 640.0},
     {"roof_os0_32_dual", 640.0}, {"roof_os1_64", 640.0},      {"roof_pandar40p", 1'800.0},
-    {"roof_pandar64", 3'000.0},  {"roof_puck_hires", 753.52}, {"roof_qt64", 1'500.0},
-    {"roof_vlp16", 753.52},      {"roof_vlp32c", 1'507.04},   {"roof_vls128", 6'029.91},
-    {"roof_xt16", 2'500.0},      {"roof_xt32", 2'500.0},      {"roof_xt32m", 3'333.33}};
+    {"roof_pandar64", 3'000.0},  {"roof_puck_hires", 753.52}, {"roof_qt128", 4'500.0},
+    {"roof_qt64", 1'500.0},      {"roof_vlp16", 753.52},      {"roof_vlp32c", 1'507.04},
+    {"roof_vls128", 6'029.91},   {"roof_xt16", 2'500.0},      {"roof_xt32", 2'500.0},
+    {"roof_xt32m", 3'333.33}};
 
 TEST(SpinningDrive, SendsAsManyPacketsAsTheUnitDoes) {
   for (const Rate& rate : kRates) {

@@ -1,0 +1,52 @@
+// Hesai QT128 (QT128C2X) data packets (QT128C2X User Manual, "Point Cloud Data Packet"). Its lasers
+// look up to 53 degrees up and down and up to 11 degrees to the sides, each unit's as its file
+// says: a description gives them.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "lidar/hesai.hpp"
+
+namespace iog::lidar {
+
+// Each firing has 96 lasers: 33 to 128, then 1 to 32 and 65 to 128; the others have no range. With
+// two returns a packet is one firing. Its checksums are not checked, and nobody can check the 32
+// bytes of its signature.
+// Appendix "Absolute time of point cloud data": block 1 fires 9 us after the stamp, a block 111.11
+// us before the next; its lasers 0.6 to 100.52 us after that. (tier4/nebula lets block 2 fire
+// first.)
+inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
+                                      .flags = 0x1D,
+                                      .header_bytes = 12,
+                                      .counts_at = 6,
+                                      .distance_unit_at = 9,
+                                      .blocks = 2,
+                                      .lasers = 128,
+                                      .bank_lasers = 32,
+                                      .channel_bytes = 4,
+                                      .bank_at = 1066,
+                                      .speed_at = 1074,
+                                      .mode_at = 1073,
+                                      .utc_at = 1076,
+                                      .time_at = 1082,
+                                      .maker_at = 1086,
+                                      .bytes = 1095,
+                                      .may_follow_bytes = 32,
+                                      .is_first_stamped = true,
+                                      .stamped_block_ns = 9'000,
+                                      .first_laser_ns = 600,
+                                      .last_laser_ns = 100'520,
+                                      .firing_ns = 111'111};
+
+class HesaiQt128 : public HesaiDecoder<kQt128Unit> {
+ public:
+  static constexpr std::string_view kName = "Hesai QT128";
+  // One turn with one return is 450 packets of 256 points, of which 64 have not fired; with two
+  // returns it is more than a frame can mark.
+  static constexpr DataSheet kDataSheet{
+      .type = "hesai_qt128", .range_min_mm = 50, .max_points_per_scan = 470 * 256};
+  static constexpr std::array<double, 0> kElevationsDeg{};
+};
+
+}  // namespace iog::lidar
