@@ -1,8 +1,10 @@
-"""UDP datagrams out of a capture file: pcap or pcapng, as it is or packed by gzip."""
+"""UDP datagrams out of a capture file: pcap or pcapng, as it is or packed by gzip or zstd."""
 
 import collections
+import contextlib
 import gzip
 import struct
+import subprocess
 import zlib
 from collections.abc import Iterator
 from typing import BinaryIO
@@ -24,13 +26,39 @@ def datagrams(path: str, port: int, dropped: collections.Counter[str]) -> Iterat
     with open(path, "rb") as plain:
         magic = plain.read(4)
         plain.seek(0)
-        file = gzip.GzipFile(fileobj=plain) if magic[:2] == GZIP else plain
         try:
-            for link, packet in _packets(path, file):
-                if (payload := _payload(link, packet, port)) is not None:
-                    yield payload
+            with _unpacked(path, plain, magic) as file:
+                for link, packet in _packets(path, file):
+                    if (payload := _payload(link, packet, port)) is not None:
+                        yield payload
         except (_BreaksOff, EOFError, gzip.BadGzipFile, zlib.error):
             dropped["capture that is cut short"] += 1
+
+
+@contextlib.contextmanager
+def _unpacked(path: str, plain: BinaryIO, magic: bytes) -> Iterator[BinaryIO]:
+    """The bytes before they were packed. Python 3.11 has no zstd: the program does it, with 128 MiB at most."""
+    if magic != ZSTD:
+        yield gzip.GzipFile(fileobj=plain) if magic[:2] == GZIP else plain
+        return
+    try:
+        with open(path, "rb") as packed:
+            zstd = subprocess.Popen(["zstd", "-dcq", "--memory=128MB"], stdin=packed, stdout=subprocess.PIPE,
+                                    stderr=subprocess.DEVNULL)
+    except FileNotFoundError:
+        raise ValueError(f"{path}: packed by zstd; the program zstd, which unpacks it, is not installed") from None
+    try:
+        yield zstd.stdout
+        if zstd.wait() != 0:
+            raise _BreaksOff
+    except ValueError:  # of nothing, if it is damaged at its beginning
+        if not zstd.stdout.read(1) and zstd.wait() != 0:
+            raise _BreaksOff from None
+        raise
+    finally:
+        zstd.kill()
+        zstd.stdout.close()
+        zstd.wait()
 
 
 def _packets(path: str, file: BinaryIO) -> Iterator[tuple[int, bytes]]:
@@ -41,7 +69,7 @@ def _packets(path: str, file: BinaryIO) -> Iterator[tuple[int, bytes]]:
     elif magic == PCAPNG:
         yield from _pcapng(file)
     else:
-        raise ValueError(f"{path}: no pcap or pcapng" + ("; zstd -d unpacks it" if magic == ZSTD else ""))
+        raise ValueError(f"{path}: no pcap or pcapng")
 
 
 def _exactly(file: BinaryIO, count: int) -> bytes:

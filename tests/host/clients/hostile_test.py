@@ -144,7 +144,8 @@ class Hostile(unittest.TestCase):
     def test_mutated_captures(self):
         rng, path = random.Random(SEED), streams.FOLDER / "mutated.pcap"
         plain = streams.raw().read_bytes()
-        for whole in (plain, streams.as_pcapng(streams.raw()).read_bytes(), gzip.compress(plain)):
+        of_zstd = streams.zstd_of(plain)
+        for whole in (plain, streams.as_pcapng(streams.raw()).read_bytes(), gzip.compress(plain), of_zstd):
             faults = cuts = 0
             for _ in range(100):
                 path.write_bytes(mutated(whole[:60] if rng.random() < 0.3 else whole, rng))
@@ -161,7 +162,8 @@ class Hostile(unittest.TestCase):
             path.write_bytes(whole[:-5])
             receiver = iogrid.Receiver()
             frames = [frame.is_whole for frame in iogrid.replay(str(path), receiver=receiver)]
-            self.assertEqual(frames[:1], [True])
+            # zstd packs 128 KiB at a time, which is all of this capture, and of a broken piece nothing comes.
+            self.assertEqual(frames[:1], [] if whole is of_zstd else [True])
             self.assertEqual(receiver.dropped, {"capture that is cut short": 1})
 
 

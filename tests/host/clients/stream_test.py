@@ -2,11 +2,13 @@
 
 import functools
 import gzip
+import os
 import pathlib
 import random
 import re
 import struct
 import unittest
+import unittest.mock
 import zlib
 
 import streams
@@ -177,12 +179,20 @@ class Stream(unittest.TestCase):
         made.write_bytes(pcapng_of([packet.frame for packet in streams.capture.read(plain)]))
         ng = streams.as_pcapng(plain)
         packed.write_bytes(gzip.compress(ng.read_bytes()))
-        for path in (ng, made, packed):
+        of_zstd = streams.FOLDER / "packed.zst"
+        of_zstd.write_bytes(streams.zstd_of(ng.read_bytes()))
+        for path in (ng, made, packed, of_zstd):
             frames, receiver = replayed(path)
             self.assertEqual([(frame.number, frame.is_whole) for frame in frames], right, path)
             self.assertEqual(receiver.dropped, {}, path)
-        made.write_bytes(b"\x28\xb5\x2f\xfd" + bytes(50))
-        self.assertRaisesRegex(ValueError, "zstd -d", replayed, made)
+        of_zstd.write_bytes(of_zstd.read_bytes()[:-5])
+        frames, receiver = replayed(of_zstd)
+        whole = [(frame.number, frame.is_whole) for frame in frames[:-1]]
+        self.assertGreater(len(whole), 5)
+        self.assertEqual(whole, right[:len(whole)])
+        self.assertEqual(receiver.dropped, {"capture that is cut short": 1})
+        with unittest.mock.patch.dict(os.environ, PATH=str(streams.FOLDER)):
+            self.assertRaisesRegex(ValueError, "zstd, which unpacks it, is not installed", replayed, of_zstd)
 
     def test_another_run_takes_over_with_its_third_message(self):
         """3.2."""

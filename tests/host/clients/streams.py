@@ -117,3 +117,7 @@ def as_pcapng(path: pathlib.Path) -> pathlib.Path:
     """The same packets, by Wireshark's program."""
     subprocess.run(["editcap", "-F", "pcapng", path, made := path.with_suffix(".pcapng")], check=True, timeout=120)
     return made
+
+
+def zstd_of(data: bytes) -> bytes:
+    return subprocess.run(["zstd", "-cq"], input=data, capture_output=True, check=True, timeout=120).stdout
