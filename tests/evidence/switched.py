@@ -67,9 +67,9 @@ def with_mutants(content: bytes, mutants: list[tuple[int, Mutant]]) -> bytes:
     return b'#include "iog_mutation.hpp"\n#line 1\n' + content
 
 
-def contents(root: pathlib.Path) -> dict[str, tuple[bytes, int]]:
+def contents(root: pathlib.Path, commit: str) -> dict[str, tuple[bytes, int]]:
     """Of all that is built, as committed: results are of a commit, and in a tree tests may be newer than what they test."""
-    archive = subprocess.run(["git", "archive", "HEAD", *COPIED], cwd=root, check=True, stdout=subprocess.PIPE).stdout
+    archive = subprocess.run(["git", "archive", commit, *COPIED], cwd=root, check=True, stdout=subprocess.PIPE).stdout
     with tarfile.open(fileobj=io.BytesIO(archive)) as files:
         return {each.name: (files.extractfile(each).read(), each.mode) for each in files if each.isfile()}
 

@@ -8,9 +8,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("src", "hal", "board", "linker", "vehicles")  # that the firmware is made of
 
 
-def sources(folders: tuple[str, ...] = FOLDERS) -> dict[str, str]:
+def sources(folders: tuple[str, ...] = FOLDERS, commit: str = "HEAD") -> dict[str, str]:
     """Of each folder the name that git gives its content, as committed."""
-    done = subprocess.run(["git", "ls-tree", "HEAD", *folders], cwd=ROOT, check=True, text=True, stdout=subprocess.PIPE)
+    done = subprocess.run(["git", "ls-tree", commit, *folders], cwd=ROOT, check=True, text=True, stdout=subprocess.PIPE)
     return {line.split("\t")[1]: line.split()[2] for line in done.stdout.splitlines()}
 
 
