@@ -1,6 +1,7 @@
 #include "objects/adopt.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "numeric/magnitude.hpp"
@@ -13,18 +14,30 @@ namespace {
 
 constexpr std::int32_t kNowhere = std::numeric_limits<std::int32_t>::max();
 
-// How far a cluster is out of the box of a track that may grow by it; else kNowhere.
+// How far before and behind something that moves nothing else drives: a part of it that is seen
+// there belongs to it, whatever hides what lies between.
+std::int32_t headway_mm(const Track& track) {
+  return track.moves() && track.has_heading() ? track.speed() / 1000 * kHeadwayMs : 0;
+}
+
+// How far a cluster is out of the box of a track that may grow by it, by the axis on which it is
+// farther; else kNowhere. Along the track its headway is no distance.
 std::int32_t distance_of(const Track& track, const Cluster& cluster) {
   const Box& box = track.box();
   Sides together = box.sides;
-  std::int32_t nearest = kNowhere;
-  for (unsigned number = 0; number < 4; ++number) {
-    const Point corner = cluster.bounds.corner(number);
-    nearest = std::min(nearest, box.outside(corner));
-    for (const Side side : kSides) {
-      together[side].include(box.place(corner, side));
+  std::array<std::int32_t, 2> apart{};
+  for (const Side side : kSides) {
+    const std::int32_t first = box.place(cluster.bounds.corner(0), side);
+    Interval its{first, first};
+    for (unsigned number = 1; number < 4; ++number) {
+      its.include(box.place(cluster.bounds.corner(number), side));
     }
+    apart[side] = std::max(its.low - box.sides[side].high, box.sides[side].low - its.high);
+    together[side].include(its.low);
+    together[side].include(its.high);
   }
+  const std::int32_t nearest =
+      std::max<std::int32_t>(std::max(apart[kAlong] - headway_mm(track), apart[kAcross]), 0);
   const std::int32_t along = together[kAlong].length();
   const std::int32_t across = together[kAcross].length();
   bool fits = std::max(along, across) <= kLongestMm && std::min(along, across) <= kWidestMm;
@@ -78,7 +91,13 @@ std::int32_t cost_of(const Track& track, const Cluster& cluster) {
 }  // namespace
 
 void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits) {
-  const PlacedTracks growing(tracks, 0, may_grow);
+  PlacedTracks growing(tracks, 0, may_grow);
+  for (std::size_t i = 0; i < growing.count(); ++i) {
+    const Track& track = tracks[growing.slot(i)];
+    if (const std::int32_t headway = headway_mm(track); headway > 0) {
+      growing.place(i, track, headway);
+    }
+  }
   const std::span<Cluster> all = clusters.all();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::int32_t reach = gap_mm(car, all[i].bounds.low) + kAttachMm;

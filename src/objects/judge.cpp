@@ -69,6 +69,14 @@ void judge_parked(std::uint64_t now_us, Step step, Track& track) {
   }
 }
 
+// Longer than any, or it moves and is wider: what moves past a thing has been taken for a part of
+// it.
+bool is_no_thing(const Track& track) {
+  const bool is_wide = track.moves() && track.has_heading() &&
+                       track.box().sides[kAcross].length() > kNoThingAcrossMm;
+  return is_wide || longest_of(track.box().sides) > kNoThingMm;
+}
+
 }  // namespace
 
 bool is_judged(std::uint64_t now_us, Step step, Track& track) {
@@ -81,7 +89,7 @@ bool is_judged(std::uint64_t now_us, Step step, Track& track) {
     }
     return false;
   }
-  if (longest_of(track.box().sides) > kNoThingMm) {
+  if (is_no_thing(track)) {
     track.end();
   }
   return track.is_there();

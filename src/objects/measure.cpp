@@ -78,7 +78,14 @@ void follow(const Ends& seen, Reference by, std::int32_t moved_mm, Interval& sid
   side.high = std::max(side.high, side.low + kThinnestMm);
 }
 
-void measure(Point car, Side side, const Ends& seen, Track& track) {
+// By how much a measurement may change the speed along a side, mm/s. What is not believed to move
+// may have any speed: it is that of what comes into view.
+std::int32_t most_change(const Track& track, Step step) {
+  const bool has_grip = track.moves() && track.updates >= kGripFrom;
+  return has_grip ? kGrip / 1000 * step.ms() : kMostSpeed;
+}
+
+void measure(Point car, Side side, const Ends& seen, Step step, Track& track) {
   Measurement its = measurement_of(track, side, seen, car);
   Covariance& covariance = track.covariance(side);
   if (track.updates >= kCutFrom) {
@@ -88,15 +95,26 @@ void measure(Point car, Side side, const Ends& seen, Track& track) {
   }
   track.seen.is_end_hidden = track.seen.is_end_hidden || its.is_end_hidden;
   const Covariance::Gain gain = covariance.measure(its.variance);
-  track.correct(side, gain, its.innovation_mm);
+  track.correct(side, gain, its.innovation_mm, most_change(track, step));
   const std::int64_t moved_mm = std::int64_t{gain.place} * its.innovation_mm >> 16;
   follow(seen, its.by, static_cast<std::int32_t>(moved_mm), track.sides()[side]);
 }
 
+// All that lies in its box stands: it was not seen, and what is parked there is not a part of it.
+// A walker in front of a pole may have all of his hits called standing, and keeps them.
+void leave(std::span<const std::uint16_t> numbers, std::span<FrameHit> hits, const Track& track) {
+  if (longest_of(track.box().sides) < kSmallMm) {
+    return;
+  }
+  for (const std::uint16_t number : numbers) {
+    hits[number].owner = kNobody;
+  }
+}
+
 }  // namespace
 
-void measure(Point car, std::uint64_t now_us, std::span<const std::uint16_t> numbers,
-             std::span<const FrameHit> hits, Track& track) {
+void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::uint16_t> numbers,
+             std::span<FrameHit> hits, Track& track) {
   for (const std::uint16_t number : numbers) {
     const FrameHit& hit = hits[number];
     track.seen.standing += hit.stands ? 1 : 0;
@@ -104,11 +122,12 @@ void measure(Point car, std::uint64_t now_us, std::span<const std::uint16_t> num
     track.seen.moving += !hit.stands && hit.name == Name::kMoving ? 1 : 0;
   }
   if (track.seen.hits == 0) {
+    leave(numbers, hits, track);
     return;
   }
   const Edges edges = edges_of(track.box(), numbers, hits);
   for (const Side side : kSides) {
-    measure(car, side, edges[side], track);
+    measure(car, side, edges[side], step, track);
   }
   track.seen_us = now_us;
   ++track.updates;

@@ -6,12 +6,14 @@
 
 #include "objects/hit.hpp"
 #include "objects/plane.hpp"
+#include "objects/step.hpp"
 #include "objects/track.hpp"
 
 namespace iog::objects {
 
-// Counts the track's own hits and measures it, if one of them does not stand.
-void measure(Point car, std::uint64_t now_us, std::span<const std::uint16_t> numbers,
-             std::span<const FrameHit> hits, Track& track);
+// Counts the track's own hits and measures it, if one of them does not stand; else they are
+// nobody's, unless it is small. step: the frame's.
+void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::uint16_t> numbers,
+             std::span<FrameHit> hits, Track& track);
 
 }  // namespace iog::objects

@@ -32,6 +32,11 @@ inline constexpr std::int32_t kSmallMm = 1200;     // a walker is smaller,
 inline constexpr std::int32_t kSmallSpeed = 3000;  // and slower
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
+// What moves has tyres or legs: from so many updates on its speed along a side changes by so many
+// mm/s in a second at most. Brakes and bends have 10 m/s^2.
+inline constexpr std::uint32_t kGripFrom = 12;
+inline constexpr std::int32_t kGrip = 10'000;
+
 // Which hits a track takes: as far out of its box, and by so many deviations of its place.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
@@ -54,6 +59,7 @@ inline constexpr std::int32_t kGapOfAMetre = 14;  // more, for each metre of ran
 
 // A cluster beside a track is a part of it.
 inline constexpr std::int32_t kAttachMm = 300;  // more than the gap
+inline constexpr std::int32_t kHeadwayMs = 50;  // nothing follows what moves more closely
 inline constexpr std::int32_t kLongestMm = 18'000;
 inline constexpr std::int32_t kWidestMm = 3400;
 inline constexpr std::int32_t kGrowthAlongMm = 4000;
@@ -133,6 +139,7 @@ inline constexpr std::int32_t kParkedSpeed = 3000;
 inline constexpr std::uint64_t kUnseenUs = 480'000;       // moves, or has stopped
 inline constexpr std::uint64_t kUnseenYoungUs = 100'000;  // any other
 inline constexpr std::int32_t kNoThingMm = 20'000;
+inline constexpr std::int32_t kNoThingAcrossMm = 4000;  // nothing on a road is so wide
 
 // How sure of its velocity a track is said to be (objects/stated.hpp).
 inline constexpr std::uint64_t kStatedAgeMs = 3000;

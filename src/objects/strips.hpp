@@ -54,9 +54,9 @@ class PlacedTracks {
       }
     }
   }
-  // The track of this number lies elsewhere, or is larger.
-  void place(std::size_t number, const Track& track) {
-    bounds_[number] = bounds_of(track.box());
+  // The track of this number lies elsewhere, or is larger, or reaches so far out of its box.
+  void place(std::size_t number, const Track& track, std::int32_t reach_mm = 0) {
+    bounds_[number] = bounds_of(track.box()).grown(reach_mm);
     strips_[number] = Strips::of(bounds_[number], more_mm_);
   }
 

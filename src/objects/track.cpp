@@ -47,10 +47,13 @@ void Track::predict(Step step) {
   know_speed();
 }
 
-void Track::correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm) {
+void Track::correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm,
+                    std::int32_t most_change) {
   const Direction axis = side_of(box_.along, side);
   const std::int64_t way = std::int64_t{gain.place} * innovation_mm >> (16 - kFine);
-  const std::int64_t more = within_most(std::int64_t{gain.speed} * innovation_mm >> (16 - kFine));
+  const std::int64_t most = std::int64_t{most_change} << kFine;
+  const std::int64_t more =
+      std::clamp(std::int64_t{gain.speed} * innovation_mm >> (16 - kFine), -most, most);
   x_ += way * axis.x >> kDirectionBits;
   y_ += way * axis.y >> kDirectionBits;
   vx_ = within_most(vx_ + (more * axis.x >> kDirectionBits));

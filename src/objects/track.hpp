@@ -45,8 +45,10 @@ class Track {
 
   // Where it is a step later, and how sure.
   void predict(Step step);
-  // Takes over an innovation of its place along one side, |innovation| < 2^17 mm.
-  void correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm);
+  // Takes over an innovation of its place along one side, |innovation| < 2^17 mm. Its speed along
+  // that side changes by at most so many mm/s.
+  void correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm,
+               std::int32_t most_change = kMostSpeed);
   // One part in kWheelsShare of its speed across is taken away.
   void fade_across();
   void rest();  // its speed is 0

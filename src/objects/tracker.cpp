@@ -99,7 +99,7 @@ void Tracker::measure_all() {
   group_by_owner();
   for (std::size_t slot = 0; slot < used_; ++slot) {
     if (tracks_[slot].is_there()) {
-      measure(car_, now_us_, owned_.of(slot), hits_.all(), tracks_[slot]);
+      measure(car_, now_us_, step_, owned_.of(slot), hits_.all(), tracks_[slot]);
     }
   }
 }

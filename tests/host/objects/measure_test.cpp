@@ -23,7 +23,7 @@ double moved_by(std::int32_t off_mm, Point car, std::uint32_t updates) {
   hits[0].moved = {off_mm, 0};
   hits[1].moved = {2'000 + off_mm, 2'000};
   constexpr std::array<std::uint16_t, 2> kNumbers{0, 1};
-  measure(car, kBornAtUs + 40'000, kNumbers, hits, track);
+  measure(car, kBornAtUs + 40'000, Step(40), kNumbers, hits, track);
   EXPECT_EQ(track.updates, updates + 1);
   EXPECT_EQ(track.seen.hits, 2);
   return track.box().at.x_mm;

@@ -1,6 +1,7 @@
 // Drawn things: what moves is believed to, in time and as fast as its equations say; what stands
 // never is. Expectations are kinematics.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -9,6 +10,8 @@
 #include <vector>
 
 #include "objects/drawn_scene.hpp"
+#include "objects/judge.hpp"
+#include "objects/measure.hpp"
 
 namespace iog::objects::tests {
 namespace {
@@ -205,6 +208,42 @@ TEST(Track, IsMostlyStandingIfItIsLargeAndSlowAndMoreOfItsHitsStand) {
   EXPECT_FALSE(fast.is_mostly_standing());
 }
 
+// What moves and is wider than 4 m is no thing: one has passed the other, and both are in its box.
+// What stands may be as wide as it is.
+TEST(Track, EndsIfItMovesAndIsTooWide) {
+  const auto is_kept = [](State state, std::int32_t width_mm) {
+    Track track;
+    track.begin(1, {}, kStartUs);
+    track.begin_heading({Interval{0, 4500}, Interval{0, width_mm}});
+    track.state = state;
+    track.seen.hits = 3;
+    return is_judged(kStartUs, Step(40), track) && track.is_there();
+  };
+  EXPECT_FALSE(is_kept(State::kMoves, 4100));
+  EXPECT_TRUE(is_kept(State::kMoves, 3900));
+  EXPECT_TRUE(is_kept(State::kStands, 4100));
+}
+
+// All that lies in the box of a track stands: nothing was seen of a car, but a walker in front of a
+// pole is still there.
+TEST(Track, LeavesWhatStandsIfNothingElseIsInItsBox) {
+  const auto owner_after = [](std::int32_t length_mm, bool is_another_its_own) {
+    Track track;
+    track.begin(1, {.sides = {Interval{0, length_mm}, Interval{0, 600}}}, kStartUs);
+    std::array<FrameHit, 2> hits{};
+    const std::array<std::uint16_t, 2> numbers{0, 1};
+    hits[0].owner = hits[1].owner = 0;
+    hits[0].stands = true;
+    hits[1].stands = !is_another_its_own;
+    measure({}, kStartUs + 40'000, Step(40), numbers, hits, track);
+    EXPECT_EQ(track.seen.standing, is_another_its_own ? 1 : 2);
+    return hits[0].owner;
+  };
+  EXPECT_EQ(owner_after(4500, false), kNobody);
+  EXPECT_EQ(owner_after(4500, true), 0);
+  EXPECT_EQ(owner_after(600, false), 0);
+}
+
 // A lorry of 16.5 m overtakes at 22 m/s a car that drives at 12: one track, and as long as it is.
 // Abreast both of its ends are out of sight or seen aslant; 20 m ahead its rear is in full view.
 TEST_F(Things, ALorryIsOneTrack) {
@@ -243,6 +282,50 @@ TEST_F(Things, AnEndBehindAWallIsSaidToBeHidden) {
   scene.show_until(1.88, tracker, [&] { expect_hidden(false); });
   scene.show_until(2.0, tracker);
   scene.show_until(2.3, tracker, [&] { expect_hidden(true); });
+}
+
+// A lorry of 10 m passes 8 m beside the car at 15 m/s, behind two walls: its front goes out of view
+// and comes into it. Its wheels hold 10 m/s^2 along and as much across, 0.4 m/s a frame each, and
+// what is left of its speed across fades.
+TEST_F(Things, NoEdgeThatAppearsIsFasterThanWheelsHold) {
+  Scene scene(at_rest({}),
+              {{.middle = straight({.x = -30, .y = 8}, 15), .length = 10, .width = 2.5},
+               {.middle = at_rest({.x = -1, .y = 4}), .length = 2, .width = 0.2},
+               {.middle = at_rest({.x = 4, .y = 4}), .length = 4, .width = 0.2}});
+  scene.show_until(1.2, tracker);
+  const Track* track = scene.track_of(0, tracker);
+  ASSERT_NE(track, nullptr);
+  ASSERT_TRUE(track->moves());
+  Velocity before = track->velocity();
+  scene.show_until(2.4, tracker, [&] {
+    ASSERT_TRUE(track->moves()) << scene.now_s();
+    const Velocity its = track->velocity();
+    const double change = std::hypot(its.x - before.x, its.y - before.y) * 1e-3;
+    EXPECT_LT(change, 0.4 * std::sqrt(2.0) + 0.1) << scene.now_s();
+    EXPECT_LT(velocity_error(scene, 0, *track), 4) << scene.now_s();
+    before = its;
+  });
+}
+
+// The metre that is seen of a car drives 15 m ahead. From 1.2 s on a metre is seen 1.6 m before it,
+// too: at 28 m/s nothing drives so close to something, so it is of the same car; at 5 m/s, in a
+// queue, it may be the next.
+TEST_F(Things, WhatIsSeenCloselyBeforeItIsAPartOfWhatIsFast) {
+  const auto is_one = [](double speed) {
+    const auto its = std::make_unique<Tracker>();
+    const Motion front = [=](double s) {
+      return s < 1.2 ? Place{.x = -500} : straight({.x = 17.6, .y = 2}, speed)(s);
+    };
+    Scene scene(straight({}, speed), {{.middle = straight({.x = 15, .y = 2}, speed), .length = 1},
+                                      {.middle = front, .length = 1}});
+    scene.show_until(1.4, *its);
+    const Track* track = scene.track_of(0, *its);
+    EXPECT_TRUE(track != nullptr && track->moves());
+    EXPECT_NE(scene.track_of(1, *its), nullptr);
+    return scene.track_of(1, *its) == track;
+  };
+  EXPECT_TRUE(is_one(28));
+  EXPECT_FALSE(is_one(5));
 }
 
 // A car ahead in a bend of 250 m at 28 m/s: 3.1 m/s^2 across, 6.4 degrees a second.
