@@ -32,14 +32,18 @@ class LossyLink : public testing::TestWithParam<Harm> {};
 TEST_P(LossyLink, NeverShowsAWrongCellAndIsCompleteAgainInTheEighthWholeFrame) {
   const Harm& harm = GetParam();
   const bool leaves_frames_whole = harm.drop + harm.corrupt + harm.delay == 0;
+  std::uint64_t frames = 0;
+  std::uint64_t whole_frames = 0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(tests::effort(4, 1)); ++seed) {
     const LinkTrial trial = try_link(sent(), harm, kQuietFrom, seed);
     EXPECT_EQ(trial.wrong_tiles, 0U);
     EXPECT_LE(trial.incomplete_after, 7U);
     EXPECT_EQ(trial.restarts, 0U);
     EXPECT_EQ(trial.malformed, 0U) << "what is damaged is found before it is read";
-    EXPECT_EQ(trial.whole_frames == kQuietFrom, leaves_frames_whole);
+    frames += kQuietFrom;
+    whole_frames += trial.whole_frames;
   }
+  EXPECT_EQ(whole_frames == frames, leaves_frames_whole) << "one seed may spare all of them";
 }
 
 // "30 % out of order" is the case 30___out_of_order.
