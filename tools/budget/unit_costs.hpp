@@ -10,29 +10,29 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 625.17;
+inline constexpr double kPointCycles = 615.80;
 // A cell, carved.
-inline constexpr double kCellCycles = 2.84;
+inline constexpr double kCellCycles = 2.83;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 9147.41;
+inline constexpr double kTileCycles = 8890.98;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 46588.26;
+inline constexpr double kClassTileCycles = 45489.12;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5028.97;
+inline constexpr double kPointOnceCycles = 5069.39;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 497.68;
+inline constexpr double kLaterEchoCycles = 490.29;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9298.92;
+inline constexpr double kDearestTileCycles = 9050.89;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 48095.06;
+inline constexpr double kDearestClassTileCycles = 47135.07;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 746.92;
+inline constexpr double kTurnStepCycles = 773.86;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 372.72;
+inline constexpr double kTurnPointCycles = 369.21;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 2248753.77;
+inline constexpr double kGroundTurnCycles = 2515199.72;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 155.19;
+inline constexpr double kGroundPointCycles = 151.98;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -43,7 +43,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.761, 0.584, 0.523};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.729, 0.541, 0.474};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -56,33 +56,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4837301},
-    {"ring_road", 2321, 721236, 478, 8276153},
+    {"city", 2885, 466621, 231, 4754322},
+    {"ring_road", 2321, 721236, 478, 8121806},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1323600},
-    {"city, 3 LUX", 2240, 369547, 154, 1884403},
-    {"city, 4 LUX", 2885, 466621, 231, 2505071},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1316100},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1996436},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3125407},
+    {"city, 2 LUX", 1551, 254292, 132, 1313343},
+    {"city, 3 LUX", 2240, 369547, 154, 1863807},
+    {"city, 4 LUX", 2885, 466621, 231, 2472093},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1306043},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1974437},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3088301},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1424967, 668, 10818950},
-    {"random_ranges", 3216, 744588, 600, 9666590},
-    {"layers_apart", 3216, 888340, 665, 10639712},
-    {"beyond_range", 3216, 1451672, 680, 10516964},
-    {"three_echoes", 9648, 1344110, 666, 12676346},
-    {"missing_returns", 1618, 721483, 664, 9911672},
-    {"random_azimuths", 3216, 1999952, 665, 21247152},
-    {"diagonal", 3216, 2222062, 126, 7827761},
-    {"one_direction", 3216, 1538471, 48, 1786636},
-    {"short_beams", 9648, 24984, 4, 4929666},
-    {"flood", 9648, 6802620, 126, 10811333},
+    {"full_range", 3216, 1424967, 668, 10814155},
+    {"random_ranges", 3216, 744588, 600, 9677106},
+    {"layers_apart", 3216, 888340, 665, 10662036},
+    {"beyond_range", 3216, 1451672, 680, 10418211},
+    {"three_echoes", 9648, 1344110, 666, 12668662},
+    {"missing_returns", 1618, 721483, 664, 9950370},
+    {"random_azimuths", 3216, 1999952, 665, 21392581},
+    {"diagonal", 3216, 2222062, 126, 7877259},
+    {"one_direction", 3216, 1538471, 48, 1749042},
+    {"short_beams", 9648, 24984, 4, 4854584},
+    {"flood", 9648, 6802620, 126, 10763228},
 }};
 
 struct ModelledTurn {
@@ -96,16 +96,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 20631275},
-    {"HDL-32E", 69466, 460, 35456938},
-    {"HDL-64E S3", 111130, 466, 53071499},
+    {"VLP-16", 28954, 323, 20627604},
+    {"HDL-32E", 69466, 460, 35488690},
+    {"HDL-64E S3", 111130, 466, 52758439},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 27429190},
-    {"HDL-32E", 69466, 474, 48376455},
-    {"HDL-64E S3", 111130, 489, 72621128},
+    {"VLP-16", 28954, 330, 27489843},
+    {"HDL-32E", 69466, 474, 48666229},
+    {"HDL-64E S3", 111130, 489, 72111113},
 }};
 
 }  // namespace iog::tools
