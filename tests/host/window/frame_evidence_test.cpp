@@ -169,6 +169,30 @@ TEST(FrameEvidence, HowLowAndHowTallIsThatOfAnySlice) {
   EXPECT_FALSE(evidence.is_tall({0, 0}));
 }
 
+// What a tile was asked in the frame before does not show.
+TEST(FrameEvidence, ATileIsTouchedOrHitInThisFrameAlone) {
+  const auto evidence = std::make_unique<FrameEvidence>();
+  const auto add = [&](const Slice& slice) {
+    const auto cells = std::make_unique<SliceCells>();
+    tests::hand_over(slice, *cells);
+    evidence->add(*cells, kAroundOrigin, placed(0, 0));
+  };
+  Slice hit;
+  hit.draw(kOrigin, {"T"});
+  Slice free;
+  free.draw(kOrigin, {"."});
+  const std::size_t slot = slot_of({0, 0});
+  add(hit);
+  EXPECT_TRUE(evidence->is_touched(slot));
+  EXPECT_TRUE(evidence->has_hit(slot));
+  evidence->clear(slot);
+  EXPECT_FALSE(evidence->is_touched(slot));
+  EXPECT_FALSE(evidence->has_hit(slot));
+  add(free);
+  EXPECT_TRUE(evidence->is_touched(slot));
+  EXPECT_FALSE(evidence->has_hit(slot));
+}
+
 // What is said to be nowhere near, and not to be hit, is not; and nothing is left behind.
 TEST(SliceCells, SayWhereSomethingIsKnown) {
   const auto cells = std::make_unique<SliceCells>();

@@ -35,7 +35,8 @@ class OpenedFromBelow : public testing::TestWithParam<bool> {
       fusion_.frame({slice});
     }
   }
-  [[nodiscard]] Class in_the_middle() const { return fusion_.class_at({8, 8}); }
+  [[nodiscard]] Class in_the_middle() const { return class_at({8, 8}); }
+  [[nodiscard]] Class class_at(Cell cell) const { return fusion_.class_at(cell); }
 
  private:
   Fusion fusion_{Rules{.is_opened_from_below = GetParam()}};
@@ -91,6 +92,27 @@ TEST_P(OpenedFromBelow, WhatHasStoodClosesItsGround) {
   play(field('.'), 100);
   play(thing('T', '.'), 1);
   EXPECT_NE(in_the_middle(), GetParam() ? Class::kMoving : Class::kUnknown);
+}
+
+// A low beam frees one cell among those that others free: what surrounds it is not known as ground,
+// so it is neither dense nor open, and a tall thing that is hit there has not come. Row by row, so
+// that no row of a tile is left out.
+TEST_P(OpenedFromBelow, OneLowBeamMakesNoGroundOfWhatIsAroundIt) {
+  PlacedSlice ground;
+  PlacedSlice hit;
+  std::vector<std::string> rows(32, std::string(8, '.'));
+  for (std::size_t y = 4; y < 28; ++y) {
+    rows[y][4] = ',';
+  }
+  ground.slice.draw({512, 512}, rows);
+  for (std::int32_t y = 4; y < 28; ++y) {
+    hit.slice.draw({516, 512 + y}, {"T"});
+  }
+  play(ground, 50);
+  play(hit, 1);
+  for (std::int32_t y = 4; y < 28; ++y) {
+    EXPECT_EQ(class_at({4, y}), GetParam() ? Class::kOccupied : Class::kMoving) << y;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Rule, OpenedFromBelow, testing::Bool(),

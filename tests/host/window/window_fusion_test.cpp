@@ -291,6 +291,59 @@ TEST(WindowFusion, TheLiteralRuleLetsEverythingMove) {
   }
 }
 
+// A map that comes names what is known of every group at once, and one that goes takes it back. A
+// tile of which nothing is known remembers it.
+TEST(WindowFusion, AMapNamesWhatIsKnownAtOnce) {
+  const auto fusion = std::make_unique<WindowFusion>();
+  fusion->follow(at_cell({0, 0}).pose);
+  Slice slice;
+  slice.draw({512, 512}, std::vector<std::string>(32, std::string(32, '.')));
+  add_slice(slice, at_cell({0, 0}), *fusion);
+  fusion->finish(kFrameUs);
+  const auto expect_named = [&](TileNumber tile, std::size_t group, decision::Class by_the_map) {
+    for (std::int32_t i = 0; i < 32 * 32; ++i) {
+      const Cell cell{32 * tile.a + i % 32, 32 * tile.b + i / 32};
+      ASSERT_EQ(class_of(fusion->view().name_of(cell)),
+                static_cast<std::size_t>(i) / 8 == group ? by_the_map : decision::Class::kFree)
+          << group << ": " << i;
+    }
+  };
+  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
+    TileRuledOut ruled_out{};
+    ruled_out[group].fill(decision::kBuilding + decision::kIntermediate);
+    fusion->rule_out(slot_of({0, 0}), ruled_out);
+    expect_named({0, 0}, group, decision::Class::kDrivable);
+    ruled_out[group].fill(decision::kBuilding + decision::kRoad);
+    fusion->rule_out(slot_of({0, 0}), ruled_out);
+    expect_named({0, 0}, group, decision::Class::kNonDrivable);
+    fusion->rule_out(slot_of({1, 0}), ruled_out);
+  }
+  fusion->rule_out(slot_of({0, 0}), {});
+  expect_named({0, 0}, 0, decision::Class::kFree);
+  add_slice(slice, at_cell({32, 0}), *fusion);
+  fusion->finish(2 * kFrameUs);
+  expect_named({1, 0}, kGroupsPerTile - 1, decision::Class::kNonDrivable);
+}
+
+// Those in the window are listed while there is room, and forgotten when the frame ends.
+TEST(WindowFusion, HitsOfAFrameAreListedIfItIsFollowed) {
+  constexpr std::size_t kRows = 257;
+  constexpr std::size_t kAcross = 128;
+  static_assert(kRows * kAcross > HitList::kMost);
+  Slice slice;
+  slice.draw({400, 400}, std::vector<std::string>(kRows, std::string(kAcross, '#')));
+  for (const bool is_followed : {true, false}) {
+    const auto fusion = std::make_unique<WindowFusion>(Rules{}, is_followed);
+    fusion->follow(at_cell({0, 0}).pose);
+    add_slice(slice, at_cell({0, 0}), *fusion);
+    EXPECT_EQ(fusion->hits().size(), is_followed ? HitList::kMost : 0U);
+    EXPECT_EQ(fusion->hits_left(), is_followed ? kRows * kAcross - HitList::kMost : 0U);
+    fusion->finish(kFrameUs);
+    EXPECT_TRUE(fusion->hits().empty());
+    EXPECT_EQ(fusion->hits_left(), 0U);
+  }
+}
+
 // However many frames there were before, and in whichever period they ended.
 TEST(WindowFusion, AWindowThatIsForgottenGoesOnLikeANewOne) {
   for (std::uint64_t before = 1; before <= 5; ++before) {

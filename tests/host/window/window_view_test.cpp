@@ -52,5 +52,20 @@ TEST(WindowView, ClassesAroundACellAreThoseOfNine) {
   }
 }
 
+// Bit x of row y, of tiles that are known and in the window.
+TEST(WindowView, GroundIsOpenWhereItIsRemembered) {
+  const auto window = std::make_unique<Window>();
+  window->follow({0, 0});
+  const Refreshed refreshed{};
+  const ageing::Clock clock;
+  const WindowView view(*window, refreshed, clock);
+  window->open(slot_of({2, -3})).ground.open[7] = 1U << 30;
+  EXPECT_TRUE(view.is_open({2 * 32 + 30, -3 * 32 + 7}));
+  EXPECT_FALSE(view.is_open({2 * 32 + 29, -3 * 32 + 7}));
+  EXPECT_FALSE(view.is_open({2 * 32 + 30, -3 * 32 + 8}));
+  EXPECT_FALSE(view.is_open({3 * 32 + 30, -3 * 32 + 7})) << "not known";
+  EXPECT_FALSE(view.is_open({2 * 32 + 30 + kCellsAcross, -3 * 32 + 7})) << "the same slot, outside";
+}
+
 }  // namespace
 }  // namespace iog::window
