@@ -95,6 +95,8 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
     slot_counts_[slot] = {};
     if (evidence_.is_touched(slot)) {
       due_.add(slot);
+    } else {
+      arrivals_.find_new(window_, evidence_, slot);  // none: those of an older frame are forgotten
     }
   }
   const work::Runs runs(due_.count, kFound);

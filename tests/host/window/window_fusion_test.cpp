@@ -268,6 +268,35 @@ TEST(WindowFusion, GroundIsWellKnownWhenFoundOpenInThreeMorePeriods) {
   EXPECT_EQ(hit_after({0, 0, 0, 0}), decision::Class::kOccupied);
 }
 
+// Well known ground over the border of two tiles is hit in one of them, and in the next frame in
+// the other alone: of a frame there is one hit, which is no arrival. If both are of one frame, it
+// is.
+TEST(WindowFusion, HitsOfAnotherFrameDoNotMakeAnArrival) {
+  for (const bool are_together : {false, true}) {
+    Fusion fusion;
+    fusion.follow({0, 0});
+    PlacedSlice ground;
+    for (std::int32_t i = 0; i < 30 * 30; i += 2) {
+      ground.slice.set({528 + i % 30, 512 + i / 30}, -14);
+    }
+    std::uint64_t stamp_us = 0;
+    for (std::uint64_t period = 1; period <= 4; ++period) {
+      for (std::uint64_t frame = 1; frame <= 4; ++frame) {
+        stamp_us = period * kPeriodUs + frame * kFrameUs;
+        fusion.frame({ground}, stamp_us);
+      }
+    }
+    PlacedSlice first;
+    first.slice.set({512 + 30, 512 + 14}, 2);
+    PlacedSlice second = are_together ? first : PlacedSlice{};
+    second.slice.set({512 + 32, 512 + 15}, 2);
+    fusion.frame({are_together ? ground : first}, stamp_us + kFrameUs);
+    fusion.frame({second}, stamp_us + 2 * kFrameUs);
+    EXPECT_EQ(fusion.class_at({32, 15}),
+              are_together ? decision::Class::kMoving : decision::Class::kOccupied);
+  }
+}
+
 TEST(WindowFusion, NoPeriodBeginsWhileStampsGoBack) {
   EXPECT_EQ(hit_after({0, 1, 2, 0, 1, 2}), decision::Class::kOccupied);
 }
