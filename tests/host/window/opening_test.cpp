@@ -50,6 +50,16 @@ TEST_P(OpenedFromBelow, WhatComesOntoOpenGroundMoves) {
   EXPECT_EQ(in_the_middle(), Class::kMoving);
 }
 
+// Nor is it forgotten while other cells of the tile are looked at, and this one is not.
+TEST_P(OpenedFromBelow, GroundStaysOpenWhileNothingIsSaidOfIt) {
+  play(field(','), 50);
+  PlacedSlice elsewhere;
+  elsewhere.slice.draw({512 + 8, 512 + 24}, {",,,,"});
+  play(elsewhere, 2);
+  play(thing('T', ','), 1);
+  EXPECT_EQ(in_the_middle(), Class::kMoving);
+}
+
 // A bonnet: beams pass over it for two seconds, then the next ring hits it.
 TEST_P(OpenedFromBelow, WhatBeamsHavePassedOverIsThere) {
   play(field('.'), 50);

@@ -15,9 +15,9 @@ using geometry::Cell;
 void sign(Tile& tile, TileNumber number) {
   tile.free[7][3] = static_cast<std::int16_t>(number.a & 0x7FFF);
   tile.taken[127].persistence[7] = static_cast<std::int16_t>(number.b & 0x7FFF);
-  for (Plane* plane :
-       {&tile.found.freed, &tile.found.seen, &tile.found.stands, &tile.found.taken,
-        &tile.ground.open, &tile.ground.dense, &tile.ground.ticks_low, &tile.ground.ticks_high}) {
+  for (Plane* plane : {&tile.found.freed, &tile.found.seen, &tile.found.stands, &tile.found.taken,
+                       &tile.ground.open, &tile.ground.dense, &tile.ground.ticks_low,
+                       &tile.ground.ticks_high, &tile.from_below}) {
     plane->fill(0x8000'0001U);
   }
   tile.aged_at.fill(5);
@@ -38,7 +38,8 @@ bool is_unknown(const Tile& tile) {
          tile.found.freed == kNothing && tile.found.seen == kNothing &&
          tile.found.stands == kNothing && tile.found.taken == kNothing &&
          tile.ground.open == kNothing && tile.ground.dense == kNothing &&
-         tile.ground.ticks_low == kNothing && tile.ground.ticks_high == kNothing;
+         tile.ground.ticks_low == kNothing && tile.ground.ticks_high == kNothing &&
+         tile.from_below == kNothing;
 }
 
 // A window of which all tiles are known.
