@@ -56,6 +56,12 @@ void visit_arc(auto& content, auto& arc) {
   }
 }
 
+// Of an ultrasonic unit.
+void visit_cone(auto& content, auto& arc) {
+  visit_arc(content, arc);
+  content.numbers(arc.free);
+}
+
 void visit_sensor(auto& content, auto& sensor) {
   content.text(sensor.name);
   content.format(sensor.format);
@@ -145,9 +151,11 @@ class Writer {
     number(std::uint8_t{0});
   }
   void format(lidar::Format format) { text(lidar::name_of(format)); }
-  // Others than radars have none.
+  // Others than radars and ultrasonic units have none.
   void arc(lidar::Format format, const sensor_model::Arc& arc) {
-    if (lidar::facts_of(format).is_radar) {
+    if (lidar::facts_of(format).is_ultrasonic) {
+      visit_cone(*this, arc);
+    } else if (lidar::facts_of(format).is_radar) {
       visit_arc(*this, arc);
     }
   }

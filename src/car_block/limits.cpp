@@ -118,23 +118,36 @@ void check_unit(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
 }
 
-// What a radar does not see is not free.
-void check_radar(const Vehicle& car, std::size_t number, const Tell& tell) {
+// What a radar does not see is not free, and what an ultrasonic unit does not hear hardly is.
+void check_arcs(const Vehicle& car, std::size_t number, const Tell& tell) {
   const Sensor& sensor = car.sensors[number];
-  if (!lidar::facts_of(sensor.format).is_radar) {
+  const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);
+  if (!facts.marks_arcs()) {
     return;
   }
+  const auto words = [&](std::string_view of_radar, std::string_view of_ultrasonic) {
+    return facts.is_radar ? of_radar : of_ultrasonic;
+  };
   if (vehicle::have_classes(car.grids)) {
-    tell({number, "type", "no radar, because grids have classes"});
+    tell({number, "type",
+          words("no radar, because grids have classes",
+                "no ultrasonic unit, because grids have classes")});
   }
   if (sensor.no_return_clears_mm > 0) {
-    tell({number, "no_return_clears_mm", "0, because a radar frees nothing"});
+    tell({number, "no_return_clears_mm",
+          words("0, because a radar frees nothing", "0, because silence frees nothing")});
   }
   if (sensor.moved.are_given()) {
-    tell({number, "moved", "none, because a radar frees nothing"});
+    tell({number, "moved",
+          words("none, because a radar frees nothing", "none, because an echo has no height")});
   }
   if (sensor.is_calibrated) {
-    tell({number, "lasers", "none, because detections of a radar say their directions"});
+    tell({number, "lasers",
+          words("none, because detections of a radar say their directions",
+                "none, because an ultrasonic unit has none")});
+  }
+  if (facts.is_ultrasonic && sensor.range.mm() > kLongestConeMm) {
+    tell({number, "range_max_mm", "at most 10000 of an ultrasonic unit"});
   }
 }
 
@@ -238,7 +251,7 @@ void check_numbers(const Vehicle& car, const net::Config& network, const Tell& t
     check_own(car.sensors, i, network, tell);
     check_range(car.sensors[i], i, tell);
     check_unit(car.sensors[i], i, tell);
-    check_radar(car, i, tell);
+    check_arcs(car, i, tell);
   }
   check_network(network, tell);
   check_sources(car, network, tell);

@@ -15,9 +15,12 @@
 namespace iog::car_block {
 
 inline constexpr std::uint32_t kLongestRangeMm = 130'000;
+// Of an ultrasonic unit: the cells of its cone are looked at one by one (grid/cone.hpp).
+inline constexpr std::uint32_t kLongestConeMm = 10'000;
 inline constexpr std::string_view kRangeWords = "more than range_min_mm, at most 130000";
 
-inline constexpr std::string_view kArcWords = "0.1 ... 1 of a radar, of others none";
+inline constexpr std::string_view kArcWords =
+    "0.1 ... 1 of a radar, 2 ... 20 of an ultrasonic unit, of others none";
 inline constexpr std::string_view kGroundLowWords = "0.1 ... 1";
 inline constexpr std::string_view kGroundTopWords = "low_m + 0.5 ... 10";
 inline constexpr std::string_view kMovedLowWords =

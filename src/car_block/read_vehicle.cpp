@@ -94,7 +94,9 @@ class Reader {
 
   void arc(lidar::Format format, sensor_model::Arc& arc) {
     arc = {};
-    if (lidar::facts_of(format).is_radar) {
+    if (lidar::facts_of(format).is_ultrasonic) {
+      content_detail::visit_cone(*this, arc);
+    } else if (lidar::facts_of(format).is_radar) {
       content_detail::visit_arc(*this, arc);
     }
   }

@@ -145,12 +145,14 @@ bool is_sound(const Sensor& sensor, const vehicle::Layer& layer) {
          is_within<std::uint32_t>(layer.range_share, 1, kWhole);
 }
 
-// Of at most a degree, with an index in its middle at least. Others have none.
+// Of at most a degree, or 20 of a cone, with an index in its middle at least. Others have none.
 void check_arc(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const sensor_model::Arc& arc = sensor.arc;
   const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);
-  if (!facts.is_radar ? arc != sensor_model::Arc{}
-                      : arc.cell_ticks > facts.ticks_per_turn / 360 || !arc.is_valid()) {
+  const std::uint32_t most_deg = facts.is_ultrasonic ? 20 : 1;
+  if (!facts.marks_arcs()
+          ? arc != sensor_model::Arc{}
+          : arc.cell_ticks > most_deg * facts.ticks_per_turn / 360 || !arc.is_valid()) {
     tell({number, "azimuth_sigma_deg", kArcWords});
   }
 }

@@ -57,7 +57,7 @@ struct SensorConfig {
   std::uint32_t range_max_mm = 50'000;    // L: the length of the local 1D grid, < 2^18
   std::uint32_t precision_mm = 100;       // Delta: the length of a 1D cell
   double sigma_m = 0.10;                  // standard deviation of the range
-  double azimuth_sigma_deg = 0;           // of a radar: that of an azimuth; of others 0
+  double azimuth_sigma_deg = 0;           // of an azimuth: of a radar, of a cone
   std::uint32_t no_return_clears_mm = 0;  // a missing return carves up to here; 0: no evidence
   std::uint16_t scan_width_ticks = 0;     // azimuth of a whole scan, in ticks of the format
   // Of a sensor that turns: its azimuth step as a part of a turn, 1/256 ... 1/16384 in powers of

@@ -51,7 +51,7 @@ void check_car(const Description& car, const Tell& tell) {
 
 // A 1D cell much shorter than sigma cannot mark (thesis section 4.2.1.2, figure 4.6d); of one above
 // 4 sigma the model does not hold (sensor_model/single_target.hpp).
-// A radar's arc says less than a beam.
+// An arc says less than a beam.
 bool can_mark(const Description& car, const SensorConfig& config) {
   const double ratio = config.precision_mm / (1000 * config.sigma_m);
   if (!is_within(ratio, 0.25, 4.0)) {
@@ -59,13 +59,17 @@ bool can_mark(const Description& car, const SensorConfig& config) {
   }
   const auto profile = sensor_model::profile_of(profile_config(car, config));
   return profile && profile->is_valid() &&
-         (!lidar::facts_of(config.format).is_radar || arc_of(car, config).is_given());
+         (!lidar::facts_of(config.format).marks_arcs() || arc_of(car, config).is_given());
 }
 
 // Said by its own field; what is no number is no length of an angular cell either.
 bool is_sigma_sound(const SensorConfig& config) {
-  return lidar::facts_of(config.format).is_radar ? is_within(config.azimuth_sigma_deg, 0.1, 1.0)
-                                                 : config.azimuth_sigma_deg == 0;
+  const lidar::ScannerFacts facts = lidar::facts_of(config.format);
+  if (facts.is_ultrasonic) {
+    return is_within(config.azimuth_sigma_deg, 2.0, 20.0);
+  }
+  return facts.is_radar ? is_within(config.azimuth_sigma_deg, 0.1, 1.0)
+                        : config.azimuth_sigma_deg == 0;
 }
 
 void check_model(const Description& car, const SensorConfig& config, std::size_t number,

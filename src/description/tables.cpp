@@ -224,8 +224,11 @@ sensor_model::ProfileConfig profile_config(const Description& car, const SensorC
 
 sensor_model::Arc arc_of(const Description& car, const SensorConfig& config) {
   const double ticks = config.azimuth_sigma_deg * lidar::ticks_per_turn(config.format) / 360;
-  return sensor_model::arc_of(profile_config(car, config),
-                              static_cast<std::uint16_t>(numeric::round(ticks)));
+  const sensor_model::ProfileConfig profile = profile_config(car, config);
+  auto arc = sensor_model::arc_of(profile, static_cast<std::uint16_t>(numeric::round(ticks)));
+  arc.free = lidar::facts_of(config.format).is_ultrasonic ? sensor_model::unheard(profile)
+                                                          : index::kUnknown;
+  return arc;
 }
 
 Sensor numbers_of(const SensorConfig& config) {
@@ -283,7 +286,7 @@ Sensor sensor_of(const SensorConfig& config, const Description& car) {
                    subcells(grid_metres(config.mount.y_m))};
   sensor.origin_z = subcells(config.mount.z_m + mean_height_m(config.lasers));
   sensor.profile = *sensor_model::profile_of(profile_config(car, config));
-  if (lidar::facts_of(config.format).is_radar) {
+  if (lidar::facts_of(config.format).marks_arcs()) {
     sensor.arc = arc_of(car, config);
   }
   vehicle::derive_limits(footprint_of(car.footprint), subcells(car.z_min_m), subcells(car.z_max_m),

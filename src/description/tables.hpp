@@ -40,7 +40,7 @@ namespace iog::description {
 [[nodiscard]] lidar::LaserCorrection correction_of(const lidar::Laser& laser,
                                                    std::int32_t ticks_per_turn);
 
-// Of a radar, in units of its ticks.
+// Of a radar or an ultrasonic unit, in units of its ticks.
 [[nodiscard]] sensor_model::Arc arc_of(const Description& car, const SensorConfig& config);
 
 [[nodiscard]] sensor_model::ProfileConfig profile_config(const Description& car,

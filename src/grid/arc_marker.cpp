@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "grid/cone.hpp"
+
 namespace iog::grid {
 
 vehicle::Fate ArcMarker::add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
@@ -10,6 +12,9 @@ vehicle::Fate ArcMarker::add(const vehicle::Sensor& sensor, const lidar::ScanPoi
   const vehicle::Classification classified = vehicle::classify(sensor, beam, point);
   if (classified.evidence.marks()) {
     mark_arc(sensor, point);
+  }
+  if (classified.evidence.is_whole_hit() && sensor.arc.free < 0) {
+    carve_cone(grids_->indexes, sensor, point);
   }
   return classified.fate;
 }

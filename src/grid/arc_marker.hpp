@@ -1,5 +1,6 @@
 // The marks of a radar: a detection has a direction that is known to half a degree or so, and marks
-// the cells of an arc (sensor_model/arc.hpp). It carves nothing.
+// the cells of an arc (sensor_model/arc.hpp). It carves nothing. An ultrasonic unit's is as wide as
+// its cone, which it carves (grid/cone.hpp).
 //
 // A cell of the arc takes the index of the angular cell in which it lies. The arc is followed from
 // right to left in steps of whole ticks, each at most a cell long at the detection's range, so that
@@ -16,6 +17,7 @@
 #include <cstdint>
 
 #include "geometry/cell.hpp"
+#include "grid/frame_grids.hpp"
 #include "grid/pending_marks.hpp"
 #include "index/occupancy_index.hpp"
 #include "lidar/scan_point.hpp"
@@ -26,11 +28,12 @@ namespace iog::grid {
 
 class ArcMarker {
  public:
-  // marks outlives it.
-  explicit ArcMarker(PendingMarks& marks) : marks_(&marks) {}
+  // Both outlive it.
+  ArcMarker(FrameGrids& grids, PendingMarks& marks) : grids_(&grids), marks_(&marks) {}
 
-  // Remembers what this detection marks. The sensor has an arc; the point's layer and azimuth are
-  // those of its format. The detection is judged by the height band of the vehicle.
+  // Remembers what this detection marks, and carves its cone if it has one. The sensor has an arc;
+  // the point's layer and azimuth are those of its format. The detection is judged by the height
+  // band of the vehicle.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
 
  private:
@@ -46,6 +49,7 @@ class ArcMarker {
     OccupancyIndex index = 0;
   };
 
+  FrameGrids* grids_;
   PendingMarks* marks_;
   // Of the arc at hand, a ring: the cells that were entered last, which are marked when they leave.
   std::array<Step, kLately> lately_{};

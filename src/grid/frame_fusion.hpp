@@ -46,7 +46,7 @@ class FrameFusion {
   // By the place of their sensor among them.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
-  // Carves the beam of this point, now or later, and remembers its mark, or those of a radar's arc.
+  // Carves the beam of this point, now or later, and remembers its mark, or those of an arc.
   // The sensor is one of the vehicle's, and the point is judged by its height band; the point's
   // layer and azimuth are those of its format. All points of a frame mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
@@ -163,7 +163,7 @@ class FrameFusion {
   vehicle::FusionRule rule_;
   alignas(8) std::array<OccupancyIndex, geometry::kTileCells> tile_cells_{};
   PendingMarks marks_;
-  ArcMarker arcs_{marks_};
+  ArcMarker arcs_{grids_, marks_};
   std::array<ground::Lows, vehicle::kMaxGroundSensors> lows_{};
 };
 

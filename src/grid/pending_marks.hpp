@@ -30,7 +30,7 @@ static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 
 // two units of 64 layers, or of a Pandar64 with two returns (230,400 points).
 inline constexpr std::size_t kMaxMarks = 262'144;
 
-// From one step of a radar's arc to the next, in ticks: at most a cell long at this range, or a
+// From one step of an arc to the next, in ticks: at most a cell long at this range, or a
 // tick. 2 pi is taken for a little more.
 [[nodiscard]] constexpr std::int32_t arc_step_ticks(std::uint32_t ticks_per_turn,
                                                     std::uint32_t range_mm) {
@@ -42,9 +42,9 @@ inline constexpr std::size_t kMaxMarks = 262'144;
   return static_cast<std::int32_t>(std::max<std::uint32_t>(ticks, 1));
 }
 
-// The most cells that one point of this sensor can mark: of a radar the steps of its longest arc;
-// of others its own, and the cells behind it that its near 1D cells reach. A line of length d
-// enters at most sqrt(2) d / cell + 2 further cells.
+// The most cells that one point of this sensor can mark: of one with an arc the steps of its
+// longest; of others its own, and the cells behind it that its near 1D cells reach. A line of
+// length d enters at most sqrt(2) d / cell + 2 further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
   if (sensor.arc.is_given()) {
     const std::int32_t step = arc_step_ticks(sensor.azimuths.ticks_per_turn(), sensor.range.mm());

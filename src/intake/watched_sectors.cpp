@@ -97,7 +97,8 @@ SectorView view_of(const vehicle::Sensor& sensor) {
 WatchedSectors::WatchedSectors(std::span<const vehicle::Sensor> sensors) : sensors_(sensors) {
   require(sensors.size() <= views_.size());
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    views_[i] = lidar::facts_of(sensors[i].format).is_radar ? SectorView{} : view_of(sensors[i]);
+    views_[i] =
+        lidar::facts_of(sensors[i].format).marks_arcs() ? SectorView{} : view_of(sensors[i]);
   }
 }
 

@@ -7,7 +7,7 @@
 // at hand. A unit that turns may sweep a sector in two frames, and a frame may be shorter than its
 // turn: of it half of them in one frame are enough, for 200 ms.
 //
-// A radar watches nothing: where it reports nothing, there may be something.
+// A radar and an ultrasonic unit watch nothing: where they report nothing, there may be something.
 //
 // A whole scan without a single point is that of a sensor that is blind, and watches nothing.
 #pragma once

@@ -19,7 +19,7 @@ struct DataSheet {
   // Of one turn, some more than it can have; 0: it depends on how the unit is set up, and the file
   // of a car must say it.
   std::uint32_t max_points_per_scan = 0;
-  // Of a radar: standard deviation of an azimuth.
+  // Of a radar: standard deviation of an azimuth. Of an ultrasonic unit: that of its cone.
   double azimuth_sigma_deg = 0;
 };
 

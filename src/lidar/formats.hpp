@@ -20,6 +20,7 @@
 #include "lidar/hesai_xt.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/ibeo_lux8.hpp"
+#include "lidar/mavlink_ultrasonic.hpp"
 #include "lidar/ouster.hpp"
 #include "lidar/velodyne_hdl32e.hpp"
 #include "lidar/velodyne_hdl64e.hpp"
@@ -42,6 +43,7 @@ using AnyDecoder = std::variant<ContinentalArs548,  //
                                 HesaiXt32m,         //
                                 IbeoLux,            //
                                 IbeoLux8,           //
+                                MavlinkUltrasonic,  //
                                 OusterLegacy,       //
                                 OusterRng15,        //
                                 OusterRng19,        //

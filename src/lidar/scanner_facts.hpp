@@ -17,6 +17,10 @@ struct ScannerFacts {
   bool has_modes = false;       // its packets do not say how fast it turns
   bool has_beam_tilt = false;   // its mirror is tilted
   bool is_radar = false;        // it says where something is, and of no place that it is free
+  bool is_ultrasonic = false;   // it says how far the nearest thing is, in a cone
+
+  // What it sees has no direction that is sharp.
+  [[nodiscard]] constexpr bool marks_arcs() const { return is_radar || is_ultrasonic; }
 };
 
 template <typename Decoder>
@@ -45,6 +49,11 @@ concept IsRadar = requires {
 };
 
 template <typename Decoder>
+concept IsUltrasonic = requires {
+  Decoder::kIsUltrasonic;
+};
+
+template <typename Decoder>
 constexpr std::size_t layers_of() {
   if constexpr (HasOneLayerCount<Decoder>) {
     return Decoder::kLayers;
@@ -62,7 +71,8 @@ constexpr ScannerFacts facts_of(Format format) {
              .has_elevations = !Decoder::kElevationsDeg.empty(),
              .has_modes = HasModes<Decoder>,
              .has_beam_tilt = HasBeamTilt<Decoder>,
-             .is_radar = IsRadar<Decoder>};
+             .is_radar = IsRadar<Decoder>,
+             .is_ultrasonic = IsUltrasonic<Decoder>};
   });
   return facts;
 }

@@ -14,6 +14,14 @@
 //
 // The cells before the target and behind it get no index: a radar sees past things and round
 // corners, and what it does not report may be there (docs/model.md, section 10).
+//
+// An ultrasonic unit says no direction at all, and the Gaussian is its cone. It reports what it
+// hears first. A thing in its cone is heard with the probability h, so of a cell before the target,
+// from which nothing was heard,
+//
+//   P(o | z) = (1 - h) / (2 - h)
+//
+// with a prior of 1/2 (docs/model.md, section 11).
 #pragma once
 
 #include <array>
@@ -31,12 +39,17 @@ namespace iog::sensor_model {
 // 0.004.
 inline constexpr std::size_t kMaxArcCells = 3;
 
+// Of an ultrasonic unit, h. Cloth, foam, thin poles, and planes that throw the sound elsewhere are
+// often not heard; it is low on purpose, so that a detection outweighs what was not heard.
+inline constexpr double kHeard = 0.2;
+
 struct Arc {
   std::uint16_t cell_ticks = 0;  // length of an angular cell, in ticks of the sensor
   std::uint8_t count = 0;        // cells to either side that get an index, cell 0 included
   std::array<index::OccupancyIndex, kMaxArcCells> marks{};  // by distance; above 0, never rising
+  index::OccupancyIndex free = 0;  // of the cone before the target; at most 0, of a radar 0
 
-  // Of a radar.
+  // Of a radar or an ultrasonic unit.
   [[nodiscard]] constexpr bool is_given() const { return count > 0; }
 
   // How far from the detection's azimuth whole ticks are in one of these cells.
@@ -55,7 +68,7 @@ struct Arc {
     for (std::size_t a = 0; valid && a < count; ++a) {
       valid = marks[a] > 0 && (a == 0 || marks[a] <= marks[a - 1]);
     }
-    return valid && count > 0;
+    return valid && count > 0 && free <= 0;
   }
 
   friend constexpr bool operator==(const Arc&, const Arc&) = default;
@@ -81,6 +94,13 @@ constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
     arc.count = static_cast<std::uint8_t>(a + 1);
   }
   return arc;
+}
+
+// The index of what an ultrasonic unit has not heard; 0 if the least of the set says more.
+constexpr index::OccupancyIndex unheard(const ProfileConfig& config) {
+  const index::RecursiveSet set(config.epsilon);
+  return static_cast<index::OccupancyIndex>(
+      set.quantise((1 - kHeard) / (2 - kHeard), config.quantisation));
 }
 
 }  // namespace iog::sensor_model

@@ -139,7 +139,7 @@ struct Sensor {
   bool is_synchronised = false;  // with the poses
   std::uint32_t latency_us = 0;  // from measurement to arrival, if it is not
   sensor_model::Profile profile;
-  sensor_model::Arc arc{};  // of a radar
+  sensor_model::Arc arc{};  // of a radar or an ultrasonic unit
   RangeProducts on_car_x;   // together: within the vehicle's footprint
   RangeProducts on_car_y;
   RangeProducts in_band;  // within its height band

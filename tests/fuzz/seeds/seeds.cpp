@@ -16,6 +16,7 @@
 #include "fakes/ground_turns.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
+#include "fakes/mavlink_distance.hpp"
 #include "fakes/ouster_packet.hpp"
 #include "fakes/random.hpp"
 #include "fakes/real_ars548_list.hpp"
@@ -55,6 +56,8 @@ void add_lidar_seeds(Seeds& seeds) {
   seeds.add("continental_ars548",
             joined({std::byte{11}}, Bytes(list.begin() + 36, list.begin() + 101 + 44 * 44)));
   seeds.add("continental_ars548", tests::Ars548List{.detections = {{}, {}}}.bytes());
+  seeds.add("mavlink_ultrasonic", tests::MavlinkDistance{}.bytes());
+  seeds.add("mavlink_ultrasonic", tests::MavlinkDistance{.quality = 88}.bytes());
   seeds.add("scan_stream", joined({std::byte{50}}, joined(lux, lux_message(3))));
   seeds.add("lux_recording", joined(lux, lux_message(3)));
 }

@@ -104,6 +104,29 @@ TEST(CarLimits, OfARadar) {
             "0.azimuth_sigma_deg");
 }
 
+// Its cone is at most 50 degrees to either side, and 10 m long, and it frees little.
+TEST(CarLimits, OfAnUltrasonicUnit) {
+  const auto fault_of = [](auto&& change) { return fault_with(change, "roof_vlp16_ultrasonic"); };
+  EXPECT_EQ(fault_of([](Changed&) {}), "");
+  EXPECT_EQ(fault_of([](Changed& c) { c.car.grids = vehicle::Grids::kClasses; }), "1.type");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].no_return_clears_mm = 1; }),
+            "1.no_return_clears_mm");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].moved = {600, 700}; }), "1.moved");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].ground = {220, 2'200}; }), "1.ground");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].is_calibrated = true; }), "1.lasers");
+  EXPECT_EQ(fault_of([](Changed& c) { c.sensors[1].range = traversal::LineLength(10'001); }),
+            "1.range_max_mm");
+  const auto fault_of_arc = [&](const sensor_model::Arc& arc) {
+    return fault_of([&](Changed& c) { c.sensors[1].arc = arc; });
+  };
+  EXPECT_EQ(fault_of_arc({.cell_ticks = 640, .count = 3, .marks = {9, 9, 1}, .free = -127}), "");
+  EXPECT_EQ(fault_of_arc({.cell_ticks = 641, .count = 3, .marks = {9, 9, 1}, .free = -1}),
+            "1.azimuth_sigma_deg");
+  EXPECT_EQ(fault_of_arc({.cell_ticks = 640, .count = 3, .marks = {9, 9, 1}, .free = 1}),
+            "1.azimuth_sigma_deg");
+  EXPECT_EQ(fault_of_arc({}), "1.azimuth_sigma_deg");
+}
+
 // 800 detections of 79 steps at 73 m, and a turn of the lidar beside it.
 TEST(CarLimits, AllStepsOfAnArcMark) {
   const auto fault_of_points = [](std::uint32_t points) {

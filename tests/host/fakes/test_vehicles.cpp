@@ -46,6 +46,8 @@ const vehicle::Vehicle RadarCar::kVehicle = compiled(RadarCar::kConfigs, RadarCa
 const vehicle::Vehicle BayesRadarCar::kVehicle =
     compiled(RadarCar::kConfigs, BayesRadarCar::kDescription);
 const vehicle::Vehicle RadarBus::kVehicle = compiled(RadarBus::kConfigs, RadarBus::kDescription);
+const vehicle::Vehicle UltrasonicCar::kVehicle =
+    compiled(UltrasonicCar::kConfigs, UltrasonicCar::kDescription);
 const vehicle::Vehicle HighAndFar::kVehicle =
     compiled(HighAndFar::kConfigs, HighAndFar::kDescription);
 const vehicle::Vehicle SteepVlp16::kVehicle =

@@ -166,6 +166,37 @@ struct RadarBus {
   static const vehicle::Vehicle kVehicle;
 };
 
+constexpr description::SensorConfig test_ultrasonic(std::uint16_t port,
+                                                    const description::MountConfig& mount,
+                                                    double azimuth_sigma_deg = 15) {
+  description::SensorConfig config =
+      description::scanner_of(lidar::kFormat<lidar::MavlinkUltrasonic>);
+  config.name = "ultrasonic";
+  config.udp_port = port;
+  config.azimuth_sigma_deg = azimuth_sigma_deg;
+  config.mount = mount;
+  return config;
+}
+
+// Five ultrasonic units off every border: to the front, over the rear left, the same upside down,
+// to the right with the widest cone, and one that looks up.
+struct UltrasonicCar {
+  static constexpr std::array kConfigs{
+      test_ultrasonic(101, {.x_m = 2.23, .y_m = 0.51, .z_m = 0.5}),
+      test_ultrasonic(102, {.x_m = -2.17, .y_m = 0.33, .z_m = 0.6, .yaw_deg = 131}),
+      test_ultrasonic(103,
+                      {.x_m = -2.17, .y_m = 0.33, .z_m = 0.6, .yaw_deg = 131, .roll_deg = 180}),
+      test_ultrasonic(104, {.x_m = 0.11, .y_m = -0.97, .z_m = 0.6, .yaw_deg = -93}, 20),
+      test_ultrasonic(105, {.x_m = 2.23, .y_m = 0.51, .z_m = 0.5, .pitch_deg = -10}),
+  };
+  static constexpr description::Description kDescription{
+      .name = "ultrasonic_car",
+      .footprint = {.x_min_m = -2.1, .x_max_m = 2.1, .y_min_m = -0.9, .y_max_m = 0.9},
+      .z_min_m = 0.2,
+      .z_max_m = 2.2};
+  static const vehicle::Vehicle kVehicle;
+};
+
 // Two VLP-16 with lines of 50 m, one above the height band and one beside the grid.
 struct HighAndFar {
   static constexpr std::array kConfigs = [] {

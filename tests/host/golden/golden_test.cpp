@@ -12,6 +12,7 @@
 #include "fakes/fake_platform.hpp"
 #include "fakes/ground_car.hpp"
 #include "fakes/lux_message.hpp"
+#include "fakes/mavlink_distance.hpp"
 #include "fakes/random.hpp"
 #include "fakes/real_ars548_list.hpp"
 #include "fakes/velodyne_packet.hpp"
@@ -79,6 +80,27 @@ TEST(Golden, ARadarHasOneNameEverywhere) {
   pipeline->take({kReplayer, 42'102, next}, 100'000);
   ASSERT_EQ(platform.frames.size(), 1U);
   EXPECT_EQ(name_of_run(platform.frames), 0x89733C96U);
+}
+
+// Four ultrasonic units, of which one hears nothing; the next message of the first ends their
+// frame.
+TEST(Golden, AnUltrasonicUnitHasOneNameEverywhere) {
+  tests::FakePlatform platform;
+  const auto pipeline = std::make_unique<app::Pipeline<tests::FakePlatform>>(
+      vehicles::car("roof_vlp16_ultrasonic").vehicle, kReplayer, platform);
+  std::uint64_t now_us = 50'000;
+  const auto take = [&](std::uint16_t port, const tests::MavlinkDistance& message) {
+    const auto bytes = message.bytes();
+    pipeline->take({kReplayer, port, bytes}, now_us);
+    now_us += 10'000;
+  };
+  take(14'551, {.time_ms = 1'000, .most_cm = 500, .current_cm = 123});
+  take(14'552, {.time_ms = 1'000, .most_cm = 500, .current_cm = 321});
+  take(14'553, {.time_ms = 1'000, .most_cm = 500, .current_cm = 500});
+  take(14'554, {.time_ms = 1'000, .most_cm = 500, .current_cm = 499});
+  take(14'551, {.time_ms = 1'100, .most_cm = 500, .current_cm = 124});
+  ASSERT_EQ(platform.frames.size(), 1U);
+  EXPECT_EQ(name_of_run(platform.frames), 0xB1796A6AU);
 }
 
 constexpr std::uint64_t kDriveUs = 1'714'564'800'000'000;  // 2024-05-01 12:00 UTC

@@ -9,6 +9,7 @@
 #include "fakes/effort.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
+#include "fakes/mavlink_distance.hpp"
 #include "fakes/ouster_packet.hpp"
 #include "fakes/random.hpp"
 #include "fakes/velodyne_packet.hpp"
@@ -44,6 +45,9 @@ Bytes sound_packet(tests::Random& random) {
         .bytes();
   } else if constexpr (IsRadar<Decoder>) {
     return tests::Ars548List{.detections = std::vector<tests::Ars548Detection>(random.below(20))}
+        .bytes();
+  } else if constexpr (IsUltrasonic<Decoder>) {
+    return tests::MavlinkDistance{.current_cm = static_cast<std::uint16_t>(random.below(600))}
         .bytes();
   } else {
     return tests::LuxMessage{.points = std::vector<tests::LuxPoint>(20), .flags = 0x402}.bytes();

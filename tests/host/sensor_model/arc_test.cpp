@@ -75,6 +75,36 @@ TEST(Arc, OfTheArs548) {
   EXPECT_EQ(marks_of(arc), (std::vector{2, 1}));
 }
 
+// docs/model.md, section 11: 0.05 m, 1D cells of 0.1 m, the same quotient as that of the ARS548.
+// Bayes' rule by counting: of 100 cells that were as likely occupied as free, 50 hold a thing, of
+// which 40 are not heard, and of the free ones nothing is heard, either.
+TEST(Arc, OfAnUltrasonicUnit) {
+  const ProfileConfig config{.sigma_m = 0.05, .cell_length_m = 0.1};
+  EXPECT_EQ(marks_of(arc_of(config, 480)), (std::vector{2, 1}));
+  EXPECT_NEAR((1 - kHeard) / (2 - kHeard), 40.0 / (40 + 50), 1e-12);
+  // p_-1 is 0.45 and p_-2 is 0.401: the nearer to one half.
+  EXPECT_EQ(unheard(config), -1);
+}
+
+// However fine the set is, an echo outweighs what was not heard; and where it is coarse, nothing is
+// free.
+TEST(Arc, AnEchoOutweighsWhatWasNotHeard) {
+  for (double epsilon = 0.01; epsilon < 0.4; epsilon += 0.01) {
+    const ProfileConfig config{.sigma_m = 0.05, .cell_length_m = 0.1, .epsilon = epsilon};
+    const Arc arc = arc_of(config, 480);
+    EXPECT_LE(unheard(config), 0) << epsilon;
+    if (arc.is_given()) {
+      EXPECT_GT(arc.marks[0] + unheard(config), 0) << epsilon;
+    }
+  }
+  EXPECT_EQ(unheard({.sigma_m = 0.05, .cell_length_m = 0.1, .epsilon = 0.06}), 0);
+}
+
+TEST(Arc, WhatIsFreeIsNotAboveZero) {
+  EXPECT_TRUE((Arc{.cell_ticks = 480, .count = 1, .marks = {2}, .free = -1}.is_valid()));
+  EXPECT_FALSE((Arc{.cell_ticks = 480, .count = 1, .marks = {2}, .free = 1}.is_valid()));
+}
+
 TEST(Arc, EachDirectionHasTheIndexOfItsCell) {
   for (const int cell_ticks : {3, 16, 17, 32}) {
     const Arc arc{
