@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "geometry/grid.hpp"
+#include "grid/cone.hpp"
 #include "grid/pending_marks.hpp"
 #include "tools/budget/unit_costs.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
@@ -21,6 +22,9 @@ namespace {
 
 constexpr double kMsPerCycle = 1e-6;  // at 1 GHz
 constexpr double kTurnMs = 100;       // at 10 Hz
+
+// Reckoned of its code, not measured: six products of two words, and a byte.
+constexpr double kConeCellCycles = 30;
 
 double ms_of(double cycles) { return cycles * kMsPerCycle; }
 
@@ -149,13 +153,24 @@ double period_ms(const CatalogueEntry& car) {
   return std::ranges::any_of(car.vehicle->sensors, turns) ? std::min(most_ms, kTurnMs) : most_ms;
 }
 
-bool is_radar(const vehicle::Sensor& sensor) { return sensor.arc.is_given(); }
+bool has_arcs(const vehicle::Sensor& sensor) { return sensor.arc.is_given(); }
 
 // Of all detections of a list, so far away.
 double arc_steps_at(const vehicle::Sensor& sensor, std::uint32_t range_mm) {
   const std::int32_t step = grid::arc_step_ticks(sensor.azimuths.ticks_per_turn(), range_mm);
   const std::int32_t to_one_side = sensor.arc.reach_ticks() / step;
   return sensor.max_points_per_scan * (1.0 + 2.0 * to_one_side);
+}
+
+double cone_cells_at(const vehicle::Sensor& sensor, std::uint32_t range_mm) {
+  return sensor.arc.free == 0
+             ? 0.0
+             : sensor.max_points_per_scan * 1.0 * grid::most_cells_of_cone(range_mm);
+}
+
+void add_arcs(const vehicle::Sensor& sensor, std::uint32_t range_mm, FrameWork& work) {
+  work.arc_steps += arc_steps_at(sensor, range_mm);
+  work.cone_cells += cone_cells_at(sensor, range_mm);
 }
 
 void add_ground(const vehicle::Sensor& sensor, double points, FrameWork& work) {
@@ -173,8 +188,8 @@ FrameWork typical_work(const CatalogueEntry& car) {
   FrameWork work{.tiles = typical_tiles(car)};
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     const double directions = directions_of(car.sensors[i]);
-    if (is_radar(car.vehicle->sensors[i])) {
-      work.arc_steps += arc_steps_at(car.vehicle->sensors[i], car.sensors[i].range_max_mm / 2);
+    if (has_arcs(car.vehicle->sensors[i])) {
+      add_arcs(car.vehicle->sensors[i], car.sensors[i].range_max_mm / 2, work);
     } else if (turns(car.vehicle->sensors[i])) {
       work.turn_steps += car.vehicle->sensors[i].azimuths.steps_per_turn();
       work.turn_points += directions;  // it sends all of them, with an echo or without
@@ -196,8 +211,8 @@ FrameWork worst_work(const CatalogueEntry& car) {
   FrameWork work{.tiles = tiles_in_reach(car)};
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     const description::SensorConfig& sensor = car.sensors[i];
-    if (is_radar(car.vehicle->sensors[i])) {
-      work.arc_steps += arc_steps_at(car.vehicle->sensors[i], sensor.range_max_mm);
+    if (has_arcs(car.vehicle->sensors[i])) {
+      add_arcs(car.vehicle->sensors[i], sensor.range_max_mm, work);
       continue;
     }
     work.points_once += directions_of(sensor);
@@ -216,7 +231,8 @@ double ground_ms(const FrameWork& work) {
 double worst_ms(const FrameWork& work) {
   return ms_of(work.points_once * kPointOnceCycles +
                (work.later_echoes + work.arc_steps) * kLaterEchoCycles +
-               work.tiles * kDearestTileCycles + work.class_tiles * kDearestClassTileCycles) +
+               work.cone_cells * kConeCellCycles + work.tiles * kDearestTileCycles +
+               work.class_tiles * kDearestClassTileCycles) +
          ground_ms(work);
 }
 
@@ -256,7 +272,8 @@ std::string errors_of(const Frames& frames, Cycles&& reckoned) {
 double typical_ms(const FrameWork& work) {
   return ms_of(work.points * kPointCycles + work.turn_steps * kTurnStepCycles +
                work.turn_points * kTurnPointCycles + work.points_once * kPointOnceCycles +
-               (work.later_echoes + work.arc_steps) * kLaterEchoCycles + work.cells * kCellCycles +
+               (work.later_echoes + work.arc_steps) * kLaterEchoCycles +
+               work.cone_cells * kConeCellCycles + work.cells * kCellCycles +
                work.tiles * kTileCycles + work.class_tiles * kClassTileCycles) +
          ground_ms(work);
 }
@@ -356,9 +373,11 @@ std::string words_of_budget_errors() {
          "of the same where they follow the ground: " +
          errors_of(kGroundTurns, over_ground) +
          ".\n"
-         "A step of the arc of a radar's detection counts as a later echo, a point; typical is "
-         "half its "
-         "range. A unit that turns and is not level counts as if no azimuth came again. What the "
+         "A step of the arc of a radar's or an ultrasonic unit's detection counts as a later echo, "
+         "a "
+         "point, and a cell of its cone as 30 cycles, which is reckoned; typical is half its "
+         "range. "
+         "A unit that turns and is not level counts as if no azimuth came again. What the "
          "key "
          "`moved` costs is not in it.\n";
 }

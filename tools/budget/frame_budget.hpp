@@ -24,9 +24,10 @@ struct FrameWork {
   double ground_turns = 0;   // of units that follow the ground
   double ground_points = 0;  // their points, which count above, too
   double later_echoes = 0;
-  double arc_steps = 0;  // of the arcs of a radar's detections, each about as dear as a later echo
-  double cells = 0;      // carved by `points`
-  double tiles = 0;      // known
+  double arc_steps = 0;   // of the arcs of detections, each about as dear as a later echo
+  double cone_cells = 0;  // looked at in cones of ultrasonic units
+  double cells = 0;       // carved by `points`
+  double tiles = 0;       // known
   double class_tiles = 0;
 };
 

@@ -73,6 +73,7 @@ std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
     } else if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
       seen = seen_ouster<Decoder>(payload, format);
     } else if constexpr (std::is_same_v<lidar::IbeoLux, Decoder> || lidar::IsRadar<Decoder> ||
+                         lidar::IsUltrasonic<Decoder> ||
                          std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
       Decoder decoder;
       lidar::FormatSet formats(format);

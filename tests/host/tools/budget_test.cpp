@@ -134,6 +134,17 @@ TEST(Budget, OfARadarTheStepsOfItsArcsCount) {
   EXPECT_GT(budget.typical.ms, without.typical.ms);
 }
 
+// Four units of 5 m, 719 ticks to either side, in steps of 36 and of 73; of their cones twice 52 by
+// 52 cells and 27 by 27.
+TEST(Budget, OfAnUltrasonicUnitTheCellsOfItsConeCount) {
+  const VehicleBudget budget = budget_of(find_vehicle("roof_vlp16_ultrasonic"));
+  EXPECT_EQ(budget.worst.work.arc_steps, 4 * (1 + 2 * 19));
+  EXPECT_EQ(budget.typical.work.arc_steps, 4 * (1 + 2 * 9));
+  EXPECT_EQ(budget.worst.work.cone_cells, 4 * 2 * 52 * 52);
+  EXPECT_EQ(budget.typical.work.cone_cells, 4 * 2 * 27 * 27);
+  EXPECT_EQ(budget_of(find_vehicle("roof_vlp16_radar")).worst.work.cone_cells, 0);
+}
+
 // docs/results/four_cores.md: the city's frame takes 0.73, 0.54, 0.47 of one core's time.
 TEST(Budget, TakesTheFewestCoresThatAreEnough) {
   EXPECT_EQ(cores_for(39.9, 40), 1U);

@@ -5,6 +5,7 @@
 #include "lidar/formats.hpp"
 #include "tools/simulate/scanners/ars548_encoder.hpp"
 #include "tools/simulate/scanners/hesai_encoder.hpp"
+#include "tools/simulate/scanners/mavlink_encoder.hpp"
 #include "tools/simulate/scanners/ouster_encoder.hpp"
 #include "tools/simulate/scanners/velodyne_encoder.hpp"
 
@@ -21,6 +22,8 @@ std::unique_ptr<PacketEncoder> encoder_of(const description::SensorConfig& confi
       sender = std::make_unique<OusterEncoder>(config, Decoder::profile());
     } else if constexpr (std::is_same_v<lidar::ContinentalArs548, Decoder>) {
       sender = std::make_unique<Ars548Encoder>(config);
+    } else if constexpr (std::is_same_v<lidar::MavlinkUltrasonic, Decoder>) {
+      sender = std::make_unique<MavlinkEncoder>(config);
     }
   });
   return sender;

@@ -1,5 +1,5 @@
-// The packets of a unit that turns, or of a radar, as it would send them: their bytes, and when
-// each of their beams is sent where.
+// The packets of a unit that turns, of a radar or an ultrasonic unit, as it would send them: their
+// bytes, and when each of their beams is sent where.
 #pragma once
 
 #include <cstddef>
