@@ -19,14 +19,17 @@ bool is_told(const Track& track) {
 }
 
 std::int32_t confidence_of(const Track& track) {
-  const bool told = is_told(track);
-  const bool fast = is_fast(track);
+  const bool is_streak = track.is_streak();
+  const bool told = !is_streak && is_told(track);
+  const bool fast = !is_streak && is_fast(track);
   std::int32_t more = told ? 2 : 0;
   if (fast && is_shown(track.seen) && track.updates >= kMovesFrom) {
     more += 2;
   } else if (!told && (!fast || track.seen.bad > track.seen.good)) {
     --more;
   }
+  more -= is_streak ? 1 : 0;
+  more -= track.seen.bad >= kBadOverGood * std::max<std::int32_t>(track.seen.good, 1) ? 3 : 0;
   return std::clamp<std::int32_t>(track.confidence + more, 0, kMostConfidence);
 }
 

@@ -32,13 +32,30 @@ Measurement of_face(const Ends& seen, const Interval& box, Reference face) {
           .variance = square(kFaceMm) + square(kHitMm) / edge.hits};
 }
 
+constexpr std::int32_t visible_variance(std::int32_t beams_mm) {
+  return square(kEndMm) + square(beams_mm) / 4;
+}
+
+// The end that is farther away than a face. The face may be elsewhere, if it is where the view
+// ends.
+Measurement of_far_end(const Ends& seen, const Interval& box, Reference face, std::int32_t gate_mm,
+                       std::int32_t beams_mm) {
+  const std::int32_t low = seen.low.mm - box.low;
+  const std::int32_t high = seen.high.mm - box.high;
+  const bool is_high = face == Reference::kLow;
+  return {.by = is_high ? Reference::kHigh : Reference::kLow,
+          .innovation_mm = is_high ? high : low,
+          .variance = visible_variance(beams_mm),
+          .is_end_hidden = numeric::magnitude(is_high ? low : high) > gate_mm};
+}
+
 // Seen from the side: both ends, or the one that is where it may be. The other may be hidden, or
 // have just come into view.
 Measurement of_ends(const Ends& seen, const Interval& box, std::int32_t gate_mm,
                     std::int32_t beams_mm, bool is_young) {
   const std::int32_t low = seen.low.mm - box.low;
   const std::int32_t high = seen.high.mm - box.high;
-  const std::int32_t visible = square(kEndMm) + square(beams_mm) / 4;
+  const std::int32_t visible = visible_variance(beams_mm);
   if (numeric::magnitude(low) <= gate_mm && numeric::magnitude(high) <= gate_mm) {
     return {.by = Reference::kBoth, .innovation_mm = (low + high) / 2, .variance = visible};
   }
@@ -49,19 +66,40 @@ Measurement of_ends(const Ends& seen, const Interval& box, std::int32_t gate_mm,
           .is_end_hidden = !is_young};
 }
 
+// How far a place is out of one side of a box: negative, it is within.
+constexpr std::int32_t out_of(const Interval& side, std::int32_t place) {
+  return std::max(side.low - place, place - side.high);
+}
+
+// The car is before or behind it, but so far beside it that its whole side is seen, and so its far
+// end: its face is seen aslant, and may be where the view ends.
+bool is_seen_aslant(const Track& track, Side side, Point car) {
+  const Box& box = track.box();
+  if (side != kAlong || !track.moves() || !track.has_heading() || track.updates < kHiddenFrom) {
+    return false;
+  }
+  const std::int32_t before = out_of(box.sides[kAlong], box.place(car, kAlong));
+  const std::int32_t beside = out_of(box.sides[kAcross], box.place(car, kAcross));
+  return beside * 4 > before + box.sides[kAlong].length();
+}
+
 Measurement measurement_of(const Track& track, Side side, const Ends& seen, Point car) {
   const Box& box = track.box();
   const Interval& its = box.sides[side];
   const std::int32_t from = box.place(car, side);
-  if (from < its.low - kFacingMm) {
-    return of_face(seen, its, Reference::kLow);
-  }
-  if (from > its.high + kFacingMm) {
-    return of_face(seen, its, Reference::kHigh);
-  }
-  const std::int32_t gate = 3 * root_of(track.covariance(side).place()) + kEndGateMm;
   const std::int32_t beams = range_mm(car, box.at) / 1000 * kBeamsOfAMetre;
-  return of_ends(seen, its, gate, beams, track.updates < kHiddenFrom);
+  const std::int32_t deviations = 3 * root_of(track.covariance(side).place());
+  if (out_of(its, from) <= kFacingMm) {
+    return of_ends(seen, its, deviations + kEndGateMm, beams, track.updates < kHiddenFrom);
+  }
+  const Reference face = from < its.low ? Reference::kLow : Reference::kHigh;
+  if (is_seen_aslant(track, side, car)) {
+    const Measurement end = of_far_end(seen, its, face, deviations + kEndGateMm, beams);
+    if (numeric::magnitude(end.innovation_mm) <= deviations + kFarGateMm) {
+      return end;
+    }
+  }
+  return of_face(seen, its, face);
 }
 
 // Towards an edge that is seen: slowest where it was measured, quickly where the box grows.
@@ -100,14 +138,13 @@ void measure(Point car, Side side, const Ends& seen, Step step, Track& track) {
   follow(seen, its.by, static_cast<std::int32_t>(moved_mm), track.sides()[side]);
 }
 
-// All that lies in its box stands: it was not seen, and what is parked there is not a part of it.
-// A walker in front of a pole may have all of his hits called standing, and keeps them.
-void leave(std::span<const std::uint16_t> numbers, std::span<FrameHit> hits, const Track& track) {
-  if (longest_of(track.box().sides) < kSmallMm) {
-    return;
-  }
+// What stands in its box is nobody's. A walker in front of a pole may have all of his hits called
+// standing, and keeps them.
+void leave_standing(std::span<const std::uint16_t> numbers, std::span<FrameHit> hits) {
   for (const std::uint16_t number : numbers) {
-    hits[number].owner = kNobody;
+    if (hits[number].stands) {
+      hits[number].owner = kNobody;
+    }
   }
 }
 
@@ -121,8 +158,10 @@ void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::ui
     track.seen.hits += hit.stands ? 0 : 1;
     track.seen.moving += !hit.stands && hit.name == Name::kMoving ? 1 : 0;
   }
-  if (track.seen.hits == 0) {
-    leave(numbers, hits, track);
+  if (track.seen.hits == 0) {  // it was not seen, and what is parked there is not a part of it
+    if (longest_of(track.box().sides) >= kSmallMm) {
+      leave_standing(numbers, hits);
+    }
     return;
   }
   const Edges edges = edges_of(track.box(), numbers, hits);
@@ -132,6 +171,9 @@ void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::ui
   track.seen_us = now_us;
   ++track.updates;
   turn(numbers, hits, track);
+  if (track.is_mostly_standing()) {
+    leave_standing(numbers, hits);
+  }
 }
 
 }  // namespace iog::objects

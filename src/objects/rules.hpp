@@ -27,6 +27,7 @@ inline constexpr int kOldEpochs = 4;  // a place that was hit so long ago is old
 // How fast a thing may become: its speed wanders by so many mm/s in a second, times the root of it.
 inline constexpr std::int32_t kWanderAlong = 1500;
 inline constexpr std::int32_t kWanderAcross = 700;
+inline constexpr std::int32_t kWanderAcrossFast = 1200;  // from kWheelsSpeed on, in bends
 inline constexpr std::int32_t kWanderSmall = 700;
 inline constexpr std::int32_t kSmallMm = 1200;     // a walker is smaller,
 inline constexpr std::int32_t kSmallSpeed = 3000;  // and slower
@@ -85,7 +86,8 @@ inline constexpr std::int32_t kBeamsOfAMetre = 9;  // and between beams, by metr
 inline constexpr std::int32_t kHiddenEndMm = 300;
 inline constexpr std::uint32_t kHiddenFrom = 6;  // updates
 inline constexpr std::int32_t kEndGateMm = 200;
-inline constexpr std::uint32_t kCutFrom = 3;  // updates: innovations are cut
+inline constexpr std::int32_t kFarGateMm = 500;  // of the end of a side that is seen from beside
+inline constexpr std::uint32_t kCutFrom = 3;     // updates: innovations are cut
 inline constexpr std::int32_t kCutMm = 100;
 inline constexpr std::int32_t kLeastVariance = 100;
 inline constexpr std::int32_t kThinnestMm = 50;
@@ -107,6 +109,7 @@ inline constexpr std::int32_t kWheelsSpeed = 15'000;
 inline constexpr std::uint32_t kMergeFrom = 6;  // updates
 inline constexpr std::int32_t kMergeMm = 500;
 inline constexpr std::int32_t kMergeSpeed = 1500;
+inline constexpr std::int32_t kMergeMovingSpeed = 4000;  // both move, and neither is a walker
 inline constexpr std::int32_t kMergeWidestMm = 3200;
 inline constexpr std::int32_t kMergeReachMm = 20'000;
 
@@ -128,6 +131,9 @@ inline constexpr std::int32_t kToldPercent = 40;
 inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
+inline constexpr std::int32_t kBadOverGood = 8;
+inline constexpr std::int32_t kStreakHits = 8;  // fewer, of a box that is so long and
+inline constexpr std::int32_t kStreakMm = 300;  // narrower: what a beam draws on the ground
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
 inline constexpr std::uint32_t kMovesFrom = 4;  // updates
@@ -142,7 +148,7 @@ inline constexpr std::int32_t kNoThingMm = 20'000;
 inline constexpr std::int32_t kNoThingAcrossMm = 4000;  // nothing on a road is so wide
 
 // How sure of its velocity a track is said to be (objects/stated.hpp).
-inline constexpr std::uint64_t kStatedAgeMs = 3000;
+inline constexpr std::uint64_t kStatedAgeMs = 5000;
 inline constexpr std::int32_t kStatedNearMm = 10'000;
 inline constexpr std::uint64_t kStatedNear = 4;
 

@@ -39,9 +39,10 @@ void Track::predict(Step step) {
   y_ += step.of(vy_);
   place();
   const bool is_little = is_small();
-  const std::int32_t across = is_little      ? kWanderSmall
-                              : has_heading_ ? kWanderAcross
-                                             : kWanderAlong;
+  const std::int32_t across = is_little                ? kWanderSmall
+                              : !has_heading_          ? kWanderAlong
+                              : speed_ >= kWheelsSpeed ? kWanderAcrossFast
+                                                       : kWanderAcross;
   covariances_[kAlong].predict(step, is_little ? kWanderSmall : kWanderAlong);
   covariances_[kAcross].predict(step, across);
   know_speed();
@@ -88,6 +89,11 @@ void Track::begin_heading(const Sides& sides) {
 
 bool Track::is_mostly_standing() const {
   return seen.standing > seen.hits && longest_of(box_.sides) >= kSmallMm && speed_ < kParkedSpeed;
+}
+
+bool Track::is_streak() const {
+  const std::int32_t narrow = std::min(box_.sides[kAlong].length(), box_.sides[kAcross].length());
+  return seen.hits < kStreakHits && longest_of(box_.sides) >= kSmallMm && narrow < kStreakMm;
 }
 
 bool Track::is_small() const { return longest_of(box_.sides) < kSmallMm && speed_ < kSmallSpeed; }

@@ -77,6 +77,9 @@ class Track {
   [[nodiscard]] bool is_mostly_standing() const;
   // A walker, by size and speed.
   [[nodiscard]] bool is_small() const;
+  // What a beam draws where it grazes the ground is long and thin, and of few hits: a thing so long
+  // has more of them, or a width.
+  [[nodiscard]] bool is_streak() const;
 
   State state = State::kNone;
   std::uint32_t id = 0;       // never used again

@@ -24,13 +24,13 @@ using tests::FakePlatform;
 constexpr std::uint64_t kNowUs = 5'000'000'000;
 constexpr objects::Point kCar{100'000, 0};  // far away
 
-// Born at rest 3 s ago: 100 mm and 10 m/s deviations, of which twice as much is stated after 3 s.
+// Born at rest 5 s ago: 100 mm and 10 m/s deviations, of which twice as much is stated after 5 s.
 // Its point is 1 m behind its middle.
 Track something(std::uint32_t id) {
   Track track;
   track.begin(id, {.at = {10'000, -2'000}, .sides = {{{-1000, 3000}, {-900, 904}}}}, kNowUs);
   track.updates = kToldFrom;
-  track.born_us = kNowUs - 3'000'000;
+  track.born_us = kNowUs - 5'000'000;
   return track;
 }
 
@@ -112,12 +112,12 @@ TEST(ObjectMessages, VelocitiesAreAsSureAsTheyAreOldAndFar) {
     track.born_us = kNowUs - age_us;
     return record_of(track, kNowUs, from).sigma_v_along_cm_s;
   };
-  EXPECT_EQ(stated(300'000, kCar), 10'000);  // 11 times 10 m/s: not more than anything can have
-  EXPECT_EQ(stated(600'000, kCar), 6'000);
-  EXPECT_EQ(stated(30'000'000, kCar), 1'100);
-  EXPECT_EQ(stated(30'000'000, {19'000, -2'000}), 4'000);
-  EXPECT_EQ(stated(600'000, {19'000, -2'000}), 6'000);
-  EXPECT_EQ(stated(30'000'000, {20'000, -2'000}), 1'100);
+  EXPECT_EQ(stated(500'000, kCar), 10'000);  // 11 times 10 m/s: not more than anything can have
+  EXPECT_EQ(stated(1'000'000, kCar), 6'000);
+  EXPECT_EQ(stated(50'000'000, kCar), 1'100);
+  EXPECT_EQ(stated(50'000'000, {19'000, -2'000}), 4'000);
+  EXPECT_EQ(stated(1'000'000, {19'000, -2'000}), 6'000);
+  EXPECT_EQ(stated(50'000'000, {20'000, -2'000}), 1'100);
 }
 
 // By floating point, and never less than they are.

@@ -48,6 +48,53 @@ TEST(Judge, ATrackIsToldIfTheGridCallsTwoFifthsOfItsHitsMoving) {
   }
 }
 
+// What a beam draws on the ground is long, thin and of few hits: it is not told, whatever the grid
+// calls it, and loses confidence twice as fast.
+TEST(Judge, AStreakOfFewHitsIsNotBelieved) {
+  const auto confidence_of = [](std::int32_t length_mm, std::int32_t width_mm, std::int32_t hits) {
+    Track track = sure_track_of(2000);
+    track.sides() = {Interval{0, length_mm}, Interval{0, width_mm}};
+    track.seen = {.hits = hits, .moving = hits};
+    track.confidence = 4;
+    judge(kBeginUs, track);
+    return track.confidence;
+  };
+  EXPECT_EQ(confidence_of(1200, 299, 7), 2);
+  EXPECT_EQ(confidence_of(299, 1200, 7), 2);
+  EXPECT_EQ(confidence_of(1200, 299, 8), 6);
+  EXPECT_EQ(confidence_of(1200, 300, 7), 6);
+  EXPECT_EQ(confidence_of(1199, 299, 7), 6);
+}
+
+// Nor is it fast: places that it has left do not speak for it.
+TEST(Judge, AStreakIsNotBelievedForPlacesThatItHasLeft) {
+  Track track = sure_track_of(2000);
+  track.updates = kMovesFrom;
+  track.sides() = {Interval{0, 3000}, Interval{0, 100}};
+  track.seen = {.hits = 7, .good = 7};
+  track.confidence = 4;
+  judge(kBeginUs, track);
+  EXPECT_EQ(track.confidence, 2);
+}
+
+// "Bad of 8 and more and 8 good": three more are lost than for what is not shown.
+TEST(Judge, WhatEightPlacesSpeakAgainstForOneIsSoonNotBelieved) {
+  struct Case {
+    std::int32_t good;
+    std::int32_t bad;
+    std::int32_t lost;
+  };
+  for (const Case its : {Case{0, 7, 1}, Case{0, 8, 4}, Case{1, 7, 1}, Case{1, 8, 4}, Case{2, 15, 1},
+                         Case{2, 16, 4}}) {
+    Track track = sure_track_of(2000);
+    track.seen.good = its.good;
+    track.seen.bad = its.bad;
+    track.confidence = kMostConfidence;
+    judge(kBeginUs, track);
+    EXPECT_EQ(track.confidence, kMostConfidence - its.lost) << its.good << ", " << its.bad;
+  }
+}
+
 // "Slower than 0.3 m/s for 0.4 s": without a break, and a faster frame is one.
 TEST(Judge, ATrackThatIsSlowTwiceButNeverForLongMoves) {
   const auto judged = [](Track& track, std::uint64_t ms, std::int32_t speed) {

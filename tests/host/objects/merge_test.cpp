@@ -55,6 +55,36 @@ TEST(Merge, OneThingHasOneSpeed) {
   }
 }
 
+// A side and a face of one car that both move may differ by 4 m/s, along both axes. Not those of a
+// walker beside it, nor of what is not known to move.
+TEST(Merge, PartsOfACarThatMovesMayDifferInSpeed) {
+  const auto moving = [](Track track) {
+    track.state = State::kMoves;
+    return track;
+  };
+  const auto small = [](Track track, std::int32_t longest_mm) {
+    track.sides() = {Interval{0, 1'000}, Interval{0, longest_mm}};
+    return track;
+  };
+  const Track car = moving(older());
+  for (const std::int32_t off : {-4'000, 4'000}) {
+    const std::int32_t more = off > 0 ? 1 : -1;
+    EXPECT_TRUE(become_one(car, moving(track_at(4, {12'000, 0}, 1'000, 5'000 + off))));
+    EXPECT_FALSE(become_one(car, moving(track_at(4, {12'000, 0}, 1'000, 5'000 + off + more))));
+    Track across = moving(track_at(4, {12'000, 0}, 1'000));
+    across.correct(kAcross, {.place = 0, .speed = 1 << 16}, off);
+    EXPECT_TRUE(become_one(car, across));
+    across.correct(kAcross, {.place = 0, .speed = 1 << 16}, more);
+    EXPECT_FALSE(become_one(car, across));
+  }
+  const Track faster = track_at(4, {12'000, 0}, 1'000, 6'501);
+  EXPECT_FALSE(become_one(car, faster));
+  EXPECT_FALSE(become_one(older(), moving(faster)));
+  EXPECT_TRUE(become_one(car, moving(small(faster, 1'200))));
+  EXPECT_FALSE(become_one(car, moving(small(faster, 1'199))));
+  EXPECT_FALSE(become_one(small(car, 1'199), moving(track_at(4, {10'000, 0}, 1'000, 6'501))));
+}
+
 TEST(Merge, ATrackOfFiveUpdatesIsNotKnownWellEnough) {
   Track young = track_at(4, {12'000, 0}, 1'000);
   young.updates = 5;

@@ -16,18 +16,18 @@ std::uint32_t stated(std::uint32_t deviation, std::uint64_t age_ms, Point car = 
   return stated_deviation(deviation, track, kBornUs + age_ms * 1'000, car);
 }
 
-// 1 + 3 s / age: 11 times after 0.3 s, twice after 3 s, nearly once after an hour.
+// 1 + 5 s / age: 6 times after 1 s, twice after 5 s, nearly once after an hour.
 TEST(StatedDeviation, IsWiderTheYoungerATrackIs) {
-  EXPECT_EQ(stated(500, 300), 5'500U);
-  EXPECT_EQ(stated(500, 1'000), 2'000U);
-  EXPECT_EQ(stated(500, 3'000), 1'000U);
+  EXPECT_EQ(stated(500, 250), 10'500U);
+  EXPECT_EQ(stated(500, 1'000), 3'000U);
+  EXPECT_EQ(stated(500, 5'000), 1'000U);
   EXPECT_EQ(stated(500, 3'600'000), 501U);  // rounded up
 }
 
 TEST(StatedDeviation, IsFourTimesAtLeastNearerThanTenMetres) {
   EXPECT_EQ(stated(500, 3'600'000, {9'999, 0}), 2'000U);
   EXPECT_EQ(stated(500, 3'600'000, {10'000, 0}), 501U);
-  EXPECT_EQ(stated(500, 300, {9'999, 0}), 5'500U);  // the wider of both
+  EXPECT_EQ(stated(500, 250, {9'999, 0}), 10'500U);  // the wider of both
 }
 
 // As fast as anything can be, 100 m/s: also at the birth, and of a clock that has gone back.

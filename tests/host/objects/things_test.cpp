@@ -244,6 +244,24 @@ TEST(Track, LeavesWhatStandsIfNothingElseIsInItsBox) {
   EXPECT_EQ(owner_after(600, false), 0);
 }
 
+// Of a car of which most hits stand these are nobody's, and the others its own.
+TEST(Track, LeavesWhatStandsIfThatIsMostOfIt) {
+  const auto owners_after = [](std::int32_t length_mm) {
+    Track track;
+    track.begin(1, {.sides = {Interval{0, length_mm}, Interval{0, 600}}}, kStartUs);
+    std::array<FrameHit, 3> hits{};
+    const std::array<std::uint16_t, 3> numbers{0, 1, 2};
+    for (FrameHit& hit : hits) {
+      hit.owner = 0;
+      hit.stands = &hit != &hits[1];
+    }
+    measure({}, kStartUs + 40'000, Step(40), numbers, hits, track);
+    return std::array{hits[0].owner, hits[1].owner, hits[2].owner};
+  };
+  EXPECT_EQ(owners_after(4500), (std::array<std::int16_t, 3>{kNobody, 0, kNobody}));
+  EXPECT_EQ(owners_after(600), (std::array<std::int16_t, 3>{0, 0, 0}));
+}
+
 // A lorry of 16.5 m overtakes at 22 m/s a car that drives at 12: one track, and as long as it is.
 // Abreast both of its ends are out of sight or seen aslant; 20 m ahead its rear is in full view.
 TEST_F(Things, ALorryIsOneTrack) {
