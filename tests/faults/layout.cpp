@@ -18,6 +18,7 @@ using Platform = iog::app::MachinePlatform<Board>;
 using Pipeline = iog::app::MachinePipeline<Board, iog::imx6::kGrids>;
 using Engine = iog::app::PerceptionEngine;
 using Frame = iog::app::Frame;
+using Clock = iog::window::WindowClock;
 using iog::health::MemoryCheck;
 
 struct Line {
@@ -55,6 +56,8 @@ constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
     // Nothing is drawn of these: tests/soak sets them before a drive begins, or looks at them.
     IOG_LINE("wraps of the clock", "main::board", offsetof(Board, clock_), GptClock, wraps_),
     IOG_LINE("frame number", "main::pipeline", kEngine + offsetof(Engine, frame_), Frame, number_),
+    IOG_LINE("time beside the poses'", "main::pipeline", kEngine + offsetof(Engine, clock_), Clock,
+             offset_us_),
     IOG_LINE("rounds of the check", "main::check", 0, MemoryCheck, rounds_),
 };
 

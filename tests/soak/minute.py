@@ -56,7 +56,7 @@ class Minutes:
         rng = random.Random(f"{seed} {number}")
         self._wire.hostile = spells.HostileFrames(rng)
         its_drive = near_drive.simulated(self._iog, self._folder, rng, seconds, number * (seconds + BETWEEN_S))
-        plan = spells.plan(rng, FIRST_SPELL, its_drive.quiet_from)
+        plan = spells.plan(rng, FIRST_SPELL, its_drive)
         core_faults = {rng.randrange(FIRST_SPELL, its_drive.quiet_from): kind for kind in CORE_FAULTS}
         before = dict(self._wire.counts)
         begin_us = self._pause(LOST_US)
@@ -71,7 +71,7 @@ class Minutes:
             if at in core_faults and self._cores:
                 course.count(core_faults[at])
             self._play_frame(packets, spell, core_faults.get(at) if self._cores else None, course)
-            if spell and spell.kind == "link is down" and at + 1 == spell.end:
+            if spell and spell.kind == spells.CUT and at + 1 == spell.end:
                 self._link(True)
         for kind in its_drive.pose_faults:
             course.count(kind)
@@ -79,6 +79,7 @@ class Minutes:
         last = self._settled()
         self._check_counters(last)
         self._check_memory(last)
+        self._check_time()
         return {"minute": number, "seed": seed, "drive_s": seconds, "frames": len(course.frames), "quiet_frames": quiet,
                 "begin_us": begin_us, "end_us": last.closed_us, "last_frame": last.number, "cores": last.counters["cores at work"], "sent": self._wire.counts["frames received"] -
                 before.get("frames received", 0), "deepest_stack_bytes": last.stack_bytes,
@@ -126,7 +127,7 @@ class Minutes:
     # What happens.
 
     def _begin_spell(self, spell: spells.Spell, rng: random.Random) -> None:
-        if spell.kind == "link is down":
+        if spell.kind == spells.CUT:
             self._board.to_idle(PATIENCE_S)
             self._link(False)
         contents = self._maps[rng.randrange(2)]
@@ -249,6 +250,11 @@ class Minutes:
         least = (last.closed_us - at_us) // CHECK_US if at_us else 0
         assert rounds - before >= least, f"{rounds - before} rounds of the check of memory"
         self._rounds = (rounds, last.closed_us)
+
+    def _check_time(self) -> None:
+        """The window's is the poses', as it is on a PC that has seen this minute alone."""
+        offset = int.from_bytes(self._board.stub.read(self._places["time beside the poses'"], 8), "little")
+        assert offset == 0, f"the window's time is {offset} us beside the poses'"
 
 
 FRAMES_OF_A_START = 25  # in which the poses of another run are not yet believed

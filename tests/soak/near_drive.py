@@ -21,17 +21,22 @@ QUIET_S = 4  # at the end, from a restart of the poses' sender on
 POSE_FAULTS = {"poses stop": ("--pose-gap", ":0.6"), "poses are lost": ("--pose-gap", ":1.6"),
                "poses are stuck": ("--pose-freeze", ":1.5"), "poses jump": ("--pose-jump", ":3"),
                "poses start anew": ("--pose-restart", "")}
+LONGEST_FAULT = 4 * FRAMES_PER_S  # of them, and till what a jump has left is forgotten
 
 
 @dataclasses.dataclass(frozen=True)
 class Drive:
     frames: list[list[capture.Packet]]
-    pose_faults: list[str]
+    pose_faults: dict[str, int]  # and the frames in which they begin
 
     @property
     def quiet_from(self) -> int:
         """The first frame in which nothing happens any more."""
         return len(self.frames) - QUIET_S * FRAMES_PER_S
+
+    def poses_fail(self, begin: int, end: int) -> bool:
+        """Whether a fault of the poses is not over within these frames, or begins there."""
+        return any(at < end and at + LONGEST_FAULT >= begin for at in [*self.pose_faults.values(), self.quiet_from])
 
 
 def simulated(iog: str, folder: pathlib.Path, rng: random.Random, seconds: int, later_s: int) -> Drive:
@@ -41,13 +46,15 @@ def simulated(iog: str, folder: pathlib.Path, rng: random.Random, seconds: int, 
     every = max(1, restart_s // (len(POSE_FAULTS) + 1))
     faults = rng.sample(sorted(POSE_FAULTS), len(POSE_FAULTS))[:restart_s // every - 1]
     options = ["--pose-restart", str(restart_s)]
-    for number, fault in enumerate(faults, 1):
+    times_s = {fault: number * every for number, fault in enumerate(faults, 1)}
+    for fault, at_s in times_s.items():
         option, how = POSE_FAULTS[fault]
-        options += [option, f"{number * every}{how}"]
+        options += [option, f"{at_s}{how}"]
     subprocess.run([iog, "simulate", "--seed", str(rng.randrange(1, 1 << 31)), "--seconds", str(seconds), "--moving",
                     *options, "--out", path], check=True, stdout=subprocess.DEVNULL)
     packets = [later(near(packet), later_s) for packet in capture.read(str(path))]
-    return Drive(drive.by_scan(packets), faults)
+    frames = drive.by_scan(packets)
+    return Drive(frames, {fault: at_s * len(frames) // seconds for fault, at_s in times_s.items()})
 
 
 def city_map(iog: str, folder: pathlib.Path) -> bytes:

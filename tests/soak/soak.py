@@ -9,7 +9,7 @@ from machine import Machine
 from minute import Minutes
 from places import Places
 
-KNOWN = ("wraps of the clock", "frame number", "rounds of the check")  # places of tests/faults/layout.cpp
+KNOWN = ("wraps of the clock", "frame number", "rounds of the check", "time beside the poses'")  # places of tests/faults/layout.cpp
 
 
 @contextlib.contextmanager

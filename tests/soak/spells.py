@@ -12,10 +12,11 @@ from capture import Packet
 from drive import POSE_PORT
 from hostile_frames import HostileFrames
 from hostile_scans import patched
-from near_drive import SCAN_TIMES_AT, with_payload
+from near_drive import SCAN_TIMES_AT, Drive, with_payload
 from sabrelite import scan
 
-KINDS = ("link is down", "packets are lost", "packets come twice", "packets are reordered", "packets are damaged",
+CUT = "link is down"
+KINDS = (CUT, "packets are lost", "packets come twice", "packets are reordered", "packets are damaged",
          "flood of strangers", "scanner is silent", "scanner loses packets", "scanner is late", "scanner's clock stands still",
          "poses are imprecise", "chunks of a map are lost", "another map")
 SHARE = 0.1  # of packets that are lost, doubled or damaged
@@ -23,6 +24,7 @@ SHARE = 0.1  # of packets that are lost, doubled or damaged
 # machine stops.
 FLOOD = 200
 FLOODED = 3  # frames of a spell, at most
+AHEAD = 25  # frames behind a cut of the link
 POSE_SIGMA_AT, IMPRECISE = 60, (400, 500)  # mm, 10 urad (docs/spec.md 5.1)
 
 
@@ -125,7 +127,7 @@ class Spell:
         return packets
 
     def _fate(self, packet: Packet, packets: list[Packet]) -> str:
-        if self.kind == "link is down":
+        if self.kind == CUT:
             return "unseen"
         if is_pose(packet):
             return "good"
@@ -160,8 +162,12 @@ def damaged(frame: bytes, rng: random.Random) -> bytes:
     return bytes(changed)
 
 
-def plan(rng: random.Random, first: int, end: int) -> list[Spell]:
-    """Each kind as often as any other, with quiet frames between them."""
+def plan(rng: random.Random, first: int, its_drive: Drive) -> list[Spell]:
+    """Each kind as often as any other, with quiet frames between them.
+
+    While the link is down the window's time goes on by the target's clock, and for a second after it is ahead of the poses'. If
+    these failed then, it would take up there (docs/spec.md 5.3), and periods would begin at times that no capture tells.
+    """
     spells: list[Spell] = []
     kinds: list[str] = []
     at = first
@@ -169,7 +175,11 @@ def plan(rng: random.Random, first: int, end: int) -> list[Spell]:
         kinds = kinds or rng.sample(KINDS, len(KINDS))
         kind = kinds.pop()
         frames = rng.randint(1, FLOODED) if kind == "flood of strangers" else rng.randint(3, 20)
-        if at + frames > end:
+        if at + frames > its_drive.quiet_from:
             return spells
-        spells.append(Spell(kind, at, at + frames, rng))
-        at += frames + rng.randint(3, 10)
+        if kind == CUT and its_drive.poses_fail(at, at + frames + AHEAD):
+            kinds.insert(0, kind)
+        else:
+            spells.append(Spell(kind, at, at + frames, rng))
+            at += frames
+        at += rng.randint(3, 10)
