@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "numeric/division.hpp"
+#include "numeric/square_root.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::grid {
@@ -78,15 +79,6 @@ Span span_of(std::int32_t origin, std::int64_t right, std::int64_t left, std::in
   return {cell(origin - back), cell(origin + ahead)};
 }
 
-// The largest number whose square is at most this one, of squares below 2^40.
-constexpr std::int64_t root_of(std::int64_t square) {
-  std::int64_t root = 0;
-  for (std::int64_t bit = std::int64_t{1} << 20; bit != 0; bit >>= 1) {
-    root += (root + bit) * (root + bit) <= square ? bit : 0;
-  }
-  return root;
-}
-
 Cone cone_of(const vehicle::Sensor& sensor, const lidar::ScanPoint& echo) {
   const std::int32_t reach = sensor.arc.reach_ticks();
   const Vector middle = end_of(sensor, echo, 0);
@@ -98,8 +90,9 @@ Cone cone_of(const vehicle::Sensor& sensor, const lidar::ScanPoint& echo) {
   const std::uint32_t k = sensor.precision.divide(echo.range_mm);
   const std::int64_t free_mm = std::int64_t{k > near ? k - near : 0} * sensor.precision_mm;
   const std::int64_t shortest =
-      root_of(std::min({middle.square(), cone.right.square(), cone.left.square()}));
-  cone.length = shortest * free_mm / sensor.range.mm();
+      std::min({middle.square(), cone.right.square(), cone.left.square()});
+  cone.length = std::int64_t{numeric::square_root(static_cast<std::uint64_t>(shortest))} * free_mm /
+                sensor.range.mm();
   return cone;
 }
 

@@ -12,6 +12,7 @@
 #include "numeric/division.hpp"
 #include "numeric/heap_sort.hpp"
 #include "numeric/sine_table.hpp"
+#include "numeric/square_root.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::ground {
@@ -22,16 +23,6 @@ constexpr std::int64_t kCellMm = geometry::kCellMm;
 constexpr int kFineBits = 40;
 constexpr std::uint32_t kWhole = std::uint32_t{1} << numeric::kSineFractionBits;
 
-// The largest whole number whose square is at most that.
-std::uint64_t root_of(std::uint64_t square) {
-  std::uint64_t root = 0;
-  for (int bit = 31; bit >= 0; --bit) {
-    const std::uint64_t larger = root | std::uint64_t{1} << bit;
-    root = larger * larger <= square ? larger : root;
-  }
-  return root;
-}
-
 // The cosine of a layer's elevation: how far its beams' ends are from the sensor's axis, of all
 // that they are away.
 std::uint32_t share_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer) {
@@ -39,8 +30,8 @@ std::uint32_t share_of(const vehicle::Sensor& sensor, const vehicle::Layer& laye
     return layer.range_share;
   }
   const auto square = [](std::int64_t part) { return static_cast<std::uint64_t>(part * part); };
-  const std::uint64_t away =
-      root_of(square(layer.x.forward) + square(layer.y.forward) + square(layer.z.forward));
+  const std::uint64_t away = numeric::square_root(
+      square(layer.x.forward) + square(layer.y.forward) + square(layer.z.forward));
   constexpr int kBits = numeric::kSineFractionBits - vehicle::kAxisFractionBits;
   const std::uint64_t length = std::uint64_t{sensor.range.mm()} * kSubcells;
   const std::uint64_t share = ((away * kCellMm) << kBits) / length;
