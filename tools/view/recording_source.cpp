@@ -164,7 +164,9 @@ class RecordingSource : public Source {
         }
       }
     }
-    file_->warn(options_.path);
+    if (!was_interrupted()) {
+      file_->warn(options_.path);
+    }
   }
 
   // The first datagram that was so long after the first one or longer, by reading on from the last
