@@ -19,7 +19,8 @@ import made_classes
 import made_stream
 from object_parts import MOVES, Object
 
-STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wconversion", "-I", streams.ROOT / "clients/c")
+HEADERS, READER = streams.ROOT / "clients/c", streams.ROOT / "tests/host/clients/reader.c"
+STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wconversion")
 MAIN = """
 int main(void) {
   static unsigned char bytes[65536];
@@ -41,12 +42,12 @@ SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g")
 def program(compiler: str, *options: str):
     streams.FOLDER.mkdir(parents=True, exist_ok=True)
     path = streams.FOLDER / f"reader_{compiler}"
-    compile_to(path, compiler, streams.ROOT / "tests/host/clients/reader.c", *options)
+    compile_to(path, compiler, READER, *options)
     return path
 
 
-def compile_to(path, compiler: str, source, *options: str) -> None:
-    subprocess.run([compiler, *STRICT, "-O2", *options, source, "-lm", "-o", path], check=True)
+def compile_to(path, compiler: str, source, *options: str, headers=HEADERS) -> None:
+    subprocess.run([compiler, *STRICT, "-O2", *options, "-I", headers, source, "-lm", "-o", path], check=True)
 
 
 def said_by(path, messages: list[bytes]) -> list[str]:
@@ -139,7 +140,7 @@ class Header(unittest.TestCase):
         source = streams.FOLDER / "header.cpp"
         source.write_text('#include "iogrid.h"\nstatic iogrid_receiver r;\nint main() { iogrid_init(&r); }\n')
         options = [option for option in STRICT if option != "-std=c99"]
-        subprocess.run(["g++", "-std=c++20", *options, source, "-lm", "-o", streams.FOLDER / "header"], check=True)
+        subprocess.run(["g++", "-std=c++20", *options, "-I", HEADERS, source, "-lm", "-o", streams.FOLDER / "header"], check=True)
 
     def test_another_run(self):
         """The two messages with which another run begins are lost to this reader, which keeps none."""

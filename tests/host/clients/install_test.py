@@ -8,6 +8,7 @@ import subprocess
 import unittest
 
 import streams
+from c_test import READER, compile_to, program, said_by
 
 PROJECT = """
 cmake_minimum_required(VERSION 3.25)
@@ -85,6 +86,16 @@ class Install(unittest.TestCase):
         run("cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
         run("cmake", "--build", build)
         run(build / "user")
+
+    def test_c_is_one_header(self):
+        """To copy: it reads what those read that it is made of, which c_test compares with the Python reader."""
+        (header,) = (self.prefix / "include/iogrid").iterdir()
+        self.assertEqual(header.name, "iogrid.h")
+        self.assertNotIn('#include "', header.read_text())
+        reader, messages = streams.FOLDER / "reader_of_one", streams.messages_of(streams.version_4())
+        compile_to(reader, "gcc", READER, headers=header.parent)
+        self.assertEqual(said_by(reader, messages), said_by(program("gcc"), messages))
+        self.assertGreater(len(said_by(reader, messages)), 5)
 
     def test_python(self):
         packages = self.prefix / "lib/python3/dist-packages"

@@ -1,0 +1,23 @@
+# The headers of this folder as one, to install and to copy:
+#   cmake -DFOLDER=clients/c -DOUTPUT=FILE -P clients/c/one_header.cmake
+# What iogrid.h says of itself, what it includes, what that is made of, its questions.
+set(system "")
+set(sections "")
+foreach(name IN ITEMS iogrid_tiles iogrid_grid iogrid_objects iogrid_receiver iogrid)
+  file(READ "${FOLDER}/${name}.h" text)
+  string(REGEX MATCHALL "#include <[a-z]+\\.h>\n" includes "${text}")
+  list(APPEND system ${includes})
+  string(REGEX REPLACE "#include [<\"][a-z_]+\\.h[>\"]\n" "" text "${text}")
+  string(REGEX MATCH "^(//[^\n]*\n)+" head "${text}")
+  string(REGEX REPLACE "^(//[^\n]*\n)+#ifndef [A-Z_]+\n#define [A-Z_]+\n+" "" text "${text}")
+  string(REGEX REPLACE "\n+#endif\n$" "\n" text "${text}")
+  string(REPLACE ", for iogrid.h" "" section "${head}")
+  if(NOT name STREQUAL iogrid)
+    string(APPEND sections "${section}\n")
+  endif()
+  string(APPEND sections "${text}\n")
+endforeach()
+list(REMOVE_DUPLICATES system)
+list(SORT system)
+list(JOIN system "" system)
+file(WRITE "${OUTPUT}" "${head}#ifndef IOGRID_H\n#define IOGRID_H\n\n${system}\n${sections}#endif\n")
