@@ -37,6 +37,7 @@ class Debugger:
                 assert time.monotonic() < deadline, "QEMU offers no debugger"
                 time.sleep(0.02)
         self._bytes = b""
+        self.is_at_watch = False
 
     def begin(self) -> None:
         self.ask("?")
@@ -100,6 +101,13 @@ class Debugger:
     def forget_break(self, address: int) -> None:
         assert self.ask(f"z0,{address:x},4") == "OK", f"no breakpoint at {address:#x}"
 
+    def watch(self, address: int) -> None:
+        """The machine is stopped before this byte is written, again and again until it is passed: see is_at_watch."""
+        assert self.ask(f"Z2,{address:x},1") == "OK", f"{address:#x} cannot be watched"
+
+    def forget_watch(self, address: int) -> None:
+        assert self.ask(f"z2,{address:x},1") == "OK", f"{address:#x} is not watched"
+
     def go_on(self) -> None:
         """Who stands at a breakpoint has to leave it first: see step()."""
         self._send("c")
@@ -119,6 +127,7 @@ class Debugger:
             packet = self._packet()
         except (AssertionError, ConnectionError):
             return None
+        self.is_at_watch = "watch:" in packet
         return None if packet[0] in "WX" else int(packet[packet.index("thread:") + 7:].split(";")[0].split(".")[-1], 16) - 1
 
     def choose(self, core: int) -> None:

@@ -61,4 +61,7 @@ constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
     IOG_LINE("rounds of the check", "main::check", 0, MemoryCheck, rounds_),
 };
 
+// tests/soak/watched_machine.py looks at it.
+static_assert(offsetof(iog::app::Backlog, is_busy_) == 0);
+
 }  // namespace

@@ -42,7 +42,6 @@ class Machine:
         self.strays = 0  # frames that it should not send
         self.arp_replies = 0  # that it was sent
         self.idle = debugger.symbols_of(image)["iog::imx6::Board::idle()"]
-        self._frame_end = debugger.symbols_of(image)["iog::app::Frame::report(unsigned long long) const"]
         self._console = folder / "console.txt"
         self._console.unlink(missing_ok=True)
         self._wire, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -141,18 +140,6 @@ class Machine:
             self._listen()
             if self.stub in ready and self.stub.stopped_core() is None:
                 raise Ended
-
-    def rest(self, until, patience_s: float) -> None:
-        """It goes on by itself, and is looked at where a frame ends, until until() says so of the messages that have come."""
-        self.leave_break(self.idle)
-        self.stub.forget_break(self.idle)
-        self.stub.break_at(self._frame_end)
-        while not until():
-            self.go_on(patience_s)
-            self.leave_break(self._frame_end)
-        self.stub.forget_break(self._frame_end)
-        self.stub.break_at(self.idle)
-        self.to_idle(patience_s)
 
     def status(self) -> int:
         """Of QEMU, which has ended."""

@@ -5,7 +5,8 @@ source, and core 0 sleeps until it is nearly over, before the loop begins. Nobod
 the Ethernet controller, for which it is long ago.
 """
 
-from machine import PC, Machine
+from machine import PC
+from watched_machine import WatchedMachine
 
 WRAPS = 999  # 2^32 ms are 1000 * 2^32 us
 CROSSING_US = (WRAPS + 1) << 32
@@ -23,7 +24,7 @@ LR, ARGUMENTS = 14, range(4)
 PATIENCE_S = 300
 
 
-def begin(board: Machine, places: dict[str, int], symbols: dict[str, int]) -> None:
+def begin(board: WatchedMachine, places: dict[str, int], symbols: dict[str, int]) -> None:
     """From the reset to the first nap of the loop, a little before they are over."""
     loop, = (address for name, address in symbols.items() if name.startswith("void iog::app::run<"))
     board.stub.forget_break(board.idle)
@@ -34,11 +35,11 @@ def begin(board: Machine, places: dict[str, int], symbols: dict[str, int]) -> No
     write(board, places["wraps of the clock"], WRAPS)
     write(board, places["frame number"], FRAMES - BEFORE_FRAMES)
     board.stub.break_at(board.idle)
-    for _ in range(2):
-        board.to_idle(PATIENCE_S)
+    board.to_idle(PATIENCE_S)
+    board.watch_idle(PATIENCE_S)
 
 
-def sleep(board: Machine, loop: int, before_us: int) -> None:
+def sleep(board: WatchedMachine, loop: int, before_us: int) -> None:
     """Core 0 naps, as the loop does, and comes back to where it is."""
     board.stub.choose(0)
     arguments = {number: board.stub.register(number) for number in ARGUMENTS}  # the first is the board
@@ -64,7 +65,7 @@ def sleep(board: Machine, loop: int, before_us: int) -> None:
         board.stub.set_register(number, value)
 
 
-def write(board: Machine, address: int, value: int) -> None:
+def write(board: WatchedMachine, address: int, value: int) -> None:
     board.stub.write(address, value.to_bytes(4, "little"))
 
 

@@ -14,14 +14,15 @@ import map_chunks
 import near_drive
 import spells
 from grid_stream import Frame
-from machine import Machine, PC
+from machine import PC
 from receiver import Receiver
+from watched_machine import WatchedMachine
 
 PATIENCE_S = 300  # of this PC; all else waits for what the machine says or does
 # Between two drives, by the clocks of poses and scanners: longer than the board's pauses and its reports, which are by its
 # clock. So the window's time never runs ahead of the poses', and stays the same as theirs (docs/spec.md 5.3).
 BETWEEN_S = 3
-TURN_US = 100
+TURN_US = 300
 FIRST_SPELL = 25
 LINK_US, LOST_US = 700_000, 1_200_000  # till it is found to be up or down; till poses are lost
 MOST_IDLES = 2000  # after what was sent for a frame; its time is over after 40
@@ -36,7 +37,7 @@ CHECK_US = 10_000_000  # a round of the check of memory (docs/safety.md)
 class Minutes:
     """One board, minute by minute."""
 
-    def __init__(self, iog: str, board: Machine, folder: pathlib.Path, places: dict[str, int], symbols: dict[str, int]):
+    def __init__(self, iog: str, board: WatchedMachine, folder: pathlib.Path, places: dict[str, int], symbols: dict[str, int]):
         self._iog, self._board, self._folder, self._places, self._symbols = iog, board, folder, places, symbols
         town = near_drive.city_map(iog, folder)
         self._help = symbols["iog::work::Team<iog::imx6::Cores>::help_from(void*, unsigned int)"]
@@ -180,12 +181,11 @@ class Minutes:
             stub.choose(core)
             stub.flip_register(SP, 31)
             return
-        stub.break_at(self._help)
-        while (core := self._board.go_on(PATIENCE_S)) not in self._cores or not self._comes_to_an_item(core):
-            self._board.leave_break(self._board.idle)
+        with self._board.stopped_at(self._help):
+            while not self._comes_to_an_item(core := self._board.go_on(PATIENCE_S)):
+                pass
         stub.choose(core)
         stub.set_register(PC, self._loop)
-        stub.forget_break(self._help)
         self._cores.remove(core)
 
     def _call_in_help(self) -> int:

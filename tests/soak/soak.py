@@ -5,9 +5,9 @@ import pathlib
 from collections.abc import Iterator
 
 import debugger
-from machine import Machine
 from minute import Minutes
 from places import Places
+from watched_machine import WatchedMachine
 
 KNOWN = ("wraps of the clock", "frame number", "rounds of the check", "time beside the poses'")  # places of tests/faults/layout.cpp
 
@@ -15,7 +15,7 @@ KNOWN = ("wraps of the clock", "frame number", "rounds of the check", "time besi
 @contextlib.contextmanager
 def started(iog: str, image: str, layout: str, folder: pathlib.Path) -> Iterator[Minutes]:
     places = Places(image, layout, folder)
-    with Machine(image, folder) as board:
+    with WatchedMachine(image, folder) as board:
         try:
             yield Minutes(iog, board, folder, {kind: places.address_of(kind) for kind in KNOWN}, debugger.symbols_of(image))
         except AssertionError:
