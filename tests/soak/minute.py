@@ -62,6 +62,7 @@ class Minutes:
         before = dict(self._wire.counts)
         begin_us = self._pause(LOST_US)
         course = Course([], [], [], {})
+        due: list[str] = []  # of core_faults
         for at, packets in enumerate(its_drive.frames):
             while plan and plan[0].end <= at:
                 plan.pop(0).finish(self._wire)
@@ -69,9 +70,9 @@ class Minutes:
             if spell and spell.begin == at:
                 course.count(spell.kind)
                 self._begin_spell(spell, rng)
-            if at in core_faults and self._cores:
-                course.count(core_faults[at])
-            self._play_frame(packets, spell, core_faults.get(at) if self._cores else None, course)
+            if at in core_faults:
+                due.append(core_faults[at])
+            self._play_frame(packets, spell, due, course)
             if spell and spell.kind == spells.CUT and at + 1 == spell.end:
                 self._link(True)
         for kind in its_drive.pose_faults:
@@ -147,13 +148,13 @@ class Minutes:
             self._receiver.was_cut()
             self._pause(LINK_US)
 
-    def _play_frame(self, packets: list[capture.Packet], spell: spells.Spell | None, core_fault: str | None,
+    def _play_frame(self, packets: list[capture.Packet], spell: spells.Spell | None, due: list[str],
                     course: "Course") -> None:
         taken = spell.play(packets, self._wire) if spell else spells.Spell("", 0, 0, random.Random(0)).play(packets, self._wire)
         course.sent.append(taken)
         course.times_us.append(self._newest_us)
-        if core_fault:
-            self._lose_core(core_fault)
+        if due and self._cores and self._lose_core(due[0]):
+            course.count(due.pop(0))
         if all(spells.is_pose(packet) for packet in taken):
             self._board.to_idle(PATIENCE_S)
             return
@@ -172,21 +173,25 @@ class Minutes:
             self._board.to_idle(PATIENCE_S)
         raise AssertionError(f"no frame of {len(taken)} packets came; {self._board.console()}")
 
-    def _lose_core(self, kind: str) -> None:
-        """A helper comes to its work with a stack that is nowhere, or hangs in the midst of it."""
-        stub = self._board.stub
+    def _lose_core(self, kind: str) -> bool:
+        """A helper comes to its work with a stack that is nowhere, or hangs in the midst of it; not if core 0 has done all
+        of a frame before any other came to it."""
+        stub, board = self._board.stub, self._board
         self._calls_an_item = self._calls_an_item or self._call_in_help()
         if kind == "a core faults":
             core = self._cores.pop()
             stub.choose(core)
             stub.flip_register(SP, 31)
-            return
-        with self._board.stopped_at(self._help):
-            while not self._comes_to_an_item(core := self._board.go_on(PATIENCE_S)):
-                pass
+            return True
+        with board.stopped_at(self._help, board.frame_end):
+            while not self._comes_to_an_item(core := board.go_on(PATIENCE_S)):
+                if board.pc(0) == board.frame_end:
+                    board.leave_break(board.frame_end)
+                    return False
         stub.choose(core)
         stub.set_register(PC, self._loop)
         self._cores.remove(core)
+        return True
 
     def _call_in_help(self) -> int:
         """Where a core in a round of work calls the item that it has taken."""
@@ -195,9 +200,9 @@ class Minutes:
         return begin + 4 * next(at for at, word in enumerate(words) if word & CALL_MASK == CALL)
 
     def _comes_to_an_item(self, core: int) -> bool:
-        """Step by step, or it goes away again since others have taken all of them."""
+        """Step by step, or it goes away again since others have taken all of them. Core 0 does not come by help()."""
         has_looked = False
-        while True:
+        while core != 0:
             self._board.stub.step(core)
             pc = self._board.pc(core)
             if pc == self._calls_an_item:
@@ -205,6 +210,7 @@ class Minutes:
             has_looked = has_looked or pc == self._symbols[HELP]
             if has_looked and self._help <= pc < self._help + HELP_FROM_BYTES:
                 return False
+        return False
 
     # What must be right.
 

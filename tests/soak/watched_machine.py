@@ -21,7 +21,7 @@ class WatchedMachine(Machine):
     def __init__(self, image: str, folder: pathlib.Path):
         super().__init__(image, folder)
         symbols = debugger.symbols_of(image)
-        self._frame_end = symbols["iog::app::Frame::report(unsigned long long) const"]
+        self.frame_end = symbols["iog::app::Frame::report(unsigned long long) const"]
         self._pass, = (address for name, address in symbols.items() if name.startswith("bool iog::app::pass<"))
         self._busy = 0  # address of the byte
         self._store: tuple[int, int] | None = None  # that it is stopped before: where, and of what
@@ -61,19 +61,21 @@ class WatchedMachine(Machine):
 
     def rest(self, until, patience_s: float) -> None:
         """It goes on by itself, and is looked at where a frame ends, until until() says so of the messages that have come."""
-        with self.stopped_at(self._frame_end):
+        with self.stopped_at(self.frame_end):
             while not until():
                 self.go_on(patience_s)
-                self.leave_break(self._frame_end)
+                self.leave_break(self.frame_end)
         self.to_idle(patience_s)
 
     @contextlib.contextmanager
-    def stopped_at(self, address: int) -> Iterator[None]:
+    def stopped_at(self, *addresses: int) -> Iterator[None]:
         """Where any core comes there, and not before it sleeps: of two cores that stop at once QEMU tells of one."""
         self.stub.forget_watch(self._busy)
-        self.stub.break_at(address)
+        for address in addresses:
+            self.stub.break_at(address)
         yield
-        self.stub.forget_break(address)
+        for address in addresses:
+            self.stub.forget_break(address)
         self.stub.watch(self._busy)
 
     def _read_store(self) -> tuple[int, int]:
