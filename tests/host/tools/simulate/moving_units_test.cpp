@@ -71,22 +71,28 @@ struct Seen {
   double share;  // of the turn, when it was measured
 };
 
-// The points of nearly level beams of some turns, placed from the pose of the packet's time, or of
-// the turn's end.
-std::vector<Seen> seen_by(const std::string& car_name, bool at_end_of_turn) {
+// The points of nearly level beams of some turns, placed from the pose of each packet's time, and
+// of each turn's end.
+struct Placed {
+  std::vector<Seen> by_packet;
+  std::vector<Seen> by_turn;
+};
+
+Placed placed_by(const std::string& car_name) {
   const CatalogueEntry& car = find_vehicle(car_name);
   const description::SensorConfig& sensor = car.sensors[0];
   const vehicle::Sensor& decoding = car.vehicle->sensors[0];
   const std::int32_t turn = lidar::ticks_per_turn(sensor.format);
   Drive drive(car, 1, 1, wall_ahead(), Motion::kContinuous);
-  std::vector<Seen> seen;
+  Placed placed;
   for (std::uint32_t frame = 3; frame < 6; ++frame) {
+    const Placement at_end = drive.scene().ego_at((frame + 1) / 10.0).at;
     for (const CapturedDatagram& datagram : drive.datagrams(frame)) {
       const auto packet = intake::Packet::decode(sensor.format, datagram.payload, decoding.unit());
       const std::uint64_t measured_us =
           intake::measured_us(decoding, packet.info(), datagram.time_us);
       const double time_s = static_cast<double>(measured_us - kDriveStartUs) / 1e6;
-      const Placement ego = drive.scene().ego_at(at_end_of_turn ? (frame + 1) / 10.0 : time_s).at;
+      const Placement then = drive.scene().ego_at(time_s).at;
       packet.for_each_point([&](const lidar::ScanPoint& point) {
         const double elevation = elevation_of(sensor, point.layer);
         if (point.range_mm == 0 || std::abs(elevation) > 2.5 * kDegree) {
@@ -95,13 +101,26 @@ std::vector<Seen> seen_by(const std::string& car_name, bool at_end_of_turn) {
         const double azimuth =
             point.azimuth_ticks * 2 * std::numbers::pi / turn + sensor.mount.yaw_deg * kDegree;
         const double range_m = point.range_mm / 1000.0 * std::cos(elevation);
-        const Placement at = moved(ego, sensor.mount.x_m + range_m * std::cos(azimuth),
-                                   sensor.mount.y_m + range_m * std::sin(azimuth));
-        seen.push_back({at.x, time_s * 10 - frame});
+        const double x = sensor.mount.x_m + range_m * std::cos(azimuth);
+        const double y = sensor.mount.y_m + range_m * std::sin(azimuth);
+        placed.by_packet.push_back({moved(then, x, y).x, time_s * 10 - frame});
+        placed.by_turn.push_back({moved(at_end, x, y).x, time_s * 10 - frame});
       });
     }
   }
-  return seen;
+  return placed;
+}
+
+// Of all cars: to make their drives takes longer than to look at them, so each is made once.
+const std::map<std::string, Placed>& placed_of_all() {
+  static const std::map<std::string, Placed> kPlaced = [] {
+    std::map<std::string, Placed> placed;
+    for (const std::string& car : kCars) {
+      placed.emplace(car, placed_by(car));
+    }
+    return placed;
+  }();
+  return kPlaced;
 }
 
 // Mean distance from the wall's face of the points in a part of the turn.
@@ -120,19 +139,19 @@ double off_wall(const std::vector<Seen>& seen, double from_share, double to_shar
 }
 
 // The head looks forward when a turn begins and when it ends, an Ouster's backward.
-TEST(MovingUnits, AWallIsStraightFromTheCarsPoseOfEachPacket) {
+TEST(MovingUnitsOfAllCars, AWallIsStraightFromTheCarsPoseOfEachPacket) {
   for (const std::string& car : kCars) {
     const bool is_ouster = car.starts_with("roof_os");
-    const std::vector<Seen> seen = seen_by(car, false);
+    const std::vector<Seen>& seen = placed_of_all().at(car).by_packet;
     for (const double share : is_ouster ? std::vector{0.4, 0.5} : std::vector{0.0, 0.9}) {
       EXPECT_NEAR(off_wall(seen, share, share + 0.1, 0.5), 0, 0.025) << car << " " << share;
     }
   }
 }
 
-TEST(MovingUnits, AWallIsBentFromOnePoseOfTheTurn) {
+TEST(MovingUnitsOfAllCars, AWallIsBentFromOnePoseOfTheTurn) {
   for (const std::string& car : kCars) {
-    const std::vector<Seen> seen = seen_by(car, true);
+    const std::vector<Seen>& seen = placed_of_all().at(car).by_turn;
     // What was measured a whole turn before its end is up to a metre farther ahead from there; an
     // Ouster looks forward in the middle of its turn.
     const double share = car.starts_with("roof_os") ? 0.4 : 0.0;
@@ -213,15 +232,19 @@ Vector3 place_of(const lidar::ScanPoint& point, const description::SensorConfig&
                 {ego.at.x, ego.at.y, ego.z});
 }
 
+// Drives share the ground, which is computed where one of them asks for it.
 Drive leaning_drive_over_hills(const std::string& car) {
-  Scene scene = find_scene("hills").make(1, 2);
-  scene.attitude.emplace(1);
-  return Drive(find_vehicle(car), 1, 2, std::move(scene), Motion::kContinuous);
+  static const Scene kHills = [] {
+    Scene scene = find_scene("hills").make(1, 2);
+    scene.attitude.emplace(1);
+    return scene;
+  }();
+  return Drive(find_vehicle(car), 1, 2, kHills, Motion::kContinuous);
 }
 
 // What a packet says, placed by mount and pose, is where its truth says: but for the error of a
 // range and what the car does within a packet. The car climbs by 5 degrees.
-TEST(MovingUnits, APointIsWhereItsTruthSays) {
+TEST(MovingUnitsOfAllCars, APointIsWhereItsTruthSays) {
   for (const std::string& name : kCars) {
     const description::SensorConfig& sensor = find_vehicle(name).sensors[0];
     const vehicle::Sensor& decoding = find_vehicle(name).vehicle->sensors[0];
@@ -269,7 +292,7 @@ std::uint32_t crc_of_drives(const std::vector<std::string>& cars) {
 }
 
 // Every compiler and machine must get these bytes; whoever changes the world on purpose pins anew.
-TEST(MovingUnits, BytesArePinned) {
+TEST(MovingUnitsOfAllCars, BytesArePinned) {
   EXPECT_EQ(crc_of_drives({"roof_hdl32e", "roof_hdl64e", "roof_os1_64", "roof_pandar64",
                            "roof_vlp16", "roof_vlp32c", "roof_xt32"}),
             0x15094FE7U);
