@@ -1,10 +1,11 @@
 # Asks an executable of GoogleTest for its suites, and writes for ctest one test for each,
 # `<room>/<Suite>`. It is run when the executable has been built:
 #
-#   cmake -D EXECUTABLE=<path> [-D RUNNER=<path>] -D ROOM=<room> -D LABEL=<label> -D OUTPUT=<file>
-#     -P list_suites.cmake
+#   cmake -D EXECUTABLE=<path> [-D RUNNER=<path>] -D ROOM=<room> -D LABEL=<label> [-D LONG=<suites>]
+#     -D OUTPUT=<file> -P list_suites.cmake
 #
-# RUNNER: what starts the executable where this machine cannot.
+# RUNNER: what starts the executable where this machine cannot. LONG: suites whose label is <label>_all.
+cmake_policy(SET CMP0057 NEW)  # IN_LIST
 execute_process(COMMAND ${RUNNER} ${EXECUTABLE} --gtest_list_tests
   TIMEOUT 60 OUTPUT_VARIABLE listed RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
@@ -26,11 +27,20 @@ if(NOT RUNNER)
   set(environment " ENVIRONMENT ${tunables}")
 endif()
 
+list(TRANSFORM suites REPLACE "[\n.]" "")
+foreach(suite IN LISTS LONG)
+  if(NOT suite IN_LIST suites)
+    message(FATAL_ERROR "${EXECUTABLE} has no suite ${suite} that could be long:\n${listed}")
+  endif()
+endforeach()
 set(script "")
 foreach(suite IN LISTS suites)
-  string(REGEX REPLACE "[\n.]" "" suite "${suite}")
+  set(label ${LABEL})
+  if(suite IN_LIST LONG)
+    string(APPEND label _all)
+  endif()
   string(APPEND script
     "add_test([[${ROOM}/${suite}]] ${RUNNER} [[${EXECUTABLE}]] [[--gtest_filter=${suite}.*]])\n"
-    "set_tests_properties([[${ROOM}/${suite}]] PROPERTIES LABELS ${LABEL} TIMEOUT 600${environment})\n")
+    "set_tests_properties([[${ROOM}/${suite}]] PROPERTIES LABELS ${label} TIMEOUT 600${environment})\n")
 endforeach()
 file(WRITE ${OUTPUT} "${script}")

@@ -97,7 +97,7 @@ void expect_found(const Case& which, const MountFit& fit) {
   EXPECT_NEAR(fit.z_m.value, 1.7, 0.02) << which.car << " " << which.scene;
 }
 
-TEST(MountDrive, AWrongFileIsPutRight) {
+TEST(MountDrives, AWrongFileIsPutRight) {
   for (const Case& which : {Case{"roof_vlp16", "street", 3, -5, 0.3},
                             Case{"roof_vlp16", "ring_road", -5, 3, -0.3, 90}}) {
     const Read read(which, 12, 1);
@@ -112,7 +112,7 @@ TEST(MountDrive, LossOfPacketsIsNoMatter) {
 }
 
 // Every fourth turn: the car nods by 0.2 degrees, and so do fourteen turns that follow one another.
-TEST(MountDrive, IsThatOfEveryUnit) {
+TEST(MountDrives, IsThatOfEveryUnit) {
   for (const Case& which :
        {Case{"roof_hdl64e", "ring_road", 3, 0, 0.3}, Case{"roof_os1_64", "ring_road", 0, -5, -0.3},
         Case{"roof_pandar64", "ring_road", -3, 3, 0.3, 180},
