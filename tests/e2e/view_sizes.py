@@ -5,8 +5,8 @@ import pathlib
 from browser import Browser
 from viewer import GridPage, Viewer
 
-SIZES = [(1366, 768), (1280, 800), (1024, 600), (800, 500), (640, 400), (360, 640), (390, 844), (420, 800),
-         (844, 390), (768, 1024), (1920, 1080), (3840, 2160)]
+SIZES = [(1366, 768), (640, 400), (360, 640), (844, 390)]  # of every day: a usual one, and those with the least room
+MORE_SIZES = [(1280, 800), (1024, 600), (800, 500), (390, 844), (420, 800), (768, 1024), (1920, 1080), (3840, 2160)]
 MOST_COVERED = 0.35  # of the grid, by what lies on it
 FOLDS = ("overlays", "legend", "charts")
 
@@ -105,18 +105,18 @@ def faults_of_folds(page: GridPage) -> list[str]:
     return faults
 
 
-def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
+def check(iog: str, folder: pathlib.Path, browser: Browser, sizes: list[tuple[int, int]]) -> None:
     """Nothing covers anything else, and no words the car: at the beginning, and with a cell under the mouse, the
     picture moved away from the car, and the legends of two overlays. Panels fold."""
     faults = []
     with Viewer(iog, "--simulate", "city") as viewer:
         window = browser.open(viewer.address)
-        for width, height in SIZES:
+        for width, height in sizes:
             viewer.go_on()
             window.load(viewer.address, width, height)
             page = GridPage(window)
             page.page.wait_for("iogPage.history.count > 2 && iogPage.view.scaleBar && iogPage.view.vehicle")
-            # What does not change need not be drawn, and twelve times in software that is a minute's work.
+            # What does not change need not be drawn: in software that takes seconds each time.
             page.hold_still()
             viewer.halt()
             page.page.value(SAY)
