@@ -62,7 +62,8 @@ class Ground {
     }
     return {};
   }
-  // How high a return is at least that is tall.
+  // How high over the highest ground nearby a return is at least that is tall: a bank that begins
+  // within a bin or two is not tall over the ground before it. 0: each is.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
   // How a packet of the sensor sees the car tilted. Packet: has for_each_sample(). ray_of(step,
@@ -130,8 +131,13 @@ class PacketJudge {
   [[nodiscard]] Judged judge(std::uint32_t sector, std::uint32_t out_mm, std::int32_t z_mm) const {
     const Bins bins = beams_->bins();
     lows_->add(bins, sector, out_mm, z_mm);
-    const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_mm) - tilt_.at(out_mm);
-    return {.fate = fate_of(ground::judge(limits_, over)), .is_tall = over >= tall_mm_};
+    const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
+    const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_level_mm);
+    // Most returns are not even so high over their own ground, which is never higher.
+    const bool is_tall =
+        over >= tall_mm_ &&
+        (tall_mm_ == 0 || surface_->height_over_near(bins, sector, out_mm, z_level_mm) >= tall_mm_);
+    return {.fate = fate_of(ground::judge(limits_, over)), .is_tall = is_tall};
   }
 
  private:

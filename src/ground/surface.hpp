@@ -35,14 +35,23 @@ class Surface {
   // is at most 2^30; |z_mm| <= 2^20 leaves the result below 2^21.
   [[nodiscard]] std::int32_t height_over(Bins bins, std::uint32_t sector, std::uint32_t along_mm,
                                          std::int32_t z_mm) const {
-    std::uint32_t bin = bins.bin_of(along_mm);
-    std::int32_t part = bins.in_bin_mm(along_mm);
-    if (bin >= kBins) [[unlikely]] {
-      bin = kBins - 1;
-      part = static_cast<std::int32_t>(std::min(along_mm - bin * bins.length_mm(), kBeyondMm));
-    }
-    const std::int16_t* start = &rows_[sector][bin];
-    return z_mm - start[0] - (((start[1] - start[0]) * part) >> bins.shift());
+    const Place at = place_of(bins, along_mm);
+    const std::int16_t* start = &rows_[sector][static_cast<std::size_t>(at.bin)];
+    return z_mm - between(bins, start[0], start[1], at.part_mm);
+  }
+
+  // The same over the highest ground nearby: as if every start were as high as the highest of those
+  // at most two bins before and behind it.
+  [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
+                                              std::uint32_t along_mm, std::int32_t z_mm) const {
+    const Place at = place_of(bins, along_mm);
+    const auto height = [&](std::int32_t start) {
+      return rows_[sector][static_cast<std::size_t>(std::clamp<std::int32_t>(start, 0, kBins))];
+    };
+    const std::int16_t near_both =
+        std::max({height(at.bin - 1), height(at.bin), height(at.bin + 1), height(at.bin + 2)});
+    return z_mm - between(bins, std::max(near_both, height(at.bin - 2)),
+                          std::max(near_both, height(at.bin + 3)), at.part_mm);
   }
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }
@@ -67,6 +76,23 @@ class Surface {
  private:
   static constexpr std::uint32_t kBeyondMm = 16'384;
   static constexpr std::uint8_t kNever = 255;
+
+  struct Place {
+    std::int32_t bin;
+    std::int32_t part_mm;
+  };
+  static constexpr Place place_of(Bins bins, std::uint32_t along_mm) {
+    const std::uint32_t bin = bins.bin_of(along_mm);
+    if (bin >= kBins) [[unlikely]] {
+      const std::uint32_t begin_mm = std::uint32_t{kBins - 1} << bins.shift();
+      return {kBins - 1, static_cast<std::int32_t>(std::min(along_mm - begin_mm, kBeyondMm))};
+    }
+    return {static_cast<std::int32_t>(bin), bins.in_bin_mm(along_mm)};
+  }
+  static constexpr std::int32_t between(Bins bins, std::int32_t start, std::int32_t end,
+                                        std::int32_t part_mm) {
+    return start + (((end - start) * part_mm) >> bins.shift());
+  }
 
   static constexpr std::array<std::uint8_t, kSectors> none() {
     std::array<std::uint8_t, kSectors> turns{};

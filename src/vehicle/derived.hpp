@@ -75,10 +75,15 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
                                length_mm);
 }
 
-// Ground is opened only from below if one of the sensors says how low and how tall.
+// Ground is opened only from below if one of the sensors says how low and how tall; what is tall
+// counts farther if one of those follows the ground.
 constexpr void derive_rules(std::span<const Sensor> sensors, window::Rules& rules) {
   rules.is_opened_from_below =
       std::ranges::any_of(sensors, [](const Sensor& sensor) { return sensor.moved.are_given(); });
+  const bool is_over_ground = std::ranges::any_of(sensors, [](const Sensor& sensor) {
+    return sensor.moved.tall_mm != 0 && sensor.ground.is_followed();
+  });
+  rules.tall_within = is_over_ground ? window::kTallOverGroundWithin : window::kTallWithin;
 }
 
 }  // namespace iog::vehicle

@@ -33,12 +33,23 @@ bool is_any_on(const Plane& hits, const Ground& ground) {
   return bits != 0;
 }
 
+// The cells of a tile that are near a tall hit.
+Plane near_tall(const NinePlanes& tall, int within) {
+  if (within == kTallWithin) {
+    return middle_of(dilated<kTallWithin>(gather<kTallWithin>(tall)));
+  }
+  static_assert(kTallOverGroundWithin == 3 + 3 + 2);
+  return middle_of(dilated<2>(dilated<3>(dilated<3>(gather<kTallOverGroundWithin>(tall)))));
+}
+
 // Of the hits of a tile those that something made which is tall and came where a low beam had been.
 void keep_arriving(const Window& window, const FrameEvidence& evidence, std::size_t slot,
-                   Plane& hits) {
-  const Plane tall = middle_of(dilated<kRadius>(gather<kRadius>(window.around(
-      slot, [&](std::size_t at) { return evidence.has_hit(at); },
-      [&](std::size_t at) -> const Plane& { return evidence.tall(at); }))));
+                   int tall_within, Plane& hits) {
+  const Plane tall =
+      near_tall(window.around(
+                    slot, [&](std::size_t at) { return evidence.has_hit(at); },
+                    [&](std::size_t at) -> const Plane& { return evidence.tall(at); }),
+                tall_within);
   const Plane& from_below = window.tile(slot).from_below;
   for (std::size_t y = 0; y < hits.size(); ++y) {
     hits[y] &= from_below[y] & tall[y];
@@ -82,7 +93,7 @@ void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std
     return;
   }
   if (is_from_below_) {
-    keep_arriving(window, evidence, slot, hits);
+    keep_arriving(window, evidence, slot, tall_within_, hits);
   }
   const Plane beside = middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));
   const Tile& tile = window.tile(slot);

@@ -2,8 +2,8 @@
 // what stands.
 //
 // Where ground is opened only from below (window/opening.hpp), a hit counts only if its cell was,
-// and if one of the hits in the 7 by 7 is tall: what lies so low that beams go over it does not
-// move.
+// and if one of the hits at most Rules::tall_within away is tall: what lies so low that beams go
+// over it does not move.
 //
 // All of it is asked of the state before the frame. A hit is *beside* if one of the 3 by 3 cells
 // stands. It is *new* if its cell is open, freed, and it is not beside. It has moved if it is not
@@ -16,14 +16,15 @@
 #include <cstdint>
 
 #include "window/frame_evidence.hpp"
+#include "window/rules.hpp"
 #include "window/window.hpp"
 
 namespace iog::window {
 
 class Arrivals {
  public:
-  // is_from_below: ground is opened only from below.
-  explicit Arrivals(bool is_from_below = false) : is_from_below_(is_from_below) {}
+  explicit Arrivals(const Rules& rules = {})
+      : is_from_below_(rules.is_opened_from_below), tall_within_(rules.tall_within) {}
 
   // Of all hits of a frame, before any tile is changed.
   void find(const Window& window, const FrameEvidence& evidence);
@@ -44,6 +45,7 @@ class Arrivals {
   void count_new(const Window& window, std::size_t slot);
 
   bool is_from_below_;
+  int tall_within_;
   // Of a tile without new hits, or without open ones, what is stored is of an older frame.
   std::array<bool, kSlotCount> has_new_{};
   std::array<bool, kSlotCount> has_open_{};

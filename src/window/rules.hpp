@@ -24,6 +24,12 @@ inline constexpr std::uint32_t kGroupCycles = 500;
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 
+// So many cells away along either axis, at most, is the tall hit beside which a hit can arrive; and
+// where few are tall, because they have to be so over the highest ground nearby, too
+// (ground/ground.hpp).
+inline constexpr int kTallWithin = 3;
+inline constexpr int kTallOverGroundWithin = 8;
+
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
@@ -33,6 +39,8 @@ struct Rules {
   // Ground is opened only from below (window/opening.hpp): one of the sensors says how low and how
   // tall.
   bool is_opened_from_below = false;
+  // kTallWithin or kTallOverGroundWithin.
+  int tall_within = kTallWithin;
   std::uint32_t group_budget = kGroupBudget;
 };
 

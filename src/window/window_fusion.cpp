@@ -28,7 +28,7 @@ WindowFusion::WindowFusion(const Rules& rules, bool is_followed)
     : rules_(rules),
       is_followed_(is_followed),
       clock_(rules.discounting, rules.weighing),
-      arrivals_(rules.is_opened_from_below) {}
+      arrivals_(rules) {}
 
 // Evidence lies by slot, and would be of other tiles if the window moved under it.
 void WindowFusion::follow(const pose::Pose& pose) {

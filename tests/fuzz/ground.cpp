@@ -101,6 +101,9 @@ class Ground {
       const std::int32_t over = surface_.height_over(bins_, its.sector, its.along_mm, its.z_mm);
       law(over == reference_.height_over(its.sector, its.along_mm, its.z_mm),
           "a height is the reference's");
+      law(surface_.height_over_near(bins_, its.sector, its.along_mm, its.z_mm) ==
+              reference_.height_over_near(its.sector, its.along_mm, its.z_mm),
+          "a height over the highest ground nearby is the reference's");
       if (expected_samples.size() < Samples::kMost && its.along_mm >= ground::kFirstSampleMm &&
           its.along_mm < ground::kEndOfSamplesMm) {
         samples.add(its.along_mm, over);

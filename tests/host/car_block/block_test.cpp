@@ -85,6 +85,9 @@ TEST(CarBlock, WhatSharesAByteComesBackByItself) {
     EXPECT_TRUE(read.layers_share_lines) << bits;
     EXPECT_EQ(read.ground.is_followed(), (bits & 1U) != 0);
     EXPECT_EQ(read.moved.are_given(), (bits & 2U) != 0);
+    // What is tall counts farther only where a sensor with both keys judges it.
+    EXPECT_EQ(bytes.car.window.tall_within,
+              bits == 3 ? window::kTallOverGroundWithin : window::kTallWithin);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,6 +35,7 @@ struct GroundRule {
   Whole beside = 60;
   Whole over_lowest = 150;
   Whole turns_kept = 10;
+  Whole near_bins = 2;
 };
 
 // What a sensor that turns knows of the ground.
@@ -74,12 +76,21 @@ class ReferenceGround {
   [[nodiscard]] std::optional<Whole> turns_kept(Whole sector) const { return kept_[at(sector)]; }
 
   [[nodiscard]] Whole height_over(Whole sector, Whole along_mm, Whole z_mm) const {
-    const Whole bin = std::min(along_mm / bin_mm_, kBins - 1);
-    const Whole part = std::min<Whole>(along_mm - bin * bin_mm_, 16'384);
+    return height_over_row(rows_[at(sector)], along_mm, z_mm);
+  }
+
+  // The same with each start as high as the highest of those nearby.
+  [[nodiscard]] Whole height_over_near(Whole sector, Whole along_mm, Whole z_mm) const {
     const std::vector<Whole>& its = rows_[at(sector)];
-    const Whole rise = its[at(bin + 1)] - its[at(bin)];
-    // A part of a bin is less than one of them, but behind the last one.
-    return z_mm - its[at(bin)] - floor_of(rise * part, bin_mm_);
+    std::vector<Whole> highest = its;
+    for (Whole start = 0; start <= kBins; ++start) {
+      for (Whole near = 0; near <= kBins; ++near) {
+        if (std::abs(near - start) <= rule_.near_bins) {
+          highest[at(start)] = std::max(highest[at(start)], its[at(near)]);
+        }
+      }
+    }
+    return height_over_row(highest, along_mm, z_mm);
   }
 
   static constexpr Whole kSectors = 256;
@@ -98,6 +109,15 @@ class ReferenceGround {
   static std::size_t at(Whole index) { return static_cast<std::size_t>(index); }
   static Whole around(Whole sector) { return (sector + kSectors) % kSectors; }
   [[nodiscard]] Whole of_bin(Whole of_1024_mm) const { return of_1024_mm * bin_mm_ / 1024; }
+
+  [[nodiscard]] Whole height_over_row(const std::vector<Whole>& its, Whole along_mm,
+                                      Whole z_mm) const {
+    const Whole bin = std::min(along_mm / bin_mm_, kBins - 1);
+    const Whole part = std::min<Whole>(along_mm - bin * bin_mm_, 16'384);
+    const Whole rise = its[at(bin + 1)] - its[at(bin)];
+    // A part of a bin is less than one of them, but behind the last one.
+    return z_mm - its[at(bin)] - floor_of(rise * part, bin_mm_);
+  }
 
   [[nodiscard]] bool has_returns(Whole sector) const {
     const auto row = std::span(lowest_).subspan(at(sector * kBins), at(kBins));

@@ -107,7 +107,7 @@ class AlonePoints {
     ASSERT_EQ(fate, expected) << point.range_mm << ", " << point.azimuth_ticks;
     ++fates_[static_cast<std::size_t>(fate)];
     expect_cells(*ray, point, fate, exit_of(beams_, row(place), point.layer));
-    expect_heights(*ray, point, row(place), over(place) - tilt.at(place.along_mm));
+    expect_heights(*ray, point, row(place), over_near(place) - tilt.at(place.along_mm));
     fusion_->clear();
   }
 
@@ -129,6 +129,9 @@ class AlonePoints {
   }
   [[nodiscard]] Whole over(const Place& place) const {
     return surfaces_->reference.height_over(place.sector, place.along_mm, place.z_mm);
+  }
+  [[nodiscard]] Whole over_near(const Place& place) const {
+    return surfaces_->reference.height_over_near(place.sector, place.along_mm, place.z_mm);
   }
   [[nodiscard]] const std::vector<Whole>& row(const Place& place) const {
     return surfaces_->reference.row(place.sector);
@@ -181,7 +184,7 @@ class AlonePoints {
   }
 
   // The beam has come so low where it first is not over the lower limit any more, if it has not
-  // risen over the upper one.
+  // risen over the upper one. A hit is tall by the highest ground nearby.
   void expect_heights(const TurningRay& ray, const ScanPoint& point, const std::vector<Whole>& row,
                       Whole hit_mm) {
     const std::int64_t low_mm = exit_of(beams_, row, point.layer, {kMoved.low_mm, kLimits.top_mm});

@@ -79,6 +79,54 @@ TEST(Ground, BeamsAreLowWhereTheyAreAtMostAsHighAsOpensIt) {
   EXPECT_NEAR(any.to_mm, 700 / kSine, 4);
 }
 
+// From where on a return is tall where a bin begins, over the ground of that place, in mm. The
+// ground is at 0 up to the middle of bin 19 and at `rise_mm` from that of bin 20 on.
+std::int32_t tall_from(std::int32_t rise_mm, std::uint32_t bin, std::uint16_t tall_mm) {
+  const tests::GroundCar car{
+      tests::MixedCar::kVehicle, {220, 2'200}, {.low_mm = 600, .tall_mm = tall_mm}};
+  const auto grounds = std::make_unique<Grounds>(car.vehicle());
+  const Ground& ground = tests::ground_of(*grounds, 0);
+  const Bins bins = ground.beams().bins();
+  Lows lows;
+  for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+    for (std::uint32_t number = 0; number < 40; ++number) {
+      lows.add(bins, sector, number * bins.length_mm() + bins.length_mm() / 2,
+               number < 20 ? 0 : rise_mm);
+    }
+  }
+  grounds->close_turn(0, lows);
+  const PacketJudge judge(ground, lows, {});
+  const std::uint32_t along_mm = bin * bins.length_mm();
+  const std::int32_t ground_mm = -ground.surface().height_over(bins, 100, along_mm, 0);
+  std::int32_t over_mm = 0;
+  while (over_mm < 2'000 && !judge.judge(100, along_mm, ground_mm + over_mm).is_tall) {
+    ++over_mm;
+  }
+  return over_mm;
+}
+
+// A walker on flat ground, beside a kerb of 12 cm, and where a bank begins, whose own returns are
+// no more than it is high: also beside a drop. Three bins before it and on top of it the bank does
+// not count.
+TEST(PacketJudge, WhatIsTallIsSoOverTheHighestGroundNearby) {
+  for (const std::uint16_t tall_mm : {std::uint16_t{300}, std::uint16_t{500}}) {
+    for (const std::uint32_t bin : {10U, 19U, 20U, 30U}) {
+      EXPECT_EQ(tall_from(0, bin, tall_mm), tall_mm);
+    }
+    EXPECT_EQ(tall_from(120, 19, tall_mm), tall_mm + 120);
+    EXPECT_EQ(tall_from(200, 17, tall_mm), tall_mm);
+    EXPECT_EQ(tall_from(200, 18, tall_mm), tall_mm + 100);  // half way up the slope
+    EXPECT_EQ(tall_from(200, 19, tall_mm), tall_mm + 200);
+    EXPECT_EQ(tall_from(200, 21, tall_mm), tall_mm);
+    EXPECT_EQ(tall_from(-200, 19, tall_mm), tall_mm);
+    EXPECT_EQ(tall_from(-200, 21, tall_mm), tall_mm + 200);
+    EXPECT_EQ(tall_from(-200, 23, tall_mm), tall_mm);
+  }
+}
+
+// With a tall_m of 0 whatever is hit is tall, before a bank, too.
+TEST(PacketJudge, EachReturnIsTallIfTheCarSaysSo) { EXPECT_EQ(tall_from(200, 19, 0), 0); }
+
 // Whatever becomes of it.
 TEST(PacketJudge, EachReturnIsAmongTheLows) {
   const Bench bench;

@@ -23,6 +23,39 @@ TEST(Surface, IsTheCarsPlaneBeforeTheFirstTurn) {
   }
 }
 
+// As if each start were as high as the highest one from two bins before to two behind: on stairs in
+// both directions, at the row's ends and behind them, in rational numbers.
+TEST(Surface, IsAsHighAsTheHighestGroundNearby) {
+  Random random(6);
+  for (const Bins bins : {Bins(50'000), Bins(120'000)}) {
+    const tests::Whole length = bins.length_mm();
+    for (int i = 0; i < 20'000; ++i) {
+      Surface surface;
+      const auto sector = static_cast<std::uint32_t>(random.below(kSectors));
+      Surface::Row& row = surface.renew(sector);
+      for (std::int16_t& start : row) {
+        start = static_cast<std::int16_t>(random.between(-14'000, 14'000));
+      }
+      const auto highest = [&](tests::Whole start) {
+        tests::Whole most = -32'000;
+        for (tests::Whole near = std::max<tests::Whole>(start - 2, 0);
+             near <= std::min<tests::Whole>(start + 2, 64); ++near) {
+          most = std::max<tests::Whole>(most, row[static_cast<std::size_t>(near)]);
+        }
+        return most;
+      };
+      const std::int32_t along = random.between(0, random.one_in(4) ? (1 << 20) - 1 : 130'000);
+      const std::int32_t z = random.between(-(1 << 20), 1 << 20);
+      const tests::Whole bin = std::min<tests::Whole>(along / length, 63);
+      const tests::Whole part = std::min<tests::Whole>(along - bin * length, 16'384);
+      const tests::Whole start = highest(bin);
+      const tests::Whole rise = highest(bin + 1) - start;
+      ASSERT_EQ(surface.height_over_near(bins, sector, static_cast<std::uint32_t>(along), z),
+                z - start - tests::floor_of(rise * part, length));
+    }
+  }
+}
+
 // From one start of a bin to the next, rounded down, and on behind the last one for 16.4 m: in
 // rational numbers.
 TEST(Surface, IsStraightBetweenTheStartsOfBins) {

@@ -84,6 +84,31 @@ TEST_P(OpenedFromBelow, WhatIsBesideATallHitMovesWithIt) {
   EXPECT_EQ(in_the_middle(), Class::kMoving);
 }
 
+// Where few hits are tall because the ground nearby is asked, too, up to eight cells away.
+TEST(OpenedOverGround, WhatIsNearATallHitMovesWithIt) {
+  for (const int away : {3, 4, 8, 9}) {
+    for (const int within : {kTallWithin, kTallOverGroundWithin}) {
+      for (const bool is_across : {false, true}) {
+        Fusion fusion{Rules{.is_opened_from_below = true, .tall_within = within}};
+        fusion.follow({0, 0});
+        PlacedSlice ground;
+        ground.slice.draw({504, 504}, std::vector<std::string>(32, std::string(32, ',')));
+        for (int i = 0; i < 50; ++i) {
+          fusion.frame({ground});
+        }
+        PlacedSlice walker = ground;
+        walker.slice.draw({519, 519}, std::vector<std::string>(3, std::string(3, '#')));
+        const int beside = away + 1;  // of the middle: from the border `away`
+        walker.slice.draw(is_across ? Cell{520, 520 + beside} : Cell{520 + beside, 520}, {"T"});
+        fusion.frame({walker});
+        const Cell border = is_across ? Cell{8, 9} : Cell{9, 8};
+        EXPECT_EQ(fusion.class_at(border), away <= within ? Class::kMoving : Class::kOccupied)
+            << away << " " << within;
+      }
+    }
+  }
+}
+
 // A parked car: beams go through its windows, for a second.
 TEST_P(OpenedFromBelow, WhatStandsGivesWayToLowBeamsAlone) {
   play(thing('T', ','), 100);

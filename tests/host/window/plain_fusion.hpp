@@ -45,8 +45,10 @@ struct PlainTile {
 
 class PlainFusion {
  public:
-  // Whether ground is opened only from below.
-  explicit PlainFusion(bool is_opened_from_below = false) : is_from_below_(is_opened_from_below) {}
+  // Whether ground is opened only from below, and how far away a tall hit is at most then, in cells
+  // along either axis.
+  explicit PlainFusion(bool is_opened_from_below = false, std::int32_t tall_within = 3)
+      : is_from_below_(is_opened_from_below), tall_within_(tall_within) {}
 
   using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, PlainTile>;  // by b, a
 
@@ -164,12 +166,14 @@ class PlainFusion {
     return moved;
   }
 
-  static bool is_tall_around(const Evidence& evidence,
-                             const std::pair<std::int32_t, std::int32_t>& cell) {
-    for (std::int32_t i = 0; i < 49; ++i) {
-      const auto near = evidence.find({cell.first + i / 7 - 3, cell.second + i % 7 - 3});
-      if (near != evidence.end() && near->second.is_tall) {
-        return true;
+  [[nodiscard]] bool is_tall_around(const Evidence& evidence,
+                                    const std::pair<std::int32_t, std::int32_t>& cell) const {
+    for (std::int32_t y = -tall_within_; y <= tall_within_; ++y) {
+      for (std::int32_t x = -tall_within_; x <= tall_within_; ++x) {
+        const auto near = evidence.find({cell.first + y, cell.second + x});
+        if (near != evidence.end() && near->second.is_tall) {
+          return true;
+        }
       }
     }
     return false;
@@ -312,6 +316,7 @@ class PlainFusion {
   }
 
   bool is_from_below_;
+  std::int32_t tall_within_;
   window::Area area_;
   bool is_placed_ = false;
   Tiles tiles_;

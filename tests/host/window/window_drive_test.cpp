@@ -79,11 +79,15 @@ std::vector<DrivenFrame> drive(Cell start, int frames) {
 
 constexpr Cell kStart{-3'000'017, 2'000'039};
 
-class DriveIn : public testing::TestWithParam<bool> {};
+// How far away a tall hit is at most beside which something can arrive; 0: ground is opened by all.
+class DriveIn : public testing::TestWithParam<int> {};
 
 TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
-  const auto fusion = std::make_unique<WindowFusion>(Rules{.is_opened_from_below = GetParam()});
-  tests::PlainFusion plain(GetParam());
+  const bool is_opened_from_below = GetParam() != 0;
+  const int tall_within = is_opened_from_below ? GetParam() : kTallWithin;
+  const auto fusion = std::make_unique<WindowFusion>(
+      Rules{.is_opened_from_below = is_opened_from_below, .tall_within = tall_within});
+  tests::PlainFusion plain(is_opened_from_below, tall_within);
   int moving = 0;
   int standing = 0;
   for (const DrivenFrame& frame : drive(kStart, tests::effort(48, 14))) {
@@ -117,7 +121,7 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
   EXPECT_GT(standing, tests::effort(100, 0) - 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(OpenedFromBelow, DriveIn, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(TallWithin, DriveIn, testing::Values(0, 3, 8));
 
 TEST(WindowFusion, NoOrderOfSlicesShows) {
   Fusion forward(Rules{.is_opened_from_below = true});
