@@ -25,14 +25,18 @@ ConstantMemory::ConstantMemory() {
   add("the car's block", memory_from(map.constants[0].begin, map.constants[0].end));
   add("translation tables", std::as_bytes(std::span(&translation_tables(), 1)));
   for (health::Guard* const guard : guards_of(enet_memory)) {
-    guard->set();
-    add("a guard of the Ethernet rings", guard->bytes());
+    add("a guard of the Ethernet rings", *guard);
   }
 }
 
 void ConstantMemory::add(std::string_view name, std::span<const std::byte> bytes) {
   require(count_ < regions_.size());
   regions_[count_++] = {.name = name, .bytes = bytes, .crc = health::crc_of(bytes)};
+}
+
+void ConstantMemory::add(std::string_view name, health::Guard& guard) {
+  guard.set();
+  add(name, guard.bytes());
 }
 
 void ConstantMemory::add_sealed(std::string_view name, const ImageSeal& seal) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "health/guard.hpp"
 #include "health/memory_check.hpp"
 
 namespace iog::imx6 {
@@ -21,12 +22,14 @@ struct ImageSeal {
 
 class ConstantMemory {
  public:
-  // With the image, the translation tables and the guards. The numbers of regions are those of
-  // docs/spec.md 3.7.
+  // With the image, the translation tables and the rings' guards. The numbers of regions are those
+  // of docs/spec.md 3.7.
   ConstantMemory();
 
   // As it is now. The name and the bytes outlive it.
   void add(std::string_view name, std::span<const std::byte> bytes);
+  // Sets it, and adds it.
+  void add(std::string_view name, health::Guard& guard);
 
   [[nodiscard]] std::span<const health::Region> regions() const {
     return std::span(regions_).first(count_);
@@ -35,7 +38,7 @@ class ConstantMemory {
  private:
   void add_sealed(std::string_view name, const ImageSeal& seal);
 
-  std::array<health::Region, 16> regions_{};
+  std::array<health::Region, 32> regions_{};
   std::size_t count_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "constant_memory.hpp"
 #include "core_count.hpp"
 #include "firmware_grids.hpp"
+#include "health/guard.hpp"
 #include "health/memory_check.hpp"
 #include "net/config.hpp"
 #include "text_line.hpp"
@@ -67,14 +68,12 @@ std::optional<iog::app::SignedCommands> signed_commands(Board& board, car_block:
 
 // All of it once, before anything is made with it. Memory that is not what it should be ends the
 // run: what is wrong with it may be wrong with anything.
-iog::health::MemoryCheck check_of(Board& board, iog::imx6::ConstantMemory& memory) {
-  const iog::health::MemoryCheck check(memory.regions());
-  if (const auto changed = check.look_at_all()) {
+void look_at_all(Board& board, const iog::imx6::ConstantMemory& memory) {
+  if (const auto changed = iog::health::MemoryCheck(memory.regions()).look_at_all()) {
     board.end_run(
         {.cause = iog::hal::EndCause::kMemory, .detail = static_cast<std::uint32_t>(*changed)},
         memory.regions()[*changed].name);
   }
-  return check;
 }
 
 }  // namespace
@@ -91,7 +90,7 @@ int main() {
   static iog::imx6::ConstantMemory constants;
   constants.add("the car's sensors", std::as_bytes(std::span(&sensors, 1)));
   constants.add("the car", std::as_bytes(std::span(&car, 1)));
-  static iog::health::MemoryCheck check = check_of(board, constants);
+  look_at_all(board, constants);
   if (verdict.refusal != car_block::Refusal::kNone) {
     refuse(board, network, verdict);
   }
@@ -108,5 +107,8 @@ int main() {
   if (const auto map = iog::imx6::map_of_image(); !map.empty()) {
     pipeline.begin_with_map(map);
   }
+  pipeline.for_each_guard(
+      [](iog::health::Guard& guard) { constants.add("a guard of the grids", guard); });
+  static iog::health::MemoryCheck check(constants.regions());
   iog::app::run(board, platform, serial, check, pipeline);
 }

@@ -13,6 +13,7 @@
 #include "app/frame_packets.hpp"
 #include "app/frame_report.hpp"
 #include "app/shared_fusion.hpp"
+#include "health/guard.hpp"
 #include "vehicle/vehicle.hpp"
 #include "work/crew.hpp"
 
@@ -86,6 +87,12 @@ class GridEngine {
     frame_.start_next(now_us);
   }
 
+  template <typename Visit>
+  void for_each_guard(Visit&& visit) {
+    fusion_.for_each_guard(visit);
+    visit(behind_packets_);
+  }
+
  private:
   void fuse_kept(const work::Crew& crew);
 
@@ -93,6 +100,7 @@ class GridEngine {
   SharedFusion fusion_;
   Frame frame_;
   FramePackets packets_;
+  health::Guard behind_packets_;
   bool may_share_;
   bool is_shared_ = false;  // the frame is
 };

@@ -25,6 +25,7 @@
 #include "app/perception_report.hpp"
 #include "app/reception_log.hpp"
 #include "app/shared_fusion.hpp"
+#include "health/guard.hpp"
 #include "map/delivery.hpp"
 #include "map/layer.hpp"
 #include "pose/source.hpp"
@@ -113,6 +114,16 @@ class PerceptionEngine {
   }
   void start_next(std::uint64_t now_us);
 
+  template <typename Visit>
+  void for_each_guard(Visit&& visit) {
+    fusion_.for_each_guard(visit);
+    visit(behind_fused_);
+    window_.for_each_guard(visit);
+    visit(behind_follower_);
+    visit(behind_maps_);
+    visit(behind_packets_);
+  }
+
  private:
   // One slice after the other, each tile while it is at hand.
   template <typename Lap>
@@ -158,12 +169,16 @@ class PerceptionEngine {
   // What is aligned to a cache line comes first.
   SharedFusion fusion_;  // core 0's own holds one slice after the other
   FusedSlices fused_;
+  health::Guard behind_fused_;
   window::WindowFusion window_;
   ObjectFollower follower_;
+  health::Guard behind_follower_;
   map::Delivery maps_;
   map::Layer layer_;
+  health::Guard behind_maps_;
   Frame frame_;
   FramePackets packets_;
+  health::Guard behind_packets_;
   FrameSlices slices_;
   pose::Source poses_;
   ReceptionLog receptions_;

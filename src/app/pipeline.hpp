@@ -25,6 +25,7 @@
 #include "app/shared_fusion.hpp"
 #include "app/stage_watch.hpp"
 #include "hal/cores.hpp"
+#include "health/guard.hpp"
 #include "work/crew.hpp"
 
 namespace iog::app {
@@ -96,6 +97,14 @@ class EnginePipeline {
   [[nodiscard]] bool is_begun() const { return engine_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
 
+  template <typename Visit>
+  void for_each_guard(Visit&& visit) {
+    visit(below_);
+    helpers_.for_each_guard(visit);
+    engine_.for_each_guard(visit);
+    visit(behind_network_);
+  }
+
  private:
   static constexpr bool kPerceives = requires(const Engine& engine) { engine.classes(); };
   static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
@@ -159,9 +168,11 @@ class EnginePipeline {
     std::apply([&](Sinks&... sinks) { (visit(sinks), ...); }, sinks_);
   }
 
+  health::Guard below_;
   HelpersMemory<kMostCores> helpers_;
   Engine engine_;
   Network network_;
+  health::Guard behind_network_;
   std::tuple<Sinks&...> sinks_;
   P* platform_;
   StageWatch<P> watch_;

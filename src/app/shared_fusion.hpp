@@ -24,6 +24,7 @@
 #include "grid/joined_grid.hpp"
 #include "ground/ground.hpp"
 #include "hal/cores.hpp"
+#include "health/guard.hpp"
 #include "vehicle/vehicle.hpp"
 #include "work/crew.hpp"
 
@@ -54,6 +55,16 @@ class HelpersMemory {
 
   [[nodiscard]] HelpersSpace space() { return {fusions_, parts_}; }
 
+  template <typename Visit>
+  void for_each_guard(Visit&& visit) {
+    for (grid::FrameFusion& fusion : fusions_) {
+      fusion.for_each_guard(visit);
+    }
+    if constexpr (kCores > 1) {
+      visit(behind_parts_);
+    }
+  }
+
  private:
   template <std::size_t... kHelper>
   HelpersMemory(const vehicle::Vehicle& vehicle, std::index_sequence<kHelper...> /*helpers*/)
@@ -61,6 +72,7 @@ class HelpersMemory {
 
   std::array<grid::FrameFusion, kCores - 1> fusions_;
   std::array<FusedPart, kCores == 1 ? 0 : kPartPlaces> parts_{};
+  health::Guard behind_parts_;
 };
 
 // Holds 17 MB: belongs into static memory.
@@ -101,6 +113,13 @@ class SharedFusion {
     is_joined_ = false;
   }
 
+  template <typename Visit>
+  void for_each_guard(Visit&& visit) {
+    own_.for_each_guard(visit);
+    visit(behind_joined_);
+    visit(behind_grounds_);
+  }
+
  private:
   void fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused) const;
   void join_row(std::size_t row, bool is_first);
@@ -110,7 +129,9 @@ class SharedFusion {
   // What is aligned to a cache line comes first.
   grid::FrameFusion own_;
   grid::JoinedGrid joined_;
+  health::Guard behind_joined_;
   ground::Grounds grounds_;  // that all cores' fusions follow
+  health::Guard behind_grounds_;
   const vehicle::Vehicle* vehicle_;
   HelpersSpace space_;
   FramePackets* packets_ = nullptr;

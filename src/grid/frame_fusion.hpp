@@ -21,6 +21,7 @@
 #include "grid/turn_carver.hpp"
 #include "ground/ground.hpp"
 #include "ground/lows.hpp"
+#include "health/guard.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
@@ -136,6 +137,11 @@ class FrameFusion {
   // Sets all cells back to unknown and drops all marks.
   void clear();
 
+  template <typename Visit>
+  void for_each_guard(Visit&& visit) {
+    visit(behind_);
+  }
+
  private:
   // Not inlined, so that those that keep to the band have the registers.
   template <typename Packet, typename Count>
@@ -165,6 +171,7 @@ class FrameFusion {
   PendingMarks marks_;
   ArcMarker arcs_{grids_, marks_};
   std::array<ground::Lows, vehicle::kMaxGroundSensors> lows_{};
+  health::Guard behind_;
 };
 
 }  // namespace iog::grid

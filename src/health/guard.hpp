@@ -1,7 +1,9 @@
-// Words around memory that many write, such as the rings of a DMA engine. Nothing writes the words,
-// so another value shows an overrun. They are a region of
-// the check of memory (health/memory_check.hpp), where no page can be left unmapped between
-// neighbours.
+// Words around memory that many write, such as grids or the rings of a DMA engine. Nothing writes
+// the words, so another value shows an overrun. They are a region of the check of memory
+// (health/memory_check.hpp), where no page can be left unmapped between neighbours.
+//
+// A class that has such members has for_each_guard(visit), which calls visit(guard) for each of
+// them and those of its parts, from low to high.
 #pragma once
 
 #include <array>
@@ -11,8 +13,9 @@
 
 namespace iog::health {
 
-// Lines of the caches of its own. Zeros until it is set: it may lie in memory that begins as zeros.
-struct alignas(64) Guard {
+// As long as two lines of the caches. Zeros until it is set: it may lie in memory that begins as
+// zeros.
+struct Guard {
   static constexpr std::uint32_t kWord = 0x6775'6172;  // no address, no cell, no count
 
   void set() { words.fill(kWord); }

@@ -25,6 +25,7 @@
 #include <span>
 
 #include "ageing/clock.hpp"
+#include "health/guard.hpp"
 #include "pose/pose.hpp"
 #include "window/arrivals.hpp"
 #include "window/frame_evidence.hpp"
@@ -114,6 +115,13 @@ class WindowFusion {
 
   // After finish(), until slices are added again.
   [[nodiscard]] WindowView view() const { return {window_, refreshed_, clock_}; }
+
+  template <typename Visit>
+  void for_each_guard(Visit&& visit) {
+    visit(behind_evidence_);
+    visit(behind_window_);
+    visit(behind_counts_);
+  }
 
  private:
   // Of several cores: the least and the most tiles that one of them has together. What changes in
@@ -221,7 +229,9 @@ class WindowFusion {
   work::BeforeImages<TilesBefore> tiles_before_;
   work::BeforeImages<GroundBefore> ground_before_;
   FrameEvidence evidence_;
+  health::Guard behind_evidence_;
   Window window_;
+  health::Guard behind_window_;
   HitList hits_;
   MovingNames names_;
   Rules rules_;
@@ -238,6 +248,7 @@ class WindowFusion {
   Opening opening_;
   SlotList due_;  // slots that this step is about
   std::array<SlotCounts, kSlotCount> slot_counts_{};
+  health::Guard behind_counts_;
 };
 inline constexpr std::size_t kWindowBytes = sizeof(WindowFusion);
 static_assert(geometry::kCellsPerSide > 1024 || kWindowBytes <= 17'600'000);
