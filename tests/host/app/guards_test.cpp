@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <gtest/gtest.h>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "fakes/test_vehicles.hpp"
@@ -65,6 +66,20 @@ TEST(Guards, StandAroundTheGridsAndAreNotWritten) {
   expect_around(*pipeline);
   expect_unwritten(*pipeline);
   EXPECT_GE(platform.frames.size(), 4U);
+}
+
+// Of a helper's fusion, and behind the places of parts.
+TEST(Guards, StandBehindWhatHelpersWrite) {
+  const auto helpers = std::make_unique<HelpersMemory<2>>(tests::OneLux::kVehicle);
+  const HelpersSpace space = helpers->space();
+  const std::vector<health::Guard*> guards = guards_of(*helpers);
+  ASSERT_EQ(guards.size(), 2U);
+  const auto end_of = [](const auto& last) {
+    return std::as_bytes(std::span(&last, 1)).data() + sizeof(last);
+  };
+  EXPECT_LE(guards[0]->bytes().data() + sizeof(health::Guard), end_of(space.fusions.back()));
+  EXPECT_GT(guards[0]->bytes().data(), end_of(space.fusions.back().lows(0)));
+  EXPECT_GE(guards[1]->bytes().data(), end_of(space.parts.back()));
 }
 
 TEST(Guards, StandAroundThePlanesAndAreNotWritten) {
