@@ -1,14 +1,12 @@
 // Ranges. A stored byte is -63 ... 63, and so is one of a slice. Points are below 2^13 cells,
 // which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and 62 steps of at most
-// 2^16. Points that are eight steps apart are eight additions of one step apart, exactly.
+// 2^16.
 #include "window/frame_evidence.hpp"
 
 #include <algorithm>
 #include <bit>
 
 #include "require/require.hpp"
-#include "window/bring.hpp"
-#include "window/eight_bytes.hpp"
 #include "window/look_up.hpp"
 #include "window/reach.hpp"
 #include "window/slice_hits.hpp"
@@ -32,9 +30,6 @@ bool is_known_between(const SliceCells& slice, geometry::Cell low, geometry::Cel
   }
   return false;
 }
-
-constexpr std::int32_t kEight = EightBytes::kCount;
-static_assert(kEight == SliceCells::kBlockSide);
 
 void join_hit(std::int32_t index, std::int8_t& evidence) {
   evidence =
@@ -132,8 +127,7 @@ void FrameEvidence::put_back(const Area& area, const Region& region, const Befor
 
 void FrameEvidence::pull(const Adding& adding, const Region& region) {
   const CellMap& map = adding.to_grid;
-  const FinePoint step = map.step();
-  const Reach reach = Reach::of_square(kTileSide, step);
+  const Reach reach = Reach::of_square(kTileSide, adding.steps.step);
   ExactPoint row = map.exactly({region.low.a * kTileSide, region.low.b * kTileSide});
   for (std::int32_t b = 0; b < region.tiles_across; ++b, row = map.a_tile_along_y(row)) {
     ExactPoint tile = row;
@@ -142,35 +136,11 @@ void FrameEvidence::pull(const Adding& adding, const Region& region) {
       const geometry::Cell low = reach.low(first);
       const geometry::Cell high = reach.high(first);
       if (is_known_between(*adding.slice, low, high)) {
-        pull_tile(*adding.slice, first, step, adding.slot_at({region.low.a + a, region.low.b + b}));
+        const std::size_t slot = adding.slot_at({region.low.a + a, region.low.b + b});
+        const bool is_known = pull_tile(*adding.slice, first, adding.steps, cells_[slot]);
+        is_touched_[slot] = is_touched_[slot] || is_known;
       }
     }
-  }
-}
-
-// Blocks of eight by eight cells are looked up where something may be known. The evidence of a band
-// is brought before: among what is looked up its lines would come one by one.
-void FrameEvidence::pull_tile(const SliceCells& slice, FinePoint first, FinePoint step,
-                              std::size_t slot) {
-  const Reach block = Reach::of_square(kEight, step);
-  for (std::size_t row = 0; row < geometry::kTileCells; row += kBandCells) {
-    const std::span band = std::span(cells_[slot]).subspan(row).first<kBandCells>();
-    bool is_known = false;
-    FinePoint at = first;
-    for (std::size_t x = 0; x < geometry::kTileSide; x += kEight) {
-      const geometry::Cell low = block.low(at);
-      const geometry::Cell high = block.high(at);
-      if (slice.is_known_near(low, high)) {
-        if (!is_known) {
-          bring(std::as_bytes(band));
-          is_known = true;
-        }
-        pull_block(slice, at, step, low, high, &band[x]);
-      }
-      at = {at.x + kEight * step.x, at.y + kEight * step.y};
-    }
-    is_touched_[slot] = is_touched_[slot] || is_known;
-    first = {first.x - kEight * step.y, first.y + kEight * step.x};
   }
 }
 

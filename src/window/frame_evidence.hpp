@@ -23,6 +23,7 @@
 #include <span>
 
 #include "window/area.hpp"
+#include "window/eight_steps.hpp"
 #include "window/placement.hpp"
 #include "window/slice_cells.hpp"
 #include "work/before_images.hpp"
@@ -117,6 +118,7 @@ class FrameEvidence {
         : slice(slice_of.cells),
           area(&its_area),
           to_grid(CellMap::to_grid(its_area, slice_of.at)),
+          steps(to_grid.step()),
           to_window(CellMap::to_window(its_area, slice_of.at)) {}
 
     [[nodiscard]] std::size_t slot_at(TileNumber in_window) const {
@@ -126,6 +128,7 @@ class FrameEvidence {
     const SliceCells* slice;
     const Area* area;
     CellMap to_grid;
+    EightSteps steps;
     CellMap to_window;
   };
   using Addings = std::array<std::optional<Adding>, kMostAtOnce>;
@@ -139,7 +142,6 @@ class FrameEvidence {
   void put_back(const Area& area, const Region& region, const Before& before);
   void add_to(const Region& region, const Addings& addings);
   void pull(const Adding& adding, const Region& region);
-  void pull_tile(const SliceCells& slice, FinePoint first, FinePoint step, std::size_t slot);
   void push(const Adding& adding, const Region& region);
   void push_hit(const Adding& adding, geometry::Cell cell, std::int8_t byte);
 

@@ -1,18 +1,24 @@
 #include "window/look_up.hpp"
 
+#include "window/known_blocks.hpp"
+
 namespace iog::window {
 
-void pull_block(const SliceCells& slice, FinePoint first, FinePoint step, geometry::Cell /*low*/,
-                geometry::Cell /*high*/, std::int8_t* evidence) {
-  for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y) {
-    FinePoint point = first;
-    for (std::int32_t x = 0; x < SliceCells::kBlockSide; ++x) {
-      evidence[x] = joined_free(evidence[x], slice.at(point.cell()));
-      point = along_x(point, step);
-    }
-    first = along_y(first, step);
-    evidence += kTileSide;
-  }
+bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
+               std::span<std::int8_t, geometry::kTileCells> evidence) {
+  return for_each_known_block(
+      slice, first, steps.step, evidence,
+      [&](FinePoint row, geometry::Cell /*low*/, geometry::Cell /*high*/, std::int8_t* cells) {
+        for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y) {
+          FinePoint point = row;
+          for (std::int32_t x = 0; x < SliceCells::kBlockSide; ++x) {
+            cells[x] = joined_free(cells[x], slice.at(point.cell()));
+            point = along_x(point, steps.step);
+          }
+          row = along_y(row, steps.step);
+          cells += kTileSide;
+        }
+      });
 }
 
 }  // namespace iog::window

@@ -72,11 +72,12 @@ class SliceCells {
   [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const;
 
   // The cells of a tile by its column and row, row by row from its lowest y. All of them are
-  // unknown of one that has none, or lies outside of the grid.
+  // unknown of one that has none, or lies outside of the grid. As many bytes again may be read
+  // behind them, and mean nothing.
   [[nodiscard]] TileBytes cells(geometry::Cell tile) const {
     const std::size_t number = number_of(tile);
     return is_inside(tile) && is_known_[number] ? TileBytes(tiles_[places_[number]])
-                                                : TileBytes(kUnknown);
+                                                : TileBytes(kUnknown.front());
   }
   // Any cell.
   [[nodiscard]] std::int8_t at(geometry::Cell cell) const {
@@ -88,8 +89,9 @@ class SliceCells {
   }
 
  private:
+  // Behind the last one there is room for who reads on.
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
-  static constexpr Bytes kUnknown{};
+  alignas(32) static constexpr std::array<Bytes, 2> kUnknown{};
 
   // Squares outside of the grid lie around it, as far as a rectangle reaches that has one of its
   // own.
@@ -112,7 +114,7 @@ class SliceCells {
   void note_extent(std::size_t tile);
   void note_known(std::size_t tile);
 
-  alignas(32) std::array<Bytes, geometry::kTileCount> tiles_{};
+  alignas(32) std::array<Bytes, geometry::kTileCount + 1> tiles_{};
   std::array<std::uint16_t, geometry::kTileCount> places_{};  // where a known tile lies
   std::uint16_t used_ = 0;                                    // places, by set()
   std::array<bool, geometry::kTileCount> is_known_{};

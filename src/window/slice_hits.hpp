@@ -10,7 +10,7 @@
 #include "geometry/grid.hpp"
 #include "window/eight_bytes.hpp"
 #include "window/hit_eights.hpp"
-#include "window/look_up.hpp"
+#include "window/known_blocks.hpp"
 #include "window/placement.hpp"
 #include "window/reach.hpp"
 #include "window/slice_cells.hpp"
