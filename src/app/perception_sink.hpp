@@ -57,7 +57,7 @@ class PerceptionSink : private NetworkSink<P> {
     classes_.begin(this->header(), window);
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       if (const auto cells = classes.known_bytes(slot)) {
-        classes_.add_classes(slot, *cells, classes.age_frames(slot));
+        classes_.add_classes(slot, *cells, classes.age_frames(slot), classes.version(slot));
       }
     }
     const auto sent = classes_.finish();

@@ -4,6 +4,9 @@
 // Several cores encode a batch of them at a time and find what each adds to the grid's name, each
 // tile by itself; in their order they become messages and the name. So the bytes are the same for
 // any number of cores. One core alone encodes each tile at once, while it is in its cache.
+//
+// Of classes what was found of a tile is kept. As long as its cells stay as they were, and its
+// reference does, they are not read again.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +15,20 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "app/message_sender.hpp"
 #include "geometry/grid.hpp"
 #include "hal/cores.hpp"
 #include "require/require.hpp"
+#include "stream/class_hash.hpp"
 #include "stream/class_window.hpp"
 #include "stream/crc32.hpp"
 #include "stream/message.hpp"
 #include "stream/references.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"
+#include "work/before_images.hpp"
 #include "work/round.hpp"
 #include "work/runs.hpp"
 
@@ -35,8 +41,8 @@ enum class Coding : std::uint8_t { kShortest, kRaw };
 // Until when the cells of a tile stay as they were added.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
-// Holds what was sent, and a batch, 1.4 MB: belongs into static memory. Hash: stream::GridHash of
-// indexes, stream::ClassHash of classes.
+// Holds what was sent, and a batch or, of classes, what was found, 1.4 or 2.3 MB: belongs into
+// static memory. Hash: stream::GridHash of indexes, stream::ClassHash of classes.
 template <Platform P, typename Hash>
 class TileSender {
  public:
@@ -67,9 +73,11 @@ class TileSender {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
   // Of classes, which stay to the finish; left out if no cell has one. age_frames: since the tile
-  // was decided.
-  void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames) {
-    add({.tile = tile, .cells = cells, .age_frames = age_frames}, CellsStay::kToTheFinish);
+  // was decided. version, not 0: another one if the cells are others than when it was added last.
+  void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
+                   std::uint32_t version) {
+    add({.tile = tile, .cells = cells, .age_frames = age_frames, .version = version},
+        CellsStay::kToTheFinish);
   }
 
   // Ends the grid: its messages have spoken of every tile.
@@ -87,93 +95,142 @@ class TileSender {
   // Of them one core has so many together.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
+  // Whether they are classes: what is found of a tile is kept.
+  static constexpr bool kIsKept = std::is_same_v<Hash, stream::ClassHash>;
+
   struct Added {
     std::size_t tile = 0;
     tile_coding::TileCells cells;
-    std::optional<std::uint8_t> age_frames{};
+    std::uint8_t age_frames = 0;         // of classes
+    std::uint32_t version = kNoVersion;  // of classes
 
     // Only of classes it has to be asked.
-    [[nodiscard]] bool is_left_out() const { return age_frames && tile_coding::is_blank(cells); }
+    [[nodiscard]] bool is_left_out() const { return kIsKept && tile_coding::is_blank(cells); }
   };
-  // Where several cores find what is sent of a tile.
-  struct Entry {
+  // A tile that waits for its batch.
+  struct Waiting {
     std::optional<Added> added;
-    bool is_left_out = false;
-    std::uint32_t remainder = 0;  // what the cells add to the name
-    tile_coding::EncodedTile encoded{};
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> cells{};
+  };
+  // What is sent of a tile.
+  struct Found {
+    std::uint32_t version = kNoVersion;  // of the cells
+    bool is_left_out = false;
+    std::uint32_t remainder = 0;        // what the cells add to the name
+    std::uint32_t reference_frame = 0;  // of the cells' reference, their own frame without one
+    tile_coding::EncodedTile encoded{};
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> payload{};
   };
+  static constexpr std::uint32_t kNoVersion = 0;
+
+  // Of classes a tile has a place of its own, of indexes one of the batch.
+  Found& found_of(const Added& added, std::size_t in_batch) {
+    return found_[kIsKept ? added.tile : in_batch];
+  }
 
   void add(const Added& added, CellsStay cells_stay) {
     if (coding_ == Coding::kRaw || platform_->cores() == 1) {
       encode_batch();  // helpers may be lost while a batch fills
-      if (!added.is_left_out()) {
-        hash_.add(added.tile, added.cells);
+      if (coding_ == Coding::kRaw) {
+        send_raw(added);
+      } else {
         encode_and_send(added);
       }
       return;
     }
-    Entry& entry = batch_[batched_++];
-    entry.added = added;
+    Waiting& waiting = batch_[batched_++];
+    waiting.added = added;
     if (cells_stay == CellsStay::kForTheCall) {
-      std::ranges::copy(added.cells, entry.cells.begin());
-      entry.added->cells = entry.cells;
+      std::ranges::copy(added.cells, waiting.cells.begin());
+      waiting.added->cells = waiting.cells;
     }
     if (batched_ == kBatch) {
       encode_batch();
     }
   }
 
-  void encode_and_send(const Added& added) {
-    if (coding_ == Coding::kRaw) {
+  void send_raw(const Added& added) {
+    if (!added.is_left_out()) {
+      hash_.add(added.tile, added.cells);
       append_or_send(added, stream::Encoding::kRaw, added.cells);
-      return;
     }
-    auto& payload = batch_.front().payload;
-    send(added, encode(added, payload, encoders_.front()), payload);
   }
 
-  // An item reads what no other writes, and writes its own entries and its core's encoder alone.
-  tile_coding::EncodedTile encode(const Added& added, tile_coding::MutableTileCells payload,
-                                  tile_coding::Encoder& encoder) const {
-    return encoder.encode(added.cells, frame_number_, references_.usable(added.tile, frame_number_),
-                          payload);
+  void encode_and_send(const Added& added) {
+    Found& found = found_of(added, 0);
+    encode(added, found, encoders_.front());
+    send(added, found);
+  }
+
+  // An item reads what no other writes, and writes its own tiles' places and its core's encoder
+  // alone. A place that was left half written is of no version.
+  void encode(const Added& added, Found& found, tile_coding::Encoder& encoder) const {
+    const bool is_kept = kIsKept && found.version == added.version;
+    if (is_kept && found.is_left_out) {
+      return;
+    }
+    const auto reference = references_.usable(added.tile, frame_number_);
+    if (is_kept && reference && reference->frame_number == found.reference_frame) {
+      send_again(*reference, found);
+      return;
+    }
+    found.version = kNoVersion;
+    work::keep_order();
+    found.is_left_out = added.is_left_out();
+    if (!found.is_left_out) {
+      found.remainder = stream::Crc32::remainder_of(added.cells);
+      found.encoded = encoder.encode(added.cells, frame_number_, reference, found.payload);
+      found.reference_frame = reference ? reference->frame_number : frame_number_;
+    }
+    work::keep_order();
+    found.version = added.version;
+  }
+
+  // The same cells against the same reference, or against themselves: then nothing differs. Doing
+  // it again from anywhere on ends the same.
+  void send_again(const tile_coding::Reference& reference, Found& found) const {
+    found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
+    if (stream::stands_by_itself(found.encoded.encoding)) {
+      found.payload[1] = std::byte{0};
+      found.encoded.bytes = 2;
+      work::keep_order();
+      found.encoded.encoding = stream::Encoding::kRunStartsSince;
+    }
   }
 
   // Of a tile that is encoded: in the order of tiles.
-  void send(const Added& added, tile_coding::EncodedTile encoded,
-            std::span<const std::byte> payload) {
-    const auto [encoding, bytes] = encoded;
+  void send(const Added& added, const Found& found) {
+    if (found.is_left_out) {
+      return;
+    }
+    const auto [encoding, bytes] = found.encoded;
+    hash_.add_remainder(added.tile, found.remainder);
     if (stream::stands_by_itself(encoding)) {
       references_.keep(added.tile, added.cells, frame_number_, bytes);
     } else {
       references_.note_changes(added.tile, bytes);
     }
-    append_or_send(added, encoding, payload.first(bytes));
+    append_or_send(added, encoding, std::span(found.payload).first(bytes));
   }
 
   void encode_batch() {
-    if (batched_ == 0) {
-      return;
+    if (batched_ > 0) {
+      encode_waiting();
     }
+  }
+
+  // Not inlined, because each message on its way takes a kilobyte of the stack.
+  [[gnu::noinline]] void encode_waiting() {
     const work::Runs runs(batched_, kEncoded);
     auto encode_run = [this, &runs](std::size_t item, std::size_t core) {
       const work::Run run = runs[item];
-      for (Entry& entry : std::span(batch_).subspan(run.first, run.end - run.first)) {
-        entry.is_left_out = entry.added->is_left_out();
-        if (!entry.is_left_out) {
-          entry.remainder = stream::Crc32::remainder_of(entry.added->cells);
-          entry.encoded = encode(*entry.added, entry.payload, encoders_[core]);
-        }
+      for (std::size_t i = run.first; i < run.end; ++i) {
+        encode(*batch_[i].added, found_of(*batch_[i].added, i), encoders_[core]);
       }
     };
     platform_->share(runs.count(), work::work_of(encode_run));
-    for (const Entry& entry : std::span(batch_).first(batched_)) {
-      if (!entry.is_left_out) {
-        hash_.add_remainder(entry.added->tile, entry.remainder);
-        send(*entry.added, entry.encoded, entry.payload);
-      }
+    for (std::size_t i = 0; i < batched_; ++i) {
+      send(*batch_[i].added, found_of(*batch_[i].added, i));
     }
     batched_ = 0;
   }
@@ -185,8 +242,11 @@ class TileSender {
 
   [[nodiscard]] bool append(const Added& added, stream::Encoding encoding,
                             std::span<const std::byte> payload) {
-    return added.age_frames ? tiles_.append(added.tile, encoding, *added.age_frames, payload)
-                            : tiles_.append(added.tile, encoding, payload);
+    if constexpr (kIsKept) {
+      return tiles_.append(added.tile, encoding, added.age_frames, payload);
+    } else {
+      return tiles_.append(added.tile, encoding, payload);
+    }
   }
 
   void append_or_send(const Added& added, stream::Encoding encoding,
@@ -212,7 +272,8 @@ class TileSender {
   Hash hash_;
   stream::TilesWriter tiles_;
   std::size_t batched_ = 0;
-  std::array<Entry, kBatch> batch_{};
+  std::array<Waiting, kBatch> batch_{};
+  std::array<Found, kIsKept ? geometry::kTileCount : kBatch> found_{};
   std::array<tile_coding::Encoder, hal::kMaxCores> encoders_;  // one a core
   stream::References references_;
 };

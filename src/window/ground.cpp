@@ -44,7 +44,7 @@ void remember(Window& window, std::size_t slot, bool is_new_period) {
   const Plane open =
       is_new_period || is_lacking(before.open, beside) ? cells_open_around(window, slot) : Plane{};
   const std::uint32_t period = is_new_period ? ~0U : 0U;
-  Ground& ground = window.open(slot).ground;
+  Ground& ground = window.ground(slot);
   for (std::size_t y = 0; y < geometry::kTileSide; ++y) {
     const std::uint32_t kept = ~beside[y];
     const std::uint32_t low = ground.ticks_low[y];

@@ -34,6 +34,7 @@ void Window::forget() {
 void Window::rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
   Tile& tile = tiles_[slot];
   if (is_known_[slot]) {
+    ++versions_[slot];
     rename(tile, ruled_out);
   }
   tile.ruled_out = ruled_out;
@@ -53,12 +54,14 @@ void Window::rename(Tile& tile, const TileRuledOut& ruled_out) {
 
 void Window::name_anew(std::size_t slot, std::size_t group) {
   if (is_known_[slot] && tiles_[slot].is_known(group)) {
+    ++versions_[slot];
     name_by_masses(tiles_[slot], group);
   }
 }
 
 Tile& Window::open(std::size_t slot) {
   Tile& tile = tiles_[slot];
+  ++versions_[slot];
   if (!is_known_[slot]) {
     tile.clear();
     work::keep_order();

@@ -35,6 +35,14 @@ class Window {
   // The tile at a slot, to be changed; unknown before if nothing was known of it.
   Tile& open(std::size_t slot);
 
+  // What is remembered of the ground in the tile at a slot, to be changed. Something is known of
+  // it.
+  Ground& ground(std::size_t slot) { return tiles_[slot].ground; }
+
+  // By how many changes the tile at a slot came to be what it is, but for its ground. As long as it
+  // stays, the classes of its cells do; nothing sets it back.
+  [[nodiscard]] std::uint32_t version(std::size_t slot) const { return versions_[slot]; }
+
   // Nothing is known of the tile at a slot.
   void close(std::size_t slot) { is_known_[slot] = false; }
 
@@ -76,6 +84,7 @@ class Window {
   Area area_;
   bool is_centred_ = false;
   std::array<bool, kSlotCount> is_known_{};
+  std::array<std::uint32_t, kSlotCount> versions_{};
   std::array<Tile, kSlotCount> tiles_{};
 };
 

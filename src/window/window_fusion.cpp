@@ -373,7 +373,7 @@ void WindowFusion::keep_ground(work::Run run, std::size_t item, std::size_t core
   } else if (const GroundBefore* const left = ground_before_.of_lost(item)) {
     for (std::size_t slot = run.first; slot < run.end; ++slot) {
       if (window_.is_known(slot)) {
-        window_.open(slot).ground = (*left)[slot - run.first];
+        window_.ground(slot) = (*left)[slot - run.first];
       }
     }
   }

@@ -60,6 +60,9 @@ class WindowView {
   // Which classes the nine cells around one have, itself included: bit i is of the class i.
   [[nodiscard]] std::uint32_t classes_around(geometry::Cell cell) const;
 
+  // It stays as long as the classes of the tile at a slot do (window/window.hpp).
+  [[nodiscard]] std::uint32_t version(std::size_t slot) const { return window_->version(slot); }
+
   // How many frames ago the oldest of them was decided. Of a tile that is known.
   [[nodiscard]] std::uint8_t age_frames(std::size_t slot) const {
     return clock_->frames_since((*refreshed_)[slot]);

@@ -2,11 +2,15 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <memory>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "app/network_sink.hpp"
+#include "app/tile_sender.hpp"
 #include "fakes/random.hpp"
 #include "sharing_platform.hpp"
+#include "stream/class_hash.hpp"
 
 namespace iog::app {
 namespace {
@@ -91,6 +95,106 @@ TEST_P(PublishDespite, TheLossOfACoreGivesTheMessagesOfOne) {
 INSTANTIATE_TEST_SUITE_P(Accidents, PublishDespite,
                          ::testing::Values(Accident::kFaultBefore, Accident::kFaultAfter,
                                            Accident::kHangBefore, Accident::kHangAfter));
+
+// Tiles of classes of a made-up drive: some have no class, more than half stay from frame to frame.
+class ClassDrive {
+ public:
+  void next() {
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+      if (random_.one_in(2)) {
+        continue;
+      }
+      ++versions_[i];
+      if (random_.one_in(9)) {
+        tiles_[i].fill({});
+      }
+      const int changes = random_.one_in(8) ? 1024 : random_.one_in(2) ? 5 : 0;
+      for (int change = 0; change < changes; ++change) {
+        tiles_[i][random_.below(kTileBytes)] = static_cast<std::byte>(random_.below(48));
+      }
+    }
+  }
+
+  // are_told: whether a tile that stays is said to.
+  void publish(std::uint32_t number, bool are_told,
+               TileSender<SharingPlatform, stream::ClassHash>& sender) const {
+    sender.begin({.frame_number = number}, {.corner_a = -3, .corner_b = 8});
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+      sender.add_classes(3 * i, tiles_[i], static_cast<std::uint8_t>(number % 5),
+                         are_told ? versions_[i] : number + 1);
+    }
+    names_.push_back(sender.finish().crc);
+  }
+
+  [[nodiscard]] const std::vector<std::uint32_t>& names() const { return names_; }
+
+ private:
+  static constexpr std::size_t kTileBytes = tile_coding::kTileBytes;
+
+  tests::Random random_{11};
+  std::array<std::array<std::byte, kTileBytes>, 300> tiles_{};
+  std::array<std::uint32_t, 300> versions_ = [] {
+    std::array<std::uint32_t, 300> ones{};
+    ones.fill(1);
+    return ones;
+  }();
+  mutable std::vector<std::uint32_t> names_;
+};
+
+// The names of the grids; the messages are the platform's.
+std::vector<std::uint32_t> play_classes(int frames, bool are_told, SharingPlatform& platform) {
+  MessageSender<SharingPlatform> messages(platform);
+  const auto sender = std::make_unique<TileSender<SharingPlatform, stream::ClassHash>>(
+      platform, messages, Coding::kShortest);
+  const auto drive = std::make_unique<ClassDrive>();
+  for (int frame = 0; frame < frames; ++frame) {
+    drive->next();
+    drive->publish(static_cast<std::uint32_t>(frame), are_told, *sender);
+  }
+  return drive->names();
+}
+
+struct PublishedClasses {
+  std::vector<Message> messages;
+  std::vector<std::uint32_t> names;
+};
+
+// Each tile is looked at in each frame.
+const PublishedClasses& classes_that_are_all_new() {
+  static const PublishedClasses published = [] {
+    SharingPlatform alone(1, kAnyTimeUs);
+    auto names = play_classes(kFrames, false, alone);
+    return PublishedClasses{.messages = std::move(alone.messages), .names = std::move(names)};
+  }();
+  return published;
+}
+
+class PublishClassesBy : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(PublishClassesBy, CoresThatAreToldWhatStaysGivesTheSameMessages) {
+  SharingPlatform platform(GetParam(), kAnyTimeUs);
+  EXPECT_EQ(play_classes(kFrames, true, platform), classes_that_are_all_new().names);
+  EXPECT_EQ(platform.messages, classes_that_are_all_new().messages);
+}
+
+INSTANTIATE_TEST_SUITE_P(OneToFour, PublishClassesBy, ::testing::Values(1U, 2U, 3U, 4U));
+
+class PublishClassesDespite : public ::testing::TestWithParam<std::tuple<Accident, std::size_t>> {};
+
+TEST_P(PublishClassesDespite, TheLossOfACoreGivesTheSameMessages) {
+  SharingPlatform platform(3, kShortlyUs);
+  const auto& [accident, round] = GetParam();
+  platform.let_happen(accident, round);
+  EXPECT_EQ(play_classes(kFrames, true, platform), classes_that_are_all_new().names);
+  EXPECT_EQ(platform.messages, classes_that_are_all_new().messages);
+  EXPECT_NE(platform.fate_of_victim(), work::Loss::kNone);
+}
+
+// In the first frame, and when much is known already.
+INSTANTIATE_TEST_SUITE_P(Accidents, PublishClassesDespite,
+                         ::testing::Combine(::testing::Values(Accident::kFaultBefore,
+                                                              Accident::kFaultAfter),
+                                            ::testing::Values(0U, 9U)));
 
 // Does all alone, and has lost its helpers when it has been asked often enough for its cores.
 class LonelyPlatform : public SharingPlatform {

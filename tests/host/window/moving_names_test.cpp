@@ -7,6 +7,7 @@
 
 #include "fakes/random.hpp"
 #include "window/frames.hpp"
+#include "window/kept_versions.hpp"
 
 namespace iog::window {
 namespace {
@@ -59,6 +60,7 @@ class Window {
     fusion_->rule_out(slot, ruled_out);
   }
 
+  [[nodiscard]] WindowView view() const { return fusion_->view(); }
   [[nodiscard]] Class at(Cell cell) const { return class_of(byte_at(cell)); }
   [[nodiscard]] std::int8_t byte_at(Cell cell) const { return fusion_->view().name_of(cell); }
   [[nodiscard]] std::vector<std::int8_t> all() const {
@@ -117,6 +119,7 @@ TEST(MovingNames, AllThatMovesAndNobodyHitsOrHoldsIsWithdrawn) {
   Window spoken_to;
   Window silent;
   int withdrawn = 0;
+  KeptVersions versions;
   for (int frame = 0; frame < 40; ++frame) {
     const Slice slice = frame % 3 == 2 ? Slice() : things(frame);
     silent.frame(slice);
@@ -131,6 +134,7 @@ TEST(MovingNames, AllThatMovesAndNobodyHitsOrHoldsIsWithdrawn) {
         withdrawn += goes ? 1 : 0;
       }
     }
+    versions.look(spoken_to.view());
     if (frame % 5 == 2) {
       TileRuledOut ruled_out{};
       ruled_out[random.below(kGroupsPerTile)].fill(decision::kRoad + decision::kIntermediate);
@@ -138,9 +142,11 @@ TEST(MovingNames, AllThatMovesAndNobodyHitsOrHoldsIsWithdrawn) {
         silent.rule_out(slot, ruled_out);
         spoken_to.rule_out(slot, ruled_out);
       }
+      versions.look(spoken_to.view());
     }
   }
   EXPECT_GT(withdrawn, 100);
+  EXPECT_GT(versions.stayed(), 0);
 }
 
 TEST(MovingNames, AHitIsMovingAndAtLeastSoSure) {

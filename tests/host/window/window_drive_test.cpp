@@ -8,6 +8,7 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "window/frames.hpp"
+#include "window/kept_versions.hpp"
 #include "window/plain_fusion.hpp"
 #include "window/window_fusion.hpp"
 
@@ -88,6 +89,7 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
   const auto fusion = std::make_unique<WindowFusion>(
       Rules{.is_opened_from_below = is_opened_from_below, .tall_within = tall_within});
   tests::PlainFusion plain(is_opened_from_below, tall_within);
+  KeptVersions versions;
   int moving = 0;
   int standing = 0;
   for (const DrivenFrame& frame : drive(kStart, tests::effort(48, 14))) {
@@ -98,6 +100,7 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
     }
     fusion->finish(frame.stamp_us);
     plain.frame(frame.slices, frame.stamp_us);
+    versions.look(fusion->view());
     std::size_t known = 0;
     for (const auto& [number, tile] : plain.tiles()) {
       const std::size_t slot = slot_of({number.second, number.first});
@@ -118,6 +121,7 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
     ASSERT_EQ(known, 0U);
   }
   EXPECT_GT(moving, tests::effort(100, 10));
+  EXPECT_GT(versions.stayed(), 0);
   EXPECT_GT(standing, tests::effort(100, 0) - 1);
 }
 
