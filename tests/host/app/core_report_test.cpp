@@ -64,7 +64,7 @@ TEST_F(CoreReport, SaysOnceThatACoreIsSilent) {
   cores_.time_us += 1;
   share();
   EXPECT_EQ(report(), "cores: 2 at work\ncore 1 is silent: \n");
-  cores_.time_us += 10 * kPatienceUs;
+  cores_.time_us += 10ULL * kPatienceUs;
   share();
   EXPECT_EQ(team_.troubles(), 1U);
 }

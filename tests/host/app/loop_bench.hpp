@@ -109,11 +109,11 @@ class Traffic {
   }
 
   [[nodiscard]] std::uint64_t sent() const { return sent_; }
-  [[nodiscard]] std::uint64_t scan() const { return sent_ / (3 * kParts); }
+  [[nodiscard]] std::uint64_t scan() const { return sent_ / (3ULL * kParts); }
 
  private:
   [[nodiscard]] std::uint64_t next_us() const {
-    return 1'000'000 + sent_ * kPeriodUs / (3 * kParts);
+    return 1'000'000 + sent_ * kPeriodUs / (3ULL * kParts);
   }
 
   [[nodiscard]] std::uint64_t next_of_flood_us() const {

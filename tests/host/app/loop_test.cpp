@@ -227,7 +227,7 @@ TEST(Loop, ATargetThatIsTooSlowSaysSo) {
               32.0 / 72, 0.1);
   // Nothing piles up: the frames are of now, and they go out on time.
   EXPECT_LE(bench.oldest_scans, 3U);
-  EXPECT_LE(bench.longest_us(), kPeriodUs + 2 * 3'000);
+  EXPECT_LE(bench.longest_us(), kPeriodUs + 2ULL * 3'000);
   EXPECT_GE(bench.receiver.frames.size(), kDurationUs / kPeriodUs / 2);
 }
 

@@ -151,7 +151,7 @@ TEST_P(FuseDenseBy, CoresDoesMostOfItBeforeTheFrameEnds) {
   for (const TimedDatagram& datagram : turn) {
     pipeline->take({kReplayer, datagram.port, datagram.bytes}, datagram.now_us);
   }
-  EXPECT_EQ(platform.rounds, 149 * 384 / (GetParam() * 6'144));
+  EXPECT_EQ(platform.rounds, 149ULL * 384 / (GetParam() * 6'144));
 }
 
 // Parts that find no place are joined while the frame is open. The units' own limits are those of a

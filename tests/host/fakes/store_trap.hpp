@@ -53,6 +53,7 @@ class StoreTrap {
   }
 
   static void protect(std::uintptr_t begin, std::size_t bytes, int how) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the pages around an object are whole numbers
     mprotect(reinterpret_cast<void*>(begin), bytes, how);
   }
 
