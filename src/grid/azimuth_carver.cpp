@@ -6,6 +6,31 @@ namespace iog::grid {
 
 using vehicle::Sensor;
 
+namespace {
+
+// A beam of a sensor that follows the ground: where it is low changes from turn to turn.
+class BeamOverGround {
+ public:
+  BeamOverGround(KeptBeam& beam, const ground::Ground::Stretch& low) : beam_(&beam), low_(low) {}
+
+  [[nodiscard]] KeptLine& line() const { return beam_->line(); }
+  [[nodiscard]] std::uint32_t clears_mm() const { return beam_->clears_mm(); }
+  [[nodiscard]] const LinePart& in_band(const vehicle::Vehicle& vehicle,
+                                        const Sensor& sensor) const {
+    return beam_->in_band(vehicle, sensor);
+  }
+  [[nodiscard]] std::uint32_t is_free_before_mm() const { return beam_->is_free_before_mm(); }
+  [[nodiscard]] LinePart low_part(const vehicle::Vehicle& /*vehicle*/, const Sensor& sensor) const {
+    return LocalBeam::part_of(sensor, line(), low_);
+  }
+
+ private:
+  KeptBeam* beam_;
+  ground::Ground::Stretch low_;
+};
+
+}  // namespace
+
 void AzimuthCarver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {
   carve_waiting();
   sensor_ = &sensor;
@@ -42,10 +67,16 @@ KeptLine& AzimuthCarver::further_line(const vehicle::Layer& layer) {
   return further.line;
 }
 
-void AzimuthCarver::take(KeptBeam& beam, vehicle::Evidence evidence, std::uint32_t range_mm,
-                         bool is_tall) {
-  beams_.add(*sensor_, beam, {.range_mm = range_mm, .evidence = evidence, .is_tall = is_tall},
+void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its) {
+  beams_.add(*sensor_, beam, its,
              [this](const KeptBeam& of, Between end) -> LineSteps& { return steps_of(of, end); });
+}
+
+void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its,
+                         const ground::Ground::Stretch& low) {
+  beams_.add(
+      *sensor_, BeamOverGround(beam, low), its,
+      [&](const BeamOverGround& /*of*/, Between end) -> LineSteps& { return steps_of(beam, end); });
 }
 
 // Where a beam waits to be carved. If it goes through the same cells as the first line up to its

@@ -13,6 +13,7 @@
 #include "grid/frame_grids.hpp"
 #include "grid/free_steps.hpp"
 #include "grid/pending_marks.hpp"
+#include "grid/turn_lines.hpp"
 #include "ground/ground.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
@@ -33,7 +34,7 @@ class AzimuthCarver {
                                            const lidar::ScanPoint& point);
 
   // The same of a sensor that turns and follows the ground (docs/ground.md). Carved is what is in
-  // the height band, too.
+  // the height band, too; low is what is so over the ground.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
@@ -82,7 +83,8 @@ class AzimuthCarver {
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
   // What few points need is not inlined, so that the others have the registers.
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
-  void take(KeptBeam& beam, vehicle::Evidence evidence, std::uint32_t range_mm, bool is_tall);
+  void take(KeptBeam& beam, const WaitingBeam& its);
+  void take(KeptBeam& beam, const WaitingBeam& its, const ground::Ground::Stretch& low);
   LineSteps& steps_of(const KeptBeam& beam, Between end);
   LineSteps& steps_on(std::uint32_t number, KeptLine& line);
   KeptLine& further_line(const vehicle::Layer& layer);
@@ -114,8 +116,9 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
   const vehicle::Classification classified =
       vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
   if (classified.evidence.is_any()) {
-    take(beam, classified.evidence, point.range_mm,
-         classified.evidence.marks() && beam.is_tall(sensor, point.range_mm));
+    take(beam, {.range_mm = point.range_mm,
+                .evidence = classified.evidence,
+                .is_tall = classified.evidence.marks() && beam.is_tall(sensor, point.range_mm)});
   }
   return classified.fate;
 }
@@ -129,19 +132,21 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
   KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
   const vehicle::Ranges& in_band = beam.ranges().in_band;
   const ground::Beams& beams = ground.beams();
+  const std::uint32_t sector = beams.sector_of(azimuth_step_);
   bool is_tall = false;
   const vehicle::Classification classified = vehicle::classify(
       sensor, beam.ranges().on_car, point, point.range_mm, [&](std::uint32_t reach_mm) {
         const std::int32_t z_mm = beams.height_mm(beams.slope_to(beam.end_z()), point.range_mm);
         const std::uint32_t out_mm = beams.out_mm(point.layer, point.range_mm);
-        const auto judged = judge.judge(beams.sector_of(azimuth_step_), out_mm, z_mm);
+        const auto judged = judge.judge(sector, out_mm, z_mm);
         is_tall = judged.is_tall;
         return vehicle::Height{.is_obstacle = judged.fate == vehicle::Fate::kUsed,
                                .otherwise = judged.fate,
                                .is_whole = in_band.first == 0 && in_band.contain(reach_mm)};
       });
   if (classified.evidence.is_any()) {
-    take(beam, classified.evidence, point.range_mm, is_tall);
+    take(beam, {.range_mm = point.range_mm, .evidence = classified.evidence, .is_tall = is_tall},
+         ground.low_stretch(sector, point.layer));
   }
   return classified.fate;
 }

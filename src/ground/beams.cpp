@@ -54,6 +54,8 @@ Beams::Beams(const vehicle::Sensor& sensor)
       fewest_samples_(sensor.layer_count <= 16 ? 12 : 24) {
   for (std::size_t i = 0; i < sensor.layer_count; ++i) {
     shares_[i] = share_of(sensor, sensor.layers[i]);
+    along_of_out_[i] =
+        static_cast<std::uint32_t>((std::uint64_t{kWhole} << kAlongBits) / shares_[i]);
     slopes_[i] = slope_to(vehicle::end_height_of(sensor.layers[i], {}));
   }
   sort_layers(sensor);

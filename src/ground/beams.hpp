@@ -46,6 +46,14 @@ class Beams {
         std::int64_t{rise} * (static_cast<std::int32_t>(along_mm) << (32 - kSlopeFractionBits));
     return origin_mm_ + static_cast<std::int32_t>(product >> 32);
   }
+  // Of a beam that rises so much along its line: how much outward, rounded down.
+  [[nodiscard]] Slope slope_out(std::size_t layer, Slope rise) const {
+    return static_cast<Slope>((std::int64_t{rise} * along_of_out_[layer]) >> kAlongBits);
+  }
+  // How far along its line a beam is that is so far out, rounded down.
+  [[nodiscard]] std::uint32_t along_mm(std::size_t layer, std::uint32_t out_mm) const {
+    return static_cast<std::uint32_t>((std::uint64_t{out_mm} * along_of_out_[layer]) >> kAlongBits);
+  }
   // Of a layer, if the sensor is level.
   [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
   [[nodiscard]] std::int32_t origin_mm() const { return origin_mm_; }
@@ -66,6 +74,7 @@ class Beams {
 
  private:
   static constexpr std::size_t kSamples = 44;
+  static constexpr int kAlongBits = 16;
 
   void sort_layers(const vehicle::Sensor& sensor);
 
@@ -76,6 +85,7 @@ class Beams {
   std::int32_t origin_z_ = 0;           // in subcells
   std::uint64_t slope_of_subcell_ = 0;  // of a height at the end of a line, in 2^-40
   std::array<std::uint32_t, vehicle::kMaxLayers> shares_{};
+  std::array<std::uint32_t, vehicle::kMaxLayers> along_of_out_{};  // 1 / shares_, in 2^-16
   std::array<Slope, vehicle::kMaxLayers> slopes_{};
   std::size_t layer_count_ = 0;
   std::array<std::uint8_t, vehicle::kMaxLayers> from_below_{};

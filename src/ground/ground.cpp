@@ -5,6 +5,7 @@
 namespace iog::ground {
 
 void Ground::begin(const vehicle::Sensor& sensor) {
+  sensor_ = &sensor;
   beams_ = Beams(sensor);
   limits_ = {.low_mm = sensor.ground.low_mm, .top_mm = sensor.ground.top_mm};
   const vehicle::MovedLimits& moved = sensor.moved;
@@ -15,7 +16,6 @@ void Ground::begin(const vehicle::Sensor& sensor) {
   } else {
     low_ = beams_.origin_mm() <= low_mm_ ? Low::kFromStart : Low::kToExit;
   }
-  layers_share_lines_ = sensor.layers_share_lines;
   forget();
 }
 
@@ -30,14 +30,11 @@ void Ground::forget() {
 }
 
 void Ground::find_exits() {
-  if (!layers_share_lines_) {
-    return;
+  if (sensor_->layers_share_lines) {
+    exits_.find(beams_, limits_, surface_);
   }
-  exits_.find(beams_, limits_, surface_);
   if (low_ != Low::kAlways) {
-    const Limits low =
-        low_ == Low::kFromStart ? Limits{limits_.low_mm, low_mm_} : Limits{low_mm_, limits_.top_mm};
-    low_exits_.find(beams_, low, surface_);
+    low_beams_.find(beams_, *sensor_, low_mm_, surface_);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "ground/beams.hpp"
 #include "ground/exits.hpp"
 #include "ground/judge.hpp"
+#include "ground/low_beams.hpp"
 #include "ground/lows.hpp"
 #include "ground/surface.hpp"
 #include "ground/surface_walk.hpp"
@@ -35,7 +36,7 @@ struct Ray {
 class Ground {
  public:
   Ground() = default;
-  // The sensor turns and follows the ground. At first it is flat.
+  // The sensor turns and follows the ground, and outlives it. At first the ground is flat.
   void begin(const vehicle::Sensor& sensor);
 
   [[nodiscard]] const Beams& beams() const { return beams_; }
@@ -43,22 +44,24 @@ class Ground {
   [[nodiscard]] Limits limits() const { return limits_; }
   // How far beams are between the limits, of a sensor whose layers share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
-  // Between which distances along its line a beam of such a sensor is at most as high over the
-  // ground as opens it: those that begin higher, from where they come so low up to their exit, and
-  // those that begin so low, up to where they rise over it. In steps of 2 mm, rounded down.
+  // Between which distances along its line a beam is at most as high as opens ground over the
+  // lowest ground nearby: those that begin higher, from where they come so low on, and those that
+  // begin so low, up to where they rise over it; both up to their exit, of a sensor whose layers
+  // share lines. In steps of 2 mm, rounded down.
   struct Stretch {
     std::uint32_t from_mm = 0;
     std::uint32_t to_mm = 0;
   };
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
-    const std::uint32_t exit_mm = exits_.to_mm(sector, layer);
+    const std::uint32_t exit_mm =
+        sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
     switch (low_) {
       case Low::kAlways:
         return {0, exit_mm};
       case Low::kFromStart:
-        return {0, low_exits_.to_mm(sector, layer)};
+        return {0, std::min(exit_mm, low_beams_.border_mm(sector, layer))};
       case Low::kToExit:
-        return {low_exits_.to_mm(sector, layer), exit_mm};
+        return {low_beams_.border_mm(sector, layer), exit_mm};
     }
     return {};
   }
@@ -99,15 +102,15 @@ class Ground {
 
   void find_exits();
 
+  const vehicle::Sensor* sensor_ = nullptr;
   Beams beams_;
   Limits limits_;
   Low low_ = Low::kAlways;
   std::int32_t low_mm_ = 0;
   std::int32_t tall_mm_ = 0;
-  bool layers_share_lines_ = false;
   Surface surface_;
   Exits exits_;
-  Exits low_exits_;  // as `low_` says; of nothing if always
+  LowBeams low_beams_;  // of nothing if they are always low
 };
 
 // The returns of one packet.

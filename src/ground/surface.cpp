@@ -1,6 +1,20 @@
 #include "ground/surface.hpp"
 
+#include <algorithm>
+
 namespace iog::ground {
+
+Surface::Row Surface::lowest_near(std::size_t sector) const {
+  const Row& row = rows_[sector];
+  Row lowest = row;
+  for (std::size_t away = 1; away <= kNearBins; ++away) {
+    for (std::size_t start = away; start < kStarts; ++start) {
+      lowest[start] = std::min(lowest[start], row[start - away]);
+      lowest[start - away] = std::min(lowest[start - away], row[start]);
+    }
+  }
+  return lowest;
+}
 
 std::size_t Surface::count(Source source) const {
   std::size_t sectors = 0;

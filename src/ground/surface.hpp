@@ -17,6 +17,7 @@ class Surface {
   static constexpr std::size_t kStarts = kBins + 1;
   using Row = std::array<std::int16_t, kStarts>;
   static constexpr std::int32_t kMost = 32'000;  // of any height, up or down
+  static constexpr std::size_t kNearBins = 2;
 
   // So many turns in a row may leave a sector without a return until its row is forgotten.
   static constexpr std::uint8_t kMostTurnsKept = 10;
@@ -41,10 +42,11 @@ class Surface {
   }
 
   // The same over the highest ground nearby: as if every start were as high as the highest of those
-  // at most two bins before and behind it.
+  // at most kNearBins before and behind it.
   [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
                                               std::uint32_t along_mm, std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
+    static_assert(kNearBins == 2);
     const auto height = [&](std::int32_t start) {
       return rows_[sector][static_cast<std::size_t>(std::clamp<std::int32_t>(start, 0, kBins))];
     };
@@ -53,6 +55,9 @@ class Surface {
     return z_mm - between(bins, std::max(near_both, height(at.bin - 2)),
                           std::max(near_both, height(at.bin + 3)), at.part_mm);
   }
+
+  // The lowest ground nearby, likewise.
+  [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }
   [[nodiscard]] Source source(std::size_t sector) const {

@@ -89,6 +89,9 @@ class Ground {
     for (std::size_t sector = 0; sector < kSectors; ++sector) {
       law(std::ranges::equal(surface_.row(sector), reference_.row(static_cast<int>(sector))),
           "a surface is the reference's");
+      law(std::ranges::equal(surface_.lowest_near(sector),
+                             reference_.lowest_near(static_cast<int>(sector))),
+          "the lowest ground nearby is the reference's");
     }
   }
 

@@ -93,6 +93,19 @@ class ReferenceGround {
     return height_over_row(highest, along_mm, z_mm);
   }
 
+  // Starts as low as the lowest of those nearby.
+  [[nodiscard]] std::vector<Whole> lowest_near(Whole sector) const {
+    const std::vector<Whole>& its = rows_[at(sector)];
+    std::vector<Whole> lowest = its;
+    for (Whole start = 0; start <= kBins; ++start) {
+      const Whole last = std::min(start + rule_.near_bins, kBins);
+      for (Whole near = std::max<Whole>(start - rule_.near_bins, 0); near <= last; ++near) {
+        lowest[at(start)] = std::min(lowest[at(start)], its[at(near)]);
+      }
+    }
+    return lowest;
+  }
+
   static constexpr Whole kSectors = 256;
   static constexpr Whole kBins = 64;
 

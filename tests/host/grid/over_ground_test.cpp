@@ -106,8 +106,9 @@ class AlonePoints {
     fusion_->finish();
     ASSERT_EQ(fate, expected) << point.range_mm << ", " << point.azimuth_ticks;
     ++fates_[static_cast<std::size_t>(fate)];
-    expect_cells(*ray, point, fate, exit_of(beams_, row(place), point.layer));
-    expect_heights(*ray, point, row(place), over_near(place) - tilt.at(place.along_mm));
+    expect_cells(*ray, point, fate,
+                 exit_of(beams_, surfaces_->reference.row(place.sector), point.layer));
+    expect_heights(*ray, point, place, over_near(place) - tilt.at(place.along_mm));
     fusion_->clear();
   }
 
@@ -132,9 +133,6 @@ class AlonePoints {
   }
   [[nodiscard]] Whole over_near(const Place& place) const {
     return surfaces_->reference.height_over_near(place.sector, place.along_mm, place.z_mm);
-  }
-  [[nodiscard]] const std::vector<Whole>& row(const Place& place) const {
-    return surfaces_->reference.row(place.sector);
   }
 
   // Returns of layers that look down, of the distance at which they meet ground that is tilted.
@@ -183,13 +181,15 @@ class AlonePoints {
     ASSERT_EQ(std::ssize(cells) - std::ranges::count(cells, 0), known);
   }
 
-  // The beam has come so low where it first is not over the lower limit any more, if it has not
-  // risen over the upper one. A hit is tall by the highest ground nearby.
-  void expect_heights(const TurningRay& ray, const ScanPoint& point, const std::vector<Whole>& row,
+  // The beam has come so low where it first is no more than that over the lowest ground nearby, if
+  // it has not left the limits before. A hit is tall by the highest ground nearby.
+  void expect_heights(const TurningRay& ray, const ScanPoint& point, const Place& place,
                       Whole hit_mm) {
-    const std::int64_t low_mm = exit_of(beams_, row, point.layer, {kMoved.low_mm, kLimits.top_mm});
+    const std::vector<Whole> lowest = surfaces_->reference.lowest_near(place.sector);
+    const std::int64_t low_mm = exit_of(beams_, lowest, point.layer, {kMoved.low_mm, 65'535});
     const lab::reference::Rational low{low_mm, static_cast<std::int64_t>(beams_.range_mm())};
-    const bool comes_down = low_mm < exit_of(beams_, row, point.layer);
+    const bool comes_down =
+        low_mm < exit_of(beams_, surfaces_->reference.row(place.sector), point.layer);
     tests::for_each_cell_around(ray, [&](Cell cell) {
       const int index = fusion_->view().at(cell);
       const auto crossing = lab::reference::cross(ray.start, ray.end, cell, geometry::kResolution);

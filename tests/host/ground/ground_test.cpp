@@ -79,6 +79,37 @@ TEST(Ground, BeamsAreLowWhereTheyAreAtMostAsHighAsOpensIt) {
   EXPECT_NEAR(any.to_mm, 700 / kSine, 4);
 }
 
+// A bank of 0.2 m: a beam that has come down to 0.6 m over it is at 0.8 m over the road before it,
+// and does not open it yet. Where the bank has begun long before, it does.
+TEST(Ground, ABeamIsLowOverTheLowestGroundNearby) {
+  const tests::GroundCar car{
+      tests::MixedCar::kVehicle, {220, 2'200}, {.low_mm = 600, .tall_mm = 500}};
+  const auto grounds = std::make_unique<Grounds>(car.vehicle());
+  const Ground& ground = tests::ground_of(*grounds, 0);
+  const Bins bins = ground.beams().bins();
+  constexpr std::size_t kDown = 12;  // by 3 degrees
+  const double slope = ground.beams().slope(kDown) / static_cast<double>(1 << 24);
+  ASSERT_LT(slope, 0);
+  const auto low_from = [&](std::int32_t rise_mm, std::uint32_t foot) {
+    Lows lows;
+    for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+      for (std::uint32_t number = 0; number < 60; ++number) {
+        lows.add(bins, sector, number * bins.length_mm() + bins.length_mm() / 2,
+                 number < foot ? 0 : rise_mm);
+      }
+    }
+    grounds->close_turn(0, lows);
+    return ground.low_stretch(100, kDown).from_mm;
+  };
+  const double over_road_mm = 900 / -slope;
+  EXPECT_NEAR(low_from(0, 60), over_road_mm, 3);
+  // Where the beam is so low over the road, the ground has begun to rise.
+  const auto foot = static_cast<std::uint32_t>(over_road_mm) / bins.length_mm();
+  EXPECT_NEAR(low_from(200, foot), over_road_mm, 3);
+  // Where it has risen long before, the beam is low over the bank.
+  EXPECT_NEAR(low_from(200, foot - 6), 700 / -slope, 3);
+}
+
 // From where on a return is tall where a bin begins, over the ground of that place, in mm. The
 // ground is at 0 up to the middle of bin 19 and at `rise_mm` from that of bin 20 on.
 std::int32_t tall_from(std::int32_t rise_mm, std::uint32_t bin, std::uint16_t tall_mm) {

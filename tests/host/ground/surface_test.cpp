@@ -56,6 +56,27 @@ TEST(Surface, IsAsHighAsTheHighestGroundNearby) {
   }
 }
 
+// Also at the row's ends.
+TEST(Surface, SaysHowLowTheLowestGroundNearbyIs) {
+  Surface surface;
+  Surface::Row& row = surface.renew(7);
+  row.fill(100);
+  row[0] = -30;
+  row[10] = -500;
+  row[12] = -200;
+  row[64] = 40;
+  const Surface::Row lowest = surface.lowest_near(7);
+  for (std::size_t start = 0; start < Surface::kStarts; ++start) {
+    const int expected = start <= 2                   ? -30
+                         : start >= 8 && start <= 12  ? -500
+                         : start == 13 || start == 14 ? -200
+                         : start >= 62                ? 40
+                                                      : 100;
+    EXPECT_EQ(lowest[start], expected) << start;
+  }
+  EXPECT_EQ(surface.row(7)[11], 100);
+}
+
 // From one start of a bin to the next, rounded down, and on behind the last one for 16.4 m: in
 // rational numbers.
 TEST(Surface, IsStraightBetweenTheStartsOfBins) {

@@ -1,0 +1,81 @@
+#include "ground/low_beams.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "ground/outlook.hpp"
+#include "numeric/heap_sort.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::ground {
+namespace {
+
+// How much the layers' beams rise outward in a sector, and the layers by that, from below.
+class Fan {
+ public:
+  Fan(const Beams& beams, const vehicle::Sensor& sensor)
+      : beams_(&beams),
+        sensor_(&sensor),
+        steps_per_sector_(sensor.azimuths.steps_per_turn() / kSectors),
+        count_(beams.from_below().size()) {
+    std::ranges::copy(beams.from_below(), layers_.begin());
+    for (const std::uint8_t layer : layers()) {
+      slopes_[layer] = beams.slope(layer);
+    }
+  }
+
+  void turn_to(std::uint32_t sector) {
+    if (sensor_->layers_share_lines) {
+      return;
+    }
+    const vehicle::Direction direction =
+        vehicle::direction_of(*sensor_, sector * steps_per_sector_ + steps_per_sector_ / 2);
+    for (const std::uint8_t layer : layers()) {
+      const std::int32_t end_z = vehicle::end_height_of(sensor_->layers[layer], direction);
+      slopes_[layer] = beams_->slope_out(layer, beams_->slope_to(end_z));
+    }
+    numeric::heap_sort(std::span(layers_).first(count_), [&](std::uint8_t a, std::uint8_t b) {
+      return slopes_[a] != slopes_[b] ? slopes_[a] < slopes_[b] : a < b;
+    });
+  }
+
+  [[nodiscard]] std::span<const std::uint8_t> layers() const {
+    return std::span(layers_).first(count_);
+  }
+  [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
+  // How far along its line a beam is that is so far out.
+  [[nodiscard]] std::uint32_t along_mm(std::size_t layer, std::uint32_t out_mm) const {
+    return sensor_->layers_share_lines ? out_mm : beams_->along_mm(layer, out_mm);
+  }
+
+ private:
+  const Beams* beams_;
+  const vehicle::Sensor* sensor_;
+  std::uint32_t steps_per_sector_;
+  std::size_t count_;
+  std::array<std::uint8_t, vehicle::kMaxLayers> layers_{};
+  std::array<Slope, vehicle::kMaxLayers> slopes_{};
+};
+
+}  // namespace
+
+// Those come first that reach low_mm first.
+void LowBeams::find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
+                    const Surface& surface) {
+  const Side side = beams.origin_mm() > low_mm ? Side::kBelow : Side::kAbove;
+  Fan fan(beams, sensor);
+  for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+    fan.turn_to(sector);
+    const Surface::Row lowest = surface.lowest_near(sector);
+    Outlook outlook(beams, lowest, low_mm, side);
+    const std::span<const std::uint8_t> layers = fan.layers();
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      const std::uint8_t layer = layers[side == Side::kBelow ? i : layers.size() - 1 - i];
+      const std::uint32_t along_mm = fan.along_mm(layer, 2 * outlook.leave(fan.slope(layer)));
+      borders_2_mm_[sector][layer] =
+          static_cast<std::uint16_t>(std::min(along_mm, beams.range_mm()) / 2);
+    }
+  }
+}
+
+}  // namespace iog::ground
