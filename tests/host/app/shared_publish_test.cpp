@@ -117,7 +117,7 @@ class ClassDrive {
 
   // are_told: whether a tile that stays is said to.
   void publish(std::uint32_t number, bool are_told,
-               TileSender<SharingPlatform, stream::ClassHash>& sender) const {
+               TileSender<SharingPlatform, stream::ClassHash>& sender) {
     sender.begin({.frame_number = number}, {.corner_a = -3, .corner_b = 8});
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
       sender.add_classes(3 * i, tiles_[i], static_cast<std::uint8_t>(number % 5),
@@ -138,7 +138,7 @@ class ClassDrive {
     ones.fill(1);
     return ones;
   }();
-  mutable std::vector<std::uint32_t> names_;
+  std::vector<std::uint32_t> names_;
 };
 
 // The names of the grids; the messages are the platform's.
