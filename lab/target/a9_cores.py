@@ -79,9 +79,11 @@ def _item(end: dict[str, dict[str, int]]) -> Item:
     return Item(of("cycles"), of("ddr_reads") + of("ddr_writes"))
 
 
-def _stage(end: dict[str, dict[str, int]]) -> str:
-    """Of an item: which of the functions it was, else the window's."""
-    return next((name for name in ("fuse", "join", "encode") if end[name]["cycles"] > 0), "window")
+def _stage(items: list[dict[str, dict[str, int]]]) -> str:
+    """Of a round: which of the functions its items were, else the window's. The first one may be what
+    core 0 does beside them."""
+    return next((name for name in ("fuse", "join", "encode")
+                 if any(item[name]["cycles"] > 0 for item in items)), "window")
 
 
 def rounds_of(printed: list[str]) -> list[Round]:
@@ -94,7 +96,7 @@ def rounds_of(printed: list[str]) -> list[Round]:
             frame += 1
             continue
         items = [next(ends) for _ in range(count)]
-        rounds.append(Round(frame, _stage(items[0]), [_item(end) for end in items]))
+        rounds.append(Round(frame, _stage(items), [_item(end) for end in items]))
     return rounds
 
 

@@ -20,17 +20,23 @@
 namespace iog::lab {
 
 // What was divided among cores since the model was last told to forget: items of each round of the
-// cores, in order, and kFrameEnd for the end of a frame. The model is told of the end of each item,
-// and of what one core did alone before the items.
+// cores, in order, and kFrameEnd for the end of a frame. What core 0 does beside a round is its
+// first item. The model is told of the end of each item, and of what one core did alone before the
+// items.
 class SharedRounds {
  public:
   static constexpr std::uint16_t kFrameEnd = 0;
   // All items are done as by a helper, which keeps what it changes as it was before.
   static constexpr std::size_t kHelper = 1;
 
-  void share(std::size_t items, work::Work work) {
-    note(static_cast<std::uint16_t>(items));
+  void share(std::size_t items, work::Work work, work::Beside beside) {
+    const bool is_beside = beside.run != nullptr;
+    note(static_cast<std::uint16_t>(items + (is_beside ? 1 : 0)));
     a9_model::end_round();
+    if (is_beside) {
+      beside();
+      a9_model::end_round();
+    }
     for (std::size_t item = 0; item < items; ++item) {
       work.run(work.context, item, kHelper);
       a9_model::end_round();
@@ -86,11 +92,11 @@ class MeasuredPlatform {
   }
   [[nodiscard]] std::uint32_t run_number() const { return 1; }
   [[nodiscard]] std::size_t cores() const { return cores_; }
-  void share(std::size_t items, work::Work work) {
+  void share(std::size_t items, work::Work work, work::Beside beside = {}) {
     if (cores_ == 1 || items == 0) {
-      work::do_alone(items, work);
+      work::do_alone(items, work, beside);
     } else {
-      shared_.share(items, work);
+      shared_.share(items, work, beside);
     }
   }
   [[nodiscard]] SharedRounds& shared() { return shared_; }

@@ -120,14 +120,14 @@ class MachinePlatform {
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
 
   [[nodiscard]] std::size_t cores() const { return team_.cores(); }
-  void share(std::size_t items, work::Work work) {
+  void share(std::size_t items, work::Work work, work::Beside beside = {}) {
     const std::uint32_t before = team_.troubles();
     auto timed = [this, work](std::size_t item, std::size_t core) {
       const std::uint32_t begin = machine_.stopwatch().ticks();
       work.run(work.context, item, core);
       core_times_.add(core, machine_.stopwatch().ticks() - begin);
     };
-    team_.share(items, work::work_of(timed));
+    team_.share(items, work::work_of(timed), beside);
     if (team_.troubles() != before) {
       report_cores(machine_.console(), team_);
     }

@@ -14,7 +14,7 @@
 
 namespace iog::app {
 
-// Holds what was sent, and a batch, 1.4 MB: belongs into static memory.
+// Holds what was sent, and what was found, 2.4 MB: belongs into static memory.
 template <Platform P>
 class NetworkSink {
  public:
@@ -37,6 +37,12 @@ class NetworkSink {
   }
 
  protected:
+  // Encodes the tiles that wait; see TileSender::encode().
+  template <typename DoBeside>
+  void encode_tiles(DoBeside do_beside) {
+    tiles_.encode(do_beside);
+  }
+
   // The same of cells that stay as they are to the frame's end.
   void take_staying(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kToTheFinish);

@@ -84,6 +84,17 @@ class PerceptionEngine {
   // crew, and calls lap(stage) with the stream::StageTicks that has just ended.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
+    decide(now_us, crew, lap);
+    follow_objects();
+    end(crew, [] {});
+    lap(&stream::StageTicks::perceive);
+  }
+  // Its three steps, for whoever has something to do for other cores, or for core 0, meanwhile.
+  // decide() completes the grid, and the classes but for the names of what moves.
+  // follow_objects(), core 0's, gives those; meanwhile the grid may be read. end() remembers the
+  // ground; do_beside(), which may read the classes, is done beside it by core 0.
+  template <typename Lap>
+  void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
     open_slices(now_us);
     if (crew.is_one()) {
@@ -94,10 +105,13 @@ class PerceptionEngine {
     fusion_.end_frame(frame_);
     lay_map();
     window_.decide(clock_.stamp_us(), crew);
-    follow_objects();
-    counts_ = window_.end_frame(crew);
+    counts_ = window_.counts();
     contradiction_.add(counts_.standing);
-    lap(&stream::StageTicks::perceive);
+  }
+  void follow_objects();
+  template <typename DoBeside>
+  void end(const work::Crew& crew, DoBeside&& do_beside) {
+    window_.end_frame(crew, do_beside);
   }
   // What the frame says of itself, and of its place.
   [[nodiscard]] FrameReport report(std::uint64_t now_us) const { return frame_.report(now_us); }
@@ -164,7 +178,6 @@ class PerceptionEngine {
   void join_group(std::size_t group);
   void place_slices(const work::Crew& crew);
   void lay_map();
-  void follow_objects();
 
   // What is aligned to a cache line comes first.
   SharedFusion fusion_;  // core 0's own holds one slice after the other

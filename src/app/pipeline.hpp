@@ -111,8 +111,23 @@ class EnginePipeline {
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
 
   void close_frame(std::uint64_t now_us) {
-    engine_.finish(now_us, work::Crew(*platform_), [this](auto stage) { watch_.lap(stage); });
+    const work::Crew crew(*platform_);
+    const auto lap = [this](auto stage) { watch_.lap(stage); };
+    if constexpr (kPerceives) {
+      if (!crew.is_one()) {
+        engine_.decide(now_us, crew, lap);
+        lap(&stream::StageTicks::perceive);
+        publish_divided(report(now_us), crew);
+        start_next(now_us);
+        return;
+      }
+    }
+    engine_.finish(now_us, crew, lap);
     publish(report(now_us));
+    start_next(now_us);
+  }
+
+  void start_next(std::uint64_t now_us) {
     engine_.start_next(now_us);
     watch_.begin_frame(&stream::StageTicks::publish);
   }
@@ -135,31 +150,53 @@ class EnginePipeline {
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // The engine owns the grid: it shows each known tile once, and clears it.
   void publish(const FrameReport& report) {
+    take_tiles(report);
+    if constexpr (kPerceives) {
+      const PerceptionReport perception = engine_.perception();
+      network_.take_classes(perception, engine_.classes());
+      take_what_follows(report, perception);
+    }
+    for_each_sink([](auto& sink) { sink.end_frame(); });
+  }
+
+  // While the other cores encode tiles, core 0 follows things; while they encode classes, it sends
+  // the tiles; and while they remember the ground, the classes.
+  void publish_divided(const FrameReport& report, const work::Crew& crew) {
+    take_tiles(report);
+    network_.encode_tiles([this] { engine_.follow_objects(); });
+    const PerceptionReport perception = engine_.perception();
+    network_.encode_classes(perception, engine_.classes());
+    engine_.end(crew, [this] { network_.send_classes(); });
+    take_what_follows(report, perception);
+    for_each_sink([](auto& sink) { sink.end_frame(); });
+  }
+
+  // The engine owns the grid: it shows each known tile once, and clears it.
+  void take_tiles(const FrameReport& report) {
     for_each_sink([&](auto& sink) { sink.begin_frame(report); });
     engine_.release([this](std::size_t tile, tile_coding::TileCells cells) {
       for_each_sink([&](auto& sink) { sink.take_tile(tile, cells); });
     });
-    if constexpr (kPerceives) {
-      const PerceptionReport perception = engine_.perception();
-      for_each_sink([&]<typename Sink>(Sink& sink) {
-        if constexpr (ClassSink<Sink>) {
-          sink.take_classes(perception, engine_.classes());
+  }
+
+  // The classes, which the network has, and what comes behind them.
+  void take_what_follows(const FrameReport& report, const PerceptionReport& perception) {
+    for_each_sink([&]<typename Sink>(Sink& sink) {
+      if constexpr (ClassSink<Sink> && !std::is_same_v<Sink, Network>) {
+        sink.take_classes(perception, engine_.classes());
+      }
+      if constexpr (ObjectSink<Sink>) {
+        if (report.has_objects) {
+          sink.take_objects(perception, engine_.objects().tracks());
         }
-        if constexpr (ObjectSink<Sink>) {
-          if (report.has_objects) {
-            sink.take_objects(perception, engine_.objects().tracks());
-          }
+      }
+      if constexpr (ReceptionSink<Sink>) {
+        if (report.has_receptions) {
+          sink.take_receptions(engine_.receptions());
         }
-        if constexpr (ReceptionSink<Sink>) {
-          if (report.has_receptions) {
-            sink.take_receptions(engine_.receptions());
-          }
-        }
-      });
-    }
-    for_each_sink([](auto& sink) { sink.end_frame(); });
+      }
+    });
   }
 
   template <typename Visit>

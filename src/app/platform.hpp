@@ -20,17 +20,17 @@ namespace iog::app {
 // ticks(), ticks_hz(): a stopwatch, as hal::Stopwatch.
 // vitals(times): once for each frame, before its first message.
 // run_number(): as hal::RunNumber.
-// cores(): how many work now; share(items, work): does them all, as work::Team.
+// cores(): how many work now; share(items, work, beside): does them all, as work::Team.
 template <typename T>
 concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
-                            work::Work work, const FrameTimes& times) {
+                            work::Work work, work::Beside beside, const FrameTimes& times) {
   { platform.send_message(message) } -> std::same_as<bool>;
   { platform.ticks() } -> std::same_as<std::uint32_t>;
   { platform.ticks_hz() } -> std::same_as<std::uint32_t>;
   { platform.vitals(times) } -> std::convertible_to<const Vitals&>;
   { platform.run_number() } -> std::same_as<std::uint32_t>;
   { platform.cores() } -> std::same_as<std::size_t>;
-  { platform.share(items, work) } -> std::same_as<void>;
+  { platform.share(items, work, beside) } -> std::same_as<void>;
 };
 
 // A platform that says so: it will never have more than one.

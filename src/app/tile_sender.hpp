@@ -1,9 +1,11 @@
 // The tiles of one grid on their way into messages: each as short as it can be, also by what has
 // changed since it was sent.
 //
-// Several cores encode a batch of them at a time and find what each adds to the grid's name, each
-// tile by itself; in their order they become messages and the name. So the bytes are the same for
-// any number of cores. One core alone encodes each tile at once, while it is in its cache.
+// Several cores encode those that wait and find what each adds to the grid's name, each tile by
+// itself; in their order they become messages and the name. So the bytes are the same for any
+// number of cores. Tiles whose cells stay all wait, so that core 0 may do something else while they
+// are encoded; others wait by the batch. One core alone encodes each tile at once, while it is in
+// its cache.
 //
 // Of classes what was found of a tile is kept. As long as its cells stay as they were, and its
 // reference does, they are not read again.
@@ -41,7 +43,7 @@ enum class Coding : std::uint8_t { kShortest, kRaw };
 // Until when the cells of a tile stay as they were added.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
-// Holds what was sent, and a batch or, of classes, what was found, 1.4 or 2.3 MB: belongs into
+// Holds what was sent and what was found, and of indexes a batch, 2.2 or 2.4 MB: belongs into
 // static memory. Hash: stream::GridHash of indexes, stream::ClassHash of classes.
 template <Platform P, typename Hash>
 class TileSender {
@@ -80,19 +82,28 @@ class TileSender {
         CellsStay::kToTheFinish);
   }
 
+  // Whether the tiles of this grid wait, because several cores encode.
+  [[nodiscard]] bool do_wait() const { return do_wait_; }
+
+  // Encodes all that wait. do_beside() is done once, by core 0, beside them or before.
+  template <typename DoBeside>
+  void encode(DoBeside do_beside) {
+    encode_waiting(work::beside_of(do_beside));
+  }
+
   // Ends the grid: its messages have spoken of every tile.
   Sent finish() {
-    encode_batch();
+    encode_and_send_waiting();
     send_tiles(geometry::kTileCount);
     sent_.crc = hash_.value();
     return sent_;
   }
 
  private:
-  // A round of encoding: so many tiles that there are few rounds, and that what is read and written
-  // of them stays in the second level cache.
+  // Of tiles whose cells do not stay, copies are encoded in rounds of so many that there are few
+  // rounds, and that what is read and written of them stays in the second level cache.
   static constexpr std::size_t kBatch = 192;
-  // Of them one core has so many together.
+  // One core has so many tiles together.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
   // Whether they are classes: what is found of a tile is kept.
@@ -107,10 +118,8 @@ class TileSender {
     // Only of classes it has to be asked.
     [[nodiscard]] bool is_left_out() const { return kIsKept && tile_coding::is_blank(cells); }
   };
-  // A tile that waits for its batch.
-  struct Waiting {
-    std::optional<Added> added;
-    alignas(8) std::array<std::byte, tile_coding::kTileBytes> cells{};
+  struct Copy {
+    alignas(8) std::array<std::byte, tile_coding::kTileBytes> cells;
   };
   // What is sent of a tile.
   struct Found {
@@ -123,29 +132,26 @@ class TileSender {
   };
   static constexpr std::uint32_t kNoVersion = 0;
 
-  // Of classes a tile has a place of its own, of indexes one of the batch.
-  Found& found_of(const Added& added, std::size_t in_batch) {
-    return found_[kIsKept ? added.tile : in_batch];
+  void add(const Added& added, CellsStay cells_stay) {
+    if (coding_ == Coding::kRaw) {
+      send_raw(added);
+    } else if (!do_wait_) {
+      encode_and_send(added);
+    } else if (cells_stay == CellsStay::kToTheFinish) {
+      waiting_[waiting_count_++] = added;
+    } else {
+      add_to_batch(added);
+    }
   }
 
-  void add(const Added& added, CellsStay cells_stay) {
-    if (coding_ == Coding::kRaw || platform_->cores() == 1) {
-      encode_batch();  // helpers may be lost while a batch fills
-      if (coding_ == Coding::kRaw) {
-        send_raw(added);
-      } else {
-        encode_and_send(added);
-      }
-      return;
-    }
-    Waiting& waiting = batch_[batched_++];
-    waiting.added = added;
-    if (cells_stay == CellsStay::kForTheCall) {
-      std::ranges::copy(added.cells, waiting.cells.begin());
-      waiting.added->cells = waiting.cells;
-    }
-    if (batched_ == kBatch) {
-      encode_batch();
+  void add_to_batch(const Added& added) {
+    Copy& copy = copies_[waiting_count_];
+    std::ranges::copy(added.cells, copy.cells.begin());
+    std::optional<Added>& waiting = waiting_[waiting_count_++];
+    waiting = added;
+    waiting->cells = copy.cells;
+    if (waiting_count_ == copies_.size()) {
+      encode_and_send_waiting();
     }
   }
 
@@ -157,7 +163,7 @@ class TileSender {
   }
 
   void encode_and_send(const Added& added) {
-    Found& found = found_of(added, 0);
+    Found& found = found_[added.tile];
     encode(added, found, encoders_.front());
     send(added, found);
   }
@@ -213,31 +219,35 @@ class TileSender {
     append_or_send(added, encoding, std::span(found.payload).first(bytes));
   }
 
-  void encode_batch() {
-    if (batched_ > 0) {
-      encode_waiting();
-    }
+  void encode_waiting(work::Beside beside) {
+    const std::size_t first = encoded_;
+    const work::Runs runs(waiting_count_ - first, kEncoded);
+    auto encode_run = [this, first, &runs](std::size_t item, std::size_t core) {
+      const work::Run run = runs[item];
+      for (std::size_t i = first + run.first; i < first + run.end; ++i) {
+        encode(*waiting_[i], found_[waiting_[i]->tile], encoders_[core]);
+      }
+    };
+    platform_->share(runs.count(), work::work_of(encode_run), beside);
+    encoded_ = waiting_count_;
   }
 
   // Not inlined, because each message on its way takes a kilobyte of the stack.
-  [[gnu::noinline]] void encode_waiting() {
-    const work::Runs runs(batched_, kEncoded);
-    auto encode_run = [this, &runs](std::size_t item, std::size_t core) {
-      const work::Run run = runs[item];
-      for (std::size_t i = run.first; i < run.end; ++i) {
-        encode(*batch_[i].added, found_of(*batch_[i].added, i), encoders_[core]);
-      }
-    };
-    platform_->share(runs.count(), work::work_of(encode_run));
-    for (std::size_t i = 0; i < batched_; ++i) {
-      send(*batch_[i].added, found_of(*batch_[i].added, i));
+  [[gnu::noinline]] void encode_and_send_waiting() {
+    if (encoded_ < waiting_count_) {
+      encode_waiting({});
     }
-    batched_ = 0;
+    for (std::size_t i = 0; i < waiting_count_; ++i) {
+      send(*waiting_[i], found_[waiting_[i]->tile]);
+    }
+    waiting_count_ = 0;
+    encoded_ = 0;
   }
 
   void begin_frame(const stream::Header& header) {
     frame_number_ = header.frame_number;
     sent_ = {};
+    do_wait_ = coding_ != Coding::kRaw && platform_->cores() > 1;
   }
 
   [[nodiscard]] bool append(const Added& added, stream::Encoding encoding,
@@ -271,9 +281,12 @@ class TileSender {
   Sent sent_;
   Hash hash_;
   stream::TilesWriter tiles_;
-  std::size_t batched_ = 0;
-  std::array<Waiting, kBatch> batch_{};
-  std::array<Found, kIsKept ? geometry::kTileCount : kBatch> found_{};
+  bool do_wait_ = false;
+  std::size_t waiting_count_ = 0;
+  std::size_t encoded_ = 0;  // of them
+  std::array<std::optional<Added>, geometry::kTileCount> waiting_{};
+  std::array<Copy, kIsKept ? 0 : kBatch> copies_{};            // of the first that wait
+  std::array<Found, geometry::kTileCount> found_{};            // by tile
   std::array<tile_coding::Encoder, hal::kMaxCores> encoders_;  // one a core
   stream::References references_;
 };

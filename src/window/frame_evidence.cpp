@@ -62,7 +62,7 @@ void FrameEvidence::leave_out(std::size_t slot, std::size_t group, std::uint8_t 
 }
 
 void FrameEvidence::add(std::span<const PlacedCells> slices, const Area& area,
-                        const work::Crew& crew) {
+                        const work::Crew& crew, work::Beside beside) {
   require(slices.size() <= kMostAtOnce);
   Addings addings;
   for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -70,13 +70,17 @@ void FrameEvidence::add(std::span<const PlacedCells> slices, const Area& area,
   }
   if (crew.is_one()) {
     add_to({}, addings);
+    beside();
     return;
   }
   before_.begin();
-  crew.share(kRegionCount, [this, &area, &addings](std::size_t item, std::size_t core) {
-    keep_before(area, item, core);
-    add_to(region_of(item), addings);
-  });
+  crew.share(
+      kRegionCount,
+      [this, &area, &addings](std::size_t item, std::size_t core) {
+        keep_before(area, item, core);
+        add_to(region_of(item), addings);
+      },
+      beside);
 }
 
 void FrameEvidence::add_to(const Region& region, const Addings& addings) {

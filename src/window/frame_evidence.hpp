@@ -46,9 +46,9 @@ class FrameEvidence {
   static constexpr std::size_t kMostAtOnce = 6;
 
   // Adds slices, at most kMostAtOnce. The vehicle is inside of the area, which stays the same for a
-  // frame.
+  // frame. Core 0 does what is beside it, which may read the slices.
   void add(std::span<const PlacedCells> slices, const Area& area,
-           const work::Crew& crew = work::Crew());
+           const work::Crew& crew = work::Crew(), work::Beside beside = {});
   void add(const SliceCells& slice, const Area& area, const Placement& at) {
     const PlacedCells only{.cells = &slice, .at = at};
     add(std::span(&only, 1), area);

@@ -48,10 +48,13 @@ void WindowFusion::add(std::span<const PlacedCells> slices, const work::Crew& cr
     }
   }
   if (count > 0) {
-    evidence_.add(std::span(inside).first(count), window_.area(), crew);
-    if (is_followed_) {
-      hits_.add(std::span(inside).first(count), window_.area());
-    }
+    const auto added = std::span(inside).first(count);
+    auto list_hits = [this, added] {
+      if (is_followed_) {
+        hits_.add(added, window_.area());
+      }
+    };
+    evidence_.add(added, window_.area(), crew, work::beside_of(list_hits));
     counts_.slices += static_cast<std::uint32_t>(count);
   }
 }
@@ -77,15 +80,6 @@ void WindowFusion::decide(std::uint64_t stamp_us, const work::Crew& crew) {
   find_arrivals(crew);
   update_tiles(crew);
   add_up();
-}
-
-FrameCounts WindowFusion::end_frame(const work::Crew& crew) {
-  if (counts_.slices > 0) {
-    ++fused_frames_;
-    end_tiles(crew);
-  }
-  hits_.clear();
-  return std::exchange(counts_, {});
 }
 
 // Groups are counted only where evidence might not fit.
@@ -351,17 +345,20 @@ void WindowFusion::add_up() {
 
 // Which half of the slots has its turn to remember, and whether a period has begun since its turn
 // before. The evidence of all of them is forgotten.
-void WindowFusion::end_tiles(const work::Crew& crew) {
+void WindowFusion::end_tiles(const work::Crew& crew, work::Beside beside) {
   const std::size_t parity = fused_frames_ % 2;
   const std::uint64_t period = newest_us_ / kPeriodUs;
   const bool is_new_period = last_turns_[parity].value_or(period) != period;
   last_turns_[parity] = period;
   ground_before_.begin();
   const work::Runs runs(kSlotCount, kEnded);
-  crew.share(runs.count(), [&](std::size_t item, std::size_t core) {
-    keep_ground(runs[item], item, core);
-    end_slots(runs[item], is_new_period);
-  });
+  crew.share(
+      runs.count(),
+      [&](std::size_t item, std::size_t core) {
+        keep_ground(runs[item], item, core);
+        end_slots(runs[item], is_new_period);
+      },
+      beside);
 }
 
 void WindowFusion::keep_ground(work::Run run, std::size_t item, std::size_t core) {

@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "ageing/clock.hpp"
 #include "health/guard.hpp"
@@ -84,8 +85,24 @@ class WindowFusion {
     return end_frame(crew);
   }
   // The two steps of it, steps 1 to 3 and step 5. Between them it is asked what follows, and named.
+  // Core 0 may do something else beside the last one: do_beside(), which may read names.
   void decide(std::uint64_t stamp_us, const work::Crew& crew);
-  FrameCounts end_frame(const work::Crew& crew);
+  FrameCounts end_frame(const work::Crew& crew) {
+    return end_frame(crew, [] {});
+  }
+  template <typename DoBeside>
+  FrameCounts end_frame(const work::Crew& crew, DoBeside do_beside) {
+    if (counts_.slices > 0) {
+      ++fused_frames_;
+      end_tiles(crew, work::beside_of(do_beside));
+    } else {
+      do_beside();
+    }
+    hits_.clear();
+    return std::exchange(counts_, {});
+  }
+  // Of the frame so far.
+  [[nodiscard]] const FrameCounts& counts() const { return counts_; }
 
   // The hits of the frame, if it is followed, and how many had no room.
   [[nodiscard]] std::span<const Hit> hits() const { return hits_.all(); }
@@ -215,7 +232,7 @@ class WindowFusion {
     return (slot + frames_) % kRefreshFrames == 0;
   }
   Tile& open(std::size_t slot);
-  void end_tiles(const work::Crew& crew);
+  void end_tiles(const work::Crew& crew, work::Beside beside);
   void keep_ground(work::Run run, std::size_t item, std::size_t core);
   void end_slots(work::Run run, bool is_new_period);
   void add_up();

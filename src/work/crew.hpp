@@ -12,9 +12,9 @@ namespace iog::work {
 
 // As work::Team.
 template <typename T>
-concept Sharer = requires(T& sharer, std::size_t items, Work work) {
+concept Sharer = requires(T& sharer, std::size_t items, Work work, Beside beside) {
   { sharer.cores() } -> std::same_as<std::size_t>;
-  { sharer.share(items, work) } -> std::same_as<void>;
+  { sharer.share(items, work, beside) } -> std::same_as<void>;
 };
 
 class Crew {
@@ -27,8 +27,8 @@ class Crew {
   explicit Crew(S& sharer)
       : sharer_(&sharer),
         cores_([](void* its) { return static_cast<S*>(its)->cores(); }),
-        share_([](void* its, std::size_t items, Work work) {
-          static_cast<S*>(its)->share(items, work);
+        share_([](void* its, std::size_t items, Work work, Beside beside) {
+          static_cast<S*>(its)->share(items, work, beside);
         }) {}
 
   // How many cores may work now, core 0 included.
@@ -38,17 +38,26 @@ class Crew {
   // Does every item, at most Round::kMaxItems: do_item(item, core). Returns when all are done.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item) const {
-    if (sharer_ == nullptr) {
-      do_alone(items, work_of(do_item));
-    } else {
-      share_(sharer_, items, work_of(do_item));
-    }
+    share_work(items, work_of(do_item), Beside{});
+  }
+  // The same, and core 0 does what is beside them, once.
+  template <typename DoItem>
+  void share(std::size_t items, DoItem do_item, Beside beside) const {
+    share_work(items, work_of(do_item), beside);
   }
 
  private:
+  void share_work(std::size_t items, Work work, Beside beside) const {
+    if (sharer_ == nullptr) {
+      do_alone(items, work, beside);
+    } else {
+      share_(sharer_, items, work, beside);
+    }
+  }
+
   void* sharer_ = nullptr;
   std::size_t (*cores_)(void* sharer) = nullptr;
-  void (*share_)(void* sharer, std::size_t items, Work work) = nullptr;
+  void (*share_)(void* sharer, std::size_t items, Work work, Beside beside) = nullptr;
 };
 
 // How many items hold so many things, if each holds `in_each` but perhaps the last.

@@ -25,8 +25,22 @@ struct Work {
   void* context = nullptr;
 };
 
+// What core 0 does beside a round, once, before it takes items. It writes nothing that an item
+// reads, and reads nothing that an item writes; core 0 is never lost, so it is not done again.
+struct Beside {
+  void (*run)(void* context) = nullptr;
+  void* context = nullptr;
+
+  void operator()() const {
+    if (run != nullptr) {
+      run(context);
+    }
+  }
+};
+
 // All of it on core 0.
-inline void do_alone(std::size_t items, Work work) {
+inline void do_alone(std::size_t items, Work work, Beside beside = {}) {
+  beside();
   for (std::size_t item = 0; item < items; ++item) {
     work.run(work.context, item, 0);
   }
@@ -38,6 +52,12 @@ template <typename Callable>
   return {.run = [](void* context, std::size_t item,
                     std::size_t core) { (*static_cast<Callable*>(context))(item, core); },
           .context = &callable};
+}
+
+// The same of what is done beside.
+template <typename Callable>
+[[nodiscard]] Beside beside_of(Callable& callable) {
+  return {.run = [](void* context) { (*static_cast<Callable*>(context))(); }, .context = &callable};
 }
 
 // Adds to what one core alone counts and others may read. A load and a store, because no other core

@@ -53,16 +53,18 @@ class Team {
     return cores();
   }
 
-  // Does every item, on whatever core, and returns when all are done.
-  void share(std::size_t items, Work work) {
+  // Does every item, on whatever core, and returns when all are done. Core 0 does what is beside
+  // them first, while helpers begin.
+  void share(std::size_t items, Work work, Beside beside = {}) {
     look_around();
     if (items < 2 || cores() == 1) {
-      do_alone(items, work);
+      do_alone(items, work, beside);
       count_up(seats_[0].items, static_cast<std::uint32_t>(items));
       return;
     }
     round_.open(items, work);
     for_each_helper([this](std::size_t core) { cores_->wake(core); });
+    beside();
     round_.help(0, seats_[0].items);
     wait();
     redone_ += static_cast<std::uint32_t>(round_.redo());

@@ -41,7 +41,9 @@ class OfflinePlatform {
   [[nodiscard]] std::uint32_t run_number() const { return run_number_; }
   static constexpr std::size_t kMostCores = 1;
   [[nodiscard]] std::size_t cores() const { return kMostCores; }
-  void share(std::size_t items, work::Work work) { work::do_alone(items, work); }
+  void share(std::size_t items, work::Work work, work::Beside beside = {}) {
+    work::do_alone(items, work, beside);
+  }
 
   // Since the start.
   [[nodiscard]] std::uint64_t frames_ended() const { return frames_ended_; }

@@ -248,7 +248,7 @@ class PerceiveDespite : public ::testing::TestWithParam<Accident> {};
 
 TEST_P(PerceiveDespite, TheLossOfACoreInAnyRoundGivesTheMessagesOfOne) {
   const Rounds rounds = rounds_of_a_frame();
-  // Fuse, join; copy and place slices; find, update, end tiles; encode both grids.
+  // Fuse, join; copy and place slices; find, update; encode both grids; end tiles.
   ASSERT_EQ(rounds.end - rounds.begin, 9U);
   const bool hangs = GetParam() == Accident::kHangAfter;
   int lost = 0;

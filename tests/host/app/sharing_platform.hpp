@@ -44,7 +44,7 @@ class SharingPlatform {
   std::uint32_t run_number() { return 1; }
   [[nodiscard]] std::size_t cores() const { return team_.cores(); }
 
-  void share(std::size_t items, work::Work work) {
+  void share(std::size_t items, work::Work work, work::Beside beside = {}) {
     const bool is_due = items > 1 && rounds >= first_round_ && team_.cores() > 1;
     const std::size_t first_item = items * item_percent_ / 100;
     auto endangered = [this, work, is_due, first_item](std::size_t item, std::size_t core) {
@@ -60,7 +60,7 @@ class SharingPlatform {
         meet(Accident::kFaultAfter, Accident::kHangAfter, core);
       }
     };
-    team_.share(items, work::work_of(endangered));
+    team_.share(items, work::work_of(endangered), beside);
     if (trap_ != nullptr) {
       trap_->open();
     }

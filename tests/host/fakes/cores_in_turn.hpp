@@ -21,7 +21,8 @@ class CoresInTurn {
 
   [[nodiscard]] std::size_t cores() const { return cores_; }
 
-  void share(std::size_t items, work::Work work) {
+  // What is beside them comes at any time.
+  void share(std::size_t items, work::Work work, work::Beside beside = {}) {
     std::vector<std::size_t> order(items);
     std::iota(order.begin(), order.end(), std::size_t{0});
     for (std::size_t i = items; i > 1; --i) {
@@ -30,13 +31,21 @@ class CoresInTurn {
     const std::size_t victim = are_lost_ && cores_ > 1 ? 1 + random_.below(cores_ - 1) : 0;
     std::size_t items_left = items > 0 ? random_.below(items) / cores_ : 0;  // of the victim
     std::vector<std::size_t> again;
-    for (const std::size_t item : order) {
+    const std::size_t beside_at = beside.run == nullptr ? 0 : random_.below(items + 1);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const std::size_t item = order[i];
+      if (i == beside_at) {
+        beside();
+      }
       const std::size_t core = random_.below(cores_);
       const bool is_gone = !again.empty() && core == victim;
       work.run(work.context, item, is_gone ? 0 : core);
       if (victim != 0 && core == victim && again.empty() && items_left-- == 0) {
         again.push_back(item);
       }
+    }
+    if (beside_at == items) {
+      beside();
     }
     for (const std::size_t item : again) {
       work.run(work.context, item, 0);

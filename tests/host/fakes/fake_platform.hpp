@@ -62,7 +62,9 @@ class FakePlatform {
   [[nodiscard]] static std::uint32_t run_number() { return kRunNumber; }
   static constexpr std::size_t kMostCores = 1;
   [[nodiscard]] static std::size_t cores() { return kMostCores; }
-  static void share(std::size_t items, work::Work work) { work::do_alone(items, work); }
+  static void share(std::size_t items, work::Work work, work::Beside beside = {}) {
+    work::do_alone(items, work, beside);
+  }
   [[nodiscard]] app::Vitals vitals(const app::FrameTimes& /*times*/) const {
     return {.stack_used_bytes = 4711, .link_drops = link_drops};
   }

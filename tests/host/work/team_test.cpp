@@ -1,6 +1,7 @@
 // Cores as threads: the same bytes from any number of them, also when some are delayed or lost.
 #include "work/team.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -75,9 +76,9 @@ struct Crew {
   }
 
   // Whether every item of a round is right.
-  bool share(std::size_t items = kItems) {
+  bool share(std::size_t items = kItems, Beside beside = {}) {
     pile.renew(++round);
-    team.share(items, work_of(pile));
+    team.share(items, work_of(pile), beside);
     return pile.is_right(items);
   }
 
@@ -233,6 +234,64 @@ TEST(Team, AllHelpersMayBeLostInTheSameRound) {
   }
   EXPECT_GE(crew->team.redone(), 1U);
   ASSERT_TRUE(crew->share());
+}
+
+// Core 0 does it once, and helpers need not wait for it: an item is done before it ends.
+TEST_P(Cores, DoWhatIsBesideOnceWhileItemsAreDone) {
+  const auto crew = std::make_unique<Crew>(GetParam(), kAnyTimeUs);
+  crew->team.start(GetParam());
+  for (int round = 1; round <= 50; ++round) {
+    int times = 0;
+    std::size_t core = GetParam();
+    bool was_before = false;
+    auto beside = [&] {
+      ++times;
+      core = ThreadCores::current();
+      const auto is_done = [&] {
+        return std::ranges::any_of(crew->pile.items,
+                                   [](const Item& item) { return item.begun > 0; });
+      };
+      was_before = !is_done();
+      while (GetParam() > 1 && !is_done()) {
+        crew->cores.pause();
+      }
+    };
+    ASSERT_TRUE(crew->share(kItems, beside_of(beside)));
+    ASSERT_EQ(times, 1);
+    ASSERT_EQ(core, 0U);
+    ASSERT_TRUE(GetParam() > 1 || was_before) << "alone it comes first";
+  }
+}
+
+TEST(Team, WhatIsBesideIsDoneWithoutItems) {
+  const auto crew = std::make_unique<Crew>(2, kAnyTimeUs);
+  crew->team.start(2);
+  int times = 0;
+  auto beside = [&] { ++times; };
+  for (std::size_t items = 0; items < 3; ++items) {
+    ASSERT_TRUE(crew->share(items, beside_of(beside)));
+  }
+  EXPECT_EQ(times, 3);
+}
+
+TEST(Team, WhoHangsBesideSomethingIsStoppedAndItIsDoneOnce) {
+  const auto crew = std::make_unique<Crew>(2, kShortlyUs);
+  crew->team.start(2);
+  crew->pile.half_way = [](Pile& pile, std::size_t item) {
+    leave_some(item);
+    if (ThreadCores::current() == 1) {
+      pile.cores->hang();
+    }
+  };
+  int times = 0;
+  auto beside = [&] { ++times; };
+  int rounds = 0;
+  while (crew->team.loss(1) == Loss::kNone) {
+    ASSERT_TRUE(crew->share(kItems, beside_of(beside)));
+    ++rounds;
+  }
+  EXPECT_EQ(crew->team.loss(1), Loss::kStuck);
+  EXPECT_EQ(times, rounds);
 }
 
 // Nobody has work for them: they come when they are called, and are counted.
