@@ -42,9 +42,27 @@ void stop(std::uint64_t since_us, Track& track) {
   track.rest();
 }
 
-// It has stopped when it was slow for a while, or when it is so slow that nothing speaks for it any
-// more. What loses its confidence with a speed has never moved.
+// Since when it has hardly come any farther, whatever its speed is said to be: that of what stands
+// is often that of the hits which come and go. 0: it has.
+std::uint64_t stays_since_us(std::uint64_t now_us, const Track& track) {
+  constexpr std::uint64_t kStayUs = std::uint64_t{kStayMs} * 1000;
+  const Snapshot* const then =
+      now_us < kStayUs ? nullptr : track.snapshots.youngest_before(now_us - kStayUs);
+  if (then == nullptr) {
+    return 0;
+  }
+  const std::int64_t way_mm = range_mm(then->box.at, track.box().at);
+  const auto passed_us = static_cast<std::int64_t>(now_us - then->time_us);
+  return way_mm * static_cast<std::int64_t>(kStayUs) < kStayMm * passed_us ? then->time_us : 0;
+}
+
+// It has stopped when it was slow for a while, when it has not come far, or when it is so slow that
+// nothing speaks for it any more. What loses its confidence with a speed has never moved.
 void judge_moving(std::uint64_t now_us, Track& track) {
+  if (const std::uint64_t since_us = stays_since_us(now_us, track); since_us != 0) {
+    stop(since_us, track);
+    return;
+  }
   if (track.speed() >= kStopSpeed) {
     track.slow_us = 0;
   } else if (track.slow_us == 0) {

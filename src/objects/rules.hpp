@@ -132,13 +132,27 @@ inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
-inline constexpr std::int32_t kStreakHits = 8;  // fewer, of a box that is so long and
-inline constexpr std::int32_t kStreakMm = 300;  // narrower: what a beam draws on the ground
+// What a beam draws on the ground: fewer hits than so many, of a box as long as a walker is not,
+// and narrower than so much;
+inline constexpr std::int32_t kStreakHits = 8;
+inline constexpr std::int32_t kStreakMm = 300;
+// shorter, as a row of a few cells;
+inline constexpr std::int32_t kRowHits = 4;
+inline constexpr std::int32_t kRowMm = 100;
+inline constexpr std::int32_t kShortestRowMm = 500;
+// or wider, with less than a hit in so much of its length.
+inline constexpr std::int32_t kSparseMm = 250;
+inline constexpr std::int32_t kWidestSparseMm = 2000;
+inline constexpr std::int32_t kStreakSpeed = 15'000;  // nothing that is drawn seems faster
+inline constexpr std::int32_t kGroupSpeed = 1500;     // so slow are walkers side by side,
+inline constexpr std::int32_t kGroupPercent = 75;     // of whom the grid calls so much moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
 inline constexpr std::uint32_t kMovesFrom = 4;  // updates
 inline constexpr std::int32_t kStopSpeed = 300;
 inline constexpr std::int32_t kStopMs = 400;
+inline constexpr std::int32_t kStayMm = 180;  // what has not come so far
+inline constexpr std::int32_t kStayMs = 480;  // in so long has stopped, too
 inline constexpr std::int32_t kParkedHits = 3;
 inline constexpr std::int32_t kParkedOverOthers = 4;
 inline constexpr std::int32_t kParkedSpeed = 3000;

@@ -93,7 +93,18 @@ bool Track::is_mostly_standing() const {
 
 bool Track::is_streak() const {
   const std::int32_t narrow = std::min(box_.sides[kAlong].length(), box_.sides[kAcross].length());
-  return seen.hits < kStreakHits && longest_of(box_.sides) >= kSmallMm && narrow < kStreakMm;
+  const std::int32_t length = longest_of(box_.sides);
+  if (length < kSmallMm) {
+    return seen.hits < kRowHits && narrow < kRowMm && length >= kShortestRowMm &&
+           speed_ < kStreakSpeed;
+  }
+  if (seen.hits < kStreakHits && narrow < kStreakMm) {
+    return true;
+  }
+  const bool are_walkers = seen.hits >= kStreakHits && speed_ < kGroupSpeed &&
+                           seen.moving * 100 >= kGroupPercent * seen.hits;
+  return !moves() && !are_walkers && seen.hits * kSparseMm < length && narrow < kWidestSparseMm &&
+         speed_ < kStreakSpeed;
 }
 
 bool Track::is_small() const { return longest_of(box_.sides) < kSmallMm && speed_ < kSmallSpeed; }

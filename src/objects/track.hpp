@@ -77,8 +77,8 @@ class Track {
   [[nodiscard]] bool is_mostly_standing() const;
   // A walker, by size and speed.
   [[nodiscard]] bool is_small() const;
-  // What a beam draws where it grazes the ground is long and thin, and of few hits: a thing so long
-  // has more of them, or a width.
+  // What a beam draws where it grazes the ground is long and of few hits: a thing so long has more
+  // of them, or a width. What is known to move may lose hits, and walkers leave gaps.
   [[nodiscard]] bool is_streak() const;
 
   State state = State::kNone;

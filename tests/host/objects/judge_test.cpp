@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t kBeginUs = 1'000'000'000;
 constexpr Step kStep{40};
-constexpr Interval kCarsWidth{0, 1800};
+constexpr Interval kCarsWidth{0, 2000};  // so wide that few hits are no streak
 
 // So long, and so fast along itself, mm/s.
 Track track_of(std::int32_t length_mm, std::int32_t speed) {
@@ -66,6 +66,60 @@ TEST(Judge, AStreakOfFewHitsIsNotBelieved) {
   EXPECT_EQ(confidence_of(1199, 299, 7), 6);
 }
 
+// The same for what is shorter, if it is a row of cells: three hits and half a metre.
+TEST(Judge, AShortRowOfCellsIsNotBelieved) {
+  const auto confidence_of = [](std::int32_t length_mm, std::int32_t width_mm, std::int32_t hits,
+                                std::int32_t speed) {
+    Track track = sure_track_of(speed);
+    track.sides() = {Interval{0, length_mm}, Interval{0, width_mm}};
+    track.seen = {.hits = hits, .moving = hits};
+    track.confidence = 4;
+    judge(kBeginUs, track);
+    return track.confidence;
+  };
+  EXPECT_EQ(confidence_of(500, 99, 3, 4000), 2);
+  EXPECT_EQ(confidence_of(1199, 99, 3, 4000), 2);
+  EXPECT_EQ(confidence_of(499, 99, 3, 4000), 6);
+  EXPECT_EQ(confidence_of(500, 100, 3, 4000), 6);
+  EXPECT_EQ(confidence_of(500, 99, 4, 4000), 6);
+  EXPECT_EQ(confidence_of(500, 99, 3, 15'000), 6) << "a car far ahead";
+}
+
+// "Less than a hit in 0.25 m of its length": what does not move yet is not believed to, but for
+// walkers side by side.
+TEST(Judge, ALongTrackOfFewHitsDoesNotBeginToMove) {
+  struct Case {
+    std::int32_t hits;
+    std::int32_t moving;
+    std::int32_t width_mm;
+    std::int32_t speed;
+    State state;
+    bool is_believed;
+  };
+  constexpr State kYoung = State::kYoung;
+  for (const Case its : {
+           Case{15, 15, 1999, 4000, kYoung, false},
+           Case{16, 16, 1999, 4000, kYoung, true},
+           Case{15, 15, 2000, 4000, kYoung, true},
+           Case{15, 15, 1999, 15'000, kYoung, true},
+           Case{15, 15, 1999, 4000, State::kMoves, true},  // and some of it is hidden now
+           Case{12, 9, 1999, 1499, kYoung, true},          // three of four: two walkers
+           Case{12, 9, 1999, 1501, kYoung, false},
+           Case{12, 8, 1999, 1499, kYoung, false},
+           Case{7, 7, 1999, 1499, kYoung, false},
+       }) {
+    Track track = sure_track_of(its.speed);
+    track.sides() = {Interval{0, 4000}, Interval{0, its.width_mm}};
+    track.state = its.state;
+    track.seen = {.hits = its.hits, .moving = its.moving};
+    track.confidence = 2;
+    judge(kBeginUs, track);
+    EXPECT_EQ(track.confidence, its.is_believed ? 4 : 0)
+        << its.hits << " hits, " << its.moving << " moving, " << its.width_mm << " mm, "
+        << its.speed << " mm/s";
+  }
+}
+
 // Nor is it fast: places that it has left do not speak for it.
 TEST(Judge, AStreakIsNotBelievedForPlacesThatItHasLeft) {
   Track track = sure_track_of(2000);
@@ -113,6 +167,31 @@ TEST(Judge, ATrackThatIsSlowTwiceButNeverForLongMoves) {
   EXPECT_EQ(judged(track, 840, 200), State::kStopped);
   EXPECT_EQ(track.stopped_us, kBeginUs + 440'000);
   EXPECT_EQ(track.speed(), 0);
+}
+
+// "It has come less than 0.18 m far in 0.48 s": its speed may be that of hits that come and go.
+TEST(Judge, ATrackThatDoesNotComeFarHasStopped) {
+  struct Case {
+    std::int32_t way_mm;
+    std::uint64_t ms;
+    bool has_stopped;
+  };
+  for (const Case its : {Case{179, 480, true}, Case{180, 480, false}, Case{0, 479, false},
+                         Case{209, 560, true}, Case{210, 560, false}}) {
+    Track track = sure_track_of(2000);
+    track.state = State::kMoves;
+    track.confidence = kMostConfidence;
+    Box then = track.box();
+    then.at.y_mm -= its.way_mm;
+    track.snapshots.begin(kBeginUs, then).count = 1;
+    judge(kBeginUs + its.ms * 1000, track);
+    EXPECT_EQ(track.state, its.has_stopped ? State::kStopped : State::kMoves)
+        << its.way_mm << " mm in " << its.ms << " ms";
+    if (its.has_stopped) {
+      EXPECT_EQ(track.stopped_us, kBeginUs);
+      EXPECT_EQ(track.speed(), 0);
+    }
+  }
 }
 
 // "A track ends when its box is longer than 20 m."
