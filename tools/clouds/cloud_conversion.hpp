@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/clouds/cloud_set.hpp"
@@ -25,6 +26,9 @@ class CloudConversion {
   CloudConversion(const CloudConversion&) = delete;
   CloudConversion& operator=(const CloudConversion&) = delete;
   ~CloudConversion() = default;
+
+  // Is told where each point goes, before its datagram is returned.
+  void tell(UnitPackets::OnSent on_sent) { packets_.tell(std::move(on_sent)); }
 
   // The next datagrams in order of time, those of a turn; none: that was all. UsageError for a
   // cloud that cannot be read, or if half of the points so far are not where the car's

@@ -120,21 +120,19 @@ VelodyneBlocks& UnitPackets::packet(std::int64_t number) {
   return found->second;
 }
 
-// Of that firing of the whole drive; nullptr if its packet has left.
-std::uint16_t* UnitPackets::range_of(const Channel& channel, std::int64_t firing) {
+// Of that firing of the whole drive.
+UnitPackets::Slot UnitPackets::slot_of(const Channel& channel, std::int64_t firing) const {
   const std::int64_t number = numeric::div_floor(firing, firings_);
-  if (number < first_open_) {
-    return nullptr;
-  }
   const auto first_block = static_cast<std::size_t>(firing - number * firings_) * unit_->banks;
-  return &packet(number)[first_block + channel.number / kChannels]
-              .ranges[channel.number % kChannels];
+  return {.packet = number,
+          .block = first_block + channel.number / kChannels,
+          .channel = channel.number % kChannels};
 }
 
-// To the firing of its laser that is nearest in time, or if that has a point, to one beside it.
-// Returns the fate that counts it.
-std::uint64_t& UnitPackets::put(std::size_t turn, const LaserPoint& point) {
-  const long long range = numeric::round(point.range_m * 1000 / unit_->range_unit_mm);
+// To the firing of its laser that is nearest in time, or if that has a point or its packet has
+// left, to one beside it. Returns the fate that counts it.
+std::uint64_t& UnitPackets::put(std::size_t turn, std::size_t point, const LaserPoint& its) {
+  const long long range = numeric::round(its.range_m * 1000 / unit_->range_unit_mm);
   if (range < 1 || range > std::numeric_limits<std::uint16_t>::max()) {
     return fates_.out_of_range;
   }
@@ -144,9 +142,8 @@ std::uint64_t& UnitPackets::put(std::size_t turn, const LaserPoint& point) {
     std::int64_t firing;
   };
   std::vector<Choice> choices;
-  for (const Channel& channel : channels_[point.layer]) {
-    const double at_us =
-        seen_at_us(turn, point.right - channel.right) - begin_us_ - channel.fires_us;
+  for (const Channel& channel : channels_[its.layer]) {
+    const double at_us = seen_at_us(turn, its.right - channel.right) - begin_us_ - channel.fires_us;
     const std::int64_t nearest = numeric::round(at_us / block_us_);
     for (std::int64_t firing = nearest - 1; firing <= nearest + 1; ++firing) {
       choices.push_back(
@@ -155,9 +152,19 @@ std::uint64_t& UnitPackets::put(std::size_t turn, const LaserPoint& point) {
   }
   std::ranges::sort(choices, {}, &Choice::off_us);
   for (const Choice& choice : choices) {
-    std::uint16_t* const free = range_of(*choice.channel, choice.firing);
-    if (free != nullptr && *free == 0) {
-      *free = static_cast<std::uint16_t>(range);
+    const Slot slot = slot_of(*choice.channel, choice.firing);
+    if (slot.packet < first_open_) {
+      continue;
+    }
+    std::uint16_t& free = packet(slot.packet)[slot.block].ranges[slot.channel];
+    if (free == 0) {
+      free = static_cast<std::uint16_t>(range);
+      if (on_sent_) {
+        on_sent_({.turn = turn,
+                  .point = point,
+                  .datagram_us = sent_at_us(slot.packet),
+                  .range = slot.block * kChannels + slot.channel});
+      }
       return fates_.sent;
     }
   }
@@ -172,10 +179,10 @@ std::vector<CapturedDatagram> UnitPackets::add(std::size_t turn, const PointClou
     packet(i);
   }
   fates_.not_finite += cloud.not_finite;
-  for (const CloudPoint& point : cloud.points) {
-    const std::optional<LaserPoint> its = seen(turn, point, place_at);
+  for (std::size_t point = 0; point < cloud.points.size(); ++point) {
+    const std::optional<LaserPoint> its = seen(turn, cloud.points[point], place_at);
     sure_ += its && its->is_sure ? 1U : 0U;
-    ++(its ? put(turn, *its) : fates_.no_laser);
+    ++(its ? put(turn, point, *its) : fates_.no_laser);
   }
   return take_before(packet_at(middle + 0.5 - kSeamTurns));
 }
@@ -184,20 +191,30 @@ std::vector<CapturedDatagram> UnitPackets::finish() {
   return take_before(std::numeric_limits<std::int64_t>::max());
 }
 
+// After the head's first time.
+double UnitPackets::begin_us_of(std::int64_t packet) const {
+  return begin_us_ + static_cast<double>(packet * firings_) * block_us_;
+}
+
+// A packet leaves when its last firing is over.
+std::uint64_t UnitPackets::sent_at_us(std::int64_t packet) const {
+  return unix_us(begin_us_of(packet + 1));
+}
+
+std::uint64_t UnitPackets::unix_us(double us) const {
+  return head_->first().time_us + static_cast<std::uint64_t>(numeric::round(us));
+}
+
 std::vector<CapturedDatagram> UnitPackets::take_before(std::int64_t end) {
-  const double packet_us = block_us_ * static_cast<double>(firings_);
   const std::uint32_t source = sensor_->source_ipv4 != 0 ? sensor_->source_ipv4 : kUnnamedIpv4;
   std::vector<CapturedDatagram> taken;
   for (auto it = packets_.begin(); it != packets_.end() && it->first < end;
        it = packets_.erase(it)) {
-    const double begin_us = begin_us_ + static_cast<double>(it->first) * packet_us;
-    const auto unix_us = [&](double us) {
-      return head_->first().time_us + static_cast<std::uint64_t>(numeric::round(us));
-    };
-    taken.push_back({.time_us = unix_us(begin_us + packet_us),
-                     .source = {source, sensor_->udp_port},
-                     .destination = {kTargetIpv4, sensor_->udp_port},
-                     .payload = data_packet(*unit_, it->second, unix_us(begin_us), left_++)});
+    taken.push_back(
+        {.time_us = sent_at_us(it->first),
+         .source = {source, sensor_->udp_port},
+         .destination = {kTargetIpv4, sensor_->udp_port},
+         .payload = data_packet(*unit_, it->second, unix_us(begin_us_of(it->first)), left_++)});
   }
   first_open_ = std::max(first_open_, end);
   return taken;

@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "description/description.hpp"
@@ -36,6 +37,15 @@ struct PointFates {
   }
 };
 
+// Where a point of a cloud went: of the datagram with this time, in microseconds since 1970, the
+// range with this number, counted as in the packet.
+struct SentPoint {
+  std::size_t turn = 0;
+  std::size_t point = 0;  // of its cloud
+  std::uint64_t datagram_us = 0;
+  std::size_t range = 0;
+};
+
 // nullptr if a sensor of that format is no Velodyne.
 [[nodiscard]] const lidar::VelodyneUnit* velodyne_unit_of(lidar::Format format);
 
@@ -46,6 +56,10 @@ class UnitPackets {
 
   // Where a point of a cloud was in the unit's frame at a time, in microseconds since 1970.
   using PlaceAt = std::function<CloudPoint(const CloudPoint& point, double time_us)>;
+
+  // Is told where each point goes, before its packet is returned.
+  using OnSent = std::function<void(const SentPoint&)>;
+  void tell(OnSent on_sent) { on_sent_ = std::move(on_sent); }
 
   // The points of a turn. Turns rise. Returns the packets, in order, to which none of a later turn
   // can come.
@@ -72,9 +86,18 @@ class UnitPackets {
                                                     const PlaceAt& place_at) const;
   [[nodiscard]] std::optional<LaserPoint> seen(std::size_t turn, const CloudPoint& point,
                                                const PlaceAt& place_at) const;
-  [[nodiscard]] std::uint64_t& put(std::size_t turn, const LaserPoint& point);
-  [[nodiscard]] std::uint16_t* range_of(const Channel& channel, std::int64_t firing);
+  [[nodiscard]] std::uint64_t& put(std::size_t turn, std::size_t point, const LaserPoint& its);
+  // A range of a packet.
+  struct Slot {
+    std::int64_t packet = 0;
+    std::size_t block = 0;
+    std::size_t channel = 0;
+  };
+  [[nodiscard]] Slot slot_of(const Channel& channel, std::int64_t firing) const;
   VelodyneBlocks& packet(std::int64_t number);
+  [[nodiscard]] double begin_us_of(std::int64_t packet) const;
+  [[nodiscard]] std::uint64_t sent_at_us(std::int64_t packet) const;
+  [[nodiscard]] std::uint64_t unix_us(double us) const;
   [[nodiscard]] double seen_at_us(std::size_t turn, double right) const;
   [[nodiscard]] std::int64_t packet_at(double turns) const;
   [[nodiscard]] std::vector<CapturedDatagram> take_before(std::int64_t end);
@@ -92,6 +115,7 @@ class UnitPackets {
   std::uint64_t left_ = 0;                       // so many
   std::map<std::int64_t, VelodyneBlocks> packets_;
   PointFates fates_;
+  OnSent on_sent_;
   std::uint64_t sure_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include <tuple>
 #include <vector>
 
+#include "drive_returns.hpp"
 #include "drive_sample.hpp"
 #include "fakes/temporary_folder.hpp"
 #include "lidar/velodyne_hdl64e.hpp"
@@ -29,61 +30,8 @@ namespace iog::tools {
 namespace {
 
 constexpr std::size_t kTurns = 4;
-constexpr double kTurnUs = 100'000;
-constexpr double kBlockUs = 57.6;  // HDL-64E S3
 constexpr double kCrossingM = 0.02;
 constexpr double kTicksPerBlock = 36'000 * kBlockUs / kTurnUs;
-
-const CatalogueEntry& car() { return find_vehicle("roof_hdl64e"); }
-
-// A return as the wire has it.
-struct Return {
-  std::size_t layer = 0;
-  double time_us = 0;  // of the drive
-  std::uint32_t range_mm = 0;
-  std::int32_t azimuth_ticks = 0;  // counter-clockwise, where the head looked
-};
-
-std::vector<Return> returns_of(const std::vector<CapturedDatagram>& datagrams) {
-  std::vector<Return> returns;
-  lidar::VelodyneHdl64eS3 decoder;
-  for (const CapturedDatagram& datagram : datagrams) {
-    if (datagram.destination.port != car().sensors[0].udp_port) {
-      continue;
-    }
-    EXPECT_EQ(decoder.decode(datagram.payload), lidar::DecodeStatus::kOk);
-    const auto begin_us = static_cast<double>(decoder.info().sweep.begin_us);  // of a full hour
-    std::size_t i = 0;
-    decoder.for_each_point([&](const lidar::ScanPoint& point) {
-      const std::size_t firing = i / 64;
-      const std::size_t channel = i++ % 32;
-      if (point.range_mm > 0) {
-        returns.push_back({.layer = point.layer,
-                           .time_us = begin_us + static_cast<double>(firing) * kBlockUs +
-                                      kBlockUs * lidar::kHdl64eS3Unit.fires_at[channel] / 240,
-                           .range_mm = point.range_mm,
-                           .azimuth_ticks = point.azimuth_ticks});
-      }
-    });
-  }
-  return returns;
-}
-
-std::size_t turn_of(const Return& its) {
-  return static_cast<std::size_t>(its.time_us / kTurnUs + 0.5) - 1;
-}
-
-// In the frame of the unit, by docs/sensors.md: the beam leaves the axis at a height that its laser
-// says, and the wire's range begins elsewhere by a correction.
-CloudPoint point_of(const Return& its) {
-  const lidar::Laser& laser = car().sensors[0].lasers[its.layer];
-  const double elevation = laser.elevation_deg * kRadians;
-  const double azimuth = (its.azimuth_ticks / 100.0 + laser.azimuth_deg) * kRadians;
-  const double way = its.range_mm / 1000.0 + laser.range_m - laser.height_m * std::tan(elevation);
-  const double r = way * std::cos(elevation);
-  return {r * std::cos(azimuth), r * std::sin(azimuth),
-          laser.height_m / std::cos(elevation) + way * std::sin(elevation)};
-}
 
 // Where beams of two lasers cross, nothing tells whose a point is.
 bool is_of_one_laser(const Return& its, double off_m) {
@@ -145,15 +93,17 @@ CloudPoint seen_from(const Place& to, const CloudPoint& point, const Place& from
 
 class Clouds : public testing::Test {
  protected:
-  static void SetUpTestSuite() { drive_ = whole_turns(returns_of(sample_drive(car(), 3, 5))); }
-  static void TearDownTestSuite() { drive_.clear(); }
+  static void SetUpTestSuite() {
+    shared_drive = whole_turns(returns_of(sample_drive(car(), 3, 5)));
+  }
+  static void TearDownTestSuite() { shared_drive.clear(); }
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() + name; }
 
   template <typename PointOf>
   void write_clouds(const std::string& stem, std::size_t digits, const PointOf& its) const {
     std::map<std::size_t, std::vector<std::byte>> clouds;
-    for (const Return& one : drive_) {
+    for (const Return& one : shared_drive) {
       append(its(one), clouds[turn_of(one)]);
     }
     for (const auto& [turn, bytes] : clouds) {
@@ -240,42 +190,75 @@ class Clouds : public testing::Test {
     std::vector<Return> found = returns_of(datagrams);
     std::ranges::sort(found, {},
                       [](const Return& its) { return std::tuple(its.layer, its.time_us); });
-    ASSERT_GT(drive_.size(), 300'000U);
-    ASSERT_EQ(found.size(), drive_.size());
+    ASSERT_GT(shared_drive.size(), 300'000U);
+    ASSERT_EQ(found.size(), shared_drive.size());
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
       const std::int32_t off_ticks =
-          (found[i].azimuth_ticks - drive_[i].azimuth_ticks + 54'000) % 36'000 - 18'000;
-      const std::int64_t off = std::int64_t{found[i].range_mm} - drive_[i].range_mm;
-      wrong += found[i].layer != drive_[i].layer || std::abs(off) > off_mm ||
+          (found[i].azimuth_ticks - shared_drive[i].azimuth_ticks + 54'000) % 36'000 - 18'000;
+      const std::int64_t off = std::int64_t{found[i].range_mm} - shared_drive[i].range_mm;
+      wrong += found[i].layer != shared_drive[i].layer || std::abs(off) > off_mm ||
                        std::abs(off_ticks) > kTicksPerBlock / 2 + 1 ||
-                       std::abs(found[i].time_us - drive_[i].time_us) > kBlockUs / 2 + 1.5
+                       std::abs(found[i].time_us - shared_drive[i].time_us) > kBlockUs / 2 + 1.5
                    ? 1U
                    : 0U;
     }
     EXPECT_EQ(wrong, 0U) << "of " << found.size();
   }
 
-  static std::vector<Return> drive_;
+  static std::vector<Return> shared_drive;
   tests::TemporaryFolder folder_;
 };
-std::vector<Return> Clouds::drive_;
+std::vector<Return> Clouds::shared_drive;
 
 TEST_F(Clouds, OfRawDataGoBackToTheirPackets) {
   write_raw();
   PointFates fates;
   const std::vector<CapturedDatagram> datagrams = converted(fates);
-  EXPECT_EQ(fates.sent, drive_.size());
-  EXPECT_EQ(fates.seen(), drive_.size());
+  EXPECT_EQ(fates.sent, shared_drive.size());
+  EXPECT_EQ(fates.seen(), shared_drive.size());
   EXPECT_TRUE(std::ranges::is_sorted(datagrams, {}, &CapturedDatagram::time_us));
   expect_the_drive(datagrams, 0);
+}
+
+// The clouds' points are in the order of the drive.
+TEST_F(Clouds, TellWhereEachPointWent) {
+  write_raw();
+  std::map<std::size_t, std::vector<Return>> turns;
+  for (const Return& its : shared_drive) {
+    turns[turn_of(its)].push_back(its);
+  }
+  CloudConversion conversion(folder_.path(), car(), 0, 0, 0);
+  std::map<std::uint64_t, std::vector<SentPoint>> told;
+  conversion.tell([&](const SentPoint& point) { told[point.datagram_us].push_back(point); });
+  std::size_t found = 0;
+  std::size_t wrong = 0;
+  lidar::VelodyneHdl64eS3 decoder;
+  for (std::vector<CapturedDatagram> next; !(next = conversion.next()).empty();) {
+    for (const CapturedDatagram& datagram : next) {
+      if (datagram.destination.port != car().sensors[0].udp_port) {
+        continue;
+      }
+      ASSERT_EQ(decoder.decode(datagram.payload), lidar::DecodeStatus::kOk);
+      std::vector<lidar::ScanPoint> points;
+      decoder.for_each_point([&](const lidar::ScanPoint& point) { points.push_back(point); });
+      for (const SentPoint& sent : told[datagram.time_us]) {
+        const Return& its = turns[sent.turn].at(sent.point);
+        const lidar::ScanPoint& point = points.at(sent.range);
+        ++found;
+        wrong += point.layer != its.layer || point.range_mm != its.range_mm ? 1U : 0U;
+      }
+    }
+  }
+  EXPECT_EQ(found, shared_drive.size());
+  EXPECT_EQ(wrong, 0U);
 }
 
 TEST_F(Clouds, OfOdometryDataGoBackToWhereTheyWereSeen) {
   write_odometry();
   PointFates fates;
   expect_the_drive(converted(fates), 2);
-  EXPECT_EQ(fates.sent, drive_.size());
+  EXPECT_EQ(fates.sent, shared_drive.size());
 }
 
 // Between two of the log's poses the car moves evenly.
