@@ -5,7 +5,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[4]
-for _folder in ("lab", "lab/pages", "lab/recorded", "lab/target"):
+for _folder in ("lab", "lab/pages", "lab/labelled", "lab/recorded", "lab/target"):
     sys.path.insert(0, str(ROOT / _folder))
 
 
