@@ -117,7 +117,7 @@ TEST(Capture, WhatDoesNotFitIntoAFrameIsFragments) {
   const std::string path = folder / "fragments.pcap";
   write_capture(path, {datagram_of(1, 3000), datagram_of(2, 3000)});
   auto bytes = read_file(path);
-  ASSERT_EQ(bytes.size(), kFileHeaderBytes + 2 * (3 * (16 + 34) + 3008));
+  ASSERT_EQ(bytes.size(), kFileHeaderBytes + std::size_t{2} * (3 * (16 + 34) + 3008));
   const auto half = [&](std::size_t at) {
     return wire::load_be16(std::span(bytes).subspan(at).first<2>());
   };

@@ -106,11 +106,11 @@ std::string file_of_ousters(const std::string& name, int units, int rows, const 
                      "}\n";
   const std::string points = std::to_string(std::stoi(mode.substr(0, mode.find('x'))) * rows);
   for (int unit = 0; unit < units; ++unit) {
-    text += "\n[[sensors]]\nname = \"roof" + std::to_string(unit) +
-            "\"\ntype = \"ouster_legacy\"\nudp_port = " + std::to_string(7'502 + unit) +
-            "\nmount = { x_m = 0, y_m = " + std::to_string(unit) + ", z_m = 1.8 }\n" +
-            "azimuth_steps_per_turn = 4096\nmax_points_per_scan = " + points + "\nmode = \"" +
-            mode + "\"\nlasers = [\n";
+    text.append("\n[[sensors]]\nname = \"roof" + std::to_string(unit))
+        .append("\"\ntype = \"ouster_legacy\"\nudp_port = " + std::to_string(7'502 + unit))
+        .append("\nmount = { x_m = 0, y_m = " + std::to_string(unit) + ", z_m = 1.8 }\n")
+        .append("azimuth_steps_per_turn = 4096\nmax_points_per_scan = " + points)
+        .append("\nmode = \"" + mode + "\"\nlasers = [\n");
     for (int row = 0; row < rows; ++row) {
       text += "  { elevation_deg = " + std::to_string(20.0 - 40.0 * row / (rows - 1)) +
               ", azimuth_deg = " + std::to_string(row % 4 * 2.1 - 3.1) +

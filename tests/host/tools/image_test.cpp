@@ -74,7 +74,7 @@ Image legacy_image() {
 
 // A boot record, something else, the image from a sector on, and nothing.
 Image card() {
-  Image image(4 * 512);
+  Image image(std::size_t{4} * 512);
   image[510] = std::byte{0x55};
   image[511] = std::byte{0xAA};
   const Image content = legacy_image();

@@ -167,6 +167,8 @@ TEST(Canvas, SpellsEachCopyrightSign) {
     Canvas canvas(80, 9, {});
     canvas.text(1, 1, words, {0, 255, 0});
     std::vector<std::uint8_t> green;
+    green.reserve(static_cast<std::size_t>(canvas.width()) *
+                  static_cast<std::size_t>(canvas.height()));
     for (int i = 0; i < canvas.width() * canvas.height(); ++i) {
       green.push_back(canvas.at(i % canvas.width(), i / canvas.width()).green);
     }

@@ -217,7 +217,8 @@ TEST(ConvertedLog, PosesSayWhereTheyAreOnAMap) {
     const double latitude = 49 + 3e-4 * i;
     const double longitude = 8.4 - 4e-4 * i;
     const LocalPlane::Place at = plane.place_of(latitude, longitude);
-    log.poses.push_back(logged(100'000U * static_cast<unsigned>(i), at.east_m, at.north_m, 0));
+    log.poses.push_back(
+        logged(std::uint64_t{100'000} * static_cast<unsigned>(i), at.east_m, at.north_m, 0));
     on_map.push_back(origin.plane().place_of(latitude, longitude));
   }
   EXPECT_FALSE(converted(log, {}).samples.front().map);

@@ -279,10 +279,10 @@ TEST(ClassOccupancyGrid, StandsInTheLocalFrame) {
 // 3.9.
 TEST(ClassOccupancyGrid, MapServersThresholdsTellFreeFromOccupied) {
   EXPECT_EQ(percent_of_class(0), -1);
-  std::set<int> values;
+  std::set<std::int8_t> values;
   for (int number = 1; number <= 8; ++number) {
     for (int sureness = 0; sureness < 8; ++sureness) {
-      const int percent = percent_of_class(static_cast<std::int8_t>(8 * number + sureness));
+      const std::int8_t percent = percent_of_class(static_cast<std::int8_t>(8 * number + sureness));
       values.insert(percent);
       EXPECT_TRUE(number <= 3 ? percent >= 0 && percent < 19.6 : percent > 65 && percent <= 100);
     }

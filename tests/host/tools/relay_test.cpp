@@ -200,6 +200,7 @@ struct Relayed {
 
   static std::vector<RelayedUnit> units(const std::vector<std::uint16_t>& tcp_ports) {
     std::vector<RelayedUnit> all;
+    all.reserve(tcp_ports.size());
     for (const std::uint16_t port : tcp_ports) {
       all.push_back({"unit" + std::to_string(all.size()), "127.0.0.1", port});
     }

@@ -21,25 +21,25 @@ bool contains(const std::string& text, std::string_view part) {
 
 // By the makers' data sheets, points a second of both returns.
 TEST(TwoReturns, SendWhatTheDataSheetsSay) {
-  using namespace lidar;
-  EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneVlp16>) * 10, 578'700, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<VelodynePuckHires>) * 10, 578'700, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneHdl32e>) * 10, 1'388'900, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneVlp32c>) * 10, 1'157'400, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<VelodyneHdl64eS3>) * 10, 2'222'200, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiPandar40p>) * 10, 1'440'000, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiPandar64>) * 10, 2'304'000, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiQt64>) * 10, 768'000, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiQt128>) * 10, 2'304'000, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt16>) * 10, 640'000, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt32>) * 10, 1'280'000, 500);
-  EXPECT_NEAR(points_with_two_returns(kFormat<HesaiXt32m>) * 10, 1'280'000, 500);
-  EXPECT_EQ(points_with_two_returns(kFormat<VelodyneHdl64eS2>), 0U);
-  EXPECT_EQ(points_with_two_returns(kFormat<OusterLegacy>), 0U);
-  EXPECT_FALSE(sends_two_returns(kFormat<OusterRng19>));
-  EXPECT_TRUE(sends_two_returns(kFormat<OusterRng19Dual>));
-  EXPECT_FALSE(sends_two_returns(kFormat<HesaiXt32>));
-  EXPECT_EQ(points_with_two_returns(kFormat<IbeoLux>), 0U);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::VelodyneVlp16>) * 10, 578'700, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::VelodynePuckHires>) * 10, 578'700, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::VelodyneHdl32e>) * 10, 1'388'900, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::VelodyneVlp32c>) * 10, 1'157'400, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::VelodyneHdl64eS3>) * 10, 2'222'200,
+              500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::HesaiPandar40p>) * 10, 1'440'000, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::HesaiPandar64>) * 10, 2'304'000, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::HesaiQt64>) * 10, 768'000, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::HesaiQt128>) * 10, 2'304'000, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::HesaiXt16>) * 10, 640'000, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::HesaiXt32>) * 10, 1'280'000, 500);
+  EXPECT_NEAR(points_with_two_returns(lidar::kFormat<lidar::HesaiXt32m>) * 10, 1'280'000, 500);
+  EXPECT_EQ(points_with_two_returns(lidar::kFormat<lidar::VelodyneHdl64eS2>), 0U);
+  EXPECT_EQ(points_with_two_returns(lidar::kFormat<lidar::OusterLegacy>), 0U);
+  EXPECT_FALSE(sends_two_returns(lidar::kFormat<lidar::OusterRng19>));
+  EXPECT_TRUE(sends_two_returns(lidar::kFormat<lidar::OusterRng19Dual>));
+  EXPECT_FALSE(sends_two_returns(lidar::kFormat<lidar::HesaiXt32>));
+  EXPECT_EQ(points_with_two_returns(lidar::kFormat<lidar::IbeoLux>), 0U);
 }
 
 TEST(TwoReturns, OnlyThoseThatDoNotFitAreWarnedOf) {

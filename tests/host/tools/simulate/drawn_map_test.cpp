@@ -19,8 +19,8 @@ namespace {
 constexpr double kDriveS = 10;
 
 const Scene& city() {
-  static const Scene kCity = find_scene("city").make(2, kDriveS);
-  return kCity;
+  static const Scene the_city = find_scene("city").make(2, kDriveS);
+  return the_city;
 }
 
 DrawnMap drawn(const MapErrors& errors, std::uint64_t seed = 1) {

@@ -113,14 +113,14 @@ Placed placed_by(const std::string& car_name) {
 
 // Of all cars: to make their drives takes longer than to look at them, so each is made once.
 const std::map<std::string, Placed>& placed_of_all() {
-  static const std::map<std::string, Placed> kPlaced = [] {
+  static const std::map<std::string, Placed> all_placed = [] {
     std::map<std::string, Placed> placed;
     for (const std::string& car : kCars) {
       placed.emplace(car, placed_by(car));
     }
     return placed;
   }();
-  return kPlaced;
+  return all_placed;
 }
 
 // Mean distance from the wall's face of the points in a part of the turn.
@@ -234,12 +234,12 @@ Vector3 place_of(const lidar::ScanPoint& point, const description::SensorConfig&
 
 // Drives share the ground, which is computed where one of them asks for it.
 Drive leaning_drive_over_hills(const std::string& car) {
-  static const Scene kHills = [] {
+  static const Scene hills = [] {
     Scene scene = find_scene("hills").make(1, 2);
     scene.attitude.emplace(1);
     return scene;
   }();
-  return Drive(find_vehicle(car), 1, 2, kHills, Motion::kContinuous);
+  return Drive(find_vehicle(car), 1, 2, hills, Motion::kContinuous);
 }
 
 // What a packet says, placed by mount and pose, is where its truth says: but for the error of a

@@ -180,16 +180,16 @@ std::vector<bool> grown(const std::vector<bool>& occupied, int reach) {
 // the pitch, which the truth leaves aside.
 TEST_P(EveryFlatScene, WhatIsFusedAsOccupiedIsThere) {
   const CatalogueEntry& car = find_vehicle("reference_car");
-  constexpr std::uint32_t frame = 25;
+  constexpr std::uint32_t kFrame = 25;
   Drive drive(car, 1, 2, GetParam());
   const auto fusion = std::make_unique<grid::FrameFusion>(*car.vehicle);
-  for_each_point(drive, frame, car,
+  for_each_point(drive, kFrame, car,
                  [&](const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
                    fusion->add(sensor, point);
                  });
   fusion->finish();
   const auto there =
-      grown(true_occupancy(drive.ego(frame), drive.solids(frame), *car.description), 4);
+      grown(true_occupancy(drive.ego(kFrame), drive.solids(kFrame), *car.description), 4);
   std::size_t occupied = 0;
   std::size_t wrong = 0;
   for (std::size_t cell = 0; cell < geometry::kCellCount; ++cell) {

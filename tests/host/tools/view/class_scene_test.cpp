@@ -132,7 +132,8 @@ TEST_F(ClassSceneTest, TheTruthOfACellIsThatOfItsPlaceInTheWorld) {
                     : TrueClass::kFree;
       const auto slot =
           window::slot_of({window.corner_a + x / kTileSide, window.corner_b + y / kTileSide});
-      const auto i = static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide);
+      const auto i = static_cast<std::size_t>(y % kTileSide) * kTileSide +
+                     static_cast<std::size_t>(x % kTileSide);
       ASSERT_EQ(page.true_classes.at(cell_of_tile(slot, i)), static_cast<int>(expected))
           << x << ", " << y;
     }
