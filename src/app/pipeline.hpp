@@ -150,7 +150,8 @@ class EnginePipeline {
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  void publish(const FrameReport& report) {
+  // Calls, as the next one: what both need of the stack is needed once.
+  [[gnu::noinline]] void publish(const FrameReport& report) {
     take_tiles(report);
     if constexpr (kPerceives) {
       const PerceptionReport perception = engine_.perception();
@@ -162,7 +163,7 @@ class EnginePipeline {
 
   // While the other cores encode tiles, core 0 follows things; while they encode classes, it sends
   // the tiles; and while they remember the ground, the classes.
-  void publish_divided(const FrameReport& report, const work::Crew& crew) {
+  [[gnu::noinline]] void publish_divided(const FrameReport& report, const work::Crew& crew) {
     take_tiles(report);
     network_.encode_tiles([this] { engine_.follow_objects(); });
     const PerceptionReport perception = engine_.perception();
