@@ -1,7 +1,29 @@
-"""What processes there are, by Linux's /proc."""
+"""Programs that start others: called so that none is left; and what processes there are, by Linux's /proc."""
 
 import os
 import pathlib
+import signal
+import subprocess
+
+PATIENCE_S = 280
+TIME_TO_END_S = 10
+
+
+def called(*command) -> subprocess.CompletedProcess:
+    """Its status and what it says, as one text. Too slow, it is ended with all that it has started."""
+    run = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                           text=True, start_new_session=True)
+    try:
+        said, _ = run.communicate(timeout=PATIENCE_S)
+    except subprocess.TimeoutExpired:
+        os.killpg(run.pid, signal.SIGTERM)
+        try:
+            said, _ = run.communicate(timeout=TIME_TO_END_S)
+        except subprocess.TimeoutExpired:
+            os.killpg(run.pid, signal.SIGKILL)
+            said, _ = run.communicate()
+        raise AssertionError(f"{command[0]}: not done in {PATIENCE_S} s\n{said}") from None
+    return subprocess.CompletedProcess(command, run.returncode, said)
 
 
 def stat_of(pid: int) -> tuple[str, str, int, str] | None:
