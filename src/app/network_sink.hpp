@@ -32,7 +32,7 @@ class NetworkSink {
   }
 
   void end_frame() {
-    end_tiles();
+    end_tiles(tiles_.finish());
     send_frame_end();
   }
 
@@ -42,6 +42,7 @@ class NetworkSink {
   void encode_tiles(DoBeside do_beside) {
     tiles_.encode(do_beside);
   }
+  void encode_rest() { tiles_.encode_rest(); }
 
   // The same of cells that stay as they are to the frame's end.
   void take_staying(std::size_t tile, tile_coding::TileCells cells) {
@@ -56,12 +57,8 @@ class NetworkSink {
     tiles_.begin(header_);
   }
 
-  void end_tiles() {
-    const auto sent = tiles_.finish();
-    end_.tiles_sent = sent.tiles;
-    end_.tiles_lost = sent.tiles_lost;
-    end_.grid_crc = sent.crc;
-  }
+  // All that wait are encoded.
+  void end_encoded_tiles() { end_tiles(tiles_.finish_encoded()); }
 
   void send_frame_end() {
     messages_.send(header_, stream::MessageType::kFrameEnd, [this](std::span<std::byte> body) {
@@ -73,6 +70,12 @@ class NetworkSink {
   [[nodiscard]] MessageSender<P>& messages() { return messages_; }
 
  private:
+  void end_tiles(const typename TileSender<P, stream::GridHash>::Sent& sent) {
+    end_.tiles_sent = sent.tiles;
+    end_.tiles_lost = sent.tiles_lost;
+    end_.grid_crc = sent.crc;
+  }
+
   // The frame at hand.
   stream::Header header_;
   stream::FrameEnd end_;

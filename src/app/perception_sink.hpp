@@ -71,7 +71,7 @@ class PerceptionSink : private NetworkSink<P> {
     }
   }
   void send_classes() {
-    const auto sent = classes_.finish();
+    const auto sent = classes_.finish_encoded();
     class_end_.tiles_sent = sent.tiles;
     class_end_.tiles_lost = sent.tiles_lost;
     class_end_.classes_crc = sent.crc;
@@ -82,6 +82,7 @@ class PerceptionSink : private NetworkSink<P> {
 
   // All of it.
   void take_classes(const PerceptionReport& report, const window::WindowView& classes) {
+    Indexes::encode_rest();
     encode_classes(report, classes);
     send_classes();
   }
@@ -112,7 +113,7 @@ class PerceptionSink : private NetworkSink<P> {
  private:
   void end_indexes() {
     if (has_indexes_) {
-      this->end_tiles();
+      this->end_encoded_tiles();
     }
   }
 

@@ -91,9 +91,22 @@ class TileSender {
     encode_waiting(work::beside_of(do_beside));
   }
 
+  // What has been added since, if something has.
+  void encode_rest() {
+    if (encoded_ < waiting_count_) {
+      encode_waiting({});
+    }
+  }
+
   // Ends the grid: its messages have spoken of every tile.
   Sent finish() {
-    encode_and_send_waiting();
+    encode_rest();
+    return finish_encoded();
+  }
+  // The same if all that wait are encoded: it has nothing for other cores, so it may be beside what
+  // has.
+  Sent finish_encoded() {
+    send_waiting();
     send_tiles(geometry::kTileCount);
     sent_.crc = hash_.value();
     return sent_;
@@ -151,7 +164,8 @@ class TileSender {
     waiting = added;
     waiting->cells = copy.cells;
     if (waiting_count_ == copies_.size()) {
-      encode_and_send_waiting();
+      encode_rest();
+      send_waiting();
     }
   }
 
@@ -233,10 +247,8 @@ class TileSender {
   }
 
   // Not inlined, because each message on its way takes a kilobyte of the stack.
-  [[gnu::noinline]] void encode_and_send_waiting() {
-    if (encoded_ < waiting_count_) {
-      encode_waiting({});
-    }
+  [[gnu::noinline]] void send_waiting() {
+    require(encoded_ == waiting_count_);
     for (std::size_t i = 0; i < waiting_count_; ++i) {
       send(*waiting_[i], found_[waiting_[i]->tile]);
     }
