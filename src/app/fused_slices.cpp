@@ -18,7 +18,8 @@ std::span<const FusedSlice> FusedSlices::next(const work::Crew& crew) {
       }
     }
   });
-  std::ranges::for_each(cells, &window::SliceCells::note_all);
+  crew.share(slice_count_,
+             [cells](std::size_t slice, std::size_t /*core*/) { cells[slice].note_all(); });
   return std::span(slices_).first(slice_count_);
 }
 

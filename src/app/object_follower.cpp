@@ -22,6 +22,9 @@ class NamesOf {
   window::WindowView window_;
 };
 
+// So many hits are an item of a round.
+constexpr std::size_t kLookedAt = 128;
+
 // The surer the track, the surer the name: 1 ... 7.
 std::uint8_t sureness_of(const objects::Track& track) {
   return static_cast<std::uint8_t>(std::min<std::int32_t>(track.confidence / 2 + 1, 7));
@@ -29,9 +32,8 @@ std::uint8_t sureness_of(const objects::Track& track) {
 
 }  // namespace
 
-objects::FrameCounts ObjectFollower::follow(std::uint64_t end_us,
-                                            std::span<const PlacedSlice> slices,
-                                            const pose::Pose& car, window::WindowFusion& window) {
+void ObjectFollower::begin(std::uint64_t end_us, std::span<const PlacedSlice> slices,
+                           const pose::Pose& car, const window::WindowFusion& window) {
   std::array<std::uint8_t, objects::kMostSlices> ages_ms{};
   const std::size_t count = std::min(slices.size(), ages_ms.size());
   for (std::size_t i = 0; i < count; ++i) {
@@ -39,13 +41,31 @@ objects::FrameCounts ObjectFollower::follow(std::uint64_t end_us,
     ages_ms[i] =
         static_cast<std::uint8_t>(std::min<std::uint64_t>((end_us - middle_us) / 1000, 0xFF));
   }
+  is_begun_ = tracker_.begin({.end_us = end_us,
+                              .car = {car.x_mm, car.y_mm},
+                              .area = window.view().area(),
+                              .ages_ms = std::span(ages_ms).first(count),
+                              .hits = window.hits()});
+}
+
+void ObjectFollower::look_at_hits(const window::WindowFusion& window, const work::Crew& crew) {
+  if (!is_begun_) {
+    return;
+  }
   const NamesOf names(window.view());
-  objects::FrameCounts counts = tracker_.add({.end_us = end_us,
-                                              .car = {car.x_mm, car.y_mm},
-                                              .area = window.view().area(),
-                                              .ages_ms = std::span(ages_ms).first(count),
-                                              .hits = window.hits()},
-                                             objects::GridNames(names));
+  const std::size_t hits = tracker_.hits().size();
+  crew.share(work::items_of(hits, kLookedAt), [&](std::size_t item, std::size_t /*core*/) {
+    const std::size_t first = item * kLookedAt;
+    tracker_.look_at_hits(first, std::min(kLookedAt, hits - first), objects::GridNames(names));
+  });
+}
+
+objects::FrameCounts ObjectFollower::follow(window::WindowFusion& window) {
+  objects::FrameCounts counts;
+  if (is_begun_) {
+    const NamesOf names(window.view());
+    counts = tracker_.end(objects::GridNames(names));
+  }
   counts.hits.beyond += window.hits_left();
   name(window);
   return counts;

@@ -9,23 +9,30 @@
 #include "objects/tracker.hpp"
 #include "pose/pose.hpp"
 #include "window/window_fusion.hpp"
+#include "work/crew.hpp"
 
 namespace iog::app {
 
 // Holds 2 MB: belongs into static memory.
 class ObjectFollower {
  public:
-  // A frame whose classes are decided and which has not ended. end_us: the middle of its last slice
-  // by the clock of the poses; slices: those that were placed, of which there is one at least; car:
-  // its place then.
-  objects::FrameCounts follow(std::uint64_t end_us, std::span<const PlacedSlice> slices,
-                              const pose::Pose& car, window::WindowFusion& window);
+  // A frame whose slices were added. end_us: the middle of its last slice by the clock of the
+  // poses; slices: those that were placed, of which there is one at least; car: its place then.
+  void begin(std::uint64_t end_us, std::span<const PlacedSlice> slices, const pose::Pose& car,
+             const window::WindowFusion& window);
+  // Its classes are decided: what the hits are called, by all cores of the crew.
+  void look_at_hits(const window::WindowFusion& window, const work::Crew& crew);
+  // It has not ended. Gives names; what is asked of the window before are names alone.
+  objects::FrameCounts follow(window::WindowFusion& window);
 
   // A frame without slices, that ends then.
   void pass(std::uint64_t end_us, window::WindowFusion& window);
 
   // The window has lost its place.
-  void forget() { tracker_.forget(); }
+  void forget() {
+    tracker_.forget();
+    is_begun_ = false;
+  }
 
   [[nodiscard]] const objects::Tracker& tracker() const { return tracker_; }
 
@@ -33,6 +40,7 @@ class ObjectFollower {
   void name(window::WindowFusion& window) const;
 
   objects::Tracker tracker_;
+  bool is_begun_ = false;  // the frame changes something
 };
 
 }  // namespace iog::app

@@ -152,11 +152,24 @@ void PerceptionEngine::lay_map() {
   }
 }
 
+void PerceptionEngine::begin_following() {
+  const std::span<const PlacedSlice> placed = slices_.placed();
+  is_following_ = !placed.empty() && frame_end_us_ != 0;
+  if (is_following_) {
+    follower_.begin(frame_end_us_, placed, placed.back().pose, window_);
+  }
+}
+
+void PerceptionEngine::look_at_hits(const work::Crew& crew) {
+  if (is_following_) {
+    follower_.look_at_hits(window_, crew);
+  }
+}
+
 void PerceptionEngine::follow_objects() {
   object_counts_ = {};
-  const std::span<const PlacedSlice> placed = slices_.placed();
-  if (!placed.empty() && frame_end_us_ != 0) {
-    object_counts_ = follower_.follow(frame_end_us_, placed, placed.back().pose, window_);
+  if (is_following_) {
+    object_counts_ = follower_.follow(window_);
   } else if (frame_end_us_ != 0) {
     follower_.pass(frame_end_us_, window_);
   }

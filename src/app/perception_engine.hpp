@@ -90,7 +90,7 @@ class PerceptionEngine {
     lap(&stream::StageTicks::perceive);
   }
   // Its three steps, for whoever has something to do for other cores, or for core 0, meanwhile.
-  // decide() completes the grid, and the classes but for the names of what moves.
+  // decide() completes the grid, and the classes but for the names of things that move.
   // follow_objects(), core 0's, gives those; meanwhile the grid may be read. end() remembers the
   // ground; do_beside(), which may read the classes, is done beside it by core 0.
   template <typename Lap>
@@ -104,7 +104,8 @@ class PerceptionEngine {
     }
     fusion_.end_frame(frame_);
     lay_map();
-    window_.decide(clock_.stamp_us(), crew);
+    window_.decide(clock_.stamp_us(), crew, [this] { begin_following(); });
+    look_at_hits(crew);
     counts_ = window_.counts();
     contradiction_.add(counts_.standing);
   }
@@ -178,6 +179,8 @@ class PerceptionEngine {
   void join_group(std::size_t group);
   void place_slices(const work::Crew& crew);
   void lay_map();
+  void begin_following();
+  void look_at_hits(const work::Crew& crew);
 
   // What is aligned to a cache line comes first.
   SharedFusion fusion_;  // core 0's own holds one slice after the other
@@ -205,6 +208,7 @@ class PerceptionEngine {
   pose::CauseCounts causes_before_{};
   pose::Placed end_{};
   std::uint64_t frame_end_us_ = 0;  // the middle of its last slice; 0: nothing is followed
+  bool is_following_ = false;       // there are hits to follow
   objects::FrameCounts object_counts_{};
   window::FrameCounts counts_{};
 };

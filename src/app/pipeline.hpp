@@ -156,6 +156,7 @@ class EnginePipeline {
     if constexpr (kPerceives) {
       const PerceptionReport perception = engine_.perception();
       network_.take_classes(perception, engine_.classes());
+      take_behind_classes(report, perception, network_);
       take_what_follows(report, perception);
     }
     for_each_sink([](auto& sink) { sink.end_frame(); });
@@ -168,7 +169,10 @@ class EnginePipeline {
     network_.encode_tiles([this] { engine_.follow_objects(); });
     const PerceptionReport perception = engine_.perception();
     network_.encode_classes(perception, engine_.classes());
-    engine_.end(crew, [this] { network_.send_classes(); });
+    engine_.end(crew, [&] {
+      network_.send_classes();
+      take_behind_classes(report, perception, network_);
+    });
     take_what_follows(report, perception);
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
@@ -181,23 +185,29 @@ class EnginePipeline {
     });
   }
 
-  // The classes, which the network has, and what comes behind them.
+  // The classes, and what comes behind them, which the network has.
   void take_what_follows(const FrameReport& report, const PerceptionReport& perception) {
-    for_each_sink([&]<typename Sink>(Sink& sink) {
-      if constexpr (ClassSink<Sink> && !std::is_same_v<Sink, Network>) {
+    const auto take = [&]<typename Sink>(Sink& sink) {
+      if constexpr (ClassSink<Sink>) {
         sink.take_classes(perception, engine_.classes());
       }
-      if constexpr (ObjectSink<Sink>) {
-        if (report.has_objects) {
-          sink.take_objects(perception, engine_.objects().tracks());
-        }
+      take_behind_classes(report, perception, sink);
+    };
+    std::apply([&](Sinks&... sinks) { (take(sinks), ...); }, sinks_);
+  }
+  template <typename Sink>
+  void take_behind_classes(const FrameReport& report, const PerceptionReport& perception,
+                           Sink& sink) {
+    if constexpr (ObjectSink<Sink>) {
+      if (report.has_objects) {
+        sink.take_objects(perception, engine_.objects().tracks());
       }
-      if constexpr (ReceptionSink<Sink>) {
-        if (report.has_receptions) {
-          sink.take_receptions(engine_.receptions());
-        }
+    }
+    if constexpr (ReceptionSink<Sink>) {
+      if (report.has_receptions) {
+        sink.take_receptions(engine_.receptions());
       }
-    });
+    }
   }
 
   template <typename Visit>

@@ -177,7 +177,7 @@ class TileSender {
   }
 
   void encode_and_send(const Added& added) {
-    Found& found = found_[added.tile];
+    Found& found = found_[kIsKept ? added.tile : 0];  // what is written again stays in the cache
     encode(added, found, encoders_.front());
     send(added, found);
   }

@@ -12,40 +12,52 @@
 namespace iog::objects {
 
 FrameCounts Tracker::add(const Frame& frame, const GridNames& grid) {
-  FrameCounts counts;
-  if (!begin(frame, counts)) {
-    return counts;
+  if (!begin(frame)) {
+    return {};
   }
-  counts.hits = hits_.gather(frame);
-  look_at_hits(grid);
+  look_at_hits(0, hits_.all().size(), grid);
+  return end(grid);
+}
+
+bool Tracker::begin(const Frame& frame) {
+  counts_ = {};
+  if (!pass_to(frame)) {
+    return false;
+  }
+  area_ = frame.area;
+  counts_.hits = hits_.gather(frame);
+  return true;
+}
+
+FrameCounts Tracker::end(const GridNames& grid) {
   for (Track& track : used()) {
     if (track.is_there()) {
       track.seen = {};
       track.predict(step_);
     }
   }
-  counts.tiles_crowded = claim_.take(frame.area, used(), hits_.all());
-  counts.hits_not_clustered = clusters_.find(frame.area, car_, hits_);
+  counts_.tiles_crowded = claim_.take(area_, used(), hits_.all());
+  counts_.hits_not_clustered = clusters_.find(area_, car_, hits_);
   attach(car_, used(), clusters_, hits_.all());
   associate(used(), clusters_, hits_.all());
   measure_all();
-  counts.tracks_refused = give_birth();
+  counts_.tracks_refused = give_birth();
   merge(used(), hits_.all());
   judge_all(grid);
   leave_free_slots();
   moving_.list(used());
   recent_.add(now_us_, hits_.all());
-  return counts;
+  return counts_;
 }
 
-bool Tracker::begin(const Frame& frame, FrameCounts& counts) {
+bool Tracker::pass_to(const Frame& frame) {
   if (frame.end_us == now_us_) {
     return false;
   }
   const auto passed_ms = static_cast<std::int64_t>(frame.end_us - now_us_) / 1000;
   const bool goes_on = now_us_ != 0 && passed_ms >= 1 && passed_ms <= kLongestStepMs;
   if (!goes_on) {
-    counts.is_forgotten = now_us_ != 0;
+    counts_.is_forgotten = now_us_ != 0;
     forget();
   } else {
     step_ = Step(static_cast<std::int32_t>(passed_ms));
@@ -79,8 +91,8 @@ void Tracker::forget() {
   car_velocity_ = {};
 }
 
-void Tracker::look_at_hits(const GridNames& grid) {
-  for (FrameHit& hit : hits_.all()) {
+void Tracker::look_at_hits(std::size_t first, std::size_t count, const GridNames& grid) {
+  for (FrameHit& hit : hits_.all().subspan(first, count)) {
     const CellName its = grid.look_at(hit.cell);
     hit.name = its.name;
     hit.is_open = its.is_open;

@@ -48,6 +48,14 @@ class Tracker {
   // frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
+  // Its steps, for whoever divides them: begin() gathers the hits, and needs no names. False if the
+  // frame changes nothing; then there is no other step. look_at_hits() asks for the names of some
+  // of hits(), by whichever core, each hit once or again. end() does the rest, and may be asked
+  // while what is not a name changes.
+  bool begin(const Frame& frame);
+  void look_at_hits(std::size_t first, std::size_t count, const GridNames& grid);
+  FrameCounts end(const GridNames& grid);
+
   // A frame in which nothing was measured, ending then: all is as it was, until the silence is
   // longer than kLongestStepMs, which ends all tracks. So a pause of all who send leaves no trace.
   void pass(std::uint64_t end_us);
@@ -79,8 +87,7 @@ class Tracker {
   }
 
  private:
-  [[nodiscard]] bool begin(const Frame& frame, FrameCounts& counts);
-  void look_at_hits(const GridNames& grid);
+  [[nodiscard]] bool pass_to(const Frame& frame);
   void measure_all();
   std::uint32_t give_birth();
   void judge_all(const GridNames& grid);
@@ -102,6 +109,8 @@ class Tracker {
   // Of the frame at hand.
   std::uint64_t now_us_ = 0;  // 0: there was none yet
   Step step_{1};
+  window::Area area_{};
+  FrameCounts counts_{};
   Point car_{};
   Velocity car_velocity_{};
 };

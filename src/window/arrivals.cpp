@@ -70,6 +70,7 @@ int count_around(const Rows& rows, std::size_t y, int x) {
 }  // namespace
 
 void Arrivals::find(const Window& window, const FrameEvidence& evidence) {
+  begin();
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     find_new(window, evidence, slot);
   }
@@ -79,8 +80,6 @@ void Arrivals::find(const Window& window, const FrameEvidence& evidence) {
 }
 
 void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot) {
-  has_new_[slot] = false;
-  has_open_[slot] = false;
   if (!evidence.is_touched(slot)) {
     return;
   }

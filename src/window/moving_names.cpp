@@ -47,6 +47,10 @@ void MovingNames::note_tile(std::size_t slot, const Tile& tile) {
 }
 
 void MovingNames::take_back(Window& window) {
+  if (!is_any_changed_) {
+    return;
+  }
+  is_any_changed_ = false;
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     if (!is_changed_[slot]) {
       continue;

@@ -58,6 +58,7 @@ class MovingNames {
   void note(std::size_t slot, std::size_t group) {
     changed_[slot][group / kGroupsPerWord] |= 1U << group % kGroupsPerWord;
     is_changed_[slot] = true;
+    is_any_changed_ = true;
     may_move_[slot] = true;
   }
 
@@ -65,6 +66,7 @@ class MovingNames {
   std::array<Groups, kSlotCount> moving_{};
   std::array<Groups, kSlotCount> changed_{};
   std::array<bool, kSlotCount> is_changed_{};
+  bool is_any_changed_ = false;
   std::array<bool, kSlotCount> may_move_{};  // whether there is a group in either
 };
 

@@ -82,10 +82,7 @@ void SliceCells::clear() {
 }
 
 // Each tile has a place of its own, whichever core copies it.
-void SliceCells::begin() {
-  std::iota(places_.begin(), places_.end(), std::uint16_t{0});
-  forget_notes();
-}
+void SliceCells::begin() { std::iota(places_.begin(), places_.end(), std::uint16_t{0}); }
 
 void SliceCells::forget_notes() {
   squares_.fill(0);
@@ -94,6 +91,7 @@ void SliceCells::forget_notes() {
 }
 
 void SliceCells::note_all() {
+  forget_notes();
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (is_known_[tile]) {
       note(tile);

@@ -39,7 +39,7 @@ class SliceCells {
   void clear();
 
   // The same of a slice of which every tile is said anew: first begin(), then copy() or leave() of
-  // each tile by any core, and again if one is lost, then note_all().
+  // each tile by any core, and again if one is lost, then note_all(), by any core, too.
   void begin();
   void copy(std::size_t tile, TileIndexes indexes, const Plane& low_and_tall = {});
   void leave(std::size_t tile) { is_known_[tile] = false; }

@@ -52,6 +52,7 @@ void WindowFusion::add(std::span<const PlacedCells> slices, const work::Crew& cr
     auto list_hits = [this, added] {
       if (is_followed_) {
         hits_.add(added, window_.area());
+        names_.take_back(window_);
       }
     };
     evidence_.add(added, window_.area(), crew, work::beside_of(list_hits));
@@ -69,33 +70,30 @@ void WindowFusion::forget() {
   last_turns_ = {};
 }
 
-void WindowFusion::decide(std::uint64_t stamp_us, const work::Crew& crew) {
-  if (!is_frame(stamp_us)) {
-    return;
-  }
+void WindowFusion::decide_frame(std::uint64_t stamp_us, const work::Crew& crew,
+                                work::Beside beside) {
   names_.take_back(window_);
   newest_us_ = std::max(newest_us_, stamp_us);
   clock_.advance(newest_us_);
   frames_ += window_.is_centred() ? 1U : 0U;
   find_arrivals(crew);
-  update_tiles(crew);
+  update_tiles(crew, beside);
   add_up();
 }
 
 // Groups are counted only where evidence might not fit.
 void WindowFusion::find_arrivals(const work::Crew& crew) {
   due_.count = 0;
+  arrivals_.begin();
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    slot_counts_[slot] = {};
     if (evidence_.is_touched(slot)) {
       due_.add(slot);
-    } else {
-      arrivals_.find_new(window_, evidence_, slot);  // none: those of an older frame are forgotten
     }
   }
   const work::Runs runs(due_.count, kFound);
   crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
     for (const std::uint16_t slot : due_.of(runs[item])) {
+      slot_counts_[slot] = {};
       arrivals_.find_new(window_, evidence_, slot);
       if (window_.is_known(slot)) {
         slot_counts_[slot].standing =
@@ -150,8 +148,10 @@ WindowFusion::Budget WindowFusion::budget() const {
   std::size_t touched = 0;
   std::uint32_t with_hits = 0;
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    touched += evidence_.is_touched(slot) ? 1U : 0U;
-    with_hits += slot_counts_[slot].with_hits;
+    if (evidence_.is_touched(slot)) {
+      ++touched;
+      with_hits += slot_counts_[slot].with_hits;
+    }
   }
   if (touched * kGroupsPerTile <= rules_.group_budget) {
     return std::nullopt;
@@ -162,12 +162,15 @@ WindowFusion::Budget WindowFusion::budget() const {
 }
 
 // One core spends the budget as it goes. Several are told by slot what is left of it.
-void WindowFusion::update_tiles(const work::Crew& crew) {
+void WindowFusion::update_tiles(const work::Crew& crew, work::Beside beside) {
   const TileUpdate update(clock_, rules_.assignment);
   Budget budget = this->budget();
   due_.count = 0;
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    if (evidence_.is_touched(slot) || (is_turn_to_refresh(slot) && window_.is_known(slot))) {
+    if (evidence_.is_touched(slot)) {
+      due_.add(slot);
+    } else if (is_turn_to_refresh(slot) && window_.is_known(slot)) {
+      slot_counts_[slot] = {};
       due_.add(slot);
     }
   }
@@ -175,28 +178,32 @@ void WindowFusion::update_tiles(const work::Crew& crew) {
     for (const std::uint16_t slot : due_.all()) {
       update_tile(update, slot, budget);
     }
+    beside();
     return;
   }
   deal_out(budget);
   tiles_before_.begin();
   const work::Runs runs(due_.count, kUpdated);
-  crew.share(runs.count(), [&](std::size_t item, std::size_t core) {
-    TilesBefore* const before = tiles_before_.of(core);
-    if (before != nullptr) {
-      before->begun = 0;
-      tiles_before_.keep(core, item);
-    } else if (const TilesBefore* const left = tiles_before_.of_lost(item)) {
-      put_back(runs[item], *left);
-    }
-    for (const std::uint16_t slot : due_.of(runs[item])) {
-      Budget of_slot = slot_counts_[slot].allowed;
-      if (before != nullptr) {
-        update_tile(update, slot, of_slot, before->begin(window_.is_known(slot)));
-      } else {
-        update_tile(update, slot, of_slot);
-      }
-    }
-  });
+  crew.share(
+      runs.count(),
+      [&](std::size_t item, std::size_t core) {
+        TilesBefore* const before = tiles_before_.of(core);
+        if (before != nullptr) {
+          before->begun = 0;
+          tiles_before_.keep(core, item);
+        } else if (const TilesBefore* const left = tiles_before_.of_lost(item)) {
+          put_back(runs[item], *left);
+        }
+        for (const std::uint16_t slot : due_.of(runs[item])) {
+          Budget of_slot = slot_counts_[slot].allowed;
+          if (before != nullptr) {
+            update_tile(update, slot, of_slot, before->begin(window_.is_known(slot)));
+          } else {
+            update_tile(update, slot, of_slot);
+          }
+        }
+      },
+      beside);
 }
 
 void WindowFusion::deal_out(Budget budget) {

@@ -85,8 +85,19 @@ class WindowFusion {
     return end_frame(crew);
   }
   // The two steps of it, steps 1 to 3 and step 5. Between them it is asked what follows, and named.
-  // Core 0 may do something else beside the last one: do_beside(), which may read names.
-  void decide(std::uint64_t stamp_us, const work::Crew& crew);
+  // Core 0 may do something else beside either, once: do_beside(), which may read hits() beside the
+  // first and names beside the second.
+  void decide(std::uint64_t stamp_us, const work::Crew& crew) {
+    decide(stamp_us, crew, [] {});
+  }
+  template <typename DoBeside>
+  void decide(std::uint64_t stamp_us, const work::Crew& crew, DoBeside do_beside) {
+    if (is_frame(stamp_us)) {
+      decide_frame(stamp_us, crew, work::beside_of(do_beside));
+    } else {
+      do_beside();
+    }
+  }
   FrameCounts end_frame(const work::Crew& crew) {
     return end_frame(crew, [] {});
   }
@@ -209,12 +220,13 @@ class WindowFusion {
     }
   };
 
+  void decide_frame(std::uint64_t stamp_us, const work::Crew& crew, work::Beside beside);
   void find_arrivals(const work::Crew& crew);
   void count_groups(const work::Crew& crew);
   void count_groups(std::size_t slot, bool are_shared);
   void leave_out_high(std::size_t slot);
   [[nodiscard]] Budget budget() const;
-  void update_tiles(const work::Crew& crew);
+  void update_tiles(const work::Crew& crew, work::Beside beside);
   void deal_out(Budget budget);
   void put_back(work::Run run, const TilesBefore& before);
   void put_back(std::size_t slot, const TileBefore& before);

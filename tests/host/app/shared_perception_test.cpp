@@ -248,8 +248,9 @@ class PerceiveDespite : public ::testing::TestWithParam<Accident> {};
 
 TEST_P(PerceiveDespite, TheLossOfACoreInAnyRoundGivesTheMessagesOfOne) {
   const Rounds rounds = rounds_of_a_frame();
-  // Fuse, join; copy and place slices; find, update; encode both grids; end tiles.
-  ASSERT_EQ(rounds.end - rounds.begin, 9U);
+  // Fuse, join; copy, note and place slices; find, update; look at hits; encode both grids; end
+  // tiles.
+  ASSERT_EQ(rounds.end - rounds.begin, 11U);
   const bool hangs = GetParam() == Accident::kHangAfter;
   int lost = 0;
   for (std::size_t round = rounds.begin; round < rounds.end; round += hangs ? 3 : 1) {
