@@ -18,13 +18,33 @@ bool is_told(const Track& track) {
          seen.good >= seen.bad && track.speed() >= std::max(kToldSpeed, track.speed_deviation());
 }
 
+constexpr bool is_within(std::int32_t low, std::int32_t value, std::int32_t high) {
+  return low <= value && value <= high;
+}
+
+// It has long been like a car, and next to nothing speaks against it. Most of the places that it
+// leaves may be unknown to the grid: far away, where it keeps ahead of the car. A rail or a wall is
+// not so short for so long.
+bool is_steady(const Track& track) {
+  const Sides& sides = track.box().sides;
+  return track.updates >= kSteadyFrom && track.has_heading() &&
+         is_within(kNarrowestCarMm, sides[kAcross].length(), kWidestCarMm) &&
+         is_within(kShortestCarMm, sides[kAlong].length(), kLongestCarMm) &&
+         track.seen.good >= kSteadyHits && track.seen.good >= kGoodOverBad * track.seen.bad;
+}
+
+bool is_clear(const Track& track) {
+  return track.speed() >= kClearSpeed && track.seen.good >= kClearHits &&
+         track.seen.good >= kGoodOverBad * track.seen.bad;
+}
+
 std::int32_t confidence_of(const Track& track) {
   const bool is_streak = track.is_streak();
   const bool told = !is_streak && is_told(track);
   const bool fast = !is_streak && is_fast(track);
   std::int32_t more = told ? 2 : 0;
-  if (fast && is_shown(track.seen) && track.updates >= kMovesFrom) {
-    more += 2;
+  if (fast && (is_shown(track.seen) || is_steady(track)) && track.updates >= kMovesFrom) {
+    more += is_clear(track) ? 3 : 2;
   } else if (!told && (!fast || track.seen.bad > track.seen.good)) {
     --more;
   }

@@ -132,6 +132,16 @@ inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
+// So much good at such a speed convinces sooner: the car is soon past it.
+inline constexpr std::int32_t kClearSpeed = 15'000;
+inline constexpr std::int32_t kClearHits = 8;
+// So many updates of a box like a car's, and so much good.
+inline constexpr std::uint32_t kSteadyFrom = 50;
+inline constexpr std::int32_t kSteadyHits = 2;
+inline constexpr std::int32_t kShortestCarMm = 2500;
+inline constexpr std::int32_t kLongestCarMm = 6000;
+inline constexpr std::int32_t kNarrowestCarMm = 1200;
+inline constexpr std::int32_t kWidestCarMm = 2800;
 // What a beam draws on the ground: fewer hits than so many, of a box as long as a walker is not,
 // and narrower than so much;
 inline constexpr std::int32_t kStreakHits = 8;

@@ -131,6 +131,51 @@ TEST(Judge, AStreakIsNotBelievedForPlacesThatItHasLeft) {
   EXPECT_EQ(track.confidence, 2);
 }
 
+// "From 15 m/s on + 3 for 8 good": an oncoming car is in view for half a second.
+TEST(Judge, MuchGoodAtAHighSpeedConvincesSooner) {
+  struct Case {
+    std::int32_t speed;
+    std::int32_t good;
+    std::int32_t bad;
+    std::int32_t more;
+  };
+  for (const Case its : {Case{15'100, 8, 2, 3}, Case{14'900, 8, 2, 2}, Case{15'100, 7, 1, 2},
+                         Case{15'100, 8, 3, 0}, Case{15'100, 12, 3, 3}}) {
+    Track track = sure_track_of(its.speed);
+    track.updates = kMovesFrom;
+    track.seen = {.hits = 20, .good = its.good, .bad = its.bad};
+    judge(kBeginUs, track);
+    EXPECT_EQ(track.confidence, its.more) << its.speed << ", " << its.good << ", " << its.bad;
+  }
+}
+
+// A car that keeps ahead leaves ground that the grid knows little of: most of it is neutral. It is
+// believed once its box has been like a car's for 50 updates.
+TEST(Judge, WhatIsLongLikeACarIsBelievedThoughMostOfItsPlacesAreUnknown) {
+  struct Case {
+    std::uint32_t updates;
+    std::int32_t length_mm;
+    std::int32_t width_mm;
+    std::int32_t good;
+    std::int32_t bad;
+    bool is_believed;
+  };
+  for (const Case its : {Case{50, 4500, 1800, 2, 0, true}, Case{49, 4500, 1800, 2, 0, false},
+                         Case{50, 6001, 1800, 2, 0, false}, Case{50, 2499, 1800, 2, 0, false},
+                         Case{50, 4500, 1199, 2, 0, false}, Case{50, 4500, 2801, 2, 0, false},
+                         Case{50, 4500, 1800, 1, 0, false}, Case{50, 4500, 1800, 4, 1, true},
+                         Case{50, 4500, 1800, 3, 1, false}}) {
+    Track track = sure_track_of(10'000);
+    track.begin_heading({Interval{0, its.length_mm}, Interval{0, its.width_mm}});
+    track.updates = its.updates;
+    track.seen = {.hits = 30, .good = its.good, .bad = its.bad, .neutral = 36};
+    judge(kBeginUs, track);
+    EXPECT_EQ(track.confidence, its.is_believed ? 2 : 0)
+        << its.updates << " updates, " << its.length_mm << " mm by " << its.width_mm << ", "
+        << its.good << ", " << its.bad;
+  }
+}
+
 // "Bad of 8 and more and 8 good": three more are lost than for what is not shown.
 TEST(Judge, WhatEightPlacesSpeakAgainstForOneIsSoonNotBelieved) {
   struct Case {
