@@ -10,29 +10,29 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 620.69;
+inline constexpr double kPointCycles = 624.71;
 // A cell, carved.
 inline constexpr double kCellCycles = 2.84;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8934.34;
+inline constexpr double kTileCycles = 8893.92;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 44245.43;
+inline constexpr double kClassTileCycles = 44128.32;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5053.34;
+inline constexpr double kPointOnceCycles = 5088.20;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 494.78;
+inline constexpr double kLaterEchoCycles = 495.25;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9105.73;
+inline constexpr double kDearestTileCycles = 9051.50;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 45513.20;
+inline constexpr double kDearestClassTileCycles = 45430.35;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 743.23;
+inline constexpr double kTurnStepCycles = 739.81;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 374.37;
+inline constexpr double kTurnPointCycles = 373.85;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 2312353.94;
+inline constexpr double kGroundTurnCycles = 2497224.80;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 160.17;
+inline constexpr double kGroundPointCycles = 156.52;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -43,7 +43,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.731, 0.545, 0.479};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.671, 0.459, 0.386};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -56,33 +56,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4764229},
-    {"ring_road", 2321, 721236, 478, 8177692},
+    {"city", 2885, 466621, 231, 4779884},
+    {"ring_road", 2321, 721236, 478, 8149528},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1319026},
-    {"city, 3 LUX", 2240, 369547, 154, 1877174},
-    {"city, 4 LUX", 2885, 466621, 231, 2489632},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1308029},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1983417},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3113224},
+    {"city, 2 LUX", 1551, 254292, 132, 1331182},
+    {"city, 3 LUX", 2240, 369547, 154, 1892576},
+    {"city, 4 LUX", 2885, 466621, 231, 2509157},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1315059},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1989344},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3121613},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1424967, 668, 10809070},
-    {"random_ranges", 3216, 744588, 600, 9676280},
-    {"layers_apart", 3216, 888340, 665, 10656236},
-    {"beyond_range", 3216, 1451672, 680, 10451508},
-    {"three_echoes", 9648, 1344110, 666, 12662394},
-    {"missing_returns", 1618, 721483, 664, 9959652},
-    {"random_azimuths", 3216, 1999952, 665, 21341548},
-    {"diagonal", 3216, 2222062, 126, 7893834},
-    {"one_direction", 3216, 1538471, 48, 1785411},
-    {"short_beams", 9648, 24984, 4, 4896466},
-    {"flood", 9648, 6802620, 126, 10840470},
+    {"full_range", 3216, 1424967, 668, 10838308},
+    {"random_ranges", 3216, 744588, 600, 9715014},
+    {"layers_apart", 3216, 888340, 665, 10709422},
+    {"beyond_range", 3216, 1451672, 680, 10514962},
+    {"three_echoes", 9648, 1344110, 666, 12731578},
+    {"missing_returns", 1618, 721483, 664, 9980386},
+    {"random_azimuths", 3216, 1999952, 665, 21473500},
+    {"diagonal", 3216, 2222062, 126, 7957400},
+    {"one_direction", 3216, 1538471, 48, 1794783},
+    {"short_beams", 9648, 24984, 4, 4906048},
+    {"flood", 9648, 6802620, 126, 10903207},
 }};
 
 struct ModelledTurn {
@@ -96,16 +96,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 20712636},
-    {"HDL-32E", 69466, 460, 35366918},
-    {"HDL-64E S3", 111130, 466, 53270767},
+    {"VLP-16", 28954, 323, 20581084},
+    {"HDL-32E", 69466, 460, 35390402},
+    {"HDL-64E S3", 111130, 466, 53104387},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 27596739},
-    {"HDL-32E", 69466, 474, 48935860},
-    {"HDL-64E S3", 111130, 489, 73319213},
+    {"VLP-16", 28954, 330, 27620098},
+    {"HDL-32E", 69466, 474, 48741252},
+    {"HDL-64E S3", 111130, 489, 73005665},
 }};
 
 }  // namespace iog::tools
