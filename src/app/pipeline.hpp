@@ -187,8 +187,8 @@ class EnginePipeline {
 
   // The classes, and what comes behind them, which the network has.
   void take_what_follows(const FrameReport& report, const PerceptionReport& perception) {
-    const auto take = [&]<typename Sink>(Sink& sink) {
-      if constexpr (ClassSink<Sink>) {
+    const auto take = [&](auto& sink) {
+      if constexpr (ClassSink<std::remove_reference_t<decltype(sink)>>) {
         sink.take_classes(perception, engine_.classes());
       }
       take_behind_classes(report, perception, sink);

@@ -145,13 +145,13 @@ TEST(Budget, OfAnUltrasonicUnitTheCellsOfItsConeCount) {
   EXPECT_EQ(budget_of(find_vehicle("roof_vlp16_radar")).worst.work.cone_cells, 0);
 }
 
-// docs/results/four_cores.md: the city's frame takes 0.73, 0.54, 0.47 of one core's time.
+// docs/results/four_cores.md: the city's frame takes 0.67, 0.46, 0.39 of one core's time.
 TEST(Budget, TakesTheFewestCoresThatAreEnough) {
   EXPECT_EQ(cores_for(39.9, 40), 1U);
   EXPECT_EQ(cores_for(50, 40), 2U);
-  EXPECT_EQ(cores_for(66, 40), 3U);
-  EXPECT_EQ(cores_for(76, 40), 4U);
-  EXPECT_EQ(cores_for(90, 40), 0U);
+  EXPECT_EQ(cores_for(76, 40), 3U);
+  EXPECT_EQ(cores_for(96, 40), 4U);
+  EXPECT_EQ(cores_for(110, 40), 0U);
 }
 
 TEST(Budget, SaysOnHowManyCoresACarHasItsPeriod) {
