@@ -1,5 +1,4 @@
-// The fate of each point of a folder of clouds, as the target judges it, for
-// lab/labelled/measure.py.
+// The fate of each point of a folder of clouds, as the target judges it, for lab/labelled/score.
 //
 //   point_fates FOLDER CAR.toml OUT
 //
