@@ -113,6 +113,11 @@ class Ground {
   LowBeams low_beams_;  // of nothing if they are always low
 };
 
+// What is farther over or under the car's plane is not tall. Its cell is where it lies on that
+// plane, and moves by more than a cell when the car tilts by 2 degrees: what stands would come
+// nearer.
+inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
+
 // The returns of one packet.
 class PacketJudge {
  public:
@@ -137,9 +142,10 @@ class PacketJudge {
     const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
     const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_level_mm);
     // Most returns are not even so high over their own ground, which is never higher.
-    const bool is_tall =
-        over >= tall_mm_ &&
-        (tall_mm_ == 0 || surface_->height_over_near(bins, sector, out_mm, z_level_mm) >= tall_mm_);
+    const bool is_tall = over >= tall_mm_ &&
+                         (tall_mm_ == 0 || (z_mm >= -kMostOffPlaneMm && z_mm <= kMostOffPlaneMm &&
+                                            surface_->height_over_near(bins, sector, out_mm,
+                                                                       z_level_mm) >= tall_mm_));
     return {.fate = fate_of(ground::judge(limits_, over)), .is_tall = is_tall};
   }
 

@@ -194,7 +194,7 @@ class AlonePoints {
       const int index = fusion_->view().at(cell);
       const auto crossing = lab::reference::cross(ray.start, ray.end, cell, geometry::kResolution);
       const bool is_low = comes_down && index < 0 && crossing && low < crossing->leave;
-      const bool is_tall = index > 0 && hit_mm >= kMoved.tall_mm;
+      const bool is_tall = index > 0 && hit_mm >= kMoved.tall_mm && std::abs(place.z_mm) <= 3'000;
       lows_ += is_low ? 1 : 0;
       talls_ += is_tall ? 1 : 0;
       ASSERT_EQ(tests::low_or_tall(*fusion_, cell), is_low || is_tall)

@@ -155,6 +155,44 @@ TEST(PacketJudge, WhatIsTallIsSoOverTheHighestGroundNearby) {
   }
 }
 
+// A wall on ground that rises or falls by 15 %: what of it is 3 m over or under the car's plane or
+// more has no sure place.
+TEST(PacketJudge, WhatIsFarOffTheCarsPlaneIsNotTall) {
+  for (const std::int32_t sign : {1, -1}) {
+    const tests::GroundCar car{
+        tests::MixedCar::kVehicle, {220, 2'200}, {.low_mm = 600, .tall_mm = 500}};
+    const auto grounds = std::make_unique<Grounds>(car.vehicle());
+    const Ground& ground = tests::ground_of(*grounds, 0);
+    const Bins bins = ground.beams().bins();
+    const auto length = static_cast<std::int32_t>(bins.length_mm());
+    Lows lows;
+    for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+      for (std::int32_t number = 0; number < 40; ++number) {
+        const std::int32_t along_mm = number * length + length / 2;
+        lows.add(bins, sector, static_cast<std::uint32_t>(along_mm), sign * along_mm * 15 / 100);
+      }
+    }
+    grounds->close_turn(0, lows);
+    const PacketJudge judge(ground, lows, {});
+    const auto is_tall = [&](std::int32_t along_mm, std::int32_t z_mm) {
+      const auto judged = judge.judge(100, static_cast<std::uint32_t>(along_mm), z_mm);
+      EXPECT_EQ(judged.fate, vehicle::Fate::kUsed) << along_mm << ", " << z_mm;
+      return judged.is_tall;
+    };
+    const auto foot = [sign](std::int32_t along_mm) { return sign * along_mm * 15 / 100; };
+    EXPECT_TRUE(is_tall(10'000, foot(10'000) + 1'300));
+    if (sign > 0) {
+      EXPECT_TRUE(is_tall(12'000, 3'000));
+      EXPECT_FALSE(is_tall(12'000, 3'001));
+      EXPECT_FALSE(is_tall(20'000, foot(20'000) + 1'300));
+    } else {
+      EXPECT_TRUE(is_tall(28'000, -3'000));
+      EXPECT_FALSE(is_tall(28'000, -3'001));
+      EXPECT_FALSE(is_tall(36'000, foot(36'000) + 1'300));
+    }
+  }
+}
+
 // With a tall_m of 0 whatever is hit is tall, before a bank, too.
 TEST(PacketJudge, EachReturnIsTallIfTheCarSaysSo) { EXPECT_EQ(tall_from(200, 19, 0), 0); }
 
