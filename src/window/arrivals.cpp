@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "window/eight_bytes.hpp"
+#include "window/evidence_bits.hpp"
 
 namespace iog::window {
 namespace {
@@ -11,18 +11,6 @@ constexpr int kRadius = 3;
 constexpr std::uint64_t kRun = (1U << (2 * kRadius + 1)) - 1;
 constexpr int kEnoughOnWellKnownGround = 2;
 constexpr int kEnough = 7;
-
-Plane hits_of(const FrameEvidence::TileIndexes& indexes) {
-  Plane hits{};
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    const auto eight = EightBytes::load(&indexes[group * evidence::kGroupCells]);
-    if (eight.has_positive()) {
-      const std::uint32_t bits = eight.positive();
-      hits[group / kGroupsPerRow] |= bits << (group % kGroupsPerRow * evidence::kGroupCells);
-    }
-  }
-  return hits;
-}
 
 // Whether a hit is on ground of which something is remembered.
 bool is_any_on(const Plane& hits, const Ground& ground) {
@@ -43,17 +31,25 @@ Plane near_tall(const NinePlanes& tall, int within) {
 }
 
 // Of the hits of a tile those that something made which is tall and came where a low beam had been.
-void keep_arriving(const Window& window, const FrameEvidence& evidence, std::size_t slot,
-                   int tall_within, Plane& hits) {
+Plane arriving(const Window& window, const FrameEvidence& evidence, std::size_t slot,
+               int tall_within, const Plane& hits) {
+  const Plane& from_below = window.tile(slot).from_below;
+  Plane found;
+  for (std::size_t y = 0; y < hits.size(); ++y) {
+    found[y] = hits[y] & from_below[y];
+  }
+  if (is_empty(found)) {
+    return found;
+  }
   const Plane tall =
       near_tall(window.around(
                     slot, [&](std::size_t at) { return evidence.has_hit(at); },
                     [&](std::size_t at) -> const Plane& { return evidence.tall(at); }),
                 tall_within);
-  const Plane& from_below = window.tile(slot).from_below;
   for (std::size_t y = 0; y < hits.size(); ++y) {
-    hits[y] &= from_below[y] & tall[y];
+    found[y] &= tall[y];
   }
+  return found;
 }
 
 // The new hits in the square around a cell of a tile. The mask is of the cell's column.
@@ -72,32 +68,32 @@ int count_around(const Rows& rows, std::size_t y, int x) {
 void Arrivals::find(const Window& window, const FrameEvidence& evidence) {
   begin();
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    find_new(window, evidence, slot);
+    find_new(window, evidence, slot, bits_of(evidence.tile(slot)).hit);
   }
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     find_moved(window, slot);
   }
 }
 
-void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot) {
+void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot,
+                        const Plane& hits) {
   if (!evidence.is_touched(slot)) {
     return;
   }
   moved_[slot] = Plane{};
-  if (!window.is_known(slot) || !evidence.has_hit(slot)) {
+  if (!window.is_known(slot) || !evidence.has_hit(slot) ||
+      !is_any_on(hits, window.tile(slot).ground)) {
     return;
   }
-  Plane hits = hits_of(evidence.tile(slot));
-  if (!is_any_on(hits, window.tile(slot).ground)) {
+  const Plane arrived =
+      is_from_below_ ? arriving(window, evidence, slot, tall_within_, hits) : hits;
+  if (is_empty(arrived)) {
     return;
-  }
-  if (is_from_below_) {
-    keep_arriving(window, evidence, slot, tall_within_, hits);
   }
   const Plane beside = middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));
   const Tile& tile = window.tile(slot);
   for (std::size_t y = 0; y < hits.size(); ++y) {
-    const std::uint32_t candidates = hits[y] & ~beside[y];
+    const std::uint32_t candidates = arrived[y] & ~beside[y];
     const std::uint32_t open = candidates & tile.ground.open[y];
     new_[slot][y] = open & tile.found.freed[y];
     open_[slot][y] = open & ~tile.ground.dense[y];

@@ -29,14 +29,15 @@ class Arrivals {
   // Of all hits of a frame, before any tile is changed.
   void find(const Window& window, const FrameEvidence& evidence);
 
-  // Its steps: begin(), then two by slot. The second is asked when the first has been of every slot
-  // that is touched, and before the tile at the slot is changed. Each of the two may be done again,
-  // and for several slots at once.
+  // Its steps: begin(), then two by slot. `hits` are those of the tile's evidence. The second is
+  // asked when the first has been of every slot that is touched, and before the tile at the slot is
+  // changed. Each of the two may be done again, and for several slots at once.
   void begin() {
     has_new_.fill(false);
     has_open_.fill(false);
   }
-  void find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot);
+  void find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot,
+                const Plane& hits);
   void find_moved(const Window& window, std::size_t slot) {
     if (has_open_[slot]) {
       count_new(window, slot);

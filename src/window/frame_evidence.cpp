@@ -54,10 +54,12 @@ void FrameEvidence::clear(std::size_t slot) {
   }
 }
 
-void FrameEvidence::leave_out(std::size_t slot, std::size_t group, std::uint8_t cells) {
-  for (unsigned left = cells; left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    cells_[slot][group * evidence::kGroupCells + i] = 0;
+void FrameEvidence::leave_out(std::size_t slot, const Plane& cells) {
+  for (std::size_t y = 0; y < cells.size(); ++y) {
+    for (std::uint32_t left = cells[y]; left != 0; left &= left - 1) {
+      const auto x = static_cast<std::size_t>(std::countr_zero(left));
+      cells_[slot][y * geometry::kTileSide + x] = 0;
+    }
   }
 }
 

@@ -70,8 +70,8 @@ class FrameEvidence {
   // Its cells in which a hit was tall. Only if it is touched.
   [[nodiscard]] const Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
-  // Nothing is said any more of these cells of a group; bit i is of cell i.
-  void leave_out(std::size_t slot, std::size_t group, std::uint8_t cells);
+  // Nothing is said any more of these cells of the tile at a slot.
+  void leave_out(std::size_t slot, const Plane& cells);
 
  private:
   // Some tiles of the window, counted from its lowest corner.

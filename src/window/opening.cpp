@@ -1,35 +1,24 @@
 #include "window/opening.hpp"
 
-#include "window/eight_bytes.hpp"
-#include "window/tile_update.hpp"
-
 namespace iog::window {
 
-void Opening::find(const Window& window, const FrameEvidence& evidence, std::size_t slot) {
-  const bool is_known = window.is_known(slot);
-  const Plane stands = is_known ? window.tile(slot).found.stands : Plane{};
-  const Plane taken = is_known ? window.tile(slot).found.taken : Plane{};
-  Plane next = is_known ? window.tile(slot).from_below : Plane{};
-  Plane high{};
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    const auto eight = EightBytes::load(&evidence.tile(slot)[group * evidence::kGroupCells]);
-    if (!eight.is_zero()) {
-      const unsigned low = eight.from_below();
-      const unsigned met = eight.positive() & eight_of(stands, group);
-      set_eight(high, group,
-                static_cast<std::uint8_t>(eight.negative() & ~low & eight_of(taken, group)));
-      set_eight(next, group, static_cast<std::uint8_t>((eight_of(next, group) | low) & ~met));
-    }
+void Opening::find(const Window& window, const EvidenceBits& bits, std::size_t slot) {
+  if (!window.is_known(slot)) {
+    high_[slot] = {};
+    next_[slot] = bits.from_below;
+    return;
   }
-  high_[slot] = high;
-  next_[slot] = next;
+  const Tile& tile = window.tile(slot);
+  for (std::size_t y = 0; y < tile.from_below.size(); ++y) {
+    const std::uint32_t low = bits.from_below[y];
+    high_[slot][y] = bits.free[y] & ~low & tile.found.taken[y];
+    next_[slot][y] = (tile.from_below[y] | low) & ~(bits.hit[y] & tile.found.stands[y]);
+  }
 }
 
 void Opening::leave_out_high(FrameEvidence& evidence, std::size_t slot) const {
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    if (const std::uint8_t cells = eight_of(high_[slot], group); cells != 0) {
-      evidence.leave_out(slot, group, cells);
-    }
+  if (!is_empty(high_[slot])) {
+    evidence.leave_out(slot, high_[slot]);
   }
 }
 

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 
+#include "window/evidence_bits.hpp"
 #include "window/frame_evidence.hpp"
 #include "window/window.hpp"
 
@@ -26,8 +27,8 @@ namespace iog::window {
 class Opening {
  public:
   // Its steps by slot. Each may be done again, and for several slots at once.
-  // Of a slot with evidence, before any tile is changed.
-  void find(const Window& window, const FrameEvidence& evidence, std::size_t slot);
+  // Of a slot with evidence, which has these bits, before any tile is changed.
+  void find(const Window& window, const EvidenceBits& bits, std::size_t slot);
   // Before the tile takes in the evidence.
   void leave_out_high(FrameEvidence& evidence, std::size_t slot) const;
   // When the tile has taken in the evidence, or was refreshed. It is known.

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "window/frame_evidence.hpp"
 #include "window/tile.hpp"
 
 namespace iog::window {
@@ -23,11 +22,11 @@ struct StandingCounts {
 };
 
 // Of a tile that is known. The outermost two rows and columns are left out, because what is near
-// them may be of another tile. from_below: only beams that were low count, because others go over
-// what stands (window/opening.hpp).
-[[nodiscard]] StandingCounts standing_counts(const Tile& tile,
-                                             const FrameEvidence::TileIndexes& indexes,
-                                             bool from_below);
+// them may be of another tile. hit, crossed: its cells in which something was hit, and those that
+// beams have gone through; where ground is opened only from below (window/opening.hpp) those that
+// were low, because others go over what stands.
+[[nodiscard]] StandingCounts standing_counts(const Tile& tile, const Plane& hit,
+                                             const Plane& crossed);
 
 // Whether beams go through what stands, all around: then the poses by which it was placed are
 // wrong, whatever they say. The counts of some eight frames are held against each other, those of a

@@ -7,6 +7,7 @@
 #include "require/require.hpp"
 #include "window/bring_tile.hpp"
 #include "window/eight_bytes.hpp"
+#include "window/evidence_bits.hpp"
 #include "window/ground.hpp"
 #include "work/runs.hpp"
 
@@ -94,13 +95,15 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
   crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
     for (const std::uint16_t slot : due_.of(runs[item])) {
       slot_counts_[slot] = {};
-      arrivals_.find_new(window_, evidence_, slot);
+      const EvidenceBits bits = bits_of(evidence_.tile(slot));
+      arrivals_.find_new(window_, evidence_, slot, bits.hit);
       if (window_.is_known(slot)) {
         slot_counts_[slot].standing =
-            standing_counts(window_.tile(slot), evidence_.tile(slot), rules_.is_opened_from_below);
+            standing_counts(window_.tile(slot), bits.hit,
+                            rules_.is_opened_from_below ? bits.from_below : bits.free);
       }
       if (rules_.is_opened_from_below) {
-        opening_.find(window_, evidence_, slot);
+        opening_.find(window_, bits, slot);
       }
     }
   });

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "window/evidence_bits.hpp"
+
 namespace iog::window {
 namespace {
 
@@ -17,7 +19,8 @@ struct Frame {
     indexes.at(static_cast<std::size_t>(place)) = value;
   }
   [[nodiscard]] StandingCounts counts(bool from_below = false) const {
-    return standing_counts(*tile, indexes, from_below);
+    const EvidenceBits bits = bits_of(indexes);
+    return standing_counts(*tile, bits.hit, from_below ? bits.from_below : bits.free);
   }
 
   std::unique_ptr<Tile> tile = std::make_unique<Tile>();
