@@ -51,16 +51,22 @@ class NeonLanes {
     const int8x8_t halves = vorr_s8(vget_low_s8(lanes_), vget_high_s8(lanes_));
     return vget_lane_u64(vreinterpret_u64_s8(halves), 0) == 0;
   }
-  // Each lane's sign fills the lane, of which its own bit stays; three sums of neighbours gather
-  // them.
-  [[nodiscard]] std::uint32_t negative() const {
+  // Each lane's sign fills the lane, of which its own bit stays; sums of neighbours gather them.
+  static std::array<std::uint32_t, 4> negative(const std::array<NeonLanes, 4>& left,
+                                               const std::array<NeonLanes, 4>& right) {
     const uint8x8_t own = vcreate_u8(0x8040201008040201U);
-    const uint8x16_t signs =
-        vandq_u8(vreinterpretq_u8_s8(vshrq_n_s8(lanes_, 7)), vcombine_u8(own, own));
-    uint8x8_t sums = vpadd_u8(vget_low_u8(signs), vget_high_u8(signs));
-    sums = vpadd_u8(sums, sums);
-    sums = vpadd_u8(sums, sums);
-    return vget_lane_u16(vreinterpret_u16_u8(sums), 0);
+    const auto sums = [own](int8x16_t lanes) {
+      const uint8x16_t signs =
+          vandq_u8(vreinterpretq_u8_s8(vshrq_n_s8(lanes, 7)), vcombine_u8(own, own));
+      return vpadd_u8(vget_low_u8(signs), vget_high_u8(signs));
+    };
+    const auto row = [&](std::size_t y) {
+      return vpadd_u8(sums(left[y].lanes_), sums(right[y].lanes_));
+    };
+    std::array<std::uint32_t, 4> rows;
+    vst1_u32(&rows[0], vreinterpret_u32_u8(vpadd_u8(row(0), row(1))));
+    vst1_u32(&rows[2], vreinterpret_u32_u8(vpadd_u8(row(2), row(3))));
+    return rows;
   }
 
   static std::array<NeonLanes, 4> rows_of(const LaneBytes* four) {

@@ -53,13 +53,17 @@ class PlainLanes {
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
-  // A bit for each that is below 0, bit i for the i-th.
-  [[nodiscard]] std::uint32_t negative() const {
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < kLaneCount; ++i) {
-      bits |= (lanes_.bytes[i] < 0 ? 1U : 0U) << i;
+  // Of four rows, each in two halves, a bit for each lane that is below 0; bit 0 is the left one.
+  static std::array<std::uint32_t, 4> negative(const std::array<PlainLanes, 4>& left,
+                                               const std::array<PlainLanes, 4>& right) {
+    std::array<std::uint32_t, 4> rows{};
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+      for (std::size_t i = 0; i < kLaneCount; ++i) {
+        rows[y] |= (left[y].lanes_.bytes[i] < 0 ? 1U : 0U) << i;
+        rows[y] |= (right[y].lanes_.bytes[i] < 0 ? 1U : 0U) << (kLaneCount + i);
+      }
     }
-    return bits;
+    return rows;
   }
 
   // Quarter i of each of four, for i = 0 ... 3: the rows of four blocks beside one another.

@@ -50,8 +50,14 @@ class Sse2Lanes {
   [[nodiscard]] bool is_zero() const {
     return _mm_movemask_epi8(_mm_cmpeq_epi8(lanes_, _mm_setzero_si128())) == 0xFFFF;
   }
-  [[nodiscard]] std::uint32_t negative() const {
-    return static_cast<std::uint32_t>(_mm_movemask_epi8(lanes_));
+  static std::array<std::uint32_t, 4> negative(const std::array<Sse2Lanes, 4>& left,
+                                               const std::array<Sse2Lanes, 4>& right) {
+    std::array<std::uint32_t, 4> rows{};
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+      rows[y] = static_cast<std::uint32_t>(_mm_movemask_epi8(left[y].lanes_)) |
+                static_cast<std::uint32_t>(_mm_movemask_epi8(right[y].lanes_)) << kLaneCount;
+    }
+    return rows;
   }
 
   static std::array<Sse2Lanes, 4> rows_of(const LaneBytes* four) {

@@ -24,8 +24,6 @@ class EightBytes {
     return EightBytes(word);
   }
 
-  void store(std::int8_t* to) const { __builtin_memcpy(to, &word_, sizeof word_); }
-
   [[nodiscard]] EightBytes bit_or(EightBytes other) const {
     return EightBytes(word_ | other.word_);
   }
@@ -40,9 +38,6 @@ class EightBytes {
 
   [[nodiscard]] bool is_zero() const { return word_ == 0; }
 
-  // Whether one of them is below 0.
-  [[nodiscard]] bool has_negative() const { return (word_ & kTopBits) != 0; }
-
   // Whether one of them is above 0.
   [[nodiscard]] bool has_positive() const { return tops_of_positive() != 0; }
 
@@ -51,15 +46,6 @@ class EightBytes {
   // The product gathers bits 8 i: shifted by 7 k, k = 1 ... 8, bit i reaches 56 + i for k = 8 - i
   // alone. No two of the 64 sums 8 i + 7 k are the same, so nothing carries.
   [[nodiscard]] std::uint8_t positive() const { return gathered(tops_of_positive()); }
-
-  // The same of those below 0.
-  [[nodiscard]] std::uint8_t negative() const { return gathered(word_ & kTopBits); }
-
-  // The same of bytes that are free from below (window/slice_byte.hpp): of those below 0 down to
-  // -63 bit 5 is set down to -31, and not from -33 on.
-  [[nodiscard]] std::uint8_t from_below() const {
-    return gathered(word_ & ~(word_ << 2U) & kTopBits);
-  }
 
  private:
   static constexpr std::uint64_t kSevenBits = 0x7F7F7F7F7F7F7F7FU;

@@ -1,6 +1,7 @@
 #include "window/slice_bytes.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace iog::window {
 
@@ -20,6 +21,18 @@ TileNotes write_bytes(const std::int8_t* indexes, std::int8_t* bytes) {
     }
   }
   return notes;
+}
+
+// A bit beside an index of either sign is bit 5 of its byte, turned round: that of 1 ... 31 is 0,
+// that of -1 ... -31 is 1.
+void set_beside(const Plane& cells, std::int8_t* bytes) {
+  for (std::uint32_t row : cells) {
+    for (; row != 0; row &= row - 1) {
+      std::int8_t& byte = bytes[std::countr_zero(row)];
+      byte = static_cast<std::int8_t>(byte ^ kBeside);
+    }
+    bytes += geometry::kTileSide;
+  }
 }
 
 }  // namespace iog::window

@@ -25,4 +25,7 @@ struct TileNotes {
 // Writes the bytes of a tile's indexes, row by row, without a bit beside them. No index is -128.
 [[nodiscard]] TileNotes write_bytes(const std::int8_t* indexes, std::int8_t* bytes);
 
+// Sets the bit beside the index of these cells of a tile, all of which are known and have none.
+void set_beside(const Plane& cells, std::int8_t* bytes);
+
 }  // namespace iog::window

@@ -78,4 +78,21 @@ TileNotes write_bytes(const std::int8_t* indexes, std::int8_t* bytes) {
   return notes;
 }
 
+void set_beside(const Plane& cells, std::int8_t* bytes) {
+  const uint8x8_t own = vcreate_u8(0x8040'2010'0804'0201U);
+  const int8x16_t beside = vdupq_n_s8(kBeside);
+  const auto turn_round = [&](uint8x8_t left, uint8x8_t right, std::int8_t* half) {
+    const uint8x16_t is_set = vtstq_u8(vcombine_u8(left, right), vcombine_u8(own, own));
+    vst1q_s8(half, veorq_s8(vld1q_s8(half), vandq_s8(vreinterpretq_s8_u8(is_set), beside)));
+  };
+  for (const std::uint32_t row : cells) {
+    if (row != 0) {
+      const uint8x8_t eights = vreinterpret_u8_u32(vdup_n_u32(row));
+      turn_round(vdup_lane_u8(eights, 0), vdup_lane_u8(eights, 1), bytes);
+      turn_round(vdup_lane_u8(eights, 2), vdup_lane_u8(eights, 3), bytes + kHalfRow);
+    }
+    bytes += kRowBytes;
+  }
+}
+
 }  // namespace iog::window

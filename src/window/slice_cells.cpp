@@ -3,51 +3,14 @@
 #include <algorithm>
 #include <numeric>
 
-#include "window/eight_bytes.hpp"
-
 namespace iog::window {
-namespace {
-
-constexpr std::size_t kSide = geometry::kTileSide;
-constexpr std::size_t kBlock = SliceCells::kBlockSide;
-static_assert(kBlock == EightBytes::kCount);
-
-// By eight bits, the byte kBeside where one is set.
-using BesideByBits = std::array<std::array<std::int8_t, EightBytes::kCount>, 256>;
-
-consteval BesideByBits make_beside_by_bits() {
-  BesideByBits table{};
-  for (unsigned bits = 0; bits < table.size(); ++bits) {
-    for (unsigned i = 0; i < EightBytes::kCount; ++i) {
-      table[bits][i] = (bits >> i & 1U) != 0 ? std::int8_t{kBeside} : std::int8_t{0};
-    }
-  }
-  return table;
-}
-constexpr BesideByBits kBesideByBits = make_beside_by_bits();
-
-// A bit beside an index of either sign is bit 5 of its byte, turned round: that of 1 ... 31 is 0,
-// that of -1 ... -31 is 1.
-void set_beside(std::uint32_t bits, std::int8_t* row) {
-  for (std::int8_t* eight = row; bits != 0; eight += kBlock, bits >>= kBlock) {
-    EightBytes::load(eight)
-        .bit_xor(EightBytes::load(kBesideByBits[bits % 256].data()))
-        .store(eight);
-  }
-}
-
-}  // namespace
 
 void SliceCells::copy(std::size_t tile, TileIndexes indexes, const Plane& low_and_tall) {
-  std::int8_t* row = tiles_[places_[tile]].data();
-  notes_[tile] = write_bytes(indexes.data(), row);
+  std::int8_t* const bytes = tiles_[places_[tile]].data();
+  notes_[tile] = write_bytes(indexes.data(), bytes);
   is_known_[tile] = true;
-  if (is_empty(low_and_tall)) {
-    return;
-  }
-  for (const std::uint32_t bits : low_and_tall) {
-    set_beside(bits, row);
-    row += kSide;
+  if (!is_empty(low_and_tall)) {
+    set_beside(low_and_tall, bytes);
   }
 }
 

@@ -63,5 +63,27 @@ TEST(SliceBytes, OfAnyTile) {
   }
 }
 
+// Of cells of either sign, and of none where nothing is known.
+TEST(SliceBytes, HaveTheBitBesideThemThatIsSet) {
+  tests::Random random(852);
+  for (int round = 0; round < 100; ++round) {
+    Cells indexes{};
+    Plane has_bit{};
+    for (std::size_t i = 0; i < indexes.size(); ++i) {
+      const int index = random.one_in(3) ? 0 : random.between(-127, 127);
+      indexes[i] = static_cast<std::int8_t>(index);
+      const bool is_set = index != 0 && random.one_in(1 + round % 9);
+      has_bit[i / kRowCells] |= (is_set ? 1U : 0U) << i % kRowCells;
+    }
+    Cells bytes{};
+    static_cast<void>(write_bytes(indexes.data(), bytes.data()));
+    set_beside(has_bit, bytes.data());
+    for (std::size_t i = 0; i < indexes.size(); ++i) {
+      const bool is_set = (has_bit[i / kRowCells] >> i % kRowCells & 1U) != 0;
+      ASSERT_EQ(bytes[i], byte_of(indexes[i], is_set)) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace iog::window
