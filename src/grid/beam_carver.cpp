@@ -14,11 +14,19 @@ Between BeamCarver::end_without_hit(const vehicle::Sensor& sensor, const KeptLin
              : line.in_grid().end;
 }
 
-void BeamCarver::carve(KeptLine& line, BlockGrid& grid, FreeSteps& steps) {
+template <typename Steps>
+void BeamCarver::carve(KeptLine& line, BlockGrid& grid, Steps& steps) {
   if (line.has_path()) {
     carve_blocks(grid, line.path(), steps);
   } else {
     carve_cells(grid, line.line(), line.in_grid().first.at(), steps);
+  }
+}
+
+void BeamCarver::carve(KeptLine& line, LineSteps& steps) {
+  carve(line, grids_->indexes, steps.free);
+  if (!steps.low.is_empty()) {
+    carve(line, grids_->heights, steps.low);
   }
 }
 

@@ -53,15 +53,11 @@ class BeamCarver {
   }
 
   // Carves what waits in the steps. Then nothing does.
-  void carve(KeptLine& line, LineSteps& steps) {
-    carve(line, grids_->indexes, steps.free);
-    if (!steps.low.is_empty()) {
-      carve(line, grids_->heights, steps.low);
-    }
-  }
+  void carve(KeptLine& line, LineSteps& steps);
 
  private:
-  static void carve(KeptLine& line, BlockGrid& grid, FreeSteps& steps);
+  template <typename Steps>
+  static void carve(KeptLine& line, BlockGrid& grid, Steps& steps);
   [[nodiscard, gnu::noinline]] static Between end_without_hit(const vehicle::Sensor& sensor,
                                                               const KeptLine& line,
                                                               std::uint32_t clears_mm,

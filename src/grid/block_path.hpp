@@ -41,6 +41,12 @@ struct Way {
     code = *next_codes;
     ++next_codes;
   }
+  // So many steps at once, to a block that is known.
+  void step_to(LaneBytes* to, std::uint32_t steps) {
+    block = to;
+    next_codes += steps;
+    code = next_codes[-1];
+  }
 };
 
 class BlockPath {
@@ -58,6 +64,15 @@ class BlockPath {
   [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
     const traversal::Position corner = from_corner(at);
     return corner.x / kBlockSide + corner.y / kBlockSide;
+  }
+
+  // The block in which a position lies, in blocks as stored from the first. corner: from_corner()
+  // of the position.
+  [[nodiscard]] std::ptrdiff_t stride_to(traversal::Position corner) const {
+    const auto [along_u, along_v] = orientation_.strides(kBlockStride);
+    const auto x = static_cast<std::ptrdiff_t>(corner.x / kBlockSide);
+    const auto y = static_cast<std::ptrdiff_t>(corner.y / kBlockSide);
+    return orientation_.is_steep ? y * along_u + x * along_v : x * along_u + y * along_v;
   }
 
   // Finds the blocks up to this one, which lies in the grid.

@@ -17,11 +17,10 @@ std::int8_t amount_of(std::int32_t freer) {
   return static_cast<std::int8_t>(std::min(freer, kMostFreer));
 }
 
-}  // namespace
-
 // A block in which the steps change is carved once, with an amount for each of its cells: where the
 // line enters the block the amount of before, and from each change on the new one.
-void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
+template <bool kHasGaps>
+[[gnu::always_inline]] inline void carve_path(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
   const traversal::Position last = steps.last().at();
   path.find_up_to(path.block_at(last));
   path.for_each_tile(last, [&](std::size_t tile) { grid.touch(tile); });
@@ -29,16 +28,17 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
   const traversal::Position corner = path.from_corner({});
   const Orientation orientation = path.orientation();
   const BlockMasks& masks = path.masks();
-  Way way = path.way_from(grid.block_at(path.start_offset()));
+  LaneBytes* const start = grid.block_at(path.start_offset());
+  Way way = path.way_from(start);
   Lanes cells = Lanes::load(way.cells()).bit_and(Lanes::load(path.start_mask()));
   std::uint32_t number = 0;
   std::int32_t freer = steps.from_start();
   Lanes amount = Lanes::all(amount_of(freer));
   Lanes in_block = amount;
   steps.take_changes([&](Between point, std::int32_t change) {
-    const std::int32_t before = freer;
+    const std::int32_t freer_before = freer;
     freer += change;
-    if (std::min(before, freer) >= kMostFreer) {
+    if (std::min(freer_before, freer) >= kMostFreer) {
       return;
     }
     const traversal::Position at = point.at();
@@ -47,8 +47,12 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
     const std::uint32_t its_number = x / kSide + y / kSide;
     if (its_number != number) {
       carve_block(*way.block, cells, in_block);
-      carve_run(way, its_number - number - 1, amount);
-      way.step();
+      if (kHasGaps && freer_before == 0) {
+        way.step_to(start + path.stride_to({x, y}), its_number - number);
+      } else {
+        carve_run(way, its_number - number - 1, amount);
+        way.step();
+      }
       cells = Lanes::load(way.cells());
       number = its_number;
       in_block = amount;
@@ -59,6 +63,15 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
     in_block = in_block.and_not(rest).bit_or(amount.bit_and(rest));
   });
   carve_block(*way.block, cells, in_block);
+}
+
+}  // namespace
+
+void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
+  carve_path<false>(grid, path, steps);
+}
+void carve_blocks(BlockGrid& grid, BlockPath& path, LowSteps& steps) {
+  carve_path<true>(grid, path, steps);
 }
 
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,

@@ -110,6 +110,9 @@ class FreeSteps {
   std::array<std::uint32_t, kSlots> slots_{};
 };
 
+// Where beams are low. Unlike what they free, that begins far out, and has gaps.
+class LowSteps : public FreeSteps {};
+
 // What waits of the beams of a line: how much freer they make it and, if heights count
 // (grid/frame_grids.hpp), where some of them are low. A beam adds one to each at most.
 struct LineSteps {
@@ -133,7 +136,7 @@ struct LineSteps {
   }
 
   FreeSteps free;
-  FreeSteps low;
+  LowSteps low;
 };
 
 }  // namespace iog::grid

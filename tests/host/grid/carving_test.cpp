@@ -131,8 +131,9 @@ TEST(BlockPath, NamesTheTilesThatItEnters) {
 }
 
 // A beam's steps at random places of a line, into two grids that hold anything not above 0.
-TEST(Carving, BlockByBlockIsCellByCell) {
-  tests::Random random(3);
+template <typename Steps>
+void expect_that_blocks_are_cells(std::uint64_t seed) {
+  tests::Random random(seed);
   const auto by_blocks = std::make_unique<BlockGrid>();
   const auto by_cells = std::make_unique<BlockGrid>();
   for (int i = 0; i < tests::effort(2'000, 40); ++i) {
@@ -144,8 +145,8 @@ TEST(Carving, BlockByBlockIsCellByCell) {
     const std::vector<Position> positions = positions_of(line, cells);
     BlockPath path;
     path.begin(line);
-    const auto block_steps = std::make_unique<FreeSteps>();
-    const auto cell_steps = std::make_unique<FreeSteps>();
+    const auto block_steps = std::make_unique<Steps>();
+    const auto cell_steps = std::make_unique<Steps>();
     for (int beam = random.between(1, 4); beam > 0; --beam) {
       const auto last = static_cast<std::size_t>(
           random.between(0, static_cast<std::int32_t>(positions.size()) - 1));
@@ -176,6 +177,9 @@ TEST(Carving, BlockByBlockIsCellByCell) {
   }
   EXPECT_EQ(different, 0U);
 }
+
+TEST(Carving, BlockByBlockIsCellByCell) { expect_that_blocks_are_cells<FreeSteps>(3); }
+TEST(Carving, WhatGapsHaveIsPassed) { expect_that_blocks_are_cells<LowSteps>(4); }
 
 // One point between two cells has two names: after the one, before the other. Beams that change
 // there by either name, in either order, carve what two beams carve that name it alike.
