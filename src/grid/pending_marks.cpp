@@ -38,25 +38,29 @@ void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& li
 // carved: max(cell, 0) + index. bayes: marks are added to what was carved.
 void PendingMarks::apply(FrameGrids& grids, vehicle::FusionRule rule) {
   if (grids.keep_heights) {
-    apply_heights(grids.heights);
-  }
-  const OccupancyIndex least =
-      rule == vehicle::FusionRule::kHitsWin ? index::kUnknown : index::kIndexMin<OccupancyIndex>;
-  for (const Mark& mark : std::span(marks_).first(count_)) {
-    const geometry::Cell cell = geometry::cell_of(mark.cell);
-    OccupancyIndex& index = grids.indexes.cell_at(offset_of(cell));
-    index = index::sat_add(std::max(index, least), static_cast<OccupancyIndex>(mark.index));
-    grids.indexes.touch(geometry::tile_of(cell));
+    apply<true>(grids, rule);
+  } else {
+    apply<false>(grids, rule);
   }
   count_ = 0;
 }
 
-void PendingMarks::apply_heights(BlockGrid& heights) const {
+template <bool kWithHeights>
+void PendingMarks::apply(FrameGrids& grids, vehicle::FusionRule rule) const {
+  const OccupancyIndex least =
+      rule == vehicle::FusionRule::kHitsWin ? index::kUnknown : index::kIndexMin<OccupancyIndex>;
   for (const Mark& mark : std::span(marks_).first(count_)) {
     const geometry::Cell cell = geometry::cell_of(mark.cell);
-    OccupancyIndex& height = heights.cell_at(offset_of(cell));
-    height = std::max(height, static_cast<OccupancyIndex>(mark.is_tall));
-    heights.touch(geometry::tile_of(cell));
+    const std::uint32_t offset = offset_of(cell);
+    const std::size_t tile = geometry::tile_of(cell);
+    OccupancyIndex& index = grids.indexes.cell_at(offset);
+    index = index::sat_add(std::max(index, least), static_cast<OccupancyIndex>(mark.index));
+    grids.indexes.touch(tile);
+    if constexpr (kWithHeights) {
+      OccupancyIndex& height = grids.heights.cell_at(offset);
+      height = std::max(height, static_cast<OccupancyIndex>(mark.is_tall));
+      grids.heights.touch(tile);
+    }
   }
 }
 

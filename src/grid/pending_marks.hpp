@@ -87,7 +87,8 @@ class PendingMarks {
  private:
   void mark_behind(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
                    std::uint32_t range_mm, bool is_tall);
-  void apply_heights(BlockGrid& heights) const;
+  template <bool kWithHeights>
+  void apply(FrameGrids& grids, vehicle::FusionRule rule) const;
 
   void remember(geometry::Cell cell, OccupancyIndex index, bool is_tall) {
     require(count_ < kMaxMarks);
