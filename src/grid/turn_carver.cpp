@@ -1,6 +1,7 @@
 #include "grid/turn_carver.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace iog::grid {
 
@@ -85,7 +86,9 @@ std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
       [[maybe_unused]] const Between freed =
           BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
       if constexpr (kWithHeights) {
-        steps_.add_low(LinePart{part.first, freed}.within(low_part(line, point.layer(), sector)));
+        if (may_be_low(point, sector)) {
+          add_low(line, {part.first, freed}, point, sector);
+        }
       }
       last = std::max(last, part.end);
       ++beams;
@@ -120,24 +123,40 @@ void TurnCarver::add_behind_band(FreeSteps& steps, const KeptLine& line, const R
   steps.add_beams(beams, freer, last);
 }
 
-LinePart TurnCarver::low_part(const KeptLine& line, std::size_t layer, std::uint32_t sector) const {
-  return ground_ == nullptr
-             ? line.in_band(layers_->low[layer])
-             : LocalBeam::part_of(*sensor_, line, ground_->low_stretch(sector, layer));
+// A hit that all of its beam before is between the limits, is before its exit: where its beam ends
+// to be low has to be found only of one that begins so low.
+void TurnCarver::add_low(const KeptLine& line, const LinePart& freed, WaitingPoint hit,
+                         std::uint32_t sector) {
+  if (ground_ == nullptr) {
+    steps_.add_low(freed.within(line.in_band(layers_->low[hit.layer()])));
+    return;
+  }
+  const ground::Ground::Stretch low = ground_->low_stretch(sector, hit.layer());
+  if (low.from_mm < low.to_mm) {
+    const Between first = Between::before(line.through(*sensor_, low.from_mm));
+    const Between end =
+        hit.along_mm() <= low.to_mm ? freed.end : LocalBeam::end_of(*sensor_, line, low.to_mm);
+    steps_.add_low(freed.within({first, end}));
+  }
 }
 
-// All of them count, also those that make nothing freer. They come by where they end, the farthest
-// first, so that what overlaps is one.
+// All of them count, also those that make nothing freer. They come by where they leave the band,
+// the farthest first, so that nearly all of what overlaps is one. A beam that begins low may end to
+// be so before one that leaves the band sooner.
 void TurnCarver::add_low_behind_band(const KeptLine& line, const RankSet& ranks,
                                      std::uint32_t sector) {
+  if (ground_ != nullptr) {
+    add_low_over_ground(line, ranks, sector);
+    return;
+  }
   LinePart all;
   ranks.visit_while([&](std::uint32_t rank) {
-    const LinePart part = low_part(line, layer_of(rank, sector), sector);
+    const LinePart part = line.in_band(layers_->low[layers_->by_rank[rank]]);
     if (part.is_empty()) {
       return true;
     }
     if (!all.is_empty() && part.end >= all.first) {
-      all.first = std::min(all.first, part.first);
+      all = {std::min(all.first, part.first), std::max(all.end, part.end)};
     } else {
       steps_.add_low(all);
       all = part;
@@ -145,6 +164,40 @@ void TurnCarver::add_low_behind_band(const KeptLine& line, const RankSet& ranks,
     return true;
   });
   steps_.add_low(all);
+}
+
+// A part of a line in which beams are low. Not inlined, so that the steps' address is in a
+// register.
+[[gnu::noinline]] void TurnCarver::add_low_stretch(LineSteps& steps, const KeptLine& line,
+                                                   ground::Ground::Stretch stretch) const {
+  steps.add_low(LocalBeam::part_of(*sensor_, line, stretch));
+}
+
+// The same in millimetres, so that a line is asked for the ends of what is left.
+void TurnCarver::add_low_over_ground(const KeptLine& line, const RankSet& ranks,
+                                     std::uint32_t sector) {
+  const ground::Exits& exits = ground_->exits();
+  ground::Ground::Stretch all{.from_mm = std::numeric_limits<std::uint32_t>::max(), .to_mm = 0};
+  const auto add_all = [&] {
+    if (all.from_mm < all.to_mm) {
+      add_low_stretch(steps_, line, all);
+    }
+  };
+  ranks.visit_while([&](std::uint32_t rank) {
+    const ground::Ground::Stretch low = ground_->low_stretch(sector, exits.by_rank(sector, rank));
+    if (low.from_mm >= low.to_mm) {
+      return true;
+    }
+    if (low.to_mm < all.from_mm) {
+      add_all();
+      all = low;
+    } else {
+      all = {.from_mm = std::min(all.from_mm, low.from_mm),
+             .to_mm = std::max(all.to_mm, low.to_mm)};
+    }
+    return true;
+  });
+  add_all();
 }
 
 // What is no hit with all of its beam in the band, and carves or marks nevertheless.

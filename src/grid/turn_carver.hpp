@@ -136,14 +136,18 @@ class TurnCarver {
                                          const RankSet& ranks, std::uint32_t far_hits,
                                          EndOf end_of) const;
   [[gnu::noinline]] void add_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector);
-  // Where a layer's beams are low; where those are that are behind the band.
-  [[nodiscard]] LinePart low_part(const KeptLine& line, std::size_t layer,
-                                  std::uint32_t sector) const;
+  // Where beams are low: that of a hit which frees so much of its line, and those that are behind
+  // the band. Over the ground most hits are nearer than their beams are low.
+  [[nodiscard]] bool may_be_low(WaitingPoint hit, std::uint32_t sector) const {
+    return ground_ == nullptr || ground_->low_from_mm(sector, hit.layer()) < hit.along_mm();
+  }
+  [[gnu::noinline]] void add_low(const KeptLine& line, const LinePart& freed, WaitingPoint hit,
+                                 std::uint32_t sector);
   [[gnu::noinline]] void add_low_behind_band(const KeptLine& line, const RankSet& ranks,
                                              std::uint32_t sector);
-  [[nodiscard]] std::size_t layer_of(std::uint32_t rank, std::uint32_t sector) const {
-    return ground_ == nullptr ? layers_->by_rank[rank] : ground_->exits().by_rank(sector, rank);
-  }
+  void add_low_over_ground(const KeptLine& line, const RankSet& ranks, std::uint32_t sector);
+  void add_low_stretch(LineSteps& steps, const KeptLine& line,
+                       ground::Ground::Stretch stretch) const;
 
   // What is aligned to a cache line comes first.
   TurnLines lines_;

@@ -65,6 +65,10 @@ class Ground {
     }
     return {};
   }
+  // So near a beam is never low.
+  [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
+    return low_ == Low::kToExit ? low_beams_.border_mm(sector, layer) : 0;
+  }
   // How high over the highest ground nearby a return is at least that is tall: a bank that begins
   // within a bin or two is not tall over the ground before it. 0: each is.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }

@@ -43,6 +43,7 @@ using tests::Whole;
 using vehicle::Fate;
 
 constexpr vehicle::MovedLimits kMoved{.low_mm = 600, .tall_mm = 600};
+constexpr vehicle::MovedLimits kBeginsLow{.low_mm = 2'000, .tall_mm = 600};
 
 // A point as both implementations see it.
 struct Place {
@@ -251,9 +252,7 @@ FakePacket random_packet(Random& random, std::size_t layers, int points) {
     point.echo = random.one_in(8) ? std::uint8_t{1} : std::uint8_t{0};
     packet.points.push_back(point);
   }
-  for (std::size_t i = 0; i < 44; ++i) {
-    packet.samples.push_back(packet.points[i]);
-  }
+  packet.samples.assign(packet.points.begin(), packet.points.begin() + 44);
   return packet;
 }
 
@@ -261,8 +260,9 @@ FakePacket random_packet(Random& random, std::size_t layers, int points) {
 // sector; what they carve is what each carves at once, and their lows are the same.
 TEST(OverGround, NeitherWaitingNorSparingABeamShows) {
   Random random(63);
-  for (const vehicle::Vehicle& car : {LevelVlp16::kVehicle, ManyLayers::kVehicle}) {
-    const tests::GroundCar ground_car(car, kLimits, kMoved);
+  for (int i = 0; i < 4; ++i) {
+    const vehicle::Vehicle& car = i % 2 == 0 ? LevelVlp16::kVehicle : ManyLayers::kVehicle;
+    const tests::GroundCar ground_car(car, kLimits, i < 2 ? kMoved : kBeginsLow);
     const vehicle::Vehicle& its = ground_car.vehicle();
     const auto waits = std::make_unique<FrameFusion>(its);
     for (int frame = 0; frame < 3; ++frame) {
@@ -274,9 +274,9 @@ TEST(OverGround, NeitherWaitingNorSparingABeamShows) {
           random_packet(random, its.sensors[0].layer_count, tests::effort(4'000, 400));
       std::vector<Fate> fates;
       waits->add_all(its.sensors[0], packet, [&](Fate fate) { fates.push_back(fate); });
-      for (std::size_t i = 0; i < packet.points.size(); ++i) {
-        const FakePacket one{.points = {packet.points[i]}, .samples = packet.samples};
-        alone->add_all(its.sensors[0], one, [&](Fate fate) { ASSERT_EQ(fate, fates[i]); });
+      for (std::size_t number = 0; number < packet.points.size(); ++number) {
+        const FakePacket one{.points = {packet.points[number]}, .samples = packet.samples};
+        alone->add_all(its.sensors[0], one, [&](Fate fate) { ASSERT_EQ(fate, fates[number]); });
         alone->carve_waiting();
       }
       waits->finish();
