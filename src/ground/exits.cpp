@@ -28,7 +28,7 @@ void Exits::find(const Beams& beams, Limits limits, const Surface& surface) {
       const std::uint8_t layer = layers[i - 1];
       const auto above = static_cast<std::uint16_t>(up.leave(beams.slope(layer)));
       leave_below = above < below[layer] ? i - 1 : leave_below;
-      row.to_2_mm[layer] = std::min(above, below[layer]);
+      row[layer].to_2_mm = std::min(above, below[layer]);
     }
     // Outward from where both meet.
     std::size_t lower = leave_below;
@@ -36,10 +36,10 @@ void Exits::find(const Beams& beams, Limits limits, const Surface& surface) {
     for (std::size_t rank = 0; rank < layers.size(); ++rank) {
       const bool is_lower =
           upper == layers.size() ||
-          (lower > 0 && row.to_2_mm[layers[lower - 1]] >= row.to_2_mm[layers[upper]]);
+          (lower > 0 && row[layers[lower - 1]].to_2_mm >= row[layers[upper]].to_2_mm);
       const std::uint8_t layer = is_lower ? layers[--lower] : layers[upper++];
-      row.by_rank[rank] = layer;
-      row.rank_of[layer] = static_cast<std::uint8_t>(rank);
+      row[rank].of_rank = layer;
+      row[layer].rank = static_cast<std::uint8_t>(rank);
     }
   }
 }

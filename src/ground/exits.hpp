@@ -28,22 +28,25 @@ class Exits {
   // So far along its line a beam is between the limits from its start on, in steps of 2 mm, rounded
   // down; at most the line's length.
   [[nodiscard]] std::uint32_t to_mm(std::uint32_t sector, std::size_t layer) const {
-    return std::uint32_t{2} * rows_[sector].to_2_mm[layer];
+    return std::uint32_t{2} * rows_[sector][layer].to_2_mm;
   }
   // The layers of a sector, that which is between the limits farthest first.
   [[nodiscard]] std::size_t by_rank(std::uint32_t sector, std::size_t rank) const {
-    return rows_[sector].by_rank[rank];
+    return rows_[sector][rank].of_rank;
   }
   [[nodiscard]] std::uint32_t rank_of(std::uint32_t sector, std::size_t layer) const {
-    return rows_[sector].rank_of[layer];
+    return rows_[sector][layer].rank;
   }
 
  private:
-  struct Row {
-    std::array<std::uint16_t, vehicle::kMaxLayers> to_2_mm{};
-    std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
-    std::array<std::uint8_t, vehicle::kMaxLayers> rank_of{};
+  // Of the layer of a number how far it gets and its rank, which a return asks for together; and
+  // the layer of the rank of that number.
+  struct Exit {
+    std::uint16_t to_2_mm = 0;
+    std::uint8_t rank = 0;
+    std::uint8_t of_rank = 0;
   };
+  using Row = std::array<Exit, vehicle::kMaxLayers>;
 
   std::array<Row, kSectors> rows_{};
 };

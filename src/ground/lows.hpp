@@ -34,9 +34,12 @@ class Lows {
   // beyond the last bin is left out.
   void add(Bins bins, std::uint32_t sector, std::uint32_t along_mm, std::int32_t z_mm) {
     const std::uint32_t bin = bins.bin_of(along_mm);
-    if (bin < kBins && z_mm >= -bins.most_plausible_mm(bin)) {
+    if (bin < kBins) {
+      // Few are lower than those before, so few are asked whether anybody believes them.
       std::int16_t& low = rings_[bin][sector];
-      low = static_cast<std::int16_t>(std::min<std::int32_t>(z_mm, low));
+      if (z_mm < low && z_mm >= -bins.most_plausible_mm(bin)) {
+        low = static_cast<std::int16_t>(z_mm);
+      }
     }
   }
 

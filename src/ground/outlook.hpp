@@ -3,7 +3,9 @@
 // Ranges. Heights are in units of 2^-14 mm, in which a slope of 2^-24 is what a beam rises in 1,024
 // mm. Where a bin begins, a beam has at most 2^37 of room: 64 bins of 2^31, and 2^17 mm. Until the
 // bin ends, that changes by less than 2^32: 46,000 mm of ground and 2 * 57.3 * 2^24 of slope. So a
-// divisor has 32 bits, and what is divided is below 2^32 times half a bin.
+// divisor has 32 bits, and what is divided is below 2^32 times half a bin. Of a beam that rises by
+// at most 2^24 a bin, which is 45 degrees or half of that, the room fits a word: 64 times 2^24, and
+// 2^16 mm.
 #pragma once
 
 #include <algorithm>
@@ -25,44 +27,66 @@ enum class Side : std::int8_t { kBelow = 1, kAbove = -1 };
 class Outlook {
  public:
   Outlook(const Beams& beams, const Surface::Row& row, std::int32_t limit_mm, Side side)
-      : beams_(&beams), row_(&row), limit_mm_(limit_mm), sign_(static_cast<int>(side)) {}
+      : row_(&row),
+        bins_(beams.bins()),
+        sign_(static_cast<int>(side)),
+        most_(beams.range_mm() / 2),
+        start_mm_(beams.origin_mm() - limit_mm),
+        most_of_word_(start_mm_ <= kMostStartOfWord && start_mm_ >= -kMostStartOfWord
+                          ? kMostRiseOfWord / bins_.rise_of_bin(1)
+                          : -1),
+        is_out_(sign_ * (start_mm_ - row[0]) < 0) {}
 
   // How far a beam of this slope gets, in steps of 2 mm, rounded down; at most the line's length.
   // Of the beam before, which leaves no later, it knows in which bin.
   [[nodiscard]] std::uint32_t leave(Slope slope) {
-    const Bins bins = beams_->bins();
-    const std::int64_t rise = std::int64_t{sign_} * slope * bins.rise_of_bin(1);
-    if (room(0, rise) < 0) {
+    if (is_out_) {
       return 0;
     }
-    while (bin_ < kBins && room(bin_ + 1, rise) >= 0) {
-      ++bin_;
+    const std::int32_t signed_slope = sign_ * slope;
+    if (signed_slope <= most_of_word_ && signed_slope >= -most_of_word_) {
+      return leave_by(signed_slope * bins_.rise_of_bin(1));
     }
-    const std::uint32_t most = beams_->range_mm() / 2;
-    if (bin_ == kBins) {
-      return most;
-    }
-    const std::int64_t before = room(bin_, rise);
-    const auto lost = static_cast<std::uint32_t>(before - room(bin_ + 1, rise));
-    const std::uint32_t half_bin = bins.length_mm() / 2;
-    const std::uint64_t share = static_cast<std::uint64_t>(before) * half_bin;
-    const auto bin = static_cast<std::uint32_t>(bin_);
-    return std::min(bin * half_bin + numeric::Divisor(lost).divide(share), most);
+    return leave_by(std::int64_t{signed_slope} * bins_.rise_of_bin(1));
   }
 
  private:
   static constexpr int kRoomBits = kSlopeFractionBits - 10;
+  static constexpr std::int32_t kMostRiseOfWord = 1 << 24;
+  static constexpr std::int32_t kMostStartOfWord = 32'767;
 
   // Where a bin begins, between the beam and the limit; below 0 it has left.
-  [[nodiscard]] std::int64_t room(std::size_t bin, std::int64_t rise) const {
-    const std::int32_t mm = sign_ * (beams_->origin_mm() - (*row_)[bin] - limit_mm_);
-    return (std::int64_t{mm} << kRoomBits) + rise * static_cast<std::int64_t>(bin);
+  template <typename Word>
+  [[nodiscard]] Word room(std::size_t bin, Word rise) const {
+    const std::int32_t mm = sign_ * (start_mm_ - (*row_)[bin]);
+    return Word{mm} * (Word{1} << kRoomBits) + rise * static_cast<Word>(bin);
   }
 
-  const Beams* beams_;
+  template <typename Word>
+  [[nodiscard]] std::uint32_t leave_by(Word rise) {
+    Word behind = 0;
+    while (bin_ < kBins && (behind = room(bin_ + 1, rise)) >= 0) {
+      ++bin_;
+    }
+    if (bin_ == kBins) {
+      return most_;
+    }
+    const Word before = room(bin_, rise);
+    const std::uint32_t lost =
+        static_cast<std::uint32_t>(before) - static_cast<std::uint32_t>(behind);
+    const std::uint32_t half_bin = bins_.length_mm() / 2;
+    const std::uint64_t share = static_cast<std::uint64_t>(before) * half_bin;
+    const auto bin = static_cast<std::uint32_t>(bin_);
+    return std::min(bin * half_bin + numeric::Divisor(lost).divide(share), most_);
+  }
+
   const Surface::Row* row_;
-  std::int32_t limit_mm_;
+  Bins bins_;
   int sign_;
+  std::uint32_t most_;
+  std::int32_t start_mm_;
+  Slope most_of_word_;  // of slopes, up or down, of which a room fits a word
+  bool is_out_;         // where beams begin
   std::size_t bin_ = 0;
 };
 

@@ -10,7 +10,9 @@ Surface::Row Surface::lowest_near(std::size_t sector) const {
   for (std::size_t away = 1; away <= kNearBins; ++away) {
     for (std::size_t start = away; start < kStarts; ++start) {
       lowest[start] = std::min(lowest[start], row[start - away]);
-      lowest[start - away] = std::min(lowest[start - away], row[start]);
+    }
+    for (std::size_t start = 0; start < kStarts - away; ++start) {
+      lowest[start] = std::min(lowest[start], row[start + away]);
     }
   }
   return lowest;
