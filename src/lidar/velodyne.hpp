@@ -143,8 +143,9 @@ class VelodynePacket {
 
   // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
   template <bool kIsDual>
-  [[nodiscard]] static ScanPoint point(const VelodyneUnit& unit, const Block& block,
-                                       const Firing& firing, std::size_t channel) {
+  [[nodiscard, gnu::always_inline]] static ScanPoint point(const VelodyneUnit& unit,
+                                                           const Block& block, const Firing& firing,
+                                                           std::size_t channel) {
     ScanPoint point;
     point.layer = static_cast<std::uint8_t>((block.first_layer + channel) % unit.layers);
     point.range_mm = range_mm(unit, block.bytes, channel);
