@@ -135,6 +135,7 @@ STEPS = {
                                                "object_cost.cpp", "a9_perception.py", "a9_cores.py")),
     "target/map": (*_IMAGES, "tools/map", *_programs("map_cost.cpp", "a9_map.py")),
     "target/turning": (*_IMAGES, *_programs("frame_cost.cpp", "turning_cost.cpp", "a9_turning.py")),
+    "target/moved": (*_IMAGES, *_programs("perception_cost.cpp", "a9_perception.py", "a9_moved.py")),
     "images": (*_all_in("board/imx6"), "vehicles", "linker", "qemu", "lab/target/images"),
     "a9_model": ("lab/a9_model", "lab/a9_model/micro", "tests/target/start.S"),
     "recorded": ("lab/recorded", "tools/clouds"),

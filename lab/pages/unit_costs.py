@@ -8,7 +8,8 @@ dearest tile, and the dearest of classes, are those of the ring road.
 
 A turn of a unit that turns takes so much for each of its azimuth steps, the line of which is carved,
 and so much for each point: what fits the frames of three units best. Where it follows the ground, a
-turn takes so much more, and so much more for each point.
+turn takes so much more, and so much more for each point. Where it says by `moved` what opens ground, a frame with classes
+takes so much more, and so much more for each of its points, likewise.
 
 What several cores take is the share of one core's time that the dearer of both drives with classes
 takes on them.
@@ -69,8 +70,12 @@ def _turning(vehicle: str, kind: str = BAND) -> str:
 
 
 def _of_turn_and_point(a9: CortexA9, cycles: list[float]) -> tuple[float, float]:
-    """Of each unit's turn: those of any turn, and of a point, by least squares."""
-    points = [a9.mean(_turning(vehicle), "points") for vehicle in UNITS]
+    """Of each unit's turn: those of any turn, and of a point."""
+    return _line([a9.mean(_turning(vehicle), "points") for vehicle in UNITS], cycles)
+
+
+def _line(points: list[float], cycles: list[float]) -> tuple[float, float]:
+    """What each of them takes, and a point, by least squares."""
     mean_points, mean_cycles = sum(points) / len(points), sum(cycles) / len(cycles)
     a_point = (sum((x - mean_points) * (y - mean_cycles) for x, y in zip(points, cycles)) /
                sum((x - mean_points) ** 2 for x in points))
@@ -88,6 +93,25 @@ def _ground_costs(a9: CortexA9) -> tuple[float, float]:
                                    _cycles(a9, _turning(vehicle), "frame") for vehicle in UNITS])
 
 
+def _moved(vehicle: str, moved: str) -> str:
+    return f"moved_cost vehicle={vehicle} moved={moved}"
+
+
+def _moved_points(a9: CortexA9, vehicle: str) -> float:
+    return a9.mean(_moved(vehicle, "yes"), "points", variant="nominal")
+
+
+def _moved_cycles(a9: CortexA9, vehicle: str) -> float:
+    """By how many more cycles a frame of a car that says `moved` takes."""
+    return _cycles(a9, _moved(vehicle, "yes"), "frame") - _cycles(a9, _moved(vehicle, "no"), "frame")
+
+
+def _moved_costs(a9: CortexA9) -> tuple[float, float]:
+    """A frame's, and a point's."""
+    return _line([_moved_points(a9, vehicle) for vehicle in UNITS],
+                 [_moved_cycles(a9, vehicle) for vehicle in UNITS])
+
+
 def _of_both(values) -> float:
     return sum(values) / len(SCENES)
 
@@ -98,6 +122,7 @@ def _numbers(a9: CortexA9) -> dict[str, tuple[str, float]]:
     shortest = [_shortest(scene) for scene in SCENES]
     all_steps, turn_point = _turn_costs(a9)
     ground_turn, ground_point = _ground_costs(a9)
+    moved_frame, moved_point = _moved_costs(a9)
     return {
         "kPointCycles": ("A point of a kept azimuth, received, decoded, turned to a beam and marked.",
                          _mean_of_scenes(a9, POINT, "points")),
@@ -120,6 +145,8 @@ def _numbers(a9: CortexA9) -> dict[str, tuple[str, float]]:
         "kTurnPointCycles": ("A point of such a unit, besides.", turn_point),
         "kGroundTurnCycles": ("A turn of a unit that follows the ground, besides.", ground_turn),
         "kGroundPointCycles": ("A point of such a unit, besides.", ground_point),
+        "kMovedFrameCycles": ("A frame with classes where a unit says what opens ground, besides.", moved_frame),
+        "kMovedPointCycles": ("A point of such a unit, besides.", moved_point),
         "kTypicalPoints": ("Points of a frame of the reference car, mean of both drives; cells carved, known tiles.",
                            _of_both([a9.mean(run, "points") for run in shortest])),
         "kTypicalCells": ("", _of_both([a9.mean(run, "cells") for run in shortest])),
@@ -177,6 +204,10 @@ def text(data) -> str:
             f"// Azimuth steps of each of these turns.\ninline constexpr double kTurnSteps = {AZIMUTH_STEPS};\n" +
             _array("Whole frames of units that turn, by a height band.", "kTurns", turns, "ModelledTurn") +
             _array("The same where they follow the ground.", "kGroundTurns", over_ground, "ModelledTurn") +
+            "struct ModelledFramePart {\n  std::string_view name;\n  double points;\n  double cycles;\n};\n\n" +
+            _array("What frames with classes of these take more where the unit says by `moved` what opens ground.",
+                   "kMovedFrames", [f'    {{"{name}", {_moved_points(a9, vehicle):.0f}, {_moved_cycles(a9, vehicle):.0f}}},\n'
+                                    for vehicle, name in UNITS.items()], "ModelledFramePart") +
             "}  // namespace iog::tools\n")
 
 

@@ -62,10 +62,8 @@ class Rounds {
     return frames_ > 0 && pass_.counts().frames >= before_ + frames_;
   }
 
-  // Groups fused in the frames after those before.
-  [[nodiscard]] std::uint64_t groups_fused() const {
-    return pass_.counts().groups_fused - groups_before_;
-  }
+  // What the frames before had.
+  [[nodiscard]] const PerceptionCounts& of_those_before() const { return of_those_before_; }
 
  private:
   // The frames before fill the window. The caches are warm after the last of them: with two of
@@ -82,7 +80,7 @@ class Rounds {
       a9_model::resume();
     }
     if (seen_ == before_) {
-      groups_before_ = pass_.counts().groups_fused;
+      of_those_before_ = pass_.counts();
       pass_.shared().forget();
     } else if (seen_ > before_) {
       pass_.shared().end_frame();
@@ -97,7 +95,7 @@ class Rounds {
   std::size_t before_;
   std::size_t frames_;
   std::uint64_t seen_ = 0;
-  std::uint64_t groups_before_ = 0;
+  PerceptionCounts of_those_before_;
 };
 
 void print(const char* key, std::uint64_t value) {
@@ -107,12 +105,15 @@ void print(const char* key, std::uint64_t value) {
 
 void print_run(const PerceptionPass& pass, const Rounds& rounds) {
   const PerceptionCounts& counts = pass.counts();
+  const PerceptionCounts& before = rounds.of_those_before();
   // cppcheck-suppress invalidPrintfArgType_uint ; on a PC it would be unsigned int
   std::printf("perception_cost class_run_hash=%08lx", pass.run_hash());
   print("frames", counts.frames);
+  print("points", counts.points);
+  print("points_after", counts.points - before.points);
   print("slices", counts.slices);
   print("groups_fused", counts.groups_fused);
-  print("groups_fused_after", rounds.groups_fused());
+  print("groups_fused_after", counts.groups_fused - before.groups_fused);
   print("groups_left", counts.groups_left);
   print("groups_refreshed", counts.groups_refreshed);
   print("most_groups", counts.most_groups);

@@ -50,6 +50,7 @@ void ClassLog::take_classes(const app::PerceptionReport& report,
   if (report.slice_count > 0) {
     ++closed_;
     ++counts_.frames;
+    counts_.points += points_;
     counts_.slices += report.window.slices;
     counts_.groups_fused += report.window.groups_fused;
     counts_.groups_left += report.window.groups_left;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "app/pipeline.hpp"
@@ -17,6 +18,7 @@ namespace iog::lab {
 // What the frames did. Frames without a placed slice do not count.
 struct PerceptionCounts {
   std::uint64_t frames = 0;
+  std::uint64_t points = 0;  // whatever their fate
   std::uint64_t slices = 0;
   std::uint64_t groups_fused = 0;
   std::uint64_t groups_left = 0;
@@ -30,7 +32,10 @@ class ClassLog {
  public:
   explicit ClassLog(InstructionCounter& counter) : counter_(counter) {}
 
-  void begin_frame(const app::FrameReport& report) { has_evidence_ = report.packets_fused > 0; }
+  void begin_frame(const app::FrameReport& report) {
+    has_evidence_ = report.packets_fused > 0;
+    points_ = std::accumulate(report.fates.begin(), report.fates.end(), std::uint32_t{0});
+  }
   void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
   void end_frame() {}
   [[gnu::noinline]] void take_classes(const app::PerceptionReport& report,
@@ -49,6 +54,7 @@ class ClassLog {
   PerceptionCounts counts_;
   stream::Crc32 run_hash_;
   bool has_evidence_ = false;  // the frame at hand
+  std::uint32_t points_ = 0;   // its points
   unsigned closed_ = 0;
   std::uint32_t instructions_ = 0;
 };

@@ -20,7 +20,6 @@
 namespace iog::tools {
 namespace {
 
-constexpr double kMsPerCycle = 1e-6;  // at 1 GHz
 constexpr double kTurnMs = 100;       // at 10 Hz
 
 // Reckoned of its code, not measured: six products of two words, and a byte.
@@ -173,12 +172,26 @@ void add_arcs(const vehicle::Sensor& sensor, std::uint32_t range_mm, FrameWork& 
   work.cone_cells += cone_cells_at(sensor, range_mm);
 }
 
-void add_ground(const vehicle::Sensor& sensor, double points, FrameWork& work) {
+void add_ground(const vehicle::Sensor& sensor, double turn, double points, FrameWork& work) {
   if (sensor.ground.is_followed()) {
-    work.ground_turns += 1;
+    work.ground_turns += turn;
     work.ground_points += points;
   }
 }
+
+// What makes no classes keeps no heights.
+bool opens_from_below(const CatalogueEntry& car) {
+  return car.vehicle->window.is_opened_from_below && vehicle::have_classes(car.vehicle->grids);
+}
+
+void add_moved(const CatalogueEntry& car, const vehicle::Sensor& sensor, double points,
+               FrameWork& work) {
+  work.moved_frames = opens_from_below(car) ? 1 : 0;
+  work.moved_points += opens_from_below(car) && sensor.moved.are_given() ? points : 0.0;
+}
+
+// Of a turn, what a frame has that may be shorter.
+double share_of_turn(const CatalogueEntry& car) { return period_ms(car) / kTurnMs; }
 
 FrameWork typical_work(const CatalogueEntry& car) {
   const CatalogueEntry& known = find_vehicle(kDefaultVehicle);
@@ -187,11 +200,13 @@ FrameWork typical_work(const CatalogueEntry& car) {
   const double cells_per_metre = kTypicalCells / sight.metres;
   FrameWork work{.tiles = typical_tiles(car)};
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
-    const double directions = directions_of(car.sensors[i]);
+    const bool its_turn = turns(car.vehicle->sensors[i]);
+    const double of_scan = its_turn ? share_of_turn(car) : 1.0;
+    const double directions = of_scan * directions_of(car.sensors[i]);
     if (has_arcs(car.vehicle->sensors[i])) {
       add_arcs(car.vehicle->sensors[i], car.sensors[i].range_max_mm / 2, work);
-    } else if (turns(car.vehicle->sensors[i])) {
-      work.turn_steps += car.vehicle->sensors[i].azimuths.steps_per_turn();
+    } else if (its_turn) {
+      work.turn_steps += of_scan * car.vehicle->sensors[i].azimuths.steps_per_turn();
       work.turn_points += directions;  // it sends all of them, with an echo or without
     } else if (repeats(car.sensors[i])) {
       work.points += share * directions;
@@ -199,7 +214,8 @@ FrameWork typical_work(const CatalogueEntry& car) {
     } else {
       work.points_once += share * directions;
     }
-    add_ground(car.vehicle->sensors[i], directions, work);
+    add_ground(car.vehicle->sensors[i], of_scan, directions, work);
+    add_moved(car, car.vehicle->sensors[i], directions, work);
   }
   const double seen = tiles_in_reach(car) / tiles_in_reach(known);
   work.class_tiles = vehicle::have_classes(car.vehicle->grids) ? kTypicalClassTiles * seen : 0.0;
@@ -217,15 +233,12 @@ FrameWork worst_work(const CatalogueEntry& car) {
     }
     work.points_once += directions_of(sensor);
     work.later_echoes += sensor.max_points_per_scan - directions_of(sensor);
-    add_ground(car.vehicle->sensors[i], sensor.max_points_per_scan, work);
+    add_ground(car.vehicle->sensors[i], 1, sensor.max_points_per_scan, work);
+    add_moved(car, car.vehicle->sensors[i], sensor.max_points_per_scan, work);
   }
   const auto all_tiles = static_cast<double>(geometry::kTileCount);
   work.class_tiles = vehicle::have_classes(car.vehicle->grids) ? all_tiles : 0.0;
   return work;
-}
-
-double ground_ms(const FrameWork& work) {
-  return ms_of(work.ground_turns * kGroundTurnCycles + work.ground_points * kGroundPointCycles);
 }
 
 double worst_ms(const FrameWork& work) {
@@ -233,41 +246,18 @@ double worst_ms(const FrameWork& work) {
                (work.later_echoes + work.arc_steps) * kLaterEchoCycles +
                work.cone_cells * kConeCellCycles + work.tiles * kDearestTileCycles +
                work.class_tiles * kDearestClassTileCycles) +
-         ground_ms(work);
-}
-
-std::string percent_of(double part, double whole) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << 100 * part / whole << " %";
-  return text.str();
-}
-
-std::string line_of(const std::string& name, const FrameBudget& frame, double period_ms) {
-  const FrameWork& work = frame.work;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << "  " << std::left << std::setw(9) << name
-       << std::right << std::setw(8)
-       << work.points + work.turn_points + work.points_once + work.later_echoes + work.arc_steps
-       << " points" << std::setw(6) << work.tiles << " tiles" << std::setw(6) << work.class_tiles
-       << " of classes" << std::setprecision(1) << std::setw(9) << frame.ms << " ms, "
-       << percent_of(frame.ms, period_ms) << " of the period"
-       << (frame.ms > period_ms ? ": TOO SLOW" : "") << '\n';
-  return text.str();
-}
-
-// " city +9.6 %, ring_road -5.2 %"
-template <typename Frames, typename Cycles>
-std::string errors_of(const Frames& frames, Cycles&& reckoned) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << std::showpos;
-  for (const auto& frame : frames) {
-    text << (text.tellp() > 0 ? ", " : "") << frame.name << ' '
-         << 100 * (reckoned(frame) / ms_of(frame.cycles) - 1) << " %";
-  }
-  return text.str();
+         ground_ms(work) + moved_ms(work);
 }
 
 }  // namespace
+
+double ground_ms(const FrameWork& work) {
+  return ms_of(work.ground_turns * kGroundTurnCycles + work.ground_points * kGroundPointCycles);
+}
+
+double moved_ms(const FrameWork& work) {
+  return ms_of(work.moved_frames * kMovedFrameCycles + work.moved_points * kMovedPointCycles);
+}
 
 double typical_ms(const FrameWork& work) {
   return ms_of(work.points * kPointCycles + work.turn_steps * kTurnStepCycles +
@@ -275,7 +265,7 @@ double typical_ms(const FrameWork& work) {
                (work.later_echoes + work.arc_steps) * kLaterEchoCycles +
                work.cone_cells * kConeCellCycles + work.cells * kCellCycles +
                work.tiles * kTileCycles + work.class_tiles * kClassTileCycles) +
-         ground_ms(work);
+         ground_ms(work) + moved_ms(work);
 }
 
 VehicleBudget budget_of(const CatalogueEntry& car) {
@@ -287,99 +277,12 @@ VehicleBudget budget_of(const CatalogueEntry& car) {
   return budget;
 }
 
-std::string words_of_budget(const CatalogueEntry& car) {
-  const VehicleBudget budget = budget_of(car);
-  std::ostringstream text;
-  text << car.vehicle->name << ", a frame every " << budget.period_ms << " ms\n"
-       << line_of("typical", budget.typical, budget.period_ms)
-       << line_of("worst", budget.worst, budget.period_ms);
-  if (budget.typical.work.ground_turns > 0) {
-    text << std::fixed << std::setprecision(1)
-         << "  in both, following the ground: " << ground_ms(budget.typical.work)
-         << " ms of the typical frame\n";
-  }
-  return text.str();
-}
-
-std::string warning_of_budget(const CatalogueEntry& car) {
-  const VehicleBudget budget = budget_of(car);
-  if (budget.typical.ms <= budget.period_ms) {
-    return {};
-  }
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << "warning: " << car.vehicle->name
-       << ": frame_period_us: a typical frame takes " << budget.typical.ms
-       << " ms by the cost model, and the car wants one every " << budget.period_ms
-       << " ms; the target will leave packets (iog budget)\n";
-  return text.str();
-}
-
 std::size_t cores_for(double ms, double period_ms) {
   const auto* const found =
       std::ranges::find_if(kShareOfCores, [=](double share) { return share * ms <= period_ms; });
   return found == kShareOfCores.end()
              ? 0
              : static_cast<std::size_t>(std::distance(kShareOfCores.begin(), found)) + 1;
-}
-
-std::string line_of_cores(const CatalogueEntry& car) {
-  const VehicleBudget budget = budget_of(car);
-  std::ostringstream text;
-  text << std::left << std::setw(16) << car.vehicle->name << std::fixed << std::setprecision(1)
-       << " every " << budget.period_ms << " ms";
-  const auto append = [&](std::string_view name, double ms) {
-    const std::size_t cores = cores_for(ms, budget.period_ms);
-    text << "; " << name << ' ' << ms << " ms, ";
-    if (cores == 0) {
-      text << "not on " << kShareOfCores.size() << " cores";
-    } else {
-      text << "on " << cores << (cores == 1 ? " core" : " cores");
-    }
-  };
-  append("typical", budget.typical.ms);
-  append("worst", budget.worst.ms);
-  text << '\n';
-  return text.str();
-}
-
-std::string words_of_budget_errors() {
-  const auto whole = [](const ModelledFrame& frame) {
-    return typical_ms({.points = frame.points, .cells = frame.cells, .tiles = frame.tiles});
-  };
-  const auto fused = [](const ModelledFrame& frame) {
-    return typical_ms({.points = frame.points, .cells = frame.cells});
-  };
-  const auto turned = [](const ModelledTurn& turn) {
-    return typical_ms({.turn_steps = kTurnSteps, .turn_points = turn.points, .tiles = turn.tiles});
-  };
-  const auto over_ground = [](const ModelledTurn& turn) {
-    return typical_ms({.turn_steps = kTurnSteps,
-                       .turn_points = turn.points,
-                       .ground_turns = 1,
-                       .ground_points = turn.points,
-                       .tiles = turn.tiles});
-  };
-  return "Modelled, not measured: one Cortex-A9 at 1 GHz, docs/a9_model.md, nominal variant, by "
-         "lab/data/cortex_a9.csv.\n"
-         "Off what the model says of whole frames of the reference car without classes: " +
-         errors_of(kWholeFrames, whole) +
-         ";\n"
-         "of decoding and fusing alone, where tiles were sent raw: " +
-         errors_of(kFusedFrames, fused) +
-         ";\n"
-         "of turns of units on a roof, by a height band: " +
-         errors_of(kTurns, turned) +
-         ";\n"
-         "of the same where they follow the ground: " +
-         errors_of(kGroundTurns, over_ground) +
-         ".\n"
-         "A step of the arc of a radar's or an ultrasonic unit's detection counts as a later echo, "
-         "a "
-         "point, and a cell of its cone as 30 cycles, which is reckoned; typical is half its "
-         "range. "
-         "A unit that turns and is not level counts as if no azimuth came again. What the "
-         "key "
-         "`moved` costs is not in it.\n";
 }
 
 }  // namespace iog::tools

@@ -15,6 +15,8 @@
 
 namespace iog::tools {
 
+inline constexpr double kMsPerCycle = 1e-6;  // at 1 GHz
+
 // How much there is to do in a frame.
 struct FrameWork {
   double points = 0;         // of azimuths that come again in each scan: their lines are kept
@@ -23,6 +25,8 @@ struct FrameWork {
   double points_once = 0;    // of others, whose azimuths never repeat
   double ground_turns = 0;   // of units that follow the ground
   double ground_points = 0;  // their points, which count above, too
+  double moved_frames = 0;   // with classes, in which ground is opened only from below
+  double moved_points = 0;   // of units that say so, which count above, too
   double later_echoes = 0;
   double arc_steps = 0;   // of the arcs of detections, each about as dear as a later echo
   double cone_cells = 0;  // looked at in cones of ultrasonic units
@@ -46,6 +50,10 @@ struct VehicleBudget {
 
 // Of typical work and typical costs.
 [[nodiscard]] double typical_ms(const FrameWork& work);
+
+// What of it follows the ground, and what opens it only from below.
+[[nodiscard]] double ground_ms(const FrameWork& work);
+[[nodiscard]] double moved_ms(const FrameWork& work);
 
 // A table for a person: one line a frame, then which data it is of and how far it is off.
 [[nodiscard]] std::string words_of_budget(const CatalogueEntry& car);

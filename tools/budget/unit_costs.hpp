@@ -33,6 +33,10 @@ inline constexpr double kTurnPointCycles = 373.85;
 inline constexpr double kGroundTurnCycles = 2497224.80;
 // A point of such a unit, besides.
 inline constexpr double kGroundPointCycles = 156.52;
+// A frame with classes where a unit says what opens ground, besides.
+inline constexpr double kMovedFrameCycles = 16458.63;
+// A point of such a unit, besides.
+inline constexpr double kMovedPointCycles = 224.77;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -106,6 +110,19 @@ inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
     {"VLP-16", 28954, 330, 27620098},
     {"HDL-32E", 69466, 474, 48741252},
     {"HDL-64E S3", 111130, 489, 73005665},
+}};
+
+struct ModelledFramePart {
+  std::string_view name;
+  double points;
+  double cycles;
+};
+
+// What frames with classes of these take more where the unit says by `moved` what opens ground.
+inline constexpr std::array<ModelledFramePart, 3> kMovedFrames{{
+    {"VLP-16", 11904, 3013507},
+    {"HDL-32E", 28032, 5682162},
+    {"HDL-64E S3", 44544, 10342685},
 }};
 
 }  // namespace iog::tools

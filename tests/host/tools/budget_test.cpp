@@ -51,6 +51,54 @@ TEST(Budget, IsAFifthOffTheTurnsThatFollowTheGround) {
   }
 }
 
+TEST(Budget, IsAFifthOffWhatMovedTakesOfFramesWithClasses) {
+  for (const ModelledFramePart& frame : kMovedFrames) {
+    const double ms = typical_ms({.moved_frames = 1, .moved_points = frame.points});
+    EXPECT_NEAR(ms / (frame.cycles / kCyclesPerMs), 1, 0.20) << frame.name;
+  }
+}
+
+// Of a turn of 100 ms.
+TEST(Budget, OfAFrameThatIsShorterThanATurnIsThatOfItsPart) {
+  CatalogueEntry car = find_vehicle("roof_hdl64e");
+  const FrameWork turn = budget_of(car).typical.work;
+  vehicle::Vehicle its = *car.vehicle;
+  its.frame_period_us = 40'000;
+  car.vehicle = &its;
+  const VehicleBudget budget = budget_of(car);
+  EXPECT_EQ(budget.period_ms, 40);
+  EXPECT_DOUBLE_EQ(budget.typical.work.turn_points, 0.4 * turn.turn_points);
+  EXPECT_DOUBLE_EQ(budget.typical.work.turn_steps, 0.4 * turn.turn_steps);
+  EXPECT_DOUBLE_EQ(budget.typical.work.ground_turns, 0.4);
+  EXPECT_DOUBLE_EQ(budget.typical.work.ground_points, 0.4 * turn.ground_points);
+  EXPECT_EQ(budget.typical.work.tiles, turn.tiles);
+}
+
+TEST(Budget, OfACarThatOpensGroundOnlyFromBelowHasWhatThatCosts) {
+  CatalogueEntry car = find_vehicle("roof_hdl64e");
+  const tests::GroundCar opens(*car.vehicle, {220, 2'200}, {.low_mm = 600, .tall_mm = 500});
+  vehicle::Vehicle its = opens.vehicle();
+  its.frame_period_us = 40'000;
+  car.vehicle = &its;
+  EXPECT_EQ(budget_of(car).typical.work.moved_frames, 0) << "it makes no classes";
+  its.grids = vehicle::Grids::kClasses;
+  const VehicleBudget budget = budget_of(car);
+  for (const FrameBudget& frame : {budget.typical, budget.worst}) {
+    EXPECT_EQ(frame.work.moved_frames, 1);
+    EXPECT_EQ(frame.work.moved_points, frame.work.ground_points);
+  }
+  const tests::GroundCar opens_all(*find_vehicle("roof_hdl64e").vehicle);
+  vehicle::Vehicle without = opens_all.vehicle();
+  without.frame_period_us = 40'000;
+  without.grids = vehicle::Grids::kClasses;
+  car.vehicle = &without;
+  const VehicleBudget less = budget_of(car);
+  EXPECT_EQ(less.typical.work.moved_frames, 0);
+  const double points = budget.typical.work.moved_points;
+  EXPECT_NEAR(budget.typical.ms - less.typical.ms,
+              (kMovedFrameCycles + points * kMovedPointCycles) / kCyclesPerMs, 1e-9);
+}
+
 // From the description alone, which allows some more points than the unit sends: as it is, and
 // without the key that lets it follow the ground.
 TEST(Budget, OfAUnitThatTurnsIsThatOfItsTurn) {

@@ -9,6 +9,7 @@ from unittest import mock
 import laboratory
 import a9_cores
 import a9_map
+import a9_moved
 import a9_perception
 import a9_runs
 import a9_scaling
@@ -121,6 +122,9 @@ class Runs(unittest.TestCase):
                                               for region in a9_turning.REGIONS]):
             rows += a9_runs.results_of({"turning": a9_turning.modelled_runs(
                 place, dict.fromkeys(a9_turning.VEHICLES, "drive.pcap"))})["turning"]
+        with mock.patch.object(a9_runs, "printed_by_model", lambda *_: ["perception_cost points_after=0"]):
+            rows += a9_runs.results_of({"moved": a9_moved.modelled_runs(
+                place, dict.fromkeys(a9_moved.VEHICLES, "drive.pcap"))})["moved"]
         self.assertEqual([tuple(row[:4]) for row in rows],
                          [key for key in stored if key[2] != "counted"])
 

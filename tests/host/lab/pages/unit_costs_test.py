@@ -29,6 +29,11 @@ RUNS = {
                                                (5 + 7 * over_ground) * points)))
        for vehicle, points, tiles in (("roof_vlp16", 10, 1), ("roof_hdl32e", 20, 2), ("roof_hdl64e", 30, 3))
        for kind, over_ground in (("_band", 0), ("", 1))},
+    # 50 more a frame and three more a point where the unit says `moved`.
+    **{f"moved_cost vehicle={vehicle} moved={moved}":
+       (dict(points=2 * points), dict(frame=2 * (1000 + 9 * points + more * (50 + 3 * points))))
+       for vehicle, points in (("roof_vlp16", 10), ("roof_hdl32e", 20), ("roof_hdl64e", 30))
+       for moved, more in (("no", 0), ("yes", 1))},
 }
 
 
@@ -36,7 +41,8 @@ def table() -> str:
     lines = ["run,stage,variant,counter,value"]
     for run, (units, stages) in RUNS.items():
         lines += [f"{run},,{variant},frames,2" for variant in ("counted", "nominal")]
-        lines += [f"{run},,counted,{unit},{value}" for unit, value in units.items()]
+        lines += [f"{run},,{variant},{unit},{value}" for variant in ("counted", "nominal")
+                  for unit, value in units.items()]
         whole = {stage: 0 for stage in unit_costs.STAGES} | stages
         lines += [f"{run},{stage},nominal,cycles,{value}" for stage, value in whole.items()]
     return "\n".join(lines) + "\n"
@@ -73,6 +79,10 @@ class UnitCosts(unittest.TestCase):
     def test_following_the_ground_is_what_whole_frames_take_besides(self):
         self.assertAlmostEqual(self.numbers["kGroundTurnCycles"], 100)
         self.assertAlmostEqual(self.numbers["kGroundPointCycles"], 7)
+
+    def test_opening_ground_only_from_below_is_what_frames_with_classes_take_besides(self):
+        self.assertAlmostEqual(self.numbers["kMovedFrameCycles"], 50)
+        self.assertAlmostEqual(self.numbers["kMovedPointCycles"], 3)
 
     def test_the_header_is_that_of_the_data(self):
         self.assertTrue(unit_costs.is_current(Data()))
