@@ -20,7 +20,7 @@
 namespace iog::tools {
 namespace {
 
-constexpr double kTurnMs = 100;       // at 10 Hz
+constexpr double kTurnMs = 100;  // at 10 Hz
 
 // Reckoned of its code, not measured: six products of two words, and a byte.
 constexpr double kConeCellCycles = 30;
