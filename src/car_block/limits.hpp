@@ -24,7 +24,7 @@ inline constexpr std::string_view kArcWords =
 inline constexpr std::string_view kGroundLowWords = "0.1 ... 1";
 inline constexpr std::string_view kGroundTopWords = "low_m + 0.5 ... 10";
 inline constexpr std::string_view kMovedLowWords =
-    "0.1 m or more over what is no obstacle, at most 10";
+    "0.1 m or more over what is no obstacle, over the ground 0.4 or more, at most 10";
 inline constexpr std::string_view kMovedTallWords = "0, or at most where obstacles end";
 
 // Coordinates stay within this, so that products of subcells stay within 64 bits.

@@ -198,7 +198,10 @@ void check_moved(const Vehicle& car, std::size_t number, const Tell& tell) {
   const Sensor& sensor = car.sensors[number];
   const vehicle::MovedLimits& moved = sensor.moved;
   const bool follows = sensor.ground.is_followed();
-  const std::int32_t begin = follows ? vehicle::subcells_of(sensor.ground.low_mm) : car.z_min;
+  const std::int32_t begin =
+      follows
+          ? vehicle::subcells_of(std::max(sensor.ground.low_mm, vehicle::MovedLimits::kUnderCarsMm))
+          : car.z_min;
   const std::int32_t end = follows ? vehicle::subcells_of(sensor.ground.top_mm) : car.z_max;
   if (moved.low_mm > 10'000 ||
       vehicle::subcells_of(moved.low_mm) < begin + vehicle::subcells_of(100)) {

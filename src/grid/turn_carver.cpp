@@ -123,8 +123,7 @@ void TurnCarver::add_behind_band(FreeSteps& steps, const KeptLine& line, const R
   steps.add_beams(beams, freer, last);
 }
 
-// A hit that all of its beam before is between the limits, is before its exit: where its beam ends
-// to be low has to be found only of one that begins so low.
+// Where its beam ends to be low has to be found only where that is before the hit.
 void TurnCarver::add_low(const KeptLine& line, const LinePart& freed, WaitingPoint hit,
                          std::uint32_t sector) {
   if (ground_ == nullptr) {
@@ -188,7 +187,7 @@ void TurnCarver::add_low_over_ground(const KeptLine& line, const RankSet& ranks,
     if (low.from_mm >= low.to_mm) {
       return true;
     }
-    if (low.to_mm < all.from_mm) {
+    if (low.to_mm < all.from_mm || low.from_mm > all.to_mm) {
       add_all();
       all = low;
     } else {

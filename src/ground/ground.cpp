@@ -11,11 +11,7 @@ void Ground::begin(const vehicle::Sensor& sensor) {
   const vehicle::MovedLimits& moved = sensor.moved;
   low_mm_ = moved.low_mm;
   tall_mm_ = moved.tall_mm;
-  if (moved.low_mm == vehicle::MovedLimits::kAnyHeight) {
-    low_ = Low::kAlways;
-  } else {
-    low_ = beams_.origin_mm() <= low_mm_ ? Low::kFromStart : Low::kToExit;
-  }
+  is_always_low_ = moved.low_mm == vehicle::MovedLimits::kAnyHeight;
   forget();
 }
 
@@ -33,7 +29,7 @@ void Ground::find_exits() {
   if (sensor_->layers_share_lines) {
     exits_.find(beams_, limits_, surface_);
   }
-  if (low_ != Low::kAlways) {
+  if (!is_always_low_) {
     low_beams_.find(beams_, *sensor_, low_mm_, surface_);
   }
 }

@@ -44,30 +44,21 @@ class Ground {
   [[nodiscard]] Limits limits() const { return limits_; }
   // How far beams are between the limits, of a sensor whose layers share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
-  // Between which distances along its line a beam is at most as high as opens ground over the
-  // lowest ground nearby: those that begin higher, from where they come so low on, and those that
-  // begin so low, up to where they rise over it; both up to their exit, of a sensor whose layers
-  // share lines. In steps of 2 mm, rounded down.
-  struct Stretch {
-    std::uint32_t from_mm = 0;
-    std::uint32_t to_mm = 0;
-  };
+  using Stretch = LowBeams::Stretch;
+  // Between which distances along its line a beam is so low that it opens ground: all the way, if
+  // one of any height does. Up to its exit, of a sensor whose layers share lines.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
         sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
-    switch (low_) {
-      case Low::kAlways:
-        return {0, exit_mm};
-      case Low::kFromStart:
-        return {0, std::min(exit_mm, low_beams_.border_mm(sector, layer))};
-      case Low::kToExit:
-        return {low_beams_.border_mm(sector, layer), exit_mm};
+    if (is_always_low_) {
+      return {0, exit_mm};
     }
-    return {};
+    const Stretch low = low_beams_.at(sector, layer);
+    return {low.from_mm, std::min(exit_mm, low.to_mm)};
   }
   // So near a beam is never low.
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
-    return low_ == Low::kToExit ? low_beams_.border_mm(sector, layer) : 0;
+    return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
   // How high over the highest ground nearby a return is at least that is tall: a bank that begins
   // within a bin or two is not tall over the ground before it. 0: each is.
@@ -101,15 +92,12 @@ class Ground {
   void forget();
 
  private:
-  // Which part of its beams is low.
-  enum class Low : std::uint8_t { kAlways, kFromStart, kToExit };
-
   void find_exits();
 
   const vehicle::Sensor* sensor_ = nullptr;
   Beams beams_;
   Limits limits_;
-  Low low_ = Low::kAlways;
+  bool is_always_low_ = true;
   std::int32_t low_mm_ = 0;
   std::int32_t tall_mm_ = 0;
   Surface surface_;

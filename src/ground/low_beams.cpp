@@ -59,21 +59,31 @@ class Fan {
 
 }  // namespace
 
-// Those come first that reach low_mm first.
+// Those come first that leave a height first.
 void LowBeams::find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
                     const Surface& surface) {
-  const Side side = beams.origin_mm() > low_mm ? Side::kBelow : Side::kAbove;
+  constexpr std::int32_t kUnderCarsMm = vehicle::MovedLimits::kUnderCarsMm;
+  const bool comes_down = beams.origin_mm() > low_mm;
+  const bool passes_under = beams.origin_mm() > kUnderCarsMm;
+  const auto whole = static_cast<std::uint16_t>(beams.range_mm() / 2);
   Fan fan(beams, sensor);
   for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
     fan.turn_to(sector);
-    const Surface::Row lowest = surface.lowest_near(sector);
-    Outlook outlook(beams, lowest, low_mm, side);
-    const std::span<const std::uint8_t> layers = fan.layers();
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      const std::uint8_t layer = layers[side == Side::kBelow ? i : layers.size() - 1 - i];
+    const auto left_by = [&](Outlook& outlook, std::size_t layer) {
       const std::uint32_t along_mm = fan.along_mm(layer, 2 * outlook.leave(fan.slope(layer)));
-      borders_2_mm_[sector][layer] =
-          static_cast<std::uint16_t>(std::min(along_mm, beams.range_mm()) / 2);
+      return static_cast<std::uint16_t>(std::min(along_mm, beams.range_mm()) / 2);
+    };
+    const Surface::Row lowest = surface.lowest_near(sector);
+    Outlook low(beams, lowest, low_mm, comes_down ? Side::kBelow : Side::kAbove);
+    Outlook under(beams, surface.row(sector), kUnderCarsMm, Side::kBelow);
+    const std::span<const std::uint8_t> layers = fan.layers();
+    for (const std::uint8_t layer : layers) {
+      ends_[sector][layer] = {.from_2_mm = comes_down ? left_by(low, layer) : std::uint16_t{0},
+                              .to_2_mm = passes_under ? left_by(under, layer) : whole};
+    }
+    for (std::size_t i = comes_down ? 0 : layers.size(); i > 0; --i) {
+      std::uint16_t& to_2_mm = ends_[sector][layers[i - 1]].to_2_mm;
+      to_2_mm = std::min(to_2_mm, left_by(low, layers[i - 1]));
     }
   }
 }

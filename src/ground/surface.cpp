@@ -1,19 +1,38 @@
 #include "ground/surface.hpp"
 
 #include <algorithm>
+#include <cstdint>
+
+#include "numeric/division.hpp"
 
 namespace iog::ground {
 
+// As if the ground nearby went on by its slope: of six bins before and six behind the one that is
+// less steep, and level if one rises and the other falls. All of it in sixths of a millimetre.
 Surface::Row Surface::lowest_near(std::size_t sector) const {
+  constexpr std::int32_t kSlopeBins = 6;
   const Row& row = rows_[sector];
-  Row lowest = row;
-  for (std::size_t away = 1; away <= kNearBins; ++away) {
-    for (std::size_t start = away; start < kStarts; ++start) {
-      lowest[start] = std::min(lowest[start], row[start - away]);
+  const auto height = [&](std::int32_t start) -> std::int32_t {
+    return row[static_cast<std::size_t>(std::clamp<std::int32_t>(start, 0, kBins))];
+  };
+  Row lowest{};
+  for (std::int32_t start = 0; start <= std::int32_t{kBins}; ++start) {
+    const std::int32_t before = height(start) - height(start - kSlopeBins);
+    const std::int32_t behind = height(start + kSlopeBins) - height(start);
+    const std::int32_t slope = before > 0 && behind > 0   ? std::min(before, behind)
+                               : before < 0 && behind < 0 ? std::max(before, behind)
+                                                          : 0;
+    constexpr std::int32_t kNear = kNearBins;
+    const std::int32_t last = std::min(start + kNear, std::int32_t{kBins});
+    std::int32_t least = height(start);
+    std::int32_t least_in_sixths = kSlopeBins * least;
+    for (std::int32_t near = std::max<std::int32_t>(start - kNear, 0); near <= last; ++near) {
+      least = std::min(least, height(near));
+      least_in_sixths =
+          std::min(least_in_sixths, kSlopeBins * height(near) - (near - start) * slope);
     }
-    for (std::size_t start = 0; start < kStarts - away; ++start) {
-      lowest[start] = std::min(lowest[start], row[start + away]);
-    }
+    lowest[static_cast<std::size_t>(start)] =
+        static_cast<std::int16_t>(std::max(least, numeric::div_floor(least_in_sixths, kSlopeBins)));
   }
   return lowest;
 }

@@ -56,7 +56,8 @@ class Surface {
                           std::max(near_both, height(at.bin + 3)), at.part_mm);
   }
 
-  // The lowest ground nearby, likewise.
+  // The lowest ground nearby, likewise, but less what a slope has that goes on: no start of an even
+  // slope is lower than the ground. No lower than the lowest of those starts.
   [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }

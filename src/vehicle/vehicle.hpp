@@ -93,6 +93,9 @@ struct GroundLimits {
 // As it stands here every beam is low and every return is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
+  // A beam that is lower over the ground may pass under a car that stands there, and opens nothing
+  // where its sensor follows the ground.
+  static constexpr std::uint16_t kUnderCarsMm = 300;
 
   std::uint16_t low_mm = kAnyHeight;
   std::uint16_t tall_mm = 0;

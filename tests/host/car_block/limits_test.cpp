@@ -155,7 +155,8 @@ TEST(CarLimits, OfTheGround) {
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].ground = {220, 2'200}; }), "0.ground");
 }
 
-// Over the plane from z_min to z_max, over the ground from its lower limit to its upper one.
+// Over the plane from z_min to z_max, over the ground from its lower limit to its upper one, and
+// where no beam may have passed under a car.
 TEST(CarLimits, OfWhatOpensGround) {
   const auto fault_of = [](vehicle::MovedLimits moved, vehicle::GroundLimits ground) {
     return fault_with(
@@ -172,8 +173,10 @@ TEST(CarLimits, OfWhatOpensGround) {
   EXPECT_EQ(fault_of({399, 700}, {}), "0.moved.low_m");
   EXPECT_EQ(fault_of({10'001, 700}, {}), "0.moved.low_m");
   EXPECT_EQ(fault_of({600, 2'201}, {}), "0.moved.tall_m");
-  EXPECT_EQ(fault_of({320, 3'000}, {220, 3'000}), "");
-  EXPECT_EQ(fault_of({319, 3'000}, {220, 3'000}), "0.moved.low_m");
+  EXPECT_EQ(fault_of({400, 3'000}, {220, 3'000}), "");
+  EXPECT_EQ(fault_of({399, 3'000}, {220, 3'000}), "0.moved.low_m");
+  EXPECT_EQ(fault_of({550, 3'000}, {450, 3'000}), "");
+  EXPECT_EQ(fault_of({549, 3'000}, {450, 3'000}), "0.moved.low_m");
   EXPECT_EQ(fault_of({600, 3'001}, {220, 3'000}), "0.moved.tall_m");
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -93,15 +94,31 @@ class ReferenceGround {
     return height_over_row(highest, along_mm, z_mm);
   }
 
-  // Starts as low as the lowest of those nearby.
+  // Starts as low as the lowest of those nearby, if none was higher or lower by a slope that goes
+  // on for six bins on both sides: the smaller of two rises, or of two falls.
   [[nodiscard]] std::vector<Whole> lowest_near(Whole sector) const {
     const std::vector<Whole>& its = rows_[at(sector)];
+    const auto height = [&](Whole start) {
+      return static_cast<double>(its[at(std::clamp<Whole>(start, 0, kBins))]);
+    };
     std::vector<Whole> lowest = its;
     for (Whole start = 0; start <= kBins; ++start) {
-      const Whole last = std::min(start + rule_.near_bins, kBins);
-      for (Whole near = std::max<Whole>(start - rule_.near_bins, 0); near <= last; ++near) {
-        lowest[at(start)] = std::min(lowest[at(start)], its[at(near)]);
+      const double before = (height(start) - height(start - 6)) / 6;
+      const double behind = (height(start + 6) - height(start)) / 6;
+      double slope = 0;
+      if (before * behind > 0) {
+        slope = std::abs(before) < std::abs(behind) ? before : behind;
       }
+      double of_level = height(start);
+      double of_slope = height(start);
+      for (Whole near = start - rule_.near_bins; near <= start + rule_.near_bins; ++near) {
+        if (near >= 0 && near <= kBins) {
+          of_level = std::min(of_level, height(near));
+          of_slope = std::min(of_slope, height(near) - slope * static_cast<double>(near - start));
+        }
+      }
+      // What is a whole number stays one, whichever way its parts were rounded.
+      lowest[at(start)] = static_cast<Whole>(std::max(of_level, std::floor(of_slope + 1e-6)));
     }
     return lowest;
   }

@@ -183,18 +183,23 @@ class AlonePoints {
   }
 
   // The beam has come so low where it first is no more than that over the lowest ground nearby, if
-  // it has not left the limits before. A hit is tall by the highest ground nearby.
+  // it has not left the limits before, and is so up to where it might pass under a car, 0.3 m over
+  // the ground below it. A hit is tall by the highest ground nearby.
   void expect_heights(const TurningRay& ray, const ScanPoint& point, const Place& place,
                       Whole hit_mm) {
     const std::vector<Whole> lowest = surfaces_->reference.lowest_near(place.sector);
-    const std::int64_t low_mm = exit_of(beams_, lowest, point.layer, {kMoved.low_mm, 65'535});
-    const lab::reference::Rational low{low_mm, static_cast<std::int64_t>(beams_.range_mm())};
-    const bool comes_down =
-        low_mm < exit_of(beams_, surfaces_->reference.row(place.sector), point.layer);
+    const std::vector<Whole>& own = surfaces_->reference.row(place.sector);
+    const std::int64_t from_mm = exit_of(beams_, lowest, point.layer, {kMoved.low_mm, 65'535});
+    const std::int64_t to_mm = std::min(exit_of(beams_, own, point.layer),
+                                        exit_of(beams_, own, point.layer, {300, 65'535}));
+    const auto line_mm = static_cast<std::int64_t>(beams_.range_mm());
+    const lab::reference::Rational from{from_mm, line_mm};
+    const lab::reference::Rational to{to_mm, line_mm};
     tests::for_each_cell_around(ray, [&](Cell cell) {
       const int index = fusion_->view().at(cell);
       const auto crossing = lab::reference::cross(ray.start, ray.end, cell, geometry::kResolution);
-      const bool is_low = comes_down && index < 0 && crossing && low < crossing->leave;
+      const bool is_low = from_mm < to_mm && index < 0 && crossing && from < crossing->leave &&
+                          !(to < crossing->enter);
       const bool is_tall = index > 0 && hit_mm >= kMoved.tall_mm && std::abs(place.z_mm) <= 3'000;
       lows_ += is_low ? 1 : 0;
       talls_ += is_tall ? 1 : 0;

@@ -34,26 +34,27 @@ Surface rough_surface(Random& random) {
   return surface;
 }
 
-std::int32_t lowest_of(const Surface::Row& row, std::int64_t start) {
-  std::int32_t lowest = row[static_cast<std::size_t>(start)];
-  for (std::int64_t near = 0; near < std::ssize(row); ++near) {
-    if (near >= start - 2 && near <= start + 2) {
-      lowest = std::min<std::int32_t>(lowest, row[static_cast<std::size_t>(near)]);
-    }
-  }
-  return lowest;
-}
-
-// In units of 2^-24 mm, times the length of a bin: below 2^62.
-std::int64_t over_lowest(const Beams& beams, const Surface::Row& row, std::size_t layer,
-                         std::int64_t along_mm, std::int32_t limit_mm) {
+// A beam's height over a limit over the ground, in units of 2^-24 mm, times the length of a bin:
+// below 2^62.
+std::int64_t over(const Beams& beams, const Surface::Row& row, std::size_t layer,
+                  std::int64_t along_mm, std::int32_t limit_mm) {
   const std::int64_t length = beams.bins().length_mm();
   const std::int64_t bin = std::min<std::int64_t>(along_mm / length, 63);
-  const std::int64_t start = lowest_of(row, bin);
-  const std::int64_t rise = lowest_of(row, bin + 1) - start;
+  const std::int64_t start = row[static_cast<std::size_t>(bin)];
+  const std::int64_t rise = row[static_cast<std::size_t>(bin) + 1] - start;
   return (beams.origin_mm() - start - limit_mm) * length * (1 << 24) +
          std::int64_t{beams.slope(layer)} * along_mm * length -
          rise * (along_mm - bin * length) * (1 << 24);
+}
+
+// So far all of a beam is on its side of what is asked, in steps of 2 mm.
+template <typename IsOnItsSide>
+std::int64_t stays_to(const Beams& beams, IsOnItsSide is_on_its_side) {
+  std::int64_t to = -2;
+  while (to + 2 <= beams.range_mm() && is_on_its_side(to + 2)) {
+    to += 2;
+  }
+  return std::max<std::int64_t>(to, 0);
 }
 
 void expect_exact(const vehicle::Sensor& sensor, std::int32_t low_mm, std::uint64_t seed) {
@@ -65,17 +66,21 @@ void expect_exact(const vehicle::Sensor& sensor, std::int32_t low_mm, std::uint6
   const bool comes_down = beams.origin_mm() > low_mm;
   for (std::uint32_t sector = 0; sector < kSectors;
        sector += static_cast<std::uint32_t>(tests::effort(17, 51))) {
+    const Surface::Row& row = surface.row(sector);
+    const Surface::Row lowest = surface.lowest_near(sector);
     for (const std::uint8_t layer : beams.from_below()) {
-      std::int64_t expected = -2;
-      while (expected + 2 <= beams.range_mm()) {
-        const std::int64_t over =
-            over_lowest(beams, surface.row(sector), layer, expected + 2, low_mm);
-        if (comes_down ? over < 0 : over > 0) {
-          break;
-        }
-        expected += 2;
-      }
-      ASSERT_EQ(low_beams->border_mm(sector, layer), std::max<std::int64_t>(expected, 0))
+      const std::int64_t low_mm_to = stays_to(beams, [&](std::int64_t along_mm) {
+        const std::int64_t height = over(beams, lowest, layer, along_mm, low_mm);
+        return comes_down ? height >= 0 : height <= 0;
+      });
+      // Lower it may pass under a car, if the sensor is not itself so low.
+      const std::int64_t over_cars_to = stays_to(beams, [&](std::int64_t along_mm) {
+        return beams.origin_mm() <= 300 || over(beams, row, layer, along_mm, 300) >= 0;
+      });
+      const LowBeams::Stretch low = low_beams->at(sector, layer);
+      ASSERT_EQ(low.from_mm, comes_down ? low_mm_to : 0)
+          << "sector " << sector << " layer " << int{layer};
+      ASSERT_EQ(low.to_mm, comes_down ? over_cars_to : std::min(low_mm_to, over_cars_to))
           << "sector " << sector << " layer " << int{layer};
     }
   }
@@ -106,19 +111,20 @@ TEST(LowBeams, OfATiltedSensorFollowTheirSector) {
   int come_down = 0;
   for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
     const auto direction = vehicle::direction_of(sensor, sector * steps + steps / 2);
+    const Surface::Row lowest = surface.lowest_near(sector);
     for (const std::uint8_t layer : beams.from_below()) {
       const Slope rise = beams.slope_to(vehicle::end_height_of(sensor.layers[layer], direction));
       const auto over_low = [&](std::uint32_t along_mm) {
         const std::uint32_t out_mm = beams.out_mm(layer, along_mm);
         const std::int64_t length = beams.bins().length_mm();
         const std::int64_t bin = std::min<std::int64_t>(out_mm / length, 63);
-        const double start = lowest_of(surface.row(sector), bin);
-        const double to_end = lowest_of(surface.row(sector), bin + 1) - start;
+        const double start = lowest[static_cast<std::size_t>(bin)];
+        const double to_end = lowest[static_cast<std::size_t>(bin) + 1] - start;
         const double part = static_cast<double>(out_mm) / static_cast<double>(length);
         return beams.height_mm(rise, along_mm) - start -
                to_end * (part - static_cast<double>(bin)) - 600;
       };
-      const std::uint32_t border_mm = low_beams->border_mm(sector, layer);
+      const std::uint32_t border_mm = low_beams->at(sector, layer).from_mm;
       for (std::uint32_t along_mm = 0; along_mm + 4 < border_mm; along_mm += 128) {
         ASSERT_GE(over_low(along_mm), -2) << sector << ", " << int{layer} << ", " << along_mm;
       }

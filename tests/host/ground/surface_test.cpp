@@ -77,6 +77,32 @@ TEST(Surface, SaysHowLowTheLowestGroundNearbyIs) {
   EXPECT_EQ(surface.row(7)[11], 100);
 }
 
+// An even slope is as low as it is, up or down; a step on it shows, and where a slope begins it is
+// level. In rises of 60 mm a bin.
+TEST(Surface, ASlopeThatGoesOnIsNoLowerThanItIs) {
+  Surface surface;
+  for (const int sign : {1, -1}) {
+    Surface::Row& row = surface.renew(9);
+    for (std::size_t start = 0; start < Surface::kStarts; ++start) {
+      const int bins = static_cast<int>(std::max<std::size_t>(start, 20)) - 20;
+      row[start] = static_cast<std::int16_t>(sign * 60 * bins - (start == 40 ? 25 : 0));
+    }
+    const Surface::Row lowest = surface.lowest_near(9);
+    const auto near = [&](std::size_t start) {
+      return lowest[start] - sign * 60 * (static_cast<int>(start) - 20);
+    };
+    EXPECT_EQ(lowest[18], 0);
+    for (const std::size_t start : {26U, 30U, 37U, 50U, 58U}) {
+      EXPECT_EQ(near(start), 0) << start << ", " << sign;
+    }
+    for (std::size_t start = 38; start <= 42; ++start) {
+      EXPECT_EQ(near(start), -25) << start << ", " << sign;
+    }
+    // Of six bins before and behind one is level.
+    EXPECT_EQ(lowest[20], sign > 0 ? 0 : -120);
+  }
+}
+
 // From one start of a bin to the next, rounded down, and on behind the last one for 16.4 m: in
 // rational numbers.
 TEST(Surface, IsStraightBetweenTheStartsOfBins) {
