@@ -79,7 +79,7 @@ void look_at_all(Board& board, const iog::imx6::ConstantMemory& memory) {
 }  // namespace
 
 int main() {
-  // Static: together they are up to 118 MB, and the stack is small.
+  // Static: together they are up to 131 MB, and the stack is small.
   static car_block::SensorMemory sensors;
   static iog::vehicle::Vehicle car;
   const car_block::Block block = iog::imx6::car_of_image();

@@ -41,7 +41,7 @@ class Setting:
 # A frame is 40 ms long, as a LUX scans; the rest is what a car's file says if it says nothing.
 SCAN = {"frame_period_us": "40_000", "grids": '"classes"'}
 GROUND = {"ground": "{ low_m = 0.22, top_m = 2.2 }"}
-BOTH = GROUND | {"moved": "{ low_m = 0.6, tall_m = 0.5 }"}
+BOTH = GROUND | {"moved": "{ low_m = 0.6, tall_m = 0.4 }"}
 SETTINGS = {
     "flat band": Setting(SCAN),
     "ground": Setting(SCAN, GROUND),

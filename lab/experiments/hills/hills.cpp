@@ -36,7 +36,7 @@ struct Setting {
 constexpr vehicle::GroundLimits kGround{.low_mm = 220, .top_mm = 2'200};
 constexpr std::array kOfUnitsThatTurn{
     Setting{"height band", {}},
-    Setting{"both keys", {kGround, {.low_mm = 600, .tall_mm = 500}}},
+    Setting{"both keys", {kGround, {.low_mm = 600, .tall_mm = 400}}},
 };
 constexpr std::array kOfOthers{
     Setting{"height band", {}},
