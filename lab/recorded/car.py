@@ -68,6 +68,17 @@ def with_keys(text: str, name: str, car_keys: dict[str, str], sensor_keys: dict[
     return head + mark + _with(own, sensor_keys) + others
 
 
+def pitched(text: str, by_deg: float) -> str:
+    """A car's file whose first sensor is pitched by so much more; its mount is one line."""
+    if by_deg == 0:
+        return text
+    mount = tomllib.loads(text)["sensors"][0]["mount"]
+    mount["pitch_deg"] = round(mount.get("pitch_deg", 0) + by_deg, 6)
+    inside = ", ".join(f"{key} = {value}" for key, value in mount.items())
+    head, mark, rest = text.partition("[[sensors]]\n")
+    return head + mark + _with(rest, {"mount": f"{{ {inside} }}"})
+
+
 def _with(text: str, keys: dict[str, str]) -> str:
     for key, value in keys.items():
         text, found = re.subn(rf"^{key} *=.*$", f"{key} = {value}", text, count=1, flags=re.M)

@@ -32,10 +32,12 @@ NAME = "recorded"  # of the car, as its file is called here
 
 @dataclasses.dataclass(frozen=True)
 class Setting:
-    """The car's file with these keys of the car and of its sensor."""
+    """The car's file with these keys of the car and of its sensor, and its sensor pitched by so much more; hits are
+    judged by the mount of the file."""
 
     car: dict[str, str] = dataclasses.field(default_factory=dict)
     sensor: dict[str, str] = dataclasses.field(default_factory=dict)
+    pitch_off_deg: float = 0
 
 
 # A frame is 40 ms long, as a LUX scans; the rest is what a car's file says if it says nothing.
@@ -48,6 +50,9 @@ SETTINGS = {
     "opened from below": Setting(SCAN, {"moved": "{ low_m = 0.6, tall_m = 0.7 }"}),
     # Of the last one the page says whether its goals are met.
     "both, followed": Setting(SCAN | {"objects": "true"}, BOTH),
+    "both, pitch 0.4° more": Setting(SCAN, BOTH, 0.4),
+    "both, pitch 0.81° less": Setting(SCAN, BOTH, -0.81),  # of this drive that is level, as in a data sheet
+    "both, pitch 1° less": Setting(SCAN, BOTH, -1),
     "both": Setting(SCAN, BOTH),
 }
 RUN_COUNTS = {  # of class_frames' table
@@ -96,7 +101,7 @@ def main() -> None:
         for setting in options.setting or SETTINGS:
             keys = SETTINGS[setting]
             changed = cars.with_keys(text, NAME, keys.car, keys.sensor)
-            car_file.write_text(changed)
+            car_file.write_text(cars.pitched(changed, keys.pitch_off_deg))
             said = output_of(HOST / "lab/recorded/class_frames", capture, car_file, grids)
             frames = evaluate.Frames(grids)
             its_car = cars.Car(changed)

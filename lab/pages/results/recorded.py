@@ -77,6 +77,13 @@ def goals_of(data, setting):
     return goals
 
 
+def goals_by_setting(data, settings):
+    """What was found for each goal, a column a setting; what misses it is bold."""
+    columns = [goals_of(data, setting) for setting in settings]
+    return [[goals[0].what.removeprefix("recorded drive: "), goals[0].asked, *(goal.found if goal.is_met else f"**{goal.found}**" for goal in goals)]
+            for goals in zip(*columns)]
+
+
 def section(data):
     settings = list(data["recorded_runs"]["setting"])
     hits = {setting: Hits(data, setting) for setting in settings}
@@ -92,9 +99,11 @@ def section(data):
              for row in data["recorded_areas"].itertuples()]
     runs = [[row.setting, str(row.clouds), str(row.frames), grouped(row.points_used), grouped(row.packets_placed),
              grouped(row.packets_not_placed)] for row in data["recorded_runs"].itertuples()]
+    off = [setting for setting in settings if "pitch" in setting]
     last, run = settings[-1], data["recorded_runs"].iloc[0]
     return Section(
         found={"settings": settings, "last": last, "rows": rows, "areas": areas, "runs": runs,
+               "off": off, "goals_off": goals_by_setting(data, [last, *off]) if off else [],
                "run": run,
                "within_m": data["recorded_areas"]["within_m"].iloc[0],
                "first_parked": hits[settings[0]].of(["parked car"], NEAR),

@@ -37,6 +37,14 @@ class CarFile(unittest.TestCase):
         self.assertIn('type = "velodyne_hdl64e_s3"', first)
         self.assertIn('name = "other"', changed.split("[[sensors]]\n")[2])
 
+    def test_a_mount_is_pitched_more_and_nothing_else_changes(self):
+        pitched = cars.pitched(CAR, -0.5)
+        self.assertEqual(cars.Car(pitched).pitch_deg, 9.5)
+        np.testing.assert_array_equal(cars.Car(pitched).place, cars.Car(CAR).place)
+        self.assertEqual([line for line in pitched.splitlines() if "mount" not in line],
+                         [line for line in CAR.splitlines() if "mount" not in line])
+        self.assertEqual(cars.pitched(CAR, 0), CAR)
+
     def test_a_positive_pitch_looks_down(self):
         """ISO 8855, as src/description/description.hpp says."""
         ahead = cars.Car(CAR).in_vehicle(np.array([[10.0, 0, 0]]))[0]

@@ -51,6 +51,14 @@ class Page(unittest.TestCase):
             found = self.section([row(kind, moving, 1000 - moving)], {"flat": 2664})
             self.assertEqual(found.goals[0].is_met, met, (kind, moving))
 
+    def test_a_mount_that_is_wrong_has_a_column_beside_that_which_is_right(self):
+        name = "both, pitch 1° less"
+        row = '"{}",parked car,0,25,1,0,0,{},{},0\n'.format
+        found = self.section([row(name, 4, 996), row("both", 1, 999)], {f'"{name}"': 2664, "both": 2664})
+        self.assertEqual(found.found["off"], [name])
+        self.assertEqual(found.found["goals_off"][0],
+                         ["parked cars below 25 m: called moving", "≤ 0.2 %", "0.10 %", "**0.40 %**"])
+
     def test_of_things_that_the_drive_has_not_nothing_is_said(self):
         found = self.section(["flat,road ahead,0,20,1,0,10,0,0,0\n"], {"flat": 2664})
         self.assertEqual([row[0] for row in found.found["rows"]], ["road ahead"])
