@@ -41,12 +41,14 @@ class HostStalled(Exception):
 
 def with_patience(attempt: Callable[[], object]) -> object:
     """A frame lasts 40 ms of real time; a busy PC gets another chance from the beginning."""
-    for number in range(1, ATTEMPTS + 1):
+    stalls = []
+    while len(stalls) < ATTEMPTS:
         try:
             return attempt()
         except HostStalled as stall:
-            print(f"attempt {number} of {ATTEMPTS}: {stall}; is this PC busy?")
-    raise AssertionError(f"the PC was too busy in all {ATTEMPTS} attempts")
+            stalls.append(str(stall))
+            print(f"attempt {len(stalls)} of {ATTEMPTS}: {stall}; is this PC busy?")
+    raise AssertionError(f"in {ATTEMPTS} attempts what a busy PC explains, or a wrong rhythm: {'; '.join(stalls)}")
 
 
 class Sabrelite:
