@@ -107,8 +107,8 @@ TEST(Ground, ABeamIsLowOverTheLowestGroundNearby) {
   };
   const double over_road_mm = 900 / -slope;
   EXPECT_NEAR(low_from(0, 60), over_road_mm, 3);
-  // Where the beam is so low over the road, the ground has begun to rise: over three starts by 0, 100
-  // and 200 mm, of which two sixths of 100 mm are a slope for the one in the middle.
+  // Where the beam is so low over the road, the ground has begun to rise: over three starts by 0,
+  // 100 and 200 mm, of which two sixths of 100 mm are a slope for the one in the middle.
   const auto foot = static_cast<std::uint32_t>(over_road_mm) / bins.length_mm();
   EXPECT_LE(low_from(200, foot), over_road_mm + 3);
   EXPECT_GE(low_from(200, foot), over_road_mm - 34 / -slope);
