@@ -10,33 +10,33 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 624.71;
+inline constexpr double kPointCycles = 617.61;
 // A cell, carved.
 inline constexpr double kCellCycles = 2.84;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8893.92;
+inline constexpr double kTileCycles = 8911.60;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 44128.32;
+inline constexpr double kClassTileCycles = 45165.59;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5088.20;
+inline constexpr double kPointOnceCycles = 5064.94;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 495.25;
+inline constexpr double kLaterEchoCycles = 487.60;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9051.50;
+inline constexpr double kDearestTileCycles = 9070.12;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 45430.35;
+inline constexpr double kDearestClassTileCycles = 46874.83;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 739.81;
+inline constexpr double kTurnStepCycles = 746.98;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 373.85;
+inline constexpr double kTurnPointCycles = 382.91;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 2497224.80;
+inline constexpr double kGroundTurnCycles = 2060024.29;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 156.52;
+inline constexpr double kGroundPointCycles = 145.40;
 // A frame with classes where a unit says what opens ground, besides.
-inline constexpr double kMovedFrameCycles = 16458.63;
+inline constexpr double kMovedFrameCycles = 178030.95;
 // A point of such a unit, besides.
-inline constexpr double kMovedPointCycles = 224.77;
+inline constexpr double kMovedPointCycles = 257.47;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -47,7 +47,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.671, 0.459, 0.386};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.667, 0.456, 0.385};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -60,33 +60,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4779884},
-    {"ring_road", 2321, 721236, 478, 8149528},
+    {"city", 2885, 466621, 231, 4760010},
+    {"ring_road", 2321, 721236, 478, 8149549},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1331182},
-    {"city, 3 LUX", 2240, 369547, 154, 1892576},
-    {"city, 4 LUX", 2885, 466621, 231, 2509157},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1315059},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1989344},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3121613},
+    {"city, 2 LUX", 1551, 254292, 132, 1318220},
+    {"city, 3 LUX", 2240, 369547, 154, 1875702},
+    {"city, 4 LUX", 2885, 466621, 231, 2482344},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1308694},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1984144},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3098545},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1424967, 668, 10838308},
-    {"random_ranges", 3216, 744588, 600, 9715014},
-    {"layers_apart", 3216, 888340, 665, 10709422},
-    {"beyond_range", 3216, 1451672, 680, 10514962},
-    {"three_echoes", 9648, 1344110, 666, 12731578},
-    {"missing_returns", 1618, 721483, 664, 9980386},
-    {"random_azimuths", 3216, 1999952, 665, 21473500},
-    {"diagonal", 3216, 2222062, 126, 7957400},
-    {"one_direction", 3216, 1538471, 48, 1794783},
-    {"short_beams", 9648, 24984, 4, 4906048},
-    {"flood", 9648, 6802620, 126, 10903207},
+    {"full_range", 3216, 1424967, 668, 10790378},
+    {"random_ranges", 3216, 744588, 600, 9668150},
+    {"layers_apart", 3216, 888340, 665, 10635290},
+    {"beyond_range", 3216, 1451672, 680, 10473442},
+    {"three_echoes", 9648, 1344110, 666, 12678736},
+    {"missing_returns", 1618, 721483, 664, 9908052},
+    {"random_azimuths", 3216, 1999952, 665, 21365435},
+    {"diagonal", 3216, 2222062, 126, 7860014},
+    {"one_direction", 3216, 1538471, 48, 1744388},
+    {"short_beams", 9648, 24984, 4, 4830781},
+    {"flood", 9648, 6802620, 126, 10735494},
 }};
 
 struct ModelledTurn {
@@ -100,16 +100,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 20581084},
-    {"HDL-32E", 69466, 460, 35390402},
-    {"HDL-64E S3", 111130, 466, 53104387},
+    {"VLP-16", 28954, 323, 21048258},
+    {"HDL-32E", 69466, 460, 35835717},
+    {"HDL-64E S3", 111130, 466, 54320119},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 27620098},
-    {"HDL-32E", 69466, 474, 48741252},
-    {"HDL-64E S3", 111130, 489, 73005665},
+    {"VLP-16", 28954, 330, 27157728},
+    {"HDL-32E", 69466, 474, 48312762},
+    {"HDL-64E S3", 111130, 489, 72382639},
 }};
 
 struct ModelledFramePart {
@@ -120,9 +120,9 @@ struct ModelledFramePart {
 
 // What frames with classes of these take more where the unit says by `moved` what opens ground.
 inline constexpr std::array<ModelledFramePart, 3> kMovedFrames{{
-    {"VLP-16", 11904, 3013507},
-    {"HDL-32E", 28032, 5682162},
-    {"HDL-64E S3", 44544, 10342685},
+    {"VLP-16", 11904, 3690463},
+    {"HDL-32E", 28032, 6510967},
+    {"HDL-64E S3", 44544, 12083971},
 }};
 
 }  // namespace iog::tools
