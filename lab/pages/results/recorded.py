@@ -80,7 +80,8 @@ def goals_of(data, setting):
 def goals_by_setting(data, settings):
     """What was found for each goal, a column a setting; what misses it is bold."""
     columns = [goals_of(data, setting) for setting in settings]
-    return [[goals[0].what.removeprefix("recorded drive: "), goals[0].asked, *(goal.found if goal.is_met else f"**{goal.found}**" for goal in goals)]
+    return [[goals[0].what.removeprefix("recorded drive: "), goals[0].asked,
+             *(goal.found if goal.is_met else f"**{goal.found}**" for goal in goals)]
             for goals in zip(*columns)]
 
 
