@@ -141,39 +141,7 @@ class VelodynePacket {
             .echo = static_cast<std::uint8_t>(look_.is_dual ? number / unit.banks % 2 : 0)};
   }
 
-  // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
-  template <bool kIsDual>
-  [[nodiscard, gnu::always_inline]] static ScanPoint point(const VelodyneUnit& unit,
-                                                           const Block& block, const Firing& firing,
-                                                           std::size_t channel) {
-    ScanPoint point;
-    point.layer = static_cast<std::uint8_t>((block.first_layer + channel) % unit.layers);
-    point.range_mm = range_mm(unit, block.bytes, channel);
-    if constexpr (kIsDual) {
-      point.echo = block.echo;
-      point.range_mm =
-          range_of_echo(point.range_mm, range_mm(unit, block.other, channel), point.echo);
-    }
-    std::int32_t azimuth = kTicksPerTurn - block.azimuth - firing.ticks[channel];
-    if (!block.corrections.empty()) {
-      const LaserCorrection& laser = block.corrections[channel % unit.layers];
-      azimuth += laser.azimuth_ticks;
-      point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
-    }
-    // An azimuth of up to a turn, 3 degrees of turning and at most 34.2 of offsets: one turn off.
-    azimuth += azimuth < 0 ? kTicksPerTurn : 0;
-    azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
-    point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);
-    return point;
-  }
-
  private:
-  [[nodiscard]] static std::uint32_t range_mm(const VelodyneUnit& unit,
-                                              std::span<const std::byte, kBlockBytes> block,
-                                              std::size_t channel) {
-    return range_at(block, channel) * unit.range_unit_mm;
-  }
-
   [[nodiscard]] DecodeStatus read_ends(const VelodyneUnit& unit) const;
   [[nodiscard]] DecodeStatus read_azimuths(const VelodyneUnit& unit);
   [[nodiscard]] DecodeStatus read_steps(std::size_t blocks_of_azimuth);
@@ -218,8 +186,8 @@ class VelodyneDecoder : public VelodynePacket {
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
       const Firing& turned = turns.of(bank, step(first));
       const Block its = block(kUnit, first + bank);
-      visit(look().is_dual ? point<true>(kUnit, its, turned, channel)
-                           : point<false>(kUnit, its, turned, channel));
+      visit(look().is_dual ? point<true>(its, turned, channel)
+                           : point<false>(its, turned, channel));
     });
   }
 
@@ -266,6 +234,35 @@ class VelodyneDecoder : public VelodynePacket {
     std::array<std::array<Firing, 2>, kTimes> firings_;
   };
 
+  // Of a unit that the compiler knows little is left: no division, for one.
+  template <bool kIsDual>
+  [[nodiscard]] static ScanPoint point(const Block& block, const Firing& firing,
+                                       std::size_t channel) {
+    ScanPoint point;
+    point.layer = static_cast<std::uint8_t>((block.first_layer + channel) % kLayers);
+    point.range_mm = range_mm(block.bytes, channel);
+    if constexpr (kIsDual) {
+      point.echo = block.echo;
+      point.range_mm = range_of_echo(point.range_mm, range_mm(block.other, channel), point.echo);
+    }
+    std::int32_t azimuth = kTicksPerTurn - block.azimuth - firing.ticks[channel];
+    if (!block.corrections.empty()) {
+      const LaserCorrection& laser = block.corrections[channel % kLayers];
+      azimuth += laser.azimuth_ticks;
+      point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
+    }
+    // An azimuth of up to a turn, 3 degrees of turning and at most 34.2 of offsets: one turn off.
+    azimuth += azimuth < 0 ? kTicksPerTurn : 0;
+    azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
+    point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);
+    return point;
+  }
+
+  [[nodiscard]] static std::uint32_t range_mm(std::span<const std::byte, kBlockBytes> block,
+                                              std::size_t channel) {
+    return range_at(block, channel) * kUnit.range_unit_mm;
+  }
+
   template <bool kIsDual, typename Visit>
   void for_each_point_of(Visit&& visit) const {
     Turns turns;
@@ -273,7 +270,7 @@ class VelodyneDecoder : public VelodynePacket {
       const Block its = block(kUnit, number);
       const Firing& firing = turns.of(number % kUnit.banks, step(number));
       for (std::size_t channel = 0; channel < kPointsPerBlock; ++channel) {
-        visit(point<kIsDual>(kUnit, its, firing, channel));
+        visit(point<kIsDual>(its, firing, channel));
       }
     }
   }
