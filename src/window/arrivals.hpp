@@ -38,6 +38,7 @@ class Arrivals {
   }
   void find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot,
                 const Plane& hits);
+  void find_none(std::size_t slot) { moved_[slot] = {}; }  // of a slot without hits
   void find_moved(const Window& window, std::size_t slot) {
     if (has_open_[slot]) {
       count_new(window, slot);

@@ -15,16 +15,17 @@ constexpr std::uint32_t widened(std::uint32_t bits) {
 
 }  // namespace
 
+bool has_standing_inside(const Tile& tile) {
+  std::uint32_t any = 0;
+  for (const std::uint32_t row : tile.found.stands) {
+    any |= row;
+  }
+  return (any & kInside) != 0;
+}
+
 StandingCounts standing_counts(const Tile& tile, const Plane& hit, const Plane& crossed) {
   StandingCounts counts;
   const Plane& stands = tile.found.stands;
-  std::uint32_t any = 0;
-  for (const std::uint32_t row : stands) {
-    any |= row;
-  }
-  if ((any & kInside) == 0) {
-    return counts;
-  }
   for (std::size_t y = kNear; y < stands.size() - kNear; ++y) {
     const std::uint32_t near = widened(hit[y - 2] | hit[y - 1] | hit[y] | hit[y + 1] | hit[y + 2]);
     const std::uint32_t inside = stands[y] & kInside;

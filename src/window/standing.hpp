@@ -21,6 +21,10 @@ struct StandingCounts {
   friend bool operator==(const StandingCounts&, const StandingCounts&) = default;
 };
 
+// Whether anything stands in a tile that is known, but for its outermost two columns; without it
+// standing_counts() are 0.
+[[nodiscard]] bool has_standing_inside(const Tile& tile);
+
 // Of a tile that is known. The outermost two rows and columns are left out, because what is near
 // them may be of another tile. hit, crossed: its cells in which something was hit, and those that
 // beams have gone through; where ground is opened only from below (window/opening.hpp) those that

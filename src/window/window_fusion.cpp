@@ -6,7 +6,6 @@
 
 #include "require/require.hpp"
 #include "window/bring_tile.hpp"
-#include "window/eight_bytes.hpp"
 #include "window/evidence_bits.hpp"
 #include "window/ground.hpp"
 #include "work/runs.hpp"
@@ -17,10 +16,6 @@ namespace {
 // Where they lie: a copy of them would still be on its way to the cache when it is needed.
 const evidence::Indexes& indexes_of(const FrameEvidence::TileIndexes& tile, std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
-}
-
-EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
-  return EightBytes::load(&tile[group * evidence::kGroupCells]);
 }
 
 }  // namespace
@@ -94,17 +89,7 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
   const work::Runs runs(due_.count, kFound);
   crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
     for (const std::uint16_t slot : due_.of(runs[item])) {
-      slot_counts_[slot] = {};
-      const EvidenceBits bits = bits_of(evidence_.tile(slot));
-      arrivals_.find_new(window_, evidence_, slot, bits.hit);
-      if (window_.is_known(slot)) {
-        slot_counts_[slot].standing =
-            standing_counts(window_.tile(slot), bits.hit,
-                            rules_.is_opened_from_below ? bits.from_below : bits.free);
-      }
-      if (rules_.is_opened_from_below) {
-        opening_.find(window_, bits, slot);
-      }
+      look_at(slot);
     }
   });
   if (due_.count * kGroupsPerTile > rules_.group_budget) {
@@ -112,15 +97,25 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
   }
 }
 
-void WindowFusion::count_groups(const work::Crew& crew) {
-  const bool are_shared = !crew.is_one();
-  const work::Runs runs(due_.count, kFound);
-  crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
-    for (const std::uint16_t slot : due_.of(runs[item])) {
-      leave_out_high(slot);
-      count_groups(slot, are_shared);
-    }
-  });
+// Most tiles of a frame hold free space alone, of which nothing is asked.
+void WindowFusion::look_at(std::size_t slot) {
+  slot_counts_[slot] = {};
+  const bool is_known = window_.is_known(slot);
+  const bool is_standing = is_known && has_standing_inside(window_.tile(slot));
+  const bool is_hit = is_known && evidence_.has_hit(slot);
+  if (!is_standing && !is_hit && !rules_.is_opened_from_below) {
+    arrivals_.find_none(slot);
+    return;
+  }
+  const EvidenceBits bits = bits_of(evidence_.tile(slot));
+  arrivals_.find_new(window_, evidence_, slot, bits.hit);
+  if (is_standing) {
+    slot_counts_[slot].standing = standing_counts(
+        window_.tile(slot), bits.hit, rules_.is_opened_from_below ? bits.from_below : bits.free);
+  }
+  if (rules_.is_opened_from_below) {
+    opening_.find(window_, bits, slot);
+  }
 }
 
 // What is taken gives way to low beams alone.
@@ -131,20 +126,17 @@ void WindowFusion::leave_out_high(std::size_t slot) {
 }
 
 // Who fuses all slots in their order need not count those without hits.
-void WindowFusion::count_groups(std::size_t slot, bool are_shared) {
-  std::size_t with_hits = 0;
-  std::size_t without_hits = 0;
-  if (!are_shared && !evidence_.has_hit(slot)) {
-    return;
-  }
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    const EightBytes eight = eight_at(evidence_.tile(slot), group);
-    const bool has_hit = eight.has_positive();
-    with_hits += has_hit ? 1U : 0U;
-    without_hits += !has_hit && !eight.is_zero() ? 1U : 0U;
-  }
-  slot_counts_[slot].with_hits = static_cast<std::uint8_t>(with_hits);
-  slot_counts_[slot].without_hits = static_cast<std::uint8_t>(without_hits);
+void WindowFusion::count_groups(const work::Crew& crew) {
+  const bool are_shared = !crew.is_one();
+  const work::Runs runs(due_.count, kFound);
+  crew.share(runs.count(), [&](std::size_t item, std::size_t /*core*/) {
+    for (const std::uint16_t slot : due_.of(runs[item])) {
+      leave_out_high(slot);
+      if (are_shared || evidence_.has_hit(slot)) {
+        slot_counts_[slot].groups = groups_of(evidence_.tile(slot));
+      }
+    }
+  });
 }
 
 WindowFusion::Budget WindowFusion::budget() const {
@@ -153,7 +145,7 @@ WindowFusion::Budget WindowFusion::budget() const {
   for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
     if (evidence_.is_touched(slot)) {
       ++touched;
-      with_hits += slot_counts_[slot].with_hits;
+      with_hits += slot_counts_[slot].groups.with_hits;
     }
   }
   if (touched * kGroupsPerTile <= rules_.group_budget) {
@@ -214,13 +206,7 @@ void WindowFusion::deal_out(Budget budget) {
     return;
   }
   for (const std::uint16_t slot : due_.all()) {
-    SlotCounts& counts = slot_counts_[slot];
-    const GroupBudget allowed{
-        .with_hits = std::min<std::uint32_t>(counts.with_hits, budget->with_hits),
-        .without_hits = std::min<std::uint32_t>(counts.without_hits, budget->without_hits)};
-    budget->with_hits -= allowed.with_hits;
-    budget->without_hits -= allowed.without_hits;
-    counts.allowed = allowed;
+    slot_counts_[slot].allowed = budget->take(slot_counts_[slot].groups);
   }
 }
 
@@ -267,13 +253,9 @@ void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, Budget&
     if (eight.is_zero()) {
       continue;
     }
-    if (budget) {
-      std::uint32_t& allowed = eight.has_positive() ? budget->with_hits : budget->without_hits;
-      if (allowed == 0) {
-        ++left;
-        continue;
-      }
-      --allowed;
+    if (budget && !budget->take(eight.has_positive())) {
+      ++left;
+      continue;
     }
     groups.add(group);
   }

@@ -30,6 +30,7 @@
 #include "pose/pose.hpp"
 #include "window/arrivals.hpp"
 #include "window/frame_evidence.hpp"
+#include "window/group_budget.hpp"
 #include "window/hit_list.hpp"
 #include "window/moving_names.hpp"
 #include "window/opening.hpp"
@@ -187,18 +188,14 @@ class WindowFusion {
     void add(std::size_t group) { numbers[count++] = static_cast<std::uint8_t>(group); }
   };
 
-  // How many groups with hits, and without, may be fused yet. Empty: all there are.
-  struct GroupBudget {
-    std::uint32_t with_hits = 0;
-    std::uint32_t without_hits = 0;
-  };
+  // What may be fused yet. Empty: all there is.
   using Budget = std::optional<GroupBudget>;
 
   // Groups of the tile at a slot, in this frame.
   struct SlotCounts {
-    std::uint8_t with_hits = 0;     // counted where evidence might not fit
-    std::uint8_t without_hits = 0;  // the same, if several cores fuse
-    Budget allowed;                 // so many may be fused then
+    // Counted where evidence might not fit: of a slot without hits only if several cores fuse.
+    GroupBudget groups;
+    Budget allowed;  // so many may be fused then
     std::uint8_t fused = 0;
     std::uint8_t left = 0;
     std::uint8_t refreshed = 0;
@@ -222,9 +219,9 @@ class WindowFusion {
 
   void decide_frame(std::uint64_t stamp_us, const work::Crew& crew, work::Beside beside);
   void find_arrivals(const work::Crew& crew);
-  void count_groups(const work::Crew& crew);
-  void count_groups(std::size_t slot, bool are_shared);
+  void look_at(std::size_t slot);
   void leave_out_high(std::size_t slot);
+  void count_groups(const work::Crew& crew);
   [[nodiscard]] Budget budget() const;
   void update_tiles(const work::Crew& crew, work::Beside beside);
   void deal_out(Budget budget);
