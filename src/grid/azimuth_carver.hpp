@@ -118,7 +118,8 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
   if (classified.evidence.is_any()) {
     take(beam, {.range_mm = point.range_mm,
                 .evidence = classified.evidence,
-                .is_tall = classified.evidence.marks() && beam.is_tall(sensor, point.range_mm)});
+                .is_tall = classified.evidence.marks() && beam.is_tall(sensor, point.range_mm),
+                .ends_on_ground = point.is_ground});
   }
   return classified.fate;
 }

@@ -26,6 +26,7 @@ struct WaitingBeam {
   std::uint32_t range_mm = 0;
   vehicle::Evidence evidence;
   bool is_tall = false;  // its return, where heights count
+  bool ends_on_ground = false;
 };
 
 class BeamCarver {
@@ -58,6 +59,10 @@ class BeamCarver {
  private:
   template <typename Steps>
   static void carve(KeptLine& line, BlockGrid& grid, Steps& steps);
+  // The part of the line in which a beam is low.
+  template <typename Beam>
+  [[nodiscard]] LinePart low_part(const vehicle::Sensor& sensor, Beam&& beam,
+                                  const WaitingBeam& its) const;
   [[nodiscard, gnu::noinline]] static Between end_without_hit(const vehicle::Sensor& sensor,
                                                               const KeptLine& line,
                                                               std::uint32_t clears_mm,
@@ -108,6 +113,20 @@ class BeamCarver {
   return last;
 }
 
+// The road may rise: what is in the height band over the car's plane may be below it over the road,
+// and pass under a car that stands there. Where a beam ends on ground, it is so far low as it is as
+// high over the straight line from below the sensor to that ground.
+template <typename Beam>
+inline LinePart BeamCarver::low_part(const vehicle::Sensor& sensor, Beam&& beam,
+                                     const WaitingBeam& its) const {
+  LinePart low = beam.low_part(*vehicle_, sensor);
+  if (its.ends_on_ground) {
+    const std::uint32_t over_mm = vehicle::along_line_mm(its.range_mm, sensor.share_over_ground);
+    low.end = std::min(low.end, Between::after(beam.line().through(sensor, over_mm)));
+  }
+  return low;
+}
+
 // Where the scan point is far behind the part of its line in the height band, the part is simply
 // free.
 template <typename Beam, typename StepsOf>
@@ -125,7 +144,7 @@ inline void BeamCarver::add(const vehicle::Sensor& sensor, Beam&& beam, const Wa
       steps.free.add(limits.end, -freer);
       steps.free.end_beam(limits.end);
       if (keeps_heights()) {
-        steps.add_low(limits.within(beam.low_part(*vehicle_, sensor)));
+        steps.add_low(limits.within(low_part(sensor, beam, its)));
       }
     }
     if (its.evidence.marks()) {
@@ -145,7 +164,7 @@ inline void BeamCarver::add(const vehicle::Sensor& sensor, Beam&& beam, const Wa
       const Between last = add_zones(sensor, steps.free, line, part, range_mm);
       steps.free.end_beam(part.end);
       if (keeps_heights()) {
-        steps.add_low(LinePart{part.first, last}.within(beam.low_part(*vehicle_, sensor)));
+        steps.add_low(LinePart{part.first, last}.within(low_part(sensor, beam, its)));
       }
     }
   }

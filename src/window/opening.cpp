@@ -17,7 +17,7 @@ void Opening::find(const Window& window, const EvidenceBits& bits, std::size_t s
 }
 
 void Opening::leave_out_high(FrameEvidence& evidence, std::size_t slot) const {
-  if (!is_empty(high_[slot])) {
+  if (looks_over_things_ && !is_empty(high_[slot])) {
     evidence.leave_out(slot, high_[slot]);
   }
 }

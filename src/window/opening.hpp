@@ -7,7 +7,8 @@
 //
 //   1. a hit arrives only on ground that a low beam has freed before, beside a tall hit
 //   (arrivals.hpp);
-//   2. what is taken gives way only to low beams: for others the frame says nothing of the cell;
+//   2. if sensors look over things, what is taken gives way only to low beams: for others
+//   the frame says nothing of the cell;
 //   3. ground becomes open and dense only where a low beam has freed it.
 //
 // Tile::from_below remembers it: set where a low beam frees the cell, cleared where something that
@@ -20,12 +21,15 @@
 
 #include "window/evidence_bits.hpp"
 #include "window/frame_evidence.hpp"
+#include "window/rules.hpp"
 #include "window/window.hpp"
 
 namespace iog::window {
 
 class Opening {
  public:
+  explicit Opening(const Rules& rules = {}) : looks_over_things_(rules.looks_over_things) {}
+
   // Its steps by slot. Each may be done again, and for several slots at once.
   // Of a slot with evidence, which has these bits, before any tile is changed.
   void find(const Window& window, const EvidenceBits& bits, std::size_t slot);
@@ -35,6 +39,7 @@ class Opening {
   void remember(Tile& tile, bool is_touched, std::size_t slot) const;
 
  private:
+  bool looks_over_things_;
   std::array<Plane, kSlotCount> high_{};  // taken, and free by beams that are not low
   std::array<Plane, kSlotCount> next_{};  // Tile::from_below after the frame
 };

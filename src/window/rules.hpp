@@ -39,6 +39,8 @@ struct Rules {
   // Ground is opened only from below (window/opening.hpp): one of the sensors says how low and how
   // tall.
   bool is_opened_from_below = false;
+  // What is taken gives way to low beams alone then, because a sensor is higher than they are.
+  bool looks_over_things = true;
   // kTallWithin or kTallOverGroundWithin.
   int tall_within = kTallWithin;
   std::uint32_t group_budget = kGroupBudget;

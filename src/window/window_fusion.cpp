@@ -24,7 +24,8 @@ WindowFusion::WindowFusion(const Rules& rules, bool is_followed)
     : rules_(rules),
       is_followed_(is_followed),
       clock_(rules.discounting, rules.weighing),
-      arrivals_(rules) {}
+      arrivals_(rules),
+      opening_(rules) {}
 
 // Evidence lies by slot, and would be of other tiles if the window moved under it.
 void WindowFusion::follow(const pose::Pose& pose) {

@@ -88,6 +88,8 @@ TEST(CarBlock, WhatSharesAByteComesBackByItself) {
     // What is tall counts farther only where a sensor with both keys judges it.
     EXPECT_EQ(bytes.car.window.tall_within,
               bits == 3 ? window::kTallOverGroundWithin : window::kTallWithin);
+    // On a roof it is higher than what opens ground.
+    EXPECT_EQ(bytes.car.window.looks_over_things, (bits & 2U) != 0);
   }
 }
 

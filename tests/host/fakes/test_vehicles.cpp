@@ -34,6 +34,7 @@ vehicle::Vehicle compiled(std::span<const description::SensorConfig> configs,
 
 const vehicle::Vehicle OneLux::kVehicle = compiled(OneLux::kConfigs, OneLux::kDescription);
 const vehicle::Vehicle LevelLux::kVehicle = compiled(LevelLux::kConfigs, OneLux::kDescription);
+const vehicle::Vehicle BumperLux::kVehicle = compiled(BumperLux::kConfigs, BumperLux::kDescription);
 const vehicle::Vehicle MidCellLux::kVehicle = compiled(MidCellLux::kConfigs, OneLux::kDescription);
 const vehicle::Vehicle OneLuxNearest::kVehicle =
     compiled(OneLux::kConfigs, OneLuxNearest::kDescription);

@@ -36,6 +36,15 @@ struct LevelLux {
   static const vehicle::Vehicle kVehicle;
 };
 
+// One LUX at the height of a bumper, on a cell's border and in the middle of a row, and a band that
+// begins below it.
+struct BumperLux {
+  static constexpr std::array kConfigs{test_lux(100, {.y_m = 0.05, .z_m = 0.42})};
+  static constexpr description::Description kDescription{
+      .name = "bumper_lux", .z_min_m = 0.2, .z_max_m = 2.2};
+  static const vehicle::Vehicle kVehicle;
+};
+
 // One LUX in the middle of a cell.
 struct MidCellLux {
   static constexpr std::array kConfigs{test_lux(100, {.x_m = 0.05, .y_m = 0.05})};

@@ -154,6 +154,77 @@ TEST(Heights, AreSetsOfUnitsWhoseLayersHaveLinesOfTheirOwn) {
   expect_sums(car.vehicle(), tests::random_frame(random, tests::effort(60, 12)), random);
 }
 
+// A LUX 0.42 m high, whose layer 2 rises by 0.4 degrees, and a band that begins 0.2 m high. A beam
+// that ends on ground 10.05 m away is over the straight line to that ground by 0.42 m less
+// a 10.05th of it each metre: for 0.22 m of 0.42, or 5.264 m, over the band's lower end. It frees
+// as far as without the flag: as it rises, it leaves cell 98 a little behind 9.9 m, in the last 1D
+// cell before its end.
+class AheadOfALux : public testing::Test {
+ protected:
+  // Whether the cell ahead is free, and low.
+  struct Ahead {
+    bool is_free;
+    bool is_low;
+  };
+  void add(const ScanPoint& point) { fusion_->add(car_.vehicle().sensors[0], point); }
+  [[nodiscard]] std::vector<Ahead> finish(std::int32_t cells) {
+    fusion_->finish();
+    std::vector<Ahead> ahead;
+    for (std::int32_t x = 0; x < cells; ++x) {
+      const Cell cell{geometry::kOriginCell + x, geometry::kOriginCell};
+      ahead.push_back({fusion_->view().at(cell) < 0, tests::low_or_tall(*fusion_, cell)});
+    }
+    return ahead;
+  }
+
+ private:
+  GroundCar car_{tests::BumperLux::kVehicle, kFlat, {.low_mm = 800, .tall_mm = 0}};
+  std::unique_ptr<FrameFusion> fusion_ = std::make_unique<FrameFusion>(car_.vehicle());
+};
+
+TEST_F(AheadOfALux, ABeamIsLowWhereItIsOverTheGroundThatItEndsOn) {
+  add({.range_mm = 10'050, .layer = 2, .is_ground = true});
+  const std::vector<Ahead> ahead = finish(110);
+  for (std::size_t x = 0; x < ahead.size(); ++x) {
+    EXPECT_EQ(ahead[x].is_free, x < 98) << x;
+    EXPECT_EQ(ahead[x].is_low, x <= 52) << x;
+  }
+}
+
+TEST_F(AheadOfALux, ABeamThatEndsOnAThingIsLowUpToIt) {
+  add({.range_mm = 10'050, .layer = 2});
+  const std::vector<Ahead> ahead = finish(98);
+  EXPECT_TRUE(std::ranges::all_of(ahead, &Ahead::is_low));
+}
+
+TEST_F(AheadOfALux, WhatOneBeamPassesUnderAnotherOpens) {
+  add({.range_mm = 10'050, .layer = 2, .is_ground = true});
+  add({.range_mm = 20'050, .layer = 2});
+  const std::vector<Ahead> ahead = finish(150);
+  EXPECT_TRUE(std::ranges::all_of(ahead, &Ahead::is_low));
+}
+
+// Ground that is far behind where the beam leaves the band: layer 1 does 31.5 m ahead, and is over
+// the line for 22 of 42 parts of the way.
+TEST_F(AheadOfALux, ABeamThatLeavesTheBandIsLowInItAsFarAsOverTheGround) {
+  add({.range_mm = 40'050, .layer = 1, .is_ground = true});
+  const std::vector<Ahead> ahead = finish(350);
+  for (std::size_t x = 0; x < ahead.size(); ++x) {
+    EXPECT_EQ(ahead[x].is_free, x <= 315) << x;
+    EXPECT_EQ(ahead[x].is_low, x <= 209) << x;
+  }
+}
+
+// A sensor below the band's lower end would have no beams that open ground.
+TEST(Heights, OfASensorBelowTheBandAreThoseOfTheBandAlone) {
+  EXPECT_EQ(vehicle::derived_detail::share_over_ground(200, 420),
+            22 * (std::uint64_t{1} << 30) / 42);
+  EXPECT_EQ(vehicle::derived_detail::share_over_ground(200, 200), 1U << 30);
+  EXPECT_EQ(vehicle::derived_detail::share_over_ground(200, 100), 1U << 30);
+  EXPECT_EQ(vehicle::derived_detail::share_over_ground(0, 420), 1U << 30);
+  EXPECT_EQ(vehicle::derived_detail::share_over_ground(-5, 420), 1U << 30);
+}
+
 // A sensor that says nothing has beams that are low everywhere, and tall hits.
 TEST(Heights, OfASensorThatSaysNothingAreAllOfThem) {
   Random random(84);

@@ -119,6 +119,23 @@ TEST_P(OpenedFromBelow, WhatStandsGivesWayToLowBeamsAlone) {
   EXPECT_EQ(in_the_middle(), Class::kFree);
 }
 
+// A LUX on a bumper looks over nothing: where its beams are not low they pass under something or
+// over it, and road that it took for an obstacle gives way to them.
+TEST(OpenedByLowSensors, WhatIsTakenGivesWayToAll) {
+  Fusion fusion{Rules{.is_opened_from_below = true, .looks_over_things = false}};
+  fusion.follow({0, 0});
+  for (int i = 0; i < 100; ++i) {
+    fusion.frame({thing('T', ',')});
+  }
+  EXPECT_EQ(fusion.class_at({8, 8}), Class::kStoppedOrUnmapped);
+  for (int i = 0; i < 6; ++i) {
+    fusion.frame({field('.')});
+  }
+  EXPECT_EQ(fusion.class_at({8, 8}), Class::kFree);
+  fusion.frame({thing('T', '.')});
+  EXPECT_NE(fusion.class_at({8, 8}), Class::kMoving);
+}
+
 // The ground under what stands is not remembered as open from before it came.
 TEST_P(OpenedFromBelow, WhatHasStoodClosesItsGround) {
   play(field(','), 50);

@@ -46,9 +46,12 @@ struct PlainTile {
 class PlainFusion {
  public:
   // Whether ground is opened only from below, and how far away a tall hit is at most then, in cells
-  // along either axis.
-  explicit PlainFusion(bool is_opened_from_below = false, std::int32_t tall_within = 3)
-      : is_from_below_(is_opened_from_below), tall_within_(tall_within) {}
+  // along either axis. What is taken gives way to low beams alone then if sensors look over things.
+  explicit PlainFusion(bool is_opened_from_below = false, std::int32_t tall_within = 3,
+                       bool looks_over_things = true)
+      : is_from_below_(is_opened_from_below),
+        tall_within_(tall_within),
+        looks_over_things_(looks_over_things) {}
 
   using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, PlainTile>;  // by b, a
 
@@ -196,7 +199,7 @@ class PlainFusion {
       } else if (said.index > 0 && is.stands) {
         opened[cell] = false;
       }
-      return said.index < 0 && !said.is_low && is.taken;
+      return looks_over_things_ && said.index < 0 && !said.is_low && is.taken;
     });
     return opened;
   }
@@ -317,6 +320,7 @@ class PlainFusion {
 
   bool is_from_below_;
   std::int32_t tall_within_;
+  bool looks_over_things_;
   window::Area area_;
   bool is_placed_ = false;
   Tiles tiles_;

@@ -1,5 +1,6 @@
 // A drive in the window against plain loops, and against itself with its slices the other way
 // round.
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
 #include <utility>
@@ -80,15 +81,19 @@ std::vector<DrivenFrame> drive(Cell start, int frames) {
 
 constexpr Cell kStart{-3'000'017, 2'000'039};
 
-// How far away a tall hit is at most beside which something can arrive; 0: ground is opened by all.
+// How far away a tall hit is at most beside which something can arrive; 0: ground is opened by all;
+// below 0: by low beams of sensors that do not look over things.
 class DriveIn : public testing::TestWithParam<int> {};
 
 TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
   const bool is_opened_from_below = GetParam() != 0;
-  const int tall_within = is_opened_from_below ? GetParam() : kTallWithin;
-  const auto fusion = std::make_unique<WindowFusion>(
-      Rules{.is_opened_from_below = is_opened_from_below, .tall_within = tall_within});
-  tests::PlainFusion plain(is_opened_from_below, tall_within);
+  const bool looks_over_things = GetParam() >= 0;
+  const int tall_within = is_opened_from_below ? std::abs(GetParam()) : kTallWithin;
+  const auto fusion =
+      std::make_unique<WindowFusion>(Rules{.is_opened_from_below = is_opened_from_below,
+                                           .looks_over_things = looks_over_things,
+                                           .tall_within = tall_within});
+  tests::PlainFusion plain(is_opened_from_below, tall_within, looks_over_things);
   KeptVersions versions;
   int moving = 0;
   int standing = 0;
@@ -125,7 +130,7 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
   EXPECT_GT(standing, tests::effort(100, 0) - 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(TallWithin, DriveIn, testing::Values(0, 3, 8));
+INSTANTIATE_TEST_SUITE_P(TallWithin, DriveIn, testing::Values(0, 3, 8, -3));
 
 TEST(WindowFusion, NoOrderOfSlicesShows) {
   Fusion forward(Rules{.is_opened_from_below = true});
