@@ -46,6 +46,11 @@ constexpr RangeProducts range_products(std::int32_t low, std::int32_t high, std:
           .high = (std::int64_t{high} - origin) * length_mm};
 }
 
+// Whether it is higher than the beams that open ground.
+constexpr bool looks_over_things(const Sensor& sensor) {
+  return sensor.moved.are_given() && sensor.origin_z > subcells_of(sensor.moved.low_mm);
+}
+
 // Sensor::share_over_ground.
 constexpr std::uint32_t share_over_ground(std::int32_t z_min, std::int32_t origin_z) {
   constexpr std::int64_t kWhole = std::int64_t{1} << numeric::kSineFractionBits;
@@ -77,7 +82,8 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
   sensor.on_car_x = range_products(footprint.x_min, footprint.x_max, sensor.origin.x, length_mm);
   sensor.on_car_y = range_products(footprint.y_min, footprint.y_max, sensor.origin.y, length_mm);
   sensor.in_band = range_products(z_min, z_max, sensor.origin_z, length_mm);
-  sensor.share_over_ground = derived_detail::share_over_ground(z_min, sensor.origin_z);
+  sensor.share_over_ground = derived_detail::share_over_ground(
+      derived_detail::looks_over_things(sensor) ? 0 : z_min, sensor.origin_z);
   const std::uint16_t tall_mm = sensor.moved.tall_mm;
   sensor.tall = range_products(tall_mm == 0 ? z_min : subcells_of(tall_mm), z_max, sensor.origin_z,
                                length_mm);
@@ -92,9 +98,7 @@ constexpr void derive_rules(std::span<const Sensor> sensors, window::Rules& rule
   const bool is_over_ground = std::ranges::any_of(sensors, [](const Sensor& sensor) {
     return sensor.moved.tall_mm != 0 && sensor.ground.is_followed();
   });
-  rules.looks_over_things = std::ranges::any_of(sensors, [](const Sensor& sensor) {
-    return sensor.moved.are_given() && sensor.origin_z > subcells_of(sensor.moved.low_mm);
-  });
+  rules.looks_over_things = std::ranges::any_of(sensors, derived_detail::looks_over_things);
   rules.tall_within = is_over_ground ? window::kTallOverGroundWithin : window::kTallWithin;
 }
 

@@ -135,7 +135,8 @@ struct Sensor {
   GroundLimits ground;
   MovedLimits moved;
   // Of a beam that ends on ground: how far along it is over the band's lower end, by the straight
-  // line from below the sensor to that ground, in units of 2^-30; all of it if the sensor is not.
+  // line from below the sensor to that ground, in units of 2^-30; all of it if the sensor is not,
+  // or looks over things.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
   // Where its maker calibrated each of its lasers.
   bool is_calibrated = false;

@@ -215,6 +215,19 @@ TEST_F(AheadOfALux, ABeamThatLeavesTheBandIsLowInItAsFarAsOverTheGround) {
   }
 }
 
+// A unit on a roof looks down on the ground, and loses what moves by such a rule. Here one that is
+// 0.42 m high looks over things because beams are low up to 0.4 m.
+TEST(Heights, OfASensorThatLooksOverThingsAreThoseOfTheBandAlone) {
+  for (const std::uint16_t low_mm : {std::uint16_t{400}, std::uint16_t{430}}) {
+    const GroundCar car(tests::BumperLux::kVehicle, kFlat, {.low_mm = low_mm, .tall_mm = 0});
+    const auto fusion = std::make_unique<FrameFusion>(car.vehicle());
+    fusion->add(car.vehicle().sensors[0], {.range_mm = 10'050, .layer = 1, .is_ground = true});
+    fusion->finish();
+    EXPECT_EQ(tests::low_or_tall(*fusion, {geometry::kOriginCell + 90, geometry::kOriginCell}),
+              low_mm == 400);
+  }
+}
+
 // A sensor below the band's lower end would have no beams that open ground.
 TEST(Heights, OfASensorBelowTheBandAreThoseOfTheBandAlone) {
   EXPECT_EQ(vehicle::derived_detail::share_over_ground(200, 420),
