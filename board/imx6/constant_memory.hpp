@@ -1,5 +1,5 @@
 // What must not change while the firmware runs, for the check of memory: the image as the build has
-// sealed it, what the start-up has made, and guards around what devices write.
+// sealed it, what the start-up has made, and guards around what is written.
 #pragma once
 
 #include <array>
