@@ -10,33 +10,33 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 617.61;
+inline constexpr double kPointCycles = 626.12;
 // A cell, carved.
-inline constexpr double kCellCycles = 2.84;
+inline constexpr double kCellCycles = 2.81;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8911.60;
+inline constexpr double kTileCycles = 8969.36;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 45165.59;
+inline constexpr double kClassTileCycles = 43824.67;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 5064.94;
+inline constexpr double kPointOnceCycles = 5066.47;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 487.60;
+inline constexpr double kLaterEchoCycles = 494.49;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 9070.12;
+inline constexpr double kDearestTileCycles = 9122.36;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 46874.83;
+inline constexpr double kDearestClassTileCycles = 45283.26;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 746.98;
+inline constexpr double kTurnStepCycles = 779.14;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 382.91;
+inline constexpr double kTurnPointCycles = 372.02;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 2060024.29;
+inline constexpr double kGroundTurnCycles = 1894611.91;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 145.40;
+inline constexpr double kGroundPointCycles = 165.48;
 // A frame with classes where a unit says what opens ground, besides.
-inline constexpr double kMovedFrameCycles = 178030.95;
+inline constexpr double kMovedFrameCycles = 500943.69;
 // A point of such a unit, besides.
-inline constexpr double kMovedPointCycles = 257.47;
+inline constexpr double kMovedPointCycles = 239.89;
 // Points of a frame of the reference car, mean of both drives; cells carved, known tiles.
 inline constexpr double kTypicalPoints = 2602.59;
 inline constexpr double kTypicalCells = 593928.58;
@@ -47,7 +47,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.667, 0.456, 0.385};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.672, 0.460, 0.389};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -60,33 +60,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4760010},
-    {"ring_road", 2321, 721236, 478, 8149549},
+    {"city", 2885, 466621, 231, 4790036},
+    {"ring_road", 2321, 721236, 478, 8172392},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1318220},
-    {"city, 3 LUX", 2240, 369547, 154, 1875702},
-    {"city, 4 LUX", 2885, 466621, 231, 2482344},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1308694},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1984144},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3098545},
+    {"city, 2 LUX", 1551, 254292, 132, 1325340},
+    {"city, 3 LUX", 2240, 369547, 154, 1887234},
+    {"city, 4 LUX", 2885, 466621, 231, 2501975},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1313799},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1993664},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 3115410},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1424967, 668, 10790378},
-    {"random_ranges", 3216, 744588, 600, 9668150},
-    {"layers_apart", 3216, 888340, 665, 10635290},
-    {"beyond_range", 3216, 1451672, 680, 10473442},
-    {"three_echoes", 9648, 1344110, 666, 12678736},
-    {"missing_returns", 1618, 721483, 664, 9908052},
-    {"random_azimuths", 3216, 1999952, 665, 21365435},
-    {"diagonal", 3216, 2222062, 126, 7860014},
-    {"one_direction", 3216, 1538471, 48, 1744388},
-    {"short_beams", 9648, 24984, 4, 4830781},
-    {"flood", 9648, 6802620, 126, 10735494},
+    {"full_range", 3216, 1424967, 668, 10796019},
+    {"random_ranges", 3216, 744588, 600, 9670738},
+    {"layers_apart", 3216, 888340, 665, 10645660},
+    {"beyond_range", 3216, 1451672, 680, 10456263},
+    {"three_echoes", 9648, 1344110, 666, 12675316},
+    {"missing_returns", 1618, 721483, 664, 9936102},
+    {"random_azimuths", 3216, 1999952, 665, 21364866},
+    {"diagonal", 3216, 2222062, 126, 7871642},
+    {"one_direction", 3216, 1538471, 48, 1770476},
+    {"short_beams", 9648, 24984, 4, 4896162},
+    {"flood", 9648, 6802620, 126, 10811195},
 }};
 
 struct ModelledTurn {
@@ -100,16 +100,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 21048258},
-    {"HDL-32E", 69466, 460, 35835717},
-    {"HDL-64E S3", 111130, 466, 54320119},
+    {"VLP-16", 28954, 323, 20930185},
+    {"HDL-32E", 69466, 460, 35521590},
+    {"HDL-64E S3", 111130, 466, 53282635},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 330, 27157728},
-    {"HDL-32E", 69466, 474, 48312762},
-    {"HDL-64E S3", 111130, 489, 72382639},
+    {"VLP-16", 28954, 330, 27457797},
+    {"HDL-32E", 69466, 474, 49223081},
+    {"HDL-64E S3", 111130, 489, 73412847},
 }};
 
 struct ModelledFramePart {
@@ -120,9 +120,9 @@ struct ModelledFramePart {
 
 // What frames with classes of these take more where the unit says by `moved` what opens ground.
 inline constexpr std::array<ModelledFramePart, 3> kMovedFrames{{
-    {"VLP-16", 11904, 3690463},
-    {"HDL-32E", 28032, 6510967},
-    {"HDL-64E S3", 44544, 12083971},
+    {"VLP-16", 11904, 3760926},
+    {"HDL-32E", 28032, 6426133},
+    {"HDL-64E S3", 44544, 11581438},
 }};
 
 }  // namespace iog::tools
