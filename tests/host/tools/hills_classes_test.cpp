@@ -173,7 +173,8 @@ void drive_uphill(std::span<GroundWatch* const> watches, Surroundings& near_thin
         }
       });
     }
-    for (const CapturedDatagram& datagram : with_poses(datagrams_of(std::move(packets)), poses)) {
+    const auto datagrams = with_poses(datagrams_of(std::move(packets)), poses);
+    for (const CapturedDatagram& datagram : datagrams) {
       for (GroundWatch* watch : watches) {
         watch->take(datagram);
       }
