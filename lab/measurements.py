@@ -1,5 +1,4 @@
-"""What lab/run measures and lab/check measures again: which steps there are, what they write into
-lab/data, and from which sources."""
+"""What lab/run measures: which steps there are, what they write into lab/data, and at which commit they did."""
 
 import csv
 import dataclasses
@@ -9,9 +8,7 @@ import subprocess
 import sys
 import typing
 
-import sources
-from sources import ROOT
-
+ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "lab/target"))
 import a9_runs  # noqa: E402 ; it lies in lab/target/
 
@@ -104,44 +101,11 @@ KINDS = {
     "a9_model": Kind("Asking the cost model what others know", a9_model),
     "recorded": Kind("Fusing a recorded drive", recorded),
 }
-# What nobody can measure again and compare: it needs a quiet PC, or data that is not part of this project.
-ON_REQUEST = ("peers", "recorded")
-
-# What starts images, and how they and the drives that they are shown are made and run.
-_IMAGES = ("tests/target/start.S", "tests/programmer_error.cpp", "lab/a9_model", "lab/target/measure_a9",
-           "lab/target/run_image", "lab/target/a9_runs.py", "lab/target/build", "lab/target/made_with",
-           "tools/simulate", "tools/fuse", "vehicles")
-
-
-def _all_in(folder: str) -> list[str]:
-    return [folder, *(path.relative_to(ROOT).as_posix() for path in sorted((ROOT / folder).rglob("*"))
-                      if path.is_dir())]
-
-
-def _programs(*names: str) -> tuple[str, ...]:
-    return tuple(f"lab/target/{name}" for name in names)
-
-
-# KIND or KIND/PART, and where its sources begin. A page of docs/results/ has a folder of experiments.
-STEPS = {
-    "peers": ("lab/peers", "vehicles"),
-    **{f"experiments/{path.name}": (f"lab/experiments/{path.name}", "vehicles")
-       for path in sorted((ROOT / "lab/experiments").iterdir()) if path.is_dir()},
-    "target/frames": (*_IMAGES, "lab/scenarios", *_programs(
-        "frame_cost.cpp", "floor.cpp", "tree_cost.cpp", "printed_cost.cpp", "serial_cost.cpp",
-        "path_cost.cpp", "many_core.cpp", "traversal_cost.cpp")),
-    "target/scaling": (*_IMAGES, *_programs("scaling.cpp", "a9_scaling.py")),
-    "target/perception": (*_IMAGES, *_programs("perception_cost.cpp", "round_cost.cpp",
-                                               "object_cost.cpp", "a9_perception.py", "a9_cores.py")),
-    "target/map": (*_IMAGES, "tools/map", *_programs("map_cost.cpp", "a9_map.py")),
-    "target/turning": (*_IMAGES, *_programs("frame_cost.cpp", "turning_cost.cpp", "a9_turning.py")),
-    "target/moved": (*_IMAGES, *_programs("perception_cost.cpp", "a9_perception.py", "a9_moved.py")),
-    "images": (*_all_in("board/imx6"), "vehicles", "linker", "qemu", "lab/target/images"),
-    "a9_model": ("lab/a9_model", "lab/a9_model/micro", "tests/target/start.S"),
-    "recorded": ("lab/recorded", "tools/clouds"),
-}
-EXPERIMENTS = tuple(step for step in STEPS if step.startswith("experiments/"))
-TARGET = tuple(step for step in STEPS if step.startswith("target/"))
+EXPERIMENTS = tuple(f"experiments/{path.name}" for path in sorted((ROOT / "lab/experiments").iterdir())
+                    if path.is_dir())
+TARGET = tuple(f"target/{part}" for part in a9_runs.PARTS)
+# KIND or KIND/PART.
+STEPS = ("peers", *EXPERIMENTS, *TARGET, "images", "a9_model", "recorded")
 # Which page shows what was measured by which steps.
 PAGES = {
     "results": (*EXPERIMENTS, *TARGET, "peers"),
@@ -204,40 +168,28 @@ def keep_other_parts(found: pathlib.Path, parts: typing.Sequence[str]) -> None:
                if a9_runs.part_of(row[0]) == part)])
 
 
-def digest_of(step: str) -> str:
-    """One number for the content of all that the figures of a step depend on."""
-    return sources.digest_of(sources.files_of(STEPS[step]))
-
-
-def tables() -> str:
-    """The same for lab/data itself: a table that was edited is one that has to be checked."""
-    return sources.digest_of(sorted(path for path in DATA.iterdir() if path != MADE_FROM))
+def commit() -> str:
+    """The one that is checked out; with a + if sources were changed since."""
+    words = ["git", "-C", ROOT, "describe", "--always", "--exclude=*", "--abbrev=8", "--dirty=+"]
+    done = subprocess.run(words, check=False, text=True, capture_output=True)
+    return done.stdout.strip() if done.returncode == 0 else "an unknown commit"
 
 
 def stamps() -> dict[str, str]:
-    if not MADE_FROM.is_file():
-        return {}
-    return dict(line.split(" ", 1) for line in MADE_FROM.read_text().splitlines() if " " in line)
+    """By step the commit at which it was measured."""
+    return dict(line.split(" ", 1) for line in MADE_FROM.read_text().splitlines()) if MADE_FROM.is_file() else {}
 
 
 def write_stamps(steps: typing.Iterable[str]) -> None:
-    """lab/data/made_from: per step the sources that its tables were measured from."""
-    kept = {name: digest for name, digest in stamps().items() if name in STEPS}
-    now = {**kept, **{step: digest_of(step) for step in steps}, "tables": tables()}
-    MADE_FROM.write_text("".join(f"{name} {now[name]}\n" for name in sorted(now)))
+    now = {**stamps(), **dict.fromkeys(steps, commit())}
+    MADE_FROM.write_text("".join(f"{name} {now[name]}\n" for name in sorted(now) if name in STEPS))
 
 
-def stale_steps() -> list[str]:
-    """Those of which lab/data is not of these sources, but for those on request."""
-    return [step for step in STEPS if step not in ON_REQUEST and not is_current(step)]
-
-
-def has_edited_tables() -> bool:
-    return stamps().get("tables") != tables()
-
-
-def is_current(step: str) -> bool:
-    return stamps().get(step) == digest_of(step)
+def program_of(step: str) -> str:
+    """What measures it: a path in the project."""
+    if step == "images":
+        return "lab/target/images"
+    return f"lab/{step}" if step in EXPERIMENTS else f"lab/{step.partition('/')[0]}"
 
 
 def complain(program: str, text: str, status: int) -> typing.NoReturn:

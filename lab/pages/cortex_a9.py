@@ -124,7 +124,7 @@ class CortexA9:
 
     def __init__(self, data):
         # Words: a run hash of digits alone is no number.
-        table = pandas.read_csv(data.folder / "cortex_a9.csv", dtype=str, keep_default_na=False)
+        table = pandas.read_csv(data.path("cortex_a9.csv"), dtype=str, keep_default_na=False)
         self._values = {tuple(keys): value for *keys, value in table.itertuples(index=False)}
 
     def has(self, run: str, variant: str = "counted") -> bool:

@@ -58,7 +58,7 @@ class Times:
 
 class PeerTimes:
     def __init__(self, data):
-        report = json.loads((data.folder / "peers.json").read_text())
+        report = json.loads(data.path("peers.json").read_text())
         self.context = report["context"]
         self._runs = [run for run in report["benchmarks"] if run["run_type"] == "iteration"]
 

@@ -18,16 +18,24 @@ from claims import Claim, Goal
 DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
 
 
+@functools.cache
+def _table(path: pathlib.Path) -> pandas.DataFrame:
+    return pandas.read_csv(path, keep_default_na=False, float_precision="round_trip")
+
+
 class Data:
-    """The tables of lab/data, by their file's name without ".csv"."""
+    """The tables of lab/data, by their file's name without ".csv", and which of its files were read."""
 
     def __init__(self, folder: pathlib.Path = DATA):
         self.folder = folder
+        self.read: set[str] = set()
 
-    @functools.cache
+    def path(self, file: str) -> pathlib.Path:
+        self.read.add(file)
+        return self.folder / file
+
     def __getitem__(self, name: str) -> pandas.DataFrame:
-        return pandas.read_csv(self.folder / f"{name}.csv", keep_default_na=False,
-                               float_precision="round_trip")
+        return _table(self.path(f"{name}.csv"))
 
     def __contains__(self, name: str) -> bool:
         return (self.folder / f"{name}.csv").exists()
@@ -50,12 +58,13 @@ def select(table: pandas.DataFrame, **where) -> pandas.DataFrame:
 @dataclasses.dataclass
 class Section:
     """What a section has found: values for its template (namespaces, lists, numbers), claims and goals for
-    the overview, and figures by the file name that the template gives them."""
+    the overview, and figures by the file name that the template gives them. files: those of lab/data that it read."""
 
     found: dict = dataclasses.field(default_factory=dict)
     claims: list[Claim] = dataclasses.field(default_factory=list)
     goals: list[Goal] = dataclasses.field(default_factory=list)
     figures: dict = dataclasses.field(default_factory=dict)
+    files: set[str] = dataclasses.field(default_factory=set)
 
     @property
     def names(self) -> types.SimpleNamespace:
