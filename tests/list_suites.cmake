@@ -4,7 +4,8 @@
 #   cmake -D EXECUTABLE=<path> [-D RUNNER=<path>] -D ROOM=<room> -D LABEL=<label> [-D LONG=<suites>]
 #     -D OUTPUT=<file> -P list_suites.cmake
 #
-# RUNNER: what starts the executable where this machine cannot. LONG: suites whose label is <label>_all.
+# RUNNER: what starts the executable where this machine cannot. LABEL: one or more. LONG: suites whose label is
+# the first one with _all behind it.
 cmake_policy(SET CMP0057 NEW)  # IN_LIST
 execute_process(COMMAND ${RUNNER} ${EXECUTABLE} --gtest_list_tests
   TIMEOUT 60 OUTPUT_VARIABLE listed RESULT_VARIABLE status)
@@ -35,12 +36,13 @@ foreach(suite IN LISTS LONG)
 endforeach()
 set(script "")
 foreach(suite IN LISTS suites)
-  set(label ${LABEL})
+  set(label "${LABEL}")
   if(suite IN_LIST LONG)
+    list(GET LABEL 0 label)
     string(APPEND label _all)
   endif()
   string(APPEND script
     "add_test([[${ROOM}/${suite}]] ${RUNNER} [[${EXECUTABLE}]] [[--gtest_filter=${suite}.*]])\n"
-    "set_tests_properties([[${ROOM}/${suite}]] PROPERTIES LABELS ${label} TIMEOUT 600${environment})\n")
+    "set_tests_properties([[${ROOM}/${suite}]] PROPERTIES LABELS [[${label}]] TIMEOUT 600${environment})\n")
 endforeach()
 file(WRITE ${OUTPUT} "${script}")
