@@ -13,6 +13,7 @@
 #include "description/tables.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/vehicles/car_words.hpp"
+#include "tools/vehicles/toml_nesting.hpp"
 
 namespace iog::tools {
 namespace {
@@ -222,6 +223,11 @@ std::string text_of(const std::string& path) {
 }
 
 toml::table parse(std::string_view text, const std::string& path) {
+  if (const auto line = line_of_deep_nesting(text)) {
+    const std::string most = std::to_string(kMostNesting);
+    throw UsageError(path + ':' + std::to_string(*line) + ": nested too deep: " + most +
+                     " parts of a key and " + most + " open brackets are the most");
+  }
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

@@ -155,13 +155,22 @@ void add_mcap_seeds(Seeds& seeds) {
   }
 }
 
-// Every car that the build knows.
+// Every car that the build knows, as a block and as its file.
 void add_car_seeds(Seeds& seeds) {
   for (const vehicles::Car& car : vehicles::cars()) {
     Bytes content;
     car_block::write_content(car.vehicle,
                              [&](std::uint8_t byte) { content.push_back(std::byte{byte}); });
     seeds.add("car_block", content);
+  }
+  for (const char* const folder : {"/vehicles", "/tests/host/vehicles"}) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(IOG_SOURCE_DIR + std::string(folder))) {
+      if (entry.path().extension() == ".toml") {
+        std::filesystem::copy_file(entry.path(), seeds.next_path("car_file"),
+                                   std::filesystem::copy_options::overwrite_existing);
+      }
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "car_block/content.hpp"
+#include "tools/program/exit_status.hpp"
 #include "vehicles/cars.hpp"
 
 namespace iog::tools {
@@ -86,6 +87,57 @@ TEST(CarFile, AnyChangeIsAnotherIdentity) {
   EXPECT_NE(changed([](auto&, auto& sensors) { sensors[0].profile.hit = 3; }), car.vehicle.id);
   EXPECT_NE(changed([](auto&, auto& sensors) { sensors[1].is_synchronised = false; }),
             car.vehicle.id);
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) {
+    all += text;
+  }
+  return all;
+}
+
+// Line 2 and what follows; the last line is nested deeper than the parser of TOML has stack for.
+TEST(CarFile, NestingIsBounded) {
+  const std::string dotted = repeated("a.", 20'000) + "a";
+  const std::string quoted = repeated(R"("a.b" . 'c' .)", 20'000) + "a = 1";
+  const std::string in_arrays = repeated("[", 20'000) + repeated("]", 20'000);
+  const std::string in_tables = repeated("{a=", 20'000) + "1" + repeated("}", 20'000);
+  const std::string mixed = repeated("{a.b.c.d=[", 200) + "1" + repeated("]}", 200);
+  for (const std::string& lines :
+       {dotted + " = 1", quoted, '[' + dotted + ']', "[[" + dotted + "]]", "a = " + in_arrays,
+        "a = " + in_tables, "a = " + mixed, "a = {" + dotted + " = 1}",
+        "a = \"\\\"\"\n" + dotted + " = 1", "a = \"\"\"\"\n\"\"\"\"\"\n" + dotted + " = 1",
+        "a = '\\' # '\n" + dotted + " = 1", "a = '''\n#'''''\n" + dotted + " = 1"}) {
+    try {
+      static_cast<void>(parse_car("name = \"deep\"\n" + lines, "deep.toml"));
+      ADD_FAILURE() << lines.substr(0, 20);
+    } catch (const UsageError& error) {
+      EXPECT_EQ(error.what(),
+                "deep.toml:" + std::to_string(2 + std::ranges::count(lines, '\n')) +
+                    ": nested too deep: 8 parts of a key and 8 open brackets are the most")
+          << lines.substr(0, 20);
+    }
+  }
+}
+
+// Points and brackets in comments and strings, many numbers, brackets one behind another.
+TEST(CarFile, WhatOnlyLooksDeepIsRead) {
+  const std::string comment = " # \"" + repeated("a.[{", 100) + '\n';
+  const Car car = parse_car("name = 'flat'" + comment + R"(z_min_m = 0.2
+z_max_m = 2.2
+footprint = { x_min_m = -2.0, x_max_m = 2.0, y_min_m = -1.0, y_max_m = 1.0 }
+poses = { }
+network = { address = "10.0.2.15", peer = '10.0.2.2' }
+[[sensors]]
+name = """front"""
+type = "ibeo_lux"
+udp_port = 12002
+max_points_per_scan = 2412
+mount = { x_m = 2.0, y_m = 0.0, z_m = 0.5, yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0 }
+)" + comment,
+                            "flat.toml");
+  EXPECT_EQ(car.sensors.size(), 1U);
 }
 
 }  // namespace
