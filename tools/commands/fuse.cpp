@@ -149,8 +149,10 @@ void print_input(const PcapReader& capture, std::uint64_t other_ports) {
   if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {
     std::cout << row("not looked at", skipped);
   }
-  if (!capture.trouble().empty()) {
-    std::cout << row("capture", capture.trouble());
+  for (const std::string& words : {capture.trouble(), capture.clock_words()}) {
+    if (!words.empty()) {
+      std::cout << row("capture", words);
+    }
   }
 }
 

@@ -172,6 +172,9 @@ std::string summary_of_capture(const std::string& path) {
   if (!capture.trouble().empty()) {
     text += "the file " + capture.trouble() + "\n";
   }
+  if (const std::string words = capture.clock_words(); !words.empty()) {
+    text += words + "\n";
+  }
   for (auto& [port, stream] : streams) {
     stream.finish();
     text += row("\nstream to port", std::to_string(port)) + stream.table();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <arpa/inet.h>
 #include <chrono>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -212,8 +211,8 @@ void record_stream(const std::string& path, Recorder& recorder) {
   if (recorder.datagrams() == 0 && !was_interrupted()) {
     throw UsageError(path + ": no message of a target in it");
   }
-  if (!was_interrupted() && file.is_damaged()) {
-    std::cerr << "iog: " << path << ": breaks off or is damaged; recorded what is left\n";
+  if (!was_interrupted()) {
+    file.warn(path);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iostream>
 
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
@@ -44,21 +45,26 @@ std::optional<CapturedDatagram> StreamFile::next_of_mcap() {
       continue;
     }
     if (const auto bytes = ros::bytes_of_uint8_multi_array(message->data)) {
-      return datagram_of_stream(message->log_ns / 1000, *bytes);
+      return datagram_of_stream(mcap_clock_.of(message->log_ns / 1000), *bytes);
     }
   }
   return std::nullopt;
 }
 
-std::optional<std::uint64_t> StreamFile::place() const {
-  return capture_ ? capture_->place() : mcap_->place();
+std::optional<StreamFile::Place> StreamFile::place() const {
+  if (capture_) {
+    return capture_->place();
+  }
+  const std::optional<std::uint64_t> at = mcap_->place();
+  return at ? std::optional(Place{.at = *at, .clock = mcap_clock_}) : std::nullopt;
 }
 
-void StreamFile::go_to(std::uint64_t place) {
+void StreamFile::go_to(const Place& place) {
   if (capture_) {
     capture_->go_to(place);
   } else {
-    mcap_->go_to(place);
+    mcap_->go_to(place.at);
+    mcap_clock_ = place.clock;
   }
 }
 
@@ -66,13 +72,19 @@ std::optional<double> StreamFile::part_read() const {
   return capture_ ? capture_->part_read() : mcap_->part_read();
 }
 
-bool StreamFile::is_damaged() const {
+void StreamFile::warn(const std::string& path) const {
   if (capture_) {
-    return !capture_->trouble().empty() || capture_->counts().skipped() > 0;
+    warn_of(path, *capture_);
+    return;
   }
   const mcap::ReadCounts& counts = mcap_->counts();
-  return !mcap_->is_finished() ||
-         counts.broken_chunks + counts.unreadable_chunks + counts.malformed > 0;
+  if (!mcap_->is_finished() ||
+      counts.broken_chunks + counts.unreadable_chunks + counts.malformed > 0) {
+    std::cerr << "iog: " << path << ": breaks off or is damaged; used as far as it goes\n";
+  }
+  if (const std::string words = mcap_clock_.words(); !words.empty()) {
+    std::cerr << "iog: " << path << ": " << words << '\n';
+  }
 }
 
 }  // namespace iog::tools

@@ -23,16 +23,18 @@ class StreamFile {
 
   // Not behind the next datagram, for go_to(); nothing in a file that is read from its beginning
   // only.
-  [[nodiscard]] std::optional<std::uint64_t> place() const;
+  using Place = PcapReader::Place;
+  [[nodiscard]] std::optional<Place> place() const;
 
   // Goes on from a place() of this file, or a little before it.
-  void go_to(std::uint64_t place);
+  void go_to(const Place& place);
 
   // How much of the file has been read, 0 to 1; nothing where nobody knows its size.
   [[nodiscard]] std::optional<double> part_read() const;
 
-  // Whether the file breaks off or is damaged. Known when all has been read.
-  [[nodiscard]] bool is_damaged() const;
+  // Says on stderr, when all has been read, whether the file breaks off or is damaged, what was
+  // skipped, and what its clock did.
+  void warn(const std::string& path) const;
 
  private:
   [[nodiscard]] std::optional<CapturedDatagram> next_of_mcap();
@@ -40,6 +42,7 @@ class StreamFile {
   std::unique_ptr<PcapReader> capture_;
   std::ifstream file_;
   std::unique_ptr<mcap::Reader> mcap_;
+  SteadyTime mcap_clock_;
 };
 
 // Whether the file begins as an MCAP file does.

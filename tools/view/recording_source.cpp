@@ -1,7 +1,6 @@
 // A file that is played: from its beginning, and from wherever a page asks.
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -68,10 +67,10 @@ class ShownFile {
   [[nodiscard]] bool is_mcap() const { return stream_ != nullptr; }
 
   // As of StreamFile.
-  [[nodiscard]] std::optional<std::uint64_t> place() const {
+  [[nodiscard]] std::optional<StreamFile::Place> place() const {
     return stream_ ? stream_->place() : capture_->place();
   }
-  void go_to(std::uint64_t place) {
+  void go_to(const StreamFile::Place& place) {
     if (stream_) {
       stream_->go_to(place);
     } else {
@@ -87,8 +86,8 @@ class ShownFile {
   void warn(const std::string& path) const {
     if (capture_) {
       warn_of(path, *capture_);
-    } else if (stream_->is_damaged()) {
-      std::cerr << "iog: " << path << ": breaks off or is damaged; used as far as it goes\n";
+    } else {
+      stream_->warn(path);
     }
   }
 
@@ -159,7 +158,7 @@ class RecordingSource : public Source {
       span_us_ = std::max(span_us_, since_first(*datagram));
       progress.show(++count, file_->part_read());
       if (marks_.empty() || span_us_ >= marks_.back().longest_us + kBetweenMarksUs) {
-        if (const std::optional<std::uint64_t> place = file_->place()) {
+        if (const auto place = file_->place()) {
           marks_.push_back({.longest_us = span_us_, .place = *place});
         }
       }
@@ -281,7 +280,7 @@ class RecordingSource : public Source {
   // A place in the file, before which no datagram was longer after the first one.
   struct Mark {
     std::uint64_t longest_us;
-    std::uint64_t place;
+    StreamFile::Place place;
   };
 
   RecordingOptions options_;

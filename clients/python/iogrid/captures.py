@@ -12,8 +12,12 @@ from typing import BinaryIO
 PCAP_ORDERS = {b"\xd4\xc3\xb2\xa1": "<", b"\x4d\x3c\xb2\xa1": "<", b"\xa1\xb2\xc3\xd4": ">", b"\xa1\xb2\x3c\x4d": ">"}
 PCAPNG, PCAPNG_ORDERS = b"\n\r\r\n", {b"\x4d\x3c\x2b\x1a": "<", b"\x1a\x2b\x3c\x4d": ">"}
 GZIP, ZSTD = b"\x1f\x8b", b"\x28\xb5\x2f\xfd"
-IPV4_AT = {1: 14, 101: 0, 113: 16, 276: 20}  # by link type: Ethernet, raw IP, both of Linux "any"
-INTERFACE, PACKET, SIMPLE_PACKET = 1, 6, 3  # blocks of pcapng
+# By link type the bytes of its header and where its EtherType is: Ethernet, both of Linux "any", loopbacks, raw IP. As
+# tools/formats/capture/link_layer.cpp; tests/host/clients/captures_test.py compares them.
+LINKS = {1: (14, 12), 113: (16, 14), 276: (20, 0), **dict.fromkeys((0, 108), (4, None)),
+         **dict.fromkeys((12, 14, 101, 228), (0, None))}
+IPV4, VLAN_TAGS = b"\x08\x00", (b"\x81\x00", b"\x88\xa8", b"\x91\x00")
+INTERFACE, OLD_PACKET, SIMPLE_PACKET, PACKET = 1, 2, 3, 6  # blocks of pcapng
 LONGEST_PACKET, LONGEST_BLOCK = 1 << 18, 1 << 24  # bytes
 
 
@@ -28,8 +32,12 @@ def datagrams(path: str, port: int, dropped: collections.Counter[str]) -> Iterat
         plain.seek(0)
         try:
             with _unpacked(path, plain, magic) as file:
-                for link, packet in _packets(path, file):
-                    if (payload := _payload(link, packet, port)) is not None:
+                for link, packet, size in _packets(path, file):
+                    if link not in LINKS:
+                        dropped["packet of a link type that is not read"] += 1
+                    elif len(packet) < size:
+                        dropped["packet that the capture cuts short"] += 1
+                    elif (payload := _payload(link, packet, port)) is not None:
                         yield payload
         except (_BreaksOff, EOFError, gzip.BadGzipFile, zlib.error):
             dropped["capture that is cut short"] += 1
@@ -61,8 +69,8 @@ def _unpacked(path: str, plain: BinaryIO, magic: bytes) -> Iterator[BinaryIO]:
         zstd.wait()
 
 
-def _packets(path: str, file: BinaryIO) -> Iterator[tuple[int, bytes]]:
-    """Link types and packets."""
+def _packets(path: str, file: BinaryIO) -> Iterator[tuple[int | None, bytes, int]]:
+    """Link types, packets as far as they were kept, and how long they were."""
     magic = file.read(4)
     if order := PCAP_ORDERS.get(magic):
         yield from _pcap(path, file, order)
@@ -79,18 +87,18 @@ def _exactly(file: BinaryIO, count: int) -> bytes:
     return data
 
 
-def _pcap(path: str, file: BinaryIO, order: str) -> Iterator[tuple[int, bytes]]:
+def _pcap(path: str, file: BinaryIO, order: str) -> Iterator[tuple[int, bytes, int]]:
     link = struct.unpack(order + "16xI", _exactly(file, 20))[0] & 0xFFFF
-    if link not in IPV4_AT:
-        raise ValueError(f"{path}: no pcap of Ethernet, Linux cooked or raw IP")
+    if link not in LINKS:
+        raise ValueError(f"{path}: no pcap of Ethernet, Linux cooked, a loopback or raw IP")
     while head := file.read(16):
-        size = struct.unpack(order + "8xI4x", head)[0] if len(head) == 16 else LONGEST_PACKET + 1
-        if size > LONGEST_PACKET:
+        kept, size = struct.unpack(order + "8xII", head) if len(head) == 16 else (LONGEST_PACKET + 1, 0)
+        if kept > LONGEST_PACKET:
             raise _BreaksOff
-        yield link, _exactly(file, size)
+        yield link, _exactly(file, kept), size
 
 
-def _pcapng(file: BinaryIO) -> Iterator[tuple[int, bytes]]:
+def _pcapng(file: BinaryIO) -> Iterator[tuple[int | None, bytes, int]]:
     kind, order, links = PCAPNG, "<", []
     while kind:
         if len(kind) < 4:
@@ -103,24 +111,34 @@ def _pcapng(file: BinaryIO) -> Iterator[tuple[int, bytes]]:
             raise _BreaksOff
         body = _exactly(file, size - 4 - len(head))[:-4]  # behind it the size again
         number = struct.unpack(order + "I", kind)[0]
-        if number == INTERFACE and len(body) >= 2:
-            links.append(struct.unpack_from(order + "H", body)[0])
-        elif number == PACKET and len(body) >= 20:
-            interface, size = struct.unpack_from(order + "I8xI", body)
-            if interface < len(links):
-                yield links[interface], body[20:20 + size]
-        elif number == SIMPLE_PACKET and links:
-            yield links[0], body[4:4 + struct.unpack_from(order + "I", body)[0]] if len(body) >= 4 else b""
+        if number == INTERFACE and len(body) >= 8:
+            links.append(struct.unpack_from(order + "H2xI", body))
+        elif number in (PACKET, OLD_PACKET) and len(body) >= 20:
+            interface, kept, size = struct.unpack_from(order + ("I8xII" if number == PACKET else "H10xII"), body)
+            yield links[interface][0] if interface < len(links) else None, body[20:20 + kept], size
+        elif number == SIMPLE_PACKET and links and len(body) >= 4:
+            size = struct.unpack_from(order + "I", body)[0]
+            yield links[0][0], body[4:4 + min(size, links[0][1] or size)], size
         kind = file.read(4)
 
 
-def _payload(link: int, packet: bytes, port: int) -> bytes | None:
+def _ipv4(link: int, frame: bytes) -> bytes:
+    """The packet behind the link's header and VLAN tags, each of which stands where a packet would; b"" if it is another."""
+    at, type_at = LINKS[link]
+    if type_at is not None:
+        kind = frame[type_at:type_at + 2]
+        while kind in VLAN_TAGS:
+            at, kind = at + 4, frame[at + 2:at + 4]
+        if kind != IPV4:
+            return b""
+    return frame[at:]
+
+
+def _payload(link: int, frame: bytes, port: int) -> bytes | None:
     """Of an unfragmented UDP datagram over IPv4 to that port; a message of the stream is never longer."""
-    if link not in IPV4_AT:
+    ip = _ipv4(link, frame)
+    udp = 4 * (ip[0] & 15) if len(ip) > 20 else 20
+    if len(ip) < udp + 8 or ip[0] >> 4 != 4 or ip[9] != 17 or ip[6] & 0x3F or ip[7]:
         return None
-    at = IPV4_AT[link]
-    ip, udp = packet[at:at + 20], at + 4 * (packet[at] & 15) if len(packet) > at + 20 else 0
-    if len(packet) < udp + 8 or len(ip) < 20 or ip[0] >> 4 != 4 or ip[9] != 17 or ip[6] & 0x3F or ip[7]:
-        return None
-    to, size = struct.unpack_from(">HH", packet, udp + 2)
-    return packet[udp + 8:udp + size] if to == port else None
+    to, size = struct.unpack_from(">HH", ip, udp + 2)
+    return ip[udp + 8:udp + size] if to == port else None

@@ -33,8 +33,9 @@ def listen(port: int = 15000, address: str = "127.0.0.1", receiver: Receiver | N
 
 
 def replay(path: str, port: int = 15000, receiver: Receiver | None = None) -> Iterator[Frame]:
-    """The frames of a capture (pcap or pcapng of Ethernet, Linux "any" or raw IP, as it is, .gz or .zst), as fast as they are
-    asked for. ValueError if it is none; one that is cut short or damaged ends there, and Receiver.dropped says so."""
+    """The frames of a capture (pcap or pcapng of Ethernet, Linux "any", a loopback or raw IP, as it is, .gz or .zst), as fast as
+    they are asked for. ValueError if it is none; one that is cut short or damaged ends there. Receiver.dropped says so, and
+    what packets could not be read."""
     receiver = receiver or Receiver()
     for datagram in datagrams(path, port, receiver.dropped):
         yield from receiver.take(datagram)

@@ -10,7 +10,6 @@
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
-#include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/program/exit_status.hpp"
@@ -337,7 +336,7 @@ TEST(Capture, GoesOnFromAnyPlace) {
   const std::string path = folder / "plain.pcap";
   write_bytes(path, capture_of(100));
   PcapReader reader(path);
-  std::vector<std::uint64_t> places{reader.place().value()};
+  std::vector<PcapReader::Place> places{reader.place().value()};
   while (reader.next()) {
     places.push_back(reader.place().value());
   }
@@ -364,7 +363,7 @@ TEST(Capture, APackedOneAndAPcapngHaveNoPlaces) {
     EXPECT_FALSE(reader.place());
     EXPECT_TRUE(reader.next());
     EXPECT_FALSE(reader.place());
-    EXPECT_THROW(reader.go_to(24), UsageError);
+    EXPECT_THROW(reader.go_to({.at = 24, .clock = {}}), UsageError);
     EXPECT_EQ(read_capture(reader).size(), 2U);
   }
   write_bytes(path, pcapng_of_a_datagram());
@@ -377,15 +376,6 @@ TEST(Capture, WhatIsNoCaptureIsRefused) {
   write_bytes(path, std::vector<std::byte>(100, std::byte{'x'}));
   EXPECT_THROW(PcapReader{path}, UsageError);
   EXPECT_THROW(PcapReader{folder / "missing.pcap"}, UsageError);
-}
-
-TEST(CaptureClock, NeverRunsBackAndShortensPauses) {
-  CaptureClock clock;
-  EXPECT_EQ(clock.move_to(5'000'000), 0U);
-  EXPECT_EQ(clock.move_to(5'040'000), 40'000U);
-  EXPECT_EQ(clock.move_to(5'030'000), 40'000U);
-  EXPECT_EQ(clock.move_to(5'041'000), 41'000U);
-  EXPECT_EQ(clock.move_to(99'000'000'000), 1'041'000U);
 }
 
 }  // namespace

@@ -5,8 +5,40 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 namespace iog::tools {
+
+// The times of a recording whose clock was set back or forth while it ran: behind a step back they
+// go on from where they were, after as long as between the two packets before. A little disorder
+// stays, as of packets of several interfaces or processors. Where interfaces disagree by more,
+// which looks like steps to and fro, each goes on from its own last time.
+class SteadyTime {
+ public:
+  static constexpr std::int64_t kMostDisorderUs = 50'000;
+
+  // The time of the next packet as the recording says it. Returns the time without the steps.
+  std::uint64_t of(std::uint64_t recorded_us);
+
+  // "its clock steps back 2 times, 3.000 s at most; ..."; empty if there is nothing to say.
+  [[nodiscard]] std::string words() const;
+
+ private:
+  struct Steps {
+    std::uint64_t count = 0;
+    std::int64_t longest_us = 0;
+    void add(std::int64_t step_us);
+    [[nodiscard]] std::string words() const;
+  };
+
+  bool has_started_ = false;
+  std::int64_t newest_us_ = 0;
+  std::int64_t gap_us_ = 0;           // between the last two packets
+  std::int64_t added_us_ = 0;         // to what is recorded
+  std::int64_t added_before_us_ = 0;  // until the last step
+  Steps back_;
+  Steps ahead_;
+};
 
 class CaptureClock {
  public:

@@ -2,168 +2,115 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <iostream>
-#include <pcap/pcap.h>
-#include <string_view>
+#include <numeric>
 #include <utility>
 
-#include "net/ethernet.hpp"
+#include "net/checksum.hpp"
 #include "net/ipv4.hpp"
 #include "net/udp.hpp"
-#include "tools/formats/capture/file_hint.hpp"
+#include "tools/formats/capture/link_layer.hpp"
 #include "tools/program/exit_status.hpp"
-#include "wire/byte_reader.hpp"
+#include "wire/byte_order.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr std::size_t kCookedHeaderBytes = 16;   // LINKTYPE_LINUX_SLL: protocol in its last two
-constexpr std::size_t kCooked2HeaderBytes = 20;  // LINKTYPE_LINUX_SLL2: protocol in its first two
-constexpr std::size_t kMaxVlanTags = 2;
+constexpr std::size_t kTotalLengthAt = 2;
+constexpr std::size_t kIpv4ChecksumAt = 10;
+constexpr std::size_t kUdpChecksumAt = 6;
 
-// The IPv4 packet in a frame; empty if there is another protocol in it.
-std::span<const std::byte> ipv4_in_ethernet(std::span<const std::byte> frame) {
-  wire::ByteReader reader(frame);
-  reader.skip(12);
-  std::uint16_t type = reader.u16_be();
-  for (std::size_t tag = 0; tag < kMaxVlanTags; ++tag) {
-    if (type == net::kEtherTypeVlan || type == net::kEtherTypeServiceVlan) {
-      reader.skip(2);
-      type = reader.u16_be();
-    }
-  }
-  return type == net::kEtherTypeIpv4 ? reader.bytes(reader.remaining())
-                                     : std::span<const std::byte>{};
+std::uint16_t half_at(std::span<const std::byte> bytes, std::size_t at) {
+  return wire::load_be16(bytes.subspan(at).first<2>());
 }
 
-std::span<const std::byte> ipv4_in_cooked(std::span<const std::byte> frame, std::size_t header,
-                                          std::size_t type_at) {
-  wire::ByteReader reader(frame);
-  reader.skip(type_at);
-  const std::uint16_t type = reader.u16_be();
-  reader.skip(header - type_at - 2);
-  return type == net::kEtherTypeIpv4 ? reader.bytes(reader.remaining())
-                                     : std::span<const std::byte>{};
-}
-
-std::span<const std::byte> ipv4_in(std::span<const std::byte> frame, int link_type) {
-  switch (link_type) {
-    case DLT_EN10MB:
-      return ipv4_in_ethernet(frame);
-    case DLT_LINUX_SLL:
-      return ipv4_in_cooked(frame, kCookedHeaderBytes, kCookedHeaderBytes - 2);
-    case DLT_LINUX_SLL2:
-      return ipv4_in_cooked(frame, kCooked2HeaderBytes, 0);
-    default:  // raw IP; version 6 is told apart by parse_ipv4
-      return frame;
-  }
-}
-
-bool is_known_link(int link_type) {
-  return link_type == DLT_EN10MB || link_type == DLT_LINUX_SLL || link_type == DLT_LINUX_SLL2 ||
-         link_type == DLT_RAW || link_type == DLT_IPV4;
-}
-
-// What libpcap reads from. The bytes outlive it.
-std::FILE* c_file_of(UnpackedFile& bytes) {
-  const auto read = [](void* from, char* to, std::size_t count) {
-    return static_cast<ssize_t>(
-        static_cast<UnpackedFile*>(from)->read(std::as_writable_bytes(std::span(to, count))));
-  };
-  const auto seek = [](void* from, off64_t* to, int whence) {
-    auto& file = *static_cast<UnpackedFile*>(from);
-    if (whence == SEEK_CUR && *to == 0) {
-      *to = static_cast<off64_t>(file.place());
-      return file.can_go() ? 0 : -1;
-    }
-    return whence == SEEK_SET && file.go_to(static_cast<std::uint64_t>(*to)) ? 0 : -1;
-  };
-  std::FILE* const file =
-      fopencookie(&bytes, "rb", {.read = read, .write = nullptr, .seek = seek, .close = nullptr});
-  if (file == nullptr) {
-    throw UsageError("no memory to read a capture");
-  }
-  return file;
-}
-
-std::string why_no_capture(const UnpackedFile& bytes, const std::string& reason) {
-  if (!bytes.trouble().empty()) {
-    return bytes.trouble();
-  }
-  const std::string hint = hint_of(bytes.begin());
-  if (hint.empty()) {
-    return reason + "; captures are pcap or pcapng files, as they are or packed by gzip or zstd";
-  }
-  const std::string packer = bytes.packer();
-  return (packer.empty() ? "" : "packed by " + packer + ", which is unpacked for captures only: ") +
-         hint;
+// Whether the checksum is still to be computed by the network card, which finds the sum of the
+// pseudo header (RFC 768) in its place, folded and not complemented: Linux's CHECKSUM_PARTIAL.
+bool is_left_to_card(const net::Ipv4Packet& ip) {
+  net::Checksum pseudo_header;
+  pseudo_header.add_u32(ip.source.value);
+  pseudo_header.add_u32(ip.destination.value);
+  pseudo_header.add_u16(ip.protocol);
+  pseudo_header.add_u16(half_at(ip.payload, 4));
+  return half_at(ip.payload, kUdpChecksumAt) == static_cast<std::uint16_t>(~pseudo_header.value());
 }
 
 }  // namespace
 
-void PcapReader::Closer::operator()(pcap* file) const { pcap_close(file); }
+std::uint64_t CaptureCounts::skipped() const {
+  return std::accumulate(
+      other_links.begin(), other_links.end(),
+      not_udp + cut_short + fragments + malformed + bad_checksum,
+      [](std::uint64_t sum, const auto& link_and_count) { return sum + link_and_count.second; });
+}
 
-PcapReader::PcapReader(const std::string& path) : bytes_(path) {
-  std::array<char, PCAP_ERRBUF_SIZE> error{};
-  std::FILE* const bytes = c_file_of(bytes_);
-  file_.reset(pcap_fopen_offline(bytes, error.data()));
-  if (!file_) {
-    static_cast<void>(std::fclose(bytes));
-    throw UsageError(path + ": " + why_no_capture(bytes_, error.data()));
-  }
-  link_type_ = pcap_datalink(file_.get());
-  if (!is_known_link(link_type_)) {
-    const char* const name = pcap_datalink_val_to_name(link_type_);
-    throw UsageError(path + ": link type " + (name != nullptr ? name : std::to_string(link_type_)) +
+PcapReader::PcapReader(const std::string& path) : file_(path) {
+  const std::optional<std::uint16_t> link = file_.link_type();
+  if (link && !is_known_link(*link)) {
+    throw UsageError(path + ": " + words_of_link(*link) +
                      "; record on Ethernet, or convert the capture to it");
   }
 }
 
-std::optional<std::uint64_t> PcapReader::place() const {
-  const bool is_pcapng = !bytes_.begin().empty() && bytes_.begin()[0] == std::byte{0x0A};
-  const off64_t place = is_pcapng || !bytes_.can_go() ? -1 : ftello64(pcap_file(file_.get()));
-  return place < 0 ? std::nullopt : std::optional(static_cast<std::uint64_t>(place));
+std::optional<PcapReader::Place> PcapReader::place() const {
+  const std::optional<std::uint64_t> at = file_.place();
+  return at ? std::optional(Place{.at = *at, .clock = clock_}) : std::nullopt;
 }
 
-void PcapReader::go_to(std::uint64_t place) {
-  if (fseeko64(pcap_file(file_.get()), static_cast<off64_t>(place), SEEK_SET) != 0) {
-    throw UsageError("a capture cannot be read from another place");
-  }
+void PcapReader::go_to(const Place& place) {
+  file_.go_to(place.at);
+  clock_ = place.clock;
   reassembly_ = std::make_unique<net::Reassembly>();
   newest_us_ = 0;
-  trouble_.clear();
 }
 
 std::optional<CapturedDatagram> PcapReader::next() {
-  pcap_pkthdr* header = nullptr;
-  const unsigned char* bytes = nullptr;
-  int status = 0;
-  while ((status = pcap_next_ex(file_.get(), &header, &bytes)) == 1) {
-    if (header->caplen < header->len) {
-      ++counts_.cut_short;
+  while (const std::optional<CapturedPacket> packet = file_.next()) {
+    if (!is_known_link(packet->link_type)) {
+      ++counts_.other_links[packet->link_type];
       continue;
     }
     CapturedDatagram datagram;
-    datagram.time_us = static_cast<std::uint64_t>(header->ts.tv_sec) * 1'000'000U +
-                       static_cast<std::uint64_t>(header->ts.tv_usec);
+    datagram.time_us = clock_.of(packet->time_us);
     newest_us_ = std::max(newest_us_, datagram.time_us);
-    if (extract(std::as_bytes(std::span(bytes, header->caplen)), datagram)) {
+    if (packet->is_cut) {
+      ++counts_.cut_short;
+    } else if (extract(*packet, datagram)) {
       ++counts_.datagrams;
       return datagram;
     }
   }
-  trouble_ = bytes_.trouble();
-  if (status == PCAP_ERROR && trouble_.empty()) {
-    const std::string_view reason = pcap_geterr(file_.get());
-    trouble_ = reason.starts_with("truncated") ? "breaks off in a packet"
-                                               : "cannot be read further: " + std::string(reason);
-  }
   return std::nullopt;
 }
 
-std::optional<net::Ipv4Packet> PcapReader::whole_packet(std::span<const std::byte> packet) {
-  const net::Ipv4Result ip = net::parse_ipv4(packet);
+// The packet with what its header leaves to the network card: a checksum of 0, and a length of 0
+// where the card cuts one packet into many.
+PcapReader::Bytes PcapReader::filled_in(Bytes packet) {
+  if (packet.size() < net::kIpv4HeaderBytes) {
+    return packet;
+  }
+  const bool has_length = half_at(packet, kTotalLengthAt) != 0;
+  const bool has_checksum = half_at(packet, kIpv4ChecksumAt) != 0;
+  const std::size_t header_bytes = (std::to_integer<std::size_t>(packet[0]) & 15U) * 4;
+  const bool is_sound = header_bytes >= net::kIpv4HeaderBytes && header_bytes <= packet.size() &&
+                        (!has_checksum || net::internet_checksum(packet.first(header_bytes)) == 0);
+  if ((has_length && has_checksum) || !is_sound) {
+    return packet;
+  }
+  filled_in_.assign(packet.begin(), packet.end());
+  const std::span header = std::span(filled_in_).first(header_bytes);
+  if (!has_length) {
+    wire::store_be16(header.subspan<kTotalLengthAt, 2>(),
+                     static_cast<std::uint16_t>(std::min<std::size_t>(packet.size(), 0xFFFF)));
+  }
+  const auto checksum = header.subspan<kIpv4ChecksumAt, 2>();
+  wire::store_be16(checksum, 0);
+  wire::store_be16(checksum, net::internet_checksum(header));
+  return filled_in_;
+}
+
+std::optional<net::Ipv4Packet> PcapReader::whole_packet(Bytes packet) {
+  const net::Ipv4Result ip = net::parse_ipv4(filled_in(packet));
   const bool is_sound =
       ip.status == net::Ipv4Status::kOk || ip.status == net::Ipv4Status::kFragment;
   if (!is_sound) {
@@ -188,30 +135,38 @@ std::optional<net::Ipv4Packet> PcapReader::whole_packet(std::span<const std::byt
   return result.packet;
 }
 
-bool PcapReader::extract(std::span<const std::byte> frame, CapturedDatagram& datagram) {
-  const std::span<const std::byte> packet = ipv4_in(frame, link_type_);
-  if (packet.empty() || std::to_integer<unsigned>(packet[0]) >> 4 != 4) {
+bool PcapReader::extract(const CapturedPacket& packet, CapturedDatagram& datagram) {
+  const Bytes ipv4 = ipv4_in(packet.bytes, packet.link_type);
+  if (ipv4.empty()) {
     ++counts_.not_udp;
     return false;
   }
-  const std::optional<net::Ipv4Packet> ip = whole_packet(packet);
+  const std::optional<net::Ipv4Packet> ip = whole_packet(ipv4);
   if (!ip) {
     return false;
   }
   const net::UdpResult udp = net::parse_udp(*ip);
-  if (udp.status != net::UdpStatus::kOk) {
-    ++(udp.status == net::UdpStatus::kBadChecksum ? counts_.bad_checksum : counts_.malformed);
+  const bool is_changed = udp.status == net::UdpStatus::kBadChecksum;
+  if (udp.status == net::UdpStatus::kBadLength || (is_changed && !is_left_to_card(*ip))) {
+    ++(is_changed ? counts_.bad_checksum : counts_.malformed);
     return false;
   }
-  datagram.source = {ip->source.value, udp.datagram.source_port};
-  datagram.destination = {ip->destination.value, udp.datagram.destination_port};
-  datagram.payload.assign(udp.datagram.payload.begin(), udp.datagram.payload.end());
+  const Bytes bytes = ip->payload.first(half_at(ip->payload, 4));
+  datagram.source = {ip->source.value, half_at(bytes, 0)};
+  datagram.destination = {ip->destination.value, half_at(bytes, 2)};
+  datagram.payload.assign(bytes.begin() + net::kUdpHeaderBytes, bytes.end());
   return true;
 }
 
 void warn_of(const std::string& path, const PcapReader& capture) {
   if (!capture.trouble().empty()) {
     std::cerr << "iog: " << path << ": " << capture.trouble() << "; used as far as it goes\n";
+  }
+  if (capture.counts().skipped() > capture.counts().not_udp) {
+    std::cerr << "iog: " << path << ": " << describe_skipped(capture.counts()) << '\n';
+  }
+  if (const std::string words = capture.clock_words(); !words.empty()) {
+    std::cerr << "iog: " << path << ": " << words << '\n';
   }
 }
 
@@ -228,6 +183,9 @@ std::string describe_skipped(const CaptureCounts& counts) {
     if (count > 0) {
       text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + cause;
     }
+  }
+  for (const auto& [link, count] : counts.other_links) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " of " + words_of_link(link);
   }
   return text.empty() ? text : std::to_string(counts.skipped()) + " packets skipped: " + text;
 }
