@@ -10,7 +10,6 @@
 #include "pose/message.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
-#include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/formats/picture/class_picture.hpp"
 #include "tools/formats/picture/frame_writer.hpp"
 #include "tools/frames/chosen_frame.hpp"
@@ -19,6 +18,7 @@
 #include "tools/fuse/repeated_run.hpp"
 #include "tools/fuse/stream_recorder.hpp"
 #include "tools/identity/capture_identity.hpp"
+#include "tools/identity/car_capture.hpp"
 #include "tools/identity/vehicle_fit.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
@@ -46,6 +46,7 @@ struct FuseOptions {
   std::string classes_png;
   std::string map;
   std::string as_received;
+  double clock_offset_s = 0;
 };
 
 vehicle::Vehicle vehicle_with_rule(const CatalogueEntry& car, const std::string& rule) {
@@ -67,7 +68,7 @@ const GridFrame& demanded(const ChosenFrame& chosen, std::optional<std::uint64_t
 }
 
 // What the target has no port for is left out.
-std::uint64_t feed(PcapReader& capture, const CatalogueEntry& car, OfflineTarget& target,
+std::uint64_t feed(CarCapture& capture, const CatalogueEntry& car, OfflineTarget& target,
                    CaptureIdentity& identity) {
   Progress progress("packets");
   std::uint64_t other_ports = 0;
@@ -78,14 +79,14 @@ std::uint64_t feed(PcapReader& capture, const CatalogueEntry& car, OfflineTarget
     } else {
       ++other_ports;
     }
-    progress.show(capture.counts().datagrams, capture.part_read());
+    progress.show(capture.file().counts().datagrams, capture.file().part_read());
   }
   target.finish();
   return other_ports;
 }
 
 // Each datagram when the target of a recorded stream took it.
-std::uint64_t feed_as_received(const std::string& stream, PcapReader& capture,
+std::uint64_t feed_as_received(const std::string& stream, CarCapture& capture,
                                const CatalogueEntry& car, OfflineTarget& target,
                                CaptureIdentity& identity) {
   RepeatedRun run(target.vehicle());
@@ -125,13 +126,16 @@ class ClassDrawing {
     }
   }
 
-  void write() const {
+  // clocks: how those of poses and packets differ.
+  void write(const std::string& clocks) const {
     if (options_->classes_png.empty()) {
       return;
     }
     if (!classes_) {
-      throw CheckFailed("no frame to draw has a place: does the capture have poses, on UDP port " +
-                        std::to_string(pose::kPosePort) + "?");
+      throw CheckFailed("no frame to draw has a place: " +
+                        (clocks.empty() ? "does the capture have poses, on UDP port " +
+                                              std::to_string(pose::kPosePort) + "?"
+                                        : clocks));
     }
     picture_of(*classes_, title_, options_->pictures.scale).write_png(options_->classes_png);
   }
@@ -142,14 +146,16 @@ class ClassDrawing {
   std::optional<ClassGrid> classes_;
 };
 
-void print_input(const PcapReader& capture, std::uint64_t other_ports) {
+void print_input(const CarCapture& car_capture, std::uint64_t other_ports) {
+  const PcapReader& capture = car_capture.file();
   std::cout << row("packets", std::to_string(capture.counts().datagrams - other_ports) +
                                   " for the vehicle's ports, " + std::to_string(other_ports) +
                                   " for others");
   if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {
     std::cout << row("not looked at", skipped);
   }
-  for (const std::string& words : {capture.trouble(), capture.clock_words()}) {
+  for (const std::string& words :
+       {capture.trouble(), capture.clock_words(), car_capture.clock_words()}) {
     if (!words.empty()) {
       std::cout << row("capture", words);
     }
@@ -160,7 +166,7 @@ void fuse(const FuseOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const vehicle::Vehicle vehicle = vehicle_with_rule(car, options.rule);
   demand_fit(options.pcap, car);
-  PcapReader capture(options.pcap);
+  CarCapture capture(options.pcap, car, options.clock_offset_s);
   RunStatistics statistics;
   ChosenFrame chosen(options.frame);
   FrameWriter pictures(options.pictures);
@@ -207,7 +213,7 @@ void fuse(const FuseOptions& options) {
   if (!options.classes_hashes.empty()) {
     write_class_records(options.classes_hashes, statistics.classes().records());
   }
-  drawing.write();
+  drawing.write(capture.clock_words());
   if (statistics.records().empty()) {
     throw CheckFailed(options.pcap + ": no frame has evidence: what came to the ports of " +
                       options.vehicle + " holds no scan of its sensors; `iog info " + options.pcap +
@@ -275,6 +281,7 @@ void add_fuse(CLI::App& program) {
       ->add_option("--map", options->map,
                    "The map that the target has from the start, made by `iog map`")
       ->option_text("FILE");
+  add_clock_offset_option(*command, options->clock_offset_s);
   command->footer(
       "The capture stands for its replay: sensors are told apart by destination port, their "
       "source\n"

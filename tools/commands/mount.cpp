@@ -10,7 +10,7 @@
 #include "lidar/formats.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
-#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/identity/car_capture.hpp"
 #include "tools/identity/vehicle_fit.hpp"
 #include "tools/mount/motion_log.hpp"
 #include "tools/mount/mount_fit.hpp"
@@ -27,6 +27,7 @@ namespace {
 struct MountOptions {
   std::string pcap;
   std::string vehicle = kDefaultVehicle;
+  double clock_offset_s = 0;
 };
 
 struct TurningUnit {
@@ -48,17 +49,18 @@ std::vector<TurningUnit> turning_units_of(const CatalogueEntry& car) {
   return units;
 }
 
-void read(const std::string& path, std::vector<TurningUnit>& units, MotionLog& motion) {
-  PcapReader capture(path);
+void read(const MountOptions& options, const CatalogueEntry& car, std::vector<TurningUnit>& units,
+          MotionLog& motion) {
+  CarCapture capture(options.pcap, car, options.clock_offset_s);
   Progress progress("packets");
   while (const std::optional<CapturedDatagram> datagram = capture.next()) {
     motion.add(datagram->time_us, datagram->payload);
     for (TurningUnit& unit : units) {
       unit.turns.take(*datagram);
     }
-    progress.show(capture.counts().datagrams, capture.part_read());
+    progress.show(capture.file().counts().datagrams, capture.file().part_read());
   }
-  warn_of(path, capture);
+  warn_of(options.pcap, capture);
   for (TurningUnit& unit : units) {
     unit.turns.finish();
   }
@@ -80,7 +82,7 @@ void fit_mounts(const MountOptions& options) {
   std::vector<TurningUnit> units = turning_units_of(car);
   demand_fit(options.pcap, car);
   MotionLog motion;
-  read(options.pcap, units, motion);
+  read(options, car, units, motion);
   std::string lines;
   std::string refused;
   for (const TurningUnit& unit : units) {
@@ -109,6 +111,7 @@ void add_mount(CLI::App& program) {
       ->option_text("FILE  (required)")
       ->required();
   add_vehicle_options(*command, options->vehicle);
+  add_clock_offset_option(*command, options->clock_offset_s);
   command->footer(
       "Prints what is found of each unit and how sure it is, then a line for the car's file with "
       "all keys\n"

@@ -1,6 +1,7 @@
 // iog pose: a log of poses as the messages that the target places its frames by.
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include "map/block.hpp"
 #include "tools/commands/signing_options.hpp"
 #include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
@@ -33,6 +35,7 @@ struct PoseLogOptions {
   std::string target;
   std::uint16_t port = pose::kPosePort;
   double speed = 1;
+  double clock_offset_s = 0;
   double sigma_mm = 50;
   double heading_sigma_mrad = 2;
   std::vector<double> mount_m{0, 0};
@@ -181,7 +184,8 @@ void convert(const PoseLogOptions& options) {
   }
   PoseEncoder encoder;
   std::vector<CapturedDatagram> datagrams;
-  for (const PoseSample& sample : log.samples) {
+  for (PoseSample sample : log.samples) {
+    sample.time_us += static_cast<std::uint64_t>(std::llround(options.clock_offset_s * 1e6));
     datagrams.push_back(encoder.datagram_of(sample));
   }
   if (!options.target.empty()) {
@@ -256,6 +260,7 @@ void add_pose(CLI::App& program) {
                    "Number of the source's run; with --target else one of the clock's")
       ->option_text("N  (default 1)")
       ->check(CLI::Range(1U, 0xFFFFFFFFU));
+  add_clock_offset_option(*command, options->clock_offset_s);
   add_map_options(*command, *options);
   add_signing_options(*command, options->signing);
   add_listening_options(*command, options->signing);

@@ -52,6 +52,7 @@ struct RecordOptions {
   bool is_uncompressed = false;
   std::string stamp = "target";
   std::string map;
+  double clock_offset_s = 0;
   PictureOptions pictures{.folder = {}, .every = 1, .scale = {}};
   bool with_maps = false;
 };
@@ -103,7 +104,7 @@ void check_out(const RecordOptions& options) {
 // From wherever it comes. The number of datagrams that were dropped on the way.
 std::uint64_t record_from_source(const RecordOptions& options, Recorder& recorder) {
   if (!options.pcap.empty()) {
-    record_capture(options.pcap, options.vehicle, options.map, recorder);
+    record_capture(options.pcap, options.vehicle, options.map, options.clock_offset_s, recorder);
   } else if (!options.stream.empty()) {
     record_stream(options.stream, recorder);
   } else {
@@ -181,6 +182,7 @@ void add_sources(CLI::App& command, RecordOptions& options) {
                   "The map that the target has from the start, made by `iog map`")
       ->option_text("FILE  (with --pcap)")
       ->needs(pcap);
+  add_clock_offset_option(command, options.clock_offset_s)->needs(pcap);
   command.add_option("--bind", options.live.bind, "IPv4 address to receive on")
       ->option_text("ADDRESS  (with --port; default 127.0.0.1)");
   command.add_option("--frames", options.live.frames, "End after so many frames with evidence")

@@ -18,7 +18,7 @@
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
-#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/identity/car_capture.hpp"
 #include "tools/identity/vehicle_fit.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
@@ -44,6 +44,7 @@ struct ReplayOptions {
   bool step = false;
   bool loop = false;
   std::string map;
+  double clock_offset_s = 0;
   SigningOptions signing;
 };
 
@@ -86,7 +87,7 @@ class Replay {
   void run() {
     send_map();
     do {
-      PcapReader capture(options_->pcap);
+      CarCapture capture(options_->pcap, *car_, options_->clock_offset_s);
       const std::uint64_t sent_before = sent_;
       options_->step ? play_stepwise(capture) : play(capture);
       if (sent_ == sent_before && !was_interrupted() && !has_stopped_) {
@@ -111,7 +112,7 @@ class Replay {
 
  private:
   // The next datagram that the vehicle has a port for.
-  std::optional<CapturedDatagram> next_of(PcapReader& capture) {
+  std::optional<CapturedDatagram> next_of(CarCapture& capture) {
     while (std::optional<CapturedDatagram> datagram = capture.next()) {
       if (is_pose_port(*car_, datagram->destination.port)) {
         datagram->payload = poses_.in_round(std::move(datagram->payload));
@@ -122,7 +123,7 @@ class Replay {
       }
       ++other_ports_;
     }
-    skipped_ += capture.counts().skipped();
+    skipped_ += capture.file().counts().skipped();
     warn_of(options_->pcap, capture);
     return std::nullopt;
   }
@@ -136,7 +137,7 @@ class Replay {
                : datagram.payload;
   }
 
-  void send(const CapturedDatagram& datagram, const PcapReader& capture) {
+  void send(const CapturedDatagram& datagram, const CarCapture& capture) {
     last_time_us_ = clock_.move_to(datagram.time_us) + time_offset_;
     pace_.wait_for(last_time_us_);
     const auto port = std::ranges::find(ports_, datagram.destination.port);
@@ -149,7 +150,7 @@ class Replay {
     last_sent_ = std::chrono::steady_clock::now();
     are_poses_on_the_way_ = is_pose_port(*car_, datagram.destination.port);
     ports_on_the_way_.insert(datagram.destination.port);
-    progress_.show(sent_, options_->loop ? std::nullopt : capture.part_read());
+    progress_.show(sent_, options_->loop ? std::nullopt : capture.file().part_read());
   }
 
   // Twice, because nobody says what has arrived. Classes are named as soon as the target uses it.
@@ -169,7 +170,7 @@ class Replay {
     std::cout << map.chunks() << " chunks of " << options_->map << " sent twice" << std::endl;
   }
 
-  void play(PcapReader& capture) {
+  void play(CarCapture& capture) {
     start_round();
     while (const auto datagram = next_of(capture)) {
       if (was_interrupted()) {
@@ -179,7 +180,7 @@ class Replay {
     }
   }
 
-  void play_stepwise(PcapReader& capture) {
+  void play_stepwise(CarCapture& capture) {
     start_round();
     FrameGrouper grouper(*car_->vehicle, [&] { return next_of(capture); });
     std::vector<CapturedDatagram> frame = grouper.next();
@@ -327,6 +328,7 @@ void add_replay(CLI::App& program) {
   command->add_flag("--step", options->step, "After each frame wait for a line on standard input");
   command->add_option("--map", options->map, "Send this map first, made by `iog map`")
       ->option_text("FILE");
+  add_clock_offset_option(*command, options->clock_offset_s);
   add_signing_options(*command, options->signing);
   add_listening_options(*command, options->signing);
   command->add_flag("--loop", options->loop, "Begin again at the end, until interrupted");

@@ -5,6 +5,8 @@
 namespace iog::tools {
 namespace {
 
+constexpr double kMostClockOffsetS = 4e9;  // more than the years of any clock
+
 constexpr const char* kFileHelp = "The car of this file (docs/vehicles.md)";
 
 }  // namespace
@@ -26,6 +28,14 @@ CLI::Option* add_vehicle_file_option(CLI::App& command) {
       .add_option_function<std::string>(
           "--vehicle-file", [](const std::string& path) { add_vehicle_file(path); }, kFileHelp)
       ->option_text("CAR.toml");
+}
+
+CLI::Option* add_clock_offset_option(CLI::App& command, double& seconds) {
+  return command
+      .add_option("--clock-offset", seconds,
+                  "Add this to the clock of the poses, where that of the packets is ahead")
+      ->option_text("SECONDS  (default 0; 37: packets by TAI, poses by UTC)")
+      ->check(CLI::Range(-kMostClockOffsetS, kMostClockOffsetS));
 }
 
 }  // namespace iog::tools

@@ -13,4 +13,7 @@ void add_vehicle_options(CLI::App& command, std::string& name,
 // --vehicle-file alone, of commands that know the car by the stream.
 CLI::Option* add_vehicle_file_option(CLI::App& command);
 
+// --clock-offset, of commands that read a car's capture or a log of poses.
+CLI::Option* add_clock_offset_option(CLI::App& command, double& seconds);
+
 }  // namespace iog::tools

@@ -45,6 +45,7 @@ struct ViewOptions {
   std::uint64_t seed = 1;
   double speed = 1;
   bool loop = false;
+  double clock_offset_s = 0;
   std::string records = ".";
   std::string map;
   std::string key;
@@ -103,7 +104,8 @@ std::unique_ptr<view::Source> source_of(const ViewOptions& options) {
                                         .vehicle = options.vehicle,
                                         .port = options.port,
                                         .speed = options.speed,
-                                        .loops = options.loop});
+                                        .loops = options.loop,
+                                        .clock_offset_s = options.clock_offset_s});
   }
   if (!options.simulate.empty()) {
     return view::make_drive_source(options.simulate, options.vehicle, options.seed);
@@ -180,6 +182,7 @@ void add_sources(CLI::App& command, ViewOptions& options) {
       ->check(CLI::Range(0.01, 100.0))
       ->needs(pcap);
   command.add_flag("--loop", options.loop, "The recording again and again")->needs(pcap);
+  add_clock_offset_option(command, options.clock_offset_s)->needs(pcap);
 }
 
 }  // namespace

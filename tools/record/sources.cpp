@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "tools/formats/capture/made_capture.hpp"
-#include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/fuse/scan_points.hpp"
+#include "tools/identity/car_capture.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
@@ -172,9 +172,9 @@ std::uint64_t record_live(const LiveSource& source, Recorder& recorder) {
 }
 
 void record_capture(const std::string& path, const std::string& vehicle, const std::string& map,
-                    Recorder& recorder) {
+                    double clock_offset_s, Recorder& recorder) {
   const CatalogueEntry& car = find_vehicle(vehicle);
-  PcapReader capture(path);
+  CarCapture capture(path, car, clock_offset_s);
   const auto target = std::make_unique<CapturedTarget>(car, recorder);  // too large for the stack
   if (!map.empty()) {
     target->begin_with_map(map);
@@ -185,7 +185,7 @@ void record_capture(const std::string& path, const std::string& vehicle, const s
     if (takes_port(car, datagram->destination.port)) {
       target->take(*datagram);
     }
-    progress.show(capture.counts().datagrams, capture.part_read());
+    progress.show(capture.file().counts().datagrams, capture.file().part_read());
   }
   target->finish();
   warn_of(path, capture);

@@ -24,9 +24,10 @@ struct LiveSource {
 
 // UsageError if the capture cannot be read. The same capture gives the same datagrams, at the times
 // of the capture. map: a file of `iog map`, which the target has from the start; empty: none.
-// UsageError if that cannot be read, or the vehicle has no classes.
+// UsageError if that cannot be read, or the vehicle has no classes. clock_offset_s: as of
+// CarCapture.
 void record_capture(const std::string& path, const std::string& vehicle, const std::string& map,
-                    Recorder& recorder);
+                    double clock_offset_s, Recorder& recorder);
 
 // UsageError if the file is no recording, or has no stream in it.
 void record_stream(const std::string& path, Recorder& recorder);

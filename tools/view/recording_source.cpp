@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tools/formats/capture/capture_clock.hpp"
-#include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/identity/capture_identity.hpp"
+#include "tools/identity/car_capture.hpp"
 #include "tools/identity/vehicle_fit.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
@@ -40,7 +40,7 @@ class ShownFile {
     if (is_mcap_file(options.path)) {
       stream_ = std::make_unique<StreamFile>(options.path);
     } else {
-      capture_ = std::make_unique<PcapReader>(options.path);
+      capture_ = std::make_unique<CarCapture>(options.path, car, options.clock_offset_s);
     }
   }
 
@@ -79,7 +79,7 @@ class ShownFile {
   }
 
   [[nodiscard]] std::optional<double> part_read() const {
-    return stream_ ? stream_->part_read() : capture_->part_read();
+    return stream_ ? stream_->part_read() : capture_->file().part_read();
   }
 
   // On stderr, when all has been read.
@@ -94,7 +94,7 @@ class ShownFile {
  private:
   const CatalogueEntry* car_;
   std::uint16_t port_;
-  std::unique_ptr<PcapReader> capture_;
+  std::unique_ptr<CarCapture> capture_;
   std::unique_ptr<StreamFile> stream_;
 };
 

@@ -32,6 +32,7 @@ struct RecordingOptions {
   std::uint16_t port;  // to which a recorded stream went
   double speed;        // 2: twice as fast as recorded
   bool loops;
+  double clock_offset_s = 0;  // as of CarCapture
 };
 
 // A capture of a vehicle's sensors, or of a target's stream, or an MCAP file that has a stream, in
