@@ -46,7 +46,9 @@ void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
       *pose.heading_rad -= sensor_->mount.yaw_deg * kRadians;
     }
   }
-  samples_ = converted(std::move(even), conversion).samples;
+  ConvertedLog log = converted(std::move(even), conversion);
+  samples_ = std::move(log.samples);
+  set_.remarks.insert(set_.remarks.end(), log.remarks.begin(), log.remarks.end());
 }
 
 // A point of a corrected cloud stood still while the unit moved on, or had not come so far. Only

@@ -19,6 +19,7 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/interrupt.hpp"
@@ -71,7 +72,11 @@ PoseLog log_of(const PoseLogOptions& options) {
     return read_oxts_log(options.from);
   }
   const std::vector<std::byte> bytes = read_file(options.from);
-  return format == "nmea" ? read_nmea_log(bytes) : read_ubx_log(bytes);
+  if (format == "nmea") {
+    static_cast<void>(text_in(options.from, bytes));
+    return read_nmea_log(bytes);
+  }
+  return read_ubx_log(bytes);
 }
 
 // What a file says does not depend on the day; a target must know one sending from the next.
@@ -121,6 +126,9 @@ std::string joined(const std::vector<std::string>& remarks) {
 void print_remarks(const PoseLogOptions& options, const ConvertedLog& log) {
   for (const std::string& remark : log.remarks) {
     std::cout << options.from << ": not used: " << remark << '\n';
+  }
+  for (const std::string& note : log.notes) {
+    std::cout << options.from << ": " << note << '\n';
   }
   if (log.taken_sigmas > 0) {
     std::cout << options.from << ": no standard deviation of the way in " << log.taken_sigmas

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "tools/poses/pose_log.hpp"
 #include "tools/poses/text_fields.hpp"
@@ -29,26 +31,65 @@ constexpr std::size_t kMissing = static_cast<std::size_t>(-1);
 // The place of each column in a row.
 using Places = std::array<std::size_t, kColumnCount>;
 
-Places places_of(const std::string& path, const std::vector<std::string_view>& header,
+// The fields of a line; quotes around one are taken off.
+std::vector<std::string> fields_of(std::string_view line, char separator) {
+  std::vector<std::string> fields(1);
+  bool is_quoted = false;
+  for (const char letter : line) {
+    if (letter == '"') {
+      is_quoted = !is_quoted;
+    } else if (letter == separator && !is_quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += letter;
+    }
+  }
+  for (std::string& field : fields) {
+    field = std::string(trimmed(field));
+  }
+  return fields;
+}
+
+// A comma inside a field is a decimal comma.
+std::optional<double> decimal_in(std::string text) {
+  if (text.find('.') == std::string::npos) {
+    std::ranges::replace(text, ',', '.');
+  }
+  return number_in(std::string_view(text).substr(text.starts_with('+') ? 1 : 0));
+}
+
+std::optional<std::uint64_t> time_in(std::string text) {
+  std::ranges::replace(text, ',', '.');
+  if (text.find_first_of("eE") == std::string::npos) {
+    return microseconds_in(text);
+  }
+  constexpr double kMostSeconds = 1e12;
+  const std::optional<double> seconds = decimal_in(text);
+  return seconds && *seconds >= 0 && *seconds < kMostSeconds
+             ? std::optional(static_cast<std::uint64_t>(std::llround(*seconds * 1e6)))
+             : std::nullopt;
+}
+
+Places places_of(const std::string& place_in_file, const std::vector<std::string>& header,
                  std::vector<std::string>& remarks) {
   Places places{};
   places.fill(kMissing);
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const std::string_view name = trimmed(header[i]);
+    const std::string& name = header[i];
     const auto* const found = std::ranges::find(kNames, name);
     if (found == kNames.end()) {
-      remarks.push_back("column '" + std::string(name) + "'");
+      remarks.push_back("column '" + name + "'");
       continue;
     }
     std::size_t& place = places[static_cast<std::size_t>(found - kNames.begin())];
     if (place != kMissing) {
-      throw UsageError(path + ":1: the column " + std::string(name) + " is there twice");
+      throw UsageError(place_in_file + ": the column " + name + " is there twice");
     }
     place = i;
   }
   for (std::size_t column = 0; column < kRequired; ++column) {
     if (places[column] == kMissing) {
-      throw UsageError(path + ":1: no column " + std::string(kNames[column]) +
+      throw UsageError(place_in_file + ": no column " + std::string(kNames[column]) +
                        "; the first line names the columns, at least time_s,x_m,y_m,heading_deg");
     }
   }
@@ -58,28 +99,31 @@ Places places_of(const std::string& path, const std::vector<std::string_view>& h
 // Reads the rows of one file, and says where it is when it cannot.
 class Row {
  public:
-  Row(const std::string& path, std::size_t line, const Places& places, std::string_view text)
-      : path_(&path), line_(line), places_(&places), parts_(parts_of(text, ',')) {}
+  Row(std::string place_in_file, const Places& places, const std::vector<std::string>& fields)
+      : place_(std::move(place_in_file)), places_(&places), fields_(&fields) {}
 
-  void demand_parts(std::size_t count) const {
-    if (parts_.size() != count) {
-      fail(std::to_string(parts_.size()) + " values for " + std::to_string(count) + " columns");
+  // Spreadsheets end lines with empty fields.
+  void demand_fields(std::size_t count) const {
+    const auto is_empty = [](const std::string& field) { return field.empty(); };
+    if (fields_->size() < count ||
+        !std::all_of(fields_->begin() + static_cast<std::ptrdiff_t>(count), fields_->end(),
+                     is_empty)) {
+      fail(std::to_string(fields_->size()) + " values for " + std::to_string(count) + " columns");
     }
   }
 
   [[nodiscard]] std::uint64_t time_us() const {
-    const std::optional<std::uint64_t> time = microseconds_in(text_of(kTime));
+    const std::optional<std::uint64_t> time = time_in(text_of(kTime));
     if (!time) {
-      fail("time_s is '" + std::string(text_of(kTime)) + "': give seconds, 0 or more");
+      fail("time_s is '" + text_of(kTime) + "': give seconds, 0 or more");
     }
     return *time;
   }
 
   [[nodiscard]] double number(Column column) const {
-    const std::optional<double> value = number_in(text_of(column));
+    const std::optional<double> value = decimal_in(text_of(column));
     if (!value) {
-      fail(std::string(kNames[column]) + " is '" + std::string(text_of(column)) +
-           "', which is no number");
+      fail(std::string(kNames[column]) + " is '" + text_of(column) + "', which is no number");
     }
     return *value;
   }
@@ -101,36 +145,59 @@ class Row {
   }
 
  private:
-  [[nodiscard]] std::string_view text_of(Column column) const {
-    return trimmed(parts_[(*places_)[column]]);
+  [[nodiscard]] const std::string& text_of(Column column) const {
+    return (*fields_)[(*places_)[column]];
   }
 
-  [[noreturn]] void fail(const std::string& why) const {
-    throw UsageError(*path_ + ":" + std::to_string(line_) + ": " + why);
-  }
+  [[noreturn]] void fail(const std::string& why) const { throw UsageError(place_ + ": " + why); }
 
-  const std::string* path_;
-  std::size_t line_;
+  std::string place_;
   const Places* places_;
-  std::vector<std::string_view> parts_;
+  const std::vector<std::string>* fields_;
 };
+
+// Comments and what is empty but for separators.
+bool is_passed_over(std::string_view line) {
+  return line.starts_with('#') || line.find_first_not_of(" \t,;\"") == std::string_view::npos;
+}
+
+// "sep=;" is for Excel; a header may stand behind a '#'.
+std::string_view header_in(std::string_view line) {
+  if (line.starts_with('#') && line.find(kNames[kTime]) != std::string_view::npos) {
+    line.remove_prefix(1);
+  }
+  return is_passed_over(line) || line.starts_with("sep=") ? std::string_view() : line;
+}
 
 }  // namespace
 
 PoseLog read_csv_log(const std::string& path) {
-  const std::vector<std::string> lines = read_lines(path);
-  if (lines.empty()) {
+  const std::vector<std::byte> bytes = read_file(path);
+  const std::vector<std::string_view> lines = lines_of(text_in(path, bytes));
+  const auto place_of = [&path](std::size_t i) { return path + ':' + std::to_string(i + 1); };
+  std::size_t first = 0;
+  while (first < lines.size() && header_in(lines[first]).empty()) {
+    ++first;
+  }
+  if (first == lines.size()) {
     throw UsageError(path + ": empty");
   }
   PoseLog log;
-  const std::vector<std::string_view> header = parts_of(lines.front(), ',');
-  const Places places = places_of(path, header, log.remarks);
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (trimmed(lines[i]).empty()) {
+  const std::string_view names = header_in(lines[first]);
+  const std::size_t separator = names.find_first_of(";\t");
+  const char mark = separator == std::string_view::npos ? ',' : names[separator];
+  std::vector<std::string> header = fields_of(names, mark);
+  while (header.back().empty()) {
+    header.pop_back();
+  }
+  const Places places = places_of(place_of(first), header, log.remarks);
+  for (std::size_t i = first + 1; i < lines.size(); ++i) {
+    if (is_passed_over(lines[i])) {
       continue;
     }
-    const Row row(path, i + 1, places, lines[i]);
-    row.demand_parts(header.size());
+    const std::vector<std::string> fields = fields_of(lines[i], mark);
+    const Row row(place_of(i), places, fields);
+    row.demand_fields(header.size());
     log.poses.push_back({.time_us = row.time_us(),
                          .x_m = row.number(kX),
                          .y_m = row.number(kY),
@@ -138,7 +205,8 @@ PoseLog read_csv_log(const std::string& path) {
                          .speed_mps = row.if_there(kSpeed, 1),
                          .yaw_rate_rps = row.if_there(kYawRate, kRadians),
                          .sigma_m = row.sigma(kSigma, 1),
-                         .sigma_heading_rad = row.sigma(kSigmaHeading, kRadians)});
+                         .sigma_heading_rad = row.sigma(kSigmaHeading, kRadians),
+                         .place = i + 1});
   }
   return log;
 }

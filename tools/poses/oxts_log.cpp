@@ -76,7 +76,8 @@ PoseLog read_oxts_log(const std::string& folder) {
                          .yaw_rate_rps = fields[kTurnUp],
                          // The error of the speed is that of the way in a second.
                          .sigma_m = fields[kSpeedAccuracy],
-                         .sigma_heading_rad = std::nullopt});
+                         .sigma_heading_rad = std::nullopt,
+                         .place = i + 1});
   }
   remark(missing, "times without a file in data/", log.remarks);
   return log;

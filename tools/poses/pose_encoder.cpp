@@ -32,8 +32,10 @@ std::uint16_t sigma_of(double value, double units) {
                                                 : (scaled < 1 ? 1.0 : kMost));
 }
 
+constexpr double kMaxHeadingRad = 1e9;
+
 std::uint32_t binary_angle(double radians) {
-  if (!(std::abs(radians) < 1e9)) {
+  if (!(std::abs(radians) < kMaxHeadingRad)) {
     throw UsageError("a pose without a heading");
   }
   const double turns = radians / (2 * numeric::kPi);
@@ -43,6 +45,17 @@ std::uint32_t binary_angle(double radians) {
 }
 
 }  // namespace
+
+bool can_be_said(const PoseSample& sample) {
+  const auto within = [](double value, double units, std::int32_t most) {
+    return std::abs(value * units) <= most;
+  };
+  return within(sample.x_m, 1000, pose::kMaxCoordinateMm) &&
+         within(sample.y_m, 1000, pose::kMaxCoordinateMm) &&
+         within(sample.speed_mps, 1000, pose::kMaxSpeedMmPerS) &&
+         within(sample.yaw_rate_rps, 1'000'000, pose::kMaxYawRateUradPerS) &&
+         std::abs(sample.heading_rad) < kMaxHeadingRad;
+}
 
 pose::Pose wire_pose(double x_m, double y_m, double heading_rad) {
   return {.x_mm = units_of(x_m, 1000, pose::kMaxCoordinateMm, "coordinate"),

@@ -17,6 +17,9 @@ inline constexpr std::uint32_t kPoseSourceIpv4 = 0x0A00026E;
 // m/s, a yaw rate above 10 rad/s, an age above 200 ms, or no number.
 [[nodiscard]] pose::Message message_of(const PoseSample& sample);
 
+// Whether position, speed and yaw rate are within those limits.
+[[nodiscard]] bool can_be_said(const PoseSample& sample);
+
 // Their parts: as in a message.
 [[nodiscard]] pose::Pose wire_pose(double x_m, double y_m, double heading_rad);
 [[nodiscard]] pose::Sigma wire_sigma(double position_m, double heading_rad);

@@ -1,10 +1,12 @@
 #include "tools/poses/pose_log.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "pose/limits.hpp"
+#include "tools/poses/outliers.hpp"
 #include "tools/poses/pose_encoder.hpp"
 
 namespace iog::tools {
@@ -16,43 +18,61 @@ double seconds_between(const LoggedPose& from, const LoggedPose& to) {
   return static_cast<double>(to.time_us - from.time_us) / 1e6;
 }
 
-// Takes out what the target would drop.
-std::vector<LoggedPose> usable(PoseLog& log) {
-  std::size_t without_heading = 0;
-  std::size_t not_newer = 0;
-  std::size_t too_close = 0;
-  std::vector<LoggedPose> poses;
-  for (const LoggedPose& pose : log.poses) {
-    if (!pose.heading_rad) {
-      ++without_heading;
-    } else if (!poses.empty() && pose.time_us <= poses.back().time_us) {
-      ++not_newer;
-    } else if (!poses.empty() && pose.time_us - poses.back().time_us < pose::kMinSpacingUs) {
-      ++too_close;
-    } else {
-      poses.push_back(pose);
-    }
-  }
-  remark(without_heading, "poses without a heading", log.remarks);
-  remark(not_newer, "poses that are not newer than the one before", log.remarks);
-  remark(too_close, "poses less than 8 ms after the one before", log.remarks);
-  return poses;
-}
-
 // The receiver's place less its mount.
 PoseSample sample_of(const LoggedPose& pose, const PoseConversion& conversion) {
   const double heading = *pose.heading_rad;
   const double cos = std::cos(heading);
   const double sin = std::sin(heading);
-  return {.time_us = pose.time_us,
-          .run = conversion.run,
-          .x_m = pose.x_m - conversion.mount_x_m * cos + conversion.mount_y_m * sin,
-          .y_m = pose.y_m - conversion.mount_x_m * sin - conversion.mount_y_m * cos,
-          .heading_rad = heading,
-          .speed_mps = pose.speed_mps.value_or(0),
-          .yaw_rate_rps = pose.yaw_rate_rps.value_or(0),
-          .sigma_m = pose.sigma_m.value_or(conversion.sigma_m),
-          .sigma_heading_rad = pose.sigma_heading_rad.value_or(conversion.sigma_heading_rad)};
+  return {
+      .time_us = pose.time_us,
+      .run = conversion.run,
+      .x_m = pose.x_m - conversion.mount_x_m * cos + conversion.mount_y_m * sin,
+      .y_m = pose.y_m - conversion.mount_x_m * sin - conversion.mount_y_m * cos,
+      .heading_rad = heading,
+      .speed_mps = pose.speed_mps.value_or(0),
+      .yaw_rate_rps = pose.yaw_rate_rps.value_or(0),
+      .sigma_m = pose.sigma_m.value_or(conversion.sigma_m),
+      .sigma_heading_rad = std::hypot(pose.sigma_heading_rad.value_or(conversion.sigma_heading_rad),
+                                      pose.heading_doubt_rad)};
+}
+
+// Takes out what the target would drop or no car can have driven.
+std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
+  Tally without_heading;
+  Tally unsayable;
+  std::vector<LoggedPose> whole;
+  for (const LoggedPose& pose : log.poses) {
+    if (!pose.heading_rad) {
+      without_heading.add(pose.place);
+    } else if (!can_be_said(sample_of(pose, conversion))) {
+      unsayable.add(pose.place);
+    } else {
+      whole.push_back(pose);
+    }
+  }
+  Tally not_newer;
+  Tally too_close;
+  Tally outliers;
+  std::vector<LoggedPose> poses;
+  const std::vector<bool> is_drivable = drivable(whole);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const LoggedPose& pose = whole[i];
+    if (is_drivable[i]) {
+      poses.push_back(pose);
+    } else if (!poses.empty() && pose.time_us <= poses.back().time_us) {
+      not_newer.add(pose.place);
+    } else if (!poses.empty() && pose.time_us - poses.back().time_us < pose::kMinSpacingUs) {
+      too_close.add(pose.place);
+    } else {
+      outliers.add(pose.place);
+    }
+  }
+  remark(without_heading, "poses without a heading", log.unit, log.remarks);
+  remark(unsayable, "poses beyond what a message can say", log.unit, log.remarks);
+  remark(not_newer, "poses that are not newer than the one before", log.unit, log.remarks);
+  remark(too_close, "poses less than 8 ms after the one before", log.unit, log.remarks);
+  remark(outliers, "poses that no car reaches from those around them", log.unit, log.remarks);
+  return poses;
 }
 
 // Fills in what the log does not say of motion, from the neighbours of each pose. Two neighbours
@@ -69,9 +89,11 @@ void add_motion(const std::vector<LoggedPose>& poses, std::vector<PoseSample>& s
     const PoseSample& from = samples[before];
     const PoseSample& to = samples[after];
     if (!poses[i].speed_mps) {
-      sample.speed_mps = ((to.x_m - from.x_m) * std::cos(sample.heading_rad) +
-                          (to.y_m - from.y_m) * std::sin(sample.heading_rad)) /
-                         span_s;
+      constexpr double kFastestMps = pose::kMaxSpeedMmPerS / 1000.0;
+      const double speed_mps = ((to.x_m - from.x_m) * std::cos(sample.heading_rad) +
+                                (to.y_m - from.y_m) * std::sin(sample.heading_rad)) /
+                               span_s;
+      sample.speed_mps = std::clamp(speed_mps, -kFastestMps, kFastestMps);
     }
     if (!poses[i].yaw_rate_rps) {
       sample.yaw_rate_rps = std::remainder(to.heading_rad - from.heading_rad, kTurn) / span_s;
@@ -89,6 +111,15 @@ pose::MapTransform transform_of(const LocalPlane& plane, const PoseConversion::M
 
 }  // namespace
 
+void remark(const Tally& tally, std::string_view what, std::string_view unit,
+            std::vector<std::string>& remarks) {
+  remark(tally.count, what, remarks);
+  if (tally.first > 0) {
+    remarks.back() += (tally.count > 1 ? " (first: " : " (") + std::string(unit) + ' ' +
+                      std::to_string(tally.first) + ')';
+  }
+}
+
 void remark(std::size_t count, std::string_view what, std::vector<std::string>& remarks) {
   if (count > 0) {
     remarks.push_back(std::to_string(count) + ' ' + std::string(what));
@@ -96,7 +127,7 @@ void remark(std::size_t count, std::string_view what, std::vector<std::string>& 
 }
 
 ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
-  const std::vector<LoggedPose> poses = usable(log);
+  const std::vector<LoggedPose> poses = usable(log, conversion);
   ConvertedLog result;
   for (const LoggedPose& pose : poses) {
     result.samples.push_back(sample_of(pose, conversion));
@@ -111,6 +142,7 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
     }
   }
   result.remarks = std::move(log.remarks);
+  result.notes = std::move(log.notes);
   return result;
 }
 

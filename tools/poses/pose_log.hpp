@@ -24,18 +24,23 @@ struct LoggedPose {
   std::optional<double> yaw_rate_rps{};
   std::optional<double> sigma_m{};
   std::optional<double> sigma_heading_rad{};
+  double heading_doubt_rad = 0;  // what the log leaves open about the heading, beside its sigma
+  std::size_t place = 0;         // line of the log, or number of its message; 0: none
 };
 
 struct PoseLog {
   std::vector<LoggedPose> poses;     // in the order of the log
   std::vector<std::string> remarks;  // what was not used, and why; never silent
+  std::vector<std::string> notes{};  // what was taken on an assumption, and which
+  std::string_view unit = "line";    // what a place counts
   // In which x is east and y north, if the log has latitudes: it touches at the first position.
   std::optional<LocalPlane> plane{};
 };
 
 // x_m, y_m and heading_deg of a plane, time_s of any clock; optional speed_m_s, yaw_rate_deg_s,
-// sigma_m, sigma_heading_deg. The first line names the columns, in any order; others are not used,
-// which is remarked. UsageError with file and line for a row that is not what the columns say.
+// sigma_m, sigma_heading_deg. The first line names the columns, in any order and perhaps behind a
+// '#'; others are not used, which is remarked. Commas, semicolons or tabs separate fields.
+// UsageError with file and line for a row that is not what the columns say.
 [[nodiscard]] PoseLog read_csv_log(const std::string& path);
 
 // A folder of KITTI's OXTS files: timestamps.txt, and data/0000000000.txt and so on with 30 numbers
@@ -71,18 +76,30 @@ struct PoseConversion {
 struct ConvertedLog {
   std::vector<PoseSample> samples;   // by rising times, as far apart as the target wants
   std::vector<std::string> remarks;  // those of the log, and what else was left out
+  std::vector<std::string> notes;    // those of the log
   // Samples for which a standard deviation was taken that the log does not say.
   std::size_t taken_sigmas = 0;
   std::size_t taken_sigma_headings = 0;
 };
 
 // Speed and yaw rate that the log does not say are those between the poses before and after. Left
-// out and remarked: poses without a heading, poses that are not newer than the one before, and
-// poses less than 8 ms after it (pose/limits.hpp).
+// out and remarked with their place in the log: poses without a heading, poses that are not newer
+// than the one before or less than 8 ms after it, poses that a message cannot say (pose/limits.hpp)
+// and poses that no car reaches from those around them (outliers.hpp).
 // UsageError if the log's plane is more than 1,000 km from the map's origin.
 [[nodiscard]] ConvertedLog converted(PoseLog log, const PoseConversion& conversion);
 
-// "3 poses without a heading"; nothing for a count of 0.
+// How many were left out, and where the first one is.
+struct Tally {
+  std::size_t count = 0;
+  std::size_t first = 0;
+
+  void add(std::size_t place) { first = count++ == 0 ? place : first; }
+};
+
+// "3 poses without a heading", of a tally with " (first: line 12)"; nothing for a count of 0.
 void remark(std::size_t count, std::string_view what, std::vector<std::string>& remarks);
+void remark(const Tally& tally, std::string_view what, std::string_view unit,
+            std::vector<std::string>& remarks);
 
 }  // namespace iog::tools

@@ -3,12 +3,33 @@
 #include <algorithm>
 #include <chrono>
 
+#include "tools/program/exit_status.hpp"
+
 namespace iog::tools {
 namespace {
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
 }  // namespace
+
+std::string_view text_in(const std::string& path, std::span<const std::byte> bytes) {
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    throw UsageError(path + ": UTF-16 text; save it as UTF-8 (Excel: \"CSV UTF-8\")");
+  }
+  text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  return text;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(text.size(), end + (text.substr(end).starts_with("\r\n") ? 2 : 1)));
+  }
+  return lines;
+}
 
 std::vector<std::string_view> parts_of(std::string_view line, char separator) {
   std::vector<std::string_view> parts;

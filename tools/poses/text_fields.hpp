@@ -1,15 +1,23 @@
-// Numbers and times in the text of logs, read without surprises: the whole field or nothing.
+// Lines, numbers and times in the text of logs, read without surprises: the whole field or nothing.
 #pragma once
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace iog::tools {
+
+// The text of a file, without a byte order mark. UsageError if it is UTF-16.
+[[nodiscard]] std::string_view text_in(const std::string& path, std::span<const std::byte> bytes);
+
+// Lines that end with LF, CR or both.
+[[nodiscard]] std::vector<std::string_view> lines_of(std::string_view text);
 
 // The parts of a line between separators; an empty line is one empty part.
 [[nodiscard]] std::vector<std::string_view> parts_of(std::string_view line, char separator);

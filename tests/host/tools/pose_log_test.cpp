@@ -16,6 +16,7 @@
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/simulate/random.hpp"
 
 namespace iog::tools {
 namespace {
@@ -114,6 +115,37 @@ TEST(CsvLog, ABadLineIsNamed) {
   EXPECT_EQ(row("1,2,3,4,0.1\n"), "");
 }
 
+// The same two rows, as spreadsheets, numpy and people write them.
+TEST(CsvLog, TakesWhatSpreadsheetsAndProgramsWrite) {
+  const std::string bom = "\xEF\xBB\xBF";
+  const std::vector<std::string> texts{
+      "# time_s,x_m,y_m,heading_deg\n1.5,0.25,-3,90\n1.6,1,2,180\n",
+      "# of Monday\n\ntime_s,x_m,y_m,heading_deg\n1.5,0.25,-3,90\n# the yard\n1.6,1,2,180\n",
+      bom + "time_s,x_m,y_m,heading_deg\r\n1.5,0.25,-3,90\r\n1.6,1,2,180\r\n",
+      bom + "sep=;\r\ntime_s;x_m;y_m;heading_deg;\r\n1,5;0,25;-3;90;\r\n1,6;1;2;180;\r\n;;;;\r\n",
+      "heading_deg\ty_m\tx_m\ttime_s\n90\t-3\t0,25\t1,5\n180\t2\t1\t1,6\n",
+      "\"time_s\",\"x_m\",\"y_m\",\"heading_deg\"\n\"1,5\",\"0,25\",\"-3\",90\n1.6,1,2,\"180\"",
+      "time_s,x_m,y_m,heading_deg\r1.5,0.25,-3,90\r1.6,1,2,180\r",
+      "time_s,x_m,y_m,heading_deg\n1.5000000000000000e+00,2.5e-1,-3.0E0,9e+01\n"
+      "1.59999999999999990e+00,+1.00e+00,2,1.8e2\n"};
+  for (const std::string& text : texts) {
+    const PoseLog log = csv_log(text);
+    ASSERT_EQ(log.poses.size(), 2U) << text;
+    EXPECT_EQ(log.poses[0].time_us, 1'500'000U) << text;
+    EXPECT_EQ(log.poses[1].time_us, 1'600'000U) << text;
+    EXPECT_EQ(log.poses[0].x_m, 0.25) << text;
+    EXPECT_EQ(log.poses[0].y_m, -3) << text;
+    EXPECT_NEAR(log.poses[1].heading_rad.value_or(0), 180 * kDegree, 1e-12) << text;
+  }
+  // Of two marks one would be for thousands: nobody knows which.
+  for (const std::string_view text :
+       {"\xFF\xFEt\0i\0", "time_s;x_m;y_m;heading_deg\n1.234,5;0;0;0\n"}) {
+    EXPECT_NE(error_of([&] { static_cast<void>(csv_log(text)); }), "");
+  }
+  EXPECT_NE(error_of([&] { static_cast<void>(csv_log("\xFF\xFEt")); }).find("UTF-16"),
+            std::string::npos);
+}
+
 std::string oxts_line(double latitude, double longitude, double yaw) {
   std::string text = std::to_string(latitude) + ' ' + std::to_string(longitude) + " 112.8 0.03 0 ";
   text += std::to_string(yaw) + " -9 4 11.5 0 0";
@@ -167,7 +199,7 @@ LoggedPose logged(std::uint64_t time_us, double x_m, double y_m, double heading_
 
 TEST(ConvertedLog, TheMountIsTakenOff) {
   PoseLog log;
-  log.poses = {logged(0, 10, 20, 0), logged(100'000, 10, 20, 90 * kDegree)};
+  log.poses = {logged(0, 10, 20, 0), logged(1'000'000, 10, 20, 90 * kDegree)};
   const ConvertedLog result = converted(log, {.mount_x_m = 1, .mount_y_m = 0.5});
   EXPECT_NEAR(result.samples[0].x_m, 9, 1e-12);
   EXPECT_NEAR(result.samples[0].y_m, 19.5, 1e-12);
@@ -205,6 +237,89 @@ TEST(ConvertedLog, WhatTheTargetWouldDropIsLeftOutAndCounted) {
                                       "1 poses less than 8 ms after the one before"}));
 }
 
+// A car at 10 m/s whose pose is written 10 times a second from line 2 on.
+PoseLog even_log() {
+  PoseLog log;
+  for (std::size_t i = 0; i < 100; ++i) {
+    log.poses.push_back(logged(1'000'000'000 + 100'000 * i, static_cast<double>(i), 0, 0));
+    log.poses.back().place = i + 2;
+  }
+  return log;
+}
+
+TEST(ConvertedLog, AnOutlierIsLeftOutWithItsLine) {
+  using Poses = std::vector<LoggedPose>;
+  struct Case {
+    std::function<void(Poses&)> spoil;
+    std::size_t first_line;
+    std::size_t lines;
+  };
+  const auto off = [](std::size_t row, double metres, std::size_t rows = 1) {
+    return [=](Poses& poses) {
+      for (std::size_t i = row; i < row + rows; ++i) {
+        poses[i].x_m += metres;
+      }
+    };
+  };
+  const std::vector<Case> cases{
+      {off(50, 25), 52, 1},
+      {off(50, -1.5), 52, 1},
+      {off(50, 5, 2), 52, 2},
+      {off(20, 300, 7), 22, 7},
+      {off(0, 25), 2, 1},
+      {off(0, 400, 2), 2, 2},
+      {off(99, 25), 101, 1},
+      {off(98, 25, 2), 100, 2},
+      {off(50, 6e6), 52, 1},
+      {[](Poses& poses) { poses[50].heading_rad = 180 * kDegree; }, 52, 1},
+      {[](Poses& poses) { poses[50].speed_mps = 500; }, 52, 1},
+      {[](Poses& poses) { poses[50].time_us += 3'600'000'000; }, 52, 1},
+      {[](Poses& poses) { poses[50].time_us = 7; }, 52, 1}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    PoseLog log = even_log();
+    cases[i].spoil(log.poses);
+    const ConvertedLog result = converted(log, {});
+    EXPECT_EQ(result.samples.size(), 100 - cases[i].lines) << i;
+    for (const PoseSample& sample : result.samples) {
+      EXPECT_NEAR(sample.x_m, static_cast<double>(sample.time_us) / 1e5 - 10'000, 1e-6) << i;
+      EXPECT_NEAR(sample.speed_mps, 10, 1e-6) << i;
+    }
+    ASSERT_EQ(result.remarks.size(), 1U) << i;
+    EXPECT_TRUE(result.remarks[0].starts_with(std::to_string(cases[i].lines) + " poses ")) << i;
+    EXPECT_NE(result.remarks[0].find("line " + std::to_string(cases[i].first_line) + ')'),
+              std::string::npos)
+        << result.remarks[0];
+  }
+}
+
+// A noisy receiver, hard braking, a clock that steps back, a silence: no outliers.
+TEST(ConvertedLog, WhatIsNoOutlierStays) {
+  PoseLog noisy = even_log();
+  Random random(3);
+  for (LoggedPose& pose : noisy.poses) {
+    pose.x_m += random.between(-1, 1);
+  }
+  EXPECT_GE(converted(noisy, {}).samples.size(), 97U);
+  PoseLog braking = even_log();
+  for (std::size_t i = 0; i < 10; ++i) {  // from 10 m/s to rest within a second
+    const double time_s = 0.1 * static_cast<double>(i + 1);
+    braking.poses[90 + i].x_m = 89 + 10 * time_s - 5 * time_s * time_s;
+  }
+  EXPECT_EQ(converted(braking, {}).samples.size(), 100U);
+  PoseLog silent = even_log();
+  for (std::size_t i = 50; i < 100; ++i) {
+    silent.poses[i].time_us += 2'000'000;
+    silent.poses[i].x_m -= 400;
+  }
+  EXPECT_EQ(converted(silent, {}).samples.size(), 100U);
+  PoseLog stepped = even_log();
+  for (std::size_t i = 50; i < 100; ++i) {
+    stepped.poses[i].time_us -= 3'000'000;
+  }
+  EXPECT_GE(converted(stepped, {}).samples.size(), 50U);
+  EXPECT_NE(converted(stepped, {}).remarks.at(0).find("not newer"), std::string::npos);
+}
+
 // A log in the plane of its first position, and a map whose plane is 5 km away: by the transform of
 // the messages every pose is where the map's own plane has it.
 TEST(ConvertedLog, PosesSayWhereTheyAreOnAMap) {
@@ -218,7 +333,7 @@ TEST(ConvertedLog, PosesSayWhereTheyAreOnAMap) {
     const double longitude = 8.4 - 4e-4 * i;
     const LocalPlane::Place at = plane.place_of(latitude, longitude);
     log.poses.push_back(
-        logged(std::uint64_t{100'000} * static_cast<unsigned>(i), at.east_m, at.north_m, 0));
+        logged(std::uint64_t{1'000'000} * static_cast<unsigned>(i), at.east_m, at.north_m, 0));
     on_map.push_back(origin.plane().place_of(latitude, longitude));
   }
   EXPECT_FALSE(converted(log, {}).samples.front().map);
