@@ -53,8 +53,12 @@ struct PoseLog {
 // checksum, damaged fields and positions without a fix are counted and left out.
 [[nodiscard]] PoseLog read_nmea_log(std::span<const std::byte> bytes);
 
-// UBX-NAV-PVT messages of a u-blox receiver (M8 interface description, 32.17.15) among any others.
+// UBX-NAV-PVT messages of a u-blox receiver (M8 interface description, 32.17.15; u-blox 7 writes
+// 84 bytes) among any others. receiver_fixes.hpp says what both make of a course.
 [[nodiscard]] PoseLog read_ubx_log(std::span<const std::byte> bytes);
+
+// The sound UBX message at the beginning of the bytes; empty if there is none.
+[[nodiscard]] std::span<const std::byte> ubx_message_at(std::span<const std::byte> bytes);
 
 // How a log becomes poses of the vehicle frame.
 struct PoseConversion {

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "tools/poses/local_plane.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/poses/receiver_fixes.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "wire/byte_reader.hpp"
 
@@ -11,13 +12,15 @@ namespace {
 
 constexpr std::uint16_t kSync = 0xB562;
 constexpr std::uint16_t kNavPvt = 0x0107;  // class and id
-constexpr std::size_t kNavPvtBytes = 92;
+// Of receivers before the M8: without the heading of the vehicle. Later ones may append fields.
+constexpr std::size_t kLeastPvtBytes = 84;
+constexpr std::size_t kVehiclePvtBytes = 92;
 constexpr std::size_t kHeaderBytes = 6;
 constexpr std::size_t kChecksumBytes = 2;
 
-// The message at the beginning of the bytes, from its synchronisation to its checksum; empty if
-// there is none.
-std::span<const std::byte> message_at(std::span<const std::byte> bytes) {
+}  // namespace
+
+std::span<const std::byte> ubx_message_at(std::span<const std::byte> bytes) {
   wire::ByteReader in(bytes);
   const std::uint16_t sync = in.u16_be();
   in.skip(2);
@@ -36,17 +39,7 @@ std::span<const std::byte> message_at(std::span<const std::byte> bytes) {
                                       : std::span<const std::byte>();
 }
 
-struct Pvt {
-  std::optional<std::uint64_t> time_us;
-  bool has_fix = false;
-  double latitude = 0;
-  double longitude = 0;
-  double north_mps = 0;
-  double east_mps = 0;
-  double heading_deg = 0;
-  double sigma_mps = 0;
-  double sigma_heading_deg = 0;
-};
+namespace {
 
 std::optional<std::uint64_t> time_in(wire::ByteReader& in) {
   const std::uint32_t year = in.u16_le();
@@ -72,44 +65,42 @@ std::optional<std::uint64_t> time_in(wire::ByteReader& in) {
   return *midnight + second_us + static_cast<std::uint64_t>(fraction_us);
 }
 
-Pvt pvt_in(std::span<const std::byte> payload) {
+// Empty without a fix, a time or a place on earth.
+std::optional<Fix> fix_in(std::span<const std::byte> payload) {
   constexpr double kAngle = 1e-7;
   constexpr double kCourse = 1e-5;
   wire::ByteReader in(payload);
-  Pvt pvt;
   in.skip(4);
-  pvt.time_us = time_in(in);
-  const std::uint8_t fix = in.u8();
+  const std::optional<std::uint64_t> time_us = time_in(in);
+  const std::uint8_t kind = in.u8();
   const std::uint8_t flags = in.u8();
-  pvt.has_fix = (flags & 1) != 0 && fix >= 2 && fix <= 4;  // 2D, 3D, with dead reckoning
   in.skip(2);
-  pvt.longitude = in.i32_le() * kAngle;
-  pvt.latitude = in.i32_le() * kAngle;
+  const double longitude = in.i32_le() * kAngle;
+  const double latitude = in.i32_le() * kAngle;
   in.skip(16);  // heights, their and the position's accuracy
-  pvt.north_mps = in.i32_le() / 1000.0;
-  pvt.east_mps = in.i32_le() / 1000.0;
+  const double north_mps = in.i32_le() / 1000.0;
+  const double east_mps = in.i32_le() / 1000.0;
   in.skip(8);
   const double course_deg = in.i32_le() * kCourse;
-  pvt.sigma_mps = in.u32_le() / 1000.0;
-  pvt.sigma_heading_deg = in.u32_le() * kCourse;
+  // The error of the speed is that of the way in a second.
+  const double sigma_mps = in.u32_le() / 1000.0;
+  const double sigma_heading_deg = in.u32_le() * kCourse;
   in.skip(8);
-  const double vehicle_deg = in.i32_le() * kCourse;
-  pvt.heading_deg = (flags & 0x20) != 0 ? vehicle_deg : course_deg;
-  return pvt;
-}
-
-LoggedPose pose_of(const Pvt& pvt, const LocalPlane& plane) {
-  const LocalPlane::Place place = plane.place_of(pvt.latitude, pvt.longitude);
-  const double heading = (90 - pvt.heading_deg) * kRadians;
-  return {.time_us = *pvt.time_us,
-          .x_m = place.east_m,
-          .y_m = place.north_m,
-          .heading_rad = heading,
-          .speed_mps = pvt.east_mps * std::cos(heading) + pvt.north_mps * std::sin(heading),
-          .yaw_rate_rps = std::nullopt,
-          // The error of the speed is that of the way in a second.
-          .sigma_m = pvt.sigma_mps,
-          .sigma_heading_rad = pvt.sigma_heading_deg * kRadians};
+  // 2D, 3D, with dead reckoning
+  const bool has_fix = (flags & 1) != 0 && kind >= 2 && kind <= 4;
+  if (!time_us || !has_fix || std::abs(latitude) > 90 || std::abs(longitude) > 180) {
+    return std::nullopt;
+  }
+  Fix fix{.time_us = *time_us,
+          .at = {latitude, longitude},
+          .speed_mps = std::hypot(north_mps, east_mps),
+          .course_deg = course_deg,
+          .sigma_m = sigma_mps,
+          .sigma_heading_rad = sigma_heading_deg * kRadians};
+  if (payload.size() >= kVehiclePvtBytes && (flags & 0x20) != 0) {
+    fix.heading_deg = in.i32_le() * kCourse;
+  }
+  return fix;
 }
 
 }  // namespace
@@ -117,10 +108,10 @@ LoggedPose pose_of(const Pvt& pvt, const LocalPlane& plane) {
 PoseLog read_ubx_log(std::span<const std::byte> bytes) {
   std::size_t skipped = 0;
   std::size_t others = 0;
-  std::size_t without_fix = 0;
-  PoseLog log;
-  while (!bytes.empty()) {
-    const std::span<const std::byte> message = message_at(bytes);
+  Tally without_fix;
+  std::vector<Fix> fixes;
+  for (std::size_t number = 1; !bytes.empty();) {
+    const std::span<const std::byte> message = ubx_message_at(bytes);
     if (message.empty()) {
       ++skipped;
       bytes = bytes.subspan(1);
@@ -129,24 +120,23 @@ PoseLog read_ubx_log(std::span<const std::byte> bytes) {
     bytes = bytes.subspan(message.size());
     const auto payload =
         message.subspan(kHeaderBytes, message.size() - kHeaderBytes - kChecksumBytes);
-    if (wire::load_be16(message.subspan<2, 2>()) != kNavPvt || payload.size() != kNavPvtBytes) {
+    if (wire::load_be16(message.subspan<2, 2>()) != kNavPvt || payload.size() < kLeastPvtBytes) {
       ++others;
       continue;
     }
-    const Pvt pvt = pvt_in(payload);
-    const bool is_on_earth = std::abs(pvt.latitude) <= 90 && std::abs(pvt.longitude) <= 180;
-    if (!pvt.time_us || !pvt.has_fix || !is_on_earth) {
-      ++without_fix;
-      continue;
+    std::optional<Fix> fix = fix_in(payload);
+    if (fix) {
+      fix->place = number;
+      fixes.push_back(*fix);
+    } else {
+      without_fix.add(number);
     }
-    if (!log.plane) {
-      log.plane.emplace(pvt.latitude, pvt.longitude);
-    }
-    log.poses.push_back(pose_of(pvt, *log.plane));
+    ++number;
   }
+  PoseLog log = log_of(std::move(fixes), "NAV-PVT");
   remark(skipped, "bytes that are no UBX message", log.remarks);
   remark(others, "messages other than NAV-PVT", log.remarks);
-  remark(without_fix, "NAV-PVT without a fix or a time", log.remarks);
+  remark(without_fix, "NAV-PVT without a fix or a time", log.unit, log.remarks);
   return log;
 }
 
