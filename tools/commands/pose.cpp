@@ -275,7 +275,8 @@ void add_pose(CLI::App& program) {
   command->footer(
       "csv: the first line names the columns, at least time_s,x_m,y_m,heading_deg; speed_m_s,\n"
       "yaw_rate_deg_s, sigma_m and sigma_heading_deg if known. oxts: a folder of KITTI with\n"
-      "timestamps.txt and data. nmea: RMC, GGA, HDT. ubx: NAV-PVT. Latitude and longitude become\n"
+      "timestamps.txt and data. nmea: RMC, GGA, HDT, VTG. ubx: NAV-PVT. Latitude and longitude "
+      "become\n"
       "metres east and north of the first position. docs/drives.md says how each is read.");
   command->callback([options] { convert(*options); });
 }

@@ -1,29 +1,16 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "tools/poses/local_plane.hpp"
+#include "tools/poses/nmea_epochs.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/poses/receiver_fixes.hpp"
 #include "tools/poses/text_fields.hpp"
 
 namespace iog::tools {
 namespace {
 
 constexpr double kKnot = 1852.0 / 3600;
-// Slower than this a course is no heading.
-constexpr double kWalkingMps = 1.0;
-constexpr std::uint64_t kDayUs = 86'400'000'000U;
-
-// What the sentences of one time of day say together.
-struct Epoch {
-  std::uint64_t time_of_day_us = 0;
-  std::optional<std::uint64_t> midnight_us{};  // by RMC
-  std::optional<double> latitude{};
-  std::optional<double> longitude{};
-  std::optional<double> speed_mps{};
-  std::optional<double> course_deg{};
-  std::optional<double> heading_deg{};
-  bool has_no_fix = false;
-};
 
 // "hhmmss.ss"
 std::optional<std::uint64_t> time_of_day(std::string_view text) {
@@ -87,49 +74,70 @@ std::string_view sentence_in(std::string_view line) {
   return error == std::errc() && end == digits + 2 && stated == sum ? sentence : std::string_view();
 }
 
+// An empty field is a speed or an angle that is not known.
+std::optional<double> speed_in(std::string_view knots) {
+  const std::optional<double> value = number_in(knots);
+  return value && *value >= 0 ? std::optional(*value * kKnot) : std::nullopt;
+}
+
 class Reader {
  public:
-  void take(std::string_view line) {
-    if (line.empty()) {
-      return;
-    }
-    const std::string_view sentence = sentence_in(line);
+  void take(std::string_view line, std::size_t number) {
+    line_ = number;
+    // A receiver's log may have the time of the PC before a sentence, or what a UBX message left.
+    const std::size_t dollar = line.rfind('$');
+    const std::string_view sentence =
+        dollar == std::string_view::npos ? std::string_view() : sentence_in(line.substr(dollar));
+    is_last_damaged_ = false;
     if (sentence.empty()) {
-      ++damaged_;
+      const bool is_bare = dollar == 0 && line.find('*') == std::string_view::npos;
+      count_damage(is_bare ? bare_ : damaged_);
       return;
     }
+    is_first_ = false;
     const std::vector<std::string_view> fields = parts_of(sentence, ',');
     const std::string_view name = fields.front().size() == 5 ? fields.front().substr(2) : "";
     const bool is_sound = name == "RMC"   ? take_rmc(fields)
                           : name == "GGA" ? take_gga(fields)
                           : name == "HDT" ? take_hdt(fields)
+                          : name == "VTG" ? take_vtg(fields)
                                           : pass_over();
-    damaged_ += is_sound ? 0U : 1U;
+    if (!is_sound) {
+      count_damage(damaged_);
+    }
   }
 
   [[nodiscard]] PoseLog log() {
-    PoseLog log;
-    std::size_t without_fix = 0;
-    std::uint64_t midnight_us = first_midnight();
-    std::uint64_t last_us = 0;
-    for (const Epoch& epoch : epochs_) {
-      // A time of day that has gone back by more than half a day is of the next one.
-      const bool is_next_day = epoch.time_of_day_us + kDayUs / 2 < last_us;
-      midnight_us = epoch.midnight_us.value_or(midnight_us + (is_next_day ? kDayUs : 0));
-      last_us = epoch.time_of_day_us;
-      if (epoch.has_no_fix || !epoch.latitude || !epoch.longitude) {
-        ++without_fix;
+    std::vector<std::string> notes;
+    for (UntimedSentences* const untimed : {&headings_, &courses_}) {
+      untimed->is_cut_at_begin = is_cut_;
+      untimed->is_cut_at_end = is_last_damaged_;
+    }
+    complete(epochs_, headings_, courses_, notes);
+    Tally without_fix;
+    std::vector<Fix> fixes;
+    for (const NmeaEpoch& epoch : epochs_) {
+      if (!epoch.has_fix()) {
+        without_fix.add(epoch.line);
         continue;
       }
-      if (!log.plane) {
-        log.plane.emplace(*epoch.latitude, *epoch.longitude);
-      }
-      log.poses.push_back(pose_of(epoch, midnight_us, *log.plane));
+      fixes.push_back({.time_us = epoch.time_us(),
+                       .at = {*epoch.latitude, *epoch.longitude},
+                       .speed_mps = epoch.speed_mps,
+                       .course_deg = epoch.course_deg,
+                       .heading_deg = epoch.heading_deg,
+                       .heading_doubt_rad = epoch.doubt_rad,
+                       .place = epoch.line});
     }
-    remark(damaged_, "lines that are no sound NMEA sentence", log.remarks);
-    remark(others_, "sentences other than RMC, GGA and HDT", log.remarks);
-    remark(without_fix, "times without a fix", log.remarks);
-    remark(early_headings_, "headings before the first position", log.remarks);
+    if (!fixes.empty() && fixes.front().time_us < kDayUs) {
+      notes.emplace_back("no date in it: times are those of 1970-01-01");
+    }
+    PoseLog log = log_of(std::move(fixes), "line");
+    log.notes.insert(log.notes.begin(), notes.begin(), notes.end());
+    remark(damaged_, "lines that are no sound NMEA sentence", log.unit, log.remarks);
+    remark(bare_, "sentences without a checksum", log.unit, log.remarks);
+    remark(others_, "sentences other than RMC, GGA, HDT and VTG", log.remarks);
+    remark(without_fix, "times without a fix", log.unit, log.remarks);
     return log;
   }
 
@@ -139,9 +147,22 @@ class Reader {
     return true;
   }
 
-  Epoch& epoch_at(std::uint64_t time_of_day_us) {
+  void count_damage(Tally& tally) {
+    tally.add(line_);
+    is_cut_ = is_cut_ || is_first_;
+    is_first_ = false;
+    is_last_damaged_ = true;
+  }
+
+  NmeaEpoch& epoch_at(std::uint64_t time_of_day_us) {
     if (epochs_.empty() || epochs_.back().time_of_day_us != time_of_day_us) {
-      epochs_.push_back({.time_of_day_us = time_of_day_us});
+      epochs_.push_back({.time_of_day_us = time_of_day_us, .line = line_});
+    }
+    for (UntimedSentences* const untimed : {&headings_, &courses_}) {
+      for (std::size_t i = untimed->all.size();
+           i-- > 0 && untimed->all[i].times_before == epochs_.size();) {
+        untimed->all[i].is_inside = true;
+      }
     }
     return epochs_.back();
   }
@@ -157,16 +178,18 @@ class Reader {
     const auto longitude = angle_in(fields[5], fields[6], "EW", 180);
     const bool has_fix = fields[2] == "A";
     if (!time || (!has_fix && fields[2] != "V") ||
-        (has_fix && (!midnight || !latitude || !longitude))) {
+        (has_fix && ((!midnight && !fields[9].empty()) || !latitude || !longitude))) {
       return false;
     }
-    Epoch& epoch = epoch_at(*time);
+    NmeaEpoch& epoch = epoch_at(*time);
     epoch.has_no_fix = epoch.has_no_fix || !has_fix;
-    epoch.midnight_us = midnight;
+    if (!has_fix) {
+      return true;  // the date may be that of the receiver's first day
+    }
+    epoch.stated_midnight_us = midnight;
     epoch.latitude = latitude;
     epoch.longitude = longitude;
-    const std::optional<double> knots = number_in(fields[7]);
-    epoch.speed_mps = knots ? std::optional(*knots * kKnot) : std::nullopt;
+    epoch.speed_mps = speed_in(fields[7]);
     epoch.course_deg = number_in(fields[8]);
     return true;
   }
@@ -183,7 +206,7 @@ class Reader {
     if (!time || !quality || (*quality > 0 && (!latitude || !longitude))) {
       return false;
     }
-    Epoch& epoch = epoch_at(*time);
+    NmeaEpoch& epoch = epoch_at(*time);
     epoch.has_no_fix = epoch.has_no_fix || *quality == 0;
     if (!epoch.latitude || !epoch.longitude) {
       epoch.latitude = latitude;
@@ -198,57 +221,63 @@ class Reader {
     if (!heading || fields[2] != "T") {
       return false;
     }
-    if (epochs_.empty()) {
-      ++early_headings_;
-    } else {
-      epochs_.back().heading_deg = heading;
-    }
+    headings_.all.push_back({.times_before = epochs_.size(), .angle_deg = heading});
     return true;
   }
 
-  [[nodiscard]] std::uint64_t first_midnight() const {
-    for (const Epoch& epoch : epochs_) {
-      if (epoch.midnight_us) {
-        return *epoch.midnight_us;
-      }
+  // $--VTG,course,T,course,M,knots,N,...
+  [[nodiscard]] bool take_vtg(const std::vector<std::string_view>& fields) {
+    if (fields.size() < 7 || fields[2] != "T" || fields[6] != "N") {
+      return false;
     }
-    return 0;
+    courses_.all.push_back({.times_before = epochs_.size(),
+                            .angle_deg = number_in(fields[1]),
+                            .speed_mps = speed_in(fields[5])});
+    return true;
   }
 
-  static LoggedPose pose_of(const Epoch& epoch, std::uint64_t midnight_us,
-                            const LocalPlane& plane) {
-    const LocalPlane::Place place = plane.place_of(*epoch.latitude, *epoch.longitude);
-    const bool is_driving = epoch.speed_mps.value_or(0) >= kWalkingMps;
-    const std::optional<double> heading_deg =
-        epoch.heading_deg ? epoch.heading_deg
-                          : (is_driving ? epoch.course_deg : std::optional<double>());
-    LoggedPose pose{
-        .time_us = midnight_us + epoch.time_of_day_us, .x_m = place.east_m, .y_m = place.north_m};
-    if (heading_deg) {
-      pose.heading_rad = (90 - *heading_deg) * kRadians;
-    }
-    // Along the heading: a car that reverses has a course of its own.
-    if (heading_deg && epoch.speed_mps && epoch.course_deg) {
-      pose.speed_mps = *epoch.speed_mps * std::cos((*epoch.course_deg - *heading_deg) * kRadians);
-    }
-    return pose;
-  }
-
-  std::vector<Epoch> epochs_;
-  std::size_t damaged_ = 0;
+  std::vector<NmeaEpoch> epochs_;
+  UntimedSentences headings_;
+  UntimedSentences courses_;
+  std::size_t line_ = 0;
+  bool is_first_ = true;
+  bool is_cut_ = false;  // the log begins within a sentence
+  bool is_last_damaged_ = false;
+  Tally damaged_;
+  Tally bare_;
   std::size_t others_ = 0;
-  std::size_t early_headings_ = 0;
 };
+
+// The text without the UBX messages between its lines, which may hold line ends.
+std::string text_without_ubx(std::span<const std::byte> bytes, std::size_t& messages) {
+  std::string text;
+  while (!bytes.empty()) {
+    const std::size_t message = ubx_message_at(bytes).size();
+    messages += message > 0 ? 1U : 0U;
+    if (message == 0) {
+      text += static_cast<char>(bytes.front());
+    }
+    bytes = bytes.subspan(std::max<std::size_t>(message, 1));
+  }
+  return text;
+}
 
 }  // namespace
 
 PoseLog read_nmea_log(std::span<const std::byte> bytes) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::size_t messages = 0;
+  const std::string text = text_without_ubx(bytes, messages);
   Reader reader;
-  for (const std::string_view line : parts_of(text, '\n')) {
-    reader.take(trimmed(line));
+  std::size_t number = 0;
+  for (const std::string_view line : lines_of(text)) {
+    ++number;
+    if (!trimmed(line).empty()) {
+      reader.take(trimmed(line), number);
+    }
   }
-  return reader.log();
+  PoseLog log = reader.log();
+  remark(messages, "UBX messages between the lines", log.remarks);
+  return log;
 }
 
 }  // namespace iog::tools

@@ -48,9 +48,9 @@ struct PoseLog {
 // that is not so.
 [[nodiscard]] PoseLog read_oxts_log(const std::string& folder);
 
-// NMEA 0183: position, speed, course and date by RMC; true heading by HDT, which goes with the RMC
-// before it; GGA without a fix takes the position of its time away. Sentences with a wrong
-// checksum, damaged fields and positions without a fix are counted and left out.
+// NMEA 0183: position, speed, course and date by RMC; position and fix by GGA; true heading by HDT,
+// without RMC speed and course by VTG, of the time that nmea_cycle.hpp finds. What has a wrong
+// checksum or none, damaged fields and positions without a fix are counted and left out.
 [[nodiscard]] PoseLog read_nmea_log(std::span<const std::byte> bytes);
 
 // UBX-NAV-PVT messages of a u-blox receiver (M8 interface description, 32.17.15; u-blox 7 writes

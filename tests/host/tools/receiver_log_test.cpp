@@ -90,12 +90,174 @@ TEST(NmeaLog, WhatIsNotUsedIsCounted) {
       sealed("GPRMC,123521,A,4807.038,N,01131.000,E,9,9,230394,,") +
       sealed("GPGGA,123521,,,,,0,00,,,M,,M,,") + sealed("GPGSV,3,1,11,03") +
       sealed("GPRMC,126099,A,4807.038,N,01131.000,E,9,9,230394,,") +
-      sealed("GPRMC,123522,A,4867.038,N,01131.000,E,9,9,230394,,") + std::string(kRmc));
+      sealed("GPRMC,123522,A,4867.038,N,01131.000,E,9,9,230394,,") + std::string(kRmc) +
+      "$GPHDT,10,T\n");
   EXPECT_EQ(log.poses.size(), 1U);
-  EXPECT_EQ(log.remarks, (std::vector<std::string>{"4 lines that are no sound NMEA sentence",
-                                                   "1 sentences other than RMC, GGA and HDT",
-                                                   "2 times without a fix",
-                                                   "1 headings before the first position"}));
+  EXPECT_EQ(log.remarks,
+            (std::vector<std::string>{"4 lines that are no sound NMEA sentence (first: line 1)",
+                                      "1 sentences without a checksum (line 11)",
+                                      "1 sentences other than RMC, GGA, HDT and VTG",
+                                      "2 times without a fix (first: line 4)"}));
+}
+
+// 5 m/s east, through a stop of nobody's notice, and back.
+TEST(NmeaLog, ACarThatReversesDoesNotTurnAbout) {
+  std::string text;
+  for (int i = 0; i < 40; ++i) {
+    text += sealed("GPRMC,12000" + std::to_string(i / 10) + '.' + std::to_string(i % 10) +
+                   ",A,4807.038,N,01131.000,E,9.72," + (i < 20 ? "90.0" : "270.0") + ",010524,,,A");
+  }
+  const PoseLog log = nmea_log(text);
+  ASSERT_EQ(log.poses.size(), 40U);
+  for (int i = 0; i < 40; ++i) {
+    const LoggedPose& pose = log.poses[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(std::remainder(pose.heading_rad.value_or(9), 360 * kDegree), 0, 1e-9) << i;
+    EXPECT_NEAR(pose.speed_mps.value_or(0), i < 20 ? 5 : -5, 0.01) << i;
+  }
+}
+
+// A time of the first of May 2024, unless another date is given.
+std::string rmc(std::string_view time, std::string_view date = "010524", char status = 'A') {
+  return sealed("GNRMC," + std::string(time) + ',' + status + ",4807.038,N,01131.000,E,0.0,," +
+                std::string(date) + ",,,A");
+}
+std::string gga(std::string_view time, int quality = 4) {
+  return sealed("GAGGA," + std::string(time) + ",4807.038,N,01131.000,E," +
+                std::to_string(quality) + ",12,0.8,100.0,M,45.0,M,,");
+}
+
+std::vector<std::uint64_t> seconds_of(std::string_view text) {
+  std::vector<std::uint64_t> seconds;
+  for (const LoggedPose& pose : nmea_log(text).poses) {
+    seconds.push_back(pose.time_us / 1'000'000);
+  }
+  return seconds;
+}
+
+// date -u -d 2024-01-01 +%s and so on. A date is of its own time; others are counted from it.
+TEST(NmeaLog, DaysAreCountedFromTheNearestDate) {
+  using Seconds = std::vector<std::uint64_t>;
+  constexpr std::uint64_t kNewYear = 1'704'067'200;
+  const Seconds around{kNewYear - 1, kNewYear, kNewYear + 1};
+  EXPECT_EQ(seconds_of(gga("235959") + gga("000000") + rmc("000001", "010124")), around);
+  EXPECT_EQ(seconds_of(rmc("235959", "311223") + gga("000000") + gga("000001")), around);
+  EXPECT_EQ(seconds_of(rmc("235959", "") + rmc("000000", "010124") + rmc("000001", "")), around);
+  EXPECT_EQ(seconds_of(gga("235959") + rmc("235959", "311223") + gga("000000") +
+                       rmc("000000", "010124") + gga("000001")),
+            around);
+  // The leap second has no number of its own in Unix time.
+  EXPECT_EQ(seconds_of(rmc("235959", "311216") + gga("235960") + rmc("000000", "010117")),
+            (Seconds{1'483'228'799, 1'483'228'800, 1'483'228'800}));
+  // Before its first fix a receiver lives in 1980 and at any time of day.
+  EXPECT_EQ(
+      seconds_of(rmc("235950", "050180", 'V') + gga("235951", 0) + rmc("000003", "060180", 'V') +
+                 gga("235958") + gga("235959") + rmc("000000", "010124")),
+      (Seconds{kNewYear - 2, kNewYear - 1, kNewYear}));
+  EXPECT_EQ(seconds_of(rmc("120000", "") + rmc("120001", "")), (Seconds{43'200, 43'201}));
+  EXPECT_EQ(nmea_log(rmc("120000", "")).notes.at(0),
+            "no date in it: times are those of 1970-01-01");
+}
+
+TEST(NmeaLog, FindsSentencesInWhateverIsAroundThem) {
+  const std::string line = rmc("120000");
+  const std::string bare = line.substr(0, line.size() - 2);
+  // NAV-SAT of eight bytes: two line ends, a dollar, zeros.
+  const std::string ubx("\xB5\x62\x01\x35\x08\x00\r\n$\0\0\0\0\0\x79\x29", 16);
+  for (const std::string& text :
+       {"\xEF\xBB\xBF" + line, bare + "\r" + rmc("120001"), bare + "\n" + rmc("120001"),
+        ubx + line + ubx + rmc("120001"), "12:00:00.013 " + line, "\xB5\x62\x01" + line}) {
+    const PoseLog log = nmea_log(text);
+    ASSERT_FALSE(log.poses.empty()) << text;
+    EXPECT_EQ(log.poses[0].time_us, 1'714'564'800'000'000U);
+    EXPECT_LE(log.remarks.size(), 1U) << log.remarks.at(0);
+  }
+  EXPECT_EQ(nmea_log(ubx + line + ubx).remarks.at(0), "2 UBX messages between the lines");
+}
+
+// A car that turns about itself for ten seconds, 30 degrees a second clockwise, as a receiver tells
+// it whose HDT comes before the sentences with a time, behind them or between them.
+struct TurningLog {
+  std::size_t place_every = 1;  // ticks
+  std::size_t heading_every = 1;
+  double tick_s = 0.2;
+  char order = 'b';  // before, after, middle
+  std::size_t cut = 0;
+  std::size_t lose_every = 0;
+  bool is_open = false;
+};
+
+std::string text_of(const TurningLog& recipe) {
+  std::vector<std::string> sentences;
+  for (std::size_t tick = 0; static_cast<double>(tick) * recipe.tick_s < 9.95; ++tick) {
+    const double seconds = static_cast<double>(tick) * recipe.tick_s;
+    const std::string tenths = std::to_string(std::lround(seconds * 10));
+    const std::string time =
+        "12000" + (tenths.size() > 1 ? tenths.substr(0, 1) : "0") + '.' + tenths.back();
+    std::string heading;
+    if (tick % recipe.heading_every == 0) {
+      heading = sealed("HEHDT," + std::to_string(std::fmod(350 + 30 * seconds, 360)) + ",T");
+    }
+    const bool has_place = tick % recipe.place_every == 0;
+    for (const std::string& sentence :
+         {recipe.order == 'b' ? heading : "", has_place ? gga(time) : "",
+          recipe.order == 'm' ? heading : "", has_place ? rmc(time) : "",
+          recipe.order == 'a' ? heading : ""}) {
+      if (!sentence.empty()) {
+        sentences.push_back(sentence);
+      }
+    }
+  }
+  std::string text;
+  for (std::size_t i = recipe.cut; i < sentences.size(); ++i) {
+    const bool is_lost = recipe.lose_every > 0 && i % recipe.lose_every == 3;
+    text += is_lost ? "" : sentences[i];
+  }
+  return text;
+}
+
+TEST(NmeaHeadings, AreOfTheirOwnTime) {
+  const std::vector<TurningLog> recipes{
+      {.order = 'b'},
+      {.order = 'a'},
+      {.order = 'm'},
+      {.heading_every = 5, .order = 'b'},
+      {.heading_every = 5, .order = 'a'},
+      {.heading_every = 5, .order = 'm'},
+      {.place_every = 10, .tick_s = 0.1, .order = 'a'},
+      {.place_every = 10, .tick_s = 0.1, .order = 'm'},
+      {.place_every = 10, .tick_s = 0.1, .order = 'b', .is_open = true},
+      {.place_every = 10, .tick_s = 0.1, .order = 'a', .cut = 2, .is_open = true},
+      {.order = 'b', .cut = 1, .is_open = true},
+      {.order = 'a', .cut = 2, .is_open = true},
+      {.order = 'm', .cut = 1},
+      {.order = 'b', .lose_every = 11},
+      {.order = 'a', .lose_every = 13},
+      {.order = 'm', .lose_every = 7},
+      {.heading_every = 5, .order = 'b', .lose_every = 17},
+      {.place_every = 10, .tick_s = 0.1, .order = 'a', .lose_every = 23},
+      {.place_every = 2, .heading_every = 5, .tick_s = 0.1, .order = 'b', .is_open = true}};
+  for (std::size_t i = 0; i < recipes.size(); ++i) {
+    const PoseLog log = nmea_log(text_of(recipes[i]));
+    const double rows = 9.95 / recipes[i].tick_s / static_cast<double>(recipes[i].place_every);
+    EXPECT_GE(static_cast<double>(log.poses.size()), rows * 0.9 - 1) << i;
+    std::size_t known = 0;
+    double doubt = 0;
+    for (const LoggedPose& pose : log.poses) {
+      const double seconds = static_cast<double>(pose.time_us % 60'000'000) / 1e6;
+      doubt = std::max(doubt, pose.heading_doubt_rad);
+      if (pose.heading_rad && pose.heading_doubt_rad < 0.2) {
+        ++known;
+        const double off =
+            std::remainder(*pose.heading_rad - (100 - 30 * seconds) * kDegree, 360 * kDegree);
+        EXPECT_LE(std::abs(off), pose.heading_doubt_rad + 0.01 * kDegree) << i << ' ' << seconds;
+      }
+    }
+    EXPECT_GE(static_cast<double>(known), rows * 0.8 - 5) << i;
+    EXPECT_TRUE((doubt > 0.01) == recipes[i].is_open || recipes[i].lose_every > 0) << i << doubt;
+    EXPECT_EQ(!log.notes.empty() && log.notes[0].find("leaves open") != std::string::npos,
+              recipes[i].is_open)
+        << i;
+  }
 }
 
 void put(std::vector<std::byte>& bytes, std::size_t offset, std::size_t count,
