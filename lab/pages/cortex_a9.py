@@ -44,11 +44,11 @@ class Modelled:
 
     @property
     def low(self) -> float:
-        return min(self.optimistic, self.pessimistic)
+        return min(self.nominal, self.pessimistic)
 
     @property
     def high(self) -> float:
-        return max(self.optimistic, self.pessimistic)
+        return max(self.nominal, self.pessimistic)
 
     @property
     def hz(self) -> "Modelled":
@@ -61,13 +61,11 @@ class Modelled:
         return self.map(lambda cycles: cycles / CLOCK_HZ * 1e3)
 
     def banded(self, decimals: int) -> str:
-        """12.4 (10.9 to 16.0): nominal, and the other two, the smaller one first."""
-        nominal, low, high = (f"{value:,.{decimals}f}"
-                              for value in (self.nominal, self.low, self.high))
-        return f"{nominal} ({low} to {high})"
+        """12.4 (16.0): nominal, and pessimistic. What is faster than nominal is no bound (docs/a9_model.md)."""
+        return f"{self.nominal:,.{decimals}f} ({self.pessimistic:,.{decimals}f})"
 
     def has_in_band(self, paper: float) -> bool:
-        """Whether another variant would have decided otherwise."""
+        """Whether the pessimistic variant would have decided otherwise."""
         return self.low <= paper <= self.high
 
     def verdict(self, paper: float) -> Verdict:

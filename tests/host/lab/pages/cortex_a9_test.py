@@ -90,15 +90,16 @@ class Variants(unittest.TestCase):
         self.assertEqual(Modelled(1e7, 5e6, 2e7).hz, Modelled(100, 200, 50))
         self.assertEqual(Modelled(1e7, 5e6, 2e7).ms, Modelled(10, 5, 20))
 
-    def test_the_band_is_written_from_the_smaller_to_the_larger(self):
-        self.assertEqual(Modelled(1000, 2000, 500).banded(0), "1,000 (500 to 2,000)")
-        self.assertEqual(Modelled(12.44, 10.9, 16).banded(1), "12.4 (10.9 to 16.0)")
+    def test_nothing_above_the_nominal_variant_is_a_bound(self):
+        self.assertEqual(Modelled(1000, 2000, 500).banded(0), "1,000 (500)")
+        self.assertEqual(Modelled(12.44, 10.9, 16).banded(1), "12.4 (16.0)")
 
     def test_the_nominal_variant_decides_and_the_band_says_how_surely(self):
         rate = Modelled(100, 120, 80)
         self.assertEqual(rate.verdict(99), Verdict.BEATS)
         self.assertEqual(rate.verdict(101), Verdict.FALLS_SHORT)
-        self.assertTrue(rate.has_in_band(101))
+        self.assertTrue(rate.has_in_band(99))
+        self.assertFalse(rate.has_in_band(101))
         self.assertFalse(rate.has_in_band(79))
 
 
