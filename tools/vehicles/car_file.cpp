@@ -241,7 +241,7 @@ std::string words_of(const std::string& path, Mistakes& mistakes) {
   std::string words;
   for (const Mistake& mistake : std::span(mistakes).first(std::min(mistakes.size(), kMostTold))) {
     words += (words.empty() ? "" : "\n") + path + ':' + std::to_string(mistake.line) + ": " +
-             mistake.text;
+             mistake.field + ": " + mistake.words;
   }
   if (mistakes.size() > kMostTold) {
     words += "\n" + path + ": and " + std::to_string(mistakes.size() - kMostTold) + " more";
@@ -268,30 +268,65 @@ const toml::node& node_of(const toml::table& file, const vehicle::Fault& fault) 
   return *node;
 }
 
-// Notes the faults that checks tell, of each field the first.
+// Whether one of the fields holds the other, or is it.
+bool overlap(std::string_view one, std::string_view other) {
+  const std::size_t shorter = std::min(one.size(), other.size());
+  const std::string_view rest = (one.size() > shorter ? one : other).substr(shorter);
+  return one.substr(0, shorter) == other.substr(0, shorter) &&
+         (rest.empty() || rest.starts_with('.') || rest.starts_with('['));
+}
+
+// Whether the words name the key, not a longer one.
+bool name_key(std::string_view words, std::string_view key) {
+  const std::size_t at = words.find(key);
+  return at != std::string_view::npos &&
+         words.substr(at + key.size()).find_first_of("abcdefghijklmnopqrstuvwxyz_") != 0;
+}
+
+// Notes the faults that checks tell, of each field the first. Of a value that could not be read
+// nothing more is told, nor of what depends on it: all of a sensor on its type, else by the words.
 class Listener {
  public:
-  Listener(const toml::table& file, Mistakes& mistakes) : file_(&file), mistakes_(&mistakes) {}
+  Listener(const toml::table& file, Mistakes& mistakes)
+      : file_(&file), mistakes_(&mistakes), unread_(mistakes) {
+    std::erase_if(unread_, &Mistake::is_unknown);
+    is_sound_ = unread_.empty();
+  }
+
+  // Whether tables can be made of it.
+  [[nodiscard]] bool is_sound() const { return is_sound_; }
 
   void operator()(const vehicle::Fault& fault) {
     std::string field(fault.field);
     if (fault.sensor != vehicle::Fault::kCar) {
       field = "sensors[" + std::to_string(fault.sensor) + "]." + field;
     }
-    if (!told_.insert(field).second) {
+    is_sound_ = false;
+    if (depends_on_unread(fault, field) || !told_.insert(field).second) {
       return;
     }
-    std::string text = field + ": allowed is ";
+    std::string text = "allowed is ";
     text += fault.least > 0 ? "at least " + std::to_string(fault.least) + ": " : "";
     text += fault.allowed;
     text += fault.sum > 0 ? "; here it is " + std::to_string(fault.sum) : "";
     const std::uint32_t line = node_of(*file_, fault).source().begin.line;
-    mistakes_->push_back({std::max(line, std::uint32_t{1}), text});
+    mistakes_->push_back({std::max(line, std::uint32_t{1}), field, text});
   }
 
  private:
+  [[nodiscard]] bool depends_on_unread(const vehicle::Fault& fault,
+                                       const std::string& field) const {
+    return std::ranges::any_of(unread_, [&](const Mistake& unread) {
+      const std::string key = unread.field.substr(unread.field.rfind('.') + 1);
+      return overlap(unread.field, field) || name_key(fault.allowed, key) ||
+             unread.field == "sensors[" + std::to_string(fault.sensor) + "].type";
+    });
+  }
+
   const toml::table* file_;
   Mistakes* mistakes_;
+  Mistakes unread_;
+  bool is_sound_ = true;
   std::set<std::string> told_;
 };
 
@@ -309,19 +344,12 @@ void check_key(const Car& car, const vehicle::Tell& tell) {
   }
 }
 
-void demand_none(const std::string& path, Mistakes& mistakes) {
-  if (!mistakes.empty()) {
-    throw UsageError(words_of(path, mistakes));
-  }
-}
-
 }  // namespace
 
 Car parse_car(std::string_view text, const std::string& path) {
   const toml::table file = parse(text, path);
   Mistakes mistakes;
   Car car = read_fields(file, path, mistakes);
-  demand_none(path, mistakes);
   Listener listener(file, mistakes);
   const vehicle::Tell tell(listener);
   check_name(path, car, tell);
@@ -331,13 +359,17 @@ Car parse_car(std::string_view text, const std::string& path) {
     car.tables.push_back(description::numbers_of(sensor));
   }
   car_block::check_numbers(description::numbers_of(car.description, car.tables), car.network, tell);
-  demand_none(path, mistakes);
+  if (!listener.is_sound()) {
+    throw UsageError(words_of(path, mistakes));
+  }
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     car.tables[i] = description::sensor_of(car.sensors[i], car.description);
   }
   car.vehicle = description::vehicle_of(car.description, car.tables);
   car_block::check_tables(car.vehicle, tell);
-  demand_none(path, mistakes);
+  if (!mistakes.empty()) {
+    throw UsageError(words_of(path, mistakes));
+  }
   return car;
 }
 

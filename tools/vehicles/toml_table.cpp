@@ -44,7 +44,9 @@ TomlTable::TomlTable(const toml::table& table, std::string path, std::vector<Mis
     : table_(&table), path_(std::move(path)), mistakes_(&mistakes) {}
 
 const toml::node* TomlTable::find(std::string_view key) {
-  known_.push_back(key);
+  if (std::ranges::find(known_, key) == known_.end()) {
+    known_.push_back(key);
+  }
   return table_->get(key);
 }
 
@@ -54,7 +56,7 @@ std::string TomlTable::field(std::string_view key) const {
 
 void TomlTable::note(const toml::node& node, std::string_view key, std::string_view allowed) {
   mistakes_->push_back(
-      {node.source().begin.line, field(key) + ": allowed is " + std::string(allowed)});
+      {node.source().begin.line, field(key), "allowed is " + std::string(allowed)});
 }
 
 void TomlTable::read(std::string_view key, bool& value) {
@@ -178,7 +180,7 @@ void TomlTable::demand(const std::vector<std::string_view>& keys) {
   for (const std::string_view key : keys) {
     if (table_ != &kEmpty && !has(key)) {
       const std::uint32_t line = std::max(table_->source().begin.line, std::uint32_t{1});
-      mistakes_->push_back({line, field(key) + ": is missing"});
+      mistakes_->push_back({line, field(key), "is missing"});
     }
   }
 }
@@ -186,8 +188,8 @@ void TomlTable::demand(const std::vector<std::string_view>& keys) {
 void TomlTable::refuse_others() {
   for (const auto& [key, node] : *table_) {
     if (std::ranges::find(known_, key.str()) == known_.end()) {
-      mistakes_->push_back({key.source().begin.line,
-                            field(key.str()) + ": no such key; allowed are " + listed(known_)});
+      mistakes_->push_back({key.source().begin.line, field(key.str()),
+                            "no such key; allowed are " + listed(known_), true});
     }
   }
 }

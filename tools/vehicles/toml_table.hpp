@@ -18,8 +18,10 @@
 namespace iog::tools {
 
 struct Mistake {
-  std::uint32_t line = 0;  // from 1
-  std::string text;        // "sensors[0].udp_port: allowed is ..."
+  std::uint32_t line = 0;   // from 1
+  std::string field;        // "sensors[0].udp_port"
+  std::string words;        // "allowed is ..."
+  bool is_unknown = false;  // nobody knows the key: nothing depends on it
 };
 
 // A word of the file and what it stands for.
@@ -66,7 +68,8 @@ class TomlTable {
   // The tables of that key's array; none if there is no such array.
   [[nodiscard]] std::vector<TomlTable> tables(std::string_view key);
 
-  [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
+  // A key that is asked for is a known one.
+  [[nodiscard]] bool has(std::string_view key) { return find(key) != nullptr; }
 
   // Notes each of the keys that is missing; none if the whole table is.
   void demand(const std::vector<std::string_view>& keys);

@@ -162,6 +162,20 @@ TEST(CarMistakes, EachIsToldWithItsLineItsFieldAndWhatIsAllowed) {
   }
 }
 
+// What depends on it has the value of a car that does not say it, which is no mistake.
+TEST(CarMistakes, AValueThatCannotBeReadIsTheOnlyOne) {
+  for (const std::string change :
+       {"car: name", "car: z_min_m", "car: z_max_m", "car: footprint", "front: name", "front: type",
+        "front: udp_port", "front: mount", "front: max_points_per_scan", "roof: type"}) {
+    CarText car;
+    const std::size_t colon = change.find(':');
+    car.change(change.substr(0, colon), change.substr(colon + 2) + " = true");
+    car.change("car", "footprint_m = 3");
+    const Lines told = told_of(car.text(), "car.toml");
+    EXPECT_EQ(told.size(), 2U) << change << ": " << told.back();
+  }
+}
+
 TEST(CarMistakes, NineSensorsAreTooMany) {
   std::string text = CarText().text();
   for (int i = 0; i < 7; ++i) {
