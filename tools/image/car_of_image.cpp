@@ -1,5 +1,6 @@
 #include "tools/image/car_of_image.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 
@@ -84,6 +85,13 @@ std::string check_value(const authentication::Key& key) {
   return words;
 }
 
+// As the build makes images for cars of one's own.
+bool has_no_car_yet(car_block::Block block) {
+  return std::ranges::all_of(
+      block.subspan(car_block::kCarRecord.offset, car_block::kRecordHeaderBytes),
+      [](std::byte byte) { return byte == std::byte{0}; });
+}
+
 std::string words_of_sensor(const vehicle::Sensor& sensor) {
   std::string words(lidar::name_of(sensor.format));
   words += ", UDP " + std::to_string(sensor.udp_port);
@@ -141,6 +149,14 @@ std::string words_of_image(const FirmwareImage& image) {
 
 void demand_accepted(const FirmwareImage& image) {
   const ReadCar car(image.block());
+  if (car.verdict.refusal == car_block::Refusal::kNoRecord && has_no_car_yet(image.block())) {
+    const auto firmware = car_block::read_firmware(image.block());
+    throw CheckFailed(
+        "there is no car in the image yet; `iog image FILE --vehicle-file my_car.toml` puts one "
+        "there" +
+        (firmware ? ", whose file says grids = \"" + std::string(word_of(firmware->grids)) + '"'
+                  : std::string()));
+  }
   if (car.verdict.refusal != car_block::Refusal::kNone) {
     throw CheckFailed("the firmware refuses the car: " +
                       printable(std::string(car_block::Words(car.verdict).view())));

@@ -188,6 +188,29 @@ TEST_F(ImageFile, ADamagedBlockIsToldAndMended) {
   EXPECT_NO_THROW(demand_accepted(image));
 }
 
+std::string refusal_of(const FirmwareImage& image) {
+  try {
+    demand_accepted(image);
+  } catch (const CheckFailed& refusal) {
+    return refusal.what();
+  }
+  return {};
+}
+
+// As images-both has it (docs/vehicles.md): nothing is wrong with it, and nothing in it.
+TEST_F(ImageFile, AFreshOneIsToldFromOneThatTheFirmwareRefuses) {
+  Image fresh = raw_image();
+  const auto block = std::span(fresh).subspan(0x1000).first<car_block::kBlockBytes>();
+  const CatalogueEntry& car = find_vehicle("reference_car");
+  car_block::write_block_without_car(vehicle::Grids::kBoth, *car.network, block);
+  const std::string told = refusal_of(FirmwareImage(write(fresh)));
+  EXPECT_TRUE(told.starts_with("there is no car in the image yet; `iog image ")) << told;
+  EXPECT_TRUE(told.ends_with("grids = \"both\"")) << told;
+  fresh[0x1000 + 128] = std::byte{'X'};  // where its magic number would stand
+  EXPECT_EQ(refusal_of(FirmwareImage(write(fresh))),
+            "the firmware refuses the car: description: it is not there");
+}
+
 // docs/spec.md 8.6. The check value is of OpenSSL 3.0: openssl mac over 16 zeros.
 TEST_F(ImageFile, AKeyIsPutThereWithItsCar) {
   FirmwareImage image(write(raw_image()));
