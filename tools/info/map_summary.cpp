@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <map>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "tools/info/file_summary.hpp"
@@ -91,18 +92,26 @@ std::string summary_of_map(const std::string& path) {
 
 std::string summary_of_folder(const std::string& path) {
   std::size_t pictures = 0;
+  std::size_t classes = 0;
   std::size_t maps = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
     const std::string name = entry.path().filename();
     pictures += name.starts_with("frame_") && name.ends_with(".png") ? 1U : 0U;
+    classes += name.starts_with("classes_") && name.ends_with(".png") ? 1U : 0U;
     maps += name.starts_with("map") && name.ends_with(".yaml") ? 1U : 0U;
   }
-  if (pictures + maps == 0) {
-    throw UsageError(path + ": a folder without frame_NNNNNN.png and without a map");
+  if (pictures + classes + maps == 0) {
+    throw UsageError(path +
+                     ": a folder without frame_NNNNNN.png, classes_NNNNNN.png and map.yaml, so not "
+                     "of `iog record --out FOLDER`");
   }
-  std::string text = row("kind", "folder: " + std::to_string(pictures) + " pictures, " +
-                                     std::to_string(maps) + " maps");
+  std::string what;
+  for (const auto& [count, words] : {std::pair(pictures, " pictures"), std::pair(maps, " maps"),
+                                     std::pair(classes, " pictures of classes")}) {
+    what += count == 0 ? "" : (what.empty() ? "" : ", ") + std::to_string(count) + words;
+  }
+  std::string text = row("kind", "folder: " + what);
   const std::string last = path + "/map.yaml";
   return std::filesystem::exists(last) ? text + row("last frame", "map.yaml") + summary_of_map(last)
                                        : text;

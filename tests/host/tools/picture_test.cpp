@@ -12,7 +12,9 @@
 #include "tools/formats/picture/frame_writer.hpp"
 #include "tools/formats/picture/grid_picture.hpp"
 #include "tools/formats/picture/ros_map.hpp"
+#include "tools/info/file_summary.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/table.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -317,6 +319,8 @@ TEST(FrameWriter, AFrameWithClassesHasTwoPictures) {
   EXPECT_TRUE(exists("frame_000001.png") && exists("classes_000001.png"));
   EXPECT_TRUE(!exists("frame_000002.png") && exists("classes_000002.png"));
   EXPECT_FALSE(exists("map.pgm")) << "there are no indexes to map";
+  EXPECT_EQ(summary_of_file(folder.path()),
+            row("kind", "folder: 2 pictures, 2 pictures of classes"));
 }
 
 }  // namespace
