@@ -12,6 +12,7 @@
 #include "geometry/grid.hpp"
 #include "grid/cone.hpp"
 #include "grid/pending_marks.hpp"
+#include "lidar/formats.hpp"
 #include "tools/budget/unit_costs.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/vehicles/two_returns.hpp"
@@ -27,9 +28,12 @@ constexpr double kConeCellCycles = 30;
 
 double ms_of(double cycles) { return cycles * kMsPerCycle; }
 
-// A unit whose azimuths never repeat may come by all lines of its azimuth steps, which are kept if
-// it is level.
-bool turns(const vehicle::Sensor& sensor) { return sensor.layers_share_lines; }
+// Its azimuths never repeat, but lines of all its azimuth steps are kept.
+bool is_level(const vehicle::Sensor& sensor) { return sensor.layers_share_lines; }
+
+bool has_unit_that_turns(const CatalogueEntry& car) {
+  return std::ranges::any_of(car.sensors, lidar::turns, &description::SensorConfig::format);
+}
 
 // A LUX fires into the same directions in each scan. The others' heads turn as they like.
 bool repeats(const description::SensorConfig& sensor) { return sends_lux_scans(sensor.format); }
@@ -140,7 +144,7 @@ Sight sight_of(const CatalogueEntry& car) {
 // Of the tiles in reach as many as on the drives, of a car with a unit that turns or of one
 // without.
 double typical_tiles(const CatalogueEntry& car) {
-  if (std::ranges::any_of(car.vehicle->sensors, turns)) {
+  if (has_unit_that_turns(car)) {
     return kTurnTiles * tiles_in_reach(car) / tiles_in_reach(find_vehicle("roof_hdl32e"));
   }
   return kTypicalTiles * tiles_in_reach(car) / tiles_in_reach(find_vehicle(kDefaultVehicle));
@@ -149,7 +153,7 @@ double typical_tiles(const CatalogueEntry& car) {
 // A unit that turns ends its frames itself, long before their time is over.
 double period_ms(const CatalogueEntry& car) {
   const double most_ms = car.vehicle->frame_period_us / 1000.0;
-  return std::ranges::any_of(car.vehicle->sensors, turns) ? std::min(most_ms, kTurnMs) : most_ms;
+  return has_unit_that_turns(car) ? std::min(most_ms, kTurnMs) : most_ms;
 }
 
 bool has_arcs(const vehicle::Sensor& sensor) { return sensor.arc.is_given(); }
@@ -200,19 +204,19 @@ FrameWork typical_work(const CatalogueEntry& car) {
   const double cells_per_metre = kTypicalCells / sight.metres;
   FrameWork work{.tiles = typical_tiles(car)};
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
-    const bool its_turn = turns(car.vehicle->sensors[i]);
+    const bool its_turn = lidar::turns(car.sensors[i].format);
     const double of_scan = its_turn ? share_of_turn(car) : 1.0;
     const double directions = of_scan * directions_of(car.sensors[i]);
     if (has_arcs(car.vehicle->sensors[i])) {
       add_arcs(car.vehicle->sensors[i], car.sensors[i].range_max_mm / 2, work);
-    } else if (its_turn) {
+    } else if (is_level(car.vehicle->sensors[i])) {
       work.turn_steps += of_scan * car.vehicle->sensors[i].azimuths.steps_per_turn();
       work.turn_points += directions;  // it sends all of them, with an echo or without
     } else if (repeats(car.sensors[i])) {
       work.points += share * directions;
       work.cells += cells_per_metre * directions * mean_reach_m(car, i);
     } else {
-      work.points_once += share * directions;
+      work.points_once += (its_turn ? 1 : share) * directions;
     }
     add_ground(car.vehicle->sensors[i], of_scan, directions, work);
     add_moved(car, car.vehicle->sensors[i], directions, work);

@@ -1,5 +1,6 @@
 // iog budget: what a frame of a vehicle takes the target, by the cost model.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -9,18 +10,21 @@
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/vehicles/two_returns.hpp"
+#include "tools/vehicles/upward_mount.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {
 
+void show_budget(const CatalogueEntry& car) {
+  std::cout << words_of_budget(car) << warning_of_two_returns(car) << warning_of_upward_mounts(car);
+}
+
 void show_budgets(const std::string& name) {
   if (name.empty()) {
-    for (const CatalogueEntry& car : all_vehicles()) {
-      std::cout << words_of_budget(car) << warning_of_two_returns(car);
-    }
+    std::ranges::for_each(all_vehicles(), show_budget);
   } else {
-    std::cout << words_of_budget(find_vehicle(name)) << warning_of_two_returns(find_vehicle(name));
+    show_budget(find_vehicle(name));
   }
   std::cout << words_of_budget_errors();
 }

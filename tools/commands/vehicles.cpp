@@ -15,6 +15,7 @@
 #include "tools/vehicles/car_words.hpp"
 #include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/two_returns.hpp"
+#include "tools/vehicles/upward_mount.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -41,10 +42,11 @@ void show_all() {
       const description::MountConfig& mount = sensor.mount;
       std::cout << "  " << std::left << std::setw(14) << sensor.name << " UDP " << sensor.udp_port
                 << ", x " << mount.x_m << " m, y " << mount.y_m << " m, z " << mount.z_m
-                << " m, yaw " << mount.yaw_deg << " deg, up to " << sensor.range_max_mm / 1000.0
-                << " m" << words_of_heights(sensor) << '\n';
+                << " m, yaw " << mount.yaw_deg << " deg, pitch " << mount.pitch_deg << " deg, roll "
+                << mount.roll_deg << " deg, up to " << sensor.range_max_mm / 1000.0 << " m"
+                << words_of_heights(sensor) << '\n';
     }
-    std::cout << warning_of_two_returns(entry);
+    std::cout << warning_of_two_returns(entry) << warning_of_upward_mounts(entry);
     if (vehicle::have_classes(entry.vehicle->grids)) {
       std::cout << "  " << std::left << std::setw(14) << "poses"
                 << " UDP " << entry.vehicle->poses.udp_port << '\n'

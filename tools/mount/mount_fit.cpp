@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -71,6 +72,14 @@ std::string words_of_too_few(const MountFit& fit, std::uint64_t turns) {
   if (of(CarState::kStands) != "0" || of(CarState::kLeans) != "0") {
     words += " (it stood for " + of(CarState::kStands) +
              " more, and braked, sped up or turned in " + of(CarState::kLeans) + ")";
+  }
+  if (const auto count = fit.turns[0]; count > 0 && fit.taken == 0) {
+    words += "; " + std::to_string(count) + " more have no pose within a second";
+  }
+  if (2 * std::accumulate(fit.turns.begin(), fit.turns.end(), std::uint64_t{0}) < turns) {
+    words +=
+        "; it is looked for within 10 degrees and 1 m of the car's file, whose pitch_deg is "
+        "positive down";
   }
   return words;
 }

@@ -36,6 +36,17 @@ std::string words_of(const FittedValue& fitted, double by_file) {
   return words + ", single turns differ by " + fixed(fitted.scatter, 3);
 }
 
+// An angle that is the file's but for its sign. Small ones may be so by chance.
+std::string words_of_sign(const std::string& key, double found, double by_file) {
+  constexpr double kLeastDeg = 2;
+  const bool is_turned =
+      std::abs(by_file) >= kLeastDeg && 4 * std::abs(found + by_file) < std::abs(found - by_file);
+  return is_turned ? row("SIGN?", key +
+                                      " of the car's file has the wrong sign; pitch_deg is "
+                                      "positive down, roll_deg to the right")
+                   : std::string();
+}
+
 std::string words_of_turns(const MountFit& fit, const UnitTurns& unit) {
   const auto count = [&](CarState state) { return fit.turns[static_cast<std::size_t>(state)]; };
   std::string words = std::to_string(fit.taken) + " of " + std::to_string(unit.turns());
@@ -74,6 +85,8 @@ std::string words_of(const MountFit& fit, const UnitTurns& unit,
     text += row("NO ROLL", "the parts differ by " + fixed(fit.roll_deg.difference(), 2) +
                                " degrees: the roll of the car's file stays");
   }
+  text += words_of_sign("pitch_deg", fit.pitch_deg.value, sensor.mount.pitch_deg);
+  text += words_of_sign("roll_deg", fit.roll_deg.value, sensor.mount.roll_deg);
   text += row("z_m", words_of(fit.z_m, sensor.mount.z_m));
   text += row("off the plane", fixed(1000 * fit.residual_m, 0) + " mm, standard deviation");
   return text;

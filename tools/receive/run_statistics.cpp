@@ -207,6 +207,13 @@ void RunStatistics::append_ground(std::string& text) const {
           << kPointFateNames[its];
   }
   text += row("over the ground", words.str());
+  // A right mount has less than 1 % under it, also in hills (docs/ground.md).
+  constexpr std::uint64_t kOfAWrongMount = 50;
+  if (kOfAWrongMount * fates_[static_cast<std::size_t>(Fate::kUnderGround)] > all) {
+    text += row("MOUNT?",
+                "many returns are under the ground: is the pitch or roll of a mount "
+                "wrong, or its sign? pitch_deg is positive down; `iog mount` finds it");
+  }
 }
 
 void RunStatistics::append_too_slow(std::string& text) const {

@@ -2,10 +2,13 @@
 #include <cstddef>
 #include <gtest/gtest.h>
 #include <sstream>
+#include <vector>
 
+#include "description/tables.hpp"
 #include "fakes/ground_car.hpp"
 #include "tools/budget/frame_budget.hpp"
 #include "tools/budget/unit_costs.hpp"
+#include "tools/vehicles/upward_mount.hpp"
 
 namespace iog::tools {
 namespace {
@@ -119,6 +122,30 @@ TEST(Budget, OfAUnitThatTurnsIsThatOfItsTurn) {
     EXPECT_EQ(by_band.work.ground_points, 0);
     EXPECT_NEAR(by_band.ms / (kTurns[i].cycles / kCyclesPerMs), 1, 0.30) << kTurns[i].name;
   }
+}
+
+// A tilt takes nothing of the turn away that ends the frame, whose period is then that of a level
+// unit; which points come, and of how many tiles, is the same, too.
+TEST(Budget, OfAUnitThatIsNotLevelIsThatOfItsTurn) {
+  const CatalogueEntry level = find_vehicle("roof_vlp16");
+  std::vector<description::SensorConfig> sensors(level.sensors.begin(), level.sensors.end());
+  sensors[0].mount.pitch_deg = -6;
+  const std::array tables{description::sensor_of(sensors[0], *level.description)};
+  const vehicle::Vehicle its = description::vehicle_of(*level.description, tables);
+  CatalogueEntry car = level;
+  car.vehicle = &its;
+  car.sensors = sensors;
+  ASSERT_FALSE(its.sensors[0].layers_share_lines);
+  const VehicleBudget pitched = budget_of(car);
+  EXPECT_EQ(pitched.period_ms, 100);
+  EXPECT_EQ(pitched.typical.work.points_once, budget_of(level).typical.work.turn_points);
+  EXPECT_NEAR(pitched.typical.work.tiles / budget_of(level).typical.work.tiles, 1, 0.1);
+  EXPECT_EQ(pitched.typical.work.ground_turns, 1);
+  EXPECT_EQ(
+      warning_of_upward_mounts(car),
+      "warning: roof_vlp16: sensor roof: pitch_deg = -6 looks up by 6 degrees; one that looks "
+      "down has a positive pitch_deg (iog mount)\n");
+  EXPECT_EQ(warning_of_upward_mounts(level), "");
 }
 
 // From the description alone: the mean of both drives.

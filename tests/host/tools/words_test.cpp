@@ -178,6 +178,12 @@ TEST(RunTable, SaysHowMuchIsGroundOnceAnythingIs) {
   following.add(frame);
   EXPECT_NE(following.table(false).find("60.0 % ground, 9.8 % overhang, 0.2 % under the ground\n"),
             std::string::npos);
+  EXPECT_EQ(following.table(false).find("MOUNT?"), std::string::npos);
+  // Of a VLP-16 that looks down by 12 degrees and by its car's file up, 7.7 % were.
+  set(vehicle::Fate::kUnderGround, 30);
+  RunStatistics wrong;
+  wrong.add(frame);
+  EXPECT_NE(wrong.table(false).find("MOUNT?"), std::string::npos);
 }
 
 TEST(Silence, SaysWhatWasWaitedForAndWhatToLookAt) {

@@ -7,6 +7,8 @@
 
 #include "gtest/gtest.h"
 
+#include "pose/message.hpp"
+
 namespace iog::tools {
 namespace {
 
@@ -120,6 +122,16 @@ TEST(MountFit, FewerThanFiftyTurnsAreTooFew) {
   EXPECT_EQ(fit_of(turns(50), 50, {}).refusal, "");
   EXPECT_NE(fit_of(turns(49), 60, {}).refusal.find("49 of 60 turns"), std::string::npos);
   EXPECT_NE(fit_of({}, 0, {}).refusal, "");
+}
+
+// Else it reads as if the car had never driven evenly.
+TEST(MountFit, TurnsWhosePosesAreOfAnotherTimeAreTold) {
+  MotionLog motion;
+  pose::Encoder encoder;
+  motion.add(3'600'000'000, encoder.encode({.run = 1, .clock_us = 1'714'564'800'000'000}));
+  motion.sort();
+  ASSERT_FALSE(motion.is_empty());
+  EXPECT_NE(fit_of(turns(60), 60, motion).refusal.find("60 more have no pose"), std::string::npos);
 }
 
 TEST(MountFit, PartsThatDifferAreNoMount) {

@@ -23,6 +23,23 @@ TEST(MountWords, TheLineHasAllKeysOfAMount) {
             "roll_deg = 0 }\n");
 }
 
+TEST(MountWords, AnAngleThatHasTheOtherSignInTheFileIsTold) {
+  const CatalogueEntry& car = find_vehicle("roof_vlp16");
+  const UnitTurns unit(car, 0);
+  const auto told = [&](double found, double by_file) {
+    MountFit fitted = fit();
+    fitted.pitch_deg.value = found;
+    description::SensorConfig sensor = car.sensors[0];
+    sensor.mount.pitch_deg = by_file;
+    return words_of(fitted, unit, sensor).find("SIGN?") != std::string::npos;
+  };
+  EXPECT_TRUE(told(12.05, -12));
+  EXPECT_TRUE(told(-3.1, 2.9));
+  EXPECT_FALSE(told(12.05, 12));
+  EXPECT_FALSE(told(12.05, -3));
+  EXPECT_FALSE(told(0.5, -0.5));
+}
+
 TEST(MountWords, ARollThatIsNotKnownIsThatOfTheFile) {
   MountFit fitted = fit();
   fitted.roll_deg.parts = {-0.3, 0, 0.3};
