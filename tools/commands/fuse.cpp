@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "pose/message.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/picture/class_picture.hpp"
@@ -27,7 +26,10 @@
 #include "tools/receive/class_record.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/record/stream_file.hpp"
+#include "tools/vehicles/car_words.hpp"
+#include "tools/vehicles/upward_mount.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
+#include "vehicle/vehicle.hpp"
 
 namespace iog::tools {
 namespace {
@@ -57,12 +59,27 @@ vehicle::Vehicle vehicle_with_rule(const CatalogueEntry& car, const std::string&
   return vehicle;
 }
 
+std::string words_of_missing(std::uint64_t frame, std::size_t count) {
+  return "no frame " + std::to_string(frame) + "; the capture has " + std::to_string(count) +
+         " frames with evidence";
+}
+
+// What is asked for has to be among the car's grids.
+void demand_grids(const FuseOptions& options, const vehicle::Vehicle& car) {
+  const std::string its_grids =
+      std::string(car.name) + " asks for grids = \"" + std::string(word_of(car.grids)) + '"';
+  if (!options.classes_png.empty() && !vehicle::have_classes(car.grids)) {
+    throw UsageError("--classes-png: " + its_grids + ", which have no classes");
+  }
+  if (!options.out_raw.empty() && !vehicle::have_indexes(car.grids)) {
+    throw UsageError("--out-raw: " + its_grids + ", which have no indexes");
+  }
+}
+
 const GridFrame& demanded(const ChosenFrame& chosen, std::optional<std::uint64_t> number,
                           std::size_t count) {
   if (!chosen.get()) {
-    throw UsageError(number ? "no frame " + std::to_string(*number) + "; the capture has " +
-                                  std::to_string(count) + " frames with evidence"
-                            : "no frame has evidence");
+    throw UsageError(number ? words_of_missing(*number, count) : "no frame has evidence");
   }
   return *chosen.get();
 }
@@ -127,15 +144,18 @@ class ClassDrawing {
   }
 
   // clocks: how those of poses and packets differ.
-  void write(const std::string& clocks) const {
+  void write(const RunStatistics& statistics, std::uint16_t pose_port,
+             const std::string& clocks) const {
     if (options_->classes_png.empty()) {
       return;
     }
+    if (!classes_ && options_->frame) {
+      throw UsageError(words_of_missing(*options_->frame, statistics.records().size()));
+    }
     if (!classes_) {
-      throw CheckFailed("no frame to draw has a place: " +
-                        (clocks.empty() ? "does the capture have poses, on UDP port " +
-                                              std::to_string(pose::kPosePort) + "?"
-                                        : clocks));
+      throw CheckFailed(
+          "no frame to draw has a place: " +
+          (clocks.empty() ? statistics.classes().why_nothing_placed(pose_port) : clocks));
     }
     picture_of(*classes_, title_, options_->pictures.scale).write_png(options_->classes_png);
   }
@@ -165,6 +185,8 @@ void print_input(const CarCapture& car_capture, std::uint64_t other_ports) {
 void fuse(const FuseOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const vehicle::Vehicle vehicle = vehicle_with_rule(car, options.rule);
+  demand_grids(options, vehicle);
+  std::cerr << warning_of_upward_mounts(car);
   demand_fit(options.pcap, car);
   CarCapture capture(options.pcap, car, options.clock_offset_s);
   RunStatistics statistics;
@@ -213,12 +235,12 @@ void fuse(const FuseOptions& options) {
   if (!options.classes_hashes.empty()) {
     write_class_records(options.classes_hashes, statistics.classes().records());
   }
-  drawing.write(capture.clock_words());
   if (statistics.records().empty()) {
     throw CheckFailed(options.pcap + ": no frame has evidence: what came to the ports of " +
                       options.vehicle + " holds no scan of its sensors; `iog info " + options.pcap +
                       "` says what it is");
   }
+  drawing.write(statistics, vehicle.poses.udp_port, capture.clock_words());
   if (!options.out_raw.empty() || !options.pictures.folder.empty()) {
     const GridFrame& frame = demanded(chosen, options.frame, statistics.records().size());
     pictures.write_last(frame);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/table.hpp"
@@ -84,6 +85,27 @@ std::vector<std::pair<std::string, std::string>> ClassStatistics::facts() const 
   }
   facts.emplace_back("class_run_hash", hex(run_hash()));
   return facts;
+}
+
+std::string ClassStatistics::why_nothing_placed(std::uint16_t pose_port) const {
+  const auto& fates = last_.pose_fates;
+  const std::uint64_t poses = std::accumulate(fates.begin(), fates.end(), std::uint64_t{0});
+  const std::string port = " on UDP port " + std::to_string(pose_port);
+  if (poses == 0) {
+    return "no pose message came" + port + "; `iog pose` makes a capture of a log of poses";
+  }
+  if (fates[0] == 0) {
+    return "none of the " + std::to_string(poses) + " pose messages" + port +
+           " was used: " + list_of(fates, kPoseFateNames);
+  }
+  const auto slices = slices_of(last_);
+  const auto all = std::accumulate(slices.begin() + 1, slices.end(), std::uint64_t{0});
+  const auto of = [&](pose::Cause cause) { return slices.at(static_cast<std::size_t>(cause)); };
+  if (of(pose::Cause::kLate) + of(pose::Cause::kLost) < all) {
+    return "its slices were not placed: " + list_of(slices, kPoseCauseNames);
+  }
+  return "the poses and the scans do not overlap in time: of " + std::to_string(all) +
+         " slices of scans none has a pose within 100 ms; are their clocks the same?";
 }
 
 std::string ClassStatistics::table() const {

@@ -25,6 +25,8 @@ class ClassStatistics {
 
   // As RunStatistics has them.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
+  // Why no slice had a place, if none had: "none of its 60 pose messages was used: 60 damaged".
+  [[nodiscard]] std::string why_nothing_placed(std::uint16_t pose_port) const;
   // Empty if no frame had classes.
   [[nodiscard]] std::string table() const;
 

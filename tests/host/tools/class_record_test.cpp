@@ -145,5 +145,29 @@ TEST(ClassRecord, CountsFramesInWhichOnlyTimeWentOn) {
   EXPECT_EQ(statistics.records()[2].frames_of_time, 2U);
 }
 
+// docs/spec.md 5.2 and 5.5: no message, none that may be used, none of that time, other causes.
+TEST(ClassStatistics, SayWhyNothingHadAPlace) {
+  const auto told = [](std::uint32_t used, std::uint32_t damaged, std::uint32_t late,
+                       std::uint32_t imprecise) {
+    GridFrame frame = frame_of(true, 10);
+    stream::ClassEnd& end = frame.classes->end;
+    frame.classes->has_end = true;
+    end.pose_fates[static_cast<std::size_t>(pose::Fate::kUsed)] = used;
+    end.pose_fates[static_cast<std::size_t>(pose::Fate::kDamaged)] = damaged;
+    end.causes[static_cast<std::size_t>(pose::Cause::kLate)].slices = late;
+    end.causes[static_cast<std::size_t>(pose::Cause::kImprecise)].slices = imprecise;
+    ClassStatistics statistics;
+    statistics.add(frame);
+    return statistics.why_nothing_placed(15'010);
+  };
+  EXPECT_EQ(told(0, 0, 9, 0),
+            "no pose message came on UDP port 15010; `iog pose` makes a capture of a log of poses");
+  EXPECT_EQ(told(0, 7, 9, 0), "none of the 7 pose messages on UDP port 15010 was used: 7 damaged");
+  EXPECT_EQ(told(5, 7, 9, 0),
+            "the poses and the scans do not overlap in time: of 9 slices of scans none has a pose "
+            "within 100 ms; are their clocks the same?");
+  EXPECT_EQ(told(5, 0, 1, 8), "its slices were not placed: 1 late, 8 imprecise");
+}
+
 }  // namespace
 }  // namespace iog::tools
