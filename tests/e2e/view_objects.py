@@ -6,12 +6,14 @@ import pathlib
 
 import grid_stream
 from browser import Browser
+from colour_vision import READABLE, contrast
 from made_classes import FREE, Window, class_byte
 from made_objects import Thing, objects_of
 from object_parts import MOVES, STOPPED, YOUNG
 from view_classes import COLOURS, Street, alike
 from viewer import GridPage, Viewer, free_port
 
+CARD = (20, 23, 27, 0.86)  # below words, tools/view/page/palette.js
 MAGENTA, AMBER, YELLOW = (255, 40, 160), (250, 190, 40), (240, 230, 120)
 CAR = Thing(7, MOVES, x_m=10, y_m=2, turns=0.25, velocity=(0, -6), sigma=(0.7, 0.2), age_frames=50)
 PARKED = Thing(9, STOPPED, x_m=6, y_m=-6, length_m=4, width_m=2, turns=0.125)
@@ -107,6 +109,47 @@ def check_list(street: Street) -> None:
     page.wait_for_fact("objects without room, hits left", "3, 40")
 
 
+def words_on_picture(street: Street, window: Window) -> list[tuple[str, float, float, float, str]]:
+    """Each text that the picture has, where it begins, its row, its width and its colour."""
+    page = street.page.page
+    page.run("const fill = CanvasRenderingContext2D.prototype.fillText; window.said ??= [];"
+             "CanvasRenderingContext2D.prototype.fillText = function (words, x, y) {"
+             "  if (this.canvas.id === 'grid') {"
+             "    const width = this.measureText(words).width;"
+             "    said.push([words, this.textAlign === 'center' ? x - width / 2 : x, y, width, this.fillStyle]); }"
+             "  return fill.call(this, words, x, y); };")
+    street.show(window)
+    page.run("said.length = 0; iogPage.redraw()")
+    page.wait_for("said.length > 0")
+    return list(dict.fromkeys(map(tuple, page.value("said"))))
+
+
+def check_words(street: Street) -> None:
+    """A speed that may as well be none is not said; others can be read, whatever lies there and whoever looks."""
+    page = street.page
+    ahead = dataclasses.replace(CAR, y_m=-3)  # its name lies over the ring of 10 m, straight ahead
+    doubted = Thing(8, MOVES, x_m=-6, y_m=5, turns=0.25, velocity=(0, -1.4), sigma=(4.2, 0.2))
+    street.things = [ahead, doubted]
+    page.page.press("g")
+    said = words_on_picture(street, ground())
+    names = [text for text in said if text[0].startswith(("7", "8"))]
+    assert sorted(text[0] for text in names) == ["7: 22 km/h", "8"], said
+    rings = [text for text in said if text[0].endswith(" m")]
+    assert "10 m" in [text[0] for text in rings], said
+    for name, left, row, width, colour in names:
+        hidden = [ring for ring in rings[:-1] if ring[1] - 4 < left + width + 4 and ring[1] + ring[3] + 4 > left - 4
+                  and abs(ring[2] - row) < 15]
+        assert not hidden, (name, hidden)
+        words = [int(colour[i:i + 2], 16) for i in (1, 3, 5)]
+        for below in ((0, 0, 0), (255, 255, 255), *COLOURS.values()):
+            assert contrast(words, CARD, below) > READABLE, (name, colour, below)
+    page.page.wait_for("document.querySelectorAll('#objects tbody tr').length === 2")
+    assert "moves – " in " ".join(page.text("objects").split()), page.text("objects")
+    switches, keys = page.page.value("[[...document.querySelectorAll('[data-overlay] span')].map(({textContent}) => "
+                                     "textContent), document.getElementById('keys').textContent]")
+    assert "true movers" in switches and all(words in keys for words in switches), (switches, keys)
+
+
 def check_not_hit(street: Street) -> None:
     """What was not hit in this frame has a broken outline."""
     window = ground()
@@ -181,6 +224,7 @@ def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
         check_not_hit(street)
         check_unknown(street)
         check_still(street)
+        check_words(street)
         assert page.page.value("iogPage.errors") == 0
         assert not page.page.complaints(), page.page.complaints()
         page.page.close()

@@ -33,6 +33,9 @@ ObjectRecord car(std::uint32_t id) {
 // 5 m/s are 18 km/h; twice 0.4 m/s are 2.88 km/h, which is not less than 3.
 TEST(WordsOfAnObject, SaySpeedAndTwoDeviationsOfWhatIsBelieved) {
   EXPECT_EQ(words_of(car(7)), "7: 18 ± 3 km/h");
+  ObjectRecord doubted = car(7);
+  doubted.sigma_v_along_cm_s = 250;
+  EXPECT_EQ(words_of(doubted), "7: moves, speed not believed");
   EXPECT_EQ(words_of({.id = 8, .state = ObjectState::kStopped}), "8: stopped");
   EXPECT_EQ(words_of({.id = 9, .state = ObjectState::kStands}), "9: stands");
   EXPECT_EQ(words_of({.id = 10}), "10: speed not believed");

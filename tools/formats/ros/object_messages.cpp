@@ -85,9 +85,10 @@ Colour colour_of(ObjectState state) {
   return colour_of_class(static_cast<std::int8_t>(surest));
 }
 
-// Of a second.
+// Of a second: a speed within two deviations of none is not believed.
 bool has_way(const ObjectRecord& object) {
-  return object.state == ObjectState::kMoves && speed_of(object) > 0;
+  return object.state == ObjectState::kMoves &&
+         100 * speed_of(object) > 2.0 * object.sigma_v_along_cm_s;
 }
 
 double length_m(std::uint16_t length_cm) { return std::max(kSmallestM, length_cm / 100.0); }
@@ -311,6 +312,9 @@ std::string words_of(const ObjectRecord& object) {
     case ObjectState::kMoves: {
       const long speed = std::lround(100 * speed_of(object) * kKmhOfCmS);
       const double twice = 2 * object.sigma_v_along_cm_s * kKmhOfCmS;
+      if (!has_way(object)) {
+        return id + "moves, speed not believed";
+      }
       return id + std::to_string(speed) + " ± " + std::to_string(std::lround(std::ceil(twice))) +
              " km/h";
     }

@@ -29,7 +29,8 @@ struct ObjectScene {
 // no use.
 [[nodiscard]] std::vector<std::byte> marker_array(const ObjectScene& scene);
 
-// Such as "7: 43 ± 4 km/h": speed and two standard deviations of it along the heading, rounded up.
+// Such as "7: 43 ± 4 km/h": speed and two standard deviations of it along the heading, rounded up;
+// within these of 0 no speed.
 [[nodiscard]] std::string words_of(const stream::ObjectRecord& object);
 
 }  // namespace iog::tools::ros

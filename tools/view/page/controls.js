@@ -63,7 +63,8 @@ export function onPress(button, action) {
 export function listKeys(list) {
   const rows = [
     ...KEYS.map(([keys, , words]) => [keys.map((key) => NAMES[key] ?? key.toUpperCase()), words]),
-    ...OVERLAYS.map(({ key, name }) => [[key.toUpperCase()], `overlay: ${name}`]),
+    ...OVERLAYS.map(({ key, name, nameOfClasses }) =>
+      [[key.toUpperCase()], `overlay: ${name}${nameOfClasses ? `; of classes ${nameOfClasses}` : ""}`]),
     [["drag", "wheel"], "move, and nearer or farther"],
     [["one finger", "two"], "the same by touch"],
     [["double click"], "the car and its street again"],

@@ -45,6 +45,7 @@ export class GridCanvas {
     this.turn = 0;
     this.pixelsPerMetre = 0;
     this.isFollowing = true;
+    this.names = []; // left, top, right and bottom of each name of an object
     this.scaleBar = null; // left, top, right and bottom of where it is drawn
     this.images = { indexes: new TileImage(), classes: new TileImage(), truth: new TileImage() };
     this.restyle();

@@ -14,10 +14,12 @@ const OLDEST = 65535; // frames: or more
 const isMoving = ({ state }) => state === MOVES;
 const hasMoved = ({ state }) => state === MOVES || state === STOPPED;
 const speedOf = ({ vx, vy }) => Math.hypot(vx, vy);
+// A speed within two deviations of none is not believed, and nobody gets it.
+const hasSpeed = (object) => isMoving(object) && speedOf(object) > 2 * object.sigmaAlong;
 
-// Nobody gets a speed that is not believed. Two deviations, rounded up.
+// Two deviations, rounded up.
 function speedWords(object) {
-  return isMoving(object) ? `${Math.round(speedOf(object) * KMH)} ± ${Math.ceil(2 * object.sigmaAlong * KMH)}`
+  return hasSpeed(object) ? `${Math.round(speedOf(object) * KMH)} ± ${Math.ceil(2 * object.sigmaAlong * KMH)}`
                           : "–";
 }
 
@@ -60,7 +62,7 @@ function drawObject(view, object) {
   context.setLineDash(object.isHit ? [] : [6, 6]);
   stroke(view, colour);
   context.setLineDash([]);
-  if (isMoving(object)) {
+  if (hasSpeed(object)) {
     const { x, y, vx, vy } = object;
     context.beginPath();
     addArrow(context, view.groundToScreen(x, y), view.groundToScreen(x + vx, y + vy));
@@ -68,21 +70,26 @@ function drawObject(view, object) {
   }
 }
 
-// Beside its box, where its arrow is not: by that it is found in the list.
+// Beside its box, where its arrow is not: by that it is found in the list. The words have the page's
+// ink and only their frame the colour, which is too dark to be read with every kind of colour vision.
 function nameObject(view, object) {
   const { context, palette } = view;
   const columns = cornersOf(view, object).map(([column]) => column);
   const [middle, row] = view.groundToScreen(object.x, object.y);
   const [tip] = view.groundToScreen(object.x + object.vx, object.y + object.vy);
-  const words = isMoving(object) ? `${object.id}: ${Math.round(speedOf(object) * KMH)} km/h` : `${object.id}`;
+  const words = hasSpeed(object) ? `${object.id}: ${Math.round(speedOf(object) * KMH)} km/h` : `${object.id}`;
   const width = context.measureText(words).width + 8;
   const left = tip > middle + 1 ? Math.min(...columns) - 5 - width : Math.max(...columns) + 5;
   context.fillStyle = palette.shade;
   context.beginPath();
   context.roundRect(left, row - 7, width, 14, 4);
   context.fill();
-  context.fillStyle = css(colourOfObject(object));
+  context.lineWidth = 1.5;
+  context.strokeStyle = css(colourOfObject(object));
+  context.stroke();
+  context.fillStyle = palette.ink;
   context.fillText(words, left + 4, row + 0.5);
+  view.names.push({ left, right: left + width, top: row - 7, bottom: row + 7 });
 }
 
 // What moves lies on top.

@@ -29,6 +29,7 @@ const USUAL_AGE = 8; // frames in which each tile is decided anew
 export function draw(view) {
   const on = (id) => view.overlays.has(id);
   const isOfClasses = view.showsClasses;
+  view.names = []; // where they are, of objects
   if (on("truth") || on("difference")) {
     drawTruth(view, on("difference"));
   }
@@ -215,7 +216,10 @@ function drawRings(view) {
   }
 }
 
-// Above everything that may be there.
+// Where distances may stand: ahead, else to a side, else behind.
+const SIDES = [[0, -1], [1, 0], [-1, 0], [0, 1]];
+
+// Above everything that may be there, but no object's name.
 function drawDistances(view) {
   const { context, palette } = view;
   const step = ringStep(view);
@@ -224,15 +228,22 @@ function drawDistances(view) {
   context.textAlign = "center";
   context.textBaseline = "middle";
   for (let radius = step; radius <= 50; radius += step) {
-    const at = row - radius * view.pixelsPerMetre;
     const words = `${radius} m`;
     const width = context.measureText(words).width + 8;
+    const reach = radius * view.pixelsPerMetre;
+    const place = SIDES.map(([right, down]) => [column + right * reach, row + down * reach]).find(
+        ([x, y]) => !view.names.some(({ left, right, top, bottom }) =>
+          left < x + width / 2 && right > x - width / 2 && top < y + 8 && bottom > y - 8));
+    if (!place) {
+      continue;
+    }
+    const [x, y] = place;
     context.fillStyle = palette.shade;
     context.beginPath();
-    context.roundRect(column - width / 2, at - 8, width, 16, 4);
+    context.roundRect(x - width / 2, y - 8, width, 16, 4);
     context.fill();
     context.fillStyle = palette.ringText;
-    context.fillText(words, column, at + 0.5);
+    context.fillText(words, x, y + 0.5);
   }
 }
 

@@ -65,15 +65,28 @@ export function frameOfNumbers(frames, shown) {
   return lately.reverse().find(hasEvidence) ?? shown;
 }
 
-// Of the target's frames, those that this page has skipped among them: a busy PC takes them in bursts.
+const RATE_MS = 3000;
+const ALIKE = 0.1;
+
+// Frames a second that arrive here, by the clock of this PC, those that this page has skipped among
+// them; and how many the target makes by its own clock, if that is another number.
 export function rateOf(frames, status) {
-  const lately = frames.slice(-51).filter((frame) => frame.status.frame);
-  if (lately.length < 2 || !status || status.state !== "live") {
+  const lately = status && status.state === "live"
+      ? frames.filter(({ timeMs, status: { frame } }) => frame && status.now_ms - timeMs < RATE_MS) : [];
+  const [first, last] = [lately[0], lately[lately.length - 1]];
+  if (lately.length < 2 || last.timeMs - first.timeMs < RATE_MS / 3) {
     return "";
   }
-  const [first, last] = [lately[0], lately[lately.length - 1]].map((frame) => frame.status.frame);
-  const hz = (last.number - first.number) / (last.closed_us - first.closed_us) * 1e6;
-  return hz > 0 && hz < 1000 ? `${hz.toFixed(1)} Hz` : ""; // a target that has started anew has none
+  const grown = (count) => count(last.status) - count(first.status);
+  const made = grown(({ frame }) => frame.number);
+  const came = made - grown(({ counts }) => counts.frames_lost);
+  const makes = made / grown(({ frame }) => frame.closed_us) * 1e6;
+  const comes = came / (last.timeMs - first.timeMs) * 1e3;
+  if (!(comes > 0 && makes > 0 && makes < 1000)) {
+    return ""; // it has started anew
+  }
+  return Math.abs(comes - makes) > ALIKE * makes ? `${comes.toFixed(1)} of ${makes.toFixed(1)} Hz`
+                                                 : `${makes.toFixed(1)} Hz`;
 }
 
 // Of the tab, where the beginning is what can be read.
