@@ -1,7 +1,9 @@
 """Does clients/python make the grids that `iog` makes of the same bytes, whatever the network did to these?"""
 
+import contextlib
 import functools
 import gzip
+import io
 import os
 import pathlib
 import random
@@ -50,6 +52,15 @@ def name_of_classes(frame: iogrid.Frame) -> int:
 def replayed(path: pathlib.Path) -> tuple[list[iogrid.Frame], iogrid.Receiver]:
     receiver = iogrid.Receiver()
     return list(iogrid.replay(str(path), receiver=receiver)), receiver
+
+
+def printed_by_the_readme(*frames: iogrid.Frame | None) -> str:
+    """By the line that README.md has for Python, of what `listen` hands out."""
+    line = re.search(r"^\| Python \| `([^`]+)`", (streams.ROOT / "README.md").read_text(), re.M).group(1)
+    with unittest.mock.patch("iogrid.listen", return_value=frames), \
+            contextlib.redirect_stdout(io.StringIO()) as said:
+        exec(line, {"iogrid": iogrid})  # noqa: S102
+    return said.getvalue()
 
 
 def received(messages) -> tuple[list[iogrid.Frame], iogrid.Receiver]:
@@ -134,6 +145,12 @@ class Stream(unittest.TestCase):
             self.assertEqual([frame.is_whole for frame in frames], [True, True])
             self.assertEqual((receiver.lost, +receiver.dropped), (0, {}))
             self.check_names(path, frames)
+
+    def test_the_line_of_the_readme_goes_on_in_silence(self):
+        frames, _ = replayed(streams.version_4())
+        frame = next(frame for frame in frames if frame.window and frame.window.pose)
+        self.assertEqual(printed_by_the_readme(None, frame, None),
+                         f"None\n{frame.is_free((3, 13), (-1, 1))}\nNone\n")
 
     def test_order_does_not_show(self):
         """Each message comes twice, and both times in the time of two frames, at random."""
