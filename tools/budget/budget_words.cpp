@@ -21,7 +21,8 @@ std::string line_of(const std::string& name, const FrameBudget& frame, double pe
   std::ostringstream text;
   text << std::fixed << std::setprecision(0) << "  " << std::left << std::setw(9) << name
        << std::right << std::setw(8)
-       << work.points + work.turn_points + work.points_once + work.later_echoes + work.arc_steps
+       << work.points + work.turn_points + work.tilted_points + work.points_once +
+              work.later_echoes + work.arc_steps
        << " points" << std::setw(6) << work.tiles << " tiles" << std::setw(6) << work.class_tiles
        << " of classes" << std::setprecision(1) << std::setw(9) << frame.ms << " ms, "
        << percent_of(frame.ms, period_ms) << " of the period"
@@ -136,8 +137,9 @@ std::string words_of_budget_errors() {
          "a "
          "point, and a cell of its cone as 30 cycles, which is reckoned; typical is half its "
          "range. "
-         "A unit that turns and is not level counts as if no azimuth came again, and `moved` of a "
-         "unit that does not turn as of one that does.\n";
+         "A point of a unit that turns and is not level counts as of one that was modelled once, "
+         "and "
+         "`moved` of a unit that does not turn as of one that does.\n";
 }
 
 }  // namespace iog::tools

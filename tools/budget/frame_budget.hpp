@@ -22,6 +22,7 @@ struct FrameWork {
   double points = 0;         // of azimuths that come again in each scan: their lines are kept
   double turn_steps = 0;     // azimuth steps of level units that turn, of which the lines are kept
   double turn_points = 0;    // their points
+  double tilted_points = 0;  // of units that turn and are not level
   double points_once = 0;    // of others, whose azimuths never repeat
   double ground_turns = 0;   // of units that follow the ground
   double ground_points = 0;  // their points, which count above, too

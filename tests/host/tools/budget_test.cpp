@@ -138,7 +138,10 @@ TEST(Budget, OfAUnitThatIsNotLevelIsThatOfItsTurn) {
   ASSERT_FALSE(its.sensors[0].layers_share_lines);
   const VehicleBudget pitched = budget_of(car);
   EXPECT_EQ(pitched.period_ms, 100);
-  EXPECT_EQ(pitched.typical.work.points_once, budget_of(level).typical.work.turn_points);
+  EXPECT_EQ(pitched.typical.work.tilted_points, budget_of(level).typical.work.turn_points);
+  EXPECT_EQ(pitched.typical.work.points_once, 0);
+  // The model's frame of one pitched by 3 degrees, 64-bit divisions at the rate of the rest.
+  EXPECT_NEAR(pitched.typical.ms / 99.9, 1, 0.3);
   EXPECT_NEAR(pitched.typical.work.tiles / budget_of(level).typical.work.tiles, 1, 0.1);
   EXPECT_EQ(pitched.typical.work.ground_turns, 1);
   EXPECT_EQ(
