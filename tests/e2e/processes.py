@@ -5,7 +5,7 @@ import pathlib
 import signal
 import subprocess
 
-PATIENCE_S = 280
+PATIENCE_S = 900  # on a PC that is busy with other work
 TIME_TO_END_S = 10
 
 

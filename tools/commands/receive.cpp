@@ -89,6 +89,9 @@ class Reception {
     begin_ = last_evidence_ = last_message_ = Clock::now();
     while (!is_done() && !was_interrupted() && !is_idle()) {
       const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
+      if (!messages.empty()) {
+        notes_.say_heard();
+      }
       for (const std::vector<std::byte>& message : messages) {
         if (!is_done()) {  // what has begun of the frame behind the last is no loss
           if (stream_) {
@@ -346,7 +349,8 @@ void add_receive(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   command->add_flag(
       "--notify", options->notify,
-      "Say `listening`, then for each frame `frame N` or `nothing taken`, on standard output");
+      "Say `listening`, `heard` with the first message, then for each frame `frame N` or "
+      "`nothing taken`, on standard output");
   command
       ->add_option("--hashes", options->hashes,
                    "Write one line per frame, as `iog fuse --hashes` does")

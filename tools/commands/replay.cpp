@@ -191,7 +191,9 @@ class Replay {
         let_packets_arrive(datagram);
       }
       const bool has_packets = has_sensor_packet(frame);
-      frames_ += has_packets ? 1U : 0U;
+      if (has_packets) {
+        std::cout << "frame " << frames_++ << " sent" << std::endl;
+      }
       frame = grouper.next();
       if (has_packets && (options_->loop || !frame.empty()) && !wait_for_line()) {
         has_stopped_ = true;
@@ -254,14 +256,15 @@ class Replay {
     return sensor_of_port(*car_, datagram.destination.port) < car_->sensors.size();
   }
 
-  // False: there will be no more. That the receiver listens is no notice of a frame.
+  // False: there will be no more. That the receiver listens, or hears the target, is no notice of a
+  // frame.
   static bool wait_for_line() {
     std::string line;
     do {
       if (!std::getline(std::cin, line)) {
         return false;
       }
-    } while (line == "listening");
+    } while (line == "listening" || line == "heard");
     return true;
   }
 
@@ -325,7 +328,8 @@ void add_replay(CLI::App& program) {
                    "1: as recorded, 2: twice as fast, 0: as fast as it goes")
       ->option_text("X")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--step", options->step, "After each frame wait for a line on standard input");
+  command->add_flag("--step", options->step,
+                    "Say after each frame that it is sent, and wait for a line on standard input");
   command->add_option("--map", options->map, "Send this map first, made by `iog map`")
       ->option_text("FILE");
   add_clock_offset_option(*command, options->clock_offset_s);

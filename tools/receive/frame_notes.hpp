@@ -18,6 +18,15 @@ class FrameNotes {
 
   void say_listening() const { say("listening"); }
 
+  // A message has come. Until a target knows its peer's MAC address, what it has to say is lost:
+  // whoever sends it a frame before that may wait for an answer without end.
+  void say_heard() {
+    if (!is_heard_) {
+      is_heard_ = true;
+      say("heard");
+    }
+  }
+
   // Of the frames that have been added since.
   void say_frames(const RunStatistics& statistics) {
     for (; frames_ < statistics.records().size(); ++frames_) {
@@ -36,6 +45,7 @@ class FrameNotes {
   }
 
   bool is_wanted_;
+  bool is_heard_ = false;
   std::uint64_t frames_ = 0;
   std::uint64_t nothing_taken_ = 0;
 };
