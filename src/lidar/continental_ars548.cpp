@@ -16,13 +16,16 @@ constexpr int kFactorBits = 20;
 constexpr std::uint32_t kMillimetresPerMetre = 1000U << kFactorBits;
 constexpr std::uint32_t kTicksPerRadian = 1'922'527'338;  // 2^20 11520 / 2 pi
 constexpr std::uint32_t kDegreesPerRadian = 60'078'979;   // 2^20 180 / pi
-// Elevations are looked at in units of 2^-10 degrees.
-constexpr int kElevationBits = 10;
-constexpr int kElevationFactorBits = kFactorBits - kElevationBits;
+// Elevations, and what lies outside the field of view, are judged in units of 2^-10 degrees.
+constexpr int kAngleBits = 10;
+constexpr int kAngleFactorBits = kFactorBits - kAngleBits;
 
 constexpr std::int64_t kHalfTurn = ContinentalArs548::kTicksPerTurn / 2;
-constexpr std::int64_t kRightAngle = std::int64_t{90} << kElevationBits;
+constexpr std::int64_t kRightAngle = std::int64_t{90} << kAngleBits;
 constexpr std::int64_t kHalfWidth = ContinentalArs548::kDataSheet.scan_width_ticks / 2;
+constexpr std::int64_t kWidest =
+    (kHalfWidth << kAngleBits) * 360 / ContinentalArs548::kTicksPerTurn;
+constexpr std::int64_t kSteepest = std::int64_t{ContinentalArs548::kSteepestDeg} << kAngleBits;
 
 // The bytes of a detection that are looked at.
 struct Detection {
@@ -37,10 +40,12 @@ struct Detection {
   explicit Detection(std::span<const std::byte, ContinentalArs548::kDetectionBytes> bytes)
       : azimuth_ticks(
             nearest_product(wire::load_be32(bytes.subspan<0, 4>()), kTicksPerRadian, kFactorBits)),
+        azimuth(nearest_product(wire::load_be32(bytes.subspan<0, 4>()), kDegreesPerRadian,
+                                kAngleFactorBits)),
         elevation(nearest_product(wire::load_be32(bytes.subspan<9, 4>()), kDegreesPerRadian,
-                                  kElevationFactorBits)),
+                                  kAngleFactorBits)),
         elevation_sigma(nearest_product(wire::load_be32(bytes.subspan<13, 4>()), kDegreesPerRadian,
-                                        kElevationFactorBits)),
+                                        kAngleFactorBits)),
         range_mm(nearest_product(wire::load_be32(bytes.subspan<17, 4>()), kMillimetresPerMetre,
                                  kFactorBits)),
         invalid(wire::load_u8(bytes.subspan<8, 1>())),
@@ -51,15 +56,15 @@ struct Detection {
     return (invalid & (kNoRange | kNoAzimuth | kNoElevation)) == 0;
   }
   [[nodiscard]] bool has_sigma() const { return (invalid & kNoElevationSigma) == 0; }
-  // As near to the horizon as its standard deviation allows; a tie upwards. Of a place.
-  [[nodiscard]] std::int64_t nearest_elevation_deg() const {
+  // As near to the horizon as its standard deviation allows. Of a place.
+  [[nodiscard]] std::int64_t nearest_elevation() const {
     const std::int64_t sigma = has_sigma() ? *elevation_sigma : 0;
-    const std::int64_t least = *elevation > 0 ? std::max<std::int64_t>(*elevation - sigma, 0)
-                                              : std::min<std::int64_t>(*elevation + sigma, 0);
-    return (least + (1 << (kElevationBits - 1))) >> kElevationBits;
+    return *elevation > 0 ? std::max<std::int64_t>(*elevation - sigma, 0)
+                          : std::min<std::int64_t>(*elevation + sigma, 0);
   }
 
   std::optional<std::int64_t> azimuth_ticks;
+  std::optional<std::int64_t> azimuth;
   std::optional<std::int64_t> elevation;
   std::optional<std::int64_t> elevation_sigma;
   std::optional<std::int64_t> range_mm;
@@ -90,9 +95,11 @@ ScanPoint ContinentalArs548::point(DetectionBytes bytes) {
     return {.layer = kSteepestDeg, .is_rain = true};
   }
   const std::int64_t azimuth = *detection.azimuth_ticks;
-  const std::int64_t elevation = detection.nearest_elevation_deg();
-  const bool is_seen = azimuth >= -kHalfWidth && azimuth <= kHalfWidth &&
-                       elevation >= -kSteepestDeg && elevation <= kSteepestDeg;
+  const std::int64_t elevation = detection.nearest_elevation();
+  // Before either is rounded: 30.4 degrees are beyond 30, although their layer would be that of 30.
+  const bool is_seen = is_within(detection.azimuth, -kWidest, kWidest) &&
+                       is_within(elevation, -kSteepest, kSteepest);
+  const std::int64_t elevation_deg = (elevation + (1 << (kAngleBits - 1))) >> kAngleBits;
   const bool is_target = is_seen && detection.existence >= kLeastExistence &&
                          detection.what != Detection::kNoise &&
                          detection.what != Detection::kTraversableUnder;
@@ -100,7 +107,7 @@ ScanPoint ContinentalArs548::point(DetectionBytes bytes) {
       .range_mm = static_cast<std::uint32_t>(*detection.range_mm),
       .azimuth_ticks = static_cast<std::uint16_t>((azimuth + kTicksPerTurn) % kTicksPerTurn),
       .layer = static_cast<std::uint8_t>(
-          std::clamp<std::int64_t>(elevation, -kSteepestDeg, kSteepestDeg) + kSteepestDeg),
+          std::clamp<std::int64_t>(elevation_deg, -kSteepestDeg, kSteepestDeg) + kSteepestDeg),
       .is_ground = detection.what == Detection::kGround,
       .is_rain = !is_target,
   };

@@ -2,7 +2,7 @@
 //
 // One datagram is a whole list: a header of 101 bytes, 800 places for detections of 44 bytes, of
 // which the first are in use, and 35 bytes that say how many. All numbers are big-endian, angles
-// and distances binary32 in radians and metres (docs/spec.md, section 1.2.3). The maker's document
+// and distances binary32 in radians and metres (docs/spec.md, section 1.2.4). The maker's document
 // is not public; the layout is that of two drivers, tier4/nebula and robotics-upo/ars548_ros.
 //
 // A detection is a place from which something was reflected. It has a direction of its own. Its

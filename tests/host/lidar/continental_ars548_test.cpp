@@ -136,7 +136,24 @@ TEST(ContinentalArs548, WhatTheUnitDoesNotCallATargetIsDropped) {
   EXPECT_TRUE(point_of({.elevation = -31 * kDegree}).is_rain);
 }
 
+// Judged by the angle of the wire, not by the tick or the layer that it is rounded to: 60.01
+// degrees have the tick of 60, 30.4 the layer of 30.
+TEST(ContinentalArs548, BeyondTheFieldOfViewIsJudgedBeforeRounding) {
+  for (const float side : {kDegree, -kDegree}) {
+    EXPECT_FALSE(point_of({.azimuth = 60 * side}).is_rain);
+    EXPECT_TRUE(point_of({.azimuth = 60.01F * side}).is_rain);
+    EXPECT_FALSE(point_of({.elevation = 30 * side}).is_rain);
+    EXPECT_TRUE(point_of({.elevation = 30.01F * side}).is_rain);
+    EXPECT_TRUE(point_of({.elevation = 30.4F * side}).is_rain);
+    // Of the elevation as near to the horizon as it may be.
+    EXPECT_FALSE(point_of({.elevation = 34 * side, .elevation_std = 4 * kDegree}).is_rain);
+    EXPECT_TRUE(point_of({.elevation = 34.4F * side, .elevation_std = 4 * kDegree}).is_rain);
+  }
+}
+
 // An elevation whose deviation is not valid has none.
+// Flag 0x20 is of the deviation alone: the drivers name it INVALID_ELEVATION_STD (ars548_ros) and
+// invalid_elevation_std (nebula), apart from 0x10, and both hand the detection out.
 TEST(ContinentalArs548, AnElevationIsAsNearToTheHorizonAsItMayBe) {
   const auto layer_of = [](float elevation_deg, float std_deg, std::uint8_t invalid = 0) {
     return point_of({.elevation = elevation_deg * kDegree,
@@ -152,6 +169,10 @@ TEST(ContinentalArs548, AnElevationIsAsNearToTheHorizonAsItMayBe) {
   EXPECT_EQ(layer_of(7.6F, 0), 8);
   EXPECT_EQ(layer_of(-7.6F, 0), -8);
   EXPECT_EQ(layer_of(10, 4, 0x20), 10);
+  for (const int deviation : {0x02, 0x08, 0x20, 0x80}) {
+    EXPECT_FALSE(point_of({.invalid_flags = static_cast<std::uint8_t>(deviation)}).is_rain);
+    EXPECT_EQ(point_of({.invalid_flags = static_cast<std::uint8_t>(deviation)}).range_mm, 10'000U);
+  }
 }
 
 // Of what is invalid nothing is looked at.
