@@ -63,7 +63,7 @@ Board::Board(const MacAddress& address)
   console_.start();
   start_serial_pins(iomuxc);
   serial_.start();
-  clock_.start();
+  clock_.start(gpt_source(analog));
   stopwatch_.start(clock_);
   start_ethernet_pins(iomuxc, gpio3, gpio6, clock_);
   if (const auto fused = mac_of_fuses(ocotp)) {

@@ -2,6 +2,7 @@
 // chapter.
 #pragma once
 
+#include "registers/analog.hpp"
 #include "registers/ccm.hpp"
 #include "registers/enet.hpp"
 #include "registers/epit.hpp"
@@ -30,6 +31,7 @@ extern GpioRegisters gpio3;
 extern GpioRegisters gpio6;
 extern WatchdogRegisters wdog1;
 extern CcmRegisters ccm;
+extern AnalogRegisters analog;
 extern EpitRegisters epit1;
 extern SrcRegisters src;
 extern IomuxcRegisters iomuxc;

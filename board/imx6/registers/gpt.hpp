@@ -18,6 +18,7 @@ struct GptRegisters {
   static constexpr std::uint32_t kCrEnable = 1u << 0;
   static constexpr std::uint32_t kCrResetOnEnable = 1u << 1;  // ENMOD
   static constexpr std::uint32_t kCrRunInWait = 1u << 3;      // WAITEN
+  static constexpr std::uint32_t kCrPeripheral = 1u << 6;     // CLKSRC: ipg_clk, 66 MHz
   static constexpr std::uint32_t kCrCrystalBy8 = 5u << 6;     // CLKSRC: 24 MHz / 8 = 3 MHz
   static constexpr std::uint32_t kCrFreeRun = 1u << 9;        // FRR
   static constexpr std::uint32_t kCrSoftReset = 1u << 15;     // SWR, clears itself

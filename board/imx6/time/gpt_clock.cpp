@@ -11,9 +11,15 @@ namespace {
 
 using R = GptRegisters;
 
-constexpr std::uint32_t kSourceHz = 24'000'000 / 8;
-constexpr std::uint32_t kPrescaler = kSourceHz / 1'000'000 - 1;
-static_assert(kSourceHz == (kPrescaler + 1) * 1'000'000, "one tick is one microsecond");
+struct Source {
+  std::uint32_t select;
+  std::uint32_t hz;
+  [[nodiscard]] constexpr std::uint32_t prescaler() const { return hz / 1'000'000 - 1; }
+};
+constexpr Source kCrystal{R::kCrCrystalBy8, 24'000'000 / 8};
+constexpr Source kPeripheral{R::kCrPeripheral, 66'000'000};
+static_assert(kCrystal.hz == (kCrystal.prescaler() + 1) * 1'000'000, "a tick is a microsecond");
+static_assert(kPeripheral.hz == (kPeripheral.prescaler() + 1) * 1'000'000);
 
 // Software reset takes five module clocks; a thousand reads of a device are at least 50 us.
 constexpr unsigned kMaxResetPolls = 1000;
@@ -23,7 +29,13 @@ constexpr unsigned kMaxWaitPolls = 100'000'000;
 
 }  // namespace
 
-void GptClock::start() {
+GptSource gpt_source(const AnalogRegisters& analog) {
+  const bool is_first = (analog.digprog.read() & AnalogRegisters::kDigprogRevision) == 0;
+  return is_first ? GptSource::kPeripheral : GptSource::kCrystal;
+}
+
+void GptClock::start(GptSource source) {
+  const Source& its = source == GptSource::kCrystal ? kCrystal : kPeripheral;
   // Off, no interrupts, then the software reset, so that nothing of a loader's timer remains.
   registers_.cr.write(0);
   registers_.ir.write(0);
@@ -34,13 +46,12 @@ void GptClock::start() {
     }
   }
   registers_.sr.clear(R::kSrAll);
-  registers_.pr.write(kPrescaler);
+  registers_.pr.write(its.prescaler());
   // The source is chosen while the timer is off, and enabled by a write of its own, as the manual
   // says.
-  constexpr std::uint32_t kMode =
-      R::kCrFreeRun | R::kCrCrystalBy8 | R::kCrRunInWait | R::kCrResetOnEnable;
-  registers_.cr.write(kMode);
-  registers_.cr.write(kMode | R::kCrEnable);
+  const std::uint32_t mode = R::kCrFreeRun | its.select | R::kCrRunInWait | R::kCrResetOnEnable;
+  registers_.cr.write(mode);
+  registers_.cr.write(mode | R::kCrEnable);
   last_low_ = 0;
   wraps_ = 0;
 }

@@ -46,6 +46,26 @@ TEST_F(Time, TheGptCountsMicrosecondsOfTheCrystal) {
   EXPECT_EQ(machine::writes_to(gpt_), expected);
 }
 
+// Linux, clk-imx6q.c: "gpt_3m clock is not available on i.MX6Q TO1.0". 66 MHz / 66.
+TEST_F(Time, OfTheFirstRevisionTheGptCountsThePeripheralClock) {
+  recorder.on_store = self_clearing(gpt_.cr, GptRegisters::kCrSoftReset);
+  clock_.start(GptSource::kPeripheral);
+  EXPECT_EQ(machine::last_write(gpt_, 0x04), 65u);
+  EXPECT_EQ(machine::last_write(gpt_, 0x00), 0x024bu);  // FRR, CLKSRC = 1, WAITEN, ENMOD, EN
+}
+
+// USB_ANALOG_DIGPROG: NXP's AN12263 has 0x00630005 for revision 1.3 of the i.MX6D/Q; 0x00630100 is
+// the i.MX6QP.
+TEST(GptSource, OnlyRevisionOneZeroHasNoCrystal) {
+  AnalogRegisters analog{};
+  poke(analog.digprog, 0x0063'0000u);
+  EXPECT_EQ(gpt_source(analog), GptSource::kPeripheral);
+  for (const std::uint32_t later : {0x0063'0001u, 0x0063'0002u, 0x0063'0005u, 0x0063'0100u}) {
+    poke(analog.digprog, later);
+    EXPECT_EQ(gpt_source(analog), GptSource::kCrystal);
+  }
+}
+
 TEST_F(Time, TheClockGoesOnWhenTheCounterWraps) {
   poke(gpt_.cnt, 0xffff'ffffu);
   EXPECT_EQ(clock_.now_us(), 0xffff'ffffu);
