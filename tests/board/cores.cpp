@@ -10,6 +10,7 @@
 #include "app/core_report.hpp"
 #include "board.hpp"
 #include "deep_stack.hpp"
+#include "peripherals.hpp"
 #include "require/require.hpp"
 #include "text_line.hpp"
 #include "work/team.hpp"
@@ -90,6 +91,24 @@ class Pile {
   std::array<std::array<std::uint32_t, kWords>, kItems> words_{};
 };
 
+// As a loader may leave a core: its private interrupts, those that wake and stop it, are in
+// group 1.
+void leave_groups(Board& board) {
+  static std::atomic<bool> is_left{false};
+  const auto leave = [](void*, std::size_t) {
+    iog::imx6::gic_distributor.igroupr[0].write(0xffff'ffff);
+    is_left.store(true, std::memory_order_release);
+  };
+  iog::require(board.cores().start(1, {.run = leave}));
+  board.cores().wake(1);
+  while (!is_left.load(std::memory_order_acquire)) {
+    iog::imx6::machine::yield();
+  }
+  // QEMU takes some time to stop a core that has a thread of its own.
+  iog::imx6::src.scr.clear_bits(1u << iog::imx6::SrcRegisters::kScrCore1EnableShift);
+  board.clock().wait_us(50'000);
+}
+
 using Team = iog::work::Team<iog::imx6::Cores>;
 
 void report(Board& board, const Team& team, std::uint32_t sum) {
@@ -118,6 +137,9 @@ int main() {
   static Team team(board.cores(), kPatienceUs);
   static Pile pile;
   board.print_banner();
+  if (board.cores().count() > 1) {
+    leave_groups(board);
+  }
   team.start(iog::hal::kMaxCores);
   work(board, team, pile, 0);
   for (std::size_t core = 1; core < iog::hal::kMaxCores; ++core) {
