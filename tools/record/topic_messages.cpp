@@ -16,9 +16,6 @@
 namespace iog::tools {
 namespace {
 
-// Of the reference description, for vehicles that are not known here.
-constexpr double kDefaultEpsilon = description::Description{}.epsilon;
-
 // How long an object is seen that no frame names again.
 constexpr std::uint64_t kFramesOfObjects = 2;
 
@@ -161,7 +158,7 @@ void TopicMessages::take_objects(const RecordedFrame& recorded, const MessageTim
 
 const ros::Percents& TopicMessages::percents_of(std::uint32_t vehicle_id) {
   const CatalogueEntry* const car = vehicle_of_id(vehicle_id);
-  const double epsilon = car != nullptr ? car->description->epsilon : kDefaultEpsilon;
+  const auto epsilon = car != nullptr ? std::optional(car->description->epsilon) : std::nullopt;
   return percents_.try_emplace(epsilon, epsilon).first->second;
 }
 

@@ -86,8 +86,8 @@ class TopicMessages {
 
   TopicSink* sink_;
   Stamp stamp_;
-  std::map<double, ros::Percents> percents_;  // by epsilon
-  std::vector<std::uint32_t> object_ids_;     // of the last list that was wanted, in their order
+  std::map<std::optional<double>, ros::Percents> percents_;  // by epsilon
+  std::vector<std::uint32_t> object_ids_;  // of the last list that was wanted, in their order
 };
 
 }  // namespace iog::tools

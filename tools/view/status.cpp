@@ -314,7 +314,7 @@ std::string vehicle_json(std::uint32_t vehicle_id) {
             {"cell_m", geometry::kCellMm / 1000.0},
             {"cells", geometry::kCellsPerSide},
             {"footprint", nullptr},
-            {"epsilon", description::Description{}.epsilon}};
+            {"epsilon", nullptr}};
   if (car != nullptr) {
     for (const description::SensorConfig& sensor : car->sensors) {
       sensors.push_back(sensor_json(sensor));

@@ -14,13 +14,15 @@ Class = enum.IntEnum("Class", "UNKNOWN DRIVABLE_FREE NON_DRIVABLE_FREE FREE MOVI
                      "OCCUPIED", start=0)  # 3.9; STANDING: stopped or unmapped
 FREE_CLASSES = (Class.DRIVABLE_FREE, Class.NON_DRIVABLE_FREE, Class.FREE)
 Cause = enum.IntFlag("Cause", "LATE LOST IMPRECISE JUMP RESTART OVER_BUDGET CONTRADICTED")  # 3.9
-_PROBABILITY = 1 / (1 + (9 / 11) ** numpy.arange(-128.0, 128.0))
 
 
-def probability(indexes: numpy.ndarray) -> numpy.ndarray:
+def probability(indexes: numpy.ndarray, epsilon: float) -> numpy.ndarray:
     """Of int8 indexes: how probably each cell is occupied, float64 of the same shape, 0.5: unknown. It is the
-    recursive set of docs/model.md, section 2, with its default of epsilon, 0.05."""
-    return _PROBABILITY[indexes.astype(numpy.int16) + 128]
+    recursive set of docs/model.md, section 2. The stream does not say epsilon: it is the car file's, 0.05 in a
+    file without the key. ValueError: it is not between 0 and 0.5."""
+    if not 0 < epsilon < 0.5:
+        raise ValueError(f"epsilon is the car file's, between 0 and 0.5, not {epsilon}")
+    return 1 / (1 + ((0.5 - epsilon) / (0.5 + epsilon)) ** numpy.asarray(indexes, numpy.float64))
 
 
 @dataclasses.dataclass(frozen=True)

@@ -69,9 +69,18 @@ class Places(unittest.TestCase):
     def test_probability_is_that_of_the_recursive_set(self):
         """The table of docs/model.md, section 2."""
         table = {-14: 0.057, -7: 0.197, 0: 0.5, 1: 0.55, 2: 0.599}
-        for value, (index, expected) in zip(iogrid.probability(numpy.array([*table], numpy.int8)), table.items()):
+        for value, (index, expected) in zip(iogrid.probability(numpy.array([*table], numpy.int8), 0.05), table.items()):
             self.assertAlmostEqual(value, expected, delta=0.0005, msg=index)
-        self.assertAlmostEqual(iogrid.probability(numpy.int8([-127]))[0], 8.5e-12, delta=1e-13)
+        self.assertAlmostEqual(iogrid.probability(numpy.int8([-127]), 0.05)[0], 8.5e-12, delta=1e-13)
+
+    def test_a_probability_is_of_the_cars_own_epsilon(self):
+        """By hand: (49/51)^10 = 0.6703, (9/11)^10 = 0.1344."""
+        indexes = numpy.array([[10, 0], [-10, 127]], numpy.int8)
+        self.assertTrue(numpy.allclose(iogrid.probability(indexes, 0.01), [[0.5987, 0.5], [0.4013, 0.9938]], atol=1e-4))
+        self.assertAlmostEqual(iogrid.probability(indexes, epsilon=0.05)[0, 0], 0.8815, places=4)
+        self.assertRaises(TypeError, iogrid.probability, indexes)  # the stream does not say it, nor may a default
+        for no_epsilon in (0, 0.5, -0.1, math.nan):
+            self.assertRaises(ValueError, iogrid.probability, indexes, no_epsilon)
 
     def test_a_class_where_the_car_has_turned(self):
         """The car is at (10, 20) m of the local frame and looks along its y: 5 m before it is (10, 25)."""

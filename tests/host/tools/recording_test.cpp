@@ -195,6 +195,14 @@ TEST(Percents, AreProbabilitiesOfTheRecursiveSet) {
 
 // Offsets by hand from the definition: stamp 8, length and "base_link\0" 14, 2 to align, load time
 // 8, resolution, width and height 12, 4 to align, pose 56, length 4; behind 4 of the encapsulation.
+// The stream does not say epsilon.
+TEST(Percents, OfAnUnknownCarAreNotKnown) {
+  GridFrame frame;
+  std::ranges::fill(frame.cells, 127);
+  EXPECT_EQ(occupancy_grid(frame, 0, Percents(std::nullopt)).back(), std::byte{0xFF});
+  EXPECT_EQ(Percents(0.01)[10], 60) << "(49/51)^10 = 0.6703";
+}
+
 TEST(OccupancyGrid, IsSerialisedAsRos2Does) {
   GridFrame frame;
   frame.cells[0] = -14;

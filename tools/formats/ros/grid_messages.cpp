@@ -33,8 +33,12 @@ std::uint8_t age_of(const LiveGrid& grid, std::size_t tile) {
 
 }  // namespace
 
-Percents::Percents(double epsilon) {
-  const index::RecursiveSet set(epsilon);
+Percents::Percents(std::optional<double> epsilon) {
+  percents_.fill(kNotKnown);
+  if (!epsilon) {
+    return;
+  }
+  const index::RecursiveSet set(*epsilon);
   constexpr std::int32_t kMax = std::numeric_limits<index::OccupancyIndex>::max();
   for (std::int32_t n = -kMax; n <= kMax; ++n) {
     percents_[static_cast<std::uint8_t>(n)] =
@@ -47,7 +51,7 @@ std::vector<std::byte> occupancy_grid(const GridFrame& frame, std::uint64_t stam
   constexpr std::byte kUnknown{0xFF};  // -1
   std::vector<std::byte> cells(geometry::kCellCount);
   std::ranges::transform(frame.cells, cells.begin(), [&](index::OccupancyIndex index) {
-    return index == index::kUnknown ? kUnknown : std::byte{percents[index]};
+    return percents[index] == Percents::kNotKnown ? kUnknown : std::byte{percents[index]};
   });
   CdrWriter out;
   put_occupancy_head(out, place_at(stamp_us));

@@ -30,11 +30,15 @@ extern const MessageType kSceneUpdate;      // foxglove_msgs/msg/SceneUpdate
 extern const MessageType kMarkerArray;      // visualization_msgs/msg/MarkerArray
 extern const MessageType kPointCloud;       // sensor_msgs/msg/PointCloud2
 
-// The probability in percent of each index from -127, rounded to the nearest; a half upwards.
+// The probability in percent of each index from -127, rounded to the nearest; a half upwards. 50 is
+// that of index 0 alone, because no car's epsilon is below 0.01.
 class Percents {
  public:
-  // epsilon: of the recursive set, 0 < epsilon < 1/2.
-  explicit Percents(double epsilon);
+  static constexpr std::uint8_t kNotKnown = 50;
+
+  // epsilon: of the recursive set, 0.01 <= epsilon < 1/2; none: of a car that is not known, all of
+  // whose indexes are kNotKnown.
+  explicit Percents(std::optional<double> epsilon);
   [[nodiscard]] std::uint8_t operator[](index::OccupancyIndex index) const {
     return percents_[static_cast<std::uint8_t>(index)];
   }
@@ -45,8 +49,8 @@ class Percents {
 
 // stamp_us: what header.stamp is to be.
 
-// nav_msgs/msg/OccupancyGrid: 0 ... 100, the probability in percent; -1 where the index is 0 or the
-// tile is missing.
+// nav_msgs/msg/OccupancyGrid: 0 ... 100, the probability in percent; -1 where the index is 0, the
+// tile is missing, or the car is not known.
 [[nodiscard]] std::vector<std::byte> occupancy_grid(const GridFrame& frame, std::uint64_t stamp_us,
                                                     const Percents& percents);
 

@@ -55,8 +55,14 @@ export class GridCanvas {
     return this.vehicle ? this.vehicle.cell_m : 0.1;
   }
 
+  // Of the car's file: the stream does not say it. Null: the car is not known here.
   get epsilon() {
-    return this.vehicle ? this.vehicle.epsilon : 0.05;
+    return this.vehicle ? this.vehicle.epsilon : null;
+  }
+
+  // Without it no index has a probability.
+  get shownScale() {
+    return this.epsilon === null ? "index" : this.scale;
   }
 
   get showsClasses() {
@@ -85,7 +91,7 @@ export class GridCanvas {
 
   // After a change of theme, scale, vehicle, overlays or state.
   restyle() {
-    this.table = pixelTable(this.theme, this.scale, this.epsilon, this.isStale);
+    this.table = pixelTable(this.theme, this.shownScale, this.epsilon, this.isStale);
     this.classTable = classTable(this.isStale);
     this.markColours = this.isStale ? null : coloursOfMarks();
     this.grid.redrawAll();

@@ -7,8 +7,12 @@ const NEVER = 255;
 const SURENESS = ["barely", "hardly sure", "not very sure", "fairly sure", "quite sure", "sure",
                   "very sure", "as sure as can be"];
 
-// No cell is certain.
-function probabilityWords(p) {
+// No cell is certain. Without the car's ε no probability is known.
+function probabilityWords(index, epsilon) {
+  if (epsilon === null) {
+    return "p not known: this car's ε is not known here";
+  }
+  const p = probabilityOf(index, epsilon);
   if (p < 0.0001 || p > 0.9999) {
     return p < 0.5 ? "p < 0.0001" : "p > 0.9999";
   }
@@ -66,7 +70,7 @@ function wordsOfIndex({ x, y }, index, { cellM, epsilon }) {
     sureness: "",
     place: metresOf(middle(x), middle(y)),
     cell: `cell ${x}, ${y}`,
-    value: `index ${index}, ${probabilityWords(probabilityOf(index, epsilon))}`,
+    value: `index ${index}, ${probabilityWords(index, epsilon)}`,
   };
 }
 

@@ -77,7 +77,7 @@ function showMap({ map, outlines }, element) {
 }
 
 function showScale(view, { title, bar, ticks }) {
-  const { theme, scale, epsilon } = view;
+  const { theme, shownScale: scale, epsilon } = view;
   const context = bar.getContext("2d");
   for (let column = 0; column < bar.width; ++column) {
     // Half of the bar for each sign.
@@ -86,7 +86,7 @@ function showScale(view, { title, bar, ticks }) {
     context.fillStyle = css(colourOfIndex(theme, scale, epsilon, index));
     context.fillRect(column, 0, 1, bar.height);
   }
-  title.textContent = TITLES[scale];
+  title.textContent = scale === view.scale ? TITLES[scale] : `${TITLES[scale]}: this car's ε is not known here`;
   const p = (index) => probabilityOf(index, epsilon).toPrecision(2);
   const words = scale === "index" ? ["≤ −56", "−28", "0", "+7", "≥ +14"]
                                   : [`≤ ${p(LOW)}`, "", p(0), p(HIGH / 2), `≥ ${p(HIGH)}`];
