@@ -1,4 +1,5 @@
 // The firmware: the board, the car of its image with the network it lives in, and the loop.
+#include "app/fragment_senders.hpp"
 #include "app/loop.hpp"
 #include "app/refused_car.hpp"
 #include "baked_map.hpp"
@@ -100,6 +101,8 @@ int main() {
   }
   static Platform platform(board, with_mac(*network, board.mac_address()), iog::imx6::kCores,
                            signed_commands(board, block, car, *network));
+  static iog::net::Reassembly fragments(iog::app::fragment_senders(car, network->peer));
+  platform.host().join_fragments(fragments);
   static iog::app::SerialSink serial;
   // The peer is the only destination that the firmware ever sends messages to, and it may replay
   // recordings in the name of the sensors.

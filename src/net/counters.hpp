@@ -53,10 +53,10 @@ struct FragmentCounters {
   std::uint32_t duplicates = 0;  // say again what is there
   std::uint32_t overlaps = 0;    // say otherwise: their datagram is given up (RFC 5722)
   std::uint32_t bad = 0;         // a length or an end that cannot be: likewise
-  std::uint32_t refused = 0;     // of a datagram that has been given up
+  std::uint32_t refused = 0;     // of a datagram that has been given up, or of a stranger
   std::uint32_t completed = 0;
   std::uint32_t expired = 0;    // not complete in time
-  std::uint32_t displaced = 0;  // by a newer one, for want of room
+  std::uint32_t displaced = 0;  // by a newer one of the same sender
 };
 
 struct Counters {

@@ -3,9 +3,10 @@
 // It answers ARP for its address to every host of its subnet, so that sensors can reach it. It
 // answers ping to the peer alone, and of its own accord it sends messages to no other host:
 // send_to() is told its destination. Besides the peer it may know one more host by ARP, the
-// neighbour. It has no clock, and no memory but the port's buffers and that of datagrams in
-// fragments. Nothing else is copied on the way in. On the way out everything is copied once, and
-// summed on the way: the port's memory is uncached, and reading it for the checksum would be slow.
+// neighbour. It has no clock, and no memory but the port's buffers; that of datagrams in fragments
+// is lent to it. Nothing else is copied on the way in. On the way out everything is copied once,
+// and summed on the way: the port's memory is uncached, and reading it for the checksum would be
+// slow.
 //
 // The loop calls poll() until it returns nothing, sends its messages, and calls the port's pump().
 #pragma once
@@ -40,6 +41,9 @@ class Host {
   // The next datagram addressed to us, valid until the next poll(). Nothing if none has come, or if
   // kMaxFramesPerPoll other frames came before it. `now_us` never goes backwards.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
+
+  // From now on fragments are joined, in the memory of this; before, they are dropped.
+  void join_fragments(Reassembly& reassembly) { reassembly_ = &reassembly; }
 
   // True once the peer's Ethernet address has been learnt; stays true.
   [[nodiscard]] bool peer_known() const { return resolver_.known(); }
@@ -79,7 +83,7 @@ class Host {
   std::optional<Ipv4Address> neighbour_;
   PeerResolver neighbour_resolver_;  // of neighbour_, if there is one
   Counters counters_;
-  Reassembly reassembly_;
+  Reassembly* reassembly_ = nullptr;
   std::uint16_t identification_ = 0;  // of the next IPv4 packet
   bool holds_frame_ = false;          // the datagram returned last is still in the port
 };
@@ -129,7 +133,11 @@ std::optional<Datagram> Host<Port>::poll(std::uint64_t now_us) {
 template <hal::EthernetPort Port>
 std::optional<Datagram> Host<Port>::take_fragment(const Ipv4Packet& fragment,
                                                   std::uint64_t now_us) {
-  const Reassembly::Result result = reassembly_.add(fragment, now_us, counters_.fragments);
+  if (reassembly_ == nullptr) {
+    drop(Drop::kFragment);
+    return std::nullopt;
+  }
+  const Reassembly::Result result = reassembly_->add(fragment, now_us, counters_.fragments);
   if (result.fate == Reassembly::Fate::kJoined) {
     return std::nullopt;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "require/require.hpp"
+
 namespace iog::net {
 namespace {
 
@@ -14,31 +16,84 @@ bool is_of(const Ipv4Packet& piece, const Ipv4Packet& name) {
 
 }  // namespace
 
+void FragmentSenders::add(Ipv4Address address, std::size_t datagrams) {
+  datagrams_ += datagrams;
+  require(datagrams_ <= kMostDatagrams);
+  if (address == Ipv4Address{}) {
+    others_.datagrams += datagrams;
+    return;
+  }
+  for (Sender& sender : std::span(senders_).first(count_)) {
+    if (sender.address == address) {
+      sender.datagrams += datagrams;
+      return;
+    }
+  }
+  require(count_ < senders_.size());
+  senders_[count_++] = {address, datagrams};
+}
+
+FragmentSenders::Sender FragmentSenders::of(Ipv4Address address) const {
+  for (const Sender& sender : std::span(senders_).first(count_)) {
+    if (sender.address == address) {
+      return sender;
+    }
+  }
+  return others_;
+}
+
 void Reassembly::expire(std::uint64_t now_us, FragmentCounters& counters) {
   for (Joining& joining : joinings_) {
-    if (joining.is_open && now_us - joining.first_us > kTimeoutUs) {
-      joining.is_open = false;
+    if (is_open(joining) && now_us - joining.first_us > kTimeoutUs) {
+      open_ &= ~bit_of(joining);
       counters.expired += joining.is_refused ? 0U : 1U;
     }
   }
 }
 
-// The place where the piece's datagram is, or begins.
-Reassembly::Joining& Reassembly::joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
-                                            FragmentCounters& counters) {
-  Joining* place = joinings_.data();
+// Of the datagrams that share room with the sender's: the oldest of the address that has most.
+Reassembly::Joining& Reassembly::displaced_by(Ipv4Address sender) {
+  Joining* least = nullptr;
+  std::ptrdiff_t most = 0;
   for (Joining& joining : joinings_) {
-    if (joining.is_open && is_of(piece, joining.name)) {
-      return joining;
+    if (!is_open(joining) || !senders_.share(sender, joining.name.source)) {
+      continue;
     }
-    if (place->is_open && (!joining.is_open || joining.first_us < place->first_us)) {
+    const std::ptrdiff_t its = std::ranges::count_if(joinings_, [&](const Joining& other) {
+      return is_open(other) && other.name.source == joining.name.source;
+    });
+    if (its > most || (its == most && joining.first_us < least->first_us)) {
+      least = &joining;
+      most = its;
+    }
+  }
+  require(least != nullptr);
+  return *least;
+}
+
+// The place where the piece's datagram is, or begins.
+Reassembly::Joining* Reassembly::joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
+                                            FragmentCounters& counters) {
+  const std::size_t allowed = senders_.datagrams_of(piece.source);
+  if (allowed == 0) {
+    return nullptr;
+  }
+  Joining* place = nullptr;
+  std::size_t open = 0;
+  for (Joining& joining : joinings_) {
+    if (!is_open(joining)) {
       place = &joining;
+    } else if (is_of(piece, joining.name)) {
+      return &joining;
+    } else if (senders_.share(piece.source, joining.name.source)) {
+      ++open;
     }
   }
-  if (place->is_open && !place->is_refused) {
-    ++counters.displaced;
+  if (open >= allowed || place == nullptr) {
+    place = &displaced_by(piece.source);
+    counters.displaced += place->is_refused ? 0U : 1U;
   }
-  place->is_open = true;
+  open_ |= bit_of(*place);
   place->is_refused = false;
   place->name = piece;
   place->name.payload = {};
@@ -46,7 +101,7 @@ Reassembly::Joining& Reassembly::joining_of(const Ipv4Packet& piece, std::uint64
   place->total_bytes = 0;
   place->joined_bytes = 0;
   place->pieces = 0;
-  return *place;
+  return place;
 }
 
 // All but the last piece are whole units, nothing lies behind the end, and there is one end only.
@@ -66,11 +121,12 @@ bool Reassembly::is_possible(const Joining& joining, const Extent& extent, bool 
 Reassembly::Result Reassembly::add(const Ipv4Packet& piece, std::uint64_t now_us,
                                    FragmentCounters& counters) {
   expire(now_us, counters);
-  Joining& joining = joining_of(piece, now_us, counters);
-  if (joining.is_refused) {
+  Joining* const place_of_piece = joining_of(piece, now_us, counters);
+  if (place_of_piece == nullptr || place_of_piece->is_refused) {
     ++counters.refused;
     return {};
   }
+  Joining& joining = *place_of_piece;
   const Extent extent{piece.fragment_offset,
                       piece.fragment_offset + static_cast<std::uint32_t>(piece.payload.size())};
   if (!is_possible(joining, extent, piece.has_more_fragments)) {
@@ -104,7 +160,7 @@ Reassembly::Result Reassembly::add(const Ipv4Packet& piece, std::uint64_t now_us
     ++counters.joined;
     return {.fate = Fate::kJoined};
   }
-  joining.is_open = false;
+  open_ &= ~bit_of(joining);
   ++counters.completed;
   Ipv4Packet whole = joining.name;
   whole.fragment_offset = 0;

@@ -6,8 +6,9 @@
 // ends its whole datagram, and what still comes of it is dropped, too (RFC 5722, section 4); one
 // that says again, byte for byte, what is there is a duplicate and does no harm.
 //
-// There is room for kDatagrams at once. If another one begins, the oldest is displaced, so that
-// forged pieces delay others for no longer than their own number.
+// Pieces are kept of senders that are listed alone, of each as many datagrams at once as it has
+// streams. There is room for all of them, so no sender ever displaces another one's datagram: one
+// that begins more gives up its own oldest.
 #pragma once
 
 #include <array>
@@ -20,10 +21,43 @@
 
 namespace iog::net {
 
+// Whose pieces are kept. At most kMostSenders addresses, and kMostDatagrams together.
+class FragmentSenders {
+ public:
+  // Of a car: eight sensors, each of which sends one datagram after the other, its poses and its
+  // maps; and who replays all of these sensors.
+  static constexpr std::size_t kMostDatagrams = 8 + 2 + 8;
+  static constexpr std::size_t kMostSenders = 8 + 2 + 1;
+
+  // So many datagrams more of this sender at once. 0.0.0.0: of all that are not listed, together.
+  void add(Ipv4Address address, std::size_t datagrams = 1);
+
+  // How many at once, 0: none; and whether two senders share them.
+  [[nodiscard]] std::size_t datagrams_of(Ipv4Address address) const {
+    return of(address).datagrams;
+  }
+  [[nodiscard]] bool share(Ipv4Address one, Ipv4Address other) const {
+    return of(one).address == of(other).address;
+  }
+
+ private:
+  struct Sender {
+    Ipv4Address address;
+    std::size_t datagrams = 0;
+  };
+
+  [[nodiscard]] Sender of(Ipv4Address address) const;
+
+  Sender others_{};
+  std::array<Sender, kMostSenders> senders_{};
+  std::size_t count_ = 0;
+  std::size_t datagrams_ = 0;  // of all
+};
+
+// 35.7 KB for each datagram, 642 KB.
 class Reassembly {
  public:
-  // Each lidar sends one datagram after the other, so as many as there are lidars that do so.
-  static constexpr std::size_t kDatagrams = 4;
+  static constexpr std::size_t kDatagrams = FragmentSenders::kMostDatagrams;
   // The longest payload of a unit, 35,336 bytes of a Continental ARS548 (an Ouster of 128 rows with
   // two returns has 33,024), and the UDP header.
   static constexpr std::size_t kMaxBytes = 35'336 + 8;
@@ -45,6 +79,10 @@ class Reassembly {
     std::size_t pieces = 0;
   };
 
+  explicit Reassembly(const FragmentSenders& senders) : senders_(senders) {}
+  // Of whoever sends, as who reads a capture wants it.
+  Reassembly() { senders_.add({}, kDatagrams); }
+
   // piece: of an Ipv4Status::kFragment. now_us never goes backwards. Each call counts one of
   // joined, completed, duplicates, overlaps, bad and refused, and whatever it displaces or finds
   // expired.
@@ -56,7 +94,6 @@ class Reassembly {
     std::uint32_t end = 0;
   };
   struct Joining {
-    bool is_open = false;
     bool is_refused = false;  // given up; its name is kept until it expires
     Ipv4Packet name;
     std::uint64_t first_us = 0;
@@ -68,11 +105,24 @@ class Reassembly {
   };
 
   void expire(std::uint64_t now_us, FragmentCounters& counters);
-  [[nodiscard]] Joining& joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
+  // None: nothing is kept of this sender.
+  [[nodiscard]] Joining* joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
                                     FragmentCounters& counters);
+  [[nodiscard]] Joining& displaced_by(Ipv4Address sender);
   [[nodiscard]] static bool is_possible(const Joining& joining, const Extent& extent,
                                         bool has_more);
 
+  // Apart, so that the many that are not open are not looked at.
+  [[nodiscard]] std::uint32_t bit_of(const Joining& joining) const {
+    return std::uint32_t{1} << (&joining - joinings_.data());
+  }
+  [[nodiscard]] bool is_open(const Joining& joining) const {
+    return (open_ & bit_of(joining)) != 0;
+  }
+
+  FragmentSenders senders_;
+  std::uint32_t open_ = 0;
+  static_assert(kDatagrams <= 32);
   std::array<Joining, kDatagrams> joinings_{};
 };
 

@@ -28,14 +28,17 @@ Bytes random_bytes(std::size_t size, tests::Random& random) {
   return bytes;
 }
 
+constexpr Ipv4Address kUnit = ipv4(10, 0, 2, 101);
+
 struct Piece {
   std::uint32_t offset = 0;
   bool has_more = false;
   Bytes bytes;
   std::uint16_t identification = 7;
+  Ipv4Address source = kUnit;
 
   [[nodiscard]] Ipv4Packet packet() const {
-    return {.source = ipv4(10, 0, 2, 101),
+    return {.source = source,
             .destination = ipv4(10, 0, 2, 15),
             .protocol = kProtocolUdp,
             .identification = identification,
@@ -45,7 +48,8 @@ struct Piece {
   }
 };
 
-std::vector<Piece> cut(const Bytes& whole, std::size_t piece_bytes, std::uint16_t name = 7) {
+std::vector<Piece> cut(const Bytes& whole, std::size_t piece_bytes, std::uint16_t name = 7,
+                       Ipv4Address source = kUnit) {
   std::vector<Piece> pieces;
   for (std::size_t at = 0; at < whole.size(); at += piece_bytes) {
     const std::size_t end = std::min(whole.size(), at + piece_bytes);
@@ -53,7 +57,8 @@ std::vector<Piece> cut(const Bytes& whole, std::size_t piece_bytes, std::uint16_
                       .has_more = end < whole.size(),
                       .bytes = Bytes(whole.begin() + static_cast<std::ptrdiff_t>(at),
                                      whole.begin() + static_cast<std::ptrdiff_t>(end)),
-                      .identification = name});
+                      .identification = name,
+                      .source = source});
   }
   return pieces;
 }
@@ -188,10 +193,92 @@ TEST_F(ReassemblyTest, TheOldestGivesWay) {
   }
   EXPECT_EQ(counters_.displaced, 1U);
   for (std::uint16_t name = 1; name <= Reassembly::kDatagrams; ++name) {
-    EXPECT_EQ(take(datagrams[name][1], 20), Fate::kCompleted) << name;
+    EXPECT_EQ(take(datagrams[name][1], 100), Fate::kCompleted) << name;
     EXPECT_EQ(name_, name);
   }
-  EXPECT_EQ(take(datagrams[0][1], 20), Fate::kJoined) << "its first piece is gone";
+  EXPECT_EQ(take(datagrams[0][1], 100), Fate::kJoined) << "its first piece is gone";
+}
+
+// An orphan is a last piece whose others never come.
+Piece orphan(std::uint16_t name, Ipv4Address source) {
+  return {.offset = 1480, .bytes = Bytes(8), .identification = name, .source = source};
+}
+
+// As many of a foreign address as one likes, four between any two pieces.
+TEST_F(ReassemblyTest, AStrangersFragmentsDisplaceNoSendersDatagram) {
+  FragmentSenders senders;
+  senders.add(kUnit);
+  reassembly_ = std::make_unique<Reassembly>(senders);
+  std::uint16_t strangers = 0;
+  for (std::uint16_t name = 0; name < 128; ++name) {
+    const Bytes whole = random_bytes(12'616, random_);  // of an OS1-64
+    for (const Piece& piece : cut(whole, 1480, name)) {
+      for (int i = 0; i < 4; ++i) {
+        ++strangers;
+        EXPECT_EQ(take(orphan(strangers, ipv4(10, 0, 2, 66))), Fate::kDropped);
+        EXPECT_EQ(take(orphan(7, {ipv4(10, 0, 3, 0).value + strangers})), Fate::kDropped);
+      }
+      ASSERT_EQ(take(piece), piece.has_more ? Fate::kJoined : Fate::kCompleted);
+    }
+    ASSERT_EQ(whole_, whole);
+  }
+  EXPECT_EQ(counters_.refused, 2U * strangers);
+  EXPECT_EQ(counters_.completed, 128U);
+  EXPECT_EQ(counters_.displaced + counters_.expired, 0U);
+}
+
+// Five Continental ARS548 at once, piece by piece in turns, of their own addresses or of the one
+// that replays them.
+TEST_F(ReassemblyTest, FiveUnitsThatSendAtOnceAreJoined) {
+  for (const bool is_replayed : {false, true}) {
+    FragmentSenders senders;
+    std::vector<std::vector<Piece>> lists;
+    for (std::uint16_t unit = 0; unit < 5; ++unit) {
+      const Ipv4Address source = is_replayed ? ipv4(10, 0, 2, 2) : Ipv4Address{kUnit.value + unit};
+      senders.add(source);
+      lists.push_back(cut(random_bytes(Reassembly::kMaxBytes, random_), 1480, unit, source));
+    }
+    reassembly_ = std::make_unique<Reassembly>(senders);
+    for (std::size_t piece = 0; piece < lists[0].size(); ++piece) {
+      for (const auto& list : lists) {
+        ASSERT_EQ(take(list[piece]), list[piece].has_more ? Fate::kJoined : Fate::kCompleted);
+      }
+    }
+  }
+  EXPECT_EQ(counters_.completed, 10U);
+}
+
+// Nor does a unit that runs wild take another unit's room.
+TEST_F(ReassemblyTest, WhoBeginsMoreThanItsShareGivesUpItsOwnOldest) {
+  FragmentSenders senders;
+  senders.add(kUnit);
+  const Ipv4Address wild = ipv4(10, 0, 2, 102);
+  senders.add(wild, 2);
+  reassembly_ = std::make_unique<Reassembly>(senders);
+  const auto pieces = cut(random_bytes(2000, random_), 1480);
+  EXPECT_EQ(take(pieces[0]), Fate::kJoined);
+  const auto first = cut(random_bytes(2000, random_), 1480, 1, wild);
+  const auto second = cut(random_bytes(2000, random_), 1480, 2, wild);
+  EXPECT_EQ(take(first[0], 1), Fate::kJoined);
+  EXPECT_EQ(take(second[0], 2), Fate::kJoined);
+  EXPECT_EQ(take(orphan(3, wild), 3), Fate::kJoined);
+  EXPECT_EQ(counters_.displaced, 1U);
+  EXPECT_EQ(take(second[1], 4), Fate::kCompleted);
+  EXPECT_EQ(take(first[1], 4), Fate::kJoined) << "its first piece is gone";
+  for (std::uint16_t name = 10; name < 100; ++name) {
+    EXPECT_EQ(take(orphan(name, wild), 5), Fate::kJoined);
+  }
+  EXPECT_EQ(take(pieces[1], 6), Fate::kCompleted);
+}
+
+// A reader of captures knows no senders: one address that floods it gives way itself.
+TEST_F(ReassemblyTest, AFloodOfOneAddressDisplacesItsOwn) {
+  const auto pieces = cut(random_bytes(2000, random_), 1480);
+  EXPECT_EQ(take(pieces[0]), Fate::kJoined);
+  for (std::uint16_t name = 0; name < 5000; ++name) {
+    EXPECT_EQ(take(orphan(name, ipv4(10, 0, 2, 66)), 1), Fate::kJoined);
+  }
+  EXPECT_EQ(take(pieces[1], 1), Fate::kCompleted);
 }
 
 // Against a slow reference of one datagram: all bytes by their place, each from one piece only.
@@ -243,6 +330,11 @@ Frame frame_of(const Piece& piece) {
   return frame;
 }
 
+struct JoiningStation : Station {
+  JoiningStation() { host.join_fragments(*reassembly); }
+  std::unique_ptr<Reassembly> reassembly = std::make_unique<Reassembly>();
+};
+
 // A UDP datagram of z, as its header and payload.
 Bytes udp_datagram(std::size_t payload_bytes, std::uint16_t checksum) {
   Bytes udp = from_hex("4a38 1b58 0000 0000");
@@ -252,8 +344,15 @@ Bytes udp_datagram(std::size_t payload_bytes, std::uint16_t checksum) {
   return udp;
 }
 
-TEST(HostFragments, ADatagramInFragmentsIsDeliveredWhole) {
+TEST(HostFragments, WithoutMemoryEveryFragmentIsDropped) {
   Station station;
+  EXPECT_FALSE(station.take(frame_of(cut(udp_datagram(2'000, 0), 1480)[0])));
+  EXPECT_EQ(station.dropped(Drop::kFragment), 1U);
+  EXPECT_TRUE(station.conserved());
+}
+
+TEST(HostFragments, ADatagramInFragmentsIsDeliveredWhole) {
+  JoiningStation station;
   const auto pieces = cut(udp_datagram(12'608, 0), 1480);  // a packet of an OS1-64
   ASSERT_EQ(pieces.size(), 9U);
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
@@ -271,7 +370,7 @@ TEST(HostFragments, ADatagramInFragmentsIsDeliveredWhole) {
 
 // The checksum of UDP covers the whole, so that pieces of two datagrams do not pass for one.
 TEST(HostFragments, AWrongChecksumOfTheWholeIsNoticed) {
-  Station station;
+  JoiningStation station;
   const auto pieces = cut(udp_datagram(2'000, 0x1234), 1480);
   EXPECT_FALSE(station.take(frame_of(pieces[0])));
   EXPECT_FALSE(station.take(frame_of(pieces[1])));
@@ -280,7 +379,7 @@ TEST(HostFragments, AWrongChecksumOfTheWholeIsNoticed) {
 }
 
 TEST(HostFragments, OnlyThoseOfUdpToUsAreKept) {
-  Station station;
+  JoiningStation station;
   Frame icmp = frame_of({.offset = 8, .has_more = true, .bytes = Bytes(8)});
   icmp[kIpOffset + 9] = std::byte{1};
   fix_ip_checksum(icmp);
