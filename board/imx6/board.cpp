@@ -53,7 +53,8 @@ Board::Board(const MacAddress& address)
       l2_cache_(pl310),
       ethernet_(enet, enet_memory.receive_descriptors, enet_memory.receive_buffers,
                 enet_memory.transmit_descriptors, enet_memory.transmit_buffers, l2_cache_, clock_),
-      cores_(src, scu, gic_distributor, clock_, all_helpers, helper_entry()) {
+      cores_(src, scu, gic_distributor, clock_, all_helpers, helper_entry()),
+      thermometer_(analog, ocotp) {
   // It has run since start_memory().
   watchdog_.service();
   reset_status_ = src.srsr.read();
@@ -71,6 +72,7 @@ Board::Board(const MacAddress& address)
     mac_is_of_fuses_ = true;
   }
   ethernet_.start(mac_address_);
+  thermometer_.start();
   tick_.start();
   start_gic(gic_distributor, gic_cpu);
   // From here on the watchdog's interrupt finds a loop that hangs.

@@ -9,6 +9,7 @@
 #include "hal/end_of_run.hpp"
 #include "memory/l2_cache.hpp"
 #include "serial_link.hpp"
+#include "thermometer.hpp"
 #include "time/gpt_clock.hpp"
 #include "time/stopwatch.hpp"
 #include "time/tick.hpp"
@@ -54,6 +55,9 @@ class Board {
   void end_run(hal::End end, std::string_view words);
   hal::RunBefore run_before() const { return boot_.before; }
 
+  // As hal::Thermometer.
+  std::int16_t temperature_dc() { return thermometer_.read_dc(); }
+
   // The deepest the main stack has been since start, and how deep it may be.
   std::uint32_t stack_used_bytes() const;
   std::uint32_t stack_bytes() const;
@@ -74,6 +78,7 @@ class Board {
   L2Cache l2_cache_;
   EnetPort ethernet_;
   Cores cores_;
+  Thermometer thermometer_;
   Boot boot_;
   std::uint32_t reset_status_ = 0;
   std::uint32_t run_number_ = 0;

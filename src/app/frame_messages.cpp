@@ -45,7 +45,8 @@ void set_frame_end(const FrameReport& report, stream::FrameEnd& end) {
          .link_counter_count = static_cast<std::uint8_t>(report.vitals.link_counter_count),
          .link_counters = report.vitals.link_counters,
          .sensors = report.sensors,
-         .unwatched = report.unwatched};
+         .unwatched = report.unwatched,
+         .temperature_dc = report.vitals.temperature_dc};
 }
 
 }  // namespace iog::app

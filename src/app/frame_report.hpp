@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hal/thermometer.hpp"
 #include "intake/sensor_report.hpp"
 #include "stream/message.hpp"
 #include "vehicle/beam.hpp"
@@ -17,6 +18,7 @@ namespace iog::app {
 struct Vitals {
   std::uint32_t stack_used_bytes = 0;  // deepest so far
   std::uint32_t link_drops = 0;        // datagrams that the link itself has dropped, since start
+  std::int16_t temperature_dc = hal::kTemperatureNotKnown;  // of the chip, 1/10 degree Celsius
   std::size_t link_counter_count = 0;
   std::array<std::uint32_t, stream::kMaxLinkCounters>
       link_counters{};  // since start, as docs/spec.md

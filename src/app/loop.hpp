@@ -35,6 +35,7 @@
 #include "hal/ethernet_port.hpp"
 #include "hal/run_number.hpp"
 #include "hal/serial_port.hpp"
+#include "hal/thermometer.hpp"
 #include "hal/watchdog.hpp"
 #include "health/memory_check.hpp"
 #include "net/host.hpp"
@@ -55,6 +56,7 @@ concept Machine = requires(T& machine) {
   requires hal::SerialPort<std::remove_reference_t<decltype(machine.serial())>>;
   requires hal::RunNumber<T>;
   requires hal::EndsRuns<T>;
+  requires hal::Thermometer<T>;
   requires hal::Cores<std::remove_reference_t<decltype(machine.cores())>>;
   requires hal::Console<std::remove_reference_t<decltype(machine.console())>>;
   { machine.stack_used_bytes() } -> std::convertible_to<std::uint32_t>;
@@ -147,6 +149,7 @@ class MachinePlatform {
     times_.add(times, core_times_, ticks_hz());
     Vitals& vitals = vitals_;
     vitals.stack_used_bytes = machine_.stack_used_bytes();
+    vitals.temperature_dc = machine_.temperature_dc();
     const net::Counters& net = host_.counters();
     const hal::PortCounters port = machine_.ethernet().counters();
     std::span<std::uint32_t> out = vitals.link_counters;

@@ -9,6 +9,9 @@ namespace {
 
 // A list that may grow in later versions: how many entries, how long each.
 constexpr std::uint8_t kSensorRecordBytes = 16;
+// Behind the sectors that nobody watches.
+constexpr std::size_t kBlockedBytes = 8;
+constexpr std::size_t kTemperatureBytes = 8;
 
 constexpr std::size_t kSequenceOffset = 4;
 
@@ -133,6 +136,11 @@ std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
   if (end.unwatched) {
     out.u64_be(*end.unwatched);
   }
+  if (end.unwatched && end.temperature_dc) {
+    out.u64_be(0);  // blocked sectors
+    out.u16_be(static_cast<std::uint16_t>(*end.temperature_dc));
+    out.zeros(kTemperatureBytes - 2);
+  }
   return written_bytes(out);
 }
 
@@ -172,6 +180,11 @@ ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_c
   end.unwatched.reset();
   if (in.remaining() > 0) {
     end.unwatched = in.u64_be();
+  }
+  end.temperature_dc.reset();
+  if (in.remaining() >= kBlockedBytes + kTemperatureBytes) {
+    in.skip(kBlockedBytes);
+    end.temperature_dc = static_cast<std::int16_t>(in.u16_be());
   }
   return in.ok() ? ReadStatus::kOk : ReadStatus::kTooShort;
 }

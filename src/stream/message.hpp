@@ -113,6 +113,9 @@ struct FrameEnd {
   std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};  // Header::sensor_count of them
   // Bit i: no sensor watches sector i around the vehicle. Empty of an older target.
   std::optional<std::uint64_t> unwatched{};
+  // Of the chip, in tenths of a degree Celsius, or hal::kTemperatureNotKnown. Empty of an older
+  // target. Only behind `unwatched`.
+  std::optional<std::int16_t> temperature_dc{};
 };
 
 // Why a content could not be read.

@@ -120,6 +120,7 @@ class FrameEnd:
     sensors: list[Sensor]
     unwatched: int | None  # bit i: no sensor watches sector i of 64; until 26 November no target said so
     stack_bytes: int  # the deepest since start
+    temperature_dc: int | None  # of the chip, 1/10 degree Celsius, -0x8000: not known; until 28 November no target said so
 
 
 @dataclasses.dataclass(frozen=True)
@@ -262,11 +263,12 @@ def read_frame_end(body: bytes) -> FrameEnd:
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
     at = 32 + 4 * len(counts)
     assert body[at:at + 4] == b"\x10\0\0\0", "a sensor record is 16 bytes"
-    assert len(rest := body[at + 4 + 4 * 16:]) in (0, 8), "the sectors are 64 bits"
+    assert len(rest := body[at + 4 + 4 * 16:]) in (0, 8, 24), "the sectors are 64 bits, twice"
     sensors = [Sensor(*struct.unpack_from(">BxHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
     return FrameEnd(sent, lost, crc, opened_us, counts[stages:stages + fates],
                     dict(zip(PACKET_DROPS[:causes] + all_links, counts[stages + fates:])), sensors,
-                    int.from_bytes(rest, "big") if rest else None, stack_bytes)
+                    int.from_bytes(rest[:8], "big") if rest else None, stack_bytes,
+                    struct.unpack_from(">h", rest, 16)[0] if len(rest) > 8 else None)
 
 
 class Assembler:

@@ -12,6 +12,7 @@
 #include "fakes/fake_ethernet_port.hpp"
 #include "fakes/scripted_cores.hpp"
 #include "hal/end_of_run.hpp"
+#include "hal/thermometer.hpp"
 
 namespace iog::app::testing {
 
@@ -60,9 +61,11 @@ class FakeMachine {
   }
   [[nodiscard]] hal::RunBefore run_before() const { return before; }
   [[nodiscard]] std::uint32_t stack_used_bytes() const { return 0; }
+  [[nodiscard]] std::int16_t temperature_dc() const { return temperature; }
   void idle() { clock_.time_us += 100; }
 
   hal::RunBefore before{};
+  std::int16_t temperature = hal::kTemperatureNotKnown;
   std::vector<hal::End> ends{};
   std::string last_words{};
 

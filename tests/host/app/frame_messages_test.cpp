@@ -52,6 +52,7 @@ TEST(FrameMessages, TheEndHasTheRest) {
   report.vitals.link_counters = {11, 12};
   report.sensors[1].points = 99;
   report.unwatched = 5;
+  report.vitals.temperature_dc = 612;
   stream::FrameEnd end;
   set_frame_end(report, end);
   EXPECT_EQ(end.opened_us, 33U);
@@ -62,6 +63,7 @@ TEST(FrameMessages, TheEndHasTheRest) {
   EXPECT_EQ(end.link_counters[1], 12U);
   EXPECT_EQ(end.sensors[1].points, 99U);
   EXPECT_EQ(end.unwatched, 5U);
+  EXPECT_EQ(end.temperature_dc, 612);
   EXPECT_EQ(end.tiles_sent + end.tiles_lost + end.grid_crc, 0U);
 }
 

@@ -70,6 +70,14 @@ TEST(Loop, TheLinkCountersHoldWhatThePortLost) {
   EXPECT_EQ(vitals.link_drops, drops + 8);
 }
 
+TEST(Loop, TheVitalsHaveTheChipsTemperature) {
+  FakeMachine machine;
+  MachinePlatform<FakeMachine> platform(machine, kConfig);
+  EXPECT_EQ(platform.vitals({}).temperature_dc, hal::kTemperatureNotKnown);
+  machine.temperature = -55;
+  EXPECT_EQ(platform.vitals({}).temperature_dc, -55);
+}
+
 // docs/spec.md 3.7: three say how often the target has started, and what ended the run
 // before.
 TEST(Loop, TheLinkCountersHoldTheRunBefore) {

@@ -137,10 +137,31 @@ TEST(Message, AFrameEndMaySayWhatIsNotWatched) {
   EXPECT_EQ(read.unwatched, std::nullopt);
 }
 
+// docs/spec.md 3.5: behind the sectors that are blocked, tenths of a degree Celsius.
+TEST(Message, AFrameEndMaySayHowWarmTheChipIs) {
+  FrameEnd end = some_frame_end();
+  end.unwatched = 0;
+  std::vector<std::byte> wire(protection::kMaxContentBytes - kHeaderBytes);
+  const std::size_t before = write_frame_end(end, 2, wire);
+  for (const int dc : {853, -401, -0x8000}) {
+    end.temperature_dc = static_cast<std::int16_t>(dc);
+    ASSERT_EQ(write_frame_end(end, 2, wire), before + 16);
+    EXPECT_EQ(
+        std::to_integer<int>(wire.at(before + 8)) << 8 | std::to_integer<int>(wire.at(before + 9)),
+        dc & 0xFFFF);
+    FrameEnd read;
+    ASSERT_EQ(read_frame_end(std::span(wire).first(before + 19), 2, read), ReadStatus::kOk);
+    EXPECT_EQ(read.temperature_dc, dc);
+    ASSERT_EQ(read_frame_end(std::span(wire).first(before), 2, read), ReadStatus::kOk);
+    EXPECT_EQ(read.temperature_dc, std::nullopt);
+  }
+}
+
 TEST(Message, TheLongestFrameEndFitsAMessage) {
   FrameEnd end = some_frame_end();
   end.link_counter_count = kMaxLinkCounters;
   end.unwatched = 0;
+  end.temperature_dc = 0;
   std::vector<std::byte> wire(protection::kMaxContentBytes - kHeaderBytes);
   const std::size_t bytes = write_frame_end(end, vehicle::kMaxSensors, wire);
   ASSERT_GT(bytes, 0U);

@@ -1,0 +1,19 @@
+// The seam to what knows how warm the machine is.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+namespace iog::hal {
+
+inline constexpr std::int16_t kTemperatureNotKnown = -0x8000;
+
+// temperature_dc():  of the chip, in tenths of a degree Celsius, or kTemperatureNotKnown: there is
+//                    no thermometer, it has no calibration, or it does not answer. Never waits.
+//                    Once a frame.
+template <typename T>
+concept Thermometer = requires(T& machine) {
+  { machine.temperature_dc() } -> std::same_as<std::int16_t>;
+};
+
+}  // namespace iog::hal
