@@ -138,16 +138,32 @@ static inline void iogrid_close_grid(iogrid_grid* grid, const uint32_t* table, u
   }
 }
 
-// What the end of a frame says behind its counters and sensors (3.5); false of an older target.
+// Where the end of a frame has what stands behind its counters and sensors (3.5), or `bytes`.
+static inline size_t iogrid_end_tail(uint32_t sensors, const uint8_t* body, size_t bytes) {
+  if (bytes < 32) return bytes;
+  size_t at = 32 + 4 * ((size_t)body[28] + body[29] + body[30] + body[31]);
+  if (at >= bytes) return bytes;
+  at += 4 + (size_t)sensors * body[at];
+  return at < bytes ? at : bytes;
+}
+
+// The sectors that nobody watches; false of an older target.
 static inline int iogrid_unwatched(uint32_t sensors, const uint8_t* body, size_t bytes,
                                    uint64_t* to) {
-  if (bytes < 32) return 0;
-  size_t at = 32 + 4 * ((size_t)body[28] + body[29] + body[30] + body[31]);
-  if (at >= bytes) return 0;
-  at += 4 + (size_t)sensors * body[at];
+  const size_t at = iogrid_end_tail(sensors, body, bytes);
   if (at + 8 > bytes) return 0;
   *to = iogrid_be64(body + at);
   return 1;
+}
+
+enum { IOGRID_NO_TEMPERATURE = -32768 };
+
+// How warm the chip is, in tenths of a degree Celsius, or IOGRID_NO_TEMPERATURE.
+static inline int16_t iogrid_temperature(uint32_t sensors, const uint8_t* body, size_t bytes) {
+  const size_t at = iogrid_end_tail(sensors, body, bytes) + 16;
+  if (at + 2 > bytes) return IOGRID_NO_TEMPERATURE;
+  const int32_t dc = body[at] << 8 | body[at + 1];
+  return (int16_t)(dc < 0x8000 ? dc : dc - 0x10000);
 }
 
 #endif

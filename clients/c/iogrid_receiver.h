@@ -24,6 +24,7 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   uint64_t closed_us;         // by the target's clock
   uint8_t complete, partial;  // bit i: sensor i has delivered its scan, or a part of it
   uint8_t knows_unwatched;    // of an older target: false
+  int16_t temperature_dc;     // of the chip, 1/10 degree Celsius; or IOGRID_NO_TEMPERATURE
   uint64_t unwatched;         // bit i: no sensor watches sector i of 64 around the car now (3.5)
   uint8_t has_indexes, has_classes, has_objects, is_whole;
   iogrid_grid indexes, classes;
@@ -124,6 +125,7 @@ static inline void iogrid_open(iogrid_receiver* r, uint32_t number, uint8_t cont
   iogrid_begin_grid(&r->classes, 1);
   memset(&r->objects, 0, sizeof r->objects);
   r->knows_unwatched = 0;
+  r->temperature_dc = IOGRID_NO_TEMPERATURE;
 }
 
 // Whether nothing is to come any more of the frame that is open.
@@ -161,8 +163,10 @@ static inline int iogrid_take_grid(iogrid_receiver* r, const uint8_t* content, c
   grid->not_sent = iogrid_be32(body + at + 4);
   grid->name = iogrid_be32(body + at + 8);
   grid->has_end = 1;
-  if (!are_classes)
+  if (!are_classes) {
     r->knows_unwatched = (uint8_t)iogrid_unwatched(content[24], body, bytes, &r->unwatched);
+    r->temperature_dc = iogrid_temperature(content[24], body, bytes);
+  }
   return 1;
 }
 

@@ -48,6 +48,10 @@ function ends.show_frame_end(tree, cursor, info, sensor_count)
   if cursor.left() >= layout.bytes_of(unwatched) then
     parts.add_part(item, cursor.take(layout.bytes_of(unwatched), "the sectors"), unwatched)
   end
+  local chip = layout.PARTS.chip
+  if cursor.left() >= layout.bytes_of(chip) then
+    parts.add_part(item, cursor.take(layout.bytes_of(chip), "the chip"), chip)
+  end
 end
 
 -- What the target says of its map, and skips what it does not know of it.

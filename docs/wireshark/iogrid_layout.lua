@@ -210,6 +210,11 @@ layout.PARTS.sensor_size = {
 layout.PARTS.unwatched = {
   { "uint64", "unwatched", "Sectors of 64 around the vehicle that no sensor watches", base.HEX },
 }
+layout.PARTS.chip = {
+  { "uint64" },
+  { "int16", "temperature", "Temperature of the chip, 1/10 degree Celsius (-32768: not known)", base.DEC },
+  { "uint16" }, { "uint32" },
+}
 layout.PARTS.sensor = {
   { "uint8", "sensor.state", "State", base.DEC, layout.SENSOR_STATES },
   { "uint8" },

@@ -171,4 +171,5 @@ def shown_of_frame_end(frame: int, end: grid_stream.FrameEnd) -> dict[str, list]
     for name, field in (("state", "state"), ("age", "age"), ("packets", "packets"),
                         ("points", "points"), ("scan_number", "scan")):
         shown[f"iogrid.sensor.{field}"] = [getattr(sensor, name) for sensor in end.sensors]
-    return shown | ({} if end.unwatched is None else {"iogrid.unwatched": [f"0x{end.unwatched:016x}"]})
+    shown |= {} if end.unwatched is None else {"iogrid.unwatched": [f"0x{end.unwatched:016x}"]}
+    return shown | ({} if end.temperature_dc is None else {"iogrid.temperature": [end.temperature_dc]})

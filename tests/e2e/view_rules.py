@@ -188,7 +188,7 @@ def check_crowd(iog: str, browser: Browser) -> None:
 
 
 def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
-    """Words from outside are words: a file's name; and a car that nobody knows is called so."""
+    """Words from outside are words: a file's name; and a car that nobody knows is called so. A warm chip is told."""
     name = '<img src=x onerror="document.title=1"><b>&amp;.pcap'
     drive = folder / name
     subprocess.run([iog, "simulate", "--seconds", "1", "--out", drive], check=True,
@@ -205,8 +205,18 @@ def check_words(iog: str, folder: pathlib.Path, browser: Browser) -> None:
     port = free_port()
     with Viewer(iog, "--port", str(port)) as viewer:
         page = GridPage(browser.open(viewer.address))
-        made_stream.Target(port, vehicle=vehicle_id.NOBODY).send(made_stream.Grid())
+        target = made_stream.Target(port, vehicle=vehicle_id.NOBODY)
+        target.temperature_dc = 861
+        target.send(made_stream.Grid())
         page.page.wait_for("document.getElementById('vehicle').textContent.startsWith('unknown car 12345678')")
+        for _ in range(100):
+            target.send(made_stream.Grid())
+            time.sleep(0.05)
+            if "warm: 86.1 degrees Celsius" in page.banner:
+                break
+        assert "warm: 86.1 degrees Celsius" in page.banner, page.banner
+        page.page.value("iogPage.scale()")  # no index has a probability
+        page.page.wait_for("document.getElementById('legend-title').textContent.endsWith('is not known here')")
         assert not page.page.complaints(), page.page.complaints()
         page.page.close()
 

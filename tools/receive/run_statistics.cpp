@@ -9,6 +9,7 @@
 #include "tools/program/file.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/receive/stream_names.hpp"
+#include "tools/receive/temperature_words.hpp"
 #include "tools/receive/watched_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -52,6 +53,7 @@ void RunStatistics::add(const GridFrame& frame) {
     run_before_ = run_before_of(frame.end);
     commands_ = command_counts_of(frame.end, frame.header.run_number);
     loop_times_ = loop_times_of(frame.end);
+    hottest_dc_ = std::max(hottest_dc_, frame.end.temperature_dc.value_or(hottest_dc_));
     if (frame.end.unwatched) {
       unwatched_ = frame.end.unwatched;
     }
@@ -170,6 +172,9 @@ RunStatistics::Facts RunStatistics::facts() const {
   if (unwatched_) {
     facts.emplace_back("unwatched_sectors", hex(*unwatched_, 16));
   }
+  if (hottest_dc_ != hal::kTemperatureNotKnown) {
+    facts.emplace_back("chip_temperature_dc_hottest", std::to_string(hottest_dc_));
+  }
   for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
     const std::string name = key_of("loop_", kLoopTimeNames[i]);
     facts.emplace_back(name + "_us_mean", fixed((*loop_times_)[i].mean_us()));
@@ -278,6 +283,10 @@ std::string RunStatistics::table(bool has_target) const {
   append_sensors(text);
   if (unwatched_) {
     text += row("not watched at last", words_of_unwatched(*unwatched_));
+  }
+  if (hottest_dc_ != hal::kTemperatureNotKnown) {
+    text += row("chip", words_of_temperature(hottest_dc_) + " at the hottest" +
+                            (hottest_dc_ >= kWarmDc ? ", which is too warm" : ""));
   }
   text += row("scan points", list_of(fates_, kPointFateNames));
   append_ground(text);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hal/thermometer.hpp"
 #include "tools/frames/grid_frame.hpp"
 #include "tools/program/table.hpp"
 #include "tools/receive/class_statistics.hpp"
@@ -89,8 +90,9 @@ class RunStatistics {
   std::optional<hal::RunBefore> run_before_;
   std::optional<CommandCounts> commands_;
   std::optional<LoopTimes> loop_times_;
-  std::optional<std::uint64_t> unwatched_;  // of the newest frame that says it
-  std::optional<CoreShares> core_shares_;   // since the target's start
+  std::int16_t hottest_dc_ = hal::kTemperatureNotKnown;  // of the chip
+  std::optional<std::uint64_t> unwatched_;               // of the newest frame that says it
+  std::optional<CoreShares> core_shares_;                // since the target's start
   std::uint8_t sensor_count_ = 0;
   std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state
   std::uint64_t packets_fused_ = 0;

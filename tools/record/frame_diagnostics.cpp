@@ -13,6 +13,7 @@
 #include "tools/receive/map_words.hpp"
 #include "tools/receive/run_before.hpp"
 #include "tools/receive/stream_names.hpp"
+#include "tools/receive/temperature_words.hpp"
 #include "tools/receive/watched_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -71,6 +72,17 @@ Diagnostic of_surroundings(std::uint64_t unwatched) {
           .name = "surroundings",
           .message = unwatched == 0 ? "watched all around" : "not watched: " + words,
           .values = {{"sectors", hex(unwatched, 16)}}};
+}
+
+Diagnostic of_chip(std::int16_t temperature_dc) {
+  const std::string words = words_of_temperature(temperature_dc);
+  return {.level = temperature_dc >= kTooHotDc ? DiagnosticLevel::kError
+                   : temperature_dc >= kWarmDc ? DiagnosticLevel::kWarn
+                                               : DiagnosticLevel::kOk,
+          .name = "chip",
+          .message = temperature_dc >= kTooHotDc ? "too hot: " + words
+                     : temperature_dc >= kWarmDc ? "warm: " + words
+                                                 : words};
 }
 
 // What has come of the frame.
@@ -187,6 +199,9 @@ std::vector<Diagnostic> diagnostics_of(const GridFrame& frame) {
     }
     if (end.unwatched) {
       all.push_back(of_surroundings(*end.unwatched));
+    }
+    if (end.temperature_dc.value_or(hal::kTemperatureNotKnown) != hal::kTemperatureNotKnown) {
+      all.push_back(of_chip(*end.temperature_dc));
     }
     all.push_back(of_points(end));
     all.push_back(of_datagrams(end));

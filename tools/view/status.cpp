@@ -12,6 +12,7 @@
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/map_words.hpp"
 #include "tools/receive/run_before.hpp"
+#include "tools/receive/temperature_words.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -34,6 +35,16 @@ Json sensors_json(const FrameFacts& frame) {
                     {"scan", sensor.scan_number}});
   }
   return list;
+}
+
+// Of the chip; null: not known.
+Json temperature_json(const stream::FrameEnd& end) {
+  const std::int16_t dc = end.temperature_dc.value_or(hal::kTemperatureNotKnown);
+  if (dc == hal::kTemperatureNotKnown) {
+    return nullptr;
+  }
+  return {
+      {"words", words_of_temperature(dc)}, {"warm", dc >= kWarmDc}, {"too_hot", dc >= kTooHotDc}};
 }
 
 Json end_json(const FrameFacts& frame) {
@@ -60,6 +71,7 @@ Json end_json(const FrameFacts& frame) {
           {"fates", end.fates},
           {"drops", end.packet_drops},
           {"unwatched", end.unwatched ? hex(*end.unwatched, 16) : ""},
+          {"temperature", temperature_json(end)},
           {"sensors", sensors_json(frame)}};
 }
 

@@ -108,6 +108,7 @@ class Frame:
     window: Window | None  # None, too: nothing of the classes has come
     velocity: tuple[float, float] | None  # of the car since the frame before, m/s in the local frame; None: not known
     objects: list[Object] | None  # by id; None: not known, since a part was lost or nothing has a place
+    temperature_c: float | None  # of the target's chip (3.5); None: not known
 
     def closing(self, thing: Object) -> tuple[float, float] | None:
         """How far the middle of an object of the frame is from the car, m, and how fast that becomes less, m/s, the car's

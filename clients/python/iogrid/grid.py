@@ -59,9 +59,20 @@ class Grid:
     @staticmethod
     def unwatched_of(body: bytes, sensors: int) -> int | None:
         """What the end of a frame says behind its counters and sensors (3.5); an older target does not."""
-        at = 32 + 4 * sum(body[28:32])
-        at += 4 + sensors * body[at] if at < len(body) else 0
+        at = Grid._behind_sensors(body, sensors)
         return struct.unpack_from(">Q", body, at)[0] if at + 8 <= len(body) else None
+
+    @staticmethod
+    def temperature_of(body: bytes, sensors: int) -> float | None:
+        """Of the chip, behind the sectors."""
+        at = Grid._behind_sensors(body, sensors) + 16
+        tenths = struct.unpack_from(">h", body, at)[0] if at + 2 <= len(body) else -0x8000
+        return None if tenths == -0x8000 else tenths / 10
+
+    @staticmethod
+    def _behind_sensors(body: bytes, sensors: int) -> int:
+        at = 32 + 4 * sum(body[28:32])
+        return at + (4 + sensors * body[at] if at < len(body) else 0)
 
     def decode(self, frame: int, own: References,
                dropped: collections.Counter[str]) -> tuple[numpy.ndarray, numpy.ndarray, bool]:

@@ -24,7 +24,7 @@ class _Waiting:
 
     def __init__(self, flags: int):
         self.flags, self.header, self.sequences = flags & _CONTENTS, (), set()
-        self.objects, self.unwatched = ObjectParts(), None
+        self.objects, self.unwatched, self.temperature_c = ObjectParts(), None, None
         self.indexes, self.classes = Grid(is_of_classes=False), Grid(is_of_classes=True)
         self.grids = [grid for grid, is_sent in ((self.indexes, not flags & _HAS_NO_INDEXES),
                                                  (self.classes, flags & _HAS_CLASSES)) if is_sent]
@@ -47,6 +47,7 @@ class _Waiting:
             grid.take_end(body)
             if kind == _FRAME_END:
                 self.unwatched = grid.unwatched_of(body, header[7])
+                self.temperature_c = grid.temperature_of(body, header[7])
         self.sequences.add(sequence)
         self.header = header if kind == _FRAME_END or not self.header else self.header
 
@@ -169,4 +170,5 @@ class Receiver:
         return Frame(number, closed_us, vehicle, run, complete, partial, points_used, waiting.unwatched, is_whole,
                      None if indexes is None else indexes.view(numpy.int8), indexes_lost,
                      None if classes is None else classes >> 3, None if classes is None else classes & 7, classes_lost,
-                     window, window.velocity_since(before) if window and is_next else None, waiting.objects.objects)
+                     window, window.velocity_since(before) if window and is_next else None, waiting.objects.objects,
+                     waiting.temperature_c)

@@ -51,6 +51,16 @@ class Watched(unittest.TestCase):
         self.assertIsNone(frame.unwatched)
         self.assertFalse(frame.is_watched(0, 0.1))
 
+    def test_how_warm_the_chip_is(self):
+        target = made_stream.Target(0)
+        for tenths, degrees in ((853, 85.3), (-55, -5.5), (-0x8000, None)):
+            target.temperature_dc = tenths
+            frame, = received(target.messages_of(made_stream.Grid(), 1))[0]
+            self.assertEqual(frame.temperature_c, degrees)
+            self.assertTrue(frame.is_watched(0, 1))
+        old, = received(streams.messages_of(streams.VERSION_3))[0][:1]
+        self.assertIsNone(old.temperature_c)
+
     def test_no_sector(self):
         for begin, end in ((0.2, 0.1), (0, 7), (math.nan, 0)):
             with self.assertRaises(ValueError):

@@ -74,6 +74,7 @@ static void print(const iogrid_receiver* r) {
   }
   printf(" unwatched %d %016llx watched %08x", r->knows_unwatched,
          r->knows_unwatched ? (unsigned long long)r->unwatched : 0ULL, is_watched);
+  printf(" chip %d", r->temperature_dc);
   printf(
       " causes %x pose %d %.3f %.3f %.6f end %llu moving %u %.3f free %u at %d car %d %.3f %.3f\n",
       r->causes, r->has_pose, r->has_pose ? r->x_m : 0, r->has_pose ? r->y_m : 0,

@@ -59,6 +59,7 @@ def raw() -> pathlib.Path:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path, target = FOLDER / "raw.pcap", made_stream.Target(0)
     target.unwatched = 0x8000_0001_0F00_0003
+    target.temperature_dc = -55
     grid, window = made_stream.Grid(), made_classes.Window(1.0, 2.0, 0.125)
     for i in range(-127, 128):
         grid.set(512 + i, 500 + i % 7, i)

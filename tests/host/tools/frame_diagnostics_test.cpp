@@ -74,6 +74,28 @@ TEST(FrameDiagnostics, WhatNobodyWatchesIsAWarning) {
   EXPECT_EQ(found_in(frame, "surroundings").level, DiagnosticLevel::kError);
 }
 
+// 95 degrees are what the i.MX6Q's commercial grade may have.
+TEST(FrameDiagnostics, AWarmChipIsAWarningAndAHotOneAnError) {
+  GridFrame frame = sound_frame();
+  const auto has_chip = [&] {
+    const auto all = diagnostics_of(frame);
+    return std::ranges::any_of(all, [](const auto& each) { return each.name == "chip"; });
+  };
+  EXPECT_FALSE(has_chip()) << "an older target";
+  frame.end.temperature_dc = hal::kTemperatureNotKnown;
+  EXPECT_FALSE(has_chip());
+  for (const auto& [dc, level, words] :
+       {std::tuple{-55, DiagnosticLevel::kOk, "-5.5 degrees Celsius"},
+        std::tuple{849, DiagnosticLevel::kOk, "84.9 degrees Celsius"},
+        std::tuple{850, DiagnosticLevel::kWarn, "warm: 85.0 degrees Celsius"},
+        std::tuple{949, DiagnosticLevel::kWarn, "warm: 94.9 degrees Celsius"},
+        std::tuple{950, DiagnosticLevel::kError, "too hot: 95.0 degrees Celsius"}}) {
+    frame.end.temperature_dc = static_cast<std::int16_t>(dc);
+    EXPECT_EQ(found_in(frame, "chip").level, level) << dc;
+    EXPECT_EQ(found_in(frame, "chip").message, words);
+  }
+}
+
 TEST(FrameDiagnostics, MissingMessagesAreAWarningAndDamageIsAnError) {
   GridFrame frame = sound_frame();
   frame.valid_tiles.reset(5);

@@ -122,6 +122,12 @@ function describeLive(status) {
              text: left > 0 ? `It has left ${left.toLocaleString("en")} scan points of this frame.`
                             : "It leaves scan points that it has no time for." };
   }
+  const temperature = frame && frame.end && frame.end.temperature;
+  if (temperature && temperature.warm) {
+    return { ...live, state: "corrupt", word: `live, chip ${temperature.too_hot ? "too hot" : "warm"}`,
+             title: `The target's chip is ${temperature.too_hot ? "too hot" : "warm"}: ${temperature.words}`,
+             text: "From 95 degrees on it may be damaged, compute wrongly, or stop." };
+  }
   // A target that waits for its packets closes an empty frame now and then.
   if (frame && frame.complete === 0 && frame.partial === 0 &&
       !(frame.end ? frame.end.sensors : []).some(({ age }) => age < SILENT_FRAMES)) {
@@ -175,6 +181,9 @@ export function factsOf(status) {
   ];
   if (end && end.cores) {
     rows.push(["cores at work", end.cores]);
+  }
+  if (end && end.temperature) {
+    rows.push(["chip", end.temperature.words]);
   }
   if (end && end.starts) {
     rows.push(["target's starts", end.starts]);
