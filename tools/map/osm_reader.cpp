@@ -17,6 +17,7 @@
 
 #include "tools/map/map_readers.hpp"
 #include "tools/map/osm_rules.hpp"
+#include "tools/map/osm_xml.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
 
@@ -80,12 +81,12 @@ class Collector : public osmium::handler::Handler {
     if (node.location().valid()) {
       map_.box.extend(point_of(node.location()));
     }
-    note_date(node);
+    look_at(node);
   }
 
   void way(const osmium::Way& way) {
     has_way_ = true;
-    note_date(way);
+    look_at(way);
     if (const Ruling ruling = osm::line_ruling(way.tags()); ruling.taking == Taking::kRoadLine) {
       take_road(way);
     } else if (ruling.taking == Taking::kRefused) {
@@ -95,7 +96,7 @@ class Collector : public osmium::handler::Handler {
   }
 
   void relation(const osmium::Relation& relation) {
-    note_date(relation);
+    look_at(relation);
     if (is_area(relation.tags()) && relation.tags().has_tag("type", "multipolygon")) {
       waiting_.insert(relation.id());
     }
@@ -170,7 +171,10 @@ class Collector : public osmium::handler::Handler {
     return points;
   }
 
-  void note_date(const osmium::OSMObject& object) {
+  void look_at(const osmium::OSMObject& object) {
+    if (!object.visible()) {
+      throw osmium::out_of_order_error("an object that is deleted", object.id());
+    }
     date_s_ = std::max(date_s_, static_cast<std::uint32_t>(object.timestamp()));
   }
 
@@ -283,20 +287,31 @@ class OrderedFile {
   const osmium::io::File& file_;
 };
 
-// Any file, put in order in memory; of several versions of an object the last.
+osm::Objects all_of(const osmium::io::File& file) {
+  osmium::io::Reader reader(file);
+  osm::Objects all{.bounds = bounds_of(reader.header())};
+  while (const osmium::memory::Buffer part = reader.read()) {
+    all.objects.add_buffer(part);
+    all.objects.commit();
+  }
+  reader.close();
+  return all;
+}
+
+// Any file, put in order in memory; of several versions of an object the last, if that is not its
+// deletion.
 class SortedFile {
  public:
-  explicit SortedFile(const osmium::io::File& file) {
-    osmium::io::Reader reader(file);
-    bounds_ = bounds_of(reader.header());
-    while (const osmium::memory::Buffer part = reader.read()) {
-      buffer_.add_buffer(part);
-      buffer_.commit();
+  explicit SortedFile(osm::Objects&& all) : all_(std::move(all)) {
+    osmium::ObjectPointerCollection versions;
+    osmium::apply(all_.objects, versions);
+    versions.sort(osmium::object_order_type_id_reverse_version());
+    versions.unique(osmium::object_equal_type_id());
+    for (osmium::OSMObject& object : versions) {
+      if (object.visible()) {
+        objects_.osm_object(object);
+      }
     }
-    reader.close();
-    osmium::apply(buffer_, objects_);
-    objects_.sort(osmium::object_order_type_id_reverse_version());
-    objects_.unique(osmium::object_equal_type_id());
   }
 
   template <typename Areas>
@@ -307,14 +322,12 @@ class SortedFile {
   template <typename... Handlers>
   std::optional<GeoExtent> read(Handlers&&... handlers) {
     osmium::apply(objects_.begin(), objects_.end(), handlers...);
-    return bounds_;
+    return all_.bounds;
   }
 
  private:
-  static constexpr std::size_t kBytesAtFirst = 1 << 20;
-  osmium::memory::Buffer buffer_{kBytesAtFirst, osmium::memory::Buffer::auto_grow::yes};
+  osm::Objects all_;
   osmium::ObjectPointerCollection objects_;
-  std::optional<GeoExtent> bounds_;
 };
 
 template <typename File>
@@ -359,11 +372,15 @@ GeoMap read_osm(const std::string& path) {
   try {
     const osmium::io::File file(path);
     GeoMap map = empty_map();
+    if (file.format() == osmium::io::file_format::xml) {
+      read(SortedFile(osm::read_xml(file)), map);
+      return map;
+    }
     try {
       read(OrderedFile(file), map);
     } catch (const osmium::out_of_order_error&) {
       map = empty_map();
-      read(SortedFile(file), map);
+      read(SortedFile(all_of(file)), map);
     }
     return map;
   } catch (const std::exception& error) {
