@@ -1,10 +1,12 @@
-// Polygons of GeoJSON (RFC 7946): longitude first, degrees of WGS 84.
-#include <cmath>
+// Polygons of GeoJSON (RFC 7946, and of 2008 with its "crs"): longitude or east comes first.
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "tools/map/map_readers.hpp"
+#include "tools/map/reference_system.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 
@@ -24,11 +26,19 @@ GeoPoint point_of(const Json& position) {
       !position[1].is_number()) {
     throw Fault("place that is not two numbers");
   }
-  const GeoPoint point{position[1].get<double>(), position[0].get<double>()};
-  if (!(std::abs(point.latitude) <= 90 && std::abs(point.longitude) <= 180)) {
-    throw Fault("place that is not on earth");
+  return {position[1].get<double>(), position[0].get<double>()};
+}
+
+// Of GeoJSON of 2008: {"type": "name", "properties": {"name": "EPSG:2154"}}; empty: WGS 84.
+std::string system_of(const Json& root) {
+  const auto crs = root.find("crs");
+  if (crs == root.end()) {
+    return {};
   }
-  return point;
+  if (!crs->is_object() || crs->value("type", "") != "name") {
+    throw UsageError("does not name its coordinate reference system (crs); convert it to WGS 84");
+  }
+  return crs->at("properties").at("name").get<std::string>();
 }
 
 std::vector<GeoPoint> ring_of(const Json& positions) {
@@ -50,9 +60,7 @@ class Reader {
   Reader(GeoMap& map, std::optional<map::Kind> kind) : map_(map), kind_(kind) {}
 
   void read(const Json& root) {
-    if (root.contains("crs") && root["crs"].dump().find("CRS84") == std::string::npos) {
-      throw UsageError("is not in latitude and longitude of WGS 84; convert it first");
-    }
+    const std::string system = system_of(root);
     const std::string type = root.value("type", "");
     if (type == "FeatureCollection" && root.contains("features") && root["features"].is_array()) {
       for (const Json& feature : root["features"]) {
@@ -63,6 +71,7 @@ class Reader {
     } else {
       throw UsageError("is not a FeatureCollection or a Feature of GeoJSON");
     }
+    to_wgs84(system, map_);
   }
 
  private:
@@ -97,14 +106,7 @@ class Reader {
       }
       areas.push_back(std::move(area));
     }
-    for (GeoArea& area : areas) {
-      for (const auto& ring : area.rings) {
-        for (const GeoPoint& point : ring) {
-          map_.box.extend(point);
-        }
-      }
-      map_.areas.push_back(std::move(area));
-    }
+    std::ranges::move(areas, std::back_inserter(map_.areas));
   }
 
   map::Kind kind_of(const Json& feature) const {

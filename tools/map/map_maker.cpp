@@ -177,7 +177,7 @@ map::BoxCm extent_of(const GeoMap& map, const MapOptions& options, const MapPlan
   demand_fit(box);
   if (box.low.x > wanted.low.x || box.low.y > wanted.low.y || box.high.x < wanted.high.x ||
       box.high.y < wanted.high.y) {
-    remark = "the data do not reach as far as was asked for\n";
+    remark += "the data do not reach as far as was asked for\n";
   }
   if (!map.bounds) {
     remark += "the file does not say where it is complete: the extent is that of its points\n";
@@ -273,7 +273,9 @@ MadeMap make_block(GeoMap& map, const MapOptions& options) {
   const bool is_osm = map.source == map::Source::kOpenStreetMap;
   const MapOrigin origin = origin_of(map, options);
   const MapPlane plane(origin);
-  MadeMap made;
+  MadeMap made{.block = {}, .remark = map.remark};
+  const std::uint32_t accuracy_mm =
+      options.accuracy_mm.value_or(is_osm ? kOsmAccuracyMm : kSurveyedAccuracyMm);
   BlockInfo info{
       .latitude = origin.latitude,
       .longitude = origin.longitude,
@@ -281,7 +283,7 @@ MadeMap make_block(GeoMap& map, const MapOptions& options) {
       .source = map.source,
       .belief = is_osm ? kOsmBelief : kSurveyedBelief,
       .date_s = map.date_s,
-      .accuracy_mm = options.accuracy_mm.value_or(is_osm ? kOsmAccuracyMm : kSurveyedAccuracyMm),
+      .accuracy_mm = std::min(accuracy_mm + map.datum_error_mm, map::kMaxAccuracyMm),
       .attribution = options.attribution.empty() ? map.attribution : options.attribution};
   made.block = Assembly(map, plane, std::move(info)).block();
   if (made.block.size() > map::kMaxBlockBytes) {

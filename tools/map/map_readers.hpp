@@ -12,11 +12,12 @@ namespace iog::tools {
 // OpenStreetMap, XML or PBF, plain or compressed (.osm, .osm.gz, .osm.bz2, .osm.pbf).
 [[nodiscard]] GeoMap read_osm(const std::string& path);
 
-// Polygons and MultiPolygons of GeoJSON (RFC 7946). A feature's property "kind" ("building" or
+// Polygons and MultiPolygons of GeoJSON (RFC 7946), of any coordinate reference system that PROJ
+// can lead to WGS 84 (reference_system.hpp). A feature's property "kind" ("building" or
 // "road") goes before `kind`.
 [[nodiscard]] GeoMap read_geojson(const std::string& path, std::optional<map::Kind> kind);
 
-// Polygons of an ESRI Shapefile in latitude and longitude, all of one kind.
+// Polygons of an ESRI Shapefile, likewise, all of one kind.
 [[nodiscard]] GeoMap read_shapefile(const std::string& path, std::optional<map::Kind> kind);
 
 // By the end of its name.

@@ -1,8 +1,6 @@
 // Polygons of an ESRI Shapefile (ESRI white paper of July 1998), through shapelib.
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <shapefil.h>
 #include <string>
@@ -11,7 +9,9 @@
 #include <vector>
 
 #include "tools/map/map_readers.hpp"
+#include "tools/map/reference_system.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools {
 namespace {
@@ -24,21 +24,24 @@ struct Closer {
 // What is wrong is said by us.
 void ignore_error(const char* /*message*/) {}
 
-// The projection stands in a file of its own, as text.
-void demand_degrees(const std::string& path) {
-  std::ifstream file(std::filesystem::path(path).replace_extension(".prj"));
-  std::string text;
-  if (file && std::getline(file, text) && !text.starts_with("GEOGC")) {
-    throw UsageError(path + ": is projected; convert it to latitude and longitude of WGS 84 first");
+// The coordinate reference system stands in a file of its own, as text; empty: there is none.
+std::string system_of(const std::string& path) {
+  for (const char* const end : {".prj", ".PRJ", ".Prj"}) {
+    const std::string beside = std::filesystem::path(path).replace_extension(end).string();
+    if (std::filesystem::exists(beside)) {
+      std::string text;
+      for (const std::string& line : read_lines(beside)) {
+        text += line + '\n';
+      }
+      text.erase(0, text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+      return text.find_first_not_of(" \t\r\n") == std::string::npos ? "" : text;
+    }
   }
+  return {};
 }
 
 bool is_polygon(int type) {
   return type == SHPT_POLYGON || type == SHPT_POLYGONZ || type == SHPT_POLYGONM;
-}
-
-bool is_on_earth(double latitude, double longitude) {
-  return std::abs(latitude) <= 90 && std::abs(longitude) <= 180;
 }
 
 // Where the points of a part are.
@@ -56,11 +59,6 @@ Part part_of(const SHPObject& shape, int part) {
 std::string_view fault_of(const SHPObject& shape, const Part& part) {
   if (part.first < 0 || part.end > shape.nVertices || part.end - part.first < 4) {
     return "area of fewer than three nodes";
-  }
-  for (int i = part.first; i < part.end; ++i) {
-    if (!is_on_earth(shape.padfY[i], shape.padfX[i])) {
-      return "place that is not on earth";
-    }
   }
   const int last = part.end - 1;
   const bool is_closed =
@@ -82,7 +80,6 @@ void take(const SHPObject& shape, GeoArea area, GeoMap& map) {
     std::vector<GeoPoint> ring;
     for (int i = part.first; i + 1 < part.end; ++i) {
       ring.push_back({shape.padfY[i], shape.padfX[i]});
-      map.box.extend(ring.back());
     }
     area.rings.push_back(std::move(ring));
   }
@@ -95,7 +92,6 @@ GeoMap read_shapefile(const std::string& path, std::optional<map::Kind> kind) {
   if (!kind) {
     throw UsageError(path + ": say with --kind what its polygons are");
   }
-  demand_degrees(path);
   SAHooks hooks;
   SASetupDefaultHooks(&hooks);
   hooks.Error = ignore_error;
@@ -114,6 +110,15 @@ GeoMap read_shapefile(const std::string& path, std::optional<map::Kind> kind) {
     } else {
       map.census.refuse("shape that cannot be read", area.id);
     }
+  }
+  const std::string system = system_of(path);
+  if (system.empty()) {
+    map.remark = "no .prj says what its coordinates are: taken as WGS 84, longitude first\n";
+  }
+  try {
+    to_wgs84(system, map);
+  } catch (const UsageError& error) {
+    throw UsageError(path + ": " + error.what());
   }
   return map;
 }

@@ -1,4 +1,5 @@
 // Polygons of GeoJSON and of Shapefiles.
+#include <filesystem>
 #include <shapefil.h>
 #include <string>
 #include <vector>
@@ -78,10 +79,31 @@ TEST(GeoJson, CountsWhatItDoesNotTake) {
 TEST(GeoJson, IsRefusedIfItIsNone) {
   for (const std::string text :
        {"", "{", "[]", "7", R"({"type":"Topology"})",
-        R"({"type":"FeatureCollection","crs":"EPSG:3857","features":[]})"}) {
+        R"({"type":"FeatureCollection","crs":"EPSG:3857","features":[]})",
+        R"({"type":"FeatureCollection","crs":null,"features":[]})",
+        R"({"type":"FeatureCollection","crs":{"type":"link"},"features":[]})",
+        R"({"type":"FeatureCollection","crs":{"type":"name"},"features":[]})"}) {
     EXPECT_THROW(read_text(text), UsageError) << text;
   }
   EXPECT_THROW(read_text(collection({feature("Polygon", kSquare)}), std::nullopt), UsageError);
+}
+
+// GeoJSON of 2008 names its system, and has longitude first whatever the name says.
+TEST(GeoJson, MayNameItsReferenceSystem) {
+  const auto map_in = [](const std::string& name) {
+    std::string text = collection({feature("Polygon", kSquare)});
+    text.insert(1, R"("crs":{"type":"name","properties":{"name":")" + name + R"("}},)");
+    return Covered(read_text(text));
+  };
+  for (const std::string name :
+       {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326", "urn:ogc:def:crs:EPSG::4326"}) {
+    EXPECT_EQ(map_in(name).at(2, 15), 1) << name;
+    EXPECT_EQ(map_in(name).block().accuracy_mm(), 100U) << name;
+  }
+  EXPECT_THROW(map_in("EPSG:4312"), UsageError) << "MGI";
+  GeoMap surveyed = read_text(collection({feature("Polygon", kSquare)}));
+  surveyed.datum_error_mm = 1000;
+  EXPECT_EQ(Covered(std::move(surveyed)).block().accuracy_mm(), 1100U);
 }
 
 // Writes a shapefile of one polygon for each list of rings.
@@ -126,7 +148,18 @@ TEST(Shapefile, HasPolygonsWithHoles) {
 
   EXPECT_THROW(static_cast<void>(read_map(path, std::nullopt)), UsageError) << "of which kind?";
   tests::write_text(folder / "houses.prj", "PROJCS[\"ETRS89 / UTM zone 33N\"]");
-  EXPECT_THROW(static_cast<void>(read_map(path, map::Kind::kRoad)), UsageError) << "projected";
+  EXPECT_THROW(static_cast<void>(read_map(path, map::Kind::kRoad)), UsageError) << "not readable";
+  tests::write_text(folder / "houses.prj",
+                    "\xEF\xBB\xBFGEOGCS[\"WGS 84\",\n DATUM[\"WGS_1984\","
+                    "SPHEROID[\"WGS 84\",6378137,298.257223563]],\n PRIMEM[\"Greenwich\",0],"
+                    "UNIT[\"degree\",0.0174532925199433]]\n");
+  EXPECT_EQ(read_map(path, map::Kind::kRoad).areas.size(), 1U);
+  std::filesystem::remove(folder / "houses.prj");
+  tests::write_text(folder / "houses.PRJ",
+                    "GEOGCS[\"GCS_MGI\",DATUM[\"D_MGI\",SPHEROID["
+                    "\"Bessel_1841\",6377397.155,299.1528128]],PRIMEM[\"Greenwich\",0.0],"
+                    "UNIT[\"Degree\",0.0174532925199433]]");
+  EXPECT_THROW(static_cast<void>(read_map(path, map::Kind::kRoad)), UsageError) << "MGI";
   tests::write_text(folder / "no.shp", "no shape");
   EXPECT_THROW(static_cast<void>(read_map(folder / "no.shp", map::Kind::kRoad)), UsageError);
 }
