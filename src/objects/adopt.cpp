@@ -40,10 +40,14 @@ std::int32_t distance_of(const Track& track, const Cluster& cluster) {
       std::max<std::int32_t>(std::max(apart[kAlong] - headway_mm(track), apart[kAcross]), 0);
   const std::int32_t along = together[kAlong].length();
   const std::int32_t across = together[kAcross].length();
+  const std::int32_t longer = along - box.sides[kAlong].length();
+  const std::int32_t wider = across - box.sides[kAcross].length();
   bool fits = std::max(along, across) <= kLongestMm && std::min(along, across) <= kWidestMm;
   if (track.has_heading()) {
-    fits = fits && across <= kWidestMm && along - box.sides[kAlong].length() <= kGrowthAlongMm &&
-           across - box.sides[kAcross].length() <= kGrowthAcrossMm;
+    fits = fits && across <= kWidestMm && longer <= kGrowthAlongMm && wider <= kGrowthAcrossMm &&
+           (!track.is_receding || across <= kWidestCarMm || wider <= 0);
+  } else if (track.is_receding) {
+    fits = fits && std::max(longer, wider) <= kRecedingGrowthMm;
   }
   return fits ? nearest : kNowhere;
 }

@@ -9,19 +9,23 @@ namespace {
 
 // Something was there when the track, by its speed, was not: where the part of it that is at
 // `place` now was then, its box has no part.
-bool is_contradicted(const Track& track, const ClaimGate& gate, Point place, const FrameHit& hit) {
+// That does not count where what recedes hides the place at which the part should be now.
+bool is_contradicted(const Track& track, const ClaimGate& gate, Point car, Point place,
+                     const FrameHit& hit) {
   if (hit.oldest_epoch < kContradictingEpochs || track.updates < kContradictedFrom) {
     return false;
   }
   const bool is_older = hit.stands && hit.oldest_epoch == RecentHits::kEpochs - 1;
   const std::int32_t ms = is_older ? kStandingAgeMs : hit.oldest_epoch * kEpochMs - kEpochSlackMs;
   const std::int32_t slack = kContradictionMm + gate.speed_deviation * ms / 1000;
-  return track.box().outside(moved(place, track.velocity(), ms)) > slack;
+  const Point now = moved(place, track.velocity(), ms);
+  return track.box().outside(now) > slack &&
+         !(track.is_receding && track.box().is_between(car, now));
 }
 
 }  // namespace
 
-std::uint32_t Claim::take(const window::Area& area, std::span<Track> tracks,
+std::uint32_t Claim::take(const window::Area& area, Point car, std::span<Track> tracks,
                           std::span<FrameHit> hits) {
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
     if (tracks[slot].is_there()) {
@@ -30,16 +34,17 @@ std::uint32_t Claim::take(const window::Area& area, std::span<Track> tracks,
   }
   const std::uint32_t left = near_.list(tracks, gates_, area);
   for (FrameHit& hit : hits) {
-    take(tracks, hit);
+    take(car, tracks, hit);
   }
   return left;
 }
 
-void Claim::take(std::span<Track> tracks, FrameHit& hit) const {
+void Claim::take(Point car, std::span<Track> tracks, FrameHit& hit) const {
   std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
   for (const std::uint8_t slot : near_.near(hit.cell)) {
     Track& track = tracks[slot];
-    if (!near_.may_take(slot, hit.at()) || (hit.stands && !track.moves())) {
+    if (!near_.may_take(slot, hit.at()) ||
+        (hit.stands && !track.moves() && !track.may_have_a_standing_face())) {
       continue;
     }
     const Point place = moved(hit.at(), track.velocity(), hit.age_ms);
@@ -48,7 +53,7 @@ void Claim::take(std::span<Track> tracks, FrameHit& hit) const {
     if (outside > gate || outside >= nearest) {
       continue;
     }
-    if (is_contradicted(track, gates_[slot], place, hit)) {
+    if (is_contradicted(track, gates_[slot], car, place, hit)) {
       ++track.seen.contradicted;
       continue;
     }

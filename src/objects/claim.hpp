@@ -14,12 +14,14 @@ namespace iog::objects {
 class Claim {
  public:
   // Of each hit the owner: of the tracks within whose gate it lies that whose box is nearest, of
-  // equals that of the lower slot. A hit that stands is taken by what moves alone. A track that a
-  // hit contradicts does not take it, and remembers that. Returns what list() does.
-  std::uint32_t take(const window::Area& area, std::span<Track> tracks, std::span<FrameHit> hits);
+  // equals that of the lower slot. A hit that stands is taken by what moves, or recedes and may
+  // have a face that stands. A track that a hit contradicts does not take it, and remembers that.
+  // Returns what list() does.
+  std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
+                     std::span<FrameHit> hits);
 
  private:
-  void take(std::span<Track> tracks, FrameHit& hit) const;
+  void take(Point car, std::span<Track> tracks, FrameHit& hit) const;
 
   ClaimGates gates_{};
   TileTracks near_{};

@@ -170,6 +170,30 @@ inline void FrameHits::begin_hit(Key key, const Frame& frame, FrameHit& hit) con
   hit.oldest_epoch = 0;
 }
 
+// In the order, cells of a row of a tile follow each other.
+bool FrameHits::is_hit_around(geometry::Cell cell) const {
+  for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (std::int32_t x = cell.x - 1; x <= cell.x + 1;) {
+      const std::int32_t last = std::min(cell.x + 1, x | std::int32_t{kInTile});
+      if (is_hit_between({x, y}, {last, y})) {
+        return true;
+      }
+      x = last + 1;
+    }
+  }
+  return false;
+}
+
+bool FrameHits::is_hit_between(geometry::Cell first, geometry::Cell last) const {
+  if (!window::kWindowCells.contains(in_window(first))) {
+    return false;
+  }
+  const std::uint32_t ring = ring_of(in_window(first));
+  const auto end = keys_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto found = std::lower_bound(keys_.begin(), end, key_of(ring, first, 0));
+  return found != end && *found <= key_of(ring, last, (1U << kSliceBits) - 1);
+}
+
 std::size_t FrameHits::first_of(geometry::Cell cell) const {
   const Key key = key_of(ring_of(in_window(cell)), cell, 0);
   const auto end = keys_.begin() + static_cast<std::ptrdiff_t>(count_);

@@ -33,6 +33,8 @@ class FrameHits {
   [[nodiscard]] std::span<FrameHit> all() { return std::span(hits_).first(count_); }
   [[nodiscard]] std::span<const FrameHit> all() const { return std::span(hits_).first(count_); }
 
+  // Whether one of the nine cells around a cell has a hit; a cell outside of the window has none.
+  [[nodiscard]] bool is_hit_around(geometry::Cell cell) const;
   // The first hit of a cell of the window, of those in order; their number if the cell has none.
   [[nodiscard]] std::size_t first_of(geometry::Cell cell) const;
 
@@ -48,6 +50,8 @@ class FrameHits {
   // Of a cell of the window, counted from its lowest.
   [[nodiscard]] std::uint32_t ring_of(geometry::Cell at) const;
   [[nodiscard]] static Key key_of(std::uint32_t ring, geometry::Cell cell, std::uint8_t slice);
+  // Of cells of one row of one tile.
+  [[nodiscard]] bool is_hit_between(geometry::Cell first, geometry::Cell last) const;
   void begin_hit(Key key, const Frame& frame, FrameHit& hit) const;
   [[nodiscard]] std::uint32_t rings_that_fit(const Frame& frame) const;
   std::size_t collect(const Frame& frame, Left& left);

@@ -21,7 +21,8 @@ void turn(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits
     track.fade_across();
   }
   if (track.updates < kTurnFrom || track.speed() < kTurnSpeed ||
-      track.speed_deviation() * kTurnDeviations > track.speed()) {
+      track.speed_deviation() * (track.moves() ? kTurnMovingDeviations : kTurnDeviations) >
+          track.speed()) {
     return;
   }
   const Velocity its = track.velocity();

@@ -33,9 +33,12 @@ bool is_steady(const Track& track) {
          track.seen.good >= kSteadyHits && track.seen.good >= kGoodOverBad * track.seen.bad;
 }
 
+// It is fast, or beams pass many of the places that it has left and none of them is hit again.
 bool is_clear(const Track& track) {
-  return track.speed() >= kClearSpeed && track.seen.good >= kClearHits &&
-         track.seen.good >= kGoodOverBad * track.seen.bad;
+  const Seen& seen = track.seen;
+  const bool has_left = seen.passed >= kClearHits && seen.kept == 0;
+  return (has_left || track.speed() >= kClearSpeed) && seen.good >= kClearHits &&
+         seen.good >= kGoodOverBad * seen.bad;
 }
 
 std::int32_t confidence_of(const Track& track) {
@@ -59,6 +62,7 @@ void stop(std::uint64_t since_us, Track& track) {
   track.confidence = 0;
   track.parked_ms = 0;
   track.slow_us = 0;
+  track.trail = 0;
   track.rest();
 }
 
@@ -77,7 +81,8 @@ std::uint64_t stays_since_us(std::uint64_t now_us, const Track& track) {
 }
 
 // It has stopped when it was slow for a while, when it has not come far, or when it is so slow that
-// nothing speaks for it any more. What loses its confidence with a speed has never moved.
+// nothing speaks for it any more. What loses its confidence with a speed has never moved, unless it
+// left a trail.
 void judge_moving(std::uint64_t now_us, Track& track) {
   if (const std::uint64_t since_us = stays_since_us(now_us, track); since_us != 0) {
     stop(since_us, track);
@@ -90,17 +95,17 @@ void judge_moving(std::uint64_t now_us, Track& track) {
   }
   const std::uint64_t since_us = track.slow_us == 0 ? now_us : track.slow_us;
   const bool is_slow = now_us - since_us >= std::uint64_t{kStopMs} * 1000;
-  if (is_slow || (track.confidence == 0 && track.speed() < kMoveSpeed)) {
+  if (is_slow || (track.confidence == 0 && (track.speed() < kMoveSpeed || track.has_trail()))) {
     stop(since_us, track);
   } else if (track.confidence == 0) {
     track.state = State::kStands;
   }
 }
 
-// Most of what is in the box of a track that moves stands: it has parked.
+// Most of what is in the box of a track that moves stands: it has parked, unless it leaves a trail.
 void judge_parked(std::uint64_t now_us, Step step, Track& track) {
   const Seen& seen = track.seen;
-  const bool is_parked = seen.standing >= kParkedHits &&
+  const bool is_parked = !track.has_trail() && seen.standing >= kParkedHits &&
                          seen.standing >= kParkedOverOthers * seen.hits &&
                          track.speed() < kParkedSpeed;
   track.parked_ms =

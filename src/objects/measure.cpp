@@ -148,6 +148,48 @@ void leave_standing(std::span<const std::uint16_t> numbers, std::span<FrameHit> 
   }
 }
 
+// The face that looks at the car, by hits that stand, too: of what recedes slowly the face stands
+// by name, because the thing was above that place for long. They count in the thing's lane alone,
+// so that what stands beside it does not widen it. What does stand holds the face where it is.
+Edge face_with_standing(Side side, Reference face, std::span<const std::uint16_t> numbers,
+                        std::span<const FrameHit> hits, const Edge& edge, const Box& box) {
+  const Side other = side == kAlong ? kAcross : kAlong;
+  const std::int32_t outwards = face == Reference::kLow ? 1 : -1;
+  const auto for_each_place = [&](auto&& visit) {
+    for (const std::uint16_t number : numbers) {
+      const Point at = hits[number].moved;
+      const std::int32_t beside = box.place(at, other);
+      if (!hits[number].stands ||
+          (beside >= box.sides[other].low && beside <= box.sides[other].high)) {
+        visit(outwards * box.place(at, side));
+      }
+    }
+  };
+  std::int32_t outermost = outwards * edge.mm;
+  for_each_place([&](std::int32_t place) { outermost = std::min(outermost, place); });
+  std::int32_t sum = 0;
+  std::int32_t count = 0;
+  for_each_place([&](std::int32_t place) {
+    const bool is_near = place - outermost <= kSlabMm;
+    sum += is_near ? place - outermost : 0;
+    count += is_near ? 1 : 0;
+  });
+  return {.mm = outwards * (outermost + sum / std::max(count, 1)), .hits = std::max(count, 1)};
+}
+
+void take_standing_faces(Point car, std::span<const std::uint16_t> numbers,
+                         std::span<const FrameHit> hits, const Box& box, Edges& edges) {
+  for (const Side side : kSides) {
+    const std::int32_t from = box.place(car, side);
+    if (out_of(box.sides[side], from) > kFacingMm) {
+      const bool is_low = from < box.sides[side].low;
+      Edge& edge = is_low ? edges[side].low : edges[side].high;
+      edge = face_with_standing(side, is_low ? Reference::kLow : Reference::kHigh, numbers, hits,
+                                edge, box);
+    }
+  }
+}
+
 }  // namespace
 
 void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::uint16_t> numbers,
@@ -159,12 +201,15 @@ void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::ui
     track.seen.moving += !hit.stands && hit.name == Name::kMoving ? 1 : 0;
   }
   if (track.seen.hits == 0) {  // it was not seen, and what is parked there is not a part of it
-    if (longest_of(track.box().sides) >= kSmallMm) {
+    if (longest_of(track.box().sides) >= kSmallMm || track.has_trail()) {
       leave_standing(numbers, hits);
     }
     return;
   }
-  const Edges edges = edges_of(track.box(), numbers, hits);
+  Edges edges = edges_of(track.box(), numbers, hits);
+  if (track.seen.standing > 0 && track.may_have_a_standing_face()) {
+    take_standing_faces(car, numbers, hits, track.box(), edges);
+  }
   for (const Side side : kSides) {
     measure(car, side, edges[side], step, track);
   }

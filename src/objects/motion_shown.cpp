@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "objects/own_beams.hpp"
+
 namespace iog::objects {
 namespace {
 
@@ -42,8 +44,34 @@ void weigh_left(const Snapshot& then, Point car, bool open_counts, const GridNam
   }
 }
 
-void weigh_reached(const Snapshot& then, bool open_counts, std::span<const std::uint16_t> numbers,
-                   std::span<const FrameHit> hits, Seen& seen) {
+// Of what recedes: the grid's names of the places that it has left lag behind, so the frame at hand
+// says whether they are free. Bad are those that are hit again, by whatever stands there.
+void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t> numbers,
+                 const FrameHits& hits, const GridNames& grid, Track& track) {
+  const OwnBeams beams(car, numbers, hits.all());
+  Seen& seen = track.seen;
+  for (const geometry::Cell cell : then.all()) {
+    const Point place = centre_of(cell);
+    if (track.box().outside(place) <= kLeftMm) {
+      continue;
+    }
+    if (hits.is_hit_around(cell)) {
+      ++seen.bad;
+      ++seen.kept;
+    } else if (beams.pass(place)) {
+      ++seen.good;
+      ++seen.passed;
+    } else {
+      ++(grid.look_at(cell).name == Name::kFree ? seen.good : seen.neutral);
+    }
+  }
+}
+
+// What a receding thing hid from the car when it was there says nothing: nobody could see it.
+void weigh_reached(const Snapshot& then, Point car, bool open_counts,
+                   std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
+                   Track& track) {
+  Seen& seen = track.seen;
   for (const std::uint16_t number : numbers) {
     const FrameHit& hit = hits[number];
     if (then.box.outside(hit.at()) <= kLeftMm) {
@@ -53,7 +81,7 @@ void weigh_reached(const Snapshot& then, bool open_counts, std::span<const std::
       ++seen.good;
     } else if (hit.name == Name::kStanding) {
       ++seen.bad;
-    } else {
+    } else if (!track.is_receding || !then.box.is_between(car, hit.at())) {
       ++seen.neutral;
     }
   }
@@ -62,7 +90,7 @@ void weigh_reached(const Snapshot& then, bool open_counts, std::span<const std::
 }  // namespace
 
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
-                  std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
+                  std::span<const std::uint16_t> numbers, const FrameHits& hits,
                   const GridNames& grid, Track& track) {
   track.seen.bad = track.seen.contradicted;
   const std::uint64_t after = shown_after_us(track);
@@ -72,8 +100,13 @@ void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
   }
   const bool open_counts =
       track.speed() >= kOpenSpeed && !goes_with(car_velocity, track.velocity());
-  weigh_left(*then, car, open_counts, grid, track);
-  weigh_reached(*then, open_counts, numbers, hits, track.seen);
+  if (track.is_receding) {
+    weigh_trail(*then, car, numbers, hits, grid, track);
+  } else {
+    weigh_left(*then, car, open_counts, grid, track);
+  }
+  track.follow_trail();
+  weigh_reached(*then, car, open_counts, numbers, hits.all(), track);
 }
 
 bool is_shown(const Seen& seen) {
@@ -87,12 +120,14 @@ void remember(std::uint64_t now_us, std::span<const std::uint16_t> numbers,
     return;
   }
   Snapshot& now = track.snapshots.begin(now_us, track.box());
-  const auto own = static_cast<std::size_t>(track.seen.hits);
+  const bool with_standing = track.may_have_a_standing_face();
+  const auto own =
+      static_cast<std::size_t>(track.seen.hits + (with_standing ? track.seen.standing : 0));
   const std::size_t every = (own + kSnapshotHits - 1) / kSnapshotHits;
   std::size_t next = 0;
   for (const std::uint16_t number : numbers) {
     const FrameHit& hit = hits[number];
-    if (!hit.stands && next++ % every == 0 && now.count < now.cells.size()) {
+    if ((with_standing || !hit.stands) && next++ % every == 0 && now.count < now.cells.size()) {
       now.cells[now.count++] = hit.cell;
     }
   }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "objects/frame_hits.hpp"
 #include "objects/grid_names.hpp"
 #include "objects/hit.hpp"
 #include "objects/plane.hpp"
@@ -16,9 +17,9 @@
 namespace iog::objects {
 
 // Counts into track.seen the places of the youngest snapshot from which it is far enough away, and
-// those of its hits.
+// those of its hits; of what recedes whether it leaves a trail.
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
-                  std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
+                  std::span<const std::uint16_t> numbers, const FrameHits& hits,
                   const GridNames& grid, Track& track);
 
 // Whether enough of them say so.

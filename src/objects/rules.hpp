@@ -65,7 +65,8 @@ inline constexpr std::int32_t kLongestMm = 18'000;
 inline constexpr std::int32_t kWidestMm = 3400;
 inline constexpr std::int32_t kGrowthAlongMm = 4000;
 inline constexpr std::int32_t kGrowthAcrossMm = 2000;
-inline constexpr std::uint32_t kSmallCluster = 8;  // hits, and one for each update
+inline constexpr std::int32_t kRecedingGrowthMm = 1000;  // while it has no heading
+inline constexpr std::uint32_t kSmallCluster = 8;        // hits, and one for each update
 
 // A young track takes the cluster whose edges lie so near.
 inline constexpr std::int32_t kAssociateMm = 600;
@@ -101,6 +102,7 @@ inline constexpr std::int32_t kFollowInward = 32;
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
+inline constexpr std::int32_t kTurnMovingDeviations = 3;  // a unit of 10 Hz leaves 0.7 m/s
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kWheelsShare = 8;  // of the speed across fades: wheels do not slide
 inline constexpr std::int32_t kWheelsSpeed = 15'000;
@@ -122,6 +124,14 @@ inline constexpr std::int32_t kShownMostMs = 700;
 inline constexpr std::int32_t kShownLeastMs = 160;
 inline constexpr std::int32_t kLeftMm = 250;  // so far out of the box is out of it
 inline constexpr std::int32_t kOpenSpeed = 3000;
+
+// The trail of what recedes. Of places that it has left, its own beams pass at least so many, and
+// kGoodOverBad times as many as are hit again.
+inline constexpr std::int32_t kTrailPlaces = 3;
+inline constexpr std::int32_t kTrail = 4;
+inline constexpr std::int32_t kMostTrail = 8;
+inline constexpr std::int32_t kBesideMm =
+    200;  // a beam that passes a place is so close to it, and kBeamsOfAMetre more
 
 // Judgement.
 inline constexpr std::int32_t kMoveSpeed = 600;

@@ -88,7 +88,8 @@ void Track::begin_heading(const Sides& sides) {
 }
 
 bool Track::is_mostly_standing() const {
-  return seen.standing > seen.hits && longest_of(box_.sides) >= kSmallMm && speed_ < kParkedSpeed;
+  return !has_trail() && seen.standing > seen.hits && longest_of(box_.sides) >= kSmallMm &&
+         speed_ < kParkedSpeed;
 }
 
 bool Track::is_streak() const {
@@ -105,6 +106,22 @@ bool Track::is_streak() const {
                            seen.moving * 100 >= kGroupPercent * seen.hits;
   return !moves() && !are_walkers && seen.hits * kSparseMm < length && narrow < kWidestSparseMm &&
          speed_ < kStreakSpeed;
+}
+
+void Track::look_from(Point car) {
+  const Velocity its = velocity();
+  const std::int64_t away = std::int64_t{its.x} * (box_.at.x_mm - car.x_mm) +
+                            std::int64_t{its.y} * (box_.at.y_mm - car.y_mm);
+  is_receding = speed_ >= kMoveSpeed && 2 * away > std::int64_t{speed_} * range_mm(car, box_.at);
+}
+
+bool Track::may_have_a_standing_face() const {
+  return is_receding && longest_of(box_.sides) >= kSmallMm;
+}
+
+void Track::follow_trail() {
+  const bool is_seen = seen.passed >= kTrailPlaces && seen.passed >= kGoodOverBad * seen.kept;
+  trail = std::clamp(trail + (is_seen ? 2 : -1), 0, kMostTrail);
 }
 
 bool Track::is_small() const { return longest_of(box_.sides) < kSmallMm && speed_ < kSmallSpeed; }

@@ -30,6 +30,10 @@ struct Seen {
   std::int32_t good = 0;
   std::int32_t bad = 0;
   std::int32_t neutral = 0;
+  // Of places that a receding thing has left: of the good those that its own beams pass, of the bad
+  // those that are hit again.
+  std::int32_t passed = 0;
+  std::int32_t kept = 0;
 };
 
 class Track {
@@ -75,6 +79,15 @@ class Track {
   // It is larger than a walker, slow, and most of its hits stand: it may be beside something that
   // is parked, and the hits that stand are not known to be its own.
   [[nodiscard]] bool is_mostly_standing() const;
+  // Sets is_receding, by its velocity and where it is from the car.
+  void look_from(Point car);
+  // It recedes and is larger than a walker: hits that stand may be its rear, which was above that
+  // place for long.
+  [[nodiscard]] bool may_have_a_standing_face() const;
+  // By seen: one more frame in which it has left a trail, or has not.
+  void follow_trail();
+  // Beams pass the places that it has left, again and again: hits that stand may be its own.
+  [[nodiscard]] bool has_trail() const { return trail >= kTrail; }
   // A walker, by size and speed.
   [[nodiscard]] bool is_small() const;
   // What a beam draws where it grazes the ground is long and of few hits: a thing so long has more
@@ -90,6 +103,8 @@ class Track {
   std::uint64_t stopped_us = 0;  // when it stopped last; 0: never
   std::int32_t parked_ms = 0;    // for how long most of what is in its box stands
   std::int32_t confidence = 0;   // that it moves, 0 ... kMostConfidence
+  std::int32_t trail = 0;        // that it leaves a trail, 0 ... kMostTrail
+  bool is_receding = false;      // within about 60 degrees of the line of sight, and not slow
   Seen seen{};
   Snapshots snapshots{};
 

@@ -34,9 +34,10 @@ FrameCounts Tracker::end(const GridNames& grid) {
     if (track.is_there()) {
       track.seen = {};
       track.predict(step_);
+      track.look_from(car_);
     }
   }
-  counts_.tiles_crowded = claim_.take(area_, used(), hits_.all());
+  counts_.tiles_crowded = claim_.take(area_, car_, used(), hits_.all());
   counts_.hits_not_clustered = clusters_.find(area_, car_, hits_);
   attach(car_, used(), clusters_, hits_.all());
   associate(used(), clusters_, hits_.all());
@@ -164,7 +165,8 @@ void Tracker::judge_all(const GridNames& grid) {
   for (std::size_t slot = 0; slot < used_; ++slot) {
     Track& track = tracks_[slot];
     if (track.is_there() && is_judged(now_us_, step_, track)) {
-      weigh_motion(now_us_, car_, car_velocity_, owned_.of(slot), hits_.all(), grid, track);
+      track.look_from(car_);
+      weigh_motion(now_us_, car_, car_velocity_, owned_.of(slot), hits_, grid, track);
       remember(now_us_, owned_.of(slot), hits_.all(), track);
       judge(now_us_, track);
     }

@@ -126,7 +126,7 @@ Name Scene::name_of(geometry::Cell cell) const {
   }
   const Thing& thing = things_[its->thing];
   const std::uint64_t now_us = us_of(now_s());
-  if (its->last_us == now_us || covers(thing, thing.middle(now_s()), cell)) {
+  if (now_us - its->last_us <= lag_us || covers(thing, thing.middle(now_s()), cell)) {
     if (thing.is_told && its->began_open && now_us - its->first_us < 300'000) {
       return Name::kMoving;
     }

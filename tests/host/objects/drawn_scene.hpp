@@ -93,6 +93,8 @@ class Scene {
   }
   [[nodiscard]] Names names_around(geometry::Cell cell) const;
 
+  // For how long the grid calls a cell by its old name when nothing covers it any more.
+  std::uint64_t lag_us = 0;
   // The order in which the frame's hits are given.
   std::function<void(std::vector<Hit>&)> reorder = [](std::vector<Hit>&) {};
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <memory>
+#include <vector>
 
 namespace iog::objects {
 namespace {
@@ -27,6 +29,27 @@ struct AllAlike {
   }
 };
 
+// A frame's hits of its last slice, each with the same name.
+std::unique_ptr<FrameHits> hits_of(const std::vector<geometry::Cell>& cells, Point car,
+                                   const FrameHit& each = {}) {
+  constexpr std::array<std::uint8_t, 1> kAges{0};
+  std::vector<Hit> given;
+  for (const geometry::Cell cell : cells) {
+    given.push_back({.cell = cell, .slice = 0});
+  }
+  auto hits = std::make_unique<FrameHits>();
+  hits->gather({.end_us = kNowUs,
+                .car = car,
+                .area = window::Area::around({0, 0}),
+                .ages_ms = kAges,
+                .hits = given});
+  for (FrameHit& hit : hits->all()) {
+    hit.name = each.name;
+    hit.is_open = each.is_open;
+  }
+  return hits;
+}
+
 // Where a cell was hit 0.2 s ago, and another one is hit now: the track was 2 m by 1 m at 8 m, and
 // is at 12 m with 20 m/s.
 Seen seen_of(decision::Class grid, const FrameHit& hit, Point car, Velocity car_velocity) {
@@ -36,11 +59,42 @@ Seen seen_of(decision::Class grid, const FrameHit& hit, Point car, Velocity car_
   track.correct(kAlong, {.place = 0, .speed = 1 << 16}, 20'000);
   Snapshot& then = track.snapshots.begin(kThenUs, {.at = {8'000, 0}, .sides = sides});
   then.cells[then.count++] = kLeft;
-  std::array hits{hit};
-  hits[0].cell = kReached;
+  const auto hits = hits_of({kReached}, car, hit);
   constexpr std::array<std::uint16_t, 1> kNumbers{0};
   const AllAlike alike{grid};
-  weigh_motion(kNowUs, car, car_velocity, kNumbers, hits, GridNames(alike), track);
+  weigh_motion(kNowUs, car, car_velocity, kNumbers, *hits, GridNames(alike), track);
+  return track.seen;
+}
+
+// The rear of a car, 1.8 m wide, has gone from x = 8 m to 12 m, straight away from the car at 0.
+// Its cells now, and what else is hit.
+constexpr std::array<std::int32_t, 3> kAcrossIts{-4, 0, 4};
+
+Seen seen_of_receding(decision::Class grid, const std::vector<geometry::Cell>& others = {},
+                      const std::vector<std::int32_t>& rear = {-9, -5, -1, 3, 7}) {
+  const Sides sides{Interval{0, 400}, Interval{-900, 900}};
+  Track track;
+  track.begin(1, {.at = {12'000, 50}, .sides = sides}, kThenUs);
+  track.correct(kAlong, {.place = 0, .speed = 1 << 16}, 20'000);
+  track.look_from(kCarBehind);
+  EXPECT_TRUE(track.is_receding);
+  Snapshot& then = track.snapshots.begin(kThenUs, {.at = {8'000, 50}, .sides = sides});
+  for (const std::int32_t y : kAcrossIts) {
+    then.cells[then.count++] = {80, y};
+  }
+  std::vector<geometry::Cell> cells = others;
+  for (const std::int32_t y : rear) {
+    cells.push_back({121, y});
+  }
+  const auto hits = hits_of(cells, kCarBehind);
+  std::vector<std::uint16_t> own;
+  for (std::uint16_t i = 0; i < hits->all().size(); ++i) {
+    if (hits->all()[i].cell.x == 121) {
+      own.push_back(i);
+    }
+  }
+  const AllAlike alike{grid};
+  weigh_motion(kNowUs, kCarBehind, kAtRest, own, *hits, GridNames(alike), track);
   return track.seen;
 }
 
@@ -83,6 +137,62 @@ TEST(WeighMotion, APlaceThatItHasComeTo) {
   EXPECT_EQ(reached(Name::kOccupied, true, {14'000, 0}), (Said{0, 0, 2}));
   EXPECT_EQ(reached(Name::kOccupied, true, {13'000, 0}), (Said{1, 0, 1}));
   EXPECT_EQ(reached(Name::kOccupied, true, {-14'000, 0}), (Said{1, 0, 1}));
+}
+
+// The grid's names lag behind: that the beams to the rear pass where it was says that it is free.
+TEST(WeighTrail, PlacesThatItsOwnBeamsPassAreLeft) {
+  for (const auto grid : {decision::Class::kOccupied, decision::Class::kStopped}) {
+    const Seen seen = seen_of_receding(grid);
+    EXPECT_EQ(seen.passed, 3);
+    EXPECT_EQ(seen.kept, 0);
+    EXPECT_EQ(said(seen), (Said{3, 0, 0}));
+  }
+}
+
+// Something stands where it was, or close to that.
+TEST(WeighTrail, APlaceThatIsHitAgainIsNotLeft) {
+  const Seen seen = seen_of_receding(decision::Class::kOccupied, {{79, 1}});
+  EXPECT_EQ(seen.passed, 2);
+  EXPECT_EQ(seen.kept, 1);
+  EXPECT_EQ(seen.bad, 1);
+}
+
+// Beams that graze a wall pass a place on one side.
+TEST(WeighTrail, BeamsOnOneSideAloneSayNothing) {
+  const Seen seen = seen_of_receding(decision::Class::kOccupied, {}, {14, 16, 18});
+  EXPECT_EQ(seen.passed, 0);
+  EXPECT_EQ(seen.good, 0);
+}
+
+// Three places passed in a frame are a trail from the second such frame on; one that is hit again
+// outweighs three of them.
+TEST(Track, HasATrailAfterTwoFramesOfIt) {
+  Track track;
+  track.begin(1, {}, kThenUs);
+  track.seen.passed = 3;
+  track.follow_trail();
+  EXPECT_FALSE(track.has_trail());
+  track.follow_trail();
+  EXPECT_TRUE(track.has_trail());
+  track.seen.kept = 1;
+  track.follow_trail();
+  EXPECT_FALSE(track.has_trail());
+}
+
+// By more than half of its speed, from 0.6 m/s on: within 60 degrees of the line of sight.
+TEST(Track, RecedesWithin60DegreesOfTheLineOfSight) {
+  const auto recedes = [](std::int32_t speed, Point at) {
+    Track track;
+    track.begin(1, {.at = at, .sides = {Interval{0, 1'000}, Interval{0, 1'000}}}, kThenUs);
+    track.correct(kAlong, {.place = 0, .speed = 1 << 16}, speed);
+    track.look_from({});
+    return track.is_receding;
+  };
+  EXPECT_TRUE(recedes(600, {10'000, 0}));
+  EXPECT_FALSE(recedes(590, {10'000, 0}));
+  EXPECT_FALSE(recedes(-5'000, {10'000, 0}));
+  EXPECT_TRUE(recedes(5'000, {10'000, 16'000}));   // 58 degrees
+  EXPECT_FALSE(recedes(5'000, {10'000, 19'500}));  // 63
 }
 
 // "Good >= 3 (or as many as there are hits, 2 at least), good >= 4 bad, 2 good >= neutral."
