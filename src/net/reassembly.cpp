@@ -1,6 +1,7 @@
 #include "net/reassembly.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "require/require.hpp"
 
@@ -17,12 +18,12 @@ bool is_of(const Ipv4Packet& piece, const Ipv4Packet& name) {
 }  // namespace
 
 void FragmentSenders::add(Ipv4Address address, std::size_t datagrams) {
-  datagrams_ += datagrams;
-  require(datagrams_ <= kMostDatagrams);
   if (address == Ipv4Address{}) {
     others_.datagrams += datagrams;
     return;
   }
+  datagrams_ += datagrams;
+  require(datagrams_ <= kMostDatagrams);
   for (Sender& sender : std::span(senders_).first(count_)) {
     if (sender.address == address) {
       sender.datagrams += datagrams;
@@ -51,20 +52,24 @@ void Reassembly::expire(std::uint64_t now_us, FragmentCounters& counters) {
   }
 }
 
-// Of the datagrams that share room with the sender's: the oldest of the address that has most.
-Reassembly::Joining& Reassembly::displaced_by(Ipv4Address sender) {
+// Of the sender's own, or of all of those who are not listed.
+Reassembly::Joining& Reassembly::displaced_by(Ipv4Address sender, bool is_its_own) {
   Joining* least = nullptr;
   std::ptrdiff_t most = 0;
+  std::pair<std::size_t, std::uint64_t> least_rank;
   for (Joining& joining : joinings_) {
-    if (!is_open(joining) || !senders_.share(sender, joining.name.source)) {
+    const Ipv4Address its_sender = joining.name.source;
+    if (!is_open(joining) || (is_its_own ? its_sender != sender : senders_.is_listed(its_sender))) {
       continue;
     }
     const std::ptrdiff_t its = std::ranges::count_if(joinings_, [&](const Joining& other) {
-      return is_open(other) && other.name.source == joining.name.source;
+      return is_open(other) && other.name.source == its_sender;
     });
-    if (its > most || (its == most && joining.first_us < least->first_us)) {
+    const std::pair rank(is_its_own ? 0 : joining.pieces, joining.first_us);
+    if (its > most || (its == most && rank < least_rank)) {
       least = &joining;
       most = its;
+      least_rank = rank;
     }
   }
   require(least != nullptr);
@@ -79,20 +84,25 @@ Reassembly::Joining* Reassembly::joining_of(const Ipv4Packet& piece, std::uint64
     return nullptr;
   }
   Joining* place = nullptr;
-  std::size_t open = 0;
+  std::size_t own = 0;
+  std::size_t others = 0;
   for (Joining& joining : joinings_) {
     if (!is_open(joining)) {
       place = &joining;
-    } else if (is_of(piece, joining.name)) {
-      return &joining;
-    } else if (senders_.share(piece.source, joining.name.source)) {
-      ++open;
+      continue;
     }
+    if (is_of(piece, joining.name)) {
+      return &joining;
+    }
+    own += joining.name.source == piece.source ? 1U : 0U;
+    others += senders_.is_listed(joining.name.source) ? 0U : 1U;
   }
-  if (open >= allowed || place == nullptr) {
-    place = &displaced_by(piece.source);
+  const bool is_full = !senders_.is_listed(piece.source) && others >= senders_.room_for_others();
+  if (own >= allowed || is_full) {
+    place = &displaced_by(piece.source, own >= allowed);
     counters.displaced += place->is_refused ? 0U : 1U;
   }
+  require(place != nullptr);
   open_ |= bit_of(*place);
   place->is_refused = false;
   place->name = piece;

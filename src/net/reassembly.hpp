@@ -7,8 +7,10 @@
 // that says again, byte for byte, what is there is a duplicate and does no harm.
 //
 // Pieces are kept of senders that are listed alone, of each as many datagrams at once as it has
-// streams. There is room for all of them, so no sender ever displaces another one's datagram: one
-// that begins more gives up its own oldest.
+// streams. There is room for all of them, so no sender ever displaces the datagram of one that is
+// listed: one that begins more gives up its own oldest. Where anybody may send, too, they share the
+// rest of the room; if it is full, the address that has most gives way, then the datagram of which
+// least has come, then the oldest: a flood of orphans rather than a unit's datagram.
 #pragma once
 
 #include <array>
@@ -29,16 +31,16 @@ class FragmentSenders {
   static constexpr std::size_t kMostDatagrams = 8 + 2 + 8;
   static constexpr std::size_t kMostSenders = 8 + 2 + 1;
 
-  // So many datagrams more of this sender at once. 0.0.0.0: of all that are not listed, together.
+  // So many datagrams more of this sender at once. 0.0.0.0: of each that is not listed, in the room
+  // that those who are leave.
   void add(Ipv4Address address, std::size_t datagrams = 1);
 
-  // How many at once, 0: none; and whether two senders share them.
+  // How many at once, 0: none; and whether room is kept for them.
   [[nodiscard]] std::size_t datagrams_of(Ipv4Address address) const {
     return of(address).datagrams;
   }
-  [[nodiscard]] bool share(Ipv4Address one, Ipv4Address other) const {
-    return of(one).address == of(other).address;
-  }
+  [[nodiscard]] bool is_listed(Ipv4Address address) const { return of(address).address == address; }
+  [[nodiscard]] std::size_t room_for_others() const { return kMostDatagrams - datagrams_; }
 
  private:
   struct Sender {
@@ -51,7 +53,7 @@ class FragmentSenders {
   Sender others_{};
   std::array<Sender, kMostSenders> senders_{};
   std::size_t count_ = 0;
-  std::size_t datagrams_ = 0;  // of all
+  std::size_t datagrams_ = 0;  // of all that are listed
 };
 
 // 35.7 KB for each datagram, 642 KB.
@@ -108,7 +110,7 @@ class Reassembly {
   // None: nothing is kept of this sender.
   [[nodiscard]] Joining* joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
                                     FragmentCounters& counters);
-  [[nodiscard]] Joining& displaced_by(Ipv4Address sender);
+  [[nodiscard]] Joining& displaced_by(Ipv4Address sender, bool is_its_own);
   [[nodiscard]] static bool is_possible(const Joining& joining, const Extent& extent,
                                         bool has_more);
 

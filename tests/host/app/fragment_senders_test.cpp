@@ -39,8 +39,9 @@ TEST(FragmentSenders, WithoutAnAddressASensorsAreAnybodys) {
   sensors[0].source_ipv4 = ipv4(10, 0, 2, 101).value;
   const auto senders = fragment_senders(car_with(sensors), kPeer);
   EXPECT_EQ(senders.datagrams_of(kSomebody), 4U);
-  EXPECT_TRUE(senders.share(kSomebody, ipv4(10, 0, 2, 67)));
-  EXPECT_FALSE(senders.share(kSomebody, ipv4(10, 0, 2, 101)));
+  EXPECT_FALSE(senders.is_listed(kSomebody));
+  EXPECT_TRUE(senders.is_listed(ipv4(10, 0, 2, 101)));
+  EXPECT_EQ(senders.room_for_others(), 18U - 1 - 5);
   EXPECT_EQ(fragment_senders(car_with(std::span(sensors).first(1)), kPeer).datagrams_of(kSomebody),
             0U);
 }
