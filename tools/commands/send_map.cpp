@@ -50,6 +50,7 @@ class Answer {
   }
 
   [[nodiscard]] const std::optional<stream::MapState>& latest() const { return latest_; }
+  [[nodiscard]] bool has_frames() const { return has_frames_; }
   [[nodiscard]] bool uses(std::uint32_t crc) const {
     return latest_ && latest_->in_use && latest_->layer.crc == crc;
   }
@@ -60,6 +61,7 @@ class Answer {
 
  private:
   void take(const GridFrame& frame) {
+    has_frames_ = true;
     if (!frame.classes || !frame.classes->has_end || !frame.classes->end.map) {
       return;
     }
@@ -71,6 +73,7 @@ class Answer {
 
   UdpReceiver receiver_;
   FrameAssembler assembler_;
+  bool has_frames_ = false;
   std::optional<stream::MapState> latest_;
   std::uint32_t refused_before_ = 0;
 };
@@ -161,8 +164,11 @@ class SendMap {
   [[nodiscard]] std::string words_of_failure() const {
     const std::optional<stream::MapState>& state = answer_->latest();
     if (!state) {
-      return "the target says nothing on port " + std::to_string(options_->listen) +
-             " about maps; does it run, and does its vehicle have classes?";
+      const std::string port = " on port " + std::to_string(options_->listen);
+      return answer_->has_frames() ? "the target sends grids" + port +
+                                         " without classes, and takes no map: its car asks for "
+                                         "grids = \"indexes\""
+                                   : "no grid of a target came" + port + "; does it run?";
     }
     if (answer_->has_refused()) {
       return std::string("the target has refused the map: ") +
