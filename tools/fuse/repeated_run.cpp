@@ -31,9 +31,13 @@ void RepeatedRun::add(const GridFrame& frame) {
   }
   if (!frame.header.has_receptions()) {
     throw CheckFailed(
-        "the stream does not say what its target received: it has no classes, or the "
-        "clocks of its car's sensors are those of the poses, and the times of the "
-        "capture do");
+        std::string("the stream does not say what its target received") +
+        (!vehicle::have_classes(vehicle_->grids)
+             ? ": its car has no classes, and without --as-received its grids are the same"
+         : !vehicle_->depends_on_arrival()
+             ? ": the clocks of its car's sensors are those of the poses, so leave "
+               "--as-received away"
+             : ""));
   }
   if (!frame.receptions || !frame.has_end || !frame.classes || !frame.classes->has_end) {
     throw CheckFailed(name_of(number) +

@@ -187,7 +187,14 @@ TEST(RepeatedRun, TakesNoByteOfOtherStreams) {
   EXPECT_FALSE(synchronised->frames.front().header.has_receptions());
   UnsynchronisedCar plain;
   plain.vehicle.grids = vehicle::Grids::kIndexes;
-  EXPECT_FALSE(late_run(plain.vehicle, drive)->frames.front().header.has_receptions());
+  const auto without = late_run(plain.vehicle, drive);
+  EXPECT_FALSE(without->frames.front().header.has_receptions());
+  const auto told = [](const vehicle::Vehicle& car, const auto& run) {
+    return words_of_failure([&] { RepeatedRun(car).add(run.frames.front()); });
+  };
+  EXPECT_NE(told(plain.vehicle, *without).find("its car has no classes"), std::string::npos);
+  EXPECT_NE(told(*find_vehicle("reference_car").vehicle, *synchronised).find("clocks of its car"),
+            std::string::npos);
 }
 
 }  // namespace
