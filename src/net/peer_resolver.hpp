@@ -34,23 +34,31 @@ class PeerResolver {
     return mac_ ? std::optional(Told{*mac_, learned_us_}) : std::nullopt;
   }
 
+  // ARP has told the peer's address. Another station than the known one is believed only when that
+  // has not answered for an interval: anybody can send an ARP packet that nobody has asked for.
+  // Until then it is in doubt, as with hear().
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
   // The peer's traffic has come from this station. If that is not the one that is known, one of the
-  // two is another's: the station is asked soon whether the peer's address is its own. It is not
-  // believed by the traffic alone, because a router passes on what claims to be the peer's, too.
+  // two is another's: the known one is asked soon whether the address is still its own. No station
+  // is believed by its traffic alone, because a router passes on what claims to be the peer's, too.
   void hear(const MacAddress& mac);
 
-  // Whom to send an ARP request to now, which then counts as asked: everyone, or the station that
-  // was heard (RFC 1122, section 2.3.2.1, "Unicast Poll"). Everyone at the first call, as nothing
-  // is known then.
+  // Whom to send an ARP request to now, which then counts as asked: everyone, or the known station
+  // alone if it is in doubt (RFC 1122, section 2.3.2.1, "Unicast Poll"). Everyone at the first
+  // call, as nothing is known then, and if the known one has not answered.
   [[nodiscard]] std::optional<MacAddress> request_due(std::uint64_t now_us);
 
  private:
-  std::optional<MacAddress> heard_;  // to be asked
+  [[nodiscard]] bool is_silent(std::uint64_t now_us) const {
+    return unanswered_us_ && now_us - *unanswered_us_ >= kArpRequestIntervalUs;
+  }
+
   std::optional<MacAddress> mac_;
   std::uint64_t learned_us_ = 0;
-  std::optional<std::uint64_t> asked_us_;
+  std::optional<std::uint64_t> asked_us_;       // the last time
+  std::optional<std::uint64_t> unanswered_us_;  // the first time since it was learnt
+  bool is_doubted_ = false;
 };
 
 }  // namespace iog::net

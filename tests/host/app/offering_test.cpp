@@ -133,6 +133,39 @@ TEST(Offering, ASubscriberGetsWhatThePeerGets) {
   EXPECT_EQ(bench.send(3), (Bench::Got{3, 0})) << "its time is over";
 }
 
+// docs/service_discovery.md, "Whom it believes": what another station says ends no subscription.
+TEST(Offering, NoArpThatNobodyHasAskedForEndsASubscription) {
+  Frame question = net::testing::linux_arp_request();
+  question[31] = std::byte{77};
+  for (Frame claim : {arp_of_subscriber(), question}) {
+    claim[11] = claim[27] = std::byte{0x66};
+    Bench bench;
+    bench.subscribe();
+    bench.take(claim);
+    bench.pass(1'500'000);
+    bench.take(arp_of_subscriber());  // it was asked, and answers
+    bench.take(claim);
+    bench.pass(100'000);
+    static_cast<void>(bench.machine.ethernet().take_sent());
+    EXPECT_EQ(bench.send(3), (Bench::Got{3, 3}));
+    EXPECT_EQ(bench.count(discovery::Count::kSpoofed), 0U);
+  }
+}
+
+// Where it has gone, and another station has its address, it ends.
+TEST(Offering, ASubscriberAtAnotherStationIsNoneAnyMore) {
+  Bench bench;
+  bench.subscribe();
+  Frame moved = arp_of_subscriber();
+  moved[11] = moved[27] = std::byte{0x66};
+  bench.take(moved);
+  bench.pass(2'200'000);
+  EXPECT_EQ(bench.count(discovery::Count::kSpoofed), 0U);
+  bench.take(moved);
+  bench.pass(1'000);
+  EXPECT_EQ(bench.count(discovery::Count::kSpoofed), 1U);
+}
+
 std::vector<Frame> datagrams_of(const std::vector<Frame>& frames) {
   std::vector<Frame> datagrams;
   std::ranges::copy_if(frames, std::back_inserter(datagrams),

@@ -142,6 +142,10 @@ TEST(HostMessage, FollowsThePeerToItsNewAddress) {
   Frame moved = linux_arp_reply();
   moved[27] = std::byte{0x99};
   static_cast<void>(station.take(moved));
+  static_cast<void>(station.poll(1'000'000));  // asks where it was
+  static_cast<void>(station.poll(2'000'000));  // asks everyone
+  static_cast<void>(station.port.take_sent());
+  static_cast<void>(station.take(moved, 2'000'001));
   const Frame frame = send(station, from_hex("00"));
   EXPECT_EQ(frame[5], std::byte{0x99});
 }

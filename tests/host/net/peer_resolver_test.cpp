@@ -51,6 +51,43 @@ TEST(PeerResolver, KeepsTheOldAddressUntilANewOneComes) {
   EXPECT_FALSE(resolver.request_due(41 * kSecondUs));
 }
 
+// Nobody has asked for it: the known station is asked, alone, and its answer is all that counts.
+TEST(PeerResolver, AnotherStationIsNotBelievedWhileTheKnownOneAnswers) {
+  PeerResolver resolver;
+  ASSERT_TRUE(resolver.request_due(0));
+  resolver.learn(kOld, 0);
+  for (std::uint64_t now_us = 2 * kSecondUs; now_us < 20 * kSecondUs; now_us += kSecondUs) {
+    resolver.learn(kNew, now_us);
+    ASSERT_EQ(resolver.mac(), kOld);
+    ASSERT_EQ(resolver.request_due(now_us), kOld);
+    resolver.learn(kNew, now_us + 10);
+    resolver.learn(kOld, now_us + 20);
+    ASSERT_EQ(resolver.told()->at_us, now_us + 20);
+    ASSERT_FALSE(resolver.request_due(now_us + kSecondUs - 1)) << "an answer ends the doubt";
+  }
+}
+
+TEST(PeerResolver, AnotherStationIsBelievedWhenTheKnownOneIsSilent) {
+  PeerResolver resolver;
+  resolver.learn(kOld, 0);
+  resolver.learn(kNew, 10);
+  ASSERT_EQ(resolver.request_due(20), kOld);
+  EXPECT_FALSE(resolver.request_due(kSecondUs));
+  EXPECT_EQ(resolver.request_due(20 + kSecondUs), kBroadcastMac);
+  resolver.learn(kNew, 30 + kSecondUs);
+  EXPECT_EQ(resolver.mac(), kNew);
+  EXPECT_FALSE(resolver.request_due(5 * kSecondUs));
+}
+
+// As it is asked every 30 s: who is faster than the known one has not asked for the question.
+TEST(PeerResolver, TheRegularQuestionLetsNoOtherStationIn) {
+  PeerResolver resolver;
+  resolver.learn(kOld, 0);
+  ASSERT_EQ(resolver.request_due(kArpRefreshUs), kBroadcastMac);
+  resolver.learn(kNew, kArpRefreshUs + 1);
+  EXPECT_EQ(resolver.mac(), kOld);
+}
+
 TEST(PeerResolver, HearingFromThePeerPostponesTheQuestion) {
   PeerResolver resolver;
   for (std::uint64_t now_us = 0; now_us < 300 * kSecondUs; now_us += 20 * kSecondUs) {
