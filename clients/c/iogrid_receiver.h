@@ -73,7 +73,7 @@ static inline void iogrid_init(iogrid_receiver* r) {
 static inline void iogrid_follow_car(iogrid_receiver* r, int32_t x_mm, int32_t y_mm) {
   const uint64_t passed = r->end_us - r->end_us_before;  // us
   r->has_velocity = r->has_pose && r->had_pose && r->number == r->number_before + 1 && passed > 0 &&
-                    passed <= 500000 && (r->causes & 0x5A) == 0;
+                    passed <= 500000 && (r->causes & 0xDA) == 0;
   r->vx_m_s = r->has_velocity ? ((double)x_mm - r->x_mm_before) * 1000 / (double)passed : 0;
   r->vy_m_s = r->has_velocity ? ((double)y_mm - r->y_mm_before) * 1000 / (double)passed : 0;
   r->had_pose = r->has_pose;

@@ -9,7 +9,8 @@ layout.TYPES = { [1] = "tiles", [2] = "frame end", [3] = "end of the classes",
 layout.STORAGES = { [0] = "occupancy index", [1] = "highest index of the cells below",
                     [2] = "class" }
 layout.CAUSES = { [0x01] = "late", [0x02] = "lost", [0x04] = "imprecise", [0x08] = "jump",
-                  [0x10] = "restart", [0x20] = "over budget", [0x40] = "contradicted" }
+                  [0x10] = "restart", [0x20] = "over budget", [0x40] = "contradicted",
+                  [0x80] = "drifting" }
 layout.ENCODINGS = { [0] = "raw", "run length", "quadtree", "changed since", "run starts",
                      "run starts since" }
 layout.OBJECT_STATES = { "young", "stands", "moves", "stopped" }
@@ -283,7 +284,7 @@ local CHUNK_FATES = { "taken", "repeated", "in use", "of another block", "strang
                       "out of range" }
 
 -- Why slices had no place; the first: they had one.
-layout.SLICE_CAUSES = { "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted" }
+layout.SLICE_CAUSES = { "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted", "drifting" }
 
 -- Lists of counters: name of the filter, heading, names in order.
 layout.COUNTERS = {

@@ -13,6 +13,7 @@ constexpr std::array<std::pair<pose::Cause, std::uint16_t>, pose::kCauseCount - 
     {pose::Cause::kJump, stream::kCauseJump},
     {pose::Cause::kRestart, stream::kCauseRestart},
     {pose::Cause::kContradicted, stream::kCauseContradicted},
+    {pose::Cause::kDrifting, stream::kCauseDrifting},
 }};
 
 std::uint16_t causes_of(const PerceptionReport& report) {

@@ -23,7 +23,7 @@ PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_
       window_(vehicle.window, vehicle.has_objects),
       maps_(vehicle.maps, replayer_ipv4),
       frame_(vehicle, replayer_ipv4),
-      poses_(vehicle.poses, replayer_ipv4),
+      poses_(vehicle.poses, replayer_ipv4, vehicle.depends_on_arrival()),
       receptions_(vehicle.depends_on_arrival()),
       vehicle_(&vehicle) {
   require(unfit_for_perception(vehicle) == Unfit::kNone);
@@ -76,7 +76,7 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   if (time_us) {
     time_us = window::end_of_frame(end_us, *time_us, poses_.newest()->clock_us);
   }
-  if (contradiction_.is_met()) {
+  if (contradiction_.is_met(poses_.has_moved())) {
     poses_.contradict();
   }
   if (time_us) {

@@ -100,6 +100,8 @@ void History::begin_course() {
   const bool is_of_present_run = runs_.is_present(first.run);
   if (!is_of_present_run) {
     runs_.begin(first.run);
+    first_ = first.pose;
+    has_moved_ = false;
   }
   if (count_ > 0 && !is_of_present_run) {
     break_off(Cause::kRestart, first.clock_us);
@@ -109,6 +111,8 @@ void History::begin_course() {
   count_ = 0;
   candidate_count_ = 0;
   stuck_.reset();
+  floor_.reset();
+  drifted_us_.reset();
   for (const Entry& candidate : candidates_) {
     append(candidate);
   }
@@ -129,10 +133,13 @@ void History::append(Entry next) {
       }
     }
   }
-  const bool is_believed = !is_stuck(next.message);
-  if (is_believed) {
+  has_moved_ = has_moved_ || is_jump(residual(next.message.pose, first_));
+  const bool is_held_back = is_drifting(next);
+  const bool is_at_its_place = !is_stuck(next.message);
+  if (is_at_its_place) {
     stuck_.reset();
   }
+  const bool is_believed = is_at_its_place && !is_held_back;
   entries_[next_] = next;
   next_ = (next_ + 1) % kHistoryMessages;
   count_ = std::min(count_ + 1, kHistoryMessages);
@@ -168,6 +175,7 @@ void History::break_off(Cause cause, std::uint64_t since_us) {
   began_by_ = cause;
   unbroken_ = 0;
   is_whole_ = true;
+  floor_.reset();
 }
 
 void History::pass(std::uint64_t now_us) {
@@ -196,6 +204,34 @@ void History::contradict() {
 bool History::is_stuck(const Message& next) const {
   return stuck_ && next.clock_us - stuck_->clock_us <= kMaxStuckUs &&
          !is_jump(residual(next.pose, stuck_->pose));
+}
+
+// Whether poses come later and later. The floor is the line below all offsets that rises as a clock
+// may drift; what of the least offset of a second is above it is a delay. Afterwards what is, is
+// the floor, so a delay that stays blinds for kSettledUs, and a message that came too early, too.
+bool History::is_drifting(const Entry& next) {
+  if (!depends_on_arrival_) {
+    return false;
+  }
+  const std::uint64_t now_us = next.message.clock_us;
+  const auto above_floor = [&](std::uint64_t offset_us) {
+    const std::uint64_t drift_us = (now_us - floor_->message.clock_us) * kMaxDriftPpm / 1'000'000;
+    return difference_us(offset_us, floor_->offset_us + drift_us);
+  };
+  if (!floor_ || above_floor(next.offset_us) < 0) {
+    floor_ = next;
+  }
+  if (above_floor(least_offset_us(next, 0)) > kMaxDelayGrowthUs) {
+    if (unbroken_ > 0) {
+      break_off(Cause::kDrifting, now_us);
+    }
+    floor_ = next;
+    drifted_us_ = now_us;
+  }
+  if (drifted_us_ && now_us - *drifted_us_ >= kSettledUs) {
+    drifted_us_.reset();
+  }
+  return drifted_us_.has_value();
 }
 
 Cause History::cause_before_the_oldest() const { return is_whole_ ? began_by_ : Cause::kLate; }
@@ -227,16 +263,20 @@ std::optional<std::uint64_t> History::source_time(std::uint64_t target_us) const
   if (unbroken_ == 0) {
     return std::nullopt;
   }
-  const Entry& newest = entry(0);
-  std::int64_t least_later = 0;  // than the newest; modulo 2^64, so that no clock's zero matters
-  for (std::size_t age = 1; age < count_; ++age) {
+  return target_us - least_offset_us(entry(0), 1);
+}
+
+// Of a message and those of the second before it, the newest of which has this age. All is held
+// against the newest, modulo 2^64, so that no clock's zero matters.
+std::uint64_t History::least_offset_us(const Entry& newest, std::size_t first_age) const {
+  std::int64_t least_later = 0;
+  for (std::size_t age = first_age; age < count_; ++age) {
     if (newest.message.clock_us - entry(age).message.clock_us > kLostUs) {
       break;
     }
-    const auto later = static_cast<std::int64_t>(entry(age).offset_us - newest.offset_us);
-    least_later = std::min(least_later, later);
+    least_later = std::min(least_later, difference_us(entry(age).offset_us, newest.offset_us));
   }
-  return target_us - (newest.offset_us + static_cast<std::uint64_t>(least_later));
+  return newest.offset_us + static_cast<std::uint64_t>(least_later);
 }
 
 }  // namespace iog::pose

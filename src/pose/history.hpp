@@ -3,8 +3,8 @@
 // Times are of the clock of the poses' source, us, unless they are said to be the target's.
 // Messages come in the order of that clock; one that is not newer than the newest is dropped. Poses
 // belong together as long as nothing breaks them apart: a silence of kLostUs, a jump, a new run
-// of the source, or that the sensors contradict them. What was placed before a break has lost its
-// place, and its window is unknown.
+// of the source, that the sensors contradict them, or a delay that grows. What was placed before a
+// break has lost its place, and its window is unknown.
 //
 // Who may be forged may not blind for good: what does not continue the present course, being of
 // another run or of another time, is believed by kConfirmations messages in a row. If it goes back,
@@ -42,6 +42,10 @@ struct Tally {
 
 class History {
  public:
+  // depends_on_arrival: the offset of the clocks places packets, so it must not grow faster than
+  // clocks drift.
+  explicit History(bool depends_on_arrival = false) : depends_on_arrival_(depends_on_arrival) {}
+
   // A sound message and its arrival by the target's clock. kUsed, or kUnconfirmed, kNotNewer,
   // kFlood or kPastRun, which place nothing.
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
@@ -59,8 +63,9 @@ class History {
   void contradict();
 
   // The pose of a time: between two messages on the straight way; after the newest, at most kLateUs
-  // after it, moved by its speed and yaw rate. kLost, kJump, kRestart, kContradicted: the time is
-  // before the first message since that break; kLate, kImprecise. Without any break it is kLost.
+  // after it, moved by its speed and yaw rate. kLost, kJump, kRestart, kContradicted, kDrifting:
+  // the time is before the first message since that break; kLate, kImprecise. Without any break it
+  // is kLost.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
   // The clock of the source at a time of the target's clock: measured, as seen by the message of
@@ -71,8 +76,12 @@ class History {
   // Rises with each break: whatever was placed under another epoch is unknown now.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
-  // Of kLost and kContradicted (since the last message before it), kJump and kRestart (since the
-  // first message after it); the others are of slices.
+  // Whether a message of this run has said a place or a heading that would be a jump from that of
+  // the first one.
+  [[nodiscard]] bool has_moved() const { return has_moved_; }
+
+  // Of kLost and kContradicted (since the last message before it), kJump, kRestart and kDrifting
+  // (since the first message after it); the others are of slices.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }
@@ -96,6 +105,8 @@ class History {
   void append(Entry next);
   void break_off(Cause cause, std::uint64_t since_us);
   [[nodiscard]] bool is_stuck(const Message& next) const;
+  [[nodiscard]] bool is_drifting(const Entry& next);
+  [[nodiscard]] std::uint64_t least_offset_us(const Entry& newest, std::size_t first_age) const;
   [[nodiscard]] bool is_jump_to(const Entry& next) const;
   [[nodiscard]] Cause cause_before_the_oldest() const;
 
@@ -104,6 +115,7 @@ class History {
     return entries_[(next_ + kHistoryMessages - 1 - age) % kHistoryMessages];
   }
 
+  bool depends_on_arrival_;
   std::array<Entry, kHistoryMessages> entries_{};  // a ring, the oldest is overwritten
   std::size_t next_ = 0;
   std::size_t count_ = 0;                           // entries of the course
@@ -114,6 +126,11 @@ class History {
   std::size_t candidate_count_ = 0;
   std::uint64_t arrival_us_ = 0;    // of the newest message, by the target's clock
   std::optional<Message> stuck_{};  // where the source was contradicted, while nothing is believed
+  std::optional<Entry> floor_{};    // whose offset was the least since the break
+  std::optional<std::uint64_t>
+      drifted_us_{};  // when the offset last grew, while nothing is believed
+  Pose first_{};      // of the run
+  bool has_moved_ = false;
   RunMemory runs_;
   std::uint32_t epoch_ = 0;
   std::array<Tally, kCauseCount> breaks_{};

@@ -40,6 +40,13 @@ inline constexpr std::uint16_t kMaxSigmaHeading = kMaxSigmaMm * 100'000 / kReach
 // jump.
 inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
 
+// No clock drifts faster; an offset of clocks that has grown by more beyond it is a delay that
+// grows.
+inline constexpr std::uint64_t kMaxDriftPpm = 200;
+inline constexpr std::int64_t kMaxDelayGrowthUs = 30'000;
+// It is believed again when it has not grown like that for so long: twice the span of its least.
+inline constexpr std::uint64_t kSettledUs = 2 * kLostUs;
+
 // Residuals above this are a jump: 300 mm, or as much at kReachMm.
 inline constexpr std::int64_t kMaxResidualMm = 300;
 inline constexpr std::int64_t kAnglePerRadian = 683'565'276;  // 2^32 / (2 pi), to the nearest

@@ -5,10 +5,12 @@
 
 namespace iog::pose {
 
-Source::Source(const SourceDescription& description, std::uint32_t replayer_ipv4)
+Source::Source(const SourceDescription& description, std::uint32_t replayer_ipv4,
+               bool depends_on_arrival)
     : description_{description},
       replayer_ipv4_{replayer_ipv4},
-      slicing_{description.log2_slice_ms} {
+      slicing_{description.log2_slice_ms},
+      history_{depends_on_arrival} {
   require(description.is_valid());
 }
 

@@ -31,7 +31,9 @@ struct CauseCounts {
 class Source {
  public:
   // description.is_valid(). replayer_ipv4 may send in the name of the source, 0: none.
-  explicit Source(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
+  // depends_on_arrival: as of History.
+  explicit Source(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0,
+                  bool depends_on_arrival = false);
 
   // Whether a datagram to this port is of poses.
   [[nodiscard]] bool listens_to(std::uint16_t udp_port) const {
@@ -50,6 +52,7 @@ class Source {
     return history_.source_time(target_us);
   }
   [[nodiscard]] std::uint32_t epoch() const { return history_.epoch(); }
+  [[nodiscard]] bool has_moved() const { return history_.has_moved(); }
   [[nodiscard]] std::optional<Message> newest() const { return history_.newest(); }
 
   // The slice that holds a time of the source's clock.

@@ -22,6 +22,7 @@ inline constexpr std::uint16_t kCauseJump = 0x0008;          // against its pred
 inline constexpr std::uint16_t kCauseRestart = 0x0010;       // of the pose source: unknown
 inline constexpr std::uint16_t kCauseOverBudget = 0x0020;    // cells were left to the next frames
 inline constexpr std::uint16_t kCauseContradicted = 0x0040;  // by the sensors: unknown
+inline constexpr std::uint16_t kCauseDrifting = 0x0080;      // poses come ever later: unknown
 
 struct ClassWindow {
   std::uint16_t causes = 0;

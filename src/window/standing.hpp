@@ -3,6 +3,7 @@
 // All of it is asked of the state before the frame, tile by tile, so that no order shows.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "window/tile.hpp"
@@ -36,17 +37,27 @@ struct StandingCounts {
 // wrong, whatever they say. The counts of some eight frames are held against each other, those of a
 // frame half as much after five. A car that drives off is crossed, too, but walls, poles and other
 // cars are met meanwhile.
+//
+// By poses that were wrong from the first on little ever comes to stand, and of that much more is
+// crossed. So while the poses say that the car has never moved, fewer cells are enough if frame
+// after frame more than an eighth is crossed: what is beyond it is summed, and forgotten within
+// some hundred frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {
     met_ += kUnit * frame.met - met_ / kFrames;
     crossed_ += kUnit * frame.crossed - crossed_ / kFrames;
+    const std::uint32_t before =
+        beyond_ - beyond_ / kFramesBeyond + (kShareBeyond - 1) * frame.crossed;
+    beyond_ = before - std::min(before, frame.met);
   }
   void clear() { *this = {}; }
 
-  [[nodiscard]] bool is_met() const {
+  // has_moved: the poses have said another place or heading than at first.
+  [[nodiscard]] bool is_met(bool has_moved) const {
     const std::uint32_t all = met_ + crossed_;
-    return all >= kUnit * kFewest && crossed_ > all / kShare;
+    return (all >= kUnit * kFewest && crossed_ > all / kShare) ||
+           (!has_moved && beyond_ > kShareBeyond * kMostBeyond);
   }
 
  private:
@@ -55,8 +66,13 @@ class Contradiction {
   static constexpr std::uint32_t kFewest = 500;  // cells: of fewer nothing is said
   static constexpr std::uint32_t kShare = 16;    // of all of them, which may be crossed
 
+  static constexpr std::uint32_t kShareBeyond = 8;
+  static constexpr std::uint32_t kFramesBeyond = 128;
+  static constexpr std::uint32_t kMostBeyond = 80;  // cells
+
   std::uint32_t met_ = 0;
   std::uint32_t crossed_ = 0;
+  std::uint32_t beyond_ = 0;  // in eighths of a cell
 };
 
 }  // namespace iog::window

@@ -190,7 +190,7 @@ def is_of_classes(body: bytes) -> bool:
 def read_window(data: bytes) -> Window:
     size, causes, a, b, x_mm, y_mm, heading, sigma, sigma_heading, slices, slice_ms, zero, begin_us, \
         end_us = struct.unpack_from(">HHiiiiIHHBBHQQ", data)
-    assert size == WINDOW_BYTES and zero == 0 and causes < 0x80
+    assert size == WINDOW_BYTES and zero == 0 and causes < 0x100
     return Window(causes, a, b, x_mm, y_mm, heading, sigma, sigma_heading, slices, slice_ms, begin_us,
                   end_us)
 
@@ -216,7 +216,8 @@ def read_class_end(body: bytes) -> ClassEnd:
     window = read_window(body)
     *counts, fates, causes, cause_bytes, slices, slice_bytes, zeros = \
         struct.unpack_from(">9I5B3s", body, WINDOW_BYTES)
-    assert (fates, causes, cause_bytes, slice_bytes, zeros) == (16, 7, 16, 24, b"\0\0\0")
+    assert (fates, cause_bytes, slice_bytes, zeros) == (16, 16, 24, b"\0\0\0")
+    assert causes in (7, 8), "7 of older targets"
     assert slices == window.slices
     at = WINDOW_BYTES + 44
     pose_fates = struct.unpack_from(f">{fates}I", body, at)

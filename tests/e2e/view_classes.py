@@ -6,7 +6,7 @@ import pathlib
 
 import made_stream
 from browser import Browser
-from made_classes import CONTRADICTED, FREE, IMPRECISE, JUMP, LATE, LOST, MOVING, OCCUPIED, RESTART, STANDING, \
+from made_classes import CONTRADICTED, DRIFTING, FREE, IMPRECISE, JUMP, LATE, LOST, MOVING, OCCUPIED, RESTART, STANDING, \
     Window, class_byte, map_part
 from made_objects import Thing, objects_of
 from viewer import GridPage, Viewer, free_port
@@ -199,6 +199,7 @@ def check_causes(street: Street, folder: pathlib.Path) -> None:
     for cause, title in ((JUMP, "The pose jumped 1.2 s ago"),
                          (RESTART, "The source of the poses started anew 1.2 s ago"),
                          (CONTRADICTED, "The sensors contradicted the poses 1.2 s ago"),
+                         (DRIFTING, "Poses came later and later 1.2 s ago"),
                          (LOST, "Poses were lost 1.2 s ago, and are back")):
         window = picture_of_window()
         window.causes = cause

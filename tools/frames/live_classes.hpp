@@ -20,7 +20,8 @@ namespace iog::tools {
 
 // The causes after which the window began as unknown (docs/spec.md 3.9).
 inline constexpr std::uint16_t kForgettingCauses =
-    stream::kCauseLost | stream::kCauseJump | stream::kCauseRestart | stream::kCauseContradicted;
+    stream::kCauseLost | stream::kCauseJump | stream::kCauseRestart | stream::kCauseContradicted |
+    stream::kCauseDrifting;
 
 class LiveClasses {
  public:

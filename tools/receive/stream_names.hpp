@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, intake::kPacketDropCount> kPacketD
 inline constexpr std::array<std::string_view, 4> kSensorStateNames{"never seen", "silent",
                                                                    "partial", "complete"};
 inline constexpr std::array<std::string_view, pose::kCauseCount> kPoseCauseNames{
-    "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted"};
+    "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted", "drifting"};
 inline constexpr std::array<std::string_view, pose::kFateCount> kPoseFateNames{
     "used",    "unconfirmed",  "stranger",    "too short",    "not ours",     "wrong version",
     "damaged", "wrong length", "wrong flags", "not zero",     "out of range", "no sigma",

@@ -145,16 +145,17 @@ Diagnostic of_starts(const hal::RunBefore& before) {
 
 // The causes of this frame; those that make the window unknown are errors.
 Diagnostic of_poses(const ClassGrid& classes) {
-  constexpr std::array<std::pair<std::uint16_t, std::string_view>, 7> kBits{
+  constexpr std::array<std::pair<std::uint16_t, std::string_view>, 8> kBits{
       {{stream::kCauseLate, "late"},
        {stream::kCauseLost, "lost"},
        {stream::kCauseImprecise, "imprecise"},
        {stream::kCauseJump, "jump"},
        {stream::kCauseRestart, "restart"},
        {stream::kCauseOverBudget, "over budget"},
-       {stream::kCauseContradicted, "contradicted"}}};
-  constexpr unsigned kUnknown =
-      stream::kCauseLost | stream::kCauseJump | stream::kCauseRestart | stream::kCauseContradicted;
+       {stream::kCauseContradicted, "contradicted"},
+       {stream::kCauseDrifting, "drifting"}}};
+  constexpr unsigned kUnknown = stream::kCauseLost | stream::kCauseJump | stream::kCauseRestart |
+                                stream::kCauseContradicted | stream::kCauseDrifting;
   std::string words;
   for (const auto& [bit, name] : kBits) {
     if ((classes.window.causes & bit) != 0) {

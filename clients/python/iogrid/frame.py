@@ -13,7 +13,7 @@ SIDE, CELL_M = 1024, 0.1  # cells of a grid along x and y, and of how many metre
 Class = enum.IntEnum("Class", "UNKNOWN DRIVABLE_FREE NON_DRIVABLE_FREE FREE MOVING STOPPED STANDING INFRASTRUCTURE "
                      "OCCUPIED", start=0)  # 3.9; STANDING: stopped or unmapped
 FREE_CLASSES = (Class.DRIVABLE_FREE, Class.NON_DRIVABLE_FREE, Class.FREE)
-Cause = enum.IntFlag("Cause", "LATE LOST IMPRECISE JUMP RESTART OVER_BUDGET CONTRADICTED")  # 3.9
+Cause = enum.IntFlag("Cause", "LATE LOST IMPRECISE JUMP RESTART OVER_BUDGET CONTRADICTED DRIFTING")  # 3.9
 
 
 def probability(indexes: numpy.ndarray, epsilon: float) -> numpy.ndarray:
@@ -56,14 +56,14 @@ class Window:
                               for sigma, unit in zip(sigmas, (1e-3, 1e-5), strict=True))
         is_known = (x_mm, y_mm, heading, *sigmas) != (0, 0, 0, 0xFFFF, 0xFFFF)
         pose = Pose(x_mm / 1000, y_mm / 1000, heading * math.tau / 2 ** 32, sigma_m, sigma_rad) if is_known else None
-        return cls(Cause(causes & 0x7F), (a, b), pose, slices, begin_us, end_us)
+        return cls(Cause(causes & 0xFF), (a, b), pose, slices, begin_us, end_us)
 
     def velocity_since(self, before: "Window | None") -> tuple[float, float] | None:
         """Of the car, m/s in the local frame, since another frame; None where its place is not known, or the local frame
         may be another."""
         passed_us = self.end_us - before.end_us if before else 0
         if not 0 < passed_us <= 500_000 or self.pose is None or before.pose is None or \
-                self.causes & (Cause.LOST | Cause.JUMP | Cause.RESTART | Cause.CONTRADICTED):
+                self.causes & (Cause.LOST | Cause.JUMP | Cause.RESTART | Cause.CONTRADICTED | Cause.DRIFTING):
             return None
         return tuple((round(now * 1000) - round(then * 1000)) * 1000 / passed_us
                      for now, then in ((self.pose.x_m, before.pose.x_m), (self.pose.y_m, before.pose.y_m)))

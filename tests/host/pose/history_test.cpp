@@ -191,6 +191,18 @@ TEST(Contradicted, IsForgivenAfterTenSeconds) {
   EXPECT_EQ(driven.cause_at(stuck.clock_us), Cause::kNone);
 }
 
+// More than 300 mm, at 100 mm a message, since the first message of its run.
+TEST(HasMoved, IsAskedOfARun) {
+  Driven driven(4);
+  EXPECT_FALSE(driven.history.has_moved());
+  ASSERT_EQ(driven.take_at(driven.newest_us + 10 * kMs), Fate::kUsed);
+  EXPECT_TRUE(driven.history.has_moved());
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    static_cast<void>(driven.take(message_at(driven.newest_us + i * 10 * kMs, 2)));
+  }
+  EXPECT_FALSE(driven.history.has_moved());
+}
+
 TEST(Contradicted, IsForgivenToAnotherRun) {
   Driven driven;
   driven.history.contradict();

@@ -91,7 +91,7 @@ Bytes some_rest() {
       1,  2, 3,    4,    0,  0, 0, 2, 0xA1, 0xA2, 0xA3, 0xA4,  // tiles, name
       0,  0, 0,    20,   0,  0, 0, 4, 0,    0,    0,    1,     // packets, slices over budget
       0,  0, 0x75, 0x30, 0,  0, 0, 7, 0,    0,    0,    9,     // groups
-      16, 7, 16,   2,    24, 0, 0, 0,                          // counts and lengths
+      16, 8, 16,   2,    24, 0, 0, 0,                          // counts and lengths
   });
   const auto append = [&](const Bytes& bytes) {
     rest.insert(rest.end(), bytes.begin(), bytes.end());
@@ -101,7 +101,7 @@ Bytes some_rest() {
   append(bytes_of({0, 0, 0, 6}));
   append(Bytes(16));
   append(bytes_of({0, 0, 0, 3, 0, 0, 0, 2, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x27, 0x28}));
-  append(Bytes(5 * 16));
+  append(Bytes(6 * 16));
   append(bytes_of({0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x18, 0xFF, 0xFF, 0xFF, 0xFE,
                    0,    0,    0,    5,    0x80, 0,    0,    1,    0,    10,   0,    20}));
   append(bytes_of({0, 0, 0, 0, 0, 0, 0x1F, 0x40, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1}));

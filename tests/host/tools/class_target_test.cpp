@@ -68,6 +68,15 @@ RunStatistics fused(const vehicle::Vehicle& vehicle, const PlacedDrive& drive,
   return statistics;
 }
 
+// Of all of its frames.
+std::uint32_t causes_of(const RunStatistics& run) {
+  std::uint32_t causes = 0;
+  for (const ClassRecord& record : run.classes().records()) {
+    causes |= record.causes;
+  }
+  return causes;
+}
+
 // docs/model.md, section 3: the join of a frame's slices is the frame.
 TEST(ClassTarget, TheGridsAreThoseWithoutClasses) {
   const PlacedDrive drive(5);
@@ -154,6 +163,47 @@ TEST(ClassTarget, PosesThatAreStuckAreContradictedByTheSensors) {
     ASSERT_EQ(record->packets_placed, 0U);
     ASSERT_EQ(record->tiles, 0U) << "what was known has lost its place";
   }
+}
+
+// One that is stuck from its first message on: little comes to stand, and much of it is crossed.
+TEST(ClassTarget, PosesThatHaveNeverMovedAreContradictedByTheSensors) {
+  const PlacedDrive drive(200, {.freezes = {{.begin_s = 0, .length_s = 10}}});
+  const RunStatistics statistics = fused(*four_lux().vehicle, drive);
+  EXPECT_TRUE(std::ranges::any_of(statistics.classes().records(), [](const ClassRecord& record) {
+    return (record.causes & stream::kCauseContradicted) != 0 && record.tiles == 0;
+  }));
+}
+
+// Held back by 8 % of the time, a pose is 80 ms late in a second, so no slice is ever late. Where
+// packets get their time by when they come, that is told; where sensors have the clock of the
+// poses, what is placed is placed rightly, and nothing by a pose that is over 100 ms old.
+TEST(ClassTarget, PosesThatAreHeldBackMoreAndMorePlaceNothing) {
+  vehicle::Vehicle by_arrival = *four_lux().vehicle;
+  std::vector<vehicle::Sensor> sensors(by_arrival.sensors.begin(), by_arrival.sensors.end());
+  std::ranges::for_each(sensors, [](vehicle::Sensor& one) { one.is_synchronised = false; });
+  by_arrival.sensors = sensors;
+  PlacedDrive drive(100);
+  EXPECT_EQ(causes_of(fused(by_arrival, drive)) & stream::kCauseDrifting, 0U);
+  const std::uint64_t begin_us = drive.packets.front().front().time_us;
+  std::vector<CapturedDatagram> poses;
+  for (auto& of_frame : drive.poses) {
+    std::ranges::move(of_frame, std::back_inserter(poses));
+    of_frame.clear();
+  }
+  for (CapturedDatagram& pose : poses) {
+    pose.time_us += (pose.time_us - std::min(begin_us, pose.time_us)) * 8 / 100;
+    const auto frame = std::ranges::find_if(
+        drive.packets, [&](const auto& packets) { return packets.back().time_us >= pose.time_us; });
+    if (frame != drive.packets.end()) {
+      drive.poses[static_cast<std::size_t>(frame - drive.packets.begin())].push_back(pose);
+    }
+  }
+  const RunStatistics held = fused(by_arrival, drive);
+  EXPECT_NE(causes_of(held) & stream::kCauseDrifting, 0U);
+  EXPECT_EQ(held.classes().records().back().packets_placed, 0U);
+  const RunStatistics late = fused(*four_lux().vehicle, drive);
+  EXPECT_EQ(causes_of(late) & ~stream::kCauseLate, 0U);
+  EXPECT_EQ(late.classes().records().back().packets_placed, 0U) << "320 ms";
 }
 
 TEST(ClassTarget, AnotherRuleIsRefusedWithItsReason) {

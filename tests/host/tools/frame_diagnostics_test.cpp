@@ -123,15 +123,15 @@ TEST(FrameDiagnostics, PosesThatMakeTheWindowUnknownAreErrors) {
   GridFrame frame = sound_frame();
   frame.classes.emplace();
   frame.classes->has_end = true;
-  for (unsigned bit = 0; bit < 7; ++bit) {
+  for (unsigned bit = 0; bit < 8; ++bit) {
     frame.classes->window.causes = static_cast<std::uint16_t>(1U << bit);
-    const bool is_unknown = (0x5AU >> bit & 1U) != 0;
+    const bool is_unknown = (0xDAU >> bit & 1U) != 0;
     EXPECT_EQ(found_in(frame, "poses").level,
               is_unknown ? DiagnosticLevel::kError : DiagnosticLevel::kWarn)
         << bit;
   }
-  frame.classes->window.causes = 0x41;
-  EXPECT_EQ(found_in(frame, "poses").message, "late, contradicted");
+  frame.classes->window.causes = 0xC1;
+  EXPECT_EQ(found_in(frame, "poses").message, "late, contradicted, drifting");
 }
 
 TEST(FrameDiagnostics, OfAFrameWithoutItsEndSayNothingOfSensors) {

@@ -103,7 +103,7 @@ TEST(LiveClasses, WhatIsLostIsStaleAndGoesWhenItLeavesTheWindow) {
 
 TEST(LiveClasses, NothingIsKeptWhenTheTargetHasLostItsWay) {
   for (const std::uint16_t cause : {stream::kCauseLost, stream::kCauseJump, stream::kCauseRestart,
-                                    stream::kCauseContradicted}) {
+                                    stream::kCauseContradicted, stream::kCauseDrifting}) {
     FakeClassTarget target(kWorld, kRun);
     Receiver receiver;
     receiver.take(target.next());

@@ -79,10 +79,10 @@ TEST(Standing, AtTheBorderOfATileIsLeftOut) {
 }
 
 // Frames until the poses are contradicted, at most 100.
-int frames_until_met(const StandingCounts& frame) {
+int frames_until_met(const StandingCounts& frame, bool has_moved = true) {
   Contradiction contradiction;
   int frames = 0;
-  while (!contradiction.is_met() && frames < 100) {
+  while (!contradiction.is_met(has_moved) && frames < 100) {
     contradiction.add(frame);
     ++frames;
   }
@@ -97,19 +97,37 @@ TEST(Contradiction, IsAShareOfASixteenthOfFiveHundredCells) {
   EXPECT_EQ(frames_until_met({}), 100);
 }
 
+// As poses were that said from the first on that the car stands, while it drove (city, 10 s).
+TEST(Contradiction, IsAnEighthOfFewCellsWhileTheCarHasNeverMoved) {
+  constexpr StandingCounts kDriven{.met = 18, .crossed = 6};
+  EXPECT_EQ(frames_until_met(kDriven), 100);
+  EXPECT_LE(frames_until_met(kDriven, false), 50);
+  EXPECT_EQ(frames_until_met({.met = 35, .crossed = 5}, false), 100) << "an eighth";
+}
+
+// It stands among walls, and cars that stood beside it drive off.
+TEST(Contradiction, IsNoneForACarThatIsParked) {
+  Contradiction contradiction;
+  for (int frame = 0; frame < 1'000; ++frame) {
+    const bool drives_off = frame % 100 < 12;
+    contradiction.add({.met = 150, .crossed = drives_off ? 8U : 0U});
+    ASSERT_FALSE(contradiction.is_met(false)) << frame;
+  }
+}
+
 TEST(Contradiction, BeginsWithinHalfASecondAndIsOverWhenItIsForgotten) {
   Contradiction contradiction;
   for (int frame = 0; frame < 100; ++frame) {
     contradiction.add({.met = 400, .crossed = 4});
-    ASSERT_FALSE(contradiction.is_met());
+    ASSERT_FALSE(contradiction.is_met(true));
   }
   int frames = 0;
-  for (; !contradiction.is_met(); ++frames) {
+  for (; !contradiction.is_met(true); ++frames) {
     contradiction.add({.met = 300, .crossed = 60});
   }
   EXPECT_LE(frames, 12) << "of 40 ms";
   contradiction.clear();
-  EXPECT_FALSE(contradiction.is_met());
+  EXPECT_FALSE(contradiction.is_met(true));
 }
 
 }  // namespace

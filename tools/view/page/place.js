@@ -1,17 +1,17 @@
 // Where the car is, how well that is known, and why it is not, in words (docs/spec.md, 5.5).
 
-// Causes after which the window begins anew: lost, jump, restart, contradicted.
-const BREAKS = 0x02 | 0x08 | 0x10 | 0x40;
+// Causes after which the window begins anew: lost, jump, restart, contradicted, drifting.
+const BREAKS = 0x02 | 0x08 | 0x10 | 0x40 | 0x80;
 export const TRACK_S = 30;
 const NEAREST_M = 0.15; // places of a track that are closer are one
 const LATELY_S = 2;
 const LONGEST_S = 86400; // longer ago: the clock of the poses has begun anew since
 
 // In the order in which the target counts them, with the bit by which a frame names each.
-const [LATE, IMPRECISE, LOST, JUMP, RESTART, CONTRADICTED] = [0, 1, 2, 3, 4, 5];
-const BITS = [0x01, 0x04, 0x02, 0x08, 0x10, 0x40];
+const [LATE, IMPRECISE, LOST, JUMP, RESTART, CONTRADICTED, DRIFTING] = [0, 1, 2, 3, 4, 5, 6];
+const BITS = [0x01, 0x04, 0x02, 0x08, 0x10, 0x40, 0x80];
 const NAMES = ["no pose in time", "pose too imprecise", "poses lost", "pose jumped",
-               "pose source restarted", "poses contradicted by the sensors"];
+               "pose source restarted", "poses contradicted by the sensors", "poses later and later"];
 
 const span = (s) =>
   (s < 10 ? `${s.toFixed(1)} s` : s < 120 ? `${Math.round(s)} s` : `${Math.round(s / 60)} min`);
@@ -22,14 +22,19 @@ function agoOf({ stamp_us: stamp, end }, cause) {
   return ago >= 0 && ago < LONGEST_S ? ago : null;
 }
 
+// Packets without a time of their own have no slices that would be counted by it.
+const latestBreak = (end) => [LOST, JUMP, RESTART, CONTRADICTED, DRIFTING]
+    .filter((cause) => end.causes[cause].times > 0)
+    .sort((a, b) => end.causes[b].since_us - end.causes[a].since_us)[0];
+
 // Why nothing of the frame was placed; null if something was, or nothing was to be.
 function causeOf({ slices, causes, end }) {
   if (slices > 0 || !end || end.packets_not_placed === 0) {
     return null;
   }
-  const order = [LOST, IMPRECISE, LATE, JUMP, RESTART, CONTRADICTED];
+  const order = [LOST, IMPRECISE, LATE, JUMP, RESTART, CONTRADICTED, DRIFTING];
   return order.find((cause) => end.causes[cause].slices > 0) ??
-         order.find((cause) => (causes & BITS[cause]) !== 0) ?? LOST;
+         order.find((cause) => (causes & BITS[cause]) !== 0) ?? latestBreak(end) ?? LOST;
 }
 
 const ago = (s) => (s === null ? "" : ` ${span(s)} ago`);
@@ -59,6 +64,7 @@ function describeBreak(cause, s) {
   const what = cause === JUMP ? `The pose jumped${ago(s)}`
       : cause === RESTART ? `The source of the poses started anew${ago(s)}`
       : cause === CONTRADICTED ? `The sensors contradicted the poses${ago(s)}`
+      : cause === DRIFTING ? `Poses came later and later${ago(s)}`
       : `Poses were lost${ago(s)}, and are back`;
   return { word: "", title: what, text: "What was known has lost its place: the window began anew." };
 }
@@ -72,7 +78,7 @@ export function describePlace(classes) {
   if (cause !== null) {
     return describeCause(classes, cause);
   }
-  const breaks = [JUMP, RESTART, LOST, CONTRADICTED].map((one) => [one, agoOf(classes, one)])
+  const breaks = [JUMP, RESTART, LOST, CONTRADICTED, DRIFTING].map((one) => [one, agoOf(classes, one)])
       .filter(([, s]) => s !== null && s < LATELY_S).sort(([, a], [, b]) => a - b);
   return breaks.length > 0 ? describeBreak(...breaks[0]) : null;
 }
