@@ -112,6 +112,11 @@ int main() {
   }
   pipeline.for_each_guard(
       [](iog::health::Guard& guard) { constants.add("a guard of the grids", guard); });
+  const auto add_setting = [](std::span<const std::byte> bytes) {
+    constants.add("a setting of the program", bytes);
+  };
+  platform.for_each_constant(add_setting);
+  pipeline.for_each_constant(add_setting);
   static iog::health::MemoryCheck check(constants.regions());
   iog::app::run(board, platform, serial, check, pipeline);
 }

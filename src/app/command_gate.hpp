@@ -38,68 +38,88 @@ class CommandGate {
   using Counts = std::array<std::uint32_t, kCounts>;
 
   // Without commands everything passes. run: of the target, which signers have heard of.
-  CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run) {
-    if (!commands) {
-      return;
-    }
-    const vehicle::Vehicle& car = *commands->vehicle;
-    run_ = run;
-    replayer_ipv4_ = commands->replayer_ipv4;
-    key_.emplace(commands->key);
-    if (vehicle::have_classes(car.grids)) {
-      doors_[0].emplace(car.poses.source_ipv4, car.poses.udp_port,
-                        authentication::Verifier(*key_, pose::kPoseChannel.event.event_id, run));
-      doors_[1].emplace(car.maps.source_ipv4, car.maps.udp_port,
-                        authentication::Verifier(*key_, map::kMapChannel.event.event_id, run));
-    }
-  }
+  CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run)
+      : CommandGate(commands.value_or(SignedCommands{}), run, commands ? kOn : kOff) {}
   // Verifiers point to the key.
   CommandGate(const CommandGate&) = delete;
   CommandGate& operator=(const CommandGate&) = delete;
 
-  [[nodiscard]] bool is_on() const { return key_.has_value(); }
+  [[nodiscard]] bool is_on() const { return signs_ != kOff; }
 
   // Of a gate that is on; as long as the gate.
-  [[nodiscard]] const authentication::CmacKey& key() const { return *key_; }
+  [[nodiscard]] const authentication::CmacKey& key() const { return key_; }
 
   // The datagram as the pipeline is to see it, valid until the next one; nothing: it is no
   // authentic command. A stranger's is passed without its bytes, and counted as a stranger's there:
   // no MAC is computed for an address that the target does not listen to.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
-    for (std::optional<Door>& door : doors_) {
-      if (door && door->udp_port == datagram.destination_port) {
-        return pass(datagram, *door);
+    if (guards_ == kOff) {
+      return datagram;
+    }
+    for (Door& door : doors_) {
+      if (door.udp_port == datagram.destination_port ||
+          door.same_udp_port == datagram.destination_port) {
+        return pass(datagram, door);
       }
     }
     return datagram;
   }
 
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, signs_, guards_, run_, replayer_ipv4_, key_);
+    for (const Door& door : doors_) {
+      health::visit_constants(visit, door.source_ipv4, door.udp_port, door.same_udp_port);
+      door.verifier.for_each_constant(visit);
+    }
+  }
+
   // Only of a gate that is on.
   [[nodiscard]] Counts counts() const {
     Counts counts{};
-    for (std::size_t i = 0; i < doors_.size(); ++i) {
-      if (doors_[i]) {
-        const auto begin = counts.begin() + static_cast<std::ptrdiff_t>(i * kCountsOfOne);
-        *std::ranges::copy(doors_[i]->verdicts, begin).out = doors_[i]->verifier.counter();
-      }
+    auto end = counts.begin();
+    for (const Door& door : doors_) {
+      end = std::ranges::copy(door.verdicts, end).out;
+      *end++ = door.verifier.counter();
     }
-    const auto signature =
-        authentication::mac_of_counters(*key_, stream::kNetworkChannel.event.event_id, run_,
-                                        std::span(counts).first<kCounts - 2>());
+    const auto signature = authentication::mac_of_counters(
+        key_, stream::kNetworkChannel.event.event_id, run_, std::span(counts).first<kCounts - 2>());
     std::ranges::copy(signature, counts.end() - 2);
     return counts;
   }
 
  private:
-  struct Door {
-    Door(std::uint32_t ipv4, std::uint16_t port, const authentication::Verifier& its)
-        : source_ipv4(ipv4), udp_port(port), verifier(its) {}
+  // A gate is open by this word alone: no bit that flips makes it of the other one, nor of any.
+  static constexpr std::uint32_t kOff = 0x6F66'6621;
+  static constexpr std::uint32_t kOn = 0x9099'99DE;
 
+  // The port is there twice: what has one bit another is still there once.
+  struct Door {
     std::uint32_t source_ipv4;
     std::uint16_t udp_port;
+    std::uint16_t same_udp_port;
     authentication::Verifier verifier;
     std::array<std::uint32_t, authentication::kVerdictCount> verdicts{};
   };
+
+  CommandGate(const SignedCommands& commands, std::uint32_t run, std::uint32_t signs)
+      : signs_(signs),
+        guards_(signs == kOn && vehicle::have_classes(commands.vehicle->grids) ? kOn : kOff),
+        run_(run),
+        replayer_ipv4_(commands.replayer_ipv4),
+        key_(commands.key),
+        doors_{{door_of(signs == kOn ? commands.vehicle->poses : pose::SourceDescription{},
+                        pose::kPoseChannel),
+                door_of(signs == kOn ? commands.vehicle->maps : map::SourceDescription{},
+                        map::kMapChannel)}} {}
+
+  template <typename Source>
+  [[nodiscard]] Door door_of(const Source& source, const protection::Channel& channel) const {
+    return {.source_ipv4 = source.source_ipv4,
+            .udp_port = source.udp_port,
+            .same_udp_port = source.udp_port,
+            .verifier = authentication::Verifier(key_, channel.event.event_id, run_)};
+  }
 
   std::optional<intake::Datagram> pass(intake::Datagram datagram, Door& door) {
     if (!protection::may_send(datagram.source_ipv4, door.source_ipv4, replayer_ipv4_)) {
@@ -118,10 +138,12 @@ class CommandGate {
     return datagram;
   }
 
-  std::uint32_t run_ = 0;
-  std::uint32_t replayer_ipv4_ = 0;
-  std::optional<authentication::CmacKey> key_;
-  std::array<std::optional<Door>, 2> doors_{};
+  std::uint32_t signs_;
+  std::uint32_t guards_;
+  std::uint32_t run_;
+  std::uint32_t replayer_ipv4_;
+  authentication::CmacKey key_;
+  std::array<Door, 2> doors_;
   std::array<std::byte, protection::kMaxMessageBytes> message_{};
 };
 

@@ -92,6 +92,12 @@ class Frame {
   // The frame is closed: the next one counts from 0 again.
   void start_next(std::uint64_t now_us);
 
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, vehicle_);
+    intake_.for_each_constant(visit);
+  }
+
  private:
   const vehicle::Vehicle* vehicle_;
   intake::Intake intake_;

@@ -92,6 +92,12 @@ class GridEngine {
     fusion_.for_each_guard(visit);
     visit(behind_packets_);
   }
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    fusion_.for_each_constant(visit);
+    frame_.for_each_constant(visit);
+    health::visit_constants(visit, may_share_);
+  }
 
  private:
   void fuse_kept(const work::Crew& crew);

@@ -195,6 +195,13 @@ class MachinePlatform {
     return vitals;
   }
 
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    host_.for_each_constant(visit);
+    offering_.for_each_constant(visit);
+    gate_.for_each_constant(visit);
+  }
+
  private:
   // Frames that claimed to be for us and were not sound. Other people's traffic is no loss.
   static constexpr std::array kDamaged{

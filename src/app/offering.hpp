@@ -77,6 +77,12 @@ class Offering {
     return copy(message) || is_sent;
   }
 
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, is_on_);
+    server_.for_each_constant(visit);
+  }
+
  private:
   // Neighbouring numbers become distant ones (Knuth, The Art of Computer Programming, 6.4).
   static constexpr std::uint32_t scattered(std::uint32_t number) { return number * 2'654'435'761U; }

@@ -138,6 +138,15 @@ class PerceptionEngine {
     visit(behind_maps_);
     visit(behind_packets_);
   }
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    fusion_.for_each_constant(visit);
+    window_.for_each_constant(visit);
+    maps_.for_each_constant(visit);
+    frame_.for_each_constant(visit);
+    poses_.for_each_constant(visit);
+    health::visit_constants(visit, vehicle_);
+  }
 
  private:
   // One slice after the other, each tile while it is at hand.

@@ -25,6 +25,7 @@
 #include "app/shared_fusion.hpp"
 #include "app/stage_watch.hpp"
 #include "hal/cores.hpp"
+#include "health/constants.hpp"
 #include "health/guard.hpp"
 #include "work/crew.hpp"
 
@@ -103,6 +104,12 @@ class EnginePipeline {
     helpers_.for_each_guard(visit);
     engine_.for_each_guard(visit);
     visit(behind_network_);
+  }
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    helpers_.for_each_constant(visit);
+    engine_.for_each_constant(visit);
+    health::visit_constants(visit, sinks_, platform_);
   }
 
  private:

@@ -64,6 +64,12 @@ class HelpersMemory {
       visit(behind_parts_);
     }
   }
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    for (const grid::FrameFusion& fusion : fusions_) {
+      fusion.for_each_constant(visit);
+    }
+  }
 
  private:
   template <std::size_t... kHelper>
@@ -118,6 +124,12 @@ class SharedFusion {
     own_.for_each_guard(visit);
     visit(behind_joined_);
     visit(behind_grounds_);
+  }
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    own_.for_each_constant(visit);
+    grounds_.for_each_constant(visit);
+    health::visit_constants(visit, vehicle_, space_);
   }
 
  private:

@@ -96,7 +96,7 @@ Verdict Verifier::verify(std::span<const std::byte> datagram) {
   }
   const std::span<const std::byte> trailer = trailer_of(datagram);
   const std::uint32_t counter = wire::load_be32(trailer.first<kCounterBytes>());
-  if (counter <= counter_) {
+  if (counter <= this->counter()) {
     return Verdict::kReplayed;
   }
   const Block mac = cmac_of(*key_, data_id_, {.run = run_, .counter = counter}, datagram);
@@ -104,6 +104,7 @@ Verdict Verifier::verify(std::span<const std::byte> datagram) {
     return Verdict::kForged;
   }
   counter_ = counter;
+  not_counter_ = ~counter;
   return Verdict::kAuthentic;
 }
 

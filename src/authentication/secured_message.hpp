@@ -17,12 +17,14 @@
 // on a link that carries 70,000 poses a second 2^23 guesses take two minutes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "authentication/cmac.hpp"
+#include "health/constants.hpp"
 #include "protection/protected_message.hpp"
 
 namespace iog::authentication {
@@ -76,13 +78,20 @@ class Verifier {
   [[nodiscard]] Verdict verify(std::span<const std::byte> datagram);
 
   // The counter of the last authentic message; 0: there was none.
-  [[nodiscard]] std::uint32_t counter() const { return counter_; }
+  [[nodiscard]] std::uint32_t counter() const { return std::max(counter_, ~not_counter_); }
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, key_, data_id_, run_);
+  }
 
  private:
   const CmacKey* key_;
   std::uint16_t data_id_;
   std::uint32_t run_;
+  // Twice: a bit that flips lets no message of before in, only keeps out some that come.
   std::uint32_t counter_ = 0;
+  std::uint32_t not_counter_ = ~std::uint32_t{0};
 };
 
 }  // namespace iog::authentication

@@ -17,6 +17,7 @@
 #include "discovery/message.hpp"
 #include "discovery/offer_schedule.hpp"
 #include "discovery/sessions.hpp"
+#include "health/constants.hpp"
 #include "net/config.hpp"
 #include "net/outbound.hpp"
 #include "net/peer_resolver.hpp"
@@ -78,6 +79,11 @@ class Server {
 
   void count(Count what) { ++counts_[static_cast<std::size_t>(what)]; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, config_, service_);
+  }
 
  private:
   struct Subscription {

@@ -21,6 +21,7 @@
 #include "grid/turn_carver.hpp"
 #include "ground/ground.hpp"
 #include "ground/lows.hpp"
+#include "health/constants.hpp"
 #include "health/guard.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
@@ -140,6 +141,10 @@ class FrameFusion {
   template <typename Visit>
   void for_each_guard(Visit&& visit) {
     visit(behind_);
+  }
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, first_sensor_, grounds_, rule_);
   }
 
  private:

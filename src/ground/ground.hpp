@@ -20,6 +20,7 @@
 #include "ground/surface.hpp"
 #include "ground/surface_walk.hpp"
 #include "ground/tilt.hpp"
+#include "health/constants.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
@@ -182,6 +183,11 @@ class Grounds {
   // The lowest returns of the turn, of all cores.
   void close_turn(std::size_t sensor, const Lows& lows) {
     grounds_[places_[sensor]].close_turn(walk_, lows);
+  }
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, vehicle_, places_);
   }
 
  private:

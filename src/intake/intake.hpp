@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+#include "health/constants.hpp"
 #include "intake/datagram.hpp"
 #include "intake/measured_ranges.hpp"
 #include "intake/packet.hpp"
@@ -83,6 +84,11 @@ class Intake {
     return packet_drops_;
   }
   [[nodiscard]] std::uint32_t packets_dropped() const { return packets_dropped_; }
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, sensors_, replayer_ipv4_);
+  }
 
  private:
   // The sensor that sends from there to this port, or kNobody.

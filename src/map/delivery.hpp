@@ -19,6 +19,7 @@
 #include <optional>
 #include <span>
 
+#include "health/constants.hpp"
 #include "map/block.hpp"
 #include "map/chunk.hpp"
 #include "map/fate.hpp"
@@ -75,6 +76,11 @@ class Delivery {
   [[nodiscard]] const Block* in_use() const { return in_use_ ? &*in_use_ : nullptr; }
 
   [[nodiscard]] const DeliveryReport& report() const { return report_; }
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, description_, replayer_ipv4_);
+  }
 
  private:
   using Buffer = std::array<std::uint8_t, kMaxBlockBytes>;

@@ -17,6 +17,7 @@
 #include <span>
 
 #include "hal/ethernet_port.hpp"
+#include "health/constants.hpp"
 #include "net/config.hpp"
 #include "net/counters.hpp"
 #include "net/inbound.hpp"
@@ -62,6 +63,11 @@ class Host {
   [[nodiscard]] std::optional<Told> neighbour() const;
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, config_);
+  }
 
  private:
   // The front of a transmit buffer, empty if the ring is full.

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "health/constants.hpp"
 #include "pose/fate.hpp"
 #include "pose/limits.hpp"
 #include "pose/message.hpp"
@@ -89,6 +90,11 @@ class History {
   // The newest message, also when it is too old to place anything. Empty before the first.
   [[nodiscard]] std::optional<Message> newest() const {
     return count_ == 0 ? std::nullopt : std::optional(entry(0).message);
+  }
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, depends_on_arrival_);
   }
 
  private:

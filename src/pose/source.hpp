@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+#include "health/constants.hpp"
 #include "pose/fate.hpp"
 #include "pose/history.hpp"
 #include "pose/message.hpp"
@@ -72,6 +73,12 @@ class Source {
   // first slice in a row that was not placed because of it; of the others as in History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, description_, replayer_ipv4_, slicing_);
+    history_.for_each_constant(visit);
+  }
 
  private:
   SourceDescription description_;

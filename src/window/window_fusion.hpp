@@ -26,6 +26,7 @@
 #include <utility>
 
 #include "ageing/clock.hpp"
+#include "health/constants.hpp"
 #include "health/guard.hpp"
 #include "pose/pose.hpp"
 #include "window/arrivals.hpp"
@@ -150,6 +151,10 @@ class WindowFusion {
     visit(behind_evidence_);
     visit(behind_window_);
     visit(behind_counts_);
+  }
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, rules_, is_followed_);
   }
 
  private:

@@ -140,6 +140,65 @@ TEST_F(Gate, WithoutAKeyEverythingPasses) {
   EXPECT_EQ(passed->payload.data(), pose.data());
 }
 
+// Flips one bit of what it remembers after the other: what nobody has signed never gets in.
+TEST_F(Gate, NoFlippedBitOpensIt) {
+  ASSERT_TRUE(pass(signed_pose(9)));
+  const auto bytes = std::as_writable_bytes(std::span(&gate_, 1));
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    const auto mask = static_cast<std::byte>(1U << bit % 8);
+    const Bytes before(bytes.begin(), bytes.end());
+    bytes[bit / 8] ^= mask;
+    for (const auto& [command, port] :
+         {std::pair{plain_pose(), pose::kPosePort}, {plain_chunk(), map::kMapPort}}) {
+      ASSERT_TRUE(pass(command, port).value_or(Bytes()).empty()) << bit;
+    }
+    std::ranges::copy(before, bytes.begin());
+  }
+}
+
+// The counter is what lets no command of before in again. Where keys and numbers lie is not asked:
+// those bits make another MAC.
+TEST(FlippedCounter, LetsNoMessageOfBeforeIn) {
+  const authentication::CmacKey key(kKey);
+  authentication::Verifier verifier(key, 0x8003, kRun);
+  ASSERT_EQ(verifier.verify(signed_pose(9)), Verdict::kAuthentic);
+  const auto bytes = std::as_writable_bytes(std::span(&verifier, 1)).subspan(sizeof(void*));
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    bytes[bit / 8] ^= static_cast<std::byte>(1U << bit % 8);
+    for (const std::uint32_t counter : {1U, 8U, 9U}) {
+      ASSERT_NE(verifier.verify(signed_pose(counter)), Verdict::kAuthentic) << bit;
+    }
+    bytes[bit / 8] ^= static_cast<std::byte>(1U << bit % 8);
+  }
+}
+
+// The check of memory finds whatever of the settings has changed (docs/safety.md).
+TEST_F(Gate, TheCheckOfMemoryFindsAnotherSetting) {
+  FakeMachine machine;
+  MachinePlatform<FakeMachine> platform(machine, kConfig, 1,
+                                        SignedCommands{.key = kKey, .vehicle = &car_});
+  std::vector<health::Region> regions;
+  platform.for_each_constant([&](std::span<const std::byte> bytes) {
+    regions.push_back({.name = "", .bytes = bytes, .crc = health::crc_of(bytes)});
+  });
+  const health::MemoryCheck check(regions);
+  const Bytes pose = signed_pose(7);
+  EXPECT_TRUE(platform.admit(
+      {.source = {kSource}, .destination_port = pose::kPosePort, .payload = pose}, 0));
+  EXPECT_FALSE(check.look_at_all()) << "what a command changes is none";
+  const auto is_there = [&](const auto& wanted) {
+    const auto value = std::as_bytes(std::span(&wanted, 1));
+    return std::ranges::any_of(regions, [&](const health::Region& region) {
+      return !std::ranges::search(region.bytes, value).empty();
+    });
+  };
+  EXPECT_TRUE(is_there(kSource));
+  EXPECT_TRUE(is_there(kPeer));
+  EXPECT_TRUE(is_there(kConfig.address));
+  EXPECT_TRUE(is_there(pose::kPosePort));
+  EXPECT_TRUE(is_there(map::kMapPort));
+}
+
 // It takes no commands, and what has their ports is a sensor's.
 TEST_F(Gate, ACarWithoutClassesHasNoDoors) {
   const vehicle::Vehicle car = car_of(vehicle::Grids::kIndexes);

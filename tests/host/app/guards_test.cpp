@@ -8,6 +8,7 @@
 
 #include "fakes/test_vehicles.hpp"
 #include "health/guard.hpp"
+#include "health/memory_check.hpp"
 #include "perception_bench.hpp"
 
 namespace iog::app {
@@ -57,6 +58,32 @@ void expect_unwritten(Pipeline& pipeline) {
       return word == health::Guard::kWord;
     })) << i;
   }
+}
+
+// What the start has set stays as it is, and the vehicle is among it wherever somebody points to
+// it.
+template <typename Pipeline>
+void expect_settings(Pipeline& pipeline, const vehicle::Vehicle& car, std::size_t pointers) {
+  std::vector<health::Region> regions;
+  std::size_t found = 0;
+  pipeline.for_each_constant([&](std::span<const std::byte> bytes) {
+    regions.push_back({.name = "", .bytes = bytes, .crc = health::crc_of(bytes)});
+    const vehicle::Vehicle* const vehicle = &car;
+    found += std::ranges::equal(bytes, std::as_bytes(std::span(&vehicle, 1))) ? 1U : 0U;
+  });
+  EXPECT_EQ(found, pointers);
+  expect_unwritten(pipeline);
+  EXPECT_FALSE(health::MemoryCheck(regions).look_at_all());
+}
+
+TEST(Settings, StayAsTheStartHasSetThem) {
+  tests::FakePlatform platform;
+  const auto pipeline =
+      std::make_unique<Pipeline<tests::FakePlatform>>(tests::OneLux::kVehicle, kReplayer, platform);
+  expect_settings(*pipeline, tests::OneLux::kVehicle, 3);  // frame, fusion, ground
+  const testing::Car car(tests::OneLux::kVehicle, true);
+  testing::PerceptionBench bench(car.vehicle());
+  expect_settings(*bench.pipeline, car.vehicle(), 4);  // and the engine
 }
 
 TEST(Guards, StandAroundTheGridsAndAreNotWritten) {
