@@ -7,7 +7,9 @@
 
 #include "app/loop.hpp"
 #include "board.hpp"
+#include "car_block/car_block.hpp"
 #include "firmware_grids.hpp"
+#include "peripherals.hpp"
 
 namespace {
 
@@ -35,6 +37,9 @@ constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
   Line { {kind}, {object}, (base) + offsetof(type, member), sizeof(type::member) }
 #define IOG_OF_ENGINE(kind, member) IOG_LINE(kind, "main::pipeline", kEngine, Engine, member)
 #define IOG_OF_DMA(kind, member) IOG_LINE(kind, "iog::imx6::enet_memory", 0, EnetMemory, member)
+// Those that the loop uses. A read of the interfaces of the GIC to the cores would take interrupts.
+#define IOG_DEVICE(object, type) \
+  Line { {"device registers"}, {object}, 0, sizeof(iog::imx6::type) }
 
 [[gnu::used, gnu::section("layout")]] constexpr std::array kLayout = {
     IOG_LINE("index grids", "main::pipeline", 0, Pipeline, helpers_),
@@ -45,7 +50,18 @@ constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
     IOG_OF_ENGINE("intake", frame_),
     IOG_OF_ENGINE("intake", packets_),
     IOG_OF_ENGINE("intake", slices_),
+    IOG_OF_ENGINE("intake", receptions_),
     IOG_OF_ENGINE("poses", poses_),
+    IOG_OF_ENGINE("map", maps_),
+    IOG_OF_ENGINE("map", layer_),
+    // From there on to its end: the vehicle, the window's clock, what is asked of the frame at
+    // hand.
+    Line{{"frame and its place"},
+         {"main::pipeline"},
+         kEngine + offsetof(Engine, vehicle_),
+         sizeof(Engine) - offsetof(Engine, vehicle_)},
+    Line{{"made of the car"}, {"main::sensors"}, 0, sizeof(iog::car_block::SensorMemory)},
+    Line{{"made of the car"}, {"main::car"}, 0, sizeof(iog::vehicle::Vehicle)},
     IOG_LINE("stream", "main::pipeline", 0, Pipeline, network_),
     Line{{"network and team"}, {"main::platform"}, 0, sizeof(Platform)},
     Line{{"drivers"}, {"main::board"}, 0, sizeof(Board)},
@@ -53,6 +69,12 @@ constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
     IOG_OF_DMA("transmit descriptors", transmit_descriptors),
     IOG_OF_DMA("receive buffers", receive_buffers),
     IOG_OF_DMA("transmit buffers", transmit_buffers),
+    IOG_DEVICE("enet", EnetRegisters),
+    IOG_DEVICE("gic_distributor", GicDistributorRegisters),
+    IOG_DEVICE("gpt", GptRegisters),
+    IOG_DEVICE("epit1", EpitRegisters),
+    IOG_DEVICE("uart2", UartRegisters),
+    IOG_DEVICE("wdog1", WatchdogRegisters),
     // Nothing is drawn of these: tests/soak sets them before a drive begins, or looks at them.
     IOG_LINE("wraps of the clock", "main::board", offsetof(Board, clock_), GptClock, wraps_),
     IOG_LINE("frame number", "main::pipeline", kEngine + offsetof(Engine, frame_), Frame, number_),

@@ -20,7 +20,7 @@ WEIGHTS = {
     "registers": 24, "vector registers": 4, "stack": 10, "code": 10, "constants": 8, "made of the car": 3,
     "translation tables": 2, "index grids": 9, "class planes": 9, "receive descriptors": 3, "transmit descriptors": 3,
     "receive buffers": 4, "transmit buffers": 3, "intake": 5, "objects": 5, "poses": 3, "stream": 3,
-    "network and team": 3, "drivers": 2,
+    "network and team": 3, "drivers": 2, "frame and its place": 4, "map": 1, "all else": 3, "device registers": 4,
 }
 OF_A_CORE = ("registers", "vector registers", "stack")
 # What the check of memory reads again and again.
@@ -41,8 +41,7 @@ class Places:
         self._areas: dict[str, list[Area]] = {
             "code": [Area("text", symbols["text_begin"], symbols["text_end"])],
             "constants": [Area("constants", symbols["constants_begin"], symbols["image_seal"])],
-            "made of the car": [Area("main::sensors", symbols["main::sensors"], symbols["main::sensors"] + 0xF700)],
-            "translation tables": [Area("page_tables", symbols["page_tables"], symbols["page_tables"] + 0x4000)],
+            "translation tables": [Area("page_tables", symbols["page_tables"], symbols["page_tables_end"])],
         }
         lines = folder / "layout.bin"
         subprocess.run(["arm-none-eabi-objcopy", "-O", "binary", "-j", "layout", layout, lines], check=True)
@@ -50,6 +49,8 @@ class Places:
             kind, name = (text.rstrip(b"\0").decode() for text in (kind, name))
             begin = symbols[name] + offset
             self._areas.setdefault(kind, []).append(Area(f"{name}+{offset:#x}", begin, begin + size))
+        drawn = [area for kind, areas in self._areas.items() if kind in WEIGHTS for area in areas]
+        self._areas["all else"] = between(Area("data", symbols["data_begin"], symbols["bss_end"]), drawn)
         self._functions = sorted((address, name) for name, address in symbols.items()
                                  if symbols["code_begin"] <= address < symbols["text_end"])
 
@@ -75,6 +76,8 @@ class Places:
             number, bit = rng.randrange(32), rng.randrange(64)
             stub.flip_register(D0 + number, bit)
             return {"place": f"d{number}", "bit": bit}
+        if kind == "device registers":
+            return self._hit_device(stub, rng)
         areas = self._stack(stub, core) if kind == "stack" else self._areas[kind]
         found = 0
         for _ in range(DRAWS):
@@ -87,6 +90,19 @@ class Places:
         stub.flip(address, bit)
         return {"place": area.name, "address": f"{address:08x}", "bit": bit, "was": found}
 
+    def _hit_device(self, stub: debugger.Debugger, rng: random.Random) -> dict:
+        """As who reads it sees it, and written: of a register that a write of ones clears this is no flip."""
+        areas = self._areas["device registers"]
+        for _ in range(DRAWS):
+            area = rng.choice(areas)
+            address = rng.randrange(area.begin, area.end, 4)
+            found = stub.read_device(address)
+            if found:
+                break
+        bit = rng.randrange(32)
+        stub.write_device(address, found ^ 1 << bit)
+        return {"place": area.name, "address": f"{address:08x}", "bit": bit, "was": found}
+
     def _stack(self, stub: debugger.Debugger, core: int) -> list[Area]:
         """What is in use of it."""
         if core == 0:
@@ -96,6 +112,18 @@ class Places:
                            for end in ("bottom", "top"))
         pointer = stub.register(SP)
         return [Area(f"stack of core {core}", pointer if bottom <= pointer < top else bottom, top)]
+
+
+def between(whole: Area, areas: list[Area]) -> list[Area]:
+    """What of the whole is in none of the areas."""
+    found, begin = [], whole.begin
+    for area in sorted(areas, key=lambda area: area.begin):
+        if area.end <= whole.begin or area.begin >= whole.end:
+            continue
+        if area.begin > begin:
+            found.append(Area(f"{whole.name}+{begin - whole.begin:#x}", begin, area.begin))
+        begin = max(begin, area.end)
+    return found + ([Area(f"{whole.name}+{begin - whole.begin:#x}", begin, whole.end)] if begin < whole.end else [])
 
 
 def draw(seed: int, number: int, moments: dict[int, list]) -> tuple[dict, random.Random]:

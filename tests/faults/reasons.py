@@ -16,6 +16,11 @@ OF_SILENT = {
     "stream": "tiles as they were sent, to which later ones refer, and messages before they have their CRC",
     "network and team": "queues and counters in front of the CRC of a message",
     "drivers": "as network and team",
+    "frame and its place": "the window's time, the pose at the frame's end, counters: computed once and sent as they are; what of it never "
+                           "changes (which vehicle) is found by the check of memory",
+    "map": "the block's CRC is compared when it comes, not afterwards",
+    "all else": "as network and team",
+    "device registers": "the next start of the device sets them anew; the Ethernet controller is started anew when it is silent",
     "code": "found by the check of memory in at most its round; what is sent until then is wrong",
     "constants": "as code",
     "made of the car": "as code",
