@@ -18,7 +18,7 @@ layout.SENSOR_STATES = { [0] = "never seen", "silent", "partial", "complete" }
 layout.DATA_IDS = { [0x494F4701] = "stream over UDP", [0x494F4702] = "stream over the UART" }
 
 layout.MAP_CAUSES = { [0] = "none: some may", "no map", "no transform", "other origin", "imprecise",
-                      "blurred", "no place", "outside" }
+                      "blurred", "no place", "outside", "contradicted" }
 layout.MAP_SOURCES = { [0] = "none", "OpenStreetMap", "surveyed" }
 layout.MAP_DELIVERIES = { [0] = "nothing on its way", "chunks are missing", "checked" }
 
@@ -278,7 +278,7 @@ local POSE_FATES = { "used", "unconfirmed", "stranger", "too short", "not ours",
                      "no sigma", "too old", "not newer", "flood", "of a past run" }
 
 local MAP_BEGUN = { "in use", "no map", "no transform", "other origin", "imprecise", "blurred",
-                    "no place", "outside" }
+                    "no place", "outside", "contradicted" }
 local CHUNK_FATES = { "taken", "repeated", "in use", "of another block", "stranger", "too short",
                       "not ours", "wrong version", "damaged", "wrong length", "not zero",
                       "out of range" }

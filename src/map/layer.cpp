@@ -14,6 +14,7 @@ void Layer::work(const Block* block, const std::optional<pose::MapTransform>& tr
   const Cause cause = cause_of(block, window.view().is_centred());
   if (cause == Cause::kNone) {
     find_stale(*block, window);
+    judge(window);
     budget_ = kWorkPerFrame;
     draw_waiting(*block, window);
     report_.work = kWorkPerFrame - budget_;
@@ -34,7 +35,10 @@ void Layer::look(const Block* block, const std::optional<pose::MapTransform>& tr
 
 void Layer::report_cause(Cause cause) {
   const bool is_outside = report_.tiles_outside == window::kSlotCount;
-  begin(cause == Cause::kNone && is_outside ? Cause::kOutside : cause);
+  if (cause == Cause::kNone && (is_outside || agreement_.is_contradicted())) {
+    cause = is_outside ? Cause::kOutside : Cause::kContradicted;
+  }
+  begin(cause);
 }
 
 void Layer::take_inputs(const Block* block, const std::optional<pose::MapTransform>& transform) {
@@ -85,6 +89,9 @@ void Layer::find_stale(const Block& block, window::WindowFusion& window) {
   const bool is_other_map = !is_in_use_ || block.crc() != crc_;
   const bool is_other_basis = now_ != basis_;
   drop_stale_drawing(area, is_other_map || block.data() != data_);
+  if (is_other_map && block.crc() != crc_) {
+    agreement_ = {};
+  }
   if (is_other_map || area.corner() != area_.corner() || is_other_basis) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       const window::TileNumber tile = area.tile_at(slot);
@@ -118,7 +125,7 @@ bool Layer::is_stale(const Basis& basis, window::TileNumber tile) const {
 }
 
 void Layer::withdraw(std::size_t slot, State next, window::WindowFusion& window) {
-  if (states_[slot] == State::kDrawn) {
+  if (states_[slot] == State::kDrawn && !agreement_.is_contradicted()) {
     window.rule_out(slot, kAnywhere);
     ++report_.tiles_withdrawn;
   }
@@ -131,6 +138,31 @@ void Layer::withdraw_all(window::WindowFusion& window) {
   }
   unfinished_.reset();
   is_in_use_ = false;
+}
+
+// By the cells as they were before the frame. Names are taken away at once; to be given again, each
+// tile is drawn anew.
+void Layer::judge(window::WindowFusion& window) {
+  const window::WindowView view = window.view();
+  for (std::size_t slot = frame_ % kRoundFrames; slot < window::kSlotCount; slot += kRoundFrames) {
+    if (states_[slot] == State::kDrawn && view.is_known(slot)) {
+      agreement_.add(view.tile(slot).found.freed, inside_buildings_[slot]);
+    }
+  }
+  if (frame_ % kRoundFrames != kRoundFrames - 1) {
+    return;
+  }
+  Agreement next = agreement_;
+  next.end_round();
+  if (next.is_contradicted() != agreement_.is_contradicted()) {
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
+      if (states_[slot] == State::kDrawn) {
+        since_[slot] = frame_;
+        withdraw(slot, next.is_contradicted() ? State::kDrawn : State::kWaiting, window);
+      }
+    }
+  }
+  agreement_ = next;
 }
 
 void Layer::set_state(std::size_t slot, State state) {
@@ -175,8 +207,12 @@ void Layer::draw(const Block& block, std::size_t slot, window::WindowFusion& win
     unfinished_.emplace(slot, now_, block, place);
   }
   if (unfinished_->drawing.go_on(budget_)) {
-    rule_out(unfinished_->drawing.mask(), ruled_out_);
-    window.rule_out(slot, ruled_out_);
+    const TileMask mask = unfinished_->drawing.mask();
+    inside_buildings_[slot] = inside_buildings(mask);
+    if (!agreement_.is_contradicted()) {
+      rule_out(mask, ruled_out_);
+      window.rule_out(slot, ruled_out_);
+    }
     finish(slot, State::kDrawn, unfinished_->basis);
     unfinished_.reset();
   }

@@ -8,6 +8,9 @@
 // The one that began to wait first is drawn first, of those that began in one frame that of the
 // lowest slot.
 //
+// A map that the sensors contradict (map/agreement.hpp) is drawn all the same, so that it is known
+// when it agrees again, but rules nothing out.
+//
 // A frame has a budget of work, in edges: kWorkPerFrame. What is not done waits, also in the middle
 // of a tile; a tile is shown when it is whole.
 #pragma once
@@ -18,6 +21,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "map/agreement.hpp"
 #include "map/block.hpp"
 #include "map/layer_report.hpp"
 #include "map/slot_set.hpp"
@@ -103,6 +107,7 @@ class Layer {
   void draw_waiting(const Block& block, window::WindowFusion& window);
   [[nodiscard]] std::uint32_t oldest() const;
   void draw(const Block& block, std::size_t slot, window::WindowFusion& window);
+  void judge(window::WindowFusion& window);
   void finish(std::size_t slot, State state, const Basis& basis);
   void set_state(std::size_t slot, State state);
   void spend(std::uint32_t work) { budget_ -= std::min(budget_, work); }
@@ -111,6 +116,8 @@ class Layer {
   std::array<State, window::kSlotCount> states_{};
   std::array<std::uint32_t, window::kSlotCount> since_{};  // which frame a tile has waited
   std::array<Basis, window::kSlotCount> bases_{};          // of a tile that is drawn or outside
+  std::array<window::Plane, window::kSlotCount> inside_buildings_{};  // of a tile that is drawn
+  Agreement agreement_;
   SlotSet waiting_;
   std::array<std::uint16_t, 4> counts_{window::kSlotCount};  // of slots by state
   std::optional<Unfinished> unfinished_;

@@ -13,15 +13,16 @@ namespace iog::map {
 // Why no tile has a mask. The first that is met is the one.
 enum class Cause : std::uint8_t {
   kNone,
-  kNoMap,        // there is no block
-  kNoTransform,  // the newest pose does not say where the local frame is in a map's plane
-  kOtherOrigin,  // it does, of a plane of another origin
-  kImprecise,    // the transform's standard deviation is above kMaxSigmaMm
-  kBlurred,      // what is possible of a cell would be asked farther than kHalo away
-  kNoPlace,      // the window has none: nothing is known in it
-  kOutside,      // no tile of the window meets the extent of the map
+  kNoMap,         // there is no block
+  kNoTransform,   // the newest pose does not say where the local frame is in a map's plane
+  kOtherOrigin,   // it does, of a plane of another origin
+  kImprecise,     // the transform's standard deviation is above kMaxSigmaMm
+  kBlurred,       // what is possible of a cell would be asked farther than kHalo away
+  kNoPlace,       // the window has none: nothing is known in it
+  kOutside,       // no tile of the window meets the extent of the map
+  kContradicted,  // by what the sensors see (map/agreement.hpp): it is drawn, and names nothing
 };
-inline constexpr std::size_t kCauseCount = 8;
+inline constexpr std::size_t kCauseCount = 9;
 
 // A transform less certain than this draws nothing.
 inline constexpr std::uint16_t kMaxSigmaMm = 300;

@@ -36,7 +36,7 @@ def read(part: bytes) -> MapState:
     size, cause, blur, drawn, outside, waiting, flags, source, *transform, delivery, refusal, causes, fates, \
         refused, crc, incoming, there, attribution, zeros = \
         struct.unpack_from(">HBBHHHBBIQQiiIHH4B4IB3s", part)
-    assert size == len(part) and (causes, fates, zeros) == (8, 12, b"\0\0\0")
+    assert size == len(part) and (causes, fates, zeros) == (9, 12, b"\0\0\0")
     counts = struct.unpack_from(f">{causes + fates}I", part, 72)
     words = part[72 + 4 * (causes + fates):]
     assert len(words) == attribution

@@ -19,7 +19,7 @@ POSE_FATES = ("used", "unconfirmed", "stranger", "too short", "not ours", "wrong
               "not newer", "flood", "of a past run")
 
 MAP_CAUSES = ("in use", "no map", "no transform", "other origin", "imprecise", "blurred", "no place",
-              "outside")
+              "outside", "contradicted")
 CHUNK_FATES = ("taken", "repeated", "in use", "of another block", "stranger", "too short", "not ours",
                "wrong version", "damaged", "wrong length", "not zero", "out of range")
 

@@ -54,8 +54,7 @@ std::string features_of(const map::Block& block) {
 
 std::string source_of(const map::Block& block) {
   const bool is_osm = block.source() == map::Source::kOpenStreetMap;
-  return std::string(is_osm ? "OpenStreetMap" : "surveyed") + ", believed " +
-         std::to_string(block.belief()) + "/256";
+  return is_osm ? "OpenStreetMap" : "surveyed";
 }
 
 }  // namespace

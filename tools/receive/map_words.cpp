@@ -22,11 +22,12 @@ constexpr std::array<std::string_view, map::kCauseCount> kCauseWords{
     "where the map is, is known to no better than 300 mm",
     "the map is too inexact",
     "the window has no place yet",
-    "the map does not reach here"};
+    "the map does not reach here",
+    "the sensors contradict the map"};
 
 constexpr std::array<std::string_view, map::kCauseCount> kMapCauseNames{
-    "in use",    "no map",  "no transform", "other origin",
-    "imprecise", "blurred", "no place",     "outside"};
+    "in use",  "no map",   "no transform", "other origin", "imprecise",
+    "blurred", "no place", "outside",      "contradicted"};
 
 // In the order of map::Fate.
 constexpr std::array<std::string_view, map::kFateCount> kChunkNames{

@@ -132,22 +132,26 @@ tests::ReferenceRing box_of_local(double x_low, double y_low, double x_high, dou
           in_plane(x_low, y_high)};
 }
 
-// The road that the car is on, and the house at its end.
-Bytes street() {
+// The road that the car is on, and the house at its end; or, `is_wrong`, on it.
+Bytes street(bool is_wrong = false) {
   return tests::ReferenceBlock{
       .latitude = kLatitude,
       .longitude = kLongitude,
       .extent = tests::box_around({0, 0}, 100'000),
       .accuracy_mm = 300,
       .features = {{map::Kind::kRoad, {box_of_local(-20, -4, 29, 4)}},
-                   {map::Kind::kBuilding, {box_of_local(29.5, -30, 45, 30)}}}}
+                   {map::Kind::kBuilding, {box_of_local(is_wrong ? 5 : 29.5, -30, 45, 30)}}}}
       .bytes();
 }
 
 constexpr int kFrames = tests::effort(50, 26);
 
+// As many frames as it takes to look twice at all tiles, from the first time that they are drawn.
+constexpr int kFramesOfAWrongMap = 64;
+
 // Frames towards a wall, 30 m away. After each of them whoever sends pauses.
-StateList drive(const Bytes* map, TransformAt transform, std::uint64_t pause_us = 0) {
+StateList drive(const Bytes* map, TransformAt transform, std::uint64_t pause_us = 0,
+                int frames = kFrames) {
   const Car car(tests::OneLux::kVehicle, true);
   tests::FakePlatform platform;
   StateList states;
@@ -156,7 +160,7 @@ StateList drive(const Bytes* map, TransformAt transform, std::uint64_t pause_us 
   if (map != nullptr) {
     pipeline->begin_with_map(*map);
   }
-  auto datagrams = drive_at_wall(kFrames);
+  auto datagrams = drive_at_wall(frames);
   std::ranges::stable_sort(datagrams, {}, &TimedDatagram::now_us);
   std::uint64_t paused_us = 0;
   for (TimedDatagram datagram : datagrams) {
@@ -165,10 +169,10 @@ StateList drive(const Bytes* map, TransformAt transform, std::uint64_t pause_us 
       message.map = transform((message.clock_us - testing::kStartUs) / testing::kPeriodUs);
       datagram = testing::datagram_of(message);
     }
-    const std::size_t frames = states.frames.size();
+    const std::size_t before = states.frames.size();
     pipeline->take({kReplayer, datagram.port, datagram.bytes}, datagram.now_us + paused_us);
     platform.frames.clear();  // nobody looks at them, and the target has no room for all
-    if (pause_us > 0 && states.frames.size() > frames) {
+    if (pause_us > 0 && states.frames.size() > before) {
       paused_us += pause_us;
       while (pipeline->deadline_us() <= datagram.now_us + paused_us) {
         pipeline->tick(pipeline->deadline_us());
@@ -268,6 +272,25 @@ TEST(PerceptionMap, WithoutATransformClassesAreAtOnceAsWithoutAMap) {
     ASSERT_TRUE(!is_lost || with.frames[frame].classes == without.frames[frame].classes) << frame;
   }
   EXPECT_NE(with.frames[19].classes, without.frames[19].classes);
+}
+
+// From the frame on that says so, names are those that the sensors alone can tell.
+TEST(PerceptionMap, AMapThatBeamsContradictNamesNothing) {
+  const Bytes map = street(true);
+  const StateList with = drive(&map, steady, 0, kFramesOfAWrongMap);
+  const StateList without = drive(nullptr, steady, 0, kFramesOfAWrongMap);
+  std::size_t contradicted = 0;
+  for (std::size_t frame = 0; frame < without.frames.size(); ++frame) {
+    const bool is_contradicted = with.frames[frame].map.cause == map::Cause::kContradicted;
+    ASSERT_TRUE(is_contradicted || contradicted == 0) << frame;
+    ASSERT_EQ(with.frames[frame].state, without.frames[frame].state) << frame;
+    ASSERT_TRUE(!is_contradicted || with.frames[frame].classes == without.frames[frame].classes)
+        << frame;
+    contradicted += is_contradicted ? 1U : 0U;
+  }
+  EXPECT_GT(contradicted, 0U);
+  EXPECT_EQ(with.frames.back().map.begun[8], 1U);
+  EXPECT_EQ(driven_with_map(steady).frames.back().map.begun[8], 0U) << "the right map";
 }
 
 }  // namespace

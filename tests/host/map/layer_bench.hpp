@@ -56,6 +56,20 @@ struct LayerBench {
     }
     return frames;
   }
+  // Two frames in which beams go through all cells of 30 by 30 m around the vehicle.
+  void free_around() {
+    tests::Slice slice;
+    constexpr std::int32_t kMiddle = geometry::kCellsPerSide / 2;
+    for (std::int32_t y = kMiddle - 150; y < kMiddle + 150; ++y) {
+      for (std::int32_t x = kMiddle - 150; x < kMiddle + 150; ++x) {
+        slice.set({x, y}, -14);
+      }
+    }
+    for (const std::uint64_t stamp_us : {1'000'000U, 1'100'000U}) {
+      window::add_slice(slice, window::at_cell({}), *window);
+      window->finish(stamp_us);
+    }
+  }
   void go_to(std::int32_t x_m, std::int32_t y_m) { window->follow({1000 * x_m, 1000 * y_m, 0}); }
 
   [[nodiscard]] bool is_anything(std::size_t slot) const {

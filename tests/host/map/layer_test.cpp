@@ -229,6 +229,41 @@ TEST(Layer, AWiderBlurWithdrawsAndANarrowerOneDoesNot) {
   EXPECT_EQ(bench.classes(), wide);
 }
 
+// All around the car is free, also where the town has houses; beyond the town there are none.
+TEST(Layer, AMapThatIsContradictedNamesNothingUntilItAgrees) {
+  const WrittenBlock map(town(20));
+  LayerBench bench(map);
+  bench.free_around();
+  bench.settle(map);
+  const std::vector<TileClasses> classes = bench.classes();
+  const auto frames_until = [&](Cause cause) {
+    int frames = 1;
+    while (bench.frame(map).cause != cause && frames < 400) {
+      ++frames;
+    }
+    return frames;
+  };
+  EXPECT_LE(frames_until(Cause::kContradicted), 3 * 16);
+  EXPECT_EQ(bench.masks(), 0U);
+  EXPECT_EQ(bench.layer->report().tiles_drawn, window::kSlotCount);
+  EXPECT_EQ(frames_until(Cause::kNone), 400) << "it stays wrong";
+
+  const pose::MapTransform before = bench.transform;
+  bench.transform.local_frame.x_mm += 400'000;
+  bench.settle(map);
+  const int frames = frames_until(Cause::kNone);
+  EXPECT_GT(frames, 14 * 16);
+  EXPECT_LE(frames, 17 * 16);
+  bench.transform = before;
+  bench.settle(map);
+  EXPECT_EQ(bench.classes(), classes);
+
+  frames_until(Cause::kContradicted);
+  bench.frame(nullptr);
+  EXPECT_EQ(bench.frame(map).cause, Cause::kContradicted) << "the same map is as wrong";
+  EXPECT_EQ(bench.frame(WrittenBlock(town(21))).cause, Cause::kNone) << "another may be right";
+}
+
 // Whatever happens in which order: what is shown is what a fresh layer would draw by the basis of
 // the tile, and at the end that of the newest inputs.
 TEST(Layer, AfterAnyHistoryItIsAsIfDrawnAfresh) {

@@ -69,17 +69,17 @@ ClassEnd some_end_with_a_map() {
 
 Bytes some_map() {
   Bytes part = bytes_of({
-      0,    154,  3,    9,    0,    1,    0,    2,    3,    4,    3,    1,  // cause ... source
+      0,    158,  3,    9,    0,    1,    0,    2,    3,    4,    3,    1,  // cause ... source
       0xB1, 0xB2, 0xB3, 0xB4, 0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x41, 0x42,
       0x43, 0x44, 0x45, 0x46, 0x47, 0x48, 0xFF, 0xFF, 0xFF, 0xFE, 0,    0,    0,    5,
-      0x80, 0,    0,    1,    0,    10,   0,    20,   1,    6,    8,    12,   0,    0,
+      0x80, 0,    0,    1,    0,    10,   0,    20,   1,    6,    9,    12,   0,    0,
       0,    1,    0xC1, 0xC2, 0xC3, 0xC4, 0,    0,    0x0B, 0xB8, 0,    0,    0,    2,
       2,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    6,
   });
-  part.resize(72 + 8 * 4);
+  part.resize(72 + 9 * 4);
   part.resize(part.size() + 12 * 4);
-  part[72 + 8 * 4 + 3] = std::byte{5};
-  part[72 + 19 * 4 + 3] = std::byte{7};
+  part[72 + 9 * 4 + 3] = std::byte{5};
+  part[72 + 20 * 4 + 3] = std::byte{7};
   part.push_back(std::byte{'m'});
   part.push_back(std::byte{'e'});
   return part;
@@ -181,9 +181,9 @@ TEST(ClassEnd, WhatALaterVersionSaysOfTheMapIsSkipped) {
   const std::size_t at = body.size();
   const Bytes part = some_map();
   body.insert(body.end(), part.begin(), part.end());
-  body[at + 1] = std::byte{154 + 6};
+  body[at + 1] = std::byte{158 + 6};
   body[at + 51] = std::byte{13};
-  body.insert(body.begin() + static_cast<std::ptrdiff_t>(at) + 72 + 20 * 4, 4, std::byte{0xEE});
+  body.insert(body.begin() + static_cast<std::ptrdiff_t>(at) + 72 + 21 * 4, 4, std::byte{0xEE});
   body.insert(body.end(), 2, std::byte{0xEE});
   ClassEnd end;
   ASSERT_EQ(read_class_end(body, end), ReadStatus::kOk);
