@@ -46,7 +46,7 @@ ScanTracker::Outcome ScanTracker::classify_turn(const lidar::PacketInfo& packet)
   if (is_older(packet)) {
     return packets_ == 0 || sweeps_again ? Outcome::kLate : Outcome::kPartOfFrame;
   }
-  if (sweeps_again && is_too_soon(packet)) {
+  if (sweeps_again && is_too_fast(packet)) {
     return Outcome::kTooSoon;
   }
   return sweeps_again ? Outcome::kNextScan : Outcome::kPartOfFrame;
@@ -54,6 +54,7 @@ ScanTracker::Outcome ScanTracker::classify_turn(const lidar::PacketInfo& packet)
 
 void ScanTracker::accept(const lidar::PacketInfo& packet) {
   begin_us_ = packets_ == 0 ? packet.sweep.begin_us : std::min(begin_us_, packet.sweep.begin_us);
+  last_us_ = packets_ == 0 ? packet.sweep.begin_us : std::max(last_us_, packet.sweep.begin_us);
   scan_number_ = was_ever_seen() && is_older(packet) ? scan_number_ : packet.scan_number;
   swept_.add(packet.sector);
   points_ += packet.point_count;

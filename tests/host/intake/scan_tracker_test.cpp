@@ -282,5 +282,35 @@ TEST(ScanTracker, StampsThatStandStillOrGoBackAreNotTooSoon) {
   }
 }
 
+// A turn at 10 Hz of 75 packets, of which the third is lost, while the unit's clock steps: after so
+// many packets it counts on from another time. The next turn ends the frame with its first packet.
+void expect_next_turn(std::uint64_t begin_us, int step_after, std::uint64_t then_us) {
+  constexpr std::uint64_t kPacketUs = 1'333;
+  ScanTracker tracker = turn_tracker();
+  lidar::PacketInfo packet;
+  for (int number = 0; number <= 75; ++number) {
+    packet = turn_packet(number);
+    const bool has_stepped = number >= step_after;
+    packet.sweep.begin_us =
+        has_stepped ? then_us + static_cast<std::uint64_t>(number - step_after) * kPacketUs
+                    : begin_us + static_cast<std::uint64_t>(number) * kPacketUs;
+    if (number < 75 && number != 2) {
+      ASSERT_EQ(tracker.classify(packet), Outcome::kPartOfFrame) << number;
+      tracker.accept(packet);
+    }
+  }
+  EXPECT_EQ(tracker.classify(packet), Outcome::kNextScan) << begin_us << ", " << step_after;
+}
+
+// docs/spec.md 1.2: a Velodyne counts from the hour. When its clock is set, it steps anywhere.
+TEST(ScanTracker, ATurnInWhichTheClockStepsIsNotTooSoon) {
+  constexpr std::uint64_t kHourUs = 3'600'000'000;
+  for (int step_after = 1; step_after <= 75; ++step_after) {
+    expect_next_turn(kHourUs - 1'333U * static_cast<unsigned>(step_after), step_after, 7);
+    expect_next_turn(1'000'000, step_after, 900'000);
+    expect_next_turn(1'000'000, step_after, 1'700'000'000);
+  }
+}
+
 }  // namespace
 }  // namespace iog::intake
