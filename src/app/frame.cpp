@@ -17,12 +17,24 @@ std::uint64_t most_marks_of(const vehicle::Vehicle& vehicle) {
   return marks;
 }
 
-}  // namespace
-
-void add_points(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
-                const intake::Packet& packet, Fates& fates) {
+template <typename Packet>
+void add_all(grid::FrameFusion& fusion, const vehicle::Sensor& sensor, const Packet& packet,
+             Fates& fates) {
   fusion.add_all(sensor, packet,
                  [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
+}
+
+}  // namespace
+
+void Frame::add_points(grid::FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet,
+                       Fates& fates) const {
+  const vehicle::Sensor& its = vehicle_->sensors[sensor];
+  if (its.no_return_clears_mm == 0) {
+    add_all(fusion, its, packet, fates);
+  } else {
+    const intake::AzimuthParts silent = watched_.silent_azimuths(sensor, packet);
+    add_all(fusion, its, intake::EvidentPacket(packet, silent), fates);
+  }
 }
 
 Frame::Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
@@ -35,6 +47,7 @@ void Frame::accept(const intake::SensorPacket& packet, std::uint64_t now_us) {
     opened_us_ = now_us;
   }
   intake_.accept(packet);
+  watched_.add(packet.sensor, packet.packet);
 }
 
 void Frame::count(const Fates& fates) {
@@ -49,6 +62,7 @@ std::uint64_t Frame::deadline_us() const {
 }
 
 FrameReport Frame::report(std::uint64_t now_us) const {
+  const intake::Surroundings surroundings = watched_.at_end(intake_, now_us);
   FrameReport report{.number = number_,
                      .opened_us = opened_us_,
                      .closed_us = now_us,
@@ -59,7 +73,8 @@ FrameReport Frame::report(std::uint64_t now_us) const {
                      .has_objects = vehicle_->has_objects,
                      .has_receptions = vehicle_->depends_on_arrival(),
                      .sensor_count = vehicle_->sensors.size(),
-                     .unwatched = watched_.unwatched(intake_, now_us),
+                     .unwatched = surroundings.unwatched,
+                     .blocked = surroundings.blocked,
                      .packets_fused = intake_.packets_accepted(),
                      .packets_dropped = intake_.packets_dropped(),
                      .packet_drops = intake_.packet_drops(),
@@ -70,6 +85,7 @@ FrameReport Frame::report(std::uint64_t now_us) const {
   }
   for (std::size_t i = 0; i < report.sensor_count; ++i) {
     report.sensors[i] = intake_.report_of(i);
+    report.sensors[i].blocked = surroundings.sensors[i];
   }
   return report;
 }

@@ -26,10 +26,6 @@ namespace iog::app {
 // How many points had which fate.
 using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 
-// Adds the points of a sensor's packet to a fusion, and counts their fates.
-void add_points(grid::FrameFusion& fusion, const vehicle::Sensor& sensor,
-                const intake::Packet& packet, Fates& fates);
-
 class Frame {
  public:
   using Outcome = intake::Intake::Outcome;
@@ -61,8 +57,10 @@ class Frame {
   void accept(const intake::SensorPacket& packet, std::uint64_t now_us);
   // Adds its points to a fusion, now or later; or counts those that were added elsewhere.
   void add_points(grid::FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet) {
-    app::add_points(fusion, vehicle_->sensors[sensor], packet, fates_);
+    add_points(fusion, sensor, packet, fates_);
   }
+  void add_points(grid::FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet,
+                  Fates& fates) const;
   void count(const Fates& fates);
 
   // The packet has waited too long; its points are counted as not taken.

@@ -30,7 +30,7 @@ bool SharedFusion::fuse_next(const work::Crew& crew, Frame& frame) {
   waiting_ += round_.size();
   const std::span<FusedPart> fused = space_.parts.subspan(first_, round_.size());
   crew.share(round_.size(), [&](std::size_t item, std::size_t core) {
-    fuse_part(round_[item], core == 0 ? own_ : space_.fusions[core - 1], fused[item]);
+    fuse_part(round_[item], core == 0 ? own_ : space_.fusions[core - 1], fused[item], frame);
   });
   for (const FusedPart& part : fused) {
     frame.count(part.fates);
@@ -38,12 +38,12 @@ bool SharedFusion::fuse_next(const work::Crew& crew, Frame& frame) {
   return true;
 }
 
-void SharedFusion::fuse_part(const FramePart& part, grid::FrameFusion& fusion,
-                             FusedPart& fused) const {
+void SharedFusion::fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused,
+                             const Frame& frame) const {
   fused.fates = {};
   for (const std::uint16_t number : parts_.packets_of(part)) {
     const KeptPacket& packet = packets_->packets()[number];
-    add_points(fusion, vehicle_->sensors[packet.sensor], packets_->decoded(number), fused.fates);
+    frame.add_points(fusion, packet.sensor, packets_->decoded(number), fused.fates);
   }
   fusion.finish();
   fused.tiles.move_from(fusion);

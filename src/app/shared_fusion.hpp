@@ -133,7 +133,8 @@ class SharedFusion {
   }
 
  private:
-  void fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused) const;
+  void fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused,
+                 const Frame& frame) const;
   void join_row(std::size_t row, bool is_first);
   void join_lows(std::size_t place);
   void clear_lows(std::size_t place);

@@ -99,11 +99,18 @@ WatchedSectors::WatchedSectors(std::span<const vehicle::Sensor> sensors) : senso
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     views_[i] =
         lidar::facts_of(sensors[i].format).marks_arcs() ? SectorView{} : view_of(sensors[i]);
+    blocked_[i] = BlockedSectors(sensors[i], views_[i]);
+  }
+}
+
+void WatchedSectors::add(std::size_t sensor, const Packet& packet) {
+  if (!lidar::facts_of(sensors_[sensor].format).marks_arcs()) {
+    blocked_[sensor].add(packet);
   }
 }
 
 std::uint64_t WatchedSectors::swept_by(std::size_t sensor, const Intake& intake) const {
-  if (intake.report_of(sensor).points == 0) {
+  if (intake.swept_ticks(sensor) == 0) {
     return 0;
   }
   const std::uint32_t most_missing = lidar::turns(sensors_[sensor].format) ? 4 : 1;  // of eight
@@ -117,27 +124,37 @@ std::uint64_t WatchedSectors::swept_by(std::size_t sensor, const Intake& intake)
   return swept;
 }
 
-std::uint64_t WatchedSectors::unwatched(const Intake& intake, std::uint64_t now_us) const {
-  std::uint64_t watched = 0;
+Surroundings WatchedSectors::at_end(const Intake& intake, std::uint64_t now_us) const {
+  Surroundings surroundings{.unwatched = ~std::uint64_t{0}};
   for (std::size_t sensor = 0; sensor < sensors_.size(); ++sensor) {
-    watched |= swept_by(sensor, intake);
+    const std::uint64_t swept = swept_by(sensor, intake);
+    const BlockedSectors::State state =
+        blocked_[sensor].after_frame(intake.swept_ticks(sensor), swept);
+    std::uint64_t watched = blocked_[sensor].has_returns() ? swept : 0;
     for (std::size_t i = 0; i < kSectors; ++i) {
       const bool is_fresh = now_us - swept_us_[sensor][i] <= kTurnUs;
       watched |= is_fresh ? was_swept_[sensor] & std::uint64_t{1} << i : 0;
     }
+    surroundings.unwatched &= ~(watched & ~state.blocked);
+    surroundings.blocked |= state.blocked;
+    surroundings.sensors[sensor] = state.blocked == 0            ? Blocked::kNot
+                                   : state.blocked == state.seen ? Blocked::kWhole
+                                                                 : Blocked::kPartly;
   }
-  return ~watched;
+  return surroundings;
 }
 
 void WatchedSectors::end_frame(const Intake& intake, std::uint64_t now_us) {
   for (std::size_t sensor = 0; sensor < sensors_.size(); ++sensor) {
+    const std::uint64_t swept = swept_by(sensor, intake);
+    const std::uint64_t watched = blocked_[sensor].has_returns() ? swept : 0;
+    blocked_[sensor].end_frame(intake.swept_ticks(sensor), swept);
     if (!lidar::turns(sensors_[sensor].format)) {
       continue;
     }
-    const std::uint64_t swept = swept_by(sensor, intake);
-    was_swept_[sensor] |= swept;
+    was_swept_[sensor] |= watched;
     for (std::size_t i = 0; i < kSectors; ++i) {
-      swept_us_[sensor][i] = (swept >> i & 1U) != 0 ? now_us : swept_us_[sensor][i];
+      swept_us_[sensor][i] = (watched >> i & 1U) != 0 ? now_us : swept_us_[sensor][i];
     }
   }
 }

@@ -9,7 +9,8 @@
 //
 // A radar and an ultrasonic unit watch nothing: where they report nothing, there may be something.
 //
-// A whole scan without a single point is that of a sensor that is blind, and watches nothing.
+// A sensor of which nothing has come back in its whole scan watches nothing, and nothing in a
+// sector in which it is blocked (blocked_sectors.hpp).
 #pragma once
 
 #include <array>
@@ -17,17 +18,22 @@
 #include <cstdint>
 #include <span>
 
+#include "intake/blocked_sectors.hpp"
 #include "intake/intake.hpp"
 #include "lidar/scan_point.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::intake {
 
-inline constexpr std::size_t kSectors = 64;
-
-// The azimuths of a sensor between which it sees a sector; of width 0 if it does not reach it.
-using SectorView = std::array<lidar::Sector, kSectors>;
+// Where the sensor sees each sector.
 [[nodiscard]] SectorView view_of(const vehicle::Sensor& sensor);
+
+// Bit i is of sector i.
+struct Surroundings {
+  std::uint64_t unwatched = 0;  // no sensor watches it
+  std::uint64_t blocked = 0;    // some sensor that has looked into it is blocked there
+  std::array<Blocked, vehicle::kMaxSensors> sensors{};
+};
 
 class WatchedSectors {
  public:
@@ -37,18 +43,31 @@ class WatchedSectors {
   // sensors outlive it.
   explicit WatchedSectors(std::span<const vehicle::Sensor> sensors);
 
-  // Bit i: no sensor watches sector i at the end of the frame that the intake has taken in.
-  [[nodiscard]] std::uint64_t unwatched(const Intake& intake, std::uint64_t now_us) const;
+  // It outlives what it points to.
+  WatchedSectors(const WatchedSectors&) = delete;
+  WatchedSectors& operator=(const WatchedSectors&) = delete;
+
+  // The packet is part of the frame at hand.
+  void add(std::size_t sensor, const Packet& packet);
+
+  // At the end of the frame that the intake has taken in.
+  [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us) const;
+
+  // Of that sensor's packet, by the frames before.
+  [[nodiscard]] AzimuthParts silent_azimuths(std::size_t sensor, const Packet& packet) const {
+    return blocked_[sensor].silent_azimuths(packet);
+  }
 
   // The frame is closed.
   void end_frame(const Intake& intake, std::uint64_t now_us);
 
  private:
-  // Bit i: the sensor has swept sector i in the frame at hand.
+  // Bit i: the sensor has swept sector i in the frame at hand, whatever has come back.
   [[nodiscard]] std::uint64_t swept_by(std::size_t sensor, const Intake& intake) const;
 
   std::span<const vehicle::Sensor> sensors_;
   std::array<SectorView, vehicle::kMaxSensors> views_{};
+  std::array<BlockedSectors, vehicle::kMaxSensors> blocked_{};
   // Of units that turn, when each sector was swept last, and whether it ever was.
   std::array<std::array<std::uint64_t, kSectors>, vehicle::kMaxSensors> swept_us_{};
   std::array<std::uint64_t, vehicle::kMaxSensors> was_swept_{};

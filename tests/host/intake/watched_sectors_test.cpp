@@ -45,6 +45,7 @@ class Watch {
     ASSERT_TRUE(packet.has_value());
     ASSERT_EQ(intake_.classify(*packet), Intake::Outcome::kThisFrame);
     intake_.accept(*packet);
+    watched_.add(packet->sensor, packet->packet);
   }
   void take_scan(std::uint16_t port, int left, int right, int points = 1) {
     LuxMessage message{
@@ -58,13 +59,16 @@ class Watch {
   void take_turn(std::uint16_t port, int from_deg, int to_deg) {
     constexpr int kStep = 40;
     for (int azimuth = 100 * from_deg; azimuth < 100 * to_deg; azimuth += 12 * kStep) {
-      take(port, tests::VelodynePacket{.first_azimuth = azimuth, .step = kStep, .time_us = ++shots_}
-                     .bytes());
+      tests::VelodynePacket packet{.first_azimuth = azimuth, .step = kStep, .time_us = ++shots_};
+      for (std::array<int, 32>& block : packet.ranges) {
+        block.fill(2500 + static_cast<int>(shots_ % 100));
+      }
+      take(port, packet.bytes());
     }
   }
 
   [[nodiscard]] std::uint64_t unwatched(std::uint64_t now_us = 0) const {
-    return watched_.unwatched(intake_, now_us);
+    return watched_.at_end(intake_, now_us).unwatched;
   }
   void end_frame(std::uint64_t now_us = 0) {
     watched_.end_frame(intake_, now_us);

@@ -1,0 +1,229 @@
+#include "intake/blocked_sectors.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "geometry/grid.hpp"
+#include "vehicle/beam.hpp"
+
+namespace iog::intake {
+namespace {
+
+constexpr std::int64_t kGroundMm = 20'000;
+constexpr std::int64_t kSteepest = 16;  // a beam to the ground falls by 1 in 16
+constexpr std::int64_t kRising = 32;    // one to the sky rises by 1 in 32
+constexpr std::uint32_t kFewestBeams = 8;
+constexpr std::uint32_t kBlockedPart = 16;
+constexpr std::uint32_t kOpenPart = 8;
+constexpr std::uint8_t kEmptyTurns = 3;
+
+constexpr bool contains(const lidar::Sector& sector, std::uint32_t azimuth_ticks,
+                        std::uint32_t ticks_per_turn) {
+  return (azimuth_ticks + ticks_per_turn - sector.first_ticks) % ticks_per_turn <
+         sector.width_ticks;
+}
+
+}  // namespace
+
+BlockedSectors::BlockedSectors(const vehicle::Sensor& sensor, const SectorView& view)
+    : sensor_(&sensor), view_(&view), turns_(lidar::turns(sensor.format)) {
+  const std::size_t layers = sensor.layer_count;
+  sampled_count_ = static_cast<std::uint8_t>(std::min(layers, kMaxSampled));
+  for (std::size_t i = 0; i < sampled_count_; ++i) {
+    sampled_[i] = static_cast<std::uint8_t>(i * layers / sampled_count_);
+  }
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    kinds_[i] = kind_of(i);
+  }
+  if (std::ranges::count(kinds_, Kind::kGround) > 0) {
+    std::ranges::replace(kinds_, Kind::kLevel, Kind::kSky);
+  }
+  state_.levels.fill(kFull);
+}
+
+// By the beams in its middle, on the car's plane. Heights are in subcells below 2^31, and ranges in
+// millimetres below 2^20.
+BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
+  const lidar::Sector& seen = (*view_)[sector];
+  if (seen.width_ticks == 0) {
+    return Kind::kUnseen;
+  }
+  const std::uint32_t middle =
+      (seen.first_ticks + seen.width_ticks / 2U) % sensor_->azimuths.ticks_per_turn();
+  const vehicle::Direction direction =
+      vehicle::direction_of(*sensor_, sensor_->azimuths.nearest(middle));
+  const std::int64_t range_mm = sensor_->range.mm();
+  const std::int64_t range = range_mm * geometry::kResolution / geometry::kCellMm;
+  Kind kind = Kind::kSky;
+  for (const std::uint8_t layer : std::span(sampled_).first(sampled_count_)) {
+    const std::int64_t drop =
+        sensor_->origin_z - vehicle::end_height_of(sensor_->layers[layer], direction);
+    if (turns_ && drop * kSteepest >= range && sensor_->origin_z * range_mm <= kGroundMm * drop) {
+      low_layers_[sector][layer / 64] |= std::uint64_t{1} << layer % 64;
+      kind = Kind::kGround;
+    } else if (kind == Kind::kSky && drop * kRising > -range) {
+      kind = Kind::kLevel;
+    }
+  }
+  return kind;
+}
+
+// kSectors if no sector has it. The points of a packet are near to one another.
+std::size_t BlockedSectors::sector_of(std::uint32_t azimuth_ticks, std::size_t likely) const {
+  const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    const std::size_t sector = (likely + i) % kSectors;
+    if (contains((*view_)[sector], azimuth_ticks, turn)) {
+      return sector;
+    }
+  }
+  return kSectors;
+}
+
+bool BlockedSectors::is_return(const lidar::ScanPoint& point) const {
+  return point.range_mm != 0 && point.range_mm >= sensor_->range_min_mm && !point.is_dirt &&
+         !point.is_rain;
+}
+
+void BlockedSectors::Sums::add(bool is_beam, bool is_return) {
+  constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
+  beams = static_cast<std::uint16_t>(beams + (is_beam && beams < kMost ? 1 : 0));
+  returns = static_cast<std::uint16_t>(returns + (is_return && returns < kMost ? 1 : 0));
+}
+
+void BlockedSectors::add(const Packet& packet) {
+  std::size_t sector = 0;
+  const auto look = [&](const lidar::ScanPoint& point) {
+    const bool comes_back = is_return(point);
+    frame_returns_ += comes_back ? 1U : 0U;
+    const std::size_t its = sector_of(point.azimuth_ticks, sector);
+    if (its == kSectors) {
+      return;
+    }
+    sector = its;
+    all_[sector].add(point.echo == 0, comes_back);
+    if (is_judged(sector, point.layer)) {
+      sums_[sector].add(point.echo == 0, comes_back);
+    }
+  };
+  if (turns_) {
+    const auto layers = std::span(sampled_).first(sampled_count_);
+    packet.for_each_sample({.layers = layers, .log2_firings = layers.size() <= 16 ? 3 : 1}, look);
+  } else {
+    packet.for_each_point(look);
+  }
+}
+
+// A turn of which an eighth is lost is one.
+bool BlockedSectors::is_over(std::uint32_t swept_ticks, std::uint64_t swept) const {
+  return turns_
+             ? swept_ticks > 0 && 8 * (turn_ticks_ + swept_ticks) >= 7U * sensor_->scan_width_ticks
+             : swept != 0;
+}
+
+// Few beams of a unit that turns wait for those of its next turn.
+bool BlockedSectors::is_seen(std::size_t sector, std::uint64_t swept) const {
+  return kinds_[sector] != Kind::kUnseen &&
+         (turns_ ? sums_[sector].beams >= kFewestBeams : (swept >> sector & 1U) != 0);
+}
+
+int BlockedSectors::level_after(std::size_t sector) const {
+  const Sums& sums = sums_[sector];
+  const int level = state_.levels[sector];
+  if (kinds_[sector] == Kind::kLevel) {
+    return level + (sums.returns > 0 ? kFull / 2 : -kFull / 32);
+  }
+  const auto are_below = [&](std::uint32_t part) {
+    const bool have_given = state_.gave[sector] >= kAllGave / 4;
+    return sums.are_below(part) && (have_given || all_[sector].are_below(part));
+  };
+  if (are_below(kBlockedPart)) {
+    return 0;
+  }
+  return level + (are_below(kOpenPart) ? 0 : kFull / 3);
+}
+
+BlockedSectors::State BlockedSectors::after_frame(std::uint32_t swept_ticks,
+                                                  std::uint64_t swept) const {
+  State after = state_;
+  if (!is_over(swept_ticks, swept)) {
+    return after;
+  }
+  const bool is_empty = turn_returns_ + frame_returns_ == 0;
+  after.empty_turns =
+      static_cast<std::uint8_t>(is_empty ? std::min<int>(state_.empty_turns + 1, kEmptyTurns) : 0);
+  std::uint64_t judged = 0;
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    const std::uint64_t bit = std::uint64_t{1} << i;
+    after.seen |= is_seen(i, swept) ? bit : 0;
+    if (kinds_[i] != Kind::kGround && kinds_[i] != Kind::kLevel) {
+      continue;
+    }
+    judged |= bit;
+    if (is_seen(i, swept)) {
+      const int level = after.empty_turns == kEmptyTurns ? 0 : level_after(i);
+      after.levels[i] = static_cast<std::int16_t>(std::clamp(level, 0, int{kFull}));
+      if (level > 0 && kinds_[i] == Kind::kGround) {
+        after.gave[i] =
+            static_cast<std::uint16_t>(state_.gave[i] - state_.gave[i] / 32 +
+                                       std::min<std::uint32_t>(sums_[i].returns, sums_[i].beams) *
+                                           (kAllGave / 32) / sums_[i].beams);
+      }
+    }
+    after.blocked |= after.levels[i] == 0 ? bit : 0;
+    after.blocked &= after.levels[i] == kFull ? ~bit : ~std::uint64_t{0};
+  }
+  judged &= after.seen;
+  after.blocked &= judged;
+  if (judged != 0 && after.blocked == judged) {
+    after.blocked = after.seen;
+  }
+  return after;
+}
+
+void BlockedSectors::end_frame(std::uint32_t swept_ticks, std::uint64_t swept) {
+  state_ = after_frame(swept_ticks, swept);
+  const bool ends_turn = is_over(swept_ticks, swept);
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    if (ends_turn && is_seen(i, swept)) {
+      sums_[i] = {};
+      all_[i] = {};
+    }
+  }
+  turn_ticks_ = ends_turn ? 0 : turn_ticks_ + swept_ticks;
+  turn_returns_ = ends_turn ? 0 : turn_returns_ + frame_returns_;
+  frame_returns_ = 0;
+}
+
+AzimuthParts BlockedSectors::silent_azimuths(const Packet& packet) const {
+  std::array<Sums, AzimuthParts::kParts> sums{};
+  AzimuthParts silent(sensor_->azimuths.ticks_per_turn());
+  std::array<bool, AzimuthParts::kParts> are_blocked{};
+  std::array<bool, AzimuthParts::kParts> are_met{};
+  std::size_t sector = 0;
+  packet.for_each_point([&](const lidar::ScanPoint& point) {
+    const std::size_t part = silent.part_of(point.azimuth_ticks);
+    const std::size_t its = sector_of(point.azimuth_ticks, sector);
+    sector = its == kSectors ? sector : its;
+    are_met[part] = true;
+    are_blocked[part] |= its != kSectors && (state_.blocked >> its & 1U) != 0;
+    if (its == kSectors || is_judged(its, point.layer)) {
+      sums[part].add(point.echo == 0, is_return(point));
+    }
+  });
+  const auto is_silent = [&](std::size_t part) {
+    return are_blocked[part] || sums[part].are_below(kBlockedPart) || sums[part].beams == 0;
+  };
+  for (std::size_t i = 0; i < AzimuthParts::kParts; ++i) {
+    for (const std::size_t beside : {i + AzimuthParts::kParts - 1, i, i + 1}) {
+      const std::size_t part = beside % AzimuthParts::kParts;
+      if (are_met[part] && is_silent(part)) {
+        silent.add(i);
+      }
+    }
+  }
+  return silent;
+}
+
+}  // namespace iog::intake

@@ -1,0 +1,106 @@
+// A missing return frees cells where the open sky is seen, and none where the unit is covered.
+#include "app/frame.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <gtest/gtest.h>
+#include <memory>
+#include <numbers>
+
+#include "fakes/test_vehicles.hpp"
+#include "fakes/vlp16_scene.hpp"
+
+namespace iog::app {
+namespace {
+
+using tests::covered;
+using tests::field;
+using tests::Scene;
+
+// A VLP-16 whose missing returns clear 20 m.
+class Drive {
+ public:
+  Drive() : frame_(kCar, kReplayer), fusion_(std::make_unique<grid::FrameFusion>(kCar)) {}
+
+  void turn(const Scene& scene) {
+    now_us_ += 100'000;
+    fusion_->clear();
+    for (const auto& bytes : turns_.turn(scene)) {
+      const auto packet = frame_.receive({kReplayer, 100, bytes}, now_us_);
+      ASSERT_TRUE(packet.has_value());
+      ASSERT_EQ(frame_.classify(*packet), Frame::Outcome::kThisFrame);
+      frame_.accept(*packet, now_us_);
+      frame_.add_points(*fusion_, packet->sensor, packet->packet);
+    }
+    fusion_->finish();
+    report = frame_.report(now_us_);
+    frame_.start_next(now_us_);
+  }
+
+  // How many cells are free, seen from the unit between these azimuths, and from 6 m on: nearer
+  // ones are wider than a degree.
+  [[nodiscard]] int free_cells(double from_deg = 0, double to_deg = 360) const {
+    int free = 0;
+    for (int i = 0; i < 1024; ++i) {
+      for (int j = 0; j < 1024; ++j) {
+        const double x = (i - 512 + 0.5) * 0.1 - kMount.x_m;
+        const double y = (j - 512 + 0.5) * 0.1 - kMount.y_m;
+        const double left_deg = std::atan2(y, x) * 180 / std::numbers::pi - kMount.yaw_deg;
+        const double azimuth_deg = std::fmod(720 - left_deg, 360);
+        const bool is_there =
+            azimuth_deg >= from_deg && azimuth_deg < to_deg && std::hypot(x, y) > 6;
+        free += is_there && fusion_->view().at({i, j}) < 0 ? 1 : 0;
+      }
+    }
+    return free;
+  }
+
+  FrameReport report;
+
+ private:
+  static constexpr std::uint32_t kReplayer = 0x0A000202;
+  static constexpr description::MountConfig kMount = tests::LevelVlp16::kConfigs[0].mount;
+  const vehicle::Vehicle& kCar = tests::LevelVlp16::kVehicle;
+  Frame frame_;
+  std::unique_ptr<grid::FrameFusion> fusion_;
+  tests::SceneTurns turns_;
+  std::uint64_t now_us_ = 0;
+};
+
+TEST(Frame, MissingReturnsOfTheOpenSkyClear) {
+  Drive drive;
+  drive.turn(
+      [](double azimuth, int elevation) { return elevation < -4 ? field(azimuth, elevation) : 0; });
+  EXPECT_GT(drive.free_cells(), 105'000) << "from 6 to 20 m are 114,354 cells";
+}
+
+TEST(Frame, ACapFromTheStartClearsNothing) {
+  Drive drive;
+  for (int i = 0; i < 5; ++i) {
+    drive.turn(covered);
+    EXPECT_EQ(drive.free_cells(), 0) << i;
+    EXPECT_EQ(drive.report.unwatched, ~std::uint64_t{0}) << i;
+    EXPECT_EQ(drive.report.sensors[0].blocked, intake::Blocked::kWhole) << i;
+  }
+}
+
+// In the very turn in which it comes over the unit.
+TEST(Frame, ACoverThatComesLaterClearsNothing) {
+  Drive drive;
+  drive.turn(field);
+  drive.turn([](double azimuth, int elevation) {
+    return azimuth >= 123.4 && azimuth < 310 ? 0 : field(azimuth, elevation);
+  });
+  EXPECT_EQ(drive.free_cells(124.4, 309), 0);
+  EXPECT_GT(drive.free_cells(320, 360), 3'000);
+  drive.turn(covered);
+  EXPECT_EQ(drive.free_cells(), 0);
+  for (int i = 0; i < 4; ++i) {
+    drive.turn(field);
+  }
+  EXPECT_GT(drive.free_cells(), 60'000);
+  EXPECT_EQ(drive.report.blocked, 0U);
+}
+
+}  // namespace
+}  // namespace iog::app
