@@ -25,16 +25,27 @@ enum iogrid_class {  // 3.9
   IOGRID_OCCUPIED
 };
 
+// Whether one of the sectors that the directions touch is in the bits; also if they are no sector.
+static inline int iogrid_has_sector(uint64_t bits, double from_rad, double to_rad) {
+  const double sectors_per_rad = 64 / 6.283185307179586;
+  const double first = floor(from_rad * sectors_per_rad), last = floor(to_rad * sectors_per_rad);
+  if (!(first <= last && last - first <= 64 && fabs(first) < 1e6)) return 1;
+  for (int i = (int)first; i <= (int)last; ++i) {
+    if (bits >> ((unsigned)i & 63) & 1) return 1;
+  }
+  return 0;
+}
+
 // Whether sensors watch every direction from the one to the other now, counter-clockwise from
 // straight ahead: -0.2 to 0.2 is the sector ahead. What is not known is not watched.
 static inline int iogrid_is_watched(const iogrid_receiver* r, double from_rad, double to_rad) {
-  const double sectors_per_rad = 64 / 6.283185307179586;
-  const double first = floor(from_rad * sectors_per_rad), last = floor(to_rad * sectors_per_rad);
-  if (!r->knows_unwatched || !(first <= last && last - first <= 64 && fabs(first) < 1e6)) return 0;
-  for (int i = (int)first; i <= (int)last; ++i) {
-    if (r->unwatched >> ((unsigned)i & 63) & 1) return 0;
-  }
-  return 1;
+  return r->knows_unwatched && !iogrid_has_sector(r->unwatched, from_rad, to_rad);
+}
+
+// Whether a sensor that looks there is covered: a cap, ice or mud, no open sky. Another one may
+// watch there nevertheless.
+static inline int iogrid_is_blocked(const iogrid_receiver* r, double from_rad, double to_rad) {
+  return iogrid_has_sector(r->blocked, from_rad, to_rad);
 }
 
 // The occupancy index of a place: above 0 occupied, below free, 0 unknown or outside.

@@ -147,12 +147,13 @@ static inline size_t iogrid_end_tail(uint32_t sensors, const uint8_t* body, size
   return at < bytes ? at : bytes;
 }
 
-// The sectors that nobody watches; false of an older target.
-static inline int iogrid_unwatched(uint32_t sensors, const uint8_t* body, size_t bytes,
-                                   uint64_t* to) {
+// The sectors that nobody watches, and those in which a sensor is blocked; false of an older target.
+static inline int iogrid_sectors(uint32_t sensors, const uint8_t* body, size_t bytes,
+                                 uint64_t* unwatched, uint64_t* blocked) {
   const size_t at = iogrid_end_tail(sensors, body, bytes);
   if (at + 8 > bytes) return 0;
-  *to = iogrid_be64(body + at);
+  *unwatched = iogrid_be64(body + at);
+  *blocked = at + 16 <= bytes ? iogrid_be64(body + at + 8) : 0;
   return 1;
 }
 

@@ -26,6 +26,7 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   uint8_t knows_unwatched;    // of an older target: false
   int16_t temperature_dc;     // of the chip, 1/10 degree Celsius; or IOGRID_NO_TEMPERATURE
   uint64_t unwatched;         // bit i: no sensor watches sector i of 64 around the car now (3.5)
+  uint64_t blocked;           // likewise: nearly nothing comes back to some sensor; 0: not known
   uint8_t has_indexes, has_classes, has_objects, is_whole;
   iogrid_grid indexes, classes;
   iogrid_object_list objects;         // iogrid_objects() reads them
@@ -126,6 +127,7 @@ static inline void iogrid_open(iogrid_receiver* r, uint32_t number, uint8_t cont
   memset(&r->objects, 0, sizeof r->objects);
   r->knows_unwatched = 0;
   r->temperature_dc = IOGRID_NO_TEMPERATURE;
+  r->blocked = 0;
 }
 
 // Whether nothing is to come any more of the frame that is open.
@@ -164,7 +166,8 @@ static inline int iogrid_take_grid(iogrid_receiver* r, const uint8_t* content, c
   grid->name = iogrid_be32(body + at + 8);
   grid->has_end = 1;
   if (!are_classes) {
-    r->knows_unwatched = (uint8_t)iogrid_unwatched(content[24], body, bytes, &r->unwatched);
+    r->knows_unwatched =
+        (uint8_t)iogrid_sectors(content[24], body, bytes, &r->unwatched, &r->blocked);
     r->temperature_dc = iogrid_temperature(content[24], body, bytes);
   }
   return 1;

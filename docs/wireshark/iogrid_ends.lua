@@ -44,9 +44,11 @@ function ends.show_frame_end(tree, cursor, info, sensor_count)
     parts.show_counters(item, cursor, frame_end[name], layout.COUNTERS[name])
   end
   show_sensors(item, cursor, sensor_count)
-  local unwatched = layout.PARTS.unwatched
-  if cursor.left() >= layout.bytes_of(unwatched) then
-    parts.add_part(item, cursor.take(layout.bytes_of(unwatched), "the sectors"), unwatched)
+  for _, name in ipairs({ "unwatched", "blocked" }) do
+    local part = layout.PARTS[name]
+    if cursor.left() >= layout.bytes_of(part) then
+      parts.add_part(item, cursor.take(layout.bytes_of(part), "the sectors"), part)
+    end
   end
   local chip = layout.PARTS.chip
   if cursor.left() >= layout.bytes_of(chip) then

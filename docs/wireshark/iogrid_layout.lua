@@ -15,6 +15,7 @@ layout.ENCODINGS = { [0] = "raw", "run length", "quadtree", "changed since", "ru
                      "run starts since" }
 layout.OBJECT_STATES = { "young", "stands", "moves", "stopped" }
 layout.SENSOR_STATES = { [0] = "never seen", "silent", "partial", "complete" }
+layout.BLOCKED = { [0] = "no", "in some sectors", "in all" }
 layout.DATA_IDS = { [0x494F4701] = "stream over UDP", [0x494F4702] = "stream over the UART" }
 
 layout.MAP_CAUSES = { [0] = "none: some may", "no map", "no transform", "other origin", "imprecise",
@@ -211,14 +212,16 @@ layout.PARTS.sensor_size = {
 layout.PARTS.unwatched = {
   { "uint64", "unwatched", "Sectors of 64 around the vehicle that no sensor watches", base.HEX },
 }
+layout.PARTS.blocked = {
+  { "uint64", "blocked", "Sectors of 64 in which a sensor is blocked", base.HEX },
+}
 layout.PARTS.chip = {
-  { "uint64" },
   { "int16", "temperature", "Temperature of the chip, 1/10 degree Celsius (-32768: not known)", base.DEC },
   { "uint16" }, { "uint32" },
 }
 layout.PARTS.sensor = {
   { "uint8", "sensor.state", "State", base.DEC, layout.SENSOR_STATES },
-  { "uint8" },
+  { "uint8", "sensor.blocked", "Blocked", base.DEC, layout.BLOCKED },
   { "uint16", "sensor.age", "Age, frames", base.DEC },
   { "uint16", "sensor.packets", "Packets", base.DEC },
   { "uint16" },

@@ -46,6 +46,7 @@ void set_frame_end(const FrameReport& report, stream::FrameEnd& end) {
          .link_counters = report.vitals.link_counters,
          .sensors = report.sensors,
          .unwatched = report.unwatched,
+         .blocked = report.blocked,
          .temperature_dc = report.vitals.temperature_dc};
 }
 

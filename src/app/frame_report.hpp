@@ -44,7 +44,9 @@ struct FrameReport {
   bool has_receptions = false;                      // likewise
 
   std::size_t sensor_count = 0;
-  std::uint64_t unwatched = 0;  // sectors around the vehicle (intake/watched_sectors.hpp)
+  // Sectors around the vehicle (intake/watched_sectors.hpp).
+  std::uint64_t unwatched = 0;
+  std::uint64_t blocked = 0;
   std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};
   std::uint32_t packets_fused = 0;                                     // of this frame
   std::uint32_t packets_dropped = 0;                                   // since start

@@ -30,8 +30,12 @@ enum class SensorState : std::uint8_t {
   kComplete,   // its whole scan
 };
 
+// Where nearly nothing comes back to it (intake/blocked_sectors.hpp).
+enum class Blocked : std::uint8_t { kNot, kPartly, kWhole };
+
 struct SensorReport {
   SensorState state = SensorState::kNeverSeen;
+  Blocked blocked = Blocked::kNot;
   std::uint16_t age_frames = 0xFFFF;  // frames since it last took part, 0xFFFF: never or longer
   std::uint16_t packets = 0;          // fused in this frame
   std::uint32_t points = 0;           // in those packets

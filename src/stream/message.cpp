@@ -10,7 +10,6 @@ namespace {
 // A list that may grow in later versions: how many entries, how long each.
 constexpr std::uint8_t kSensorRecordBytes = 16;
 // Behind the sectors that nobody watches.
-constexpr std::size_t kBlockedBytes = 8;
 constexpr std::size_t kTemperatureBytes = 8;
 
 constexpr std::size_t kSequenceOffset = 4;
@@ -37,7 +36,7 @@ void read_counters(std::uint8_t count, std::span<std::uint32_t> counters, wire::
 
 void write_sensor(const intake::SensorReport& sensor, wire::ByteWriter& out) {
   out.u8(static_cast<std::uint8_t>(sensor.state));
-  out.u8(0);
+  out.u8(static_cast<std::uint8_t>(sensor.blocked));
   out.u16_be(sensor.age_frames);
   out.u16_be(sensor.packets);
   out.u16_be(0);
@@ -48,7 +47,7 @@ void write_sensor(const intake::SensorReport& sensor, wire::ByteWriter& out) {
 intake::SensorReport read_sensor(wire::ByteReader& in) {
   intake::SensorReport sensor;
   sensor.state = static_cast<intake::SensorState>(in.u8());
-  in.skip(1);
+  sensor.blocked = static_cast<intake::Blocked>(in.u8());
   sensor.age_frames = in.u16_be();
   sensor.packets = in.u16_be();
   in.skip(2);
@@ -136,8 +135,10 @@ std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
   if (end.unwatched) {
     out.u64_be(*end.unwatched);
   }
-  if (end.unwatched && end.temperature_dc) {
-    out.u64_be(0);  // blocked sectors
+  if (end.unwatched && end.blocked) {
+    out.u64_be(*end.blocked);
+  }
+  if (end.unwatched && end.blocked && end.temperature_dc) {
     out.u16_be(static_cast<std::uint16_t>(*end.temperature_dc));
     out.zeros(kTemperatureBytes - 2);
   }
@@ -181,9 +182,12 @@ ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_c
   if (in.remaining() > 0) {
     end.unwatched = in.u64_be();
   }
+  end.blocked.reset();
+  if (in.remaining() > 0) {
+    end.blocked = in.u64_be();
+  }
   end.temperature_dc.reset();
-  if (in.remaining() >= kBlockedBytes + kTemperatureBytes) {
-    in.skip(kBlockedBytes);
+  if (in.remaining() >= kTemperatureBytes) {
     end.temperature_dc = static_cast<std::int16_t>(in.u16_be());
   }
   return in.ok() ? ReadStatus::kOk : ReadStatus::kTooShort;

@@ -29,6 +29,7 @@ NEVER = 0xFFFF  # the age of a sensor that was never seen
 @dataclasses.dataclass(frozen=True)
 class Sensor:
     state: int
+    blocked: int  # 0 no, 1 in some sectors, 2 in all
     age: int
     packets: int
     points: int
@@ -119,6 +120,7 @@ class FrameEnd:
     counters: dict[str, int]
     sensors: list[Sensor]
     unwatched: int | None  # bit i: no sensor watches sector i of 64; until 26 November no target said so
+    blocked: int | None  # and some sensor is blocked there
     stack_bytes: int  # the deepest since start
     temperature_dc: int | None  # of the chip, 1/10 degree Celsius, -0x8000: not known; until 28 November no target said so
 
@@ -149,6 +151,7 @@ class Frame:
     class_crc_of_tiles: int
     objects: object_parts.List | None  # None: it looks for none
     unwatched: int | None  # bit i: no sensor watches sector i of 64
+    blocked: int | None  # and some sensor is blocked there
     stack_bytes: int  # the deepest since start
 
     @property
@@ -264,12 +267,12 @@ def read_frame_end(body: bytes) -> FrameEnd:
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
     at = 32 + 4 * len(counts)
     assert body[at:at + 4] == b"\x10\0\0\0", "a sensor record is 16 bytes"
-    assert len(rest := body[at + 4 + 4 * 16:]) in (0, 8, 24), "the sectors are 64 bits, twice"
-    sensors = [Sensor(*struct.unpack_from(">BxHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
+    assert len(rest := body[at + 4 + 4 * 16:]) in (0, 8, 16, 24), "the sectors are 64 bits, twice"
+    sensors = [Sensor(*struct.unpack_from(">BBHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
     return FrameEnd(sent, lost, crc, opened_us, counts[stages:stages + fates],
                     dict(zip(PACKET_DROPS[:causes] + all_links, counts[stages + fates:])), sensors,
-                    int.from_bytes(rest[:8], "big") if rest else None, stack_bytes,
-                    struct.unpack_from(">h", rest, 16)[0] if len(rest) > 8 else None)
+                    *(int.from_bytes(rest[i:i + 8], "big") if rest[i:] else None for i in (0, 8)), stack_bytes,
+                    struct.unpack_from(">h", rest, 16)[0] if len(rest) > 16 else None)
 
 
 class Assembler:
@@ -378,4 +381,4 @@ class Assembler:
                      end.crc, self._crc, end.counters, end.sensors, self._class_end,
                      self._class_tiles, self._class_crc if self._class_tiles > 0 else 0,
                      object_parts.joined(self._objects) if self._objects else None,
-                     end.unwatched, end.stack_bytes)
+                     end.unwatched, end.blocked, end.stack_bytes)

@@ -56,7 +56,7 @@ class Target:
         self.frames = 0
         self.complete = 0b1111  # sensors, a bit each
         self.points_other = 0  # scan points that were not used
-        self.unwatched = 0  # sectors around the car, a bit each
+        self.unwatched = self.blocked = 0  # sectors around the car, a bit each
         self.temperature_dc = -0x8000  # of the chip, 1/10 degree Celsius: not known
 
     def messages_of(self, grid: Grid, points_used: int = 0,
@@ -117,7 +117,7 @@ class Target:
         counts = struct.pack(">4I13I9I", 3000, 40, 1500, 0, points_used, *([0] * 21))
         sensor = struct.pack(">BxHHxxII", grid_stream.COMPLETE, 0, 1, points_used // 4, self.frames)
         return head + counts + b"\x10\0\0\0" + sensor * 4 + struct.pack(
-            ">QQhxx4x", self.unwatched, 0, self.temperature_dc)
+            ">QQhxx4x", self.unwatched, self.blocked, self.temperature_dc)
 
 
 def of_version(message: bytes, version: int) -> bytes:

@@ -168,8 +168,9 @@ def shown_of_frame_end(frame: int, end: grid_stream.FrameEnd) -> dict[str, list]
     shown |= {field_of("fate", name): [count] for name, count in zip(FATES, end.fates)}
     shown |= {field_of("drop" if name in link_counters.PACKET_DROPS else "link", name): [count]
               for name, count in end.counters.items()}
-    for name, field in (("state", "state"), ("age", "age"), ("packets", "packets"),
+    for name, field in (("state", "state"), ("blocked", "blocked"), ("age", "age"), ("packets", "packets"),
                         ("points", "points"), ("scan_number", "scan")):
         shown[f"iogrid.sensor.{field}"] = [getattr(sensor, name) for sensor in end.sensors]
-    shown |= {} if end.unwatched is None else {"iogrid.unwatched": [f"0x{end.unwatched:016x}"]}
+    shown |= {f"iogrid.{name}": [f"0x{bits:016x}"]
+              for name, bits in (("unwatched", end.unwatched), ("blocked", end.blocked)) if bits is not None}
     return shown | ({} if end.temperature_dc is None else {"iogrid.temperature": [end.temperature_dc]})

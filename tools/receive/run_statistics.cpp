@@ -56,6 +56,7 @@ void RunStatistics::add(const GridFrame& frame) {
     hottest_dc_ = std::max(hottest_dc_, frame.end.temperature_dc.value_or(hottest_dc_));
     if (frame.end.unwatched) {
       unwatched_ = frame.end.unwatched;
+      blocked_ = frame.end.blocked;
     }
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);
@@ -83,6 +84,7 @@ void RunStatistics::add_states(const GridFrame& frame) {
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const auto state = static_cast<std::size_t>(frame.end.sensors[i].state);
     sensor_frames_[i][std::min(state, kSensorStateNames.size() - 1)] += 1;
+    blocked_frames_[i] += frame.end.sensors[i].blocked != intake::Blocked::kNot ? 1U : 0U;
   }
 }
 
@@ -172,6 +174,9 @@ RunStatistics::Facts RunStatistics::facts() const {
   if (unwatched_) {
     facts.emplace_back("unwatched_sectors", hex(*unwatched_, 16));
   }
+  if (blocked_) {
+    facts.emplace_back("blocked_sectors", hex(*blocked_, 16));
+  }
   if (hottest_dc_ != hal::kTemperatureNotKnown) {
     facts.emplace_back("chip_temperature_dc_hottest", std::to_string(hottest_dc_));
   }
@@ -188,7 +193,10 @@ RunStatistics::Facts RunStatistics::facts() const {
 
 void RunStatistics::append_sensors(std::string& text) const {
   for (std::size_t i = 0; i < sensor_count_; ++i) {
-    text += row("sensor " + std::to_string(i), list_of(sensor_frames_[i], kSensorStateNames));
+    const std::string blocked =
+        blocked_frames_[i] > 0 ? ", blocked " + std::to_string(blocked_frames_[i]) : "";
+    text +=
+        row("sensor " + std::to_string(i), list_of(sensor_frames_[i], kSensorStateNames) + blocked);
   }
 }
 
@@ -282,7 +290,10 @@ std::string RunStatistics::table(bool has_target) const {
   }
   append_sensors(text);
   if (unwatched_) {
-    text += row("not watched at last", words_of_unwatched(*unwatched_));
+    text += row("not watched at last", words_of_sectors(*unwatched_));
+  }
+  if (blocked_.value_or(0) != 0) {
+    text += row("blocked at last", words_of_sectors(*blocked_) + ": nearly nothing comes back");
   }
   if (hottest_dc_ != hal::kTemperatureNotKnown) {
     text += row("chip", words_of_temperature(hottest_dc_) + " at the hottest" +

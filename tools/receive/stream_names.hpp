@@ -20,6 +20,8 @@ inline constexpr std::array<std::string_view, intake::kPacketDropCount> kPacketD
     "late",     "over budget",  "other unit", "not taken",   "frozen",      "too soon"};
 inline constexpr std::array<std::string_view, 4> kSensorStateNames{"never seen", "silent",
                                                                    "partial", "complete"};
+// Behind the state: where nearly nothing comes back.
+inline constexpr std::array<std::string_view, 3> kBlockedNames{"", ", partly blocked", ", blocked"};
 inline constexpr std::array<std::string_view, pose::kCauseCount> kPoseCauseNames{
     "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted", "drifting"};
 inline constexpr std::array<std::string_view, pose::kFateCount> kPoseFateNames{

@@ -16,8 +16,8 @@ std::string degrees_of(unsigned sector) {
 
 }  // namespace
 
-std::string words_of_unwatched(std::uint64_t sectors) {
-  const auto is_unwatched = [=](unsigned i) { return (sectors >> i % kSectors & 1U) != 0; };
+std::string words_of_sectors(std::uint64_t sectors) {
+  const auto is_set = [=](unsigned i) { return (sectors >> i % kSectors & 1U) != 0; };
   if (sectors == 0) {
     return "none";
   }
@@ -26,15 +26,15 @@ std::string words_of_unwatched(std::uint64_t sectors) {
   }
   // From a sector that is watched, once around.
   unsigned begin = 0;
-  while (is_unwatched(begin)) {
+  while (is_set(begin)) {
     ++begin;
   }
   std::string words;
   for (unsigned i = begin; i < begin + kSectors; ++i) {
-    if (is_unwatched(i) && !is_unwatched(i + kSectors - 1)) {
+    if (is_set(i) && !is_set(i + kSectors - 1)) {
       words += (words.empty() ? "" : ", ") + degrees_of(i) + " to ";
     }
-    if (is_unwatched(i) && !is_unwatched(i + 1)) {
+    if (is_set(i) && !is_set(i + 1)) {
       words += degrees_of(i + 1);
     }
   }

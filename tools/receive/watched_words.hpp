@@ -1,4 +1,5 @@
-// Which directions around the vehicle no sensor watches, in words (docs/spec.md 3.5).
+// Sectors around the vehicle in words: those that no sensor watches, or that are blocked
+// (docs/spec.md 3.5).
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,6 @@
 namespace iog::tools {
 
 // "90 to 129, -129 to -90 degrees", counter-clockwise from straight ahead; "none", or "all around".
-[[nodiscard]] std::string words_of_unwatched(std::uint64_t sectors);
+[[nodiscard]] std::string words_of_sectors(std::uint64_t sectors);
 
 }  // namespace iog::tools

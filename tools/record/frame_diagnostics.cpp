@@ -48,13 +48,18 @@ Diagnostic of_sensor(const intake::SensorReport& sensor, const CatalogueEntry* c
                      std::size_t number) {
   using intake::SensorState;
   const auto state = std::min(static_cast<std::size_t>(sensor.state), kSensorStateNames.size() - 1);
+  const auto blocked = std::min(static_cast<std::size_t>(sensor.blocked), kBlockedNames.size() - 1);
   const std::uint64_t period_us = car != nullptr ? car->vehicle->frame_period_us : 0;
   const bool is_lately = sensor.age_frames * period_us <= kSilenceUs;
   const bool is_lost = sensor.state == SensorState::kNeverSeen ||
-                       (sensor.state == SensorState::kSilent && !is_lately);
-  return {.level = is_lost ? DiagnosticLevel::kError : DiagnosticLevel::kOk,
+                       (sensor.state == SensorState::kSilent && !is_lately) ||
+                       sensor.blocked == intake::Blocked::kWhole;
+  const bool is_partly = sensor.blocked == intake::Blocked::kPartly;
+  return {.level = is_lost     ? DiagnosticLevel::kError
+                   : is_partly ? DiagnosticLevel::kWarn
+                               : DiagnosticLevel::kOk,
           .name = name_of_sensor(car, number),
-          .message = std::string(kSensorStateNames[state]),
+          .message = std::string(kSensorStateNames[state]) + std::string(kBlockedNames[blocked]),
           .values = {{"frames since it took part", sensor.age_frames == 0xFFFF
                                                        ? "never, or more than 65534"
                                                        : std::to_string(sensor.age_frames)},
@@ -63,15 +68,15 @@ Diagnostic of_sensor(const intake::SensorReport& sensor, const CatalogueEntry* c
                      {"scan", std::to_string(sensor.scan_number)}}};
 }
 
-Diagnostic of_surroundings(std::uint64_t unwatched) {
-  const std::string words = words_of_unwatched(unwatched);
+Diagnostic of_surroundings(std::uint64_t unwatched, std::uint64_t blocked) {
+  const std::string words = words_of_sectors(unwatched);
   const bool is_all = unwatched == ~std::uint64_t{0};
   return {.level = unwatched == 0 ? DiagnosticLevel::kOk
                    : is_all       ? DiagnosticLevel::kError
                                   : DiagnosticLevel::kWarn,
           .name = "surroundings",
           .message = unwatched == 0 ? "watched all around" : "not watched: " + words,
-          .values = {{"sectors", hex(unwatched, 16)}}};
+          .values = {{"sectors", hex(unwatched, 16)}, {"blocked", words_of_sectors(blocked)}}};
 }
 
 Diagnostic of_chip(std::int16_t temperature_dc) {
@@ -199,7 +204,7 @@ std::vector<Diagnostic> diagnostics_of(const GridFrame& frame) {
       all.push_back(of_sensor(end.sensors[i], car, i));
     }
     if (end.unwatched) {
-      all.push_back(of_surroundings(*end.unwatched));
+      all.push_back(of_surroundings(*end.unwatched, end.blocked.value_or(0)));
     }
     if (end.temperature_dc.value_or(hal::kTemperatureNotKnown) != hal::kTemperatureNotKnown) {
       all.push_back(of_chip(*end.temperature_dc));

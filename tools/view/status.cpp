@@ -29,6 +29,7 @@ Json sensors_json(const FrameFacts& frame) {
   for (const intake::SensorReport& sensor :
        std::span(frame.end->sensors).first(frame.header.sensor_count)) {
     list.push_back({{"state", static_cast<unsigned>(sensor.state)},
+                    {"blocked", static_cast<unsigned>(sensor.blocked)},
                     {"age", sensor.age_frames},
                     {"packets", sensor.packets},
                     {"points", sensor.points},
@@ -71,6 +72,7 @@ Json end_json(const FrameFacts& frame) {
           {"fates", end.fates},
           {"drops", end.packet_drops},
           {"unwatched", end.unwatched ? hex(*end.unwatched, 16) : ""},
+          {"blocked", end.blocked ? hex(*end.blocked, 16) : ""},
           {"temperature", temperature_json(end)},
           {"sensors", sensors_json(frame)}};
 }

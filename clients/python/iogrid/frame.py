@@ -87,6 +87,14 @@ class Window:
         return self.to_car(x_m / CELL_M - 32 * self.corner[0], y_m / CELL_M - 32 * self.corner[1])
 
 
+def _is_set(bits: int, from_rad: float, to_rad: float) -> bool:
+    """Whether any of the 64 sectors is that these directions touch."""
+    if not 0 <= to_rad - from_rad <= math.tau:
+        raise ValueError(f"not counter-clockwise within a turn: {from_rad}, {to_rad}")
+    sectors = range(math.floor(from_rad * 64 / math.tau), math.floor(to_rad * 64 / math.tau) + 1)
+    return any(bits >> i % 64 & 1 for i in sectors)
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Frame:
     """What has come of a frame. A grid that the target does not send is None, and so is what belongs to it."""
@@ -99,6 +107,7 @@ class Frame:
     partial: int  # bit i: a part of it
     points_used: int
     unwatched: int | None  # bit i: no sensor watches sector i of 64 around the car now (3.5); None: not known
+    blocked: int | None  # bit i: nearly nothing comes back to some sensor from there: a cap, ice or mud, no open sky
     is_whole: bool  # nothing of it was lost, and its grids have the names that the target gave them
     indexes: numpy.ndarray | None  # int8 [SIDE, SIDE], above 0 occupied, below free; [0, 0] is at (-51.2, -51.2) m
     indexes_lost: numpy.ndarray | None  # bool [32, 32]: tiles whose cells did not come, and are 0
@@ -124,10 +133,11 @@ class Frame:
     def is_watched(self, from_rad: float, to_rad: float) -> bool:
         """Whether sensors watch every direction from the one to the other now, counter-clockwise from straight ahead:
         -0.2 to 0.2 is the sector ahead. What is not known is not watched. ValueError if that is no sector."""
-        if not 0 <= to_rad - from_rad <= math.tau:
-            raise ValueError(f"not counter-clockwise within a turn: {from_rad}, {to_rad}")
-        sectors = range(math.floor(from_rad * 64 / math.tau), math.floor(to_rad * 64 / math.tau) + 1)
-        return self.unwatched is not None and not any(self.unwatched >> i % 64 & 1 for i in sectors)
+        return self.unwatched is not None and not _is_set(self.unwatched, from_rad, to_rad)
+
+    def is_blocked(self, from_rad: float, to_rad: float) -> bool:
+        """Whether a sensor that looks there is covered, likewise. Another one may watch nevertheless."""
+        return _is_set(self.blocked or 0, from_rad, to_rad)
 
     def index_at(self, x_m: float, y_m: float) -> int:
         """The occupancy index of a place; 0, unknown, outside of the grid."""

@@ -57,10 +57,10 @@ class Grid:
         self.end, self.window = struct.unpack_from(">III", body, at), window
 
     @staticmethod
-    def unwatched_of(body: bytes, sensors: int) -> int | None:
-        """What the end of a frame says behind its counters and sensors (3.5); an older target does not."""
+    def sectors_of(body: bytes, sensors: int) -> list[int | None]:
+        """Which are not watched and which are blocked, behind counters and sensors (3.5); older targets do not say."""
         at = Grid._behind_sensors(body, sensors)
-        return struct.unpack_from(">Q", body, at)[0] if at + 8 <= len(body) else None
+        return [struct.unpack_from(">Q", body, at + i)[0] if at + i + 8 <= len(body) else None for i in (0, 8)]
 
     @staticmethod
     def temperature_of(body: bytes, sensors: int) -> float | None:

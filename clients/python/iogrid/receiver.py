@@ -24,7 +24,7 @@ class _Waiting:
 
     def __init__(self, flags: int):
         self.flags, self.header, self.sequences = flags & _CONTENTS, (), set()
-        self.objects, self.unwatched, self.temperature_c = ObjectParts(), None, None
+        self.objects, self.unwatched, self.blocked, self.temperature_c = ObjectParts(), None, None, None
         self.indexes, self.classes = Grid(is_of_classes=False), Grid(is_of_classes=True)
         self.grids = [grid for grid, is_sent in ((self.indexes, not flags & _HAS_NO_INDEXES),
                                                  (self.classes, flags & _HAS_CLASSES)) if is_sent]
@@ -46,7 +46,7 @@ class _Waiting:
             require(kind == _FRAME_END or grid in self.grids, "malformed")
             grid.take_end(body)
             if kind == _FRAME_END:
-                self.unwatched = grid.unwatched_of(body, header[7])
+                self.unwatched, self.blocked = grid.sectors_of(body, header[7])
                 self.temperature_c = grid.temperature_of(body, header[7])
         self.sequences.add(sequence)
         self.header = header if kind == _FRAME_END or not self.header else self.header
@@ -167,7 +167,8 @@ class Receiver:
         is_whole = waiting.indexes.end is not None and are_indexes_whole and are_classes_whole and \
             waiting.has_its_objects
         _, _, _, _, _, closed_us, vehicle, _, complete, partial, _, points_used, *_, run = waiting.header
-        return Frame(number, closed_us, vehicle, run, complete, partial, points_used, waiting.unwatched, is_whole,
+        return Frame(number, closed_us, vehicle, run, complete, partial, points_used, waiting.unwatched,
+                     waiting.blocked, is_whole,
                      None if indexes is None else indexes.view(numpy.int8), indexes_lost,
                      None if classes is None else classes >> 3, None if classes is None else classes & 7, classes_lost,
                      window, window.velocity_since(before) if window and is_next else None, waiting.objects.objects,

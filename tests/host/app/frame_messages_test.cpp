@@ -53,6 +53,7 @@ TEST(FrameMessages, TheEndHasTheRest) {
   report.sensors[1].points = 99;
   report.unwatched = 5;
   report.vitals.temperature_dc = 612;
+  report.blocked = 4;
   stream::FrameEnd end;
   set_frame_end(report, end);
   EXPECT_EQ(end.opened_us, 33U);
@@ -64,6 +65,7 @@ TEST(FrameMessages, TheEndHasTheRest) {
   EXPECT_EQ(end.sensors[1].points, 99U);
   EXPECT_EQ(end.unwatched, 5U);
   EXPECT_EQ(end.temperature_dc, 612);
+  EXPECT_EQ(end.blocked, 4U);
   EXPECT_EQ(end.tiles_sent + end.tiles_lost + end.grid_crc, 0U);
 }
 

@@ -82,12 +82,13 @@ def line_of(frame: iogrid.Frame) -> str:
         x, y = -20 + i * 0.2137, -5 + i % 7 * 1.377
         is_free += frame.is_free((x, x + i % 5 * 0.613), (y, y + i % 3 * 0.797)) << i % 16
     is_watched = sum(frame.is_watched(-3.3 + i * 0.213, -3.3 + i * 0.213 + i % 4 * 0.31) << i for i in range(32))
+    is_blocked = sum(frame.is_blocked(-3.3 + i * 0.213, -3.3 + i * 0.213 + i % 4 * 0.31) << i for i in range(32))
     pose = window and window.pose
     return (f"{frame.number} run {frame.run} whole {frame.is_whole:d} lost {frame.indexes_lost.sum()} "
             f"{frame.classes_lost.sum()} cells {zlib.crc32(frame.indexes.tobytes()):08x} "
             f"{zlib.crc32((frame.classes << 3 | frame.sureness).tobytes()):08x} "
             f"objects {objects_of(frame)} unwatched {frame.unwatched is not None:d} {frame.unwatched or 0:016x} "
-            f"watched {is_watched:08x} "
+            f"watched {is_watched:08x} blocked {frame.blocked or 0:016x} {is_blocked:08x} "
             f"chip {-32768 if frame.temperature_c is None else round(frame.temperature_c * 10)} causes {window.causes if window else 0:x} "
             f"pose {pose is not None:d} {pose.x_m if pose else 0:.3f} {pose.y_m if pose else 0:.3f} "
             f"{pose.heading_rad if pose else 0:.6f} end {window.end_us if window else 0} moving {len(moving)} "

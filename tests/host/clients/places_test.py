@@ -46,9 +46,18 @@ class Watched(unittest.TestCase):
         self.assertFalse(self.frame_of(1 << 31).is_watched(3.1, 3.2))
         self.assertTrue(self.frame_of(1 << 31).is_watched(3.15, 3.2))
 
+    def test_covered(self):
+        target = made_stream.Target(0)
+        target.unwatched, target.blocked = 0b11 << 62 | 0b11, 0b1
+        frame, = received(target.messages_of(made_stream.Grid(), 1))[0]
+        self.assertFalse(frame.is_watched(-0.19, 0.19))
+        self.assertTrue(frame.is_blocked(-0.19, 0.19))
+        self.assertFalse(frame.is_blocked(-0.19, -0.01))
+
     def test_what_an_older_target_does_not_say_is_not_watched(self):
         frame, = received(streams.messages_of(streams.VERSION_3))[0][:1]
         self.assertIsNone(frame.unwatched)
+        self.assertIsNone(frame.blocked)
         self.assertFalse(frame.is_watched(0, 0.1))
 
     def test_how_warm_the_chip_is(self):

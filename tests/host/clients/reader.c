@@ -67,13 +67,15 @@ static void print(const iogrid_receiver* r) {
          r->has_indexes ? lost(&r->indexes) : 0, r->has_classes ? lost(&r->classes) : 0,
          picture(r, 0), picture(r, 1));
   print_objects(r);
-  uint32_t is_watched = 0;
+  uint32_t is_watched = 0, is_blocked = 0;
   for (int i = 0; i < 32; ++i) {
-    is_watched |= (uint32_t)iogrid_is_watched(r, -3.3 + i * 0.213, -3.3 + i * 0.213 + i % 4 * 0.31)
-                  << i;
+    const double from = -3.3 + i * 0.213, to = from + i % 4 * 0.31;
+    is_watched |= (uint32_t)iogrid_is_watched(r, from, to) << i;
+    is_blocked |= (uint32_t)iogrid_is_blocked(r, from, to) << i;
   }
   printf(" unwatched %d %016llx watched %08x", r->knows_unwatched,
          r->knows_unwatched ? (unsigned long long)r->unwatched : 0ULL, is_watched);
+  printf(" blocked %016llx %08x", (unsigned long long)r->blocked, is_blocked);
   printf(" chip %d", r->temperature_dc);
   printf(
       " causes %x pose %d %.3f %.3f %.6f end %llu moving %u %.3f free %u at %d car %d %.3f %.3f\n",

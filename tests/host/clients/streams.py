@@ -58,7 +58,7 @@ def raw() -> pathlib.Path:
     """Two frames, all of whose tiles are raw, with classes and without a place for them in the second."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     path, target = FOLDER / "raw.pcap", made_stream.Target(0)
-    target.unwatched = 0x8000_0001_0F00_0003
+    target.unwatched, target.blocked = 0x8000_0001_0F00_0003, 0x8000_0000_0300_0000
     target.temperature_dc = -55
     grid, window = made_stream.Grid(), made_classes.Window(1.0, 2.0, 0.125)
     for i in range(-127, 128):

@@ -96,6 +96,18 @@ TEST(FrameDiagnostics, AWarmChipIsAWarningAndAHotOneAnError) {
   }
 }
 
+TEST(FrameDiagnostics, ABlockedSensorIsAnErrorAndAPartAWarning) {
+  GridFrame frame = sound_frame();
+  frame.end.unwatched = frame.end.blocked = 1;
+  frame.end.sensors[2].blocked = intake::Blocked::kPartly;
+  EXPECT_EQ(found_in(frame, "sensor front_right").level, DiagnosticLevel::kWarn);
+  EXPECT_EQ(found_in(frame, "sensor front_right").message, "complete, partly blocked");
+  EXPECT_EQ(found_in(frame, "surroundings").values.at(1).second, "0 to 6 degrees");
+  frame.end.sensors[2].blocked = intake::Blocked::kWhole;
+  EXPECT_EQ(found_in(frame, "sensor front_right").level, DiagnosticLevel::kError);
+  EXPECT_EQ(found_in(frame, "sensor front_right").message, "complete, blocked");
+}
+
 TEST(FrameDiagnostics, MissingMessagesAreAWarningAndDamageIsAnError) {
   GridFrame frame = sound_frame();
   frame.valid_tiles.reset(5);

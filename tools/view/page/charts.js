@@ -242,12 +242,14 @@ export class Charts {
   }
 }
 
-function describeSensor({ state, age, points }) {
+const BLOCKED = ["", ", partly blocked", ", BLOCKED"];
+
+function describeSensor({ state, age, points, blocked }) {
   switch (state) {
     case 3:
-      return `${points} points`;
+      return `${points} points${BLOCKED[blocked] ?? ""}`;
     case 2:
-      return `partial, ${points} points`;
+      return `partial, ${points} points${BLOCKED[blocked] ?? ""}`;
     case 1:
       return age === 0xffff ? "silent" : `silent for ${age} frames`;
     default:

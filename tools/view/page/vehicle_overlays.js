@@ -84,24 +84,29 @@ function drawSensors(view, sensors) {
 
 const SECTORS = 64;
 
-// A hatched ring where no sensor watches now (docs/spec.md, 3.5): a bit a sector, counter-clockwise
-// from straight ahead.
+// A hatched ring where no sensor watches now, and a whole one around it where a sensor is blocked
+// (docs/spec.md, 3.5): a bit a sector, counter-clockwise from straight ahead.
 export function drawUnwatched(view) {
-  const { context, palette, grid } = view;
-  const sectors = BigInt(`0x${grid.frame?.status.frame?.end?.unwatched || "0"}`);
-  if (sectors === 0n || (view.showsClasses && !view.hasPlace)) {
-    return;
+  const end = view.grid.frame?.status.frame?.end;
+  if (!view.showsClasses || view.hasPlace) {
+    drawSectors(view, end?.unwatched, 0, [2, 4]);
+    drawSectors(view, end?.blocked, 9, []);
   }
+}
+
+function drawSectors(view, bits, further, dashes) {
+  const { context, palette } = view;
+  const sectors = BigInt(`0x${bits || "0"}`);
   view.inVehicle((scale) => {
     context.strokeStyle = palette.unwatched;
-    context.lineWidth = 10;
+    context.lineWidth = further === 0 ? 10 : 4;
     context.lineCap = "butt";
-    context.setLineDash([2, 4]);
+    context.setLineDash(dashes);
     for (let i = 0; i < SECTORS; i += 1) {
       if ((sectors >> BigInt(i)) & 1n) {
         const [end, begin] = [i, i + 1].map((at) => -Math.PI / 2 - (2 * Math.PI * at) / SECTORS);
         context.beginPath();
-        context.arc(0, 0, Math.max(40, 4 * scale), begin, end);
+        context.arc(0, 0, Math.max(40, 4 * scale) + further, begin, end);
         context.stroke();
       }
     }
