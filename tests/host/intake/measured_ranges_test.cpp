@@ -167,6 +167,17 @@ TEST(FrozenSensor, WhatWasMeasuredLongAgoMayBeMeasuredAgain) {
   EXPECT_EQ(unit.frozen(), 0U);
 }
 
+// docs/design.md: of two of a turn the first to come is taken, whichever it is, and that is
+// counted.
+TEST(FrozenSensor, OfTwoWithEqualRangesTheLaterOneIsDropped) {
+  for (const int first : {3, 4}) {
+    Unit unit(vlp16());
+    EXPECT_TRUE(unit.is_taken(vlp16_packet(first, 100)));
+    EXPECT_FALSE(unit.is_taken(vlp16_packet(7 - first, 100)));
+    EXPECT_EQ(unit.frozen(), 1U);
+  }
+}
+
 // A duplicate and a late packet have their own causes.
 TEST(FrozenSensor, ADuplicateIsNotFrozen) {
   Unit unit(ThreeLux::kVehicle.sensors[0]);
