@@ -72,7 +72,7 @@ class Install(unittest.TestCase):
                  for root in (self.prefix, folder / "unpacked/usr")]
         self.assertEqual(*files)
         wanted = run("dpkg-deb", "-f", package, "Depends")
-        for library in ("libc6", "libpcap0.8", "libpng16-16", "libzstd1", "zlib1g"):
+        for library in ("libc6", "libpcap0.8", "libpng16-16", "libproj25", "libzstd1", "zlib1g"):
             self.assertIn(library, wanted)
         said = run(folder / "unpacked/usr/bin/iog", "info", streams.VERSION_3)
         self.assertIn("frames                2", said)
