@@ -44,7 +44,7 @@ FragmentSenders::Sender FragmentSenders::of(Ipv4Address address) const {
 }
 
 void Reassembly::expire(std::uint64_t now_us, FragmentCounters& counters) {
-  for (Joining& joining : joinings_) {
+  for (const Joining& joining : joinings_) {
     if (is_open(joining) && now_us - joining.first_us > kTimeoutUs) {
       open_ &= ~bit_of(joining);
       counters.expired += joining.is_refused ? 0U : 1U;
