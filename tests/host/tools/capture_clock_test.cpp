@@ -23,7 +23,7 @@ Recorded recorded(std::int64_t step_us, const std::vector<int>& at) {
   SteadyTime time;
   Recorded its;
   for (int i = 0; i < 300; ++i) {
-    std::int64_t clock_us = kStart + 10'000 * i;
+    std::int64_t clock_us = kStart + 10'000L * i;
     for (const int each : at) {
       clock_us += i >= each ? step_us : 0;
     }
@@ -55,22 +55,22 @@ TEST(SteadyTime, GoesOnWhereTheClockStepsBack) {
 TEST(SteadyTime, AStepThatIsTakenBackLeavesNoTrace) {
   SteadyTime time;
   for (int i = 0; i < 300; ++i) {
-    const std::int64_t clock_us = kStart + 10'000 * i - (i >= 100 && i < 200 ? kHour : 0);
+    const std::int64_t clock_us = kStart + 10'000L * i - (i >= 100 && i < 200 ? kHour : 0);
     const auto time_us =
         static_cast<std::int64_t>(time.of(static_cast<std::uint64_t>(clock_us))) - kStart;
-    EXPECT_EQ(time_us, 10'000 * i);
+    EXPECT_EQ(time_us, 10'000L * i);
   }
 }
 
 // Packets of two interfaces of which one is 200 ms late in the file, or a little.
 TEST(SteadyTime, DisorderIsNoStep) {
-  for (const int late_ms : {5, 40, 200}) {
+  for (const std::uint64_t late_ms : {5UL, 40UL, 200UL}) {
     SteadyTime time;
     std::uint64_t newest_us = 0;
     for (std::uint64_t i = 0; i < 300; ++i) {
       const std::uint64_t clock_us = kStart + 10'000 * i;
       newest_us = std::max(newest_us, time.of(clock_us));
-      newest_us = std::max(newest_us, time.of(clock_us - 1'000 * static_cast<unsigned>(late_ms)));
+      newest_us = std::max(newest_us, time.of(clock_us - 1'000UL * late_ms));
     }
     EXPECT_LE(newest_us, kStart + 2'990'000) << late_ms;
     EXPECT_GE(newest_us, kStart + 2'980'000) << late_ms;

@@ -139,24 +139,6 @@ TEST(Capture, WhatDoesNotFitIntoAFrameIsFragments) {
   EXPECT_EQ(reader.counts().skipped(), 2U);
 }
 
-TEST(Capture, VlanTagsAreSkipped) {
-  const tests::TemporaryFolder folder;
-  const std::string path = folder / "vlan.pcap";
-  write_capture(path, {datagram_of(1, 100)});
-  auto bytes = read_file(path);
-  const std::vector<std::byte> tag{std::byte{0x81}, std::byte{0x00}, std::byte{0x00},
-                                   std::byte{0x05}};
-  bytes.insert(bytes.begin() + kFirstFrame + 12, tag.begin(), tag.end());
-  for (const std::size_t length : {kFileHeaderBytes + 8, kFileHeaderBytes + 12}) {
-    bytes[length] = static_cast<std::byte>(std::to_integer<unsigned>(bytes[length]) + tag.size());
-  }
-  write_bytes(path, bytes);
-  PcapReader reader(path);
-  const auto received = read_capture(reader);
-  ASSERT_EQ(received.size(), 1U);
-  EXPECT_EQ(received[0].payload, datagram_of(1, 100).payload);
-}
-
 // One packet, with one byte of it changed.
 CaptureCounts counts_with(std::size_t offset_in_frame, std::uint8_t value) {
   const tests::TemporaryFolder folder;
