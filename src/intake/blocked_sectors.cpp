@@ -13,15 +13,15 @@ namespace {
 constexpr std::int64_t kGroundMm = 20'000;
 constexpr std::int64_t kSteepest = 16;  // a beam to the ground falls by 1 in 16
 constexpr std::int64_t kRising = 32;    // one to the sky rises by 1 in 32
-constexpr std::uint32_t kFewestBeams = 8;
+constexpr std::uint32_t kFewestBeams = 4;
 constexpr std::uint32_t kBlockedPart = 16;
 constexpr std::uint32_t kOpenPart = 8;
 constexpr std::uint8_t kEmptyTurns = 3;
 
 constexpr bool contains(const lidar::Sector& sector, std::uint32_t azimuth_ticks,
                         std::uint32_t ticks_per_turn) {
-  return (azimuth_ticks + ticks_per_turn - sector.first_ticks) % ticks_per_turn <
-         sector.width_ticks;
+  const std::uint32_t turn = azimuth_ticks < sector.first_ticks ? ticks_per_turn : 0;
+  return azimuth_ticks + turn - sector.first_ticks < sector.width_ticks;
 }
 
 }  // namespace
@@ -69,11 +69,13 @@ BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
   return kind;
 }
 
-// kSectors if no sector has it. The points of a packet are near to one another.
+// kSectors if no sector has it. The points of a packet are near to one another: beside the likely
+// sector it looks first, on both sides in turn.
 std::size_t BlockedSectors::sector_of(std::uint32_t azimuth_ticks, std::size_t likely) const {
   const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
   for (std::size_t i = 0; i < kSectors; ++i) {
-    const std::size_t sector = (likely + i) % kSectors;
+    const std::size_t beside = i % 2 == 0 ? i / 2 : kSectors - (i + 1) / 2;
+    const std::size_t sector = (likely + beside) % kSectors;
     if (contains((*view_)[sector], azimuth_ticks, turn)) {
       return sector;
     }
@@ -109,7 +111,7 @@ void BlockedSectors::add(const Packet& packet) {
   };
   if (turns_) {
     const auto layers = std::span(sampled_).first(sampled_count_);
-    packet.for_each_sample({.layers = layers, .log2_firings = layers.size() <= 16 ? 3 : 1}, look);
+    packet.for_each_sample({.layers = layers, .log2_firings = layers.size() <= 16 ? 2 : 1}, look);
   } else {
     packet.for_each_point(look);
   }
