@@ -83,7 +83,10 @@ Places places_of(const std::string& place_in_file, const std::vector<std::string
     }
     std::size_t& place = places[static_cast<std::size_t>(found - kNames.begin())];
     if (place != kMissing) {
-      throw UsageError(place_in_file + ": the column " + name + " is there twice");
+      throw UsageError(std::string(place_in_file)
+                           .append(": the column ")
+                           .append(name)
+                           .append(" is there twice"));
     }
     place = i;
   }

@@ -45,7 +45,8 @@ class Bursts {
     Own own(times_->size());
     for (std::size_t i = 0; i < times_->size(); ++i) {
       const Group& group = groups_[is_before ? i : i + 1];
-      if (group.count > 0 && (is_irregular_ || usual_ > 1 || is_whole(i, is_before))) {
+      const bool is_own = is_irregular_ || usual_ > 1 || is_whole(i, is_before);
+      if (group.count > 0 && is_own && (group.is_inside || inside_ < 0.5)) {
         own[i] = is_before ? group.first + group.count - 1 : group.first;
       }
     }
@@ -55,7 +56,7 @@ class Bursts {
   // Where the order is open, by one sentence; where some are lost, by as many at most.
   [[nodiscard]] std::vector<double> open_s(bool is_before, bool is_order_open) const {
     std::vector<double> open_s(times_->size(), is_order_open ? step_s() : 0);
-    for (std::size_t i = 0; usual_ > 1 && i < times_->size(); ++i) {
+    for (std::size_t i = 0; usual_ > 1 && !is_irregular_ && i < times_->size(); ++i) {
       open_s[i] += is_whole(i, is_before) ? 0 : step_s() * std::abs(missing(i, is_before));
     }
     return open_s;
@@ -64,13 +65,7 @@ class Bursts {
   // Whether the sentence comes before the times; empty: open.
   [[nodiscard]] std::optional<bool> order(bool angles_are_headings, bool is_cut_at_begin,
                                           bool is_cut_at_end) const {
-    std::size_t inside = 0;
-    std::size_t filled = 0;
-    for (const Group& group : groups_) {
-      inside += group.is_inside ? 1U : 0U;
-      filled += group.count > 0 ? 1U : 0U;
-    }
-    if (2 * inside > filled) {
+    if (inside_ > 0.05) {
       return false;
     }
     if (is_irregular_) {
@@ -80,12 +75,11 @@ class Bursts {
     if (!order && angles_are_headings) {
       order = by_course();
     }
-    const bool opens = groups_.front().count > 0;
-    const bool closes = groups_.back().count > 0;
-    if (!order && opens != closes && !is_cut_at_begin && !is_cut_at_end) {
-      order = opens;
-    }
-    return order;
+    const std::size_t begin = groups_.front().count;
+    const std::size_t end = groups_.back().count;
+    const bool is_uncut = !is_cut_at_begin && !is_cut_at_end && std::min(begin, end) == 0 &&
+                          std::max(begin, end) == std::max(usual_, std::size_t{1});
+    return order || !is_uncut ? order : std::optional(begin > 0);
   }
 
   [[nodiscard]] bool opens() const { return groups_.front().count == 1; }
@@ -121,6 +115,10 @@ class Bursts {
       residues_[is_before ? 1 : 0] = usual_residue(is_before);
     }
     is_irregular_ = !is_regular();
+    const auto filled = std::ranges::count_if(groups_, [](const Group& g) { return g.count > 0; });
+    const auto inside = std::ranges::count_if(groups_, &Group::is_inside);
+    inside_ =
+        static_cast<double>(inside) / static_cast<double>(std::max<std::ptrdiff_t>(filled, 1));
   }
 
   // Some are lost, but what comes follows the period.
@@ -228,6 +226,7 @@ class Bursts {
   double rare_s_ = 1;          // the period of sentences that are rarer than times
   std::array<double, 2> residues_{};
   bool is_irregular_ = false;
+  double inside_ = 0;  // the share of sentences that stand between two of one time
 };
 
 }  // namespace

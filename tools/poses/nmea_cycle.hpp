@@ -34,7 +34,7 @@ struct Cycle {
 //   - it stands between two sentences of one time;
 //   - it comes more rarely than the times: then at whole multiples of its period;
 //   - driven curves: its angles follow the courses better (angles are headings);
-//   - the log opens or closes with it, and does so in agreement: bursts are logged whole.
+//   - the log opens with it and closes without it, or the other way round, as whole bursts do.
 // If none of these decides, the beginning of the log is followed, and open_s says so. Sentences are
 // counted between times: where one is lost, none is taken, or, if there are several, with open_s.
 [[nodiscard]] Cycle cycle_of(const std::vector<TimedMotion>& times,

@@ -11,7 +11,7 @@ namespace iog::tools {
 namespace {
 
 // Headings further apart say nothing of the time between.
-constexpr double kMostBetweenS = 1.5;
+constexpr double kMostBetweenS = 2.5;
 
 double seconds_between(const NmeaEpoch& from, const NmeaEpoch& to) {
   return static_cast<double>(static_cast<std::int64_t>(to.time_us() - from.time_us())) / 1e6;
@@ -51,6 +51,7 @@ void give_days(std::vector<NmeaEpoch>& epochs) {
 Cycle cycle_in(const std::vector<NmeaEpoch>& epochs, const UntimedSentences& untimed,
                bool angles_are_headings) {
   std::vector<TimedMotion> times;
+  times.reserve(epochs.size());
   for (const NmeaEpoch& epoch : epochs) {
     times.push_back({epoch.time_us(), epoch.speed_mps, epoch.course_deg});
   }
@@ -116,7 +117,8 @@ void doubt(std::vector<NmeaEpoch>& epochs, Angle angle, const Cycle& cycle) {
   }
 }
 
-// Between two headings the turn is even, but for what its rate changes from one pair to the next.
+// Between two headings the turn is even, but for what its rate changes from one pair to the next:
+// in the worst case at once and half way.
 void interpolate(std::vector<NmeaEpoch>& epochs, std::vector<std::string>& notes) {
   Tally between;
   const std::vector<Turn> turns = turns_in(epochs, &NmeaEpoch::heading_deg);
@@ -131,7 +133,7 @@ void interpolate(std::vector<NmeaEpoch>& epochs, std::vector<std::string>& notes
       const double share = seconds_between(from, epochs[i]) / turn.seconds;
       epochs[i].heading_deg = *from.heading_deg + turn.degrees * share;
       epochs[i].doubt_rad = std::max(from.doubt_rad, epochs[turn.to].doubt_rad) +
-                            change * kRadians * turn.seconds / 8;
+                            change * kRadians * turn.seconds / 2;
       between.add(epochs[i].line);
     }
   }

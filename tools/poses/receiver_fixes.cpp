@@ -83,11 +83,8 @@ class Directions {
 
   // How far the car can have turned since its direction was known.
   void pass_from_the_last(std::size_t i) {
-    if (i == 0) {
-      return;
-    }
-    const Fix& last = (*fixes_)[i - 1];
     const Fix& fix = (*fixes_)[i];
+    const Fix& last = (*fixes_)[i > 0 ? i - 1 : i];
     const double seconds =
         fix.time_us > last.time_us ? static_cast<double>(fix.time_us - last.time_us) / 1e6 : 0;
     const auto turn_rate = [](double speed_mps) {
@@ -95,8 +92,9 @@ class Directions {
                  ? 0
                  : std::min(speed_mps / kLeastRadiusM, kMostSideways / speed_mps);
     };
-    turnable_deg_ +=
-        std::max(turn_rate(speed_of(last)), turn_rate(speed_of(fix))) * seconds / kRadians;
+    before_mps_ = last_mps_;
+    last_mps_ = fix.speed_mps.value_or(last_mps_);
+    turnable_deg_ += std::max(turn_rate(before_mps_), turn_rate(last_mps_)) * seconds / kRadians;
     if (seconds > kUnwatchedS) {
       direction_deg_.reset();
     }
@@ -110,7 +108,7 @@ class Directions {
       turnable_deg_ = 0;
     } else if (is_moving) {
       follow_course(i);
-    } else if (direction_deg_ && is_by_course_) {
+    } else if (direction_deg_ && is_by_course_ && fix.speed_mps && *fix.speed_mps < kWalkingMps) {
       fix.heading_deg = direction_deg_;
       fix.heading_doubt_rad = std::min(turnable_deg_, 180.0) * kRadians;
       stretch_of_[i] = is_stated_ ? kNone : stretches_.size() - 1;
@@ -133,8 +131,8 @@ class Directions {
     const double turn = direction_deg_ ? turn_between(*direction_deg_, *fix.course_deg) : 0;
     const double possible = turnable_deg_ + kCourseNoiseDeg;
     if (!direction_deg_ || std::max(turn, 180 - turn) <= possible) {
-      const bool is_after_stop = i > 0 && speed_of((*fixes_)[i - 1]) < kWalkingMps;
-      stretches_.push_back({.begins_in_motion = !is_after_stop});
+      const bool is_after_stop = i > 0 && before_mps_ < kWalkingMps;
+      stretches_.push_back({.begins_in_motion = !direction_deg_ && !is_after_stop});
       direction_deg_ = *fix.course_deg;
       is_stated_ = false;
     } else if (std::min(turn, 180 - turn) <= possible) {
@@ -176,12 +174,15 @@ class Directions {
   bool is_stated_ = false;     // the direction goes on from a stated heading
   bool is_by_course_ = false;  // and was last that of a course
   double turnable_deg_ = 0;
+  double before_mps_ = 0;  // the last known speeds, where a fix may be without one
+  double last_mps_ = 0;
 };
 
 // The first position may be an outlier on the other side of the earth.
 LocalPlane plane_of(const std::vector<Fix>& fixes) {
   const auto median = [&fixes](double Geodetic::*angle) {
     std::vector<double> angles;
+    angles.reserve(fixes.size());
     for (const Fix& fix : fixes) {
       angles.push_back(fix.at.*angle);
     }

@@ -15,8 +15,6 @@
 namespace iog::tools {
 namespace {
 
-const double kDegree = std::acos(-1.0) / 180;
-
 // Serpentines with an antenna 1.2 m ahead of the rear axle, which moves to the outside by its turn.
 // Both ends of the log are cut such that they say nothing.
 struct Serpentines {
@@ -36,7 +34,7 @@ Cycle cycle_in(const Serpentines& drive) {
     const double heading_deg = 50 + drive.turn_dps / 0.7 * std::sin(0.7 * seconds);
     const double speed_mps = drive.begin_mps + 2 * std::sin(0.4 * seconds);
     const double aside_deg =
-        std::atan(1.2 * rate_dps * kDegree / (drive.way * speed_mps)) / kDegree;
+        std::atan(1.2 * rate_dps * kRadians / (drive.way * speed_mps)) / kRadians;
     times.push_back({static_cast<std::uint64_t>(std::llround(seconds * 1e6)), speed_mps,
                      heading_deg + aside_deg + (drive.way < 0 ? 180 : 0)});
     const std::size_t before = drive.is_before ? i : i + 1;

@@ -12,32 +12,31 @@
 namespace iog::tools {
 namespace {
 
-const double kDegree = std::acos(-1.0) / 180;
-
 // The speed changes evenly to that at the end of a phase; curvature is clockwise, per metre.
-struct Phase {
+struct MotionPhase {
   double seconds;
   double end_mps;
   double curvature = 0;
 };
 
-struct Truth {
+struct StatedPose {
   double heading_deg;
   double speed_mps;
 };
 
-struct Drive {
+struct StatedMotion {
   std::vector<Fix> fixes;
-  std::vector<Truth> truth;
+  std::vector<StatedPose> truth;
 };
 
-Drive drive_of(double begin_mps, const std::vector<Phase>& phases, double period_s = 0.1) {
-  Drive drive;
+StatedMotion drive_of(double begin_mps, const std::vector<MotionPhase>& phases,
+                      double period_s = 0.1) {
+  StatedMotion drive;
   const auto ticks = static_cast<int>(std::lround(period_s * 1000));
   double heading_deg = 75;
   double speed = begin_mps;
   int ms = 0;
-  for (const Phase& phase : phases) {
+  for (const MotionPhase& phase : phases) {
     const double gain = (phase.end_mps - speed) / phase.seconds / 1000;
     for (int i = 0; i < std::lround(phase.seconds * 1000); ++i, ++ms) {
       if (ms % ticks == 0) {
@@ -49,7 +48,7 @@ Drive drive_of(double begin_mps, const std::vector<Phase>& phases, double period
              .place = drive.fixes.size() + 1});
         drive.truth.push_back({heading_deg, speed});
       }
-      heading_deg += speed * phase.curvature / 1000 / kDegree;
+      heading_deg += speed * phase.curvature / 1000 / kRadians;
       speed += gain;
     }
   }
@@ -57,7 +56,7 @@ Drive drive_of(double begin_mps, const std::vector<Phase>& phases, double period
 }
 
 // Each pose with a heading has its own, as far as it says so. Returns their number.
-std::size_t expect_the_truth(const PoseLog& log, const Drive& drive) {
+std::size_t expect_the_truth(const PoseLog& log, const StatedMotion& drive) {
   std::size_t known = 0;
   for (std::size_t i = 0; i < log.poses.size(); ++i) {
     const LoggedPose& pose = log.poses[i];
@@ -66,7 +65,7 @@ std::size_t expect_the_truth(const PoseLog& log, const Drive& drive) {
     }
     ++known;
     const double off = std::remainder(
-        *pose.heading_rad - (90 - drive.truth[i].heading_deg) * kDegree, 360 * kDegree);
+        *pose.heading_rad - (90 - drive.truth[i].heading_deg) * kRadians, 360 * kRadians);
     EXPECT_LE(std::abs(off), pose.heading_doubt_rad + 1e-9) << "row " << i;
     if (pose.heading_doubt_rad < 0.01) {
       EXPECT_NEAR(pose.speed_mps.value_or(99), drive.truth[i].speed_mps, 1e-3) << "row " << i;
@@ -87,7 +86,7 @@ bool says(const std::vector<std::string>& words, const std::string& what) {
 TEST(ReceiverFixes, AHeadingGoesOnWhenTheCarReverses) {
   struct Case {
     std::string name;
-    Drive drive;
+    StatedMotion drive;
     double known;  // least share of the rows
     bool is_assumed = false;
   };
@@ -127,14 +126,14 @@ TEST(ReceiverFixes, AHeadingGoesOnWhenTheCarReverses) {
 
 TEST(ReceiverFixes, WhatACourseLeavesOpenIsLeftOut) {
   for (const double speed : {-5.1, 5.1}) {
-    const Drive drive = drive_of(0, {{2, 0}, {2, speed}, {5, speed}});
+    const StatedMotion drive = drive_of(0, {{2, 0}, {2, speed}, {5, speed}});
     const PoseLog log = log_of(drive.fixes, "line");
     EXPECT_EQ(expect_the_truth(log, drive), 0U);
     EXPECT_TRUE(says(log.remarks, "from standstill, a course does not say (first: line 25)"))
         << log.remarks.at(0);
   }
   // A silence after which the car creeps on: it may have turned about.
-  Drive drive = drive_of(10, {{5, 10}, {3, 0}, {3, 0}, {2, -3}, {5, -3}});
+  StatedMotion drive = drive_of(10, {{5, 10}, {3, 0}, {3, 0}, {2, -3}, {5, -3}});
   for (std::size_t i = 100; i < drive.fixes.size(); ++i) {
     drive.fixes[i].time_us += 60'000'000;
   }
@@ -144,7 +143,7 @@ TEST(ReceiverFixes, WhatACourseLeavesOpenIsLeftOut) {
 TEST(ReceiverFixes, AStatedHeadingSaysWhichWayRound) {
   // Known in the first second, in the last one, in the middle.
   for (const std::size_t known : {0U, 90U, 45U}) {
-    Drive drive = drive_of(-3, {{3, -3, 0.1}, {2, -1.5}, {5, -2}});
+    StatedMotion drive = drive_of(-3, {{3, -3, 0.1}, {2, -1.5}, {5, -2}});
     for (std::size_t i = known; i < known + 10; ++i) {
       drive.fixes[i].heading_deg = drive.truth[i].heading_deg;
     }
@@ -152,9 +151,21 @@ TEST(ReceiverFixes, AStatedHeadingSaysWhichWayRound) {
   }
 }
 
+// Positions ten times a second, speed and course once: nothing says how the car turned between.
+TEST(ReceiverFixes, AFixWithoutASpeedDoesNotStand) {
+  StatedMotion drive = drive_of(9, {{5, 9, 0.05}});
+  for (std::size_t i = 0; i < drive.fixes.size(); ++i) {
+    if (i % 10 != 0) {
+      drive.fixes[i].speed_mps.reset();
+      drive.fixes[i].course_deg.reset();
+    }
+  }
+  EXPECT_EQ(expect_the_truth(log_of(drive.fixes, "line"), drive), 5U);
+}
+
 // The plane touches where the car is, not where its receiver thought to be at first.
 TEST(ReceiverFixes, TheFirstPlaceMayBeAnOutlier) {
-  Drive drive = drive_of(10, {{5, 10}});
+  StatedMotion drive = drive_of(10, {{5, 10}});
   drive.fixes[0].at = {0, 0};
   drive.fixes[1].at = {-1, 179};
   const PoseLog log = log_of(drive.fixes, "line");

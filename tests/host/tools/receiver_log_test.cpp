@@ -163,15 +163,16 @@ TEST(NmeaLog, FindsSentencesInWhateverIsAroundThem) {
   const std::string bare = line.substr(0, line.size() - 2);
   // NAV-SAT of eight bytes: two line ends, a dollar, zeros.
   const std::string ubx("\xB5\x62\x01\x35\x08\x00\r\n$\0\0\0\0\0\x79\x29", 16);
+  const std::string among = std::string(ubx).append(line).append(ubx);
   for (const std::string& text :
        {"\xEF\xBB\xBF" + line, bare + "\r" + rmc("120001"), bare + "\n" + rmc("120001"),
-        ubx + line + ubx + rmc("120001"), "12:00:00.013 " + line, "\xB5\x62\x01" + line}) {
+        among + rmc("120001"), "12:00:00.013 " + line, "\xB5\x62\x01" + line}) {
     const PoseLog log = nmea_log(text);
     ASSERT_FALSE(log.poses.empty()) << text;
     EXPECT_EQ(log.poses[0].time_us, 1'714'564'800'000'000U);
     EXPECT_LE(log.remarks.size(), 1U) << log.remarks.at(0);
   }
-  EXPECT_EQ(nmea_log(ubx + line + ubx).remarks.at(0), "2 UBX messages between the lines");
+  EXPECT_EQ(nmea_log(among).remarks.at(0), "2 UBX messages between the lines");
 }
 
 // A car that turns about itself for ten seconds, 30 degrees a second clockwise, as a receiver tells
@@ -234,7 +235,7 @@ TEST(NmeaHeadings, AreOfTheirOwnTime) {
       {.order = 'a', .lose_every = 13},
       {.order = 'm', .lose_every = 7},
       {.heading_every = 5, .order = 'b', .lose_every = 17},
-      {.place_every = 10, .tick_s = 0.1, .order = 'a', .lose_every = 23},
+      {.place_every = 10, .tick_s = 0.1, .order = 'a', .lose_every = 23, .is_open = true},
       {.place_every = 2, .heading_every = 5, .tick_s = 0.1, .order = 'b', .is_open = true}};
   for (std::size_t i = 0; i < recipes.size(); ++i) {
     const PoseLog log = nmea_log(text_of(recipes[i]));
