@@ -103,13 +103,16 @@ KINDS = {
 }
 EXPERIMENTS = tuple(f"experiments/{path.name}" for path in sorted((ROOT / "lab/experiments").iterdir())
                     if path.is_dir())
+# Questions of our own choice that are answered. Their pages and tables stay; the programs that measured them stand
+# at the commit in lab/data/made_from, and are not in the tree any more.
+DECIDED = tuple(f"experiments/{name}" for name in ("detection_quality", "order_of_fusion", "price_of_hits_win"))
 TARGET = tuple(f"target/{part}" for part in a9_runs.PARTS)
 # KIND or KIND/PART.
-STEPS = ("peers", *EXPERIMENTS, *TARGET, "images", "a9_model", "recorded")
+STEPS = ("peers", *EXPERIMENTS, *DECIDED, *TARGET, "images", "a9_model", "recorded")
 # Which page shows what was measured by which steps.
 PAGES = {
-    "results": (*EXPERIMENTS, *TARGET, "peers"),
-    **{f"results/{step.partition('/')[2]}": (step,) for step in EXPERIMENTS
+    "results": (*EXPERIMENTS, *DECIDED, *TARGET, "peers"),
+    **{f"results/{step.partition('/')[2]}": (step,) for step in (*EXPERIMENTS, *DECIDED)
        if step != "experiments/evidential"},
     "results/traversal": ("experiments/traversal", "target/frames"),
     "results/output_rates": ("experiments/output_rates", "experiments/worst_frames", "target/frames"),
@@ -189,7 +192,7 @@ def program_of(step: str) -> str:
     """What measures it: a path in the project."""
     if step == "images":
         return "lab/target/images"
-    return f"lab/{step}" if step in EXPERIMENTS else f"lab/{step.partition('/')[0]}"
+    return f"lab/{step}" if step in (*EXPERIMENTS, *DECIDED) else f"lab/{step.partition('/')[0]}"
 
 
 def complain(program: str, text: str, status: int) -> typing.NoReturn:

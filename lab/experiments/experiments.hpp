@@ -15,9 +15,6 @@ namespace iog::lab {
 [[nodiscard]] Tables quadtree(const Input& input);           // thesis, table 4.7, section 4.3.2.2
 [[nodiscard]] Tables stream_of_tiles(const Input& input);    // bytes of a frame, bad and slow links
 [[nodiscard]] Tables many_core(const Input& input);          // many-core paper, table I
-[[nodiscard]] Tables order_of_fusion(const Input& input);    // equation 4.4
-[[nodiscard]] Tables detection_quality(const Input& input);  // what the choices cost
-[[nodiscard]] Tables price_of_hits_win(const Input& input);  // rain, ghosts, thin gaps
 [[nodiscard]] Tables perception_rules(const Input& input);   // classes of the perception grid
 [[nodiscard]] Tables perception_street(const Input& input);  // of what stops, and leaves
 [[nodiscard]] Tables perception_poses(const Input& input);   // and when poses are bad

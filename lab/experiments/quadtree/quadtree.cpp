@@ -8,7 +8,6 @@
 
 #include "lab/evidence/frame_points.hpp"
 #include "lab/experiments/experiments.hpp"
-#include "lab/experiments/fusion_trial.hpp"
 #include "lab/experiments/output_rates/scene_load.hpp"
 #include "lab/experiments/quadtree/grids.hpp"
 #include "lab/experiments/quadtree/pair.hpp"
@@ -75,8 +74,14 @@ struct Leaves {
 using ByPolicy = std::array<Leaves, kPolicies.size()>;
 using OfDrive = std::array<ByPolicy, kIndexes.size()>;
 
+// All sensors of the reference car are alike.
+ByStep<double> model_of_a_lux() {
+  const auto& sensor = tools::find_vehicle(tools::kDefaultVehicle).sensors.front();
+  return probabilities({.sigma_m = sensor.sigma_m, .cell_length_m = sensor.precision_mm / 1000.0});
+}
+
 OfDrive leaves_of(const char* scene, const Input& input) {
-  const ByStep<double> model = probabilities(model_of(tools::find_vehicle(tools::kDefaultVehicle)));
+  const ByStep<double> model = model_of_a_lux();
   OfDrive result;
   for_each_frame(scene, input, 1, [&](const FrameEvidence& evidence, std::uint32_t /*frame*/) {
     for (std::size_t i = 0; i < kIndexes.size(); ++i) {
@@ -132,7 +137,7 @@ Table sizes(const Input& input) {
 
 // What it takes to fuse frames in the tree itself: beam by beam, by the thesis's sum, blurring.
 Table updates(const Input& input) {
-  const ByStep<double> model = probabilities(model_of(tools::find_vehicle(tools::kDefaultVehicle)));
+  const ByStep<double> model = model_of_a_lux();
   const auto values = indexes(model, kDefaultEpsilon, Quantisation::kBlurring);
   Table table("quadtree_updates", {"scene", "frame", "changing_updates", "splits", "merges",
                                    "leaves", "differing_cells"});

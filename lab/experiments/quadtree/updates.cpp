@@ -2,8 +2,6 @@
 
 #include <cstdint>
 
-#include "lab/experiments/fusion_trial.hpp"
-
 namespace iog::lab {
 namespace {
 

@@ -10,6 +10,10 @@
 
 namespace iog::lab {
 
+inline constexpr double kDefaultEpsilon = 0.05;
+inline constexpr std::int32_t kInt8Limit = 127;
+inline constexpr std::int32_t kNoLimit = 1 << 30;
+
 // Of a frame.
 struct TreeUpdates {
   std::uint64_t updates = 0;          // measurements of cells that change something

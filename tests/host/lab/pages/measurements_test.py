@@ -57,7 +57,7 @@ class Project(unittest.TestCase):
 
     def test_each_step_was_measured_at_a_commit_by_a_program_that_is_there(self):
         self.assertEqual(set(measurements.stamps()), set(measurements.STEPS))
-        for step in measurements.STEPS:
+        for step in set(measurements.STEPS) - set(measurements.DECIDED):
             self.assertTrue((laboratory.ROOT / measurements.program_of(step)).exists(), step)
 
 

@@ -94,11 +94,6 @@ class Run(unittest.TestCase):
         self.assertEqual(status, 0)
         self.assertIn("docs/results/recorded.md stays, not measured", said)
 
-    def test_it_is_never_measured_because_sources_are_others(self):
-        self.assertIn("recorded", measurements.STEPS)
-        with mock.patch.object(measurements, "stamps", return_value={}):
-            self.assertNotIn("recorded", measurements.stale_steps())
-
 
 if __name__ == "__main__":
     unittest.main()
