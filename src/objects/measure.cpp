@@ -174,7 +174,8 @@ Edge face_with_standing(Side side, Reference face, std::span<const std::uint16_t
     sum += is_near ? place - outermost : 0;
     count += is_near ? 1 : 0;
   });
-  return {.mm = outwards * (outermost + sum / std::max(count, 1)), .hits = std::max(count, 1)};
+  const std::int32_t counted = std::max<std::int32_t>(count, 1);
+  return {.mm = outwards * (outermost + sum / counted), .hits = counted};
 }
 
 void take_standing_faces(Point car, std::span<const std::uint16_t> numbers,

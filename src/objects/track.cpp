@@ -121,7 +121,7 @@ bool Track::may_have_a_standing_face() const {
 
 void Track::follow_trail() {
   const bool is_seen = seen.passed >= kTrailPlaces && seen.passed >= kGoodOverBad * seen.kept;
-  trail = std::clamp(trail + (is_seen ? 2 : -1), 0, kMostTrail);
+  trail = std::clamp<std::int32_t>(trail + (is_seen ? 2 : -1), 0, kMostTrail);
 }
 
 bool Track::is_small() const { return longest_of(box_.sides) < kSmallMm && speed_ < kSmallSpeed; }
