@@ -49,7 +49,7 @@ void end_helper(hal::CoreState state, const TextLine& last_word) {
 }
 
 // The registers of the GIC's CPU interface are each core's own, and so is the group of each private
-// interrupt: wake and stop are of group 0, whatever a loader has left.
+// interrupt. This puts wake and stop into group 0, whatever the loader has left.
 void run_helper() {
   Helper& helper = this_helper();
   gic_distributor.igroupr[0].write(0);

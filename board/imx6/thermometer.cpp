@@ -12,7 +12,7 @@ using R = AnalogRegisters;
 constexpr std::uint32_t kMeasureFrequency = 4096;
 
 constexpr std::int32_t kRoomDc = 250;
-// What no chip that still works has: wrong fuses, or a count that is none.
+// The limits of a working chip: beyond them the fuses are wrong or the count is invalid.
 constexpr std::int32_t kLeastDc = -600;
 constexpr std::int32_t kMostDc = 2000;
 
@@ -38,10 +38,11 @@ std::int16_t temperature_dc(std::uint32_t calibration, std::uint32_t count) {
 
 void Thermometer::start() {
   calibration_ = ocotp_.ana1.read();
-  // The bandgap's start-up circuit disturbs what measures by the bandgap, and is needed no more
+  // The bandgap's start-up circuit disturbs measurements by the bandgap, and is no longer needed
   // (chapter "Power Management Unit (PMU)", MISC0).
   analog_.misc0.set_bits(R::kMisc0SelfBiasOff);
-  // Stopped, powered, without an alarm, whatever a loader has left; then how often, then the start.
+  // First stop it, power it and clear the alarm, whatever the loader has left; then set the rate;
+  // then start.
   analog_.tempsense0.write(0);
   analog_.tempsense1.write(kMeasureFrequency);
   analog_.tempsense0.write(R::kTempsense0Measure);

@@ -1,7 +1,8 @@
-// How warm the chip is, by its temperature monitor and the calibration in its fuses. Never waits.
+// The chip's temperature, from its temperature monitor and the calibration in its fuses. Never
+// waits.
 //
-// QEMU keeps what is written to the monitor and never finishes a measurement, and its fuses are
-// blank: there the temperature is not known.
+// QEMU only stores writes to the monitor, never finishes a measurement and has blank fuses, so
+// there the temperature is not known.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +17,11 @@ class Thermometer {
   Thermometer(AnalogRegisters& analog, const OcotpRegisters& ocotp)
       : analog_(analog), ocotp_(ocotp) {}
 
-  // Starts to measure, again and again. Needs the clocks of start_clocks(), PLL3 and the 32 kHz.
+  // Starts periodic measurements. Needs the clocks of start_clocks(), PLL3 and the 32 kHz.
   void start();
 
   // The last measurement in tenths of a degree Celsius; hal::kTemperatureNotKnown before the first
-  // one, after a second of frames without another, and without a calibration.
+  // one, after a second of frames without a new one, or without a calibration.
   std::int16_t read_dc();
 
  private:
@@ -28,7 +29,7 @@ class Thermometer {
   const OcotpRegisters& ocotp_;
   std::uint32_t calibration_ = 0;
   std::int16_t last_dc_ = 0;
-  unsigned missed_ = kMostMissed;  // reads since a measurement was there
+  unsigned missed_ = kMostMissed;  // reads since the last measurement
 
   // A second of frames of 40 ms; there are eight measurements in it.
   static constexpr unsigned kMostMissed = 25;

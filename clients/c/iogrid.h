@@ -25,7 +25,7 @@ enum iogrid_class {  // 3.9
   IOGRID_OCCUPIED
 };
 
-// Whether one of the sectors that the directions touch is in the bits; also if they are no sector.
+// Whether the bits have one of the sectors that the directions touch; true if they are no sector.
 static inline int iogrid_has_sector(uint64_t bits, double from_rad, double to_rad) {
   const double sectors_per_rad = 64 / 6.283185307179586;
   const double first = floor(from_rad * sectors_per_rad), last = floor(to_rad * sectors_per_rad);
@@ -42,8 +42,8 @@ static inline int iogrid_is_watched(const iogrid_receiver* r, double from_rad, d
   return r->knows_unwatched && !iogrid_has_sector(r->unwatched, from_rad, to_rad);
 }
 
-// Whether a sensor that looks there is covered: a cap, ice or mud, no open sky. Another one may
-// watch there nevertheless.
+// Whether a sensor that looks there is covered by a cap, ice or mud; open sky does not count.
+// Another sensor may watch there nevertheless.
 static inline int iogrid_is_blocked(const iogrid_receiver* r, double from_rad, double to_rad) {
   return iogrid_has_sector(r->blocked, from_rad, to_rad);
 }

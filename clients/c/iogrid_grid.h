@@ -138,7 +138,7 @@ static inline void iogrid_close_grid(iogrid_grid* grid, const uint32_t* table, u
   }
 }
 
-// Where the end of a frame has what stands behind its counters and sensors (3.5), or `bytes`.
+// Where the fields behind counters and sensors begin in the end of a frame (3.5), or `bytes`.
 static inline size_t iogrid_end_tail(uint32_t sensors, const uint8_t* body, size_t bytes) {
   if (bytes < 32) return bytes;
   size_t at = 32 + 4 * ((size_t)body[28] + body[29] + body[30] + body[31]);
@@ -147,7 +147,7 @@ static inline size_t iogrid_end_tail(uint32_t sensors, const uint8_t* body, size
   return at < bytes ? at : bytes;
 }
 
-// The sectors that nobody watches, and those in which a sensor is blocked; false of an older target.
+// Unwatched sectors, and those in which a sensor is blocked; false from an older target.
 static inline int iogrid_sectors(uint32_t sensors, const uint8_t* body, size_t bytes,
                                  uint64_t* unwatched, uint64_t* blocked) {
   const size_t at = iogrid_end_tail(sensors, body, bytes);
@@ -159,7 +159,7 @@ static inline int iogrid_sectors(uint32_t sensors, const uint8_t* body, size_t b
 
 enum { IOGRID_NO_TEMPERATURE = -32768 };
 
-// How warm the chip is, in tenths of a degree Celsius, or IOGRID_NO_TEMPERATURE.
+// The chip's temperature in tenths of a degree Celsius, or IOGRID_NO_TEMPERATURE.
 static inline int16_t iogrid_temperature(uint32_t sensors, const uint8_t* body, size_t bytes) {
   const size_t at = iogrid_end_tail(sensors, body, bytes) + 16;
   if (at + 2 > bytes) return IOGRID_NO_TEMPERATURE;

@@ -89,11 +89,11 @@ class CommandGate {
   }
 
  private:
-  // A gate is open by this word alone: no bit that flips makes it of the other one, nor of any.
+  // Only this word opens a gate, and no single flipped bit turns the other one into it.
   static constexpr std::uint32_t kOff = 0x6F66'6621;
   static constexpr std::uint32_t kOn = 0x9099'99DE;
 
-  // The port is there twice: what has one bit another is still there once.
+  // The port is stored twice: after one flipped bit one copy is still right.
   struct Door {
     std::uint32_t source_ipv4;
     std::uint16_t udp_port;

@@ -89,7 +89,7 @@ class Verifier {
   const CmacKey* key_;
   std::uint16_t data_id_;
   std::uint32_t run_;
-  // Twice: a bit that flips lets no message of before in, only keeps out some that come.
+  // Stored twice: a flipped bit admits no old message, it only rejects some new ones.
   std::uint32_t counter_ = 0;
   std::uint32_t not_counter_ = ~std::uint32_t{0};
 };

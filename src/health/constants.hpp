@@ -1,8 +1,8 @@
-// What is set when the program starts and never again, among what changes: a region of the check of
-// memory (health/memory_check.hpp) each.
+// Members that are set at start and never again, beside data that changes. Each is a region of the
+// check of memory (health/memory_check.hpp).
 //
-// A class that has such members has for_each_constant(visit), which calls visit(bytes) for them and
-// for those of its parts.
+// A class with such members has for_each_constant(visit), which calls visit(bytes) for them and for
+// those of its parts.
 #pragma once
 
 #include <cstddef>

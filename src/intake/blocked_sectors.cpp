@@ -69,8 +69,8 @@ BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
   return kind;
 }
 
-// kSectors if no sector has it. The points of a packet are near to one another: beside the likely
-// sector it looks first, on both sides in turn.
+// kSectors if no sector has it. The points of a packet are near to one another, so the search
+// begins at the likely sector and widens on both sides.
 std::size_t BlockedSectors::sector_of(std::uint32_t azimuth_ticks, std::size_t likely) const {
   const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
   for (std::size_t i = 0; i < kSectors; ++i) {
@@ -117,7 +117,7 @@ void BlockedSectors::add(const Packet& packet) {
   }
 }
 
-// A turn of which an eighth is lost is one.
+// A turn of which an eighth is lost still counts as a turn.
 bool BlockedSectors::is_over(std::uint32_t swept_ticks, std::uint64_t swept) const {
   return turns_
              ? swept_ticks > 0 && 8 * (turn_ticks_ + swept_ticks) >= 7U * sensor_->scan_width_ticks

@@ -1,20 +1,18 @@
-// Where nearly nothing comes back to a sensor although something should: a cap, ice or mud is on
-// its window, or it is broken. The open sky gives nothing either, so each sector
-// (watched_sectors.hpp) is judged by the beams that something has to come back from:
+// Blocked sectors: nearly nothing returns to a sensor although something should, because a cap, ice
+// or mud covers its window, or it is broken. Open sky returns nothing either, so each sector
+// (watched_sectors.hpp) is judged by beams that must return:
 //
-// - ground: of a unit that turns, where beams meet the car's plane within 20 m and at 1 in 16 or
-//   steeper. A turn blocks the sector in which less than a sixteenth of these come back, if no more
-//   of all its beams do, or if a quarter of these has come back before: a mean that follows a 32nd
-//   a turn. Three turns open it in which an eighth of these comes back, or else of all.
-// - sky: the other sectors of such a unit. Each is blocked while all that see ground are.
-// - level: of a unit that does not turn, or that sees no ground, where a beam rises by less than 1
-// in
-//   32: whether anything comes back. 32 scans in which nothing does block the sector, and two in
-//   which something does open it. Three of the whole unit in which nothing does block all of it.
+// - ground: a unit that turns, where its beams meet the car's plane within 20 m and at 1 in 16 or
+//   steeper. A turn blocks the sector if less than a sixteenth of these beams returns, and if the
+//   same is true of all its beams, or a quarter of these returned before (a running mean, 1/32 a
+//   turn). Three turns in which an eighth of these, or else of all, returns open it.
+// - sky: the other sectors of such a unit. Each is blocked while all ground sectors are.
+// - level: a unit that does not turn or sees no ground, where a beam rises by less than 1 in 32. 32
+//   scans without a return block the sector, and two with one open it. Three scans without any
+//   return block the whole unit.
 //
-// A return nearer than the sensor's minimum, and one that the sensor calls dirt or rain, is none.
-// Only whole turns and scans are judged, by sums over their packets: in which order they came does
-// not show.
+// Returns nearer than the sensor's minimum, and those that it flags as dirt or rain, do not count.
+// Only whole turns and scans are judged, by sums over packets, so their order does not matter.
 #pragma once
 
 #include <array>
@@ -29,7 +27,7 @@ namespace iog::intake {
 
 inline constexpr std::size_t kSectors = 64;
 
-// The azimuths of a sensor between which it sees a sector; of width 0 if it does not reach it.
+// The azimuths between which a sensor sees a sector; of width 0 if it does not reach it.
 using SectorView = std::array<lidar::Sector, kSectors>;
 
 // Azimuths, in 256 parts of a turn.
@@ -63,32 +61,33 @@ class BlockedSectors {
   // The packet is part of the frame at hand.
   void add(const Packet& packet);
 
-  // Whether anything has come back in the frame at hand.
+  // Whether the frame at hand has any return.
   [[nodiscard]] bool has_returns() const { return frame_returns_ > 0; }
 
   struct State {
     std::array<std::int16_t, kSectors> levels{};
-    std::array<std::uint16_t, kSectors> gave{};  // what has come back of low beams, of kAllGave
+    std::array<std::uint16_t, kSectors> gave{};  // mean share of low beams that return, of kAllGave
     std::uint8_t empty_turns = 0;
     // Bit i: the sensor has looked into sector i since start; it is blocked there.
     std::uint64_t seen = 0;
     std::uint64_t blocked = 0;
   };
 
-  // After the frame at hand, of which the sensor has swept so many ticks, and these sectors whole.
+  // The state after the frame at hand, in which the sensor swept that many ticks and all of these
+  // sectors.
   [[nodiscard]] State after_frame(std::uint32_t swept_ticks, std::uint64_t swept) const;
   // The frame is closed.
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
-  // The azimuths of a packet in which a missing return says nothing: its sector is blocked by the
-  // frames before, or less than a sixteenth of the beams that are judged come back in this very
-  // packet, there or beside it.
+  // The azimuths of a packet in which a missing return is no evidence: its sector was blocked in
+  // the frames before, or less than a sixteenth of the judged beams return in this very packet,
+  // there or beside it.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
  private:
   enum class Kind : std::uint8_t { kUnseen, kGround, kLevel, kSky };
   static constexpr std::size_t kMaxSampled = 32;
-  static constexpr std::int16_t kFull = 96;  // of a level; at 0 the sector is blocked
+  static constexpr std::int16_t kFull = 96;  // the highest level; at 0 the sector is blocked
 
   struct Sums {
     std::uint16_t beams = 0;
@@ -135,7 +134,7 @@ class EvidentPacket {
   void for_each_point(Visit&& visit) const {
     packet_->for_each_point([&](lidar::ScanPoint point) {
       if (point.range_mm == 0 && silent_->contain(point.azimuth_ticks)) {
-        point.echo = 1;  // of a beam only its first echo carves
+        point.echo = 1;  // only the first echo of a beam carves
       }
       visit(point);
     });

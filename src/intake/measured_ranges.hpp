@@ -67,8 +67,8 @@ class RangeMemory {
   std::uint32_t number_ = kMaxPackets;  // of the last packet; none is older than so many packets
 };
 
-// Whether a sensor still measures. The order of a frame's packets changes nothing unless two of
-// them have equal ranges: then the later one is frozen.
+// Whether a sensor still measures. The order of a frame's packets matters only if two have equal
+// ranges: then the later one is frozen.
 class FrozenWatch {
  public:
   // How many packets back a repeated one is known, below RangeMemory::kMaxPackets.

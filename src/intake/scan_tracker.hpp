@@ -88,9 +88,9 @@ class ScanTracker {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;
   }
-  // Whether the packet and what the frame has of a turn, which it sweeps again, begin within less
-  // than the shortest turn. Where a clock has stepped meanwhile, as one that counts from the hour
-  // does every hour, they do not.
+  // Whether the packet sweeps again a part of a turn that the frame has, and both begin within less
+  // than the shortest turn. They do not if the clock has stepped in between, as one that counts
+  // from the hour does every hour.
   [[nodiscard]] bool is_too_fast(const lidar::PacketInfo& packet) const {
     const std::uint64_t within_us =
         std::max(last_us_, packet.sweep.begin_us) - std::min(begin_us_, packet.sweep.begin_us);
@@ -105,7 +105,7 @@ class ScanTracker {
   std::uint32_t points_ = 0;
   std::uint32_t scan_number_ = 0;  // the newest; always 0 where the format has none
   std::uint64_t begin_us_ = 0;     // of the newest scan; of a turn's part in this frame
-  std::uint64_t last_us_ = 0;      // the latest begin of a packet in this frame
+  std::uint64_t last_us_ = 0;      // the latest start of a packet in this frame
   std::uint16_t age_frames_ = 0;
   std::array<std::uint64_t, kMaxRemembered> fingerprints_{};  // a ring, the oldest is overwritten
   std::size_t fingerprint_count_ = 0;

@@ -9,8 +9,8 @@
 //
 // A radar and an ultrasonic unit watch nothing: where they report nothing, there may be something.
 //
-// A sensor of which nothing has come back in its whole scan watches nothing, and nothing in a
-// sector in which it is blocked (blocked_sectors.hpp).
+// A sensor watches nothing in a scan without any return, nor in a sector in which it is blocked
+// (blocked_sectors.hpp).
 #pragma once
 
 #include <array>
@@ -62,7 +62,7 @@ class WatchedSectors {
   void end_frame(const Intake& intake, std::uint64_t now_us);
 
  private:
-  // Bit i: the sensor has swept sector i in the frame at hand, whatever has come back.
+  // Bit i: the sensor has swept sector i in the frame at hand, with or without returns.
   [[nodiscard]] std::uint64_t swept_by(std::size_t sensor, const Intake& intake) const;
 
   std::span<const vehicle::Sensor> sensors_;

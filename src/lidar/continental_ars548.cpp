@@ -56,7 +56,7 @@ struct Detection {
     return (invalid & (kNoRange | kNoAzimuth | kNoElevation)) == 0;
   }
   [[nodiscard]] bool has_sigma() const { return (invalid & kNoElevationSigma) == 0; }
-  // As near to the horizon as its standard deviation allows. Of a place.
+  // Moved towards the horizon by its standard deviation, at most to it. Of a place.
   [[nodiscard]] std::int64_t nearest_elevation() const {
     const std::int64_t sigma = has_sigma() ? *elevation_sigma : 0;
     return *elevation > 0 ? std::max<std::int64_t>(*elevation - sigma, 0)

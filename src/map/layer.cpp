@@ -140,7 +140,7 @@ void Layer::withdraw_all(window::WindowFusion& window) {
   is_in_use_ = false;
 }
 
-// By the cells as they were before the frame. Names are taken away at once; to be given again, each
+// Uses the cells as they were before the frame. Names are revoked at once; to restore them, each
 // tile is drawn anew.
 void Layer::judge(window::WindowFusion& window) {
   const window::WindowView view = window.view();

@@ -8,8 +8,8 @@
 // The one that began to wait first is drawn first, of those that began in one frame that of the
 // lowest slot.
 //
-// A map that the sensors contradict (map/agreement.hpp) is drawn all the same, so that it is known
-// when it agrees again, but rules nothing out.
+// A map that the sensors contradict (map/agreement.hpp) is still drawn, to find when it agrees
+// again, but rules nothing out.
 //
 // A frame has a budget of work, in edges: kWorkPerFrame. What is not done waits, also in the middle
 // of a tile; a tile is shown when it is whole.

@@ -20,7 +20,7 @@ enum class Cause : std::uint8_t {
   kBlurred,       // what is possible of a cell would be asked farther than kHalo away
   kNoPlace,       // the window has none: nothing is known in it
   kOutside,       // no tile of the window meets the extent of the map
-  kContradicted,  // by what the sensors see (map/agreement.hpp): it is drawn, and names nothing
+  kContradicted,  // by the sensors (map/agreement.hpp): it is drawn, but names nothing
 };
 inline constexpr std::size_t kCauseCount = 9;
 

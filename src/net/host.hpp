@@ -3,7 +3,7 @@
 // It answers ARP for its address to every host of its subnet, so that sensors can reach it. It
 // answers ping to the peer alone, and of its own accord it sends messages to no other host:
 // send_to() is told its destination. Besides the peer it may know one more host by ARP, the
-// neighbour. It has no clock, and no memory but the port's buffers; that of datagrams in fragments
+// neighbour. It has no clock and no memory but the port's buffers; the memory for joining fragments
 // is lent to it. Nothing else is copied on the way in. On the way out everything is copied once,
 // and summed on the way: the port's memory is uncached, and reading it for the checksum would be
 // slow.
@@ -43,7 +43,7 @@ class Host {
   // kMaxFramesPerPoll other frames came before it. `now_us` never goes backwards.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
-  // From now on fragments are joined, in the memory of this; before, they are dropped.
+  // From now on fragments are joined in this memory; until then they are dropped.
   void join_fragments(Reassembly& reassembly) { reassembly_ = &reassembly; }
 
   // True once the peer's Ethernet address has been learnt; stays true.

@@ -34,19 +34,19 @@ class PeerResolver {
     return mac_ ? std::optional(Told{*mac_, learned_us_}) : std::nullopt;
   }
 
-  // ARP has told the peer's address. Another station than the known one is believed only when that
-  // has not answered for an interval: anybody can send an ARP packet that nobody has asked for.
-  // Until then it is in doubt, as with hear().
+  // ARP has given the peer's address. Anybody can send an unrequested ARP packet, so another
+  // station is believed only if the known one has not answered for an interval. Until then the
+  // known one is in doubt, as with hear().
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
-  // The peer's traffic has come from this station. If that is not the one that is known, one of the
-  // two is another's: the known one is asked soon whether the address is still its own. No station
-  // is believed by its traffic alone, because a router passes on what claims to be the peer's, too.
+  // The peer's traffic has come from this station. If it is not the known one, the known one is
+  // asked soon whether the address is still its own. Traffic alone proves no station, because a
+  // router also forwards packets that only claim to be the peer's.
   void hear(const MacAddress& mac);
 
-  // Whom to send an ARP request to now, which then counts as asked: everyone, or the known station
-  // alone if it is in doubt (RFC 1122, section 2.3.2.1, "Unicast Poll"). Everyone at the first
-  // call, as nothing is known then, and if the known one has not answered.
+  // The destination of an ARP request that is due now, which then counts as sent: the known station
+  // alone if it is in doubt (RFC 1122, section 2.3.2.1, "Unicast Poll"), else everyone. Everyone
+  // also at the first call, when nothing is known, and if the known station has not answered.
   [[nodiscard]] std::optional<MacAddress> request_due(std::uint64_t now_us);
 
  private:

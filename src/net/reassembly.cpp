@@ -52,7 +52,7 @@ void Reassembly::expire(std::uint64_t now_us, FragmentCounters& counters) {
   }
 }
 
-// Of the sender's own, or of all of those who are not listed.
+// Among the sender's own datagrams, or among those of all unlisted senders.
 Reassembly::Joining& Reassembly::displaced_by(Ipv4Address sender, bool is_its_own) {
   Joining* least = nullptr;
   std::ptrdiff_t most = 0;

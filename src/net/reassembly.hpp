@@ -6,11 +6,11 @@
 // ends its whole datagram, and what still comes of it is dropped, too (RFC 5722, section 4); one
 // that says again, byte for byte, what is there is a duplicate and does no harm.
 //
-// Pieces are kept of senders that are listed alone, of each as many datagrams at once as it has
-// streams. There is room for all of them, so no sender ever displaces the datagram of one that is
-// listed: one that begins more gives up its own oldest. Where anybody may send, too, they share the
-// rest of the room; if it is full, the address that has most gives way, then the datagram of which
-// least has come, then the oldest: a flood of orphans rather than a unit's datagram.
+// Only pieces of listed senders are kept, for each as many datagrams at once as it has streams.
+// There is room for all of them, so no sender displaces a datagram of another listed one: a sender
+// that begins too many loses its own oldest. If anybody may send, the unlisted ones share the
+// remaining room. If that is full, the address with most datagrams gives way, then the datagram of
+// which least has come, then the oldest. So a flood of orphans gives way before a unit's datagram.
 #pragma once
 
 #include <array>
@@ -23,19 +23,19 @@
 
 namespace iog::net {
 
-// Whose pieces are kept. At most kMostSenders addresses, and kMostDatagrams together.
+// The senders whose pieces are kept. At most kMostSenders addresses, and kMostDatagrams together.
 class FragmentSenders {
  public:
-  // Of a car: eight sensors, each of which sends one datagram after the other, its poses and its
-  // maps; and who replays all of these sensors.
+  // A car has eight sensors, each of which sends one datagram after the other, poses and maps, and
+  // a replayer of all these sensors.
   static constexpr std::size_t kMostDatagrams = 8 + 2 + 8;
   static constexpr std::size_t kMostSenders = 8 + 2 + 1;
 
-  // So many datagrams more of this sender at once. 0.0.0.0: of each that is not listed, in the room
-  // that those who are leave.
+  // Allows this sender that many more datagrams at once. 0.0.0.0: each unlisted sender, in the room
+  // that the listed ones leave.
   void add(Ipv4Address address, std::size_t datagrams = 1);
 
-  // How many at once, 0: none; and whether room is kept for them.
+  // How many datagrams at once (0: none), and whether room is reserved for them.
   [[nodiscard]] std::size_t datagrams_of(Ipv4Address address) const {
     return of(address).datagrams;
   }
@@ -114,7 +114,7 @@ class Reassembly {
   [[nodiscard]] static bool is_possible(const Joining& joining, const Extent& extent,
                                         bool has_more);
 
-  // Apart, so that the many that are not open are not looked at.
+  // Kept apart, so that the many unopened ones need not be read.
   [[nodiscard]] std::uint32_t bit_of(const Joining& joining) const {
     return std::uint32_t{1} << (&joining - joinings_.data());
   }

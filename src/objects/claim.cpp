@@ -9,7 +9,7 @@ namespace {
 
 // Something was there when the track, by its speed, was not: where the part of it that is at
 // `place` now was then, its box has no part.
-// That does not count where what recedes hides the place at which the part should be now.
+// Does not count where a receding track hides the place at which the part should be now.
 bool is_contradicted(const Track& track, const ClaimGate& gate, Point car, Point place,
                      const FrameHit& hit) {
   if (hit.oldest_epoch < kContradictingEpochs || track.updates < kContradictedFrom) {

@@ -14,8 +14,8 @@ namespace iog::objects {
 class Claim {
  public:
   // Of each hit the owner: of the tracks within whose gate it lies that whose box is nearest, of
-  // equals that of the lower slot. A hit that stands is taken by what moves, or recedes and may
-  // have a face that stands. A track that a hit contradicts does not take it, and remembers that.
+  // equals that of the lower slot. A standing hit goes to a moving track, or to a receding one
+  // whose face may stand. A track that a hit contradicts does not take it, and records that.
   // Returns what list() does.
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
                      std::span<FrameHit> hits);

@@ -33,7 +33,7 @@ bool is_steady(const Track& track) {
          track.seen.good >= kSteadyHits && track.seen.good >= kGoodOverBad * track.seen.bad;
 }
 
-// It is fast, or beams pass many of the places that it has left and none of them is hit again.
+// It is fast, or beams pass many places that it has left, and none of these is hit again.
 bool is_clear(const Track& track) {
   const Seen& seen = track.seen;
   const bool has_left = seen.passed >= kClearHits && seen.kept == 0;
@@ -81,8 +81,8 @@ std::uint64_t stays_since_us(std::uint64_t now_us, const Track& track) {
 }
 
 // It has stopped when it was slow for a while, when it has not come far, or when it is so slow that
-// nothing speaks for it any more. What loses its confidence with a speed has never moved, unless it
-// left a trail.
+// nothing speaks for it any more. A track that loses its confidence while it has a speed never
+// moved, unless it left a trail.
 void judge_moving(std::uint64_t now_us, Track& track) {
   if (const std::uint64_t since_us = stays_since_us(now_us, track); since_us != 0) {
     stop(since_us, track);
@@ -102,7 +102,7 @@ void judge_moving(std::uint64_t now_us, Track& track) {
   }
 }
 
-// Most of what is in the box of a track that moves stands: it has parked, unless it leaves a trail.
+// Most hits in the box of a moving track stand: it has parked, unless it leaves a trail.
 void judge_parked(std::uint64_t now_us, Step step, Track& track) {
   const Seen& seen = track.seen;
   const bool is_parked = !track.has_trail() && seen.standing >= kParkedHits &&

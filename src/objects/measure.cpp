@@ -148,9 +148,10 @@ void leave_standing(std::span<const std::uint16_t> numbers, std::span<FrameHit> 
   }
 }
 
-// The face that looks at the car, by hits that stand, too: of what recedes slowly the face stands
-// by name, because the thing was above that place for long. They count in the thing's lane alone,
-// so that what stands beside it does not widen it. What does stand holds the face where it is.
+// The face that looks at the car, measured with standing hits, too: the face of a slowly receding
+// object is called standing, because the object was above that place for long. They count only in
+// the object's lane, so that standing things beside it do not widen it. If the object does stand,
+// they hold the face in place.
 Edge face_with_standing(Side side, Reference face, std::span<const std::uint16_t> numbers,
                         std::span<const FrameHit> hits, const Edge& edge, const Box& box) {
   const Side other = side == kAlong ? kAcross : kAlong;

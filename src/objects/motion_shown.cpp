@@ -44,8 +44,8 @@ void weigh_left(const Snapshot& then, Point car, bool open_counts, const GridNam
   }
 }
 
-// Of what recedes: the grid's names of the places that it has left lag behind, so the frame at hand
-// says whether they are free. Bad are those that are hit again, by whatever stands there.
+// For a receding track: the grid's names lag behind at the places that it has left, so the frame at
+// hand decides whether they are free. Places that are hit again are bad: something stands there.
 void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t> numbers,
                  const FrameHits& hits, const GridNames& grid, Track& track) {
   const OwnBeams beams(car, numbers, hits.all());
@@ -67,7 +67,7 @@ void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t>
   }
 }
 
-// What a receding thing hid from the car when it was there says nothing: nobody could see it.
+// Hits that a receding object hid from the car when it was there say nothing: they were invisible.
 void weigh_reached(const Snapshot& then, Point car, bool open_counts,
                    std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
                    Track& track) {

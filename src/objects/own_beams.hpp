@@ -1,5 +1,5 @@
-// The beams that end on a track, seen from the car. What they passed on their way is free now: the
-// places that a receding thing has left, which no other beam reaches soon.
+// The beams that end on a track, seen from the car. The places that they passed are free now, among
+// them those that a receding object has left and no other beam reaches soon.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ namespace iog::objects {
 // Places are from the car, in units of 16 mm: below 2^14 in a window, so that products fit a word.
 class OwnBeams {
  public:
-  static constexpr std::size_t kMost = 48;  // of more hits every n-th
+  static constexpr std::size_t kMost = 48;  // if there are more hits, every n-th
 
-  // numbers: those of the track's hits.
+  // numbers: the indices of the track's hits.
   OwnBeams(Point car, std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits)
       : car_(car) {
     const std::size_t every = (numbers.size() + kMost - 1) / kMost;
@@ -29,8 +29,8 @@ class OwnBeams {
     }
   }
 
-  // Whether beams passed a place on both of its sides, close to it, and ended behind it. Along a
-  // wall beams graze, and pass a place on one side alone.
+  // Whether beams passed a place on both of its sides, close to it, and ended behind it. Beams that
+  // graze a wall pass a place on one side only.
   [[nodiscard]] bool pass(Point place) const {
     const Point its = from_car(place);
     const std::int32_t close =

@@ -125,8 +125,8 @@ inline constexpr std::int32_t kShownLeastMs = 160;
 inline constexpr std::int32_t kLeftMm = 250;  // so far out of the box is out of it
 inline constexpr std::int32_t kOpenSpeed = 3000;
 
-// The trail of what recedes. Of places that it has left, its own beams pass at least so many, and
-// kGoodOverBad times as many as are hit again.
+// The trail of a receding track. Its own beams pass at least so many of the places that it has
+// left, and kGoodOverBad times as many as are hit again.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;

@@ -81,12 +81,12 @@ class Track {
   [[nodiscard]] bool is_mostly_standing() const;
   // Sets is_receding, by its velocity and where it is from the car.
   void look_from(Point car);
-  // It recedes and is larger than a walker: hits that stand may be its rear, which was above that
+  // It recedes and is larger than a walker: standing hits may be its rear, which was above that
   // place for long.
   [[nodiscard]] bool may_have_a_standing_face() const;
-  // By seen: one more frame in which it has left a trail, or has not.
+  // Updates the trail from `seen`, once a frame.
   void follow_trail();
-  // Beams pass the places that it has left, again and again: hits that stand may be its own.
+  // Beams keep passing the places that it has left, so standing hits may be its own.
   [[nodiscard]] bool has_trail() const { return trail >= kTrail; }
   // A walker, by size and speed.
   [[nodiscard]] bool is_small() const;

@@ -37,7 +37,7 @@ enum class Cause : std::uint8_t {
   kJump,          // off the prediction: the window is unknown
   kRestart,       // a new run of the sender: the window is unknown
   kContradicted,  // beams go through what stood, all around: the window is unknown
-  kDrifting,      // poses come later and later, and packets are placed by when they come: unknown
+  kDrifting,      // poses come later and later, and packets are placed by arrival: unknown
 };
 inline constexpr std::size_t kCauseCount = 8;
 

@@ -206,9 +206,10 @@ bool History::is_stuck(const Message& next) const {
          !is_jump(residual(next.pose, stuck_->pose));
 }
 
-// Whether poses come later and later. The floor is the line below all offsets that rises as a clock
-// may drift; what of the least offset of a second is above it is a delay. Afterwards what is, is
-// the floor, so a delay that stays blinds for kSettledUs, and a message that came too early, too.
+// Whether poses come later and later. The floor is a line below all offsets that rises as fast as a
+// clock may drift. The least offset of a second less the floor is a delay. After a break the floor
+// begins at the present offset, so a constant delay, or a message that came too early, blinds for
+// kSettledUs.
 bool History::is_drifting(const Entry& next) {
   if (!depends_on_arrival_) {
     return false;
@@ -266,8 +267,8 @@ std::optional<std::uint64_t> History::source_time(std::uint64_t target_us) const
   return target_us - least_offset_us(entry(0), 1);
 }
 
-// Of a message and those of the second before it, the newest of which has this age. All is held
-// against the newest, modulo 2^64, so that no clock's zero matters.
+// The least offset of a message and those of the second before it, the newest of which has this
+// age. Offsets are compared with the newest, modulo 2^64, so that no clock's zero matters.
 std::uint64_t History::least_offset_us(const Entry& newest, std::size_t first_age) const {
   std::int64_t least_later = 0;
   for (std::size_t age = first_age; age < count_; ++age) {

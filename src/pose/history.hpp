@@ -77,8 +77,8 @@ class History {
   // Rises with each break: whatever was placed under another epoch is unknown now.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
-  // Whether a message of this run has said a place or a heading that would be a jump from that of
-  // the first one.
+  // Whether a message of this run has given a place or heading that would be a jump from the first
+  // one.
   [[nodiscard]] bool has_moved() const { return has_moved_; }
 
   // Of kLost and kContradicted (since the last message before it), kJump, kRestart and kDrifting
@@ -132,7 +132,7 @@ class History {
   std::size_t candidate_count_ = 0;
   std::uint64_t arrival_us_ = 0;    // of the newest message, by the target's clock
   std::optional<Message> stuck_{};  // where the source was contradicted, while nothing is believed
-  std::optional<Entry> floor_{};    // whose offset was the least since the break
+  std::optional<Entry> floor_{};    // the message that set the floor
   std::optional<std::uint64_t>
       drifted_us_{};  // when the offset last grew, while nothing is believed
   Pose first_{};      // of the run

@@ -40,11 +40,12 @@ inline constexpr std::uint16_t kMaxSigmaHeading = kMaxSigmaMm * 100'000 / kReach
 // jump.
 inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
 
-// No clock drifts faster; an offset of clocks that has grown by more beyond it is a delay that
-// grows.
+// No clock drifts faster. A clock offset that has grown by more than kMaxDelayGrowthUs beyond this
+// is a growing delay.
 inline constexpr std::uint64_t kMaxDriftPpm = 200;
 inline constexpr std::int64_t kMaxDelayGrowthUs = 30'000;
-// It is believed again when it has not grown like that for so long: twice the span of its least.
+// The source is believed again after so long without such growth: twice the span of the least
+// offset.
 inline constexpr std::uint64_t kSettledUs = 2 * kLostUs;
 
 // Residuals above this are a jump: 300 mm, or as much at kReachMm.

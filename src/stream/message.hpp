@@ -111,8 +111,8 @@ struct FrameEnd {
   std::uint8_t link_counter_count = 0;
   std::array<std::uint32_t, kMaxLinkCounters> link_counters{};       // since start, as docs/spec.md
   std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};  // Header::sensor_count of them
-  // Bit i: no sensor watches sector i around the vehicle; some sensor is blocked there. Empty of an
-  // older target.
+  // Bit i, sector i around the vehicle: no sensor watches it; some sensor is blocked there. Empty
+  // from an older target.
   std::optional<std::uint64_t> unwatched{};
   std::optional<std::uint64_t> blocked{};
   // Of the chip, in tenths of a degree Celsius, or hal::kTemperatureNotKnown. Empty of an older

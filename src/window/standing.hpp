@@ -38,10 +38,10 @@ struct StandingCounts {
 // frame half as much after five. A car that drives off is crossed, too, but walls, poles and other
 // cars are met meanwhile.
 //
-// By poses that were wrong from the first on little ever comes to stand, and of that much more is
-// crossed. So while the poses say that the car has never moved, fewer cells are enough if frame
-// after frame more than an eighth is crossed: what is beyond it is summed, and forgotten within
-// some hundred frames.
+// If the poses are wrong from the first one on, few cells come to stand, and a much larger share of
+// them is crossed. So while the poses have never moved the car, fewer cells are enough if more than
+// an eighth is crossed frame after frame. The excess is summed, and forgotten within some hundred
+// frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {
@@ -53,7 +53,7 @@ class Contradiction {
   }
   void clear() { *this = {}; }
 
-  // has_moved: the poses have said another place or heading than at first.
+  // has_moved: the poses have given another place or heading than at first.
   [[nodiscard]] bool is_met(bool has_moved) const {
     const std::uint32_t all = met_ + crossed_;
     return (all >= kUnit * kFewest && crossed_ > all / kShare) ||

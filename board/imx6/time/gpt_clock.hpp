@@ -1,9 +1,9 @@
 // Microseconds since start, from the General Purpose Timer. Satisfies hal::Clock.
 //
 // CLKSRC 5 is the 24 MHz crystal divided by eight, 3 MHz, on the i.MX6Q from revision 1.1 on and in
-// QEMU; the prescaler makes it 1 MHz. Revision 1.0, which QEMU says it is, has no such source:
-// there it is CLKSRC 1, ipg_clk, 66 MHz of the same crystal by PLL2, as the loader has left it (as
-// Linux does, clk-imx6q.c). CLKSRC 7 is 24 MHz in QEMU only, and the chip's own 24 MHz path
+// QEMU; the prescaler makes it 1 MHz. Revision 1.0, which QEMU reports, has no such source. There
+// the driver uses CLKSRC 1, ipg_clk: 66 MHz from the same crystal by PLL2, as the loader has left
+// it (as Linux does, clk-imx6q.c). CLKSRC 7 is 24 MHz in QEMU only, and the chip's own 24 MHz path
 // (EN_24M) exists only on the other i.MX6.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace iog::imx6 {
 
 enum class GptSource : std::uint8_t { kCrystal, kPeripheral };
 
-// What this revision of the chip has.
+// The source of this chip revision.
 GptSource gpt_source(const AnalogRegisters& analog);
 
 class GptClock {

@@ -70,7 +70,7 @@ def _unpacked(path: str, plain: BinaryIO, magic: bytes) -> Iterator[BinaryIO]:
 
 
 def _packets(path: str, file: BinaryIO) -> Iterator[tuple[int | None, bytes, int]]:
-    """Link types, packets as far as they were kept, and how long they were."""
+    """Link types, packets as captured, and their original lengths."""
     magic = file.read(4)
     if order := PCAP_ORDERS.get(magic):
         yield from _pcap(path, file, order)
@@ -123,7 +123,7 @@ def _pcapng(file: BinaryIO) -> Iterator[tuple[int | None, bytes, int]]:
 
 
 def _ipv4(link: int, frame: bytes) -> bytes:
-    """The packet behind the link's header and VLAN tags, each of which stands where a packet would; b"" if it is another."""
+    """The IPv4 packet behind the link's header and any VLAN tags; b"" if it is another protocol."""
     at, type_at = LINKS[link]
     if type_at is not None:
         kind = frame[type_at:type_at + 2]

@@ -88,7 +88,7 @@ class Window:
 
 
 def _is_set(bits: int, from_rad: float, to_rad: float) -> bool:
-    """Whether any of the 64 sectors is that these directions touch."""
+    """Whether any of the 64 sectors that these directions touch is set."""
     if not 0 <= to_rad - from_rad <= math.tau:
         raise ValueError(f"not counter-clockwise within a turn: {from_rad}, {to_rad}")
     sectors = range(math.floor(from_rad * 64 / math.tau), math.floor(to_rad * 64 / math.tau) + 1)

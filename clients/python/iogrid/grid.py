@@ -58,7 +58,7 @@ class Grid:
 
     @staticmethod
     def sectors_of(body: bytes, sensors: int) -> list[int | None]:
-        """Which are not watched and which are blocked, behind counters and sensors (3.5); older targets do not say."""
+        """Unwatched and blocked sectors, behind counters and sensors (3.5); older targets do not send them."""
         at = Grid._behind_sensors(body, sensors)
         return [struct.unpack_from(">Q", body, at + i)[0] if at + i + 8 <= len(body) else None for i in (0, 8)]
 
