@@ -16,7 +16,7 @@ namespace iog::tools {
 namespace {
 
 constexpr std::size_t kEnough = 25;  // packets of a sensor
-// What packets and poses are on their way is less, and what clocks differ by by mistake is more.
+// Transport takes less than this, and clocks that differ by mistake differ by more.
 constexpr std::int64_t kAgreeUs = 250'000;
 constexpr std::int64_t kSecondUs = 1'000'000;
 
@@ -30,7 +30,7 @@ std::int64_t middle_of(std::vector<std::int64_t> values) {
   return *middle;
 }
 
-// Clocks that somebody set differ by whole seconds; the rest is what was on its way.
+// Clocks that somebody set differ by whole seconds; the rest is transport.
 std::int64_t without_way(std::int64_t ahead_us) {
   constexpr std::int64_t kOnTheWayUs = 100'000;
   const std::int64_t whole_us = std::llround(static_cast<double>(ahead_us) / 1e6) * kSecondUs;
@@ -148,8 +148,8 @@ CarCapture::CarCapture(const std::string& path, const CatalogueEntry& car, doubl
   }
 }
 
-// Poses belong to packets that were measured when they were. Unless they come a second off, they
-// come as they did.
+// Poses belong to packets of the same measuring time. If they arrive less than a second apart from
+// these, their times stay.
 std::int64_t CarCapture::delay_of_poses(const std::string& path) const {
   PcapReader file(path);
   CarClocks clocks(*car_);

@@ -1,6 +1,6 @@
 // A capture of a car, and the clocks in it: that of the poses, and those of the sensors that the
-// car's file calls synchronised with it. Where they differ (TAI and UTC, GPS and UTC, a wrong year)
-// no packet has a pose. That is told, and mended by an offset.
+// car's file calls synchronised with it. If they differ (TAI and UTC, GPS and UTC, a wrong year) no
+// packet has a pose. The difference is reported, and an offset corrects it.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace iog::tools {
 
-// How far each clock is ahead of the capture's, us, by what a datagram says of itself.
+// How far each clock is ahead of the capture's, us, by the time stamps in the datagrams.
 class CarClocks {
  public:
   explicit CarClocks(const CatalogueEntry& car) : car_(&car) {}
@@ -53,9 +53,9 @@ class CarClocks {
 
 class CarCapture {
  public:
-  // clock_offset_s: is added to the clock of the poses. Where their datagrams came by that clock,
-  // too, as of a log that was merged with the packets, they come so much later. UsageError as of
-  // PcapReader, and for an offset if the file can be read only once.
+  // clock_offset_s is added to the clock of the poses. If the capture times of their datagrams are
+  // of that clock, too, as after merging a log with the packets, these are shifted as well.
+  // UsageError as of PcapReader, and for an offset if the file can be read only once.
   CarCapture(const std::string& path, const CatalogueEntry& car, double clock_offset_s = 0);
 
   [[nodiscard]] std::optional<CapturedDatagram> next();
@@ -71,7 +71,7 @@ class CarCapture {
  private:
   // The offset in the pose's message, if it is one.
   void put_ahead(CapturedDatagram& pose);
-  // What poses come later by, found by reading the file's beginning.
+  // The delay of the poses, found at the beginning of the file.
   [[nodiscard]] std::int64_t delay_of_poses(const std::string& path) const;
   void read_poses(const std::string& path, std::int64_t delay_us);
 

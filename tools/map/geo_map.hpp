@@ -92,8 +92,8 @@ struct GeoMap {
   std::vector<GeoArea> areas{};
   std::vector<GeoRoad> roads{};
   Census census{};
-  std::uint32_t datum_error_mm = 0;  // how good the way is that led to WGS 84
-  std::string remark{};              // what the user should know of how it was read, in lines
+  std::uint32_t datum_error_mm = 0;  // accuracy of the conversion to WGS 84
+  std::string remark{};              // remarks on how it was read, in lines
 };
 
 }  // namespace iog::tools

@@ -119,7 +119,7 @@ class Reader {
   }
 
  private:
-  // Nodes that are only a place have numbers from here on; OpenStreetMap's are far below.
+  // Nodes made of coordinates have ids from here on; OpenStreetMap's are far below.
   static constexpr Id kFirstPlace = Id{1} << 46;
 
   static void demand_osm(std::string_view element, const Attributes& attributes) {

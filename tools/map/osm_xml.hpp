@@ -1,4 +1,4 @@
-// OpenStreetMap as XML (.osm, .osc): as downloads have it, and as editors and Overpass write it.
+// OpenStreetMap as XML (.osm, .osc), as downloads, editors and Overpass write it.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@ struct Objects {
 };
 
 // All objects of the file, in its order. Deleted ones (JOSM's action="delete", visible="false", an
-// osmChange's <delete>) are not visible. Nodes and ways that Overpass gives by their places alone
-// (`out geom`) are there as nodes and ways. Throws std::exception if the file is no such XML or
-// its server says that it is broken.
+// osmChange's <delete>) are not visible. Nodes and ways that Overpass gives only as coordinates
+// (`out geom`) become nodes and ways. Throws std::exception if the file is no such XML or its
+// server reports it as incomplete.
 [[nodiscard]] Objects read_xml(const osmium::io::File& file);
 
 }  // namespace iog::tools::osm

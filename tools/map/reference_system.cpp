@@ -30,7 +30,7 @@ using Context = std::unique_ptr<PJ_CONTEXT, ProjCloser>;
 using Object = std::unique_ptr<PJ, ProjCloser>;
 using List = std::unique_ptr<PJ_OBJ_LIST, ProjCloser>;
 
-constexpr double kNoArea = -1000;  // PROJ's word for a way that is for nowhere stated
+constexpr double kNoArea = -1000;  // PROJ's value for an operation without a stated area
 constexpr const char* kHeights = "heights are ignored\n";
 constexpr std::size_t kShownLetters = 100;  // of a system that is not known
 
@@ -51,8 +51,8 @@ Context quiet_context() {
   return context;
 }
 
-// The system of the ground that is within: without heights, and without shifts that whoever wrote
-// the file believed in (TOWGS84), of which nobody says how good they are.
+// The horizontal system inside: without heights, and without the file's own shifts (TOWGS84), whose
+// accuracy is not stated.
 Object ground_part(PJ_CONTEXT* context, Object system, std::string& remark) {
   for (int within = 0; within < 4 && system; ++within) {
     switch (proj_get_type(system.get())) {
@@ -89,7 +89,7 @@ List operations(PJ_CONTEXT* context, const PJ* from, const PJ* to, bool need_gri
   return List(proj_create_operations(context, from, to, search.get()));
 }
 
-// A way to WGS 84.
+// An operation to WGS 84.
 struct Way {
   Object operation;
   double error_m = std::numeric_limits<double>::infinity();
@@ -112,7 +112,7 @@ bool is_on_earth(const GeoPoint& point) {
   return std::abs(point.latitude) <= 90 && std::abs(point.longitude) <= 180;
 }
 
-// Infinite where the way does not lead.
+// Infinite where the operation fails.
 GeoPoint place_by(PJ* way, const GeoPoint& point) {
   const PJ_COORD to =
       proj_trans(way, PJ_FWD, proj_coord(point.longitude, point.latitude, 0, HUGE_VAL));
@@ -133,7 +133,7 @@ Object usual_order(PJ_CONTEXT* context, const PJ* way) {
   return Object(proj_normalize_for_visualization(context, way));
 }
 
-// Whether all of the map lies where the way is meant for.
+// Whether the operation's area holds all of the map.
 bool is_meant_for(PJ_CONTEXT* context, const Way& way, GeoMap& map) {
   GeoBox area;
   const PJ* const operation = way.operation.get();
@@ -172,9 +172,9 @@ std::string missing_grids(PJ_CONTEXT* context, const Way& way) {
   return names;
 }
 
-// How far the frames of the whole earth are from WGS 84 as receivers have it; empty for others. Its
-// realisations since 1994 (G730 ...) and those of the ITRS agree to a decimetre, that of the
-// Transit satellites to a metre. PROJ states the 2 m of all of them together.
+// How far a global frame is from the WGS 84 of receivers; empty for other frames. The realisations
+// since 1994 (G730 ...) and those of the ITRS agree to a decimetre, that of the Transit satellites
+// to a metre. PROJ states 2 m for all of them.
 std::optional<double> error_of_global(std::string_view datum) {
   if (datum == "World Geodetic System 1984") {
     return 0;
@@ -187,7 +187,7 @@ std::optional<double> error_of_global(std::string_view datum) {
   return is_global ? std::optional(0.1) : std::nullopt;
 }
 
-// Such a frame is WGS 84 by itself: its projection is taken away, and its own units.
+// Such a frame is taken as WGS 84: only its projection and units are undone.
 std::optional<Way> global_way(PJ_CONTEXT* context, const PJ* system) {
   const Object geodetic(proj_crs_get_geodetic_crs(context, system));
   const Object datum(geodetic ? proj_crs_get_datum_forced(context, geodetic.get()) : nullptr);
@@ -210,9 +210,8 @@ std::optional<Way> global_way(PJ_CONTEXT* context, const PJ* system) {
   return Way{Object(proj_list_get(context, ways.get(), 0)), *error_m};
 }
 
-// The best way there. Ways are meant for boxes, which do not tell land from sea nor one country
-// from the next: where several are meant for the map, all of them have to be good enough.
-// UsageError if not.
+// The best operation. Operations are valid in boxes, which do not tell land from sea or one country
+// from the next, so all that are valid for the map have to be accurate enough. UsageError if not.
 Way best_way(PJ_CONTEXT* context, const PJ* system, GeoMap& map) {
   if (auto way = global_way(context, system)) {
     return std::move(*way);
@@ -261,7 +260,7 @@ Object ground_system(PJ_CONTEXT* context, const std::string& text, std::string& 
   return system;
 }
 
-// Whatever is not on earth is refused, all of its id.
+// Areas that are not on earth are refused, with all others of their id.
 void keep_what_is_on_earth(GeoMap& map) {
   std::set<std::string> elsewhere;
   for_each_ring(map, [&](const GeoArea& area, const std::vector<GeoPoint>& ring) {

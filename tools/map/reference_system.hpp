@@ -1,5 +1,5 @@
-// What the numbers of a map mean: its coordinate reference system, and the way from there to
-// latitude and longitude of WGS 84, by PROJ and its database.
+// A map's coordinate reference system, and PROJ's operation from it to latitude and longitude of
+// WGS 84.
 #pragma once
 
 #include <string>
@@ -8,16 +8,15 @@
 
 namespace iog::tools {
 
-// No way to WGS 84 that is stated to be worse than this is taken.
+// An operation whose stated accuracy is worse than this is refused.
 inline constexpr double kMostDatumErrorM = 1;
 
 // The areas of the map hold coordinates as the file has them: x, such as longitude or east, as
-// `longitude`, and y as `latitude`, whatever order the system's definition names. Makes them
-// degrees of WGS 84 and the map's box theirs; what is not on earth is refused, by its id. Heights
+// `longitude`, and y as `latitude`, whatever order the system's definition names. Converts them and
+// the map's box to degrees of WGS 84. Areas that are not on earth are refused by their id. Heights
 // are ignored. system: WKT, PROJ's text, or a name such as EPSG:2154; empty: WGS 84.
 //
-// UsageError if the system is not known, not one of the ground, or known too inexactly where the
-// map is.
+// UsageError if the system is unknown, not horizontal, or not accurate enough where the map is.
 void to_wgs84(const std::string& system, GeoMap& map);
 
 }  // namespace iog::tools

@@ -53,7 +53,7 @@ class Bursts {
     return own;
   }
 
-  // Where the order is open, by one sentence; where some are lost, by as many at most.
+  // The possible error of the time: one sentence if the order is open, and as many as are lost.
   [[nodiscard]] std::vector<double> open_s(bool is_before, bool is_order_open) const {
     std::vector<double> open_s(times_->size(), is_order_open ? step_s() : 0);
     for (std::size_t i = 0; usual_ > 1 && !is_irregular_ && i < times_->size(); ++i) {
@@ -139,7 +139,7 @@ class Bursts {
     return 10 * whole >= 7 * checked || (usual_ >= kMany && !is_more && 10 * lost < expected);
   }
 
-  // What is left of a time after whole periods of the sentence, from -1/2 to 1/2 period.
+  // A time modulo the sentence's period, from -1/2 to 1/2 period.
   [[nodiscard]] double residue(std::size_t time) const {
     return std::remainder(static_cast<double>((*times_)[time].time_us % 86'400'000'000U) / 1e6,
                           rare_s_);
@@ -184,9 +184,9 @@ class Bursts {
     return is_even(true) == is_even(false) ? std::nullopt : std::optional(is_even(true));
   }
 
-  // Courses less headings spread least if the headings are of their times. An antenna ahead of the
-  // rear axle spreads them, too, as a delay of that way would: it has to be short against the way
-  // between two headings.
+  // Course minus heading spreads least if headings have their right times. An antenna ahead of the
+  // rear axle spreads it, too, like a delay of that distance, which has to be short compared with
+  // the distance between two headings.
   [[nodiscard]] std::optional<bool> by_course() const {
     constexpr double kLeastWayM = 4;
     constexpr std::size_t kLeastCount = 8;

@@ -1,4 +1,4 @@
-// To which time sentences without a time belong: HDT and VTG.
+// Finds the epoch of sentences that carry no time: HDT and VTG.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct TimedMotion {
 };
 
 struct Untimed {
-  std::size_t times_before = 0;  // so many times had begun in the log
+  std::size_t times_before = 0;  // times that had begun in the log before it
   bool is_inside = false;        // a sentence of the last of these times follows
   std::optional<double> angle_deg{};
   std::optional<double> speed_mps{};
@@ -28,15 +28,15 @@ struct Cycle {
   bool is_order_open = false;
 };
 
-// A receiver writes what belongs to one time in one burst, always in the same order, so all that is
-// open is whether the untimed sentence comes before or behind the others of its time. In this
-// order:
+// A receiver writes all sentences of one time in one burst, always in the same order, so the only
+// question is whether the untimed sentence comes before or after the others. Signs, in this order:
 //   - it stands between two sentences of one time;
-//   - it comes more rarely than the times: then at whole multiples of its period;
+//   - it is rarer than the times: then it belongs to whole multiples of its period;
 //   - driven curves: its angles follow the courses better (angles are headings);
 //   - the log opens with it and closes without it, or the other way round, as whole bursts do.
-// If none of these decides, the beginning of the log is followed, and open_s says so. Sentences are
-// counted between times: where one is lost, none is taken, or, if there are several, with open_s.
+// If none of these decides, the order at the beginning of the log is taken, and open_s says so.
+// Sentences are counted between times: where one is lost none is assigned, or, if there are
+// several, one with open_s.
 [[nodiscard]] Cycle cycle_of(const std::vector<TimedMotion>& times,
                              const std::vector<Untimed>& sentences, bool angles_are_headings,
                              bool is_cut_at_begin, bool is_cut_at_end);

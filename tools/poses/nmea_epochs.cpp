@@ -18,8 +18,7 @@ double seconds_between(const NmeaEpoch& from, const NmeaEpoch& to) {
 }
 
 // Gives the epochs days from one whose day is known, in either direction of time. A time of day
-// that goes back by more than half a day is of the next day. What has no fix is no time to count
-// by.
+// that goes back by more than half a day is of the next day. Epochs without a fix do not count.
 template <typename Iterator>
 void count_days(Iterator begin, Iterator end, const NmeaEpoch& start, bool is_forwards) {
   std::uint64_t midnight_us = start.stated_midnight_us.value_or(0);
@@ -107,7 +106,7 @@ std::vector<Turn> turns_in(const std::vector<NmeaEpoch>& epochs, Angle angle) {
   return turns;
 }
 
-// An angle of another time is off by what the car turns until then.
+// An angle of another time is off by the turn of the car in between.
 void doubt(std::vector<NmeaEpoch>& epochs, Angle angle, const Cycle& cycle) {
   for (const Turn& turn : turns_in(epochs, angle)) {
     for (const std::size_t i : {turn.from, turn.to}) {
@@ -117,8 +116,8 @@ void doubt(std::vector<NmeaEpoch>& epochs, Angle angle, const Cycle& cycle) {
   }
 }
 
-// Between two headings the turn is even, but for what its rate changes from one pair to the next:
-// in the worst case at once and half way.
+// Between two headings the car is taken to turn evenly. The error is that of a turn rate which
+// changes from one pair to the next: in the worst case at once and half way.
 void interpolate(std::vector<NmeaEpoch>& epochs, std::vector<std::string>& notes) {
   Tally between;
   const std::vector<Turn> turns = turns_in(epochs, &NmeaEpoch::heading_deg);

@@ -1,4 +1,4 @@
-// What the sentences of one time say together, and what follows for them from the whole log.
+// Epochs: the sentences of one time together, completed from the whole log.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ constexpr double kMostAcceleration = 10;     // m/s^2
 constexpr double kMostTurnAcceleration = 3;  // rad/s^2
 // What a target takes for a jump.
 constexpr double kLeastSlackM = pose::kMaxResidualMm / 1e3;
-constexpr double kLeastSlackRad = 0.15;  // what a course is off at walking pace
+constexpr double kLeastSlackRad = 0.15;  // error of a course at walking pace
 constexpr double kNoiseMargin = 8;
 constexpr double kSilenceS = 1.5 * pose::kLostUs / 1e6;
 constexpr std::size_t kMostLeftOut = 2048;  // in a row: bounds the search
@@ -33,7 +33,7 @@ Way way_between(const LoggedPose& from, const LoggedPose& to) {
           to.y_m - from.y_m, std::remainder(*to.heading_rad - *from.heading_rad, 2 * numeric::kPi)};
 }
 
-// How far the second way is off the motion of the first, beyond what a car's forces explain.
+// How far the second step departs from the motion of the first, beyond what a car's forces explain.
 struct Bend {
   double place_m = 0;
   double turn_rad = 0;

@@ -16,7 +16,7 @@ constexpr double kStandingMps = 0.2;
 constexpr double kLeastRadiusM = 5;
 constexpr double kMostSideways = 8;  // m/s^2
 constexpr double kCourseNoiseDeg = 20;
-constexpr double kUnwatchedS = 3;  // in which a car may do what it wants
+constexpr double kUnwatchedS = 3;  // after so long a car may have any direction
 // No car reverses so fast.
 constexpr double kForwardsMps = 8;
 constexpr double kDrivingMps = 3;
@@ -115,7 +115,7 @@ class Directions {
     }
   }
 
-  // Says of the fixes before which way round they were, if the car cannot have turned about since.
+  // Decides the direction of the fixes before, if the car cannot have turned about since.
   void take_stated(double heading_deg) {
     if (direction_deg_ && !is_stated_ && turnable_deg_ + kCourseNoiseDeg < 90) {
       stretches_.back().is_decided = true;

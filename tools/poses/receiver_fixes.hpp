@@ -1,4 +1,4 @@
-// What a satellite receiver says of its places, and the poses that follow from it.
+// A satellite receiver's fixes, and the poses that follow from them.
 #pragma once
 
 #include <cstddef>
@@ -26,18 +26,18 @@ struct Fix {
 
 // Poses in the plane of the first position that is within some 100 km of most others.
 //
-// A fix without a heading takes it from its course at 1 m/s and more. A course is the heading of a
-// car that drives forwards, and half a turn off it in reverse: of the two, that is taken which a
-// car can have turned to since the fix before, given a circle of 5 m and 8 m/s^2 to the side. A car
-// that stops keeps its heading, as uncertain as the way below 1 m/s makes it. The course alone does
+// From 1 m/s on, a fix without a heading takes it from its course. The course equals the heading of
+// a car that drives forwards and is half a turn off in reverse: the one is taken that the car can
+// have turned to since the fix before, given a turning circle of 5 m and 8 m/s^2 sideways. A car
+// that stops keeps its heading, less certain with the distance below 1 m/s. The course alone does
 // not say whether a stretch of such fixes begins forwards or in reverse. Forwards is the direction
 // that
 //   - fits stated headings before or behind, or
 //   - is driven at 8 m/s or more, or
-//   - is driven at 3 m/s or more and half as fast again as the other one, or else
+//   - is driven at 3 m/s or more and 1.5 times as fast as the other one, or else
 //   - comes first in a stretch that begins in motion.
-// The last two are noted as assumptions. Stretches from standstill that none of this decides are
-// left without headings, which is remarked.
+// The last two are noted as assumptions. Undecided stretches from standstill are left without
+// headings, and remarked.
 [[nodiscard]] PoseLog log_of(std::vector<Fix> fixes, std::string_view unit);
 
 }  // namespace iog::tools

@@ -18,8 +18,8 @@ class FrameNotes {
 
   void say_listening() const { say("listening"); }
 
-  // A message has come. Until a target knows its peer's MAC address, what it has to say is lost:
-  // whoever sends it a frame before that may wait for an answer without end.
+  // A message has come. Until a target knows its peer's MAC address its messages are lost, so a
+  // sender that does not wait for this may wait for an answer forever.
   void say_heard() {
     if (!is_heard_) {
       is_heard_ = true;

@@ -1,8 +1,8 @@
-// How warm the target's chip is, in words, and from where on that is a warning.
+// The target chip's temperature in words, and the limits for a warning.
 //
-// An i.MX6Q may be as warm as its fuses' grade says: commercial ones 95 degrees at the junction,
-// the least of the grades (NXP's data sheets IMX6DQCEC, IMX6DQIEC and IMX6DQAEC). Linux warns ten
-// degrees below; that also covers a thermometer that is off by a few.
+// The limit of an i.MX6Q depends on its grade: 95 degrees at the junction for commercial ones, the
+// lowest (NXP's data sheets IMX6DQCEC, IMX6DQIEC and IMX6DQAEC). Linux warns ten degrees below;
+// that also covers a thermometer that is off by a few.
 #pragma once
 
 #include <cstdint>

@@ -268,7 +268,7 @@ const toml::node& node_of(const toml::table& file, const vehicle::Fault& fault) 
   return *node;
 }
 
-// Whether one of the fields holds the other, or is it.
+// Whether the fields are equal or one contains the other.
 bool overlap(std::string_view one, std::string_view other) {
   const std::size_t shorter = std::min(one.size(), other.size());
   const std::string_view rest = (one.size() > shorter ? one : other).substr(shorter);
@@ -283,8 +283,9 @@ bool name_key(std::string_view words, std::string_view key) {
          words.substr(at + key.size()).find_first_of("abcdefghijklmnopqrstuvwxyz_") != 0;
 }
 
-// Notes the faults that checks tell, of each field the first. Of a value that could not be read
-// nothing more is told, nor of what depends on it: all of a sensor on its type, else by the words.
+// Notes the faults that checks report, the first of each field. Nothing more is reported of a value
+// that could not be read, nor of fields that depend on it: all of a sensor on its type, others by
+// the words.
 class Listener {
  public:
   Listener(const toml::table& file, Mistakes& mistakes)

@@ -7,8 +7,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// How long the string is that the text begins with (TOML 1.0.0, "String"). What breaks off is as
-// long as its line, or as the text if it may have several.
+// The length of the string at the beginning of the text (TOML 1.0.0, "String"). A string that does
+// not end takes its line, or the rest of the text if it may span lines.
 std::size_t length_of_string(std::string_view text) {
   const char quote = text.front();
   const std::string_view mark = text.substr(0, 3);

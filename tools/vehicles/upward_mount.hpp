@@ -1,4 +1,4 @@
-// A sensor whose mount looks up, which a sign that is wrong makes of one that looks down.
+// Warns of a mount that looks up: a wrong sign turns a downward mount into one.
 #pragma once
 
 #include <string>

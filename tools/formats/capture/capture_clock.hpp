@@ -9,15 +9,15 @@
 
 namespace iog::tools {
 
-// The times of a recording whose clock was set back or forth while it ran: behind a step back they
-// go on from where they were, after as long as between the two packets before. A little disorder
-// stays, as of packets of several interfaces or processors. Where interfaces disagree by more,
-// which looks like steps to and fro, each goes on from its own last time.
+// The times of a recording whose clock was set while it ran. After a step back they continue from
+// where they were, after the same gap as between the two packets before. Small disorder stays, as
+// between several interfaces or processors. If interfaces disagree by more, which looks like steps
+// to and fro, each continues from its own last time.
 class SteadyTime {
  public:
   static constexpr std::int64_t kMostDisorderUs = 50'000;
 
-  // The time of the next packet as the recording says it. Returns the time without the steps.
+  // recorded_us: the next packet's time in the recording. Returns it without the steps.
   std::uint64_t of(std::uint64_t recorded_us);
 
   // "its clock steps back 2 times, 3.000 s at most; ..."; empty if there is nothing to say.

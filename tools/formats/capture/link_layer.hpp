@@ -1,5 +1,4 @@
-// What a network puts around an IPv4 packet, by the link type of its interface
-// (https://www.tcpdump.org/linktypes.html).
+// Link-layer headers around an IPv4 packet, by link type (https://www.tcpdump.org/linktypes.html).
 #pragma once
 
 #include <cstddef>
@@ -15,8 +14,8 @@ inline constexpr std::uint16_t kUnknownLink = 0xFFFF;
 // Ethernet, Linux cooked ("any", versions 1 and 2), raw IP or a loopback of BSD.
 [[nodiscard]] bool is_known_link(std::uint16_t link_type);
 
-// The IPv4 packet in a frame, behind whatever VLAN tags there are; empty if there is another
-// protocol in it, or the link is not known.
+// The IPv4 packet in a frame, behind any VLAN tags; empty if the protocol is another or the link
+// type is not known.
 [[nodiscard]] std::span<const std::byte> ipv4_in(std::span<const std::byte> frame,
                                                  std::uint16_t link_type);
 

@@ -21,7 +21,7 @@ constexpr std::uint32_t kOldPacket = 2;
 constexpr std::uint32_t kSimplePacket = 3;
 constexpr std::uint32_t kPacket = 6;
 
-// As libpcap: what claims more is damaged.
+// As in libpcap: a packet that claims more is damaged.
 constexpr std::size_t kMostPacketBytes = 262'144;
 constexpr std::size_t kMostBlockBytes = 16U << 20;
 

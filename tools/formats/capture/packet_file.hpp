@@ -1,7 +1,7 @@
 // The packets of a capture file, pcap (draft-ietf-opsawg-pcap) or pcapng
 // (draft-ietf-opsawg-pcapng), of either byte order, as it is or packed by gzip or zstd. Each
-// interface of a pcapng has a link type, a length that packets are cut to and a unit of time of its
-// own, and each section its interfaces; libpcap reads no file in which they differ.
+// interface of a pcapng has its own link type, snapshot length and time unit, and each section its
+// own interfaces; libpcap rejects files in which they differ.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +34,8 @@ class PacketFile {
   // The link type of all packets; nothing of a pcapng.
   [[nodiscard]] std::optional<std::uint16_t> link_type() const;
 
-  // Where the next packet begins, for go_to(); nothing in a file that is read from its beginning
-  // only: pcapng, in which a packet needs what was said before it, what is packed, and a pipe.
+  // Where the next packet begins, for go_to(); nothing if the file can only be read from its
+  // beginning: pcapng, where a packet needs the blocks before it, packed files, and pipes.
   [[nodiscard]] std::optional<std::uint64_t> place() const;
 
   // Goes on from a place() of this file.

@@ -83,8 +83,8 @@ std::optional<CapturedDatagram> PcapReader::next() {
   return std::nullopt;
 }
 
-// The packet with what its header leaves to the network card: a checksum of 0, and a length of 0
-// where the card cuts one packet into many.
+// The packet, with the fields that the network card would fill in: a checksum of 0, and a length of
+// 0 if the card splits the packet.
 PcapReader::Bytes PcapReader::filled_in(Bytes packet) {
   if (packet.size() < net::kIpv4HeaderBytes) {
     return packet;

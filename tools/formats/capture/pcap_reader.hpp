@@ -1,7 +1,7 @@
 // Reads the UDP datagrams of a capture file: pcap or pcapng, as it is or packed by gzip or zstd.
 // Fragments are joined by the target's own code, and their datagram has the time of the last one
-// that came. What the capture saw on its way out, before the network card had filled in checksums
-// and lengths, is taken. Everything else is skipped and counted.
+// that came. Outgoing packets, captured before the network card filled in checksums and lengths,
+// are accepted. Everything else is skipped and counted.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +54,7 @@ class PcapReader {
   void go_to(const Place& place);
 
   [[nodiscard]] const CaptureCounts& counts() const { return counts_; }
-  // What the clock did that times do not show; empty if nothing.
+  // The clock's steps, which times do not show; empty if there are none.
   [[nodiscard]] std::string clock_words() const { return clock_.words(); }
   // "breaks off in a packet": why the file cannot be read to its end; empty if it can.
   [[nodiscard]] const std::string& trouble() const { return file_.trouble(); }
@@ -77,8 +77,8 @@ class PcapReader {
   std::vector<std::byte> filled_in_;
 };
 
-// Says on stderr, when all has been read, that the capture could not be read to its end, which
-// packets could have been datagrams and are none, and what its clock did.
+// Reports on stderr, when all has been read, whether the capture breaks off, which packets were
+// skipped, and the steps of its clock.
 void warn_of(const std::string& path, const PcapReader& capture);
 
 // "12 packets skipped: 3 not UDP, ..."; empty if none was.
