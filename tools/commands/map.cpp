@@ -112,8 +112,8 @@ void add_map(CLI::App& program) {
   command->footer(
       "FILE is OpenStreetMap (.osm, .osm.pbf, .osm.gz, .osm.bz2), GeoJSON (.geojson) or a "
       "Shapefile\n"
-      "(.shp), of any coordinate reference system that PROJ knows to a metre. What is taken of\n"
-      "it is in docs/map.md.\n");
+      "(.shp), of any coordinate reference system that PROJ knows to a metre. The parts used\n"
+      "are in docs/map.md.\n");
   command->callback([options] { make_map(*options); });
 }
 

@@ -349,7 +349,7 @@ void add_receive(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   command->add_flag(
       "--notify", options->notify,
-      "Say `listening`, `heard` with the first message, then for each frame `frame N` or "
+      "Print `listening`, `heard` with the first message, then for each frame `frame N` or "
       "`nothing taken`, on standard output");
   command
       ->add_option("--hashes", options->hashes,

@@ -329,7 +329,7 @@ void add_replay(CLI::App& program) {
       ->option_text("X")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--step", options->step,
-                    "Say after each frame that it is sent, and wait for a line on standard input");
+                    "Report each frame as sent, then wait for a line on standard input");
   command->add_option("--map", options->map, "Send this map first, made by `iog map`")
       ->option_text("FILE");
   add_clock_offset_option(*command, options->clock_offset_s);

@@ -33,7 +33,7 @@ CLI::Option* add_vehicle_file_option(CLI::App& command) {
 CLI::Option* add_clock_offset_option(CLI::App& command, double& seconds) {
   return command
       .add_option("--clock-offset", seconds,
-                  "Add this to the clock of the poses, where that of the packets is ahead")
+                  "Add this to the times of the poses, if the packets' clock is ahead")
       ->option_text("SECONDS  (default 0; 37: packets by TAI, poses by UTC)")
       ->check(CLI::Range(-kMostClockOffsetS, kMostClockOffsetS));
 }

@@ -113,7 +113,7 @@ GeoMap read_shapefile(const std::string& path, std::optional<map::Kind> kind) {
   }
   const std::string system = system_of(path);
   if (system.empty()) {
-    map.remark = "no .prj says what its coordinates are: taken as WGS 84, longitude first\n";
+    map.remark = "no .prj names its coordinate system: taken as WGS 84, longitude first\n";
   }
   try {
     to_wgs84(system, map);

@@ -78,7 +78,7 @@ std::string words_of_too_few(const MountFit& fit, std::uint64_t turns) {
   }
   if (2 * std::accumulate(fit.turns.begin(), fit.turns.end(), std::uint64_t{0}) < turns) {
     words +=
-        "; it is looked for within 10 degrees and 1 m of the car's file, whose pitch_deg is "
+        "; the search covers 10 degrees and 1 m around the car's file, whose pitch_deg is "
         "positive down";
   }
   return words;

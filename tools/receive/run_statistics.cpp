@@ -290,10 +290,10 @@ std::string RunStatistics::table(bool has_target) const {
   }
   append_sensors(text);
   if (unwatched_) {
-    text += row("not watched at last", words_of_sectors(*unwatched_));
+    text += row("unwatched at the end", words_of_sectors(*unwatched_));
   }
   if (blocked_.value_or(0) != 0) {
-    text += row("blocked at last", words_of_sectors(*blocked_) + ": nearly nothing comes back");
+    text += row("blocked at the end", words_of_sectors(*blocked_) + ": nearly nothing comes back");
   }
   if (hottest_dc_ != hal::kTemperatureNotKnown) {
     text += row("chip", words_of_temperature(hottest_dc_) + " at the hottest" +
