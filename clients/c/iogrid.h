@@ -1,4 +1,4 @@
-// Reads the stream of an iogrid target, interface versions 3 and 4, and answers questions about a
+// Reads the stream of an iogrid target, interface version 4, and answers questions about a
 // frame: C99 or C++, no allocation. Numbers like 3.9 are sections of docs/spec.md. Places are
 // metres in the car's frame, x forward and y to the left. docs/clients.md has examples; link with
 // -lm.

@@ -178,7 +178,7 @@ static inline enum iogrid_drop iogrid_fault(const iogrid_receiver* r, const uint
                                             size_t bytes) {
   const uint8_t* content = m + 28;
   if (bytes < 28 || iogrid_be32(m) != 0x4F478001U || m[12] != 1) return IOGRID_NOT_OURS;
-  if (m[13] != 3 && m[13] != 4) return IOGRID_OTHER_VERSION;
+  if (m[13] != 4) return IOGRID_OTHER_VERSION;
   if (bytes > 1392 || iogrid_be32(m + 4) != bytes - 8 || iogrid_be16(m + 16) != bytes - 8 ||
       m[14] != 2 || m[15] != 0 || iogrid_be32(m + 20) != 0x494F4701U)
     return IOGRID_DAMAGED;

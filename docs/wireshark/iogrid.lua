@@ -17,7 +17,7 @@ local receptions = require("iogrid_receptions")
 local protection = require("iogrid_protection")
 
 local PORT = 15000
-local INTERFACE_VERSIONS = { [3] = true, [4] = true }
+local INTERFACE_VERSION = 4
 local TILES, FRAME_END, CLASS_END, OBJECTS, RECEPTIONS = 1, 2, 3, 5, 6
 
 local iogrid = Proto("iogrid", "iogrid grid stream")
@@ -78,10 +78,11 @@ function iogrid.dissector(tvb, pinfo, tree)
   pinfo.cols.protocol = "iogrid"
   local item = tree:add(iogrid, tvb())
   local version = protection.last_value(protection.interface_version)
-  if version and not INTERFACE_VERSIONS[version] then
+  if version and version ~= INTERFACE_VERSION then
     pinfo.cols.info = string.format("grid stream of interface version %d", version)
     item:add_proto_expert_info(experts.unknown, string.format(
-      "the target sends interface version %d, this dissector reads 3 and 4", version))
+      "the target sends interface version %d, this dissector reads %d", version,
+      INTERFACE_VERSION))
     return tvb:len()
   end
   local words = ""

@@ -48,7 +48,7 @@ SomeIpStatus check_some_ip_header(const Event& event, std::span<const std::byte>
   if (length < datagram.size() - kSomeIpLengthOffset) {
     return SomeIpStatus::kTooLong;
   }
-  if (!event.reads(interface_version)) {
+  if (interface_version != event.interface_version) {
     return SomeIpStatus::kWrongVersion;
   }
   return type == kNotification && return_code == kReturnOk ? SomeIpStatus::kOk

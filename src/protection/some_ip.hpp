@@ -26,14 +26,7 @@ inline constexpr std::size_t kSomeIpLengthOffset = 8;  // where the bytes of the
 struct Event {
   std::uint16_t service_id;
   std::uint16_t event_id;
-  std::uint8_t interface_version;        // that is sent
-  std::uint8_t oldest_read_version = 0;  // from which on others are read, 0: no others
-
-  [[nodiscard]] constexpr bool reads(std::uint8_t version) const {
-    return version == interface_version ||
-           (oldest_read_version != 0 && version >= oldest_read_version &&
-            version < interface_version);
-  }
+  std::uint8_t interface_version;
 
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -9,10 +9,8 @@
 
 namespace iog::stream {
 
-// The major version of the format. A receiver refuses any other but the one before, of which it
-// knows how tiles were encoded.
+// The major version of the format. A receiver refuses any other.
 inline constexpr std::uint8_t kInterfaceVersion = 4;
-inline constexpr std::uint8_t kOldestReadVersion = 3;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
 // What is subscribed to by service discovery: all events of the network channel. The minor version
@@ -27,8 +25,7 @@ inline constexpr std::uint16_t kMaxDeltaCounter = 512;
 constexpr protection::Channel channel_of(std::uint16_t event_id, std::uint32_t data_id) {
   return {.event = {.service_id = kServiceId,
                     .event_id = event_id,
-                    .interface_version = kInterfaceVersion,
-                    .oldest_read_version = kOldestReadVersion},
+                    .interface_version = kInterfaceVersion},
           .data_id = data_id,
           .max_delta_counter = kMaxDeltaCounter};
 }

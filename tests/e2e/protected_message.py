@@ -5,7 +5,6 @@ import struct
 
 SERVICE = 0x4F47
 INTERFACE_VERSION = 4
-READ_VERSIONS = (3, INTERFACE_VERSION)
 NOTIFICATION = 2
 PROTECTION_BYTES = 28
 MAX_MESSAGE_BYTES = 1392
@@ -55,7 +54,7 @@ def content(message: bytes, number: int, channel: Channel = OVER_UDP) -> bytes:
     service, event, length, client, session, protocol, interface, kind, code = \
         struct.unpack_from(">HHIHHBBBB", message)
     assert (service, event, client) == (SERVICE, channel.event, 0), "another event"
-    assert (protocol, kind, code) == (1, NOTIFICATION, 0) and interface in READ_VERSIONS
+    assert (protocol, interface, kind, code) == (1, INTERFACE_VERSION, NOTIFICATION, 0)
     assert session == number % 0xFFFF + 1, f"session {session} of message {number}"
     e2e_length, counter, data_id, crc = struct.unpack_from(">HHII", message, 16)
     assert length == e2e_length == len(message) - 8, (length, e2e_length, len(message))

@@ -24,14 +24,9 @@ constexpr unsigned contents_of(const stream::Header& header) {
 
 }  // namespace
 
-std::string versions_read() {
-  static_assert(stream::kInterfaceVersion == stream::kOldestReadVersion + 1);
-  return std::to_string(stream::kOldestReadVersion) + " and " +
-         std::to_string(stream::kInterfaceVersion);
-}
-
 std::string words_of_version(std::uint8_t sent) {
-  return "interface version " + std::to_string(sent) + "; this iog reads " + versions_read();
+  return "interface version " + std::to_string(sent) + "; this iog reads " +
+         std::to_string(stream::kInterfaceVersion);
 }
 
 FrameAssembler::FrameAssembler(FrameHandler on_frame)

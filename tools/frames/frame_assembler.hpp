@@ -36,10 +36,7 @@
 
 namespace iog::tools {
 
-// "3 and 4": the interface versions.
-[[nodiscard]] std::string versions_read();
-
-// "interface version 2; this iog reads 3 and 4"
+// "interface version 5; this iog reads 4"
 [[nodiscard]] std::string words_of_version(std::uint8_t sent);
 
 class FrameAssembler {

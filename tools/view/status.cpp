@@ -7,6 +7,7 @@
 
 #include "geometry/grid.hpp"
 #include "lidar/formats.hpp"
+#include "stream/channel.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
@@ -310,7 +311,7 @@ std::string status_json(const StatusParts& parts) {
                   {"too_slow", health.is_too_slow_lately(parts.now_ms)},
                   {"other_version", health.has_other_version_lately(parts.now_ms)},
                   {"strange_grid", health.has_strange_grid_lately(parts.now_ms)},
-                  {"versions_read", versions_read()},
+                  {"version_read", stream::kInterfaceVersion},
                   {"version_sent", version_sent ? Json(*version_sent) : nullptr},
                   {"car_refused", parts.assembler->car_refusal().value_or("")},
                   {"channel", channel_name(parts.assembler->channel())},

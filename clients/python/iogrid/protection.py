@@ -5,7 +5,7 @@ import struct
 import numpy
 
 MOST_BYTES = 1392  # of a message
-VERSIONS = (3, 4)  # of the interface
+VERSION = 4  # of the interface
 
 
 class Unsound(ValueError):
@@ -35,7 +35,7 @@ def content_of(message: bytes) -> tuple[bytes, int]:
     """What is behind the headers of SOME/IP and E2E Profile 4, and the counter (3.1)."""
     require(len(message) >= 28 and struct.unpack_from(">HH8xB", message) == (0x4F47, 0x8001, 1), "not ours")
     length, version, kind, code, length_again, counter, data_id, crc = struct.unpack_from(">4xI5xBBBHHII", message)
-    require(version in VERSIONS, f"interface version {version}")
+    require(version == VERSION, f"interface version {version}")
     require(length == length_again == len(message) - 8 <= MOST_BYTES - 8, "damaged")
     require((kind, code, data_id) == (2, 0, 0x494F4701), "damaged")
     data = numpy.frombuffer(message[8:24] + message[28:], numpy.uint8).copy()

@@ -16,12 +16,10 @@ namespace {
 using testing::from_hex;
 
 constexpr std::uint32_t kStreamRun = 0x1234ABCD;
-constexpr protection::Channel kChannel{.event = {.service_id = 0x4F47,
-                                                 .event_id = 0x8005,
-                                                 .interface_version = 4,
-                                                 .oldest_read_version = 3},
-                                       .data_id = 0x494F4705,
-                                       .max_delta_counter = 512};
+constexpr protection::Channel kChannel{
+    .event = {.service_id = 0x4F47, .event_id = 0x8005, .interface_version = 4},
+    .data_id = 0x494F4705,
+    .max_delta_counter = 512};
 
 std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text));

@@ -104,11 +104,17 @@ class Header(unittest.TestCase):
         self.assertEqual(said_by(path or program("gcc"), messages), expected)
 
     def test_same_as_the_python_reader(self):
-        for path in (streams.VERSION_3, streams.raw(), streams.version_4()):
+        for path in (streams.raw(), streams.simulated()):
             self.compare(streams.messages_of(path))
+        self.compare(streams.of_older_target())
+
+    def test_another_version_is_dropped(self):
+        message = streams.messages_of(streams.raw())[0]
+        others = [made_stream.of_version(message, version) for version in (3, 5)]
+        self.assertEqual(said_by(program("gcc"), others), ["used 0 dropped 2"])
 
     def test_order_within_a_frame_and_losses(self):
-        messages, rng = streams.messages_of(streams.version_4())[:420], random.Random(SEED)
+        messages, rng = streams.messages_of(streams.simulated())[:420], random.Random(SEED)
         messages = messages[:next(i for i, each in enumerate(messages) if streams.frame_of(each) == 6)]
         shuffled = sorted(messages, key=lambda message: streams.frame_of(message) + 0.9 * rng.random())
         self.compare(shuffled)
@@ -146,7 +152,7 @@ class Header(unittest.TestCase):
 
     def test_another_run(self):
         """The two messages with which another run begins are lost to this reader, which keeps none."""
-        messages, other = streams.messages_of(streams.version_4()), streams.FOLDER / "other_run.pcap"
+        messages, other = streams.messages_of(streams.simulated()), streams.FOLDER / "other_run.pcap"
         streams.iog("fuse", "--pcap", streams.drive(), "--stream", other, "--run-number", 9)
         new = [message for message in streams.messages_of(other) if streams.frame_of(message) < 9]
         old = [message for message in messages if streams.frame_of(message) < 2]
@@ -158,12 +164,12 @@ class Header(unittest.TestCase):
     def test_hostile_bytes_under_sanitizers(self):
         """What claims to be whole is a frame that was sent. tests/fuzz/client_reader.cpp goes on from here."""
         rng, reader = random.Random(SEED), program("clang", *SANITIZERS)
-        self.compare(streams.messages_of(streams.VERSION_3), reader)
+        self.compare(streams.of_older_target(), reader)
         mutants = whole = 0
-        for path in (streams.VERSION_3, streams.version_4(), streams.raw()):
+        for path in (streams.simulated(), streams.raw()):
             messages = [message for message in streams.messages_of(path) if streams.frame_of(message) < 2]
             right = {line_of(frame).split(" causes")[0] for frame in received(messages)[0]}
-            for rate in 3 * [0.01] + 8 * [0.9]:
+            for rate in 3 * [0.01] + 12 * [0.9]:
                 sent = [mutant(message, rng) if rng.random() < rate else message for message in messages]
                 mutants += sum(a is not b for a, b in zip(sent, messages))
                 came = {line.split(" causes")[0] for line in said_by(reader, sent) if " whole 1 " in line}

@@ -116,7 +116,7 @@ class Captures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         plain = streams.FOLDER / "short.pcap"
-        packets = streams.capture.read(streams.version_4())
+        packets = streams.capture.read(streams.simulated())
         streams.capture.write(plain, [packet for packet in packets if streams.frame_of(packet.payload) < 3])
         cls.packets = [(packet.time_us, packet.frame) for packet in streams.capture.read(plain)]
         cls.path = streams.FOLDER / "some.file"

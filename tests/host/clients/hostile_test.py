@@ -64,7 +64,7 @@ class Hostile(unittest.TestCase):
         """What claims to be whole is a frame that was sent."""
         rng, mutants, whole, lost = random.Random(SEED), 0, 0, 0
         sources = [[message for message in streams.messages_of(path) if streams.frame_of(message) < 2]
-                   for path in (streams.version_4(), streams.version_4(), streams.VERSION_3)]
+                   for path in (streams.simulated(), streams.raw())]
         right = [{frame.number: frame for frame in received(messages)[0]} for messages in sources]
         for messages, frames_sent in itertools.cycle(zip(sources, right)):
             if mutants >= MESSAGES:
@@ -99,7 +99,7 @@ class Hostile(unittest.TestCase):
     def test_random_bytes(self):
         """Each is dropped and counted, also behind a sound beginning."""
         rng, receiver = random.Random(SEED), iogrid.Receiver()
-        head = streams.messages_of(streams.version_4())[0]
+        head = streams.messages_of(streams.simulated())[0]
         for number in range(MUTATIONS):
             size = rng.choice((0, 1, 27, 28, 75, 76, 1392, 1393, rng.randrange(3000)))
             self.assertEqual(receiver.take(head[:rng.choice((0, 4, 14, 16))] + rng.randbytes(size)), [])
@@ -110,7 +110,7 @@ class Hostile(unittest.TestCase):
         rng, both, neither = random.Random(SEED), 0, 0
         three_values = bytes((0, 1, 250)[i % 3] for i in range(256))
         payloads = [(tile.encoding, tile.payload) for tile in streams.some_tiles()]
-        self.assertEqual({encoding for encoding, _ in payloads}, set(range(6)))
+        self.assertEqual({encoding for encoding, _ in payloads}, {0, 4, 5})
         for _ in range(MUTATIONS):
             encoding, payload = rng.choice(payloads)
             payload = mutated(payload, rng)[:1024]

@@ -74,7 +74,7 @@ class Install(unittest.TestCase):
         wanted = run("dpkg-deb", "-f", package, "Depends")
         for library in ("libc6", "libpcap0.8", "libpng16-16", "libproj25", "libzstd1", "zlib1g"):
             self.assertIn(library, wanted)
-        said = run(folder / "unpacked/usr/bin/iog", "info", streams.VERSION_3)
+        said = run(folder / "unpacked/usr/bin/iog", "info", streams.raw())
         self.assertIn("frames                2", said)
 
     def test_c_is_found_by_cmake(self):
@@ -92,7 +92,7 @@ class Install(unittest.TestCase):
         (header,) = (self.prefix / "include/iogrid").iterdir()
         self.assertEqual(header.name, "iogrid.h")
         self.assertNotIn('#include "', header.read_text())
-        reader, messages = streams.FOLDER / "reader_of_one", streams.messages_of(streams.version_4())
+        reader, messages = streams.FOLDER / "reader_of_one", streams.messages_of(streams.simulated())
         compile_to(reader, "gcc", READER, headers=header.parent)
         self.assertEqual(said_by(reader, messages), said_by(program("gcc"), messages))
         self.assertGreater(len(said_by(reader, messages)), 5)

@@ -55,9 +55,9 @@ class Watched(unittest.TestCase):
         self.assertFalse(frame.is_blocked(-0.19, -0.01))
 
     def test_what_an_older_target_does_not_say_is_not_watched(self):
-        frame, = received(streams.messages_of(streams.VERSION_3))[0][:1]
-        self.assertIsNone(frame.unwatched)
-        self.assertIsNone(frame.blocked)
+        frame, = received(streams.of_older_target())[0]
+        self.assertTrue(frame.is_whole)
+        self.assertEqual((frame.unwatched, frame.blocked, frame.temperature_c), (None, None, None))
         self.assertFalse(frame.is_watched(0, 0.1))
 
     def test_how_warm_the_chip_is(self):
@@ -67,8 +67,6 @@ class Watched(unittest.TestCase):
             frame, = received(target.messages_of(made_stream.Grid(), 1))[0]
             self.assertEqual(frame.temperature_c, degrees)
             self.assertTrue(frame.is_watched(0, 1))
-        old, = received(streams.messages_of(streams.VERSION_3))[0][:1]
-        self.assertIsNone(old.temperature_c)
 
     def test_no_sector(self):
         for begin, end in ((0.2, 0.1), (0, 7), (math.nan, 0)):

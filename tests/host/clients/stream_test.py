@@ -108,15 +108,15 @@ class Stream(unittest.TestCase):
 
     def test_each_encoding_is_among_the_bytes(self):
         """Else the tests below would say less than they seem to."""
-        counts = streams.encodings_of([message for path in (streams.VERSION_3, streams.version_4(), streams.raw())
+        counts = streams.encodings_of([message for path in (streams.simulated(), streams.raw())
                                        for message in streams.messages_of(path)])
-        expected = [*((3, False, n) for n in (1, 2, 3)), *((4, kind, n) for kind in (False, True) for n in (0, 4, 5))]
+        expected = [(are_classes, n) for are_classes in (False, True) for n in (0, 4, 5)]
         self.assertEqual(sorted(counts), sorted(expected), counts)
 
     def test_grids_are_those_of_iog(self):
-        frames, receiver = replayed(streams.version_4())
+        frames, receiver = replayed(streams.simulated())
         self.assertEqual((len(frames), receiver.lost, +receiver.dropped), (streams.FRAMES, 0, {}))
-        self.assertEqual(receiver.used, len(streams.messages_of(streams.version_4())))
+        self.assertEqual(receiver.used, len(streams.messages_of(streams.simulated())))
         rows = zip(frames, streams.hashes("hashes"), streams.hashes("classes_hashes"), strict=True)
         for frame, row, class_row in rows:
             self.assertTrue(frame.is_whole)
@@ -131,7 +131,7 @@ class Stream(unittest.TestCase):
             self.assertEqual((frame.indexes.dtype, frame.indexes.shape), (numpy.int8, (1024, 1024)))
 
     def test_cells_are_those_of_iog(self):
-        frames, _ = replayed(streams.version_4())
+        frames, _ = replayed(streams.simulated())
         for number in (0, 13, 24):
             raw = streams.FOLDER / "grid.raw"
             streams.iog("fuse", "--pcap", streams.drive(), "--frame", number, "--out-raw", raw)
@@ -139,22 +139,21 @@ class Stream(unittest.TestCase):
             numpy.testing.assert_array_equal(frames[number].indexes, expected)
             self.assertGreater(numpy.count_nonzero(expected), 10000)
 
-    def test_version_3_and_raw_tiles(self):
-        for path in (streams.VERSION_3, streams.raw()):
-            frames, receiver = replayed(path)
-            self.assertEqual([frame.is_whole for frame in frames], [True, True])
-            self.assertEqual((receiver.lost, +receiver.dropped), (0, {}))
-            self.check_names(path, frames)
+    def test_raw_tiles(self):
+        frames, receiver = replayed(streams.raw())
+        self.assertEqual([frame.is_whole for frame in frames], [True, True])
+        self.assertEqual((receiver.lost, +receiver.dropped), (0, {}))
+        self.check_names(streams.raw(), frames)
 
     def test_the_line_of_the_readme_goes_on_in_silence(self):
-        frames, _ = replayed(streams.version_4())
+        frames, _ = replayed(streams.simulated())
         frame = next(frame for frame in frames if frame.window and frame.window.pose)
         self.assertEqual(printed_by_the_readme(None, frame, None),
                          f"None\n{frame.is_free((3, 13), (-1, 1))}\nNone\n")
 
     def test_order_does_not_show(self):
         """Each message comes twice, and both times in the time of two frames, at random."""
-        messages, rng = streams.messages_of(streams.version_4())[:500], random.Random(33)
+        messages, rng = streams.messages_of(streams.simulated())[:500], random.Random(33)
         frames, _ = received(messages)
         came, receiver = received(sorted(2 * messages, key=lambda each: streams.frame_of(each) + 2 * rng.random()))
         self.assertEqual([frame.number for frame in came], list(range(came[-1].number + 1)))
@@ -166,11 +165,10 @@ class Stream(unittest.TestCase):
         self.assertEqual(receiver.used + receiver.dropped.total(), 2 * len(messages))
 
     def test_each_message_can_be_lost(self):
-        for path in (streams.version_4(), streams.VERSION_3, streams.raw()):
+        for path in (streams.simulated(), streams.raw()):
             messages = [message for message in streams.messages_of(path) if streams.frame_of(message) < 2]
             whole, _ = received(messages)
-            step = 2 if path == streams.VERSION_3 else 1  # its tiles are the slowest to read
-            for i, message in list(enumerate(messages))[::step]:
+            for i, message in enumerate(messages):
                 frames, receiver = received(messages[:i] + messages[i + 1:])
                 self.assertEqual([frame.number for frame in frames], [0, 1])
                 self.assertFalse(frames[streams.frame_of(message)].is_whole, f"message {i} of {path}")
@@ -180,7 +178,7 @@ class Stream(unittest.TestCase):
 
     def test_a_receiver_is_complete_again_in_the_eighth_whole_frame(self):
         """3.4. Until then what refers to a lost tile is lost."""
-        messages, (right, _) = streams.messages_of(streams.version_4()), replayed(streams.version_4())
+        messages, (right, _) = streams.messages_of(streams.simulated()), replayed(streams.simulated())
         frames, receiver = received(message for message in messages if streams.frame_of(message) != 0)
         self.assertFalse(frames[0].is_whole)
         self.assertGreater(receiver.dropped["tile: without reference"], 0)
@@ -191,7 +189,7 @@ class Stream(unittest.TestCase):
     def test_captures_of_every_kind_have_the_same_frames(self):
         """pcapng is by Wireshark's editcap; by hand in the other byte order, with a simple packet and a second section
         whose interface 0 is another (draft-ietf-opsawg-pcapng, 4)."""
-        plain, made, packed = streams.version_4(), streams.FOLDER / "made.pcapng", streams.FOLDER / "packed.gz"
+        plain, made, packed = streams.simulated(), streams.FOLDER / "made.pcapng", streams.FOLDER / "packed.gz"
         right = [(frame.number, frame.is_whole) for frame in replayed(plain)[0]]
         made.write_bytes(pcapng_of([packet.frame for packet in streams.capture.read(plain)]))
         ng = streams.as_pcapng(plain)
@@ -213,7 +211,7 @@ class Stream(unittest.TestCase):
 
     def test_another_run_takes_over_with_its_third_message(self):
         """3.2."""
-        messages, other = streams.messages_of(streams.version_4()), streams.FOLDER / "other_run.pcap"
+        messages, other = streams.messages_of(streams.simulated()), streams.FOLDER / "other_run.pcap"
         streams.iog("fuse", "--pcap", streams.drive(), "--stream", other, "--run-number", 9)
         old = [message for message in messages if streams.frame_of(message) < 2]
         new = [message for message in streams.messages_of(other) if streams.frame_of(message) < 1]
@@ -224,7 +222,7 @@ class Stream(unittest.TestCase):
 
     def test_protection_is_checked(self):
         """3.1 and 3.2: the CRC, the data id, the lengths, and a counter that is the low half of the sequence number."""
-        message = streams.messages_of(streams.version_4())[0]
+        message = streams.messages_of(streams.simulated())[0]
         wrong = {
             "damaged": [message[:at] + bytes((message[at] ^ 1,)) + message[at + 1:] for at in (5, 17, 18, 23, 24, 500)],
             "malformed": [protected_message.protect(message[28:], 1)],
@@ -239,7 +237,7 @@ class Stream(unittest.TestCase):
 
     def test_no_tile_is_spoken_of_twice(self):
         """3.3: a message that does is malformed, whatever its sequence number."""
-        first = streams.messages_of(streams.version_4())[0]
+        first = streams.messages_of(streams.simulated())[0]
         again = protected_message.protect(first[28:32] + struct.pack(">I", 1000) + first[36:], 1000)
         receiver = iogrid.Receiver()
         self.assertEqual((receiver.take(first), receiver.take(again)), ([], []))
@@ -256,9 +254,10 @@ class Stream(unittest.TestCase):
         self.assertEqual(frames[0].window.pose.x_m, 1.0)
 
     def test_another_version_is_named(self):
-        receiver = iogrid.Receiver()
-        message = streams.made_stream.of_version(streams.messages_of(streams.version_4())[0], 5)
-        self.assertEqual((receiver.take(message), receiver.dropped), ([], {"interface version 5": 1}))
+        receiver, message = iogrid.Receiver(), streams.messages_of(streams.raw())[0]
+        for version in (3, 5):
+            self.assertEqual(receiver.take(streams.made_stream.of_version(message, version)), [])
+        self.assertEqual(receiver.dropped, {"interface version 3": 1, "interface version 5": 1})
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Streams for the tests of clients/, and what `iog` says of them. Environment: IOG is the program, STREAMS a folder.
 
-Those of version 4 are made by `iog` of a simulated drive, that of version 3 is of a target; raw tiles, which neither
-has, are made by tests/e2e/made_stream.py. Tiles are counted by tests/e2e/grid_stream.py, the tests' own reader.
+The first is made by `iog` of a simulated drive; raw tiles, which it does not have, are made by tests/e2e/made_stream.py,
+and so is what an older target leaves out. Tiles are counted by tests/e2e/grid_stream.py, the tests' own reader.
 """
 
 import collections
@@ -21,8 +21,8 @@ import grid_stream  # noqa: E402
 import made_classes  # noqa: E402
 import made_stream  # noqa: E402
 import numpy  # noqa: E402
+import protected_message  # noqa: E402
 
-VERSION_3 = ROOT / "tests/e2e/stream_of_version_3.pcap"
 FRAMES = 25  # of the drive
 MAC, IP = bytes(6), bytes((127, 0, 0, 1))
 
@@ -40,7 +40,7 @@ def drive() -> pathlib.Path:
 
 
 @functools.cache
-def version_4() -> pathlib.Path:
+def simulated() -> pathlib.Path:
     path = FOLDER / "stream.pcap"
     iog("fuse", "--pcap", drive(), "--stream", path, "--hashes", FOLDER / "hashes.txt",
         "--classes-hashes", FOLDER / "classes_hashes.txt")
@@ -49,7 +49,7 @@ def version_4() -> pathlib.Path:
 
 def hashes(name: str) -> list[list[str]]:
     """Of each frame what `iog fuse` writes: `hashes` or `classes_hashes`."""
-    version_4()
+    simulated()
     return [line.split() for line in (FOLDER / f"{name}.txt").read_text().splitlines()[1:]]
 
 
@@ -69,6 +69,12 @@ def raw() -> pathlib.Path:
     return path
 
 
+def of_older_target() -> list[bytes]:
+    """A frame whose end has no sectors and nothing behind them (3.5)."""
+    *messages, end = made_stream.Target(0).messages_of(made_stream.Grid(), 1, made_classes.Window())
+    return [*messages, protected_message.protect(end[28:-24], len(messages))]
+
+
 def write(path: pathlib.Path, messages: list[bytes]) -> None:
     packets = [ethernet.udp(IP, IP, 15001, 15000, message) for message in messages]
     capture.write(path, [capture.Packet(i, ethernet.ethernet(MAC, MAC, 0x0800, packet))
@@ -84,14 +90,14 @@ def frame_of(message: bytes) -> int:
     return int.from_bytes(message[36:40], "big")
 
 
-def tiles_of(message: bytes) -> list[tuple[tuple, grid_stream.Tile]]:
-    """Each with its interface version, whether it is of classes, and its encoding."""
+def tiles_of(message: bytes) -> list[tuple[tuple[bool, int], grid_stream.Tile]]:
+    """Each with whether it is of classes, and its encoding."""
     body = message[76:]
     if message[28] != grid_stream.TILES:
         return []
     are_classes = grid_stream.is_of_classes(body)
     tiles = grid_stream.read_class_tiles(body)[1] if are_classes else grid_stream.read_tiles(body)
-    return [((message[13], are_classes, tile.encoding), tile) for tile in tiles.tiles]
+    return [((are_classes, tile.encoding), tile) for tile in tiles.tiles]
 
 
 def by_tile(cells: numpy.ndarray) -> numpy.ndarray:
@@ -100,14 +106,14 @@ def by_tile(cells: numpy.ndarray) -> numpy.ndarray:
 
 
 def encodings_of(messages: list[bytes]) -> collections.Counter:
-    """How many tiles there are by interface version, grid and encoding."""
+    """How many tiles there are by grid and encoding."""
     return collections.Counter(of for message in messages for of, _ in tiles_of(message))
 
 
 def some_tiles() -> list[grid_stream.Tile]:
-    """Of each version, grid and encoding up to 30."""
+    """Of each grid and encoding up to 30."""
     kept: collections.defaultdict = collections.defaultdict(list)
-    for path in (VERSION_3, version_4(), raw()):
+    for path in (simulated(), raw()):
         for message in messages_of(path):
             for of, tile in tiles_of(message):
                 kept[of].append(tile)

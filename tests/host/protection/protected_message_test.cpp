@@ -127,22 +127,6 @@ TEST(ProtectedMessage, AnotherVersionOfTheInterfaceIsNamed) {
   }
 }
 
-// Also of those that are read beside the one that is sent.
-TEST(ProtectedMessage, OlderVersionsAreReadFromTheOldestOn) {
-  Channel channel = kChannel;
-  channel.event.interface_version = 5;
-  channel.event.oldest_read_version = 3;
-  for (const int version : {1, 2, 3, 4, 5, 6, 255}) {
-    Channel of_sender = kChannel;
-    of_sender.event.interface_version = static_cast<std::uint8_t>(version);
-    Sender sender(of_sender);
-    Receiver receiver(channel);
-    const Received received = receiver.receive(sent(sender, 40));
-    EXPECT_EQ(received.header == SomeIpStatus::kOk, version >= 3 && version <= 5) << version;
-    EXPECT_EQ(received.interface_version, version >= 3 && version <= 5 ? 0 : version);
-  }
-}
-
 // Loss, repetition and exchange of messages, as a receiver sees them.
 TEST(ProtectedMessage, TheReceiverSeesWhatTheLinkDid) {
   Sender sender(kChannel);

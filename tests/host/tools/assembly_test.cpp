@@ -241,11 +241,11 @@ TEST(FrameAssembler, AnotherVersionIsRefusedByName) {
   FrameAssembler assembler([](GridFrame&&) { FAIL(); });
   EXPECT_FALSE(assembler.version_sent().has_value());
   for (std::vector<std::byte> message : sample()) {
-    message[13] = std::byte{2};
+    message[13] = std::byte{3};
     assembler.take(message);
   }
-  EXPECT_EQ(assembler.version_sent(), 2);
-  EXPECT_EQ(words_of_version(2), "interface version 2; this iog reads 3 and 4");
+  EXPECT_EQ(assembler.version_sent(), 3);
+  EXPECT_EQ(words_of_version(3), "interface version 3; this iog reads 4");
   EXPECT_EQ(assembler.counts().other_version, sample().size());
 }
 

@@ -194,9 +194,9 @@ TEST(SerialLink, AnOldMessageOfTheRunIsDropped) {
 }
 
 TEST(SerialLink, AnotherVersionIsRefusedByName) {
-  protection::Channel old = stream::kSerialChannel;
-  old.event.interface_version = 2;
-  protection::Sender sender(old);
+  protection::Channel other = stream::kSerialChannel;
+  other.event.interface_version = 3;
+  protection::Sender sender(other);
   stream::TilesWriter writer;
   writer.begin_grid({.complete_sensors = 1}, stream::geometry_of_level(5));
   const auto message = writer.finish(1, 0);
@@ -204,7 +204,7 @@ TEST(SerialLink, AnotherVersionIsRefusedByName) {
   std::array<std::byte, framing::max_framed_bytes(protection::kMaxMessageBytes)> frame{};
   SerialLink link;
   link.take(std::span(frame).first(framing::encode_cobs(message, frame)));
-  EXPECT_EQ(link.version_sent(), 2);
+  EXPECT_EQ(link.version_sent(), 3);
   EXPECT_EQ(link.counts().other_version, 1u);
   EXPECT_EQ(link.counts().messages + link.counts().not_ours + link.counts().damaged, 0u);
 }

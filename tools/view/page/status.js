@@ -38,7 +38,7 @@ export function describe(status, serverSilentMs, isConnected) {
                                            : "A grid or encoding that is new to this program",
                text: status.other_version
                    ? `The target sends interface version ${status.version_sent}; ` +
-                     `this iog reads ${status.versions_read}.`
+                     `this iog reads ${status.version_read}.`
                    : "What comes cannot be shown." };
     case "ended":
       return { state: "ended", word: `end of recording${status.breaks_off ? ", in mid-frame" : ""}`,
