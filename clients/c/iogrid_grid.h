@@ -86,7 +86,7 @@ static inline int iogrid_take_tiles(iogrid_grid* grid, uint32_t frame, uint32_t*
     const uint8_t* payload = body + at + record;
     const size_t size = iogrid_be16(payload - 2);
     const uint32_t of = iogrid_reference(encoding, payload, size, frame);
-    const int stands_alone = encoding != 3 && encoding != 5;
+    const int stands_alone = encoding != 5;
     int is_tile = (stands_alone || (grid->has_own[tile] && grid->own_frame[tile] == of)) &&
                   iogrid_tile(encoding, payload, size, grid->own[tile], grid->cells[tile]);
     for (uint32_t i = 0; is_tile && i < IOGRID_CELLS; ++i) {

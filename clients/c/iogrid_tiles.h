@@ -44,50 +44,6 @@ static inline unsigned iogrid_width(uint64_t values) {  // bits that tell them a
   return bits;
 }
 
-// Encodings 1 and, with a reference, 3.
-static inline int iogrid_runs(const uint8_t* values, uint32_t count, iogrid_bits* in,
-                              const uint8_t* reference, uint8_t* cells) {
-  const uint32_t first = reference ? 1 : 0, symbols = count + first;
-  uint32_t before = symbols;
-  for (uint32_t at = 0; at < IOGRID_CELLS;) {
-    uint32_t symbol = iogrid_number(in, iogrid_width(at ? symbols - 1 : symbols)), zeros = 0;
-    symbol += symbol >= before;
-    while (!in->failed && iogrid_number(in, 1) == 0) ++zeros;
-    const uint32_t length = zeros > 10 ? 0 : 1U << zeros | iogrid_number(in, zeros);
-    if (in->failed || symbol >= symbols || length == 0 || length > IOGRID_CELLS - at) return 0;
-    if (symbol < first) {
-      memcpy(cells + at, reference + at, length);
-    } else {
-      memset(cells + at, values[symbol - first], length);
-    }
-    before = symbol;
-    at += length;
-  }
-  return iogrid_ends(in);
-}
-
-// Encoding 2, without recursion: bits 0, 2, ... of m are those of a cell's x, the others those of
-// y.
-static inline int iogrid_quadtree(const uint8_t* values, uint32_t count, iogrid_bits* in,
-                                  uint8_t* cells) {
-  for (uint32_t m = 0; m < IOGRID_CELLS;) {
-    uint32_t level = 0, x = 0, y = 0;
-    while (level < 5 && (m & ((4U << 2 * level) - 1)) == 0) ++level;
-    while (level > 0 && iogrid_number(in, 1)) --level;
-    const uint32_t symbol = iogrid_number(in, iogrid_width(count));
-    if (in->failed || symbol >= count) return 0;
-    for (uint32_t bit = 0; bit < 5; ++bit) {
-      x |= (m >> 2 * bit & 1) << bit;
-      y |= (m >> (2 * bit + 1) & 1) << bit;
-    }
-    for (uint32_t row = 0; row < 1U << level; ++row) {
-      memset(cells + (y + row) * 32 + x, values[symbol], (size_t)1 << level);
-    }
-    m += 1U << 2 * level;
-  }
-  return iogrid_ends(in);
-}
-
 typedef struct {  // digits to a base, many to a number of at most 31 bits
   iogrid_bits in;
   uint32_t base, left, fours, width, width_of_four, digits[32], count;
@@ -155,37 +111,26 @@ static inline int iogrid_run_starts(const uint8_t* values, uint32_t count, const
 // The frame that a tile of this frame refers to; its own number if it stands by itself.
 static inline uint32_t iogrid_reference(uint32_t encoding, const uint8_t* payload, size_t bytes,
                                         uint32_t frame) {
-  if (encoding == 3 && bytes >= 4) return iogrid_be32(payload);
   return encoding == 5 && bytes >= 1 ? frame - payload[0] : frame;
 }
 
 // reference: the tile of that frame.
 static inline int iogrid_tile(uint32_t encoding, const uint8_t* payload, size_t bytes,
                               const uint8_t* reference, uint8_t* cells) {
-  const size_t skipped = encoding == 3 ? 4 : encoding == 5 ? 1 : 0;
+  const size_t skipped = encoding == 5 ? 1 : 0;
   if (encoding == 0) {
     if (bytes != IOGRID_CELLS) return 0;
     memcpy(cells, payload, IOGRID_CELLS);
     return 1;
   }
-  if (encoding > 5 || bytes < skipped + 1 || bytes < skipped + 1 + payload[skipped]) return 0;
+  if (encoding != 4 && encoding != 5) return 0;
+  if (bytes < skipped + 1 || bytes < skipped + 1 + payload[skipped]) return 0;
   const uint32_t count = payload[skipped];
-  const uint8_t *values = payload + skipped + 1, *rest = values + count;
+  const uint8_t* values = payload + skipped + 1;
   const size_t left = bytes - skipped - 1 - count;
   if (memchr(values, 0x80, count) != NULL) return 0;  // no index, and no class
-  iogrid_bits in = {rest, 8 * left, 0, 0};
-  switch (encoding) {
-    case 1:
-      return iogrid_runs(values, count, &in, NULL, cells);
-    case 2:
-      return iogrid_quadtree(values, count, &in, cells);
-    case 3:
-      return iogrid_runs(values, count, &in, reference, cells);
-    case 4:
-      return iogrid_run_starts(values, count, rest, left, NULL, cells);
-    default:
-      return iogrid_run_starts(values, count, rest, left, reference, cells);
-  }
+  return iogrid_run_starts(values, count, values + count, left, encoding == 5 ? reference : NULL,
+                           cells);
 }
 
 #endif

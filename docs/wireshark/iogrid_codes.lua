@@ -3,9 +3,6 @@
 -- A payload that is not what docs/spec.md 3.4 says is an error that is a table with a text.
 local codes = {}
 
-local TILE_LEVELS = 5  -- a tile is 32 by 32 cells
-local TILE_CELLS = 1024
-
 local CRC_OF_BYTE = {}
 for byte = 0, 255 do
   local crc = byte
@@ -56,15 +53,6 @@ local function bits_of(text)
     at = at + count
     return tonumber(taken, 2)
   end
-  -- A number in Elias' gamma code.
-  function bits.take_gamma()
-    local one = digits:find("1", at, true)
-    if not one then malformed("the payload ends in the middle of a length") end
-    local zeros = one - at
-    if zeros > 2 * TILE_LEVELS then malformed("a run is longer than a tile") end
-    at = one
-    return bits.take(zeros + 1)
-  end
   function bits.must_end()
     local rest = digits:sub(at)
     if #rest >= 8 or rest:find("1", 1, true) then malformed("more follows its code") end
@@ -77,48 +65,6 @@ local function symbol_bits(symbols)
   local bits = 0
   while 2 ^ bits < symbols do bits = bits + 1 end
   return bits
-end
-
--- The number of values, and the bits behind them.
-local function values_of(text)
-  local count = text:byte(1)
-  if not count or #text < 1 + count then malformed("the payload ends in its list of values") end
-  return count, bits_of(text:sub(2 + count))
-end
-
--- Values and runs of a run-length code. `more_symbols`: 1 if there is one "as in that frame".
-function codes.count_runs(text, more_symbols)
-  local values, bits = values_of(text)
-  local symbols = values + more_symbols
-  local first_width, width = symbol_bits(symbols), symbol_bits(symbols - 1)
-  local before, cells, runs = symbols, 0, 0
-  while cells < TILE_CELLS do
-    local symbol = bits.take(runs == 0 and first_width or width)
-    if symbol >= before then symbol = symbol + 1 end
-    if symbol >= symbols then malformed("run %d has no such value", runs) end
-    cells = cells + bits.take_gamma()
-    before, runs = symbol, runs + 1
-  end
-  if cells > TILE_CELLS then malformed("its runs have %d cells", cells) end
-  bits.must_end()
-  return values, runs
-end
-
--- Values and leaves of a quadtree.
-function codes.count_leaves(text)
-  local values, bits = values_of(text)
-  local width, leaves = symbol_bits(values), 0
-  local function node(level)
-    if level > 0 and bits.take(1) == 1 then
-      for _ = 1, 4 do node(level - 1) end
-      return
-    end
-    if bits.take(width) >= values then malformed("leaf %d has no such value", leaves) end
-    leaves = leaves + 1
-  end
-  node(TILE_LEVELS)
-  bits.must_end()
-  return values, leaves
 end
 
 -- By the number of alternatives of a symbol: how many fours of symbols are the digits of a number, its

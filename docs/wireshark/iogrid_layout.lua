@@ -11,8 +11,7 @@ layout.STORAGES = { [0] = "occupancy index", [1] = "highest index of the cells b
 layout.CAUSES = { [0x01] = "late", [0x02] = "lost", [0x04] = "imprecise", [0x08] = "jump",
                   [0x10] = "restart", [0x20] = "over budget", [0x40] = "contradicted",
                   [0x80] = "drifting" }
-layout.ENCODINGS = { [0] = "raw", "run length", "quadtree", "changed since", "run starts",
-                     "run starts since" }
+layout.ENCODINGS = { [0] = "raw", [4] = "run starts", [5] = "run starts since" }
 layout.OBJECT_STATES = { "young", "stands", "moves", "stopped" }
 layout.SENSOR_STATES = { [0] = "never seen", "silent", "partial", "complete" }
 layout.BLOCKED = { [0] = "no", "in some sectors", "in all" }

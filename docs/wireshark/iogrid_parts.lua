@@ -48,8 +48,6 @@ local function declare_all()
   declare("bytes", "tile.payload", "Payload")
   declare("uint16", "tile.values", "Values", base.DEC)
   declare("uint16", "tile.runs", "Runs", base.DEC)
-  declare("uint16", "tile.leaves", "Leaves", base.DEC)
-  declare("uint32", "tile.reference", "Changed since frame", base.DEC)
   declare("uint8", "tile.reference_age", "Against the tile of so many frames before", base.DEC)
   declare("bytes", "unknown", "Not understood")
 end

@@ -6,14 +6,14 @@ local parts = require("iogrid_parts")
 local fields, experts = parts.fields, parts.experts
 local tiles = {}
 
-local RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE = 0, 1, 2, 3, 4, 5
+local RAW, RUN_STARTS, RUN_STARTS_SINCE = 0, 4, 5
 local CLASSES = 2  -- a storage
 local TILE_SIDE_LOG2, TILE_CELLS = 5, 1024
 
-local function add_counts(tree, range, name, values, count)
+local function add_counts(tree, range, values, runs)
   parts.add_generated(tree, "tile.values", range, values)
-  parts.add_generated(tree, "tile." .. name, range, count)
-  tree:append_text(string.format(", values %d, %s %d", values, name, count))
+  parts.add_generated(tree, "tile.runs", range, runs)
+  tree:append_text(string.format(", values %d, runs %d", values, runs))
 end
 
 -- Each shows what one encoding's payload holds.
@@ -21,26 +21,14 @@ local show_payload = {
   [RAW] = function(_, range)
     if range:len() ~= TILE_CELLS then codes.malformed("%d bytes of a raw tile", range:len()) end
   end,
-  [RUN_LENGTH] = function(tree, range)
-    add_counts(tree, range, "runs", codes.count_runs(range:raw(), 0))
-  end,
-  [QUADTREE] = function(tree, range)
-    add_counts(tree, range, "leaves", codes.count_leaves(range:raw()))
-  end,
-  [CHANGED_SINCE] = function(tree, range)
-    if range:len() < 4 then codes.malformed("the payload ends in its frame number") end
-    tree:add(fields["tile.reference"], range:range(0, 4))
-    tree:append_text(string.format(" frame %d", range:range(0, 4):uint()))
-    add_counts(tree, range, "runs", codes.count_runs(range:raw():sub(5), 1))
-  end,
   [RUN_STARTS] = function(tree, range)
-    add_counts(tree, range, "runs", codes.count_starts(range:raw()))
+    add_counts(tree, range, codes.count_starts(range:raw()))
   end,
   [RUN_STARTS_SINCE] = function(tree, range)
     if range:len() < 1 then codes.malformed("the payload is empty") end
     tree:add(fields["tile.reference_age"], range:range(0, 1))
     tree:append_text(string.format(", %d frames ago", range:range(0, 1):uint()))
-    add_counts(tree, range, "runs", codes.count_starts(range:raw():sub(2)))
+    add_counts(tree, range, codes.count_starts(range:raw():sub(2)))
   end,
 }
 

@@ -20,8 +20,7 @@ inline constexpr std::uint32_t kMaxReferenceAge = 7;  // frames
 
 // Whether a tile with this encoding can be decoded without a reference.
 [[nodiscard]] constexpr bool stands_by_itself(tile_coding::Encoding encoding) {
-  return encoding != tile_coding::Encoding::kChangedSince &&
-         encoding != tile_coding::Encoding::kRunStartsSince;
+  return encoding != tile_coding::Encoding::kRunStartsSince;
 }
 
 class References {

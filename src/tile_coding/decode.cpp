@@ -5,15 +5,12 @@
 #include <bit>
 
 #include "tile_coding/bit_stream.hpp"
-#include "tile_coding/older_encodings.hpp"
 #include "tile_coding/symbol_packing.hpp"
 #include "tile_coding/values.hpp"
-#include "wire/byte_order.hpp"
 
 namespace iog::tile_coding {
 namespace {
 
-constexpr std::size_t kFrameNumberBytes = 4;
 constexpr std::size_t kAgeBytes = 1;
 
 bool decode_raw(std::span<const std::byte> payload, MutableTileCells cells) {
@@ -127,21 +124,10 @@ bool decode_run_starts(std::span<const std::byte> payload,
   return true;
 }
 
-// What is behind the frame number or the age.
-bool decode_since(Encoding encoding, std::span<const std::byte> payload, TileCells reference,
-                  MutableTileCells cells) {
-  return encoding == Encoding::kChangedSince
-             ? decode_run_length(payload.subspan(kFrameNumberBytes), reference, cells)
-             : decode_run_starts(payload.subspan(kAgeBytes), reference, cells);
-}
-
 }  // namespace
 
 std::optional<std::uint32_t> reference_frame(Encoding encoding, std::span<const std::byte> payload,
                                              std::uint32_t frame_number) {
-  if (encoding == Encoding::kChangedSince && payload.size() >= kFrameNumberBytes) {
-    return wire::load_be32(payload.first<kFrameNumberBytes>());
-  }
   if (encoding == Encoding::kRunStartsSince && payload.size() >= kAgeBytes) {
     return frame_number - std::to_integer<std::uint32_t>(payload[0]);
   }
@@ -156,22 +142,15 @@ DecodeStatus decode(Encoding encoding, std::span<const std::byte> payload,
     case Encoding::kRaw:
       is_tile = decode_raw(payload, cells);
       break;
-    case Encoding::kRunLength:
-      is_tile = decode_run_length(payload, std::nullopt, cells);
-      break;
-    case Encoding::kQuadtree:
-      is_tile = decode_quadtree(payload, cells);
-      break;
     case Encoding::kRunStarts:
       is_tile = decode_run_starts(payload, std::nullopt, cells);
       break;
-    case Encoding::kChangedSince:
     case Encoding::kRunStartsSince: {
       const std::optional<std::uint32_t> frame = reference_frame(encoding, payload, frame_number);
       if (frame && (!reference || reference->frame_number != *frame)) {
         return DecodeStatus::kUnknownReference;
       }
-      is_tile = frame && decode_since(encoding, payload, reference->cells, cells);
+      is_tile = frame && decode_run_starts(payload.subspan(kAgeBytes), reference->cells, cells);
       break;
     }
     default:

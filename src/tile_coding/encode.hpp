@@ -16,18 +16,13 @@
 
 namespace iog::tile_coding {
 
-// The values are on the wire (docs/spec.md 3.4). Encodings 1 to 3 are read, of older targets, and
-// no longer written.
+// The values are on the wire (docs/spec.md 3.4).
 enum class Encoding : std::uint8_t {
-  kRaw = 0,        // one byte a cell
-  kRunLength = 1,  // runs of one value
-  kQuadtree = 2,   // blocks of one value
-  kChangedSince =
-      3,           // u32 frame number, big endian, then run length against the tile of that frame
-  kRunStarts = 4,  // where runs start, and their values
+  kRaw = 0,             // one byte a cell
+  kRunStarts = 4,       // where runs start, and their values
   kRunStartsSince = 5,  // u8 frames since the reference, then run starts against it
 };
-inline constexpr std::size_t kEncodingCount = 6;
+inline constexpr std::size_t kEncodingCount = 6;  // the highest and those below it
 
 // A tile as it was in an earlier frame that the receiver is meant to have.
 struct Reference {

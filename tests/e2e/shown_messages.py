@@ -23,8 +23,6 @@ MAP_CAUSES = ("in use", "no map", "no transform", "other origin", "imprecise", "
 CHUNK_FATES = ("taken", "repeated", "in use", "of another block", "stranger", "too short", "not ours",
                "wrong version", "damaged", "wrong length", "not zero", "out of range")
 
-VALUES_AT = {tile_coding.CHANGED_SINCE: 4, tile_coding.RUN_STARTS_SINCE: 1}  # in a payload, else 0
-
 
 def field_of(group: str, name: str) -> str:
     return f"iogrid.{group}." + re.sub("[^a-z0-9]+", "_", name.lower()).rstrip("_")
@@ -73,9 +71,7 @@ def shown_of_tiles(frame: int, message: grid_stream.Tiles) -> dict[str, list]:
             "iogrid.tile.encoding": [tile.encoding for tile in tiles],
             "iogrid.tile.bytes": [len(tile.payload) for tile in tiles],
             "iogrid.tile.payload": [tile.payload.hex() for tile in tiles],
-            "iogrid.tile.values": [tile.payload[VALUES_AT.get(tile.encoding, 0)] for tile in coded],
-            "iogrid.tile.reference": [tile.reference(frame) for tile in coded
-                                      if tile.encoding == tile_coding.CHANGED_SINCE],
+            "iogrid.tile.values": [tile.payload[tile.encoding == tile_coding.RUN_STARTS_SINCE] for tile in coded],
             "iogrid.tile.reference_age": [tile.payload[0] for tile in coded
                                           if tile.encoding == tile_coding.RUN_STARTS_SINCE]}
 

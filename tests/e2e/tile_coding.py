@@ -1,17 +1,10 @@
 """Tiles from their encodings, read as docs/spec.md section 3.4 says."""
 
-import struct
-
-RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE = range(6)
+RAW, RUN_STARTS, RUN_STARTS_SINCE = 0, 4, 5
 SIDE = 32
 CELLS = SIDE * SIDE
 UNKNOWN = bytes(CELLS)
 FRAME_NUMBERS = 1 << 32  # they wrap
-
-
-def symbol_bits(symbols: int) -> int:
-    """The logarithm to base 2, rounded up."""
-    return (symbols - 1).bit_length()
 
 
 class Bits:
@@ -28,67 +21,9 @@ class Bits:
         assert self._at <= len(self._text), "bits are missing"
         return int(self._text[begin:self._at], 2)
 
-    def gamma(self) -> int:
-        """A number in Elias' gamma code."""
-        one = self._text.find("1", self._at)
-        assert one >= 0, "a length without end"
-        zeros = one - self._at
-        self._at = one
-        return self.number(zeros + 1)
-
     def end(self) -> None:
         rest = self._text[self._at:]
         assert len(rest) < 8 and "1" not in rest, f"{rest} behind the code"
-
-
-def _values(payload: bytes) -> tuple[list[bytes], Bits]:
-    count = payload[0]
-    values = [payload[1 + i:2 + i] for i in range(count)]
-    assert len(payload) > count and len(set(values)) == count and b"\x80" not in values
-    return values, Bits(payload[1 + count:])
-
-
-def runs(payload: bytes, reference: bytes | None) -> bytes:
-    """With a reference, symbol 0 is as there and the values count from 1."""
-    values, bits = _values(payload)
-    first_value = 0 if reference is None else 1
-    symbols = len(values) + first_value
-    width, next_width = symbol_bits(symbols), symbol_bits(symbols - 1)
-    cells = bytearray()
-    before = symbols
-    while len(cells) < CELLS:
-        symbol = bits.number(width)
-        symbol += symbol >= before
-        assert symbol < symbols, f"symbol {symbol} of {symbols}"
-        length = bits.gamma()
-        assert length <= CELLS - len(cells), "a run beyond the tile"
-        if symbol < first_value:
-            cells += reference[len(cells):len(cells) + length]
-        else:
-            cells += values[symbol - first_value] * length
-        before, width = symbol, next_width
-    bits.end()
-    return bytes(cells)
-
-
-def quadtree(payload: bytes) -> bytes:
-    values, bits = _values(payload)
-    cells = bytearray(CELLS)
-
-    def node(x: int, y: int, side: int) -> None:
-        if side > 1 and bits.number(1):
-            half = side // 2
-            for dy in (0, half):
-                for dx in (0, half):
-                    node(x + dx, y + dy, half)
-            return
-        value = values[bits.number(symbol_bits(len(values)))]
-        for row in range(y, y + side):
-            cells[row * SIDE + x:row * SIDE + x + side] = value * side
-
-    node(0, 0, SIDE)
-    bits.end()
-    return bytes(cells)
 
 
 def packed_digits(bits: Bits, base: int, count: int) -> list[int]:
@@ -138,8 +73,6 @@ def run_starts(payload: bytes, reference: bytes) -> bytes:
 
 def reference_of(encoding: int, payload: bytes, frame: int) -> int | None:
     """The number of the frame that a tile of this frame refers to; None if it stands by itself."""
-    if encoding == CHANGED_SINCE:
-        return struct.unpack_from(">I", payload)[0]
     return (frame - payload[0]) % FRAME_NUMBERS if encoding == RUN_STARTS_SINCE else None
 
 
@@ -149,13 +82,7 @@ def decode(encoding: int, payload: bytes, reference: bytes | None) -> bytes:
     if encoding == RAW:
         assert len(payload) == CELLS and b"\x80" not in payload
         return payload
-    if encoding == RUN_LENGTH:
-        return runs(payload, None)
-    if encoding == QUADTREE:
-        return quadtree(payload)
     if encoding == RUN_STARTS:
         return run_starts(payload, UNKNOWN)
-    assert reference is not None and encoding in (CHANGED_SINCE, RUN_STARTS_SINCE), encoding
-    if encoding == CHANGED_SINCE:
-        return runs(payload[4:], reference)
+    assert reference is not None and encoding == RUN_STARTS_SINCE, encoding
     return run_starts(payload[1:], reference)

@@ -35,7 +35,7 @@ bool is_as_client_reads(Encoding encoding, std::span<const std::byte> payload,
                         const Tile& cells) {
   const auto number = static_cast<std::uint32_t>(encoding);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(payload.data());
-  const bool stands_alone = number != 3 && number != 5;
+  const bool stands_alone = number != 5;
   std::array<std::uint8_t, kTileBytes> own{};
   std::ranges::transform(reference.cells, own.begin(), std::to_integer<std::uint8_t>);
   std::array<std::uint8_t, kTileBytes> clients{};

@@ -84,7 +84,7 @@ class Grid:
             try:
                 of, payload = reference_of(encoding, payload, frame)
                 require(of in (None, own.frames[number]), "without reference")
-                tile = read_tile(encoding, payload, own.cells[number])
+                tile = read_tile(encoding, payload)
             except Unsound as fault:
                 dropped[f"tile: {fault}"] += 1
                 is_lost[number] = True

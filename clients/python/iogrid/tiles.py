@@ -8,51 +8,7 @@ import numpy
 from iogrid.protection import require
 
 CELLS = 1024  # of a tile, 32 x 32, row by row
-RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE = range(6)
-
-
-class _Bits:
-    """The bits of a payload, from the highest of a byte."""
-
-    def __init__(self, data: bytes):
-        self.text, self.at = bin(int.from_bytes(b"\1" + data, "big"))[3:], 0
-
-    def number(self, bits: int) -> int:
-        self.at += bits
-        require(self.at <= len(self.text))
-        return int(self.text[self.at - bits:self.at] or "0", 2)
-
-    def length(self) -> int:
-        """In Elias' gamma code."""
-        zeros = self.text.find("1", self.at) - self.at
-        require(0 <= zeros <= 10)
-        return self.number(2 * zeros + 1)
-
-    def end(self) -> None:
-        require(len(self.text) - self.at < 8 and "1" not in self.text[self.at:])
-
-
-def _runs(values: bytes, bits: _Bits, reference: bytes | None) -> bytes:
-    """Encodings 1 and, with a reference, 3 (3.4)."""
-    first, cells = 0 if reference is None else 1, bytearray()
-    symbols = before = len(values) + first
-    width = max(symbols - 1, 0).bit_length()
-    while len(cells) < CELLS:
-        symbol, at = bits.number(width), len(cells)
-        symbol, length = symbol + (symbol >= before), bits.length()
-        require(symbol < symbols and at + length <= CELLS)
-        cells += reference[at:at + length] if symbol < first else values[symbol - first:][:1] * length
-        before, width = symbol, max(symbols - 2, 0).bit_length()
-    return bytes(cells)
-
-
-def _quadtree(values: bytes, bits: _Bits, side: int = 32) -> numpy.ndarray:
-    if side > 1 and bits.number(1):
-        a, b, c, d = (_quadtree(values, bits, side // 2) for _ in range(4))
-        return numpy.block([[a, b], [c, d]])
-    symbol = bits.number(max(len(values) - 1, 0).bit_length())
-    require(symbol < len(values))
-    return numpy.full((side, side), values[symbol], numpy.uint8)
+RAW, RUN_STARTS, RUN_STARTS_SINCE = 0, 4, 5
 
 
 class RunStarts(typing.NamedTuple):
@@ -151,26 +107,19 @@ def _array(data: bytes) -> numpy.ndarray:
 
 def reference_of(encoding: int, payload: bytes, frame: int) -> tuple[int | None, bytes]:
     """The frame that a tile of this frame refers to, None if it stands by itself; and the payload behind that."""
-    size = {CHANGED_SINCE: 4, RUN_STARTS_SINCE: 1}.get(encoding, 0)
-    require(len(payload) >= size)
-    number = int.from_bytes(payload[:size], "big")
-    of = {CHANGED_SINCE: number, RUN_STARTS_SINCE: (frame - number) & 0xFFFFFFFF}.get(encoding)
-    return of, payload[size:]
+    if encoding != RUN_STARTS_SINCE:
+        return None, payload
+    require(bool(payload))
+    return (frame - payload[0]) & 0xFFFFFFFF, payload[1:]
 
 
-def read_tile(encoding: int, payload: bytes, reference: numpy.ndarray) -> bytes | RunStarts:
-    """Its cells, or how they are to be drawn. reference: the tile of the frame that it refers to, if it does."""
-    require(encoding in (RAW, RUN_LENGTH, QUADTREE, CHANGED_SINCE, RUN_STARTS, RUN_STARTS_SINCE), "unknown encoding")
+def read_tile(encoding: int, payload: bytes) -> bytes | RunStarts:
+    """Its cells, or how they are to be drawn."""
+    require(encoding in (RAW, RUN_STARTS, RUN_STARTS_SINCE), "unknown encoding")
     if encoding == RAW:
         require(len(payload) == CELLS)
         return payload
     count = payload[0] if payload else 255
     values, rest = payload[1:1 + count], payload[1 + count:]
     require(len(values) == count and 0x80 not in values)
-    if encoding in (RUN_STARTS, RUN_STARTS_SINCE):
-        return _read_run_starts(values, rest)
-    bits = _Bits(rest)
-    cells = _quadtree(values, bits).tobytes() if encoding == QUADTREE else \
-        _runs(values, bits, reference.tobytes() if encoding == CHANGED_SINCE else None)
-    bits.end()
-    return cells
+    return _read_run_starts(values, rest)

@@ -191,12 +191,6 @@ void add_tile_seeds(Seeds& seeds) {
                 payload.begin() + static_cast<std::ptrdiff_t>(result.bytes));
     seeds.add("tile_decoder", seed);
   }
-  // Of older targets: a flat tile by runs and as a quadtree, and an unchanged one.
-  for (const auto& seed :
-       {tests::bytes_of({1, 5, 3, 1, 0, 0x00, 0x20, 0x00}), tests::bytes_of({2, 5, 3, 1, 7, 0}),
-        tests::bytes_of({3, 5, 3, 0, 0, 0, 3, 0, 0x00, 0x20, 0x00})}) {
-    seeds.add("tile_decoder", seed);
-  }
   Bytes drawing;
   for (int i = 0; i < 100; ++i) {
     drawing.push_back(static_cast<std::byte>(i * 37));

@@ -96,10 +96,9 @@ Bytes classes_content() {
 // Two frames of one tile, the second against the first.
 void add_stream_seeds(Seeds& seeds) {
   const Bytes raw(1024, std::byte{3});
-  Bytes since{std::byte{0}, std::byte{0}, std::byte{0}, std::byte{5}};
-  since.insert(since.end(), {std::byte{0}, std::byte{0x00}, std::byte{0x20}, std::byte{0x00}});
+  const Bytes since{std::byte{1}, std::byte{0}};
   const Bytes first = tiles_content(5, tile_coding::Encoding::kRaw, raw);
-  const Bytes second = tiles_content(6, tile_coding::Encoding::kChangedSince, since);
+  const Bytes second = tiles_content(6, tile_coding::Encoding::kRunStartsSince, since);
   seeds.add("stream_message", first);
   seeds.add("stream_message", end_content(5));
   seeds.add("stream_message", classes_content());

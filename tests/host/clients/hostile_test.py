@@ -126,7 +126,7 @@ class Hostile(unittest.TestCase):
         try:
             of, behind = tiles.reference_of(encoding, payload, 9)
             cells = numpy.frombuffer(bytes(1024) if of is None else reference, numpy.uint8)
-            tile = tiles.read_tile(encoding, behind, cells)
+            tile = tiles.read_tile(encoding, behind)
             if isinstance(tile, tiles.RunStarts):
                 tile = tiles.draw([tile], cells[None, :]).tobytes()
         except Unsound:
@@ -169,7 +169,7 @@ class Hostile(unittest.TestCase):
 
 def has_value_twice(encoding: int, payload: bytes) -> bool:
     """That other reader refuses, and 3.4 says nothing of it."""
-    at = {tiles.CHANGED_SINCE: 4, tiles.RUN_STARTS_SINCE: 1}.get(encoding, 0)
+    at = int(encoding == tiles.RUN_STARTS_SINCE)
     values = payload[at + 1:at + 1 + payload[at]] if len(payload) > at else b""
     return len(set(values)) < len(values)
 

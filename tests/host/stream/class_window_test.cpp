@@ -47,8 +47,8 @@ Bytes some_body() {
       5,    8,    0,    0,                             // slices
       0x41, 0x42, 0x43, 0x44, 0x45, 0x46, 0x47, 0x48,  // begin of the first
       0x51, 0x52, 0x53, 0x54, 0x55, 0x56, 0x57, 0x58,  // end of the last
-      0,    33,   1,    4,    0,    2,    7,    8,     // a tile: number, encoding, age, bytes
-      0,    65,   2,    0,    0,    1,    9,
+      0,    33,   4,    4,    0,    2,    7,    8,     // a tile: number, encoding, age, bytes
+      0,    65,   5,    0,    0,    1,    9,
   });
 }
 
@@ -56,8 +56,8 @@ TEST(ClassTiles, AreWrittenAsTheSpecificationSays) {
   TilesWriter writer;
   writer.begin_classes({.frame_number = 9, .run_number = 3}, kWindow);
   writer.begin_message(5);
-  ASSERT_TRUE(writer.append(33, Encoding::kRunLength, 4, bytes_of({7, 8})));
-  ASSERT_TRUE(writer.append(65, Encoding::kQuadtree, 0, bytes_of({9})));
+  ASSERT_TRUE(writer.append(33, Encoding::kRunStarts, 4, bytes_of({7, 8})));
+  ASSERT_TRUE(writer.append(65, Encoding::kRunStartsSince, 0, bytes_of({9})));
   const auto message = writer.finish(66, 0x01020304);
   const auto body = message.subspan(kBodyOffset);
   EXPECT_EQ(Bytes(body.begin(), body.end()), some_body());
@@ -77,7 +77,7 @@ TEST(ClassTiles, AreReadAsTheSpecificationSays) {
   EXPECT_EQ(record.age_frames, 4);
   EXPECT_TRUE(std::ranges::equal(record.payload, bytes_of({7, 8})));
   ASSERT_TRUE(records.next(record));
-  EXPECT_EQ(record.encoding, Encoding::kQuadtree);
+  EXPECT_EQ(record.encoding, Encoding::kRunStartsSince);
   EXPECT_EQ(record.age_frames, 0);
   EXPECT_FALSE(records.next(record));
 }
@@ -102,14 +102,14 @@ TEST(ClassTiles, EveryMessageOfAFrameHasTheWindow) {
 TEST(ClassTiles, LeaveTilesOfIndexesAsTheyAre) {
   TilesWriter fresh;
   fresh.begin_grid({}, geometry_of_level(0));
-  ASSERT_TRUE(fresh.append(7, Encoding::kRunLength, bytes_of({1, 2, 3})));
+  ASSERT_TRUE(fresh.append(7, Encoding::kRunStarts, bytes_of({1, 2, 3})));
   const auto expected = fresh.finish(8, 0);
   TilesWriter writer;
   writer.begin_classes({}, kWindow);
   ASSERT_TRUE(writer.append(1, Encoding::kRaw, 1, Bytes(1024)));
   static_cast<void>(writer.finish(2, 0));
   writer.begin_grid({}, geometry_of_level(0));
-  ASSERT_TRUE(writer.append(7, Encoding::kRunLength, bytes_of({1, 2, 3})));
+  ASSERT_TRUE(writer.append(7, Encoding::kRunStarts, bytes_of({1, 2, 3})));
   EXPECT_TRUE(std::ranges::equal(writer.finish(8, 0), expected));
 }
 

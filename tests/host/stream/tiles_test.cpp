@@ -28,15 +28,15 @@ Bytes body_of(std::span<const std::byte> message) {
 Bytes some_body() {
   return bytes_of({0,   5, 0, 66,   0,    2,    5,    0,    4,    0,    4,    0, 0,
                    100, 0, 0, 0xFF, 0xFF, 0x38, 0x00, 0xFF, 0xFF, 0x38, 0x00, 0, 33,
-                   1,   0, 2, 7,    8,    0,    65,   2,    0,    1,    9});
+                   4,   0, 2, 7,    8,    0,    65,   5,    0,    1,    9});
 }
 
 TEST(TilesWriter, WritesWhatTheSpecificationSays) {
   TilesWriter writer;
   writer.begin_grid({.frame_number = 9}, geometry_of_level(0));
   writer.begin_message(5);
-  ASSERT_TRUE(writer.append(33, Encoding::kRunLength, bytes_of({7, 8})));
-  ASSERT_TRUE(writer.append(65, Encoding::kQuadtree, bytes_of({9})));
+  ASSERT_TRUE(writer.append(33, Encoding::kRunStarts, bytes_of({7, 8})));
+  ASSERT_TRUE(writer.append(65, Encoding::kRunStartsSince, bytes_of({9})));
   const auto message = writer.finish(66, 0x01020304);
   EXPECT_EQ(body_of(message), some_body());
 
@@ -74,13 +74,13 @@ TEST(TilesWriter, FillsMessagesAsFarAsTheyGo) {
   std::size_t last_bytes = 0;
   for (std::size_t tile = 0; tile < 1024; ++tile) {
     const Bytes payload(static_cast<std::size_t>(random.between(1, 1024)));
-    if (writer.append(tile, Encoding::kRunLength, payload)) {
+    if (writer.append(tile, Encoding::kRunStarts, payload)) {
       continue;
     }
     last_bytes = writer.finish(tile, 0).size();
     ASSERT_LE(last_bytes, protection::kMaxMessageBytes);
     ASSERT_GT(last_bytes + kTileRecordBytes + payload.size(), protection::kMaxMessageBytes);
-    ASSERT_TRUE(writer.append(tile, Encoding::kRunLength, payload));
+    ASSERT_TRUE(writer.append(tile, Encoding::kRunStarts, payload));
   }
 }
 
@@ -95,11 +95,11 @@ TEST(TilesReader, ReadsWhatTheSpecificationSays) {
   TileRecord record;
   ASSERT_TRUE(records.next(record));
   EXPECT_EQ(record.tile, 33);
-  EXPECT_EQ(record.encoding, Encoding::kRunLength);
+  EXPECT_EQ(record.encoding, Encoding::kRunStarts);
   EXPECT_TRUE(std::ranges::equal(record.payload, bytes_of({7, 8})));
   ASSERT_TRUE(records.next(record));
   EXPECT_EQ(record.tile, 65);
-  EXPECT_EQ(record.encoding, Encoding::kQuadtree);
+  EXPECT_EQ(record.encoding, Encoding::kRunStartsSince);
   EXPECT_TRUE(std::ranges::equal(record.payload, bytes_of({9})));
   EXPECT_FALSE(records.next(record));
 }

@@ -117,8 +117,10 @@ TEST(Malformed, AnotherReferenceIsSaid) {
 }
 
 TEST(Malformed, AnotherEncodingIsSaid) {
-  EXPECT_EQ(decoded(static_cast<Encoding>(6), {}), DecodeStatus::kUnknownEncoding);
-  EXPECT_EQ(decoded(static_cast<Encoding>(255), Bytes(kTileBytes)), DecodeStatus::kUnknownEncoding);
+  for (const int other : {1, 2, 3, 6, 255}) {
+    EXPECT_EQ(decoded(static_cast<Encoding>(other), Bytes(kTileBytes)),
+              DecodeStatus::kUnknownEncoding);
+  }
 }
 
 // Noise, and payloads with a few bytes changed: whatever is taken for a tile is one.
