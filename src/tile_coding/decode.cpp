@@ -6,7 +6,6 @@
 
 #include "tile_coding/bit_stream.hpp"
 #include "tile_coding/symbol_packing.hpp"
-#include "tile_coding/values.hpp"
 
 namespace iog::tile_coding {
 namespace {
@@ -19,6 +18,18 @@ bool decode_raw(std::span<const std::byte> payload, MutableTileCells cells) {
   }
   std::ranges::copy(payload, cells.begin());
   return true;
+}
+
+// Takes them from the front of the payload: u8 how many, then each, int8. Nothing if it is too
+// short, they are too many, or one is no index.
+std::optional<std::span<const std::byte>> take_values(std::span<const std::byte>& payload) {
+  const std::size_t count = payload.empty() ? 0 : std::to_integer<std::size_t>(payload[0]);
+  if (payload.size() < 1 + count || count > kMostAlternatives) {
+    return std::nullopt;
+  }
+  const auto values = payload.subspan(1, count);
+  payload = payload.subspan(1 + count);
+  return std::ranges::find(values, kNoIndex) == values.end() ? std::optional(values) : std::nullopt;
 }
 
 // Where runs start, bit x of word y, and how many they are.
@@ -101,26 +112,25 @@ void draw_runs(const Starts& starts, const Digits& digits, std::span<const std::
 
 bool decode_run_starts(std::span<const std::byte> payload,
                        const std::optional<TileCells>& reference, MutableTileCells cells) {
-  const std::optional<Values> values = take_values(payload);
-  if (!values || values->list.size() > kMostAlternatives) {
+  const auto values = take_values(payload);
+  if (!values) {
     return false;
   }
   Starts starts;
   Digits digits{};
-  if (values->list.empty()) {
+  if (values->empty()) {
     draw_runs(starts, digits, {}, reference, cells);
-    return values->rest.empty();
+    return payload.empty();
   }
-  std::span<const std::byte> rest = values->rest;
-  if (!take_starts(rest, starts)) {
+  if (!take_starts(payload, starts)) {
     return false;
   }
-  BitReader in(rest);
-  const auto alternatives = static_cast<std::uint32_t>(values->list.size());
+  BitReader in(payload);
+  const auto alternatives = static_cast<std::uint32_t>(values->size());
   if (!read_digits(in, alternatives, starts.count, digits) || !in.ends_here()) {
     return false;
   }
-  draw_runs(starts, digits, values->list, reference, cells);
+  draw_runs(starts, digits, *values, reference, cells);
   return true;
 }
 

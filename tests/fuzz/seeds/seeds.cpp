@@ -12,7 +12,6 @@
 #include "car_block/content.hpp"
 #include "discovery/bytes.hpp"
 #include "fakes/ars548_list.hpp"
-#include "fakes/bytes_of.hpp"
 #include "fakes/ground_turns.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
