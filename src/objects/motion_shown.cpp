@@ -121,9 +121,8 @@ void remember(std::uint64_t now_us, std::span<const std::uint16_t> numbers,
   }
   Snapshot& now = track.snapshots.begin(now_us, track.box());
   const bool with_standing = track.may_have_a_standing_face();
-  const auto own =
-      static_cast<std::size_t>(track.seen.hits + (with_standing ? track.seen.standing : 0));
-  const std::size_t every = (own + kSnapshotHits - 1) / kSnapshotHits;
+  const std::int32_t own = track.seen.hits + (with_standing ? track.seen.standing : 0);
+  const std::size_t every = (static_cast<std::size_t>(own) + kSnapshotHits - 1) / kSnapshotHits;
   std::size_t next = 0;
   for (const std::uint16_t number : numbers) {
     const FrameHit& hit = hits[number];
