@@ -189,7 +189,8 @@ TEST_F(Gate, TheCheckOfMemoryFindsAnotherSetting) {
   const auto is_there = [&](const auto& wanted) {
     const auto value = std::as_bytes(std::span(&wanted, 1));
     return std::ranges::any_of(regions, [&](const health::Region& region) {
-      return !std::ranges::search(region.bytes, value).empty();
+      return std::search(region.bytes.begin(), region.bytes.end(), value.begin(), value.end()) !=
+             region.bytes.end();
     });
   };
   EXPECT_TRUE(is_there(kSource));

@@ -136,9 +136,9 @@ TEST(Offering, ASubscriberGetsWhatThePeerGets) {
 // docs/service_discovery.md, "Whom it believes": what another station says ends no subscription.
 TEST(Offering, NoArpThatNobodyHasAskedForEndsASubscription) {
   Frame question = net::testing::linux_arp_request();
-  question[31] = std::byte{77};
+  question.at(31) = std::byte{77};
   for (Frame claim : {arp_of_subscriber(), question}) {
-    claim[11] = claim[27] = std::byte{0x66};
+    claim.at(11) = claim.at(27) = std::byte{0x66};
     Bench bench;
     bench.subscribe();
     bench.take(claim);
@@ -157,7 +157,7 @@ TEST(Offering, ASubscriberAtAnotherStationIsNoneAnyMore) {
   Bench bench;
   bench.subscribe();
   Frame moved = arp_of_subscriber();
-  moved[11] = moved[27] = std::byte{0x66};
+  moved.at(11) = moved.at(27) = std::byte{0x66};
   bench.take(moved);
   bench.pass(2'200'000);
   EXPECT_EQ(bench.count(discovery::Count::kSpoofed), 0U);
