@@ -17,13 +17,14 @@ import debugger  # noqa: E402 ; it lies in the folder above
 IDLE = "iog::imx6::Board::idle()"
 TICK_S = 0.001  # that a board sleeps at most: its clock is no faster than this PC's
 FRAME_END = 2  # docs/spec.md 3.3
+SHARE = 64  # datagrams that come at once: a dense unit spreads its turn, and the loop leaves what waits for 80 ms
 
 
 class StandingBoard:
     """`debugger.socket` in the folder is QEMU's stub. `iog replay --step` writes to the pipe `sent` in it: a line
     "frame ..." when it has sent a frame, another line when all is sent."""
 
-    def __init__(self, folder: str, image: str, maps_port: int):
+    def __init__(self, folder: str, image: str, maps_port: int | None):
         self._offer = debugger.Stub(pathlib.Path(folder))
         self._idle = debugger.symbols_of(image)[IDLE]
         self._maps_port = maps_port
@@ -31,6 +32,7 @@ class StandingBoard:
         os.mkfifo(pipe)
         self._sent = os.open(pipe, os.O_RDWR)  # both, or it would end with the first who writes
         self._frame: list = []  # what has come of it
+        self._rest: list = []  # of a whole one, what the board does not have yet
         self._is_driving = True  # a drive is played in frames, or will be
         self._has_begun = self._is_whole = self._is_answer_due = self._is_standing = False
 
@@ -59,9 +61,12 @@ class StandingBoard:
         if self._is_driving:
             self._frame += [each for each in come if each[-1] != self._maps_port]
             come = [each for each in come if each[-1] == self._maps_port]
-        if self._is_whole and not has_later:
-            come, self._frame = self._frame + come, []
+        is_next = self._is_whole and not has_later
+        if is_next:
+            self._rest, self._frame = self._rest + self._frame, []
             self._is_whole, self._is_answer_due, self._has_begun = False, True, True
+        if is_next or self._is_standing:
+            come, self._rest = self._rest[:SHARE] + come, self._rest[SHARE:]
         return come
 
     def note(self, message: bytes) -> None:
@@ -71,7 +76,7 @@ class StandingBoard:
 
     def go_on(self, has_more: bool) -> None:
         """Unless it has to stand still. has_more: it has not taken all that it may have."""
-        is_waited_for = self._has_begun and self._is_driving and not self._is_answer_due
+        is_waited_for = self._has_begun and self._is_driving and not self._is_answer_due and not self._rest
         if not self._is_standing or not has_more and (self._frame or is_waited_for):
             return
         if not has_more:
