@@ -14,6 +14,7 @@
 
 #include "gtest/gtest.h"
 
+#include "fakes/turning_units.hpp"
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
@@ -24,13 +25,10 @@
 namespace iog::tools {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using tests::kTurningUnits;
+using tests::TurningUnit;
 
-const std::vector<std::string> kCars{
-    "roof_hdl32e", "roof_hdl64e",    "roof_os0_128",  "roof_os0_32_dual",
-    "roof_os1_64", "roof_pandar40p", "roof_pandar64", "roof_puck_hires",
-    "roof_qt128",  "roof_qt64",      "roof_vlp16",    "roof_vlp32c",
-    "roof_vls128", "roof_xt16",      "roof_xt32",     "roof_xt32m"};
+constexpr double kDegree = std::numbers::pi / 180;
 
 // A road that turns right by 0.4 rad/s at 10 m/s towards a long wall across.
 constexpr Course kCurve{.radians_per_metre = -0.04, .swings = {{{0, 100}, {0, 100}}}};
@@ -115,8 +113,8 @@ Placed placed_by(const std::string& car_name) {
 const std::map<std::string, Placed>& placed_of_all() {
   static const std::map<std::string, Placed> all_placed = [] {
     std::map<std::string, Placed> placed;
-    for (const std::string& car : kCars) {
-      placed.emplace(car, placed_by(car));
+    for (const TurningUnit& unit : kTurningUnits) {
+      placed.emplace(unit.car, placed_by(unit.car));
     }
     return placed;
   }();
@@ -140,9 +138,9 @@ double off_wall(const std::vector<Seen>& seen, double from_share, double to_shar
 
 // The head looks forward when a turn begins and when it ends, an Ouster's backward.
 TEST(MovingUnitsOfAllCars, AWallIsStraightFromTheCarsPoseOfEachPacket) {
-  for (const std::string& car : kCars) {
+  for (const auto& [car, placed] : placed_of_all()) {
     const bool is_ouster = car.starts_with("roof_os");
-    const std::vector<Seen>& seen = placed_of_all().at(car).by_packet;
+    const std::vector<Seen>& seen = placed.by_packet;
     for (const double share : is_ouster ? std::vector{0.4, 0.5} : std::vector{0.0, 0.9}) {
       EXPECT_NEAR(off_wall(seen, share, share + 0.1, 0.5), 0, 0.025) << car << " " << share;
     }
@@ -150,8 +148,8 @@ TEST(MovingUnitsOfAllCars, AWallIsStraightFromTheCarsPoseOfEachPacket) {
 }
 
 TEST(MovingUnitsOfAllCars, AWallIsBentFromOnePoseOfTheTurn) {
-  for (const std::string& car : kCars) {
-    const std::vector<Seen>& seen = placed_of_all().at(car).by_turn;
+  for (const auto& [car, placed] : placed_of_all()) {
+    const std::vector<Seen>& seen = placed.by_turn;
     // What was measured a whole turn before its end is up to a metre farther ahead from there; an
     // Ouster looks forward in the middle of its turn.
     const double share = car.starts_with("roof_os") ? 0.4 : 0.0;
@@ -161,9 +159,10 @@ TEST(MovingUnitsOfAllCars, AWallIsBentFromOnePoseOfTheTurn) {
 
 // A beam that nothing came back to has no truth, and each other has its own.
 TEST(MovingUnits, EveryPointHasItsTruth) {
-  std::vector<std::string> cars = kCars;
-  cars.emplace_back("reference_car");
-  cars.emplace_back("roof_ld_mrs");
+  std::vector<std::string> cars{"reference_car", "roof_ld_mrs"};
+  for (const TurningUnit& unit : kTurningUnits) {
+    cars.emplace_back(unit.car);
+  }
   for (const std::string& name : cars) {
     const CatalogueEntry& car = find_vehicle(name);
     Drive drive(car, 3, 1, find_scene("city"), Motion::kContinuous);
@@ -245,7 +244,8 @@ Drive leaning_drive_over_hills(const std::string& car) {
 // What a packet says, placed by mount and pose, is where its truth says: but for the error of a
 // range and what the car does within a packet. The car climbs by 5 degrees.
 TEST(MovingUnitsOfAllCars, APointIsWhereItsTruthSays) {
-  for (const std::string& name : kCars) {
+  for (const TurningUnit& unit : kTurningUnits) {
+    const std::string name = unit.car;
     const description::SensorConfig& sensor = find_vehicle(name).sensors[0];
     const vehicle::Sensor& decoding = find_vehicle(name).vehicle->sensors[0];
     Drive drive = leaning_drive_over_hills(name);
@@ -281,27 +281,15 @@ TEST(MovingUnitsOfAllCars, APointIsWhereItsTruthSays) {
   }
 }
 
-std::uint32_t crc_of_drives(const std::vector<std::string>& cars) {
-  stream::Crc32 crc;
-  for (const std::string& name : cars) {
-    for (const CapturedDatagram& datagram : leaning_drive_over_hills(name).datagrams(5)) {
-      crc.update(datagram.payload);
-    }
-  }
-  return crc.value();
-}
-
 // Every compiler and machine must get these bytes; whoever changes the world on purpose pins anew.
 TEST(MovingUnitsOfAllCars, BytesArePinned) {
-  EXPECT_EQ(crc_of_drives({"roof_hdl32e", "roof_hdl64e", "roof_os1_64", "roof_pandar64",
-                           "roof_vlp16", "roof_vlp32c", "roof_xt32"}),
-            0x15094FE7U);
-  EXPECT_EQ(crc_of_drives({"roof_os0_128", "roof_os0_32_dual", "roof_pandar40p", "roof_puck_hires",
-                           "roof_xt16"}),
-            0x9C30C072U);
-  EXPECT_EQ(crc_of_drives({"roof_qt64", "roof_xt32m"}), 0x0A513F28U);
-  EXPECT_EQ(crc_of_drives({"roof_vls128"}), 0xAA6506CEU);
-  EXPECT_EQ(crc_of_drives({"roof_qt128"}), 0xA6515580U);
+  for (const TurningUnit& unit : kTurningUnits) {
+    stream::Crc32 crc;
+    for (const CapturedDatagram& datagram : leaning_drive_over_hills(unit.car).datagrams(5)) {
+      crc.update(datagram.payload);
+    }
+    EXPECT_EQ(crc.value(), unit.moving_drive_crc) << unit.car;
+  }
 }
 
 // Three LUX and two that turn: everything comes in order, and each at its own rate.

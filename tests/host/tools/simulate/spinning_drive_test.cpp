@@ -10,6 +10,7 @@
 #include "gtest/gtest.h"
 
 #include "../drive_sample.hpp"
+#include "fakes/turning_units.hpp"
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
 #include "lidar/velodyne_identity.hpp"
@@ -20,6 +21,9 @@
 
 namespace iog::tools {
 namespace {
+
+using tests::kTurningUnits;
+using tests::TurningUnit;
 
 constexpr std::uint32_t kMostTurns = 3;
 
@@ -40,60 +44,66 @@ std::vector<CapturedDatagram> turns_of(const std::string& car, std::uint32_t tur
   return datagrams;
 }
 
-// Of the manuals: packets a second in strongest return mode, and so in one turn of ten.
-struct Rate {
-  const char* car;
-  double packets_per_second;
-};
-const std::vector<Rate> kRates{
-    {"roof_hdl32e", 1'808.45},   {"roof_hdl64e", 2'893.52},   {"roof_os0_128", 640.0},
-    {"roof_os0_32_dual", 640.0}, {"roof_os1_64", 640.0},      {"roof_pandar40p", 1'800.0},
-    {"roof_pandar64", 3'000.0},  {"roof_puck_hires", 753.52}, {"roof_qt128", 4'500.0},
-    {"roof_qt64", 1'500.0},      {"roof_vlp16", 753.52},      {"roof_vlp32c", 1'507.04},
-    {"roof_vls128", 6'029.91},   {"roof_xt16", 2'500.0},      {"roof_xt32", 2'500.0},
-    {"roof_xt32m", 3'333.33}};
+// Both kinds of lists follow from one: formats, and cars with one unit that turns.
+TEST(TurningUnits, EveryFormatAndEveryCarHasARow) {
+  // The cars of vehicles/ have the newer of each two.
+  std::set<lidar::Format> formats{lidar::kFormat<lidar::OusterRng19>,
+                                  lidar::kFormat<lidar::VelodyneHdl64eS2>};
+  std::set<std::string_view> cars;
+  for (const TurningUnit& unit : kTurningUnits) {
+    formats.insert(find_vehicle(unit.car).sensors[0].format);
+    cars.insert(unit.car);
+  }
+  lidar::for_each_format([&](lidar::Format format, auto /*decoder*/) {
+    EXPECT_EQ(formats.contains(format), lidar::turns(format)) << lidar::name_of(format);
+  });
+  for (const CatalogueEntry& car : all_vehicles()) {
+    const bool has_one = car.sensors.size() == 1 && lidar::turns(car.sensors[0].format);
+    EXPECT_EQ(cars.contains(car.vehicle->name), has_one) << car.vehicle->name;
+  }
+}
 
 TEST(SpinningDrive, SendsAsManyPacketsAsTheUnitDoes) {
-  for (const Rate& rate : kRates) {
-    const auto datagrams = turns_of(rate.car, 2);
-    EXPECT_NEAR(static_cast<double>(datagrams.size()), rate.packets_per_second / 5, 1) << rate.car;
+  for (const TurningUnit& unit : kTurningUnits) {
+    const auto datagrams = turns_of(unit.car, 2);
+    EXPECT_NEAR(static_cast<double>(datagrams.size()), unit.packets_per_second / 5, 1) << unit.car;
     for (std::size_t i = 1; i < datagrams.size(); ++i) {
       const double apart_us = static_cast<double>(datagrams[i].time_us - datagrams[i - 1].time_us);
-      ASSERT_NEAR(apart_us, 1e6 / rate.packets_per_second, 1) << rate.car;
+      ASSERT_NEAR(apart_us, 1e6 / unit.packets_per_second, 1) << unit.car;
     }
   }
 }
 
 // Each packet lasts until the next, and is sent when it is full.
 TEST(SpinningDrive, SaysWhenItsPacketsWereMeasured) {
-  for (const Rate& rate : kRates) {
-    const vehicle::Sensor& sensor = find_vehicle(rate.car).vehicle->sensors[0];
-    const double packet_us = 1e6 / rate.packets_per_second;
-    for (const CapturedDatagram& datagram : turns_of(rate.car, 1)) {
+  for (const TurningUnit& unit : kTurningUnits) {
+    const vehicle::Sensor& sensor = find_vehicle(unit.car).vehicle->sensors[0];
+    const double packet_us = 1e6 / unit.packets_per_second;
+    for (const CapturedDatagram& datagram : turns_of(unit.car, 1)) {
       const intake::Packet packet =
           intake::Packet::decode(sensor.format, datagram.payload, sensor.unit());
-      ASSERT_TRUE(packet.is_sound()) << rate.car;
+      ASSERT_TRUE(packet.is_sound()) << unit.car;
       const std::uint64_t measured_us =
           intake::measured_us(sensor, packet.info(), datagram.time_us);
       // The lasers of a Pandar64 fire before their block does.
       ASSERT_NEAR(static_cast<double>(datagram.time_us - measured_us), packet_us / 2, 60)
-          << rate.car;
+          << unit.car;
     }
   }
 }
 
 TEST(SpinningDrive, VelodynesPacketsAreKnownAsTheirUnits) {
-  for (const Rate& rate : kRates) {
-    const CatalogueEntry& car = find_vehicle(rate.car);
+  for (const TurningUnit& unit : kTurningUnits) {
+    const CatalogueEntry& car = find_vehicle(unit.car);
     if (!lidar::name_of(car.sensors[0].format).starts_with("Velodyne")) {
       continue;
     }
     lidar::VelodyneIdentity identity;
     lidar::FormatSet possible;
-    for (const CapturedDatagram& datagram : turns_of(rate.car, 1)) {
+    for (const CapturedDatagram& datagram : turns_of(unit.car, 1)) {
       possible = identity.add(datagram.payload);
     }
-    EXPECT_EQ(possible, lidar::FormatSet(car.sensors[0].format)) << rate.car;
+    EXPECT_EQ(possible, lidar::FormatSet(car.sensors[0].format)) << unit.car;
   }
 }
 
@@ -109,8 +119,8 @@ TEST(SpinningDrive, TheSameSeedGivesTheSameBytes) {
 // A street whose only ground is flat: the heights at which the low beams of a unit end, by what its
 // description says of it. lasers of the calibration start where they start.
 TEST(SpinningDrive, LowBeamsEndOnTheGround) {
-  for (const Rate& rate : kRates) {
-    const CatalogueEntry& car = find_vehicle(rate.car);
+  for (const TurningUnit& unit : kTurningUnits) {
+    const CatalogueEntry& car = find_vehicle(unit.car);
     const description::SensorConfig& config = car.sensors[0];
     // Nothing but the ground, and the car stands level.
     const RayCaster rays(placed(frame_of(config.mount), {}), {}, kSpinningFarthest);
@@ -119,7 +129,7 @@ TEST(SpinningDrive, LowBeamsEndOnTheGround) {
     const auto bytes = encoder_of(config)->packet(0, 0, rays, random, truth);
     const vehicle::Sensor& sensor = car.vehicle->sensors[0];
     const intake::Packet packet = intake::Packet::decode(config.format, bytes, sensor.unit());
-    ASSERT_TRUE(packet.is_sound()) << rate.car;
+    ASSERT_TRUE(packet.is_sound()) << unit.car;
     std::set<int> layers;
     packet.for_each_point([&](const lidar::ScanPoint& point) {
       double elevation_deg = 0;
@@ -140,10 +150,10 @@ TEST(SpinningDrive, LowBeamsEndOnTheGround) {
       const double end_m = start_m + std::sin(elevation) * point.range_mm / 1'000;
       // Four sigma of the range and what the wire rounds.
       ASSERT_NEAR(end_m, 0, -std::sin(elevation) * (4 * config.sigma_m + 0.004))
-          << rate.car << " " << elevation_deg;
+          << unit.car << " " << elevation_deg;
       layers.insert(point.layer);
     });
-    EXPECT_GT(layers.size(), 5U) << rate.car;
+    EXPECT_GT(layers.size(), 5U) << unit.car;
   }
 }
 
@@ -167,15 +177,15 @@ TEST(SpinningDrive, IsFusedByItsVehicleAndByNoOther) {
     assembler.finish();
     return found;
   };
-  for (const Rate& rate : kRates) {
-    const auto datagrams = turns_of(rate.car, kMostTurns);
-    const auto own = count(rate.car, datagrams);
-    EXPECT_GE(own.complete, 2U) << rate.car;
-    EXPECT_LE(own.other_unit, 3U) << rate.car;  // until it is known
-    EXPECT_EQ(own.dropped, own.other_unit) << rate.car;
-    for (const Rate& other : kRates) {
-      if (&other != &rate) {
-        EXPECT_EQ(count(other.car, datagrams).complete, 0U) << rate.car << " as " << other.car;
+  for (const TurningUnit& unit : kTurningUnits) {
+    const auto datagrams = turns_of(unit.car, kMostTurns);
+    const auto own = count(unit.car, datagrams);
+    EXPECT_GE(own.complete, 2U) << unit.car;
+    EXPECT_LE(own.other_unit, 3U) << unit.car;  // until it is known
+    EXPECT_EQ(own.dropped, own.other_unit) << unit.car;
+    for (const TurningUnit& other : kTurningUnits) {
+      if (&other != &unit) {
+        EXPECT_EQ(count(other.car, datagrams).complete, 0U) << unit.car << " as " << other.car;
       }
     }
   }
