@@ -2,31 +2,30 @@
 
 _ONCE = "computed once, by one core"
 OF_SILENT = {
-    "registers": f"what a core works on is {_ONCE}: only cores in lockstep, or a second fusion, would tell",
+    "registers": f"what a core works on is {_ONCE}; only lockstep cores or a second fusion would notice",
     "vector registers": "as registers",
     "stack": "as registers",
-    "index grids": f"cells of the frame at hand, {_ONCE}; the frame's CRC is made of them as they are. It lasts one "
-                   "frame in the grid, longer in the classes. ECC of the DDR would answer it, which the chip has not",
-    "class planes": "masses that are kept from frame to frame; each tile changes up to 25 times a second, and a CRC of "
-                    "its own would have to change with it, which is not built. It lasts until the cell is measured again, or fades",
+    "index grids": f"cells of the current frame, {_ONCE}, and covered by its CRC as they are. Lasts one frame in the grid, longer in the "
+                   "classes. The answer is ECC of the DDR, which the chip does not have",
+    "class planes": "masses kept from frame to frame. A CRC for each tile would change up to 25 times a second and is not built. Lasts "
+                    "until the cell is measured again, or fades",
     "objects": "tracks and hits that change with each frame, as class planes",
-    "intake": "packets are kept until the frame ends, behind the checks of their datagrams: a point is another point. A "
-              "checksum of what is kept would answer it, and is not built",
-    "poses": "poses that were believed; what contradicts the sensors is found later (docs/spec.md), one bit may be small",
-    "stream": "tiles as they were sent, to which later ones refer, and messages before they have their CRC",
+    "intake": "packets kept until the frame ends, after the checks of their datagrams. A checksum of the kept packets is not built",
+    "poses": "accepted poses; contradictions with the sensors are found later (docs/spec.md), one bit may be small",
+    "stream": "tiles as they were sent, to which later ones refer, and messages that have no CRC yet",
     "network and team": "queues and counters in front of the CRC of a message",
     "drivers": "as network and team",
-    "frame and its place": "the window's time, the pose at the frame's end, counters: computed once and sent as they are; what of it never "
-                           "changes (which vehicle) is found by the check of memory",
-    "map": "the block's CRC is compared when it comes, not afterwards",
+    "frame and its place": "the window's time, the pose at the frame's end, counters: computed once and sent as they are; the memory "
+                           "check finds what never changes (which vehicle)",
+    "map": "the block's CRC is compared when it arrives, not afterwards",
     "all else": "as network and team",
-    "device registers": "the next start of the device sets them anew; the Ethernet controller is started anew when it is silent",
-    "code": "found by the check of memory in at most its round; what is sent until then is wrong",
+    "device registers": "the next start of the device sets them again; the Ethernet controller is restarted when it is silent",
+    "code": "the memory check finds it within its round; frames until then are wrong",
     "constants": "as code",
     "made of the car": "as code",
     "translation tables": "as code",
     "receive descriptors": "a frame of the ring twice, or another one's: its content is right, so its checks pass",
-    "transmit descriptors": "the controller sends other bytes than those that were meant: messages that are old",
-    "receive buffers": "the datagram's checksum has been compared before the flip",
-    "transmit buffers": "no message: its CRC is compared by the receiver",
+    "transmit descriptors": "the controller sends other bytes than intended: old messages",
+    "receive buffers": "the datagram's checksum was compared before the flip",
+    "transmit buffers": "no message: the receiver compares its CRC",
 }
