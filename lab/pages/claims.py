@@ -34,6 +34,13 @@ class Claim:
         return self.verdict.value if self.verdict is Verdict.EQUALS else f"**{self.verdict.value}**"
 
 
+def claim(place: str, what: str, paper: str, ours: str, verdict: str, reason: str = "see the section",
+          note: str = "") -> Claim:
+    """As a template declares it. reason: of a verdict that is not "equal", note: of one that is."""
+    found = Verdict(verdict)
+    return Claim(place, what, str(paper), str(ours), found, note if found is Verdict.EQUALS else reason)
+
+
 @dataclasses.dataclass(frozen=True)
 class Goal:
     """One that is missed needs no reason: which work takes how much stands on its page."""

@@ -9,6 +9,7 @@ frames of a run; cost() and frame() are of a mean frame.
 """
 
 import dataclasses
+import functools
 
 import pandas
 
@@ -117,13 +118,22 @@ def frame_run(scene: str = "", sensors: int = 4, *, worst: str = "", paths: str 
     return " ".join(words)
 
 
+@functools.cache
+def _values_of(path) -> dict:
+    # Words: a run hash of digits alone is no number.
+    table = pandas.read_csv(path, dtype=str, keep_default_na=False)
+    return {tuple(keys): value for *keys, value in table.itertuples(index=False)}
+
+
 class CortexA9:
     """The table, by its keys."""
 
     def __init__(self, data):
-        # Words: a run hash of digits alone is no number.
-        table = pandas.read_csv(data.path("cortex_a9.csv"), dtype=str, keep_default_na=False)
-        self._values = {tuple(keys): value for *keys, value in table.itertuples(index=False)}
+        self._data = data
+
+    @functools.cached_property
+    def _values(self) -> dict:
+        return _values_of(self._data.path("cortex_a9.csv"))
 
     def has(self, run: str, variant: str = "counted") -> bool:
         return any(key[0] == run and key[2] == variant for key in self._values)
