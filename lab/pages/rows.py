@@ -9,6 +9,7 @@ import functools
 import itertools
 import math
 import string
+import types
 
 import jinja2
 import pandas
@@ -40,7 +41,7 @@ def formatted(value, form: str = "") -> str:
 
 @functools.cache
 def _compiled(expression: str):
-    return compile(expression.strip(), expression, "eval")
+    return compile(f"({expression})", expression, "eval")
 
 
 def value_of(expression: str, names: dict):
@@ -69,6 +70,13 @@ def wide(table: pandas.DataFrame, index: str, columns: str) -> pandas.DataFrame:
     return made.reset_index()
 
 
+def keyed(table: pandas.DataFrame, *columns: str) -> dict:
+    """The rows, with their columns as attributes, by the values of a column or of several."""
+    found = [types.SimpleNamespace(**row) for row in table.to_dict("records")]
+    return {getattr(row, columns[0]) if len(columns) == 1 else tuple(getattr(row, name) for name in columns): row
+            for row in found}
+
+
 def records(data) -> list[dict]:
     """A row's values by name; what has no names is called `it`."""
     if isinstance(data, pandas.DataFrame):
@@ -77,14 +85,13 @@ def records(data) -> list[dict]:
 
 
 def _lines(text: str) -> list[list[str]]:
-    """The cells of each line; a line that does not begin with | goes on with the one before it."""
-    joined = []
+    """The cells of each line; one that does not end with | goes on in the next."""
+    joined = [""]
     for line in filter(None, map(str.strip, text.splitlines())):
-        if line.startswith("|"):
-            joined.append(line)
-        else:
-            joined[-1] += " " + line
-    return [[cell.strip() for cell in line.strip("|").split("|")] for line in joined]
+        joined[-1] += f" {line}"
+        if line.endswith("|"):
+            joined.append("")
+    return [[cell.strip() for cell in line.strip()[1:-1].split("|")] for line in joined if line]
 
 
 @jinja2.pass_context

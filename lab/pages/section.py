@@ -8,6 +8,7 @@ template follow from data on the same page, or begin with "Our reading:".
 
 import dataclasses
 import functools
+import math
 import pathlib
 import types
 
@@ -49,10 +50,22 @@ def one(table: pandas.DataFrame, column: str, **where):
 
 
 def select(table: pandas.DataFrame, **where) -> pandas.DataFrame:
-    """The rows that have these values."""
+    """The rows that have these values; a list stands for any of its own, None for all."""
     for column, value in where.items():
-        table = table[table[column] == value]
+        if value is not None:
+            table = table[table[column].isin(value) if isinstance(value, (list, tuple)) else table[column] == value]
     return table
+
+
+def total(table: pandas.DataFrame, columns, **where):
+    """The sum of a column, or of several, over the rows that have these values."""
+    return select(table, **where)[columns].to_numpy().sum()
+
+
+def ratio(table: pandas.DataFrame, part, whole, **where) -> float:
+    """Of two such sums; no number where the second is 0."""
+    of_all = total(table, whole, **where)
+    return total(table, part, **where) / of_all if of_all else math.nan
 
 
 @dataclasses.dataclass
