@@ -20,7 +20,7 @@ NO_VALUE = "–"
 # Names in tables of lab/data, as pages write them.
 WORDS = {"ring_road": "ring road"}
 BUILTINS = {function.__name__: function for function in (
-    abs, all, any, dict, enumerate, float, int, len, list, map, max, min, range, round, set, sorted, str, sum, tuple, zip)}
+    abs, all, any, dict, enumerate, float, getattr, int, len, list, map, max, min, range, round, set, sorted, str, sum, tuple, zip)}
 
 
 def formatted(value, form: str = "") -> str:
