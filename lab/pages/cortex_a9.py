@@ -129,11 +129,7 @@ class CortexA9:
     """The table, by its keys."""
 
     def __init__(self, data):
-        self._data = data
-
-    @functools.cached_property
-    def _values(self) -> dict:
-        return _values_of(self._data.path("cortex_a9.csv"))
+        self._values = _values_of(data.path("cortex_a9.csv"))
 
     def has(self, run: str, variant: str = "counted") -> bool:
         return any(key[0] == run and key[2] == variant for key in self._values)

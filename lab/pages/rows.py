@@ -2,7 +2,7 @@
 
 A cell has fields, {expression:form}. The expression is Python's, of the row's columns and of what the template has
 set. The form is "3" for three decimals, "," for 1,048,576, "1%" for a share in per cent, "2e" for 4.65e-4, "b2" for
-12.40 (16.00) of what the cost model says, or one of Python's.
+12.40 (16.00) of what the cost model says, or one of Python's. A text without a form is written by WORDS.
 """
 
 import functools
@@ -20,12 +20,12 @@ NO_VALUE = "–"
 # Names in tables of lab/data, as pages write them.
 WORDS = {"ring_road": "ring road"}
 BUILTINS = {function.__name__: function for function in (
-    abs, all, any, dict, enumerate, float, getattr, int, len, list, map, max, min, range, round, set, sorted, str, sum, tuple, zip)}
+    abs, all, any, dict, enumerate, float, getattr, int, len, list, map, max, min, next, range, round, set, sorted, str, sum, tuple, zip)}
 
 
 def formatted(value, form: str = "") -> str:
     if isinstance(value, str):
-        return WORDS.get(value, value)
+        return format(value, form) if form else WORDS.get(value, value)
     if form.startswith("b"):
         return value.banded(int(form[1:]))
     if value != value:

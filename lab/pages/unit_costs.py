@@ -18,8 +18,7 @@ takes on them.
 import pathlib
 
 from cortex_a9 import STAGES, CortexA9, frame_run
-from results.four_cores import MOST, Frames
-from results.turning import BAND, UNITS
+from section import select, total
 
 PATH = pathlib.Path(__file__).resolve().parents[2] / "tools/budget/unit_costs.hpp"
 SCENES = ("city", "ring_road")
@@ -63,6 +62,10 @@ def _class_tile(a9: CortexA9, scene: str) -> float:
 
 
 AZIMUTH_STEPS = 8192  # of each of the units
+UNITS = {"roof_vlp16": "VLP-16", "roof_hdl32e": "HDL-32E", "roof_hdl64e": "HDL-64E S3"}
+BAND = "_band"  # the end of an image's name: its returns are judged by a height band
+ROUNDS = ("fuse", "join", "window", "encode", "alone")  # stages of a frame that several cores share
+MOST = 4  # cores
 
 
 def _turning(vehicle: str, kind: str = BAND) -> str:
@@ -171,9 +174,12 @@ def _array(words: str, name: str, rows: list[str], of: str = "ModelledFrame") ->
 
 def _shares(data) -> list[float]:
     """Of one core's time, on one core, two, and so on."""
-    drives = [Frames(data["cores_modelled"], drive, "nominal") for drive in SCENES]
-    return [1.0, *(max(drive.whole(cores) / drive.undivided("frame") for drive in drives)
-                   for cores in range(2, MOST + 1))]
+    def share(drive, cores):
+        rows = select(data["cores_modelled"], drive=drive, variant="nominal")
+        undivided = select(rows, stage="undivided_frame").iloc[0]
+        return (total(rows, "bounded_cycles", stage=ROUNDS, cores=cores) / (1 + rows["frame"].max()) /
+                (undivided["busy_cycles"] / undivided["items"]))
+    return [1.0, *(max(share(drive, cores) for drive in SCENES) for cores in range(2, MOST + 1))]
 
 
 def text(data) -> str:

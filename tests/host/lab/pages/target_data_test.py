@@ -4,9 +4,9 @@ order, the model is near what QEMU counts, and nothing is below what the memory 
 import unittest
 
 import laboratory  # noqa: F401 ; it makes the others known
+import worst_frames
 from cortex_a9 import FUSED, PUBLISH, STAGES, VARIANTS, CortexA9, frame_run
 from section import Data
-from results import worst_frames
 from target_frames import SCENES, WHOLE, floor, target_frame
 
 DATA = Data()
