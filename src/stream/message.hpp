@@ -14,6 +14,7 @@
 
 #include "intake/sensor_report.hpp"
 #include "protection/protected_message.hpp"
+#include "stream/target_state.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -75,27 +76,14 @@ struct StageTicks {
 };
 inline constexpr std::size_t kStageCount = 4;
 
-inline constexpr std::size_t kMaxLinkCounters = 216;
-
-// Where the counters of the cores are among the link counters: cores at work, items done for lost
-// cores, and those done by core 0 to 3.
-inline constexpr std::size_t kCoreCounters = 42;
-
-// And where those of the run before: starts since power-up, how it has ended (hal::EndCause) and a
-// number that belongs to that.
-inline constexpr std::size_t kEndCounters = 52;
-
-// And where the loop's times are: rows of the worst, the sum in two words, and a histogram.
-inline constexpr std::size_t kTimeCounters = 55;
-inline constexpr std::size_t kTimeRows = 10;
-inline constexpr std::size_t kTimeRowCounters = 13;
-
-// And where those of service discovery (discovery/counters.hpp) of a target that offers its
-// service, or wants its commands signed.
-inline constexpr std::size_t kDiscoveryCounters = 185;
-
-// And where those of signed commands (app/command_gate.hpp) of a target that wants them signed.
-inline constexpr std::size_t kCommandCounters = 199;
+// Where groups of counters are among the link counters.
+inline constexpr std::size_t kCoreCounters = place_of(Group::kCore);
+inline constexpr std::size_t kEndCounters = place_of(Group::kRun);
+inline constexpr std::size_t kTimeCounters = place_of(Group::kLoopTime);
+inline constexpr std::size_t kTimeRows = names_of<Group::kLoopTime>().size();
+inline constexpr std::size_t kTimeRowCounters = kDurationWords;
+inline constexpr std::size_t kDiscoveryCounters = place_of(Group::kDiscovery);
+inline constexpr std::size_t kCommandCounters = place_of(Group::kCommand);
 
 // The last message of a frame.
 struct FrameEnd {
@@ -109,7 +97,7 @@ struct FrameEnd {
   std::array<std::uint32_t, vehicle::kFateCount> fates{};  // scan points of this frame
   std::array<std::uint32_t, intake::kPacketDropCount> packet_drops{};  // since start
   std::uint8_t link_counter_count = 0;
-  std::array<std::uint32_t, kMaxLinkCounters> link_counters{};       // since start, as docs/spec.md
+  LinkCounters link_counters{};                                      // since start
   std::array<intake::SensorReport, vehicle::kMaxSensors> sensors{};  // Header::sensor_count of them
   // Bit i, sector i around the vehicle: no sensor watches it; some sensor is blocked there. Empty
   // from an older target.

@@ -1,0 +1,86 @@
+// The counters by name: their places are those of docs/spec.md 3.7 since version 4 of the stream.
+#include "stream/target_state.hpp"
+
+#include <gtest/gtest.h>
+
+namespace iog::stream {
+namespace {
+
+static_assert(place_of("frames received") == 0);
+static_assert(place_of("short") == 7);
+static_assert(place_of("peer unresolved") == 7 + 19);
+static_assert(place_of("port received") == 7 + 19 + 3);
+static_assert(place_of("fragments joined") == 7 + 19 + 3 + 5);
+static_assert(place_of("cores at work") == 7 + 19 + 3 + 5 + 8);
+static_assert(place_of("port without room") == 42 + 6);
+static_assert(place_of("starts since power-up") == 42 + 6 + 4);
+static_assert(place_of("fuse") == 42 + 6 + 4 + 3);
+static_assert(place_of("late") == 55 + 5 * 13);
+static_assert(place_of(Group::kDiscovery) == 55 + 10 * 13);
+static_assert(place_of(Group::kCommand) == 185 + 14);
+static_assert(place_of("commands MAC") == 199 + 10);
+static_assert(kMaxLinkCounters == 199 + 12);
+
+TEST(TargetState, NamesOfAGroupAreInTheirOrder) {
+  EXPECT_EQ(names_of<Group::kStage>(),
+            (std::array<std::string_view, 4>{"fuse", "mark", "publish", "perceive"}));
+}
+
+// Two of the port and one of the network, in an order of their own.
+struct Some {
+  std::uint32_t restarts = 0;
+  std::array<std::uint32_t, 2> mac{};
+  std::uint32_t misuse = 0;
+  static constexpr std::array<std::string_view, 3> kNames{"port restarts", "commands MAC",
+                                                          "misuse"};
+};
+
+TEST(TargetState, EachCounterGoesWhereItsNameIs) {
+  LinkCounters counters{};
+  put(Some{.restarts = 1, .mac = {2, 3}, .misuse = 4}, counters);
+  LinkCounters expected{};
+  expected[49] = 1;
+  expected[209] = 2;
+  expected[210] = 3;
+  expected[28] = 4;
+  EXPECT_EQ(counters, expected);
+}
+
+struct All {
+  LinkCounters words{};
+  static constexpr auto kNames = [] {
+    std::array<std::string_view, std::ranges::count_if(table::kRows, is_link)> names{};
+    auto name = names.begin();
+    for (const Row& row : table::kRows) {
+      if (is_link(row)) {
+        *name++ = row.name;
+      }
+    }
+    return names;
+  }();
+};
+struct One {
+  std::uint32_t word = 0;
+  static constexpr std::array<std::string_view, 1> kNames{"misuse"};
+};
+
+TEST(TargetState, ACounterIsCountedByOneAlone) {
+  static_assert(is_each_counted_once<All>());
+  static_assert(!is_each_counted_once<One>(), "the others are missing");
+  static_assert(!is_each_counted_once<All, Some>(), "three are there twice");
+}
+
+// docs/spec.md 3.2: datagrams dropped, whatever the cause.
+TEST(TargetState, LostDatagramsAreTheSumOfTheirCauses) {
+  LinkCounters counters{};
+  counters.fill(1);
+  EXPECT_EQ(losses_of(counters), 13U);
+  counters = {};
+  counters[place_of("bad UDP checksum")] = 5;
+  counters[place_of("received lost by restarts")] = 7;
+  counters[place_of("port restarts")] = 100;
+  EXPECT_EQ(losses_of(counters), 12U);
+}
+
+}  // namespace
+}  // namespace iog::stream
