@@ -21,9 +21,8 @@
 #include "tools/vehicles/key_file.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "tools/view/forward.hpp"
-#include "tools/view/foxglove_server.hpp"
+#include "tools/view/servers.hpp"
 #include "tools/view/sources.hpp"
-#include "tools/view/web_server.hpp"
 
 namespace iog::tools {
 namespace {
@@ -52,14 +51,14 @@ struct ViewOptions {
 };
 
 // The usual port, or where nobody has named one and it is taken, any free one.
-std::unique_ptr<view::WebServer> serve(const ViewOptions& options, view::Scene& scene) {
+std::unique_ptr<view::Server> serve(const ViewOptions& options, view::Scene& scene) {
   if (options.http) {
-    return std::make_unique<view::WebServer>(options.http_bind, *options.http, scene);
+    return view::serve_page(options.http_bind, *options.http, scene);
   }
   try {
-    return std::make_unique<view::WebServer>(options.http_bind, kUsualHttpPort, scene);
+    return view::serve_page(options.http_bind, kUsualHttpPort, scene);
   } catch (const UsageError&) {
-    return std::make_unique<view::WebServer>(options.http_bind, 0, scene);
+    return view::serve_page(options.http_bind, 0, scene);
   }
 }
 
@@ -125,18 +124,18 @@ void view_grid(const ViewOptions& options) {
   if (!options.key.empty()) {
     viewer.believe_signed(read_key_file(options.key));
   }
-  const std::unique_ptr<view::WebServer> server = serve(options, scene);
+  const std::unique_ptr<view::Server> server = serve(options, scene);
   const std::string address = "http://" + host_words(options, server->port()) + "/";
   std::optional<view::Forward> forward;
   if (options.forward != 0) {
     viewer.show_also(forward.emplace(options.forward));
   }
   foxglove::LiveFeed feed;
-  std::unique_ptr<view::FoxgloveServer> foxglove_server;
+  std::unique_ptr<view::Server> foxglove_server;
   if (options.foxglove) {
     viewer.show_also(feed);
-    foxglove_server = std::make_unique<view::FoxgloveServer>(options.http_bind, *options.foxglove,
-                                                             feed, [&scene] { scene.note_page(); });
+    foxglove_server = view::serve_foxglove(options.http_bind, *options.foxglove, feed,
+                                           [&scene] { scene.note_page(); });
   }
   std::cout << "Look at " << address << std::endl;
   if (foxglove_server) {

@@ -1,11 +1,8 @@
 // A client has one frame under way; when all of that is written it gets the newest one, and what
 // came in between is left out for it. So what a client costs is the frame under way, whose bytes it
 // shares with the others, and nobody waits for it.
-#include "tools/view/foxglove_server.hpp"
-
 #include <algorithm>
 #include <array>
-#include <boost/asio/post.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
@@ -14,7 +11,6 @@
 #include <iostream>
 #include <memory>
 #include <set>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -23,6 +19,7 @@
 #include "tools/program/time_of_day.hpp"
 #include "tools/view/http_door.hpp"
 #include "tools/view/literal_host.hpp"
+#include "tools/view/servers.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -35,7 +32,7 @@ namespace websocket = beast::websocket;
 using Clock = std::chrono::steady_clock;
 using foxglove::Channel;
 
-constexpr std::chrono::seconds kPatience{60};          // with a client that takes nothing
+constexpr std::chrono::seconds kClientPatience{60};    // with a client that takes nothing
 constexpr std::chrono::seconds kTellEvery{1};          // that frames are left out
 constexpr std::size_t kMaxClients = 16;                // at the same time
 constexpr std::size_t kMaxRequestBytes = 64UL * 1024;  // a thousand subscriptions have room
@@ -113,7 +110,7 @@ class Client : public std::enable_shared_from_this<Client> {
     beast::get_lowest_layer(socket_).socket().set_option(
         asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
     auto limits = websocket::stream_base::timeout::suggested(beast::role_type::server);
-    limits.idle_timeout = kPatience;
+    limits.idle_timeout = kClientPatience;
     limits.keep_alive_pings = true;
     socket_.set_option(limits);
     socket_.set_option(websocket::stream_base::decorator(
@@ -293,36 +290,29 @@ class Client : public std::enable_shared_from_this<Client> {
   bool waits_to_read_ = false;  // until all answers are written
 };
 
-}  // namespace
-
-class FoxgloveServer::Implementation {
+class FoxgloveServer : public Server {
  public:
-  Implementation(const std::string& address, std::uint16_t port, foxglove::LiveFeed& feed,
+  FoxgloveServer(const std::string& address, std::uint16_t port, foxglove::LiveFeed& feed,
                  std::function<void()> on_client)
       : feed_(&feed),
         on_client_(std::move(on_client)),
         server_info_(foxglove::server_info("iog view", std::to_string(time_of_day_us()))),
-        door_(context_, address, port,
+        door_(address, port,
               {.answer =
                    [this](const Request& request) {
                      return answer(request, clients_.size() < kMaxClients);
                    },
                .let_in = [this](beast::tcp_stream&& stream,
                                 const Request& request) { let_in(std::move(stream), request); }}) {
-    feed.on_news([this] { asio::post(context_, [this] { take_news(); }); });
-    thread_ = std::thread([this] { context_.run(); });
+    feed.on_news([this] { door_.call([this] { take_news(); }); });
+    door_.open();
   }
 
-  ~Implementation() {
-    feed_->on_news(nullptr);
-    context_.stop();
-    thread_.join();
-  }
+  ~FoxgloveServer() override { feed_->on_news(nullptr); }
+  FoxgloveServer(const FoxgloveServer&) = delete;
+  FoxgloveServer& operator=(const FoxgloveServer&) = delete;
 
-  Implementation(const Implementation&) = delete;
-  Implementation& operator=(const Implementation&) = delete;
-
-  [[nodiscard]] std::uint16_t port() const { return door_.port(); }
+  [[nodiscard]] std::uint16_t port() const override { return door_.port(); }
 
  private:
   void let_in(beast::tcp_stream&& stream, const Request& request) {
@@ -354,18 +344,14 @@ class FoxgloveServer::Implementation {
   std::string server_info_;
   foxglove::FrameMessages messages_;
   std::vector<std::weak_ptr<Client>> clients_;
-  asio::io_context context_{1};
   HttpDoor door_;
-  std::thread thread_;
 };
 
-FoxgloveServer::FoxgloveServer(const std::string& address, std::uint16_t port,
-                               foxglove::LiveFeed& feed, std::function<void()> on_client)
-    : implementation_(std::make_unique<Implementation>(address, port, feed, std::move(on_client))) {
+}  // namespace
+
+std::unique_ptr<Server> serve_foxglove(const std::string& address, std::uint16_t port,
+                                       foxglove::LiveFeed& feed, std::function<void()> on_client) {
+  return std::make_unique<FoxgloveServer>(address, port, feed, std::move(on_client));
 }
-
-FoxgloveServer::~FoxgloveServer() = default;
-
-std::uint16_t FoxgloveServer::port() const { return implementation_->port(); }
 
 }  // namespace iog::tools::view

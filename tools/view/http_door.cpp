@@ -1,5 +1,6 @@
 #include "tools/view/http_door.hpp"
 
+#include <boost/asio/post.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <memory>
@@ -15,10 +16,10 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 using asio::ip::tcp;
 
-constexpr std::chrono::seconds kPatience{30};     // with a browser that asks nothing
-constexpr std::chrono::milliseconds kPause{100};  // when nobody can be let in
+constexpr std::chrono::seconds kRequestPatience{30};  // with a browser that asks nothing
+constexpr std::chrono::milliseconds kPause{100};      // when nobody can be let in
 
-// Its keeper outlives it: the door's context ends before the door's owner does.
+// Its keeper outlives it: the door's context ends before the keeper does.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(tcp::socket&& socket, const Doorkeeper& keeper)
@@ -27,7 +28,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void read() {
     parser_.emplace();
     parser_->body_limit(0);
-    stream_.expires_after(kPatience);
+    stream_.expires_after(kRequestPatience);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](beast::error_code error, std::size_t) {
                        if (!error) {
@@ -80,9 +81,8 @@ Response plain_answer(const Request& request, http::status status, std::string w
   return response;
 }
 
-HttpDoor::HttpDoor(asio::io_context& context, const std::string& address, std::uint16_t port,
-                   Doorkeeper keeper)
-    : keeper_(std::move(keeper)), acceptor_(context), pause_(context) {
+HttpDoor::HttpDoor(const std::string& address, std::uint16_t port, Doorkeeper keeper)
+    : keeper_(std::move(keeper)), acceptor_(context_), pause_(context_) {
   beast::error_code error;
   const tcp::endpoint here{asio::ip::make_address(address, error), port};
   if (error) {
@@ -98,6 +98,19 @@ HttpDoor::HttpDoor(asio::io_context& context, const std::string& address, std::u
   acceptor_.listen();
   accept();
 }
+
+HttpDoor::~HttpDoor() {
+  context_.stop();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void HttpDoor::open() {
+  thread_ = std::thread([this] { context_.run(); });
+}
+
+void HttpDoor::call(std::function<void()> what) { asio::post(context_, std::move(what)); }
 
 void HttpDoor::accept() {
   acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {

@@ -1,6 +1,6 @@
 // Waits at a port for HTTP requests, answers them, and lets in who asks for a WebSocket.
-// Boost.Beast; everything is asynchronous, on the thread that runs the context. A connection keeps
-// itself alive by the operations that wait for it, and ends with them.
+// Boost.Beast; everything is asynchronous, on the door's own thread. A connection keeps itself
+// alive by the operations that wait for it, and ends with them.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace iog::tools::view {
 
@@ -36,11 +37,17 @@ struct Doorkeeper {
 
 class HttpDoor {
  public:
-  // Port 0: any free one. UsageError if that address and port cannot be had. The context outlives
-  // the door.
-  HttpDoor(boost::asio::io_context& context, const std::string& address, std::uint16_t port,
-           Doorkeeper keeper);
+  // Port 0: any free one. UsageError if that address and port cannot be had. Nobody is asked in
+  // before open().
+  HttpDoor(const std::string& address, std::uint16_t port, Doorkeeper keeper);
+  // Connections end before it returns.
+  ~HttpDoor();
+  HttpDoor(const HttpDoor&) = delete;
+  HttpDoor& operator=(const HttpDoor&) = delete;
 
+  void open();
+  // On the door's thread.
+  void call(std::function<void()> what);
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
  private:
@@ -48,8 +55,10 @@ class HttpDoor {
   void accept_later();
 
   Doorkeeper keeper_;
+  boost::asio::io_context context_{1};
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer pause_;
+  std::thread thread_;
 };
 
 }  // namespace iog::tools::view

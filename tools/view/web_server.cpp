@@ -1,22 +1,19 @@
 // A page acknowledges each message that it has dealt with; two may be under way. So what a page
 // shows is never older than that, however slow it or the network is.
-#include "tools/view/web_server.hpp"
-
 #include <algorithm>
-#include <boost/asio/post.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <memory>
 #include <optional>
 #include <span>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "tools/view/http_door.hpp"
 #include "tools/view/literal_host.hpp"
 #include "tools/view/page_files.hpp"
+#include "tools/view/servers.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -26,9 +23,9 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 
-constexpr std::chrono::seconds kPatience{30};  // with a page that says nothing
-constexpr std::size_t kMaxPages = 16;          // open at the same time
-constexpr std::size_t kMaxRequestBytes = 64;   // what a page has to say is a word
+constexpr std::chrono::seconds kPagePatience{30};  // with a page that says nothing
+constexpr std::size_t kMaxPages = 16;              // open at the same time
+constexpr std::size_t kMaxWordBytes = 64;          // what a page has to say is a word
 constexpr int kMessagesUnderWay = 2;
 
 // Nothing but our own files, no frames, no forms; nothing is kept, so that a page and the program
@@ -95,10 +92,10 @@ class LivePage : public std::enable_shared_from_this<LivePage> {
   void run(const Request& request) {
     beast::get_lowest_layer(socket_).expires_never();
     auto limits = websocket::stream_base::timeout::suggested(beast::role_type::server);
-    limits.idle_timeout = kPatience;
+    limits.idle_timeout = kPagePatience;
     limits.keep_alive_pings = true;
     socket_.set_option(limits);
-    socket_.read_message_max(kMaxRequestBytes);
+    socket_.read_message_max(kMaxWordBytes);
     socket_.binary(true);
     socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
       if (!error) {
@@ -190,30 +187,23 @@ class Pages {
   std::vector<std::weak_ptr<LivePage>> pages_;
 };
 
-}  // namespace
-
-class WebServer::Implementation {
+class PageServer : public Server {
  public:
-  Implementation(const std::string& address, std::uint16_t port, Scene& scene)
+  PageServer(const std::string& address, std::uint16_t port, Scene& scene)
       : scene_(&scene),
-        door_(context_, address, port,
+        door_(address, port,
               {.answer = [this](const Request& request) { return answer(request, *scene_); },
                .let_in = [this](beast::tcp_stream&& stream,
                                 const Request& request) { let_in(std::move(stream), request); }}) {
-    scene.on_news([this] { asio::post(context_, [this] { pages_.send_news(); }); });
-    thread_ = std::thread([this] { context_.run(); });
+    scene.on_news([this] { door_.call([this] { pages_.send_news(); }); });
+    door_.open();
   }
 
-  ~Implementation() {
-    scene_->on_news(nullptr);
-    context_.stop();
-    thread_.join();
-  }
+  ~PageServer() override { scene_->on_news(nullptr); }
+  PageServer(const PageServer&) = delete;
+  PageServer& operator=(const PageServer&) = delete;
 
-  Implementation(const Implementation&) = delete;
-  Implementation& operator=(const Implementation&) = delete;
-
-  [[nodiscard]] std::uint16_t port() const { return door_.port(); }
+  [[nodiscard]] std::uint16_t port() const override { return door_.port(); }
 
  private:
   void let_in(beast::tcp_stream&& stream, const Request& request) {
@@ -225,16 +215,13 @@ class WebServer::Implementation {
 
   Scene* scene_;
   Pages pages_;
-  asio::io_context context_{1};
   HttpDoor door_;
-  std::thread thread_;
 };
 
-WebServer::WebServer(const std::string& address, std::uint16_t port, Scene& scene)
-    : implementation_(std::make_unique<Implementation>(address, port, scene)) {}
+}  // namespace
 
-WebServer::~WebServer() = default;
-
-std::uint16_t WebServer::port() const { return implementation_->port(); }
+std::unique_ptr<Server> serve_page(const std::string& address, std::uint16_t port, Scene& scene) {
+  return std::make_unique<PageServer>(address, port, scene);
+}
 
 }  // namespace iog::tools::view
