@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/simulate/world/scene.hpp"
 
 namespace iog::lab {

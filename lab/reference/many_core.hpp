@@ -13,10 +13,10 @@
 #include <optional>
 #include <span>
 
-#include "description/description.hpp"
 #include "lab/reference/inverse_sensor_model.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "lidar/scan_point.hpp"
+#include "tools/car/description.hpp"
 
 namespace iog::lab::reference {
 

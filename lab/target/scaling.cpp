@@ -14,13 +14,13 @@
 #include <span>
 #include <string_view>
 
-#include "description/scanners.hpp"
-#include "description/tables.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"
 #include "number_in.hpp"
 #include "stage_pass.hpp"
 #include "synthetic_scan.hpp"
+#include "tools/car/scanners.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::lab {
 namespace {

@@ -15,12 +15,12 @@
 #include <cstdio>
 #include <string_view>
 
-#include "description/scanners.hpp"
-#include "description/tables.hpp"
 #include "grid/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"
 #include "number_in.hpp"
+#include "tools/car/scanners.hpp"
+#include "tools/car/tables.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::lab {

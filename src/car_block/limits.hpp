@@ -40,7 +40,7 @@ constexpr std::uint64_t subcells_up(std::uint32_t length_mm) {
 }
 
 // No end of a beam is farther away: those of a tilted mirror are fitted
-// (description/tilted_mirror.hpp), and at azimuths that it cannot see they may lie beyond the
+// (tools/car/tilted_mirror.hpp), and at azimuths that it cannot see they may lie beyond the
 // range. range_mm <= kLongestRangeMm.
 constexpr std::uint32_t longest_line_mm(lidar::Format format, std::uint32_t range_mm) {
   return lidar::facts_of(format).has_beam_tilt ? range_mm + range_mm / 64 + 1 : range_mm;

@@ -56,7 +56,7 @@ void check_place(const vehicle::Footprint& footprint, const Sensor& sensor, std:
   }
 }
 
-// Twelfths of a turn, and 10 m, as description/limits.cpp has it of a laser.
+// Twelfths of a turn, and 10 m, as tools/car/limits.cpp has it of a laser.
 bool is_within_reach(const lidar::LaserCorrection& laser, std::int32_t ticks_per_turn) {
   return is_within<std::int32_t>(laser.azimuth_ticks, -ticks_per_turn / 12, ticks_per_turn / 12) &&
          is_within<std::int32_t>(laser.range_mm, -10'000, 10'000);

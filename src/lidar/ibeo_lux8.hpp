@@ -29,7 +29,7 @@ class IbeoLux8 {
   static constexpr std::int32_t kTicksPerTurn = IbeoLux::kTicksPerTurn;
   static constexpr bool kTurns = IbeoLux::kTurns;
   static constexpr bool kHasBeamTilt = true;
-  // Of a mirror that were not tilted; description/tilted_mirror.hpp adds the unit's own tilt.
+  // Of a mirror that were not tilted; tools/car/tilted_mirror.hpp adds the unit's own tilt.
   static constexpr std::array<double, 8> kElevationsDeg{-1.2, -0.4, 0.4, 1.2,  //
                                                         -1.2, -0.4, 0.4, 1.2};
   // From 60 degrees on the right to 50 on the left: the field of view of the maker's manual.

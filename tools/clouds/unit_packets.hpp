@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "description/description.hpp"
 #include "lidar/velodyne.hpp"
+#include "tools/car/description.hpp"
 #include "tools/clouds/head.hpp"
 #include "tools/clouds/laser_table.hpp"
 #include "tools/clouds/point_cloud.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/mount/mount_fit.hpp"
 
 namespace iog::tools {

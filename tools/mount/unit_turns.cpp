@@ -4,9 +4,9 @@
 #include <numbers>
 #include <optional>
 
-#include "description/mount.hpp"
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
+#include "tools/car/mount.hpp"
 
 namespace iog::tools {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/mount/ground_plane.hpp"
 #include "tools/mount/turn_cutter.hpp"

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "car_block/limits.hpp"
-#include "description/limits.hpp"
-#include "description/scanners.hpp"
-#include "description/tables.hpp"
+#include "tools/car/limits.hpp"
+#include "tools/car/scanners.hpp"
+#include "tools/car/tables.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/vehicles/car_words.hpp"
 #include "tools/vehicles/toml_nesting.hpp"

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "description/description.hpp"
 #include "net/config.hpp"
+#include "tools/car/description.hpp"
 #include "tools/vehicles/toml_table.hpp"
 #include "vehicle/vehicle.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/vehicles/toml_table.hpp"
 
 namespace iog::tools {

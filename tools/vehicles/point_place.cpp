@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <numbers>
 
-#include "description/tilted_mirror.hpp"
 #include "lidar/formats.hpp"
 #include "lidar/scanner_facts.hpp"
+#include "tools/car/tilted_mirror.hpp"
 
 namespace iog::tools {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "description/description.hpp"
-#include "description/mount.hpp"
 #include "lidar/scan_point.hpp"
+#include "tools/car/description.hpp"
+#include "tools/car/mount.hpp"
 
 namespace iog::tools {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "description/description.hpp"
 #include "net/config.hpp"
+#include "tools/car/description.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tools {

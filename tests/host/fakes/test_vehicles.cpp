@@ -3,9 +3,9 @@
 #include <deque>
 #include <vector>
 
-#include "description/limits.hpp"
-#include "description/tables.hpp"
 #include "require/require.hpp"
+#include "tools/car/limits.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::tests {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "car_block/limits.hpp"
-#include "description/scanners.hpp"
+#include "tools/car/scanners.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::tests {

@@ -11,13 +11,13 @@
 #include <span>
 #include <utility>
 
-#include "description/description.hpp"
 #include "fakes/random.hpp"
 #include "geometry/grid.hpp"
 #include "lab/reference/exact_line.hpp"
 #include "lidar/scan_point.hpp"
 #include "numeric/division.hpp"
 #include "sensor_model/profile.hpp"
+#include "tools/car/description.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::tests {

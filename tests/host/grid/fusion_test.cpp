@@ -9,14 +9,14 @@
 #include <span>
 #include <vector>
 
-#include "description/scanners.hpp"
-#include "description/tables.hpp"
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "grid/frame_fusion.hpp"
+#include "tools/car/scanners.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::grid {
 namespace {

@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-#include "description/tables.hpp"
 #include "fakes/ground_car.hpp"
 #include "fakes/ground_turns.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::ground {
 namespace {

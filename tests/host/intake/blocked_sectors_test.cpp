@@ -10,11 +10,11 @@
 #include <random>
 #include <vector>
 
-#include "description/tables.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/vlp16_scene.hpp"
 #include "intake/watched_sectors.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::intake {
 namespace {

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "description/mount.hpp"
-#include "description/tables.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "lidar/formats.hpp"
+#include "tools/car/mount.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::intake {
 namespace {

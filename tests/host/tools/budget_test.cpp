@@ -4,10 +4,10 @@
 #include <sstream>
 #include <vector>
 
-#include "description/tables.hpp"
 #include "fakes/ground_car.hpp"
 #include "tools/budget/frame_budget.hpp"
 #include "tools/budget/unit_costs.hpp"
+#include "tools/car/tables.hpp"
 #include "tools/vehicles/upward_mount.hpp"
 
 namespace iog::tools {

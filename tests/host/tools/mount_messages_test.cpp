@@ -9,7 +9,7 @@
 
 #include "gtest/gtest.h"
 
-#include "description/mount.hpp"
+#include "tools/car/mount.hpp"
 #include "wire/byte_reader.hpp"
 
 namespace iog::tools::ros {

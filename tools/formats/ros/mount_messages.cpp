@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "description/mount.hpp"
+#include "tools/car/mount.hpp"
 #include "tools/formats/ros/grid_messages.hpp"
 #include "tools/formats/ros/grid_parts.hpp"
 
 namespace iog::tools::ros {
 
-// The quaternion of Rz(yaw) Ry(pitch) Rx(roll), as REP 103 wants it and description/mount.hpp
+// The quaternion of Rz(yaw) Ry(pitch) Rx(roll), as REP 103 wants it and tools/car/mount.hpp
 // turns.
 std::vector<std::byte> mounts_of(std::span<const description::SensorConfig> sensors,
                                  std::uint64_t stamp_us) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 
 namespace iog::tools::ros {
 

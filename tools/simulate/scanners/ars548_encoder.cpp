@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <bit>
 
-#include "description/mount.hpp"
 #include "lidar/continental_ars548.hpp"
 #include "numeric/elementary.hpp"
 #include "require/require.hpp"
+#include "tools/car/mount.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/simulate/scanners/spinning_beams.hpp"
 #include "wire/byte_writer.hpp"

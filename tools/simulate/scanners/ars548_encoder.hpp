@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/simulate/scanners/packet_encoder.hpp"
 
 namespace iog::tools {

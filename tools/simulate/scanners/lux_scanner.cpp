@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "description/mount.hpp"
-#include "description/tilted_mirror.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "numeric/elementary.hpp"
+#include "tools/car/mount.hpp"
+#include "tools/car/tilted_mirror.hpp"
 #include "tools/simulate/scanners/echo_model.hpp"
 
 namespace iog::tools {

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/scanners/ray_caster.hpp"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <span>
 
-#include "description/mount.hpp"
 #include "lidar/mavlink_ultrasonic.hpp"
 #include "numeric/elementary.hpp"
 #include "require/require.hpp"
+#include "tools/car/mount.hpp"
 #include "wire/byte_writer.hpp"
 
 namespace iog::tools {

@@ -1,6 +1,6 @@
 #include "tools/simulate/scanners/sensor_frame.hpp"
 
-#include "description/mount.hpp"
+#include "tools/car/mount.hpp"
 
 namespace iog::tools {
 

@@ -1,7 +1,7 @@
 // The axes and the place of a scanner, in the vehicle or in the world.
 #pragma once
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/simulate/world/solid.hpp"
 #include "tools/simulate/world/traffic.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/scanners/ray_caster.hpp"
 

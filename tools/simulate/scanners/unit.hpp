@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/scanners/point_truth.hpp"
 #include "tools/simulate/world/scene.hpp"

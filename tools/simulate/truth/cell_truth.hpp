@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/program/file.hpp"
 #include "tools/simulate/world/scene.hpp"
 

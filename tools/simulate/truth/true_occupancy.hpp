@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/simulate/world/solid.hpp"
 #include "tools/simulate/world/traffic.hpp"
 

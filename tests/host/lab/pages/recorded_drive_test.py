@@ -46,7 +46,7 @@ class CarFile(unittest.TestCase):
         self.assertEqual(cars.pitched(CAR, 0), CAR)
 
     def test_a_positive_pitch_looks_down(self):
-        """ISO 8855, as src/description/description.hpp says."""
+        """ISO 8855, as tools/car/description.hpp says."""
         ahead = cars.Car(CAR).in_vehicle(np.array([[10.0, 0, 0]]))[0]
         np.testing.assert_allclose(ahead, [1 + 10 * np.cos(np.radians(10)), 0, 1.75 - 10 * np.sin(np.radians(10))])
 

@@ -7,7 +7,7 @@
 
 #include "gtest/gtest.h"
 
-#include "description/tables.hpp"
+#include "tools/car/tables.hpp"
 #include "tools/mount/mount_fit.hpp"
 #include "tools/mount/unit_turns.hpp"
 #include "tools/simulate/drives/drive.hpp"

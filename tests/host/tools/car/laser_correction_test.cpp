@@ -7,7 +7,7 @@
 
 #include "gtest/gtest.h"
 
-#include "description/tables.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::description {
 namespace {

@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <span>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::description {
 
 // What of a sensor needs no table. Of any description: what is wrong in it is told by check()
-// (description/limits.hpp) and car_block::check_numbers(), and only what passes both may get
+// (tools/car/limits.hpp) and car_block::check_numbers(), and only what passes both may get
 // tables.
 [[nodiscard]] vehicle::Sensor numbers_of(const SensorConfig& config);
 

@@ -1,6 +1,6 @@
 // Which descriptions ask for what no target can do, told by their field. All that the file of a car
 // can have wrong is in tests/host/vehicles/mistakes.txt.
-#include "description/limits.hpp"
+#include "tools/car/limits.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "car_block/limits.hpp"
-#include "description/scanners.hpp"
-#include "description/tables.hpp"
+#include "tools/car/scanners.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::description {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "description/description.hpp"
 #include "numeric/elementary.hpp"
+#include "tools/car/description.hpp"
 
 namespace iog::description {
 

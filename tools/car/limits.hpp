@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "vehicle/fault.hpp"
 
 namespace iog::description {

@@ -1,4 +1,4 @@
-#include "description/tables.hpp"
+#include "tools/car/tables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,12 +6,12 @@
 
 #include "car_block/content.hpp"
 #include "car_block/limits.hpp"
-#include "description/mount.hpp"
-#include "description/tilted_mirror.hpp"
 #include "geometry/grid.hpp"
 #include "lidar/formats.hpp"
 #include "lidar/scanner_facts.hpp"
 #include "numeric/elementary.hpp"
+#include "tools/car/mount.hpp"
+#include "tools/car/tilted_mirror.hpp"
 #include "vehicle/derived.hpp"
 
 namespace iog::description {

@@ -1,4 +1,4 @@
-#include "description/limits.hpp"
+#include "tools/car/limits.hpp"
 
 #include <bit>
 #include <cstddef>
@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "car_block/limits.hpp"
-#include "description/tables.hpp"
-#include "description/tilted_mirror.hpp"
 #include "lidar/scanner_facts.hpp"
+#include "tools/car/tables.hpp"
+#include "tools/car/tilted_mirror.hpp"
 #include "vehicle/azimuth_steps.hpp"
 #include "vehicle/derived.hpp"
 

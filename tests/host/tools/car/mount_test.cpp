@@ -1,5 +1,5 @@
 // A mount is a rotation by yaw, pitch and roll about z, y and x, in this order (docs/vehicles.md).
-#include "description/mount.hpp"
+#include "tools/car/mount.hpp"
 
 #include <gtest/gtest.h>
 

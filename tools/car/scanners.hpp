@@ -7,8 +7,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "description/description.hpp"
 #include "lidar/formats.hpp"
+#include "tools/car/description.hpp"
 
 namespace iog::description {
 

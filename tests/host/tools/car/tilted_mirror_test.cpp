@@ -1,6 +1,6 @@
 // Beams of a tilted mirror against SICK's own driver (libsick_ldmrs, LuxBase::getVAngleOfLayer),
 // written here in its terms: a vertical angle is a pitch, positive down.
-#include "description/tilted_mirror.hpp"
+#include "tools/car/tilted_mirror.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 
-#include "description/scanners.hpp"
-#include "description/tables.hpp"
 #include "geometry/grid.hpp"
+#include "tools/car/scanners.hpp"
+#include "tools/car/tables.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::description {

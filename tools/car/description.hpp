@@ -1,6 +1,6 @@
 // A vehicle description: one aggregate per car, in metres and degrees, as its file has them.
 //
-// Only the PC sees these numbers; description/tables.hpp makes of them the integers that run on the
+// Only the PC sees these numbers; tools/car/tables.hpp makes of them the integers that run on the
 // target. One file per vehicle in vehicles/ (docs/vehicles.md).
 //
 // Vehicle frame (ISO 8855): x forward, y left, z up from the ground, metres. The origin lies in the
