@@ -6,7 +6,7 @@
 
 #include "law.hpp"
 #include "protection/protected_message.hpp"
-#include "protection/supervision.hpp"
+#include "tools/frames/supervision.hpp"
 
 namespace iog::fuzz {
 namespace {

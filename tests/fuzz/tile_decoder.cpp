@@ -4,8 +4,8 @@
 
 #include "iogrid_tiles.h"
 #include "law.hpp"
-#include "tile_coding/decode.hpp"
 #include "tile_coding/encode.hpp"
+#include "tools/frames/tile_decoding.hpp"
 
 namespace iog::fuzz {
 namespace {

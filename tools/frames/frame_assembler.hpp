@@ -22,7 +22,6 @@
 #include <vector>
 
 #include "protection/protected_message.hpp"
-#include "protection/supervision.hpp"
 #include "stream/channel.hpp"
 #include "stream/tiles.hpp"
 #include "tools/frames/grid_frame.hpp"
@@ -32,6 +31,7 @@
 #include "tools/frames/run_watch.hpp"
 #include "tools/frames/sequence_watch.hpp"
 #include "tools/frames/signed_stream.hpp"
+#include "tools/frames/supervision.hpp"
 #include "tools/frames/tile_messages.hpp"
 
 namespace iog::tools {

@@ -1,6 +1,6 @@
 #include "tools/frames/tile_messages.hpp"
 
-#include "tile_coding/decode.hpp"
+#include "tools/frames/tile_decoding.hpp"
 
 namespace iog::tools {
 

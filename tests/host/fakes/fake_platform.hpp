@@ -19,7 +19,7 @@
 #include "stream/objects.hpp"
 #include "stream/references.hpp"
 #include "stream/tiles.hpp"
-#include "tile_coding/decode.hpp"
+#include "tools/frames/tile_decoding.hpp"
 #include "work/round.hpp"
 
 namespace iog::tests {

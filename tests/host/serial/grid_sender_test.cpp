@@ -11,7 +11,7 @@
 
 #include "fakes/random.hpp"
 #include "stream/references.hpp"
-#include "tile_coding/decode.hpp"
+#include "tools/frames/tile_decoding.hpp"
 
 namespace iog::serial {
 namespace {

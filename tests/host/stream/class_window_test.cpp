@@ -12,7 +12,7 @@
 #include "fakes/random.hpp"
 #include "stream/references.hpp"
 #include "stream/tiles.hpp"
-#include "tile_coding/decode.hpp"
+#include "tools/frames/tile_decoding.hpp"
 
 namespace iog::stream {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "fakes/bytes_of.hpp"
 #include "fakes/effort.hpp"
-#include "tile_coding/decode.hpp"
 #include "tile_coding/encode.hpp"
 #include "tile_coding/symbol_packing.hpp"
 #include "tiles.hpp"
+#include "tools/frames/tile_decoding.hpp"
 
 namespace iog::tile_coding {
 namespace {

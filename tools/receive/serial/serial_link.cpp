@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "stream/references.hpp"
-#include "tile_coding/decode.hpp"
+#include "tools/frames/tile_decoding.hpp"
 
 namespace iog::tools {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "geometry/grid.hpp"
-#include "tile_coding/decode.hpp"
 #include "tools/frames/grid_frame.hpp"
+#include "tools/frames/tile_decoding.hpp"
 #include "tools/view/scene.hpp"
 
 namespace iog::tools::view {

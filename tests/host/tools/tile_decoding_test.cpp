@@ -1,13 +1,14 @@
 // Payloads that no encoder writes.
+#include "tools/frames/tile_decoding.hpp"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "fakes/bytes_of.hpp"
 #include "fakes/effort.hpp"
-#include "tile_coding/decode.hpp"
 #include "tile_coding/encode.hpp"
-#include "tiles.hpp"
+#include "tile_coding/tiles.hpp"
 
 namespace iog::tile_coding {
 namespace {

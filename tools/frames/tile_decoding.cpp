@@ -1,4 +1,4 @@
-#include "tile_coding/decode.hpp"
+#include "tools/frames/tile_decoding.hpp"
 
 #include <algorithm>
 #include <array>

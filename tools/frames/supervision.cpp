@@ -1,4 +1,4 @@
-#include "protection/supervision.hpp"
+#include "tools/frames/supervision.hpp"
 
 #include <algorithm>
 #include <span>

@@ -1,5 +1,5 @@
 // The transitions of the E2E state machine (PRS_E2EProtocol), one by one.
-#include "protection/supervision.hpp"
+#include "tools/frames/supervision.hpp"
 
 #include <gtest/gtest.h>
 #include <initializer_list>
