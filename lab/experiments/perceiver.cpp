@@ -39,7 +39,7 @@ std::vector<std::int8_t> Perceiver::classes() const {
 void Perceiver::close_frame(std::uint64_t now_us) {
   engine_->finish(now_us, work::Crew(), [](auto /*stage*/) {});
   engine_->release([](std::size_t /*tile*/, auto /*cells*/) {});
-  report_ = engine_->perception();
+  engine_->describe(end_);
   ++frames_;
   engine_->start_next(now_us);
   if (on_frame_) {

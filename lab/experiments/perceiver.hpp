@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/perception_engine.hpp"
-#include "app/perception_report.hpp"
+#include "stream/class_end.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "vehicle/vehicle.hpp"
@@ -60,7 +60,8 @@ class Perceiver {
   // Whether the datagram that was taken last, or is being taken, is in a frame already.
   [[nodiscard]] bool has_fused_newest() const { return has_fused_newest_; }
   // Of the newest frame.
-  [[nodiscard]] const app::PerceptionReport& report() const { return report_; }
+  [[nodiscard]] const app::PerceptionEngine& engine() const { return *engine_; }
+  [[nodiscard]] const stream::ClassEnd& end() const { return end_; }
   [[nodiscard]] const objects::Tracker& objects() const { return engine_->objects(); }
   [[nodiscard]] const window::Area& area() const { return engine_->classes().area(); }
   [[nodiscard]] std::vector<std::int8_t> classes() const;
@@ -71,7 +72,7 @@ class Perceiver {
   OnFrame on_frame_;
   tools::CaptureClock clock_;
   std::unique_ptr<app::PerceptionEngine> engine_;  // too large for the stack
-  app::PerceptionReport report_;
+  stream::ClassEnd end_;
   std::uint32_t frames_ = 0;
   bool has_fused_newest_ = false;
 };

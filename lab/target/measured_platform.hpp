@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "app/frame_report.hpp"
+#include "app/platform.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"
 #include "net/config.hpp"

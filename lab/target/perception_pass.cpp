@@ -30,8 +30,7 @@ void PerceptionPass::end_call(std::uint32_t instructions) {
   }
 }
 
-void ClassLog::take_classes(const app::PerceptionReport& report,
-                            const window::WindowView& classes) {
+void ClassLog::take_classes(const stream::ClassEnd& end, const window::WindowView& classes) {
   const std::uint32_t start = counter_.now();
   const window::TileNumber corner = classes.area().corner();
   stream::ClassHash hash({.a = corner.a, .b = corner.b});
@@ -47,15 +46,15 @@ void ClassLog::take_classes(const app::PerceptionReport& report,
   if (has_evidence_) {
     run_hash_.update(crc);
   }
-  if (report.slice_count > 0) {
+  if (end.slice_count > 0) {
     ++closed_;
     ++counts_.frames;
     counts_.points += points_;
-    counts_.slices += report.window.slices;
-    counts_.groups_fused += report.window.groups_fused;
-    counts_.groups_left += report.window.groups_left;
-    counts_.groups_refreshed += report.window.groups_refreshed;
-    counts_.most_groups = std::max(counts_.most_groups, report.window.groups_fused);
+    counts_.slices += end.slice_count;
+    counts_.groups_fused += end.groups_fused;
+    counts_.groups_left += end.groups_left;
+    counts_.groups_refreshed += end.groups_refreshed;
+    counts_.most_groups = std::max(counts_.most_groups, end.groups_fused);
     counts_.tiles += tiles;
   }
   instructions_ += counter_.now() - start;

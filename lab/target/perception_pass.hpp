@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
 #include "app/pipeline.hpp"
@@ -32,13 +31,13 @@ class ClassLog {
  public:
   explicit ClassLog(InstructionCounter& counter) : counter_(counter) {}
 
-  void begin_frame(const app::FrameReport& report) {
-    has_evidence_ = report.packets_fused > 0;
-    points_ = std::accumulate(report.fates.begin(), report.fates.end(), std::uint32_t{0});
+  void begin_frame(const stream::Header& header) {
+    has_evidence_ = header.packets_fused > 0;
+    points_ = header.points_used + header.points_other;
   }
   void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
   void end_frame() {}
-  [[gnu::noinline]] void take_classes(const app::PerceptionReport& report,
+  [[gnu::noinline]] void take_classes(const stream::ClassEnd& end,
                                       const window::WindowView& classes);
 
   [[nodiscard]] const PerceptionCounts& counts() const { return counts_; }

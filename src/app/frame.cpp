@@ -1,10 +1,16 @@
 #include "app/frame.hpp"
 
+#include <numeric>
+#include <span>
+
 #include "grid/pending_marks.hpp"
 #include "require/require.hpp"
 
 namespace iog::app {
 namespace {
+
+using intake::SensorState;
+using vehicle::Fate;
 
 // Silence is reported at half the rate of frames.
 constexpr std::uint64_t kSilentPeriods = 2;
@@ -20,8 +26,16 @@ std::uint64_t most_marks_of(const vehicle::Vehicle& vehicle) {
 template <typename Packet>
 void add_all(grid::FrameFusion& fusion, const vehicle::Sensor& sensor, const Packet& packet,
              Fates& fates) {
-  fusion.add_all(sensor, packet,
-                 [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
+  fusion.add_all(sensor, packet, [&](Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
+}
+
+// Bit i: sensor i is in this state.
+std::uint8_t sensors_in_state(std::span<const intake::SensorReport> sensors, SensorState state) {
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    bits |= sensors[i].state == state ? 1U << i : 0U;
+  }
+  return static_cast<std::uint8_t>(bits);
 }
 
 }  // namespace
@@ -61,33 +75,39 @@ std::uint64_t Frame::deadline_us() const {
   return opened_us_ + periods * vehicle_->frame_period_us;
 }
 
-FrameReport Frame::report(std::uint64_t now_us) const {
+void Frame::describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const {
   const intake::Surroundings surroundings = watched_.at_end(intake_, now_us);
-  FrameReport report{.number = number_,
-                     .opened_us = opened_us_,
-                     .closed_us = now_us,
-                     .is_timed_out = is_overdue(now_us) && !is_complete(),
-                     .vehicle_id = vehicle_->id,
-                     .rule = vehicle_->rule,
-                     .grids = vehicle_->grids,
-                     .has_objects = vehicle_->has_objects,
-                     .has_receptions = vehicle_->depends_on_arrival(),
-                     .sensor_count = vehicle_->sensors.size(),
-                     .unwatched = surroundings.unwatched,
-                     .blocked = surroundings.blocked,
-                     .packets_fused = intake_.packets_accepted(),
-                     .packets_dropped = intake_.packets_dropped(),
-                     .packet_drops = intake_.packet_drops(),
-                     .fates = fates_};
-  using vehicle::Fate;
+  end.opened_us = opened_us_;
+  end.fates = fates_;
   for (const Fate fate : {Fate::kMalformed, Fate::kStale, Fate::kNotTaken}) {
-    report.fates[static_cast<std::size_t>(fate)] += intake_.points_dropped(fate);
+    end.fates[static_cast<std::size_t>(fate)] += intake_.points_dropped(fate);
   }
-  for (std::size_t i = 0; i < report.sensor_count; ++i) {
-    report.sensors[i] = intake_.report_of(i);
-    report.sensors[i].blocked = surroundings.sensors[i];
+  end.packet_drops = intake_.packet_drops();
+  end.unwatched = surroundings.unwatched;
+  end.blocked = surroundings.blocked;
+  const std::size_t sensors = vehicle_->sensors.size();
+  for (std::size_t i = 0; i < sensors; ++i) {
+    end.sensors[i] = intake_.report_of(i);
+    end.sensors[i].blocked = surroundings.sensors[i];
   }
-  return report;
+  const auto in_state = [&](SensorState state) {
+    return sensors_in_state(std::span(end.sensors).first(sensors), state);
+  };
+  const bool is_timed_out = is_overdue(now_us) && !is_complete();
+  const unsigned timed_out = is_timed_out ? stream::kFlagTimedOut : 0U;
+  const unsigned bayes = vehicle_->rule == vehicle::FusionRule::kBayes ? stream::kFlagBayes : 0U;
+  const std::uint32_t used = end.fates[static_cast<std::size_t>(Fate::kUsed)];
+  header = {.flags = static_cast<std::uint8_t>(timed_out | bayes),
+            .frame_number = number_,
+            .closed_us = now_us,
+            .vehicle_id = vehicle_->id,
+            .sensor_count = static_cast<std::uint8_t>(sensors),
+            .complete_sensors = in_state(SensorState::kComplete),
+            .partial_sensors = in_state(SensorState::kPartial),
+            .points_used = used,
+            .points_other = std::accumulate(end.fates.begin(), end.fates.end(), 0U) - used,
+            .packets_fused = intake_.packets_accepted(),
+            .packets_dropped = intake_.packets_dropped()};
 }
 
 void Frame::start_next(std::uint64_t now_us) {

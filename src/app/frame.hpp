@@ -15,10 +15,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/frame_report.hpp"
 #include "grid/frame_fusion.hpp"
 #include "intake/intake.hpp"
 #include "intake/watched_sectors.hpp"
+#include "stream/message.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::app {
@@ -84,8 +84,8 @@ class Frame {
   // Counted from 0; it wraps.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  // What the frame says of itself.
-  [[nodiscard]] FrameReport report(std::uint64_t now_us) const;
+  // What it knows of its header and end goes there.
+  void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const;
 
   // The frame is closed: the next one counts from 0 again.
   void start_next(std::uint64_t now_us);

@@ -56,6 +56,17 @@ void FrameSlices::place(std::span<KeptPacket> packets, pose::Source& poses) {
   packets_placed_ = static_cast<std::uint32_t>(packets.size()) - packets_not_placed_;
 }
 
+void FrameSlices::describe(stream::ClassEnd& end) const {
+  end.packets_placed = packets_placed_;
+  end.packets_not_placed = packets_not_placed_;
+  end.slices_over_budget = over_budget_;
+  end.slice_count = static_cast<std::uint8_t>(count_);
+  std::ranges::transform(placed(), end.slices.begin(), [](const PlacedSlice& slice) {
+    return stream::SliceRecord{
+        .middle_us = slice.slice.middle_us, .pose = slice.pose, .sigma = slice.sigma};
+  });
+}
+
 std::uint8_t FrameSlices::group_of(const pose::Slice& slice, pose::Source& poses) {
   const pose::Placed placed = poses.place(slice);
   if (!placed.has_pose()) {

@@ -12,11 +12,23 @@
 #include <span>
 
 #include "app/frame_packets.hpp"
-#include "app/perception_report.hpp"
+#include "pose/pose.hpp"
+#include "pose/slice.hpp"
 #include "pose/source.hpp"
+#include "stream/class_end.hpp"
 #include "vehicle/vehicle.hpp"
 
 namespace iog::app {
+
+// Slices of one frame that are placed. 32 of 8 ms are more than twice the turn of a VLP-16.
+inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
+
+struct PlacedSlice {
+  pose::Slice slice{};
+  pose::Pose pose{};  // of its middle
+  pose::Sigma sigma{};
+  friend bool operator==(const PlacedSlice&, const PlacedSlice&) = default;
+};
 
 class FrameSlices {
  public:
@@ -37,11 +49,9 @@ class FrameSlices {
   [[nodiscard]] std::span<const PlacedSlice> placed() const {
     return std::span(placed_).first(count_);
   }
-  // Slices that have a pose, and no room here.
-  [[nodiscard]] std::uint32_t over_budget() const { return over_budget_; }
-  // Packets by whether they are in one of the placed slices.
-  [[nodiscard]] std::uint32_t packets_placed() const { return packets_placed_; }
-  [[nodiscard]] std::uint32_t packets_not_placed() const { return packets_not_placed_; }
+  // What became of slices and packets goes there; those that have a pose, and no room here, are
+  // over budget.
+  void describe(stream::ClassEnd& end) const;
 
  private:
   [[nodiscard]] std::uint8_t group_of(const pose::Slice& slice, pose::Source& poses);

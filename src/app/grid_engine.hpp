@@ -11,7 +11,6 @@
 
 #include "app/frame.hpp"
 #include "app/frame_packets.hpp"
-#include "app/frame_report.hpp"
 #include "app/shared_fusion.hpp"
 #include "health/guard.hpp"
 #include "vehicle/vehicle.hpp"
@@ -68,8 +67,10 @@ class GridEngine {
     fusion_.end_frame(frame_);
     lap(&stream::StageTicks::mark);
   }
-  // What the frame says of itself.
-  [[nodiscard]] FrameReport report(std::uint64_t now_us) const { return frame_.report(now_us); }
+  // What it knows of its header and end goes there.
+  void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const {
+    frame_.describe(now_us, header, end);
+  }
   // Calls visit(number, cells) for each tile in which something is known, in rising order, and
   // clears the grid.
   template <typename Visit>

@@ -13,7 +13,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/frame_report.hpp"
+#include "app/platform.hpp"
 #include "hal/cores.hpp"
 #include "health/durations.hpp"
 #include "stream/message.hpp"

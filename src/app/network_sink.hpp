@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "app/frame_messages.hpp"
 #include "app/message_sender.hpp"
 #include "app/platform.hpp"
 #include "app/tile_sender.hpp"
@@ -24,7 +23,14 @@ class NetworkSink {
   NetworkSink(const NetworkSink&) = delete;
   NetworkSink& operator=(const NetworkSink&) = delete;
 
-  void begin_frame(const FrameReport& report) { begin_frame(report, 0); }
+  // What the frame at hand says of itself when it ends: filled by who knows it before the frame is
+  // begun, but for what becomes of the tiles.
+  [[nodiscard]] stream::FrameEnd& end() { return end_; }
+
+  void begin_frame(const stream::Header& header) {
+    header_ = header;
+    tiles_.begin(header_);
+  }
 
   // Counts what was sent, and names all of it.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
@@ -47,14 +53,6 @@ class NetworkSink {
   // The same of cells that stay as they are to the frame's end.
   void take_staying(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kToTheFinish);
-  }
-
-  // flags: of the stream's header, beside those of the report.
-  void begin_frame(const FrameReport& report, std::uint8_t flags) {
-    header_ = header_of(report);
-    header_.flags = static_cast<std::uint8_t>(header_.flags | flags);
-    set_frame_end(report, end_);
-    tiles_.begin(header_);
   }
 
   // All that wait are encoded.

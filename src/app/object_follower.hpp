@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "app/perception_report.hpp"
+#include "app/frame_slices.hpp"
 #include "objects/tracker.hpp"
 #include "pose/pose.hpp"
 #include "window/window_fusion.hpp"

@@ -104,17 +104,16 @@ stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us
   return object;
 }
 
-void list_objects(const PerceptionReport& report, const objects::Tracks& tracks,
+void list_objects(const objects::Tracks& tracks, std::uint64_t time_us,
+                  const objects::FrameCounts& counts, objects::Point car,
                   stream::ObjectList& list) {
-  list.time_us = report.objects_us;
-  list.tracks_refused = or_more(report.objects.tracks_refused);
-  list.hits_left =
-      or_more(std::uint64_t{report.objects.hits.beyond} + report.objects.hits_not_clustered);
+  list.time_us = time_us;
+  list.tracks_refused = or_more(counts.tracks_refused);
+  list.hits_left = or_more(std::uint64_t{counts.hits.beyond} + counts.hits_not_clustered);
   list.count = 0;
   if (!list.has_place()) {
     return;
   }
-  const objects::Point car{report.end.pose.x_mm, report.end.pose.y_mm};
   for (const objects::Track& track : tracks) {
     if (track.is_there() && track.updates >= kToldFrom) {
       list.records[list.count++] = record_of(track, list.time_us, car);

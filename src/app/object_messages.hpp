@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "app/perception_report.hpp"
 #include "objects/track.hpp"
+#include "objects/tracker.hpp"
 #include "stream/objects.hpp"
 
 namespace iog::app {
@@ -16,9 +16,9 @@ inline constexpr std::uint32_t kToldFrom = 4;  // updates
 [[nodiscard]] stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us,
                                              objects::Point car);
 
-// Those of the frame's tracks that are told, in the order of their ids; none if the frame has no
-// place.
-void list_objects(const PerceptionReport& report, const objects::Tracks& tracks,
-                  stream::ObjectList& list);
+// Those of the tracks that are told, in the order of their ids. time_us: when they were where they
+// are; none if it is 0. counts: of the frame.
+void list_objects(const objects::Tracks& tracks, std::uint64_t time_us,
+                  const objects::FrameCounts& counts, objects::Point car, stream::ObjectList& list);
 
 }  // namespace iog::app

@@ -4,10 +4,33 @@
 #include <array>
 #include <utility>
 
+#include "app/object_messages.hpp"
 #include "intake/measurement_time.hpp"
 #include "require/require.hpp"
 
 namespace iog::app {
+namespace {
+
+constexpr std::array<std::pair<pose::Cause, std::uint16_t>, pose::kCauseCount - 1> kCauseFlags{{
+    {pose::Cause::kLate, stream::kCauseLate},
+    {pose::Cause::kImprecise, stream::kCauseImprecise},
+    {pose::Cause::kLost, stream::kCauseLost},
+    {pose::Cause::kJump, stream::kCauseJump},
+    {pose::Cause::kRestart, stream::kCauseRestart},
+    {pose::Cause::kContradicted, stream::kCauseContradicted},
+    {pose::Cause::kDrifting, stream::kCauseDrifting},
+}};
+
+// met: bit by pose::Cause: since the frame before it has begun, or kept a slice from its place.
+std::uint16_t causes_of(unsigned met, bool is_over_budget) {
+  unsigned causes = is_over_budget ? stream::kCauseOverBudget : 0U;
+  for (const auto& [cause, flag] : kCauseFlags) {
+    causes |= (met >> static_cast<unsigned>(cause) & 1U) != 0 ? flag : 0U;
+  }
+  return static_cast<std::uint16_t>(causes);
+}
+
+}  // namespace
 
 Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
   if (vehicle.rule != vehicle::FusionRule::kHitsWin) {
@@ -175,28 +198,54 @@ void PerceptionEngine::follow_objects() {
   }
 }
 
-PerceptionReport PerceptionEngine::perception() const {
-  PerceptionReport report{.number = frame_.number(),
-                          .stamp_us = clock_.stamp_us(),
-                          .is_forgotten = is_forgotten_,
-                          .causes = causes_.since(causes_before_),
-                          .end = end_,
-                          .log2_slice_ms = vehicle_->poses.log2_slice_ms,
-                          .slice_count = slices_.placed().size(),
-                          .slices_over_budget = slices_.over_budget(),
-                          .packets_placed = slices_.packets_placed(),
-                          .packets_not_placed = slices_.packets_not_placed(),
-                          .window = counts_,
-                          .objects_us = follower_.tracker().time_us(),
-                          .objects = object_counts_,
-                          .map = layer_.report(),
-                          .pose_fates = poses_.fates(),
-                          .slice_causes = causes_.slices,
-                          .tallies = causes_.began,
-                          .map_block = maps_.in_use(),
-                          .map_delivery = maps_.report()};
-  std::ranges::copy(slices_.placed(), report.slices.begin());
-  return report;
+void PerceptionEngine::describe(std::uint64_t now_us, stream::Header& header,
+                                stream::FrameEnd& end) const {
+  frame_.describe(now_us, header, end);
+  const unsigned indexes = vehicle::have_indexes(vehicle_->grids) ? 0U : stream::kFlagNoIndexes;
+  const unsigned objects = vehicle_->has_objects ? stream::kFlagObjects : 0U;
+  const unsigned receptions = receptions_.is_on() ? stream::kFlagReceptions : 0U;
+  header.flags = static_cast<std::uint8_t>(header.flags | stream::kFlagClasses | indexes | objects |
+                                           receptions);
+}
+
+// Where no slice was placed, the window's slices begin and end at the frame's stamp.
+void PerceptionEngine::describe(stream::ClassEnd& end) const {
+  slices_.describe(end);
+  end.groups_fused = counts_.groups_fused;
+  end.groups_left = counts_.groups_left;
+  end.groups_refreshed = counts_.groups_refreshed;
+  end.pose_fates = poses_.fates();
+  for (std::size_t cause = 0; cause < pose::kCauseCount; ++cause) {
+    end.causes[cause] = {.slices = causes_.slices[cause], .began = causes_.began[cause]};
+  }
+  stream::MapState& map = end.map.emplace();
+  map.layer = layer_.report();
+  map.delivery = maps_.report();
+  if (maps_.in_use() != nullptr) {
+    map.in_use = stream::in_use(*maps_.in_use());
+  }
+  const bool is_over_budget = end.slices_over_budget > 0 || counts_.groups_left > 0;
+  const window::TileNumber corner = window_.view().area().corner();
+  const std::uint64_t stamp_us = clock_.stamp_us();
+  end.window = {.causes = causes_of(causes_.since(causes_before_), is_over_budget),
+                .corner_a = corner.a,
+                .corner_b = corner.b,
+                .pose = end_.pose,
+                .sigma = end_.sigma,
+                .slices = end.slice_count,
+                .slice_ms = static_cast<std::uint8_t>(1U << vehicle_->poses.log2_slice_ms),
+                .slices_begin_us = stamp_us,
+                .slices_end_us = stamp_us};
+  if (!slices().empty()) {
+    end.window.slices_begin_us =
+        slices().front().slice.end_us - std::uint64_t{1000} * end.window.slice_ms;
+    end.window.slices_end_us = slices().back().slice.end_us;
+  }
+}
+
+void PerceptionEngine::list_objects(stream::ObjectList& list) const {
+  app::list_objects(objects().tracks(), objects().time_us(), object_counts_,
+                    {end_.pose.x_mm, end_.pose.y_mm}, list);
 }
 
 void PerceptionEngine::start_next(std::uint64_t now_us) {

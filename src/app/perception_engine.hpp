@@ -22,13 +22,15 @@
 #include "app/frame_slices.hpp"
 #include "app/fused_slices.hpp"
 #include "app/object_follower.hpp"
-#include "app/perception_report.hpp"
 #include "app/reception_log.hpp"
 #include "app/shared_fusion.hpp"
 #include "health/guard.hpp"
 #include "map/delivery.hpp"
 #include "map/layer.hpp"
 #include "pose/source.hpp"
+#include "stream/class_end.hpp"
+#include "stream/message.hpp"
+#include "stream/objects.hpp"
 #include "vehicle/vehicle.hpp"
 #include "window/window_clock.hpp"
 #include "window/window_fusion.hpp"
@@ -114,13 +116,23 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // What the frame says of itself, and of its place.
-  [[nodiscard]] FrameReport report(std::uint64_t now_us) const { return frame_.report(now_us); }
-  [[nodiscard]] PerceptionReport perception() const;
+  // What it knows of the frame's header and end, and of that of its classes, goes there; and the
+  // things with a speed that are told.
+  void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const;
+  void describe(stream::ClassEnd& end) const;
+  void list_objects(stream::ObjectList& list) const;
+
+  // The slices that were placed. The frame's end on the clock of the poses: that of its last slice,
+  // or the newest pose if it has no packets; it goes on from frame to frame also where that clock
+  // begins anew or is not known. Whether what was known before the frame has lost its place.
+  [[nodiscard]] std::span<const PlacedSlice> slices() const { return slices_.placed(); }
+  [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
+  [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
   // The classes, valid until the next finish().
   [[nodiscard]] window::WindowView classes() const { return window_.view(); }
   // The things with a speed, likewise; none if the car's description switches them off.
   [[nodiscard]] const objects::Tracker& objects() const { return follower_.tracker(); }
+  [[nodiscard]] const objects::FrameCounts& object_counts() const { return object_counts_; }
   // What the frame has received, likewise; of a vehicle whose classes depend on when that was.
   [[nodiscard]] const ReceptionLog& receptions() const { return receptions_; }
   template <typename Visit>

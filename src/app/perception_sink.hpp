@@ -6,17 +6,13 @@
 #include <cstdint>
 #include <span>
 
-#include "app/class_messages.hpp"
 #include "app/network_sink.hpp"
-#include "app/object_messages.hpp"
-#include "app/perception_report.hpp"
 #include "app/reception_log.hpp"
 #include "stream/class_end.hpp"
 #include "stream/class_hash.hpp"
 #include "stream/message.hpp"
 #include "stream/objects.hpp"
 #include "stream/receptions.hpp"
-#include "vehicle/vehicle.hpp"
 #include "window/window_view.hpp"
 
 namespace iog::app {
@@ -31,18 +27,16 @@ class PerceptionSink : private NetworkSink<P> {
   PerceptionSink(P& platform, Coding coding)
       : Indexes(platform, coding), classes_(platform, this->messages(), coding) {}
 
-  void begin_frame(const FrameReport& report) {
-    has_indexes_ = vehicle::have_indexes(report.grids);
-    const unsigned indexes = has_indexes_ ? 0U : stream::kFlagNoIndexes;
-    const unsigned objects = report.has_objects ? stream::kFlagObjects : 0U;
-    const unsigned receptions = report.has_receptions ? stream::kFlagReceptions : 0U;
-    Indexes::begin_frame(
-        report, static_cast<std::uint8_t>(stream::kFlagClasses | indexes | objects | receptions));
-  }
+  using Indexes::begin_frame;
+  using Indexes::end;
+
+  // The same of its classes, before they are encoded, and of its objects, before they are sent.
+  [[nodiscard]] stream::ClassEnd& class_end() { return class_end_; }
+  [[nodiscard]] stream::ObjectList& objects() { return objects_; }
 
   // The cells stay as they are to the frame's end.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
-    if (has_indexes_) {
+    if (this->header().has_indexes()) {
       Indexes::take_staying(tile, cells);
     }
   }
@@ -53,11 +47,8 @@ class PerceptionSink : private NetworkSink<P> {
   void encode_tiles(DoBeside do_beside) {
     Indexes::encode_tiles(do_beside);
   }
-  void encode_classes(const PerceptionReport& report, const window::WindowView& classes) {
-    const window::TileNumber corner = classes.area().corner();
-    const stream::ClassWindow window = class_window_of(report, corner);
-    class_end_ = class_end_of(report, window);
-    classes_.begin(this->header(), window);
+  void encode_classes(const window::WindowView& classes) {
+    classes_.begin(this->header(), class_end_.window);
     if (!classes_.do_wait()) {
       end_indexes();
     }
@@ -81,15 +72,14 @@ class PerceptionSink : private NetworkSink<P> {
   }
 
   // All of it.
-  void take_classes(const PerceptionReport& report, const window::WindowView& classes) {
+  void take_classes(const window::WindowView& classes) {
     Indexes::encode_rest();
-    encode_classes(report, classes);
+    encode_classes(classes);
     send_classes();
   }
 
-  // Of a frame that says so (FrameReport::has_objects).
-  void take_objects(const PerceptionReport& report, const objects::Tracks& tracks) {
-    list_objects(report, tracks, objects_);
+  // Of a frame whose header says that it has them.
+  void send_objects() {
     for (std::size_t part = 0; part < stream::parts_of(objects_); ++part) {
       this->messages().send(
           this->header(), stream::MessageType::kObjects,
@@ -97,8 +87,7 @@ class PerceptionSink : private NetworkSink<P> {
     }
   }
 
-  // Of a frame that says so (FrameReport::has_receptions).
-  void take_receptions(const ReceptionLog& log) {
+  void send_receptions(const ReceptionLog& log) {
     for (std::size_t part = 0; part < stream::reception_parts_of(log.all().size()); ++part) {
       this->messages().send(
           this->header(), stream::MessageType::kReceptions, [&](std::span<std::byte> body) {
@@ -112,12 +101,11 @@ class PerceptionSink : private NetworkSink<P> {
 
  private:
   void end_indexes() {
-    if (has_indexes_) {
+    if (this->header().has_indexes()) {
       this->end_encoded_tiles();
     }
   }
 
-  bool has_indexes_ = true;
   stream::ClassEnd class_end_;
   TileSender<P, stream::ClassHash> classes_;
   stream::ObjectList objects_;

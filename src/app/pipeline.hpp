@@ -27,6 +27,7 @@
 #include "hal/cores.hpp"
 #include "health/constants.hpp"
 #include "health/guard.hpp"
+#include "stream/message.hpp"
 #include "work/crew.hpp"
 
 namespace iog::app {
@@ -98,6 +99,9 @@ class EnginePipeline {
   [[nodiscard]] bool is_begun() const { return engine_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
 
+  // For whoever looks on.
+  [[nodiscard]] const Engine& engine() const { return engine_; }
+
   template <typename Visit>
   void for_each_guard(Visit&& visit) {
     visit(below_);
@@ -124,13 +128,13 @@ class EnginePipeline {
       if (!crew.is_one()) {
         engine_.decide(now_us, crew, lap);
         lap(&stream::StageTicks::perceive);
-        publish_divided(report(now_us), crew);
+        publish_divided(describe(now_us), crew);
         start_next(now_us);
         return;
       }
     }
     engine_.finish(now_us, crew, lap);
-    publish(report(now_us));
+    publish(describe(now_us));
     start_next(now_us);
   }
 
@@ -139,15 +143,22 @@ class EnginePipeline {
     watch_.begin_frame(&stream::StageTicks::publish);
   }
 
-  [[nodiscard]] FrameReport report(std::uint64_t now_us) {
-    FrameReport report = engine_.report(now_us);
-    report.run_number = platform_->run_number();
-    report.ticks = watch_.ticks();
-    report.ticks_hz = platform_->ticks_hz();
-    report.vitals = platform_->vitals({.ticks = report.ticks,
-                                       .late_us = late_us(now_us),
-                                       .has_packets = report.packets_fused > 0});
-    return report;
+  // The frame's end, in its place; and the header of its messages.
+  [[nodiscard]] stream::Header describe(std::uint64_t now_us) {
+    stream::Header header;
+    stream::FrameEnd& end = network_.end();
+    engine_.describe(now_us, header, end);
+    header.run_number = platform_->run_number();
+    end.ticks = watch_.ticks();
+    end.stopwatch_hz = platform_->ticks_hz();
+    const Vitals& vitals = platform_->vitals(
+        {.ticks = end.ticks, .late_us = late_us(now_us), .has_packets = header.packets_fused > 0});
+    header.packets_dropped += vitals.link_drops;
+    end.stack_used_bytes = vitals.stack_used_bytes;
+    end.temperature_dc = vitals.temperature_dc;
+    end.link_counter_count = static_cast<std::uint8_t>(vitals.link_counter_count);
+    end.link_counters = vitals.link_counters;
+    return header;
   }
 
   // How long the frame's time has been over.
@@ -158,63 +169,59 @@ class EnginePipeline {
   }
 
   // Calls, as the next one: what both need of the stack is needed once.
-  [[gnu::noinline]] void publish(const FrameReport& report) {
-    take_tiles(report);
+  [[gnu::noinline]] void publish(const stream::Header& header) {
+    take_tiles(header);
     if constexpr (kPerceives) {
-      const PerceptionReport perception = engine_.perception();
-      network_.take_classes(perception, engine_.classes());
-      take_behind_classes(report, perception, network_);
-      take_what_follows(report, perception);
+      engine_.describe(network_.class_end());
+      network_.take_classes(engine_.classes());
+      send_behind_classes(header);
+      show_classes();
     }
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
   // While the other cores encode tiles, core 0 follows things; while they encode classes, it sends
   // the tiles; and while they remember the ground, the classes.
-  [[gnu::noinline]] void publish_divided(const FrameReport& report, const work::Crew& crew) {
-    take_tiles(report);
+  [[gnu::noinline]] void publish_divided(const stream::Header& header, const work::Crew& crew) {
+    take_tiles(header);
     network_.encode_tiles([this] { engine_.follow_objects(); });
-    const PerceptionReport perception = engine_.perception();
-    network_.encode_classes(perception, engine_.classes());
+    engine_.describe(network_.class_end());
+    network_.encode_classes(engine_.classes());
     engine_.end(crew, [&] {
       network_.send_classes();
-      take_behind_classes(report, perception, network_);
+      send_behind_classes(header);
     });
-    take_what_follows(report, perception);
+    show_classes();
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
   // The engine owns the grid: it shows each known tile once, and clears it.
-  void take_tiles(const FrameReport& report) {
-    for_each_sink([&](auto& sink) { sink.begin_frame(report); });
+  void take_tiles(const stream::Header& header) {
+    for_each_sink([&](auto& sink) { sink.begin_frame(header); });
     engine_.release([this](std::size_t tile, tile_coding::TileCells cells) {
       for_each_sink([&](auto& sink) { sink.take_tile(tile, cells); });
     });
   }
 
-  // The classes, and what comes behind them, which the network has.
-  void take_what_follows(const FrameReport& report, const PerceptionReport& perception) {
-    const auto take = [&](auto& sink) {
-      if constexpr (ClassSink<std::remove_reference_t<decltype(sink)>>) {
-        sink.take_classes(perception, engine_.classes());
-      }
-      take_behind_classes(report, perception, sink);
-    };
-    std::apply([&](Sinks&... sinks) { (take(sinks), ...); }, sinks_);
+  // Things, and what the frame has received.
+  void send_behind_classes(const stream::Header& header) {
+    if (header.has_objects()) {
+      engine_.list_objects(network_.objects());
+      network_.send_objects();
+    }
+    if (header.has_receptions()) {
+      network_.send_receptions(engine_.receptions());
+    }
   }
-  template <typename Sink>
-  void take_behind_classes(const FrameReport& report, const PerceptionReport& perception,
-                           Sink& sink) {
-    if constexpr (ObjectSink<Sink>) {
-      if (report.has_objects) {
-        sink.take_objects(perception, engine_.objects().tracks());
+
+  // The network has them.
+  void show_classes() {
+    const auto show = [this](auto& sink) {
+      if constexpr (ClassSink<std::remove_reference_t<decltype(sink)>>) {
+        sink.take_classes(network_.class_end(), engine_.classes());
       }
-    }
-    if constexpr (ReceptionSink<Sink>) {
-      if (report.has_receptions) {
-        sink.take_receptions(engine_.receptions());
-      }
-    }
+    };
+    std::apply([&](Sinks&... sinks) { (show(sinks), ...); }, sinks_);
   }
 
   template <typename Visit>

@@ -1,19 +1,37 @@
 // What the pipeline needs of the machine it runs on, and what it hands its frames to.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "app/frame_report.hpp"
-#include "app/perception_report.hpp"
-#include "app/reception_log.hpp"
+#include "hal/thermometer.hpp"
+#include "stream/class_end.hpp"
+#include "stream/message.hpp"
 #include "tile_coding/tile_cells.hpp"
 #include "window/window_view.hpp"
 #include "work/round.hpp"
 
 namespace iog::app {
+
+// How the platform is.
+struct Vitals {
+  std::uint32_t stack_used_bytes = 0;  // deepest so far
+  std::uint32_t link_drops = 0;        // datagrams that the link itself has dropped, since start
+  std::int16_t temperature_dc = hal::kTemperatureNotKnown;  // of the chip, 1/10 degree Celsius
+  std::size_t link_counter_count = 0;
+  std::array<std::uint32_t, stream::kMaxLinkCounters>
+      link_counters{};  // since start, as docs/spec.md
+};
+
+// What a frame has taken.
+struct FrameTimes {
+  stream::StageTicks ticks{};  // publish: that of the frame before
+  std::uint32_t late_us = 0;   // how long after its deadline it was closed
+  bool has_packets = false;
+};
 
 // send_message(bytes): sends a copy, at most protection::kMaxMessageBytes; false when none can go
 //                   out.
@@ -39,12 +57,13 @@ concept HasOneCore = requires {
   requires T::kMostCores == 1;
 };
 
-// Takes in a closed frame: what it says of itself, each tile in which something is known, in rising
-// order, and that this was all. The cells are another's, and change after the call.
+// Takes in a closed frame: the header of its messages, whose type and number do not matter, each
+// tile in which something is known, in rising order, and that this was all. The cells are
+// another's, and change after the call.
 template <typename T>
-concept FrameSink = requires(T& sink, const FrameReport& report, std::size_t tile,
+concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {
-  { sink.begin_frame(report) } -> std::same_as<void>;
+  { sink.begin_frame(header) } -> std::same_as<void>;
   { sink.take_tile(tile, cells) } -> std::same_as<void>;
   { sink.end_frame() } -> std::same_as<void>;
 };
@@ -53,21 +72,8 @@ concept FrameSink = requires(T& sink, const FrameReport& report, std::size_t til
 // after the call.
 template <typename T>
 concept ClassSink = FrameSink<T> &&
-    requires(T& sink, const PerceptionReport& report, const window::WindowView& classes) {
-  { sink.take_classes(report, classes) } -> std::same_as<void>;
-};
-
-// And the things on them, after the classes.
-template <typename T>
-concept ObjectSink = ClassSink<T> &&
-    requires(T& sink, const PerceptionReport& report, const objects::Tracks& tracks) {
-  { sink.take_objects(report, tracks) } -> std::same_as<void>;
-};
-
-// And what the frame has received, after these.
-template <typename T>
-concept ReceptionSink = FrameSink<T> && requires(T& sink, const ReceptionLog& log) {
-  { sink.take_receptions(log) } -> std::same_as<void>;
+    requires(T& sink, const stream::ClassEnd& end, const window::WindowView& classes) {
+  { sink.take_classes(end, classes) } -> std::same_as<void>;
 };
 
 }  // namespace iog::app

@@ -4,17 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "app/frame_messages.hpp"
 #include "app/platform.hpp"
 #include "hal/serial_port.hpp"
 #include "serial/grid_sender.hpp"
+#include "stream/message.hpp"
 
 namespace iog::app {
 
 // Holds 64 KB: belongs into static memory.
 class SerialSink {
  public:
-  void begin_frame(const FrameReport& report) { sender_.begin_frame(header_of(report)); }
+  void begin_frame(const stream::Header& header) { sender_.begin_frame(header); }
   void take_tile(std::size_t tile, tile_coding::TileCells cells) { sender_.take_tile(tile, cells); }
   void end_frame() { sender_.end_frame(); }
 

@@ -115,9 +115,8 @@ void Listener::note_taken() {
 }
 
 void Listener::score_frame(const Perceiver& perceiver) {
-  const app::PerceptionReport& report = perceiver.report();
   const std::vector<std::int8_t> classes = perceiver.classes();
-  const auto placed = std::span(report.slices).first(report.slice_count);
+  const auto placed = perceiver.engine().slices();
   note_taken();
   std::erase_if(waiting_, [&](const Waiting& packet) {
     const auto slice = std::ranges::find(placed, packet.slice, &app::PlacedSlice::slice);

@@ -123,8 +123,7 @@ class FreeCells {
   }
 
   static std::string_view range_of(const PerceivedFrame& frame, geometry::Cell cell) {
-    const app::PerceptionReport& report = *frame.report;
-    const geometry::Cell car = window::cell_of(report.slices[report.slice_count - 1].pose);
+    const geometry::Cell car = window::cell_of(frame.engine->slices().back().pose);
     const std::int64_t x = cell.x - car.x;
     const std::int64_t y = cell.y - car.y;
     const std::int64_t square = x * x + y * y;
@@ -148,7 +147,7 @@ Tables free_on_things(const Input& /*input*/) {
     LocalToWorld to_world;
     perceive_drive(drive, kOneRule, [&](const PerceivedFrame& frame) {
       to_world = FrameTruth(frame, to_world).last().to_world;
-      if (!frame.classes.empty() && frame.report->slice_count > 0) {
+      if (!frame.classes.empty() && frame.end->slice_count > 0) {
         cells.add(frame, to_world);
       }
     });

@@ -118,8 +118,7 @@ class MapPictures {
             std::span<const MapVariant> variants) {
     constexpr std::string_view kClassLetters = ".DNFMSUIO";
     constexpr std::string_view kTruthLetters = "rbmsho";
-    const app::PerceptionReport& report = *frame.report;
-    const geometry::Cell car = window::cell_of(report.slices[report.slice_count - 1].pose);
+    const geometry::Cell car = window::cell_of(frame.engine->slices().back().pose);
     for (std::size_t variant = 0; variant < variants.size(); ++variant) {
       rows(variants[variant].name, frame, car, [&](std::size_t place) {
         return kClassLetters[static_cast<std::size_t>(frame.classes[variant][place]) / 8];

@@ -19,10 +19,10 @@ Vector2 in_metres(const LocalToWorld::Point& point) { return {point.x_m, point.y
 
 // The slice of a hit, by its age: slices do not end together.
 std::uint8_t slice_of(const PerceivedFrame& frame, const objects::FrameHit& hit) {
-  const auto slices = std::span(frame.report->slices).first(frame.report->slice_count);
+  const auto slices = frame.engine->slices();
   const auto away_us = [&](const app::PlacedSlice& placed) {
     const auto age_us =
-        static_cast<std::int64_t>(frame.report->objects_us - placed.slice.middle_us);
+        static_cast<std::int64_t>(frame.engine->objects().time_us() - placed.slice.middle_us);
     return numeric::magnitude(age_us - std::int64_t{1000} * hit.age_ms);
   };
   const auto nearest = std::ranges::min_element(slices, {}, away_us);
@@ -87,10 +87,10 @@ class Maker {
   Maker(const PerceivedFrame& frame, const FrameTruth& truth, const objects::Tracker& tracker)
       : to_world_(&truth.last().to_world),
         tracks_(&tracker.tracks()),
-        car_{frame.report->end.pose.x_mm, frame.report->end.pose.y_mm},
+        car_{frame.end->window.pose.x_mm, frame.end->window.pose.y_mm},
         hits_(frame, truth, tracker),
         motions_(truth.last().things.motions()) {
-    made_.time_us = frame.report->objects_us;
+    made_.time_us = frame.engine->objects().time_us();
     for (const auto& [thing, hits] : hits_.things) {
       add_mover(thing, hits);
     }

@@ -31,15 +31,15 @@ ScoredObjects score_objects(const PerceivedDrive& drive) {
     const FrameTruth truth(frame, to_world);
     to_world = truth.last().to_world;
     const objects::Tracker& tracker = *frame.objects.front();
-    if (frame.report->slice_count > 0) {
+    if (frame.end->slice_count > 0) {
       scored.scorer.add(object_frame(frame, truth, tracker));
     }
     const auto tracks = static_cast<std::uint64_t>(
         std::ranges::count_if(tracker.tracks(), &objects::Track::is_there));
     scored.tracks += tracks;
     scored.most_tracks = std::max(scored.most_tracks, tracks);
-    scored.left.hits.beyond += frame.report->objects.hits.beyond;
-    scored.left.tracks_refused += frame.report->objects.tracks_refused;
+    scored.left.hits.beyond += frame.engine->object_counts().hits.beyond;
+    scored.left.tracks_refused += frame.engine->object_counts().tracks_refused;
   });
   return scored;
 }

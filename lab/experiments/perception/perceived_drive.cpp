@@ -30,8 +30,9 @@ class Evidence {
   // is_shown: with the frame's joined indexes.
   void find(const Datagrams& datagrams, const window::Area& area, bool is_shown,
             PerceivedFrame& frame) {
-    for (std::size_t i = 0; i < frame.report->slice_count; ++i) {
-      const app::PlacedSlice& slice = frame.report->slices[i];
+    const std::span<const app::PlacedSlice> slices = frame.engine->slices();
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+      const app::PlacedSlice& slice = slices[i];
       fuse(datagrams, slice.slice);
       const window::Placement at = window::placement_of(slice.pose);
       add_hits(area, window::CellMap::to_window(area, at), static_cast<std::uint8_t>(i), frame);
@@ -122,7 +123,8 @@ void perceive_drive(const PerceivedDrive& drive, std::span<const PerceptionRule>
     }
     const Perceiver& first = *perceivers.front();
     require(first.frames() == number + 1);  // the last packet of a frame closes it
-    PerceivedFrame frame{.number = number, .drive = &moving, .report = &first.report()};
+    PerceivedFrame frame{
+        .number = number, .drive = &moving, .engine = &first.engine(), .end = &first.end()};
     frame.window.first = Evidence::first_cell(first.area());
     const bool is_shown = drive.has_evidence && number % drive.shown_every == drive.shown_every - 1;
     if (drive.has_evidence) {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/perception_report.hpp"
+#include "app/perception_engine.hpp"
 #include "geometry/cell.hpp"
 #include "objects/tracker.hpp"
 #include "tools/simulate/drives/drive.hpp"
@@ -39,7 +39,7 @@ struct PerceptionRule {
 // A cell with a positive index in one slice of a frame.
 struct HitCell {
   geometry::Cell cell{};
-  std::uint8_t slice = 0;  // its place in PerceptionReport::slices
+  std::uint8_t slice = 0;  // its place in PerceptionEngine::slices()
 };
 
 // The part of the local frame that the window has, row by row from the lowest y.
@@ -62,8 +62,9 @@ struct CellWindow {
 struct PerceivedFrame {
   std::uint32_t number = 0;  // of the drive
   const tools::Drive* drive = nullptr;
-  const app::PerceptionReport* report = nullptr;
-  std::vector<HitCell> hits{};  // without evidence none
+  const app::PerceptionEngine* engine = nullptr;  // by the first rule
+  const stream::ClassEnd* end = nullptr;          // likewise
+  std::vector<HitCell> hits{};                    // without evidence none
   CellWindow window{};
   std::vector<const objects::Tracker*> objects{};  // by rule
   // Of frames that are shown; else empty.

@@ -166,8 +166,8 @@ Tables perception_poses(const Input& /*input*/) {
     const ScoredDrive scored = score_drive(drive, rules, false);
     tables.add(drive, trouble.name, rules, scored.scorer);
     for (std::size_t cause = 1; cause < kCauseNames.size(); ++cause) {
-      causes.row(trouble.name, kCauseNames[cause], scored.last.tallies[cause].times,
-                 scored.last.slice_causes[cause]);
+      causes.row(trouble.name, kCauseNames[cause], scored.last.causes[cause].began.times,
+                 scored.last.causes[cause].slices);
     }
     frames.row(trouble.name, drive.seconds * tools::kLuxFramesPerSecond, scored.frames_not_placed,
                scored.frames_forgotten, scored.packets_not_placed);

@@ -17,11 +17,10 @@ constexpr std::size_t kFramesOfASecond = tools::kLuxFramesPerSecond;
 
 // Where the car is, or the middle of its window if nothing of the frame was placed.
 geometry::Cell car_cell(const PerceivedFrame& frame) {
-  const app::PerceptionReport& report = *frame.report;
+  const std::span<const app::PlacedSlice> slices = frame.engine->slices();
   constexpr std::int32_t kHalf = window::kCellsAcross / 2;
-  return report.slice_count == 0
-             ? geometry::Cell{frame.window.first.x + kHalf, frame.window.first.y + kHalf}
-             : window::cell_of(report.slices[report.slice_count - 1].pose);
+  return slices.empty() ? geometry::Cell{frame.window.first.x + kHalf, frame.window.first.y + kHalf}
+                        : window::cell_of(slices.back().pose);
 }
 
 std::size_t range_of(geometry::Cell cell, geometry::Cell car) {
@@ -56,7 +55,7 @@ std::optional<HitOn> hit_on(const PerceivedFrame& frame, const TrueThing& thing)
 }  // namespace
 
 void PerceptionScorer::add(const PerceivedFrame& frame, const FrameTruth& truth, bool is_scored) {
-  if (frame.report->is_forgotten) {
+  if (frame.engine->is_forgotten()) {
     recent_.forget();
   }
   std::vector<TrueThing> hit_things;

@@ -28,10 +28,10 @@ ScoredDrive score_drive(const PerceivedDrive& drive, std::span<const PerceptionR
     if (is_watched) {
       scored.watch.add(frame, truth);
     }
-    scored.frames_not_placed += frame.report->slice_count == 0 ? 1 : 0;
-    scored.frames_forgotten += frame.report->is_forgotten ? 1 : 0;
-    scored.packets_not_placed += frame.report->packets_not_placed;
-    scored.last = *frame.report;
+    scored.frames_not_placed += frame.end->slice_count == 0 ? 1U : 0U;
+    scored.frames_forgotten += frame.engine->is_forgotten() ? 1U : 0U;
+    scored.packets_not_placed += frame.end->packets_not_placed;
+    scored.last = *frame.end;
   });
   return scored;
 }

@@ -17,7 +17,7 @@ namespace iog::lab {
 struct ScoredDrive {
   PerceptionScorer scorer;
   StreetWatch watch{};
-  app::PerceptionReport last{};         // of the last frame; it counts since the drive's begin
+  stream::ClassEnd last{};              // of the last frame; it counts since the drive's begin
   std::uint32_t frames_not_placed = 0;  // without a single slice
   std::uint32_t frames_forgotten = 0;
   std::uint32_t packets_not_placed = 0;

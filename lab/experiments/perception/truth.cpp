@@ -33,8 +33,7 @@ FrameTruth::FrameTruth(const PerceivedFrame& frame, const LocalToWorld& before) 
   const tools::Scene& scene = frame.drive->scene();
   const description::Description& description =
       *tools::find_vehicle(tools::kDefaultVehicle).description;
-  for (std::size_t i = 0; i < frame.report->slice_count; ++i) {
-    const app::PlacedSlice& slice = frame.report->slices[i];
+  for (const app::PlacedSlice& slice : frame.engine->slices()) {
     const double time_s = drive_seconds(slice.slice.middle_us);
     slices_.push_back({LocalToWorld(slice.pose, scene.ego_at(time_s).at),
                        TrueThings(scene, time_s, description)});

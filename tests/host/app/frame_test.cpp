@@ -33,7 +33,7 @@ class Drive {
       frame_.add_points(*fusion_, packet->sensor, packet->packet);
     }
     fusion_->finish();
-    report = frame_.report(now_us_);
+    frame_.describe(now_us_, header, end);
     frame_.start_next(now_us_);
   }
 
@@ -55,7 +55,8 @@ class Drive {
     return free;
   }
 
-  FrameReport report;
+  stream::Header header;
+  stream::FrameEnd end;
 
  private:
   static constexpr std::uint32_t kReplayer = 0x0A000202;
@@ -79,8 +80,8 @@ TEST(Frame, ACapFromTheStartClearsNothing) {
   for (int i = 0; i < 5; ++i) {
     drive.turn(covered);
     EXPECT_EQ(drive.free_cells(), 0) << i;
-    EXPECT_EQ(drive.report.unwatched, ~std::uint64_t{0}) << i;
-    EXPECT_EQ(drive.report.sensors[0].blocked, intake::Blocked::kWhole) << i;
+    EXPECT_EQ(drive.end.unwatched, ~std::uint64_t{0}) << i;
+    EXPECT_EQ(drive.end.sensors[0].blocked, intake::Blocked::kWhole) << i;
   }
 }
 
@@ -99,7 +100,7 @@ TEST(Frame, ACoverThatComesLaterClearsNothing) {
     drive.turn(field);
   }
   EXPECT_GT(drive.free_cells(), 60'000);
-  EXPECT_EQ(drive.report.blocked, 0U);
+  EXPECT_EQ(drive.end.blocked, 0U);
 }
 
 }  // namespace

@@ -152,9 +152,10 @@ TEST(ObjectMessages, ConfidenceIsToldInPartsOf255) {
 
 class ObjectListing : public testing::Test {
  protected:
-  void list() { list_objects(report, *tracks, *told); }
+  void list() { list_objects(*tracks, time_us, counts, {}, *told); }
 
-  PerceptionReport report{.objects_us = kNowUs};
+  std::uint64_t time_us = kNowUs;
+  objects::FrameCounts counts{};
   std::unique_ptr<objects::Tracks> tracks = std::make_unique<objects::Tracks>();
   std::unique_ptr<stream::ObjectList> told = std::make_unique<stream::ObjectList>();
 };
@@ -193,21 +194,21 @@ TEST_F(ObjectListing, HasRoomForAll) {
 TEST_F(ObjectListing, OfAFrameWithoutAPlaceIsEmpty) {
   (*tracks)[0] = something(1);
   list();
-  report.objects_us = 0;
+  time_us = 0;
   list();
   EXPECT_EQ(told->count, 0);
   EXPECT_FALSE(told->has_place());
 }
 
 TEST_F(ObjectListing, SaysWhatThereWasNoRoomFor) {
-  report.objects.tracks_refused = 3;
-  report.objects.hits.beyond = 40;
-  report.objects.hits_not_clustered = 2;
+  counts.tracks_refused = 3;
+  counts.hits.beyond = 40;
+  counts.hits_not_clustered = 2;
   list();
   EXPECT_EQ(told->tracks_refused, 3);
   EXPECT_EQ(told->hits_left, 42);
-  report.objects.tracks_refused = 70'000;
-  report.objects.hits.beyond = UINT32_MAX;
+  counts.tracks_refused = 70'000;
+  counts.hits.beyond = UINT32_MAX;
   list();
   EXPECT_EQ(told->tracks_refused, 65535);
   EXPECT_EQ(told->hits_left, 65535);
@@ -221,9 +222,10 @@ TEST_F(ObjectListing, GoesOutInParts) {
   FakePlatform platform;
   const auto sink = std::make_unique<PerceptionSink<FakePlatform>>(platform, Coding::kRaw);
   for (const bool has_objects : {true, false}) {
-    sink->begin_frame({.grids = vehicle::Grids::kClasses, .has_objects = has_objects});
+    list_objects(*tracks, kNowUs, {}, {}, sink->objects());
+    sink->begin_frame({.flags = has_objects ? stream::kFlagObjects : std::uint8_t{0}});
     if (has_objects) {
-      sink->take_objects(report, *tracks);
+      sink->send_objects();
     }
     sink->end_frame();
   }
@@ -231,8 +233,6 @@ TEST_F(ObjectListing, GoesOutInParts) {
   EXPECT_EQ(platform.unreadable(), 0);
   const tests::ReceivedFrame& frame = platform.frames[0];
   EXPECT_TRUE(frame.header.has_objects());
-  EXPECT_TRUE(frame.header.has_classes());
-  EXPECT_FALSE(frame.header.has_indexes());
   constexpr int kObjects = static_cast<int>(stream::MessageType::kObjects);
   EXPECT_EQ(frame.message_types, (std::vector<int>{kObjects, kObjects, kObjects, 2}));
   ASSERT_EQ(frame.objects.size(), 3U);

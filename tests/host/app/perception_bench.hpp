@@ -20,14 +20,25 @@ struct ClassName {
   friend bool operator==(const ClassName&, const ClassName&) = default;
 };
 
+// What a frame says of its place, and what does not go out.
+struct PlaceReport {
+  stream::ClassEnd end;
+  std::uint64_t stamp_us = 0;
+  bool is_forgotten = false;
+};
+
 // Keeps what each frame says of its place, and the class grid's name.
 class ClassList {
  public:
-  void begin_frame(const FrameReport& /*report*/) {}
+  void begin_frame(const stream::Header& /*header*/) {}
   void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
   void end_frame() {}
-  void take_classes(const PerceptionReport& report, const window::WindowView& classes) {
-    reports.push_back(report);
+  void take_classes(const stream::ClassEnd& end, const window::WindowView& classes) {
+    reports.push_back({.end = end});
+    if (engine != nullptr) {
+      reports.back().stamp_us = engine->stamp_us();
+      reports.back().is_forgotten = engine->is_forgotten();
+    }
     const window::TileNumber corner = classes.area().corner();
     stream::ClassHash hash({corner.a, corner.b});
     ClassName& name = names.emplace_back();
@@ -53,7 +64,8 @@ class ClassList {
     geometry::Cell at;
     int what;
   };
-  std::vector<PerceptionReport> reports;
+  const PerceptionEngine* engine = nullptr;
+  std::vector<PlaceReport> reports;
   std::vector<ClassName> names;
   std::vector<Cell> cells;  // of the newest frame, those that have a class
 };
@@ -61,7 +73,9 @@ class ClassList {
 struct PerceptionBench {
   explicit PerceptionBench(const vehicle::Vehicle& vehicle)
       : pipeline(std::make_unique<PerceptionPipeline<tests::FakePlatform, ClassList>>(
-            vehicle, kReplayer, platform, classes)) {}
+            vehicle, kReplayer, platform, classes)) {
+    classes.engine = &pipeline->engine();
+  }
 
   void take(std::vector<TimedDatagram> datagrams) {
     std::ranges::stable_sort(datagrams, {}, &TimedDatagram::now_us);
@@ -77,9 +91,10 @@ struct PerceptionBench {
       pipeline->tick(pipeline->deadline_us());
     }
   }
-  [[nodiscard]] const PerceptionReport& report() const { return classes.reports.back(); }
+  [[nodiscard]] const PlaceReport& report() const { return classes.reports.back(); }
+  [[nodiscard]] const stream::ClassEnd& end() const { return report().end; }
   [[nodiscard]] std::uint32_t slices_by(pose::Cause cause) const {
-    return report().slice_causes[static_cast<std::size_t>(cause)];
+    return end().causes[static_cast<std::size_t>(cause)].slices;
   }
 
   tests::FakePlatform platform;

@@ -44,8 +44,8 @@ TEST(PerceptionEngine, HitsLieWhereTheyAreInTheWorld) {
     ASSERT_LE(cell.at.x, 302);
   }
   EXPECT_GT(occupied, 200);
-  EXPECT_EQ(bench.report().packets_placed, 4U);
-  EXPECT_EQ(bench.report().packets_not_placed, 0U);
+  EXPECT_EQ(bench.end().packets_placed, 4U);
+  EXPECT_EQ(bench.end().packets_not_placed, 0U);
   EXPECT_EQ(bench.slices_by(pose::Cause::kNone), 20U * 2);
 }
 
@@ -55,17 +55,18 @@ TEST(PerceptionEngine, ASliceHasThePoseOfItsMiddle) {
   PerceptionBench bench(car.vehicle());
   bench.take(drive_at_wall(10));
   for (std::size_t frame = 0; frame < 10; ++frame) {
-    const PerceptionReport& report = bench.classes.reports[frame];
+    const auto& report = bench.classes.reports[frame];
     std::set<std::uint64_t> numbers;
     for (const std::uint64_t middle_us : {1250U, 3750U, 6250U, 8750U}) {
       numbers.insert((kStartUs + (frame + 1) * kPeriodUs - 10'000 + middle_us) / 8'000);
     }
-    ASSERT_EQ(report.slice_count, numbers.size());
+    ASSERT_EQ(report.end.slice_count, numbers.size());
     auto number = numbers.begin();
-    for (std::size_t i = 0; i < report.slice_count; ++i, ++number) {
-      const auto middle_us = static_cast<double>(*number * 8'000 + 4'000 - kStartUs);
-      EXPECT_EQ(report.slices[i].slice.number, *number);
-      EXPECT_NEAR(report.slices[i].pose.x_mm, 1000 * testing::x_at(middle_us), 1);
+    for (std::size_t i = 0; i < report.end.slice_count; ++i, ++number) {
+      const std::uint64_t middle_us = *number * 8'000 + 4'000;
+      EXPECT_EQ(report.end.slices[i].middle_us, middle_us);
+      EXPECT_NEAR(report.end.slices[i].pose.x_mm,
+                  1000 * testing::x_at(static_cast<double>(middle_us - kStartUs)), 1);
     }
     EXPECT_EQ(report.stamp_us, (*numbers.rbegin() + 1) * 8'000);
   }
@@ -106,7 +107,7 @@ TEST(PerceptionEngine, NoOrderOfPacketsShows) {
   PerceptionBench in_order(car.vehicle());
   in_order.take(shuffled_drive(nullptr));
   ASSERT_EQ(in_order.classes.names.size(), 4U);
-  EXPECT_GT(in_order.report().slice_count, 1U);
+  EXPECT_GT(in_order.end().slice_count, 1U);
   EXPECT_GT(in_order.classes.names.back().tiles, 10U);
   tests::Random random(831);
   for (int i = 0; i < tests::effort(40, 4); ++i) {
@@ -142,8 +143,8 @@ TEST(PerceptionEngine, TheFramesGridIsThatOfTheWholeFrame) {
     EXPECT_TRUE(lost.platform.frames[frame].cells == platform.frames[frame].cells);
     EXPECT_EQ(placed.platform.frames[frame].end.fates, platform.frames[frame].end.fates);
   }
-  EXPECT_EQ(lost.report().packets_placed, 0U);
-  EXPECT_EQ(lost.report().packets_not_placed, 6U);
+  EXPECT_EQ(lost.end().packets_placed, 0U);
+  EXPECT_EQ(lost.end().packets_not_placed, 6U);
   EXPECT_EQ(lost.classes.names.back(), ClassName{});
   EXPECT_GT(placed.classes.names.back().tiles, 0U);
 }
@@ -170,7 +171,7 @@ TEST(PerceptionEngine, ASensorWithoutClockIsPlacedByWhenItsPacketsCame) {
   PerceptionBench arrived(by_arrival.vehicle());
   arrived.take(drive);
   EXPECT_EQ(arrived.classes.names, synchronised.classes.names);
-  EXPECT_EQ(arrived.report().packets_placed, 4U);
+  EXPECT_EQ(arrived.end().packets_placed, 4U);
 }
 
 // More packets than a frame keeps: the first that finds no room ends it, and belongs to the next.
@@ -219,14 +220,14 @@ TEST(PerceptionEngine, SlicesAreBounded) {
   bench.take(drive);
   bench.take(packets);
   bench.pass_until(240'000);
-  EXPECT_EQ(bench.classes.reports[1].slice_count + bench.classes.reports[0].slice_count +
-                bench.report().slice_count,
+  EXPECT_EQ(bench.classes.reports[1].end.slice_count + bench.classes.reports[0].end.slice_count +
+                bench.end().slice_count,
             kMaxSlices);
   std::uint32_t over = 0;
   std::uint32_t not_placed = 0;
-  for (const PerceptionReport& report : bench.classes.reports) {
-    over += report.slices_over_budget;
-    not_placed += report.packets_not_placed;
+  for (const auto& report : bench.classes.reports) {
+    over += report.end.slices_over_budget;
+    not_placed += report.end.packets_not_placed;
   }
   EXPECT_EQ(over, 50U - kMaxSlices);
   EXPECT_EQ(not_placed, 50U - kMaxSlices);

@@ -52,7 +52,7 @@ struct Outcome {
   std::uint64_t longest_step_us = 0;  // of the stamp, from one frame to the next
 };
 
-std::uint64_t longest_step_us(const std::vector<PerceptionReport>& reports) {
+std::uint64_t longest_step_us(const std::vector<testing::PlaceReport>& reports) {
   std::uint64_t longest_us = 0;
   for (std::size_t frame = 1; frame < reports.size(); ++frame) {
     longest_us = std::max(longest_us, reports[frame].stamp_us - reports[frame - 1].stamp_us);

@@ -50,13 +50,13 @@ struct Seen {
 
 class StateList {
  public:
-  void begin_frame(const FrameReport& /*report*/) {}
+  void begin_frame(const stream::Header& /*header*/) {}
   void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
   void end_frame() {}
-  void take_classes(const PerceptionReport& report, const window::WindowView& view) {
+  void take_classes(const stream::ClassEnd& end, const window::WindowView& view) {
     Seen& seen = frames.emplace_back();
-    seen.map = report.map;
-    seen.is_placed = report.slice_count > 0;
+    seen.map = end.map->layer;
+    seen.is_placed = end.slice_count > 0;
     if (!seen.is_placed) {
       return;
     }

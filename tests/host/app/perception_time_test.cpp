@@ -4,7 +4,6 @@
 #include <iterator>
 #include <vector>
 
-#include "app/class_messages.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "perception_bench.hpp"
 
@@ -30,8 +29,8 @@ TEST(PerceptionTime, WithoutPosesTheWindowAgesAndIsLost) {
     bench.take(testing::scan_of_wall(100, frame, 4, static_cast<std::uint64_t>(frame) * kPeriodUs,
                                      kWallM));
   }
-  EXPECT_EQ(bench.report().packets_placed, 0U);
-  EXPECT_EQ(bench.report().packets_not_placed, 4U);
+  EXPECT_EQ(bench.end().packets_placed, 0U);
+  EXPECT_EQ(bench.end().packets_not_placed, 4U);
   EXPECT_GT(bench.slices_by(pose::Cause::kLate), 30U);
   EXPECT_LT(bench.classes.cells.size(), known / 2);
   EXPECT_GT(bench.classes.cells.size(), 0U);
@@ -43,7 +42,7 @@ TEST(PerceptionTime, WithoutPosesTheWindowAgesAndIsLost) {
   }
   EXPECT_EQ(forgotten, 1);
   EXPECT_EQ(bench.classes.names.back(), ClassName{});
-  EXPECT_EQ(bench.report().tallies[static_cast<std::size_t>(pose::Cause::kLost)].times, 1U);
+  EXPECT_EQ(bench.end().causes[static_cast<std::size_t>(pose::Cause::kLost)].began.times, 1U);
 }
 
 // Silence is a frame, too. A tile is refreshed in one of eight frames, and in silence a frame takes
@@ -99,11 +98,10 @@ TEST(PerceptionTime, WhatIsNotKnownAtTheEndIsNotStated) {
     }
     bench.take(drive);
     int not_known = 0;
-    for (const PerceptionReport& report : bench.classes.reports) {
-      const stream::ClassWindow window = class_window_of(report, {});
+    for (const auto& report : bench.classes.reports) {
+      const stream::ClassWindow& window = report.end.window;
       const bool is_known = window.sigma != pose::Sigma{};
       not_known += is_known ? 0 : 1;
-      EXPECT_EQ(report.end.has_pose(), is_known);
       EXPECT_EQ(window.sigma, is_known ? (pose::Sigma{10, 10}) : (pose::Sigma{0xFFFF, 0xFFFF}));
       EXPECT_EQ(window.pose == pose::Pose{}, !is_known);
     }
@@ -160,7 +158,7 @@ TEST(PerceptionTime, AJumpOfThePosesForgetsTheWindow) {
   }
   // The first pose beside comes at 602 ms, in the frame that ends at 640 ms, the sixteenth.
   EXPECT_EQ(forgotten, std::vector<std::size_t>{15});
-  EXPECT_EQ(bench.report().tallies[static_cast<std::size_t>(pose::Cause::kJump)].times, 1U);
+  EXPECT_EQ(bench.end().causes[static_cast<std::size_t>(pose::Cause::kJump)].began.times, 1U);
   // What is known now is what was seen since: nothing beside the old place.
   EXPECT_GT(bench.classes.cells.size(), 1000U);
 }
@@ -193,8 +191,8 @@ TEST(PerceptionTime, AfterARestartOfThePosesTheWindowLivesOn) {
   };
   std::ranges::move(anew(800'000, 1'600'000), std::back_inserter(drive));
   bench.take(drive);
-  EXPECT_EQ(bench.report().tallies[static_cast<std::size_t>(pose::Cause::kRestart)].times, 1U);
-  EXPECT_EQ(bench.report().packets_placed, 4U);
+  EXPECT_EQ(bench.end().causes[static_cast<std::size_t>(pose::Cause::kRestart)].began.times, 1U);
+  EXPECT_EQ(bench.end().packets_placed, 4U);
   for (std::size_t frame = 1; frame < bench.classes.reports.size(); ++frame) {
     const std::uint64_t elapsed_us =
         bench.classes.reports[frame].stamp_us - bench.classes.reports[frame - 1].stamp_us;
@@ -257,9 +255,9 @@ TEST(PerceptionTime, AClockThatIsBehindKeepsNoTime) {
     }
   }
   bench.take(drive);
-  EXPECT_EQ(bench.report().packets_not_placed, 4U);
+  EXPECT_EQ(bench.end().packets_not_placed, 4U);
   EXPECT_EQ(bench.classes.cells.size(), 0U);
-  EXPECT_EQ(bench.report().tallies[static_cast<std::size_t>(pose::Cause::kLost)].times, 0U);
+  EXPECT_EQ(bench.end().causes[static_cast<std::size_t>(pose::Cause::kLost)].began.times, 0U);
 }
 
 }  // namespace

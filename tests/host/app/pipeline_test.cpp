@@ -88,6 +88,10 @@ TEST(Pipeline, AFrameClosesWhenEverySensorHasDelivered) {
   EXPECT_EQ(received.end.opened_us, 1000U);
   EXPECT_EQ(received.header.closed_us, 1005U);
   EXPECT_EQ(received.end.stack_used_bytes, 4711U);
+  EXPECT_EQ(received.end.stopwatch_hz, 1000U);
+  EXPECT_EQ(received.end.temperature_dc, 612);
+  EXPECT_EQ(received.end.link_counter_count, 2);
+  EXPECT_EQ(received.end.link_counters[1], 12U);
   EXPECT_EQ(received.end.sensors[2].scan_number, 9U);
   EXPECT_EQ(bench.platform.unreadable(), 0);
 }
@@ -142,6 +146,19 @@ TEST(Pipeline, EveryPermutationOfSensorsAndPacketsGivesTheSameGrid) {
     ++permutation;
   } while (std::ranges::next_permutation(order).found);
   EXPECT_EQ(permutation, 720);
+}
+
+TEST(Pipeline, TheHeaderSaysThatItIsFusedByBayes) {
+  vehicle::Vehicle car = ThreeLux::kVehicle;
+  car.rule = vehicle::FusionRule::kBayes;
+  FakePlatform platform;
+  platform.link_drops = 4;
+  const auto pipeline = std::make_unique<Pipeline<FakePlatform>>(car, kReplayer, platform);
+  pipeline->tick(1'000'000);
+  ASSERT_EQ(platform.frames.size(), 1U);
+  EXPECT_EQ(platform.frames[0].header.flags, stream::kFlagTimedOut | stream::kFlagBayes);
+  EXPECT_EQ(platform.frames[0].header.packets_dropped, 4U);
+  EXPECT_EQ(platform.frames[0].header.vehicle_id, car.id);
 }
 
 TEST(Pipeline, AFrameIsOverAfterItsPeriodAndSaysWhoIsMissing) {
@@ -327,8 +344,8 @@ TEST(Pipeline, EveryMessageIsNumberedAndOfThisRun) {
 // Keeps what it is given of a frame.
 class TileList {
  public:
-  void begin_frame(const FrameReport& report) {
-    numbers.push_back(report.number);
+  void begin_frame(const stream::Header& header) {
+    numbers.push_back(header.frame_number);
     tiles = 0;
   }
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {

@@ -90,7 +90,7 @@ Played play(std::size_t cores, int parts, std::uint8_t log2_slice_ms,
   bench->platform.delay(delay_us);
   bench->take(drive_of_three(parts));
   return {bench->platform.messages, bench->classes.names, bench->platform.items_of_helpers(),
-          bench->platform.fate_of_victim(), bench->classes.reports.back().slice_count};
+          bench->platform.fate_of_victim(), bench->classes.reports.back().end.slice_count};
 }
 
 // By one core that nothing happens to: what the others are compared with.

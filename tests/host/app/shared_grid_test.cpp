@@ -28,13 +28,27 @@ using Message = SharingPlatform::Message;
 
 constexpr std::uint64_t kTurnUs = 200'000;
 
-// What a frame said of itself, beside its messages.
-struct Reports {
-  void begin_frame(const FrameReport& report) { all.push_back(report); }
-  void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
-  void end_frame() {}
-  std::vector<FrameReport> all;
+// The last message of each frame, and its header.
+struct Report {
+  stream::Header header;
+  stream::FrameEnd end;
 };
+std::vector<Report> reports_in(const std::vector<Message>& messages) {
+  std::vector<Report> reports;
+  for (const Message& message : messages) {
+    if (!stream::ends_frame(message)) {
+      continue;
+    }
+    Report& report = reports.emplace_back();
+    std::span<const std::byte> body;
+    EXPECT_EQ(stream::read_header(std::span(message).subspan(protection::kProtectionBytes),
+                                  report.header, body),
+              stream::ReadStatus::kOk);
+    EXPECT_EQ(stream::read_frame_end(body, report.header.sensor_count, report.end),
+              stream::ReadStatus::kOk);
+  }
+  return reports;
+}
 
 // One unit, three turns: six parts each for four cores, and what is left.
 std::vector<TimedDatagram> three_turns() { return turns_of_vlp16(100, 3, false, 25'000); }
@@ -50,7 +64,7 @@ std::vector<TimedDatagram> more_parts_than_places() {
 
 struct Played {
   std::vector<Message> messages;
-  std::vector<FrameReport> reports;
+  std::vector<Report> reports;
   std::uint32_t helped = 0;
   std::size_t rounds = 0;
   work::Loss fate = work::Loss::kNone;
@@ -66,9 +80,7 @@ Played play(vehicle::Vehicle car, const std::vector<TimedDatagram>& drive, std::
             const Mishap& mishap = {}) {
   car.frame_period_us = kTurnUs + kTurnUs / 2;
   SharingPlatform platform(cores, mishap.accident == Accident::kNone ? kAnyTimeUs : kShortlyUs);
-  Reports reports;
-  const auto pipeline =
-      std::make_unique<Pipeline<SharingPlatform, Reports>>(car, kReplayer, platform, reports);
+  const auto pipeline = std::make_unique<Pipeline<SharingPlatform>>(car, kReplayer, platform);
   platform.let_happen(mishap.accident, mishap.round);
   platform.delay(mishap.delay_us);
   pipeline->start(drive.front().now_us);
@@ -76,8 +88,8 @@ Played play(vehicle::Vehicle car, const std::vector<TimedDatagram>& drive, std::
     pipeline->take({kReplayer, datagram.port, datagram.bytes}, datagram.now_us);
   }
   pipeline->tick(pipeline->deadline_us());
-  return {platform.messages, reports.all, platform.items_of_helpers(), platform.rounds,
-          platform.fate_of_victim()};
+  return {platform.messages, reports_in(platform.messages), platform.items_of_helpers(),
+          platform.rounds, platform.fate_of_victim()};
 }
 
 // By one core that nothing happens to: what the others are compared with.
@@ -102,7 +114,7 @@ TEST_P(FuseDenseBy, CoresGivesTheMessagesOfOne) {
   const Played& alone = three_turns_alone();
   const Played together = play(LevelVlp16::kVehicle, three_turns(), GetParam());
   ASSERT_GE(alone.reports.size(), 3U);
-  EXPECT_EQ(alone.reports[1].packets_fused, 150U);
+  EXPECT_EQ(alone.reports[1].header.packets_fused, 150U);
   EXPECT_GT(alone.messages.size(), 30U);
   EXPECT_TRUE(together.messages == alone.messages);
   EXPECT_GT(together.helped, 0U);
@@ -111,12 +123,12 @@ TEST_P(FuseDenseBy, CoresGivesTheMessagesOfOne) {
 TEST_P(FuseDenseBy, CoresOverTheGroundGivesTheMessagesOfOne) {
   const Played& alone = ground_alone();
   const auto count = [&](std::size_t frame, vehicle::Fate fate) {
-    return alone.reports[frame].fates[static_cast<std::size_t>(fate)];
+    return alone.reports[frame].end.fates[static_cast<std::size_t>(fate)];
   };
   for (const vehicle::Fate fate :
        {vehicle::Fate::kGround, vehicle::Fate::kOverhang, vehicle::Fate::kUnderGround}) {
     EXPECT_GT(count(1, fate), 0U);
-    EXPECT_EQ(three_turns_alone().reports[1].fates[static_cast<std::size_t>(fate)], 0U);
+    EXPECT_EQ(three_turns_alone().reports[1].end.fates[static_cast<std::size_t>(fate)], 0U);
   }
   EXPECT_EQ(count(1, vehicle::Fate::kOutsideHeightBand), 0U);
   const Played together = play(ground_vlp16(), three_turns(), GetParam());
@@ -169,8 +181,8 @@ TEST_P(FuseDenseBy, CoresOfAFullFrameGivesTheMessagesOfOne) {
   const std::vector<TimedDatagram> drive = more_parts_than_places();
   static const Played alone = play(car, drive, 1);
   const Played together = play(car, drive, GetParam());
-  EXPECT_GT(alone.reports.front().packets_fused * 384, kPartPlaces * 6'144);
-  EXPECT_EQ(alone.reports.back().packets_dropped, 0U);
+  EXPECT_GT(alone.reports.front().header.packets_fused * 384, kPartPlaces * 6'144);
+  EXPECT_EQ(alone.reports.back().header.packets_dropped, 0U);
   EXPECT_TRUE(together.messages == alone.messages);
   EXPECT_GT(together.helped, 0U);
 }

@@ -31,11 +31,11 @@ using testing::TimedDatagram;
 // All that the window holds after a frame, as far as it means something.
 class Masses {
  public:
-  void begin_frame(const FrameReport& /*report*/) {}
+  void begin_frame(const stream::Header& /*header*/) {}
   void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
   void end_frame() {}
-  void take_classes(const PerceptionReport& report, const window::WindowView& classes) {
-    most_slices = std::max(most_slices, report.slice_count);
+  void take_classes(const stream::ClassEnd& end, const window::WindowView& classes) {
+    most_slices = std::max<std::size_t>(most_slices, end.slice_count);
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       if (classes.is_known(slot)) {
         keep(classes.tile(slot));

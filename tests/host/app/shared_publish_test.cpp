@@ -36,9 +36,7 @@ class Drive {
 
   template <typename AnyPlatform>
   void publish(std::uint32_t number, NetworkSink<AnyPlatform>& sink) const {
-    FrameReport report{};
-    report.number = number;
-    sink.begin_frame(report);
+    sink.begin_frame({.frame_number = number});
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
       sink.take_tile(3 * i, tiles_[i]);
     }

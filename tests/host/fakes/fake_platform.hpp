@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/frame_report.hpp"
+#include "app/platform.hpp"
 #include "protection/protected_message.hpp"
 #include "stream/channel.hpp"
 #include "stream/class_end.hpp"
@@ -66,7 +66,11 @@ class FakePlatform {
     work::do_alone(items, work, beside);
   }
   [[nodiscard]] app::Vitals vitals(const app::FrameTimes& /*times*/) const {
-    return {.stack_used_bytes = 4711, .link_drops = link_drops};
+    return {.stack_used_bytes = 4711,
+            .link_drops = link_drops,
+            .temperature_dc = 612,
+            .link_counter_count = 2,
+            .link_counters = {11, 12}};
   }
 
   std::uint32_t link_drops = 0;
