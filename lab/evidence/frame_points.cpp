@@ -35,8 +35,8 @@ class FrameCutter {
     while (frame_.is_overdue(now_us)) {
       close_frame(frame_.deadline_us());
     }
-    app::take_datagram(
-        frame_, {kReplayer, datagram.destination.port, datagram.payload}, now_us,
+    app::take_packet(
+        frame_, frame_.receive({kReplayer, datagram.destination.port, datagram.payload}),
         [&](const intake::SensorPacket& packet) {
           frame_.accept(packet, now_us);
           append(packet.sensor, packet.packet, points_);

@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "app/frame.hpp"
-
 namespace iog::lab {
 
 Perceiver::Perceiver(const vehicle::Vehicle& vehicle, std::span<const std::uint8_t> map,
                      OnFrame on_frame)
     : on_frame_(std::move(on_frame)),
-      engine_(std::make_unique<app::PerceptionEngine>(vehicle, kReplayer, app::HelpersSpace{})) {
+      frame_(std::make_unique<app::Frame>(vehicle, kReplayer, app::HelpersSpace{},
+                                          app::Fusing::kAtItsEnd)),
+      engine_(std::make_unique<app::PerceptionEngine>(*frame_, vehicle, kReplayer)) {
   if (!map.empty()) {
     engine_->begin_with_map(map);
   }
@@ -18,13 +18,14 @@ Perceiver::Perceiver(const vehicle::Vehicle& vehicle, std::span<const std::uint8
 void Perceiver::take(const tools::CapturedDatagram& datagram) {
   const std::uint64_t now_us = clock_.move_to(datagram.time_us);
   has_fused_newest_ = false;
-  while (engine_->is_overdue(now_us)) {
-    close_frame(engine_->deadline_us());
+  while (frame_->is_overdue(now_us)) {
+    close_frame(frame_->deadline_us());
   }
-  app::take_datagram(
-      *engine_, {kReplayer, datagram.destination.port, datagram.payload}, now_us,
+  const intake::Datagram received{kReplayer, datagram.destination.port, datagram.payload};
+  app::take_packet(
+      *frame_, engine_->receive(received, now_us) ? std::nullopt : frame_->receive(received),
       [&](const intake::SensorPacket& packet) {
-        engine_->fuse(packet, now_us, work::Crew());
+        engine_->keep(packet, now_us);
         has_fused_newest_ = true;
       },
       [&] { close_frame(now_us); });
@@ -38,10 +39,11 @@ std::vector<std::int8_t> Perceiver::classes() const {
 
 void Perceiver::close_frame(std::uint64_t now_us) {
   engine_->finish(now_us, work::Crew(), [](auto /*stage*/) {});
-  engine_->release([](std::size_t /*tile*/, auto /*cells*/) {});
+  frame_->release([](std::size_t /*tile*/, auto /*cells*/) {});
   engine_->describe(end_);
   ++frames_;
-  engine_->start_next(now_us);
+  frame_->start_next(now_us);
+  engine_->start_next();
   if (on_frame_) {
     on_frame_(*this);
   }

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "app/frame.hpp"
 #include "app/perception_engine.hpp"
 #include "stream/class_end.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
@@ -71,7 +72,9 @@ class Perceiver {
 
   OnFrame on_frame_;
   tools::CaptureClock clock_;
-  std::unique_ptr<app::PerceptionEngine> engine_;  // too large for the stack
+  // Too large for the stack.
+  std::unique_ptr<app::Frame> frame_;
+  std::unique_ptr<app::PerceptionEngine> engine_;
   stream::ClassEnd end_;
   std::uint32_t frames_ = 0;
   bool has_fused_newest_ = false;

@@ -28,8 +28,8 @@ class FirstFrame {
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {
-    app::take_datagram(
-        frame_, datagram, now_us,
+    app::take_packet(
+        frame_, frame_.receive(datagram),
         [&](const intake::SensorPacket& packet) {
           if (!is_over_) {
             frame_.accept(packet, now_us);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/frame.hpp"
-#include "grid/frame_fusion.hpp"
 #include "playback.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -16,16 +15,13 @@ template <typename Visit>
 class FusedFrames {
  public:
   FusedFrames(const vehicle::Vehicle& vehicle, Visit visit)
-      : visit_(std::move(visit)), frame_(vehicle, kReplayer), fusion_(vehicle) {}
+      : visit_(std::move(visit)), frame_(vehicle, kReplayer) {}
 
   void take(const vehicle::Sensor& /*sensor*/, const intake::Datagram& datagram,
             std::uint32_t /*received*/, std::uint64_t now_us) {
-    app::take_datagram(
-        frame_, datagram, now_us,
-        [&](const intake::SensorPacket& packet) {
-          frame_.accept(packet, now_us);
-          frame_.add_points(fusion_, packet.sensor, packet.packet);
-        },
+    app::take_packet(
+        frame_, frame_.receive(datagram),
+        [&](const intake::SensorPacket& packet) { frame_.fuse(packet, now_us, work::Crew()); },
         [&] { close_frame(now_us); });
   }
   void tick(std::uint64_t now_us) {
@@ -37,15 +33,14 @@ class FusedFrames {
 
  private:
   void close_frame(std::uint64_t now_us) {
-    fusion_.finish();
-    visit_(fusion_.view());
-    fusion_.clear();
+    frame_.finish(work::Crew(), [](auto /*stage*/) {});
+    visit_(frame_.fusion().own().view());
+    frame_.fusion().own().clear();
     frame_.start_next(now_us);
   }
 
   Visit visit_;
   app::Frame frame_;
-  grid::FrameFusion fusion_;
 };
 
 }  // namespace iog::lab

@@ -20,7 +20,7 @@ auto OperationPass::measured(std::uint64_t& sum, Work&& work) {
 void OperationPass::take(const vehicle::Sensor& sensor, const intake::Datagram& datagram,
                          std::uint32_t /*received*/, std::uint64_t now_us) {
   using Outcome = app::Frame::Outcome;
-  const auto packet = measured(cost_.inspect, [&] { return frame_.receive(datagram, now_us); });
+  const auto packet = measured(cost_.inspect, [&] { return frame_.receive(datagram); });
   const auto classify = [&] {
     return measured(cost_.inspect, [&] { return frame_.classify(*packet); });
   };
@@ -31,8 +31,7 @@ void OperationPass::take(const vehicle::Sensor& sensor, const intake::Datagram& 
   }
   if (outcome == Outcome::kThisFrame) {
     measured(cost_.fuse, [&] {
-      frame_.accept(*packet, now_us);
-      frame_.add_points(fusion_, packet->sensor, packet->packet);
+      frame_.fuse(*packet, now_us, work::Crew());
       return true;
     });
     take_apart(sensor, datagram.payload);
@@ -49,7 +48,7 @@ void OperationPass::tick(std::uint64_t now_us) {
 }
 
 void OperationPass::close_frame(std::uint64_t now_us) {
-  fusion_.finish();
+  frame_.finish(work::Crew(), [](auto /*stage*/) {});
   stream::GridHash hash;
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     take_tile_apart(tile, hash);
@@ -58,7 +57,7 @@ void OperationPass::close_frame(std::uint64_t now_us) {
 }
 
 void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
-  const grid::FrameView view = fusion_.view();
+  const grid::FrameView view = frame_.fusion().own().view();
   if (!measured(cost_.find, [&] { return view.is_touched(tile); })) {
     return;
   }
@@ -67,7 +66,8 @@ void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
   std::uint64_t copied = 0;
   std::uint64_t taken = 0;
   static_cast<void>(measured(copied, [&] { return view.copy_tile(tile, cells); }));
-  const bool is_known = measured(taken, [&] { return fusion_.take_tile(tile, cells); });
+  const bool is_known =
+      measured(taken, [&] { return frame_.fusion().own().take_tile(tile, cells); });
   cost_.hash += copied;
   cost_.clear += taken - copied;
   measured(cost_.hash, [&] {

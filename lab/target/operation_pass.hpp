@@ -32,7 +32,7 @@ struct OperationCost {
 class OperationPass {
  public:
   OperationPass(const vehicle::Vehicle& vehicle, InstructionCounter& counter)
-      : counter_(counter), frame_(vehicle, kReplayer), fusion_(vehicle), single_(vehicle) {}
+      : counter_(counter), frame_(vehicle, kReplayer), single_(vehicle) {}
 
   void take(const vehicle::Sensor& sensor, const intake::Datagram& datagram, std::uint32_t received,
             std::uint64_t now_us);
@@ -56,7 +56,6 @@ class OperationPass {
   InstructionCounter& counter_;
   OperationCost cost_;
   app::Frame frame_;
-  grid::FrameFusion fusion_;
   grid::FrameFusion single_;  // of one point at a time
 };
 

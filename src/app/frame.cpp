@@ -1,5 +1,6 @@
 #include "app/frame.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <span>
 
@@ -15,18 +16,18 @@ using vehicle::Fate;
 // Silence is reported at half the rate of frames.
 constexpr std::uint64_t kSilentPeriods = 2;
 
+// More than any LUX sends in a scan, and less than a turn of any lidar that turns.
+constexpr std::uint32_t kDensePoints = 16'384;
+
+// Of a part that is worth a round: 16 packets of a Velodyne.
+constexpr std::size_t kPointsOfPart = 6'144;
+
 std::uint64_t most_marks_of(const vehicle::Vehicle& vehicle) {
   std::uint64_t marks = 0;
   for (const vehicle::Sensor& sensor : vehicle.sensors) {
     marks += std::uint64_t{sensor.max_points_per_scan} * grid::max_marks_per_point(sensor);
   }
   return marks;
-}
-
-template <typename Packet>
-void add_all(grid::FrameFusion& fusion, const vehicle::Sensor& sensor, const Packet& packet,
-             Fates& fates) {
-  fusion.add_all(sensor, packet, [&](Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
 }
 
 // Bit i: sensor i is in this state.
@@ -40,19 +41,21 @@ std::uint8_t sensors_in_state(std::span<const intake::SensorReport> sensors, Sen
 
 }  // namespace
 
-void Frame::add_points(grid::FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet,
-                       Fates& fates) const {
-  const vehicle::Sensor& its = vehicle_->sensors[sensor];
-  if (its.no_return_clears_mm == 0) {
-    add_all(fusion, its, packet, fates);
-  } else {
-    const intake::AzimuthParts silent = watched_.silent_azimuths(sensor, packet);
-    add_all(fusion, its, intake::EvidentPacket(packet, silent), fates);
-  }
+bool is_fused_together(const vehicle::Vehicle& vehicle) {
+  return vehicle.rule == vehicle::FusionRule::kHitsWin &&
+         std::ranges::any_of(vehicle.sensors, [](const vehicle::Sensor& sensor) {
+           return sensor.max_points_per_scan > kDensePoints;
+         });
 }
 
-Frame::Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4)
-    : vehicle_(&vehicle), intake_(vehicle.sensors, replayer_ipv4), watched_(vehicle.sensors) {
+Frame::Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, HelpersSpace space,
+             Fusing fusing)
+    : fusion_(vehicle, watched_, space),
+      vehicle_(&vehicle),
+      fusing_(fusing),
+      may_share_(is_fused_together(vehicle)),
+      intake_(vehicle.sensors, replayer_ipv4),
+      watched_(vehicle.sensors) {
   require(most_marks_of(vehicle) <= grid::kMaxMarks);
 }
 
@@ -64,9 +67,23 @@ void Frame::accept(const intake::SensorPacket& packet, std::uint64_t now_us) {
   watched_.add(packet.sensor, packet.packet);
 }
 
-void Frame::count(const Fates& fates) {
-  for (std::size_t fate = 0; fate < fates.size(); ++fate) {
-    fates_[fate] += fates[fate];
+// A frame stays as it was begun, whatever becomes of the cores meanwhile.
+void Frame::fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew) {
+  if (!is_begun()) {
+    is_shared_ = may_share_ && !crew.is_one();
+  }
+  accept(packet, now_us);
+  if (!is_shared_) {
+    fusion_.fuse_alone(packet.sensor, packet.packet);
+    return;
+  }
+  FramePackets& packets = fusion_.packets();
+  if (!packets.fits(packet)) {
+    fuse_kept(crew);
+  }
+  packets.keep(packet, now_us);
+  if (packets.points() >= kPointsOfPart * crew.cores()) {
+    fuse_kept(crew);
   }
 }
 
@@ -78,7 +95,7 @@ std::uint64_t Frame::deadline_us() const {
 void Frame::describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const {
   const intake::Surroundings surroundings = watched_.at_end(intake_, now_us);
   end.opened_us = opened_us_;
-  end.fates = fates_;
+  end.fates = fusion_.fates();
   for (const Fate fate : {Fate::kMalformed, Fate::kStale, Fate::kNotTaken}) {
     end.fates[static_cast<std::size_t>(fate)] += intake_.points_dropped(fate);
   }
@@ -114,7 +131,8 @@ void Frame::start_next(std::uint64_t now_us) {
   watched_.end_frame(intake_, now_us);
   ++number_;
   opened_us_ = now_us;
-  fates_ = {};
+  is_shared_ = false;
+  fusion_.start_next();
   intake_.start_frame();
 }
 

@@ -45,6 +45,9 @@ class FramePackets {
 
   // In the order in which they came.
   [[nodiscard]] std::span<KeptPacket> packets() { return std::span(packets_).first(count_); }
+  [[nodiscard]] std::span<const KeptPacket> packets() const {
+    return std::span(packets_).first(count_);
+  }
 
   // The packet of this number, as it was decoded when it came.
   [[nodiscard]] const intake::Packet& decoded(std::size_t number) const { return decoded_[number]; }

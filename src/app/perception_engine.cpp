@@ -40,58 +40,50 @@ Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
                                                                 : Unfit::kQuantisation;
 }
 
-PerceptionEngine::PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
-                                   HelpersSpace space)
-    : fusion_(vehicle, space),
-      window_(vehicle.window, vehicle.has_objects),
+PerceptionEngine::PerceptionEngine(Frame& frame, const vehicle::Vehicle& vehicle,
+                                   std::uint32_t replayer_ipv4)
+    : window_(vehicle.window, vehicle.has_objects),
       maps_(vehicle.maps, replayer_ipv4),
-      frame_(vehicle, replayer_ipv4),
       poses_(vehicle.poses, replayer_ipv4, vehicle.depends_on_arrival()),
       receptions_(vehicle.depends_on_arrival()),
+      frame_(&frame),
       vehicle_(&vehicle) {
   require(unfit_for_perception(vehicle) == Unfit::kNone);
 }
 
-std::optional<intake::SensorPacket> PerceptionEngine::receive(const intake::Datagram& datagram,
-                                                              std::uint64_t now_us) {
+bool PerceptionEngine::receive(const intake::Datagram& datagram, std::uint64_t now_us) {
   if (poses_.listens_to(datagram.destination_port)) {
     const pose::Fate fate = poses_.receive(datagram.source_ipv4, datagram.payload, now_us);
     if (fate != pose::Fate::kStranger) {
       receptions_.add(datagram, now_us);
     }
-    return std::nullopt;
+    return true;
   }
   if (maps_.listens_to(datagram.destination_port)) {
     static_cast<void>(maps_.receive(datagram.source_ipv4, datagram.payload, now_us));
-    return std::nullopt;
+    return true;
   }
-  if (receptions_.is_on() && frame_.listens_to(datagram)) {
+  if (receptions_.is_on() && frame_->listens_to(datagram)) {
     receptions_.add(datagram, now_us);
   }
-  return frame_.receive(datagram, now_us);
-}
-
-PerceptionEngine::Outcome PerceptionEngine::classify(const intake::SensorPacket& packet) {
-  const Outcome outcome = frame_.classify(packet);
-  return outcome == Outcome::kThisFrame && !packets_.fits(packet) ? Outcome::kNextFrame : outcome;
+  return false;
 }
 
 // A VLP-16 counts from the hour, and the newest pose says of which.
-void PerceptionEngine::fuse(const intake::SensorPacket& packet, std::uint64_t now_us,
-                            const work::Crew& /*crew*/) {
-  frame_.accept(packet, now_us);
+void PerceptionEngine::keep(const intake::SensorPacket& packet, std::uint64_t now_us) {
   const vehicle::Sensor& sensor = vehicle_->sensors[packet.sensor];
   const std::optional<pose::Message> newest = poses_.newest();
-  packets_.keep(packet, sensor.is_synchronised ? intake::measured_us(sensor, packet.packet.info(),
-                                                                     newest ? newest->clock_us : 0)
-                                               : now_us - sensor.latency_us);
+  frame_->keep(packet, now_us,
+               sensor.is_synchronised ? intake::measured_us(sensor, packet.packet.info(),
+                                                            newest ? newest->clock_us : 0)
+                                      : now_us - sensor.latency_us);
 }
 
 // The slices of the frame, each with its place, and the frame's stamp. When the poses break off,
 // the window is unknown.
 void PerceptionEngine::open_slices(std::uint64_t now_us) {
-  const std::optional<std::uint64_t> end_us =
-      slices_.measure(vehicle_->sensors, packets_.packets(), poses_);
+  const std::span<KeptPacket> packets = frame_->fusion().packets().packets();
+  const std::optional<std::uint64_t> end_us = slices_.measure(vehicle_->sensors, packets, poses_);
   if (!end_us) {
     poses_.pass_silence(now_us);
   }
@@ -112,7 +104,7 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
     contradiction_.clear();
   }
   clock_.end_frame(time_us, is_forgotten_, now_us);
-  slices_.place(packets_.packets(), poses_);
+  slices_.place(packets, poses_);
   if (!slices_.placed().empty()) {
     const PlacedSlice& last = slices_.placed().back();
     time_us = last.slice.end_us;
@@ -127,10 +119,11 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
 // The points of a group's packets. What has no place is one group, because it only counts in the
 // frame's own grid.
 void PerceptionEngine::fuse_group(std::uint8_t group) {
-  const std::span<const KeptPacket> kept = packets_.packets();
+  SharedFusion& fusion = frame_->fusion();
+  const std::span<const KeptPacket> kept = fusion.packets().packets();
   for (std::size_t number = 0; number < kept.size(); ++number) {
     if (kept[number].group == group) {
-      frame_.add_points(fusion_.own(), kept[number].sensor, packets_.decoded(number));
+      fusion.fuse_alone(number);
     }
   }
 }
@@ -139,10 +132,8 @@ void PerceptionEngine::fuse_group(std::uint8_t group) {
 void PerceptionEngine::join_group(std::size_t group) {
   window::SliceCells& cells = fused_.one();
   cells.clear();
-  fusion_.own().finish();
-  fusion_.own().release_with_heights(
+  frame_->fusion().join_alone(
       [&](std::size_t tile, auto indexes, const grid::TileBits& low_and_tall) {
-        fusion_.joined().add(tile, indexes);
         if (group != FrameSlices::kNowhere) {
           cells.set(tile, indexes, low_and_tall);
         }
@@ -151,7 +142,7 @@ void PerceptionEngine::join_group(std::size_t group) {
 
 // Those that were fused together.
 void PerceptionEngine::place_slices(const work::Crew& crew) {
-  fused_.begin(fusion_);
+  fused_.begin(frame_->fusion());
   for (auto fused = fused_.next(crew); !fused.empty(); fused = fused_.next(crew)) {
     std::array<window::PlacedCells, window::FrameEvidence::kMostAtOnce> placed;
     for (std::size_t i = 0; i < fused.size(); ++i) {
@@ -198,9 +189,7 @@ void PerceptionEngine::follow_objects() {
   }
 }
 
-void PerceptionEngine::describe(std::uint64_t now_us, stream::Header& header,
-                                stream::FrameEnd& end) const {
-  frame_.describe(now_us, header, end);
+void PerceptionEngine::describe(stream::Header& header) const {
   const unsigned indexes = vehicle::have_indexes(vehicle_->grids) ? 0U : stream::kFlagNoIndexes;
   const unsigned objects = vehicle_->has_objects ? stream::kFlagObjects : 0U;
   const unsigned receptions = receptions_.is_on() ? stream::kFlagReceptions : 0U;
@@ -246,12 +235,6 @@ void PerceptionEngine::describe(stream::ClassEnd& end) const {
 void PerceptionEngine::list_objects(stream::ObjectList& list) const {
   app::list_objects(objects().tracks(), objects().time_us(), object_counts_,
                     {end_.pose.x_mm, end_.pose.y_mm}, list);
-}
-
-void PerceptionEngine::start_next(std::uint64_t now_us) {
-  packets_.clear();
-  receptions_.clear();
-  frame_.start_next(now_us);
 }
 
 }  // namespace iog::app

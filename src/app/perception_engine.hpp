@@ -1,8 +1,9 @@
-// The engine of the perception grid: datagrams in, frames and classes out.
+// The perception grid behind a frame (app/frame.hpp): poses and maps in, classes out.
 //
-// It keeps the frame's packets until the frame is over. Packets that were measured together, in one
+// The frame's packets are kept until it is over. Packets that were measured together, in one
 // slice of a few milliseconds, are then fused together and put into the window by the pose of that
-// slice. The frame's own grid is the join of its slices: the same bytes as GridEngine makes.
+// slice. The frame's own grid is the join of its slices: the same bytes as if they were fused as
+// they come.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
@@ -14,16 +15,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "app/frame.hpp"
-#include "app/frame_packets.hpp"
 #include "app/frame_slices.hpp"
 #include "app/fused_slices.hpp"
 #include "app/object_follower.hpp"
 #include "app/reception_log.hpp"
-#include "app/shared_fusion.hpp"
 #include "health/guard.hpp"
 #include "map/delivery.hpp"
 #include "map/layer.hpp"
@@ -48,42 +46,28 @@ enum class Unfit : std::uint8_t {
 };
 [[nodiscard]] Unfit unfit_for_perception(const vehicle::Vehicle& vehicle);
 
-// Holds 51 MB: belongs into static memory.
+// Holds 32 MB: belongs into static memory.
 class PerceptionEngine {
  public:
-  using Outcome = Frame::Outcome;
-
-  // As Frame and SharedFusion. The vehicle is fit; the replayer may send poses and maps, too.
-  PerceptionEngine(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
-                   HelpersSpace space);
+  // They outlive it. The frame is fused at its end; the vehicle is fit; the replayer may send poses
+  // and maps, too.
+  PerceptionEngine(Frame& frame, const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4);
 
   // Before the first datagram: the map that is there from the start. It outlives the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Before the first datagram: silence and the window's age are counted from now on.
-  void start(std::uint64_t now_us) {
-    frame_.start(now_us);
-    clock_.start(now_us);
-  }
+  // Before the first datagram: the window's age is counted from now on.
+  void start(std::uint64_t now_us) { clock_.start(now_us); }
 
-  // The datagram as a sensor's packet. Empty if it was a pose or of a map, or was dropped.
-  [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
-                                                            std::uint64_t now_us);
-  // As of Frame; a packet that is not kept with those of the frame any more belongs to the next.
-  [[nodiscard]] Outcome classify(const intake::SensorPacket& packet);
-  // Keeps the packet until the frame ends: there is nothing to do yet for a crew.
-  void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
-  void leave(const intake::SensorPacket& packet) {
-    receptions_.note_left();
-    frame_.leave(packet);
-  }
-  [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
-  [[nodiscard]] bool is_complete() const { return frame_.is_complete(); }
-  [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return frame_.is_overdue(now_us); }
-  [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
+  // Whether the datagram was a pose or of a map. What the frame receives is noted.
+  [[nodiscard]] bool receive(const intake::Datagram& datagram, std::uint64_t now_us);
+  // The packet that came last has waited too long.
+  void note_left() { receptions_.note_left(); }
+  // The frame keeps a packet that belongs to it.
+  void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
-  // A frame is closed step by step. finish() completes the grid and the classes by all cores of the
-  // crew, and calls lap(stage) with the stream::StageTicks that has just ended.
+  // When the frame is closed. finish() completes the grid and the classes by all cores of the crew,
+  // and calls lap(stage) with the stream::StageTicks that has just ended.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     decide(now_us, crew, lap);
@@ -104,7 +88,7 @@ class PerceptionEngine {
     } else {
       fuse_together(crew, lap);
     }
-    fusion_.end_frame(frame_);
+    frame_->end_fusion();
     lay_map();
     window_.decide(clock_.stamp_us(), crew, [this] { begin_following(); });
     look_at_hits(crew);
@@ -116,9 +100,9 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // What it knows of the frame's header and end, and of that of its classes, goes there; and the
-  // things with a speed that are told.
-  void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const;
+  // What it knows of the frame's header, and of the end of its classes, goes there; and the things
+  // with a speed that are told.
+  void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;
   void list_objects(stream::ObjectList& list) const;
 
@@ -135,29 +119,21 @@ class PerceptionEngine {
   [[nodiscard]] const objects::FrameCounts& object_counts() const { return object_counts_; }
   // What the frame has received, likewise; of a vehicle whose classes depend on when that was.
   [[nodiscard]] const ReceptionLog& receptions() const { return receptions_; }
-  template <typename Visit>
-  void release(Visit&& visit) {
-    fusion_.release(visit);
-  }
-  void start_next(std::uint64_t now_us);
+  void start_next() { receptions_.clear(); }
 
   template <typename Visit>
   void for_each_guard(Visit&& visit) {
-    fusion_.for_each_guard(visit);
     visit(behind_fused_);
     window_.for_each_guard(visit);
     visit(behind_follower_);
     visit(behind_maps_);
-    visit(behind_packets_);
   }
   template <typename Visit>
   void for_each_constant(Visit&& visit) const {
-    fusion_.for_each_constant(visit);
     window_.for_each_constant(visit);
     maps_.for_each_constant(visit);
-    frame_.for_each_constant(visit);
     poses_.for_each_constant(visit);
-    health::visit_constants(visit, vehicle_);
+    health::visit_constants(visit, frame_, vehicle_);
   }
 
  private:
@@ -185,10 +161,11 @@ class PerceptionEngine {
   // All slices at once, as far as they fit, and then into the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
-    fusion_.deal(packets_, slices_.placed().size(), FrameParts::kMostOfARound);
-    while (fusion_.fuse_next(crew, frame_)) {
+    SharedFusion& fusion = frame_->fusion();
+    fusion.deal(slices_.placed().size(), FrameParts::kMostOfARound);
+    while (fusion.fuse_next(crew)) {
       lap(&stream::StageTicks::fuse);
-      fusion_.join(crew);
+      fusion.join(crew);
       lap(&stream::StageTicks::mark);
       place_slices(crew);
       lap(&stream::StageTicks::perceive);
@@ -204,7 +181,6 @@ class PerceptionEngine {
   void look_at_hits(const work::Crew& crew);
 
   // What is aligned to a cache line comes first.
-  SharedFusion fusion_;  // core 0's own holds one slice after the other
   FusedSlices fused_;
   health::Guard behind_fused_;
   window::WindowFusion window_;
@@ -213,12 +189,10 @@ class PerceptionEngine {
   map::Delivery maps_;
   map::Layer layer_;
   health::Guard behind_maps_;
-  Frame frame_;
-  FramePackets packets_;
-  health::Guard behind_packets_;
   FrameSlices slices_;
   pose::Source poses_;
   ReceptionLog receptions_;
+  Frame* frame_;
   const vehicle::Vehicle* vehicle_;
   window::WindowClock clock_;
   window::Contradiction contradiction_;  // of the poses, by what they have placed

@@ -17,7 +17,6 @@
 #include <type_traits>
 
 #include "app/frame.hpp"
-#include "app/grid_engine.hpp"
 #include "app/network_sink.hpp"
 #include "app/perception_engine.hpp"
 #include "app/perception_sink.hpp"
@@ -32,43 +31,66 @@
 
 namespace iog::app {
 
-// Engine: GridEngine or PerceptionEngine. Classes go to every sink that takes them in.
-template <typename Engine, Platform P, FrameSink... Sinks>
-class EnginePipeline {
+// Of a car without classes.
+struct NoPerception {
+  NoPerception(const Frame& /*frame*/, const vehicle::Vehicle& /*vehicle*/,
+               std::uint32_t /*replayer_ipv4*/) {}
+  void start(std::uint64_t /*now_us*/) {}
+  static bool receive(const intake::Datagram& /*datagram*/, std::uint64_t /*now_us*/) {
+    return false;
+  }
+  void begin_with_map(std::span<const std::uint8_t> /*block*/) {}
+  void note_left() {}
+  void describe(stream::Header& /*header*/) const {}
+  void start_next() {}
+  template <typename Visit>
+  void for_each_guard(Visit&& /*visit*/) {}
+  template <typename Visit>
+  void for_each_constant(Visit&& /*visit*/) const {}
+};
+
+// Perception: PerceptionEngine, or none of it. Classes go to every sink that takes them in.
+template <typename Perception, Platform P, FrameSink... Sinks>
+class FramePipeline {
  public:
   // vehicle, platform and sinks outlive the pipeline. replayer_ipv4 may send in the name of every
   // sensor, 0: none.
-  EnginePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
-                 Coding coding, Sinks&... sinks)
+  FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
+                Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
-        engine_(vehicle, replayer_ipv4, helpers_.space()),
+        frame_(vehicle, replayer_ipv4, helpers_.space(),
+               kPerceives ? Fusing::kAtItsEnd : Fusing::kAsTheyCome),
+        perception_(frame_, vehicle, replayer_ipv4),
         network_(platform, coding),
         sinks_(sinks...),
         platform_(&platform),
         watch_(platform) {}
-  EnginePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
-                 Sinks&... sinks)
-      : EnginePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
+  FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
+                Sinks&... sinks)
+      : FramePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
 
   // Before the first datagram: the map that is there from the start. It outlives the pipeline.
   // Without classes there is no use for one.
-  void begin_with_map(std::span<const std::uint8_t> block) {
-    if constexpr (kPerceives) {
-      engine_.begin_with_map(block);
-    }
-  }
+  void begin_with_map(std::span<const std::uint8_t> block) { perception_.begin_with_map(block); }
 
   // Before the first datagram, or time starts at 0. Silence is counted from now on; what it took to
   // set the pipeline up is none.
-  void start(std::uint64_t now_us) { engine_.start(now_us); }
+  void start(std::uint64_t now_us) {
+    frame_.start(now_us);
+    perception_.start(now_us);
+  }
 
   // One datagram. Closes the frame before it, after it, or not at all.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
     watch_.start();
-    take_datagram(
-        engine_, datagram, now_us,
+    take_packet(
+        frame_, receive(datagram, now_us),
         [&](const intake::SensorPacket& packet) {
-          engine_.fuse(packet, now_us, work::Crew(*platform_));
+          if constexpr (kPerceives) {
+            perception_.keep(packet, now_us);
+          } else {
+            frame_.fuse(packet, now_us, work::Crew(*platform_));
+          }
         },
         [&] {
           watch_.lap(&stream::StageTicks::fuse);
@@ -81,65 +103,77 @@ class EnginePipeline {
   // are taken as always.
   void leave(const intake::Datagram& datagram, std::uint64_t now_us) {
     watch_.start();
-    if (const std::optional<intake::SensorPacket> packet = engine_.receive(datagram, now_us)) {
-      engine_.leave(*packet);
+    if (const std::optional<intake::SensorPacket> packet = receive(datagram, now_us)) {
+      perception_.note_left();
+      frame_.leave(*packet);
     }
     watch_.lap(&stream::StageTicks::fuse);
   }
 
   // Time has passed.
   void tick(std::uint64_t now_us) {
-    if (engine_.is_overdue(now_us)) {
+    if (frame_.is_overdue(now_us)) {
       watch_.start();
       close_frame(now_us);
     }
   }
 
   // Whether the frame at hand has packets; when its time is over.
-  [[nodiscard]] bool is_begun() const { return engine_.is_begun(); }
-  [[nodiscard]] std::uint64_t deadline_us() const { return engine_.deadline_us(); }
+  [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
+  [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
 
   // For whoever looks on.
-  [[nodiscard]] const Engine& engine() const { return engine_; }
+  [[nodiscard]] const Perception& perception() const { return perception_; }
 
   template <typename Visit>
   void for_each_guard(Visit&& visit) {
     visit(below_);
     helpers_.for_each_guard(visit);
-    engine_.for_each_guard(visit);
+    frame_.for_each_guard(visit);
+    perception_.for_each_guard(visit);
     visit(behind_network_);
   }
   template <typename Visit>
   void for_each_constant(Visit&& visit) const {
     helpers_.for_each_constant(visit);
-    engine_.for_each_constant(visit);
+    frame_.for_each_constant(visit);
+    perception_.for_each_constant(visit);
     health::visit_constants(visit, sinks_, platform_);
   }
 
  private:
-  static constexpr bool kPerceives = requires(const Engine& engine) { engine.classes(); };
+  static constexpr bool kPerceives = !std::is_same_v<Perception, NoPerception>;
   static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
+
+  // The datagram as a sensor's packet. Empty if it was a pose or of a map, or was dropped.
+  [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
+                                                            std::uint64_t now_us) {
+    return perception_.receive(datagram, now_us) ? std::nullopt : frame_.receive(datagram);
+  }
 
   void close_frame(std::uint64_t now_us) {
     const work::Crew crew(*platform_);
     const auto lap = [this](auto stage) { watch_.lap(stage); };
     if constexpr (kPerceives) {
       if (!crew.is_one()) {
-        engine_.decide(now_us, crew, lap);
+        perception_.decide(now_us, crew, lap);
         lap(&stream::StageTicks::perceive);
         publish_divided(describe(now_us), crew);
         start_next(now_us);
         return;
       }
+      perception_.finish(now_us, crew, lap);
+    } else {
+      frame_.finish(crew, lap);
     }
-    engine_.finish(now_us, crew, lap);
     publish(describe(now_us));
     start_next(now_us);
   }
 
   void start_next(std::uint64_t now_us) {
-    engine_.start_next(now_us);
+    frame_.start_next(now_us);
+    perception_.start_next();
     watch_.begin_frame(&stream::StageTicks::publish);
   }
 
@@ -147,7 +181,8 @@ class EnginePipeline {
   [[nodiscard]] stream::Header describe(std::uint64_t now_us) {
     stream::Header header;
     stream::FrameEnd& end = network_.end();
-    engine_.describe(now_us, header, end);
+    frame_.describe(now_us, header, end);
+    perception_.describe(header);
     header.run_number = platform_->run_number();
     end.ticks = watch_.ticks();
     end.stopwatch_hz = platform_->ticks_hz();
@@ -164,7 +199,7 @@ class EnginePipeline {
   // How long the frame's time has been over.
   [[nodiscard]] std::uint32_t late_us(std::uint64_t now_us) const {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-    const std::uint64_t deadline_us = engine_.deadline_us();
+    const std::uint64_t deadline_us = frame_.deadline_us();
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
@@ -172,8 +207,8 @@ class EnginePipeline {
   [[gnu::noinline]] void publish(const stream::Header& header) {
     take_tiles(header);
     if constexpr (kPerceives) {
-      engine_.describe(network_.class_end());
-      network_.take_classes(engine_.classes());
+      perception_.describe(network_.class_end());
+      network_.take_classes(perception_.classes());
       send_behind_classes(header);
       show_classes();
     }
@@ -184,10 +219,10 @@ class EnginePipeline {
   // the tiles; and while they remember the ground, the classes.
   [[gnu::noinline]] void publish_divided(const stream::Header& header, const work::Crew& crew) {
     take_tiles(header);
-    network_.encode_tiles([this] { engine_.follow_objects(); });
-    engine_.describe(network_.class_end());
-    network_.encode_classes(engine_.classes());
-    engine_.end(crew, [&] {
+    network_.encode_tiles([this] { perception_.follow_objects(); });
+    perception_.describe(network_.class_end());
+    network_.encode_classes(perception_.classes());
+    perception_.end(crew, [&] {
       network_.send_classes();
       send_behind_classes(header);
     });
@@ -195,10 +230,10 @@ class EnginePipeline {
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
-  // The engine owns the grid: it shows each known tile once, and clears it.
+  // The frame owns the grid: it shows each known tile once, and clears it.
   void take_tiles(const stream::Header& header) {
     for_each_sink([&](auto& sink) { sink.begin_frame(header); });
-    engine_.release([this](std::size_t tile, tile_coding::TileCells cells) {
+    frame_.release([this](std::size_t tile, tile_coding::TileCells cells) {
       for_each_sink([&](auto& sink) { sink.take_tile(tile, cells); });
     });
   }
@@ -206,11 +241,11 @@ class EnginePipeline {
   // Things, and what the frame has received.
   void send_behind_classes(const stream::Header& header) {
     if (header.has_objects()) {
-      engine_.list_objects(network_.objects());
+      perception_.list_objects(network_.objects());
       network_.send_objects();
     }
     if (header.has_receptions()) {
-      network_.send_receptions(engine_.receptions());
+      network_.send_receptions(perception_.receptions());
     }
   }
 
@@ -218,7 +253,7 @@ class EnginePipeline {
   void show_classes() {
     const auto show = [this](auto& sink) {
       if constexpr (ClassSink<std::remove_reference_t<decltype(sink)>>) {
-        sink.take_classes(network_.class_end(), engine_.classes());
+        sink.take_classes(network_.class_end(), perception_.classes());
       }
     };
     std::apply([&](Sinks&... sinks) { (show(sinks), ...); }, sinks_);
@@ -232,7 +267,8 @@ class EnginePipeline {
 
   health::Guard below_;
   HelpersMemory<kMostCores> helpers_;
-  Engine engine_;
+  Frame frame_;
+  [[no_unique_address]] Perception perception_;
   Network network_;
   health::Guard behind_network_;
   std::tuple<Sinks&...> sinks_;
@@ -242,10 +278,10 @@ class EnginePipeline {
 
 // Of the frames' grids.
 template <Platform P, FrameSink... Sinks>
-using Pipeline = EnginePipeline<GridEngine, P, Sinks...>;
+using Pipeline = FramePipeline<NoPerception, P, Sinks...>;
 
 // With the classes of the window. The vehicle is fit for them; the replayer may send poses, too.
 template <Platform P, FrameSink... Sinks>
-using PerceptionPipeline = EnginePipeline<PerceptionEngine, P, Sinks...>;
+using PerceptionPipeline = FramePipeline<PerceptionEngine, P, Sinks...>;
 
 }  // namespace iog::app

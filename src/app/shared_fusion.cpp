@@ -1,23 +1,50 @@
 #include "app/shared_fusion.hpp"
 
+#include <algorithm>
+#include <functional>
+
 #include "require/require.hpp"
 
 namespace iog::app {
+namespace {
 
-SharedFusion::SharedFusion(const vehicle::Vehicle& vehicle, HelpersSpace space)
-    : own_(vehicle), grounds_(vehicle), vehicle_(&vehicle), space_(space) {
+template <typename Packet>
+void add_all(grid::FrameFusion& fusion, const vehicle::Sensor& sensor, const Packet& packet,
+             Fates& fates) {
+  fusion.add_all(sensor, packet,
+                 [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
+}
+
+}  // namespace
+
+SharedFusion::SharedFusion(const vehicle::Vehicle& vehicle, const intake::WatchedSectors& watched,
+                           HelpersSpace space)
+    : own_(vehicle), grounds_(vehicle), vehicle_(&vehicle), watched_(&watched), space_(space) {
   own_.follow(grounds_);
   for (grid::FrameFusion& fusion : space_.fusions) {
     fusion.follow(grounds_);
   }
 }
 
-void SharedFusion::deal(FramePackets& packets, std::size_t groups, std::size_t parts) {
-  packets_ = &packets;
-  parts_.deal(packets.packets(), groups, parts);
+void SharedFusion::add_points(grid::FrameFusion& fusion, std::size_t sensor,
+                              const intake::Packet& packet, Fates& fates) const {
+  const vehicle::Sensor& its = vehicle_->sensors[sensor];
+  if (its.no_return_clears_mm == 0) {
+    add_all(fusion, its, packet, fates);
+  } else {
+    const intake::AzimuthParts silent = watched_->silent_azimuths(sensor, packet);
+    add_all(fusion, its, intake::EvidentPacket(packet, silent), fates);
+  }
 }
 
-bool SharedFusion::fuse_next(const work::Crew& crew, Frame& frame) {
+void SharedFusion::fuse_kept(const work::Crew& crew, std::size_t parts) {
+  deal(1, parts);
+  while (fuse_next(crew)) {
+  }
+  packets_.clear();
+}
+
+bool SharedFusion::fuse_next(const work::Crew& crew) {
   round_ = parts_.next_round();
   if (round_.empty()) {
     return false;
@@ -30,20 +57,19 @@ bool SharedFusion::fuse_next(const work::Crew& crew, Frame& frame) {
   waiting_ += round_.size();
   const std::span<FusedPart> fused = space_.parts.subspan(first_, round_.size());
   crew.share(round_.size(), [&](std::size_t item, std::size_t core) {
-    fuse_part(round_[item], core == 0 ? own_ : space_.fusions[core - 1], fused[item], frame);
+    fuse_part(round_[item], core == 0 ? own_ : space_.fusions[core - 1], fused[item]);
   });
   for (const FusedPart& part : fused) {
-    frame.count(part.fates);
+    std::ranges::transform(fates_, part.fates, fates_.begin(), std::plus());
   }
   return true;
 }
 
-void SharedFusion::fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused,
-                             const Frame& frame) const {
+void SharedFusion::fuse_part(const FramePart& part, grid::FrameFusion& fusion,
+                             FusedPart& fused) const {
   fused.fates = {};
   for (const std::uint16_t number : parts_.packets_of(part)) {
-    const KeptPacket& packet = packets_->packets()[number];
-    frame.add_points(fusion, packet.sensor, packets_->decoded(number), fused.fates);
+    add_points(fusion, packets_.packets()[number].sensor, packets_.decoded(number), fused.fates);
   }
   fusion.finish();
   fused.tiles.move_from(fusion);
@@ -75,14 +101,14 @@ void SharedFusion::join_row(std::size_t row, bool is_first) {
   }
 }
 
-void SharedFusion::end_frame(const Frame& frame) {
+void SharedFusion::end_frame(const intake::Intake& intake) {
   using LowsAre = ground::Grounds::LowsAre;
   for (std::size_t sensor = 0; sensor < vehicle_->sensors.size(); ++sensor) {
     const std::optional<std::size_t> place = grounds_.place_of(sensor);
     if (!place) {
       continue;
     }
-    const LowsAre lows = grounds_.end_frame(sensor, frame.swept_ticks(sensor));
+    const LowsAre lows = grounds_.end_frame(sensor, intake.swept_ticks(sensor));
     if (lows == LowsAre::kOfTurn) {
       join_lows(*place);
       grounds_.close_turn(sensor, own_.lows(*place));

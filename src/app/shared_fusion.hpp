@@ -1,5 +1,5 @@
-// The fusion of a frame's packets by several cores, in parts, each fused by whichever core takes
-// it, and the join of the parts.
+// The fusion of a frame's packets: by core 0 alone, one after the other; or by several cores, in
+// parts, each fused by whichever core takes it, and the join of the parts.
 //
 //     packets -> [FrameParts] parts
 //     packets of a part -> its core's fusion -> tiles of the part      a part an item
@@ -13,10 +13,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 
-#include "app/frame.hpp"
 #include "app/frame_packets.hpp"
 #include "app/frame_parts.hpp"
 #include "grid/frame_fusion.hpp"
@@ -25,10 +25,16 @@
 #include "ground/ground.hpp"
 #include "hal/cores.hpp"
 #include "health/guard.hpp"
+#include "intake/intake.hpp"
+#include "intake/packet.hpp"
+#include "intake/watched_sectors.hpp"
 #include "vehicle/vehicle.hpp"
 #include "work/crew.hpp"
 
 namespace iog::app {
+
+// How many points had which fate.
+using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 
 // So many parts can wait to be joined.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
@@ -81,23 +87,52 @@ class HelpersMemory {
   health::Guard behind_parts_;
 };
 
-// Holds 17 MB: belongs into static memory.
+// Holds 19 MB: belongs into static memory.
 class SharedFusion {
  public:
-  // vehicle and space outlive it. Without space core 0 has to be alone.
-  SharedFusion(const vehicle::Vehicle& vehicle, HelpersSpace space);
+  // They outlive it. Without space core 0 has to be alone. watched: with this frame's packets.
+  SharedFusion(const vehicle::Vehicle& vehicle, const intake::WatchedSectors& watched,
+               HelpersSpace space);
   SharedFusion(const SharedFusion&) = delete;
   SharedFusion& operator=(const SharedFusion&) = delete;
 
   // Core 0's own fusion. It is clear whenever the crew fuses.
   [[nodiscard]] grid::FrameFusion& own() { return own_; }
 
-  // Deals out packets, as FrameParts::deal().
-  void deal(FramePackets& packets, std::size_t groups, std::size_t parts);
+  // What has become of the frame's points.
+  [[nodiscard]] const Fates& fates() const { return fates_; }
 
-  // Fuses the parts of the next round, and counts their points in the frame. False if there are
-  // none. Parts of rounds before that found no place any more are joined.
-  [[nodiscard]] bool fuse_next(const work::Crew& crew, Frame& frame);
+  // Adds a packet's points to core 0's own fusion.
+  void fuse_alone(std::size_t sensor, const intake::Packet& packet) {
+    add_points(own_, sensor, packet, fates_);
+  }
+  // That is finished and becomes a part of the frame's grid: visit(tile, indexes, low_and_tall) as
+  // of grid::FrameFusion::release_with_heights().
+  template <typename Visit>
+  void join_alone(Visit&& visit) {
+    own_.finish();
+    own_.release_with_heights(
+        [&](std::size_t tile, auto indexes, const grid::TileBits& low_and_tall) {
+          joined_.add(tile, indexes);
+          visit(tile, indexes, low_and_tall);
+        });
+    is_joined_ = true;
+  }
+
+  // Packets that are kept until they are fused, by the crew.
+  [[nodiscard]] FramePackets& packets() { return packets_; }
+  void fuse_alone(std::size_t number) {
+    fuse_alone(packets_.packets()[number].sensor, packets_.decoded(number));
+  }
+  // All of them as one slice, so many parts; then none are kept.
+  void fuse_kept(const work::Crew& crew, std::size_t parts);
+  // Or step by step: deals them out, as FrameParts::deal().
+  void deal(std::size_t groups, std::size_t parts) {
+    parts_.deal(packets_.packets(), groups, parts);
+  }
+  // Fuses the parts of the next round. False if there are none. Parts of rounds before that found
+  // no place any more are joined.
+  [[nodiscard]] bool fuse_next(const work::Crew& crew);
 
   // The parts of that round, and what became of each of them, until the next one.
   [[nodiscard]] std::span<const FramePart> round() const { return round_; }
@@ -109,14 +144,24 @@ class SharedFusion {
   void join(const work::Crew& crew);
 
   // All of the frame's packets were fused: the ground is renewed of sensors whose turn is over.
-  void end_frame(const Frame& frame);
+  void end_frame(const intake::Intake& intake);
 
-  // The frame's grid, of what was joined. Its release begins another frame.
-  [[nodiscard]] grid::JoinedGrid& joined() { return joined_; }
+  // The frame's grid: what was joined, or without that core 0's own, which is finished. Calls
+  // visit(number, cells) for each tile in which something is known, in rising order, and clears it.
   template <typename Visit>
   void release(Visit&& visit) {
-    joined_.release(visit);
+    if (is_joined_) {
+      joined_.release(visit);
+    } else {
+      own_.release(
+          [&visit](std::size_t tile, auto indexes) { visit(tile, std::as_bytes(indexes)); });
+    }
     is_joined_ = false;
+  }
+  // The grid is clear; another frame begins.
+  void start_next() {
+    packets_.clear();
+    fates_ = {};
   }
 
   template <typename Visit>
@@ -124,6 +169,7 @@ class SharedFusion {
     own_.for_each_guard(visit);
     visit(behind_joined_);
     visit(behind_grounds_);
+    visit(behind_packets_);
   }
   template <typename Visit>
   void for_each_constant(Visit&& visit) const {
@@ -133,8 +179,9 @@ class SharedFusion {
   }
 
  private:
-  void fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused,
-                 const Frame& frame) const;
+  void add_points(grid::FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet,
+                  Fates& fates) const;
+  void fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused) const;
   void join_row(std::size_t row, bool is_first);
   void join_lows(std::size_t place);
   void clear_lows(std::size_t place);
@@ -145,9 +192,12 @@ class SharedFusion {
   health::Guard behind_joined_;
   ground::Grounds grounds_;  // that all cores' fusions follow
   health::Guard behind_grounds_;
+  FramePackets packets_;
+  health::Guard behind_packets_;
   const vehicle::Vehicle* vehicle_;
+  const intake::WatchedSectors* watched_;
   HelpersSpace space_;
-  FramePackets* packets_ = nullptr;
+  Fates fates_{};
   FrameParts parts_;
   std::span<const FramePart> round_;
   std::size_t first_ = 0;    // the place of its first part

@@ -18,8 +18,9 @@ using iog::imx6::EnetMemory;
 using iog::imx6::GptClock;
 using Platform = iog::app::MachinePlatform<Board>;
 using Pipeline = iog::app::MachinePipeline<Board, iog::imx6::kGrids>;
-using Engine = iog::app::PerceptionEngine;
+using Perception = iog::app::PerceptionEngine;
 using Frame = iog::app::Frame;
+using Fusion = iog::app::SharedFusion;
 using Clock = iog::window::WindowClock;
 using iog::health::MemoryCheck;
 
@@ -30,12 +31,17 @@ struct Line {
   std::uint32_t bytes;
 };
 
-constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
+constexpr std::uint32_t kPerception = offsetof(Pipeline, perception_);
+constexpr std::uint32_t kFrame = offsetof(Pipeline, frame_);
 
 // A macro, because a member's name is no value.
 #define IOG_LINE(kind, object, base, type, member) \
   Line { {kind}, {object}, (base) + offsetof(type, member), sizeof(type::member) }
-#define IOG_OF_ENGINE(kind, member) IOG_LINE(kind, "main::pipeline", kEngine, Engine, member)
+#define IOG_OF_PERCEPTION(kind, member) \
+  IOG_LINE(kind, "main::pipeline", kPerception, Perception, member)
+#define IOG_OF_FRAME(kind, member) IOG_LINE(kind, "main::pipeline", kFrame, Frame, member)
+#define IOG_OF_FUSION(kind, member) \
+  IOG_LINE(kind, "main::pipeline", kFrame + offsetof(Frame, fusion_), Fusion, member)
 #define IOG_OF_DMA(kind, member) IOG_LINE(kind, "iog::imx6::enet_memory", 0, EnetMemory, member)
 // Those that the loop uses. Of the GIC QEMU asks which core reads it, and ends if none does.
 #define IOG_DEVICE(object, type) \
@@ -43,23 +49,26 @@ constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
 
 [[gnu::used, gnu::section("layout")]] constexpr std::array kLayout = {
     IOG_LINE("index grids", "main::pipeline", 0, Pipeline, helpers_),
-    IOG_OF_ENGINE("index grids", fusion_),
-    IOG_OF_ENGINE("index grids", fused_),
-    IOG_OF_ENGINE("class planes", window_),
-    IOG_OF_ENGINE("objects", follower_),
-    IOG_OF_ENGINE("intake", frame_),
-    IOG_OF_ENGINE("intake", packets_),
-    IOG_OF_ENGINE("intake", slices_),
-    IOG_OF_ENGINE("intake", receptions_),
-    IOG_OF_ENGINE("poses", poses_),
-    IOG_OF_ENGINE("map", maps_),
-    IOG_OF_ENGINE("map", layer_),
+    IOG_OF_FUSION("index grids", own_),
+    IOG_OF_FUSION("index grids", joined_),
+    IOG_OF_FUSION("index grids", grounds_),
+    IOG_OF_PERCEPTION("index grids", fused_),
+    IOG_OF_PERCEPTION("class planes", window_),
+    IOG_OF_PERCEPTION("objects", follower_),
+    IOG_OF_FUSION("intake", packets_),
+    IOG_OF_FRAME("intake", intake_),
+    IOG_OF_FRAME("intake", watched_),
+    IOG_OF_PERCEPTION("intake", slices_),
+    IOG_OF_PERCEPTION("intake", receptions_),
+    IOG_OF_PERCEPTION("poses", poses_),
+    IOG_OF_PERCEPTION("map", maps_),
+    IOG_OF_PERCEPTION("map", layer_),
     // From there on to its end: the vehicle, the window's clock, what is asked of the frame at
     // hand.
     Line{{"frame and its place"},
          {"main::pipeline"},
-         kEngine + offsetof(Engine, vehicle_),
-         sizeof(Engine) - offsetof(Engine, vehicle_)},
+         kPerception + offsetof(Perception, vehicle_),
+         sizeof(Perception) - offsetof(Perception, vehicle_)},
     Line{{"made of the car"}, {"main::sensors"}, 0, sizeof(iog::car_block::SensorMemory)},
     Line{{"made of the car"}, {"main::car"}, 0, sizeof(iog::vehicle::Vehicle)},
     IOG_LINE("stream", "main::pipeline", 0, Pipeline, network_),
@@ -76,9 +85,9 @@ constexpr std::uint32_t kEngine = offsetof(Pipeline, engine_);
     IOG_DEVICE("wdog1", WatchdogRegisters),
     // Nothing is drawn of these: tests/soak sets them before a drive begins, or looks at them.
     IOG_LINE("wraps of the clock", "main::board", offsetof(Board, clock_), GptClock, wraps_),
-    IOG_LINE("frame number", "main::pipeline", kEngine + offsetof(Engine, frame_), Frame, number_),
-    IOG_LINE("time beside the poses'", "main::pipeline", kEngine + offsetof(Engine, clock_), Clock,
-             offset_us_),
+    IOG_LINE("frame number", "main::pipeline", kFrame, Frame, number_),
+    IOG_LINE("time beside the poses'", "main::pipeline", kPerception + offsetof(Perception, clock_),
+             Clock, offset_us_),
     IOG_LINE("rounds of the check", "main::check", 0, MemoryCheck, rounds_),
 };
 

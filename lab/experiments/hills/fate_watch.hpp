@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/frame.hpp"
-#include "app/shared_fusion.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "vehicle/beam.hpp"
@@ -29,8 +28,7 @@ class FateWatch {
 
   const vehicle::Vehicle* vehicle_;
   tools::CaptureClock clock_;
-  app::Frame frame_;
-  std::unique_ptr<app::SharedFusion> fusion_;  // too large for the stack
+  std::unique_ptr<app::Frame> frame_;  // too large for the stack
   std::vector<vehicle::Fate> fates_;
 };
 

@@ -20,21 +20,18 @@ using tests::Scene;
 // A VLP-16 whose missing returns clear 20 m.
 class Drive {
  public:
-  Drive() : frame_(kCar, kReplayer), fusion_(std::make_unique<grid::FrameFusion>(kCar)) {}
-
   void turn(const Scene& scene) {
     now_us_ += 100'000;
-    fusion_->clear();
+    frame_->fusion().own().clear();
     for (const auto& bytes : turns_.turn(scene)) {
-      const auto packet = frame_.receive({kReplayer, 100, bytes}, now_us_);
+      const auto packet = frame_->receive({kReplayer, 100, bytes});
       ASSERT_TRUE(packet.has_value());
-      ASSERT_EQ(frame_.classify(*packet), Frame::Outcome::kThisFrame);
-      frame_.accept(*packet, now_us_);
-      frame_.add_points(*fusion_, packet->sensor, packet->packet);
+      ASSERT_EQ(frame_->classify(*packet), Frame::Outcome::kThisFrame);
+      frame_->fuse(*packet, now_us_, work::Crew());
     }
-    fusion_->finish();
-    frame_.describe(now_us_, header, end);
-    frame_.start_next(now_us_);
+    frame_->finish(work::Crew(), [](auto /*stage*/) {});
+    frame_->describe(now_us_, header, end);
+    frame_->start_next(now_us_);
   }
 
   // How many cells are free, seen from the unit between these azimuths, and from 6 m on: nearer
@@ -49,7 +46,7 @@ class Drive {
         const double azimuth_deg = std::fmod(720 - left_deg, 360);
         const bool is_there =
             azimuth_deg >= from_deg && azimuth_deg < to_deg && std::hypot(x, y) > 6;
-        free += is_there && fusion_->view().at({i, j}) < 0 ? 1 : 0;
+        free += is_there && frame_->fusion().own().view().at({i, j}) < 0 ? 1 : 0;
       }
     }
     return free;
@@ -62,8 +59,7 @@ class Drive {
   static constexpr std::uint32_t kReplayer = 0x0A000202;
   static constexpr description::MountConfig kMount = tests::LevelVlp16::kConfigs[0].mount;
   const vehicle::Vehicle& kCar = tests::LevelVlp16::kVehicle;
-  Frame frame_;
-  std::unique_ptr<grid::FrameFusion> fusion_;
+  std::unique_ptr<Frame> frame_ = std::make_unique<Frame>(kCar, kReplayer);
   tests::SceneTurns turns_;
   std::uint64_t now_us_ = 0;
 };

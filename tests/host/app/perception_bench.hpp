@@ -74,7 +74,7 @@ struct PerceptionBench {
   explicit PerceptionBench(const vehicle::Vehicle& vehicle)
       : pipeline(std::make_unique<PerceptionPipeline<tests::FakePlatform, ClassList>>(
             vehicle, kReplayer, platform, classes)) {
-    classes.engine = &pipeline->engine();
+    classes.engine = &pipeline->perception();
   }
 
   void take(std::vector<TimedDatagram> datagrams) {
