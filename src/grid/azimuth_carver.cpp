@@ -6,31 +6,6 @@ namespace iog::grid {
 
 using vehicle::Sensor;
 
-namespace {
-
-// A beam of a sensor that follows the ground: where it is low changes from turn to turn.
-class BeamOverGround {
- public:
-  BeamOverGround(KeptBeam& beam, const ground::Ground::Stretch& low) : beam_(&beam), low_(low) {}
-
-  [[nodiscard]] KeptLine& line() const { return beam_->line(); }
-  [[nodiscard]] std::uint32_t clears_mm() const { return beam_->clears_mm(); }
-  [[nodiscard]] const LinePart& in_band(const vehicle::Vehicle& vehicle,
-                                        const Sensor& sensor) const {
-    return beam_->in_band(vehicle, sensor);
-  }
-  [[nodiscard]] std::uint32_t is_free_before_mm() const { return beam_->is_free_before_mm(); }
-  [[nodiscard]] LinePart low_part(const vehicle::Vehicle& /*vehicle*/, const Sensor& sensor) const {
-    return LocalBeam::part_of(sensor, line(), low_);
-  }
-
- private:
-  KeptBeam* beam_;
-  ground::Ground::Stretch low_;
-};
-
-}  // namespace
-
 void AzimuthCarver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {
   carve_waiting();
   sensor_ = &sensor;
@@ -68,15 +43,23 @@ KeptLine& AzimuthCarver::further_line(const vehicle::Layer& layer) {
 }
 
 void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its) {
-  beams_.add(*sensor_, beam, its,
-             [this](const KeptBeam& of, Between end) -> LineSteps& { return steps_of(of, end); });
+  take(beam, its, [&] { return beam.low_part(*vehicle_, *sensor_); });
 }
 
 void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its,
                          const ground::Ground::Stretch& low) {
+  take(beam, its, [&] { return beam.line().part_between(*sensor_, low.from_mm, low.to_mm); });
+}
+
+template <typename LowOf>
+inline void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its, LowOf&& low_of) {
+  const bool leaves_band = its.evidence.carves() && !its.evidence.is_whole_in_band();
   beams_.add(
-      *sensor_, BeamOverGround(beam, low), its,
-      [&](const BeamOverGround& /*of*/, Between end) -> LineSteps& { return steps_of(beam, end); });
+      *sensor_,
+      {.line = beam.line(),
+       .limits = leaves_band ? &beam.in_band(*vehicle_, *sensor_) : nullptr,
+       .clears_mm = sensor_->no_return_clears_mm},
+      its, [&](Between end) -> LineSteps& { return steps_of(beam, end); }, low_of);
 }
 
 // Where a beam waits to be carved. If it goes through the same cells as the first line up to its

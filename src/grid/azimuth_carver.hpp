@@ -25,7 +25,7 @@ class AzimuthCarver {
  public:
   // All three outlive the carver.
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
-      : lines_(vehicle.sensors), beams_(vehicle, grids, marks) {}
+      : lines_(vehicle.sensors), beams_(grids, marks), vehicle_(&vehicle) {}
 
   // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
   // vehicle's, whose layers do not share lines; the point's layer and azimuth are those of its
@@ -80,11 +80,21 @@ class AzimuthCarver {
     std::uint32_t number = 0;
   };
 
+  // The beam of a point, whose sensor and azimuth are those at hand then.
+  [[gnu::always_inline]] KeptBeam& beam_of(const vehicle::Sensor& sensor,
+                                           const lidar::ScanPoint& point) {
+    if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
+      turn_to(sensor, point.azimuth_ticks);
+    }
+    return kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
+  }
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
   // What few points need is not inlined, so that the others have the registers.
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
   void take(KeptBeam& beam, const WaitingBeam& its);
   void take(KeptBeam& beam, const WaitingBeam& its, const ground::Ground::Stretch& low);
+  template <typename LowOf>
+  void take(KeptBeam& beam, const WaitingBeam& its, LowOf&& low_of);
   LineSteps& steps_of(const KeptBeam& beam, Between end);
   LineSteps& steps_on(std::uint32_t number, KeptLine& line);
   KeptLine& further_line(const vehicle::Layer& layer);
@@ -94,6 +104,7 @@ class AzimuthCarver {
   std::array<FurtherLine, kOpenLines> further_lines_;
   BeamLines lines_;
   BeamCarver beams_;
+  const vehicle::Vehicle* vehicle_;
 
   // The sensor and the azimuth at hand. Its further lines that were found, and the lines of which
   // beams wait, one bit each, by their places.
@@ -109,10 +120,7 @@ class AzimuthCarver {
 
 inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
                                         const lidar::ScanPoint& point) {
-  if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
-    turn_to(sensor, point.azimuth_ticks);
-  }
-  KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
+  KeptBeam& beam = beam_of(sensor, point);
   const vehicle::Classification classified =
       vehicle::classify(sensor, beam.ranges(), point, point.range_mm);
   if (classified.evidence.is_any()) {
@@ -127,10 +135,7 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
 inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const ground::Ground& ground,
                                         const ground::PacketJudge& judge,
                                         const lidar::ScanPoint& point) {
-  if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
-    turn_to(sensor, point.azimuth_ticks);
-  }
-  KeptBeam& beam = kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
+  KeptBeam& beam = beam_of(sensor, point);
   const vehicle::Ranges& in_band = beam.ranges().in_band;
   const ground::Beams& beams = ground.beams();
   const std::uint32_t sector = beams.sector_of(azimuth_step_);
@@ -146,8 +151,9 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
                                .is_whole = in_band.first == 0 && in_band.contain(reach_mm)};
       });
   if (classified.evidence.is_any()) {
+    const ground::Ground::Stretch low = ground.low_stretch(sector, point.layer);
     take(beam, {.range_mm = point.range_mm, .evidence = classified.evidence, .is_tall = is_tall},
-         ground.low_stretch(sector, point.layer));
+         low);
   }
   return classified.fate;
 }

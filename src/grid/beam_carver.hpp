@@ -29,19 +29,27 @@ struct WaitingBeam {
   bool ends_on_ground = false;
 };
 
+// Where it runs: the part of its line that it may free, none if that is all that lies in the grid;
+// and how far it carves without an echo.
+struct BeamOnLine {
+  const KeptLine& line;
+  const FreePart* limits;
+  std::uint32_t clears_mm;
+};
+
 class BeamCarver {
  public:
-  // All three outlive it.
-  BeamCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
-      : vehicle_(&vehicle), grids_(&grids), marks_(&marks) {}
+  // Both outlive it.
+  BeamCarver(FrameGrids& grids, PendingMarks& marks) : grids_(&grids), marks_(&marks) {}
 
   // Whether it matters which beams are low and which returns are tall.
   [[nodiscard]] bool keeps_heights() const { return grids_->keep_heights; }
 
-  // Carves and marks as its fate says. Beam: KeptBeam, TurnBeam or LocalBeam. steps_of(beam, end)
-  // are the steps in which beams of its line wait, with room for this one, which ends there.
-  template <typename Beam, typename StepsOf>
-  void add(const vehicle::Sensor& sensor, Beam&& beam, const WaitingBeam& its, StepsOf&& steps_of);
+  // Carves and marks as its fate says. steps_of(end) are the steps in which beams of its line wait,
+  // with room for this one, which ends there. low_of() is the part of its line in which it is low.
+  template <typename StepsOf, typename LowOf>
+  [[gnu::always_inline]] void add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
+                                  const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of);
 
   // The changes of a beam behind its beginning: zones of its profile, up to the part's end. Returns
   // where it frees no more.
@@ -59,16 +67,13 @@ class BeamCarver {
  private:
   template <typename Steps>
   static void carve(KeptLine& line, BlockGrid& grid, Steps& steps);
-  // The part of the line in which a beam is low.
-  template <typename Beam>
-  [[nodiscard]] LinePart low_part(const vehicle::Sensor& sensor, Beam&& beam,
-                                  const WaitingBeam& its) const;
+  [[nodiscard]] static LinePart less_over_ground(LinePart low, const vehicle::Sensor& sensor,
+                                                 const KeptLine& line, const WaitingBeam& its);
   [[nodiscard, gnu::noinline]] static Between end_without_hit(const vehicle::Sensor& sensor,
                                                               const KeptLine& line,
                                                               std::uint32_t clears_mm,
                                                               std::uint32_t range_mm);
 
-  const vehicle::Vehicle* vehicle_;
   FrameGrids* grids_;
   PendingMarks* marks_;
 };
@@ -116,36 +121,36 @@ class BeamCarver {
 // The road may rise: what is in the height band over the car's plane may be below it over the road,
 // and pass under a car that stands there. Where a beam ends on ground, it is so far low as it is as
 // high over the straight line from below the sensor to that ground.
-template <typename Beam>
-inline LinePart BeamCarver::low_part(const vehicle::Sensor& sensor, Beam&& beam,
-                                     const WaitingBeam& its) const {
-  LinePart low = beam.low_part(*vehicle_, sensor);
+inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor& sensor,
+                                             const KeptLine& line, const WaitingBeam& its) {
   if (its.ends_on_ground) {
     const std::uint32_t over_mm = vehicle::along_line_mm(its.range_mm, sensor.share_over_ground);
-    low.end = std::min(low.end, Between::after(beam.line().through(sensor, over_mm)));
+    low.end = std::min(low.end, Between::after(line.through(sensor, over_mm)));
   }
   return low;
 }
 
-// Where the scan point is far behind the part of its line in the height band, the part is simply
-// free.
-template <typename Beam, typename StepsOf>
-inline void BeamCarver::add(const vehicle::Sensor& sensor, Beam&& beam, const WaitingBeam& its,
-                            StepsOf&& steps_of) {
-  const KeptLine& line = beam.line();
+// Where the scan point is far behind the part that the beam may free, that part is simply free.
+template <typename StepsOf, typename LowOf>
+inline void BeamCarver::add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
+                            const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of) {
+  const KeptLine& line = beam.line;
   const std::uint32_t range_mm = its.range_mm;
-  const bool leaves_band = its.evidence.carves() && !its.evidence.is_whole_in_band();
-  const LinePart limits = leaves_band ? beam.in_band(*vehicle_, sensor) : line.in_grid();
-  if (leaves_band && range_mm >= beam.is_free_before_mm()) {
-    if (!limits.is_empty()) {
+  const auto add_low = [&](LineSteps& steps, const LinePart& freed) {
+    if (keeps_heights()) {
+      steps.add_low(freed.within(less_over_ground(low_of(), sensor, line, its)));
+    }
+  };
+  const LinePart limits = beam.limits == nullptr ? line.in_grid() : beam.limits->part;
+  if (beam.limits != nullptr && range_mm >= beam.limits->free_from_mm) {
+    const LinePart& part = limits;
+    if (!part.is_empty()) {
       const std::int32_t freer = -sensor.profile.free;
-      LineSteps& steps = steps_of(beam, limits.end);
-      steps.free.begin_beam(limits.first, freer);
-      steps.free.add(limits.end, -freer);
-      steps.free.end_beam(limits.end);
-      if (keeps_heights()) {
-        steps.add_low(limits.within(low_part(sensor, beam, its)));
-      }
+      LineSteps& steps = steps_of(part.end);
+      steps.free.begin_beam(part.first, freer);
+      steps.free.add(part.end, -freer);
+      steps.free.end_beam(part.end);
+      add_low(steps, part);
     }
     if (its.evidence.marks()) {
       mark(sensor, line, line.through(sensor, range_mm), range_mm, its.is_tall);
@@ -156,16 +161,14 @@ inline void BeamCarver::add(const vehicle::Sensor& sensor, Beam&& beam, const Wa
   const traversal::Position hit = has_hit ? line.through(sensor, range_mm) : traversal::Position{};
   if (its.evidence.carves()) {
     const Between end =
-        has_hit ? Between::before(hit) : end_without_hit(sensor, line, beam.clears_mm(), range_mm);
+        has_hit ? Between::before(hit) : end_without_hit(sensor, line, beam.clears_mm, range_mm);
     const LinePart part{limits.first, std::min(limits.end, end)};
     if (!part.is_empty()) {
-      LineSteps& steps = steps_of(beam, part.end);
+      LineSteps& steps = steps_of(part.end);
       steps.free.begin_beam(part.first, -sensor.profile.free);
       const Between last = add_zones(sensor, steps.free, line, part, range_mm);
       steps.free.end_beam(part.end);
-      if (keeps_heights()) {
-        steps.add_low(LinePart{part.first, last}.within(low_part(sensor, beam, its)));
-      }
+      add_low(steps, {part.first, last});
     }
   }
   if (its.evidence.marks()) {

@@ -64,21 +64,13 @@ void KeptBeam::find(const Sensor& sensor, const vehicle::Layer& layer, std::uint
   ranges_ = vehicle::ranges_of(sensor, {line.line(), end_z_});
   line_ = &line;
   line_number_ = layer.line;
-  clears_mm_ = sensor.no_return_clears_mm;
-  has_part_ = false;
-  has_low_part_ = false;
+  has_band_ = false;
+  has_low_ = false;
 }
 
-void KeptBeam::find_part(const vehicle::Vehicle& vehicle, const Sensor& sensor) {
-  const BandLimits limits(vehicle.band(), sensor, end_z_);
-  part_ = line_->in_band(limits);
-  is_free_before_mm_ = limits.is_free_before_mm();
-  has_part_ = true;
-}
-
-void KeptBeam::find_low_part(const vehicle::Vehicle& vehicle, const Sensor& sensor) {
-  low_ = line_->in_band(BandLimits(vehicle.low_band(sensor), sensor, end_z_));
-  has_low_part_ = true;
+FreePart KeptBeam::find_part(const vehicle::HeightBand& band, const Sensor& sensor) const {
+  const BandLimits limits(band, sensor, end_z_);
+  return {line_->in_band(limits), limits.is_free_before_mm()};
 }
 
 void KeptAzimuth::begin(const Sensor& sensor, std::uint32_t step) {

@@ -95,6 +95,22 @@ class KeptLine {
     return limits.end_within(in_grid_, line_, ruler_);
   }
 
+  // Up to the cell in which so much of it ends, and from the cell that holds one point on up to
+  // there.
+  [[nodiscard]] Between end_at(const vehicle::Sensor& sensor, std::uint32_t to_mm) const {
+    const Between first = in_grid_.first;
+    return to_mm == 0 ? first
+                      : std::clamp(Between::after(through(sensor, to_mm)), first,
+                                   std::max(first, in_grid_.end));
+  }
+  [[nodiscard]] LinePart part_between(const vehicle::Sensor& sensor, std::uint32_t from_mm,
+                                      std::uint32_t to_mm) const {
+    return from_mm >= to_mm
+               ? LinePart{in_grid_.first, in_grid_.first}
+               : LinePart{std::max(in_grid_.first, Between::before(through(sensor, from_mm))),
+                          end_at(sensor, to_mm)};
+  }
+
   // Whether the line has a path: if it begins in the grid and meets no corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
   BlockPath& path() {
@@ -115,6 +131,13 @@ class KeptLine {
   BlockPath path_;
 };
 
+// The part of its line that a beam may free, and from where on a point leaves all of it free, even
+// the zones before the point.
+struct FreePart {
+  LinePart part;
+  std::uint32_t free_from_mm = 0;
+};
+
 // What is known of the beams of one layer at one azimuth.
 class KeptBeam {
  public:
@@ -129,28 +152,21 @@ class KeptBeam {
   // The height of its end in subcells.
   [[nodiscard]] std::int32_t end_z() const { return end_z_; }
 
-  // How far along the line it carves without an echo.
-  [[nodiscard]] std::uint32_t clears_mm() const { return clears_mm_; }
-
-  // The part of the line that lies in the grid and in the height band. Found when it is first asked
-  // for, as few beams leave the band.
-  [[nodiscard]] const LinePart& in_band(const vehicle::Vehicle& vehicle,
+  // What lies in the height band, and where the beam is low (vehicle::Sensor::moved). Each is found
+  // when it is first asked for, as few beams leave the band.
+  [[nodiscard]] const FreePart& in_band(const vehicle::Vehicle& vehicle,
                                         const vehicle::Sensor& sensor) {
-    if (!has_part_) {
-      find_part(vehicle, sensor);
+    if (!has_band_) {
+      in_band_ = find_part(vehicle.band(), sensor);
+      has_band_ = true;
     }
-    return part_;
+    return in_band_;
   }
-
-  // As BandLimits says; only after in_band().
-  [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
-
-  // The part of the line in which the beam is low (vehicle::Sensor::moved). Found when it is first
-  // asked for.
   [[nodiscard]] const LinePart& low_part(const vehicle::Vehicle& vehicle,
                                          const vehicle::Sensor& sensor) {
-    if (!has_low_part_) {
-      find_low_part(vehicle, sensor);
+    if (!has_low_) {
+      low_ = find_part(vehicle.low_band(sensor), sensor).part;
+      has_low_ = true;
     }
     return low_;
   }
@@ -160,19 +176,16 @@ class KeptBeam {
   }
 
  private:
-  [[gnu::noinline]] void find_part(const vehicle::Vehicle& vehicle, const vehicle::Sensor& sensor);
-  [[gnu::noinline]] void find_low_part(const vehicle::Vehicle& vehicle,
-                                       const vehicle::Sensor& sensor);
+  [[nodiscard, gnu::noinline]] FreePart find_part(const vehicle::HeightBand& band,
+                                                  const vehicle::Sensor& sensor) const;
 
   vehicle::BeamRanges ranges_;
   KeptLine* line_ = nullptr;
-  LinePart part_;
+  FreePart in_band_;
   std::int32_t end_z_ = 0;
   std::uint32_t line_number_ = 0;
-  std::uint32_t clears_mm_ = 0;
-  std::uint32_t is_free_before_mm_ = 0;
-  bool has_part_ = false;
-  bool has_low_part_ = false;
+  bool has_band_ = false;
+  bool has_low_ = false;
   LinePart low_;
 };
 

@@ -1,7 +1,6 @@
 #include "grid/turn_carver.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace iog::grid {
 
@@ -13,7 +12,6 @@ void TurnCarver::turn_from_another(const vehicle::Sensor& sensor, const ground::
   sensor_ = &sensor;
   layers_ = &lines_.layers_of(sensor);
   ground_ = ground;
-  behind_mm_ = BandLimits::behind_mm(sensor);
 }
 
 // Another line in its place is carved and makes room.
@@ -35,48 +33,45 @@ void TurnCarver::carve_waiting() {
 }
 
 void TurnCarver::carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
-                            const RankSet& behind_band) {
+                            const RankSet& behind) {
   KeptLine& line = lines_.line(*sensor_, azimuth_step);
   steps_.begin_at(line.in_grid().first);
-  const std::uint32_t sector = ground_ == nullptr ? 0 : ground_->beams().sector_of(azimuth_step);
   if (ground_ == nullptr) {
-    const std::uint32_t far_hits = add_points(line, points, layers_->far_mm, sector);
-    add_behind_band(steps_.free, line, behind_band, far_hits,
-                    [&line, layers = layers_](std::uint32_t rank) {
-                      return line.end_in_band(layers->layers[layers->by_rank[rank]].band);
-                    });
+    add_beams(BandGate(line, *layers_), line, points, behind);
   } else {
-    const ground::Exits& exits = ground_->exits();
-    const auto to_mm = [&](std::uint32_t rank) {
-      return exits.to_mm(sector, exits.by_rank(sector, rank));
-    };
-    const std::uint32_t far_mm = to_mm(layers_->near_rank) + behind_mm_;
-    const std::uint32_t far_hits = add_points(line, points, far_mm, sector);
-    add_behind_band(steps_.free, line, behind_band, far_hits, [&](std::uint32_t rank) {
-      return LocalBeam::end_of(*sensor_, line, to_mm(rank));
-    });
+    const std::uint32_t sector = ground_->beams().sector_of(azimuth_step);
+    add_beams(GroundGate(line, *sensor_, *layers_, *ground_, sector), line, points, behind);
   }
   if (!steps_.free.is_empty()) {
-    if (beams_.keeps_heights()) {
-      add_low_behind_band(line, behind_band, sector);
-    }
     beams_.carve(line, steps_);
   }
 }
 
-// Returns how many of them are hits at far_mm or beyond. Nearly all are hits, whose beams are in
-// the band from the start.
-template <bool kWithHeights>
-std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
-                                     std::span<const WaitingPoint> points, std::uint32_t far_mm,
-                                     std::uint32_t sector) {
+template <typename Gate>
+void TurnCarver::add_beams(const Gate& gate, const KeptLine& line,
+                           std::span<const WaitingPoint> points, const RankSet& behind) {
+  const bool with_heights = beams_.keeps_heights();
+  const std::uint32_t far_hits = with_heights ? add_points<true>(steps_.free, gate, line, points)
+                                              : add_points<false>(steps_.free, gate, line, points);
+  add_behind(steps_.free, gate, line, behind, far_hits);
+  if (with_heights && !steps_.free.is_empty()) {
+    add_low_behind(gate, behind);
+  }
+}
+
+// Returns how many of them are hits at far_mm or beyond. Nearly all are hits, whose beams are
+// between the limits from the start.
+template <bool kWithHeights, typename Gate>
+std::uint32_t TurnCarver::add_points(FreeSteps& steps, const Gate& gate, const KeptLine& line,
+                                     std::span<const WaitingPoint> points) {
   const LinePart in_grid = line.in_grid();
+  const std::uint32_t far_mm = gate.far_mm();
   std::uint32_t beams = 0;
   std::uint32_t far_hits = 0;
   Between last = in_grid.first;
   for (const WaitingPoint point : points) {
     if (!point.evidence().is_whole_hit()) {
-      add_rare(line, point, sector);
+      add_rare(gate, line, point);
       continue;
     }
     const std::uint32_t range_mm = point.along_mm();
@@ -86,8 +81,8 @@ std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
       [[maybe_unused]] const Between freed =
           BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
       if constexpr (kWithHeights) {
-        if (may_be_low(point, sector)) {
-          add_low(line, {part.first, freed}, point, sector);
+        if (gate.may_be_low(point.layer(), range_mm)) {
+          add_low(steps_, gate, {part.first, freed}, point.layer());
         }
       }
       last = std::max(last, part.end);
@@ -102,9 +97,9 @@ std::uint32_t TurnCarver::add_points(FreeSteps& steps, const KeptLine& line,
 
 // What a beam frees, those of lower rank free, too, and from some rank on so do far hits. After
 // enough of them it adds nothing, and neither does one of higher rank.
-template <typename EndOf>
-void TurnCarver::add_behind_band(FreeSteps& steps, const KeptLine& line, const RankSet& ranks,
-                                 std::uint32_t far_hits, EndOf end_of) const {
+template <typename Gate>
+void TurnCarver::add_behind(FreeSteps& steps, const Gate& gate, const KeptLine& line,
+                            const RankSet& ranks, std::uint32_t far_hits) const {
   const std::int32_t freer = -sensor_->profile.free;
   const std::uint32_t enough_beams = layers_->enough_beams;
   const std::uint32_t near_rank = layers_->near_rank;
@@ -114,7 +109,7 @@ void TurnCarver::add_behind_band(FreeSteps& steps, const KeptLine& line, const R
     if (beams + (rank < near_rank ? 0 : far_hits) >= enough_beams) {
       return false;
     }
-    const Between end = end_of(rank);
+    const Between end = gate.end(gate.layer_of(rank));
     steps.add(end, -freer);
     last = std::max(last, end);
     ++beams;
@@ -123,38 +118,24 @@ void TurnCarver::add_behind_band(FreeSteps& steps, const KeptLine& line, const R
   steps.add_beams(beams, freer, last);
 }
 
-// Where its beam ends to be low has to be found only where that is before the hit.
-void TurnCarver::add_low(const KeptLine& line, const LinePart& freed, WaitingPoint hit,
-                         std::uint32_t sector) {
-  if (ground_ == nullptr) {
-    steps_.add_low(freed.within(line.in_band(layers_->low[hit.layer()])));
-    return;
-  }
-  const ground::Ground::Stretch low = ground_->low_stretch(sector, hit.layer());
-  if (low.from_mm < low.to_mm) {
-    const Between first = Between::before(line.through(*sensor_, low.from_mm));
-    const Between end =
-        hit.along_mm() <= low.to_mm ? freed.end : LocalBeam::end_of(*sensor_, line, low.to_mm);
-    steps_.add_low(freed.within({first, end}));
-  }
+template <typename Gate>
+void TurnCarver::add_low(LineSteps& steps, const Gate& gate, const LinePart& freed,
+                         std::size_t layer) {
+  steps.add_low(freed.within(gate.low_part(layer)));
 }
 
-// All of them count, also those that make nothing freer. They come by where they leave the band,
+// All of them count, also those that make nothing freer. They come by where they leave the limits,
 // the farthest first, so that nearly all of what overlaps is one. A beam that begins low may end to
-// be so before one that leaves the band sooner.
-void TurnCarver::add_low_behind_band(const KeptLine& line, const RankSet& ranks,
-                                     std::uint32_t sector) {
-  if (ground_ != nullptr) {
-    add_low_over_ground(line, ranks, sector);
-    return;
-  }
+// be so before one that leaves the limits sooner.
+template <typename Gate>
+void TurnCarver::add_low_behind(const Gate& gate, const RankSet& ranks) {
   LinePart all;
   ranks.visit_while([&](std::uint32_t rank) {
-    const LinePart part = line.in_band(layers_->low[layers_->by_rank[rank]]);
+    const LinePart part = gate.low_part(gate.layer_of(rank));
     if (part.is_empty()) {
       return true;
     }
-    if (!all.is_empty() && part.end >= all.first) {
+    if (!all.is_empty() && part.end >= all.first && part.first <= all.end) {
       all = {std::min(all.first, part.first), std::max(all.end, part.end)};
     } else {
       steps_.add_low(all);
@@ -165,53 +146,19 @@ void TurnCarver::add_low_behind_band(const KeptLine& line, const RankSet& ranks,
   steps_.add_low(all);
 }
 
-// A part of a line in which beams are low. Not inlined, so that the steps' address is in a
-// register.
-[[gnu::noinline]] void TurnCarver::add_low_stretch(LineSteps& steps, const KeptLine& line,
-                                                   ground::Ground::Stretch stretch) const {
-  steps.add_low(LocalBeam::part_of(*sensor_, line, stretch));
-}
-
-// The same in millimetres, so that a line is asked for the ends of what is left.
-void TurnCarver::add_low_over_ground(const KeptLine& line, const RankSet& ranks,
-                                     std::uint32_t sector) {
-  const ground::Exits& exits = ground_->exits();
-  ground::Ground::Stretch all{.from_mm = std::numeric_limits<std::uint32_t>::max(), .to_mm = 0};
-  const auto add_all = [&] {
-    if (all.from_mm < all.to_mm) {
-      add_low_stretch(steps_, line, all);
-    }
-  };
-  ranks.visit_while([&](std::uint32_t rank) {
-    const ground::Ground::Stretch low = ground_->low_stretch(sector, exits.by_rank(sector, rank));
-    if (low.from_mm >= low.to_mm) {
-      return true;
-    }
-    if (low.to_mm < all.from_mm || low.from_mm > all.to_mm) {
-      add_all();
-      all = low;
-    } else {
-      all = {.from_mm = std::min(all.from_mm, low.from_mm),
-             .to_mm = std::max(all.to_mm, low.to_mm)};
-    }
-    return true;
-  });
-  add_all();
-}
-
-// What is no hit with all of its beam in the band, and carves or marks nevertheless.
-void TurnCarver::add_rare(const KeptLine& line, WaitingPoint point, std::uint32_t sector) {
-  const TurnLayer& layer = layers_->layers[point.layer()];
-  const auto add = [&](const auto& beam) {
-    beams_.add(*sensor_, beam, point.beam(),
-               [this](const auto& /*beam*/, Between /*end*/) -> LineSteps& { return steps_; });
-  };
-  if (ground_ == nullptr) {
-    add(TurnBeam(line, *layers_, point.layer()));
-  } else {
-    add(LocalBeam(*sensor_, line, layer, ground_->exits().to_mm(sector, point.layer()),
-                  ground_->low_stretch(sector, point.layer())));
-  }
+// What is no hit with all of its beam between the limits, and carves or marks nevertheless.
+template <typename Gate>
+void TurnCarver::add_rare(const Gate& gate, const KeptLine& line, WaitingPoint point) {
+  const std::uint32_t layer = point.layer();
+  const FreePart limits = gate.part(layer);
+  const bool carves = point.evidence().carves();
+  beams_.add(
+      *sensor_,
+      {.line = line,
+       .limits = carves ? &limits : nullptr,
+       .clears_mm = layers_->layers[layer].clears_mm},
+      point.beam(), [this](Between /*end*/) -> LineSteps& { return steps_; },
+      [&] { return gate.low_part(layer); });
 }
 
 }  // namespace iog::grid

@@ -26,6 +26,7 @@ void rank(const vehicle::Sensor& sensor, TurnLayers& turn_layers) {
   const std::int32_t freer = -sensor.profile.free;
   turn_layers.enough_beams =
       static_cast<std::uint32_t>((index::kIndexMax<OccupancyIndex> + freer - 1) / freer);
+  turn_layers.zones_mm = BandLimits::behind_mm(sensor);
   turn_layers.near_rank = sensor.layer_count / 2U;
   turn_layers.far_mm = layers[by_rank[turn_layers.near_rank]].band.is_free_before_mm();
   turn_layers.start_in_band =

@@ -3,14 +3,12 @@
 // azimuths than steps, each has a place of its own.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
 #include "grid/beam_lines.hpp"
-#include "ground/ground.hpp"
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -41,88 +39,13 @@ struct TurnLayers {
   // Hits at this distance and beyond free all that layers of this rank and above have in the band.
   std::uint32_t far_mm = 0;
   std::uint32_t near_rank = 0;
+  std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()
   std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
   std::array<TurnLayer, vehicle::kMaxLayers> layers{};
   // By vehicle::Sensor::moved: the ranges along the line at which a return of a layer is tall, and
   // the part of the line in which its beams are low.
   std::array<vehicle::Ranges, vehicle::kMaxLayers> tall{};
   std::array<BandLimits, vehicle::kMaxLayers> low{};
-};
-
-// A beam of such a sensor, as grid::BeamCarver asks of it.
-class TurnBeam {
- public:
-  TurnBeam(const KeptLine& line, const TurnLayers& layers, std::size_t layer)
-      : line_(&line), layer_(&layers.layers[layer]), low_(&layers.low[layer]) {}
-
-  [[nodiscard]] const KeptLine& line() const { return *line_; }
-  [[nodiscard]] std::uint32_t clears_mm() const { return layer_->clears_mm; }
-  [[nodiscard]] LinePart in_band(const vehicle::Vehicle& /*vehicle*/,
-                                 const vehicle::Sensor& /*sensor*/) const {
-    return line_->in_band(layer_->band);
-  }
-  [[nodiscard]] std::uint32_t is_free_before_mm() const { return layer_->band.is_free_before_mm(); }
-  [[nodiscard]] LinePart low_part(const vehicle::Vehicle& /*vehicle*/,
-                                  const vehicle::Sensor& /*sensor*/) const {
-    return line_->in_band(*low_);
-  }
-
- private:
-  const KeptLine* line_;
-  const TurnLayer* layer_;
-  const BandLimits* low_;
-};
-
-// The same of a sensor that follows the ground: from its start on the beam is so far between the
-// limits.
-class LocalBeam {
- public:
-  LocalBeam(const vehicle::Sensor& sensor, const KeptLine& line, const TurnLayer& layer,
-            std::uint32_t to_mm, const ground::Ground::Stretch& low)
-      : line_(&line),
-        clears_mm_(layer.clears_mm),
-        is_free_before_mm_(to_mm + BandLimits::behind_mm(sensor)),
-        part_{line.in_grid().first, end_of(sensor, line, to_mm)},
-        low_(low) {}
-
-  // Where a beam of the line ends to be between the limits: behind the cell in which it leaves
-  // them.
-  [[nodiscard]] static Between end_of(const vehicle::Sensor& sensor, const KeptLine& line,
-                                      std::uint32_t to_mm) {
-    const LinePart in_grid = line.in_grid();
-    return to_mm == 0 ? in_grid.first
-                      : std::clamp(Between::after(line.through(sensor, to_mm)), in_grid.first,
-                                   std::max(in_grid.first, in_grid.end));
-  }
-
-  // The part between two distances along the line: from the cell that holds the first one on.
-  [[nodiscard]] static LinePart part_of(const vehicle::Sensor& sensor, const KeptLine& line,
-                                        const ground::Ground::Stretch& stretch) {
-    const Between first = line.in_grid().first;
-    return stretch.from_mm >= stretch.to_mm
-               ? LinePart{first, first}
-               : LinePart{std::max(first, Between::before(line.through(sensor, stretch.from_mm))),
-                          end_of(sensor, line, stretch.to_mm)};
-  }
-
-  [[nodiscard]] const KeptLine& line() const { return *line_; }
-  [[nodiscard]] std::uint32_t clears_mm() const { return clears_mm_; }
-  [[nodiscard]] LinePart in_band(const vehicle::Vehicle& /*vehicle*/,
-                                 const vehicle::Sensor& /*sensor*/) const {
-    return part_;
-  }
-  [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
-  [[nodiscard]] LinePart low_part(const vehicle::Vehicle& /*vehicle*/,
-                                  const vehicle::Sensor& sensor) const {
-    return part_of(sensor, *line_, low_);
-  }
-
- private:
-  const KeptLine* line_;
-  std::uint32_t clears_mm_;
-  std::uint32_t is_free_before_mm_;
-  LinePart part_;
-  ground::Ground::Stretch low_;
 };
 
 class TurnLines {

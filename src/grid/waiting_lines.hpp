@@ -94,7 +94,7 @@ class WaitingLines {
     std::uint32_t azimuth_step = kNone;
     std::uint32_t count = 0;
     vehicle::Ranges on_car;
-    RankSet behind_band;
+    RankSet behind;
   };
 
   // Whether points of this line can be added.
@@ -105,15 +105,15 @@ class WaitingLines {
   // Begins it in its place, where none waits.
   void begin(std::uint32_t azimuth_step, const vehicle::Ranges& on_car) {
     lines_[azimuth_step % kPlaces] = {
-        .azimuth_step = azimuth_step, .count = 0, .on_car = on_car, .behind_band = {}};
+        .azimuth_step = azimuth_step, .count = 0, .on_car = on_car, .behind = {}};
   }
   // Only if it has room.
   [[nodiscard]] const vehicle::Ranges& on_car(std::uint32_t azimuth_step) const {
     return lines_[azimuth_step % kPlaces].on_car;
   }
   // A point of the layer of this rank. False if there is one already.
-  [[nodiscard]] bool add_behind_band(std::uint32_t azimuth_step, std::uint32_t rank) {
-    return lines_[azimuth_step % kPlaces].behind_band.insert(rank);
+  [[nodiscard]] bool add_behind(std::uint32_t azimuth_step, std::uint32_t rank) {
+    return lines_[azimuth_step % kPlaces].behind.insert(rank);
   }
   void add(std::uint32_t azimuth_step, WaitingPoint point) {
     const std::uint32_t place = azimuth_step % kPlaces;
@@ -121,14 +121,14 @@ class WaitingLines {
     ++lines_[place].count;
   }
 
-  // Calls carve(azimuth_step, points, behind_band) for the line that waits in the place of this
+  // Calls carve(azimuth_step, points, behind) for the line that waits in the place of this
   // one, if any, and then it waits no more.
   template <typename Carve>
   void take(std::uint32_t azimuth_step, Carve&& carve) {
     const std::uint32_t place = azimuth_step % kPlaces;
     Line& line = lines_[place];
     if (line.azimuth_step != kNone) {
-      carve(line.azimuth_step, std::span(points_[place]).first(line.count), line.behind_band);
+      carve(line.azimuth_step, std::span(points_[place]).first(line.count), line.behind);
       line.azimuth_step = kNone;
     }
   }

@@ -1,0 +1,141 @@
+// The limits between which the beams of a level unit that turns free and mark: the height band of
+// the vehicle, or those over the ground (docs/ground.md). A packet's points have a judge, a line's
+// beams have a gate. Each is chosen once a packet and once a line, and whoever asks it need not
+// know which of the two it is.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "grid/beam_lines.hpp"
+#include "grid/line_part.hpp"
+#include "grid/turn_lines.hpp"
+#include "ground/ground.hpp"
+#include "vehicle/beam.hpp"
+#include "vehicle/vehicle.hpp"
+
+namespace iog::grid {
+
+struct BandJudge {
+  const TurnLayers* layers;
+
+  // Of a return so far along the line of an azimuth step, and whether it is tall. reach_mm: as in
+  // vehicle::classify().
+  [[nodiscard]] vehicle::Height height(std::uint32_t /*step*/, std::size_t layer,
+                                       std::uint32_t along_mm, std::uint32_t reach_mm,
+                                       bool& is_tall) const {
+    const vehicle::Ranges& in_band = layers->layers[layer].in_band;
+    const bool ends_in_band = in_band.contain(reach_mm);
+    is_tall = layers->tall[layer].contain(along_mm);
+    return {.is_obstacle = ends_in_band,
+            .otherwise = vehicle::Fate::kOutsideHeightBand,
+            .is_whole = ends_in_band && in_band.first == 0};
+  }
+  // TurnLayer::behind_mm and rank.
+  [[nodiscard]] std::uint32_t behind_mm(std::uint32_t /*step*/, std::size_t layer) const {
+    return layers->layers[layer].behind_mm;
+  }
+  [[nodiscard]] std::uint32_t rank(std::uint32_t /*step*/, std::size_t layer) const {
+    return layers->layers[layer].rank;
+  }
+};
+
+// Where a beam leaves the limits is its layer's and its sector's own.
+struct GroundJudge {
+  const ground::Beams* beams;
+  const ground::Exits* exits;
+  std::uint32_t zones_mm;
+  ground::PacketJudge judge;
+
+  [[nodiscard]] vehicle::Height height(std::uint32_t step, std::size_t layer,
+                                       std::uint32_t along_mm, std::uint32_t reach_mm,
+                                       bool& is_tall) const {
+    const std::uint32_t sector = beams->sector_of(step);
+    const std::int32_t z_mm = beams->height_mm(beams->slope(layer), along_mm);
+    const auto judged = judge.judge(sector, along_mm, z_mm);
+    is_tall = judged.is_tall;
+    return {.is_obstacle = judged.fate == vehicle::Fate::kUsed,
+            .otherwise = judged.fate,
+            .is_whole = reach_mm <= exits->to_mm(sector, layer)};
+  }
+  [[nodiscard]] std::uint32_t behind_mm(std::uint32_t step, std::size_t layer) const {
+    return exits->to_mm(beams->sector_of(step), layer) + zones_mm;
+  }
+  [[nodiscard]] std::uint32_t rank(std::uint32_t step, std::size_t layer) const {
+    return exits->rank_of(beams->sector_of(step), layer);
+  }
+};
+
+class BandGate {
+ public:
+  // Both outlive it.
+  BandGate(const KeptLine& line, const TurnLayers& layers) : line_(&line), layers_(&layers) {}
+
+  // The layer of a rank: that which is between the limits farthest first.
+  [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
+  // Hits at this distance and beyond free all that layers of TurnLayers::near_rank and above may.
+  [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
+  // The part that the layer may free, and its end if it is not empty.
+  [[nodiscard]] FreePart part(std::size_t layer) const {
+    const BandLimits& band = layers_->layers[layer].band;
+    return {line_->in_band(band), band.is_free_before_mm()};
+  }
+  [[nodiscard]] Between end(std::size_t layer) const {
+    return line_->end_in_band(layers_->layers[layer].band);
+  }
+  // The part in which the layer is low, and whether a hit so far out may have any of it before it.
+  [[nodiscard]] LinePart low_part(std::size_t layer) const {
+    return line_->in_band(layers_->low[layer]);
+  }
+  [[nodiscard]] static bool may_be_low(std::size_t /*layer*/, std::uint32_t /*hit_mm*/) {
+    return true;
+  }
+
+ private:
+  const KeptLine* line_;
+  const TurnLayers* layers_;
+};
+
+// A sector's layers are between the limits from their start on.
+class GroundGate {
+ public:
+  // All outlive it. The line is of this sector.
+  GroundGate(const KeptLine& line, const vehicle::Sensor& sensor, const TurnLayers& layers,
+             const ground::Ground& ground, std::uint32_t sector)
+      : line_(&line), sensor_(&sensor), layers_(&layers), ground_(&ground), sector_(sector) {}
+
+  [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const {
+    return ground_->exits().by_rank(sector_, rank);
+  }
+  [[nodiscard]] std::uint32_t far_mm() const {
+    return to_mm(layer_of(layers_->near_rank)) + layers_->zones_mm;
+  }
+  [[nodiscard]] FreePart part(std::size_t layer) const {
+    return {{line_->in_grid().first, end(layer)}, to_mm(layer) + layers_->zones_mm};
+  }
+  [[nodiscard]] Between end(std::size_t layer) const {
+    return line_->end_at(*sensor_, to_mm(layer));
+  }
+  [[nodiscard]] LinePart low_part(std::size_t layer) const {
+    const ground::Ground::Stretch low = ground_->low_stretch(sector_, layer);
+    return line_->part_between(*sensor_, low.from_mm, low.to_mm);
+  }
+  // Most hits are nearer than their beams are low.
+  [[nodiscard]] bool may_be_low(std::size_t layer, std::uint32_t hit_mm) const {
+    return ground_->low_from_mm(sector_, layer) < hit_mm;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t to_mm(std::size_t layer) const {
+    return ground_->exits().to_mm(sector_, layer);
+  }
+
+  const KeptLine* line_;
+  const vehicle::Sensor* sensor_;
+  const TurnLayers* layers_;
+  const ground::Ground* ground_;
+  std::uint32_t sector_;
+};
+
+}  // namespace iog::grid
