@@ -1,6 +1,7 @@
 // The seam to how a run ends, and to what is known of the run before this one.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <string_view>
@@ -8,7 +9,7 @@
 namespace iog::hal {
 
 // How a run has ended. The numbers are on the wire (docs/spec.md 3.7).
-enum class EndCause : std::uint8_t {
+enum class EndCause : std::uint32_t {
   kPowerUp = 0,       // nothing is known: there was no run, or its record is gone
   kWithoutAWord = 1,  // reset while it seemed alive: its watchdog, or the button
   kException = 2,     // of the processor; detail: its kind (docs/spec.md)
@@ -27,6 +28,10 @@ struct End {
 struct RunBefore {
   std::uint32_t starts = 1;  // since power-up, this one included
   End end{};
+
+  // In the stream (stream/target_table.hpp).
+  static constexpr auto kNames = std::to_array<std::string_view>(
+      {"starts since power-up", "end of the run before", "detail of that end"});
   friend constexpr bool operator==(const RunBefore&, const RunBefore&) = default;
 };
 

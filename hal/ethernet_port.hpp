@@ -3,10 +3,12 @@
 // A frame is destination, source, type and payload, without preamble and without FCS.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace iog::hal {
 
@@ -21,6 +23,12 @@ struct PortCounters {
   std::uint32_t restarts = 0;           // pump() started the controller anew
   std::uint32_t lost_received = 0;      // buffers of frames that had come and were lost by that
   std::uint32_t lost_unsent = 0;        // frames that were sent or queued, and lost by that
+
+  // In the stream (stream/target_table.hpp).
+  static constexpr auto kNames =
+      std::to_array<std::string_view>({"port received", "receive errors", "oversized", "port sent",
+                                       "port refused", "port without room", "port restarts",
+                                       "received lost by restarts", "unsent lost by restarts"});
 };
 
 // Whether a port lives.

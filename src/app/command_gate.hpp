@@ -4,13 +4,13 @@
 //     datagram -> [gate] authentic pose or chunk -> pipeline
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
+#include "authentication/command_counts.hpp"
 #include "authentication/secured_message.hpp"
 #include "intake/datagram.hpp"
 #include "map/chunk.hpp"
@@ -31,12 +31,6 @@ struct SignedCommands {
 
 class CommandGate {
  public:
-  // Messages of poses by authentication::Verdict, and the counter of the last authentic one; then
-  // the same of maps; then what signs all of these, two words.
-  static constexpr std::size_t kCountsOfOne = authentication::kVerdictCount + 1;
-  static constexpr std::size_t kCounts = 2 * kCountsOfOne + 2;
-  using Counts = std::array<std::uint32_t, kCounts>;
-
   // Without commands everything passes. run: of the target, which signers have heard of.
   CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run)
       : CommandGate(commands.value_or(SignedCommands{}), run, commands ? kOn : kOff) {}
@@ -74,17 +68,15 @@ class CommandGate {
     }
   }
 
-  // Only of a gate that is on.
-  [[nodiscard]] Counts counts() const {
-    Counts counts{};
-    auto end = counts.begin();
-    for (const Door& door : doors_) {
-      end = std::ranges::copy(door.verdicts, end).out;
-      *end++ = door.verifier.counter();
+  // All 0 of a gate that is off.
+  [[nodiscard]] authentication::CommandCounts counts() const {
+    authentication::CommandCounts counts;
+    if (is_on()) {
+      for (std::size_t i = 0; i < doors_.size(); ++i) {
+        counts.kinds[i] = {doors_[i].verdicts, doors_[i].verifier.counter()};
+      }
+      counts.signature = counts.signature_by(key_, stream::kNetworkChannel.event.event_id, run_);
     }
-    const auto signature = authentication::mac_of_counters(
-        key_, stream::kNetworkChannel.event.event_id, run_, std::span(counts).first<kCounts - 2>());
-    std::ranges::copy(signature, counts.end() - 2);
     return counts;
   }
 

@@ -8,8 +8,6 @@
 // too slow for is left, and counted (app/backlog.hpp).
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +40,7 @@
 #include "require/require.hpp"
 #include "stream/channel.hpp"
 #include "stream/message.hpp"
+#include "stream/target_state.hpp"
 #include "work/team.hpp"
 
 namespace iog::app {
@@ -142,7 +141,7 @@ class MachinePlatform {
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
   std::uint32_t run_number() { return machine_.run_number(); }
 
-  // The link's counters in the order of docs/spec.md; damaged datagrams count as dropped packets.
+  // Of commands and service discovery only if they are on.
   [[nodiscard]] const Vitals& vitals(const FrameTimes& times) {
     ++frames_;
     offering_.begin_frame();
@@ -150,48 +149,13 @@ class MachinePlatform {
     Vitals& vitals = vitals_;
     vitals.stack_used_bytes = machine_.stack_used_bytes();
     vitals.temperature_dc = machine_.temperature_dc();
-    const net::Counters& net = host_.counters();
-    const hal::PortCounters port = machine_.ethernet().counters();
-    std::span<std::uint32_t> out = vitals.link_counters;
-    const auto append = [&](std::span<const std::uint32_t> values) {
-      std::ranges::copy(values, out.begin());
-      out = out.subspan(values.size());
-    };
-    append(std::array{net.received, net.delivered, net.arp_answered, net.arp_learned,
-                      net.ping_answered, net.sent, net.arp_requested});
-    append(net.drops);
-    append(net.refusals);
-    append(std::array{port.received, port.receive_errors, port.oversized, port.sent,
-                      port.send_refused});
-    const net::FragmentCounters& fragments = net.fragments;
-    append(std::array{fragments.joined, fragments.duplicates, fragments.overlaps, fragments.bad,
-                      fragments.refused, fragments.completed, fragments.expired,
-                      fragments.displaced});
-    require(vitals.link_counters.size() - out.size() == stream::kCoreCounters);
-    append(std::array{static_cast<std::uint32_t>(team_.cores()), team_.redone(), team_.items(0),
-                      team_.items(1), team_.items(2), team_.items(3)});
-    append(std::array{port.receive_overflows, port.restarts, port.lost_received, port.lost_unsent});
-    require(vitals.link_counters.size() - out.size() == stream::kEndCounters);
-    const hal::RunBefore before = machine_.run_before();
-    append(
-        std::array{before.starts, static_cast<std::uint32_t>(before.end.cause), before.end.detail});
-    require(vitals.link_counters.size() - out.size() == stream::kTimeCounters);
-    times_.write(out.first<LoopTimes::kCounters>());
-    out = out.subspan<LoopTimes::kCounters>();
-    if (offering_.is_on() || gate_.is_on()) {
-      require(vitals.link_counters.size() - out.size() == stream::kDiscoveryCounters);
-      append(offering_.counts());
-    }
-    if (gate_.is_on()) {
-      require(vitals.link_counters.size() - out.size() == stream::kCommandCounters);
-      append(gate_.counts());
-    }
-    vitals.link_counter_count = vitals.link_counters.size() - out.size();
-    vitals.link_drops = port.receive_errors + port.oversized + port.receive_overflows +
-                        port.lost_received + fragments.expired + fragments.displaced;
-    for (const net::Drop cause : kDamaged) {
-      vitals.link_drops += net.drops[static_cast<std::size_t>(cause)];
-    }
+    stream::put_all(vitals.link_counters, host_.counters(), machine_.ethernet().counters(),
+                    team_.counts(), machine_.run_before(), times_.counts(), offering_.counts(),
+                    gate_.counts());
+    vitals.link_counter_count = gate_.is_on()       ? stream::kMaxLinkCounters
+                                : offering_.is_on() ? stream::place_of(stream::Group::kCommand)
+                                                    : stream::place_of(stream::Group::kDiscovery);
+    vitals.link_drops = stream::losses_of(vitals.link_counters);
     return vitals;
   }
 
@@ -203,13 +167,6 @@ class MachinePlatform {
   }
 
  private:
-  // Frames that claimed to be for us and were not sound. Other people's traffic is no loss.
-  static constexpr std::array kDamaged{
-      net::Drop::kShort,          net::Drop::kBadIpHeader, net::Drop::kBadIpChecksum,
-      net::Drop::kFragment,       net::Drop::kBadSource,   net::Drop::kBadUdpLength,
-      net::Drop::kBadUdpChecksum,
-  };
-
   // Behind each frame, and within one of many messages.
   void sign(std::span<const std::byte> message) {
     signer_->add(message);

@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace iog::discovery {
 
-// The numbers are positions in the streamed counters: new ones are appended.
 enum class Count : std::uint8_t {
   kReceived,      // datagrams that came to the port of service discovery
   kMalformed,     // of these: not a message, or in fragments, or from outside of the subnet
@@ -27,6 +27,13 @@ enum class Count : std::uint8_t {
 inline constexpr std::size_t kCounts = 14;
 static_assert(static_cast<std::size_t>(Count::kNotCopied) + 1 == kCounts);
 
-using Counts = std::array<std::uint32_t, kCounts>;
+struct Counts : std::array<std::uint32_t, kCounts> {
+  // In the stream (stream/target_table.hpp).
+  static constexpr auto kNames = std::to_array<std::string_view>(
+      {"SD received", "SD malformed", "SD spoofed", "SD unanswered", "SD offers", "SD found",
+       "SD subscriptions acknowledged", "SD subscriptions refused", "SD subscriptions unconfirmed",
+       "SD subscriptions stopped", "SD subscriptions expired", "SD subscribers rebooted",
+       "SD copied", "SD not copied"});
+};
 
 }  // namespace iog::discovery

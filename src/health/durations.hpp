@@ -1,4 +1,5 @@
-// How long something took, of many times: the worst, their sum, and how many took how long.
+// How long something took, of many times: the worst, their sum, and how many took how long. Words
+// as they are in the stream (docs/spec.md 3.7).
 #pragma once
 
 #include <algorithm>
@@ -6,26 +7,35 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 namespace iog::health {
 
-class Durations {
- public:
+struct Durations {
   // The first counts what is below 256 us, each other one what is below twice that of the one
   // before, the last what is longer: from 65,536 us on.
   static constexpr std::size_t kBuckets = 10;
   static constexpr std::uint32_t kFirstBelowUs = 256;
 
-  void add(std::uint32_t us) {
-    worst_us_ = std::max(worst_us_, us);
-    sum_us_ += us;
-    ++counts_[bucket_of(us)];
+  std::uint32_t worst_us = 0;
+  std::uint32_t sum_us_high = 0;
+  std::uint32_t sum_us_low = 0;
+  std::array<std::uint32_t, kBuckets> counts{};  // modulo 2^32
+
+  constexpr void add(std::uint32_t us) {
+    worst_us = std::max(worst_us, us);
+    const std::uint64_t sum = sum_us() + us;
+    sum_us_high = static_cast<std::uint32_t>(sum >> 32);
+    sum_us_low = static_cast<std::uint32_t>(sum);
+    ++counts[bucket_of(us)];
   }
 
-  [[nodiscard]] std::uint32_t worst_us() const { return worst_us_; }
-  [[nodiscard]] std::uint64_t sum_us() const { return sum_us_; }
-  // Modulo 2^32.
-  [[nodiscard]] const std::array<std::uint32_t, kBuckets>& counts() const { return counts_; }
+  [[nodiscard]] constexpr std::uint64_t sum_us() const {
+    return std::uint64_t{sum_us_high} << 32 | sum_us_low;
+  }
+  [[nodiscard]] constexpr std::uint64_t count() const {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  }
 
  private:
   static constexpr std::size_t bucket_of(std::uint32_t us) {
@@ -33,10 +43,6 @@ class Durations {
     const auto bits = static_cast<std::size_t>(std::bit_width(us));
     return std::min(bits - std::min(bits, kFirstBits), kBuckets - 1);
   }
-
-  std::uint32_t worst_us_ = 0;
-  std::uint64_t sum_us_ = 0;
-  std::array<std::uint32_t, kBuckets> counts_{};
 };
 
 }  // namespace iog::health

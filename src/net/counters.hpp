@@ -9,12 +9,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace iog::net {
 
-// Why a received frame was dropped. Each frame counts under the first cause that applies. The
-// numbers are positions in the streamed counters: new causes are appended, old ones keep their
-// place.
+// Why a received frame was dropped. Each frame counts under the first cause that applies.
 enum class Drop : std::uint8_t {
   kShort,            // less than an Ethernet header
   kNotForUsMac,      // destination neither our Ethernet address nor broadcast nor our group
@@ -38,7 +37,7 @@ enum class Drop : std::uint8_t {
 };
 inline constexpr std::size_t kDropCauses = 19;
 
-// Why a message was not sent. Streamed by position like Drop.
+// Why a message was not sent.
 enum class Refusal : std::uint8_t {
   kUnresolved,  // the peer's Ethernet address is not known yet
   kRingFull,    // no transmit buffer is free
@@ -70,6 +69,21 @@ struct Counters {
   std::array<std::uint32_t, kDropCauses> drops{};
   std::array<std::uint32_t, kRefusalCauses> refusals{};
   FragmentCounters fragments{};
+
+  // In the stream (stream/target_table.hpp), in the order of the members and their enumerators.
+  static constexpr auto kNames = std::to_array<std::string_view>(
+      {"frames received", "datagrams delivered", "ARP answered", "ARP learned", "pings answered",
+       "messages sent", "ARP requested",
+       // drops
+       "short", "not for us (MAC)", "VLAN tagged", "neither IPv4 nor ARP", "bad IP header",
+       "bad IP checksum", "fragment", "not for us (IP)", "bad source", "neither UDP nor ICMP",
+       "bad UDP length", "bad UDP checksum", "bad ICMP", "ping ignored", "other ICMP", "bad ARP",
+       "ARP ignored", "address conflict", "reply without room",
+       // refusals
+       "peer unresolved", "ring full", "misuse",
+       // fragments
+       "fragments joined", "fragments duplicate", "fragments overlapping", "fragments bad",
+       "fragments refused", "datagrams joined", "datagrams expired", "datagrams displaced"});
 
   [[nodiscard]] constexpr std::uint32_t& of(Drop cause) {
     return drops[static_cast<std::size_t>(cause)];

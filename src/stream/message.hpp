@@ -108,6 +108,13 @@ struct FrameEnd {
   std::optional<std::int16_t> temperature_dc{};
 };
 
+// Whatever somebody counts who says the names (stream/target_state.hpp). Empty if the target does
+// not say it: a PC, or an older one.
+template <typename Counts>
+[[nodiscard]] std::optional<Counts> counts_of(const FrameEnd& end) {
+  return get<Counts>(end.link_counters, end.link_counter_count);
+}
+
 // Why a content could not be read.
 enum class ReadStatus : std::uint8_t { kOk, kTooShort, kInconsistent };
 

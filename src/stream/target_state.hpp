@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <string_view>
 
 #include "require/require.hpp"
@@ -112,6 +113,18 @@ void put(const Counts& counts, LinkCounters& counters) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     counters[kTheirs[i]] = words[i];
   }
+}
+
+// What `counts` has of counters, of which the target has sent the first so many. Empty: not all.
+template <typename Counts>
+[[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
+  static constexpr auto kTheirs = places_of<Counts>();
+  if (sent <= std::ranges::max(kTheirs)) {
+    return std::nullopt;
+  }
+  std::array<std::uint32_t, kTheirs.size()> words{};
+  std::ranges::transform(kTheirs, words.begin(), [&](std::size_t at) { return counters[at]; });
+  return std::bit_cast<Counts>(words);
 }
 
 template <typename... Counts>

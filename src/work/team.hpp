@@ -29,6 +29,18 @@ enum class Loss : std::uint8_t {
   kSilent,    // it was woken and has not come yet; it is woken again
 };
 
+// Since the start, modulo 2^32.
+struct TeamCounts {
+  std::uint32_t at_work = 0;                          // cores, now
+  std::uint32_t for_lost = 0;                         // items that core 0 did for lost ones
+  std::array<std::uint32_t, hal::kMaxCores> items{};  // done by each core
+
+  // In the stream (stream/target_table.hpp).
+  static constexpr auto kNames =
+      std::to_array<std::string_view>({"cores at work", "items for lost cores", "items of core 0",
+                                       "items of core 1", "items of core 2", "items of core 3"});
+};
+
 template <hal::Cores C>
 class Team {
  public:
@@ -104,6 +116,11 @@ class Team {
     return seats_[core].items.load(std::memory_order_relaxed);
   }
   [[nodiscard]] std::uint32_t redone() const { return redone_; }
+  [[nodiscard]] TeamCounts counts() const {
+    return {.at_work = static_cast<std::uint32_t>(cores()),
+            .for_lost = redone(),
+            .items = {items(0), items(1), items(2), items(3)}};
+  }
 
   // Grows with each core that is lost, or silent for the first time.
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }

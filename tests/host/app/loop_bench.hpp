@@ -202,9 +202,9 @@ class Bench {
     return sum;
   }
 
-  // As the newest frame says it: the first after those of the cores (docs/spec.md 3.7).
+  // As the newest frame says it.
   [[nodiscard]] std::uint32_t overflows() const {
-    return receiver.frames.back().end.link_counters.at(stream::kCoreCounters + 6);
+    return receiver.frames.back().end.link_counters.at(stream::place_of("port without room"));
   }
 
   [[nodiscard]] std::size_t timed_out() const {

@@ -14,7 +14,6 @@ using testing::FakeConsole;
 
 constexpr std::uint32_t kHz = 2'000'000;  // two ticks a microsecond
 // docs/spec.md 3.7.
-constexpr std::size_t kRowCounters = 13;
 
 struct Row {
   std::uint32_t worst_us = 0;
@@ -28,14 +27,8 @@ std::ostream& operator<<(std::ostream& out, const Row& row) {
 }
 
 Row row(const LoopTimes& times, std::size_t number) {
-  std::array<std::uint32_t, LoopTimes::kCounters> counters{};
-  times.write(counters);
-  const auto its = std::span(counters).subspan(number * kRowCounters, kRowCounters);
-  Row row{.worst_us = its[0], .sum_us = (std::uint64_t{its[1]} << 32) + its[2]};
-  for (const std::uint32_t count : its.subspan(3)) {
-    row.count += count;
-  }
-  return row;
+  const health::Durations& its = times.counts().rows.at(number);
+  return {.worst_us = its.worst_us, .sum_us = its.sum_us(), .count = its.count()};
 }
 
 // fuse, mark, publish of the frame before, perceive; the frame; how late; then the cores.

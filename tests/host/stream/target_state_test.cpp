@@ -46,6 +46,17 @@ TEST(TargetState, EachCounterGoesWhereItsNameIs) {
   EXPECT_EQ(counters, expected);
 }
 
+TEST(TargetState, WhoCountsReadsItsCountersAgain) {
+  LinkCounters counters{};
+  counters[209] = 2;
+  counters[210] = 3;
+  const auto some = get<Some>(counters, kMaxLinkCounters);
+  ASSERT_TRUE(some.has_value());
+  EXPECT_EQ(some->mac, (std::array<std::uint32_t, 2>{2, 3}));
+  EXPECT_FALSE(get<Some>(counters, kMaxLinkCounters - 1)) << "the target does not say the last";
+  EXPECT_FALSE(get<Some>(counters, 0));
+}
+
 struct All {
   LinkCounters words{};
   static constexpr auto kNames = [] {
