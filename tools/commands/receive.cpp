@@ -122,7 +122,7 @@ class Reception {
       write_class_records(options_->classes_hashes, statistics_.classes().records());
     }
     if (!options_->summary.empty()) {
-      RunStatistics::Facts facts = statistics_.facts();
+      Facts facts = statistics_.facts();
       facts.emplace_back("frames_missing", std::to_string(missing()));
       if (const CatalogueEntry* const car = vehicle_of_id(vehicle_id_.value_or(0))) {
         facts.emplace_back("frame_period_us", std::to_string(car->vehicle->frame_period_us));

@@ -17,11 +17,11 @@
 #include "tools/map/refusal_text.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
-#include "tools/receive/map_words.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/replay/map_sender.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
+#include "tools/report/map_words.hpp"
 
 namespace iog::tools {
 namespace {

@@ -7,8 +7,8 @@
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
-#include "tools/receive/command_counts.hpp"
 #include "tools/receive/udp_receiver.hpp"
+#include "tools/report/counters.hpp"
 #include "tools/vehicles/key_file.hpp"
 
 namespace iog::tools {

@@ -46,7 +46,7 @@ class LiveFeed : public Recording {
 
   void take_datagram(const CapturedDatagram& datagram) override;
   void take_frame(const RecordedFrame& frame) override;
-  void finish(const RunStatistics::Facts& /*facts*/) override {}
+  void finish(const Facts& /*facts*/) override {}
 
  private:
   std::atomic<bool> is_listening_ = false;

@@ -11,6 +11,14 @@ std::string row(const std::string& name, const std::string& value) {
   return text + value + "\n";
 }
 
+std::string row_if(bool is_said, const std::string& name, const std::string& value) {
+  return is_said ? row(name, value) : std::string();
+}
+
+std::string percent(std::uint64_t part, std::uint64_t all) {
+  return std::to_string((100 * part + all / 2) / all);
+}
+
 std::string key_of(std::string_view prefix, std::string_view name) {
   std::string key = std::string(prefix) + std::string(name);
   std::ranges::replace(key, ' ', '_');

@@ -5,11 +5,12 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <span>
 
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/table.hpp"
-#include "tools/receive/map_words.hpp"
-#include "tools/receive/stream_names.hpp"
+#include "tools/report/map_words.hpp"
+#include "tools/report/names.hpp"
 
 namespace iog::tools {
 namespace {
@@ -57,29 +58,21 @@ void ClassStatistics::add(const GridFrame& frame) {
   stamp_us_ = classes.window.slices_end_us;
 }
 
-std::vector<std::pair<std::string, std::string>> ClassStatistics::facts() const {
-  std::vector<std::pair<std::string, std::string>> facts;
-  const auto add = [&](const std::string& name, std::uint64_t value) {
-    facts.emplace_back(name, std::to_string(value));
-  };
-  add("class_frames", frames_);
-  add("class_frames_incomplete", incomplete_);
-  add("class_frames_damaged", damaged_);
-  add("class_tiles", tiles_);
-  add("class_tiles_not_sent", tiles_not_sent_);
-  add("packets_placed", packets_placed_);
-  add("packets_not_placed", packets_not_placed_);
-  add("slices_over_budget", slices_over_budget_);
-  add("groups_over_budget", groups_left_);
-  for (std::size_t i = 0; i < kPoseCauseNames.size(); ++i) {
-    add(key_of("slices_", kPoseCauseNames[i]), last_.causes[i].slices);
-  }
-  for (std::size_t i = 1; i < kPoseCauseNames.size(); ++i) {
-    add(key_of("times_", kPoseCauseNames[i]), last_.causes[i].began.times);
-  }
-  for (std::size_t i = 0; i < kPoseFateNames.size(); ++i) {
-    add(key_of("poses_", kPoseFateNames[i]), last_.pose_fates[i]);
-  }
+Facts ClassStatistics::facts() const {
+  Facts facts;
+  add_fact(facts, "class_frames", frames_);
+  add_fact(facts, "class_frames_incomplete", incomplete_);
+  add_fact(facts, "class_frames_damaged", damaged_);
+  add_fact(facts, "class_tiles", tiles_);
+  add_fact(facts, "class_tiles_not_sent", tiles_not_sent_);
+  add_fact(facts, "packets_placed", packets_placed_);
+  add_fact(facts, "packets_not_placed", packets_not_placed_);
+  add_fact(facts, "slices_over_budget", slices_over_budget_);
+  add_fact(facts, "groups_over_budget", groups_left_);
+  const auto spells = spells_of(last_);
+  add_facts(facts, "slices_", slices_of(last_), kPoseCauseNames);
+  add_facts(facts, "times_", std::span(spells).subspan(1), std::span(kPoseCauseNames).subspan(1));
+  add_facts(facts, "poses_", last_.pose_fates, kPoseFateNames);
   if (last_.map) {
     std::ranges::move(map_facts(*last_.map), std::back_inserter(facts));
   }
@@ -112,29 +105,24 @@ std::string ClassStatistics::table() const {
   if (frames_ == 0) {
     return {};
   }
-  std::string text = row("class frames", std::to_string(frames_));
-  if (incomplete_ + damaged_ > 0) {
-    text += row("class frames not whole", std::to_string(incomplete_) + " incomplete, " +
-                                              std::to_string(damaged_) + " damaged");
-  }
-  text += row("class tiles", std::to_string(tiles_));
-  if (tiles_not_sent_ > 0) {
-    text += row("class tiles not sent", std::to_string(tiles_not_sent_));
-  }
-  text += row("packets placed", std::to_string(packets_placed_) + ", and " +
-                                    std::to_string(packets_not_placed_) + " without a place");
-  text += row("slices", list_of(slices_of(last_), kPoseCauseNames));
-  if (slices_over_budget_ + groups_left_ > 0) {
-    text += row("over budget", std::to_string(slices_over_budget_) + " slices, " +
-                                   std::to_string(groups_left_) + " groups of cells");
-  }
   const auto spells = spells_of(last_);
-  if (std::ranges::any_of(spells, [](std::uint32_t times) { return times > 0; })) {
-    text += row("times without a place", list_of(spells, kPoseCauseNames));
-  }
-  text += row("poses", list_of(last_.pose_fates, kPoseFateNames));
-  text += last_.map ? map_table(*last_.map) : std::string();
-  return text + row("class run hash", hex(run_hash()));
+  const bool had_spells = std::ranges::any_of(spells, [](auto times) { return times > 0; });
+  return row("class frames", std::to_string(frames_)) +
+         row_if(incomplete_ + damaged_ > 0, "class frames not whole",
+                std::to_string(incomplete_) + " incomplete, " + std::to_string(damaged_) +
+                    " damaged") +
+         row("class tiles", std::to_string(tiles_)) +
+         row_if(tiles_not_sent_ > 0, "class tiles not sent", std::to_string(tiles_not_sent_)) +
+         row("packets placed", std::to_string(packets_placed_) + ", and " +
+                                   std::to_string(packets_not_placed_) + " without a place") +
+         row("slices", list_of(slices_of(last_), kPoseCauseNames)) +
+         row_if(slices_over_budget_ + groups_left_ > 0, "over budget",
+                std::to_string(slices_over_budget_) + " slices, " + std::to_string(groups_left_) +
+                    " groups of cells") +
+         row_if(had_spells, "times without a place", list_of(spells, kPoseCauseNames)) +
+         row("poses", list_of(last_.pose_fates, kPoseFateNames)) +
+         (last_.map ? map_table(*last_.map) : std::string()) +
+         row("class run hash", hex(run_hash()));
 }
 
 }  // namespace iog::tools

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tools/frames/grid_frame.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/class_record.hpp"
 #include "tools/receive/frame_record.hpp"
 
@@ -24,7 +24,7 @@ class ClassStatistics {
   [[nodiscard]] std::uint32_t run_hash() const { return hash_.value(); }
 
   // As RunStatistics has them.
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
+  [[nodiscard]] Facts facts() const;
   // Why no slice had a place, if none had: "none of its 60 pose messages was used: 60 damaged".
   [[nodiscard]] std::string why_nothing_placed(std::uint16_t pose_port) const;
   // Empty if no frame had classes.

@@ -8,7 +8,6 @@
 #include "stream/crc32.hpp"
 #include "stream/objects.hpp"
 #include "tools/program/hexadecimal.hpp"
-#include "tools/program/table.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -57,21 +56,16 @@ void ObjectStatistics::add(const GridFrame& frame) {
   }
 }
 
-std::vector<std::pair<std::string, std::string>> ObjectStatistics::facts() const {
-  std::vector<std::pair<std::string, std::string>> facts;
-  const auto add = [&](const std::string& name, std::uint64_t value) {
-    facts.emplace_back(name, std::to_string(value));
-  };
-  add("object_frames", frames_);
-  add("object_frames_incomplete", incomplete_);
-  add("object_frames_without_place", not_known_);
-  for (std::size_t i = 0; i < kStateNames.size(); ++i) {
-    add(key_of("objects_", kStateNames[i]), by_state_[i]);
-  }
-  add("objects_moving_most", most_moving_);
-  add("objects_that_moved", moved_.size());
-  add("objects_refused", tracks_refused_);
-  add("objects_hits_left", hits_left_);
+Facts ObjectStatistics::facts() const {
+  Facts facts;
+  add_fact(facts, "object_frames", frames_);
+  add_fact(facts, "object_frames_incomplete", incomplete_);
+  add_fact(facts, "object_frames_without_place", not_known_);
+  add_facts(facts, "objects_", by_state_, kStateNames);
+  add_fact(facts, "objects_moving_most", most_moving_);
+  add_fact(facts, "objects_that_moved", moved_.size());
+  add_fact(facts, "objects_refused", tracks_refused_);
+  add_fact(facts, "objects_hits_left", hits_left_);
   facts.emplace_back("object_run_hash", hex(run_hash()));
   return facts;
 }
@@ -80,19 +74,16 @@ std::string ObjectStatistics::table() const {
   if (frames_ == 0) {
     return {};
   }
-  std::string text = row("object frames", std::to_string(frames_));
-  if (incomplete_ + not_known_ > 0) {
-    text += row("objects not known", std::to_string(incomplete_) + " frames incomplete, " +
-                                         std::to_string(not_known_) + " without a place");
-  }
-  text += row("objects, all frames", list_of(by_state_, kStateNames));
-  text += row("objects that moved", std::to_string(moved_.size()) + ", at most " +
-                                        std::to_string(most_moving_) + " in a frame");
-  if (tracks_refused_ + hits_left_ > 0) {
-    text += row("objects without room",
-                std::to_string(tracks_refused_) + ", and " + std::to_string(hits_left_) + " hits");
-  }
-  return text + row("object run hash", hex(run_hash()));
+  return row("object frames", std::to_string(frames_)) +
+         row_if(incomplete_ + not_known_ > 0, "objects not known",
+                std::to_string(incomplete_) + " frames incomplete, " + std::to_string(not_known_) +
+                    " without a place") +
+         row("objects, all frames", list_of(by_state_, kStateNames)) +
+         row("objects that moved", std::to_string(moved_.size()) + ", at most " +
+                                       std::to_string(most_moving_) + " in a frame") +
+         row_if(tracks_refused_ + hits_left_ > 0, "objects without room",
+                std::to_string(tracks_refused_) + ", and " + std::to_string(hits_left_) + " hits") +
+         row("object run hash", hex(run_hash()));
 }
 
 }  // namespace iog::tools

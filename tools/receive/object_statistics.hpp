@@ -7,10 +7,9 @@
 #include <numeric>
 #include <set>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "tools/frames/grid_frame.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/frame_record.hpp"
 
 namespace iog::tools {
@@ -29,7 +28,7 @@ class ObjectStatistics {
   }
 
   // As RunStatistics has them.
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
+  [[nodiscard]] Facts facts() const;
   // Empty if no frame had objects.
   [[nodiscard]] std::string table() const;
 

@@ -8,9 +8,8 @@
 
 #include "tools/program/file.hpp"
 #include "tools/program/hexadecimal.hpp"
-#include "tools/receive/stream_names.hpp"
-#include "tools/receive/temperature_words.hpp"
-#include "tools/receive/watched_words.hpp"
+#include "tools/report/names.hpp"
+#include "tools/report/words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -131,21 +130,18 @@ std::uint64_t RunStatistics::points_used() const {
   return fates_[static_cast<std::size_t>(vehicle::Fate::kUsed)];
 }
 
-RunStatistics::Facts RunStatistics::facts() const {
-  Facts facts{{"frames", std::to_string(frames_)},
-              {"frames_with_evidence", std::to_string(records_.size())},
-              {"frames_timed_out", std::to_string(timed_out_)},
-              {"frames_too_slow", std::to_string(too_slow_)},
-              {"frames_incomplete", std::to_string(incomplete_)},
-              {"frames_damaged", std::to_string(damaged_)},
-              {"tiles", std::to_string(tiles_)},
-              {"tiles_not_sent", std::to_string(tiles_not_sent_)}};
-  for (std::size_t i = 0; i < fates_.size(); ++i) {
-    facts.emplace_back(key_of("points_", kPointFateNames[i]), std::to_string(fates_[i]));
-  }
-  for (std::size_t i = 0; i < packet_drops_.size(); ++i) {
-    facts.emplace_back(key_of("packets_", kPacketDropNames[i]), std::to_string(packet_drops_[i]));
-  }
+Facts RunStatistics::facts() const {
+  Facts facts;
+  add_fact(facts, "frames", frames_);
+  add_fact(facts, "frames_with_evidence", records_.size());
+  add_fact(facts, "frames_timed_out", timed_out_);
+  add_fact(facts, "frames_too_slow", too_slow_);
+  add_fact(facts, "frames_incomplete", incomplete_);
+  add_fact(facts, "frames_damaged", damaged_);
+  add_fact(facts, "tiles", tiles_);
+  add_fact(facts, "tiles_not_sent", tiles_not_sent_);
+  add_facts(facts, "points_", fates_, kPointFateNames);
+  add_facts(facts, "packets_", packet_drops_, kPacketDropNames);
   const std::array stages{std::pair{"fuse", &fuse_us_}, std::pair{"mark", &mark_us_},
                           std::pair{"perceive", &perceive_us_}, std::pair{"publish", &publish_us_}};
   for (const auto& [name, statistics] : stages) {
@@ -153,20 +149,27 @@ RunStatistics::Facts RunStatistics::facts() const {
     facts.emplace_back(std::string(name) + "_us_max", fixed(statistics->max()));
   }
   facts.emplace_back("frame_us_max", fixed(frame_us_.max()));
-  facts.emplace_back("stack_used_bytes", std::to_string(stack_used_bytes_));
+  add_target_facts(facts);
+  facts.emplace_back("run_hash", hex(run_hash()));
+  std::ranges::move(classes_.facts(), std::back_inserter(facts));
+  std::ranges::move(objects_.facts(), std::back_inserter(facts));
+  return facts;
+}
+
+// What only some targets say.
+void RunStatistics::add_target_facts(Facts& facts) const {
+  add_fact(facts, "stack_used_bytes", stack_used_bytes_);
   if (core_shares_) {
-    facts.emplace_back("cores_at_work", std::to_string(core_shares_->at_work));
-    facts.emplace_back("items_for_lost_cores", std::to_string(core_shares_->for_lost));
+    add_fact(facts, "cores_at_work", core_shares_->at_work);
+    add_fact(facts, "items_for_lost_cores", core_shares_->for_lost);
     for (std::size_t core = 0; core < core_shares_->items.size(); ++core) {
-      facts.emplace_back("items_of_core_" + std::to_string(core),
-                         std::to_string(core_shares_->items[core]));
+      add_fact(facts, "items_of_core_" + std::to_string(core), core_shares_->items[core]);
     }
   }
   if (run_before_) {
-    facts.emplace_back("starts_since_power_up", std::to_string(run_before_->starts));
-    facts.emplace_back("end_of_the_run_before",
-                       std::to_string(static_cast<unsigned>(run_before_->end.cause)));
-    facts.emplace_back("detail_of_that_end", std::to_string(run_before_->end.detail));
+    add_fact(facts, "starts_since_power_up", run_before_->starts);
+    add_fact(facts, "end_of_the_run_before", static_cast<std::uint64_t>(run_before_->end.cause));
+    add_fact(facts, "detail_of_that_end", run_before_->end.detail);
   }
   if (commands_) {
     facts.emplace_back("commands", words_of(*commands_));
@@ -183,25 +186,23 @@ RunStatistics::Facts RunStatistics::facts() const {
   for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
     const std::string name = key_of("loop_", kLoopTimeNames[i]);
     facts.emplace_back(name + "_us_mean", fixed((*loop_times_)[i].mean_us()));
-    facts.emplace_back(name + "_us_worst", std::to_string((*loop_times_)[i].worst_us));
+    add_fact(facts, name + "_us_worst", (*loop_times_)[i].worst_us);
   }
-  facts.emplace_back("run_hash", hex(run_hash()));
-  std::ranges::move(classes_.facts(), std::back_inserter(facts));
-  std::ranges::move(objects_.facts(), std::back_inserter(facts));
-  return facts;
 }
 
-void RunStatistics::append_sensors(std::string& text) const {
+std::string RunStatistics::rows_of_sensors() const {
+  std::string text;
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const std::string blocked =
         blocked_frames_[i] > 0 ? ", blocked " + std::to_string(blocked_frames_[i]) : "";
     text +=
         row("sensor " + std::to_string(i), list_of(sensor_frames_[i], kSensorStateNames) + blocked);
   }
+  return text;
 }
 
 // Of the points of which a height counts.
-void RunStatistics::append_ground(std::string& text) const {
+std::string RunStatistics::rows_of_ground() const {
   using vehicle::Fate;
   constexpr std::array kOfGround{Fate::kGround, Fate::kOverhang, Fate::kUnderGround};
   std::uint64_t all = points_used();
@@ -209,7 +210,7 @@ void RunStatistics::append_ground(std::string& text) const {
     all += fates_[static_cast<std::size_t>(fate)];
   }
   if (all == points_used()) {
-    return;
+    return {};
   }
   std::ostringstream words;
   words << std::fixed << std::setprecision(1);
@@ -219,39 +220,36 @@ void RunStatistics::append_ground(std::string& text) const {
           << 100 * static_cast<double>(fates_[its]) / static_cast<double>(all) << " % "
           << kPointFateNames[its];
   }
-  text += row("over the ground", words.str());
   // A right mount has less than 1 % under it, also in hills (docs/ground.md).
   constexpr std::uint64_t kOfAWrongMount = 50;
-  if (kOfAWrongMount * fates_[static_cast<std::size_t>(Fate::kUnderGround)] > all) {
-    text += row("MOUNT?",
+  return row("over the ground", words.str()) +
+         row_if(kOfAWrongMount * fates_[static_cast<std::size_t>(Fate::kUnderGround)] > all,
+                "MOUNT?",
                 "many returns are under the ground: is the pitch or roll of a mount "
                 "wrong, or its sign? pitch_deg is positive down; `iog mount` finds it");
-  }
 }
 
-void RunStatistics::append_too_slow(std::string& text) const {
+std::string RunStatistics::row_of_too_slow() const {
   const std::uint64_t left = fates_[static_cast<std::size_t>(vehicle::Fate::kNotTaken)];
-  if (left == 0) {
-    return;
-  }
   const std::uint64_t all = std::accumulate(fates_.begin(), fates_.end(), std::uint64_t{0});
-  text += row("TARGET TOO SLOW", std::to_string(left) + " points not taken, " +
-                                     std::to_string((100 * left + all / 2) / all) +
-                                     " % of all, in " + std::to_string(too_slow_) + " of " +
-                                     std::to_string(frames_) + " frames");
+  return left == 0 ? std::string()
+                   : row("TARGET TOO SLOW", std::to_string(left) + " points not taken, " +
+                                                percent(left, all) + " % of all, in " +
+                                                std::to_string(too_slow_) + " of " +
+                                                std::to_string(frames_) + " frames");
 }
 
 // The stream does not say whose packets they were: a sensor is named in whose fullest frame another
 // packet had no room.
-void RunStatistics::append_over_budget(std::string& text) const {
+std::string RunStatistics::row_of_over_budget() const {
   const std::uint64_t over =
       packet_drops_[static_cast<std::size_t>(intake::PacketDrop::kOverBudget)];
   if (over == 0) {
-    return;
+    return {};
   }
   const std::uint64_t all = packets_fused_ + over;
   std::string words = std::to_string(over) + " of " + std::to_string(all) + " packets dropped, " +
-                      std::to_string((100 * over + all / 2) / all) + " %: ";
+                      percent(over, all) + " %: ";
   const CatalogueEntry* const car = last_ ? vehicle_of_id(last_->vehicle_id) : nullptr;
   bool is_named = false;
   for (std::size_t i = 0; car != nullptr && i < std::min(car->sensors.size(), most_points_.size());
@@ -267,71 +265,55 @@ void RunStatistics::append_over_budget(std::string& text) const {
   words += is_named
                ? "a unit of two returns sends twice as many as one of one return"
                : "more points than the car's file (max_points_per_scan) or a frame's marks allow";
-  text += row("OVER BUDGET", words);
+  return row("OVER BUDGET", words);
 }
 
-// What the target itself has measured, of all its frames since its start.
-void RunStatistics::append_loop_times(std::string& text) const {
-  for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
-    if ((*loop_times_)[i].count() > 0) {
-      text += row("loop: " + std::string(kLoopTimeNames[i]), words_of((*loop_times_)[i]));
-    }
-  }
-}
-
-std::string RunStatistics::table(bool has_target) const {
-  std::string text;
-  text +=
-      row("frames", std::to_string(frames_) + ", with evidence " + std::to_string(records_.size()) +
-                        ", of these closed by time " + std::to_string(timed_out_));
-  if (incomplete_ + damaged_ > 0) {
-    text += row("frames not whole", std::to_string(incomplete_) + " incomplete, " +
-                                        std::to_string(damaged_) + " damaged");
-  }
-  append_sensors(text);
-  if (unwatched_) {
-    text += row("unwatched at the end", words_of_sectors(*unwatched_));
-  }
-  if (blocked_.value_or(0) != 0) {
-    text += row("blocked at the end", words_of_sectors(*blocked_) + ": nearly nothing comes back");
-  }
-  if (hottest_dc_ != hal::kTemperatureNotKnown) {
-    text += row("chip", words_of_temperature(hottest_dc_) + " at the hottest" +
-                            (hottest_dc_ >= kWarmDc ? ", which is too warm" : ""));
-  }
-  text += row("scan points", list_of(fates_, kPointFateNames));
-  append_ground(text);
-  append_too_slow(text);
-  append_over_budget(text);
-  text += row("packets dropped", list_of(packet_drops_, kPacketDropNames));
-  text += row("tiles", std::to_string(tiles_));
-  if (tiles_not_sent_ > 0) {
-    text += row("tiles not sent", std::to_string(tiles_not_sent_));
-  }
-  const std::string where = has_target ? " on target" : " here";
-  text += row("fuse" + where, times(fuse_us_));
-  text += row("mark" + where, times(mark_us_));
-  if (perceive_us_.count() > 0) {
-    text += row("perceive" + where, times(perceive_us_));
-  }
-  text += row("publish" + where, times(publish_us_));
-  if (has_target) {
-    text += row("deepest stack", std::to_string(stack_used_bytes_) + " bytes");
-  }
-  if (core_shares_) {
-    text += row("cores at work", words_of(*core_shares_));
-  }
+// What the target itself has counted, of all its frames since its start.
+std::string RunStatistics::rows_of_target() const {
+  std::string text = core_shares_ ? row("cores at work", words_of(*core_shares_)) : std::string();
   if (run_before_ && run_before_->starts > 1) {
     text += row("target's starts", words_of(*run_before_));
   }
   if (commands_) {
     text += row("commands", words_of(*commands_));
   }
-  append_loop_times(text);
-  return text + row("run hash", hex(run_hash())) + classes_.table() + objects_.table();
+  for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
+    const LoopTime& time = (*loop_times_)[i];
+    text += row_if(time.count() > 0, "loop: " + std::string(kLoopTimeNames[i]), words_of(time));
+  }
+  return text;
 }
 
-void write_facts(const std::string& path, const RunStatistics::Facts& facts) {
+std::string RunStatistics::table(bool has_target) const {
+  const std::string where = has_target ? " on target" : " here";
+  const std::uint64_t blocked = blocked_.value_or(0);
+  return row("frames", std::to_string(frames_) + ", with evidence " +
+                           std::to_string(records_.size()) + ", of these closed by time " +
+                           std::to_string(timed_out_)) +
+         row_if(incomplete_ + damaged_ > 0, "frames not whole",
+                std::to_string(incomplete_) + " incomplete, " + std::to_string(damaged_) +
+                    " damaged") +
+         rows_of_sensors() +
+         row_if(unwatched_.has_value(), "unwatched at the end",
+                words_of_sectors(unwatched_.value_or(0))) +
+         row_if(blocked != 0, "blocked at the end",
+                words_of_sectors(blocked) + ": nearly nothing comes back") +
+         row_if(hottest_dc_ != hal::kTemperatureNotKnown, "chip",
+                words_of_temperature(hottest_dc_) + " at the hottest" +
+                    (hottest_dc_ >= kWarmDc ? ", which is too warm" : "")) +
+         row("scan points", list_of(fates_, kPointFateNames)) + rows_of_ground() +
+         row_of_too_slow() + row_of_over_budget() +
+         row("packets dropped", list_of(packet_drops_, kPacketDropNames)) +
+         row("tiles", std::to_string(tiles_)) +
+         row_if(tiles_not_sent_ > 0, "tiles not sent", std::to_string(tiles_not_sent_)) +
+         row("fuse" + where, times(fuse_us_)) + row("mark" + where, times(mark_us_)) +
+         row_if(perceive_us_.count() > 0, "perceive" + where, times(perceive_us_)) +
+         row("publish" + where, times(publish_us_)) +
+         row_if(has_target, "deepest stack", std::to_string(stack_used_bytes_) + " bytes") +
+         rows_of_target() + row("run hash", hex(run_hash())) + classes_.table() + objects_.table();
+}
+
+void write_facts(const std::string& path, const Facts& facts) {
   OutputFile file(path);
   for (const auto& [key, value] : facts) {
     std::string line = key;

@@ -5,19 +5,15 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hal/thermometer.hpp"
 #include "tools/frames/grid_frame.hpp"
 #include "tools/program/table.hpp"
 #include "tools/receive/class_statistics.hpp"
-#include "tools/receive/command_counts.hpp"
-#include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/receive/loop_times.hpp"
 #include "tools/receive/object_statistics.hpp"
-#include "tools/receive/run_before.hpp"
+#include "tools/report/counters.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::tools {
@@ -52,10 +48,7 @@ class RunStatistics {
   [[nodiscard]] const ClassStatistics& classes() const { return classes_; }
   [[nodiscard]] const ObjectStatistics& objects() const { return objects_; }
 
-  // Names and values, for a script: "frames_with_evidence" and "250".
-  using Facts = std::vector<std::pair<std::string, std::string>>;
   [[nodiscard]] Facts facts() const;
-
   // The same for a person, aligned. has_target: with the rows that only a real target fills.
   [[nodiscard]] std::string table(bool has_target) const;
 
@@ -63,11 +56,12 @@ class RunStatistics {
   void add_times(const GridFrame& frame);
   void add_states(const GridFrame& frame);
   void add_points(const stream::FrameEnd& end);
-  void append_sensors(std::string& text) const;
-  void append_ground(std::string& text) const;
-  void append_too_slow(std::string& text) const;
-  void append_over_budget(std::string& text) const;
-  void append_loop_times(std::string& text) const;
+  void add_target_facts(Facts& facts) const;
+  [[nodiscard]] std::string rows_of_sensors() const;
+  [[nodiscard]] std::string rows_of_ground() const;
+  [[nodiscard]] std::string row_of_too_slow() const;
+  [[nodiscard]] std::string row_of_over_budget() const;
+  [[nodiscard]] std::string rows_of_target() const;
 
   std::uint64_t frames_ = 0;
   std::uint64_t timed_out_ = 0;
@@ -107,6 +101,6 @@ class RunStatistics {
 };
 
 // "key=value" lines. UsageError if the file cannot be written.
-void write_facts(const std::string& path, const RunStatistics::Facts& facts);
+void write_facts(const std::string& path, const Facts& facts);
 
 }  // namespace iog::tools

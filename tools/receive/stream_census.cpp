@@ -23,8 +23,8 @@ bool StreamCensus::is_message(std::span<const std::byte> datagram) {
          event == stream::kNetworkChannel.event.event_id;
 }
 
-RunStatistics::Facts StreamCensus::facts() const {
-  RunStatistics::Facts facts = statistics_.facts();
+Facts StreamCensus::facts() const {
+  Facts facts = statistics_.facts();
   facts.emplace_back("vehicle", vehicle());
   for (const auto& [name, count] : link_counts(assembler_)) {
     facts.emplace_back(name, std::to_string(count));

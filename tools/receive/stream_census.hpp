@@ -36,7 +36,7 @@ class StreamCensus {
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
 
   // Names and values: of the frames, then of the messages.
-  [[nodiscard]] RunStatistics::Facts facts() const;
+  [[nodiscard]] Facts facts() const;
   // The same for a person.
   [[nodiscard]] std::string table() const;
   // "reference_car"; "unknown (1a2b3c4d)" where no description has that name; empty before a frame.

@@ -6,15 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "hal/thermometer.hpp"
 #include "tools/program/hexadecimal.hpp"
-#include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/receive/loop_times.hpp"
-#include "tools/receive/map_words.hpp"
-#include "tools/receive/run_before.hpp"
-#include "tools/receive/stream_names.hpp"
-#include "tools/receive/temperature_words.hpp"
-#include "tools/receive/watched_words.hpp"
+#include "tools/report/counters.hpp"
+#include "tools/report/map_words.hpp"
+#include "tools/report/names.hpp"
+#include "tools/report/words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {

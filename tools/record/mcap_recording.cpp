@@ -47,7 +47,7 @@ std::uint16_t McapRecording::channel_of(std::string_view topic, const ros::Messa
                                                .metadata = {{"offered_qos_profiles", ""}}});
 }
 
-void McapRecording::finish(const RunStatistics::Facts& facts) {
+void McapRecording::finish(const Facts& facts) {
   std::map<std::string, std::string> known(facts.begin(), facts.end());
   known["stamps"] = kStampNames.at(static_cast<std::size_t>(stamp_));
   file_.finish(kRunMetadata, known);

@@ -25,7 +25,7 @@ class McapRecording : public Recording, private TopicSink {
   [[nodiscard]] bool wants_points() const override { return topics_.contains(kPointsTopic); }
   void take_datagram(const CapturedDatagram& datagram) override;
   void take_frame(const RecordedFrame& frame) override;
-  void finish(const RunStatistics::Facts& facts) override;
+  void finish(const Facts& facts) override;
 
  private:
   [[nodiscard]] bool wants(std::string_view topic, const ros::MessageType& type) override;

@@ -15,7 +15,7 @@ class PcapRecording : public Recording {
 
   void take_datagram(const CapturedDatagram& datagram) override { file_.write(datagram); }
   void take_frame(const RecordedFrame& /*frame*/) override {}
-  void finish(const RunStatistics::Facts& /*facts*/) override { file_.finish(); }
+  void finish(const Facts& /*facts*/) override { file_.finish(); }
 
  private:
   PcapWriter file_;

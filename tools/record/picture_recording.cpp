@@ -32,7 +32,7 @@ void PictureRecording::take_frame(const RecordedFrame& recorded) {
   last_ = frame;
 }
 
-void PictureRecording::finish(const RunStatistics::Facts& /*facts*/) {
+void PictureRecording::finish(const Facts& /*facts*/) {
   if (last_) {
     pictures_.write_last(*last_);
   }

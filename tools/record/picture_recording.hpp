@@ -15,7 +15,7 @@ class PictureRecording : public Recording {
 
   void take_datagram(const CapturedDatagram& /*datagram*/) override {}
   void take_frame(const RecordedFrame& recorded) override;
-  void finish(const RunStatistics::Facts& facts) override;
+  void finish(const Facts& facts) override;
 
  private:
   PictureOptions options_;

@@ -39,7 +39,7 @@ class Recording {
   virtual void take_frame(const RecordedFrame& frame) = 0;
   // Once, at the end. facts: what is known of the whole run. UsageError if not all has been
   // written, as above.
-  virtual void finish(const RunStatistics::Facts& facts) = 0;
+  virtual void finish(const Facts& facts) = 0;
 };
 
 }  // namespace iog::tools

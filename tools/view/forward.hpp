@@ -18,7 +18,7 @@ class Forward : public Recording {
     static_cast<void>(sender_.send(0, datagram.payload));
   }
   void take_frame(const RecordedFrame& /*frame*/) override {}
-  void finish(const RunStatistics::Facts& /*facts*/) override {}
+  void finish(const Facts& /*facts*/) override {}
 
  private:
   UdpSender sender_;

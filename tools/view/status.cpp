@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "geometry/grid.hpp"
+#include "hal/thermometer.hpp"
 #include "lidar/formats.hpp"
 #include "stream/channel.hpp"
 #include "tools/program/hexadecimal.hpp"
-#include "tools/receive/core_shares.hpp"
 #include "tools/receive/frame_record.hpp"
-#include "tools/receive/map_words.hpp"
-#include "tools/receive/run_before.hpp"
-#include "tools/receive/temperature_words.hpp"
+#include "tools/report/counters.hpp"
+#include "tools/report/map_words.hpp"
+#include "tools/report/words.hpp"
 
 namespace iog::tools::view {
 namespace {

@@ -1,7 +1,7 @@
 // What a target says of its signed commands, in words.
-#include "tools/receive/command_counts.hpp"
-
 #include <gtest/gtest.h>
+
+#include "tools/report/counters.hpp"
 
 namespace iog::tools {
 namespace {

@@ -1,9 +1,9 @@
 // How the cores have shared the work, as a frame's end says it.
-#include "tools/receive/core_shares.hpp"
-
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
+
+#include "tools/report/counters.hpp"
 
 namespace iog::tools {
 namespace {

@@ -1,7 +1,7 @@
 // The loop's own times, as a frame's end says them.
-#include "tools/receive/loop_times.hpp"
-
 #include <gtest/gtest.h>
+
+#include "tools/report/counters.hpp"
 
 namespace iog::tools {
 namespace {

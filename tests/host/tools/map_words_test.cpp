@@ -1,5 +1,5 @@
 // What a target says of its map, in words and for a script.
-#include "tools/receive/map_words.hpp"
+#include "tools/report/map_words.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -41,7 +41,7 @@ TEST(ObjectStatistics, SayHowManyMove) {
   statistics.add(nowhere);
   statistics.add(GridFrame{});  // of a target that looks for none
 
-  const RunStatistics::Facts facts = statistics.facts();
+  const Facts facts = statistics.facts();
   std::map<std::string, std::string> values(facts.begin(), facts.end());
   EXPECT_EQ(values["object_frames"], "4");
   EXPECT_EQ(values["object_frames_incomplete"], "1");

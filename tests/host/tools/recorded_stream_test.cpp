@@ -39,7 +39,7 @@ class SeeingRecording : public Recording {
     }
     seen_->unknown_tiles.push_back(unknown);
   }
-  void finish(const RunStatistics::Facts& /*facts*/) override {}
+  void finish(const Facts& /*facts*/) override {}
 
  private:
   Seen* seen_;

@@ -53,7 +53,7 @@ class KeepingRecording : public Recording {
     }
     given_->unknown_tiles.push_back(unknown);
   }
-  void finish(const RunStatistics::Facts& /*facts*/) override { ++given_->finished; }
+  void finish(const Facts& /*facts*/) override { ++given_->finished; }
 
  private:
   Given* given_;

@@ -1,7 +1,7 @@
 // How the run before has ended, as a frame's end says it.
-#include "tools/receive/run_before.hpp"
-
 #include <gtest/gtest.h>
+
+#include "tools/report/counters.hpp"
 
 namespace iog::tools {
 namespace {

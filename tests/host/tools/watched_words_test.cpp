@@ -1,7 +1,7 @@
 // What is not watched, in degrees for a person: 64 sectors of 5.625, counter-clockwise from ahead.
-#include "tools/receive/watched_words.hpp"
-
 #include <gtest/gtest.h>
+
+#include "tools/report/words.hpp"
 
 namespace iog::tools {
 namespace {

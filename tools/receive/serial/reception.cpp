@@ -75,7 +75,7 @@ class SerialReception {
     if (link_.grid().newest_seen()) {
       pictures_.write_last(composed());
     }
-    const RunStatistics::Facts facts = this->facts();
+    const Facts facts = this->facts();
     if (!options_->summary.empty()) {
       write_facts(options_->summary, facts);
     }
@@ -140,7 +140,7 @@ class SerialReception {
 
   // Of the tiles of cells in which something is known: how many, and how old on the mean and at
   // most, by the target's clock.
-  void add_ages(RunStatistics::Facts& facts) const {
+  void add_ages(Facts& facts) const {
     TimeStatistics ages;
     std::size_t known = 0;
     for (std::size_t tile = 0; tile < geometry::kTileCount && link_.grid().newest(); ++tile) {
@@ -155,9 +155,9 @@ class SerialReception {
     facts.emplace_back("largest_age_ms", std::to_string(static_cast<std::uint64_t>(ages.max())));
   }
 
-  [[nodiscard]] RunStatistics::Facts facts() const {
+  [[nodiscard]] Facts facts() const {
     const SerialCounts counts = link_.counts();
-    RunStatistics::Facts facts;
+    Facts facts;
     const auto add = [&facts](const char* name, std::uint64_t count, bool is_always_told = false) {
       if (count > 0 || is_always_told) {
         facts.emplace_back(name, std::to_string(count));

@@ -3,10 +3,9 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "stream/map_state.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 
@@ -19,9 +18,8 @@ namespace iog::tools {
 // "receiving 1a2b3c4d, 12 of 80 chunks"; empty if nothing is on its way.
 [[nodiscard]] std::string words_of_delivery(const map::DeliveryReport& delivery);
 
-// "map_crc" and "1a2b3c4d": as RunStatistics has them.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> map_facts(
-    const stream::MapState& state);
+// "map_crc" and "1a2b3c4d": as RunStatistics::facts() has them.
+[[nodiscard]] Facts map_facts(const stream::MapState& state);
 
 // Rows of a table. What counts since the target's start is as of this state.
 [[nodiscard]] std::string map_table(const stream::MapState& state);

@@ -1,4 +1,4 @@
-// The target chip's temperature in words, and the limits for a warning.
+// Numbers of a frame's end in words.
 //
 // The limit of an i.MX6Q depends on its grade: 95 degrees at the junction for commercial ones, the
 // lowest (NXP's data sheets IMX6DQCEC, IMX6DQIEC and IMX6DQAEC). Linux warns ten degrees below;
@@ -6,20 +6,18 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <string>
-
-#include "hal/thermometer.hpp"
 
 namespace iog::tools {
 
 inline constexpr std::int16_t kWarmDc = 850;
 inline constexpr std::int16_t kTooHotDc = 950;
 
-// "61.2 degrees Celsius".
-[[nodiscard]] inline std::string words_of_temperature(std::int16_t dc) {
-  return (dc < 0 ? "-" : "") + std::to_string(std::abs(dc) / 10) + "." +
-         std::to_string(std::abs(dc) % 10) + " degrees Celsius";
-}
+// "61.2 degrees Celsius", of the target's chip.
+[[nodiscard]] std::string words_of_temperature(std::int16_t dc);
+
+// Sectors around the vehicle that no sensor watches, or that are blocked (docs/spec.md 3.5): "90 to
+// 129, -129 to -90 degrees", counter-clockwise from straight ahead; "none", or "all around".
+[[nodiscard]] std::string words_of_sectors(std::uint64_t sectors);
 
 }  // namespace iog::tools

@@ -1,6 +1,7 @@
-#include "tools/receive/watched_words.hpp"
+#include "tools/report/words.hpp"
 
 #include <cmath>
+#include <cstdlib>
 
 namespace iog::tools {
 namespace {
@@ -15,6 +16,11 @@ std::string degrees_of(unsigned sector) {
 }
 
 }  // namespace
+
+std::string words_of_temperature(std::int16_t dc) {
+  return (dc < 0 ? "-" : "") + std::to_string(std::abs(dc) / 10) + "." +
+         std::to_string(std::abs(dc) % 10) + " degrees Celsius";
+}
 
 std::string words_of_sectors(std::uint64_t sectors) {
   const auto is_set = [=](unsigned i) { return (sectors >> i % kSectors & 1U) != 0; };

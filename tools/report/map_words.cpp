@@ -1,4 +1,4 @@
-#include "tools/receive/map_words.hpp"
+#include "tools/report/map_words.hpp"
 
 #include <array>
 #include <cstddef>
@@ -7,8 +7,7 @@
 #include "tools/map/refusal_text.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/printable.hpp"
-#include "tools/program/table.hpp"
-#include "tools/receive/frame_record.hpp"
+#include "tools/report/names.hpp"
 
 namespace iog::tools {
 namespace {
@@ -24,15 +23,6 @@ constexpr std::array<std::string_view, map::kCauseCount> kCauseWords{
     "the window has no place yet",
     "the map does not reach here",
     "the sensors contradict the map"};
-
-constexpr std::array<std::string_view, map::kCauseCount> kMapCauseNames{
-    "in use",  "no map",   "no transform", "other origin", "imprecise",
-    "blurred", "no place", "outside",      "contradicted"};
-
-// In the order of map::Fate.
-constexpr std::array<std::string_view, map::kFateCount> kChunkNames{
-    "taken",    "repeated",      "in use",  "of another map", "stranger", "too short",
-    "not ours", "wrong version", "damaged", "wrong length",   "not zero", "out of range"};
 
 std::string_view words_of(map::DeliveryState state) {
   return state == map::DeliveryState::kChecking ? "checking" : "receiving";
@@ -69,26 +59,19 @@ std::string words_of_delivery(const map::DeliveryReport& delivery) {
          std::to_string(map::chunk_count(delivery.incoming)) + " chunks";
 }
 
-std::vector<std::pair<std::string, std::string>> map_facts(const stream::MapState& state) {
-  std::vector<std::pair<std::string, std::string>> facts;
-  const auto add = [&](const std::string& name, std::uint64_t value) {
-    facts.emplace_back(name, std::to_string(value));
-  };
+Facts map_facts(const stream::MapState& state) {
+  Facts facts;
   facts.emplace_back("map_crc", state.in_use ? hex(state.layer.crc) : "none");
   facts.emplace_back("map_attribution",
                      state.in_use ? printable(std::string(state.in_use->words())) : "none");
-  add("map_cause", static_cast<std::uint8_t>(state.layer.cause));
-  add("map_blur_cells", state.layer.radius);
-  add("map_tiles_drawn", state.layer.tiles_drawn);
-  add("map_tiles_outside", state.layer.tiles_outside);
-  add("map_tiles_waiting", state.layer.tiles_waiting);
-  add("map_blocks_refused", state.delivery.blocks_refused);
-  for (std::size_t i = 0; i < kMapCauseNames.size(); ++i) {
-    add(key_of("map_times_", kMapCauseNames[i]), state.layer.begun[i]);
-  }
-  for (std::size_t i = 0; i < kChunkNames.size(); ++i) {
-    add(key_of("map_chunks_", kChunkNames[i]), state.delivery.fates[i]);
-  }
+  add_fact(facts, "map_cause", static_cast<std::uint8_t>(state.layer.cause));
+  add_fact(facts, "map_blur_cells", state.layer.radius);
+  add_fact(facts, "map_tiles_drawn", state.layer.tiles_drawn);
+  add_fact(facts, "map_tiles_outside", state.layer.tiles_outside);
+  add_fact(facts, "map_tiles_waiting", state.layer.tiles_waiting);
+  add_fact(facts, "map_blocks_refused", state.delivery.blocks_refused);
+  add_facts(facts, "map_times_", state.layer.begun, kMapCauseNames);
+  add_facts(facts, "map_chunks_", state.delivery.fates, kChunkNames);
   return facts;
 }
 
