@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "lab/reference/fusion.hpp"
 
 namespace iog::lab {

@@ -14,7 +14,7 @@
 #include <limits>
 #include <utility>
 
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "lab/reference/traversal.hpp"
 #include "traversal/walk.hpp"
 #include "vehicle/beam.hpp"

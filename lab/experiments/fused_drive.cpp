@@ -14,7 +14,7 @@ void fuse_drive(std::string_view scene, std::uint64_t seed, std::uint32_t second
   const tools::CatalogueEntry& car = tools::find_vehicle("reference_car");
   vehicle::Vehicle vehicle = *car.vehicle;
   vehicle.rule = rule;
-  const auto fusion = std::make_unique<grid::FrameFusion>(vehicle);  // too large for the stack
+  const auto fusion = std::make_unique<fusion::FrameFusion>(vehicle);  // too large for the stack
   tools::Drive drive(car, seed, seconds, tools::find_scene(scene));
   std::vector<index::OccupancyIndex> storage(geometry::kCellCount);
   const auto cells = std::span(storage).first<geometry::kCellCount>();

@@ -7,7 +7,7 @@ namespace iog::lab {
 Perceiver::Perceiver(const vehicle::Vehicle& vehicle, std::span<const std::uint8_t> map,
                      OnFrame on_frame)
     : on_frame_(std::move(on_frame)),
-      frame_(std::make_unique<app::Frame>(vehicle, kReplayer, app::HelpersSpace{},
+      frame_(std::make_unique<app::Frame>(vehicle, kReplayer, fusion::HelpersSpace{},
                                           app::Fusing::kAtItsEnd)),
       engine_(std::make_unique<app::PerceptionEngine>(*frame_, vehicle, kReplayer)) {
   if (!map.empty()) {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "lab/baseline/printed_fusion.hpp"
 #include "lab/peers/contender.hpp"
 
@@ -44,7 +44,7 @@ class Ours final : public Contender {
 
   const PeerFrames* frames_;
   vehicle::Vehicle vehicle_;
-  grid::FrameFusion fusion_;
+  fusion::FrameFusion fusion_;
 };
 
 class Printed final : public Contender {

@@ -16,8 +16,8 @@ import a9_runs
 # A frame is taken apart into the items of its rounds. What is not in one of these functions is the
 # pass's own; what the benchmark does is left out.
 FUNCTIONS = {
-    "fuse": ["app/shared_fusion:fuse_part"],
-    "join": ["app/shared_fusion:join_row"],
+    "fuse": ["fusion/shared_fusion:fuse_part"],
+    "join": ["fusion/shared_fusion:join_row"],
     "encode": ["tile_coding/encode:encode"],
     "other": ["target/perception_pass:take", "target/perception_pass:tick"],
 }

@@ -43,7 +43,7 @@ STAGES = {
     "decode": ["intake/intake:receive", "intake/intake:classify", "app/frame:accept"],
     "beams": ["app/frame:add_points"],
     "carve": ["grid/carving:carve_blocks", "grid/carving:carve_cells"],
-    "mark": ["grid/frame_fusion:finish"],
+    "mark": ["fusion/frame_fusion:finish"],
     "encode": ["target/stage_pass:take", "target/stage_pass:tick"],
     "send": ["net/outbound:build_datagram",
              *(f"ethernet/enet_port:{name}" for name in ("acquire", "commit", "pump"))],

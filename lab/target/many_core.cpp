@@ -19,7 +19,7 @@
 
 #include "capture.hpp"
 #include "first_frame.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "playback.hpp"
 #include "require/require.hpp"
@@ -115,7 +115,7 @@ void measure_approach(InstructionCounter& counter, const char* name, std::int32_
 }
 
 void measure_product(InstructionCounter& counter, std::span<const SensorPoint> points) {
-  static grid::FrameFusion fusion(car());
+  static fusion::FrameFusion fusion(car());
   std::uint32_t used = 0;
   const std::uint32_t start = counter.now();
   fusion.clear();

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "app/frame.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "lidar/scan_point.hpp"
 #include "playback.hpp"
@@ -56,7 +56,7 @@ class OperationPass {
   InstructionCounter& counter_;
   OperationCost cost_;
   app::Frame frame_;
-  grid::FrameFusion single_;  // of one point at a time
+  fusion::FrameFusion single_;  // of one point at a time
 };
 
 }  // namespace iog::lab

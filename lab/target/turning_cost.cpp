@@ -15,7 +15,9 @@
 #include <cstdio>
 #include <string_view>
 
-#include "grid/frame_fusion.hpp"
+#include "tools/car/scanners.hpp"
+#include "tools/car/tables.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"
 #include "number_in.hpp"
@@ -104,7 +106,7 @@ struct Cost {
 };
 
 // Points of a column are made first, so that only the fusion is counted.
-void fuse_turn(const Request& request, Turns& turns, grid::FrameFusion& fusion,
+void fuse_turn(const Request& request, Turns& turns, fusion::FrameFusion& fusion,
                InstructionCounter& counter, Cost& cost) {
   const vehicle::Sensor& sensor = request.vehicle->sensors[0];
   static std::array<lidar::ScanPoint, vehicle::kMaxLayers> column;
@@ -137,7 +139,7 @@ void print(const char* key, std::uint64_t value) {
 
 int run(const Request& request) {
   static InstructionCounter counter;
-  static grid::FrameFusion fusion(*request.vehicle);
+  static fusion::FrameFusion fusion(*request.vehicle);
   counter.start();
   if (!counter.is_exact()) {
     std::puts("turning_cost: instructions are not counted; is this -icount shift=4,sleep=off?");

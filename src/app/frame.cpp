@@ -48,8 +48,8 @@ bool is_fused_together(const vehicle::Vehicle& vehicle) {
          });
 }
 
-Frame::Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, HelpersSpace space,
-             Fusing fusing)
+Frame::Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
+             fusion::HelpersSpace space, Fusing fusing)
     : fusion_(vehicle, watched_, space),
       vehicle_(&vehicle),
       fusing_(fusing),
@@ -77,7 +77,7 @@ void Frame::fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const
     fusion_.fuse_alone(packet.sensor, packet.packet);
     return;
   }
-  FramePackets& packets = fusion_.packets();
+  fusion::FramePackets& packets = fusion_.packets();
   if (!packets.fits(packet)) {
     fuse_kept(crew);
   }

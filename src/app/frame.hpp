@@ -8,8 +8,8 @@
 //
 // One core fuses each packet as it comes. A dense lidar sends more than one core may have time for:
 // with several, its packets are kept until there is a part for each of them, fused in a round while
-// the next ones come, and joined when the frame ends (app/shared_fusion.hpp): the same bytes. Of a
-// frame with classes all packets are kept until it ends (app/perception_engine.hpp).
+// the next ones come, and joined when the frame ends (fusion/shared_fusion.hpp): the same bytes. Of
+// a frame with classes all packets are kept until it ends (app/perception_engine.hpp).
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/shared_fusion.hpp"
+#include "fusion/shared_fusion.hpp"
 #include "health/constants.hpp"
 #include "intake/intake.hpp"
 #include "intake/watched_sectors.hpp"
@@ -42,8 +42,8 @@ class Frame {
 
   // vehicle and space outlive the frame. Its sensors' scans together mark at most grid::kMaxMarks
   // cells. replayer_ipv4 may send in the name of every sensor, 0: none.
-  Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, HelpersSpace space = {},
-        Fusing fusing = Fusing::kAsTheyCome);
+  Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
+        fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
   // Before the first datagram: silence is counted from now on.
   void start(std::uint64_t now_us) { opened_us_ = now_us; }
@@ -76,7 +76,7 @@ class Frame {
   void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
 
   // With those that were kept.
-  [[nodiscard]] SharedFusion& fusion() { return fusion_; }
+  [[nodiscard]] fusion::SharedFusion& fusion() { return fusion_; }
 
   // The packet has waited too long; its points are counted as not taken.
   void leave(const intake::SensorPacket& packet) { intake_.leave(packet); }
@@ -138,7 +138,7 @@ class Frame {
   void fuse_kept(const work::Crew& crew) { fusion_.fuse_kept(crew, crew.cores()); }
 
   // What is aligned to a cache line comes first.
-  SharedFusion fusion_;
+  fusion::SharedFusion fusion_;
   const vehicle::Vehicle* vehicle_;
   Fusing fusing_;
   bool may_share_;

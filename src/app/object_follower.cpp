@@ -32,7 +32,7 @@ std::uint8_t sureness_of(const objects::Track& track) {
 
 }  // namespace
 
-void ObjectFollower::begin(std::uint64_t end_us, std::span<const PlacedSlice> slices,
+void ObjectFollower::begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
                            const pose::Pose& car, const window::WindowFusion& window) {
   std::array<std::uint8_t, objects::kMostSlices> ages_ms{};
   const std::size_t count = std::min(slices.size(), ages_ms.size());

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "app/frame_slices.hpp"
+#include "fusion/frame_slices.hpp"
 #include "objects/tracker.hpp"
 #include "pose/pose.hpp"
 #include "window/window_fusion.hpp"
@@ -18,8 +18,8 @@ class ObjectFollower {
  public:
   // A frame whose slices were added. end_us: the middle of its last slice by the clock of the
   // poses; slices: those that were placed, of which there is one at least; car: its place then.
-  void begin(std::uint64_t end_us, std::span<const PlacedSlice> slices, const pose::Pose& car,
-             const window::WindowFusion& window);
+  void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
+             const pose::Pose& car, const window::WindowFusion& window);
   // Its classes are decided: what the hits are called, by all cores of the crew.
   void look_at_hits(const window::WindowFusion& window, const work::Crew& crew);
   // It has not ended. Gives names; what is asked of the window before are names alone.

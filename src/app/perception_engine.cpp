@@ -82,7 +82,7 @@ void PerceptionEngine::keep(const intake::SensorPacket& packet, std::uint64_t no
 // The slices of the frame, each with its place, and the frame's stamp. When the poses break off,
 // the window is unknown.
 void PerceptionEngine::open_slices(std::uint64_t now_us) {
-  const std::span<KeptPacket> packets = frame_->fusion().packets().packets();
+  const std::span<fusion::KeptPacket> packets = frame_->fusion().packets().packets();
   const std::optional<std::uint64_t> end_us = slices_.measure(vehicle_->sensors, packets, poses_);
   if (!end_us) {
     poses_.pass_silence(now_us);
@@ -106,7 +106,7 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   clock_.end_frame(time_us, is_forgotten_, now_us);
   slices_.place(packets, poses_);
   if (!slices_.placed().empty()) {
-    const PlacedSlice& last = slices_.placed().back();
+    const fusion::PlacedSlice& last = slices_.placed().back();
     time_us = last.slice.end_us;
     window_.follow(last.pose);
   }
@@ -119,8 +119,8 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
 // The points of a group's packets. What has no place is one group, because it only counts in the
 // frame's own grid.
 void PerceptionEngine::fuse_group(std::uint8_t group) {
-  SharedFusion& fusion = frame_->fusion();
-  const std::span<const KeptPacket> kept = fusion.packets().packets();
+  fusion::SharedFusion& fusion = frame_->fusion();
+  const std::span<const fusion::KeptPacket> kept = fusion.packets().packets();
   for (std::size_t number = 0; number < kept.size(); ++number) {
     if (kept[number].group == group) {
       fusion.fuse_alone(number);
@@ -134,7 +134,7 @@ void PerceptionEngine::join_group(std::size_t group) {
   cells.clear();
   frame_->fusion().join_alone(
       [&](std::size_t tile, auto indexes, const grid::TileBits& low_and_tall) {
-        if (group != FrameSlices::kNowhere) {
+        if (group != fusion::FrameSlices::kNowhere) {
           cells.set(tile, indexes, low_and_tall);
         }
       });
@@ -167,7 +167,7 @@ void PerceptionEngine::lay_map() {
 }
 
 void PerceptionEngine::begin_following() {
-  const std::span<const PlacedSlice> placed = slices_.placed();
+  const std::span<const fusion::PlacedSlice> placed = slices_.placed();
   is_following_ = !placed.empty() && frame_end_us_ != 0;
   if (is_following_) {
     follower_.begin(frame_end_us_, placed, placed.back().pose, window_);

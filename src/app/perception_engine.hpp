@@ -18,10 +18,10 @@
 #include <span>
 
 #include "app/frame.hpp"
-#include "app/frame_slices.hpp"
-#include "app/fused_slices.hpp"
 #include "app/object_follower.hpp"
 #include "app/reception_log.hpp"
+#include "fusion/frame_slices.hpp"
+#include "fusion/fused_slices.hpp"
 #include "health/guard.hpp"
 #include "map/delivery.hpp"
 #include "map/layer.hpp"
@@ -109,7 +109,7 @@ class PerceptionEngine {
   // The slices that were placed. The frame's end on the clock of the poses: that of its last slice,
   // or the newest pose if it has no packets; it goes on from frame to frame also where that clock
   // begins anew or is not known. Whether what was known before the frame has lost its place.
-  [[nodiscard]] std::span<const PlacedSlice> slices() const { return slices_.placed(); }
+  [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
   // The classes, valid until the next finish().
@@ -140,7 +140,7 @@ class PerceptionEngine {
   // One slice after the other, each tile while it is at hand.
   template <typename Lap>
   void fuse_alone(Lap&& lap) {
-    const std::span<const PlacedSlice> placed = slices_.placed();
+    const std::span<const fusion::PlacedSlice> placed = slices_.placed();
     for (std::size_t i = 0; i < placed.size(); ++i) {
       fuse_group(static_cast<std::uint8_t>(i));
       lap(&stream::StageTicks::fuse);
@@ -152,17 +152,17 @@ class PerceptionEngine {
       window_.add(std::span(&slice, 1));
       lap(&stream::StageTicks::perceive);
     }
-    fuse_group(FrameSlices::kNowhere);
+    fuse_group(fusion::FrameSlices::kNowhere);
     lap(&stream::StageTicks::fuse);
-    join_group(FrameSlices::kNowhere);
+    join_group(fusion::FrameSlices::kNowhere);
     lap(&stream::StageTicks::mark);
   }
 
   // All slices at once, as far as they fit, and then into the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
-    SharedFusion& fusion = frame_->fusion();
-    fusion.deal(slices_.placed().size(), FrameParts::kMostOfARound);
+    fusion::SharedFusion& fusion = frame_->fusion();
+    fusion.deal(slices_.placed().size(), fusion::FrameParts::kMostOfARound);
     while (fusion.fuse_next(crew)) {
       lap(&stream::StageTicks::fuse);
       fusion.join(crew);
@@ -181,7 +181,7 @@ class PerceptionEngine {
   void look_at_hits(const work::Crew& crew);
 
   // What is aligned to a cache line comes first.
-  FusedSlices fused_;
+  fusion::FusedSlices fused_;
   health::Guard behind_fused_;
   window::WindowFusion window_;
   ObjectFollower follower_;
@@ -189,7 +189,7 @@ class PerceptionEngine {
   map::Delivery maps_;
   map::Layer layer_;
   health::Guard behind_maps_;
-  FrameSlices slices_;
+  fusion::FrameSlices slices_;
   pose::Source poses_;
   ReceptionLog receptions_;
   Frame* frame_;

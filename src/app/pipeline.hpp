@@ -21,8 +21,8 @@
 #include "app/perception_engine.hpp"
 #include "app/perception_sink.hpp"
 #include "app/platform.hpp"
-#include "app/shared_fusion.hpp"
 #include "app/stage_watch.hpp"
+#include "fusion/shared_fusion.hpp"
 #include "hal/cores.hpp"
 #include "health/constants.hpp"
 #include "health/guard.hpp"
@@ -266,7 +266,7 @@ class FramePipeline {
   }
 
   health::Guard below_;
-  HelpersMemory<kMostCores> helpers_;
+  fusion::HelpersMemory<kMostCores> helpers_;
   Frame frame_;
   [[no_unique_address]] Perception perception_;
   Network network_;

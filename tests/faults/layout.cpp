@@ -20,7 +20,7 @@ using Platform = iog::app::MachinePlatform<Board>;
 using Pipeline = iog::app::MachinePipeline<Board, iog::imx6::kGrids>;
 using Perception = iog::app::PerceptionEngine;
 using Frame = iog::app::Frame;
-using Fusion = iog::app::SharedFusion;
+using Fusion = iog::fusion::SharedFusion;
 using Clock = iog::window::WindowClock;
 using iog::health::MemoryCheck;
 

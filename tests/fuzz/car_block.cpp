@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "car_block/content.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "law.hpp"
 #include "vehicles/cars.hpp"
 
@@ -44,7 +44,7 @@ class BlockBytes {
 // Near and far, to all sides, and one that is nowhere.
 void add_points(const vehicle::Vehicle& car) {
   constexpr std::array<std::uint32_t, 4> kRangesMm{0, 1, 12'345, 200'000};
-  const auto fusion = std::make_unique<grid::FrameFusion>(car);
+  const auto fusion = std::make_unique<fusion::FrameFusion>(car);
   for (const vehicle::Sensor& sensor : car.sensors) {
     const std::uint32_t ticks = sensor.azimuths.ticks_per_turn();
     for (std::uint32_t side = 0; side < 5; ++side) {

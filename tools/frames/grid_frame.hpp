@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "fusion/frame_fusion.hpp"
 #include "geometry/grid.hpp"
-#include "grid/frame_fusion.hpp"
 #include "stream/message.hpp"
 #include "stream/objects.hpp"
 #include "tile_coding/tile_cells.hpp"

@@ -119,7 +119,7 @@ void Listener::score_frame(const Perceiver& perceiver) {
   const auto placed = perceiver.engine().slices();
   note_taken();
   std::erase_if(waiting_, [&](const Waiting& packet) {
-    const auto slice = std::ranges::find(placed, packet.slice, &app::PlacedSlice::slice);
+    const auto slice = std::ranges::find(placed, packet.slice, &fusion::PlacedSlice::slice);
     if (slice == placed.end() || !packet.is_taken) {
       return false;
     }

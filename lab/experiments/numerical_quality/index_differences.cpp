@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "lab/evidence/fusion_rules.hpp"
 #include "lab/reference/fusion.hpp"
 

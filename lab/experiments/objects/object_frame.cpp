@@ -20,7 +20,7 @@ Vector2 in_metres(const LocalToWorld::Point& point) { return {point.x_m, point.y
 // The slice of a hit, by its age: slices do not end together.
 std::uint8_t slice_of(const PerceivedFrame& frame, const objects::FrameHit& hit) {
   const auto slices = frame.engine->slices();
-  const auto away_us = [&](const app::PlacedSlice& placed) {
+  const auto away_us = [&](const fusion::PlacedSlice& placed) {
     const auto age_us =
         static_cast<std::int64_t>(frame.engine->objects().time_us() - placed.slice.middle_us);
     return numeric::magnitude(age_us - std::int64_t{1000} * hit.age_ms);

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "index/occupancy_index.hpp"
 
 namespace iog::lab {

@@ -4,7 +4,7 @@
 #include <deque>
 #include <memory>
 
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
 #include "lab/experiments/keyed_car.hpp"
@@ -30,9 +30,9 @@ class Evidence {
   // is_shown: with the frame's joined indexes.
   void find(const Datagrams& datagrams, const window::Area& area, bool is_shown,
             PerceivedFrame& frame) {
-    const std::span<const app::PlacedSlice> slices = frame.engine->slices();
+    const std::span<const fusion::PlacedSlice> slices = frame.engine->slices();
     for (std::size_t i = 0; i < slices.size(); ++i) {
-      const app::PlacedSlice& slice = slices[i];
+      const fusion::PlacedSlice& slice = slices[i];
       fuse(datagrams, slice.slice);
       const window::Placement at = window::placement_of(slice.pose);
       add_hits(area, window::CellMap::to_window(area, at), static_cast<std::uint8_t>(i), frame);
@@ -92,7 +92,7 @@ class Evidence {
   }
 
   const tools::CatalogueEntry* car_;
-  grid::FrameFusion fusion_;
+  fusion::FrameFusion fusion_;
   window::SliceCells cells_;
   window::FrameEvidence joined_;
 };

@@ -17,7 +17,7 @@ constexpr std::size_t kFramesOfASecond = tools::kLuxFramesPerSecond;
 
 // Where the car is, or the middle of its window if nothing of the frame was placed.
 geometry::Cell car_cell(const PerceivedFrame& frame) {
-  const std::span<const app::PlacedSlice> slices = frame.engine->slices();
+  const std::span<const fusion::PlacedSlice> slices = frame.engine->slices();
   constexpr std::int32_t kHalf = window::kCellsAcross / 2;
   return slices.empty() ? geometry::Cell{frame.window.first.x + kHalf, frame.window.first.y + kHalf}
                         : window::cell_of(slices.back().pose);

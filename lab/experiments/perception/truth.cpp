@@ -33,7 +33,7 @@ FrameTruth::FrameTruth(const PerceivedFrame& frame, const LocalToWorld& before) 
   const tools::Scene& scene = frame.drive->scene();
   const description::Description& description =
       *tools::find_vehicle(tools::kDefaultVehicle).description;
-  for (const app::PlacedSlice& slice : frame.engine->slices()) {
+  for (const fusion::PlacedSlice& slice : frame.engine->slices()) {
     const double time_s = drive_seconds(slice.slice.middle_us);
     slices_.push_back({LocalToWorld(slice.pose, scene.ego_at(time_s).at),
                        TrueThings(scene, time_s, description)});

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::lab {

@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "fusion/frame_fusion.hpp"
 #include "geometry/grid.hpp"
-#include "grid/frame_fusion.hpp"
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/fused_drive.hpp"
 #include "lab/experiments/target_drive.hpp"

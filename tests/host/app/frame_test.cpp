@@ -99,5 +99,21 @@ TEST(Frame, ACoverThatComesLaterClearsNothing) {
   EXPECT_EQ(drive.end.blocked, 0U);
 }
 
+TEST(Frame, SaysHowItWasClosedAndFused) {
+  for (const bool is_bayes : {false, true}) {
+    vehicle::Vehicle car = tests::LevelVlp16::kVehicle;
+    car.rule = is_bayes ? vehicle::FusionRule::kBayes : vehicle::FusionRule::kHitsWin;
+    const auto frame = std::make_unique<Frame>(car, 0);
+    stream::Header header;
+    stream::FrameEnd end;
+    frame->describe(0, header, end);
+    EXPECT_EQ(header.flags, is_bayes ? 0x02 : 0x00);
+    frame->describe(frame->deadline_us(), header, end);
+    EXPECT_EQ(header.flags, is_bayes ? 0x03 : 0x01);
+    EXPECT_EQ(header.vehicle_id, car.id);
+    EXPECT_EQ(header.sensor_count, 1);
+  }
+}
+
 }  // namespace
 }  // namespace iog::app

@@ -97,8 +97,8 @@ TEST(Guards, StandAroundTheGridsAndAreNotWritten) {
 
 // Of a helper's fusion, and behind the places of parts.
 TEST(Guards, StandBehindWhatHelpersWrite) {
-  const auto helpers = std::make_unique<HelpersMemory<2>>(tests::OneLux::kVehicle);
-  const HelpersSpace space = helpers->space();
+  const auto helpers = std::make_unique<fusion::HelpersMemory<2>>(tests::OneLux::kVehicle);
+  const fusion::HelpersSpace space = helpers->space();
   const std::vector<health::Guard*> guards = guards_of(*helpers);
   ASSERT_EQ(guards.size(), 2U);
   const auto end_of = [](const auto& last) {

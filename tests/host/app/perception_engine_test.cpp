@@ -180,16 +180,16 @@ TEST(PerceptionEngine, APacketThatFindsNoRoomEndsTheFrame) {
   const Car car(tests::ThreeLux::kVehicle, true);
   PerceptionBench bench(car.vehicle());
   std::vector<TimedDatagram> packets;
-  for (std::uint64_t i = 0; i <= kMaxFramePackets; ++i) {
+  for (std::uint64_t i = 0; i <= fusion::kMaxFramePackets; ++i) {
     const tests::LuxMessage message{
         .start_ticks = 10, .end_ticks = 0, .points = {}, .start_ntp = i + 1, .end_ntp = i + 2};
-    packets.push_back(
-        {1'000, static_cast<std::uint16_t>(i < kMaxFramePackets ? 100 : 101), message.bytes()});
+    packets.push_back({1'000, static_cast<std::uint16_t>(i < fusion::kMaxFramePackets ? 100 : 101),
+                       message.bytes()});
   }
   bench.take(packets);
   bench.pass_until(41'000);
   ASSERT_EQ(bench.platform.frames.size(), 2U);
-  EXPECT_EQ(bench.platform.frames[0].header.packets_fused, kMaxFramePackets);
+  EXPECT_EQ(bench.platform.frames[0].header.packets_fused, fusion::kMaxFramePackets);
   EXPECT_EQ(bench.platform.frames[1].header.packets_fused, 1U);
   EXPECT_EQ(bench.platform.frames[1].header.packets_dropped, 0U);
 }
@@ -222,15 +222,15 @@ TEST(PerceptionEngine, SlicesAreBounded) {
   bench.pass_until(240'000);
   EXPECT_EQ(bench.classes.reports[1].end.slice_count + bench.classes.reports[0].end.slice_count +
                 bench.end().slice_count,
-            kMaxSlices);
+            fusion::kMaxSlices);
   std::uint32_t over = 0;
   std::uint32_t not_placed = 0;
   for (const auto& report : bench.classes.reports) {
     over += report.end.slices_over_budget;
     not_placed += report.end.packets_not_placed;
   }
-  EXPECT_EQ(over, 50U - kMaxSlices);
-  EXPECT_EQ(not_placed, 50U - kMaxSlices);
+  EXPECT_EQ(over, 50U - fusion::kMaxSlices);
+  EXPECT_EQ(not_placed, 50U - fusion::kMaxSlices);
 }
 
 // Section 3 of docs/model.md: only hits_win from zero joins, and only blurring marks hits alone.

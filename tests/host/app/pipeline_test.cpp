@@ -73,6 +73,7 @@ std::vector<Datagram> frame_of_three(int number, int parts, tests::Random& rando
 TEST(Pipeline, AFrameClosesWhenEverySensorHasDelivered) {
   tests::Random random(71);
   Bench bench;
+  bench.platform.link_drops = 4;
   const auto frame = frame_of_three(9, 2, random);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     EXPECT_TRUE(bench.platform.frames.empty());
@@ -84,6 +85,7 @@ TEST(Pipeline, AFrameClosesWhenEverySensorHasDelivered) {
   EXPECT_EQ(received.header.partial_sensors, 0);
   EXPECT_EQ(received.header.flags, 0);
   EXPECT_EQ(received.header.packets_fused, 6U);
+  EXPECT_EQ(received.header.packets_dropped, 4U);
   EXPECT_EQ(received.header.points_used + received.header.points_other, 240U);
   EXPECT_EQ(received.end.opened_us, 1000U);
   EXPECT_EQ(received.header.closed_us, 1005U);
@@ -100,7 +102,7 @@ TEST(Pipeline, AFrameClosesWhenEverySensorHasDelivered) {
 TEST(Pipeline, TheTilesCarryTheGrid) {
   tests::Random random(72);
   Bench bench;
-  auto direct = std::make_unique<grid::FrameFusion>(ThreeLux::kVehicle);
+  auto direct = std::make_unique<fusion::FrameFusion>(ThreeLux::kVehicle);
   for (const Datagram& datagram : frame_of_three(1, 1, random)) {
     lidar::IbeoLux lux;
     ASSERT_EQ(lux.decode(datagram.bytes), lidar::DecodeStatus::kOk);
@@ -146,19 +148,6 @@ TEST(Pipeline, EveryPermutationOfSensorsAndPacketsGivesTheSameGrid) {
     ++permutation;
   } while (std::ranges::next_permutation(order).found);
   EXPECT_EQ(permutation, 720);
-}
-
-TEST(Pipeline, TheHeaderSaysThatItIsFusedByBayes) {
-  vehicle::Vehicle car = ThreeLux::kVehicle;
-  car.rule = vehicle::FusionRule::kBayes;
-  FakePlatform platform;
-  platform.link_drops = 4;
-  const auto pipeline = std::make_unique<Pipeline<FakePlatform>>(car, kReplayer, platform);
-  pipeline->tick(1'000'000);
-  ASSERT_EQ(platform.frames.size(), 1U);
-  EXPECT_EQ(platform.frames[0].header.flags, stream::kFlagTimedOut | stream::kFlagBayes);
-  EXPECT_EQ(platform.frames[0].header.packets_dropped, 4U);
-  EXPECT_EQ(platform.frames[0].header.vehicle_id, car.id);
 }
 
 TEST(Pipeline, AFrameIsOverAfterItsPeriodAndSaysWhoIsMissing) {

@@ -181,7 +181,7 @@ TEST_P(FuseDenseBy, CoresOfAFullFrameGivesTheMessagesOfOne) {
   const std::vector<TimedDatagram> drive = more_parts_than_places();
   static const Played alone = play(car, drive, 1);
   const Played together = play(car, drive, GetParam());
-  EXPECT_GT(alone.reports.front().header.packets_fused * 384, kPartPlaces * 6'144);
+  EXPECT_GT(alone.reports.front().header.packets_fused * 384, fusion::kPartPlaces * 6'144);
   EXPECT_EQ(alone.reports.back().header.packets_dropped, 0U);
   EXPECT_TRUE(together.messages == alone.messages);
   EXPECT_GT(together.helped, 0U);

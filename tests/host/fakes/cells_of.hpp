@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 
 namespace iog::tests {
 
-inline std::vector<grid::OccupancyIndex> cells_of(const grid::FrameFusion& fusion) {
+inline std::vector<grid::OccupancyIndex> cells_of(const fusion::FrameFusion& fusion) {
   std::vector<grid::OccupancyIndex> cells(geometry::kCellCount);
   fusion.view().copy_cells(std::span(cells).first<geometry::kCellCount>());
   return cells;

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "fusion/frame_fusion.hpp"
 #include "geometry/grid.hpp"
-#include "grid/frame_fusion.hpp"
 
 namespace iog::tests {
 
@@ -16,11 +16,11 @@ inline bool has_bit(const grid::TileBits& bits, geometry::Cell cell) {
   return (bits[y] >> x & 1U) != 0;
 }
 
-inline bool low_or_tall(const grid::FrameFusion& fusion, geometry::Cell cell) {
+inline bool low_or_tall(const fusion::FrameFusion& fusion, geometry::Cell cell) {
   return has_bit(fusion.low_and_tall(geometry::tile_of(cell)), cell);
 }
 
-inline std::vector<grid::TileBits> low_and_tall_of(const grid::FrameFusion& fusion) {
+inline std::vector<grid::TileBits> low_and_tall_of(const fusion::FrameFusion& fusion) {
   std::vector<grid::TileBits> tiles;
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     tiles.push_back(fusion.low_and_tall(tile));

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fakes/lux_message.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "geometry/grid.hpp"
-#include "grid/frame_fusion.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "traversal/walk.hpp"
 #include "vehicle/beam.hpp"
@@ -74,7 +74,7 @@ TEST(WorkedExample, TheCellOfTheHitAndTheZonesBeforeIt) {
 }
 
 TEST(WorkedExample, TheIndexesOfItsCells) {
-  const auto fusion = std::make_unique<grid::FrameFusion>(kCar);
+  const auto fusion = std::make_unique<fusion::FrameFusion>(kCar);
   EXPECT_EQ(fusion->add(kSensor, scan_point()), vehicle::Fate::kUsed);
   fusion->finish();
   std::vector<Cell> cells;

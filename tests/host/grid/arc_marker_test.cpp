@@ -13,7 +13,7 @@
 #include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 
 namespace iog::grid {
 namespace {
@@ -110,7 +110,7 @@ int saturated(int index) { return std::clamp(index, -127, 127); }
 
 TEST(ArcMarker, MarksTheArcOfEachDetectionAndNothingElse) {
   const Vehicle& car = RadarCar::kVehicle;
-  auto fusion = std::make_unique<FrameFusion>(car);
+  auto fusion = std::make_unique<fusion::FrameFusion>(car);
   tests::Random random(548);
   std::vector<OccupancyIndex> expected(geometry::kCellCount);
   int used = 0;
@@ -141,7 +141,7 @@ TEST(ArcMarker, WhatOfAnArcIsOnTheCarDoesNotMark) {
         within_a_turn({.range_mm = 15'000,
                        .azimuth_ticks = static_cast<std::uint16_t>(11520 + off),
                        .layer = 30});
-    auto fusion = std::make_unique<FrameFusion>(car);
+    auto fusion = std::make_unique<fusion::FrameFusion>(car);
     const vehicle::Fate fate = fusion->add(car.sensors[0], point);
     EXPECT_EQ(fate, off < -12 ? vehicle::Fate::kTooNear : vehicle::Fate::kUsed) << off;
     fusion->finish();
@@ -164,7 +164,7 @@ TEST(ArcMarker, WhatOfAnArcIsOnTheCarDoesNotMark) {
 TEST(ArcMarker, AnArcHasNoGaps) {
   const Vehicle& car = RadarCar::kVehicle;
   for (const std::uint32_t range_mm : {500U, 5'000U, 20'000U, 40'000U, 70'000U}) {
-    auto fusion = std::make_unique<FrameFusion>(car);
+    auto fusion = std::make_unique<fusion::FrameFusion>(car);
     fusion->add(car.sensors[1], {.range_mm = range_mm, .layer = 30});
     fusion->finish();
     std::vector<Cell> marked;
@@ -194,7 +194,7 @@ TEST(ArcMarker, AnArcHasNoGaps) {
 TEST(ArcMarker, ADetectionMarksACellOnce) {
   const Vehicle& car = RadarCar::kVehicle;
   for (std::uint32_t range_mm = 300; range_mm < 6'000; range_mm += 37) {
-    auto fusion = std::make_unique<FrameFusion>(car);
+    auto fusion = std::make_unique<fusion::FrameFusion>(car);
     fusion->add(car.sensors[1], {.range_mm = range_mm, .azimuth_ticks = 777, .layer = 30});
     fusion->finish();
     const auto cells = tests::cells_of(*fusion);
@@ -210,7 +210,7 @@ struct Fates {
 TEST(ArcMarker, OnlyADetectionThatIsUsedIsEvidence) {
   using vehicle::Fate;
   const Vehicle& car = RadarCar::kVehicle;
-  auto fusion = std::make_unique<FrameFusion>(car);
+  auto fusion = std::make_unique<fusion::FrameFusion>(car);
   for (const Fates& its :
        {Fates{Fate::kNoReturn, {.layer = 30, .is_rain = true}},
         Fates{Fate::kFlagged, {.range_mm = 9'000, .layer = 30, .is_rain = true}},
@@ -241,7 +241,7 @@ std::vector<Evidence> mixed_frame(tests::Random& random, int points) {
 }
 
 std::vector<OccupancyIndex> grid_of(const Vehicle& car, const std::vector<Evidence>& frame) {
-  auto fusion = std::make_unique<FrameFusion>(car);
+  auto fusion = std::make_unique<fusion::FrameFusion>(car);
   for (const Evidence& each : frame) {
     fusion->add(car.sensors[each.sensor], each.point);
   }

@@ -13,8 +13,8 @@
 #include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "grid/azimuth_carver.hpp"
-#include "grid/frame_fusion.hpp"
 #include "grid/frame_view.hpp"
 #include "grid/pending_marks.hpp"
 #include "grid/turn_carver.hpp"
@@ -109,7 +109,7 @@ std::vector<OccupancyIndex> joined(Cores& cores, vehicle::FusionRule rule) {
 }
 
 std::vector<OccupancyIndex> fused_by_one(const Vehicle& vehicle, std::span<const Evidence> frame) {
-  const auto fusion = std::make_unique<FrameFusion>(vehicle);
+  const auto fusion = std::make_unique<fusion::FrameFusion>(vehicle);
   for (const Evidence& evidence : frame) {
     fusion->add(vehicle.sensors[evidence.sensor], evidence.point);
   }

@@ -11,7 +11,7 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 
 namespace iog::grid {
 namespace {
@@ -37,7 +37,7 @@ constexpr std::array<Unit, 4> kUnits{{{2.23, 0.51, 0, kReachDeg},
                                       {0.11, -0.97, -93, 959 / 32.0}}};
 
 std::vector<OccupancyIndex> grid_of(std::size_t unit, const lidar::ScanPoint& echo) {
-  auto fusion = std::make_unique<FrameFusion>(UltrasonicCar::kVehicle);
+  auto fusion = std::make_unique<fusion::FrameFusion>(UltrasonicCar::kVehicle);
   fusion->add(UltrasonicCar::kVehicle.sensors[unit], echo);
   fusion->finish();
   return tests::cells_of(*fusion);
@@ -191,7 +191,7 @@ TEST(Cone, TheOrderOfEchoesDoesNotShow) {
         {random.below(5), {.range_mm = static_cast<std::uint32_t>(random.between(200, 5'000))}});
   }
   const auto fuse = [&] {
-    auto fusion = std::make_unique<FrameFusion>(UltrasonicCar::kVehicle);
+    auto fusion = std::make_unique<fusion::FrameFusion>(UltrasonicCar::kVehicle);
     for (const Echo& echo : echoes) {
       fusion->add(UltrasonicCar::kVehicle.sensors[echo.unit], echo.point);
     }

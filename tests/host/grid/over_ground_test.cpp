@@ -21,12 +21,13 @@
 #include "fakes/reference_tilt.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/turning_rule.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "ground/ground.hpp"
 
 namespace iog::grid {
 namespace {
 
+using fusion::FrameFusion;
 using geometry::Cell;
 using lidar::ScanPoint;
 using tests::FakePacket;
@@ -34,7 +35,6 @@ using tests::fate_at;
 using tests::kLimits;
 using tests::LevelVlp16;
 using tests::ManyLayers;
-using tests::MixedCar;
 using tests::Random;
 using tests::Surfaces;
 using tests::TurningRay;
@@ -335,7 +335,7 @@ Over over_ground(Surfaces& surfaces, std::size_t number, const vehicle::Sensor& 
 TEST(OverGround, ATiltedUnitMarksByTheGround) {
   constexpr std::size_t kTilted = 1;
   Random random(65);
-  const tests::GroundCar car(MixedCar::kVehicle, kLimits);
+  const tests::GroundCar car(tests::MixedCar::kVehicle, kLimits);
   const vehicle::Sensor& sensor = car.vehicle().sensors[kTilted];
   const auto surfaces =
       std::make_unique<Surfaces>(car.vehicle(), kTilted, tests::rough_turn(random, 1'024));

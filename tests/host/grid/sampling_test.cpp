@@ -10,7 +10,7 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "lab/reference/exact_line.hpp"
 
 namespace iog::grid {
@@ -26,10 +26,11 @@ using tests::TiltedLux;
 using vehicle::Sensor;
 using vehicle::Vehicle;
 
-int index_at(const FrameFusion& fusion, Cell cell) { return fusion.view().at(cell); }
+int index_at(const fusion::FrameFusion& fusion, Cell cell) { return fusion.view().at(cell); }
 
-std::unique_ptr<FrameFusion> fuse_one(const Vehicle& vehicle, const lidar::ScanPoint& point) {
-  auto fusion = std::make_unique<FrameFusion>(vehicle);
+std::unique_ptr<fusion::FrameFusion> fuse_one(const Vehicle& vehicle,
+                                              const lidar::ScanPoint& point) {
+  auto fusion = std::make_unique<fusion::FrameFusion>(vehicle);
   fusion->add(vehicle.sensors[0], point);
   fusion->finish();
   return fusion;
@@ -73,7 +74,7 @@ std::int32_t cell_of_point(std::int32_t start, std::int32_t end, std::int64_t z,
 TEST(Sampling, TheCellThatHoldsTheScanPointIsMarkedInEveryDirection) {
   const Vehicle& vehicle = TiltedLux::kVehicle;
   const Sensor& sensor = vehicle.sensors[0];
-  auto fusion = std::make_unique<FrameFusion>(vehicle);
+  auto fusion = std::make_unique<fusion::FrameFusion>(vehicle);
   tests::Random random(21);
   int marked = 0;
   for (int tick = 0; tick < 11520; tick += tests::effort(1, 40)) {
@@ -148,7 +149,7 @@ int expected_index(const Sensor& sensor, SubcellPoint end, Cell cell, std::int64
 
 void expect_every_cell_as_the_rule_says(const Vehicle& vehicle, std::uint64_t seed, int beams) {
   const Sensor& sensor = vehicle.sensors[0];
-  auto fusion = std::make_unique<FrameFusion>(vehicle);
+  auto fusion = std::make_unique<fusion::FrameFusion>(vehicle);
   tests::Random random(seed);
   for (int i = 0; i < beams; ++i) {
     lidar::ScanPoint point;

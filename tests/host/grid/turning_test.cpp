@@ -20,7 +20,7 @@
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/turning_rule.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "ground/ground.hpp"
 
 namespace iog::grid {
@@ -76,7 +76,8 @@ class AlonePoints {
   }
 
   TurningRule rule_;
-  std::unique_ptr<FrameFusion> fusion_ = std::make_unique<FrameFusion>(Car::kVehicle);
+  std::unique_ptr<fusion::FrameFusion> fusion_ =
+      std::make_unique<fusion::FrameFusion>(Car::kVehicle);
   std::array<int, vehicle::kFateCount> fates_{};
 };
 
@@ -165,7 +166,7 @@ TEST(Turning, APointAtTheSensorMarksAndCarvesNothing) {
   const auto grounds = std::make_unique<ground::Grounds>(over_ground.vehicle());
   for (const bool is_followed : {false, true}) {
     const vehicle::Vehicle& its = is_followed ? over_ground.vehicle() : car;
-    const auto fusion = std::make_unique<FrameFusion>(its);
+    const auto fusion = std::make_unique<fusion::FrameFusion>(its);
     if (is_followed) {
       fusion->follow(*grounds);
     }
@@ -185,9 +186,9 @@ TEST(Turning, NeitherWaitingNorKeepingALineShows) {
   tests::Random random(53);
   for (const vehicle::Vehicle& car :
        {LevelVlp16::kVehicle, ManyLayers::kVehicle, tests::MixedCar::kVehicle}) {
-    const auto waits = std::make_unique<FrameFusion>(car);
+    const auto waits = std::make_unique<fusion::FrameFusion>(car);
     for (int frame = 0; frame < 3; ++frame) {
-      const auto alone = std::make_unique<FrameFusion>(car);
+      const auto alone = std::make_unique<fusion::FrameFusion>(car);
       for (int i = 0; i < tests::effort(2'000, 100); ++i) {
         // Close together, and the sensors by turns, each for a while.
         const vehicle::Sensor& sensor =

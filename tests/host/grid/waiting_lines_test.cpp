@@ -10,7 +10,7 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 
 namespace iog::grid {
 namespace {
@@ -23,8 +23,8 @@ using tests::ManyLayers;
 TEST(WaitingLines, BeamsThatAreSparedAddNothing) {
   tests::Random random(55);
   for (const vehicle::Vehicle& car : {ManyLayers::kVehicle, HighAndFar::kVehicle}) {
-    const auto waits = std::make_unique<FrameFusion>(car);
-    const auto alone = std::make_unique<FrameFusion>(car);
+    const auto waits = std::make_unique<fusion::FrameFusion>(car);
+    const auto alone = std::make_unique<fusion::FrameFusion>(car);
     for (int line = 0; line < tests::effort(200, 30); ++line) {
       const vehicle::Sensor& sensor =
           car.sensors[static_cast<std::size_t>(line) % car.sensors.size()];

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fakes/random.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 
 namespace iog::lab {
 namespace {

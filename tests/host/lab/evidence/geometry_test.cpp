@@ -8,7 +8,7 @@
 
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "lab/evidence/projection.hpp"
 #include "lab/reference/exact_line.hpp"
 #include "vehicle/beam.hpp"

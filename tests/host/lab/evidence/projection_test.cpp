@@ -9,7 +9,7 @@
 
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "lab/evidence/fusion_rules.hpp"
 #include "lab/evidence/values.hpp"
 #include "vehicles/cars.hpp"
@@ -46,7 +46,7 @@ long cells_that_differ(const Variant& variant, const std::vector<FramePoints>& f
   const auto values = indexes(probabilities({}), 0.05, variant.quantisation);
   const IndexRule rule =
       variant.vehicle.rule == FusionRule::kHitsWin ? IndexRule::kHitsWin : IndexRule::kBayes;
-  const auto fusion = std::make_unique<grid::FrameFusion>(variant.vehicle);
+  const auto fusion = std::make_unique<fusion::FrameFusion>(variant.vehicle);
   long differ = 0;
   for (const FramePoints& points : frames) {
     fusion->clear();

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "fakes/cells_of.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "lab/evidence/frame_points.hpp"
 #include "lab/experiments/output_rates/scene_load.hpp"
 #include "lab/tree/built_quadtree.hpp"
@@ -28,7 +28,7 @@ static_assert(kGridSide == geometry::kCellsPerSide);
 template <typename Use>
 void for_each_grid(std::string_view scene, Use&& use) {
   const tools::CatalogueEntry& car = tools::find_vehicle("reference_car");
-  const auto fusion = std::make_unique<grid::FrameFusion>(*car.vehicle);
+  const auto fusion = std::make_unique<fusion::FrameFusion>(*car.vehicle);
   tools::Drive drive(car, 1, 1, tools::find_scene(scene));
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += 5) {
     fusion->clear();

@@ -15,7 +15,7 @@
 #include "../drive_sample.hpp"
 #include "fakes/cells_of.hpp"
 #include "fakes/effort.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "tools/simulate/drives/drive.hpp"
 #include "traversal/walk.hpp"
 #include "vehicle/beam.hpp"
@@ -37,7 +37,7 @@ struct Load {
 class CarvedCells {
  public:
   explicit CarvedCells(const vehicle::Vehicle& vehicle)
-      : fusion_(std::make_unique<grid::FrameFusion>(vehicle)) {}
+      : fusion_(std::make_unique<fusion::FrameFusion>(vehicle)) {}
 
   std::size_t of(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     fusion_->add(sensor, point);
@@ -56,7 +56,7 @@ class CarvedCells {
   }
 
  private:
-  std::unique_ptr<grid::FrameFusion> fusion_;
+  std::unique_ptr<fusion::FrameFusion> fusion_;
 };
 
 // Nodes with children of the quadtree whose leaves are the largest blocks of equal cells: every
@@ -86,7 +86,7 @@ std::size_t count_inner_nodes(std::span<const index::OccupancyIndex> cells) {
 Load load_of(std::string_view scene, std::uint64_t seed) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   Drive drive(car, seed, 2, find_scene(scene));
-  const auto fusion = std::make_unique<grid::FrameFusion>(*car.vehicle);
+  const auto fusion = std::make_unique<fusion::FrameFusion>(*car.vehicle);
   CarvedCells carved(*car.vehicle);
   Load load;
   for (std::uint32_t frame = 5; frame < drive.frame_count(); frame += 10) {

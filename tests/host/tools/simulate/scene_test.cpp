@@ -13,7 +13,7 @@
 #include "gtest/gtest.h"
 
 #include "../drive_sample.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/simulate/drives/drive.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
@@ -182,7 +182,7 @@ TEST_P(EveryFlatScene, WhatIsFusedAsOccupiedIsThere) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   constexpr std::uint32_t kFrame = 25;
   Drive drive(car, 1, 2, GetParam());
-  const auto fusion = std::make_unique<grid::FrameFusion>(*car.vehicle);
+  const auto fusion = std::make_unique<fusion::FrameFusion>(*car.vehicle);
   for_each_point(drive, kFrame, car,
                  [&](const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
                    fusion->add(sensor, point);

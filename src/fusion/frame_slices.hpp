@@ -11,14 +11,14 @@
 #include <optional>
 #include <span>
 
-#include "app/frame_packets.hpp"
+#include "fusion/frame_packets.hpp"
 #include "pose/pose.hpp"
 #include "pose/slice.hpp"
 #include "pose/source.hpp"
 #include "stream/class_end.hpp"
 #include "vehicle/vehicle.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 
 // Slices of one frame that are placed. 32 of 8 ms are more than twice the turn of a VLP-16.
 inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
@@ -63,4 +63,4 @@ class FrameSlices {
   std::array<PlacedSlice, kMaxSlices> placed_{};
 };
 
-}  // namespace iog::app
+}  // namespace iog::fusion

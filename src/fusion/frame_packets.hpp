@@ -10,7 +10,7 @@
 #include "intake/intake.hpp"
 #include "intake/packet.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 
 // Enough for 40 ms of 128 layers (an OS1-128: 51 packets, 1.3 MB), of two units of 64, or of an
 // HDL-64E S3 with two returns (232 packets, 280 KB). Four LUX send some 30 KB.
@@ -23,7 +23,7 @@ struct KeptPacket {
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
-  // What app::FrameSlices finds out: whether the time is known on the clock of the poses, in which
+  // What FrameSlices finds out: whether the time is known on the clock of the poses, in which
   // slice it lies, and with which packets it is fused.
   bool has_time = false;
   std::uint64_t slice = 0;
@@ -61,4 +61,4 @@ class FramePackets {
   std::array<std::byte, kMaxFrameBytes> bytes_{};
 };
 
-}  // namespace iog::app
+}  // namespace iog::fusion

@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <span>
 
+#include "fusion/frame_fusion.hpp"
 #include "geometry/grid.hpp"
-#include "grid/frame_fusion.hpp"
 #include "index/occupancy_index.hpp"
 
-namespace iog::grid {
+namespace iog::fusion {
 
 class FrameTiles {
  public:
@@ -31,13 +31,15 @@ class FrameTiles {
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] TileIndexes tile(std::size_t tile) const { return tiles_[tile]; }
   // Which of its cells were freed from below, or hit by something tall (grid/frame_grids.hpp).
-  [[nodiscard]] const TileBits& low_and_tall(std::size_t tile) const { return low_and_tall_[tile]; }
+  [[nodiscard]] const grid::TileBits& low_and_tall(std::size_t tile) const {
+    return low_and_tall_[tile];
+  }
 
  private:
   std::array<bool, geometry::kTileCount> is_known_{};
   alignas(32) std::array<std::array<index::OccupancyIndex, geometry::kTileCells>,
                          geometry::kTileCount> tiles_{};
-  std::array<TileBits, geometry::kTileCount> low_and_tall_{};
+  std::array<grid::TileBits, geometry::kTileCount> low_and_tall_{};
 };
 
-}  // namespace iog::grid
+}  // namespace iog::fusion

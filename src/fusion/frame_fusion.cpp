@@ -1,6 +1,6 @@
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 
-namespace iog::grid {
+namespace iog::fusion {
 
 void FrameFusion::finish() {
   carve_waiting();
@@ -18,4 +18,4 @@ void FrameFusion::clear() {
   }
 }
 
-}  // namespace iog::grid
+}  // namespace iog::fusion

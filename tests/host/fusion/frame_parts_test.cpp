@@ -1,5 +1,5 @@
 // How packets are dealt out: each once, a slice after the other, in parts of about the same size.
-#include "app/frame_parts.hpp"
+#include "fusion/frame_parts.hpp"
 
 #include <gtest/gtest.h>
 #include <memory>
@@ -8,7 +8,7 @@
 
 #include "fakes/random.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 namespace {
 
 KeptPacket packet_of(std::uint8_t group, std::uint16_t bytes) {
@@ -106,4 +106,4 @@ TEST(FrameParts, OneSliceIsDealtEvenly) {
 }
 
 }  // namespace
-}  // namespace iog::app
+}  // namespace iog::fusion

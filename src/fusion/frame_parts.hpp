@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <span>
 
-#include "app/frame_packets.hpp"
-#include "app/frame_slices.hpp"
+#include "fusion/frame_packets.hpp"
+#include "fusion/frame_slices.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 
 struct FramePart {
   std::uint16_t first = 0;  // its packets, in FrameParts::packets_of()
@@ -54,4 +54,4 @@ class FrameParts {
   std::array<std::uint16_t, kMaxFramePackets> order_{};
 };
 
-}  // namespace iog::app
+}  // namespace iog::fusion

@@ -1,8 +1,8 @@
-#include "app/fused_slices.hpp"
+#include "fusion/fused_slices.hpp"
 
 #include <algorithm>
 
-namespace iog::app {
+namespace iog::fusion {
 
 std::span<const FusedSlice> FusedSlices::next(const work::Crew& crew) {
   find_slices();
@@ -43,10 +43,10 @@ void FusedSlices::find_slices() {
 
 // The tile's indexes of all parts of the slice, joined in the memory if they are several.
 void FusedSlices::copy_tile(std::size_t tile, std::size_t slice, JoinedTile& memory) {
-  const grid::FrameTiles* only = nullptr;
+  const FrameTiles* only = nullptr;
   bool is_joined = false;
   for (std::size_t part = slice_parts_[slice].first; part < slice_parts_[slice].end; ++part) {
-    const grid::FrameTiles& tiles = fusion_->tiles(part);
+    const FrameTiles& tiles = fusion_->tiles(part);
     if (!tiles.is_known(tile)) {
       continue;
     }
@@ -56,9 +56,9 @@ void FusedSlices::copy_tile(std::size_t tile, std::size_t slice, JoinedTile& mem
       is_joined = true;
     }
     if (is_joined) {
-      memory.low_and_tall = grid::join(memory.indexes, memory.low_and_tall, tiles.tile(tile),
-                                       tiles.low_and_tall(tile));
-      grid::join(memory.indexes, tiles.tile(tile));
+      memory.low_and_tall =
+          join(memory.indexes, memory.low_and_tall, tiles.tile(tile), tiles.low_and_tall(tile));
+      join(memory.indexes, tiles.tile(tile));
     }
     only = &tiles;
   }
@@ -71,4 +71,4 @@ void FusedSlices::copy_tile(std::size_t tile, std::size_t slice, JoinedTile& mem
   }
 }
 
-}  // namespace iog::app
+}  // namespace iog::fusion

@@ -1,10 +1,10 @@
-#include "app/frame_packets.hpp"
+#include "fusion/frame_packets.hpp"
 
 #include <algorithm>
 
 #include "require/require.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 namespace {
 
 // A datagram is shorter.
@@ -37,4 +37,4 @@ void FramePackets::clear() {
   points_ = 0;
 }
 
-}  // namespace iog::app
+}  // namespace iog::fusion

@@ -1,4 +1,4 @@
-// The slices of a round of parts (app/shared_fusion.hpp), as the window wants them: the tiles of
+// The slices of a round of parts (fusion/shared_fusion.hpp), as the window wants them: the tiles of
 // each slice's parts joined, up to six slices at a time.
 //
 // Copying writes what it has not read, so an item can be done again from its start.
@@ -9,13 +9,13 @@
 #include <cstdint>
 #include <span>
 
-#include "app/shared_fusion.hpp"
+#include "fusion/shared_fusion.hpp"
 #include "hal/cores.hpp"
 #include "window/frame_evidence.hpp"
 #include "window/slice_cells.hpp"
 #include "work/crew.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 
 // A slice: the number of its group, and its cells.
 struct FusedSlice {
@@ -65,4 +65,4 @@ class FusedSlices {
   std::array<Parts, kMostSlices> slice_parts_{};
 };
 
-}  // namespace iog::app
+}  // namespace iog::fusion

@@ -1,15 +1,15 @@
-#include "app/shared_fusion.hpp"
+#include "fusion/shared_fusion.hpp"
 
 #include <algorithm>
 #include <functional>
 
 #include "require/require.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 namespace {
 
 template <typename Packet>
-void add_all(grid::FrameFusion& fusion, const vehicle::Sensor& sensor, const Packet& packet,
+void add_all(FrameFusion& fusion, const vehicle::Sensor& sensor, const Packet& packet,
              Fates& fates) {
   fusion.add_all(sensor, packet,
                  [&](vehicle::Fate fate) { ++fates[static_cast<std::size_t>(fate)]; });
@@ -21,13 +21,13 @@ SharedFusion::SharedFusion(const vehicle::Vehicle& vehicle, const intake::Watche
                            HelpersSpace space)
     : own_(vehicle), grounds_(vehicle), vehicle_(&vehicle), watched_(&watched), space_(space) {
   own_.follow(grounds_);
-  for (grid::FrameFusion& fusion : space_.fusions) {
+  for (FrameFusion& fusion : space_.fusions) {
     fusion.follow(grounds_);
   }
 }
 
-void SharedFusion::add_points(grid::FrameFusion& fusion, std::size_t sensor,
-                              const intake::Packet& packet, Fates& fates) const {
+void SharedFusion::add_points(FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet,
+                              Fates& fates) const {
   const vehicle::Sensor& its = vehicle_->sensors[sensor];
   if (its.no_return_clears_mm == 0) {
     add_all(fusion, its, packet, fates);
@@ -65,8 +65,7 @@ bool SharedFusion::fuse_next(const work::Crew& crew) {
   return true;
 }
 
-void SharedFusion::fuse_part(const FramePart& part, grid::FrameFusion& fusion,
-                             FusedPart& fused) const {
+void SharedFusion::fuse_part(const FramePart& part, FrameFusion& fusion, FusedPart& fused) const {
   fused.fates = {};
   for (const std::uint16_t number : parts_.packets_of(part)) {
     add_points(fusion, packets_.packets()[number].sensor, packets_.decoded(number), fused.fates);
@@ -122,16 +121,16 @@ void SharedFusion::end_frame(const intake::Intake& intake) {
 // A core that was lost has lows of packets that were fused, and perhaps of one that was fused
 // again: minima do not mind.
 void SharedFusion::join_lows(std::size_t place) {
-  for (grid::FrameFusion& fusion : space_.fusions) {
+  for (FrameFusion& fusion : space_.fusions) {
     own_.lows(place).join(fusion.lows(place));
   }
 }
 
 void SharedFusion::clear_lows(std::size_t place) {
   own_.lows(place).clear();
-  for (grid::FrameFusion& fusion : space_.fusions) {
+  for (FrameFusion& fusion : space_.fusions) {
     fusion.lows(place).clear();
   }
 }
 
-}  // namespace iog::app
+}  // namespace iog::fusion

@@ -14,7 +14,7 @@
 #include "grid/frame_grids.hpp"
 #include "index/occupancy_index.hpp"
 
-namespace iog::grid {
+namespace iog::fusion {
 
 // Adds the indexes of a tile to those of the same tile in another grid.
 void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
@@ -22,10 +22,11 @@ void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
 
 // The bits (grid/frame_grids.hpp) of two grids' same tile joined: of a cell that is hit in one of
 // them, of those in which it is hit.
-[[nodiscard]] TileBits join(std::span<const index::OccupancyIndex, geometry::kTileCells> one,
-                            const TileBits& bits_of_one,
-                            std::span<const index::OccupancyIndex, geometry::kTileCells> other,
-                            const TileBits& bits_of_other);
+[[nodiscard]] grid::TileBits join(
+    std::span<const index::OccupancyIndex, geometry::kTileCells> one,
+    const grid::TileBits& bits_of_one,
+    std::span<const index::OccupancyIndex, geometry::kTileCells> other,
+    const grid::TileBits& bits_of_other);
 
 class JoinedGrid {
  public:
@@ -56,4 +57,4 @@ class JoinedGrid {
                          geometry::kTileCount> tiles_{};
 };
 
-}  // namespace iog::grid
+}  // namespace iog::fusion

@@ -1,10 +1,10 @@
-#include "app/frame_parts.hpp"
+#include "fusion/frame_parts.hpp"
 
 #include <algorithm>
 
 #include "require/require.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::span<const FramePart> FrameParts::next_round() {
   return std::span(parts_).subspan(first, end - first);
 }
 
-}  // namespace iog::app
+}  // namespace iog::fusion

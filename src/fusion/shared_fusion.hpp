@@ -5,7 +5,7 @@
 //     packets of a part -> its core's fusion -> tiles of the part      a part an item
 //                          tiles of all parts -> the frame's grid      a row of tiles an item
 //
-// Saturated sums of one sign do not mind in which grid they were begun (grid/joined_grid.hpp), so
+// Saturated sums of one sign do not mind in which grid they were begun (fusion/joined_grid.hpp), so
 // which core has which part does not show. A part that a lost core has begun can be fused again
 // from its start: what was written is that core's fusion, which is not used again, and the part's
 // place.
@@ -17,11 +17,11 @@
 #include <span>
 #include <utility>
 
-#include "app/frame_packets.hpp"
-#include "app/frame_parts.hpp"
-#include "grid/frame_fusion.hpp"
-#include "grid/frame_tiles.hpp"
-#include "grid/joined_grid.hpp"
+#include "fusion/frame_fusion.hpp"
+#include "fusion/frame_packets.hpp"
+#include "fusion/frame_parts.hpp"
+#include "fusion/frame_tiles.hpp"
+#include "fusion/joined_grid.hpp"
 #include "ground/ground.hpp"
 #include "hal/cores.hpp"
 #include "health/guard.hpp"
@@ -31,7 +31,7 @@
 #include "vehicle/vehicle.hpp"
 #include "work/crew.hpp"
 
-namespace iog::app {
+namespace iog::fusion {
 
 // How many points had which fate.
 using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
@@ -42,12 +42,12 @@ inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 // The result of a part, written by the core that fuses it.
 struct FusedPart {
   Fates fates{};
-  grid::FrameTiles tiles;
+  FrameTiles tiles;
 };
 
 // What sharing takes of memory beside core 0's own: a fusion for each helper, and the places.
 struct HelpersSpace {
-  std::span<grid::FrameFusion> fusions;
+  std::span<FrameFusion> fusions;
   std::span<FusedPart> parts;
 };
 
@@ -63,7 +63,7 @@ class HelpersMemory {
 
   template <typename Visit>
   void for_each_guard(Visit&& visit) {
-    for (grid::FrameFusion& fusion : fusions_) {
+    for (FrameFusion& fusion : fusions_) {
       fusion.for_each_guard(visit);
     }
     if constexpr (kCores > 1) {
@@ -72,7 +72,7 @@ class HelpersMemory {
   }
   template <typename Visit>
   void for_each_constant(Visit&& visit) const {
-    for (const grid::FrameFusion& fusion : fusions_) {
+    for (const FrameFusion& fusion : fusions_) {
       fusion.for_each_constant(visit);
     }
   }
@@ -80,9 +80,9 @@ class HelpersMemory {
  private:
   template <std::size_t... kHelper>
   HelpersMemory(const vehicle::Vehicle& vehicle, std::index_sequence<kHelper...> /*helpers*/)
-      : fusions_{(static_cast<void>(kHelper), grid::FrameFusion(vehicle))...} {}
+      : fusions_{(static_cast<void>(kHelper), FrameFusion(vehicle))...} {}
 
-  std::array<grid::FrameFusion, kCores - 1> fusions_;
+  std::array<FrameFusion, kCores - 1> fusions_;
   std::array<FusedPart, kCores == 1 ? 0 : kPartPlaces> parts_{};
   health::Guard behind_parts_;
 };
@@ -97,7 +97,7 @@ class SharedFusion {
   SharedFusion& operator=(const SharedFusion&) = delete;
 
   // Core 0's own fusion. It is clear whenever the crew fuses.
-  [[nodiscard]] grid::FrameFusion& own() { return own_; }
+  [[nodiscard]] FrameFusion& own() { return own_; }
 
   // What has become of the frame's points.
   [[nodiscard]] const Fates& fates() const { return fates_; }
@@ -107,7 +107,7 @@ class SharedFusion {
     add_points(own_, sensor, packet, fates_);
   }
   // That is finished and becomes a part of the frame's grid: visit(tile, indexes, low_and_tall) as
-  // of grid::FrameFusion::release_with_heights().
+  // of FrameFusion::release_with_heights().
   template <typename Visit>
   void join_alone(Visit&& visit) {
     own_.finish();
@@ -136,7 +136,7 @@ class SharedFusion {
 
   // The parts of that round, and what became of each of them, until the next one.
   [[nodiscard]] std::span<const FramePart> round() const { return round_; }
-  [[nodiscard]] const grid::FrameTiles& tiles(std::size_t part) const {
+  [[nodiscard]] const FrameTiles& tiles(std::size_t part) const {
     return space_.parts[first_ + part].tiles;
   }
 
@@ -179,16 +179,16 @@ class SharedFusion {
   }
 
  private:
-  void add_points(grid::FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet,
+  void add_points(FrameFusion& fusion, std::size_t sensor, const intake::Packet& packet,
                   Fates& fates) const;
-  void fuse_part(const FramePart& part, grid::FrameFusion& fusion, FusedPart& fused) const;
+  void fuse_part(const FramePart& part, FrameFusion& fusion, FusedPart& fused) const;
   void join_row(std::size_t row, bool is_first);
   void join_lows(std::size_t place);
   void clear_lows(std::size_t place);
 
   // What is aligned to a cache line comes first.
-  grid::FrameFusion own_;
-  grid::JoinedGrid joined_;
+  FrameFusion own_;
+  JoinedGrid joined_;
   health::Guard behind_joined_;
   ground::Grounds grounds_;  // that all cores' fusions follow
   health::Guard behind_grounds_;
@@ -205,4 +205,4 @@ class SharedFusion {
   bool is_joined_ = false;   // something of the frame is in its grid
 };
 
-}  // namespace iog::app
+}  // namespace iog::fusion

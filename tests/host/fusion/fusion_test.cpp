@@ -14,13 +14,14 @@
 #include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 #include "tools/car/scanners.hpp"
 #include "tools/car/tables.hpp"
 
-namespace iog::grid {
+namespace iog::fusion {
 namespace {
 
+using grid::OccupancyIndex;
 using tests::Evidence;
 using tests::LevelLux;
 using tests::random_frame;
@@ -321,4 +322,4 @@ TEST(Fusion, AFrameThatIsReleasedIsShownTileByTileAndCleared) {
 }
 
 }  // namespace
-}  // namespace iog::grid
+}  // namespace iog::fusion

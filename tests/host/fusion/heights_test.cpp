@@ -17,13 +17,15 @@
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/turning_rule.hpp"
-#include "grid/frame_fusion.hpp"
-#include "grid/joined_grid.hpp"
+#include "fusion/frame_fusion.hpp"
+#include "fusion/joined_grid.hpp"
 
-namespace iog::grid {
+namespace iog::fusion {
 namespace {
 
 using geometry::Cell;
+using grid::OccupancyIndex;
+using grid::TileBits;
 using lidar::ScanPoint;
 using tests::Evidence;
 using tests::GroundCar;
@@ -122,8 +124,7 @@ void expect_sums(const vehicle::Vehicle& car, std::vector<Evidence> frame, Rando
     std::array<OccupancyIndex, geometry::kTileCells> in_other{};
     static_cast<void>(fusions[0]->view().copy_tile(tile, in_one));
     static_cast<void>(fusions[1]->view().copy_tile(tile, in_other));
-    EXPECT_EQ(grid::join(in_one, one[tile], in_other, other[tile]), all->low_and_tall(tile))
-        << tile;
+    EXPECT_EQ(join(in_one, one[tile], in_other, other[tile]), all->low_and_tall(tile)) << tile;
   }
   std::array<int, 2> seen{};
   for (std::size_t number = 0; number < said.size(); ++number) {
@@ -271,4 +272,4 @@ TEST(Heights, AreNotKeptIfNoSensorSaysWhatOpensGround) {
 }
 
 }  // namespace
-}  // namespace iog::grid
+}  // namespace iog::fusion

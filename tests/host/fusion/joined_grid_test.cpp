@@ -1,6 +1,6 @@
 // The law by which a frame can be fused in parts: parts that are fused from zero by hits_win, and
 // joined, are the frame.
-#include "grid/joined_grid.hpp"
+#include "fusion/joined_grid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +15,12 @@
 #include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "grid/frame_fusion.hpp"
+#include "fusion/frame_fusion.hpp"
 
-namespace iog::grid {
+namespace iog::fusion {
 namespace {
+
+using grid::OccupancyIndex;
 
 std::vector<OccupancyIndex> released(JoinedGrid& joined) {
   std::vector<OccupancyIndex> cells(geometry::kCellCount);
@@ -156,4 +158,4 @@ TEST(JoinedGrid, ReleasingClears) {
 }
 
 }  // namespace
-}  // namespace iog::grid
+}  // namespace iog::fusion

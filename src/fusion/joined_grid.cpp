@@ -1,4 +1,4 @@
-#include "grid/joined_grid.hpp"
+#include "fusion/joined_grid.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 #include "grid/lanes.hpp"
 
-namespace iog::grid {
+namespace iog::fusion {
 namespace {
 
 using index::OccupancyIndex;
@@ -25,20 +25,20 @@ std::uint32_t hits_of(const OccupancyIndex* row) {
 // sum of indexes of both signs means nothing, and is left out where something is hit.
 void join(std::span<OccupancyIndex, geometry::kTileCells> to, JoinedGrid::TileIndexes more) {
   static_assert(index::kIndexMax<OccupancyIndex> == 127);
-  const Lanes unknown = Lanes::all(index::kUnknown);
-  const Lanes least = Lanes::all(index::kIndexMin<OccupancyIndex>);
-  for (std::size_t i = 0; i < to.size(); i += kLaneCount) {
-    const Lanes one = Lanes::load_bytes(&to[i]);
-    const Lanes other = Lanes::load_bytes(&more[i]);
-    const Lanes hit = one.max(unknown).add(other.max(unknown));
-    const Lanes free = one.add(other).max(least);
+  const grid::Lanes unknown = grid::Lanes::all(index::kUnknown);
+  const grid::Lanes least = grid::Lanes::all(index::kIndexMin<OccupancyIndex>);
+  for (std::size_t i = 0; i < to.size(); i += grid::kLaneCount) {
+    const grid::Lanes one = grid::Lanes::load_bytes(&to[i]);
+    const grid::Lanes other = grid::Lanes::load_bytes(&more[i]);
+    const grid::Lanes hit = one.max(unknown).add(other.max(unknown));
+    const grid::Lanes free = one.add(other).max(least);
     hit.bit_or(free.and_not(hit.above_zero())).store_bytes(&to[i]);
   }
 }
 
-TileBits join(JoinedGrid::TileIndexes one, const TileBits& bits_of_one,
-              JoinedGrid::TileIndexes other, const TileBits& bits_of_other) {
-  TileBits bits{};
+grid::TileBits join(JoinedGrid::TileIndexes one, const grid::TileBits& bits_of_one,
+                    JoinedGrid::TileIndexes other, const grid::TileBits& bits_of_other) {
+  grid::TileBits bits{};
   for (std::size_t y = 0; y < bits.size(); ++y) {
     if ((bits_of_one[y] | bits_of_other[y]) != 0) {
       const std::uint32_t in_one = hits_of(&one[y * geometry::kTileSide]);
@@ -60,4 +60,4 @@ void JoinedGrid::add(std::size_t tile, TileIndexes indexes) {
   join(cells, indexes);
 }
 
-}  // namespace iog::grid
+}  // namespace iog::fusion

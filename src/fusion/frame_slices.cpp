@@ -1,8 +1,8 @@
-#include "app/frame_slices.hpp"
+#include "fusion/frame_slices.hpp"
 
 #include <algorithm>
 
-namespace iog::app {
+namespace iog::fusion {
 
 std::optional<std::uint64_t> FrameSlices::measure(std::span<const vehicle::Sensor> sensors,
                                                   std::span<KeptPacket> packets,
@@ -80,4 +80,4 @@ std::uint8_t FrameSlices::group_of(const pose::Slice& slice, pose::Source& poses
   return static_cast<std::uint8_t>(count_++);
 }
 
-}  // namespace iog::app
+}  // namespace iog::fusion

@@ -27,7 +27,7 @@
 #include "vehicle/beam.hpp"
 #include "vehicle/vehicle.hpp"
 
-namespace iog::grid {
+namespace iog::fusion {
 
 class FrameFusion {
  public:
@@ -93,12 +93,12 @@ class FrameFusion {
   void finish();
 
   // The grid, complete after finish(), until it is cleared.
-  [[nodiscard]] FrameView view() const { return FrameView(grids_.indexes); }
+  [[nodiscard]] grid::FrameView view() const { return grid::FrameView(grids_.indexes); }
 
   // Copies a tile of the frame, row by row from its lowest y, and clears it. False if nothing is
   // known in it.
   [[nodiscard]] bool take_tile(std::size_t tile,
-                               std::span<OccupancyIndex, geometry::kTileCells> to) {
+                               std::span<grid::OccupancyIndex, geometry::kTileCells> to) {
     if (!grids_.indexes.is_touched(tile)) {
       return false;
     }
@@ -110,16 +110,17 @@ class FrameFusion {
   // Whether heights count (grid/frame_grids.hpp). Of a tile that is not taken yet: which of its
   // cells were freed from below, or hit by something tall.
   [[nodiscard]] bool keeps_heights() const { return grids_.keep_heights; }
-  [[nodiscard]] TileBits low_and_tall(std::size_t tile) const { return grids_.low_and_tall(tile); }
+  [[nodiscard]] grid::TileBits low_and_tall(std::size_t tile) const {
+    return grids_.low_and_tall(tile);
+  }
 
   // Shows the frame tile by tile and clears it: visit(number, indexes) for each tile in
   // which something is known, in rising order. The indexes, row by row from the lowest y, are valid
   // during the call.
   template <typename Visit>
   void release(Visit&& visit) {
-    release_with_heights([&](std::size_t tile, auto indexes, const TileBits& /*low_and_tall*/) {
-      visit(tile, indexes);
-    });
+    release_with_heights([&](std::size_t tile, auto indexes,
+                             const grid::TileBits& /*low_and_tall*/) { visit(tile, indexes); });
   }
   // The same with visit(number, indexes, low_and_tall).
   template <typename Visit>
@@ -128,9 +129,10 @@ class FrameFusion {
       if (!grids_.indexes.is_touched(tile)) {
         continue;
       }
-      const TileBits bits = grids_.keep_heights ? grids_.low_and_tall(tile) : TileBits{};
+      const grid::TileBits bits =
+          grids_.keep_heights ? grids_.low_and_tall(tile) : grid::TileBits{};
       if (take_tile(tile, tile_cells_)) {
-        visit(tile, std::span<const OccupancyIndex, geometry::kTileCells>(tile_cells_), bits);
+        visit(tile, std::span<const grid::OccupancyIndex, geometry::kTileCells>(tile_cells_), bits);
       }
     }
   }
@@ -158,7 +160,8 @@ class FrameFusion {
       packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
                                 const lidar::ScanPoint& point) { count(turn.add(point)); });
     } else {
-      const ground::PacketJudge judge(ground, lows, AzimuthCarver::tilt_of(sensor, ground, packet));
+      const ground::PacketJudge judge(ground, lows,
+                                      grid::AzimuthCarver::tilt_of(sensor, ground, packet));
       packet.for_each_point([&](const lidar::ScanPoint& point) {
         count(azimuths_.add(sensor, ground, judge, point));
       });
@@ -166,17 +169,17 @@ class FrameFusion {
   }
 
   // What is aligned to a cache line comes first.
-  FrameGrids grids_;
-  TurnCarver turns_;
-  AzimuthCarver azimuths_;
+  grid::FrameGrids grids_;
+  grid::TurnCarver turns_;
+  grid::AzimuthCarver azimuths_;
   const vehicle::Sensor* first_sensor_;
   const ground::Grounds* grounds_ = nullptr;
   vehicle::FusionRule rule_;
-  alignas(8) std::array<OccupancyIndex, geometry::kTileCells> tile_cells_{};
-  PendingMarks marks_;
-  ArcMarker arcs_{grids_, marks_};
+  alignas(8) std::array<grid::OccupancyIndex, geometry::kTileCells> tile_cells_{};
+  grid::PendingMarks marks_;
+  grid::ArcMarker arcs_{grids_, marks_};
   std::array<ground::Lows, vehicle::kMaxGroundSensors> lows_{};
   health::Guard behind_;
 };
 
-}  // namespace iog::grid
+}  // namespace iog::fusion
