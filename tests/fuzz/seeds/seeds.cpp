@@ -11,16 +11,12 @@
 
 #include "car_block/content.hpp"
 #include "discovery/bytes.hpp"
-#include "fakes/ars548_list.hpp"
+#include "fakes/any_packet.hpp"
 #include "fakes/ground_turns.hpp"
-#include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
-#include "fakes/mavlink_distance.hpp"
-#include "fakes/ouster_packet.hpp"
 #include "fakes/random.hpp"
 #include "fakes/real_ars548_list.hpp"
 #include "fakes/reference_block.hpp"
-#include "fakes/velodyne_packet.hpp"
 #include "geometry/grid.hpp"
 #include "pose/message.hpp"
 #include "stream/tiles.hpp"
@@ -44,64 +40,31 @@ Bytes lux_message(int points) {
   return message.bytes();
 }
 
-void add_lidar_seeds(Seeds& seeds) {
-  const Bytes lux = lux_message(12);
-  seeds.add("ibeo_lux", joined(piece_of(lux_message(0)), lux));
-  for (const int flags : {0x002, 0x402}) {
-    const auto half = tests::LuxMessage{.points = {{.layer = 3}, {.echo = 1}}, .flags = flags};
-    seeds.add("ibeo_lux8", joined(piece_of(lux), half.bytes()));
-  }
+// As packet.cpp reads it.
+Bytes packets_of(lidar::Format format, int mode, const Bytes& before, const Bytes& packet) {
+  const Bytes head{static_cast<std::byte>(format), static_cast<std::byte>(mode)};
+  return joined(head, joined(piece_of(before), packet));
+}
+
+void add_packet_seeds(Seeds& seeds) {
+  tests::Random random(7);
+  lidar::for_each_format(
+      [&]<typename Decoder>(lidar::Format format, std::type_identity<Decoder> /*which*/) {
+        for (const auto& [mode, rows] : {std::pair(4, 4U), std::pair(136, 64U)}) {  // 1024x10
+          for (int i = 0; i < 3; ++i) {
+            const Bytes before = tests::sound_packet<Decoder>(random, rows);
+            const Bytes packet = tests::sound_packet<Decoder>(random, rows);
+            seeds.add("packet", packets_of(format, mode, before, packet));
+          }
+        }
+      });
   const Bytes list = tests::real_ars548_list();
-  seeds.add("continental_ars548",
-            joined({std::byte{11}}, Bytes(list.begin() + 36, list.begin() + 101 + 44 * 44)));
-  seeds.add("continental_ars548", tests::Ars548List{.detections = {{}, {}}}.bytes());
-  seeds.add("mavlink_ultrasonic", tests::MavlinkDistance{}.bytes());
-  seeds.add("mavlink_ultrasonic", tests::MavlinkDistance{.quality = 88}.bytes());
+  seeds.add("packet", packets_of(lidar::kFormat<lidar::ContinentalArs548>, 11, {},
+                                 Bytes(list.begin() + 36, list.begin() + 101 + 44 * 44)));
+  const Bytes lux = lux_message(12);
+  seeds.add("packet", packets_of(lidar::kFormat<lidar::IbeoLux>, 0, lux_message(0), lux));
   seeds.add("scan_stream", joined({std::byte{50}}, joined(lux, lux_message(3))));
   seeds.add("lux_recording", joined(lux, lux_message(3)));
-}
-
-void add_velodyne_seeds(Seeds& seeds, tests::VelodynePacket packet) {
-  packet.first_azimuth = 35'900;
-  packet.ranges.fill({1, 2, 3, 500, 60'000});
-  const Bytes first = packet.bytes();
-  packet.first_azimuth = 380;
-  packet.time_us = 1'327;
-  seeds.add("velodyne", joined(piece_of(first), packet.bytes()));
-}
-
-void add_velodyne_seeds(Seeds& seeds) {
-  for (const int mode : {0x37, 0x38, 0x39}) {
-    for (const int product : {0x21, 0x22, 0x24, 0x28}) {
-      add_velodyne_seeds(seeds, {.mode = mode, .product = product});
-    }
-  }
-  for (const int blocks_of_azimuth : {2, 4}) {
-    add_velodyne_seeds(seeds, {.blocks_of_azimuth = blocks_of_azimuth, .banks = 2});
-  }
-  add_velodyne_seeds(seeds, {.product = 0xA1, .banks = 4});
-}
-
-void add_hesai_seeds(Seeds& seeds) {
-  for (std::size_t unit = 0; unit < tests::kHesaiFormats.size(); ++unit) {
-    for (const bool is_dual : {false, true}) {
-      const tests::HesaiPacket packet{
-          .format = tests::kHesaiFormats[unit], .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
-      seeds.add("hesai", joined({static_cast<std::byte>(unit)}, packet.bytes()));
-    }
-  }
-}
-
-void add_ouster_seeds(Seeds& seeds) {
-  using Packet = tests::OusterPacket;
-  int choice = 20;  // 1024x10, as ouster.cpp chooses
-  for (const Packet& packet : {Packet{.format = lidar::kFormat<lidar::OusterLegacy>, .rows = 4},
-                               Packet{.format = lidar::kFormat<lidar::OusterRng15>, .rows = 4},
-                               Packet{.format = lidar::kFormat<lidar::OusterRng19>, .rows = 4},
-                               Packet{.format = lidar::kFormat<lidar::OusterRng19Dual>, .rows = 4},
-                               Packet{.format = lidar::kFormat<lidar::OusterRng15>, .rows = 64}}) {
-    seeds.add("ouster", joined({static_cast<std::byte>(choice++)}, packet.bytes()));
-  }
 }
 
 void add_network_seeds(Seeds& seeds) {
@@ -274,11 +237,8 @@ int main(int argc, char** argv) {
   iog::fuzz::Seeds seeds(argv[1]);
   iog::fuzz::add_car_seeds(seeds);
   iog::fuzz::add_ground_seeds(seeds);
-  iog::fuzz::add_hesai_seeds(seeds);
-  iog::fuzz::add_lidar_seeds(seeds);
-  iog::fuzz::add_velodyne_seeds(seeds);
+  iog::fuzz::add_packet_seeds(seeds);
   iog::fuzz::add_network_seeds(seeds);
-  iog::fuzz::add_ouster_seeds(seeds);
   iog::fuzz::add_mcap_seeds(seeds);
   iog::fuzz::add_stream_seeds(seeds);
   iog::fuzz::add_tile_seeds(seeds);
