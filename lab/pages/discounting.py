@@ -1,6 +1,6 @@
 """Tables 6.1 to 6.4 of Kurdej's thesis: as printed, by its printed equations, and as they are meant."""
 
-from section import one, select
+from tables import one, select
 
 SCHEMES = ["optimistic", "proportional", "conservative"]
 SETS = {"1": "{1}", "2": "{2}", "12": "{1,2}", "3": "{3}", "13": "{1,3}", "23": "{2,3}",

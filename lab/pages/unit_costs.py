@@ -18,7 +18,7 @@ takes on them.
 import pathlib
 
 from cortex_a9 import STAGES, CortexA9, frame_run
-from section import select, total
+from tables import select, total
 
 PATH = pathlib.Path(__file__).resolve().parents[2] / "tools/budget/unit_costs.hpp"
 SCENES = ("city", "ring_road")

@@ -1,10 +1,10 @@
-"""Claims, and the sections that make them."""
+"""Claims, and the tables that they are made of."""
 
 import unittest
 
 import laboratory  # noqa: F401 ; it makes lab/pages known
 from claims import Claim, Goal, Verdict, counts, goal_table
-from section import Data, one, select
+from tables import Data, one, select
 
 
 class Claims(unittest.TestCase):
@@ -43,11 +43,6 @@ class Tables(unittest.TestCase):
                 one(table, "cells", walk="a")
             with self.assertRaises(AssertionError):
                 one(table, "cells", walk="c")
-
-    def test_a_table_that_is_missing_is_known_to_be(self):
-        with laboratory.Tables(walks="walk\na\n") as folder:
-            self.assertIn("walks", Data(folder))
-            self.assertNotIn("drives", Data(folder))
 
     def test_a_double_is_read_as_it_was_written(self):
         with laboratory.Tables(p="p\n0.1\n8.553601571093055e-12\n") as folder:

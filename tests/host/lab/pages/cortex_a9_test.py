@@ -5,7 +5,7 @@ import unittest
 import laboratory
 from claims import Verdict
 from cortex_a9 import CortexA9, Modelled, frame_run
-from section import Data
+from tables import Data
 
 RUN = "frame_cost scene=city sensors=4"
 TABLE = f"""run,stage,variant,counter,value

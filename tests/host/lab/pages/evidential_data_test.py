@@ -7,7 +7,7 @@ import laboratory
 import discounting
 from claims import Verdict
 from measurements_test import script
-from section import Data, ratio, select
+from tables import Data, ratio, select
 
 DATA = Data()
 TABLES = discounting.Tables(DATA)

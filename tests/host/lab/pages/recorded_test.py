@@ -10,7 +10,7 @@ from unittest import mock
 import laboratory
 import measurements
 from measurements_test import script
-from section import Data
+from tables import Data
 
 HITS = ("setting,kind,range_from_m,range_to_m,named_by_neighbour,unknown_hits,free_hits,moving_hits,standing_hits,"
         "open_hits\n")

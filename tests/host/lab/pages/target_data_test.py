@@ -6,7 +6,7 @@ import unittest
 import laboratory  # noqa: F401 ; it makes the others known
 import worst_frames
 from cortex_a9 import FUSED, PUBLISH, STAGES, VARIANTS, CortexA9, frame_run
-from section import Data
+from tables import Data
 from target_frames import SCENES, WHOLE, floor, target_frame
 
 DATA = Data()

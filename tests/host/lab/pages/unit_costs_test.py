@@ -5,7 +5,7 @@ import unittest
 import laboratory
 import unit_costs
 from cortex_a9 import CortexA9
-from section import Data
+from tables import Data
 
 SHORTEST = "frame_cost scene={} sensors=4 coding=shortest"
 # Of two frames each: what is of a run, and cycles of its stages.

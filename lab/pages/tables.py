@@ -1,20 +1,10 @@
-"""A section of a page: what its module in pages/sections/ finds in the data, and what its template
-in pages/templates/ says of it.
+"""The tables of lab/data, and sums over rows of them."""
 
-A module has one function, section(data) -> Section. Numbers and verdicts come from `data`; words
-stand in the template, which sees `found` and the functions of markdown.py. The sentences of a
-template follow from data on the same page, or begin with "Our reading:".
-"""
-
-import dataclasses
 import functools
 import math
 import pathlib
-import types
 
 import pandas
-
-from claims import Claim, Goal
 
 DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
 
@@ -37,9 +27,6 @@ class Data:
 
     def __getitem__(self, name: str) -> pandas.DataFrame:
         return _table(self.path(f"{name}.csv"))
-
-    def __contains__(self, name: str) -> bool:
-        return (self.folder / f"{name}.csv").exists()
 
 
 def one(table: pandas.DataFrame, column: str, **where):
@@ -66,19 +53,3 @@ def ratio(table: pandas.DataFrame, part, whole, **where) -> float:
     """Of two such sums; no number where the second is 0."""
     of_all = total(table, whole, **where)
     return total(table, part, **where) / of_all if of_all else math.nan
-
-
-@dataclasses.dataclass
-class Section:
-    """What a section has found: values for its template (namespaces, lists, numbers), claims and goals for
-    the overview, and figures by the file name that the template gives them. files: those of lab/data that it read."""
-
-    found: dict = dataclasses.field(default_factory=dict)
-    claims: list[Claim] = dataclasses.field(default_factory=list)
-    goals: list[Goal] = dataclasses.field(default_factory=list)
-    figures: dict = dataclasses.field(default_factory=dict)
-    files: set[str] = dataclasses.field(default_factory=set)
-
-    @property
-    def names(self) -> types.SimpleNamespace:
-        return types.SimpleNamespace(**self.found)
