@@ -108,7 +108,7 @@ def rows(context, data=({},), where: str = "True", caller=None, **named: str) ->
                 known[name] = value_of(expression, known)
             if not is_filled or value_of(where, known):
                 cells.append([filled(cell, known) for cell in pattern])
-    return markdown.table(headings, cells)
+    return markdown.table(headings, cells) + "\n"  # of the line that ends with the block's end
 
 
 @jinja2.pass_context
