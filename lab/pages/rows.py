@@ -111,6 +111,11 @@ def rows(context, data=({},), where: str = "True", caller=None, **named: str) ->
     return markdown.table(headings, cells) + "\n"  # of the line that ends with the block's end
 
 
+def expect(words: str, is_so) -> None:
+    """Words of a template that its data must bear out."""
+    assert is_so, f"a page says that {words}, and its data does not"
+
+
 @jinja2.pass_context
 def calc(context, expression: str, **named):
     """The value of a Python expression of what the template has set."""

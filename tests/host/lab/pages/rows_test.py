@@ -34,6 +34,11 @@ class Rows(unittest.TestCase):
                                   "{% call rows(each(r=[1, 3], walk=['a'])) %}\n| r | half |\n| {r} | {half(r):2} |\n{% endcall %}"),
                          [["r", "half"], ["1", "0.50"], ["3", "1.50"]])
 
+    def test_words_that_the_data_does_not_bear_out_are_no_page(self):
+        rows.expect("1 is 1", True)
+        with self.assertRaisesRegex(AssertionError, "a page says that 1 is 2"):
+            rows.expect("1 is 2", False)
+
     def test_forms(self):
         for value, form, text in ((1048576, ",", "1,048,576"), (0.5, "1%", "50.0 %"), (4.65e-4, "2e", "4.65e-4"),
                                   (1.25, "1", "1.2"), (float("nan"), "1%", rows.NO_VALUE), (12, "", "12"),
