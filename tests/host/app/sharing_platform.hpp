@@ -42,7 +42,7 @@ class SharingPlatform {
   std::uint32_t ticks_hz() { return 1; }
   Vitals vitals(const FrameTimes& /*times*/) { return {}; }
   std::uint32_t run_number() { return 1; }
-  [[nodiscard]] std::size_t cores() const { return team_.cores(); }
+  [[nodiscard]] std::size_t cores() const { return asked_ > 0 && asked_-- > 0 ? 3 : team_.cores(); }
 
   void share(std::size_t items, work::Work work, work::Beside beside = {}) {
     const bool is_due = items > 1 && rounds >= first_round_ && team_.cores() > 1;
@@ -81,6 +81,9 @@ class SharingPlatform {
   }
   // Each item is delayed at either end by up to so much, by chance.
   void delay(std::uint32_t most_us) { most_delay_us_ = most_us; }
+
+  // It does all alone, and has lost its helpers when it has been asked so often for its cores.
+  void have_helpers_when_asked(int times) { asked_ = times; }
 
   [[nodiscard]] std::uint32_t items_of_helpers() const {
     return team_.items(1) + team_.items(2) + team_.items(3);
@@ -128,6 +131,7 @@ class SharingPlatform {
   std::size_t item_percent_ = 0;
   tests::StoreTrap* trap_ = nullptr;
   std::uint32_t most_delay_us_ = 0;
+  mutable int asked_ = 0;
   std::atomic<bool> victim_has_begun_ = false;
   tests::ThreadCores cores_;
   work::Team<tests::ThreadCores> team_;
