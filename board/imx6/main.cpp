@@ -103,7 +103,7 @@ int main() {
                            signed_commands(board, block, car, *network));
   static iog::net::Reassembly fragments(iog::app::fragment_senders(car, network->peer));
   platform.host().join_fragments(fragments);
-  static iog::app::SerialSink serial;
+  static iog::serial::GridSender serial;
   // The peer is the only destination that the firmware ever sends messages to, and it may replay
   // recordings in the name of the sensors.
   static Pipeline pipeline(car, network->peer.value, platform, serial);

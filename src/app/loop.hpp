@@ -23,8 +23,6 @@
 #include "app/loop_times.hpp"
 #include "app/offering.hpp"
 #include "app/pipeline.hpp"
-#include "app/serial_sink.hpp"
-#include "app/times_report.hpp"
 #include "authentication/stream_signer.hpp"
 #include "hal/clock.hpp"
 #include "hal/console.hpp"
@@ -38,6 +36,7 @@
 #include "health/memory_check.hpp"
 #include "net/host.hpp"
 #include "require/require.hpp"
+#include "serial/grid_sender.hpp"
 #include "stream/channel.hpp"
 #include "stream/message.hpp"
 #include "stream/target_state.hpp"
@@ -135,7 +134,7 @@ class MachinePlatform {
   }
 
   // For the console, when nothing waits.
-  void tell_times(std::uint64_t now_us) { times_report_.tell(times_, now_us, machine_.console()); }
+  void tell_times(std::uint64_t now_us) { times_.tell(now_us, machine_.console()); }
 
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
@@ -186,7 +185,6 @@ class MachinePlatform {
   Team team_;
   LoopTimes times_;
   work::CoreTimes core_times_;
-  TimesReport times_report_;
   std::uint32_t frames_ = 0;
   Vitals vitals_;
 };
@@ -194,9 +192,10 @@ class MachinePlatform {
 // The target's pipeline: every frame goes to the network, with classes if its vehicle asks for
 // them, and to the serial link what it can carry of the frame's grid.
 template <Machine M, vehicle::Grids kGrids>
-using MachinePipeline = std::conditional_t<vehicle::have_classes(kGrids),
-                                           PerceptionPipeline<MachinePlatform<M>, SerialSink>,
-                                           Pipeline<MachinePlatform<M>, SerialSink>>;
+using MachinePipeline =
+    std::conditional_t<vehicle::have_classes(kGrids),
+                       PerceptionPipeline<MachinePlatform<M>, serial::GridSender>,
+                       Pipeline<MachinePlatform<M>, serial::GridSender>>;
 
 // Whether the end of the frame at hand is due, and fusing has to wait for it.
 template <typename ItsPipeline>
@@ -260,7 +259,7 @@ void check_memory(M& machine, health::MemoryCheck& check) {
 
 // One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
 template <Machine M, typename ItsPipeline>
-bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial, Backlog& backlog,
+bool pass(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial, Backlog& backlog,
           health::MemoryCheck& check, Life& life, ItsPipeline& pipeline) {
   const auto now_us = [&machine] { return machine.clock().now_us(); };
   backlog.begin_pass(now_us());
@@ -288,7 +287,7 @@ bool pass(M& machine, MachinePlatform<M>& platform, SerialSink& serial, Backlog&
 
 // Never returns. The pipeline holds the grid and belongs into static memory.
 template <Machine M, typename ItsPipeline>
-[[noreturn]] void run(M& machine, MachinePlatform<M>& platform, SerialSink& serial,
+[[noreturn]] void run(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial,
                       health::MemoryCheck& check, ItsPipeline& pipeline) {
   Backlog backlog;
   Life life(machine.clock().now_us());

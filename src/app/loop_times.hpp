@@ -1,5 +1,6 @@
 // What the loop has measured of itself since its start: what the stages of a frame took, how late
 // frames were closed, and what each core did for a frame. Of frames with packets; silence is cheap.
+// The console is told "worst publish 12345 us" when one of them has become worse.
 //
 // A stage costs two readings of the stopwatch, a frame some divisions (docs/safety.md).
 #pragma once
@@ -13,6 +14,7 @@
 #include <string_view>
 
 #include "app/platform.hpp"
+#include "hal/console.hpp"
 #include "hal/cores.hpp"
 #include "health/durations.hpp"
 #include "stream/message.hpp"
@@ -65,24 +67,44 @@ class LoopTimes {
   };
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
-  // A row that has become worse since it was last told, if there is one.
-  struct News {
-    std::string_view name;
-    std::uint32_t worst_us = 0;
-  };
-  [[nodiscard]] std::optional<News> news() {
+  // A line a second at most, which fits into the transmitter of a serial line, so that writing it
+  // does not block. Call it when nothing waits.
+  template <hal::Console Console>
+  void tell(std::uint64_t now_us, Console& console) {
+    if (now_us - told_at_us_ < kTellEveryUs) {
+      return;
+    }
+    told_at_us_ = now_us;
     for (std::size_t row = 0; row < kRows; ++row) {
       if (counts_.rows[row].worst_us > told_us_[row]) {
         told_us_[row] = counts_.rows[row].worst_us;
-        return News{.name = Counts::kNames[row], .worst_us = told_us_[row]};
+        console.write("worst ");
+        console.write(Counts::kNames[row]);
+        console.write(" ");
+        write(told_us_[row], console);
+        console.write(" us\n");
+        return;
       }
     }
-    return std::nullopt;
   }
 
  private:
+  static constexpr std::uint64_t kTellEveryUs = 1'000'000;
+
+  template <hal::Console Console>
+  static void write(std::uint32_t number, Console& console) {
+    std::array<char, 10> digits{};
+    std::size_t first = digits.size();
+    do {
+      digits[--first] = static_cast<char>('0' + number % 10);
+      number /= 10;
+    } while (number != 0);
+    console.write(std::string_view(digits.data() + first, digits.size() - first));
+  }
+
   Counts counts_{};
   std::array<std::uint32_t, kRows> told_us_{};
+  std::uint64_t told_at_us_ = 0;
   std::array<std::uint32_t, hal::kMaxCores> worked_{};
   std::optional<std::uint64_t> before_;  // ticks of the frame before, without publishing it
 };

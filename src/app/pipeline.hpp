@@ -21,7 +21,6 @@
 #include "app/perception_engine.hpp"
 #include "app/perception_sink.hpp"
 #include "app/platform.hpp"
-#include "app/stage_watch.hpp"
 #include "fusion/shared_fusion.hpp"
 #include "hal/cores.hpp"
 #include "health/constants.hpp"
@@ -63,8 +62,7 @@ class FramePipeline {
         perception_(frame_, vehicle, replayer_ipv4),
         network_(platform, coding),
         sinks_(sinks...),
-        platform_(&platform),
-        watch_(platform) {}
+        platform_(&platform) {}
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Sinks&... sinks)
       : FramePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
@@ -82,7 +80,7 @@ class FramePipeline {
 
   // One datagram. Closes the frame before it, after it, or not at all.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
-    watch_.start();
+    begin_stage();
     take_packet(
         frame_, receive(datagram, now_us),
         [&](const intake::SensorPacket& packet) {
@@ -93,27 +91,27 @@ class FramePipeline {
           }
         },
         [&] {
-          watch_.lap(&stream::StageTicks::fuse);
+          end_stage(&stream::StageTicks::fuse);
           close_frame(now_us);
         });
-    watch_.lap(&stream::StageTicks::fuse);
+    end_stage(&stream::StageTicks::fuse);
   }
 
   // One datagram that has waited too long. A packet of a sensor is counted and left; poses and maps
   // are taken as always.
   void leave(const intake::Datagram& datagram, std::uint64_t now_us) {
-    watch_.start();
+    begin_stage();
     if (const std::optional<intake::SensorPacket> packet = receive(datagram, now_us)) {
       perception_.note_left();
       frame_.leave(*packet);
     }
-    watch_.lap(&stream::StageTicks::fuse);
+    end_stage(&stream::StageTicks::fuse);
   }
 
   // Time has passed.
   void tick(std::uint64_t now_us) {
     if (frame_.is_overdue(now_us)) {
-      watch_.start();
+      begin_stage();
       close_frame(now_us);
     }
   }
@@ -146,6 +144,15 @@ class FramePipeline {
   static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
 
+  // What comes now is part of a stage; it was part of this one, and what comes now of the next.
+  using Stage = std::uint32_t stream::StageTicks::*;
+  void begin_stage() { since_ = platform_->ticks(); }
+  void end_stage(Stage stage) {
+    const std::uint32_t now = platform_->ticks();
+    ticks_.*stage += now - since_;
+    since_ = now;
+  }
+
   // The datagram as a sensor's packet. Empty if it was a pose or of a map, or was dropped.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
                                                             std::uint64_t now_us) {
@@ -154,7 +161,7 @@ class FramePipeline {
 
   void close_frame(std::uint64_t now_us) {
     const work::Crew crew(*platform_);
-    const auto lap = [this](auto stage) { watch_.lap(stage); };
+    const auto lap = [this](Stage stage) { end_stage(stage); };
     if constexpr (kPerceives) {
       if (!crew.is_one()) {
         perception_.decide(now_us, crew, lap);
@@ -174,7 +181,8 @@ class FramePipeline {
   void start_next(std::uint64_t now_us) {
     frame_.start_next(now_us);
     perception_.start_next();
-    watch_.begin_frame(&stream::StageTicks::publish);
+    ticks_ = {};
+    end_stage(&stream::StageTicks::publish);
   }
 
   // The frame's end, in its place; and the header of its messages.
@@ -184,7 +192,7 @@ class FramePipeline {
     frame_.describe(now_us, header, end);
     perception_.describe(header);
     header.run_number = platform_->run_number();
-    end.ticks = watch_.ticks();
+    end.ticks = ticks_;
     end.stopwatch_hz = platform_->ticks_hz();
     const Vitals& vitals = platform_->vitals(
         {.ticks = end.ticks, .late_us = late_us(now_us), .has_packets = header.packets_fused > 0});
@@ -273,7 +281,8 @@ class FramePipeline {
   health::Guard behind_network_;
   std::tuple<Sinks&...> sinks_;
   P* platform_;
-  StageWatch<P> watch_;
+  std::uint32_t since_ = 0;
+  stream::StageTicks ticks_{};  // of the frame so far
 };
 
 // Of the frames' grids.

@@ -32,7 +32,7 @@ inline constexpr int kParts = 8;  // messages of a scan
 inline constexpr std::size_t kPointsPerMessage = 25;
 inline constexpr std::size_t kRingFrames = 256;
 
-using Target = Pipeline<MachinePlatform<FakeMachine>, SerialSink>;
+using Target = Pipeline<MachinePlatform<FakeMachine>, serial::GridSender>;
 
 // How long a target takes.
 struct Costs {
@@ -241,7 +241,7 @@ class Bench {
 
   FakeMachine machine_;
   MachinePlatform<FakeMachine> platform_{machine_, kConfig};
-  std::unique_ptr<SerialSink> serial_ = std::make_unique<SerialSink>();
+  std::unique_ptr<serial::GridSender> serial_ = std::make_unique<serial::GridSender>();
   Backlog backlog_;
   health::MemoryCheck check_{{}};
   Life life_{machine_.clock().now_us()};

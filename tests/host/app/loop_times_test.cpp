@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "app/times_report.hpp"
 #include "fake_machine.hpp"
 
 namespace iog::app {
@@ -72,14 +71,13 @@ TEST(LoopTimes, WithoutARateNothingTookTime) {
   EXPECT_EQ(row(times, 0), (Row{0, 0, 1}));
 }
 
-TEST(TimesReport, TellsWhatHasBecomeWorseOnceASecond) {
+TEST(LoopTimes, TellsWhatHasBecomeWorseOnceASecond) {
   LoopTimes times;
-  TimesReport report;
   FakeConsole console;
   times.add({.ticks = {.fuse = 2'000}, .late_us = 1'234'567, .has_packets = true},
             work::CoreTimes{}, kHz);
   for (std::uint64_t ms = 0; ms < 5'000; ++ms) {
-    report.tell(times, ms * 1'000, console);
+    times.tell(ms * 1'000, console);
   }
   EXPECT_EQ(console.text, "worst fuse 1000 us\nworst late 1234567 us\n");
 }
