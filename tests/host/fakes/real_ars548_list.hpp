@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fakes/real_packets.hpp"
+#include "fakes/from_hex.hpp"
 
 namespace iog::tests {
 
@@ -23,7 +23,7 @@ struct NebulaDetection {
 };
 
 inline std::vector<std::byte> real_ars548_list() {
-  std::vector<std::byte> bytes = bytes_of_hex(
+  std::vector<std::byte> bytes = from_hex(
       "0000015000008a000000000001010200000000000000000000000000000000000000000038f7bd8065d6d59b"
       "01000000020300004077ced90000000000000000000000003f24189300000000000000000000000000000000"
       "3ba1c987000000003cd81e7e00bf6b28403c0efa1f003e3d24963d95cdcd4057ec733e4ccccdc0698f4d3e80"
@@ -72,7 +72,7 @@ inline std::vector<std::byte> real_ars548_list() {
       "00000c01b0640312156c3200003dbe0cc13c0efa1f00bca974343d66b56b4381cce63e4ccccdc0c4ae103e80"
       "00000a01b764031001a7640000");
   const std::vector<std::byte> tail =
-      bytes_of_hex("c1b717ba41b717ba0000002c0000000000000000000000000000000000000000000000");
+      from_hex("c1b717ba41b717ba0000002c0000000000000000000000000000000000000000000000");
   bytes.resize(35'336 - tail.size());
   bytes.insert(bytes.end(), tail.begin(), tail.end());
   return bytes;

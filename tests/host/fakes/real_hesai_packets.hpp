@@ -10,13 +10,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "fakes/from_hex.hpp"
 #include "fakes/nebula_point.hpp"
-#include "fakes/real_packets.hpp"
 
 namespace iog::tests {
 
 inline std::vector<std::byte> real_pandar40p() {
-  return bytes_of_hex(
+  return from_hex(
       "ffeea31dcd0711bd0700a50701b70300c70300af030087032ebd07379d030061031cbf07319f0301560322ba"
       "07088f03007c0101980310800101700100bc07005202008b0300bd0700420200870300c907004602007c0000"
       "8200003f0200610000570000000000000000000000000000000000000000000000000000ffeea31dcd07114d"
@@ -63,7 +63,7 @@ inline constexpr std::array<NebulaPoint, 48> kNebulaOfPandar40p{
      {2207, 598, -246},  {472, 128, -53},    {372, 101, -48},    {332, 90, -49}}};
 
 inline std::vector<std::byte> real_xt16() {
-  return bytes_of_hex(
+  return from_hex(
       "eeff06010000100801040201e4695a042eff5d0429ff530422ff510415ff4a040bff060130ff030132ff0301"
       "2eff040131ff030117ff03011eff2c043cff2f0437ff290401ff00040dff83030dffe469090114ff07011bff"
       "03011aff070124ff050128ff060130ff030132ff03012eff040131ff030117ff03011eff2c043cff2f0437ff"
@@ -87,7 +87,7 @@ inline constexpr std::array<NebulaPoint, 21> kNebulaOfXt16{
      {-3473, 65, -931}}};
 
 inline std::vector<std::byte> real_qt64() {
-  return bytes_of_hex(
+  return from_hex(
       "eeff03010000400401040201287d0f007f001500b5001600b2001400b5001700be001400c4001800b8001e00"
       "af001900c4001e00ca001b00b20022009d002200a30025009d0024006d0020003d00260018002b0016002b00"
       "17003300170033001700310018003a0017002e001700490018004600130031040e00eb03ac00f203ff00f403"
@@ -136,7 +136,7 @@ inline constexpr std::array<NebulaPoint, 69> kNebulaOfQt64{
      {-1260, 1155, 2198}}};
 
 inline std::vector<std::byte> real_xt32m() {
-  return bytes_of_hex(
+  return from_hex(
       "eeff06010000200601050301ca11540332ff4d0334ffc90219ff210305ffd9020dff280304ff370310ff3403"
       "11ffee0218ff2d0317ff2d031bff2c031bffb40219ffaf0218ffb20217ffb30217ffb20218ffb3021affb402"
       "17fffb0005fffb0000fff80000fffa0000fff50000fffc0000fffc0000ffff0000ff010100ff030100ff0801"

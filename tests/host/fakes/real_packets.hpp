@@ -6,24 +6,14 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
 #include <vector>
+
+#include "fakes/from_hex.hpp"
 
 namespace iog::tests {
 
-inline std::vector<std::byte> bytes_of_hex(std::string_view text) {
-  const auto digit = [](char c) {
-    return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10);
-  };
-  std::vector<std::byte> bytes;
-  for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
-    bytes.push_back(static_cast<std::byte>(digit(text[i]) << 4 | digit(text[i + 1])));
-  }
-  return bytes;
-}
-
 inline std::vector<std::byte> real_pandar64() {
-  return bytes_of_hex(
+  return from_hex(
       "eeff400600040000fb002d02011f02011402006300000702036b010017020a1202010000007b000000000053"
       "01001c02031b0202150202bf00000000000000001c02021602030f02035f000500000071000d230200110200"
       "180202df0000000000540026000000000000000000de00000000005a001f7200000000000000000000007e00"
@@ -55,7 +45,7 @@ inline std::vector<std::byte> real_pandar64() {
 }
 
 inline std::vector<std::byte> real_xt32() {
-  return bytes_of_hex(
+  return from_hex(
       "eeff060100002008010402014401bc0002ffbb0002ffbb0002ffb80002ff2f0226ff30022aff2e0229ff2c02"
       "27ff2b022bff2a022bff260247ff26026aff260272ff250273ffad0002ff670000ffbb0000ff990002ff8c00"
       "03ff800002ff7b0002ff7a0001ff600000ff5d0001ff530001ff4e0001ff460001ff450002ff3a0001ff3800"
@@ -84,7 +74,7 @@ inline std::vector<std::byte> real_xt32() {
 }
 
 inline std::vector<std::byte> real_os1_64_heads() {
-  return bytes_of_hex(
+  return from_hex(
       "e2f1a0c740000000a000bd0000370000f073a2c740000000a100bd00583700006cf1a3c740000000a200bd00"
       "b0370000d26ba5c740000000a300bd000838000034e5a6c740000000a400bd00603800000c61a8c740000000"
       "a500bd00b8380000fee0a9c740000000a600bd0010390000b659abc740000000a700bd006839000026d4acc7"
@@ -94,7 +84,7 @@ inline std::vector<std::byte> real_os1_64_heads() {
 }
 
 inline std::vector<std::byte> real_os1_64_pixels() {
-  return bytes_of_hex(
+  return from_hex(
       "2404000010000e00040000005d0400002c0023001000000000000080000000001a0000000000000000000200"
       "2b00000000000080000000000f000000810400003b002c001500000075040000180012001100000064330000"
       "f144650078000000e6030000120012000b0000007e0400002f002300090000001e0400001c00190020000000"

@@ -5,22 +5,9 @@
 // nebula_velodyne, test_resources/decoder_ground_truth/vlp32. Both projects: Apache-2.0.
 #pragma once
 
-#include <charconv>
-#include <cstddef>
 #include <string_view>
-#include <vector>
 
 namespace iog::tests {
-
-inline std::vector<std::byte> bytes_of_hex(std::string_view hex) {
-  std::vector<std::byte> bytes;
-  for (; hex.size() >= 2; hex.remove_prefix(2)) {
-    unsigned value = 0;
-    std::from_chars(hex.data(), hex.data() + 2, value, 16);
-    bytes.push_back(static_cast<std::byte>(value));
-  }
-  return bytes;
-}
 
 inline constexpr std::string_view kHdl32eFirst =
     "ffee4404dd08102d1e0842090876230bb00907732314360a09742316bb0a07000001510b06716736f60b0822821e"

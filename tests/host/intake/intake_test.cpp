@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "fakes/from_hex.hpp"
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/ouster_packet.hpp"
@@ -177,8 +178,8 @@ TEST(Intake, WhatIsDroppedIsCountedWithItsPoints) {
 // sensor the first is in doubt, and the second another unit's. To a sensor of their own kind only
 // the doubt is left.
 TEST(Intake, AnotherUnitsPacketsAreRefused) {
-  const auto first = tests::bytes_of_hex(tests::kHdl32eFirst);
-  const auto second = tests::bytes_of_hex(tests::kHdl32eSecond);
+  const auto first = tests::from_hex(tests::kHdl32eFirst);
+  const auto second = tests::from_hex(tests::kHdl32eSecond);
   for (const lidar::Format format :
        {lidar::kFormat<lidar::VelodyneVlp16>, lidar::kFormat<lidar::VelodyneHdl32e>}) {
     vehicle::Sensor sensor = ThreeLux::kVehicle.sensors[0];

@@ -1,6 +1,4 @@
 // Detection lists of a Continental ARS548: a real one against another decoder, and its rules.
-#include "lidar/continental_ars548.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,6 +7,7 @@
 
 #include "fakes/ars548_list.hpp"
 #include "fakes/real_ars548_list.hpp"
+#include "lidar/decoded.hpp"
 
 namespace iog::lidar {
 namespace {
@@ -19,27 +18,19 @@ using tests::Ars548List;
 constexpr double kPi = 3.14159265358979;
 constexpr float kDegree = static_cast<float>(kPi / 180);
 
-struct Decoded {
-  explicit Decoded(const std::vector<std::byte>& bytes) {
-    status = decoder.decode(bytes);
-    if (status == DecodeStatus::kOk) {
-      decoder.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
-    }
-  }
-  ContinentalArs548 decoder;
-  DecodeStatus status = DecodeStatus::kWrongType;
-  std::vector<ScanPoint> points;
-};
+Decoded decoded_list(std::span<const std::byte> bytes) {
+  return {bytes, kFormat<ContinentalArs548>};
+}
 
 ScanPoint point_of(const Ars548Detection& detection) {
   const auto bytes = Ars548List{.detections = {detection}}.bytes();
-  const Decoded decoded(bytes);
+  const Decoded decoded = decoded_list(bytes);
   EXPECT_EQ(decoded.status, DecodeStatus::kOk);
   return decoded.points.empty() ? ScanPoint{} : decoded.points[0];
 }
 
 DecodeStatus status_of(const Ars548Detection& detection) {
-  return Decoded(Ars548List{.detections = {detection}}.bytes()).status;
+  return decoded_list(Ars548List{.detections = {detection}}.bytes()).status;
 }
 
 int signed_ticks(const ScanPoint& point) {
@@ -49,10 +40,10 @@ int signed_ticks(const ScanPoint& point) {
 // Nebula prints six digits: a millimetre of range at most.
 TEST(ContinentalArs548, ARealListIsThatOfAnotherDecoder) {
   const auto bytes = tests::real_ars548_list();
-  const Decoded decoded(bytes);
+  const Decoded decoded = decoded_list(bytes);
   ASSERT_EQ(decoded.status, DecodeStatus::kOk);
   ASSERT_EQ(decoded.points.size(), tests::kNebulaOfArs548.size());
-  EXPECT_EQ(decoded.decoder.info().point_count, tests::kNebulaOfArs548.size());
+  EXPECT_EQ(decoded.info.point_count, tests::kNebulaOfArs548.size());
   for (std::size_t i = 0; i < decoded.points.size(); ++i) {
     const tests::NebulaDetection& theirs = tests::kNebulaOfArs548.at(i);
     const ScanPoint& ours = decoded.points[i];
@@ -70,8 +61,8 @@ TEST(ContinentalArs548, ARealListIsThatOfAnotherDecoder) {
 // Its stamp as nebula reads it: 1708578203 s and 955760000 ns.
 TEST(ContinentalArs548, AListIsMeasuredAtItsStamp) {
   const auto bytes = tests::real_ars548_list();
-  const Decoded decoded(bytes);
-  const PacketInfo& info = decoded.decoder.info();
+  const Decoded decoded = decoded_list(bytes);
+  const PacketInfo& info = decoded.info;
   EXPECT_EQ(info.sweep.begin_us, 1'708'578'203'955'760U);
   EXPECT_EQ(info.sweep.end_us, info.sweep.begin_us);
   EXPECT_TRUE(info.sweep.is_of_packet);
@@ -83,39 +74,39 @@ TEST(ContinentalArs548, AListIsMeasuredAtItsStamp) {
 TEST(ContinentalArs548, ListsOfTwoCyclesAreTwoScans) {
   const auto first = Ars548List{.seconds = 7, .nanoseconds = 10'000'000}.bytes();
   const auto second = Ars548List{.seconds = 7, .nanoseconds = 60'000'000}.bytes();
-  const Decoded one(first);
-  const Decoded other(second);
-  EXPECT_LT(one.decoder.info().scan_number, other.decoder.info().scan_number);
-  EXPECT_NE(one.decoder.info().fingerprint, other.decoder.info().fingerprint);
-  EXPECT_EQ(Decoded(first).decoder.info().fingerprint, one.decoder.info().fingerprint);
+  const Decoded one = decoded_list(first);
+  const Decoded other = decoded_list(second);
+  EXPECT_LT(one.info.scan_number, other.info.scan_number);
+  EXPECT_NE(one.info.fingerprint, other.info.fingerprint);
+  EXPECT_EQ(decoded_list(first).info.fingerprint, one.info.fingerprint);
 }
 
 // Two of the unit's other messages as tier4/nebula has them, and lists cut short.
 TEST(ContinentalArs548, OtherMessagesAreOfAnotherType) {
   auto bytes = Ars548List{.method = 329}.bytes();
   bytes.resize(9401);
-  EXPECT_EQ(Decoded(bytes).status, DecodeStatus::kWrongType);
+  EXPECT_EQ(decoded_list(bytes).status, DecodeStatus::kWrongType);
   bytes = Ars548List{.method = 380}.bytes();
   bytes.resize(84);
-  EXPECT_EQ(Decoded(bytes).status, DecodeStatus::kWrongType);
+  EXPECT_EQ(decoded_list(bytes).status, DecodeStatus::kWrongType);
   bytes = Ars548List{}.bytes();
-  EXPECT_EQ(Decoded(bytes).status, DecodeStatus::kOk);
+  EXPECT_EQ(decoded_list(bytes).status, DecodeStatus::kOk);
   bytes.pop_back();
-  EXPECT_EQ(Decoded(bytes).status, DecodeStatus::kWrongLength);
+  EXPECT_EQ(decoded_list(bytes).status, DecodeStatus::kWrongLength);
   bytes.push_back({});
   bytes[7] = std::byte{1};
-  EXPECT_EQ(Decoded(bytes).status, DecodeStatus::kWrongLength);
-  EXPECT_EQ(Decoded({}).status, DecodeStatus::kWrongLength);
+  EXPECT_EQ(decoded_list(bytes).status, DecodeStatus::kWrongLength);
+  EXPECT_EQ(decoded_list({}).status, DecodeStatus::kWrongLength);
 }
 
 TEST(ContinentalArs548, AListHas800DetectionsAtMost) {
   auto bytes = Ars548List{.detections = std::vector<Ars548Detection>(800)}.bytes();
-  EXPECT_EQ(Decoded(bytes).points.size(), 800U);
+  EXPECT_EQ(decoded_list(bytes).points.size(), 800U);
   const std::size_t count_at = bytes.size() - 35 + 8;
   bytes[count_at + 3] = std::byte{0x21};  // 801
-  EXPECT_EQ(Decoded(bytes).status, DecodeStatus::kWrongPoint);
+  EXPECT_EQ(decoded_list(bytes).status, DecodeStatus::kWrongPoint);
   bytes[count_at] = std::byte{0xFF};
-  EXPECT_EQ(Decoded(bytes).status, DecodeStatus::kWrongPoint);
+  EXPECT_EQ(decoded_list(bytes).status, DecodeStatus::kWrongPoint);
 }
 
 TEST(ContinentalArs548, WhatTheUnitDoesNotCallATargetIsDropped) {

@@ -1,5 +1,3 @@
-#include "lidar/hesai.hpp"
-
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -10,6 +8,7 @@
 #include "fakes/real_hesai_packets.hpp"
 #include "fakes/real_packets.hpp"
 #include "fakes/real_qt128_packet.hpp"
+#include "lidar/decoded.hpp"
 
 namespace iog::lidar {
 namespace {
@@ -24,26 +23,6 @@ constexpr Format kQt128 = kFormat<HesaiQt128>;
 constexpr Format kXt16 = kFormat<HesaiXt16>;
 constexpr Format kXt32 = kFormat<HesaiXt32>;
 constexpr Format kXt32m = kFormat<HesaiXt32m>;
-
-// A packet, decoded as one of that unit.
-struct Decoded {
-  Decoded(const std::vector<std::byte>& bytes, Format format,
-          std::span<const LaserCorrection> corrections = {}) {
-    with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
-      if constexpr (std::is_base_of_v<HesaiPacket, Decoder>) {
-        Decoder decoder;
-        status = decoder.decode(bytes, corrections);
-        info = decoder.info();
-        if (status == DecodeStatus::kOk) {
-          decoder.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
-        }
-      }
-    });
-  }
-  DecodeStatus status = DecodeStatus::kWrongType;
-  PacketInfo info;
-  std::vector<ScanPoint> points;
-};
 
 DecodeStatus decode(const std::vector<std::byte>& bytes, Format format) {
   return Decoded(bytes, format).status;
@@ -86,7 +65,8 @@ TEST(Hesai, TurnsUnitsIntoPoints) {
     std::array<LaserCorrection, 128> lasers_of_unit{};
     lasers_of_unit[0] = {.azimuth_ticks = -521, .range_mm = 30};
     lasers_of_unit[lasers - 1] = {.azimuth_ticks = 27'000, .range_mm = 0};
-    const Decoded packet(sent.bytes(), format, std::span(lasers_of_unit).first(lasers));
+    const Decoded packet(sent.bytes(), format,
+                         {.corrections = std::span(lasers_of_unit).first(lasers)});
     ASSERT_EQ(packet.status, DecodeStatus::kOk);
     const auto& points = packet.points;
     ASSERT_EQ(points.size(), blocks * lasers);
@@ -281,7 +261,7 @@ TEST(Hesai, ARealPandar40pIsWhereAnotherDecoderPutsIt) {
     lasers[i].azimuth_ticks = -313;
     lasers[i + 1].azimuth_ticks = 521;
   }
-  const Decoded packet(tests::real_pandar40p(), kPandar40p, lasers);
+  const Decoded packet(tests::real_pandar40p(), kPandar40p, {.corrections = lasers});
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   expect_nebulas(packet.points, kElevationsDeg, tests::kNebulaOfPandar40p);
 }
@@ -313,7 +293,7 @@ TEST(Hesai, ARealQt64IsWhereAnotherDecoderPutsIt) {
   for (const std::int16_t azimuth : kAzimuths) {
     lasers.push_back({.azimuth_ticks = azimuth});
   }
-  const Decoded packet(tests::real_qt64(), kQt64, lasers);
+  const Decoded packet(tests::real_qt64(), kQt64, {.corrections = lasers});
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   expect_nebulas(packet.points, kElevationsDeg, tests::kNebulaOfQt64,
                  {.echoes = {0, 1}, .range_min_mm = 100});
@@ -325,7 +305,7 @@ TEST(Hesai, ARealQt128IsWhereAnotherDecoderPutsIt) {
   for (const std::int16_t azimuth : tests::kAzimuthsOfQt128) {
     lasers.push_back({.azimuth_ticks = azimuth});
   }
-  const Decoded packet(tests::real_qt128(), kQt128, lasers);
+  const Decoded packet(tests::real_qt128(), kQt128, {.corrections = lasers});
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   expect_nebulas(packet.points, tests::kElevationsOfQt128Deg, tests::kNebulaOfQt128,
                  {.range_min_mm = 300});
@@ -350,7 +330,7 @@ TEST(Hesai, ARealXt32mIsWhereAnotherDecoderPutsIt) {
     lasers.push_back({.azimuth_ticks = kAzimuths[channel]});
     EXPECT_NEAR(HesaiXt32m::kElevationsDeg[channel], kElevationsDeg[channel], 0.13);
   }
-  const Decoded packet(tests::real_xt32m(), kXt32m, lasers);
+  const Decoded packet(tests::real_xt32m(), kXt32m, {.corrections = lasers});
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   expect_nebulas(packet.points, kElevationsDeg, tests::kNebulaOfXt32m, {.echoes = {0, 1}});
 }

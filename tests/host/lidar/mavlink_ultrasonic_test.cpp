@@ -1,45 +1,27 @@
 // Messages of an ultrasonic unit: as another implementation writes them, and their rules.
-#include "lidar/mavlink_ultrasonic.hpp"
-
 #include <gtest/gtest.h>
 #include <string_view>
 #include <vector>
 
+#include "fakes/from_hex.hpp"
 #include "fakes/mavlink_distance.hpp"
+#include "lidar/decoded.hpp"
 
 namespace iog::lidar {
 namespace {
 
+using tests::from_hex;
 using tests::MavlinkDistance;
 using Bytes = std::vector<std::byte>;
 
-Bytes bytes_of(std::string_view hex) {
-  const auto digit = [](char c) {
-    return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10);
-  };
-  Bytes bytes;
-  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
-    bytes.push_back(static_cast<std::byte>(16 * digit(hex[i]) + digit(hex[i + 1])));
-  }
-  return bytes;
+Decoded decoded_message(const Bytes& bytes) { return {bytes, kFormat<MavlinkUltrasonic>}; }
+
+DecodeStatus status_of(const MavlinkDistance& message) {
+  return decoded_message(message.bytes()).status;
 }
 
-struct Decoded {
-  explicit Decoded(const Bytes& bytes) : status(decoder.decode(bytes)) {
-    if (status == DecodeStatus::kOk) {
-      decoder.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
-    }
-  }
-
-  MavlinkUltrasonic decoder;
-  DecodeStatus status;
-  std::vector<ScanPoint> points;
-};
-
-DecodeStatus status_of(const MavlinkDistance& message) { return Decoded(message.bytes()).status; }
-
 ScanPoint point_of(const MavlinkDistance& message) {
-  const Decoded decoded(message.bytes());
+  const Decoded decoded = decoded_message(message.bytes());
   EXPECT_EQ(decoded.status, DecodeStatus::kOk);
   EXPECT_EQ(decoded.points.size(), 1U);
   return decoded.points.empty() ? ScanPoint{} : decoded.points.front();
@@ -55,7 +37,7 @@ constexpr std::string_view kWhole =
 
 TEST(MavlinkUltrasonic, MessagesOfAnotherImplementationAreOnePoint) {
   for (const std::string_view hex : {kShort, kWhole}) {
-    const Decoded decoded(bytes_of(hex));
+    const Decoded decoded = decoded_message(from_hex(hex));
     ASSERT_EQ(decoded.status, DecodeStatus::kOk) << hex;
     ASSERT_EQ(decoded.points.size(), 1U);
     EXPECT_EQ(decoded.points[0].range_mm, 1'870U);
@@ -63,7 +45,7 @@ TEST(MavlinkUltrasonic, MessagesOfAnotherImplementationAreOnePoint) {
     EXPECT_EQ(decoded.points[0].layer, 0);
     EXPECT_EQ(decoded.points[0].echo, 0);
     EXPECT_FALSE(decoded.points[0].is_rain);
-    const PacketInfo& info = decoded.decoder.info();
+    const PacketInfo& info = decoded.info;
     EXPECT_EQ(info.point_count, 1U);
     EXPECT_EQ(info.sweep.begin_us, 123'456'000U);
     EXPECT_EQ(info.sweep.end_us, 123'456'000U);
@@ -74,12 +56,14 @@ TEST(MavlinkUltrasonic, MessagesOfAnotherImplementationAreOnePoint) {
 
 // What the tests make below has the bytes of the other implementation.
 TEST(MavlinkUltrasonic, TheTestsOwnMessagesAreThatOfTheOtherToo) {
-  EXPECT_EQ(MavlinkDistance{}.bytes(), bytes_of(kShort));
+  EXPECT_EQ(MavlinkDistance{}.bytes(), from_hex(kShort));
 }
 
 // The same writer: a rangefinder by laser, one that looks down, a heartbeat, and MAVLink 1.
 TEST(MavlinkUltrasonic, OtherMessagesOfTheOtherImplementationAreRefused) {
-  const auto status_of_hex = [](std::string_view hex) { return Decoded(bytes_of(hex)).status; };
+  const auto status_of_hex = [](std::string_view hex) {
+    return decoded_message(from_hex(hex)).status;
+  };
   EXPECT_EQ(status_of_hex("fd0e000009010184000040e201001400fd02bb0000030004ff96"),
             DecodeStatus::kWrongType);
   EXPECT_EQ(status_of_hex("fd0e00000b010184000040e201001400fd02bb0001031904e8ea"),
@@ -92,33 +76,35 @@ TEST(MavlinkUltrasonic, OtherMessagesOfTheOtherImplementationAreRefused) {
 
 // Distance 0 of a unit that hears from 0 to 0 cm; the writer leaves out what is 0 at the end.
 TEST(MavlinkUltrasonic, ZerosAtTheEndNeedNotBeSent) {
-  const Decoded decoded(bytes_of("fd0b00000a010184000000000000000000000000019ae2"));
+  const Decoded decoded =
+      decoded_message(from_hex("fd0b00000a010184000000000000000000000000019ae2"));
   ASSERT_EQ(decoded.status, DecodeStatus::kOk);
   EXPECT_EQ(decoded.points.at(0).range_mm, 0U);
 }
 
 TEST(MavlinkUltrasonic, EveryBitIsUnderTheChecksum) {
-  const Bytes sound = bytes_of(kWhole);
+  const Bytes sound = from_hex(kWhole);
   for (std::size_t bit = 0; bit < 8 * sound.size(); ++bit) {
     Bytes bytes = sound;
     bytes[bit / 8] ^= std::byte{1} << bit % 8;
-    EXPECT_NE(Decoded(bytes).status, DecodeStatus::kOk) << bit;
+    EXPECT_NE(decoded_message(bytes).status, DecodeStatus::kOk) << bit;
   }
 }
 
 TEST(MavlinkUltrasonic, ADatagramIsOneMessage) {
-  const Bytes one = bytes_of(kShort);
+  const Bytes one = from_hex(kShort);
   Bytes two = one;
   two.insert(two.end(), one.begin(), one.end());
-  EXPECT_EQ(Decoded(two).status, DecodeStatus::kWrongLength);
+  EXPECT_EQ(decoded_message(two).status, DecodeStatus::kWrongLength);
   for (std::size_t size = 0; size < one.size(); ++size) {
-    EXPECT_EQ(Decoded(Bytes(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(size))).status,
-              DecodeStatus::kWrongLength);
+    EXPECT_EQ(
+        decoded_message(Bytes(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(size))).status,
+        DecodeStatus::kWrongLength);
   }
   Bytes long_one(10 + 40 + 2);
   std::copy(one.begin(), one.begin() + 10, long_one.begin());
   long_one[1] = std::byte{40};
-  EXPECT_EQ(Decoded(long_one).status, DecodeStatus::kWrongLength);
+  EXPECT_EQ(decoded_message(long_one).status, DecodeStatus::kWrongLength);
 }
 
 // Flag 1 says that a signature follows, which nobody here can check; a receiver must refuse flags
@@ -168,7 +154,7 @@ TEST(MavlinkUltrasonic, WhatTheUnitDoesNotBelieveIsRain) {
 
 TEST(MavlinkUltrasonic, TwoCyclesAreTwoScans) {
   const auto info_of = [](const MavlinkDistance& message) {
-    return Decoded(message.bytes()).decoder.info();
+    return decoded_message(message.bytes()).info;
   };
   const PacketInfo first = info_of({.time_ms = 1'000});
   const PacketInfo next = info_of({.time_ms = 1'010, .sequence = 8});

@@ -1,5 +1,3 @@
-#include "lidar/ouster.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,7 +7,7 @@
 #include "fakes/ouster_packet.hpp"
 #include "fakes/real_ouster_pixels.hpp"
 #include "fakes/real_packets.hpp"
-#include "lidar/formats.hpp"
+#include "lidar/decoded.hpp"
 
 namespace iog::lidar {
 namespace {
@@ -52,24 +50,9 @@ class TestUnit {
   Unit unit_;
 };
 
-// A packet, decoded as one of its unit's profile.
-struct Decoded {
-  Decoded(const std::vector<std::byte>& bytes, const TestUnit& unit) {
-    with_decoder(unit.format(), [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
-      if constexpr (std::is_base_of_v<OusterPacket, Decoder>) {
-        Decoder decoder;
-        status = decoder.decode(bytes, unit.unit());
-        info = decoder.info();
-        if (status == DecodeStatus::kOk) {
-          decoder.for_each_point([&](const ScanPoint& point) { points.push_back(point); });
-        }
-      }
-    });
-  }
-  DecodeStatus status = DecodeStatus::kWrongType;
-  PacketInfo info;
-  std::vector<ScanPoint> points;
-};
+Decoded decoded(std::span<const std::byte> bytes, const TestUnit& unit) {
+  return {bytes, unit.format(), unit.unit()};
+}
 
 std::size_t packet_bytes(Format format, int rows) {
   std::size_t bytes = 0;
@@ -96,11 +79,11 @@ TEST(Ouster, PacketsAreAsLongAsTheManualSays) {
       EXPECT_EQ(packet_bytes(row.format, packet.rows), row.bytes[i]);
       auto datagram = packet.bytes();
       ASSERT_EQ(datagram.size(), row.bytes[i]);
-      EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kOk);
+      EXPECT_EQ(decoded(datagram, unit).status, DecodeStatus::kOk);
       datagram.pop_back();
-      EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kWrongLength);
+      EXPECT_EQ(decoded(datagram, unit).status, DecodeStatus::kWrongLength);
       datagram.resize(row.bytes[i] + 1);
-      EXPECT_EQ(Decoded(datagram, unit).status, DecodeStatus::kWrongLength);
+      EXPECT_EQ(decoded(datagram, unit).status, DecodeStatus::kWrongLength);
     }
   }
 }
@@ -114,7 +97,7 @@ TEST(Ouster, RangesHaveTheBitsOfTheirProfile) {
     sent.ranges[3][7] = 0xFFFF'FFFF;
     sent.ranges[15][31] = 1;
     const TestUnit unit(sent);
-    const Decoded packet(sent.bytes(), unit);
+    const Decoded packet = decoded(sent.bytes(), unit);
     ASSERT_EQ(packet.status, DecodeStatus::kOk);
     const auto& points = packet.points;
     ASSERT_EQ(points.size(), 16U * 32);
@@ -135,7 +118,7 @@ TEST(Ouster, OfTwoReturnsTheNearerIsTheFirstEcho) {
   sent.second_ranges[3][8] = 0xF7'FFFF;  // five bits of flags above it
   sent.ranges[15][31] = 5'000;
   const TestUnit unit(sent);
-  const Decoded packet(sent.bytes(), unit);
+  const Decoded packet = decoded(sent.bytes(), unit);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   ASSERT_EQ(packet.points.size(), 2U * 16 * 32);
   EXPECT_EQ(packet.info.point_count, packet.points.size());
@@ -169,10 +152,10 @@ TEST(Ouster, RowsAreNotTakenForReturns) {
       dual.ranges[column].assign(128, 12'345);
       low_rate.ranges[column].assign(128, 1'234);
     }
-    EXPECT_EQ(Decoded(dual.bytes(), dual_unit).status, DecodeStatus::kOk);
-    EXPECT_EQ(Decoded(dual.bytes(), low_rate_unit).status, DecodeStatus::kOtherUnit);
-    EXPECT_EQ(Decoded(low_rate.bytes(), low_rate_unit).status, DecodeStatus::kOk);
-    EXPECT_EQ(Decoded(low_rate.bytes(), dual_unit).status, DecodeStatus::kOtherUnit);
+    EXPECT_EQ(decoded(dual.bytes(), dual_unit).status, DecodeStatus::kOk);
+    EXPECT_EQ(decoded(dual.bytes(), low_rate_unit).status, DecodeStatus::kOtherUnit);
+    EXPECT_EQ(decoded(low_rate.bytes(), low_rate_unit).status, DecodeStatus::kOk);
+    EXPECT_EQ(decoded(low_rate.bytes(), dual_unit).status, DecodeStatus::kOtherUnit);
   }
 }
 
@@ -184,7 +167,7 @@ TEST(Ouster, RangesAreCorrectedByRow) {
   TestUnit unit(sent);
   unit.correct_range(1, -40);
   unit.correct_range(3, 40);
-  const Decoded packet(sent.bytes(), unit);
+  const Decoded packet = decoded(sent.bytes(), unit);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   EXPECT_EQ(packet.points[1].range_mm, 4'960U);
   EXPECT_EQ(packet.points[2].range_mm, 5'000U);
@@ -197,7 +180,7 @@ TEST(Ouster, NoCorrectionTakesARangeBeyondTheFarthest) {
   sent.ranges[0][1] = 0x0F'FFFF;
   TestUnit unit(sent);
   unit.correct_range(1, 10'000);
-  const Decoded packet(sent.bytes(), unit);
+  const Decoded packet = decoded(sent.bytes(), unit);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   EXPECT_EQ(packet.points[1].range_mm, 0x0F'FFFFU);
 }
@@ -213,7 +196,7 @@ TEST(Ouster, AzimuthsAreThoseOfTheManual) {
                       .first_column = first,
                       .column_ns = 100'000'000U / static_cast<unsigned>(columns)};
       const TestUnit unit(sent);
-      const Decoded packet(sent.bytes(), unit);
+      const Decoded packet = decoded(sent.bytes(), unit);
       ASSERT_EQ(packet.status, DecodeStatus::kOk);
       const auto& points = packet.points;
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -238,7 +221,7 @@ TEST(Ouster, SectorsOfATurnMeet) {
                       .first_column = first,
                       .column_ns = 100'000'000U / static_cast<unsigned>(columns)};
       const TestUnit unit(sent);
-      const Decoded packet(sent.bytes(), unit);
+      const Decoded packet = decoded(sent.bytes(), unit);
       ASSERT_EQ(packet.status, DecodeStatus::kOk);
       const Sector sector = packet.info.sector;
       turned += sector.width_ticks;
@@ -253,7 +236,7 @@ TEST(Ouster, SectorsOfATurnMeet) {
 TEST(Ouster, ItsTimesAreThoseOfItsColumns) {
   const Sent sent{.format = kRng19, .frame = 0xFFFE};
   const TestUnit unit(sent);
-  const Decoded packet(sent.bytes(), unit);
+  const Decoded packet = decoded(sent.bytes(), unit);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   EXPECT_EQ(packet.info.sweep.begin_us, 1'000'000'000U);
   EXPECT_EQ(packet.info.sweep.end_us, 1'000'000'000U + 1'562U);
@@ -269,7 +252,7 @@ TEST(Ouster, ColumnsThatWereNotMeasuredAreNoPoints) {
       column.assign(128, 1000);
     }
     const TestUnit unit(sent);
-    const Decoded packet(sent.bytes(), unit);
+    const Decoded packet = decoded(sent.bytes(), unit);
     ASSERT_EQ(packet.status, DecodeStatus::kOk);
     EXPECT_EQ(packet.info.point_count, 4U * 64 * (format == kDual ? 2 : 1));
     EXPECT_EQ(packet.points.size(), packet.info.point_count);
@@ -277,7 +260,7 @@ TEST(Ouster, ColumnsThatWereNotMeasuredAreNoPoints) {
     EXPECT_EQ(packet.info.sector.first_ticks, 46'080 / 2 - 169 * 45);
   }
   const Sent nothing{.first_measured = 16};
-  EXPECT_EQ(Decoded(nothing.bytes(), TestUnit(nothing)).status, DecodeStatus::kWrongPoint);
+  EXPECT_EQ(decoded(nothing.bytes(), TestUnit(nothing)).status, DecodeStatus::kWrongPoint);
 }
 
 // A unit in another mode has the same lengths. Its columns come at another rate, or its encoder is
@@ -298,7 +281,7 @@ TEST(Ouster, NoModeIsTakenForAnother) {
         const bool is_it = is.columns == described.columns && is.turns == described.turns;
         const bool looks_like_it = is.columns * is.turns == described.columns * described.turns &&
                                    format != kLegacy && described.columns > 495;
-        EXPECT_EQ(Decoded(bytes, TestUnit(like, described.turns)).status == DecodeStatus::kOk,
+        EXPECT_EQ(decoded(bytes, TestUnit(like, described.turns)).status == DecodeStatus::kOk,
                   is_it || looks_like_it);
       }
     }
@@ -318,7 +301,7 @@ TEST(Ouster, ARealOs1IsUnderstood) {
     bytes.insert(bytes.end(), 4, std::byte{0xFF});
   }
   const TestUnit unit(Sent{});
-  const Decoded packet(bytes, unit);
+  const Decoded packet = decoded(bytes, unit);
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   EXPECT_EQ(packet.info.scan_number, 189U);
   EXPECT_EQ(packet.info.sweep.begin_us, 278'227'120U);
@@ -343,7 +326,8 @@ std::vector<std::byte> packet_with(const Sent& like, const std::vector<std::byte
 
 TEST(Ouster, OfARealOs0TwoReturnsAreThoseOfItsSdk) {
   const Sent like{.format = kDual, .rows = 32};
-  const Decoded packet(packet_with(like, tests::real_os0_32_dual_pixels()), TestUnit(like));
+  const Decoded packet =
+      decoded(packet_with(like, tests::real_os0_32_dual_pixels()), TestUnit(like));
   ASSERT_EQ(packet.status, DecodeStatus::kOk);
   for (std::size_t row = 0; row < 32; ++row) {
     const std::uint32_t first_mm = tests::kOs0DualFirst[row];
@@ -353,14 +337,14 @@ TEST(Ouster, OfARealOs0TwoReturnsAreThoseOfItsSdk) {
     EXPECT_EQ(packet.points[2 * row + 1].range_mm, has_two ? std::max(first_mm, second_mm) : 0);
   }
   const Sent low_rate{.format = kRng15, .rows = 128};
-  EXPECT_EQ(Decoded(packet_with(like, tests::real_os0_32_dual_pixels()), TestUnit(low_rate)).status,
+  EXPECT_EQ(decoded(packet_with(like, tests::real_os0_32_dual_pixels()), TestUnit(low_rate)).status,
             DecodeStatus::kOtherUnit);
 }
 
 TEST(Ouster, RangesOfRealUnitsAreThoseOfTheSdk) {
   const auto expect = [](const Sent& like, const std::vector<std::byte>& pixels,
                          std::span<const std::uint32_t> ranges_mm) {
-    const Decoded packet(packet_with(like, pixels), TestUnit(like));
+    const Decoded packet = decoded(packet_with(like, pixels), TestUnit(like));
     ASSERT_EQ(packet.status, DecodeStatus::kOk);
     for (std::size_t row = 0; row < ranges_mm.size(); ++row) {
       EXPECT_EQ(packet.points[row].range_mm, ranges_mm[row]) << row;
@@ -369,7 +353,7 @@ TEST(Ouster, RangesOfRealUnitsAreThoseOfTheSdk) {
   expect({.format = kRng19, .rows = 32}, tests::real_os2_rng19_pixels(), tests::kOs2Rng19);
   expect({.format = kRng15, .rows = 128}, tests::real_os0_128_rng15_pixels(), tests::kOs0Rng15);
   const Sent dual{.format = kDual, .rows = 32};
-  EXPECT_EQ(Decoded(packet_with(dual, tests::real_os0_128_rng15_pixels()), TestUnit(dual)).status,
+  EXPECT_EQ(decoded(packet_with(dual, tests::real_os0_128_rng15_pixels()), TestUnit(dual)).status,
             DecodeStatus::kOtherUnit);
 }
 
@@ -379,21 +363,21 @@ TEST(Ouster, RefusesWhatIsNotItsFormat) {
   const auto good = sent.bytes();
   auto bytes = good;
   bytes.at(0) = std::byte{2};
-  EXPECT_EQ(Decoded(bytes, unit).status, DecodeStatus::kWrongType);
+  EXPECT_EQ(decoded(bytes, unit).status, DecodeStatus::kWrongType);
   bytes = good;
   bytes[32 + 780 + 8] = std::byte{9};  // column 1 is called 9
-  EXPECT_EQ(Decoded(bytes, unit).status, DecodeStatus::kWrongAngle);
+  EXPECT_EQ(decoded(bytes, unit).status, DecodeStatus::kWrongAngle);
   bytes = good;
   bytes[32 + 7 * 780 + 10] = std::byte{0};  // a hole
-  EXPECT_EQ(Decoded(bytes, unit).status, DecodeStatus::kWrongAngle);
+  EXPECT_EQ(decoded(bytes, unit).status, DecodeStatus::kWrongAngle);
   sent.first_column = 1'020;  // up to 1035
-  EXPECT_EQ(Decoded(sent.bytes(), unit).status, DecodeStatus::kWrongAngle);
-  EXPECT_EQ(Decoded({}, unit).status, DecodeStatus::kWrongLength);
+  EXPECT_EQ(decoded(sent.bytes(), unit).status, DecodeStatus::kWrongAngle);
+  EXPECT_EQ(decoded({}, unit).status, DecodeStatus::kWrongLength);
   Sent legacy{.frame = 1};
   const TestUnit legacy_unit(legacy);
   bytes = legacy.bytes();
   bytes[788 + 10] = std::byte{2};  // column 1 is of another turn
-  EXPECT_EQ(Decoded(bytes, legacy_unit).status, DecodeStatus::kWrongAngle);
+  EXPECT_EQ(decoded(bytes, legacy_unit).status, DecodeStatus::kWrongAngle);
 }
 
 }  // namespace

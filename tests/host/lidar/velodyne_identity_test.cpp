@@ -7,6 +7,7 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/foreign_packets.hpp"
+#include "fakes/from_hex.hpp"
 #include "fakes/random.hpp"
 #include "fakes/real_velodyne_packets.hpp"
 #include "fakes/real_vls128_packet.hpp"
@@ -65,25 +66,25 @@ constexpr Unit kHdl64eS3Dual{.block_us = 57.6, .blocks_of_azimuth = 4, .banks = 
 // At 11.8 Hz an HDL-32E turns as much in a block as a VLP-16 at 5 Hz.
 TEST(VelodyneIdentity, ARealHdl32eIsKnownByItsSecondPacket) {
   VelodyneIdentity identity;
-  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kHdl32eFirst)), kEither);
-  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kHdl32eSecond)), kHdl32e);
+  EXPECT_EQ(identity.add(tests::from_hex(tests::kHdl32eFirst)), kEither);
+  EXPECT_EQ(identity.add(tests::from_hex(tests::kHdl32eSecond)), kHdl32e);
 }
 
 // At 20 Hz no HDL-32E turns so much in a block.
 TEST(VelodyneIdentity, ARealVlp16OfOldFirmwareIsKnownByItsFirst) {
   VelodyneIdentity identity;
-  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kOldVlp16First)), kVlp16);
-  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kOldVlp16Second)), kVlp16);
+  EXPECT_EQ(identity.add(tests::from_hex(tests::kOldVlp16First)), kVlp16);
+  EXPECT_EQ(identity.add(tests::from_hex(tests::kOldVlp16Second)), kVlp16);
 }
 
 TEST(VelodyneIdentity, WhatSaysItsNameIsBelieved) {
   VelodyneIdentity identity;
-  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kVlp32c)), FormatSet(kFormat<VelodyneVlp32c>));
+  EXPECT_EQ(identity.add(tests::from_hex(tests::kVlp32c)), FormatSet(kFormat<VelodyneVlp32c>));
   EXPECT_EQ(identity.add(Packet{.product = 0x24}.bytes()), FormatSet(kFormat<VelodynePuckHires>));
   EXPECT_EQ(identity.add(Packet{}.bytes()), kVlp16);
   EXPECT_TRUE(identity.add(Packet{.product = 0x23}.bytes()).is_empty());
   EXPECT_TRUE(identity.add(std::span<const std::byte>()).is_empty());
-  EXPECT_EQ(identity.add(tests::bytes_of_hex(tests::kVls128)), FormatSet(kFormat<VelodyneVls128>));
+  EXPECT_EQ(identity.add(tests::from_hex(tests::kVls128)), FormatSet(kFormat<VelodyneVls128>));
   EXPECT_TRUE(identity.add(tests::vls128_packet()).is_empty()) << "two returns";
 }
 

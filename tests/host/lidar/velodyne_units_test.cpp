@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fakes/from_hex.hpp"
 #include "fakes/real_velodyne_packets.hpp"
 #include "fakes/real_vls128_packet.hpp"
 #include "fakes/velodyne_packet.hpp"
@@ -190,7 +191,7 @@ TEST(VelodyneUnits, AVls128FiresEightLasersAtOnce) {
 // they fire. The head of this packet gains 0.19 degrees meanwhile.
 TEST(VelodyneUnits, ARealVls128IsWhereAnotherDecoderPutsIt) {
   constexpr double kDegree = 3.14159265358979 / 180;
-  const auto points = points_of<VelodyneVls128>(tests::bytes_of_hex(tests::kVls128));
+  const auto points = points_of<VelodyneVls128>(tests::from_hex(tests::kVls128));
   std::size_t next = 0;
   for (std::size_t laser = 0; laser < 128; ++laser) {
     const ScanPoint& point = points[laser];
@@ -282,7 +283,7 @@ TEST(VelodyneUnits, EachRefusesWhatSaysThatItIsOfAnother) {
 template <typename Decoder>
 std::vector<double> heights_above_ground(std::string_view hex, double lowest_deg) {
   std::vector<double> heights;
-  const auto points = points_of<Decoder>(tests::bytes_of_hex(hex));
+  const auto points = points_of<Decoder>(tests::from_hex(hex));
   for (std::size_t i = 0; i < 32; ++i) {
     const double elevation_deg = Decoder::kElevationsDeg.at(points[i].layer);
     if (elevation_deg < lowest_deg && points[i].range_mm != 0) {

@@ -9,6 +9,7 @@
 #include "gtest/gtest.h"
 
 #include "drive_sample.hpp"
+#include "fakes/from_hex.hpp"
 #include "fakes/real_velodyne_packets.hpp"
 #include "fakes/temporary_folder.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
@@ -103,7 +104,7 @@ TEST(VehicleFit, AnotherUnitIsNamedAndSoIsADoubt) {
       capture.write({.time_us = 1,
                      .source = {1, 2'368},
                      .destination = {2, 2'368},
-                     .payload = tests::bytes_of_hex(hex)});
+                     .payload = tests::from_hex(hex)});
     }
     capture.finish();
     return folder / name;
