@@ -3,6 +3,7 @@
 import dataclasses
 import struct
 import zlib
+from collections.abc import Iterator
 
 import map_state
 import object_parts
@@ -126,33 +127,22 @@ class FrameEnd:
 
 
 @dataclasses.dataclass(frozen=True)
-class Frame:
+class Frame(FrameEnd, Header):
     """One frame as it arrived. `crc` is what the target says, `crc_of_tiles` what its tiles say."""
 
-    number: int
-    closed_us: int
-    opened_us: int
-    complete: int
-    partial: int
-    flags: int
-    points_used: int
-    packets_fused: int
-    packets_dropped: int
-    tiles_sent: int
-    tiles_lost: int
-    tiles_received: int
     encodings: tuple[int, ...]  # how many tiles came in each encoding
-    crc: int
     crc_of_tiles: int
-    counters: dict[str, int]
-    sensors: list[Sensor]
     classes: ClassEnd | None  # what the target says of its classes
-    class_tiles_received: int
     class_crc_of_tiles: int
     objects: object_parts.List | None  # None: it looks for none
-    unwatched: int | None  # bit i: no sensor watches sector i of 64
-    blocked: int | None  # and some sensor is blocked there
-    stack_bytes: int  # the deepest since start
+
+    @property
+    def number(self) -> int:
+        return self.frame
+
+    @property
+    def tiles_received(self) -> int:
+        return sum(self.encodings)
 
     @property
     def has_evidence(self) -> bool:
@@ -198,21 +188,29 @@ def read_window(data: bytes) -> Window:
                   end_us)
 
 
-def read_class_tiles(body: bytes) -> tuple[Window, Tiles]:
-    first, end, count, side_log2, storage, *geometry = struct.unpack_from(">HHHBBHHHHii", body)
-    assert (side_log2, storage, geometry) == (5, CLASSES, [1024, 1024, 100, 0, 0, 0])
-    assert first < end <= TILE_COUNT, f"tiles {first} to {end - 1}"
-    tiles = []
-    at = TILES_BYTES + WINDOW_BYTES
-    for _ in range(count):
-        number, encoding, age, size = struct.unpack_from(">HBBH", body, at)
-        tiles.append(ClassTile(number, encoding, body[at + 6:at + 6 + size], age))
-        at += 6 + size
-    assert at == len(body), f"{len(body) - at} bytes behind the last tile"
-    numbers = [tile.number for tile in tiles]
+def tiles_between(first: int, end: int, most: int, records: list[Tile]) -> Tiles:
+    assert first < end <= most, f"tiles {first} to {end - 1}"
+    numbers = [tile.number for tile in records]
     assert numbers == sorted(set(numbers)), "tiles out of order"
     assert all(first <= number < end for number in numbers), "a tile of which nothing was said"
-    return read_window(body[TILES_BYTES:]), Tiles(first, end, tiles)
+    return Tiles(first, end, records)
+
+
+def records_of(body: bytes, at: int, count: int, head: struct.Struct) -> Iterator[tuple[tuple[int, ...], bytes]]:
+    """Of so many tiles what stands before each payload, and that; nothing is behind the last."""
+    for _ in range(count):
+        *fields, size = head.unpack_from(body, at)
+        at += head.size + size
+        yield fields, body[at - size:at]
+    assert at == len(body), f"{len(body) - at} bytes behind the last tile"
+
+
+def read_class_tiles(body: bytes) -> tuple[Window, Tiles]:
+    first, end, count, *geometry = struct.unpack_from(">HHHBBHHHHii", body)
+    assert geometry == [5, CLASSES, 1024, 1024, 100, 0, 0, 0]
+    tiles = [ClassTile(number, encoding, payload, age) for (number, encoding, age), payload
+             in records_of(body, TILES_BYTES + WINDOW_BYTES, count, struct.Struct(">HBBH"))]
+    return read_window(body[TILES_BYTES:]), tiles_between(first, end, TILE_COUNT, tiles)
 
 
 def read_class_end(body: bytes) -> ClassEnd:
@@ -237,22 +235,11 @@ def read_class_end(body: bytes) -> ClassEnd:
 
 def read_tiles(body: bytes, level: int = 0) -> Tiles:
     side = 1024 >> level
-    first, end, count, side_log2, storage, width, height, cell_mm, zero, x_mm, y_mm = \
-        struct.unpack_from(">HHHBBHHHHii", body)
-    assert (side_log2, storage, zero) == (5, int(level > 0), 0)
-    assert (width, height, cell_mm, x_mm, y_mm) == (side, side, 100 << level, -51200, -51200)
-    assert first < end <= TILE_COUNT >> 2 * level, f"tiles {first} to {end - 1}"
-    tiles = []
-    at = 24
-    for _ in range(count):
-        number, encoding, size = struct.unpack_from(">HBH", body, at)
-        tiles.append(Tile(number, encoding, body[at + 5:at + 5 + size]))
-        at += 5 + size
-    assert at == len(body), f"{len(body) - at} bytes behind the last tile"
-    numbers = [tile.number for tile in tiles]
-    assert numbers == sorted(set(numbers)), "tiles out of order"
-    assert all(first <= number < end for number in numbers), "a tile of which nothing was said"
-    return Tiles(first, end, tiles)
+    first, end, count, *geometry = struct.unpack_from(">HHHBBHHHHii", body)
+    assert geometry == [5, int(level > 0), side, side, 100 << level, 0, -51200, -51200]
+    tiles = [Tile(number, encoding, payload) for (number, encoding), payload
+             in records_of(body, TILES_BYTES, count, struct.Struct(">HBH"))]
+    return tiles_between(first, end, TILE_COUNT >> 2 * level, tiles)
 
 
 def read_frame_end(body: bytes) -> FrameEnd:
@@ -375,10 +362,6 @@ class Assembler:
         assert bool(self._objects) == (header.flags & HAS_OBJECTS != 0)
         assert header.points_used == end.fates[0]
         assert header.points_other == sum(end.fates[1:])
-        return Frame(header.frame, header.closed_us, end.opened_us, header.complete, header.partial,
-                     header.flags, header.points_used, header.packets_fused, header.packets_dropped,
-                     end.tiles_sent, end.tiles_lost, sum(self._encodings), tuple(self._encodings),
-                     end.crc, self._crc, end.counters, end.sensors, self._class_end,
-                     self._class_tiles, self._class_crc if self._class_tiles > 0 else 0,
-                     object_parts.joined(self._objects) if self._objects else None,
-                     end.unwatched, end.blocked, end.stack_bytes)
+        return Frame(**vars(header), **vars(end), encodings=tuple(self._encodings), crc_of_tiles=self._crc,
+                     classes=self._class_end, class_crc_of_tiles=self._class_crc if self._class_tiles > 0 else 0,
+                     objects=object_parts.joined(self._objects) if self._objects else None)

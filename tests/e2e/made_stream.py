@@ -118,10 +118,3 @@ class Target:
         sensor = struct.pack(">BxHHxxII", grid_stream.COMPLETE, 0, 1, points_used // 4, self.frames)
         return head + counts + b"\x10\0\0\0" + sensor * 4 + struct.pack(
             ">QQhxx4x", self.unwatched, self.blocked, self.temperature_dc)
-
-
-def of_version(message: bytes, version: int) -> bytes:
-    """The same message as another version of the format would send it, with the right CRC."""
-    changed = message[:13] + bytes((version,)) + message[14:]
-    crc = protected_message.crc32_p4(protected_message.protected_part(changed))
-    return changed[:24] + struct.pack(">I", crc) + changed[28:]

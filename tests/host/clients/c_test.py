@@ -17,6 +17,7 @@ import grid_stream
 import iogrid
 import made_classes
 import made_stream
+import protected_message
 from object_parts import MOVES, Object
 
 HEADERS, READER = streams.ROOT / "clients/c", streams.ROOT / "tests/host/clients/reader.c"
@@ -110,7 +111,7 @@ class Header(unittest.TestCase):
 
     def test_another_version_is_dropped(self):
         message = streams.messages_of(streams.raw())[0]
-        others = [made_stream.of_version(message, version) for version in (3, 5)]
+        others = [protected_message.of_version(message, version) for version in (3, 5)]
         self.assertEqual(said_by(program("gcc"), others), ["used 0 dropped 2"])
 
     def test_order_within_a_frame_and_losses(self):

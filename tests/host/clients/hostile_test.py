@@ -10,7 +10,6 @@ import streams
 from stream_test import received
 
 import iogrid
-import made_stream
 import numpy
 import protected_message
 import tile_coding
@@ -47,7 +46,7 @@ def mutant(message: bytes, rng: random.Random) -> bytes:
         return mutated(message, rng)
     content = mutated(message[28:], rng)[:1364]
     sequence = int.from_bytes(content[4:8], "big")
-    return made_stream.of_version(protected_message.protect(content, sequence), message[13])
+    return protected_message.of_version(protected_message.protect(content, sequence), message[13])
 
 
 class Hostile(unittest.TestCase):

@@ -256,7 +256,7 @@ class Stream(unittest.TestCase):
     def test_another_version_is_named(self):
         receiver, message = iogrid.Receiver(), streams.messages_of(streams.raw())[0]
         for version in (3, 5):
-            self.assertEqual(receiver.take(streams.made_stream.of_version(message, version)), [])
+            self.assertEqual(receiver.take(protected_message.of_version(message, version)), [])
         self.assertEqual(receiver.dropped, {"interface version 3": 1, "interface version 5": 1})
 
 
