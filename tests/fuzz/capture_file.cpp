@@ -29,6 +29,8 @@ class MemoryFile {
   int descriptor_;
 };
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   const MemoryFile file(input);
   try {
@@ -45,10 +47,4 @@ void check(std::span<const std::byte> input) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

@@ -65,6 +65,8 @@ void take(iogrid_receiver& reader, std::span<const std::byte> message) {
   }
 }
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   static iogrid_receiver reader;  // 4 MiB
   iogrid_init(&reader);
@@ -94,10 +96,4 @@ void check(std::span<const std::byte> input) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

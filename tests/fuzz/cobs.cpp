@@ -56,11 +56,10 @@ void check_line(std::span<const std::byte> line) {
 }
 
 }  // namespace
-}  // namespace iog::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto bytes = iog::fuzz::input_bytes(data, size);
-  iog::fuzz::check_line(bytes);
-  iog::fuzz::check_message(bytes);
-  return 0;
+void check(std::span<const std::byte> input) {
+  check_line(input);
+  check_message(input);
 }
+
+}  // namespace iog::fuzz

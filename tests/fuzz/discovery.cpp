@@ -65,6 +65,8 @@ void look_at(const discovery::Server& server) {
   }
 }
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   wire::ByteReader in(input);
   discovery::Server server(offering(),
@@ -92,10 +94,4 @@ void check(std::span<const std::byte> input) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

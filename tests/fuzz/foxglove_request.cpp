@@ -30,6 +30,8 @@ void check_answers(const Subscriptions::Answers& answers) {
   }
 }
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   Subscriptions subscriptions;
   check_answers(Subscriptions::take_binary(input));
@@ -51,10 +53,4 @@ void check(std::span<const std::byte> input) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

@@ -56,6 +56,8 @@ void check_live(const tools::LiveClasses& live) {
   }
 }
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   std::uint64_t last = 0;
   bool has_frame = false;
@@ -93,10 +95,4 @@ void check(std::span<const std::byte> input) {
   law(live.stale_tiles() <= geometry::kTileCount, "tiles have an age");
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

@@ -125,15 +125,14 @@ class Ground {
 };
 
 }  // namespace
-}  // namespace iog::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  namespace fuzz = iog::fuzz;
-  iog::wire::ByteReader in(fuzz::input_bytes(data, size));
+void check(std::span<const std::byte> input) {
+  wire::ByteReader in(input);
   const auto ground =
-      std::make_unique<fuzz::Ground>(iog::ground::Bins((in.u8() & 1U) != 0 ? 120'000 : 50'000));
+      std::make_unique<Ground>(ground::Bins((in.u8() & 1U) != 0 ? 120'000 : 50'000));
   for (int turns = 0; turns < 4 && in.remaining() > 0; ++turns) {
-    ground->turn(fuzz::returns_of(fuzz::next_piece(in)));
+    ground->turn(returns_of(next_piece(in)));
   }
-  return 0;
 }
+
+}  // namespace iog::fuzz

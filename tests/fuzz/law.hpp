@@ -1,4 +1,4 @@
-// What every fuzz target needs: a law, and its input as bytes.
+// What every fuzz target needs: a law, and what calls it.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,6 @@ inline void law(bool holds, const char* text) {
   }
 }
 
-inline std::span<const std::byte> input_bytes(const std::uint8_t* data, std::size_t size) {
-  return std::as_bytes(std::span(data, size));
-}
-
 // The next piece of an input that is a series of pieces: u16 length, big endian, and that many
 // bytes, or what is left of them.
 inline std::span<const std::byte> next_piece(wire::ByteReader& in) {
@@ -30,8 +26,15 @@ inline std::span<const std::byte> next_piece(wire::ByteReader& in) {
   return in.bytes(length < in.remaining() ? length : in.remaining());
 }
 
+// Each target's own: what is to hold for an input.
+void check(std::span<const std::byte> input);
+
 }  // namespace iog::fuzz
 
 // What libFuzzer calls with each input; it wants 0.
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer gives the name.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" [[gnu::used]] inline int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                                           std::size_t size) {
+  iog::fuzz::check(std::as_bytes(std::span(data, size)));
+  return 0;
+}

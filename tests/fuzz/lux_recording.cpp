@@ -5,7 +5,6 @@
 #include "tools/formats/lux/lux_stream.hpp"
 
 namespace iog::fuzz {
-namespace {
 
 void check(std::span<const std::byte> input) {
   const tools::LuxStream stream = tools::read_lux_stream(input);
@@ -21,10 +20,4 @@ void check(std::span<const std::byte> input) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

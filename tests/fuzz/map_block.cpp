@@ -68,7 +68,10 @@ void check_block(const map::Block& block) {
   law(!block.attribution().empty(), "a map says whose it is");
 }
 
-void run(wire::ByteReader in) {
+}  // namespace
+
+void check(std::span<const std::byte> input) {
+  wire::ByteReader in(input);
   const bool is_sealed = in.u8() % 8 != 0;
   const std::size_t budget = in.u8() * std::size_t{16} + 1;
   const auto rest = in.bytes(in.remaining());
@@ -88,10 +91,4 @@ void run(wire::ByteReader in) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::run(iog::wire::ByteReader(iog::fuzz::input_bytes(data, size)));
-  return 0;
-}

@@ -102,9 +102,7 @@ class Delivering {
 };
 
 }  // namespace
-}  // namespace iog::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::Delivering(iog::wire::ByteReader(iog::fuzz::input_bytes(data, size))).run();
-  return 0;
-}
+void check(std::span<const std::byte> input) { Delivering(wire::ByteReader(input)).run(); }
+
+}  // namespace iog::fuzz

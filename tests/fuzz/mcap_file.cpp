@@ -8,7 +8,6 @@
 #include "tools/program/exit_status.hpp"
 
 namespace iog::fuzz {
-namespace {
 
 void check(std::span<const std::byte> input) {
   std::istringstream in(std::string(reinterpret_cast<const char*>(input.data()), input.size()));
@@ -32,10 +31,4 @@ void check(std::span<const std::byte> input) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

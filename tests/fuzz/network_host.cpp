@@ -44,6 +44,8 @@ void repair(Frame& frame) {
   }
 }
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   wire::ByteReader in(input);
   net::testing::Station station;
@@ -69,10 +71,4 @@ void check(std::span<const std::byte> input) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

@@ -181,16 +181,16 @@ void check(std::uint8_t mode, std::span<const std::byte> first, std::span<const 
 }
 
 }  // namespace
-}  // namespace iog::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::wire::ByteReader in(iog::fuzz::input_bytes(data, size));
-  const auto format = static_cast<iog::lidar::Format>(in.u8() % iog::lidar::kFormatCount);
+void check(std::span<const std::byte> input) {
+  wire::ByteReader in(input);
+  const auto format = static_cast<lidar::Format>(in.u8() % lidar::kFormatCount);
   const std::uint8_t mode = in.u8();
-  const auto before = iog::fuzz::next_piece(in);
+  const auto before = next_piece(in);
   const auto packet = in.bytes(in.remaining());
-  iog::lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
-    iog::fuzz::check<Decoder>(mode, before, packet);
+  lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
+    check<Decoder>(mode, before, packet);
   });
-  return 0;
 }
+
+}  // namespace iog::fuzz

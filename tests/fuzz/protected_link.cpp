@@ -130,9 +130,7 @@ class Link {
 };
 
 }  // namespace
-}  // namespace iog::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::Link(iog::wire::ByteReader(iog::fuzz::input_bytes(data, size))).run();
-  return 0;
-}
+void check(std::span<const std::byte> input) { Link(wire::ByteReader(input)).run(); }
+
+}  // namespace iog::fuzz

@@ -25,6 +25,8 @@ bool was_said(const std::vector<net::Ipv4Packet>& pieces, const net::Ipv4Packet&
   });
 }
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   wire::ByteReader in(input);
   const auto reassembly = std::make_unique<net::Reassembly>();
@@ -52,10 +54,4 @@ void check(std::span<const std::byte> input) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

@@ -41,21 +41,20 @@ void check_datagrams(const std::vector<tools::LuxScan>& scans) {
 }
 
 }  // namespace
-}  // namespace iog::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using iog::fuzz::law;
-  iog::wire::ByteReader in(iog::fuzz::input_bytes(data, size));
+void check(std::span<const std::byte> input) {
+  wire::ByteReader in(input);
   const std::size_t piece = in.u8() + std::size_t{1};
   const auto bytes = in.bytes(in.remaining());
-  iog::fuzz::Heard whole;
+  Heard whole;
   whole.take(bytes);
-  iog::fuzz::Heard cut;
+  Heard cut;
   for (auto rest = bytes; !rest.empty(); rest = rest.subspan(std::min(piece, rest.size()))) {
     cut.take(rest.first(std::min(piece, rest.size())));
   }
   law(cut.stream.counts() == whole.stream.counts(), "it counts the same, however they are cut");
-  law(std::ranges::equal(cut.scans, whole.scans, iog::fuzz::same), "and hears the same");
-  iog::fuzz::check_datagrams(whole.scans);
-  return 0;
+  law(std::ranges::equal(cut.scans, whole.scans, same), "and hears the same");
+  check_datagrams(whole.scans);
 }
+
+}  // namespace iog::fuzz

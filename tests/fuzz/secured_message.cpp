@@ -79,9 +79,7 @@ class Drive {
 };
 
 }  // namespace
-}  // namespace iog::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::Drive(iog::wire::ByteReader(iog::fuzz::input_bytes(data, size))).run();
-  return 0;
-}
+void check(std::span<const std::byte> input) { Drive(wire::ByteReader(input)).run(); }
+
+}  // namespace iog::fuzz

@@ -55,13 +55,12 @@ void receive(wire::ByteReader in) {
 }
 
 }  // namespace
-}  // namespace iog::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto bytes = iog::fuzz::input_bytes(data, size);
-  iog::tools::SerialLink raw;
-  raw.take(bytes);
-  iog::fuzz::check(raw);
-  iog::fuzz::receive(iog::wire::ByteReader(bytes));
-  return 0;
+void check(std::span<const std::byte> input) {
+  tools::SerialLink raw;
+  raw.take(input);
+  check(raw);
+  receive(wire::ByteReader(input));
 }
+
+}  // namespace iog::fuzz

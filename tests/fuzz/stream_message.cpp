@@ -130,7 +130,9 @@ void check_receptions(std::span<const std::byte> body) {
       "what was received survives the wire");
 }
 
-void check_content(std::span<const std::byte> message) {
+}  // namespace
+
+void check(std::span<const std::byte> message) {
   stream::Header header;
   std::span<const std::byte> body;
   if (stream::read_header(message, header, body) != stream::ReadStatus::kOk) {
@@ -165,10 +167,4 @@ void check_content(std::span<const std::byte> message) {
   }
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check_content(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

@@ -48,6 +48,8 @@ bool is_as_client_reads(Encoding encoding, std::span<const std::byte> payload,
          (!is_tile || std::ranges::equal(std::as_bytes(std::span(clients)), cells));
 }
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   static const Tile receivers_tile = reference_cells();
   static Encoder encoder;
@@ -79,10 +81,4 @@ void check(std::span<const std::byte> input) {
       "what was accepted can be encoded");
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}

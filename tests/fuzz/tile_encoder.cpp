@@ -50,6 +50,8 @@ void check_encoding(const Tile& tile, const std::optional<Reference>& reference)
   law(decoded == tile, "and is the tile");
 }
 
+}  // namespace
+
 void check(std::span<const std::byte> input) {
   wire::ByteReader in(input);
   Tile before;
@@ -65,10 +67,4 @@ void check(std::span<const std::byte> input) {
   check_encoding(tile, Reference{.cells = before, .frame_number = 0x01020304});
 }
 
-}  // namespace
 }  // namespace iog::fuzz
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  iog::fuzz::check(iog::fuzz::input_bytes(data, size));
-  return 0;
-}
