@@ -2,6 +2,8 @@
 --
 -- A part is a list of fields in the order of their bytes: type, name of the filter below "iogrid.",
 -- label, base and value names as ProtoField takes them. A field with a type alone is not shown.
+local state = require("iogrid_state")
+
 local layout = {}
 
 layout.TYPES = { [1] = "tiles", [2] = "frame end", [3] = "end of the classes",
@@ -228,75 +230,18 @@ layout.PARTS.sensor = {
   { "uint32", "sensor.scan", "Scan number", base.DEC },
 }
 
-local STAGES = { "fuse", "mark", "publish", "perceive" }
-local FATES = { "used", "no return", "too near", "too far", "outside the height band", "flagged",
-                "later echo", "malformed", "stale", "not taken", "ground", "overhang",
-                "under the ground" }
-local DROPS = { "stranger", "wrong length", "wrong type", "wrong angle", "wrong point", "duplicate",
-                "late", "over budget", "other unit", "not taken", "frozen", "too soon" }
-local LINK = {
-  "frames received", "datagrams delivered", "ARP answered", "ARP learned", "pings answered",
-  "messages sent", "ARP requested",
-  "short", "not for us (MAC)", "VLAN tagged", "neither IPv4 nor ARP", "bad IP header",
-  "bad IP checksum", "fragment", "not for us (IP)", "bad source", "neither UDP nor ICMP",
-  "bad UDP length", "bad UDP checksum", "bad ICMP", "ping ignored", "other ICMP", "bad ARP",
-  "ARP ignored", "address conflict", "reply without room",
-  "peer unresolved", "ring full", "misuse",
-  "port received", "receive errors", "oversized", "port sent", "port refused",
-  "fragments joined", "fragments duplicate", "fragments overlapping", "fragments bad",
-  "fragments refused", "datagrams joined", "datagrams expired", "datagrams displaced",
-  "cores at work", "items for lost cores", "items of core 0", "items of core 1", "items of core 2",
-  "items of core 3", "port without room", "port restarts", "received lost by restarts",
-  "unsent lost by restarts", "starts since power-up", "end of the run before", "detail of that end",
-}
--- Rows of the loop's times, of which each has the same counters.
-for _, row in ipairs({ "fuse", "mark", "publish", "perceive", "frame", "late", "core 0", "core 1",
-                       "core 2", "core 3" }) do
-  for _, what in ipairs({ "worst us", "sum us high", "sum us low" }) do
-    table.insert(LINK, row .. " " .. what)
-  end
-  for octave = 8, 16 do table.insert(LINK, string.format("%s below %d us", row, 2 ^ octave)) end
-  table.insert(LINK, row .. " longer")
-end
--- And those of a target that offers its service.
-for _, name in ipairs({
-  "SD received", "SD malformed", "SD spoofed", "SD unanswered", "SD offers", "SD found",
-  "SD subscriptions acknowledged", "SD subscriptions refused", "SD subscriptions unconfirmed",
-  "SD subscriptions stopped", "SD subscriptions expired", "SD subscribers rebooted", "SD copied",
-  "SD not copied",
-}) do
-  table.insert(LINK, name)
-end
--- And those of a target that wants its commands signed.
-for _, kind in ipairs({ "poses", "maps" }) do
-  for _, what in ipairs({ "authentic", "unsigned", "replayed", "forged", "last counter" }) do
-    table.insert(LINK, kind .. " " .. what)
-  end
-end
-table.insert(LINK, "commands MAC high")
-table.insert(LINK, "commands MAC low")
-local POSE_FATES = { "used", "unconfirmed", "stranger", "too short", "not ours", "wrong version",
-                     "damaged", "wrong length", "wrong flags", "not zero", "out of range",
-                     "no sigma", "too old", "not newer", "flood", "of a past run" }
-
-local MAP_BEGUN = { "in use", "no map", "no transform", "other origin", "imprecise", "blurred",
-                    "no place", "outside", "contradicted" }
-local CHUNK_FATES = { "taken", "repeated", "in use", "of another block", "stranger", "too short",
-                      "not ours", "wrong version", "damaged", "wrong length", "not zero",
-                      "out of range" }
-
 -- Why slices had no place; the first: they had one.
-layout.SLICE_CAUSES = { "placed", "late", "imprecise", "lost", "jump", "restart", "contradicted", "drifting" }
+layout.SLICE_CAUSES = state.SliceCause
 
 -- Lists of counters: name of the filter, heading, names in order.
 layout.COUNTERS = {
-  stages = { "ticks", "Ticks of the stopwatch; publish is that of the frame before", STAGES },
-  fates = { "fate", "Scan points of this frame by fate", FATES },
-  drop_causes = { "drop", "Datagrams dropped since start", DROPS },
-  link_counters = { "link", "Link counters since start", LINK },
-  pose_fates = { "pose", "Pose messages since start by fate", POSE_FATES },
-  map_causes = { "map.times", "How often the map began to be used, or not, since start", MAP_BEGUN },
-  map_fates = { "map.chunk", "Chunks of maps since start by fate", CHUNK_FATES },
+  stages = { "ticks", "Ticks of the stopwatch; publish is that of the frame before", state.Stage },
+  fates = { "fate", "Scan points of this frame by fate", state.Fate },
+  drop_causes = { "drop", "Datagrams dropped since start", state.PacketDrop },
+  link_counters = { "link", "Link counters since start", state.Link },
+  pose_fates = { "pose", "Pose messages since start by fate", state.PoseFate },
+  map_causes = { "map.times", "How often the map began to be used, or not, since start", state.MapCause },
+  map_fates = { "map.chunk", "Chunks of maps since start by fate", state.ChunkFate },
 }
 
 -- "not for us (MAC)" is counted in link.not_for_us_mac.

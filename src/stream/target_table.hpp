@@ -11,26 +11,50 @@
 
 namespace iog::stream {
 
+// Above each: what its counters are of, for docs/spec.md.
 enum class Group : std::uint8_t {
+  // Ticks of the stopwatch.
   kStage,
+  // Scan points of this frame.
   kFate,
+  // Datagrams dropped since start.
   kPacketDrop,
-  // Link counters of every target; ...
+  // Network.
   kNet,
+  // Frames dropped.
   kDrop,
+  // Messages refused.
   kRefusal,
+  // Port.
   kPort,
+  // Fragments, and fragmented datagrams (1.5).
   kFragment,
+  // Shared work; core 0 does the items for lost cores ([cores.md](cores.md)).
   kCore,
+  // Frames for which the port had no room, restarts of the port ([drivers.md](drivers.md)), and
+  // frames lost by them.
   kRestart,
+  // Starts with this one, how the run before ended, and that end's number (table below).
   kRun,
+  // The loop's times, 13 words each (below).
   kLoopTime,
-  kDiscovery,  // ... of one that offers its service, or wants its commands signed; ...
-  kCommand,    // ... of one that wants its commands signed.
+  // Only if the target offers its service ([service_discovery.md](service_discovery.md)), or if
+  // commands must be signed: datagrams of service discovery, those left unanswered in a flood,
+  // offers, questions answered, subscriptions; messages copied to the subscriber, and not copied
+  // for want of room.
+  kDiscovery,
+  // Only if commands must be signed (9): messages on the ports of poses and maps, the last
+  // authentic counter of each, and two words that sign these ten.
+  kCommand,
+  // Messages since start.
   kPoseFate,
+  // Slices since start.
   kSliceCause,
+  // How often it began, since start.
   kMapCause,
+  // Chunks of maps since start.
   kChunkFate,
+  // Of a sensor in a frame.
   kSensorState,
 };
 
@@ -40,12 +64,6 @@ enum class Kind : std::uint8_t {
   kState,     // how something is now, or was
   kDuration,  // 13 words of health::Durations
   kMac,       // two words
-};
-
-struct GroupRow {
-  Group group;
-  std::string_view unit;
-  std::string_view words;
 };
 
 struct Row {
@@ -58,28 +76,6 @@ struct Row {
 namespace table {
 using enum Group;
 using enum Kind;
-
-inline constexpr GroupRow kGroups[] = {
-    {kStage, "ticks", "time of a stage"},
-    {kFate, "points", "scan points of this frame"},
-    {kPacketDrop, "datagrams", "dropped since start"},
-    {kNet, "", "the network"},
-    {kDrop, "frames", "dropped by the network"},
-    {kRefusal, "messages", "refused by the network"},
-    {kPort, "frames", "the port"},
-    {kFragment, "", "fragments (1.5)"},
-    {kCore, "", "[cores](cores.md)"},
-    {kRestart, "", "[the port started anew](drivers.md)"},
-    {kRun, "", "starts, see below"},
-    {kLoopTime, "µs", "the loop's own times, see below"},
-    {kDiscovery, "", "[service discovery](service_discovery.md)"},
-    {kCommand, "messages", "signed commands (9)"},
-    {kPoseFate, "messages", "poses since start"},
-    {kSliceCause, "slices", "since start"},
-    {kMapCause, "times", "since start"},
-    {kChunkFate, "chunks", "of maps since start"},
-    {kSensorState, "", "a sensor in a frame"},
-};
 
 inline constexpr Row kRows[] = {
     {kStage, "fuse"},

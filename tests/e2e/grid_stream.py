@@ -11,7 +11,7 @@ import protected_message
 import reception_parts
 import tile_coding
 import vehicle_id
-from link_counters import COMMAND_COUNTERS, DISCOVERY_COUNTERS, LINK_COUNTERS, PACKET_DROPS
+from target_state import COMMAND_COUNTERS, DISCOVERY_COUNTERS, LINK_COUNTERS, PACKET_DROPS
 
 TILES, FRAME_END, CLASS_END, OBJECTS = 1, 2, 3, 5
 CLOSED_BY_TIME, BAYES, HAS_CLASSES, HAS_NO_INDEXES, HAS_OBJECTS = 0x01, 0x02, 0x04, 0x08, 0x10

@@ -4,24 +4,13 @@ reads it."""
 import re
 
 import grid_stream
-import link_counters
 import map_state
 import object_parts
 import protected_message
 import reception_parts
+import target_state
 import tile_coding
 import vehicle_id
-
-FATES = ("used", "no return", "too near", "too far", "outside the height band", "flagged",
-         "later echo", "malformed", "stale", "not taken", "ground", "overhang", "under the ground")
-POSE_FATES = ("used", "unconfirmed", "stranger", "too short", "not ours", "wrong version", "damaged",
-              "wrong length", "wrong flags", "not zero", "out of range", "no sigma", "too old",
-              "not newer", "flood", "of a past run")
-
-MAP_CAUSES = ("in use", "no map", "no transform", "other origin", "imprecise", "blurred", "no place",
-              "outside", "contradicted")
-CHUNK_FATES = ("taken", "repeated", "in use", "of another block", "stranger", "too short", "not ours",
-               "wrong version", "damaged", "wrong length", "not zero", "out of range")
 
 
 def field_of(group: str, name: str) -> str:
@@ -107,7 +96,7 @@ def shown_of_class_end(frame: int, end: grid_stream.ClassEnd) -> dict[str, list]
              "iogrid.slices_over_budget": [end.slices_over_budget]}
     shown |= {f"iogrid.groups.{name}": [count]
               for name, count in zip(("fused", "left", "refreshed"), end.groups)}
-    shown |= {field_of("pose", name): [count] for name, count in zip(POSE_FATES, end.pose_fates)}
+    shown |= {field_of("pose", name): [count] for name, count in zip(target_state.POSE_FATES, end.pose_fates)}
     for at, name in enumerate(("slices", "times", "since_us")):
         shown[f"iogrid.cause.{name}"] = [cause[at] for cause in end.causes]
     for at, name in enumerate(("middle_us", "x_mm", "y_mm", "heading", "sigma_mm",
@@ -151,8 +140,8 @@ def shown_of_map(state: map_state.MapState) -> dict[str, list]:
     shown |= {f"iogrid.map.{name}": [f"0x{getattr(state, name):0{digits}x}"]
               for name, digits in (("flags", 2), ("crc", 8), ("incoming_crc", 8), ("origin", 16),
                                    ("pose_origin", 16))}
-    shown |= {field_of("map.times", name): [count] for name, count in zip(MAP_CAUSES, state.times)}
-    shown |= {field_of("map.chunk", name): [count] for name, count in zip(CHUNK_FATES, state.chunks)}
+    shown |= {field_of("map.times", name): [count] for name, count in zip(target_state.MAP_CAUSES, state.times)}
+    shown |= {field_of("map.chunk", name): [count] for name, count in zip(target_state.CHUNK_FATES, state.chunks)}
     return shown | ({"iogrid.map.attribution": [state.attribution]} if state.attribution else {})
 
 
@@ -161,8 +150,8 @@ def shown_of_frame_end(frame: int, end: grid_stream.FrameEnd) -> dict[str, list]
     shown = {"_ws.col.Info": [f"frame {frame} end, {end.tiles_sent} tiles, grid {end.crc:08x}{lost}"],
              "iogrid.tiles_sent": [end.tiles_sent], "iogrid.tiles_lost": [end.tiles_lost],
              "iogrid.grid_crc": [f"0x{end.crc:08x}"], "iogrid.opened_us": [end.opened_us]}
-    shown |= {field_of("fate", name): [count] for name, count in zip(FATES, end.fates)}
-    shown |= {field_of("drop" if name in link_counters.PACKET_DROPS else "link", name): [count]
+    shown |= {field_of("fate", name): [count] for name, count in zip(target_state.FATES, end.fates)}
+    shown |= {field_of("drop" if name in target_state.PACKET_DROPS else "link", name): [count]
               for name, count in end.counters.items()}
     for name, field in (("state", "state"), ("blocked", "blocked"), ("age", "age"), ("packets", "packets"),
                         ("points", "points"), ("scan_number", "scan")):

@@ -3,8 +3,8 @@
 import dataclasses
 
 import grid_stream
-import link_counters
 import protected_message
+import target_state
 
 NO_EFFECT, RECOVERED, STOPPED, SILENT, HANG, EMULATOR = \
     "no effect", "detected and recovered", "detected and stopped", "silent corruption", "hang", "emulator failed"
@@ -40,9 +40,9 @@ def seen(frame: grid_stream.Frame) -> Seen:
              "tiles lost": (frame.tiles_lost, classes.tiles_lost), "packets": frame.packets_fused,
              "placed": (classes.packets_placed, classes.packets_not_placed, classes.slices_over_budget),
              "groups": classes.groups, "fates": classes.pose_fates, "causes": [cause[:2] for cause in classes.causes],
-             "drops": [frame.counters[name] for name in link_counters.PACKET_DROPS],
+             "drops": [frame.counters[name] for name in target_state.PACKET_DROPS],
              "cores": frame.counters["cores at work"], "items": frame.counters["items for lost cores"],
-             "damaged": [frame.counters[name] for name in link_counters.DAMAGED],
+             "damaged": [frame.counters[name] for name in target_state.DAMAGED],
              "restarts": frame.counters["port restarts"], "unwatched": frame.unwatched}
     contradiction = ""
     if frame.crc != frame.crc_of_tiles:
@@ -113,7 +113,7 @@ def end_of(message: bytes) -> tuple:
     """A frame's end without times and counts of the loop."""
     body = message[28 + grid_stream.HEADER_BYTES:]
     end = grid_stream.read_frame_end(body)
-    lossy = [*link_counters.PACKET_DROPS, *link_counters.DAMAGED, "port restarts", "cores at work", "items for lost cores"]
+    lossy = [*target_state.PACKET_DROPS, *target_state.DAMAGED, "port restarts", "cores at work", "items for lost cores"]
     return (message[29], message[52:72], end.tiles_sent, end.tiles_lost, end.crc, end.fates, end.sensors, end.unwatched,
             [end.counters[name] for name in lossy])
 

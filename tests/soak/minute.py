@@ -9,10 +9,10 @@ import subprocess
 import capture
 import ethernet
 import late_start
-import link_counters
 import map_chunks
 import near_drive
 import spells
+import target_state
 from grid_stream import Frame
 from machine import PC
 from receiver import Receiver
@@ -243,7 +243,7 @@ class Minutes:
     def _check_counters(self, last: Frame) -> None:
         counts = self._wire.counts
         replies = self._board.arp_replies
-        expected = dict.fromkeys(link_counters.PACKET_DROPS + link_counters.NET_DROPS + MUST_BE_ZERO, 0) | counts
+        expected = dict.fromkeys(target_state.PACKET_DROPS + target_state.NET_DROPS + MUST_BE_ZERO, 0) | counts
         expected |= {"frames received": counts["frames received"] + replies,
                      "port received": counts["frames received"] + replies, "ARP learned": replies,
                      "starts since power-up": 1, "cores at work": 1 + len(self._cores)}
