@@ -18,7 +18,6 @@
 #include "tools/fuse/stream_recorder.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/identity/car_capture.hpp"
-#include "tools/identity/vehicle_fit.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"

@@ -27,7 +27,6 @@
 #include "tools/program/time_of_day.hpp"
 #include "tools/receive/frame_notes.hpp"
 #include "tools/receive/link_counts.hpp"
-#include "tools/receive/nothing_came.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/receive/serial/reception.hpp"
 #include "tools/receive/udp_receiver.hpp"

@@ -11,7 +11,7 @@
 
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
-#include "tools/identity/vehicle_fit.hpp"
+#include "tools/identity/capture_identity.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/record/mcap_recording.hpp"

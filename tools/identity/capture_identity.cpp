@@ -1,12 +1,16 @@
 #include "tools/identity/capture_identity.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 namespace {
@@ -313,6 +317,27 @@ std::string CaptureIdentity::refusal(const CatalogueEntry& car) const {
   const bool is_finer = first_of(Kind::kFiner) != all.end() && !is_of_file(car);
   const CatalogueEntry* const better = is_finer ? better_than(car) : nullptr;
   return better == nullptr ? "" : words(car) + advice(car);
+}
+
+void demand_fit(const std::string& path, const CatalogueEntry& car) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+    return;
+  }
+  PcapReader capture(path);
+  CaptureIdentity identity;
+  while (!identity.is_settled(car)) {
+    const std::optional<CapturedDatagram> datagram = capture.next();
+    if (!datagram) {
+      break;
+    }
+    identity.add(*datagram);
+  }
+  const std::string refusal = identity.refusal(car);
+  if (!refusal.empty()) {
+    const std::string skipped = describe_skipped(capture.counts());
+    throw UsageError(path + ": " + refusal + (skipped.empty() ? "" : " (" + skipped + ")"));
+  }
 }
 
 }  // namespace iog::tools

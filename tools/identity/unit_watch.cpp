@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "intake/packet.hpp"
+#include "lidar/formats.hpp"
 #include "lidar/scanner_facts.hpp"
 #include "tools/identity/foreign_unit.hpp"
-#include "tools/identity/format_names.hpp"
 
 namespace iog::tools {
 namespace {
@@ -86,6 +86,17 @@ std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
     }
   });
   return seen;
+}
+
+// "Velodyne HDL-32E or Velodyne VLP-16"
+std::string names_of(const lidar::FormatSet& formats) {
+  std::string names;
+  lidar::for_each_format([&](lidar::Format format, auto /*decoder*/) {
+    if (formats.has(format)) {
+      names += (names.empty() ? "" : " or ") + std::string(lidar::name_of(format));
+    }
+  });
+  return names;
 }
 
 // Of formats that a Velodyne's packet may have.

@@ -17,7 +17,6 @@
 #include "tools/program/progress.hpp"
 #include "tools/program/time_of_day.hpp"
 #include "tools/receive/frame_notes.hpp"
-#include "tools/receive/nothing_came.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/record/stream_file.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"

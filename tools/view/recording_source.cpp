@@ -9,7 +9,6 @@
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/identity/car_capture.hpp"
-#include "tools/identity/vehicle_fit.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"

@@ -15,7 +15,6 @@
 #include "fakes/temporary_folder.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
-#include "tools/identity/vehicle_fit.hpp"
 #include "tools/info/file_summary.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"

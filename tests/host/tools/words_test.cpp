@@ -14,13 +14,13 @@
 #include "fakes/temporary_folder.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/mcap/writer.hpp"
-#include "tools/identity/vehicle_fit.hpp"
+#include "tools/identity/capture_identity.hpp"
 #include "tools/info/file_summary.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/word_distance.hpp"
-#include "tools/receive/nothing_came.hpp"
 #include "tools/receive/run_statistics.hpp"
+#include "tools/receive/udp_receiver.hpp"
 
 namespace iog::tools {
 namespace {
