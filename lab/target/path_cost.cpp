@@ -59,7 +59,7 @@ void measure(InstructionCounter& counter, const vehicle::BeamLine& line, PathCos
   };
   const auto carve = [&](std::uint32_t blocks) {
     grid::Way way = path.way_from(grid.block_at(path.start_offset()));
-    return instructions_of(counter, [&] { grid::carve_run(way, blocks, grid::Lanes::all(1)); });
+    return instructions_of(counter, [&] { grid::carve_run(way, blocks, lanes::Lanes::all(1)); });
   };
   path.begin(line);
   const std::uint32_t few = find(kFew);

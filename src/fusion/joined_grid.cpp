@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "grid/lanes.hpp"
+#include "lanes/lanes.hpp"
 
 namespace iog::fusion {
 namespace {

@@ -1,8 +1,8 @@
 // The grid of a frame as it lies in memory: blocks of 4 by 4 cells, sixteen bytes each.
 //
 // A line goes through four cells of a block on average, and one saturated subtraction carves them
-// (grid/lanes.hpp). A cache line holds 8 by 4 cells instead of 32 by 1. Rows of blocks are stored a
-// cache line longer than they are: otherwise the blocks of a column would compete for two of the
+// (lanes/lanes.hpp). A cache line holds 8 by 4 cells instead of 32 by 1. Rows of blocks are stored
+// a cache line longer than they are: otherwise the blocks of a column would compete for two of the
 // 256 sets of a level 1 cache.
 //
 // Outside of this room cells are numbered row by row (geometry/grid.hpp). A stored byte is an
@@ -16,12 +16,15 @@
 #include <span>
 
 #include "geometry/grid.hpp"
-#include "grid/lanes.hpp"
 #include "index/occupancy_index.hpp"
+#include "lanes/lanes.hpp"
 
 namespace iog::grid {
 
 using index::OccupancyIndex;
+using lanes::kLaneCount;
+using lanes::LaneBytes;
+using lanes::Lanes;
 
 inline constexpr std::int32_t kBlockSide = 4;
 inline constexpr std::int32_t kBlocksPerSide = geometry::kCellsPerSide / kBlockSide;

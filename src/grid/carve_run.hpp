@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "grid/block_path.hpp"
-#include "grid/lanes.hpp"
+#include "lanes/lanes.hpp"
 
 namespace iog::grid {
 

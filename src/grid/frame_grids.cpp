@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "grid/lanes.hpp"
+#include "lanes/lanes.hpp"
 
 namespace iog::grid {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "window/bring.hpp"
+#include "lanes/bring.hpp"
 #include "window/tile.hpp"
 
 namespace iog::window {
@@ -22,14 +22,14 @@ inline void prefetch(const Tile& tile, std::size_t group) {
 // one another, and nothing comes between them.
 inline void bring_rows(const Tile& tile, std::size_t first, std::size_t last) {
   const std::size_t count = (last - first + 1) * kGroupsPerRow;
-  bring(std::as_bytes(std::span(tile.decided).subspan(first * kGroupsPerRow, count)));
+  lanes::bring(std::as_bytes(std::span(tile.decided).subspan(first * kGroupsPerRow, count)));
   if (tile.has_ruled_out) {
-    bring(std::as_bytes(std::span(tile.ruled_out).subspan(first * kGroupsPerRow, count)));
+    lanes::bring(std::as_bytes(std::span(tile.ruled_out).subspan(first * kGroupsPerRow, count)));
   }
-  bring(std::as_bytes(std::span(tile.aged_at)));
-  bring(std::as_bytes(std::span(tile.evidence_at)));
-  bring(std::as_bytes(std::span(tile.is_free_alone)));
-  bring(std::as_bytes(std::span(&tile.found, 1)));
+  lanes::bring(std::as_bytes(std::span(tile.aged_at)));
+  lanes::bring(std::as_bytes(std::span(tile.evidence_at)));
+  lanes::bring(std::as_bytes(std::span(tile.is_free_alone)));
+  lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
 }  // namespace iog::window

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "window/eight_bytes.hpp"
+#include "lanes/eight_bytes.hpp"
 #include "window/frame_evidence.hpp"
 
 namespace iog::window {
@@ -34,15 +34,15 @@ struct GroupBudget {
   }
 };
 
-inline EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
-  return EightBytes::load(&tile[group * evidence::kGroupCells]);
+inline lanes::EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
+  return lanes::EightBytes::load(&tile[group * evidence::kGroupCells]);
 }
 
 // Of a tile of a frame's evidence.
 inline GroupBudget groups_of(const FrameEvidence::TileIndexes& tile) {
   GroupBudget groups;
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    const EightBytes eight = eight_at(tile, group);
+    const lanes::EightBytes eight = eight_at(tile, group);
     const bool has_hit = eight.has_positive();
     groups.with_hits += has_hit ? 1U : 0U;
     groups.without_hits += !has_hit && !eight.is_zero() ? 1U : 0U;

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "window/eight_bytes.hpp"
+#include "lanes/eight_bytes.hpp"
 #include "window/slice_cells.hpp"
 
 namespace iog::window {
 
 // Runs of eight cells in a row of a tile, and in a band of eight rows.
-inline constexpr std::size_t kEightsPerRow = geometry::kTileSide / EightBytes::kCount;
+inline constexpr std::size_t kEightsPerRow = geometry::kTileSide / lanes::EightBytes::kCount;
 inline constexpr std::size_t kEightsPerBand = SliceCells::kBlockSide * kEightsPerRow;
 static_assert(kEightsPerBand == 32, "a bit each");
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "window/bring.hpp"
+#include "lanes/bring.hpp"
 #include "window/placement.hpp"
 #include "window/reach.hpp"
 #include "window/slice_cells.hpp"
@@ -44,7 +44,7 @@ inline bool for_each_known_block(const SliceCells& slice, FinePoint first, FineP
       const geometry::Cell high = block.high(at);
       if (slice.is_known_near(low, high)) {
         if (!is_known) {
-          bring(std::as_bytes(band));
+          lanes::bring(std::as_bytes(band));
           is_known = true;
         }
         visit(at, low, high, &band[x]);

@@ -12,9 +12,10 @@ constexpr auto kMoving =
 }  // namespace
 
 std::uint8_t MovingNames::moving_of(const decision::Decided& decided) {
-  constexpr EightBytes kClassBits = EightBytes::all(-decision::kSurenessCount);
-  constexpr EightBytes kClass = EightBytes::all(kMoving);
-  const EightBytes differs = EightBytes::load(decided.data()).bit_and(kClassBits).bit_xor(kClass);
+  constexpr lanes::EightBytes kClassBits = lanes::EightBytes::all(-decision::kSurenessCount);
+  constexpr lanes::EightBytes kClass = lanes::EightBytes::all(kMoving);
+  const lanes::EightBytes differs =
+      lanes::EightBytes::load(decided.data()).bit_and(kClassBits).bit_xor(kClass);
   return static_cast<std::uint8_t>(~differs.positive());
 }
 

@@ -11,8 +11,8 @@
 #include <cstdint>
 
 #include "geometry/cell.hpp"
+#include "lanes/eight_bytes.hpp"
 #include "window/cell_place.hpp"
-#include "window/eight_bytes.hpp"
 #include "window/frame_evidence.hpp"
 #include "window/window.hpp"
 
@@ -82,7 +82,8 @@ void MovingNames::withdraw(const FrameEvidence& evidence, std::size_t slot, Wind
           word * kGroupsPerWord + static_cast<std::size_t>(std::countr_zero(rest));
       std::uint32_t left = moving_of(tile.decided[group]);
       if (left != 0 && hits != nullptr) {
-        left &= ~std::uint32_t{EightBytes::load(&hits[group * evidence::kGroupCells]).positive()};
+        left &= ~std::uint32_t{
+            lanes::EightBytes::load(&hits[group * evidence::kGroupCells]).positive()};
       }
       if (left != 0) {
         left &= ~held(cell_at(window.area(), slot, group, 0), left);

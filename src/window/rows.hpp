@@ -10,10 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "window/row_pair.hpp"
+#include "lanes/lanes.hpp"
 #include "window/tile.hpp"
 
 namespace iog::window {
+
+using lanes::RowPair;
 
 inline constexpr std::size_t kRowMargin = 8;
 inline constexpr int kColumnMargin = 16;

@@ -8,7 +8,7 @@
 
 #include "geometry/cell.hpp"
 #include "geometry/grid.hpp"
-#include "window/eight_bytes.hpp"
+#include "lanes/eight_bytes.hpp"
 #include "window/hit_eights.hpp"
 #include "window/known_blocks.hpp"
 #include "window/placement.hpp"
@@ -23,11 +23,12 @@ inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FineP
                                  Visit& visit) {
   for (std::uint32_t eights = hit_eights(band); eights != 0; eights &= eights - 1) {
     const auto number = static_cast<std::uint32_t>(std::countr_zero(eights));
-    const std::int8_t* const eight = band + number * EightBytes::kCount;
-    const auto x = static_cast<std::int32_t>(number % kEightsPerRow * EightBytes::kCount);
+    const std::int8_t* const eight = band + number * lanes::EightBytes::kCount;
+    const auto x = static_cast<std::int32_t>(number % kEightsPerRow * lanes::EightBytes::kCount);
     const auto y = static_cast<std::int32_t>(number / kEightsPerRow);
     const FinePoint at{first.x + x * step.x - y * step.y, first.y + x * step.y + y * step.x};
-    for (std::uint32_t left = EightBytes::load(eight).positive(); left != 0; left &= left - 1) {
+    for (std::uint32_t left = lanes::EightBytes::load(eight).positive(); left != 0;
+         left &= left - 1) {
       const int i = std::countr_zero(left);
       visit(FinePoint{at.x + i * step.x, at.y + i * step.y}.cell(), eight[i]);
     }

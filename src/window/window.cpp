@@ -1,6 +1,6 @@
 #include "window/window.hpp"
 
-#include "window/eight_bytes.hpp"
+#include "lanes/eight_bytes.hpp"
 #include "work/before_images.hpp"
 
 namespace iog::window {
@@ -45,7 +45,8 @@ void Window::rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
 void Window::rename(Tile& tile, const TileRuledOut& ruled_out) {
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
     const decision::Decided& decided = tile.decided[group];
-    if (tile.ruled_out[group] != ruled_out[group] && !EightBytes::load(decided.data()).is_zero()) {
+    if (tile.ruled_out[group] != ruled_out[group] &&
+        !lanes::EightBytes::load(decided.data()).is_zero()) {
       tile.ruled_out[group] = ruled_out[group];
       name_by_masses(tile, group);
     }

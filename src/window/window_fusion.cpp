@@ -250,7 +250,7 @@ void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, Budget&
   GroupList groups;
   std::size_t left = 0;
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    const EightBytes eight = eight_at(indexes, group);
+    const lanes::EightBytes eight = eight_at(indexes, group);
     if (eight.is_zero()) {
       continue;
     }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "lanes/eight_bytes.hpp"
 #include "window/cell_place.hpp"
-#include "window/eight_bytes.hpp"
 
 namespace iog::window {
 namespace {
@@ -26,9 +26,10 @@ std::optional<WindowView::ClassBytes> WindowView::class_bytes(std::size_t slot) 
   if (!window_->is_known(slot)) {
     return std::nullopt;
   }
-  const bool is_any = std::ranges::any_of(
-      window_->tile(slot).decided,
-      [](const decision::Decided& decided) { return !EightBytes::load(decided.data()).is_zero(); });
+  const bool is_any =
+      std::ranges::any_of(window_->tile(slot).decided, [](const decision::Decided& decided) {
+        return !lanes::EightBytes::load(decided.data()).is_zero();
+      });
   return is_any ? known_bytes(slot) : std::nullopt;
 }
 

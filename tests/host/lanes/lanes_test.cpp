@@ -1,13 +1,13 @@
 // Sixteen bytes at once are what they are one by one, on every machine.
-#include "grid/lanes.hpp"
+#include "lanes/lanes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
 
-#include "grid/lanes_plain.hpp"
+#include "lanes/lanes_plain.hpp"
 
-namespace iog::grid {
+namespace iog::lanes {
 namespace {
 
 // Every pair of bytes, in all lanes: the lanes of the machine against the plain ones.
@@ -107,4 +107,4 @@ TEST(Lanes, PutTheRowsOfFourBlocksBesideOneAnother) {
 }
 
 }  // namespace
-}  // namespace iog::grid
+}  // namespace iog::lanes

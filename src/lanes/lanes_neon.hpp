@@ -1,13 +1,13 @@
-// Sixteen indexes at once by NEON, for the target.
+// Sixteen indexes at once, and two rows of bits, by NEON, for the target.
 #pragma once
 
 #include <arm_neon.h>
 #include <array>
 #include <cstdint>
 
-#include "grid/lane_bytes.hpp"
+#include "lanes/lane_bytes.hpp"
 
-namespace iog::grid {
+namespace iog::lanes {
 
 class NeonLanes {
  public:
@@ -81,4 +81,35 @@ class NeonLanes {
   int8x16_t lanes_;
 };
 
-}  // namespace iog::grid
+class NeonRowPair {
+ public:
+  static NeonRowPair load(const std::uint64_t* from) { return NeonRowPair(vld1q_u64(from)); }
+  void store(std::uint64_t* to) const { vst1q_u64(to, rows_); }
+  void store_middle(std::uint32_t* to) const { vst1_u32(to, vshrn_n_u64(rows_, 16)); }
+
+  [[nodiscard]] NeonRowPair bit_and(NeonRowPair other) const {
+    return NeonRowPair(vandq_u64(rows_, other.rows_));
+  }
+  [[nodiscard]] NeonRowPair bit_or(NeonRowPair other) const {
+    return NeonRowPair(vorrq_u64(rows_, other.rows_));
+  }
+  [[nodiscard]] NeonRowPair and_not(NeonRowPair other) const {
+    return NeonRowPair(vbicq_u64(rows_, other.rows_));
+  }
+
+  template <int kBits>
+  [[nodiscard]] NeonRowPair up() const {
+    return NeonRowPair(vshlq_n_u64(rows_, kBits));
+  }
+  template <int kBits>
+  [[nodiscard]] NeonRowPair down() const {
+    return NeonRowPair(vshrq_n_u64(rows_, kBits));
+  }
+
+ private:
+  explicit NeonRowPair(uint64x2_t rows) : rows_(rows) {}
+
+  uint64x2_t rows_;
+};
+
+}  // namespace iog::lanes

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace iog::window {
+namespace iog::lanes {
 
 class EightBytes {
  public:
@@ -68,4 +68,4 @@ class EightBytes {
   std::uint64_t word_;
 };
 
-}  // namespace iog::window
+}  // namespace iog::lanes

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace iog::grid {
+namespace iog::lanes {
 
 inline constexpr std::size_t kLaneCount = 16;
 
@@ -27,4 +27,4 @@ struct LaneBytes {
   return saturated(a + b);
 }
 
-}  // namespace iog::grid
+}  // namespace iog::lanes

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace iog::window {
+namespace iog::lanes {
 
 inline constexpr std::size_t kLineBytes = 32;
 
@@ -19,4 +19,4 @@ inline void bring(std::span<const std::byte> bytes) {
   }
 }
 
-}  // namespace iog::window
+}  // namespace iog::lanes

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <emmintrin.h>
 
-#include "grid/lane_bytes.hpp"
+#include "lanes/lanes_plain.hpp"
 
-namespace iog::grid {
+namespace iog::lanes {
 
 class Sse2Lanes {
  public:
@@ -80,4 +80,6 @@ class Sse2Lanes {
   __m128i lanes_;
 };
 
-}  // namespace iog::grid
+using Sse2RowPair = PlainRowPair;  // two words are as fast
+
+}  // namespace iog::lanes

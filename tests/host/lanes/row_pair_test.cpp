@@ -1,13 +1,12 @@
 // Two rows at once do what two rows one after the other do.
-#include "window/row_pair.hpp"
-
 #include <array>
 #include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/random.hpp"
+#include "lanes/lanes.hpp"
 
-namespace iog::window {
+namespace iog::lanes {
 namespace {
 
 using Words = std::array<std::uint64_t, 2>;
@@ -53,4 +52,4 @@ TEST(RowPair, LoadsTwoRowsThatFollowEachOther) {
 }
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::lanes
