@@ -37,6 +37,10 @@ void visit_layers(auto& content, auto& sensor) {
     content.numbers(sensor.laser_corrections[i].azimuth_ticks,
                     sensor.laser_corrections[i].range_mm);
   }
+  const bool has_own = lidar::facts_of(sensor.format).is_points;
+  for (std::size_t i = 0; has_own && i < sensor.layer_count && content.ok(); ++i) {
+    content.numbers(sensor.elevations[i]);
+  }
 }
 
 void visit_profile(auto& content, auto& profile) {

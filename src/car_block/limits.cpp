@@ -104,7 +104,7 @@ void check_unit(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
   if (sensor.layer_count > vehicle::kMaxLayers ||
       !lidar::can_have_layers(sensor.format, sensor.layer_count) ||
-      (!sensor.is_calibrated && !facts.has_elevations)) {
+      (!sensor.is_calibrated && !facts.has_elevations && !facts.is_points)) {
     tell({number, "lasers", "one for each layer of the scanner"});
   }
   if (!is_mode_known(sensor)) {

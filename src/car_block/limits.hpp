@@ -21,6 +21,8 @@ inline constexpr std::string_view kRangeWords = "more than range_min_mm, at most
 
 inline constexpr std::string_view kArcWords =
     "0.1 ... 1 of a radar, 2 ... 20 of an ultrasonic unit, of others none";
+inline constexpr std::string_view kLayerWords =
+    "elevation_deg alone, each above the one before, -89 ... 89";
 inline constexpr std::string_view kGroundLowWords = "0.1 ... 1";
 inline constexpr std::string_view kGroundTopWords = "low_m + 0.5 ... 10";
 inline constexpr std::string_view kMovedLowWords =

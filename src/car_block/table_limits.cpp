@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "car_block/limits.hpp"
@@ -62,12 +63,23 @@ bool is_within_reach(const lidar::LaserCorrection& laser, std::int32_t ticks_per
          is_within<std::int32_t>(laser.range_mm, -10'000, 10'000);
 }
 
+// The elevations of a unit of points rise.
+constexpr std::int32_t kSteepest = 89 * 3'200;
+
 void check_lasers(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const std::int32_t ticks_per_turn = lidar::ticks_per_turn(sensor.format);
   if (!std::ranges::all_of(sensor.unit().corrections, [&](const lidar::LaserCorrection& laser) {
         return is_within_reach(laser, ticks_per_turn);
       })) {
     tell({number, "lasers", "azimuths of a twelfth of a turn, ranges of 10 m"});
+  }
+  if (lidar::facts_of(sensor.format).is_points) {
+    const auto elevations = sensor.unit().elevations;
+    if (sensor.is_calibrated || !is_within(elevations.front(), -kSteepest, kSteepest) ||
+        !is_within(elevations.back(), -kSteepest, kSteepest) ||
+        std::ranges::adjacent_find(elevations, std::greater_equal<>()) != elevations.end()) {
+      tell({number, "lasers", kLayerWords});
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lidar/scanner_facts.hpp"
 #include "protection/believed.hpp"
 #include "require/require.hpp"
 
@@ -26,16 +27,22 @@ PacketDrop cause_of(lidar::DecodeStatus status) {
   return PacketDrop::kWrongPoint;
 }
 
+// Of spinning units; a LUX sends fewer packets.
+std::uint32_t points_of_packet(const vehicle::Sensor& sensor) {
+  constexpr std::uint32_t kSpinning = 384;
+  return lidar::facts_of(sensor.format).is_points ? lidar::PointsPacket::kMostPoints : kSpinning;
+}
+
 }  // namespace
 
 Intake::Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4)
     : sensors_(sensors), replayer_ipv4_(replayer_ipv4) {
   require(sensors.size() <= vehicle::kMaxSensors);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    constexpr std::uint32_t kPointsOfPacket = 384;  // of spinning units; a LUX sends fewer packets
+    const std::uint32_t packets = sensors[i].max_points_per_scan / points_of_packet(sensors[i]);
     trackers_[i] =
         ScanTracker(lidar::turns(sensors[i].format), sensors[i].azimuths.ticks_per_turn(),
-                    sensors[i].scan_width_ticks, sensors[i].max_points_per_scan / kPointsOfPacket);
+                    sensors[i].scan_width_ticks, packets);
     digests_[i] = RangeDigest(sensors[i]);
     frozen_[i].look_back(trackers_[i].remembered_packets());
   }

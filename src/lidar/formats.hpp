@@ -22,6 +22,7 @@
 #include "lidar/ibeo_lux8.hpp"
 #include "lidar/mavlink_ultrasonic.hpp"
 #include "lidar/ouster.hpp"
+#include "lidar/points.hpp"
 #include "lidar/velodyne_hdl32e.hpp"
 #include "lidar/velodyne_hdl64e.hpp"
 #include "lidar/velodyne_puck_hires.hpp"
@@ -48,6 +49,8 @@ using AnyDecoder = std::variant<ContinentalArs548,  //
                                 OusterRng15,        //
                                 OusterRng19,        //
                                 OusterRng19Dual,    //
+                                Points,             //
+                                PointsTurning,      //
                                 VelodyneHdl32e,     //
                                 VelodyneHdl64eS2,   //
                                 VelodyneHdl64eS3,   //

@@ -16,6 +16,7 @@ struct ScannerFacts {
   bool has_elevations = false;  // of its format; else they are each unit's own
   bool has_modes = false;       // its packets do not say how fast it turns
   bool has_beam_tilt = false;   // its mirror is tilted
+  bool is_points = false;       // they say their directions, its description those of its layers
   bool is_radar = false;        // it says where something is, and of no place that it is free
   bool is_ultrasonic = false;   // it says how far the nearest thing is, in a cone
 
@@ -41,6 +42,11 @@ concept HasModes = requires {
 template <typename Decoder>
 concept HasBeamTilt = requires {
   Decoder::kHasBeamTilt;
+};
+
+template <typename Decoder>
+concept IsPoints = requires {
+  Decoder::kIsPoints;
 };
 
 template <typename Decoder>
@@ -71,6 +77,7 @@ constexpr ScannerFacts facts_of(Format format) {
              .has_elevations = !Decoder::kElevationsDeg.empty(),
              .has_modes = HasModes<Decoder>,
              .has_beam_tilt = HasBeamTilt<Decoder>,
+             .is_points = IsPoints<Decoder>,
              .is_radar = IsRadar<Decoder>,
              .is_ultrasonic = IsUltrasonic<Decoder>};
   });

@@ -35,6 +35,9 @@ struct Unit {
   // One for each layer, or none. A format whose packets do not say how many layers there are takes
   // their number from here. It is of static storage, or outlives the packets.
   std::span<const LaserCorrection> corrections{};
+  // Of a unit whose points say their own elevations: those of its layers, each above the one
+  // before, in 3,200ths of a degree. Of the same storage.
+  std::span<const std::int32_t> elevations{};
   // Of a format whose packets do not say it.
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;

@@ -154,10 +154,12 @@ struct Sensor {
   // What is long comes last, so that the rest is near.
   std::array<Layer, kMaxLayers> layers{};
   std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
+  std::array<std::int32_t, kMaxLayers> elevations{};  // of a unit of points
 
   // A view of this sensor.
   [[nodiscard]] constexpr lidar::Unit unit() const {
     return {.corrections = std::span(laser_corrections).first(is_calibrated ? layer_count : 0),
+            .elevations = std::span(elevations).first(layer_count),
             .columns_per_turn = columns_per_turn,
             .column_ns = column_ns};
   }

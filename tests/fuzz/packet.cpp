@@ -44,6 +44,11 @@ lidar::Unit unit_of(std::uint8_t mode) {
     }
     return all;
   }();
+  if constexpr (lidar::IsPoints<Decoder>) {
+    static constexpr std::array<std::int32_t, 6> kElevations{-284'800, -3'200, -3'199,
+                                                             0,        70'000, 284'800};
+    return {.elevations = std::span(kElevations).first(1 + mode % kElevations.size())};
+  }
   const bool is_high = mode >= 128;
   std::size_t count = is_high ? 64 : 4;
   if constexpr (!kIsOuster<Decoder>) {
@@ -71,6 +76,10 @@ Bytes packet_of(std::span<const std::byte> given, const lidar::Unit& unit, std::
       bytes[end] = static_cast<std::byte>(sum & 0xFFU);
       bytes[end + 1] = static_cast<std::byte>(sum >> 8);
     }
+  } else if constexpr (lidar::IsPoints<Decoder>) {
+    bytes.resize(std::max(bytes.size(), Decoder::kHeadBytes));
+    const auto points = std::to_integer<std::size_t>(bytes[6]);
+    bytes.resize(Decoder::kHeadBytes + points * Decoder::kPointBytes);
   } else if constexpr (kIsOuster<Decoder>) {
     bytes.resize(Decoder::packet_bytes(unit.corrections.size()));
   } else if constexpr (kIsVelodyne<Decoder>) {
@@ -161,8 +170,9 @@ void check(std::uint8_t mode, std::span<const std::byte> first, std::span<const 
   law(intake::decode_with(used, packet, unit) == status, "the packet before has no influence");
   std::vector<lidar::ScanPoint> points;
   if (is_sound) {
-    const std::size_t layers = kIsOuster<Decoder> ? unit.corrections.size()
-                                                  : lidar::facts_of(lidar::kFormat<Decoder>).layers;
+    const std::size_t layers = kIsOuster<Decoder>         ? unit.corrections.size()
+                               : lidar::IsPoints<Decoder> ? unit.elevations.size()
+                                                          : lidar::layers_of<Decoder>();
     const char* const broken = tests::broken_law(fresh, layers);
     law(broken == nullptr, broken);
     points = points_of(fresh);

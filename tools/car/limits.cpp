@@ -1,5 +1,6 @@
 #include "tools/car/limits.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -172,6 +173,18 @@ void check_laser(const lidar::Laser& laser, std::size_t number, const Tell& tell
   }
 }
 
+// Whose points say their directions.
+bool are_of_points(std::span<const lidar::Laser> lasers) {
+  return std::ranges::all_of(lasers,
+                             [](const lidar::Laser& laser) {
+                               return laser.azimuth_deg == 0 && laser.height_m == 0 &&
+                                      laser.range_m == 0;
+                             }) &&
+         std::ranges::adjacent_find(lasers, [](const lidar::Laser& one, const lidar::Laser& next) {
+           return !(one.elevation_deg + 0.001 <= next.elevation_deg);
+         }) == lasers.end();
+}
+
 void check_lasers(const SensorConfig& config, std::size_t number, const Tell& tell) {
   const lidar::ScannerFacts facts = lidar::facts_of(config.format);
   if (facts.has_beam_tilt) {
@@ -190,6 +203,9 @@ void check_lasers(const SensorConfig& config, std::size_t number, const Tell& te
   }
   for (const lidar::Laser& laser : config.lasers) {
     check_laser(laser, number, tell);
+  }
+  if (facts.is_points && !are_of_points(config.lasers)) {
+    tell({number, "lasers", car_block::kLayerWords});
   }
 }
 

@@ -258,7 +258,7 @@ Sensor numbers_of(const SensorConfig& config) {
   const std::size_t layers =
       config.lasers.empty() ? lidar::facts_of(config.format).layers : config.lasers.size();
   sensor.layer_count = static_cast<std::uint8_t>(std::min<std::size_t>(layers, UINT8_MAX));
-  sensor.is_calibrated = !config.lasers.empty();
+  sensor.is_calibrated = !config.lasers.empty() && !lidar::facts_of(config.format).is_points;
   if (config.mode.is_valid()) {
     sensor.columns_per_turn = config.mode.columns_per_turn;
     sensor.column_ns = config.mode.column_ns();
@@ -297,6 +297,12 @@ Sensor sensor_of(const SensorConfig& config, const Description& car) {
     std::ranges::transform(
         config.lasers, sensor.laser_corrections.begin(),
         [](const lidar::Laser& laser) { return correction_of(laser, Decoder::kTicksPerTurn); });
+    if constexpr (lidar::IsPoints<Decoder>) {
+      std::ranges::transform(
+          config.lasers, sensor.elevations.begin(), [](const lidar::Laser& laser) {
+            return static_cast<std::int32_t>(numeric::round(laser.elevation_deg * 3'200));
+          });
+    }
   });
   return sensor;
 }

@@ -63,6 +63,18 @@ std::optional<SeenUnit> seen_low_rate_ouster(Payload payload) {
   return seen;
 }
 
+// Whether they are of what turns, and which layers that has, its car says.
+std::optional<SeenUnit> seen_points(Payload payload) {
+  constexpr std::array<std::int32_t, 1> kAnyLayer{0};
+  lidar::FormatSet formats(lidar::kFormat<lidar::Points>);
+  formats.add(lidar::kFormat<lidar::PointsTurning>);
+  lidar::Points decoder;
+  if (decoder.decode(payload, {.elevations = kAnyLayer}) != lidar::DecodeStatus::kOk) {
+    return std::nullopt;
+  }
+  return sound(decoder, lidar::Points::kName, formats);
+}
+
 // As one of the format's. Nothing in the packets of a LUX tells four layers from eight, and a
 // Velodyne is not known by a packet alone.
 std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
@@ -72,6 +84,8 @@ std::optional<SeenUnit> seen_as(lidar::Format format, Payload payload) {
       seen = seen_low_rate_ouster(payload);
     } else if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
       seen = seen_ouster<Decoder>(payload, format);
+    } else if constexpr (std::is_same_v<lidar::Points, Decoder>) {
+      seen = seen_points(payload);
     } else if constexpr (std::is_same_v<lidar::IbeoLux, Decoder> || lidar::IsRadar<Decoder> ||
                          lidar::IsUltrasonic<Decoder> ||
                          std::is_base_of_v<lidar::HesaiPacket, Decoder>) {

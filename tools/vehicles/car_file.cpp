@@ -57,6 +57,23 @@ std::vector<lidar::Laser> read_lasers(std::vector<TomlTable> tables) {
   return lasers;
 }
 
+// Evenly from the lowest to the highest. How many a unit may have is checked with the others.
+void read_layers(TomlTable table, std::vector<lidar::Laser>& lasers) {
+  constexpr std::uint32_t kMost = 255;
+  double from_deg = 0;
+  double to_deg = 0;
+  std::uint32_t count = 0;
+  table.read("from_deg", from_deg);
+  table.read("to_deg", to_deg);
+  table.read("count", count);
+  table.demand({"from_deg", "to_deg", "count"});
+  table.refuse_others();
+  for (std::uint32_t i = 0; i < std::min(count, kMost); ++i) {
+    const double share = count == 1 ? 0 : static_cast<double>(i) / (count - 1);
+    lasers.push_back({.elevation_deg = from_deg + (to_deg - from_deg) * share});
+  }
+}
+
 description::GroundConfig read_ground(TomlTable table) {
   description::GroundConfig ground;
   table.read("low_m", ground.low_m);
@@ -101,7 +118,11 @@ void read_sensor(TomlTable& table, Car& car) {
   table.read("max_points_per_scan", sensor.max_points_per_scan);
   table.read("mode", sensor.mode, kModeWords);
   table.read("beam_tilt_deg", sensor.beam_tilt_deg);
-  sensor.lasers = car.lasers.emplace_back(read_lasers(table.tables("lasers")));
+  auto& lasers = car.lasers.emplace_back(read_lasers(table.tables("lasers")));
+  if (table.has("layers")) {
+    read_layers(table.table("layers"), lasers);
+  }
+  sensor.lasers = lasers;
   table.read("is_synchronised", sensor.is_synchronised);
   table.read("latency_us", sensor.latency_us);
   if (table.has("ground")) {

@@ -11,6 +11,7 @@
 #include "fakes/lux_message.hpp"
 #include "fakes/mavlink_distance.hpp"
 #include "fakes/ouster_packet.hpp"
+#include "fakes/points_packet.hpp"
 #include "fakes/random.hpp"
 #include "fakes/velodyne_packet.hpp"
 #include "lidar/scanner_facts.hpp"
@@ -38,6 +39,10 @@ std::vector<std::byte> sound_packet(Random& random, std::size_t ouster_rows = 4)
     return OusterPacket{.format = lidar::kFormat<Decoder>,
                         .rows = static_cast<int>(ouster_rows),
                         .first_column = 1'008}
+        .bytes();
+  } else if constexpr (lidar::IsPoints<Decoder>) {
+    return PointsPacket{.flags = random.below(2) == 0 ? 0 : 3,
+                        .points = std::vector<SentPoint>(random.below(20))}
         .bytes();
   } else if constexpr (lidar::IsRadar<Decoder>) {
     return Ars548List{.detections = std::vector<Ars548Detection>(random.below(20))}.bytes();

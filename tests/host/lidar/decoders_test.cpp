@@ -1,4 +1,5 @@
 // What every decoder of the one list promises, whatever its format.
+#include <array>
 #include <gtest/gtest.h>
 #include <set>
 #include <string_view>
@@ -18,15 +19,20 @@ namespace {
 constexpr std::size_t kOusterRows = 4;
 
 template <typename Decoder>
-constexpr std::size_t kLayers = std::is_base_of_v<OusterPacket, Decoder> ? kOusterRows
-                                                                         : layers_of<Decoder>();
+constexpr std::size_t kLayers = std::is_base_of_v<OusterPacket, Decoder> || IsPoints<Decoder>
+                                    ? kOusterRows
+                                    : layers_of<Decoder>();
 
 template <typename Decoder>
 DecodeStatus decode(Decoder& decoder, std::span<const std::byte> bytes) {
   static const std::vector<LaserCorrection> corrections(
       kLayers<Decoder>, LaserCorrection{.azimuth_ticks = 3'000, .range_mm = -10'000});
-  return intake::decode_with(
-      decoder, bytes, {.corrections = corrections, .columns_per_turn = 1'024, .column_ns = 97'656});
+  static constexpr std::array<std::int32_t, kOusterRows> kElevations{-3'200, 0, 1, 3'200};
+  return intake::decode_with(decoder, bytes,
+                             {.corrections = corrections,
+                              .columns_per_turn = 1'024,
+                              .column_ns = 97'656,
+                              .elevations = kElevations});
 }
 
 // Any damaged byte is either still a packet or a status, never a crash, and a packet never yields a

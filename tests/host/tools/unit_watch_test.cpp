@@ -10,6 +10,7 @@
 #include "fakes/hesai_packet.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/ouster_packet.hpp"
+#include "fakes/points_packet.hpp"
 #include "fakes/velodyne_packet.hpp"
 
 namespace iog::tools {
@@ -41,6 +42,15 @@ TEST(UnitWatch, KnowsEachProfileByItsLengthAndItsColumns) {
   EXPECT_TRUE(seen.is_numbered);
   EXPECT_EQ(seen.info.scan_number, 77U);
   EXPECT_EQ(seen.ticks_per_turn, 46'080U);
+}
+
+TEST(UnitWatch, PointsMayBeOfWhatTurns) {
+  const auto bytes = tests::PointsPacket{.points = {{.third = 5}}}.bytes();
+  const SeenUnit seen = UnitWatch().take(bytes);
+  EXPECT_EQ(seen.name, "points");
+  EXPECT_TRUE(seen.is_sound && seen.is_numbered);
+  EXPECT_TRUE(seen.formats.has(lidar::kFormat<lidar::Points>));
+  EXPECT_TRUE(seen.formats.has(lidar::kFormat<lidar::PointsTurning>));
 }
 
 // The sky at night: 128 rows, or 32 with two returns.

@@ -257,7 +257,10 @@ TEST(DescriptionLimits, WhatADataSheetSaysIsAllowed) {
     config.mount.z_m = 1;
     config.max_points_per_scan = std::max<std::uint32_t>(config.max_points_per_scan, 3'000);
     const lidar::ScannerFacts facts = lidar::facts_of(type.format);
-    const std::vector<lidar::Laser> lasers(facts.layers == 0 ? 16 : facts.layers);
+    std::vector<lidar::Laser> lasers(facts.layers == 0 ? 16 : facts.layers);
+    for (std::size_t i = 0; i < lasers.size(); ++i) {
+      lasers[i].elevation_deg = 0.1 * static_cast<double>(i);  // those of points rise
+    }
     config.lasers = facts.has_elevations ? std::span<const lidar::Laser>() : lasers;
     config.mode = facts.has_modes ? lidar::kTurnModes[0] : lidar::TurnMode{};
     config.beam_tilt_deg = facts.has_beam_tilt ? 1.6 : 0;

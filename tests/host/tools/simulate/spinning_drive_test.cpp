@@ -46,8 +46,9 @@ std::vector<CapturedDatagram> turns_of(const std::string& car, std::uint32_t tur
 
 // Both kinds of lists follow from one: formats, and cars with one unit that turns.
 TEST(TurningUnits, EveryFormatAndEveryCarHasARow) {
-  // The cars of vehicles/ have the newer of each two.
+  // The cars of vehicles/ have the newer of each two, and points turn as their units do.
   std::set<lidar::Format> formats{lidar::kFormat<lidar::OusterRng19>,
+                                  lidar::kFormat<lidar::PointsTurning>,
                                   lidar::kFormat<lidar::VelodyneHdl64eS2>};
   std::set<std::string_view> cars;
   for (const TurningUnit& unit : kTurningUnits) {

@@ -1,0 +1,231 @@
+// Scan points of any lidar, in iogrid's own datagrams: wire bytes to scan points (docs/spec.md,
+// section 1.2.6).
+//
+// One datagram, little endian: a head, and up to 85 points of a scan. A point is a direction and a
+// range, or x, y and z, in the frame of its sensor. Angles are in steps of 1/3,200 degree, of which
+// the steps of a LUX, a Velodyne, a Hesai and an Ouster are whole numbers. The elevations of the
+// layers are those of the unit's description; a point has the nearest one.
+//
+// Two formats of the same bytes: that of units that turn, as kTurns of their own decoders has it,
+// and that of others.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "lidar/data_sheet.hpp"
+#include "lidar/layer_search.hpp"
+#include "lidar/sampling.hpp"
+#include "lidar/scan_point.hpp"
+#include "lidar/unit.hpp"
+#include "numeric/polar.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::lidar {
+
+class PointsPacket {
+ public:
+  static constexpr bool kIsPoints = true;
+  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit's own
+  static constexpr std::int32_t kPartsPerDegree = 3'200;
+  static constexpr std::uint32_t kPartsPerTurn = 1'152'000;
+  static constexpr std::uint32_t kMagic = 0x54'50'47'49;  // "IGPT"
+  static constexpr std::uint8_t kVersion = 1;
+  static constexpr std::size_t kHeadBytes = 32;
+  static constexpr std::size_t kPointBytes = 16;
+  static constexpr std::size_t kMostPoints = 85;
+  static constexpr std::uint32_t kOffsetUs = 10;  // the unit of a point's time
+
+  // Of the head.
+  static constexpr std::uint8_t kArePlaces = 0x01;  // x, y and z; else directions and ranges
+  static constexpr std::uint8_t kIsShare = 0x02;    // the sector is that of the whole scan
+  // Of a point.
+  static constexpr std::uint8_t kEcho = 0x03;
+  static constexpr std::uint8_t kNothing = 0x04;  // nothing came back from there
+  static constexpr std::uint8_t kGround = 0x08;
+  static constexpr std::uint8_t kDirt = 0x10;
+  static constexpr std::uint8_t kRain = 0x20;
+  static constexpr std::uint8_t kIsLast = 0x40;  // of its direction; not used
+  static constexpr std::uint8_t kUnknown = 0x80;
+
+  [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
+    return layers >= 1 && layers <= 128;
+  }
+  [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
+    return kMostPoints;
+  }
+
+  [[nodiscard]] const PacketInfo& info() const { return info_; }
+
+  // From now on the view is of this copy of the datagram.
+  void move_to(std::span<const std::byte> copy) { points_ = copy.subspan(kHeadBytes); }
+
+ protected:
+  using PointBytes = std::span<const std::byte, kPointBytes>;
+
+  struct Ticks {
+    std::uint32_t per_turn;
+    std::uint32_t (*of)(std::uint32_t angle);
+  };
+
+  // Checks the whole datagram, every point included, and keeps a view of it.
+  [[nodiscard]] DecodeStatus read(std::span<const std::byte> datagram, const Unit& unit,
+                                  const Ticks& ticks);
+
+  // As on the wire; of a place a number for all of it.
+  [[nodiscard]] std::uint32_t range_at(PointBytes bytes) const {
+    if ((flags_at(bytes) & kNothing) != 0) {
+      return 0;
+    }
+    const std::uint32_t range = wire::load_le32(bytes.subspan<8, 4>());
+    return are_places_ ? range ^ wire::load_le32(bytes.subspan<0, 4>()) * 0x9E37'79B1U ^
+                             wire::load_le32(bytes.subspan<4, 4>()) * 0x85EB'CA77U
+                       : range;
+  }
+
+  [[nodiscard]] static std::uint8_t flags_at(PointBytes bytes) {
+    return wire::load_u8(bytes.subspan<14, 1>());
+  }
+  [[nodiscard]] PointBytes bytes_at(std::size_t number) const {
+    return points_.subspan(number * kPointBytes).first<kPointBytes>();
+  }
+  [[nodiscard]] std::size_t count() const { return points_.size() / kPointBytes; }
+  [[nodiscard]] bool are_places() const { return are_places_; }
+
+  struct Direction {
+    std::uint32_t azimuth = 0;
+    std::int32_t elevation = 0;
+    std::uint32_t range_mm = 0;
+  };
+
+  [[nodiscard]] static Direction direction_at(PointBytes bytes) {
+    return {.azimuth = wire::load_le32(bytes.subspan<0, 4>()),
+            .elevation = signed_at(bytes.subspan<4, 4>()),
+            .range_mm = wire::load_le32(bytes.subspan<8, 4>())};
+  }
+  [[nodiscard]] static Direction direction_of_place(PointBytes bytes);
+
+  [[nodiscard]] const LayerSearch& layers() const { return layers_; }
+
+ private:
+  [[nodiscard]] static std::int32_t signed_at(std::span<const std::byte, 4> bytes) {
+    return static_cast<std::int32_t>(wire::load_le32(bytes));
+  }
+  [[nodiscard]] static bool is_place(PointBytes bytes);
+  [[nodiscard]] DecodeStatus read_head(std::span<const std::byte> head, const Ticks& ticks);
+  [[nodiscard]] DecodeStatus check_points();
+  [[nodiscard]] bool is_direction(PointBytes bytes) const;
+
+  PacketInfo info_;
+  std::span<const std::byte> points_;
+  LayerSearch layers_;
+  bool are_places_ = false;
+  std::uint32_t sector_begin_ = 0;
+  std::uint32_t sector_width_ = 0;  // within which all directions are; 0: they may be anywhere
+};
+
+template <bool kHeadTurns>
+class PointsDecoder : public PointsPacket {
+ public:
+  static constexpr bool kTurns = kHeadTurns;
+  // What turns is rounded to at most 16,384 steps, of which every half is a whole tick: an azimuth
+  // that is rounded down to a tick is of the step that it is of itself. What does not turn has the
+  // ticks of a LUX.
+  static constexpr std::int32_t kTicksPerTurn = kTurns ? 32'768 : 11'520;
+
+  // The view lives as long as the datagram and the unit's elevations, one for each layer. kOk;
+  // kWrongLength: not as long as it says, longer than a datagram may be, or of a unit without
+  // layers; kWrongType: another magic number or version, or flags that are not known; kWrongAngle:
+  // a sector beyond a turn, or a datagram that its scan does not have; kWrongPoint: one that cannot
+  // be, or outside of its datagram's sector.
+  [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
+    return read(datagram, unit, {kTicksPerTurn, ticks_of});
+  }
+
+  // Calls visit(const ScanPoint&) for each point, in wire order. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_point(Visit&& visit) const {
+    if (are_places()) {
+      visit_points<true>(visit);
+    } else {
+      visit_points<false>(visit);
+    }
+  }
+
+  // Calls visit(const ScanPoint&) for every seventh point, if it is a first echo of one of these
+  // layers. The layers of no unit come again after seven points. Only after decode() was kOk.
+  template <typename Visit>
+  void for_each_sample(const Sampling& sampling, Visit&& visit) const {
+    constexpr std::size_t kApart = 7;
+    std::array<bool, 256> are_asked{};
+    for (const std::uint8_t layer : sampling.layers) {
+      are_asked[layer] = true;
+    }
+    for (std::size_t i = 0; i < count(); i += kApart) {
+      const ScanPoint its = are_places() ? point<true>(bytes_at(i)) : point<false>(bytes_at(i));
+      if (its.echo == 0 && are_asked[its.layer]) {
+        visit(its);
+      }
+    }
+  }
+
+  // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
+  // decode() was kOk.
+  template <typename Visit>
+  [[nodiscard]] Visit for_each_range(const Sampling& /*sampling*/, Visit visit) const {
+    for (std::size_t i = 0; i < count(); ++i) {
+      visit(range_at(bytes_at(i)));
+    }
+    return visit;
+  }
+
+ private:
+  // Of what turns, the second of two stands for all later ones.
+  static constexpr std::uint8_t kLastEcho = kTurns ? 1 : 2;
+
+  // How many ticks an angle of less than two turns is.
+  [[nodiscard]] static std::uint32_t ticks_of(std::uint32_t angle) {
+    return kTurns ? angle * 32 / 1'125 : (angle + 50) / 100;
+  }
+
+  // What lies beyond the layers is rain: of such beams the description does not know.
+  template <bool kArePlacesHere>
+  [[nodiscard]] ScanPoint point(PointBytes bytes) const {
+    const std::uint8_t flags = flags_at(bytes);
+    const Direction there = kArePlacesHere ? direction_of_place(bytes) : direction_at(bytes);
+    const std::uint32_t ticks = ticks_of(there.azimuth);
+    return {.range_mm = (flags & kNothing) != 0 ? 0 : there.range_mm,
+            .azimuth_ticks = static_cast<std::uint16_t>(ticks == kTicksPerTurn ? 0 : ticks),
+            .layer = static_cast<std::uint8_t>(layers().nearest(there.elevation)),
+            .echo = std::min(static_cast<std::uint8_t>(flags & kEcho), kLastEcho),
+            .is_ground = (flags & kGround) != 0,
+            .is_dirt = (flags & kDirt) != 0,
+            .is_rain = (flags & kRain) != 0 || !layers().sees(there.elevation)};
+  }
+
+  template <bool kArePlacesHere>
+  void visit_points(auto&& visit) const {
+    for (std::size_t i = 0; i < count(); ++i) {
+      visit(point<kArePlacesHere>(bytes_at(i)));
+    }
+  }
+};
+
+// What they can do is what their units can: the description says it.
+class Points : public PointsDecoder<false> {
+ public:
+  static constexpr std::string_view kName = "points";
+  static constexpr DataSheet kDataSheet{.type = "points"};
+};
+
+class PointsTurning : public PointsDecoder<true> {
+ public:
+  static constexpr std::string_view kName = "points, turning";
+  static constexpr DataSheet kDataSheet{.type = "points_turning"};
+};
+
+}  // namespace iog::lidar
