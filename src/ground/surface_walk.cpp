@@ -17,7 +17,7 @@ namespace {
 constexpr std::int32_t kStart = 150;
 constexpr std::int32_t kStartRise = 80;
 constexpr std::int32_t kHiddenRise = 20;
-constexpr std::uint32_t kBesideMm = 3'072;
+constexpr std::size_t kBesideBins = 3;
 constexpr std::int32_t kStep = 100;
 constexpr std::int32_t kStepRise = 100;
 constexpr std::int16_t kWidest = 300;
@@ -132,7 +132,7 @@ void SurfaceWalk::begin() {
 void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
   const std::int16_t plausible = most_plausible(bins, bin);
   const auto number = static_cast<std::int16_t>(bin);
-  const bool is_beside = bins.length_mm() * bin < kBesideMm;
+  const bool is_beside = bin < kBesideBins;
   const std::int16_t hidden = narrow(kStart + bins.rise_of_bin(kHiddenRise) * (number + 1));
   const std::int16_t start =
       is_beside ? hidden : narrow(kStart + bins.rise_of_bin(kStartRise) * (number + 1));

@@ -27,7 +27,7 @@ struct GroundRule {
   Whole start = 150;
   Whole start_rise = 80;
   Whole hidden_rise = 20;  // beside the car, and behind what is no ground
-  Whole beside_car = 3;    // bins of 1,024 mm
+  Whole beside_car = 3;    // bins
   Whole step = 100;
   Whole step_rise = 100;
   Whole widest = 300;
@@ -174,7 +174,7 @@ class ReferenceGround {
   [[nodiscard]] Whole most_over(const Walker& its, Whole bin) const {
     const Whole gap = bin - its.bin;
     if (its.bin < 0) {
-      const bool is_hidden = its.has_met_a_thing || bin * bin_mm_ < rule_.beside_car * 1024;
+      const bool is_hidden = its.has_met_a_thing || bin < rule_.beside_car;
       return rule_.start + of_bin(is_hidden ? rule_.hidden_rise : rule_.start_rise) * gap;
     }
     return std::min(rule_.step + of_bin(rule_.step_rise) * gap, rule_.widest);
