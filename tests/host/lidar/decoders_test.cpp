@@ -30,9 +30,9 @@ DecodeStatus decode(Decoder& decoder, std::span<const std::byte> bytes) {
   static constexpr std::array<std::int32_t, kOusterRows> kElevations{-3'200, 0, 1, 3'200};
   return intake::decode_with(decoder, bytes,
                              {.corrections = corrections,
+                              .elevations = kElevations,
                               .columns_per_turn = 1'024,
-                              .column_ns = 97'656,
-                              .elevations = kElevations});
+                              .column_ns = 97'656});
 }
 
 // Any damaged byte is either still a packet or a status, never a crash, and a packet never yields a
