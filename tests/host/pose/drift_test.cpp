@@ -60,21 +60,38 @@ TEST(Drift, SlowerThanThatToo) {
 }
 
 // Crystals are off by up to 100 ppm each; messages wait now and then for what is before them.
-TEST(Drift, NoClockThatDriftsIsTold) {
-  for (const std::int64_t ppm : {200, 100, -200}) {
-    tests::Random random(7);
-    const Delay drift = [&](std::uint64_t since_us) {
-      const auto off_us = static_cast<std::int64_t>(since_us) * ppm / 1'000'000;
-      return kSecondUs + static_cast<std::uint64_t>(off_us) + random.below(28'000);
-    };
-    EXPECT_EQ(Delayed(drift, 1'800, true, 100 * kMs).times(), 0U) << ppm;
-  }
+Delay clock_off_by(std::int64_t ppm) {
+  return [ppm, random = tests::Random(7)](std::uint64_t since_us) mutable {
+    const auto off_us = static_cast<std::int64_t>(since_us) * ppm / 1'000'000;
+    return kSecondUs + static_cast<std::uint64_t>(off_us) + random.below(28'000);
+  };
 }
 
-// A drive that is played twice as fast makes the source's clock fast.
-TEST(Drift, AClockThatGainsIsNotTold) {
+struct NoDrift {
+  const char* what;
+  Delay delay;
+  std::uint64_t seconds;
+  bool depends_on_arrival = true;
+  std::uint64_t period_us = 10 * kMs;
+};
+
+TEST(Drift, IsNoneThatIsTold) {
   const Delay gains = [](std::uint64_t since_us) { return 20 * kSecondUs - since_us / 2; };
-  EXPECT_EQ(Delayed(gains, 30).times(), 0U);
+  const Delay jams = [](std::uint64_t since_us) {
+    const std::uint64_t in_turn_us = since_us % (900 * kMs);
+    return in_turn_us < 800 * kMs ? (800 * kMs - in_turn_us) / 4 : 0;
+  };
+  const Delay held = [](std::uint64_t since_us) { return since_us * 8 / 100; };
+  for (const NoDrift& its :
+       {NoDrift{"two crystals", clock_off_by(200), 1'800, true, 100 * kMs},
+        {"one crystal", clock_off_by(100), 1'800, true, 100 * kMs},
+        {"two crystals the other way", clock_off_by(-200), 1'800, true, 100 * kMs},
+        {"a drive that is played twice as fast, so that the source's clock gains", gains, 30},
+        {"a busy target or sender, but no whole second without a message in time", jams, 60},
+        {"clocks of sensors place packets, and a pose that comes late is late", held, 10, false}}) {
+    EXPECT_EQ(Delayed(its.delay, its.seconds, its.depends_on_arrival, its.period_us).times(), 0U)
+        << its.what;
+  }
 }
 
 // Whatever stood before, the window begins anew, and two seconds later poses are believed again.
@@ -98,28 +115,10 @@ TEST(Drift, OneMessageThatIsAheadBlindsForNoLongerThanThat) {
   EXPECT_LE(run.last_us - run.first_us, 2 * kSecondUs);
 }
 
-// Waits of a target that is busy, and of a sender that is: not a whole second without one in time.
-TEST(Drift, JamsAreNoDrift) {
-  const Delay jams = [](std::uint64_t since_us) {
-    const std::uint64_t in_turn_us = since_us % (900 * kMs);
-    return in_turn_us < 800 * kMs ? (800 * kMs - in_turn_us) / 4 : 0;
-  };
-  EXPECT_EQ(Delayed(jams, 60).times(), 0U);
-}
-
-// The clocks of sensors place packets there, and a pose that comes late is late.
-TEST(Drift, OfSynchronisedClocksNothingIsAsked) {
-  const Delay held = [](std::uint64_t since_us) { return since_us * 8 / 100; };
-  EXPECT_EQ(Delayed(held, 10, false).times(), 0U);
-}
-
 TEST(Drift, IsForgottenWithAnotherRun) {
   Delayed run([](std::uint64_t since_us) { return since_us * 8 / 100; }, 5);
   const std::uint64_t begin_us = kStartUs + 5 * kSecondUs;
-  for (std::uint64_t i = 1; i <= 3; ++i) {
-    const std::uint64_t clock_us = begin_us + i * 10 * kMs;
-    static_cast<void>(run.history.add(message_at(clock_us, 2), clock_us));
-  }
+  testing::go_on_as(run.history, 2, begin_us);
   EXPECT_TRUE(run.history.pose_at(begin_us + 30 * kMs).has_pose());
 }
 

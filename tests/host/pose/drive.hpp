@@ -28,6 +28,14 @@ inline void drive(History& history, std::uint64_t end_us, std::uint64_t period_u
   }
 }
 
+// The three messages, 10 ms apart, by which a run is believed that goes on where another was.
+inline void go_on_as(History& history, std::uint32_t run, std::uint64_t since_us) {
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    const Message message = message_at(since_us + i * 10'000, run);
+    static_cast<void>(history.add(message, message.clock_us));
+  }
+}
+
 // A source that has sent `count` messages, 10 ms apart.
 struct Driven {
   explicit Driven(std::uint64_t count = 50) : newest_us(kStartUs + (count - 1) * 10'000) {

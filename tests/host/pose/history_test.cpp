@@ -197,20 +197,14 @@ TEST(HasMoved, IsAskedOfARun) {
   EXPECT_FALSE(driven.history.has_moved());
   ASSERT_EQ(driven.take_at(driven.newest_us + 10 * kMs), Fate::kUsed);
   EXPECT_TRUE(driven.history.has_moved());
-  for (std::uint64_t i = 1; i <= 3; ++i) {
-    static_cast<void>(driven.take(message_at(driven.newest_us + i * 10 * kMs, 2)));
-  }
+  testing::go_on_as(driven.history, 2, driven.newest_us);
   EXPECT_FALSE(driven.history.has_moved());
 }
 
 TEST(Contradicted, IsForgivenToAnotherRun) {
   Driven driven;
   driven.history.contradict();
-  for (std::uint64_t i = 1; i <= 3; ++i) {
-    Message message = message_at(driven.newest_us, 2);
-    message.clock_us += i * 10 * kMs;
-    static_cast<void>(driven.take(message));
-  }
+  testing::go_on_as(driven.history, 2, driven.newest_us);
   EXPECT_EQ(driven.cause_at(driven.newest_us + 30 * kMs), Cause::kNone);
 }
 
