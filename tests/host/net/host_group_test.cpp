@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "net/frames.hpp"
-#include "net/station.hpp"
+#include "net/sent_frames.hpp"
 
 namespace iog::net::testing {
 namespace {
@@ -14,14 +14,8 @@ constexpr Config offering() {
   return config;
 }
 
-struct OfferingStation {
-  fakes::FakeEthernetPort port;
-  Host<fakes::FakeEthernetPort> host{port, offering()};
-
-  std::optional<Datagram> take(Frame frame, std::uint64_t now_us = 0) {
-    port.arrive(std::move(frame));
-    return host.poll(now_us);
-  }
+struct OfferingStation : Station {
+  OfferingStation() : Station(offering()) {}
 };
 
 // RFC 1112, section 6.4: 01:00:5e and the lower 23 bits of the group.
@@ -82,16 +76,15 @@ TEST(HostGroup, SendsToWhomItIsTold) {
                                     .port = 30'500,
                                     .source_port = 7001},
                                    std::span(received).subspan(kPayloadOffset)));
-  const auto sent = station.port.take_sent();
-  ASSERT_EQ(sent.size(), 1U);
+  const Frame sent = only_sent(station);
   Frame expected = from_hex(
       "02000000004d 02000000000f 0800"
       "4500 0022 0000 4000 4011 0000 0a00020f 0a00024d"
       "1b59 7724 000e 0000 696f67726964");
   fix_ip_checksum(expected);
-  put_be16(expected, kUdpChecksumOffset, be16(sent[0], kUdpChecksumOffset));
+  put_be16(expected, kUdpChecksumOffset, be16(sent, kUdpChecksumOffset));
   expected.resize(kMinFrameBytes);
-  EXPECT_EQ(sent[0], expected);
+  EXPECT_EQ(sent, expected);
   EXPECT_EQ(station.host.counters().sent, 0U) << "that counts what the peer gets";
 }
 
@@ -110,13 +103,7 @@ TEST(HostGroup, KnowsOneHostMoreByArp) {
   EXPECT_FALSE(station.host.neighbour()) << "nobody wants to know";
   station.host.know(ipv4(10, 0, 2, 77));
   static_cast<void>(station.host.poll(20));
-  const auto sent = station.port.take_sent();
-  ASSERT_EQ(sent.size(), 1U);
-  Frame question = from_hex(
-      "ffffffffffff 02000000000f 0806 0001 0800 06 04 0001"
-      "02000000000f 0a00020f 000000000000 0a00024d");
-  question.resize(kMinFrameBytes);
-  EXPECT_EQ(sent[0], question);
+  EXPECT_EQ(only_sent(station), our_arp("ffffffffffff", "0001", "000000000000 0a00024d"));
   EXPECT_FALSE(station.host.neighbour());
   static_cast<void>(station.take(answer_of_neighbour(), 30));
   ASSERT_TRUE(station.host.neighbour());

@@ -8,7 +8,7 @@
 
 #include "net/frames.hpp"
 #include "net/host.hpp"
-#include "net/station.hpp"
+#include "net/sent_frames.hpp"
 
 namespace iog::net::testing {
 namespace {
@@ -28,9 +28,7 @@ bool has_right_udp_checksum(const Frame& frame) {
 Frame send(Station& station, std::span<const std::byte> payload) {
   EXPECT_TRUE(station.host.send_message(payload));
   station.port.pump();
-  const auto sent = station.port.take_sent();
-  EXPECT_EQ(sent.size(), 1U);
-  return sent.empty() ? Frame{} : sent[0];
+  return only_sent(station);
 }
 
 TEST(HostMessage, IsAddressedToThePeer) {

@@ -8,7 +8,7 @@
 #include "net/ethernet.hpp"
 #include "net/frames.hpp"
 #include "net/host.hpp"
-#include "net/station.hpp"
+#include "net/sent_frames.hpp"
 
 namespace iog::net::testing {
 namespace {
@@ -44,13 +44,7 @@ TEST(HostArp, AnswersTheSubnetWithAUnicastToTheAsker) {
   Frame request = arp_from(ipv4(10, 0, 2, 77));
   request[kArpSenderMac + 5] = std::byte{0x77};
   static_cast<void>(station.take(request));
-  const auto sent = station.port.take_sent();
-  ASSERT_EQ(sent.size(), 1U);
-  Frame expected = from_hex(
-      "020000000077 02000000000f 0806 0001 0800 06 04 0002"
-      "02000000000f 0a00020f 020000000077 0a00024d");
-  expected.resize(kMinFrameBytes);
-  EXPECT_EQ(sent[0], expected);
+  EXPECT_EQ(only_sent(station), our_arp("020000000077", "0002", "020000000077 0a00024d"));
   EXPECT_EQ(station.host.counters().arp_answered, 1U);
   EXPECT_TRUE(station.conserved());
 }
@@ -106,13 +100,7 @@ TEST(HostArp, CountsAnotherStationWithOurAddressAndDoesNotAnswerIt) {
 TEST(HostArp, AsksForThePeerAtTheFirstPollThenOnceASecond) {
   Station station;
   EXPECT_FALSE(station.poll(0));
-  const auto sent = station.port.take_sent();
-  ASSERT_EQ(sent.size(), 1U);
-  Frame expected = from_hex(
-      "ffffffffffff 02000000000f 0806 0001 0800 06 04 0001"
-      "02000000000f 0a00020f 000000000000 0a000202");
-  expected.resize(kMinFrameBytes);
-  EXPECT_EQ(sent[0], expected);
+  EXPECT_EQ(only_sent(station), our_arp("ffffffffffff", "0001", "000000000000 0a000202"));
   for (std::uint64_t now_us = 0; now_us <= 10 * kSecondUs; now_us += 10'000) {
     static_cast<void>(station.poll(now_us));
   }
@@ -160,8 +148,7 @@ TEST(HostArp, LearnsFromNobodyElse) {
 MacAddress reached(Station& station) {
   static_cast<void>(station.port.take_sent());
   EXPECT_TRUE(station.host.send_message(std::span<const std::byte>{}));
-  const auto sent = station.port.take_sent();
-  return sent.size() == 1 ? parse_ethernet(sent[0])->destination : MacAddress{};
+  return parse_ethernet(only_sent(station))->destination;
 }
 
 Frame spoofed(Frame arp) {
@@ -180,13 +167,7 @@ TEST(HostArp, AClaimOfThePeersAddressMovesNothingWhileThePeerAnswers) {
     static_cast<void>(station.take(claim, kSecondUs));
     static_cast<void>(station.port.take_sent());
     static_cast<void>(station.poll(kSecondUs + 1));
-    const auto asked = station.port.take_sent();
-    ASSERT_EQ(asked.size(), 1U);
-    Frame expected = from_hex(
-        "020000000002 02000000000f 0806 0001 0800 06 04 0001"
-        "02000000000f 0a00020f 000000000000 0a000202");
-    expected.resize(kMinFrameBytes);
-    EXPECT_EQ(asked[0], expected);
+    EXPECT_EQ(only_sent(station), our_arp("020000000002", "0001", "000000000000 0a000202"));
     EXPECT_EQ(reached(station), kPeerMac);
     static_cast<void>(station.take(linux_arp_reply(), kSecondUs + 2));
     static_cast<void>(station.take(claim, kSecondUs + 3));
@@ -231,9 +212,7 @@ TEST(HostArp, TrafficAloneMovesNothing) {
   EXPECT_EQ(station.host.counters().arp_requested, 1U + 3U);
   // And everyone is asked all the same, when it is time to.
   ASSERT_TRUE(station.take(routed, 31 * kSecondUs));
-  const auto sent = station.port.take_sent();
-  ASSERT_EQ(sent.size(), 1U);
-  EXPECT_EQ(be16(sent[0], 0), 0xFFFFU);
+  EXPECT_EQ(be16(only_sent(station), 0), 0xFFFFU);
 }
 
 // Our IPv4 identification and Don't Fragment are our own; all else is what Linux answers.
@@ -241,14 +220,13 @@ TEST(HostPing, AnswersThePeer) {
   Station station;
   station.resolve();
   static_cast<void>(station.take(linux_ping()));
-  const auto sent = station.port.take_sent();
-  ASSERT_EQ(sent.size(), 1U);
+  const Frame sent = only_sent(station);
   Frame expected = from_hex(
       "020000000002 02000000000f 0800"
       "4500 003c 0000 4000 4001 0000 0a00020f 0a000202"
       "0000 b144 a416 0001 6162636465666768696a6b6c6d6e6f7071727374757677616263646566676869");
   fix_ip_checksum(expected);
-  EXPECT_EQ(sent[0], expected);
+  EXPECT_EQ(sent, expected);
   EXPECT_EQ(station.host.counters().ping_answered, 1U);
   EXPECT_TRUE(station.conserved());
 }
@@ -271,11 +249,10 @@ TEST(HostPing, AnswersEveryLengthThatFitsAFrame) {
     const Frame ping = ping_with(data);
     static_cast<void>(station.take(ping));
     station.port.pump();
-    const auto sent = station.port.take_sent();
-    ASSERT_EQ(sent.size(), 1U) << data;
-    ASSERT_EQ(sent[0].size(), std::max(ping.size(), kMinFrameBytes));
-    EXPECT_EQ(reference_checksum(std::span{sent[0]}.subspan(kUdpOffset, 8 + data)), 0);
-    EXPECT_EQ(be16(sent[0], kIpOffset + 4), data) << "identification counts packets";
+    const Frame sent = only_sent(station);
+    ASSERT_EQ(sent.size(), std::max(ping.size(), kMinFrameBytes));
+    EXPECT_EQ(reference_checksum(std::span{sent}.subspan(kUdpOffset, 8 + data)), 0);
+    EXPECT_EQ(be16(sent, kIpOffset + 4), data) << "identification counts packets";
   }
 }
 
@@ -316,9 +293,8 @@ TEST(HostPing, RepliesOnlyToTheLearntAddress) {
   Frame ping = linux_ping();
   ping[11] = std::byte{0x66};
   static_cast<void>(station.take(ping));
-  const auto sent = station.port.take_sent();
-  ASSERT_EQ(sent.size(), 1U);
-  const auto ethernet = parse_ethernet(sent[0]);
+  const Frame sent = only_sent(station);
+  const auto ethernet = parse_ethernet(sent);
   ASSERT_TRUE(ethernet);
   EXPECT_EQ(ethernet->destination, kPeerMac);
 }

@@ -15,8 +15,7 @@
 namespace iog::net::testing {
 
 struct Station {
-  fakes::FakeEthernetPort port;
-  Host<fakes::FakeEthernetPort> host{port, kConfig};
+  explicit Station(const Config& config = kConfig) : host{port, config} {}
 
   std::optional<Datagram> poll(std::uint64_t now_us = 0) { return host.poll(now_us); }
 
@@ -47,6 +46,9 @@ struct Station {
                              all_dropped() + c.fragments.joined &&
            c.received == port.counters().received && port.violations() == 0;
   }
+
+  fakes::FakeEthernetPort port;
+  Host<fakes::FakeEthernetPort> host;
 };
 
 }  // namespace iog::net::testing
