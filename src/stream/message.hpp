@@ -76,15 +76,6 @@ struct StageTicks {
 };
 inline constexpr std::size_t kStageCount = 4;
 
-// Where groups of counters are among the link counters.
-inline constexpr std::size_t kCoreCounters = place_of(Group::kCore);
-inline constexpr std::size_t kEndCounters = place_of(Group::kRun);
-inline constexpr std::size_t kTimeCounters = place_of(Group::kLoopTime);
-inline constexpr std::size_t kTimeRows = names_of<Group::kLoopTime>().size();
-inline constexpr std::size_t kTimeRowCounters = kDurationWords;
-inline constexpr std::size_t kDiscoveryCounters = place_of(Group::kDiscovery);
-inline constexpr std::size_t kCommandCounters = place_of(Group::kCommand);
-
 // The last message of a frame.
 struct FrameEnd {
   std::uint32_t tiles_sent = 0;

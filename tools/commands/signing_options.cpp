@@ -37,12 +37,14 @@ Freshness heard_freshness(const authentication::Key& key, const std::string& add
                           std::uint16_t port) {
   constexpr std::chrono::seconds kPatience{5};
   std::optional<CommandCounts> counts;
+  std::uint32_t run = 0;
   bool has_heard = false;
   UdpReceiver receiver(address, port);
   FrameAssembler assembler([&](GridFrame&& frame) {
     if (frame.has_end) {
       has_heard = true;
-      counts = command_counts_of(frame.end, frame.header.run_number);
+      counts = stream::counts_of<CommandCounts>(frame.end);
+      run = frame.header.run_number;
     }
   });
   const auto end = std::chrono::steady_clock::now() + kPatience;
@@ -58,12 +60,12 @@ Freshness heard_freshness(const authentication::Key& key, const std::string& add
   if (!counts) {
     throw CheckFailed("the target does not want anything signed: its image has no key");
   }
-  if (!counts->is_signed_with(key)) {
+  if (!is_signed_with(key, *counts, run)) {
     throw CheckFailed("what says on port " + std::to_string(port) +
                       " which run it is does not have this key; is it the target, and the key of "
                       "its image?");
   }
-  return counts->freshness();
+  return freshness_of(*counts, run);
 }
 
 }  // namespace

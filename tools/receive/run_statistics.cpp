@@ -48,10 +48,10 @@ void RunStatistics::add(const GridFrame& frame) {
     too_slow_ += points_not_taken(frame.end) > 0 ? 1U : 0U;
     packet_drops_ = frame.end.packet_drops;
     stack_used_bytes_ = std::max(stack_used_bytes_, frame.end.stack_used_bytes);
-    core_shares_ = core_shares_of(frame.end);
-    run_before_ = run_before_of(frame.end);
-    commands_ = command_counts_of(frame.end, frame.header.run_number);
-    loop_times_ = loop_times_of(frame.end);
+    core_shares_ = stream::counts_of<work::TeamCounts>(frame.end);
+    run_before_ = stream::counts_of<hal::RunBefore>(frame.end);
+    commands_ = stream::counts_of<CommandCounts>(frame.end);
+    loop_times_ = stream::counts_of<LoopTimes>(frame.end);
     hottest_dc_ = std::max(hottest_dc_, frame.end.temperature_dc.value_or(hottest_dc_));
     if (frame.end.unwatched) {
       unwatched_ = frame.end.unwatched;
@@ -172,7 +172,7 @@ void RunStatistics::add_target_facts(Facts& facts) const {
     add_fact(facts, "detail_of_that_end", run_before_->end.detail);
   }
   if (commands_) {
-    facts.emplace_back("commands", words_of(*commands_));
+    facts.emplace_back("commands", words_of(*commands_, last_->run_number));
   }
   if (unwatched_) {
     facts.emplace_back("unwatched_sectors", hex(*unwatched_, 16));
@@ -183,10 +183,10 @@ void RunStatistics::add_target_facts(Facts& facts) const {
   if (hottest_dc_ != hal::kTemperatureNotKnown) {
     facts.emplace_back("chip_temperature_dc_hottest", std::to_string(hottest_dc_));
   }
-  for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
+  for (std::size_t i = 0; loop_times_ && i < loop_times_->rows.size(); ++i) {
     const std::string name = key_of("loop_", kLoopTimeNames[i]);
-    facts.emplace_back(name + "_us_mean", fixed((*loop_times_)[i].mean_us()));
-    add_fact(facts, name + "_us_worst", (*loop_times_)[i].worst_us);
+    facts.emplace_back(name + "_us_mean", fixed(mean_us(loop_times_->rows[i])));
+    add_fact(facts, name + "_us_worst", loop_times_->rows[i].worst_us);
   }
 }
 
@@ -275,10 +275,10 @@ std::string RunStatistics::rows_of_target() const {
     text += row("target's starts", words_of(*run_before_));
   }
   if (commands_) {
-    text += row("commands", words_of(*commands_));
+    text += row("commands", words_of(*commands_, last_->run_number));
   }
-  for (std::size_t i = 0; loop_times_ && i < loop_times_->size(); ++i) {
-    const LoopTime& time = (*loop_times_)[i];
+  for (std::size_t i = 0; loop_times_ && i < loop_times_->rows.size(); ++i) {
+    const health::Durations& time = loop_times_->rows[i];
     text += row_if(time.count() > 0, "loop: " + std::string(kLoopTimeNames[i]), words_of(time));
   }
   return text;

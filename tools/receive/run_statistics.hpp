@@ -88,7 +88,7 @@ class RunStatistics {
   std::optional<std::uint64_t> unwatched_;               // of the newest frame that says it
   std::optional<std::uint64_t> blocked_;
   std::array<std::uint32_t, vehicle::kMaxSensors> blocked_frames_{};  // in some sectors or all
-  std::optional<CoreShares> core_shares_;                             // since the target's start
+  std::optional<work::TeamCounts> core_shares_;                       // since the target's start
   std::uint8_t sensor_count_ = 0;
   std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state
   std::uint64_t packets_fused_ = 0;

@@ -125,15 +125,15 @@ Diagnostic of_datagrams(const stream::FrameEnd& end) {
 // A target has its times; a PC has none.
 Diagnostic of_loop(const LoopTimes& times) {
   Diagnostic loop{.level = DiagnosticLevel::kOk, .name = "loop", .message = "since the start"};
-  for (std::size_t row = 0; row < times.size(); ++row) {
-    if (times[row].count() > 0) {
-      loop.values.emplace_back(kLoopTimeNames[row], words_of(times[row]));
+  for (std::size_t row = 0; row < times.rows.size(); ++row) {
+    if (times.rows[row].count() > 0) {
+      loop.values.emplace_back(kLoopTimeNames[row], words_of(times.rows[row]));
     }
   }
   return loop;
 }
 
-Diagnostic of_cores(const CoreShares& shares) {
+Diagnostic of_cores(const work::TeamCounts& shares) {
   return {.level = shares.for_lost > 0 ? DiagnosticLevel::kWarn : DiagnosticLevel::kOk,
           .name = "cores",
           .message = words_of(shares)};
@@ -209,13 +209,13 @@ std::vector<Diagnostic> diagnostics_of(const GridFrame& frame) {
     }
     all.push_back(of_points(end));
     all.push_back(of_datagrams(end));
-    if (const auto times = loop_times_of(end)) {
+    if (const auto times = stream::counts_of<LoopTimes>(end)) {
       all.push_back(of_loop(*times));
     }
-    if (const auto shares = core_shares_of(end)) {
+    if (const auto shares = stream::counts_of<work::TeamCounts>(end)) {
       all.push_back(of_cores(*shares));
     }
-    if (const auto before = run_before_of(end)) {
+    if (const auto before = stream::counts_of<hal::RunBefore>(end)) {
       all.push_back(of_starts(*before));
     }
   }

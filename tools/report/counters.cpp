@@ -1,11 +1,10 @@
 #include "tools/report/counters.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
-#include <span>
 #include <string_view>
-#include <vector>
 
 #include "stream/channel.hpp"
 #include "tools/program/hexadecimal.hpp"
@@ -13,25 +12,6 @@
 
 namespace iog::tools {
 namespace {
-
-using stream::Group;
-
-// The counters of a group; empty if the target does not have them all.
-template <Group kGroup>
-std::span<const std::uint32_t> counters_of(const stream::FrameEnd& end) {
-  constexpr std::size_t kBegin = stream::place_of(kGroup);
-  constexpr std::size_t kCount = [] {
-    std::size_t words = 0;
-    for (const stream::Row& row : stream::table::kRows) {
-      words += row.group == kGroup ? stream::words_of(row.kind) : 0;
-    }
-    return words;
-  }();
-  if (end.link_counter_count < kBegin + kCount) {
-    return {};
-  }
-  return std::span(end.link_counters).subspan(kBegin, kCount);
-}
 
 // "< 4096", of the last ">= 65536".
 std::string words_of_bucket(std::size_t bucket) {
@@ -78,7 +58,7 @@ std::string words_of_end(const hal::End& end) {
   return "cause " + std::to_string(static_cast<unsigned>(end.cause)) + ", " + detail;
 }
 
-std::string words_of(const CommandCounts::One& kind) {
+std::string words_of(const CommandCounts::OfOneKind& kind) {
   constexpr std::array<std::string_view, authentication::kVerdictCount> kNames{
       "authentic", "unsigned", "replayed", "forged"};
   return list_of(kind.verdicts, kNames);
@@ -86,17 +66,7 @@ std::string words_of(const CommandCounts::One& kind) {
 
 }  // namespace
 
-std::optional<CoreShares> core_shares_of(const stream::FrameEnd& end) {
-  const auto counters = counters_of<Group::kCore>(end);
-  if (counters.empty()) {
-    return std::nullopt;
-  }
-  CoreShares shares{.at_work = counters[0], .for_lost = counters[1]};
-  std::ranges::copy(counters.last<hal::kMaxCores>(), shares.items.begin());
-  return shares;
-}
-
-std::string words_of(const CoreShares& shares) {
+std::string words_of(const work::TeamCounts& shares) {
   std::string text = std::to_string(shares.at_work);
   const std::uint64_t all =
       std::accumulate(shares.items.begin(), shares.items.end(), std::uint64_t{0});
@@ -113,33 +83,14 @@ std::string words_of(const CoreShares& shares) {
   return text;
 }
 
-std::uint64_t LoopTime::count() const {
-  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-}
-
-double LoopTime::mean_us() const {
-  const std::uint64_t all = count();
-  return all == 0 ? 0 : static_cast<double>(sum_us) / static_cast<double>(all);
-}
-
-std::optional<LoopTimes> loop_times_of(const stream::FrameEnd& end) {
-  auto row = counters_of<Group::kLoopTime>(end);
-  if (row.empty()) {
-    return std::nullopt;
-  }
-  LoopTimes times;
-  for (LoopTime& time : times) {
-    time.worst_us = row[0];
-    time.sum_us = std::uint64_t{row[1]} << 32 | row[2];
-    std::ranges::copy(row.subspan(3, time.counts.size()), time.counts.begin());
-    row = row.subspan(stream::kDurationWords);
-  }
-  return times;
-}
-
-std::string words_of(const LoopTime& time) {
+double mean_us(const health::Durations& time) {
   const std::uint64_t all = time.count();
-  std::string text = std::to_string(std::llround(time.mean_us())) + " us mean, " +
+  return all == 0 ? 0 : static_cast<double>(time.sum_us()) / static_cast<double>(all);
+}
+
+std::string words_of(const health::Durations& time) {
+  const std::uint64_t all = time.count();
+  std::string text = std::to_string(std::llround(mean_us(time))) + " us mean, " +
                      std::to_string(time.worst_us) + " worst, of " + std::to_string(all);
   std::string_view before = ": ";
   for (std::size_t i = 0; i < time.counts.size(); ++i) {
@@ -151,54 +102,24 @@ std::string words_of(const LoopTime& time) {
   return text;
 }
 
-std::optional<hal::RunBefore> run_before_of(const stream::FrameEnd& end) {
-  const auto counters = counters_of<Group::kRun>(end);
-  if (counters.empty()) {
-    return std::nullopt;
-  }
-  return hal::RunBefore{
-      .starts = counters[0],
-      .end = {.cause = static_cast<hal::EndCause>(counters[1]), .detail = counters[2]}};
-}
-
 std::string words_of(const hal::RunBefore& before) {
   return std::to_string(before.starts) + " since power-up" +
          (before.starts > 1 ? "; before: " + words_of_end(before.end) : "");
 }
 
-authentication::Freshness CommandCounts::freshness() const {
-  return {.run = run, .counter = std::max(kinds[0].counter, kinds[1].counter)};
+authentication::Freshness freshness_of(const CommandCounts& counts, std::uint32_t run) {
+  return {.run = run, .counter = std::max(counts.kinds[0].counter, counts.kinds[1].counter)};
 }
 
-bool CommandCounts::is_signed_with(const authentication::Key& key) const {
-  std::vector<std::uint32_t> counters;
-  for (const One& kind : kinds) {
-    counters.insert(counters.end(), kind.verdicts.begin(), kind.verdicts.end());
-    counters.push_back(kind.counter);
-  }
-  return authentication::mac_of_counters(authentication::CmacKey(key),
-                                         stream::kNetworkChannel.event.event_id, run,
-                                         counters) == signature;
+bool is_signed_with(const authentication::Key& key, const CommandCounts& counts,
+                    std::uint32_t run) {
+  return counts.signature_by(authentication::CmacKey(key), stream::kNetworkChannel.event.event_id,
+                             run) == counts.signature;
 }
 
-std::optional<CommandCounts> command_counts_of(const stream::FrameEnd& end, std::uint32_t run) {
-  auto counters = counters_of<Group::kCommand>(end);
-  if (counters.empty()) {
-    return std::nullopt;
-  }
-  CommandCounts counts{.run = run};
-  for (CommandCounts::One& kind : counts.kinds) {
-    std::ranges::copy(counters.first<authentication::kVerdictCount>(), kind.verdicts.begin());
-    kind.counter = counters[authentication::kVerdictCount];
-    counters = counters.subspan(authentication::kVerdictCount + 1);
-  }
-  std::ranges::copy(counters.first<2>(), counts.signature.begin());
-  return counts;
-}
-
-std::string words_of(const CommandCounts& counts) {
+std::string words_of(const CommandCounts& counts, std::uint32_t run) {
   return "signed; poses " + words_of(counts.kinds[0]) + "; maps " + words_of(counts.kinds[1]) +
-         "; freshness " + hex(counts.run) + ":" + std::to_string(counts.freshness().counter);
+         "; freshness " + hex(run) + ":" + std::to_string(freshness_of(counts, run).counter);
 }
 
 }  // namespace iog::tools

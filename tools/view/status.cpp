@@ -57,8 +57,8 @@ Json end_json(const FrameFacts& frame) {
   const auto us = [&](std::uint32_t ticks) {
     return end.stopwatch_hz == 0 ? 0.0 : 1e6 * ticks / end.stopwatch_hz;
   };
-  const std::optional<CoreShares> cores = core_shares_of(end);
-  const std::optional<hal::RunBefore> before = run_before_of(end);
+  const auto cores = stream::counts_of<work::TeamCounts>(end);
+  const auto before = stream::counts_of<hal::RunBefore>(end);
   return {{"tiles_sent", end.tiles_sent},
           {"tiles_lost", end.tiles_lost},
           {"crc", hex(end.grid_crc)},

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "hal/thermometer.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -159,13 +160,13 @@ TEST(FrameDiagnostics, OfAFrameWithoutItsEndSayNothingOfSensors) {
 TEST(FrameDiagnostics, ATargetThatStartedAgainOrLostACoreIsAWarning) {
   GridFrame frame = sound_frame();
   frame.end.link_counter_count = 55;
-  frame.end.link_counters[42] = 4;
-  frame.end.link_counters[52] = 1;
+  frame.end.link_counters[stream::place_of("cores at work")] = 4;
+  frame.end.link_counters[stream::place_of("starts since power-up")] = 1;
   EXPECT_EQ(found_in(frame, "cores").level, DiagnosticLevel::kOk);
   EXPECT_EQ(found_in(frame, "starts").level, DiagnosticLevel::kOk);
-  frame.end.link_counters[43] = 9;
-  frame.end.link_counters[52] = 2;
-  frame.end.link_counters[53] = 1;
+  frame.end.link_counters[stream::place_of("items for lost cores")] = 9;
+  frame.end.link_counters[stream::place_of("starts since power-up")] = 2;
+  frame.end.link_counters[stream::place_of("end of the run before")] = 1;
   EXPECT_EQ(found_in(frame, "cores").level, DiagnosticLevel::kWarn);
   EXPECT_EQ(found_in(frame, "starts").message, "2 since power-up; before: reset without a word");
   EXPECT_EQ(found_in(frame, "starts").level, DiagnosticLevel::kWarn);
