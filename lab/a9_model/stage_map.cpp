@@ -83,7 +83,7 @@ std::string_view without_extension(std::string_view path) {
   return path.substr(0, dot < path.size() && path.find('/', dot) == path.npos ? dot : path.size());
 }
 
-// fuse_groups<iog::window::TileBefore> is fuse_groups.
+// fuse_groups<iog::perception::TileBefore> is fuse_groups.
 std::string_view without_arguments(std::string_view name) { return name.substr(0, name.find('<')); }
 
 bool is_of(const StageRule& rule, std::string_view name, std::string_view path) {

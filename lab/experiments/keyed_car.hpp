@@ -26,7 +26,7 @@ class KeyedCar {
 
   KeyedCar(const vehicle::Vehicle& car, const Keys& keys) : KeyedCar(car, keys, car.window) {}
   // With other rules of its window.
-  KeyedCar(const vehicle::Vehicle& car, const Keys& keys, const window::Rules& rules)
+  KeyedCar(const vehicle::Vehicle& car, const Keys& keys, const perception::Rules& rules)
       : sensors_(car.sensors.begin(), car.sensors.end()), vehicle_(car) {
     for (vehicle::Sensor& sensor : sensors_) {
       sensor.ground = lidar::turns(sensor.format) ? keys.ground : vehicle::GroundLimits{};

@@ -75,7 +75,7 @@ class Drive {
   map::Block block_;
   InstructionCounter& counter_;
   pose::MapTransform transform_;
-  window::WindowFusion window_;
+  perception::WindowFusion window_;
   map::Layer layer_;
   std::int32_t x_mm_ = 0;
 };

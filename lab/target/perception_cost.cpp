@@ -119,10 +119,10 @@ void print_run(const PerceptionPass& pass, const Rounds& rounds) {
   print("most_groups", counts.most_groups);
   print("class_tiles", counts.tiles);
   print("sent_bytes", pass.sent_bytes());
-  print("group_budget", window::kGroupBudget);
-  print("budgeted_cycles", window::kGroupCycles);
+  print("group_budget", perception::kGroupBudget);
+  print("budgeted_cycles", perception::kGroupCycles);
   print("pipeline_bytes", sizeof(PerceptionPass::Pipeline));
-  print("window_bytes", window::kWindowBytes);
+  print("window_bytes", perception::kWindowBytes);
   print("frame_sum", pass.whole().sum);
   print("frame_mean", (pass.whole().sum + counts.frames / 2) / counts.frames);
   print("frame_min", pass.whole().smallest);

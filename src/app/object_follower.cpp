@@ -33,7 +33,7 @@ std::uint8_t sureness_of(const objects::Track& track) {
 }  // namespace
 
 void ObjectFollower::begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
-                           const pose::Pose& car, const window::WindowFusion& window) {
+                           const pose::Pose& car, const perception::WindowFusion& window) {
   std::array<std::uint8_t, objects::kMostSlices> ages_ms{};
   const std::size_t count = std::min(slices.size(), ages_ms.size());
   for (std::size_t i = 0; i < count; ++i) {
@@ -48,7 +48,7 @@ void ObjectFollower::begin(std::uint64_t end_us, std::span<const fusion::PlacedS
                               .hits = window.hits()});
 }
 
-void ObjectFollower::look_at_hits(const window::WindowFusion& window, const work::Crew& crew) {
+void ObjectFollower::look_at_hits(const perception::WindowFusion& window, const work::Crew& crew) {
   if (!is_begun_) {
     return;
   }
@@ -60,7 +60,7 @@ void ObjectFollower::look_at_hits(const window::WindowFusion& window, const work
   });
 }
 
-objects::FrameCounts ObjectFollower::follow(window::WindowFusion& window) {
+objects::FrameCounts ObjectFollower::follow(perception::WindowFusion& window) {
   objects::FrameCounts counts;
   if (is_begun_) {
     const NamesOf names(window.view());
@@ -71,12 +71,12 @@ objects::FrameCounts ObjectFollower::follow(window::WindowFusion& window) {
   return counts;
 }
 
-void ObjectFollower::pass(std::uint64_t end_us, window::WindowFusion& window) {
+void ObjectFollower::pass(std::uint64_t end_us, perception::WindowFusion& window) {
   tracker_.pass(end_us);
   name(window);
 }
 
-void ObjectFollower::name(window::WindowFusion& window) const {
+void ObjectFollower::name(perception::WindowFusion& window) const {
   for (const objects::FrameHit& hit : tracker_.hits()) {
     if (tracker_.is_moving(hit)) {
       const auto owner = static_cast<std::size_t>(hit.owner);

@@ -7,8 +7,8 @@
 
 #include "fusion/frame_slices.hpp"
 #include "objects/tracker.hpp"
+#include "perception/window_fusion.hpp"
 #include "pose/pose.hpp"
-#include "window/window_fusion.hpp"
 #include "work/crew.hpp"
 
 namespace iog::app {
@@ -19,14 +19,14 @@ class ObjectFollower {
   // A frame whose slices were added. end_us: the middle of its last slice by the clock of the
   // poses; slices: those that were placed, of which there is one at least; car: its place then.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
-             const pose::Pose& car, const window::WindowFusion& window);
+             const pose::Pose& car, const perception::WindowFusion& window);
   // Its classes are decided: what the hits are called, by all cores of the crew.
-  void look_at_hits(const window::WindowFusion& window, const work::Crew& crew);
+  void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
   // It has not ended. Gives names; what is asked of the window before are names alone.
-  objects::FrameCounts follow(window::WindowFusion& window);
+  objects::FrameCounts follow(perception::WindowFusion& window);
 
   // A frame without slices, that ends then.
-  void pass(std::uint64_t end_us, window::WindowFusion& window);
+  void pass(std::uint64_t end_us, perception::WindowFusion& window);
 
   // The window has lost its place.
   void forget() {
@@ -37,7 +37,7 @@ class ObjectFollower {
   [[nodiscard]] const objects::Tracker& tracker() const { return tracker_; }
 
  private:
-  void name(window::WindowFusion& window) const;
+  void name(perception::WindowFusion& window) const;
 
   objects::Tracker tracker_;
   bool is_begun_ = false;  // the frame changes something

@@ -89,7 +89,7 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   }
   std::optional<std::uint64_t> time_us = poses_.source_time(now_us);
   if (time_us) {
-    time_us = window::end_of_frame(end_us, *time_us, poses_.newest()->clock_us);
+    time_us = perception::end_of_frame(end_us, *time_us, poses_.newest()->clock_us);
   }
   if (contradiction_.is_met(poses_.has_moved())) {
     poses_.contradict();

@@ -25,13 +25,13 @@
 #include "health/guard.hpp"
 #include "map/delivery.hpp"
 #include "map/layer.hpp"
+#include "perception/window_clock.hpp"
+#include "perception/window_fusion.hpp"
 #include "pose/source.hpp"
 #include "stream/class_end.hpp"
 #include "stream/message.hpp"
 #include "stream/objects.hpp"
 #include "vehicle/vehicle.hpp"
-#include "window/window_clock.hpp"
-#include "window/window_fusion.hpp"
 #include "window/window_view.hpp"
 #include "work/crew.hpp"
 
@@ -183,7 +183,7 @@ class PerceptionEngine {
   // What is aligned to a cache line comes first.
   fusion::FusedSlices fused_;
   health::Guard behind_fused_;
-  window::WindowFusion window_;
+  perception::WindowFusion window_;
   ObjectFollower follower_;
   health::Guard behind_follower_;
   map::Delivery maps_;
@@ -194,9 +194,9 @@ class PerceptionEngine {
   ReceptionLog receptions_;
   Frame* frame_;
   const vehicle::Vehicle* vehicle_;
-  window::WindowClock clock_;
-  window::Contradiction contradiction_;  // of the poses, by what they have placed
-  std::uint32_t epoch_ = 0;              // of the poses that the window was made by
+  perception::WindowClock clock_;
+  perception::Contradiction contradiction_;  // of the poses, by what they have placed
+  std::uint32_t epoch_ = 0;                  // of the poses that the window was made by
   // Of the frame at hand.
   bool is_forgotten_ = false;
   pose::CauseCounts causes_{};  // since start, and those before the frame
@@ -205,7 +205,7 @@ class PerceptionEngine {
   std::uint64_t frame_end_us_ = 0;  // the middle of its last slice; 0: nothing is followed
   bool is_following_ = false;       // there are hits to follow
   objects::FrameCounts object_counts_{};
-  window::FrameCounts counts_{};
+  perception::FrameCounts counts_{};
 };
 
 }  // namespace iog::app

@@ -34,7 +34,7 @@ void check_frames(const Vehicle& car, const Tell& tell) {
   if (!is_within<std::uint32_t>(car.frame_period_us, 10'000, 1'000'000)) {
     tell({.field = "frame_period_us", .allowed = "10000 ... 1000000"});
   }
-  if (!is_within<std::uint32_t>(car.window.group_budget, 1, window::kGroupBudget)) {
+  if (!is_within<std::uint32_t>(car.window.group_budget, 1, perception::kGroupBudget)) {
     tell({.field = "window.group_budget", .allowed = "1 ... 65536"});
   }
   if (!is_within<std::size_t>(car.sensors.size(), 1, vehicle::kMaxSensors)) {

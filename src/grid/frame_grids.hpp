@@ -1,6 +1,6 @@
 // The grids that a frame's beams change: the occupancy index of each cell and, if the vehicle's
 // window asks for it, what is known of the heights at which beams freed and hit the cell
-// (window/opening.hpp).
+// (perception/opening.hpp).
 //
 // A cell of `heights` is below 0 if a beam that was low has freed it, and 1 if it is hit by a
 // return that is tall. Beams that are low are carved into it as beams are carved, and hits, which

@@ -8,7 +8,7 @@ constexpr window::TileRuledOut kAnywhere{};
 }  // namespace
 
 void Layer::work(const Block* block, const std::optional<pose::MapTransform>& transform,
-                 window::WindowFusion& window) {
+                 perception::WindowFusion& window) {
   ++frame_;
   take_inputs(block, transform);
   const Cause cause = cause_of(block, window.view().is_centred());
@@ -28,7 +28,7 @@ void Layer::work(const Block* block, const std::optional<pose::MapTransform>& tr
 }
 
 void Layer::look(const Block* block, const std::optional<pose::MapTransform>& transform,
-                 const window::WindowFusion& window) {
+                 const perception::WindowFusion& window) {
   take_inputs(block, transform);
   report_cause(cause_of(block, window.view().is_centred()));
 }
@@ -84,7 +84,7 @@ void Layer::begin(Cause cause) {
 
 // While nothing changes, no tile needs to be looked at. What is done was not stale in the frame
 // before: while the transform and the blur stay, it is not now.
-void Layer::find_stale(const Block& block, window::WindowFusion& window) {
+void Layer::find_stale(const Block& block, perception::WindowFusion& window) {
   const window::Area area = window.view().area();
   const bool is_other_map = !is_in_use_ || block.crc() != crc_;
   const bool is_other_basis = now_ != basis_;
@@ -124,7 +124,7 @@ bool Layer::is_stale(const Basis& basis, window::TileNumber tile) const {
                                         has_moved(tile, basis.local_frame, now_.local_frame));
 }
 
-void Layer::withdraw(std::size_t slot, State next, window::WindowFusion& window) {
+void Layer::withdraw(std::size_t slot, State next, perception::WindowFusion& window) {
   if (states_[slot] == State::kDrawn && !agreement_.is_contradicted()) {
     window.rule_out(slot, kAnywhere);
     ++report_.tiles_withdrawn;
@@ -132,7 +132,7 @@ void Layer::withdraw(std::size_t slot, State next, window::WindowFusion& window)
   set_state(slot, next);
 }
 
-void Layer::withdraw_all(window::WindowFusion& window) {
+void Layer::withdraw_all(perception::WindowFusion& window) {
   for (std::size_t slot = 0; is_in_use_ && slot < window::kSlotCount; ++slot) {
     withdraw(slot, State::kIdle, window);
   }
@@ -142,7 +142,7 @@ void Layer::withdraw_all(window::WindowFusion& window) {
 
 // Uses the cells as they were before the frame. Names are revoked at once; to restore them, each
 // tile is drawn anew.
-void Layer::judge(window::WindowFusion& window) {
+void Layer::judge(perception::WindowFusion& window) {
   const window::WindowView view = window.view();
   for (std::size_t slot = frame_ % kRoundFrames; slot < window::kSlotCount; slot += kRoundFrames) {
     if (states_[slot] == State::kDrawn && view.is_known(slot)) {
@@ -172,7 +172,7 @@ void Layer::set_state(std::size_t slot, State state) {
   waiting_.set(slot, state == State::kWaiting);
 }
 
-void Layer::draw_waiting(const Block& block, window::WindowFusion& window) {
+void Layer::draw_waiting(const Block& block, perception::WindowFusion& window) {
   while (budget_ > 0 && counts_[static_cast<std::size_t>(State::kWaiting)] > 0) {
     const std::uint32_t since = oldest();
     for (std::size_t slot = waiting_.first_from(0); slot < window::kSlotCount && budget_ > 0;
@@ -195,7 +195,7 @@ std::uint32_t Layer::oldest() const {
 }
 
 // The tile that is unfinished is the first that waits, because no other can get before it.
-void Layer::draw(const Block& block, std::size_t slot, window::WindowFusion& window) {
+void Layer::draw(const Block& block, std::size_t slot, perception::WindowFusion& window) {
   if (!unfinished_ || unfinished_->slot != slot) {
     const TilePlace place(now_.local_frame, area_.tile_at(slot));
     if (TileDrawing::is_outside(block, place, now_.radius)) {

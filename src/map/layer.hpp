@@ -26,9 +26,9 @@
 #include "map/layer_report.hpp"
 #include "map/slot_set.hpp"
 #include "map/tile_drawing.hpp"
+#include "perception/window_fusion.hpp"
 #include "pose/message.hpp"
 #include "window/area.hpp"
-#include "window/window_fusion.hpp"
 
 namespace iog::map {
 
@@ -58,12 +58,12 @@ class Layer {
   // Once a frame, after the window has followed the vehicle. block: the active one, or null; its
   // bytes stay until another call. transform: that of the newest pose, if it has one.
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
-            window::WindowFusion& window);
+            perception::WindowFusion& window);
 
   // Instead, in a frame that is none of the window's: only the report says what there is. So a
   // pause of all who send leaves no trace in what is drawn when.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
-            const window::WindowFusion& window);
+            const perception::WindowFusion& window);
 
   // Of the last frame.
   [[nodiscard]] const LayerReport& report() const { return report_; }
@@ -96,18 +96,18 @@ class Layer {
   void report_cause(Cause cause);
   [[nodiscard]] Cause cause_of(const Block* block, bool is_centred) const;
   void begin(Cause cause);
-  void find_stale(const Block& block, window::WindowFusion& window);
+  void find_stale(const Block& block, perception::WindowFusion& window);
   void drop_stale_drawing(const window::Area& area, bool is_of_other_bytes);
   [[nodiscard]] bool is_stale(const Basis& basis, window::TileNumber tile) const;
   [[nodiscard]] bool is_done(std::size_t slot) const {
     return states_[slot] == State::kDrawn || states_[slot] == State::kOutside;
   }
-  void withdraw(std::size_t slot, State next, window::WindowFusion& window);
-  void withdraw_all(window::WindowFusion& window);
-  void draw_waiting(const Block& block, window::WindowFusion& window);
+  void withdraw(std::size_t slot, State next, perception::WindowFusion& window);
+  void withdraw_all(perception::WindowFusion& window);
+  void draw_waiting(const Block& block, perception::WindowFusion& window);
   [[nodiscard]] std::uint32_t oldest() const;
-  void draw(const Block& block, std::size_t slot, window::WindowFusion& window);
-  void judge(window::WindowFusion& window);
+  void draw(const Block& block, std::size_t slot, perception::WindowFusion& window);
+  void judge(perception::WindowFusion& window);
   void finish(std::size_t slot, State state, const Basis& basis);
   void set_state(std::size_t slot, State state);
   void spend(std::uint32_t work) { budget_ -= std::min(budget_, work); }

@@ -92,14 +92,14 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 // Ground is opened only from below if one of the sensors says how low and how tall. They look over
 // things if one of those is higher than that; what is tall counts farther if one follows the
 // ground.
-constexpr void derive_rules(std::span<const Sensor> sensors, window::Rules& rules) {
+constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules) {
   rules.is_opened_from_below =
       std::ranges::any_of(sensors, [](const Sensor& sensor) { return sensor.moved.are_given(); });
   const bool is_over_ground = std::ranges::any_of(sensors, [](const Sensor& sensor) {
     return sensor.moved.tall_mm != 0 && sensor.ground.is_followed();
   });
   rules.looks_over_things = std::ranges::any_of(sensors, derived_detail::looks_over_things);
-  rules.tall_within = is_over_ground ? window::kTallOverGroundWithin : window::kTallWithin;
+  rules.tall_within = is_over_ground ? perception::kTallOverGroundWithin : perception::kTallWithin;
 }
 
 }  // namespace iog::vehicle

@@ -17,12 +17,12 @@
 #include "map/source_description.hpp"
 #include "numeric/reciprocal.hpp"
 #include "numeric/sine_table.hpp"
+#include "perception/rules.hpp"
 #include "pose/source_description.hpp"
 #include "sensor_model/arc.hpp"
 #include "sensor_model/profile.hpp"
 #include "vehicle/azimuth_steps.hpp"
 #include "vehicle/beam_line.hpp"
-#include "window/rules.hpp"
 
 namespace iog::vehicle {
 
@@ -89,8 +89,8 @@ struct GroundLimits {
 };
 
 // How low a beam has to be to open ground, and how tall something is that moves, by its returns
-// (window/opening.hpp): over the car's plane, or over the local ground if the sensor follows it.
-// As it stands here every beam is low and every return is tall.
+// (perception/opening.hpp): over the car's plane, or over the local ground if the sensor follows
+// it. As it stands here every beam is low and every return is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
   // A beam that is lower over the ground may pass under a car that stands there, and opens nothing
@@ -206,7 +206,7 @@ struct Vehicle {
   bool has_objects = false;  // things with a speed on the grid of classes (docs/objects.md)
   pose::SourceDescription poses{};
   map::SourceDescription maps{};
-  window::Rules window{};
+  perception::Rules window{};
 
   // Whether its classes depend on when its packets arrive, because some sensor's clock is not that
   // of the poses.

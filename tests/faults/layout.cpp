@@ -21,7 +21,7 @@ using Pipeline = iog::app::MachinePipeline<Board, iog::imx6::kGrids>;
 using Perception = iog::app::PerceptionEngine;
 using Frame = iog::app::Frame;
 using Fusion = iog::fusion::SharedFusion;
-using Clock = iog::window::WindowClock;
+using Clock = iog::perception::WindowClock;
 using iog::health::MemoryCheck;
 
 struct Line {

@@ -18,10 +18,10 @@
 #include "lidar/laser.hpp"
 #include "lidar/unit.hpp"
 #include "map/source_description.hpp"
+#include "perception/rules.hpp"
 #include "pose/source_description.hpp"
 #include "sensor_model/profile.hpp"
 #include "vehicle/vehicle.hpp"
-#include "window/rules.hpp"
 
 namespace iog::description {
 
@@ -101,7 +101,7 @@ struct Description {
   // Where classes are among the grids, which need kHitsWin and kBlurring:
   pose::SourceDescription poses{};  // who says where the vehicle is
   map::SourceDescription maps{};    // who sends maps
-  window::Rules window{};           // how evidence becomes classes
+  perception::Rules window{};       // how evidence becomes classes
   // Whether things with a speed are followed (docs/objects.md). If it is not said, they are where
   // no unit of the car turns.
   std::optional<bool> objects{};

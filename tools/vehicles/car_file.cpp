@@ -164,8 +164,8 @@ map::SourceDescription read_maps(TomlTable table) {
   return maps;
 }
 
-window::Rules read_window(TomlTable table) {
-  window::Rules rules;
+perception::Rules read_window(TomlTable table) {
+  perception::Rules rules;
   table.read("discounting", rules.discounting, kDiscountingWords);
   table.read("weighing", rules.weighing, kWeighingWords);
   table.read("assignment", rules.assignment, kAssignmentWords);

@@ -38,8 +38,8 @@ inline constexpr std::array kWeighingWords{
     Choice<ageing::Weighing>{"each_scan", ageing::Weighing::kEachScan},
 };
 inline constexpr std::array kMovedWords{
-    Choice<window::Moved>{"open_ground", window::Moved::kOpenGround},
-    Choice<window::Moved>{"literal", window::Moved::kLiteral},
+    Choice<perception::Moved>{"open_ground", perception::Moved::kOpenGround},
+    Choice<perception::Moved>{"literal", perception::Moved::kLiteral},
 };
 inline constexpr std::array kModeWords{
     Choice<lidar::TurnMode>{"512x10", {512, 10}},   Choice<lidar::TurnMode>{"512x20", {512, 20}},

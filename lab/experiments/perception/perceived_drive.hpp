@@ -14,10 +14,10 @@
 #include "app/perception_engine.hpp"
 #include "geometry/cell.hpp"
 #include "objects/tracker.hpp"
+#include "perception/window_fusion.hpp"
 #include "tools/simulate/drives/drive.hpp"
 #include "tools/simulate/drives/pose_source.hpp"
 #include "vehicle/vehicle.hpp"
-#include "window/window_fusion.hpp"
 
 namespace iog::lab {
 
@@ -30,7 +30,7 @@ inline constexpr std::uint32_t kStreetSeconds = 20;
 
 struct PerceptionRule {
   std::string_view name;
-  window::Rules rules{};
+  perception::Rules rules{};
   std::span<const std::uint8_t> map{};  // a block; empty: none. It outlives the drive.
   vehicle::MovedLimits moved{};         // of all sensors
   bool has_objects = true;              // things with a speed have a say in names

@@ -28,10 +28,10 @@ constexpr std::array kPerceptionRules{
     PerceptionRule{.name = "grid alone", .has_objects = false},
     PerceptionRule{
         .name = "thesis",
-        .rules = {.weighing = ageing::Weighing::kEachScan, .moved = window::Moved::kLiteral},
+        .rules = {.weighing = ageing::Weighing::kEachScan, .moved = perception::Moved::kLiteral},
         .has_objects = false},
     PerceptionRule{"optimistic", {.discounting = ageing::Discounting::kOptimistic}},
-    PerceptionRule{"every conflict moves", {.moved = window::Moved::kLiteral}},
+    PerceptionRule{"every conflict moves", {.moved = perception::Moved::kLiteral}},
     PerceptionRule{"masses of scans", {.weighing = ageing::Weighing::kEachScan}},
     PerceptionRule{"reinforced", {.assignment = &evidence::kReinforced}},
     PerceptionRule{"isopignistic", {.assignment = &evidence::kIsopignistic}},

@@ -87,7 +87,7 @@ TEST(CarBlock, WhatSharesAByteComesBackByItself) {
     EXPECT_EQ(read.moved.are_given(), (bits & 2U) != 0);
     // What is tall counts farther only where a sensor with both keys judges it.
     EXPECT_EQ(bytes.car.window.tall_within,
-              bits == 3 ? window::kTallOverGroundWithin : window::kTallWithin);
+              bits == 3 ? perception::kTallOverGroundWithin : perception::kTallWithin);
     // On a roof it is higher than what opens ground.
     EXPECT_EQ(bytes.car.window.looks_over_things, (bits & 2U) != 0);
   }

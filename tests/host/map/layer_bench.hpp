@@ -10,7 +10,7 @@
 #include "fakes/random.hpp"
 #include "map/flat_map.hpp"
 #include "map/layer.hpp"
-#include "window/frames.hpp"
+#include "perception/frames.hpp"
 
 namespace iog::map {
 
@@ -33,7 +33,7 @@ inline tests::ReferenceBlock town(std::uint64_t seed, std::int32_t reach_cm = 9'
 
 // A window and a layer, frame by frame.
 struct LayerBench {
-  std::unique_ptr<window::WindowFusion> window = std::make_unique<window::WindowFusion>();
+  std::unique_ptr<perception::WindowFusion> window = std::make_unique<perception::WindowFusion>();
   std::unique_ptr<Layer> layer = std::make_unique<Layer>();
   pose::MapTransform transform{
       .origin = 0, .local_frame = {3'000, -2'000, 600'000'000}, .sigma = kSigma};
@@ -66,7 +66,7 @@ struct LayerBench {
       }
     }
     for (const std::uint64_t stamp_us : {1'000'000U, 1'100'000U}) {
-      window::add_slice(slice, window::at_cell({}), *window);
+      perception::add_slice(slice, perception::at_cell({}), *window);
       window->finish(stamp_us);
     }
   }

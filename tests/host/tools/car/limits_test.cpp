@@ -237,14 +237,14 @@ TEST(DescriptionLimits, SensorsThatTurnHaveAsManyLinesAsAreKept) {
 TEST(DescriptionLimits, ItsRulesReachTheTarget) {
   Description car = described(Grids::kClasses);
   car.poses = {.source_ipv4 = 7, .udp_port = 9, .log2_slice_ms = 2};
-  car.window.moved = window::Moved::kLiteral;
+  car.window.moved = perception::Moved::kLiteral;
   car.window.assignment = &evidence::kReinforced;
   const vehicle::Vehicle vehicle = vehicle_of(car, {});
   EXPECT_EQ(vehicle.grids, Grids::kClasses);
   EXPECT_EQ(vehicle.poses.source_ipv4, 7U);
   EXPECT_EQ(vehicle.poses.udp_port, 9);
   EXPECT_EQ(vehicle.poses.log2_slice_ms, 2);
-  EXPECT_EQ(vehicle.window.moved, window::Moved::kLiteral);
+  EXPECT_EQ(vehicle.window.moved, perception::Moved::kLiteral);
   EXPECT_EQ(vehicle.window.assignment, &evidence::kReinforced);
 }
 

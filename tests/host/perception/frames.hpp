@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "window/plain_fusion.hpp"
+#include "perception/plain_fusion.hpp"
+#include "perception/window_fusion.hpp"
 #include "window/slice.hpp"
-#include "window/window_fusion.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 using geometry::Cell;
 using tests::PlacedSlice;
@@ -21,17 +21,17 @@ using ClassBytes = std::array<std::int8_t, geometry::kTileCells>;
 
 inline constexpr std::uint64_t kFrameUs = 40'000;
 
-inline Placement at_cell(Cell vehicle) {
+inline window::Placement at_cell(Cell vehicle) {
   return tests::placed(vehicle.x * geometry::kCellMm, vehicle.y * geometry::kCellMm);
 }
 
 inline decision::Class class_of(std::int8_t byte) { return static_cast<decision::Class>(byte / 8); }
 
 // Adds a slice to a window, with the vehicle there.
-inline void add_slice(const Slice& slice, const Placement& at, WindowFusion& fusion) {
-  const auto cells = std::make_unique<SliceCells>();
+inline void add_slice(const Slice& slice, const window::Placement& at, WindowFusion& fusion) {
+  const auto cells = std::make_unique<window::SliceCells>();
   tests::hand_over(slice, *cells);
-  const PlacedCells placed{.cells = cells.get(), .at = at};
+  const window::PlacedCells placed{.cells = cells.get(), .at = at};
   fusion.add(std::span(&placed, 1));
 }
 
@@ -54,28 +54,28 @@ class Fusion {
   void follow(Cell vehicle) { fusion_->follow(at_cell(vehicle).pose); }
   void forget() { fusion_->forget(); }
 
-  [[nodiscard]] WindowView view() const { return fusion_->view(); }
+  [[nodiscard]] window::WindowView view() const { return fusion_->view(); }
 
   [[nodiscard]] decision::Class class_at(Cell cell) const {
-    const TileNumber tile{numeric::div_floor(cell.x, kTileSide),
-                          numeric::div_floor(cell.y, kTileSide)};
+    const window::TileNumber tile{numeric::div_floor(cell.x, window::kTileSide),
+                                  numeric::div_floor(cell.y, window::kTileSide)};
     ClassBytes bytes;
-    view().copy_classes(slot_of(tile), bytes);
-    const std::int32_t in_tile =
-        (cell.y - tile.b * kTileSide) * kTileSide + cell.x - tile.a * kTileSide;
+    view().copy_classes(window::slot_of(tile), bytes);
+    const std::int32_t in_tile = (cell.y - tile.b * window::kTileSide) * window::kTileSide +
+                                 cell.x - tile.a * window::kTileSide;
     return class_of(bytes[static_cast<std::size_t>(in_tile)]);
   }
 
   [[nodiscard]] std::vector<ClassBytes> classes() const {
-    std::vector<ClassBytes> tiles(kSlotCount);
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    std::vector<ClassBytes> tiles(window::kSlotCount);
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       view().copy_classes(slot, tiles[slot]);
     }
     return tiles;
   }
   [[nodiscard]] std::size_t known_tiles() const {
     std::size_t known = 0;
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       known += view().is_known(slot) ? 1U : 0U;
     }
     return known;
@@ -86,4 +86,4 @@ class Fusion {
   std::uint64_t now_us_ = 0;
 };
 
-}  // namespace iog::window
+}  // namespace iog::perception

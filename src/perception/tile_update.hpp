@@ -13,7 +13,7 @@
 #include "evidence/fusion.hpp"
 #include "window/tile.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 // Evidence that is so many frames old is long ago. Every group is looked at often enough to find it
 // so before the clock's slot is used again, and what is 100 ms old counts as long ago anyway:
@@ -21,10 +21,10 @@ namespace iog::window {
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // The bits of a group's cells in a plane.
-[[nodiscard]] inline std::uint8_t eight_of(const Plane& plane, std::size_t group) {
+[[nodiscard]] inline std::uint8_t eight_of(const window::Plane& plane, std::size_t group) {
   return static_cast<std::uint8_t>(std::as_bytes(std::span(plane))[group]);
 }
-inline void set_eight(Plane& plane, std::size_t group, std::uint8_t bits) {
+inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits) {
   static_assert(std::endian::native == std::endian::little, "the first group is the lowest byte");
   std::as_writable_bytes(std::span(plane))[group] = std::byte{bits};
 }
@@ -42,7 +42,7 @@ class TileUpdate {
 
   // The group has evidence; bit i of `moved` is of cell i. Of one that was never aged nothing is
   // left, whatever it holds.
-  void fuse(Tile& tile, std::size_t group, const evidence::Indexes& indexes,
+  void fuse(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes,
             std::uint8_t moved) const {
     evidence::Free& free = tile.free[group];
     evidence::Taken& taken = tile.taken[group];
@@ -59,12 +59,12 @@ class TileUpdate {
   }
 
   // Whether cross() may be called instead if no cell of the group is hit.
-  [[nodiscard]] bool needs_no_taken(const Tile& tile, std::size_t group) const {
+  [[nodiscard]] bool needs_no_taken(const window::Tile& tile, std::size_t group) const {
     return tile.is_free_alone[group] && assignment_ == nullptr;
   }
 
   // What fuse() does then.
-  void cross(Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
+  void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     evidence::fuse_free(tile.free[group], clock_->since(tile.aged_at[group]), indexes,
                         *gains_[tile.evidence_at[group]]);
     tile.aged_at[group] = now_;
@@ -73,7 +73,7 @@ class TileUpdate {
   }
 
   // The same of two groups.
-  void cross(Tile& tile, std::array<std::size_t, 2> groups,
+  void cross(window::Tile& tile, std::array<std::size_t, 2> groups,
              std::array<const evidence::Indexes*, 2> indexes) const {
     const auto crossed = [&](std::size_t i) -> decision::Crossed {
       const std::size_t group = groups[i];
@@ -94,12 +94,12 @@ class TileUpdate {
   }
 
   // Whether something is known of the group, and it was not fused in this frame.
-  [[nodiscard]] bool is_old(const Tile& tile, std::size_t group) const {
+  [[nodiscard]] bool is_old(const window::Tile& tile, std::size_t group) const {
     return tile.is_known(group) && tile.aged_at[group] != now_;
   }
 
   // The group is old and has no evidence.
-  void refresh(Tile& tile, std::size_t group) const {
+  void refresh(window::Tile& tile, std::size_t group) const {
     const evidence::Fading& fading = clock_->since(tile.aged_at[group]);
     tile.aged_at[group] = now_;
     if (is_long_ago(tile.evidence_at[group])) {
@@ -115,7 +115,7 @@ class TileUpdate {
   }
 
  private:
-  static void decide(Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
+  static void decide(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
     const decision::Bits bits =
         decision::decide(tile.free[group], tile.taken[group], tile.ruled_out_in(group), indexes,
                          tile.decided[group]);
@@ -127,7 +127,7 @@ class TileUpdate {
   }
 
   // What stands and what is taken is none already.
-  static void decide_free(Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
+  static void decide_free(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
     const decision::FreeBits bits = decision::decide_free(
         tile.free[group], tile.ruled_out_in(group), indexes, tile.decided[group]);
     set_eight(tile.found.freed, group, bits.freed);
@@ -145,4 +145,4 @@ class TileUpdate {
   std::array<const evidence::Gains*, ageing::Clock::kFrames + 1> gains_{};  // by slot
 };
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -1,8 +1,8 @@
-#include "window/standing.hpp"
+#include "perception/standing.hpp"
 
 #include <bit>
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 constexpr std::size_t kNear = 2;
@@ -15,7 +15,7 @@ constexpr std::uint32_t widened(std::uint32_t bits) {
 
 }  // namespace
 
-bool has_standing_inside(const Tile& tile) {
+bool has_standing_inside(const window::Tile& tile) {
   std::uint32_t any = 0;
   for (const std::uint32_t row : tile.found.stands) {
     any |= row;
@@ -23,9 +23,10 @@ bool has_standing_inside(const Tile& tile) {
   return (any & kInside) != 0;
 }
 
-StandingCounts standing_counts(const Tile& tile, const Plane& hit, const Plane& crossed) {
+StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
+                               const window::Plane& crossed) {
   StandingCounts counts;
-  const Plane& stands = tile.found.stands;
+  const window::Plane& stands = tile.found.stands;
   for (std::size_t y = kNear; y < stands.size() - kNear; ++y) {
     const std::uint32_t near = widened(hit[y - 2] | hit[y - 1] | hit[y] | hit[y + 1] | hit[y + 2]);
     const std::uint32_t inside = stands[y] & kInside;
@@ -35,4 +36,4 @@ StandingCounts standing_counts(const Tile& tile, const Plane& hit, const Plane& 
   return counts;
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

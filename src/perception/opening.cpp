@@ -1,14 +1,15 @@
-#include "window/opening.hpp"
+#include "perception/opening.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
-void Opening::find(const Window& window, const EvidenceBits& bits, std::size_t slot) {
+void Opening::find(const window::Window& window, const window::EvidenceBits& bits,
+                   std::size_t slot) {
   if (!window.is_known(slot)) {
     high_[slot] = {};
     next_[slot] = bits.from_below;
     return;
   }
-  const Tile& tile = window.tile(slot);
+  const window::Tile& tile = window.tile(slot);
   for (std::size_t y = 0; y < tile.from_below.size(); ++y) {
     const std::uint32_t low = bits.from_below[y];
     high_[slot][y] = bits.free[y] & ~low & tile.found.taken[y];
@@ -16,13 +17,13 @@ void Opening::find(const Window& window, const EvidenceBits& bits, std::size_t s
   }
 }
 
-void Opening::leave_out_high(FrameEvidence& evidence, std::size_t slot) const {
-  if (looks_over_things_ && !is_empty(high_[slot])) {
+void Opening::leave_out_high(window::FrameEvidence& evidence, std::size_t slot) const {
+  if (looks_over_things_ && !window::is_empty(high_[slot])) {
     evidence.leave_out(slot, high_[slot]);
   }
 }
 
-void Opening::remember(Tile& tile, bool is_touched, std::size_t slot) const {
+void Opening::remember(window::Tile& tile, bool is_touched, std::size_t slot) const {
   if (is_touched) {
     tile.from_below = next_[slot];
   }
@@ -32,4 +33,4 @@ void Opening::remember(Tile& tile, bool is_touched, std::size_t slot) const {
   }
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

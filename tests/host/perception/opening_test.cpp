@@ -1,13 +1,13 @@
 // Ground is opened only from below: scenes from the street, as maps.
-#include "window/opening.hpp"
+#include "perception/opening.hpp"
 
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
-#include "window/frames.hpp"
+#include "perception/frames.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 using decision::Class;
@@ -171,4 +171,4 @@ INSTANTIATE_TEST_SUITE_P(Rule, OpenedFromBelow, testing::Bool(),
                          [](const auto& rule) { return rule.param ? "Applies" : "DoesNotApply"; });
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::perception

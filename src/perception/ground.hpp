@@ -11,10 +11,10 @@
 
 #include "window/window.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 // Remembers the tile at a slot, of which something is known. `is_new_period`: a period has begun
 // since the slot's turn before.
-void remember(Window& window, std::size_t slot, bool is_new_period);
+void remember(window::Window& window, std::size_t slot, bool is_new_period);
 
-}  // namespace iog::window
+}  // namespace iog::perception

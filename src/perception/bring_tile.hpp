@@ -7,10 +7,10 @@
 #include "lanes/bring.hpp"
 #include "window/tile.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 // Asks for the lines of a group that is needed soon.
-inline void prefetch(const Tile& tile, std::size_t group) {
+inline void prefetch(const window::Tile& tile, std::size_t group) {
   __builtin_prefetch(&tile.free[group]);
   if (!tile.is_free_alone[group]) {
     __builtin_prefetch(&tile.taken[group].occupied);
@@ -20,11 +20,13 @@ inline void prefetch(const Tile& tile, std::size_t group) {
 
 // Brings the small things of some rows of a tile to the cache. Then the lines of its masses follow
 // one another, and nothing comes between them.
-inline void bring_rows(const Tile& tile, std::size_t first, std::size_t last) {
-  const std::size_t count = (last - first + 1) * kGroupsPerRow;
-  lanes::bring(std::as_bytes(std::span(tile.decided).subspan(first * kGroupsPerRow, count)));
+inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t last) {
+  const std::size_t count = (last - first + 1) * window::kGroupsPerRow;
+  lanes::bring(
+      std::as_bytes(std::span(tile.decided).subspan(first * window::kGroupsPerRow, count)));
   if (tile.has_ruled_out) {
-    lanes::bring(std::as_bytes(std::span(tile.ruled_out).subspan(first * kGroupsPerRow, count)));
+    lanes::bring(
+        std::as_bytes(std::span(tile.ruled_out).subspan(first * window::kGroupsPerRow, count)));
   }
   lanes::bring(std::as_bytes(std::span(tile.aged_at)));
   lanes::bring(std::as_bytes(std::span(tile.evidence_at)));
@@ -32,4 +34,4 @@ inline void bring_rows(const Tile& tile, std::size_t first, std::size_t last) {
   lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

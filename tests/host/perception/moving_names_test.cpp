@@ -1,15 +1,15 @@
 // What tracks say of names: it is said for a frame, and changes nothing else.
-#include "window/moving_names.hpp"
+#include "perception/moving_names.hpp"
 
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>
 
 #include "fakes/random.hpp"
-#include "window/frames.hpp"
-#include "window/kept_versions.hpp"
+#include "perception/frames.hpp"
+#include "perception/kept_versions.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 using decision::Class;
@@ -56,11 +56,11 @@ class Window {
     frame(slice, [](WindowFusion& /*fusion*/) {});
   }
 
-  void rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
+  void rule_out(std::size_t slot, const window::TileRuledOut& ruled_out) {
     fusion_->rule_out(slot, ruled_out);
   }
 
-  [[nodiscard]] WindowView view() const { return fusion_->view(); }
+  [[nodiscard]] window::WindowView view() const { return fusion_->view(); }
   [[nodiscard]] Class at(Cell cell) const { return class_of(byte_at(cell)); }
   [[nodiscard]] std::int8_t byte_at(Cell cell) const { return fusion_->view().name_of(cell); }
   [[nodiscard]] std::vector<std::int8_t> all() const {
@@ -136,8 +136,9 @@ TEST(MovingNames, AllThatMovesAndNobodyHitsOrHoldsIsWithdrawn) {
     }
     versions.look(spoken_to.view());
     if (frame % 5 == 2) {
-      TileRuledOut ruled_out{};
-      ruled_out[random.below(kGroupsPerTile)].fill(decision::kRoad + decision::kIntermediate);
+      window::TileRuledOut ruled_out{};
+      ruled_out[random.below(window::kGroupsPerTile)].fill(decision::kRoad +
+                                                           decision::kIntermediate);
       for (const std::size_t slot : {0U, 1U, 32U, 33U}) {
         silent.rule_out(slot, ruled_out);
         spoken_to.rule_out(slot, ruled_out);
@@ -185,4 +186,4 @@ TEST(MovingNames, WhatNobodyHitsAndNothingHoldsIsNotMoving) {
 }
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::perception

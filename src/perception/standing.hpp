@@ -8,7 +8,7 @@
 
 #include "window/tile.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 // Cells that stand and have evidence.
 struct StandingCounts {
@@ -24,14 +24,14 @@ struct StandingCounts {
 
 // Whether anything stands in a tile that is known, but for its outermost two columns; without it
 // standing_counts() are 0.
-[[nodiscard]] bool has_standing_inside(const Tile& tile);
+[[nodiscard]] bool has_standing_inside(const window::Tile& tile);
 
 // Of a tile that is known. The outermost two rows and columns are left out, because what is near
 // them may be of another tile. hit, crossed: its cells in which something was hit, and those that
-// beams have gone through; where ground is opened only from below (window/opening.hpp) those that
-// were low, because others go over what stands.
-[[nodiscard]] StandingCounts standing_counts(const Tile& tile, const Plane& hit,
-                                             const Plane& crossed);
+// beams have gone through; where ground is opened only from below (perception/opening.hpp) those
+// that were low, because others go over what stands.
+[[nodiscard]] StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
+                                             const window::Plane& crossed);
 
 // Whether beams go through what stands, all around: then the poses by which it was placed are
 // wrong, whatever they say. The counts of some eight frames are held against each other, those of a
@@ -75,4 +75,4 @@ class Contradiction {
   std::uint32_t beyond_ = 0;  // in eighths of a cell
 };
 
-}  // namespace iog::window
+}  // namespace iog::perception

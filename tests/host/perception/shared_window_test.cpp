@@ -13,9 +13,9 @@
 
 #include "fakes/cores_in_turn.hpp"
 #include "fakes/effort.hpp"
-#include "window/frames.hpp"
+#include "perception/frames.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 using tests::CoresInTurn;
@@ -41,20 +41,20 @@ class PartOfFrame {
           slice.set_low(cell);
         }
       }
-      tests::hand_over(slice, *cells_.emplace_back(std::make_unique<SliceCells>()));
+      tests::hand_over(slice, *cells_.emplace_back(std::make_unique<window::SliceCells>()));
       placed_.push_back({.cells = cells_.back().get(),
                          .at = tests::placed(100 * vehicle.x + 31 * number, 100 * vehicle.y,
                                              7.0 * frame + number),
                          .number = number});
     }
   }
-  [[nodiscard]] std::span<const PlacedCells> slices() const { return placed_; }
+  [[nodiscard]] std::span<const window::PlacedCells> slices() const { return placed_; }
 
  private:
   static constexpr int kOpen = 24;  // cells around the vehicle where ground is free
 
-  std::vector<std::unique_ptr<SliceCells>> cells_;
-  std::vector<PlacedCells> placed_;
+  std::vector<std::unique_ptr<window::SliceCells>> cells_;
+  std::vector<window::PlacedCells> placed_;
 };
 
 class Cores : public testing::TestWithParam<std::tuple<std::size_t, bool>> {
@@ -67,24 +67,24 @@ class Cores : public testing::TestWithParam<std::tuple<std::size_t, bool>> {
 
 TEST_P(Cores, JoinTheEvidenceThatOneJoins) {
   tests::Random random(42);
-  const auto by_one = std::make_unique<FrameEvidence>();
-  const auto shared = std::make_unique<FrameEvidence>();
+  const auto by_one = std::make_unique<window::FrameEvidence>();
+  const auto shared = std::make_unique<window::FrameEvidence>();
   for (int frame = 0; frame < tests::effort(4, 1); ++frame) {
     const Cell vehicle{random.between(-9'999, 9'999), random.between(-9'999, 9'999)};
-    const Area area = Area::around(vehicle);
+    const window::Area area = window::Area::around(vehicle);
     for (int time = 0; time < 2; ++time) {  // the second finds evidence of the first
       const PartOfFrame part(vehicle, frame, random);
       by_one->add(part.slices(), area);
       shared->add(part.slices(), area, crew_);
     }
     int tall = 0;
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       ASSERT_EQ(shared->is_touched(slot), by_one->is_touched(slot)) << slot;
       ASSERT_EQ(shared->has_hit(slot), by_one->has_hit(slot)) << slot;
       ASSERT_TRUE(shared->tile(slot) == by_one->tile(slot)) << slot;
       if (by_one->is_touched(slot)) {
         ASSERT_TRUE(shared->tall(slot) == by_one->tall(slot)) << slot;
-        tall += is_empty(by_one->tall(slot)) ? 0 : 1;
+        tall += window::is_empty(by_one->tall(slot)) ? 0 : 1;
       }
     }
     EXPECT_GT(tall, 100);
@@ -100,7 +100,7 @@ bool are_same_bytes(const T& a, const T& b) {
 }
 
 // All that two tiles say, of which something is known.
-void expect_same(const Tile& one, const Tile& other, std::size_t slot) {
+void expect_same(const window::Tile& one, const window::Tile& other, std::size_t slot) {
   ASSERT_EQ(one.decided, other.decided) << slot;
   ASSERT_EQ(one.aged_at, other.aged_at) << slot;
   ASSERT_EQ(one.evidence_at, other.evidence_at) << slot;
@@ -108,7 +108,7 @@ void expect_same(const Tile& one, const Tile& other, std::size_t slot) {
   ASSERT_EQ(one.from_below, other.from_below) << slot;
   ASSERT_TRUE(are_same_bytes(one.found, other.found)) << slot;
   ASSERT_TRUE(are_same_bytes(one.ground, other.ground)) << slot;
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
+  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
     ASSERT_TRUE(!one.is_known(group) || one.free[group] == other.free[group]) << slot;
     ASSERT_TRUE(!one.is_known(group) || one.is_free_alone[group] ||
                 are_same_bytes(one.taken[group], other.taken[group]))
@@ -136,12 +136,12 @@ TEST_P(Cores, KeepTheWindowThatOneKeeps) {
       const FrameCounts counts = by_one->finish(stamp_us);
       ASSERT_EQ(shared->finish(stamp_us, crew_), counts);
       left += counts.groups_left;
-      for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+      for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
         ASSERT_EQ(shared->view().is_known(slot), by_one->view().is_known(slot)) << slot;
         if (by_one->view().is_known(slot)) {
           ASSERT_EQ(shared->view().age_frames(slot), by_one->view().age_frames(slot)) << slot;
           expect_same(shared->view().tile(slot), by_one->view().tile(slot), slot);
-          open += is_empty(by_one->view().tile(slot).ground.open) ? 0 : 1;
+          open += window::is_empty(by_one->view().tile(slot).ground.open) ? 0 : 1;
         }
       }
     }
@@ -154,8 +154,8 @@ TEST_P(Cores, KeepTheWindowThatOneKeeps) {
 // Each tile of a slice is copied or left by any core, and by core 0 again.
 TEST_P(Cores, CopyTheSliceThatOneSets) {
   tests::Random random(44);
-  const auto by_one = std::make_unique<SliceCells>();
-  const auto shared = std::make_unique<SliceCells>();
+  const auto by_one = std::make_unique<window::SliceCells>();
+  const auto shared = std::make_unique<window::SliceCells>();
   for (int time = 0; time < 4; ++time) {
     Slice slice;
     for (int i = 0; i < 300; ++i) {
@@ -168,8 +168,8 @@ TEST_P(Cores, CopyTheSliceThatOneSets) {
     by_one->clear();
     tests::hand_over(slice, *by_one);
     std::vector<std::array<std::int8_t, geometry::kTileCells>> tiles(geometry::kTileCount);
-    std::vector<Plane> tall(geometry::kTileCount);
-    slice.release([&](std::size_t tile, auto indexes, const Plane& low_and_tall) {
+    std::vector<window::Plane> tall(geometry::kTileCount);
+    slice.release([&](std::size_t tile, auto indexes, const window::Plane& low_and_tall) {
       std::ranges::copy(indexes, tiles[tile].begin());
       tall[tile] = low_and_tall;
     });
@@ -203,4 +203,4 @@ INSTANTIATE_TEST_SUITE_P(TwoToFour, Cores,
                          testing::Combine(testing::Values(2U, 4U), testing::Bool()));
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::perception

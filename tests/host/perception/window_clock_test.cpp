@@ -1,7 +1,7 @@
 // The window's time goes on by the clock of the poses, never back, and nobody takes it far ahead
 // (docs/perception.md). Frames are of 40 ms; the target's clock is another one than that of the
 // poses.
-#include "window/window_clock.hpp"
+#include "perception/window_clock.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 constexpr std::uint64_t kFrameTookUs = 40'000;
@@ -126,4 +126,4 @@ TEST(WindowClock, NeverGoesBackOrFarAhead) {
 }
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -8,7 +8,7 @@
 #include "lanes/eight_bytes.hpp"
 #include "window/frame_evidence.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 // Groups with a hit, and groups with evidence but without one.
 struct GroupBudget {
@@ -34,14 +34,15 @@ struct GroupBudget {
   }
 };
 
-inline lanes::EightBytes eight_at(const FrameEvidence::TileIndexes& tile, std::size_t group) {
+inline lanes::EightBytes eight_at(const window::FrameEvidence::TileIndexes& tile,
+                                  std::size_t group) {
   return lanes::EightBytes::load(&tile[group * evidence::kGroupCells]);
 }
 
 // Of a tile of a frame's evidence.
-inline GroupBudget groups_of(const FrameEvidence::TileIndexes& tile) {
+inline GroupBudget groups_of(const window::FrameEvidence::TileIndexes& tile) {
   GroupBudget groups;
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
+  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
     const lanes::EightBytes eight = eight_at(tile, group);
     const bool has_hit = eight.has_positive();
     groups.with_hits += has_hit ? 1U : 0U;
@@ -50,4 +51,4 @@ inline GroupBudget groups_of(const FrameEvidence::TileIndexes& tile) {
   return groups;
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -7,11 +7,11 @@
 #include "ageing/gains.hpp"
 #include "evidence/assignment.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 // Which hits on free ground are on something that moves.
 enum class Moved : std::uint8_t {
-  kOpenGround,  // window/arrivals.hpp
+  kOpenGround,  // perception/arrivals.hpp
   kLiteral,     // all of them (Kurdej 2015, section 5.2), for comparison
 };
 
@@ -20,7 +20,7 @@ enum class Moved : std::uint8_t {
 inline constexpr std::uint32_t kGroupCycles = 500;
 
 // Groups that are fused in a frame: not more than a core gets done in the 40 ms of a frame. Those
-// with hits come first (window/window_fusion.hpp).
+// with hits come first (perception/window_fusion.hpp).
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 
@@ -36,8 +36,8 @@ struct Rules {
   // Masses by index; without it all hits have one mass. Of static storage.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
-  // Ground is opened only from below (window/opening.hpp): one of the sensors says how low and how
-  // tall.
+  // Ground is opened only from below (perception/opening.hpp): one of the sensors says how low and
+  // how tall.
   bool is_opened_from_below = false;
   // What is taken gives way to low beams alone then, because a sensor is higher than they are.
   bool looks_over_things = true;
@@ -46,4 +46,4 @@ struct Rules {
   std::uint32_t group_budget = kGroupBudget;
 };
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -16,27 +16,27 @@
 #include "window/frame_evidence.hpp"
 #include "window/window.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 class MovingNames {
  public:
   // Every name is again what the masses say.
-  void take_back(Window& window);
+  void take_back(window::Window& window);
 
   // A cell of the window becomes moving, at least so sure, 0 ... 7. Nothing changes where nothing
   // is known of its group.
-  void give(geometry::Cell cell, std::uint8_t sureness, Window& window);
+  void give(geometry::Cell cell, std::uint8_t sureness, window::Window& window);
 
   // The masses of a tile, or its names by them, have changed. Several cores may say so of different
   // tiles.
-  void note_tile(std::size_t slot, const Tile& tile);
+  void note_tile(std::size_t slot, const window::Tile& tile);
 
   // A cell that is called moving and was not hit in this frame becomes unknown, but where something
   // which moves may be: held(first, asked) says where, of the cells of a group that are asked for,
   // bit i of the cell i to the right of the first. All tiles were noted as they are.
   template <typename Held>
-  void withdraw(const FrameEvidence& evidence, Window& window, Held&& held) {
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+  void withdraw(const window::FrameEvidence& evidence, window::Window& window, Held&& held) {
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       if (may_move_[slot] && window.is_known(slot)) {
         withdraw(evidence, slot, window, held);
       }
@@ -45,15 +45,16 @@ class MovingNames {
 
  private:
   static constexpr std::size_t kGroupsPerWord = 32;
-  static constexpr std::size_t kRowsPerWord = kGroupsPerWord / kGroupsPerRow;
+  static constexpr std::size_t kRowsPerWord = kGroupsPerWord / window::kGroupsPerRow;
   static_assert(kRowsPerWord == 8);
-  using Groups = std::array<std::uint32_t, kGroupsPerTile / kGroupsPerWord>;
+  using Groups = std::array<std::uint32_t, window::kGroupsPerTile / kGroupsPerWord>;
 
   // The cells of a group that are called moving, bit i of cell i.
   [[nodiscard]] static std::uint8_t moving_of(const decision::Decided& decided);
 
   template <typename Held>
-  void withdraw(const FrameEvidence& evidence, std::size_t slot, Window& window, Held& held);
+  void withdraw(const window::FrameEvidence& evidence, std::size_t slot, window::Window& window,
+                Held& held);
 
   void note(std::size_t slot, std::size_t group) {
     changed_[slot][group / kGroupsPerWord] |= 1U << group % kGroupsPerWord;
@@ -63,17 +64,17 @@ class MovingNames {
   }
 
   // By slot the groups in which a cell may move by the masses, and those that were renamed.
-  std::array<Groups, kSlotCount> moving_{};
-  std::array<Groups, kSlotCount> changed_{};
-  std::array<bool, kSlotCount> is_changed_{};
+  std::array<Groups, window::kSlotCount> moving_{};
+  std::array<Groups, window::kSlotCount> changed_{};
+  std::array<bool, window::kSlotCount> is_changed_{};
   bool is_any_changed_ = false;
-  std::array<bool, kSlotCount> may_move_{};  // whether there is a group in either
+  std::array<bool, window::kSlotCount> may_move_{};  // whether there is a group in either
 };
 
 template <typename Held>
-void MovingNames::withdraw(const FrameEvidence& evidence, std::size_t slot, Window& window,
-                           Held& held) {
-  const Tile& tile = window.tile(slot);
+void MovingNames::withdraw(const window::FrameEvidence& evidence, std::size_t slot,
+                           window::Window& window, Held& held) {
+  const window::Tile& tile = window.tile(slot);
   const std::int8_t* const hits = evidence.is_touched(slot) ? evidence.tile(slot).data() : nullptr;
   for (std::size_t word = 0; word < moving_[slot].size(); ++word) {
     const std::uint32_t groups = moving_[slot][word] | changed_[slot][word];
@@ -86,7 +87,7 @@ void MovingNames::withdraw(const FrameEvidence& evidence, std::size_t slot, Wind
             lanes::EightBytes::load(&hits[group * evidence::kGroupCells]).positive()};
       }
       if (left != 0) {
-        left &= ~held(cell_at(window.area(), slot, group, 0), left);
+        left &= ~held(window::cell_at(window.area(), slot, group, 0), left);
       }
       if (left == 0) {
         continue;
@@ -100,4 +101,4 @@ void MovingNames::withdraw(const FrameEvidence& evidence, std::size_t slot, Wind
   }
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

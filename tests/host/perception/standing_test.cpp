@@ -1,5 +1,5 @@
 // What of that which stands is met, what is crossed, and when the poses are contradicted.
-#include "window/standing.hpp"
+#include "perception/standing.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "window/evidence_bits.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 struct Frame {
@@ -19,12 +19,12 @@ struct Frame {
     indexes.at(static_cast<std::size_t>(place)) = value;
   }
   [[nodiscard]] StandingCounts counts(bool from_below = false) const {
-    const EvidenceBits bits = bits_of(indexes);
+    const window::EvidenceBits bits = window::bits_of(indexes);
     return standing_counts(*tile, bits.hit, from_below ? bits.from_below : bits.free);
   }
 
-  std::unique_ptr<Tile> tile = std::make_unique<Tile>();
-  FrameEvidence::TileIndexes indexes{};
+  std::unique_ptr<window::Tile> tile = std::make_unique<window::Tile>();
+  window::FrameEvidence::TileIndexes indexes{};
 };
 
 TEST(Standing, IsMetIfSomethingIsHitWithinTwoCells) {
@@ -46,10 +46,10 @@ TEST(Standing, IsMetIfSomethingIsHitWithinTwoCells) {
 TEST(Standing, IsCrossedFromBelowAloneWhereThatIsAsked) {
   Frame frame;
   frame.stand(16, 9);
-  frame.index(16, 9, byte_of(-5, false));
+  frame.index(16, 9, window::byte_of(-5, false));
   EXPECT_EQ(frame.counts(true), StandingCounts{});
   EXPECT_EQ(frame.counts(false).crossed, 1U);
-  frame.index(16, 9, byte_of(-5, true));
+  frame.index(16, 9, window::byte_of(-5, true));
   EXPECT_EQ(frame.counts(true).crossed, 1U);
   EXPECT_EQ(frame.counts(false).crossed, 1U);
 }
@@ -131,4 +131,4 @@ TEST(Contradiction, BeginsWithinHalfASecondAndIsOverWhenItIsForgotten) {
 }
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::perception

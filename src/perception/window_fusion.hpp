@@ -2,11 +2,11 @@
 //
 // In a frame the window follows the vehicle, slices are added, and the frame is finished:
 //   1. what is asked of neighbours is answered from the state before the frame, and where ground is
-//      opened only from below (window/opening.hpp) what does not count is left out;
+//      opened only from below (perception/opening.hpp) what does not count is left out;
 //   2. groups with evidence age, take it in, and are decided;
 //   3. the tiles of which slot and number of frames, since the first that was placed, are a
 //   multiple of 8 in sum are refreshed: its other groups age and are decided without evidence;
-//   4. who follows things names what moves (window/moving_names.hpp);
+//   4. who follows things names what moves (perception/moving_names.hpp);
 //   5. if a slice was placed, the frame counts as fused, and the tiles of which slot and number of
 //      fused frames, this one included, are even in sum remember their ground.
 // Nothing depends on the order of slices or tiles.
@@ -28,26 +28,26 @@
 #include "ageing/clock.hpp"
 #include "health/constants.hpp"
 #include "health/guard.hpp"
+#include "perception/arrivals.hpp"
+#include "perception/group_budget.hpp"
+#include "perception/moving_names.hpp"
+#include "perception/opening.hpp"
+#include "perception/rules.hpp"
+#include "perception/standing.hpp"
+#include "perception/tile_before.hpp"
+#include "perception/tile_update.hpp"
 #include "pose/pose.hpp"
-#include "window/arrivals.hpp"
 #include "window/frame_evidence.hpp"
-#include "window/group_budget.hpp"
 #include "window/hit_list.hpp"
-#include "window/moving_names.hpp"
-#include "window/opening.hpp"
 #include "window/placement.hpp"
-#include "window/rules.hpp"
 #include "window/slice_cells.hpp"
-#include "window/standing.hpp"
-#include "window/tile_before.hpp"
-#include "window/tile_update.hpp"
 #include "window/window.hpp"
 #include "window/window_view.hpp"
 #include "work/before_images.hpp"
 #include "work/crew.hpp"
 #include "work/runs.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 // Every tile is refreshed once in so many frames.
 inline constexpr std::uint32_t kRefreshFrames = 8;
@@ -78,7 +78,7 @@ class WindowFusion {
   void follow(const pose::Pose& pose);
 
   // Adds slices, at most FrameEvidence::kMostAtOnce.
-  void add(std::span<const PlacedCells> slices, const work::Crew& crew = work::Crew());
+  void add(std::span<const window::PlacedCells> slices, const work::Crew& crew = work::Crew());
 
   // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts
   // as the newest. A frame without slices and without time changes nothing and is none.
@@ -118,7 +118,7 @@ class WindowFusion {
   [[nodiscard]] const FrameCounts& counts() const { return counts_; }
 
   // The hits of the frame, if it is followed, and how many had no room.
-  [[nodiscard]] std::span<const Hit> hits() const { return hits_.all(); }
+  [[nodiscard]] std::span<const window::Hit> hits() const { return hits_.all(); }
   [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
   // As MovingNames, of a window that is followed.
   void name_moving(geometry::Cell cell, std::uint8_t sureness) {
@@ -130,7 +130,7 @@ class WindowFusion {
   }
 
   // What the map rules out in the tile at a slot: see Window. Names alone follow, and at once.
-  void rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
+  void rule_out(std::size_t slot, const window::TileRuledOut& ruled_out) {
     window_.rule_out(slot, ruled_out);
     note_names(slot);
   }
@@ -144,7 +144,7 @@ class WindowFusion {
   void forget();
 
   // After finish(), until slices are added again.
-  [[nodiscard]] WindowView view() const { return {window_, refreshed_, clock_}; }
+  [[nodiscard]] window::WindowView view() const { return {window_, refreshed_, clock_}; }
 
   template <typename Visit>
   void for_each_guard(Visit&& visit) {
@@ -179,7 +179,7 @@ class WindowFusion {
       return next;
     }
   };
-  using GroundBefore = std::array<Ground, kEnded.longest>;
+  using GroundBefore = std::array<window::Ground, kEnded.longest>;
 
   // Groups from one that is aged to the one whose memory is asked for meanwhile.
   static constexpr std::size_t kGroupsAhead = 2;
@@ -188,7 +188,7 @@ class WindowFusion {
   // last one there is room for those who look ahead.
   struct GroupList {
     std::size_t count = 0;
-    std::array<std::uint8_t, kGroupsPerTile + kGroupsAhead> numbers;
+    std::array<std::uint8_t, window::kGroupsPerTile + kGroupsAhead> numbers;
 
     void add(std::size_t group) { numbers[count++] = static_cast<std::uint8_t>(group); }
   };
@@ -206,12 +206,12 @@ class WindowFusion {
     std::uint8_t refreshed = 0;
     StandingCounts standing{};
   };
-  static_assert(kGroupsPerTile <= 0xFF);
+  static_assert(window::kGroupsPerTile <= 0xFF);
 
   // Slots in rising order.
   struct SlotList {
     std::size_t count = 0;
-    std::array<std::uint16_t, kSlotCount> slots{};
+    std::array<std::uint16_t, window::kSlotCount> slots{};
 
     void add(std::size_t slot) { slots[count++] = static_cast<std::uint16_t>(slot); }
     [[nodiscard]] std::span<const std::uint16_t> all() const {
@@ -245,7 +245,7 @@ class WindowFusion {
   [[nodiscard]] bool is_turn_to_refresh(std::size_t slot) const {
     return (slot + frames_) % kRefreshFrames == 0;
   }
-  Tile& open(std::size_t slot);
+  window::Tile& open(std::size_t slot);
   void end_tiles(const work::Crew& crew, work::Beside beside);
   void keep_ground(work::Run run, std::size_t item, std::size_t core);
   void end_slots(work::Run run, bool is_new_period);
@@ -259,11 +259,11 @@ class WindowFusion {
   // What is aligned to a cache line comes first.
   work::BeforeImages<TilesBefore> tiles_before_;
   work::BeforeImages<GroundBefore> ground_before_;
-  FrameEvidence evidence_;
+  window::FrameEvidence evidence_;
   health::Guard behind_evidence_;
-  Window window_;
+  window::Window window_;
   health::Guard behind_window_;
-  HitList hits_;
+  window::HitList hits_;
   MovingNames names_;
   Rules rules_;
   bool is_followed_;
@@ -274,14 +274,14 @@ class WindowFusion {
   // In which period the slots of either parity had their last turn.
   std::array<std::optional<std::uint64_t>, 2> last_turns_{};
   FrameCounts counts_{};
-  Refreshed refreshed_{};
+  window::Refreshed refreshed_{};
   Arrivals arrivals_;
   Opening opening_;
   SlotList due_;  // slots that this step is about
-  std::array<SlotCounts, kSlotCount> slot_counts_{};
+  std::array<SlotCounts, window::kSlotCount> slot_counts_{};
   health::Guard behind_counts_;
 };
 inline constexpr std::size_t kWindowBytes = sizeof(WindowFusion);
 static_assert(geometry::kCellsPerSide > 1024 || kWindowBytes <= 17'600'000);
 
-}  // namespace iog::window
+}  // namespace iog::perception

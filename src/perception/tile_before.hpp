@@ -10,7 +10,7 @@
 #include "window/tile.hpp"
 #include "work/before_images.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 class TileBefore {
  public:
@@ -22,7 +22,7 @@ class TileBefore {
 
   // Before a group is changed, and once. Masses that mean nothing are left out: those of a group
   // that was never aged, and what is taken where all of it is free.
-  void keep(const Tile& tile, std::size_t group) {
+  void keep(const window::Tile& tile, std::size_t group) {
     Group& kept = groups_[count_];
     kept.number = static_cast<std::uint8_t>(group);
     kept.aged_at = tile.aged_at[group];
@@ -42,7 +42,7 @@ class TileBefore {
   // Whether anything was known of the tile. If not, nothing of it has to be put back.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
-  void put_back(Tile& tile) const {
+  void put_back(window::Tile& tile) const {
     for (const Group& kept : std::span(groups_).first(count_)) {
       const std::size_t group = kept.number;
       tile.aged_at[group] = kept.aged_at;
@@ -65,7 +65,7 @@ class TileBefore {
 
   bool is_known_ = false;
   std::size_t count_ = 0;
-  std::array<Group, kGroupsPerTile> groups_{};
+  std::array<Group, window::kGroupsPerTile> groups_{};
 };
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -1,20 +1,21 @@
-#include "window/window_fusion.hpp"
+#include "perception/window_fusion.hpp"
 
 #include <algorithm>
 #include <span>
 #include <utility>
 
+#include "perception/bring_tile.hpp"
+#include "perception/ground.hpp"
 #include "require/require.hpp"
-#include "window/bring_tile.hpp"
 #include "window/evidence_bits.hpp"
-#include "window/ground.hpp"
 #include "work/runs.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 // Where they lie: a copy of them would still be on its way to the cache when it is needed.
-const evidence::Indexes& indexes_of(const FrameEvidence::TileIndexes& tile, std::size_t group) {
+const evidence::Indexes& indexes_of(const window::FrameEvidence::TileIndexes& tile,
+                                    std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
 }
 
@@ -30,15 +31,15 @@ WindowFusion::WindowFusion(const Rules& rules, bool is_followed)
 // Evidence lies by slot, and would be of other tiles if the window moved under it.
 void WindowFusion::follow(const pose::Pose& pose) {
   require(counts_.slices == 0);
-  window_.follow(cell_of(pose));
+  window_.follow(window::cell_of(pose));
 }
 
-void WindowFusion::add(std::span<const PlacedCells> slices, const work::Crew& crew) {
-  require(slices.size() <= FrameEvidence::kMostAtOnce);
-  std::array<PlacedCells, FrameEvidence::kMostAtOnce> inside;
+void WindowFusion::add(std::span<const window::PlacedCells> slices, const work::Crew& crew) {
+  require(slices.size() <= window::FrameEvidence::kMostAtOnce);
+  std::array<window::PlacedCells, window::FrameEvidence::kMostAtOnce> inside;
   std::size_t count = 0;
-  for (const PlacedCells& slice : slices) {
-    if (window_.is_centred() && window_.area().contains(cell_of(slice.at.pose))) {
+  for (const window::PlacedCells& slice : slices) {
+    if (window_.is_centred() && window_.area().contains(window::cell_of(slice.at.pose))) {
       inside[count++] = slice;
     } else {
       ++counts_.slices_outside;
@@ -82,7 +83,7 @@ void WindowFusion::decide_frame(std::uint64_t stamp_us, const work::Crew& crew,
 void WindowFusion::find_arrivals(const work::Crew& crew) {
   due_.count = 0;
   arrivals_.begin();
-  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+  for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
     if (evidence_.is_touched(slot)) {
       due_.add(slot);
     }
@@ -93,7 +94,7 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
       look_at(slot);
     }
   });
-  if (due_.count * kGroupsPerTile > rules_.group_budget) {
+  if (due_.count * window::kGroupsPerTile > rules_.group_budget) {
     count_groups(crew);
   }
 }
@@ -108,7 +109,7 @@ void WindowFusion::look_at(std::size_t slot) {
     arrivals_.find_none(slot);
     return;
   }
-  const EvidenceBits bits = bits_of(evidence_.tile(slot));
+  const window::EvidenceBits bits = window::bits_of(evidence_.tile(slot));
   arrivals_.find_new(window_, evidence_, slot, bits.hit);
   if (is_standing) {
     slot_counts_[slot].standing = standing_counts(
@@ -143,13 +144,13 @@ void WindowFusion::count_groups(const work::Crew& crew) {
 WindowFusion::Budget WindowFusion::budget() const {
   std::size_t touched = 0;
   std::uint32_t with_hits = 0;
-  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+  for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
     if (evidence_.is_touched(slot)) {
       ++touched;
       with_hits += slot_counts_[slot].groups.with_hits;
     }
   }
-  if (touched * kGroupsPerTile <= rules_.group_budget) {
+  if (touched * window::kGroupsPerTile <= rules_.group_budget) {
     return std::nullopt;
   }
   return GroupBudget{
@@ -162,7 +163,7 @@ void WindowFusion::update_tiles(const work::Crew& crew, work::Beside beside) {
   const TileUpdate update(clock_, rules_.assignment);
   Budget budget = this->budget();
   due_.count = 0;
-  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+  for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
     if (evidence_.is_touched(slot)) {
       due_.add(slot);
     } else if (is_turn_to_refresh(slot) && window_.is_known(slot)) {
@@ -246,10 +247,10 @@ void WindowFusion::update_tile(const TileUpdate& update, std::size_t slot, Budge
 template <typename... Before>
 void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, Budget& budget,
                              Before&... before) {
-  const FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
+  const window::FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
   GroupList groups;
   std::size_t left = 0;
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
+  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
     const lanes::EightBytes eight = eight_at(indexes, group);
     if (eight.is_zero()) {
       continue;
@@ -270,14 +271,14 @@ void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, Budget&
 template <typename... Before>
 void WindowFusion::fuse_groups(const TileUpdate& update, std::size_t slot, GroupList& groups,
                                Before&... before) {
-  const FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
-  Tile& tile = open(slot);
+  const window::FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
+  window::Tile& tile = open(slot);
   for (std::size_t ahead = 0; ahead < kGroupsAhead; ++ahead) {
     groups.numbers[groups.count + ahead] = groups.numbers[groups.count - 1];
     prefetch(tile, groups.numbers[ahead]);
   }
-  bring_rows(tile, groups.numbers[0] / kGroupsPerRow,
-             groups.numbers[groups.count - 1] / kGroupsPerRow);
+  bring_rows(tile, groups.numbers[0] / window::kGroupsPerRow,
+             groups.numbers[groups.count - 1] / window::kGroupsPerRow);
   const bool all_moved = rules_.moved == Moved::kLiteral;
   const bool has_hit = evidence_.has_hit(slot);
   const auto is_crossed = [&](std::size_t group) {
@@ -304,7 +305,7 @@ void WindowFusion::fuse_groups(const TileUpdate& update, std::size_t slot, Group
   }
 }
 
-Tile& WindowFusion::open(std::size_t slot) {
+window::Tile& WindowFusion::open(std::size_t slot) {
   if (!window_.is_known(slot)) {
     refreshed_[slot] = clock_.now();
   }
@@ -313,10 +314,10 @@ Tile& WindowFusion::open(std::size_t slot) {
 
 template <typename... Before>
 void WindowFusion::refresh_tile(const TileUpdate& update, std::size_t slot, Before&... before) {
-  Tile& tile = window_.open(slot);
+  window::Tile& tile = window_.open(slot);
   std::size_t refreshed = 0;
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    prefetch(tile, std::min(group + kGroupsAhead, kGroupsPerTile - 1));
+  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
+    prefetch(tile, std::min(group + kGroupsAhead, window::kGroupsPerTile - 1));
     if (update.is_old(tile, group)) {
       (before.keep(tile, group), ...);
       update.refresh(tile, group);
@@ -344,7 +345,7 @@ void WindowFusion::end_tiles(const work::Crew& crew, work::Beside beside) {
   const bool is_new_period = last_turns_[parity].value_or(period) != period;
   last_turns_[parity] = period;
   ground_before_.begin();
-  const work::Runs runs(kSlotCount, kEnded);
+  const work::Runs runs(window::kSlotCount, kEnded);
   crew.share(
       runs.count(),
       [&](std::size_t item, std::size_t core) {
@@ -378,4 +379,4 @@ void WindowFusion::end_slots(work::Run run, bool is_new_period) {
   }
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -1,10 +1,10 @@
-#include "window/window_clock.hpp"
+#include "perception/window_clock.hpp"
 
 #include <algorithm>
 
 #include "pose/limits.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 std::uint64_t end_of_frame(std::optional<std::uint64_t> slices_end_us, std::uint64_t source_now_us,
                            std::uint64_t newest_pose_us) {
@@ -35,4 +35,4 @@ void WindowClock::end_frame(std::optional<std::uint64_t> time_us, bool is_anew,
   }
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -19,12 +19,12 @@
 #include <array>
 #include <cstddef>
 
+#include "perception/rules.hpp"
 #include "window/evidence_bits.hpp"
 #include "window/frame_evidence.hpp"
-#include "window/rules.hpp"
 #include "window/window.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 class Opening {
  public:
@@ -32,16 +32,17 @@ class Opening {
 
   // Its steps by slot. Each may be done again, and for several slots at once.
   // Of a slot with evidence, which has these bits, before any tile is changed.
-  void find(const Window& window, const EvidenceBits& bits, std::size_t slot);
+  void find(const window::Window& window, const window::EvidenceBits& bits, std::size_t slot);
   // Before the tile takes in the evidence.
-  void leave_out_high(FrameEvidence& evidence, std::size_t slot) const;
+  void leave_out_high(window::FrameEvidence& evidence, std::size_t slot) const;
   // When the tile has taken in the evidence, or was refreshed. It is known.
-  void remember(Tile& tile, bool is_touched, std::size_t slot) const;
+  void remember(window::Tile& tile, bool is_touched, std::size_t slot) const;
 
  private:
   bool looks_over_things_;
-  std::array<Plane, kSlotCount> high_{};  // taken, and free by beams that are not low
-  std::array<Plane, kSlotCount> next_{};  // Tile::from_below after the frame
+  std::array<window::Plane, window::kSlotCount>
+      high_{};  // taken, and free by beams that are not low
+  std::array<window::Plane, window::kSlotCount> next_{};  // Tile::from_below after the frame
 };
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -1,5 +1,5 @@
 // The window in time, by its laws: refresh, budget, forgetting, periods.
-#include "window/window_fusion.hpp"
+#include "perception/window_fusion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "window/frames.hpp"
+#include "perception/frames.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 // One cell free in one frame, in each of many tiles.
@@ -29,7 +29,7 @@ TEST(WindowFusion, EveryKnownTileIsRefreshedWithinEightFrames) {
   std::uint32_t refreshed = 0;
   for (int frame = 1; frame <= 80; ++frame) {
     refreshed += fusion.frame({}).groups_refreshed;
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       ASSERT_TRUE(!fusion.view().is_known(slot) || fusion.view().age_frames(slot) <= 7);
     }
   }
@@ -51,8 +51,8 @@ TEST(WindowFusion, FramesBeforeTheFirstThatIsPlacedDoNotShow) {
         add_slice(slice, at_cell(vehicle), *fusion);
       }
       fusion->finish(1'000'000 + frame * 40'000);
-      auto& tiles = frames.emplace_back(kSlotCount);
-      for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+      auto& tiles = frames.emplace_back(window::kSlotCount);
+      for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
         fusion->view().copy_classes(slot, tiles[slot]);
       }
     }
@@ -71,7 +71,7 @@ TEST(WindowFusion, AFrameWithoutSlicesAndWithoutTimeChangesNothing) {
     EXPECT_EQ(fusion.frame({}, 40'000), FrameCounts{});
     EXPECT_EQ(fusion.classes(), before);
   }
-  EXPECT_EQ(fusion.view().age_frames(slot_of({0, 0})), 0);
+  EXPECT_EQ(fusion.view().age_frames(window::slot_of({0, 0})), 0);
 }
 
 // f = 0.7, tau = 0.949 s: 0.7 exp(-t / tau) is one half at 0.32 s.
@@ -178,7 +178,7 @@ TEST(WindowFusion, NothingIsKnownAfterForgetting) {
   fusion.frame(free_cells(144));
   fusion.forget();
   EXPECT_EQ(fusion.known_tiles(), 0U);
-  EXPECT_TRUE(fusion.classes() == std::vector<ClassBytes>(kSlotCount));
+  EXPECT_TRUE(fusion.classes() == std::vector<ClassBytes>(window::kSlotCount));
   EXPECT_EQ(fusion.frame(free_cells(1)).slices_outside, 1U);
   EXPECT_EQ(fusion.known_tiles(), 0U);
   fusion.follow({0, 0});
@@ -189,7 +189,7 @@ TEST(WindowFusion, NothingIsKnownAfterForgetting) {
 // Slices before and after: of the frame in which the window is forgotten only those after count.
 TEST(WindowFusion, EvidenceOfTheFrameIsForgottenToo) {
   const auto fusion = std::make_unique<WindowFusion>();
-  const Placement at = at_cell({0, 0});
+  const window::Placement at = at_cell({0, 0});
   fusion->follow(at.pose);
   add_slice(free_cells(144)[0].slice, at, *fusion);
   fusion->forget();
@@ -329,7 +329,8 @@ TEST(WindowFusion, AMapNamesWhatIsKnownAtOnce) {
   slice.draw({512, 512}, std::vector<std::string>(32, std::string(32, '.')));
   add_slice(slice, at_cell({0, 0}), *fusion);
   fusion->finish(kFrameUs);
-  const auto expect_named = [&](TileNumber tile, std::size_t group, decision::Class by_the_map) {
+  const auto expect_named = [&](window::TileNumber tile, std::size_t group,
+                                decision::Class by_the_map) {
     for (std::int32_t i = 0; i < 32 * 32; ++i) {
       const Cell cell{32 * tile.a + i % 32, 32 * tile.b + i / 32};
       ASSERT_EQ(class_of(fusion->view().name_of(cell)),
@@ -337,36 +338,36 @@ TEST(WindowFusion, AMapNamesWhatIsKnownAtOnce) {
           << group << ": " << i;
     }
   };
-  for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
-    TileRuledOut ruled_out{};
+  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
+    window::TileRuledOut ruled_out{};
     ruled_out[group].fill(decision::kBuilding + decision::kIntermediate);
-    fusion->rule_out(slot_of({0, 0}), ruled_out);
+    fusion->rule_out(window::slot_of({0, 0}), ruled_out);
     expect_named({0, 0}, group, decision::Class::kDrivable);
     ruled_out[group].fill(decision::kBuilding + decision::kRoad);
-    fusion->rule_out(slot_of({0, 0}), ruled_out);
+    fusion->rule_out(window::slot_of({0, 0}), ruled_out);
     expect_named({0, 0}, group, decision::Class::kNonDrivable);
-    fusion->rule_out(slot_of({1, 0}), ruled_out);
+    fusion->rule_out(window::slot_of({1, 0}), ruled_out);
   }
-  fusion->rule_out(slot_of({0, 0}), {});
+  fusion->rule_out(window::slot_of({0, 0}), {});
   expect_named({0, 0}, 0, decision::Class::kFree);
   add_slice(slice, at_cell({32, 0}), *fusion);
   fusion->finish(2 * kFrameUs);
-  expect_named({1, 0}, kGroupsPerTile - 1, decision::Class::kNonDrivable);
+  expect_named({1, 0}, window::kGroupsPerTile - 1, decision::Class::kNonDrivable);
 }
 
 // Those in the window are listed while there is room, and forgotten when the frame ends.
 TEST(WindowFusion, HitsOfAFrameAreListedIfItIsFollowed) {
   constexpr std::size_t kRows = 257;
   constexpr std::size_t kAcross = 128;
-  static_assert(kRows * kAcross > HitList::kMost);
+  static_assert(kRows * kAcross > window::HitList::kMost);
   Slice slice;
   slice.draw({400, 400}, std::vector<std::string>(kRows, std::string(kAcross, '#')));
   for (const bool is_followed : {true, false}) {
     const auto fusion = std::make_unique<WindowFusion>(Rules{}, is_followed);
     fusion->follow(at_cell({0, 0}).pose);
     add_slice(slice, at_cell({0, 0}), *fusion);
-    EXPECT_EQ(fusion->hits().size(), is_followed ? HitList::kMost : 0U);
-    EXPECT_EQ(fusion->hits_left(), is_followed ? kRows * kAcross - HitList::kMost : 0U);
+    EXPECT_EQ(fusion->hits().size(), is_followed ? window::HitList::kMost : 0U);
+    EXPECT_EQ(fusion->hits_left(), is_followed ? kRows * kAcross - window::HitList::kMost : 0U);
     fusion->finish(kFrameUs);
     EXPECT_TRUE(fusion->hits().empty());
     EXPECT_EQ(fusion->hits_left(), 0U);
@@ -396,4 +397,4 @@ TEST(WindowFusion, AWindowThatIsForgottenGoesOnLikeANewOne) {
 }
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -18,8 +18,8 @@
 #include "decision/decision.hpp"
 #include "evidence/fusion.hpp"
 #include "fakes/group.hpp"
+#include "perception/flat_ground.hpp"
 #include "window/area.hpp"
-#include "window/flat_ground.hpp"
 #include "window/slice.hpp"
 
 namespace iog::tests {

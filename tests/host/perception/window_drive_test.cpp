@@ -8,12 +8,12 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
-#include "window/frames.hpp"
-#include "window/kept_versions.hpp"
-#include "window/plain_fusion.hpp"
-#include "window/window_fusion.hpp"
+#include "perception/frames.hpp"
+#include "perception/kept_versions.hpp"
+#include "perception/plain_fusion.hpp"
+#include "perception/window_fusion.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 // A street in cells of the local frame: a wall that flickers, and a block that comes along.
@@ -108,7 +108,7 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
     versions.look(fusion->view());
     std::size_t known = 0;
     for (const auto& [number, tile] : plain.tiles()) {
-      const std::size_t slot = slot_of({number.second, number.first});
+      const std::size_t slot = window::slot_of({number.second, number.first});
       ClassBytes bytes;
       const bool is_classified = fusion->view().copy_classes(slot, bytes);
       ASSERT_EQ(is_classified, std::ranges::any_of(bytes, [](auto byte) { return byte != 0; }));
@@ -120,7 +120,7 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
       ASSERT_EQ(fusion->view().age_frames(slot), plain.frames() - tile.refreshed_frame);
       ++known;
     }
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       known -= fusion->view().is_known(slot) ? 1U : 0U;
     }
     ASSERT_EQ(known, 0U);
@@ -146,4 +146,4 @@ TEST(WindowFusion, NoOrderOfSlicesShows) {
 }
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::perception

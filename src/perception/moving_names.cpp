@@ -1,9 +1,9 @@
-#include "window/moving_names.hpp"
+#include "perception/moving_names.hpp"
 
 #include <algorithm>
 #include <span>
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 constexpr auto kMoving =
@@ -21,7 +21,7 @@ std::uint8_t MovingNames::moving_of(const decision::Decided& decided) {
 
 // Nothing moves by its masses where less than a quarter of all mass is of what is taken, which a
 // plane says by cell (decision/decision.hpp).
-void MovingNames::note_tile(std::size_t slot, const Tile& tile) {
+void MovingNames::note_tile(std::size_t slot, const window::Tile& tile) {
   Groups groups = changed_[slot];
   std::uint32_t any = 0;
   for (std::size_t word = 0; word < groups.size(); ++word) {
@@ -35,7 +35,7 @@ void MovingNames::note_tile(std::size_t slot, const Tile& tile) {
       for (std::uint32_t left = rows[y]; left != 0;) {
         const auto in_row =
             static_cast<std::size_t>(std::countr_zero(left)) / evidence::kGroupCells;
-        const std::size_t group = y * kGroupsPerRow + in_row;
+        const std::size_t group = y * window::kGroupsPerRow + in_row;
         const bool is_any = moving_of(tile.decided[word * kGroupsPerWord + group]) != 0;
         groups[word] |= (is_any ? 1U : 0U) << group;
         left &= ~(std::uint32_t{0xFF} << in_row * evidence::kGroupCells);
@@ -47,12 +47,12 @@ void MovingNames::note_tile(std::size_t slot, const Tile& tile) {
   may_move_[slot] = any != 0;
 }
 
-void MovingNames::take_back(Window& window) {
+void MovingNames::take_back(window::Window& window) {
   if (!is_any_changed_) {
     return;
   }
   is_any_changed_ = false;
-  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+  for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
     if (!is_changed_[slot]) {
       continue;
     }
@@ -67,8 +67,8 @@ void MovingNames::take_back(Window& window) {
   }
 }
 
-void MovingNames::give(geometry::Cell cell, std::uint8_t sureness, Window& window) {
-  const CellPlace at = place_of(cell);
+void MovingNames::give(geometry::Cell cell, std::uint8_t sureness, window::Window& window) {
+  const window::CellPlace at = window::place_of(cell);
   if (!window.is_known(at.slot) || !window.tile(at.slot).is_known(at.group())) {
     return;
   }
@@ -79,4 +79,4 @@ void MovingNames::give(geometry::Cell cell, std::uint8_t sureness, Window& windo
   note(at.slot, at.group());
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

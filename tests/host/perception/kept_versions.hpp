@@ -9,13 +9,13 @@
 
 #include "window/window_view.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 
 class KeptVersions {
  public:
   // After each frame.
-  void look(const WindowView& view) {
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+  void look(const window::WindowView& view) {
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       if (!view.is_known(slot)) {
         continue;
       }
@@ -42,4 +42,4 @@ class KeptVersions {
   int stayed_ = 0;
 };
 
-}  // namespace iog::window
+}  // namespace iog::perception

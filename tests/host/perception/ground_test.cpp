@@ -1,6 +1,6 @@
 // What has moved, and what is remembered of the ground: rows of bits across tiles and slots against
 // the rule cell by cell.
-#include "window/ground.hpp"
+#include "perception/ground.hpp"
 
 #include <gtest/gtest.h>
 #include <memory>
@@ -9,22 +9,22 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
-#include "window/arrivals.hpp"
-#include "window/flat_ground.hpp"
+#include "perception/arrivals.hpp"
+#include "perception/flat_ground.hpp"
 #include "window/slice.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 using geometry::Cell;
 using tests::FlatGround;
 using tests::GroundCell;
 
-bool bit(const Plane& plane, Cell in_tile) {
+bool bit(const window::Plane& plane, Cell in_tile) {
   return (plane[static_cast<std::size_t>(in_tile.y)] >> in_tile.x & 1U) != 0;
 }
 
-void set(Plane& plane, Cell in_tile, bool to) {
+void set(window::Plane& plane, Cell in_tile, bool to) {
   const std::uint32_t mask = 1U << in_tile.x;
   std::uint32_t& row = plane[static_cast<std::size_t>(in_tile.y)];
   row = to ? row | mask : row & ~mask;
@@ -35,18 +35,20 @@ class GroundOf : public testing::Test {
  protected:
   void follow(Cell vehicle) {
     window_->follow(vehicle);
-    middle_ = {.x_mm = (window_->area().corner().a + 16) * kTileSide * geometry::kCellMm,
-               .y_mm = (window_->area().corner().b + 16) * kTileSide * geometry::kCellMm};
+    middle_ = {.x_mm = (window_->area().corner().a + 16) * window::kTileSide * geometry::kCellMm,
+               .y_mm = (window_->area().corner().b + 16) * window::kTileSide * geometry::kCellMm};
   }
 
   [[nodiscard]] std::size_t slot_at(Cell cell) const {
-    return slot_of({window_->area().corner().a + cell.x / kTileSide,
-                    window_->area().corner().b + cell.y / kTileSide});
+    return window::slot_of({window_->area().corner().a + cell.x / window::kTileSide,
+                            window_->area().corner().b + cell.y / window::kTileSide});
   }
-  static Cell in_tile(Cell cell) { return {cell.x % kTileSide, cell.y % kTileSide}; }
+  static Cell in_tile(Cell cell) {
+    return {cell.x % window::kTileSide, cell.y % window::kTileSide};
+  }
 
   void write(Cell cell, const GroundCell& is) {
-    Tile& tile = window_->open(slot_at(cell));
+    window::Tile& tile = window_->open(slot_at(cell));
     const Cell at = in_tile(cell);
     set(tile.found.freed, at, is.freed);
     set(tile.found.seen, at, is.seen);
@@ -62,7 +64,7 @@ class GroundOf : public testing::Test {
   }
 
   [[nodiscard]] GroundCell read(Cell cell) const {
-    const Tile& tile = window_->tile(slot_at(cell));
+    const window::Tile& tile = window_->tile(slot_at(cell));
     const Cell at = in_tile(cell);
     return {.freed = bit(tile.found.freed, at),
             .seen = bit(tile.found.seen, at),
@@ -87,9 +89,9 @@ class GroundOf : public testing::Test {
     return bit(arrivals_->moved(slot_at(cell)), in_tile(cell));
   }
 
-  std::unique_ptr<Window> window_ = std::make_unique<Window>();
-  std::unique_ptr<FrameEvidence> evidence_ = std::make_unique<FrameEvidence>();
-  std::unique_ptr<SliceCells> cells_ = std::make_unique<SliceCells>();
+  std::unique_ptr<window::Window> window_ = std::make_unique<window::Window>();
+  std::unique_ptr<window::FrameEvidence> evidence_ = std::make_unique<window::FrameEvidence>();
+  std::unique_ptr<window::SliceCells> cells_ = std::make_unique<window::SliceCells>();
   std::unique_ptr<Arrivals> arrivals_ = std::make_unique<Arrivals>();
   tests::Slice hits_;
   pose::Pose middle_;
@@ -148,7 +150,7 @@ TEST_P(GroundNear, IsAskedAndRememberedAsTheRuleSays) {
       moved += flat.has_moved(cell) ? 1 : 0;
     });
     EXPECT_GT(moved, 20);
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       if (window_->is_known(slot)) {
         remember(*window_, slot, round % 2 == 0);
       }
@@ -253,4 +255,4 @@ TEST_F(OpenGround, NothingMovesBesideWhatStands) {
 }
 
 }  // namespace
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace iog::window {
+namespace iog::perception {
 
 // When a frame ends by the clock of the poses, us: with its last slice, or with the newest pose
 // where none of its packets has a time, so that a pause of all who send is none for the window. A
@@ -36,4 +36,4 @@ class WindowClock {
   bool had_time_ = false;        // which was known in the frame before
 };
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -1,10 +1,10 @@
-#include "window/arrivals.hpp"
+#include "perception/arrivals.hpp"
 
 #include <bit>
 
 #include "window/evidence_bits.hpp"
 
-namespace iog::window {
+namespace iog::perception {
 namespace {
 
 constexpr int kRadius = 3;
@@ -13,7 +13,7 @@ constexpr int kEnoughOnWellKnownGround = 2;
 constexpr int kEnough = 7;
 
 // Whether a hit is on ground of which something is remembered.
-bool is_any_on(const Plane& hits, const Ground& ground) {
+bool is_any_on(const window::Plane& hits, const window::Ground& ground) {
   std::uint32_t bits = 0;
   for (std::size_t y = 0; y < hits.size(); ++y) {
     bits |= hits[y] & (ground.open[y] | ground.dense[y]);
@@ -22,29 +22,30 @@ bool is_any_on(const Plane& hits, const Ground& ground) {
 }
 
 // The cells of a tile that are near a tall hit.
-Plane near_tall(const NinePlanes& tall, int within) {
+window::Plane near_tall(const window::NinePlanes& tall, int within) {
   if (within == kTallWithin) {
-    return middle_of(dilated<kTallWithin>(gather<kTallWithin>(tall)));
+    return window::middle_of(window::dilated<kTallWithin>(window::gather<kTallWithin>(tall)));
   }
   static_assert(kTallOverGroundWithin == 3 + 3 + 2);
-  return middle_of(dilated<2>(dilated<3>(dilated<3>(gather<kTallOverGroundWithin>(tall)))));
+  return window::middle_of(window::dilated<2>(
+      window::dilated<3>(window::dilated<3>(window::gather<kTallOverGroundWithin>(tall)))));
 }
 
 // Of the hits of a tile those that something made which is tall and came where a low beam had been.
-Plane arriving(const Window& window, const FrameEvidence& evidence, std::size_t slot,
-               int tall_within, const Plane& hits) {
-  const Plane& from_below = window.tile(slot).from_below;
-  Plane found;
+window::Plane arriving(const window::Window& window, const window::FrameEvidence& evidence,
+                       std::size_t slot, int tall_within, const window::Plane& hits) {
+  const window::Plane& from_below = window.tile(slot).from_below;
+  window::Plane found;
   for (std::size_t y = 0; y < hits.size(); ++y) {
     found[y] = hits[y] & from_below[y];
   }
-  if (is_empty(found)) {
+  if (window::is_empty(found)) {
     return found;
   }
-  const Plane tall =
+  const window::Plane tall =
       near_tall(window.around(
                     slot, [&](std::size_t at) { return evidence.has_hit(at); },
-                    [&](std::size_t at) -> const Plane& { return evidence.tall(at); }),
+                    [&](std::size_t at) -> const window::Plane& { return evidence.tall(at); }),
                 tall_within);
   for (std::size_t y = 0; y < hits.size(); ++y) {
     found[y] &= tall[y];
@@ -53,11 +54,12 @@ Plane arriving(const Window& window, const FrameEvidence& evidence, std::size_t 
 }
 
 // The new hits in the square around a cell of a tile. The mask is of the cell's column.
-int count_around(const Rows& rows, std::size_t y, int x) {
+int count_around(const window::Rows& rows, std::size_t y, int x) {
   int count = 0;
-  for (std::size_t row = kRowMargin + y - kRadius; row <= kRowMargin + y + kRadius; ++row) {
+  for (std::size_t row = window::kRowMargin + y - kRadius; row <= window::kRowMargin + y + kRadius;
+       ++row) {
     const auto run =
-        static_cast<std::uint32_t>(rows.words[row] >> (kColumnMargin - kRadius + x) & kRun);
+        static_cast<std::uint32_t>(rows.words[row] >> (window::kColumnMargin - kRadius + x) & kRun);
     count += std::popcount(run);
   }
   return count;
@@ -65,33 +67,34 @@ int count_around(const Rows& rows, std::size_t y, int x) {
 
 }  // namespace
 
-void Arrivals::find(const Window& window, const FrameEvidence& evidence) {
+void Arrivals::find(const window::Window& window, const window::FrameEvidence& evidence) {
   begin();
-  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
-    find_new(window, evidence, slot, bits_of(evidence.tile(slot)).hit);
+  for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
+    find_new(window, evidence, slot, window::bits_of(evidence.tile(slot)).hit);
   }
-  for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+  for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
     find_moved(window, slot);
   }
 }
 
-void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std::size_t slot,
-                        const Plane& hits) {
+void Arrivals::find_new(const window::Window& window, const window::FrameEvidence& evidence,
+                        std::size_t slot, const window::Plane& hits) {
   if (!evidence.is_touched(slot)) {
     return;
   }
-  moved_[slot] = Plane{};
+  moved_[slot] = window::Plane{};
   if (!window.is_known(slot) || !evidence.has_hit(slot) ||
       !is_any_on(hits, window.tile(slot).ground)) {
     return;
   }
-  const Plane arrived =
+  const window::Plane arrived =
       is_from_below_ ? arriving(window, evidence, slot, tall_within_, hits) : hits;
-  if (is_empty(arrived)) {
+  if (window::is_empty(arrived)) {
     return;
   }
-  const Plane beside = middle_of(dilated<1>(gather<1>(window.around(slot, &Found::stands))));
-  const Tile& tile = window.tile(slot);
+  const window::Plane beside = window::middle_of(
+      window::dilated<1>(window::gather<1>(window.around(slot, &window::Found::stands))));
+  const window::Tile& tile = window.tile(slot);
   for (std::size_t y = 0; y < hits.size(); ++y) {
     const std::uint32_t candidates = arrived[y] & ~beside[y];
     const std::uint32_t open = candidates & tile.ground.open[y];
@@ -99,15 +102,15 @@ void Arrivals::find_new(const Window& window, const FrameEvidence& evidence, std
     open_[slot][y] = open & ~tile.ground.dense[y];
     moved_[slot][y] = candidates & tile.ground.dense[y];
   }
-  has_new_[slot] = !is_empty(new_[slot]);
-  has_open_[slot] = !is_empty(open_[slot]);
+  has_new_[slot] = !window::is_empty(new_[slot]);
+  has_open_[slot] = !window::is_empty(open_[slot]);
 }
 
-void Arrivals::count_new(const Window& window, std::size_t slot) {
-  const Rows rows = gather<kRadius>(window.around(
+void Arrivals::count_new(const window::Window& window, std::size_t slot) {
+  const window::Rows rows = window::gather<kRadius>(window.around(
       slot, [this](std::size_t at) { return has_new_[at]; },
-      [this](std::size_t at) -> const Plane& { return new_[at]; }));
-  const Ground& ground = window.tile(slot).ground;
+      [this](std::size_t at) -> const window::Plane& { return new_[at]; }));
+  const window::Ground& ground = window.tile(slot).ground;
   for (std::size_t y = 0; y < geometry::kTileSide; ++y) {
     const std::uint32_t well_known = ground.ticks_low[y] & ground.ticks_high[y];
     for (std::uint32_t left = open_[slot][y]; left != 0; left &= left - 1) {
@@ -121,4 +124,4 @@ void Arrivals::count_new(const Window& window, std::size_t slot) {
   }
 }
 
-}  // namespace iog::window
+}  // namespace iog::perception

@@ -1,0 +1,65 @@
+#include "perception/ground.hpp"
+
+namespace iog::perception {
+namespace {
+
+// Whether a cell that is not beside what stands lacks the bit.
+bool is_lacking(const window::Plane& plane, const window::Plane& beside) {
+  std::uint32_t bits = 0;
+  for (std::size_t y = 0; y < plane.size(); ++y) {
+    bits |= ~(plane[y] | beside[y]);
+  }
+  return bits != 0;
+}
+
+window::Plane cells_beside(const window::Window& window, std::size_t slot) {
+  return window::middle_of(
+      window::dilated<1>(window::gather<1>(window.around(slot, &window::Found::stands))));
+}
+
+// A tile without a cell of its own that is freed, or seen, has none that is shut, or dense: a
+// square of 5 by 5 cells that holds any given cell fits into the tile, and nothing in it is.
+window::Plane cells_seen_around(const window::Window& window, std::size_t slot) {
+  if (window::is_empty(window.tile(slot).found.seen)) {
+    return window::Plane{};
+  }
+  return window::middle_of(
+      window::eroded<2>(window::gather<2>(window.around(slot, &window::Found::seen))));
+}
+
+window::Plane cells_open_around(const window::Window& window, std::size_t slot) {
+  if (window::is_empty(window.tile(slot).found.freed)) {
+    return window::Plane{};
+  }
+  const window::Rows closed = window::eroded<2>(
+      window::dilated<2>(window::gather<7>(window.around(slot, &window::Found::freed))));
+  const window::Rows taken = window::gather<3>(window.around(slot, &window::Found::taken));
+  return window::middle_of(window::eroded<3>(window::joined<window::AndNot>(closed, taken)));
+}
+
+}  // namespace
+
+void remember(window::Window& window, std::size_t slot, bool is_new_period) {
+  const window::Plane beside = cells_beside(window, slot);
+  // What all cells have already is not looked for, because it stays.
+  const window::Ground& before = window.tile(slot).ground;
+  const window::Plane dense =
+      is_lacking(before.dense, beside) ? cells_seen_around(window, slot) : window::Plane{};
+  const window::Plane open = is_new_period || is_lacking(before.open, beside)
+                                 ? cells_open_around(window, slot)
+                                 : window::Plane{};
+  const std::uint32_t period = is_new_period ? ~0U : 0U;
+  window::Ground& ground = window.ground(slot);
+  for (std::size_t y = 0; y < geometry::kTileSide; ++y) {
+    const std::uint32_t kept = ~beside[y];
+    const std::uint32_t low = ground.ticks_low[y];
+    const std::uint32_t high = ground.ticks_high[y];
+    const std::uint32_t up = open[y] & period & ~(low & high);
+    ground.open[y] = (ground.open[y] | open[y]) & kept;
+    ground.dense[y] = (ground.dense[y] | dense[y]) & kept;
+    ground.ticks_low[y] = (low ^ up) & kept;
+    ground.ticks_high[y] = (high ^ (up & low)) & kept;
+  }
+}
+
+}  // namespace iog::perception
