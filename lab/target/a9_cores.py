@@ -139,7 +139,7 @@ def of_drive(place: a9_runs.Place, drive: str, variant: str, capture: str) -> li
 UNDIVIDED = {
     "fuse": a9_runs.STAGES["beams"],
     "join": a9_perception.STAGES["join"],
-    "window": ["window/slice_cells:copy", "window/slice_cells:note"],
+    "window": ["placing/slice_cells:copy", "placing/slice_cells:note"],
     "other": FUNCTIONS["other"],
 }
 

@@ -130,7 +130,7 @@ void PerceptionEngine::fuse_group(std::uint8_t group) {
 
 // Each tile is looked at once, while it is at hand.
 void PerceptionEngine::join_group(std::size_t group) {
-  window::SliceCells& cells = fused_.one();
+  placing::SliceCells& cells = fused_.one();
   cells.clear();
   frame_->fusion().join_alone(
       [&](std::size_t tile, auto indexes, const grid::TileBits& low_and_tall) {
@@ -144,11 +144,11 @@ void PerceptionEngine::join_group(std::size_t group) {
 void PerceptionEngine::place_slices(const work::Crew& crew) {
   fused_.begin(frame_->fusion());
   for (auto fused = fused_.next(crew); !fused.empty(); fused = fused_.next(crew)) {
-    std::array<window::PlacedCells, window::FrameEvidence::kMostAtOnce> placed;
+    std::array<placing::PlacedCells, placing::FrameEvidence::kMostAtOnce> placed;
     for (std::size_t i = 0; i < fused.size(); ++i) {
       const pose::Pose& pose = slices_.placed()[fused[i].group].pose;
       placed[i] = {
-          .cells = fused[i].cells, .at = window::placement_of(pose), .number = fused[i].group};
+          .cells = fused[i].cells, .at = placing::placement_of(pose), .number = fused[i].group};
     }
     window_.add(std::span(placed).first(fused.size()), crew);
   }

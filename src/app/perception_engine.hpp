@@ -146,9 +146,9 @@ class PerceptionEngine {
       lap(&stream::StageTicks::fuse);
       join_group(i);
       lap(&stream::StageTicks::mark);
-      const window::PlacedCells slice{.cells = &fused_.one(),
-                                      .at = window::placement_of(placed[i].pose),
-                                      .number = static_cast<std::uint8_t>(i)};
+      const placing::PlacedCells slice{.cells = &fused_.one(),
+                                       .at = placing::placement_of(placed[i].pose),
+                                       .number = static_cast<std::uint8_t>(i)};
       window_.add(std::span(&slice, 1));
       lap(&stream::StageTicks::perceive);
     }

@@ -10,7 +10,7 @@ std::span<const FusedSlice> FusedSlices::next(const work::Crew& crew) {
   if (cells.empty()) {
     return {};
   }
-  std::ranges::for_each(cells, &window::SliceCells::begin);
+  std::ranges::for_each(cells, &placing::SliceCells::begin);
   crew.share(geometry::kTilesPerSide, [this](std::size_t row, std::size_t core) {
     for (std::size_t slice = 0; slice < slice_count_; ++slice) {
       for (std::size_t column = 0; column < geometry::kTilesPerSide; ++column) {

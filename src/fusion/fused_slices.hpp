@@ -11,8 +11,8 @@
 
 #include "fusion/shared_fusion.hpp"
 #include "hal/cores.hpp"
-#include "window/frame_evidence.hpp"
-#include "window/slice_cells.hpp"
+#include "placing/frame_evidence.hpp"
+#include "placing/slice_cells.hpp"
 #include "work/crew.hpp"
 
 namespace iog::fusion {
@@ -20,14 +20,14 @@ namespace iog::fusion {
 // A slice: the number of its group, and its cells.
 struct FusedSlice {
   std::uint8_t group = 0;
-  const window::SliceCells* cells = nullptr;
+  const placing::SliceCells* cells = nullptr;
 };
 
 // Holds 7 MB: belongs into static memory.
 class FusedSlices {
  public:
   // Of one core, which hands over slice after slice: the memory for one, with whatever is in it.
-  [[nodiscard]] window::SliceCells& one() { return cells_[0]; }
+  [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }
 
   // The fusion has fused a round, and will not fuse the next before the last slice was shown.
   void begin(const SharedFusion& fusion) {
@@ -50,12 +50,12 @@ class FusedSlices {
     std::size_t end = 0;
   };
 
-  static constexpr std::size_t kMostSlices = window::FrameEvidence::kMostAtOnce;
+  static constexpr std::size_t kMostSlices = placing::FrameEvidence::kMostAtOnce;
 
   void find_slices();
   void copy_tile(std::size_t tile, std::size_t slice, JoinedTile& memory);
 
-  std::array<window::SliceCells, kMostSlices> cells_{};
+  std::array<placing::SliceCells, kMostSlices> cells_{};
   alignas(32) std::array<JoinedTile, hal::kMaxCores> joined_tiles_{};  // by core
   const SharedFusion* fusion_ = nullptr;
   std::size_t shown_ = 0;  // parts of the round

@@ -6,11 +6,11 @@
 #include "geometry/cell.hpp"
 #include "objects/name.hpp"
 #include "objects/plane.hpp"
-#include "window/hit.hpp"
+#include "placing/hit.hpp"
 
 namespace iog::objects {
 
-using window::Hit;
+using placing::Hit;
 
 // No track, no cluster.
 inline constexpr std::int16_t kNobody = -1;

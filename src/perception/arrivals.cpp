@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "window/evidence_bits.hpp"
+#include "placing/evidence_bits.hpp"
 
 namespace iog::perception {
 namespace {
@@ -32,7 +32,7 @@ window::Plane near_tall(const window::NinePlanes& tall, int within) {
 }
 
 // Of the hits of a tile those that something made which is tall and came where a low beam had been.
-window::Plane arriving(const window::Window& window, const window::FrameEvidence& evidence,
+window::Plane arriving(const window::Window& window, const placing::FrameEvidence& evidence,
                        std::size_t slot, int tall_within, const window::Plane& hits) {
   const window::Plane& from_below = window.tile(slot).from_below;
   window::Plane found;
@@ -67,17 +67,17 @@ int count_around(const window::Rows& rows, std::size_t y, int x) {
 
 }  // namespace
 
-void Arrivals::find(const window::Window& window, const window::FrameEvidence& evidence) {
+void Arrivals::find(const window::Window& window, const placing::FrameEvidence& evidence) {
   begin();
   for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
-    find_new(window, evidence, slot, window::bits_of(evidence.tile(slot)).hit);
+    find_new(window, evidence, slot, placing::bits_of(evidence.tile(slot)).hit);
   }
   for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
     find_moved(window, slot);
   }
 }
 
-void Arrivals::find_new(const window::Window& window, const window::FrameEvidence& evidence,
+void Arrivals::find_new(const window::Window& window, const placing::FrameEvidence& evidence,
                         std::size_t slot, const window::Plane& hits) {
   if (!evidence.is_touched(slot)) {
     return;

@@ -16,7 +16,7 @@
 #include <cstdint>
 
 #include "perception/rules.hpp"
-#include "window/frame_evidence.hpp"
+#include "placing/frame_evidence.hpp"
 #include "window/window.hpp"
 
 namespace iog::perception {
@@ -27,7 +27,7 @@ class Arrivals {
       : is_from_below_(rules.is_opened_from_below), tall_within_(rules.tall_within) {}
 
   // Of all hits of a frame, before any tile is changed.
-  void find(const window::Window& window, const window::FrameEvidence& evidence);
+  void find(const window::Window& window, const placing::FrameEvidence& evidence);
 
   // Its steps: begin(), then two by slot. `hits` are those of the tile's evidence. The second is
   // asked when the first has been of every slot that is touched, and before the tile at the slot is
@@ -36,7 +36,7 @@ class Arrivals {
     has_new_.fill(false);
     has_open_.fill(false);
   }
-  void find_new(const window::Window& window, const window::FrameEvidence& evidence,
+  void find_new(const window::Window& window, const placing::FrameEvidence& evidence,
                 std::size_t slot, const window::Plane& hits);
   void find_none(std::size_t slot) { moved_[slot] = {}; }  // of a slot without hits
   void find_moved(const window::Window& window, std::size_t slot) {

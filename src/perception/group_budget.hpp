@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "lanes/eight_bytes.hpp"
-#include "window/frame_evidence.hpp"
+#include "placing/frame_evidence.hpp"
 
 namespace iog::perception {
 
@@ -34,13 +34,13 @@ struct GroupBudget {
   }
 };
 
-inline lanes::EightBytes eight_at(const window::FrameEvidence::TileIndexes& tile,
+inline lanes::EightBytes eight_at(const placing::FrameEvidence::TileIndexes& tile,
                                   std::size_t group) {
   return lanes::EightBytes::load(&tile[group * evidence::kGroupCells]);
 }
 
 // Of a tile of a frame's evidence.
-inline GroupBudget groups_of(const window::FrameEvidence::TileIndexes& tile) {
+inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
   GroupBudget groups;
   for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
     const lanes::EightBytes eight = eight_at(tile, group);

@@ -12,8 +12,8 @@
 
 #include "geometry/cell.hpp"
 #include "lanes/eight_bytes.hpp"
+#include "placing/frame_evidence.hpp"
 #include "window/cell_place.hpp"
-#include "window/frame_evidence.hpp"
 #include "window/window.hpp"
 
 namespace iog::perception {
@@ -35,7 +35,7 @@ class MovingNames {
   // which moves may be: held(first, asked) says where, of the cells of a group that are asked for,
   // bit i of the cell i to the right of the first. All tiles were noted as they are.
   template <typename Held>
-  void withdraw(const window::FrameEvidence& evidence, window::Window& window, Held&& held) {
+  void withdraw(const placing::FrameEvidence& evidence, window::Window& window, Held&& held) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       if (may_move_[slot] && window.is_known(slot)) {
         withdraw(evidence, slot, window, held);
@@ -53,7 +53,7 @@ class MovingNames {
   [[nodiscard]] static std::uint8_t moving_of(const decision::Decided& decided);
 
   template <typename Held>
-  void withdraw(const window::FrameEvidence& evidence, std::size_t slot, window::Window& window,
+  void withdraw(const placing::FrameEvidence& evidence, std::size_t slot, window::Window& window,
                 Held& held);
 
   void note(std::size_t slot, std::size_t group) {
@@ -72,7 +72,7 @@ class MovingNames {
 };
 
 template <typename Held>
-void MovingNames::withdraw(const window::FrameEvidence& evidence, std::size_t slot,
+void MovingNames::withdraw(const placing::FrameEvidence& evidence, std::size_t slot,
                            window::Window& window, Held& held) {
   const window::Tile& tile = window.tile(slot);
   const std::int8_t* const hits = evidence.is_touched(slot) ? evidence.tile(slot).data() : nullptr;

@@ -2,7 +2,7 @@
 
 namespace iog::perception {
 
-void Opening::find(const window::Window& window, const window::EvidenceBits& bits,
+void Opening::find(const window::Window& window, const placing::EvidenceBits& bits,
                    std::size_t slot) {
   if (!window.is_known(slot)) {
     high_[slot] = {};
@@ -17,7 +17,7 @@ void Opening::find(const window::Window& window, const window::EvidenceBits& bit
   }
 }
 
-void Opening::leave_out_high(window::FrameEvidence& evidence, std::size_t slot) const {
+void Opening::leave_out_high(placing::FrameEvidence& evidence, std::size_t slot) const {
   if (looks_over_things_ && !window::is_empty(high_[slot])) {
     evidence.leave_out(slot, high_[slot]);
   }

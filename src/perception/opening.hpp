@@ -20,8 +20,8 @@
 #include <cstddef>
 
 #include "perception/rules.hpp"
-#include "window/evidence_bits.hpp"
-#include "window/frame_evidence.hpp"
+#include "placing/evidence_bits.hpp"
+#include "placing/frame_evidence.hpp"
 #include "window/window.hpp"
 
 namespace iog::perception {
@@ -32,9 +32,9 @@ class Opening {
 
   // Its steps by slot. Each may be done again, and for several slots at once.
   // Of a slot with evidence, which has these bits, before any tile is changed.
-  void find(const window::Window& window, const window::EvidenceBits& bits, std::size_t slot);
+  void find(const window::Window& window, const placing::EvidenceBits& bits, std::size_t slot);
   // Before the tile takes in the evidence.
-  void leave_out_high(window::FrameEvidence& evidence, std::size_t slot) const;
+  void leave_out_high(placing::FrameEvidence& evidence, std::size_t slot) const;
   // When the tile has taken in the evidence, or was refreshed. It is known.
   void remember(window::Tile& tile, bool is_touched, std::size_t slot) const;
 

@@ -6,15 +6,15 @@
 
 #include "perception/bring_tile.hpp"
 #include "perception/ground.hpp"
+#include "placing/evidence_bits.hpp"
 #include "require/require.hpp"
-#include "window/evidence_bits.hpp"
 #include "work/runs.hpp"
 
 namespace iog::perception {
 namespace {
 
 // Where they lie: a copy of them would still be on its way to the cache when it is needed.
-const evidence::Indexes& indexes_of(const window::FrameEvidence::TileIndexes& tile,
+const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
                                     std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
 }
@@ -34,11 +34,11 @@ void WindowFusion::follow(const pose::Pose& pose) {
   window_.follow(window::cell_of(pose));
 }
 
-void WindowFusion::add(std::span<const window::PlacedCells> slices, const work::Crew& crew) {
-  require(slices.size() <= window::FrameEvidence::kMostAtOnce);
-  std::array<window::PlacedCells, window::FrameEvidence::kMostAtOnce> inside;
+void WindowFusion::add(std::span<const placing::PlacedCells> slices, const work::Crew& crew) {
+  require(slices.size() <= placing::FrameEvidence::kMostAtOnce);
+  std::array<placing::PlacedCells, placing::FrameEvidence::kMostAtOnce> inside;
   std::size_t count = 0;
-  for (const window::PlacedCells& slice : slices) {
+  for (const placing::PlacedCells& slice : slices) {
     if (window_.is_centred() && window_.area().contains(window::cell_of(slice.at.pose))) {
       inside[count++] = slice;
     } else {
@@ -109,7 +109,7 @@ void WindowFusion::look_at(std::size_t slot) {
     arrivals_.find_none(slot);
     return;
   }
-  const window::EvidenceBits bits = window::bits_of(evidence_.tile(slot));
+  const placing::EvidenceBits bits = placing::bits_of(evidence_.tile(slot));
   arrivals_.find_new(window_, evidence_, slot, bits.hit);
   if (is_standing) {
     slot_counts_[slot].standing = standing_counts(
@@ -247,7 +247,7 @@ void WindowFusion::update_tile(const TileUpdate& update, std::size_t slot, Budge
 template <typename... Before>
 void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, Budget& budget,
                              Before&... before) {
-  const window::FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
+  const placing::FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
   GroupList groups;
   std::size_t left = 0;
   for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
@@ -271,7 +271,7 @@ void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, Budget&
 template <typename... Before>
 void WindowFusion::fuse_groups(const TileUpdate& update, std::size_t slot, GroupList& groups,
                                Before&... before) {
-  const window::FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
+  const placing::FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
   window::Tile& tile = open(slot);
   for (std::size_t ahead = 0; ahead < kGroupsAhead; ++ahead) {
     groups.numbers[groups.count + ahead] = groups.numbers[groups.count - 1];

@@ -36,11 +36,11 @@
 #include "perception/standing.hpp"
 #include "perception/tile_before.hpp"
 #include "perception/tile_update.hpp"
+#include "placing/frame_evidence.hpp"
+#include "placing/hit_list.hpp"
+#include "placing/placement.hpp"
+#include "placing/slice_cells.hpp"
 #include "pose/pose.hpp"
-#include "window/frame_evidence.hpp"
-#include "window/hit_list.hpp"
-#include "window/placement.hpp"
-#include "window/slice_cells.hpp"
 #include "window/window.hpp"
 #include "window/window_view.hpp"
 #include "work/before_images.hpp"
@@ -78,7 +78,7 @@ class WindowFusion {
   void follow(const pose::Pose& pose);
 
   // Adds slices, at most FrameEvidence::kMostAtOnce.
-  void add(std::span<const window::PlacedCells> slices, const work::Crew& crew = work::Crew());
+  void add(std::span<const placing::PlacedCells> slices, const work::Crew& crew = work::Crew());
 
   // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts
   // as the newest. A frame without slices and without time changes nothing and is none.
@@ -118,7 +118,7 @@ class WindowFusion {
   [[nodiscard]] const FrameCounts& counts() const { return counts_; }
 
   // The hits of the frame, if it is followed, and how many had no room.
-  [[nodiscard]] std::span<const window::Hit> hits() const { return hits_.all(); }
+  [[nodiscard]] std::span<const placing::Hit> hits() const { return hits_.all(); }
   [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
   // As MovingNames, of a window that is followed.
   void name_moving(geometry::Cell cell, std::uint8_t sureness) {
@@ -259,11 +259,11 @@ class WindowFusion {
   // What is aligned to a cache line comes first.
   work::BeforeImages<TilesBefore> tiles_before_;
   work::BeforeImages<GroundBefore> ground_before_;
-  window::FrameEvidence evidence_;
+  placing::FrameEvidence evidence_;
   health::Guard behind_evidence_;
   window::Window window_;
   health::Guard behind_window_;
-  window::HitList hits_;
+  placing::HitList hits_;
   MovingNames names_;
   Rules rules_;
   bool is_followed_;

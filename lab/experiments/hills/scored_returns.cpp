@@ -123,7 +123,7 @@ void Listener::score_frame(const Perceiver& perceiver) {
     if (slice == placed.end() || !packet.is_taken) {
       return false;
     }
-    score(packet, window::CellMap::to_window(perceiver.area(), window::placement_of(slice->pose)),
+    score(packet, placing::CellMap::to_window(perceiver.area(), placing::placement_of(slice->pose)),
           classes);
     return true;
   });
@@ -133,7 +133,7 @@ void Listener::score_frame(const Perceiver& perceiver) {
   }
 }
 
-void Listener::score(const Waiting& packet, const window::CellMap& to_window,
+void Listener::score(const Waiting& packet, const placing::CellMap& to_window,
                      std::span<const std::int8_t> classes) {
   for (const SeenReturn& seen : packet.returns) {
     const geometry::Cell cell = to_window.exact(seen.cell).cell();

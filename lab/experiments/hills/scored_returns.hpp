@@ -19,11 +19,11 @@
 #include "lab/experiments/hills/fate_watch.hpp"
 #include "lab/experiments/keyed_car.hpp"
 #include "lab/experiments/perceiver.hpp"
+#include "placing/placement.hpp"
 #include "pose/slice.hpp"
 #include "tools/simulate/drives/drive.hpp"
 #include "tools/simulate/truth/true_ground.hpp"
 #include "vehicle/vehicle.hpp"
-#include "window/placement.hpp"
 
 namespace iog::lab {
 
@@ -110,7 +110,7 @@ class Listener {
 
   void note_taken();
   void score_frame(const Perceiver& perceiver);
-  void score(const Waiting& packet, const window::CellMap& to_window,
+  void score(const Waiting& packet, const placing::CellMap& to_window,
              std::span<const std::int8_t> classes);
 
   KeyedCar car_;

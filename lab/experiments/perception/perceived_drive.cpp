@@ -9,9 +9,9 @@
 #include "intake/packet.hpp"
 #include "lab/experiments/keyed_car.hpp"
 #include "lab/experiments/perceiver.hpp"
+#include "placing/frame_evidence.hpp"
 #include "require/require.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
-#include "window/frame_evidence.hpp"
 
 namespace iog::lab {
 namespace {
@@ -34,8 +34,8 @@ class Evidence {
     for (std::size_t i = 0; i < slices.size(); ++i) {
       const fusion::PlacedSlice& slice = slices[i];
       fuse(datagrams, slice.slice);
-      const window::Placement at = window::placement_of(slice.pose);
-      add_hits(area, window::CellMap::to_window(area, at), static_cast<std::uint8_t>(i), frame);
+      const placing::Placement at = placing::placement_of(slice.pose);
+      add_hits(area, placing::CellMap::to_window(area, at), static_cast<std::uint8_t>(i), frame);
       fusion_.release([this](std::size_t tile, auto indexes) { cells_.set(tile, indexes); });
       if (is_shown) {
         joined_.add(cells_, area, at);
@@ -66,7 +66,7 @@ class Evidence {
     fusion_.finish();
   }
 
-  void add_hits(const window::Area& area, const window::CellMap& to_window, std::uint8_t slice,
+  void add_hits(const window::Area& area, const placing::CellMap& to_window, std::uint8_t slice,
                 PerceivedFrame& frame) {
     const geometry::Cell first = first_cell(area);
     const grid::FrameView view = fusion_.view();
@@ -93,8 +93,8 @@ class Evidence {
 
   const tools::CatalogueEntry* car_;
   fusion::FrameFusion fusion_;
-  window::SliceCells cells_;
-  window::FrameEvidence joined_;
+  placing::SliceCells cells_;
+  placing::FrameEvidence joined_;
 };
 
 }  // namespace

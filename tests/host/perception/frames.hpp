@@ -10,7 +10,7 @@
 
 #include "perception/plain_fusion.hpp"
 #include "perception/window_fusion.hpp"
-#include "window/slice.hpp"
+#include "placing/slice.hpp"
 
 namespace iog::perception {
 
@@ -21,17 +21,17 @@ using ClassBytes = std::array<std::int8_t, geometry::kTileCells>;
 
 inline constexpr std::uint64_t kFrameUs = 40'000;
 
-inline window::Placement at_cell(Cell vehicle) {
+inline placing::Placement at_cell(Cell vehicle) {
   return tests::placed(vehicle.x * geometry::kCellMm, vehicle.y * geometry::kCellMm);
 }
 
 inline decision::Class class_of(std::int8_t byte) { return static_cast<decision::Class>(byte / 8); }
 
 // Adds a slice to a window, with the vehicle there.
-inline void add_slice(const Slice& slice, const window::Placement& at, WindowFusion& fusion) {
-  const auto cells = std::make_unique<window::SliceCells>();
+inline void add_slice(const Slice& slice, const placing::Placement& at, WindowFusion& fusion) {
+  const auto cells = std::make_unique<placing::SliceCells>();
   tests::hand_over(slice, *cells);
-  const window::PlacedCells placed{.cells = cells.get(), .at = at};
+  const placing::PlacedCells placed{.cells = cells.get(), .at = at};
   fusion.add(std::span(&placed, 1));
 }
 

@@ -11,7 +11,7 @@
 #include "fakes/random.hpp"
 #include "perception/arrivals.hpp"
 #include "perception/flat_ground.hpp"
-#include "window/slice.hpp"
+#include "placing/slice.hpp"
 
 namespace iog::perception {
 namespace {
@@ -90,8 +90,8 @@ class GroundOf : public testing::Test {
   }
 
   std::unique_ptr<window::Window> window_ = std::make_unique<window::Window>();
-  std::unique_ptr<window::FrameEvidence> evidence_ = std::make_unique<window::FrameEvidence>();
-  std::unique_ptr<window::SliceCells> cells_ = std::make_unique<window::SliceCells>();
+  std::unique_ptr<placing::FrameEvidence> evidence_ = std::make_unique<placing::FrameEvidence>();
+  std::unique_ptr<placing::SliceCells> cells_ = std::make_unique<placing::SliceCells>();
   std::unique_ptr<Arrivals> arrivals_ = std::make_unique<Arrivals>();
   tests::Slice hits_;
   pose::Pose middle_;

@@ -19,8 +19,8 @@
 #include "evidence/fusion.hpp"
 #include "fakes/group.hpp"
 #include "perception/flat_ground.hpp"
+#include "placing/slice.hpp"
 #include "window/area.hpp"
-#include "window/slice.hpp"
 
 namespace iog::tests {
 
@@ -108,8 +108,8 @@ class PlainFusion {
           Said& said = (index > 0 ? hits : free)[{at.y, at.x}];
           const std::int8_t byte = placed.slice.byte_at(cell);
           said.index += index;
-          said.is_low |= window::is_from_below(byte);
-          said.is_tall |= window::is_tall(byte);
+          said.is_low |= placing::is_from_below(byte);
+          said.is_tall |= placing::is_tall(byte);
         }
       });
     }

@@ -41,20 +41,20 @@ class PartOfFrame {
           slice.set_low(cell);
         }
       }
-      tests::hand_over(slice, *cells_.emplace_back(std::make_unique<window::SliceCells>()));
+      tests::hand_over(slice, *cells_.emplace_back(std::make_unique<placing::SliceCells>()));
       placed_.push_back({.cells = cells_.back().get(),
                          .at = tests::placed(100 * vehicle.x + 31 * number, 100 * vehicle.y,
                                              7.0 * frame + number),
                          .number = number});
     }
   }
-  [[nodiscard]] std::span<const window::PlacedCells> slices() const { return placed_; }
+  [[nodiscard]] std::span<const placing::PlacedCells> slices() const { return placed_; }
 
  private:
   static constexpr int kOpen = 24;  // cells around the vehicle where ground is free
 
-  std::vector<std::unique_ptr<window::SliceCells>> cells_;
-  std::vector<window::PlacedCells> placed_;
+  std::vector<std::unique_ptr<placing::SliceCells>> cells_;
+  std::vector<placing::PlacedCells> placed_;
 };
 
 class Cores : public testing::TestWithParam<std::tuple<std::size_t, bool>> {
@@ -67,8 +67,8 @@ class Cores : public testing::TestWithParam<std::tuple<std::size_t, bool>> {
 
 TEST_P(Cores, JoinTheEvidenceThatOneJoins) {
   tests::Random random(42);
-  const auto by_one = std::make_unique<window::FrameEvidence>();
-  const auto shared = std::make_unique<window::FrameEvidence>();
+  const auto by_one = std::make_unique<placing::FrameEvidence>();
+  const auto shared = std::make_unique<placing::FrameEvidence>();
   for (int frame = 0; frame < tests::effort(4, 1); ++frame) {
     const Cell vehicle{random.between(-9'999, 9'999), random.between(-9'999, 9'999)};
     const window::Area area = window::Area::around(vehicle);
@@ -154,8 +154,8 @@ TEST_P(Cores, KeepTheWindowThatOneKeeps) {
 // Each tile of a slice is copied or left by any core, and by core 0 again.
 TEST_P(Cores, CopyTheSliceThatOneSets) {
   tests::Random random(44);
-  const auto by_one = std::make_unique<window::SliceCells>();
-  const auto shared = std::make_unique<window::SliceCells>();
+  const auto by_one = std::make_unique<placing::SliceCells>();
+  const auto shared = std::make_unique<placing::SliceCells>();
   for (int time = 0; time < 4; ++time) {
     Slice slice;
     for (int i = 0; i < 300; ++i) {

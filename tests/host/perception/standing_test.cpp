@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-#include "window/evidence_bits.hpp"
+#include "placing/evidence_bits.hpp"
 
 namespace iog::perception {
 namespace {
@@ -19,12 +19,12 @@ struct Frame {
     indexes.at(static_cast<std::size_t>(place)) = value;
   }
   [[nodiscard]] StandingCounts counts(bool from_below = false) const {
-    const window::EvidenceBits bits = window::bits_of(indexes);
+    const placing::EvidenceBits bits = placing::bits_of(indexes);
     return standing_counts(*tile, bits.hit, from_below ? bits.from_below : bits.free);
   }
 
   std::unique_ptr<window::Tile> tile = std::make_unique<window::Tile>();
-  window::FrameEvidence::TileIndexes indexes{};
+  placing::FrameEvidence::TileIndexes indexes{};
 };
 
 TEST(Standing, IsMetIfSomethingIsHitWithinTwoCells) {
@@ -46,10 +46,10 @@ TEST(Standing, IsMetIfSomethingIsHitWithinTwoCells) {
 TEST(Standing, IsCrossedFromBelowAloneWhereThatIsAsked) {
   Frame frame;
   frame.stand(16, 9);
-  frame.index(16, 9, window::byte_of(-5, false));
+  frame.index(16, 9, placing::byte_of(-5, false));
   EXPECT_EQ(frame.counts(true), StandingCounts{});
   EXPECT_EQ(frame.counts(false).crossed, 1U);
-  frame.index(16, 9, window::byte_of(-5, true));
+  frame.index(16, 9, placing::byte_of(-5, true));
   EXPECT_EQ(frame.counts(true).crossed, 1U);
   EXPECT_EQ(frame.counts(false).crossed, 1U);
 }

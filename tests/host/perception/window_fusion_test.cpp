@@ -189,7 +189,7 @@ TEST(WindowFusion, NothingIsKnownAfterForgetting) {
 // Slices before and after: of the frame in which the window is forgotten only those after count.
 TEST(WindowFusion, EvidenceOfTheFrameIsForgottenToo) {
   const auto fusion = std::make_unique<WindowFusion>();
-  const window::Placement at = at_cell({0, 0});
+  const placing::Placement at = at_cell({0, 0});
   fusion->follow(at.pose);
   add_slice(free_cells(144)[0].slice, at, *fusion);
   fusion->forget();
@@ -359,15 +359,15 @@ TEST(WindowFusion, AMapNamesWhatIsKnownAtOnce) {
 TEST(WindowFusion, HitsOfAFrameAreListedIfItIsFollowed) {
   constexpr std::size_t kRows = 257;
   constexpr std::size_t kAcross = 128;
-  static_assert(kRows * kAcross > window::HitList::kMost);
+  static_assert(kRows * kAcross > placing::HitList::kMost);
   Slice slice;
   slice.draw({400, 400}, std::vector<std::string>(kRows, std::string(kAcross, '#')));
   for (const bool is_followed : {true, false}) {
     const auto fusion = std::make_unique<WindowFusion>(Rules{}, is_followed);
     fusion->follow(at_cell({0, 0}).pose);
     add_slice(slice, at_cell({0, 0}), *fusion);
-    EXPECT_EQ(fusion->hits().size(), is_followed ? window::HitList::kMost : 0U);
-    EXPECT_EQ(fusion->hits_left(), is_followed ? kRows * kAcross - window::HitList::kMost : 0U);
+    EXPECT_EQ(fusion->hits().size(), is_followed ? placing::HitList::kMost : 0U);
+    EXPECT_EQ(fusion->hits_left(), is_followed ? kRows * kAcross - placing::HitList::kMost : 0U);
     fusion->finish(kFrameUs);
     EXPECT_TRUE(fusion->hits().empty());
     EXPECT_EQ(fusion->hits_left(), 0U);

@@ -1,0 +1,102 @@
+// Where cells of the vehicle's grid lie in the window, and cells of the window in the vehicle's
+// grid: one affine map each, of cell centres to 2^-16 cells.
+//
+// The image of the first cell of a tile is exact and rounded down; the cells of the tile follow by
+// additions of steps that are rounded to the nearest 2^-16 cells. So the image of any of its cells
+// is less than 32 * 2^-16 cells below and at most 31 * 2^-16 above the exact one, 0.05 mm at 0.1 m.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/cell.hpp"
+#include "geometry/grid.hpp"
+#include "numeric/rotation.hpp"
+#include "pose/pose.hpp"
+#include "window/area.hpp"
+
+namespace iog::placing {
+
+// Where the vehicle is while a slice of a frame is measured.
+struct Placement {
+  pose::Pose pose{};
+  numeric::Rotation rotation{};  // by the pose's heading
+};
+
+[[nodiscard]] inline Placement placement_of(const pose::Pose& pose) {
+  return {.pose = pose, .rotation = numeric::rotation_of(pose.heading)};
+}
+
+inline constexpr int kFineBits = 16;
+inline constexpr int kExactBits = 31;
+
+// A point in 2^-16 cells.
+struct FinePoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+
+  [[nodiscard]] constexpr geometry::Cell cell() const { return {x >> kFineBits, y >> kFineBits}; }
+};
+
+// The same in 2^-31 cells.
+struct ExactPoint {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+
+  [[nodiscard]] constexpr FinePoint fine() const {
+    constexpr int kDropped = kExactBits - kFineBits;
+    return {static_cast<std::int32_t>(x >> kDropped), static_cast<std::int32_t>(y >> kDropped)};
+  }
+};
+
+class CellMap {
+ public:
+  // From the window's cells, counted from its corner, to the vehicle's grid. The vehicle is inside
+  // of the area.
+  [[nodiscard]] static CellMap to_grid(const window::Area& area, const Placement& at);
+
+  // From the cells of the vehicle's grid to the window's. The vehicle is inside of the area.
+  [[nodiscard]] static CellMap to_window(const window::Area& area, const Placement& at);
+
+  // Where the centre of a cell lies; it is the first of a tile.
+  [[nodiscard]] FinePoint exact(geometry::Cell cell) const { return exactly(cell).fine(); }
+  [[nodiscard]] ExactPoint exactly(geometry::Cell cell) const {
+    return {x_ + 2 * (cos_ * cell.x - sin_ * cell.y), y_ + 2 * (sin_ * cell.x + cos_ * cell.y)};
+  }
+
+  // A tile further along x, and along y. Nothing is rounded.
+  [[nodiscard]] ExactPoint a_tile_along_x(ExactPoint at) const {
+    return {at.x + kTwoTiles * cos_, at.y + kTwoTiles * sin_};
+  }
+  [[nodiscard]] ExactPoint a_tile_along_y(ExactPoint at) const {
+    return {at.x - kTwoTiles * sin_, at.y + kTwoTiles * cos_};
+  }
+
+  // One cell further along x: so much. Along y: (-y, x).
+  [[nodiscard]] FinePoint step() const { return {rounded(cos_), rounded(sin_)}; }
+
+ private:
+  static constexpr std::int64_t kTwoTiles = 2 * std::int64_t{window::kTileSide};
+
+  CellMap(std::int64_t x, std::int64_t y, std::int64_t cos_q30, std::int64_t sin_q30)
+      : x_(x), y_(y), cos_(cos_q30), sin_(sin_q30) {}
+
+  static constexpr std::int32_t rounded(std::int64_t q30) {
+    constexpr int kDropped = 30 - kFineBits;
+    return static_cast<std::int32_t>((q30 + (1 << (kDropped - 1))) >> kDropped);
+  }
+
+  std::int64_t x_;  // the image of cell (0, 0), in 2^-31 cells
+  std::int64_t y_;
+  std::int64_t cos_;
+  std::int64_t sin_;
+};
+
+// A point of the map's target moved by one step of the source along x, and along y.
+[[nodiscard]] constexpr FinePoint along_x(FinePoint point, FinePoint step) {
+  return {point.x + step.x, point.y + step.y};
+}
+[[nodiscard]] constexpr FinePoint along_y(FinePoint point, FinePoint step) {
+  return {point.x - step.y, point.y + step.x};
+}
+
+}  // namespace iog::placing
