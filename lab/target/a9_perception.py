@@ -18,8 +18,9 @@ STAGES = {
     "clear": ["placing/slice_cells:clear", "placing/frame_evidence:clear"],
     "arrivals": ["perception/arrivals:find_new", "perception/arrivals:count_new"],
     "list": [f"perception/window_fusion:{name}"
-             for name in ("decide", "decide_frame", "find_arrivals", "update_tiles", "end_frame", "end_tiles")],
-    "update": ["perception/window_fusion:fuse_groups"],
+             for name in ("decide", "decide_frame", "find_arrivals", "update_tiles", "end_frame")] +
+            ["perception/ground:end_frame"],
+    "update": ["perception/tile_fusion:fuse_groups"],
     "refresh": ["perception/window_fusion:update_tile"],
     "remember": ["perception/ground:remember"],
     "objects": [*(f"app/perception_engine:{name}" for name in ("begin_following", "look_at_hits", "follow_objects")),

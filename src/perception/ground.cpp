@@ -62,4 +62,44 @@ void remember(window::Window& window, std::size_t slot, bool is_new_period) {
   }
 }
 
+// Which half of the slots has its turn to remember, and whether a period has begun since its turn
+// before.
+void GroundMemory::end_frame(window::Window& window, placing::FrameEvidence& evidence,
+                             const Frame& frame, const work::Crew& crew, work::Beside beside) {
+  const std::size_t parity = frame.number % 2;
+  const std::uint64_t period = frame.time_us / kPeriodUs;
+  const bool is_new_period = last_turns_[parity].value_or(period) != period;
+  last_turns_[parity] = period;
+  before_.begin();
+  const work::Runs runs(window::kSlotCount, kEnded);
+  crew.share(
+      runs.count(),
+      [&](std::size_t item, std::size_t core) {
+        keep_before(window, runs[item], item, core);
+        for (std::size_t slot = runs[item].first; slot < runs[item].end; ++slot) {
+          evidence.clear(slot);
+          if (slot % 2 == parity && window.is_known(slot)) {
+            remember(window, slot, is_new_period);
+          }
+        }
+      },
+      beside);
+}
+
+void GroundMemory::keep_before(window::Window& window, work::Run run, std::size_t item,
+                               std::size_t core) {
+  if (Before* const before = before_.of(core)) {
+    for (std::size_t slot = run.first; slot < run.end; ++slot) {
+      (*before)[slot - run.first] = window.tile(slot).ground;
+    }
+    before_.keep(core, item);
+  } else if (const Before* const left = before_.of_lost(item)) {
+    for (std::size_t slot = run.first; slot < run.end; ++slot) {
+      if (window.is_known(slot)) {
+        window.ground(slot) = (*left)[slot - run.first];
+      }
+    }
+  }
+}
+
 }  // namespace iog::perception

@@ -4,23 +4,11 @@
 #include <span>
 #include <utility>
 
-#include "perception/bring_tile.hpp"
-#include "perception/ground.hpp"
 #include "placing/evidence_bits.hpp"
 #include "require/require.hpp"
 #include "work/runs.hpp"
 
 namespace iog::perception {
-namespace {
-
-// Where they lie: a copy of them would still be on its way to the cache when it is needed.
-const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
-                                    std::size_t group) {
-  return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
-}
-
-}  // namespace
-
 WindowFusion::WindowFusion(const Rules& rules, bool is_followed)
     : rules_(rules),
       is_followed_(is_followed),
@@ -65,7 +53,7 @@ void WindowFusion::forget() {
   counts_ = {};
   frames_ = 0;
   fused_frames_ = 0;
-  last_turns_ = {};
+  ground_.forget();
 }
 
 void WindowFusion::decide_frame(std::uint64_t stamp_us, const work::Crew& crew,
@@ -141,7 +129,7 @@ void WindowFusion::count_groups(const work::Crew& crew) {
   });
 }
 
-WindowFusion::Budget WindowFusion::budget() const {
+Budget WindowFusion::budget() const {
   std::size_t touched = 0;
   std::uint32_t with_hits = 0;
   for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
@@ -236,7 +224,9 @@ void WindowFusion::update_tile(const TileUpdate& update, std::size_t slot, Budge
     fuse_tile(update, slot, budget, before...);
   }
   if (is_turn_to_refresh(slot) && window_.is_known(slot)) {
-    refresh_tile(update, slot, before...);
+    slot_counts_[slot].refreshed =
+        static_cast<std::uint8_t>(refresh_groups(update, window_.open(slot), before...));
+    refreshed_[slot] = clock_.now();
   }
   if (rules_.is_opened_from_below && window_.is_known(slot)) {
     opening_.remember(window_.open(slot), evidence_.is_touched(slot), slot);
@@ -248,60 +238,13 @@ template <typename... Before>
 void WindowFusion::fuse_tile(const TileUpdate& update, std::size_t slot, Budget& budget,
                              Before&... before) {
   const placing::FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
-  GroupList groups;
-  std::size_t left = 0;
-  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
-    const lanes::EightBytes eight = eight_at(indexes, group);
-    if (eight.is_zero()) {
-      continue;
-    }
-    if (budget && !budget->take(eight.has_positive())) {
-      ++left;
-      continue;
-    }
-    groups.add(group);
-  }
-  slot_counts_[slot].left = static_cast<std::uint8_t>(left);
-  slot_counts_[slot].fused = static_cast<std::uint8_t>(groups.count);
-  if (groups.count > 0) {
-    fuse_groups(update, slot, groups, before...);
-  }
-}
-
-template <typename... Before>
-void WindowFusion::fuse_groups(const TileUpdate& update, std::size_t slot, GroupList& groups,
-                               Before&... before) {
-  const placing::FrameEvidence::TileIndexes& indexes = evidence_.tile(slot);
-  window::Tile& tile = open(slot);
-  for (std::size_t ahead = 0; ahead < kGroupsAhead; ++ahead) {
-    groups.numbers[groups.count + ahead] = groups.numbers[groups.count - 1];
-    prefetch(tile, groups.numbers[ahead]);
-  }
-  bring_rows(tile, groups.numbers[0] / window::kGroupsPerRow,
-             groups.numbers[groups.count - 1] / window::kGroupsPerRow);
-  const bool all_moved = rules_.moved == Moved::kLiteral;
-  const bool has_hit = evidence_.has_hit(slot);
-  const auto is_crossed = [&](std::size_t group) {
-    return update.needs_no_taken(tile, group) &&
-           !(has_hit && eight_at(indexes, group).has_positive());
-  };
-  for (std::size_t i = 0; i < groups.count; ++i) {
-    const std::size_t group = groups.numbers[i];
-    prefetch(tile, groups.numbers[i + kGroupsAhead]);
-    (before.keep(tile, group), ...);
-    if (!is_crossed(group)) {
-      update.fuse(tile, group, indexes_of(indexes, group),
-                  all_moved ? std::uint8_t{0xFF} : eight_of(arrivals_.moved(slot), group));
-      continue;
-    }
-    const std::size_t next = groups.numbers[i + 1];
-    if (i + 1 == groups.count || !is_crossed(next)) {
-      update.cross(tile, group, indexes_of(indexes, group));
-      continue;
-    }
-    (before.keep(tile, next), ...);
-    update.cross(tile, {group, next}, {&indexes_of(indexes, group), &indexes_of(indexes, next)});
-    ++i;
+  const GroupList groups(indexes, budget);
+  slot_counts_[slot].left = static_cast<std::uint8_t>(groups.left());
+  slot_counts_[slot].fused = static_cast<std::uint8_t>(groups.count());
+  if (groups.count() > 0) {
+    const bool all_moved = rules_.moved == Moved::kLiteral;
+    fuse_groups(update, open(slot), indexes, evidence_.has_hit(slot),
+                all_moved ? nullptr : &arrivals_.moved(slot), groups, before...);
   }
 }
 
@@ -312,70 +255,12 @@ window::Tile& WindowFusion::open(std::size_t slot) {
   return window_.open(slot);
 }
 
-template <typename... Before>
-void WindowFusion::refresh_tile(const TileUpdate& update, std::size_t slot, Before&... before) {
-  window::Tile& tile = window_.open(slot);
-  std::size_t refreshed = 0;
-  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
-    prefetch(tile, std::min(group + kGroupsAhead, window::kGroupsPerTile - 1));
-    if (update.is_old(tile, group)) {
-      (before.keep(tile, group), ...);
-      update.refresh(tile, group);
-      ++refreshed;
-    }
-  }
-  slot_counts_[slot].refreshed = static_cast<std::uint8_t>(refreshed);
-  refreshed_[slot] = clock_.now();
-}
-
 void WindowFusion::add_up() {
   for (const std::uint16_t slot : due_.all()) {
     counts_.standing += slot_counts_[slot].standing;
     counts_.groups_fused += slot_counts_[slot].fused;
     counts_.groups_left += slot_counts_[slot].left;
     counts_.groups_refreshed += slot_counts_[slot].refreshed;
-  }
-}
-
-// Which half of the slots has its turn to remember, and whether a period has begun since its turn
-// before. The evidence of all of them is forgotten.
-void WindowFusion::end_tiles(const work::Crew& crew, work::Beside beside) {
-  const std::size_t parity = fused_frames_ % 2;
-  const std::uint64_t period = newest_us_ / kPeriodUs;
-  const bool is_new_period = last_turns_[parity].value_or(period) != period;
-  last_turns_[parity] = period;
-  ground_before_.begin();
-  const work::Runs runs(window::kSlotCount, kEnded);
-  crew.share(
-      runs.count(),
-      [&](std::size_t item, std::size_t core) {
-        keep_ground(runs[item], item, core);
-        end_slots(runs[item], is_new_period);
-      },
-      beside);
-}
-
-void WindowFusion::keep_ground(work::Run run, std::size_t item, std::size_t core) {
-  if (GroundBefore* const before = ground_before_.of(core)) {
-    for (std::size_t slot = run.first; slot < run.end; ++slot) {
-      (*before)[slot - run.first] = window_.tile(slot).ground;
-    }
-    ground_before_.keep(core, item);
-  } else if (const GroundBefore* const left = ground_before_.of_lost(item)) {
-    for (std::size_t slot = run.first; slot < run.end; ++slot) {
-      if (window_.is_known(slot)) {
-        window_.ground(slot) = (*left)[slot - run.first];
-      }
-    }
-  }
-}
-
-void WindowFusion::end_slots(work::Run run, bool is_new_period) {
-  for (std::size_t slot = run.first; slot < run.end; ++slot) {
-    evidence_.clear(slot);
-    if (slot % 2 == fused_frames_ % 2 && window_.is_known(slot)) {
-      remember(window_, slot, is_new_period);
-    }
   }
 }
 

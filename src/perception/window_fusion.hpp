@@ -29,12 +29,13 @@
 #include "health/constants.hpp"
 #include "health/guard.hpp"
 #include "perception/arrivals.hpp"
-#include "perception/group_budget.hpp"
+#include "perception/ground.hpp"
 #include "perception/moving_names.hpp"
 #include "perception/opening.hpp"
 #include "perception/rules.hpp"
 #include "perception/standing.hpp"
 #include "perception/tile_before.hpp"
+#include "perception/tile_fusion.hpp"
 #include "perception/tile_update.hpp"
 #include "placing/frame_evidence.hpp"
 #include "placing/hit_list.hpp"
@@ -51,9 +52,6 @@ namespace iog::perception {
 
 // Every tile is refreshed once in so many frames.
 inline constexpr std::uint32_t kRefreshFrames = 8;
-
-// Ground is found open again if a period has begun since the turn before of the tile's slot.
-inline constexpr std::uint64_t kPeriodUs = 480'000;
 
 struct FrameCounts {
   std::uint32_t slices = 0;          // placed
@@ -107,7 +105,8 @@ class WindowFusion {
   FrameCounts end_frame(const work::Crew& crew, DoBeside do_beside) {
     if (counts_.slices > 0) {
       ++fused_frames_;
-      end_tiles(crew, work::beside_of(do_beside));
+      ground_.end_frame(window_, evidence_, {fused_frames_, newest_us_}, crew,
+                        work::beside_of(do_beside));
     } else {
       do_beside();
     }
@@ -162,7 +161,6 @@ class WindowFusion {
   // place is kept before, so the most say how large that is.
   static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
   static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
-  static constexpr work::Runs::Lengths kEnded{.shortest = 8, .longest = 32};
 
   // The tiles of a run before a frame changed them, as far as the run has come.
   struct TilesBefore {
@@ -179,22 +177,6 @@ class WindowFusion {
       return next;
     }
   };
-  using GroundBefore = std::array<window::Ground, kEnded.longest>;
-
-  // Groups from one that is aged to the one whose memory is asked for meanwhile.
-  static constexpr std::size_t kGroupsAhead = 2;
-
-  // The groups of a tile that are fused, in rising order. Whoever makes it writes it. Behind the
-  // last one there is room for those who look ahead.
-  struct GroupList {
-    std::size_t count = 0;
-    std::array<std::uint8_t, window::kGroupsPerTile + kGroupsAhead> numbers;
-
-    void add(std::size_t group) { numbers[count++] = static_cast<std::uint8_t>(group); }
-  };
-
-  // What may be fused yet. Empty: all there is.
-  using Budget = std::optional<GroupBudget>;
 
   // Groups of the tile at a slot, in this frame.
   struct SlotCounts {
@@ -237,18 +219,10 @@ class WindowFusion {
   void update_tile(const TileUpdate& update, std::size_t slot, Budget& budget, Before&... before);
   template <typename... Before>
   void fuse_tile(const TileUpdate& update, std::size_t slot, Budget& budget, Before&... before);
-  template <typename... Before>
-  void fuse_groups(const TileUpdate& update, std::size_t slot, GroupList& groups,
-                   Before&... before);
-  template <typename... Before>
-  void refresh_tile(const TileUpdate& update, std::size_t slot, Before&... before);
   [[nodiscard]] bool is_turn_to_refresh(std::size_t slot) const {
     return (slot + frames_) % kRefreshFrames == 0;
   }
   window::Tile& open(std::size_t slot);
-  void end_tiles(const work::Crew& crew, work::Beside beside);
-  void keep_ground(work::Run run, std::size_t item, std::size_t core);
-  void end_slots(work::Run run, bool is_new_period);
   void add_up();
   void note_names(std::size_t slot) {
     if (is_followed_ && window_.is_known(slot)) {
@@ -258,7 +232,7 @@ class WindowFusion {
 
   // What is aligned to a cache line comes first.
   work::BeforeImages<TilesBefore> tiles_before_;
-  work::BeforeImages<GroundBefore> ground_before_;
+  GroundMemory ground_;
   placing::FrameEvidence evidence_;
   health::Guard behind_evidence_;
   window::Window window_;
@@ -271,8 +245,6 @@ class WindowFusion {
   std::uint32_t frames_ = 0;
   std::uint32_t fused_frames_ = 0;
   std::uint64_t newest_us_ = 0;
-  // In which period the slots of either parity had their last turn.
-  std::array<std::optional<std::uint64_t>, 2> last_turns_{};
   FrameCounts counts_{};
   window::Refreshed refreshed_{};
   Arrivals arrivals_;

@@ -1,0 +1,180 @@
+// The groups of a tile in a frame: which of them are fused, and how these and the others go on.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "evidence/fusion.hpp"
+#include "lanes/bring.hpp"
+#include "lanes/eight_bytes.hpp"
+#include "perception/tile_update.hpp"
+#include "placing/frame_evidence.hpp"
+#include "window/tile.hpp"
+
+namespace iog::perception {
+
+// Groups with a hit, and groups with evidence but without one.
+struct GroupBudget {
+  std::uint32_t with_hits = 0;
+  std::uint32_t without_hits = 0;
+
+  // Whether there is room for one more.
+  bool take(bool has_hit) {
+    std::uint32_t& left = has_hit ? with_hits : without_hits;
+    if (left == 0) {
+      return false;
+    }
+    --left;
+    return true;
+  }
+  // What there is room for, of these.
+  GroupBudget take(const GroupBudget& groups) {
+    const GroupBudget taken{.with_hits = std::min(groups.with_hits, with_hits),
+                            .without_hits = std::min(groups.without_hits, without_hits)};
+    with_hits -= taken.with_hits;
+    without_hits -= taken.without_hits;
+    return taken;
+  }
+};
+
+inline lanes::EightBytes eight_at(const placing::FrameEvidence::TileIndexes& tile,
+                                  std::size_t group) {
+  return lanes::EightBytes::load(&tile[group * evidence::kGroupCells]);
+}
+
+// Of a tile of a frame's evidence.
+inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
+  GroupBudget groups;
+  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
+    const lanes::EightBytes eight = eight_at(tile, group);
+    const bool has_hit = eight.has_positive();
+    groups.with_hits += has_hit ? 1U : 0U;
+    groups.without_hits += !has_hit && !eight.is_zero() ? 1U : 0U;
+  }
+  return groups;
+}
+
+// What may be fused yet. Empty: all there is.
+using Budget = std::optional<GroupBudget>;
+
+// Groups from one that is aged to the one whose memory is asked for meanwhile.
+inline constexpr std::size_t kGroupsAhead = 2;
+
+// The groups of a tile that are fused, in rising order, and how many have evidence but are over
+// budget. Behind the last one there is room for those who look ahead.
+class GroupList {
+ public:
+  GroupList(const placing::FrameEvidence::TileIndexes& indexes, Budget& budget) {
+    for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
+      const lanes::EightBytes eight = eight_at(indexes, group);
+      if (eight.is_zero()) {
+        continue;
+      }
+      if (budget && !budget->take(eight.has_positive())) {
+        ++left_;
+        continue;
+      }
+      numbers_[count_++] = static_cast<std::uint8_t>(group);
+    }
+    for (std::size_t ahead = 0; count_ > 0 && ahead < kGroupsAhead; ++ahead) {
+      numbers_[count_ + ahead] = numbers_[count_ - 1];
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::size_t left() const { return left_; }
+  // i < count() + kGroupsAhead.
+  [[nodiscard]] std::size_t operator[](std::size_t i) const { return numbers_[i]; }
+
+ private:
+  std::size_t count_ = 0;
+  std::size_t left_ = 0;
+  std::array<std::uint8_t, window::kGroupsPerTile + kGroupsAhead> numbers_;
+};
+
+// Asks for the lines of a group that is needed soon.
+inline void prefetch(const window::Tile& tile, std::size_t group) {
+  __builtin_prefetch(&tile.free[group]);
+  if (!tile.is_free_alone[group]) {
+    __builtin_prefetch(&tile.taken[group].occupied);
+    __builtin_prefetch(&tile.taken[group].standing);
+  }
+}
+
+// Brings the small things of some rows of a tile to the cache. Then the lines of its masses follow
+// one another, and nothing comes between them.
+inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t last) {
+  const std::size_t count = (last - first + 1) * window::kGroupsPerRow;
+  lanes::bring(
+      std::as_bytes(std::span(tile.decided).subspan(first * window::kGroupsPerRow, count)));
+  if (tile.has_ruled_out) {
+    lanes::bring(
+        std::as_bytes(std::span(tile.ruled_out).subspan(first * window::kGroupsPerRow, count)));
+  }
+  lanes::bring(std::as_bytes(std::span(tile.aged_at)));
+  lanes::bring(std::as_bytes(std::span(tile.evidence_at)));
+  lanes::bring(std::as_bytes(std::span(tile.is_free_alone)));
+  lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
+}
+
+// Where they lie: a copy of them would still be on its way to the cache when it is needed.
+inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
+                                           std::size_t group) {
+  return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
+}
+
+// Fuses some groups of a tile, not none. moved: the cells in which hits are on something that
+// moves, or null: all are. With a TileBefore whoever may have to do it again puts everything back.
+template <typename... Before>
+void fuse_groups(const TileUpdate& update, window::Tile& tile,
+                 const placing::FrameEvidence::TileIndexes& indexes, bool has_hit,
+                 const window::Plane* moved, const GroupList& groups, Before&... before) {
+  for (std::size_t ahead = 0; ahead < kGroupsAhead; ++ahead) {
+    prefetch(tile, groups[ahead]);
+  }
+  bring_rows(tile, groups[0] / window::kGroupsPerRow,
+             groups[groups.count() - 1] / window::kGroupsPerRow);
+  const auto is_crossed = [&](std::size_t group) {
+    return update.needs_no_taken(tile, group) &&
+           !(has_hit && eight_at(indexes, group).has_positive());
+  };
+  for (std::size_t i = 0; i < groups.count(); ++i) {
+    const std::size_t group = groups[i];
+    prefetch(tile, groups[i + kGroupsAhead]);
+    (before.keep(tile, group), ...);
+    if (!is_crossed(group)) {
+      update.fuse(tile, group, indexes_of(indexes, group),
+                  moved == nullptr ? std::uint8_t{0xFF} : eight_of(*moved, group));
+      continue;
+    }
+    const std::size_t next = groups[i + 1];
+    if (i + 1 == groups.count() || !is_crossed(next)) {
+      update.cross(tile, group, indexes_of(indexes, group));
+      continue;
+    }
+    (before.keep(tile, next), ...);
+    update.cross(tile, {group, next}, {&indexes_of(indexes, group), &indexes_of(indexes, next)});
+    ++i;
+  }
+}
+
+// Ages and decides the groups that were not fused; how many.
+template <typename... Before>
+std::size_t refresh_groups(const TileUpdate& update, window::Tile& tile, Before&... before) {
+  std::size_t refreshed = 0;
+  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
+    prefetch(tile, std::min(group + kGroupsAhead, window::kGroupsPerTile - 1));
+    if (update.is_old(tile, group)) {
+      (before.keep(tile, group), ...);
+      update.refresh(tile, group);
+      ++refreshed;
+    }
+  }
+  return refreshed;
+}
+
+}  // namespace iog::perception
