@@ -6,7 +6,7 @@
 #include "geometry/cell.hpp"
 #include "objects/name.hpp"
 #include "objects/plane.hpp"
-#include "placing/hit.hpp"
+#include "placing/hit_list.hpp"
 
 namespace iog::objects {
 

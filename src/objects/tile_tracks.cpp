@@ -5,7 +5,7 @@
 #include "numeric/division.hpp"
 #include "numeric/magnitude.hpp"
 #include "objects/frame.hpp"
-#include "window/cell_place.hpp"
+#include "window/tile.hpp"
 
 namespace iog::objects {
 namespace {

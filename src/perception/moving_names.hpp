@@ -13,7 +13,7 @@
 #include "geometry/cell.hpp"
 #include "lanes/eight_bytes.hpp"
 #include "placing/frame_evidence.hpp"
-#include "window/cell_place.hpp"
+#include "window/tile.hpp"
 #include "window/window.hpp"
 
 namespace iog::perception {

@@ -7,7 +7,7 @@
 #include <bit>
 
 #include "placing/look_up.hpp"
-#include "placing/reach.hpp"
+#include "placing/placement.hpp"
 #include "placing/slice_hits.hpp"
 #include "require/require.hpp"
 

@@ -22,7 +22,7 @@
 #include <optional>
 #include <span>
 
-#include "placing/eight_steps.hpp"
+#include "placing/look_up.hpp"
 #include "placing/placement.hpp"
 #include "placing/slice_cells.hpp"
 #include "window/area.hpp"

@@ -10,11 +10,18 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/cell.hpp"
 #include "placing/frame_evidence.hpp"
-#include "placing/hit.hpp"
 #include "window/area.hpp"
 
 namespace iog::placing {
+
+// What was hit in a cell in one of a frame's slices.
+struct Hit {
+  geometry::Cell cell{};   // of the local frame
+  std::uint8_t slice = 0;  // its number in the frame
+  friend constexpr bool operator==(const Hit&, const Hit&) = default;
+};
 
 class HitList {
  public:

@@ -9,7 +9,6 @@
 
 #include "lanes/bring.hpp"
 #include "placing/placement.hpp"
-#include "placing/reach.hpp"
 #include "placing/slice_cells.hpp"
 
 namespace iog::placing {

@@ -12,7 +12,6 @@
 #include "placing/hit_eights.hpp"
 #include "placing/known_blocks.hpp"
 #include "placing/placement.hpp"
-#include "placing/reach.hpp"
 #include "placing/slice_cells.hpp"
 
 namespace iog::placing {

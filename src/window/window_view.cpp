@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lanes/eight_bytes.hpp"
-#include "window/cell_place.hpp"
+#include "window/tile.hpp"
 
 namespace iog::window {
 namespace {

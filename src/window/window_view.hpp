@@ -8,7 +8,7 @@
 #include <span>
 
 #include "ageing/clock.hpp"
-#include "window/cell_place.hpp"
+#include "window/tile.hpp"
 #include "window/window.hpp"
 
 namespace iog::window {

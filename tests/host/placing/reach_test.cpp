@@ -1,12 +1,11 @@
 // How far a rectangle's image reaches: as far as its cells, and no further.
-#include "placing/reach.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 
 #include "fakes/random.hpp"
+#include "placing/placement.hpp"
 
 namespace iog::placing {
 namespace {
