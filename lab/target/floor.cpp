@@ -65,7 +65,7 @@ class TouchedLines {
   TouchedLines(Capture& capture, LineList& list, std::size_t frames)
       : capture_(capture), list_(list), frames_(frames) {}
 
-  void look_at(const grid::FrameView& frame) {
+  void look_at(const grid::BlockGrid& frame) {
     if (!note_lines(frame)) {
       return;
     }
@@ -77,7 +77,7 @@ class TouchedLines {
 
  private:
   // False if nothing is known.
-  bool note_lines(const grid::FrameView& frame) {
+  bool note_lines(const grid::BlockGrid& frame) {
     static std::array<bool, kLines> known;
     known.fill(false);
     for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
@@ -170,7 +170,7 @@ int run(const char* path, std::size_t frames) {
     std::printf("floor: %s cannot be read as a pcap of Ethernet frames\n", path);
     return 1;
   }
-  const auto look = [](const grid::FrameView& frame) { touched.look_at(frame); };
+  const auto look = [](const grid::BlockGrid& frame) { touched.look_at(frame); };
   static FusedFrames fused(vehicles::cars()[0].vehicle, look);
   play(capture, vehicles::cars()[0].vehicle, counter, fused);
   if (list.frames() < 1 + frames) {

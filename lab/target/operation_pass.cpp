@@ -57,7 +57,7 @@ void OperationPass::close_frame(std::uint64_t now_us) {
 }
 
 void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
-  const grid::FrameView view = frame_.fusion().own().view();
+  const grid::BlockGrid& view = frame_.fusion().own().view();
   if (!measured(cost_.find, [&] { return view.is_touched(tile); })) {
     return;
   }

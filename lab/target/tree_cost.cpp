@@ -24,7 +24,7 @@
 namespace iog::lab {
 namespace {
 
-[[gnu::noinline]] void build_tree(const grid::FrameView& frame, tree::QuadtreeBuilder& builder) {
+[[gnu::noinline]] void build_tree(const grid::BlockGrid& frame, tree::QuadtreeBuilder& builder) {
   builder.begin();
   std::array<grid::OccupancyIndex, geometry::kTileCells> cells;
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
@@ -41,7 +41,7 @@ class Trees {
  public:
   Trees(Capture& capture, std::size_t frames) : capture_(capture), frames_(frames) {}
 
-  void build(const grid::FrameView& frame) {
+  void build(const grid::BlockGrid& frame) {
     build_tree(frame, builder_);
     ++built_;
     if (built_ == 1) {
@@ -79,7 +79,7 @@ int run(const char* path, std::size_t frames) {
     std::printf("tree_cost: %s cannot be read as a pcap of Ethernet frames\n", path);
     return 1;
   }
-  const auto build = [](const grid::FrameView& frame) { trees.build(frame); };
+  const auto build = [](const grid::BlockGrid& frame) { trees.build(frame); };
   static FusedFrames fused(vehicles::cars()[0].vehicle, build);
   play(capture, vehicles::cars()[0].vehicle, counter, fused);
   if (trees.frames() < frames) {

@@ -16,7 +16,6 @@
 #include "grid/arc_marker.hpp"
 #include "grid/azimuth_carver.hpp"
 #include "grid/frame_grids.hpp"
-#include "grid/frame_view.hpp"
 #include "grid/pending_marks.hpp"
 #include "grid/turn_carver.hpp"
 #include "ground/ground.hpp"
@@ -93,7 +92,7 @@ class FrameFusion {
   void finish();
 
   // The grid, complete after finish(), until it is cleared.
-  [[nodiscard]] grid::FrameView view() const { return grid::FrameView(grids_.indexes); }
+  [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
   // Copies a tile of the frame, row by row from its lowest y, and clears it. False if nothing is
   // known in it.

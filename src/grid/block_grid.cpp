@@ -20,6 +20,12 @@ const LaneBytes* BlockGrid::blocks_of(std::size_t tile, std::int32_t row) const 
   return &blocks_[first_block(tile) + static_cast<std::size_t>(row) * kBlockStride];
 }
 
+void BlockGrid::copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const {
+  for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
+    to[number] = at(geometry::cell_of(number));
+  }
+}
+
 bool BlockGrid::copy_tile(std::size_t tile,
                           std::span<OccupancyIndex, geometry::kTileCells> to) const {
   const Lanes least = Lanes::all(index::kIndexMin<OccupancyIndex>);

@@ -63,6 +63,8 @@ class BlockGrid {
   void touch(std::size_t tile) { touched_[tile] = 1; }
   [[nodiscard]] bool is_touched(std::size_t tile) const { return touched_[tile] != 0; }
 
+  // All cells, row by row from the lowest y.
+  void copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const;
   // The tile's cells, row by row from its lowest y. False if all of them are unknown.
   bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const;
 

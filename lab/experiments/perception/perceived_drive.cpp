@@ -69,7 +69,7 @@ class Evidence {
   void add_hits(const window::Area& area, const placing::CellMap& to_window, std::uint8_t slice,
                 PerceivedFrame& frame) {
     const geometry::Cell first = first_cell(area);
-    const grid::FrameView view = fusion_.view();
+    const grid::BlockGrid& view = fusion_.view();
     std::array<std::int8_t, geometry::kTileCells> cells{};
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       if (!view.is_touched(tile) || !view.copy_tile(tile, cells)) {

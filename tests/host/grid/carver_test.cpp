@@ -15,7 +15,6 @@
 #include "fakes/test_vehicles.hpp"
 #include "fusion/frame_fusion.hpp"
 #include "grid/azimuth_carver.hpp"
-#include "grid/frame_view.hpp"
 #include "grid/pending_marks.hpp"
 #include "grid/turn_carver.hpp"
 #include "index/occupancy_index.hpp"
@@ -90,7 +89,7 @@ void join(const BlockGrid& from, BlockGrid& to) {
 
 std::vector<OccupancyIndex> cells_of(const BlockGrid& grid) {
   std::vector<OccupancyIndex> cells(geometry::kCellCount);
-  FrameView(grid).copy_cells(std::span(cells).first<geometry::kCellCount>());
+  grid.copy_cells(std::span(cells).first<geometry::kCellCount>());
   return cells;
 }
 
