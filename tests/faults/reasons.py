@@ -5,7 +5,7 @@ OF_SILENT = {
     "registers": f"working values are {_ONCE}; only lockstep cores or a second fusion would detect it",
     "vector registers": "as registers",
     "stack": "as registers",
-        "index grids": f"cells of the current frame, {_ONCE}; the CRC is made of the wrong cells. Lasts one frame in the grid, "
+    "index grids": f"cells of the current frame, {_ONCE}; the CRC is made of the wrong cells. Lasts one frame in the grid, "
                    "longer in the classes. Needs ECC of the DDR, which the chip does not have",
     "class planes": "masses kept from frame to frame. A CRC for each tile, which would change up to 25 times a second, is not built. "
                     "Lasts until the cell is measured again, or fades",
