@@ -7,7 +7,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -16,57 +15,85 @@
 
 namespace iog::stream {
 
-[[nodiscard]] constexpr bool is_link(const Row& row) {
-  return Group::kNet <= row.group && row.group <= Group::kCommand;
+struct Counter {
+  Group group{};
+  Kind kind{};
+  std::string_view name;
+};
+
+[[nodiscard]] constexpr bool is_link(const Counter& counter) {
+  return Group::kNet <= counter.group && counter.group <= Group::kCommand;
 }
+
+// All counters of the table, one by one.
+inline constexpr auto kCounters = [] {
+  constexpr std::string_view kBetween = ", ";
+  constexpr std::size_t kCount = [=] {
+    std::size_t count = 0;
+    for (const Row& row : table::kRows) {
+      count += 1 + static_cast<std::size_t>(std::ranges::count(row.names, kBetween.front()));
+    }
+    return count;
+  }();
+  std::array<Counter, kCount> counters{};
+  auto* counter = counters.data();
+  for (const Row& row : table::kRows) {
+    std::size_t begin = 0;
+    for (std::size_t end = 0; end != row.names.size(); begin = end + kBetween.size()) {
+      end = std::min(row.names.find(kBetween, begin), row.names.size());
+      *counter++ = {row.group, row.kind, row.names.substr(begin, end - begin)};
+    }
+  }
+  return counters;
+}();
+static_assert(std::ranges::is_sorted(kCounters, {}, &Counter::group));
 
 inline constexpr std::size_t kDurationWords = 13;
 [[nodiscard]] constexpr std::size_t words_of(Kind kind) {
   return kind == Kind::kDuration ? kDurationWords : kind == Kind::kMac ? 2 : 1;
 }
 
-// Of each row's first word among the link counters; the last: how many they are.
+// Of each counter's first word among the link counters; the last: how many they are.
 inline constexpr auto kPlaces = [] {
-  std::array<std::uint8_t, std::size(table::kRows) + 1> places{};
-  for (std::size_t i = 0; i < std::size(table::kRows); ++i) {
-    const Row& row = table::kRows[i];
-    const std::size_t end = places[i] + (is_link(row) ? words_of(row.kind) : 0);
+  std::array<std::uint8_t, kCounters.size() + 1> places{};
+  for (std::size_t i = 0; i < kCounters.size(); ++i) {
+    const Counter& counter = kCounters[i];
+    const std::size_t end = places[i] + (is_link(counter) ? words_of(counter.kind) : 0);
     require(end <= 0xFF);  // a frame's end says in a byte how many there are
     places[i + 1] = static_cast<std::uint8_t>(end);
   }
   return places;
 }();
-static_assert(std::ranges::is_sorted(table::kRows, {}, &Row::group));
 
 inline constexpr std::size_t kMaxLinkCounters = kPlaces.back();
 using LinkCounters = std::array<std::uint32_t, kMaxLinkCounters>;
 
 // Where a group's link counters begin.
 [[nodiscard]] consteval std::size_t place_of(Group group) {
-  const auto* const row = std::ranges::find(table::kRows, group, &Row::group);
-  return kPlaces[static_cast<std::size_t>(row - std::begin(table::kRows))];
+  const auto* const counter = std::ranges::find(kCounters, group, &Counter::group);
+  return kPlaces[static_cast<std::size_t>(counter - kCounters.begin())];
 }
 
 // The names of a group, in their order.
 template <Group kGroup>
 [[nodiscard]] consteval auto names_of() {
-  constexpr auto kCount = std::ranges::count(table::kRows, kGroup, &Row::group);
+  constexpr auto kCount = std::ranges::count(kCounters, kGroup, &Counter::group);
   std::array<std::string_view, static_cast<std::size_t>(kCount)> names;
   auto* name = names.data();
-  for (const Row& row : table::kRows) {
-    if (row.group == kGroup) {
-      *name++ = row.name;
+  for (const Counter& counter : kCounters) {
+    if (counter.group == kGroup) {
+      *name++ = counter.name;
     }
   }
   return names;
 }
 
-// The row of a link counter that is in the table.
-[[nodiscard]] constexpr std::size_t row_of(std::string_view name) {
+// The number of a link counter that is in the table.
+[[nodiscard]] constexpr std::size_t number_of(std::string_view name) {
   std::size_t i = 0;
-  while (!is_link(table::kRows[i]) || table::kRows[i].name != name) {
+  while (!is_link(kCounters[i]) || kCounters[i].name != name) {
     ++i;
-    require(i < std::size(table::kRows));
+    require(i < kCounters.size());
   }
   return i;
 }
@@ -74,7 +101,7 @@ template <Group kGroup>
 // Where a link counter is among them: the first of its words. A name that is not in the table does
 // not compile.
 [[nodiscard]] consteval std::size_t place_of(std::string_view name) {
-  return kPlaces[row_of(name)];
+  return kPlaces[number_of(name)];
 }
 
 // Whoever counts has a struct of 32-bit words alone whose `kNames` are their names, in the order of
@@ -84,8 +111,8 @@ template <typename Counts>
   std::array<std::uint8_t, sizeof(Counts) / sizeof(std::uint32_t)> places{};
   std::size_t at = 0;
   for (const std::string_view name : Counts::kNames) {
-    const std::size_t row = row_of(name);
-    for (std::size_t word = kPlaces[row]; word < kPlaces[row + 1]; ++word) {
+    const std::size_t number = number_of(name);
+    for (std::size_t word = kPlaces[number]; word < kPlaces[number + 1]; ++word) {
       places.at(at++) = static_cast<std::uint8_t>(word);
     }
   }
@@ -134,12 +161,12 @@ void put_all(LinkCounters& counters, const Counts&... counts) {
 }
 
 inline constexpr auto kLosses = [] {
-  constexpr auto kCount = std::ranges::count(table::kRows, Kind::kLoss, &Row::kind);
+  constexpr auto kCount = std::ranges::count(kCounters, Kind::kLoss, &Counter::kind);
   std::array<std::uint8_t, static_cast<std::size_t>(kCount)> losses{};
   auto* loss = losses.data();
-  for (const Row& row : table::kRows) {
-    if (row.kind == Kind::kLoss) {
-      *loss++ = kPlaces[row_of(row.name)];
+  for (const Counter& counter : kCounters) {
+    if (counter.kind == Kind::kLoss) {
+      *loss++ = kPlaces[number_of(counter.name)];
     }
   }
   return losses;

@@ -2,7 +2,7 @@
 //
 // A frame's end has a list of each of the first three groups, and then the link counters in one
 // list: the groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The end of the classes has the
-// others. A new counter is a row here and a name where it is counted: the loop finds its place by
+// others. A new counter is a name here and one where it is counted: the loop finds its place by
 // that name (stream/target_state.hpp), and tests/lint/target_state makes what others read of it.
 #pragma once
 
@@ -68,7 +68,7 @@ enum class Kind : std::uint8_t {
 
 struct Row {
   Group group;
-  std::string_view name;
+  std::string_view names;  // with ", " between them
   Kind kind = Kind::kCount;
   std::string_view words{};  // for who does not see what group it is of; empty: the name says it
 };
@@ -78,192 +78,67 @@ using enum Group;
 using enum Kind;
 
 inline constexpr Row kRows[] = {
-    {kStage, "fuse"},
-    {kStage, "mark"},
-    {kStage, "publish"},
-    {kStage, "perceive"},
-
-    {kFate, "used"},
-    {kFate, "no return"},
-    {kFate, "too near"},
-    {kFate, "too far"},
+    {kStage, "fuse, mark, publish, perceive"},
+    {kFate, "used, no return, too near, too far"},
     {kFate, "height band", kCount, "outside the height band"},
-    {kFate, "flagged"},
-    {kFate, "later echo"},
-    {kFate, "malformed"},
-    {kFate, "stale"},
-    {kFate, "not taken"},
-    {kFate, "ground"},
-    {kFate, "overhang"},
-    {kFate, "under the ground"},
-
-    {kPacketDrop, "stranger"},
-    {kPacketDrop, "wrong length"},
-    {kPacketDrop, "wrong type"},
-    {kPacketDrop, "wrong angle"},
-    {kPacketDrop, "wrong point"},
-    {kPacketDrop, "duplicate"},
-    {kPacketDrop, "late"},
-    {kPacketDrop, "over budget"},
-    {kPacketDrop, "other unit"},
-    {kPacketDrop, "not taken"},
-    {kPacketDrop, "frozen"},
-    {kPacketDrop, "too soon"},
-
-    {kNet, "frames received"},
-    {kNet, "datagrams delivered"},
-    {kNet, "ARP answered"},
-    {kNet, "ARP learned"},
-    {kNet, "pings answered"},
-    {kNet, "messages sent"},
-    {kNet, "ARP requested"},
-
+    {kFate, "flagged, later echo, malformed, stale, not taken, ground, overhang, under the ground"},
+    {kPacketDrop,
+     "stranger, wrong length, wrong type, wrong angle, wrong point, duplicate, late, over budget, "
+     "other unit, not taken, frozen, too soon"},
+    {kNet,
+     "frames received, datagrams delivered, ARP answered, ARP learned, pings answered, "
+     "messages sent, ARP requested"},
     {kDrop, "short", kLoss},
-    {kDrop, "not for us (MAC)"},
-    {kDrop, "VLAN tagged"},
-    {kDrop, "neither IPv4 nor ARP"},
-    {kDrop, "bad IP header", kLoss},
-    {kDrop, "bad IP checksum", kLoss},
-    {kDrop, "fragment", kLoss},
+    {kDrop, "not for us (MAC), VLAN tagged, neither IPv4 nor ARP"},
+    {kDrop, "bad IP header, bad IP checksum, fragment", kLoss},
     {kDrop, "not for us (IP)"},
     {kDrop, "bad source", kLoss},
     {kDrop, "neither UDP nor ICMP"},
-    {kDrop, "bad UDP length", kLoss},
-    {kDrop, "bad UDP checksum", kLoss},
-    {kDrop, "bad ICMP"},
-    {kDrop, "ping ignored"},
-    {kDrop, "other ICMP"},
-    {kDrop, "bad ARP"},
-    {kDrop, "ARP ignored"},
-    {kDrop, "address conflict"},
-    {kDrop, "reply without room"},
-
-    {kRefusal, "peer unresolved"},
-    {kRefusal, "ring full"},
-    {kRefusal, "misuse"},
-
+    {kDrop, "bad UDP length, bad UDP checksum", kLoss},
+    {kDrop,
+     "bad ICMP, ping ignored, other ICMP, bad ARP, ARP ignored, address conflict, "
+     "reply without room"},
+    {kRefusal, "peer unresolved, ring full, misuse"},
     {kPort, "port received"},
-    {kPort, "receive errors", kLoss},
-    {kPort, "oversized", kLoss},
-    {kPort, "port sent"},
-    {kPort, "port refused"},
-
-    {kFragment, "fragments joined"},
-    {kFragment, "fragments duplicate"},
-    {kFragment, "fragments overlapping"},
-    {kFragment, "fragments bad"},
-    {kFragment, "fragments refused"},
-    {kFragment, "datagrams joined"},
-    {kFragment, "datagrams expired", kLoss},
-    {kFragment, "datagrams displaced", kLoss},
-
+    {kPort, "receive errors, oversized", kLoss},
+    {kPort, "port sent, port refused"},
+    {kFragment,
+     "fragments joined, fragments duplicate, fragments overlapping, fragments bad, "
+     "fragments refused, datagrams joined"},
+    {kFragment, "datagrams expired, datagrams displaced", kLoss},
     {kCore, "cores at work", kState},
-    {kCore, "items for lost cores"},
-    {kCore, "items of core 0"},
-    {kCore, "items of core 1"},
-    {kCore, "items of core 2"},
-    {kCore, "items of core 3"},
-
+    {kCore,
+     "items for lost cores, items of core 0, items of core 1, items of core 2, items of core 3"},
     {kRestart, "port without room", kLoss},
     {kRestart, "port restarts"},
     {kRestart, "received lost by restarts", kLoss},
     {kRestart, "unsent lost by restarts"},
-
     {kRun, "starts since power-up"},
-    {kRun, "end of the run before", kState},
-    {kRun, "detail of that end", kState},
-
-    {kLoopTime, "fuse", kDuration},
-    {kLoopTime, "mark", kDuration},
-    {kLoopTime, "publish", kDuration},
-    {kLoopTime, "perceive", kDuration},
-    {kLoopTime, "frame", kDuration},
-    {kLoopTime, "late", kDuration},
-    {kLoopTime, "core 0", kDuration},
-    {kLoopTime, "core 1", kDuration},
-    {kLoopTime, "core 2", kDuration},
-    {kLoopTime, "core 3", kDuration},
-
-    {kDiscovery, "SD received"},
-    {kDiscovery, "SD malformed"},
-    {kDiscovery, "SD spoofed"},
-    {kDiscovery, "SD unanswered"},
-    {kDiscovery, "SD offers"},
-    {kDiscovery, "SD found"},
-    {kDiscovery, "SD subscriptions acknowledged"},
-    {kDiscovery, "SD subscriptions refused"},
-    {kDiscovery, "SD subscriptions unconfirmed"},
-    {kDiscovery, "SD subscriptions stopped"},
-    {kDiscovery, "SD subscriptions expired"},
-    {kDiscovery, "SD subscribers rebooted"},
-    {kDiscovery, "SD copied"},
-    {kDiscovery, "SD not copied"},
-
-    {kCommand, "poses authentic"},
-    {kCommand, "poses unsigned"},
-    {kCommand, "poses replayed"},
-    {kCommand, "poses forged"},
+    {kRun, "end of the run before, detail of that end", kState},
+    {kLoopTime, "fuse, mark, publish, perceive, frame, late, core 0, core 1, core 2, core 3",
+     kDuration},
+    {kDiscovery,
+     "SD received, SD malformed, SD spoofed, SD unanswered, SD offers, SD found, "
+     "SD subscriptions acknowledged, SD subscriptions refused, SD subscriptions unconfirmed, "
+     "SD subscriptions stopped, SD subscriptions expired, SD subscribers rebooted, SD copied, "
+     "SD not copied"},
+    {kCommand, "poses authentic, poses unsigned, poses replayed, poses forged"},
     {kCommand, "poses last counter", kState},
-    {kCommand, "maps authentic"},
-    {kCommand, "maps unsigned"},
-    {kCommand, "maps replayed"},
-    {kCommand, "maps forged"},
+    {kCommand, "maps authentic, maps unsigned, maps replayed, maps forged"},
     {kCommand, "maps last counter", kState},
     {kCommand, "commands MAC", kMac},
-
-    {kPoseFate, "used"},
-    {kPoseFate, "unconfirmed"},
-    {kPoseFate, "stranger"},
-    {kPoseFate, "too short"},
-    {kPoseFate, "not ours"},
-    {kPoseFate, "wrong version"},
-    {kPoseFate, "damaged"},
-    {kPoseFate, "wrong length"},
-    {kPoseFate, "wrong flags"},
-    {kPoseFate, "not zero"},
-    {kPoseFate, "out of range"},
-    {kPoseFate, "no sigma"},
-    {kPoseFate, "too old"},
-    {kPoseFate, "not newer"},
-    {kPoseFate, "flood"},
-    {kPoseFate, "of a past run"},
-
-    {kSliceCause, "placed"},
-    {kSliceCause, "late"},
-    {kSliceCause, "imprecise"},
-    {kSliceCause, "lost"},
-    {kSliceCause, "jump"},
-    {kSliceCause, "restart"},
-    {kSliceCause, "contradicted"},
-    {kSliceCause, "drifting"},
-
-    {kMapCause, "in use"},
-    {kMapCause, "no map"},
-    {kMapCause, "no transform"},
-    {kMapCause, "other origin"},
-    {kMapCause, "imprecise"},
-    {kMapCause, "blurred"},
-    {kMapCause, "no place"},
-    {kMapCause, "outside"},
-    {kMapCause, "contradicted"},
-
-    {kChunkFate, "taken"},
-    {kChunkFate, "repeated"},
-    {kChunkFate, "in use"},
+    {kPoseFate,
+     "used, unconfirmed, stranger, too short, not ours, wrong version, damaged, wrong length, "
+     "wrong flags, not zero, out of range, no sigma, too old, not newer, flood, of a past run"},
+    {kSliceCause, "placed, late, imprecise, lost, jump, restart, contradicted, drifting"},
+    {kMapCause,
+     "in use, no map, no transform, other origin, imprecise, blurred, no place, outside, "
+     "contradicted"},
+    {kChunkFate, "taken, repeated, in use"},
     {kChunkFate, "of another map", kCount, "of another block"},
-    {kChunkFate, "stranger"},
-    {kChunkFate, "too short"},
-    {kChunkFate, "not ours"},
-    {kChunkFate, "wrong version"},
-    {kChunkFate, "damaged"},
-    {kChunkFate, "wrong length"},
-    {kChunkFate, "not zero"},
-    {kChunkFate, "out of range"},
-
-    {kSensorState, "never seen", kState},
-    {kSensorState, "silent", kState},
-    {kSensorState, "partial", kState},
-    {kSensorState, "complete", kState},
+    {kChunkFate,
+     "stranger, too short, not ours, wrong version, damaged, wrong length, not zero, out of range"},
+    {kSensorState, "never seen, silent, partial, complete", kState},
 };
 }  // namespace table
 

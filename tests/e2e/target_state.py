@@ -22,8 +22,10 @@ class Row(NamedTuple):
 
 
 def rows_of(text: str) -> list[Row]:
-    rows = re.findall(r'\{k(\w+), "([^"]*)"(?:, k(\w+))?(?:, "([^"]*)")?\},', text[text.index(" kRows["):])
-    return [Row(group, name, kind or "Count", words or name) for group, name, kind, words in rows]
+    table = re.sub(r'"\s*\n\s*"', "", text[text.index(" kRows["):])
+    rows = re.findall(r'\{k(\w+),\s*"([^"]*)"(?:,\s*k(\w+))?(?:, "([^"]*)")?\},', table)
+    return [Row(group, name, kind or "Count", words or name)
+            for group, names, kind, words in rows for name in names.split(", ")]
 
 
 def groups_of(text: str) -> dict[str, str]:

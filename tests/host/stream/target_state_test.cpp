@@ -60,11 +60,11 @@ TEST(TargetState, WhoCountsReadsItsCountersAgain) {
 struct All {
   LinkCounters words{};
   static constexpr auto kNames = [] {
-    std::array<std::string_view, std::ranges::count_if(table::kRows, is_link)> names{};
+    std::array<std::string_view, std::ranges::count_if(kCounters, is_link)> names{};
     auto name = names.begin();
-    for (const Row& row : table::kRows) {
-      if (is_link(row)) {
-        *name++ = row.name;
+    for (const Counter& counter : kCounters) {
+      if (is_link(counter)) {
+        *name++ = counter.name;
       }
     }
     return names;
