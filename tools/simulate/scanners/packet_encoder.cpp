@@ -2,11 +2,12 @@
 
 #include <type_traits>
 
-#include "lidar/formats.hpp"
+#include "lidar/scanner_facts.hpp"
 #include "tools/simulate/scanners/ars548_encoder.hpp"
 #include "tools/simulate/scanners/hesai_encoder.hpp"
 #include "tools/simulate/scanners/mavlink_encoder.hpp"
 #include "tools/simulate/scanners/ouster_encoder.hpp"
+#include "tools/simulate/scanners/points_encoder.hpp"
 #include "tools/simulate/scanners/velodyne_encoder.hpp"
 
 namespace iog::tools {
@@ -20,6 +21,8 @@ std::unique_ptr<PacketEncoder> encoder_of(const description::SensorConfig& confi
       sender = std::make_unique<HesaiEncoder>(config, Decoder::unit());
     } else if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
       sender = std::make_unique<OusterEncoder>(config, Decoder::profile());
+    } else if constexpr (lidar::IsPoints<Decoder>) {
+      sender = std::make_unique<PointsEncoder>(config);
     } else if constexpr (std::is_same_v<lidar::ContinentalArs548, Decoder>) {
       sender = std::make_unique<Ars548Encoder>(config);
     } else if constexpr (std::is_same_v<lidar::MavlinkUltrasonic, Decoder>) {
