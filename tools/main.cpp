@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   program.footer("Exit status: 0 done, 1 a check failed, 2 wrong use or unreadable input.");
   tools::add_simulate(program);
   tools::add_fuse(program);
+  tools::add_points(program);
   tools::add_pose(program);
   tools::add_replay(program);
   tools::add_relay(program);

@@ -1,0 +1,186 @@
+// Messages of ROS that are written here byte by byte; and what is told of wrong ones.
+#include "tools/clouds/ros_clouds.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cloud_bytes.hpp"
+#include "tools/formats/ros/cdr_writer.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+struct SentField {
+  std::string name;
+  std::uint32_t offset;
+  std::uint8_t type;
+};
+
+struct SentCloud {
+  std::uint32_t stamp_s = 1'700'000'000;
+  std::vector<SentField> fields{{"x", 0, 7}, {"y", 4, 7}, {"z", 8, 7}};
+  std::uint32_t stride = 12;
+  std::uint32_t count = 2;
+  std::uint8_t is_big_endian = 0;
+  Bytes points{};
+
+  [[nodiscard]] Bytes message() const {
+    ros::CdrWriter out;
+    out.put(stamp_s);
+    out.put(std::uint32_t{500'000'000});
+    out.put(std::string_view("lidar"));
+    out.put(std::uint32_t{1});
+    out.put(count);
+    out.put(static_cast<std::uint32_t>(fields.size()));
+    for (const SentField& field : fields) {
+      out.put(std::string_view(field.name));
+      out.put(field.offset);
+      out.put(field.type);
+      out.put(std::uint32_t{1});
+    }
+    out.put(is_big_endian);
+    out.put(stride);
+    out.put(stride * count);
+    out.put(std::span<const std::byte>(points));
+    out.put(std::uint8_t{1});
+    return out.take();
+  }
+};
+
+Bytes two_points(const std::function<void(Bytes&, int)>& behind = {}) {
+  Bytes bytes;
+  for (int i = 0; i < 2; ++i) {
+    add(bytes, i == 0 ? 0.F : 1.F);
+    add(bytes, i == 0 ? 10.F : 0.F);
+    add(bytes, i == 0 ? 0.F : 1.F);
+    if (behind) {
+      behind(bytes, i);
+    }
+  }
+  return bytes;
+}
+
+SeenCloud cloud_of(const SentCloud& sent, TimeUnit unit = TimeUnit::kFound) {
+  return cloud_of_point_cloud2(sent.message(), unit, "it");
+}
+
+TEST(RosClouds, ReadPointCloud2ByTheNamesOfItsFields) {
+  const SeenCloud cloud = cloud_of({.points = two_points()});
+  expect_two(cloud);
+  EXPECT_EQ(cloud.time_us, 1'700'000'000'500'000U);
+  EXPECT_FALSE(cloud.has_times);
+}
+
+// As drivers of Ouster, Velodyne, Hesai and RoboSense send them.
+TEST(RosClouds, FindTheUnitOfTimes) {
+  const auto with = [](const std::string& name, std::uint8_t type,
+                       const std::function<void(Bytes&, int)>& behind, std::uint32_t bytes) {
+    SentCloud sent{.stride = 12 + bytes, .points = two_points(behind)};
+    sent.fields.push_back({name, 12, type});
+    return cloud_of(sent);
+  };
+  const auto expect_later = [](const SeenCloud& cloud, std::int64_t first_us) {
+    ASSERT_TRUE(cloud.has_times);
+    EXPECT_EQ(cloud.points[0].after_us, 0U);
+    EXPECT_NEAR(cloud.points[1].after_us, 50'000, 1);
+    EXPECT_NEAR(static_cast<double>(cloud.time_us),
+                1'700'000'000'500'000.0 + static_cast<double>(first_us), 1);
+  };
+  expect_later(with(
+                   "t", 6, [](Bytes& b, int i) { add(b, i == 0 ? 0 : 50'000'000, 4); }, 4),
+               0);
+  expect_later(with(
+                   "time", 7, [](Bytes& b, int i) { add(b, i == 0 ? -0.1F : -0.05F); }, 4),
+               -100'000);
+  expect_later(with(
+                   "timestamp", 8, [](Bytes& b, int i) { add(b, 1'700'000'000.6 + 0.05 * i); }, 8),
+               100'000);
+  expect_later(with(
+                   "timestamp", 8, [](Bytes& b, int i) { add(b, 5'000.0 + 0.05 * i); }, 8),
+               0);
+  expect_later(with(
+                   "t", 6, [](Bytes& b, int i) { add(b, i == 0 ? 7'000 : 57'000, 4); }, 4),
+               7'000);
+  EXPECT_EQ(told_by([&] {
+              static_cast<void>(with(
+                  "t", 6, [](Bytes& b, int i) { add(b, i == 0 ? 0 : 700, 4); }, 4));
+            }),
+            "it: in no unit its points are 5 to 500 ms apart: give --time-unit");
+}
+
+TEST(RosClouds, TellWhatIsWrongWithPointCloud2) {
+  const auto told = [](auto&& change) {
+    SentCloud sent{.points = two_points()};
+    change(sent);
+    return told_by([&] { static_cast<void>(cloud_of(sent)); });
+  };
+  EXPECT_EQ(told([](SentCloud& /*sent*/) {}), "");
+  EXPECT_EQ(told([](SentCloud& s) { s.fields[0].name = "X"; }), "it: its points have no field x");
+  EXPECT_EQ(told([](SentCloud& s) { s.fields[1].type = 9; }), "it: field y has an unknown type, 9");
+  EXPECT_EQ(told([](SentCloud& s) { s.is_big_endian = 1; }),
+            "it: its points are big endian, which is not read");
+  EXPECT_EQ(told([](SentCloud& s) { s.count = 3; }), "it: it ends before its 3 points");
+  EXPECT_EQ(told([](SentCloud& s) { s.count = 10'000'000; }),
+            "it: 10000000 points; no unit sees more than 1000000 in a scan");
+  EXPECT_EQ(told([](SentCloud& s) { s.fields[2].offset = 0xFFFF'FFFF; }),
+            "it: it ends before its 2 points");
+  Bytes message = SentCloud{.points = two_points()}.message();
+  for (std::size_t size = 4; size < message.size() - 1; ++size) {
+    EXPECT_EQ(told_by([&] {
+                static_cast<void>(
+                    cloud_of_point_cloud2(std::span(message).first(size), TimeUnit::kFound, "it"));
+              }),
+              "it: the message is cut off");
+  }
+  message[1] = std::byte{0};
+  EXPECT_EQ(
+      told_by([&] { static_cast<void>(cloud_of_point_cloud2(message, TimeUnit::kFound, "it")); }),
+      "it: the message is not in CDR, little endian");
+}
+
+Bytes laser_scan(const std::vector<float>& ranges, float apart_s) {
+  ros::CdrWriter out;
+  out.put(std::uint32_t{1'700'000'000});
+  out.put(std::uint32_t{0});
+  out.put(std::string_view("laser"));
+  for (const float value : {-0.5F, 0.5F, 0.25F, apart_s, 0.025F, 0.1F, 20.F}) {
+    out.put(value);
+  }
+  out.put(static_cast<std::uint32_t>(ranges.size()));
+  for (const float range : ranges) {
+    out.put(range);
+  }
+  out.put(std::uint32_t{0});
+  return out.take();
+}
+
+// REP 117: infinite is nothing; NaN is an error.
+TEST(RosClouds, ReadLaserScan) {
+  const SeenCloud cloud =
+      cloud_of_laser_scan(laser_scan({5, kInfinite, kNan, 0.05F, 21}, 0.001F), "it");
+  ASSERT_EQ(cloud.points.size(), 3U);
+  EXPECT_EQ(cloud.not_finite, 1U);
+  EXPECT_EQ(cloud.nowhere, 1U);
+  const auto parts = [](double radians) {
+    return std::lround(radians * 180 / 3.14159265358979 * 3'200);
+  };
+  EXPECT_EQ(cloud.points[0].first, 1'152'000 + parts(-0.5));
+  EXPECT_EQ(cloud.points[0].third, 5'000);
+  EXPECT_EQ(cloud.points[0].flags, 0);
+  EXPECT_EQ(cloud.points[1].first, 1'152'000 + parts(-0.25));
+  EXPECT_EQ(cloud.points[1].flags, 4);
+  EXPECT_EQ(cloud.points[1].after_us, 1'000U);
+  EXPECT_EQ(cloud.points[2].first, parts(0.5));
+  EXPECT_EQ(cloud.points[2].flags, 4);
+  EXPECT_EQ(cloud.points[2].after_us, 4'000U);
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,179 @@
+// From a recording of ROS to grids: scans of a room as a 2D scanner gives them.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "../drive_sample.hpp"
+#include "fakes/random.hpp"
+#include "fakes/temporary_folder.hpp"
+#include "lidar/points.hpp"
+#include "tools/clouds/points_sender.hpp"
+#include "tools/clouds/ros_clouds.hpp"
+#include "tools/formats/mcap/writer.hpp"
+#include "tools/formats/ros/cdr_writer.hpp"
+#include "tools/frames/frame_assembler.hpp"
+#include "tools/program/exit_status.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint32_t kScans = 8;
+constexpr std::uint64_t kStartNs = 1'700'000'000'000'000'000;
+constexpr std::uint64_t kPeriodNs = 25'000'000;
+
+// A wall 6 m ahead of the scanner and nothing else; ranges vary by 1 cm.
+std::vector<std::byte> scan_of_wall(std::uint64_t time_ns, tests::Random& random) {
+  constexpr int kBeams = 1081;
+  constexpr double kFirst = -135 * std::numbers::pi / 180;
+  constexpr double kStep = 0.25 * std::numbers::pi / 180;
+  ros::CdrWriter out;
+  out.put(static_cast<std::uint32_t>(time_ns / 1'000'000'000));
+  out.put(static_cast<std::uint32_t>(time_ns % 1'000'000'000));
+  out.put(std::string_view("laser"));
+  for (const double value : {kFirst, -kFirst, kStep, 0.000'015, 0.025, 0.1, 20.0}) {
+    out.put(static_cast<float>(value));
+  }
+  out.put(std::uint32_t{kBeams});
+  for (int i = 0; i < kBeams; ++i) {
+    const double angle = kFirst + i * kStep;
+    const double range = 6 / std::cos(angle) + random.between(-10, 10) / 1000.0;
+    out.put(std::abs(angle) < 1.2 ? static_cast<float>(range)
+                                  : std::numeric_limits<float>::infinity());
+  }
+  out.put(std::uint32_t{0});
+  return out.take();
+}
+
+struct Bag {
+  std::vector<std::string> topics{"/scan"};
+  std::vector<std::uint64_t> times_ns{};
+};
+
+void write(const Bag& bag, const std::string& path) {
+  mcap::Writer writer(path, "ros2", mcap::Compression::kZstd);
+  const std::uint16_t schema =
+      writer.add_schema({.name = "sensor_msgs/msg/LaserScan", .encoding = "ros2msg", .text = ""});
+  tests::Random random(1);
+  for (const std::string& topic : bag.topics) {
+    const std::uint16_t channel = writer.add_channel(
+        {.schema_id = schema, .topic = topic, .message_encoding = "cdr", .metadata = {}});
+    for (const std::uint64_t time_ns : bag.times_ns) {
+      writer.write(channel, {.log_ns = time_ns, .publish_ns = time_ns},
+                   scan_of_wall(time_ns, random));
+    }
+  }
+  writer.finish("iog", {});
+}
+
+class PointsOfBag : public ::testing::Test {
+ protected:
+  PointsOfBag() {
+    for (std::uint64_t i = 0; i < kScans; ++i) {
+      bag_.times_ns.push_back(kStartNs + i * kPeriodNs);
+    }
+  }
+  std::vector<CapturedDatagram> sent(const std::string& topic = {}) {
+    write(bag_, path_);
+    std::vector<CapturedDatagram> all;
+    for_each_cloud(path_, topic, TimeUnit::kFound, [&](SeenCloud&& cloud) {
+      std::ranges::move(sender_.send(std::move(cloud)), std::back_inserter(all));
+    });
+    return all;
+  }
+  std::string told() {
+    try {
+      static_cast<void>(sent());
+    } catch (const UsageError& error) {
+      const std::string words = error.what();
+      return words.starts_with(path_) ? words.substr(path_.size()) : words;
+    }
+    return {};
+  }
+
+  tests::TemporaryFolder folder_;
+  std::string path_ = folder_ / "bag.mcap";
+  Bag bag_;
+  PointsSender sender_{find_vehicle("robot_2d"), 0};
+};
+
+TEST_F(PointsOfBag, EachScanIsAFrameThatSeesTheWall) {
+  const std::vector<CapturedDatagram> datagrams = sent();
+  EXPECT_EQ(sender_.sent().clouds, kScans);
+  EXPECT_EQ(sender_.sent().points, kScans * 1081U);
+  EXPECT_EQ(sender_.sent().beyond_layers, 0U);
+  EXPECT_EQ(datagrams.size(), kScans * 13U);  // of 85 points
+  std::vector<GridFrame> frames;
+  FrameAssembler assembler([&](GridFrame&& frame) { frames.push_back(std::move(frame)); });
+  for (const auto& message : messages_of(find_vehicle("robot_2d"), datagrams)) {
+    assembler.take(message);
+  }
+  assembler.finish();
+  ASSERT_EQ(frames.size(), kScans);
+  constexpr std::size_t kMiddle = geometry::kOriginCell;
+  for (const GridFrame& frame : frames) {
+    EXPECT_EQ(frame.header.packets_fused, 13U);
+    // The wall is 6.2 m ahead of the car's origin, of cells of 10 cm; what lies before it is free.
+    for (std::size_t y = kMiddle - 20; y < kMiddle + 20; ++y) {
+      const auto row = frame.grid().subspan(y * geometry::kCellsPerSide + kMiddle);
+      EXPECT_GT(std::max({row[61], row[62]}), 0) << y;
+      EXPECT_LT(row[50], 0) << y;
+      EXPECT_EQ(row[70], 0) << y;
+    }
+  }
+}
+
+TEST_F(PointsOfBag, ATopicIsChosenIfSeveralHaveScans) {
+  bag_.topics = {"/front", "/rear"};
+  EXPECT_EQ(told(), ": /front and /rear have clouds: choose one by --topic");
+  sender_ = PointsSender(find_vehicle("robot_2d"), 0);
+  EXPECT_EQ(sent("/rear").size(), kScans * 13U);
+}
+
+TEST_F(PointsOfBag, TimesThatGoBackAreTold) {
+  bag_.times_ns[3] = bag_.times_ns[1];
+  EXPECT_EQ(told(), "cloud 3: its time goes back by 25 ms");
+}
+
+TEST_F(PointsOfBag, OneWithoutCloudsIsTold) {
+  bag_.topics.clear();
+  EXPECT_EQ(told(), ": it has no PointCloud2 and no LaserScan of sensor_msgs");
+}
+
+TEST(PointsSender, MorePointsThanTheCarTakesAreTold) {
+  PointsSender sender(find_vehicle("robot_2d"), 0);
+  try {
+    static_cast<void>(sender.send({.points = std::vector<WirePoint>(1'501)}));
+    ADD_FAILURE();
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(), "cloud 0 has 1501 points, and max_points_per_scan of front is 1500");
+  }
+}
+
+// In the order of their times if they have any; of what turns else by azimuth.
+TEST(PointsSender, SortsByTime) {
+  PointsSender sender(find_vehicle("roof_points"), 0);
+  SeenCloud cloud{.time_us = 5, .has_times = true};
+  cloud.points = {{.first = 1, .third = 1, .after_us = 30'000}, {.first = 2, .third = 2}};
+  const auto datagrams = sender.send(std::move(cloud));
+  ASSERT_EQ(datagrams.size(), 1U);
+  EXPECT_EQ(datagrams[0].time_us, 30'005U);
+  lidar::Points decoder;
+  ASSERT_EQ(
+      decoder.decode(datagrams[0].payload, find_vehicle("roof_points").vehicle->sensors[0].unit()),
+      lidar::DecodeStatus::kOk);
+  EXPECT_EQ(decoder.info().sweep.end_us - decoder.info().sweep.begin_us, 30'000U);
+  EXPECT_EQ(decoder.info().sector.width_ticks, 2'240);
+  std::vector<std::uint32_t> ranges;
+  decoder.for_each_point([&](const lidar::ScanPoint& point) { ranges.push_back(point.range_mm); });
+  EXPECT_EQ(ranges, (std::vector<std::uint32_t>{2, 1}));
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,153 @@
+#include "tools/clouds/cloud_fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <string_view>
+
+#include "tools/clouds/point_cloud.hpp"
+#include "tools/program/exit_status.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr double kLongestScanUs = 500'000;
+constexpr double kShortestScanUs = 5'000;
+
+const CloudField* field_of(const CloudRecords& records, std::string_view name) {
+  const auto found = std::ranges::find(records.fields, name, &CloudField::name);
+  return found == records.fields.end() ? nullptr : &*found;
+}
+
+const CloudField* time_field_of(const CloudRecords& records) {
+  for (const std::string_view name : {"t", "time", "timestamp", "time_stamp", "offset_time"}) {
+    if (const CloudField* const field = field_of(records, name)) {
+      return field;
+    }
+  }
+  return nullptr;
+}
+
+// The field lies within the bytes.
+double number_at(const CloudRecords& records, const CloudField& field, std::size_t point) {
+  const auto bytes = records.bytes.subspan(field.at + point * field.stride, field.bytes);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < field.bytes; ++i) {
+    bits |= std::to_integer<std::uint64_t>(bytes[i]) << 8 * i;
+  }
+  const int spare = 64 - 8 * static_cast<int>(field.bytes);
+  switch (field.kind) {
+    case CloudField::Kind::kUnsigned:
+      return static_cast<double>(bits);
+    case CloudField::Kind::kSigned:
+      return static_cast<double>(static_cast<std::int64_t>(bits << spare) >> spare);
+    case CloudField::Kind::kFloat:
+      break;
+  }
+  return field.bytes == 8
+             ? std::bit_cast<double>(bits)
+             : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+}
+
+void check(const CloudRecords& records, const std::string& what) {
+  if (records.count > kMostCloudPoints) {
+    throw UsageError(what + ": " + std::to_string(records.count) +
+                     " points; no unit sees more than " + std::to_string(kMostCloudPoints) +
+                     " in a scan");
+  }
+  for (const std::string_view name : {"x", "y"}) {
+    if (field_of(records, name) == nullptr) {
+      throw UsageError(what + ": its points have no field " + std::string(name));
+    }
+  }
+  for (const CloudField& field : records.fields) {
+    const bool is_known = field.kind == CloudField::Kind::kFloat
+                              ? field.bytes == 4 || field.bytes == 8
+                              : std::has_single_bit(field.bytes) && field.bytes <= 8;
+    if (!is_known) {
+      throw UsageError(what + ": field " + field.name + " has an unknown type");
+    }
+    if (records.count > 0 &&
+        field.at + (records.count - 1) * field.stride + field.bytes > records.bytes.size()) {
+      throw UsageError(what + ": it ends before its " + std::to_string(records.count) + " points");
+    }
+  }
+}
+
+// Microseconds in one of the units in which the points lie `span` apart.
+double microseconds_of(TimeUnit unit, double span, const std::string& what) {
+  constexpr std::array<double, 4> kUnits{1e6, 1e3, 1, 1e-3};
+  if (unit != TimeUnit::kFound) {
+    return kUnits.at(static_cast<std::size_t>(unit) - 1);
+  }
+  for (const double us : kUnits) {
+    if (span * us >= kShortestScanUs && span * us <= kLongestScanUs) {
+      return us;
+    }
+  }
+  throw UsageError(what + ": in no unit its points are 5 to 500 ms apart: give --time-unit");
+}
+
+// When each of the points that are kept was seen; the earliest is the cloud's time, if it is one
+// that counts from 1970, or from the scan's stamp.
+void add_times(const CloudRecords& records, const CloudField& field,
+               const std::vector<std::size_t>& kept, TimeUnit unit, const std::string& what,
+               SeenCloud& cloud) {
+  std::vector<double> times;
+  for (const std::size_t point : kept) {
+    times.push_back(number_at(records, field, point));
+  }
+  const auto [first, last] = std::ranges::minmax(times);
+  if (first == last) {
+    return;
+  }
+  const double us = microseconds_of(unit, last - first, what);
+  if (!((last - first) * us <= 1e6)) {
+    throw UsageError(what + ": its points are more than a second apart");
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    cloud.points[i].after_us = static_cast<std::uint32_t>(std::lround((times[i] - first) * us));
+  }
+  const auto stamp_us = static_cast<double>(records.stamp_us);
+  const double first_us = first * us;
+  const double begin_us = first_us < 1e12 ? stamp_us + first_us : first_us;
+  cloud.has_times = true;
+  cloud.time_us = std::abs(begin_us - stamp_us) <= 1e6 && begin_us >= 0
+                      ? static_cast<std::uint64_t>(begin_us)
+                      : records.stamp_us;
+}
+
+}  // namespace
+
+SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit, const std::string& what) {
+  check(records, what);
+  const CloudField& x_field = *field_of(records, "x");
+  const CloudField& y_field = *field_of(records, "y");
+  const CloudField* const z_field = field_of(records, "z");
+  SeenCloud cloud{.time_us = records.stamp_us};
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < records.count; ++i) {
+    const double x = number_at(records, x_field, i);
+    const double y = number_at(records, y_field, i);
+    const double z = z_field == nullptr ? 0 : number_at(records, *z_field, i);
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+      ++cloud.not_finite;
+      continue;
+    }
+    const WirePoint point = direction_of(x, y, z);
+    if (point.third == 0) {
+      ++cloud.nowhere;
+      continue;
+    }
+    kept.push_back(i);
+    cloud.points.push_back(point);
+  }
+  const CloudField* const time_field = time_field_of(records);
+  if (time_field != nullptr && !kept.empty()) {
+    add_times(records, *time_field, kept, unit, what, cloud);
+  }
+  return cloud;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,50 @@
+// Points whose coordinates are found by the names of their fields, as PCD files and
+// sensor_msgs/PointCloud2 keep them: little endian, x and y, and z if it is there, in metres; when
+// each was seen, if it is there: `t`, `time`, `timestamp`, `time_stamp` or `offset_time`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/formats/points/points_writer.hpp"
+
+namespace iog::tools {
+
+// What a lidar saw in one scan.
+struct SeenCloud {
+  std::uint64_t time_us = 0;  // that of its first point
+  bool has_times = false;     // of its points
+  std::vector<WirePoint> points{};
+  std::uint64_t not_finite = 0;  // left out: a coordinate is no number
+  std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures
+};
+
+// Of a point's time. Where nobody says it, a scan takes 5 to 500 ms.
+enum class TimeUnit : std::uint8_t { kFound, kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
+
+struct CloudField {
+  enum class Kind : std::uint8_t { kSigned, kUnsigned, kFloat };
+
+  std::string name;
+  Kind kind = Kind::kFloat;
+  std::size_t bytes = 4;   // of one number
+  std::size_t at = 0;      // of the first point
+  std::size_t stride = 0;  // from one point to the next
+};
+
+struct CloudRecords {
+  std::vector<CloudField> fields{};
+  std::size_t count = 0;  // of points
+  std::span<const std::byte> bytes{};
+  std::uint64_t stamp_us = 0;  // of the scan
+};
+
+// UsageError, which begins with `what`: no x or y, more points than a unit sees, fields outside of
+// the bytes, times that are those of no scan.
+[[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit,
+                                 const std::string& what);
+
+}  // namespace iog::tools

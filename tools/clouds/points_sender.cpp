@@ -1,0 +1,67 @@
+#include "tools/clouds/points_sender.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lidar/points.hpp"
+#include "tools/formats/capture/made_capture.hpp"
+#include "tools/program/exit_status.hpp"
+
+namespace iog::tools {
+
+using lidar::PointsPacket;
+
+PointsSender::PointsSender(const CatalogueEntry& car, std::size_t sensor)
+    : config_(&car.sensors[sensor]), sensor_(&car.vehicle->sensors[sensor]) {}
+
+// What does not turn looks as far to the left as to the right.
+PointsScan PointsSender::scan_of(SeenCloud&& cloud) const {
+  const std::uint64_t turn = PointsPacket::kPartsPerTurn;
+  const std::uint64_t width = sensor_->scan_width_ticks * turn / sensor_->azimuths.ticks_per_turn();
+  PointsScan scan{.number = static_cast<std::uint32_t>(sent_.clouds),
+                  .time_us = cloud.time_us,
+                  .sector_begin = static_cast<std::uint32_t>((turn - width / 2) % turn),
+                  .sector_width = static_cast<std::uint32_t>(width),
+                  .points = std::move(cloud.points)};
+  if (cloud.has_times) {
+    std::ranges::stable_sort(scan.points, {}, &WirePoint::after_us);
+  } else if (lidar::turns(sensor_->format)) {
+    std::ranges::stable_sort(scan.points, {}, &WirePoint::first);
+  }
+  return scan;
+}
+
+std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
+  if (cloud.points.size() > sensor_->max_points_per_scan) {
+    throw UsageError("cloud " + std::to_string(sent_.clouds) + " has " +
+                     std::to_string(cloud.points.size()) + " points, and max_points_per_scan of " +
+                     std::string(config_->name) + " is " +
+                     std::to_string(sensor_->max_points_per_scan));
+  }
+  if (cloud.time_us < last_cloud_us_) {
+    throw UsageError("cloud " + std::to_string(sent_.clouds) + ": its time goes back by " +
+                     std::to_string((last_cloud_us_ - cloud.time_us + 999) / 1000) + " ms");
+  }
+  last_cloud_us_ = cloud.time_us;
+  sent_.not_finite += cloud.not_finite;
+  sent_.nowhere += cloud.nowhere;
+  sent_.points += cloud.points.size();
+  const lidar::LayerSearch layers(sensor_->unit().elevations);
+  sent_.beyond_layers += static_cast<std::uint64_t>(std::ranges::count_if(
+      cloud.points, [&](const WirePoint& point) { return !layers.sees(point.second); }));
+  const PointsScan scan = scan_of(std::move(cloud));
+  ++sent_.clouds;
+  const std::uint32_t source = config_->source_ipv4 != 0 ? config_->source_ipv4 : kUnnamedIpv4;
+  std::vector<CapturedDatagram> datagrams;
+  for (PointsDatagram& made : datagrams_of(scan)) {
+    last_us_ = std::max(last_us_, made.last_us);  // points are sent when they have been seen
+    datagrams.push_back({.time_us = last_us_,
+                         .source = {source, config_->udp_port},
+                         .destination = {kTargetIpv4, config_->udp_port},
+                         .payload = std::move(made.bytes)});
+  }
+  sent_.datagrams += datagrams.size();
+  return datagrams;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,45 @@
+// Clouds as a car's unit of points would send them (docs/spec.md, section 1.2.6).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/clouds/cloud_fields.hpp"
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+
+struct SentClouds {
+  std::uint64_t clouds = 0;
+  std::uint64_t points = 0;  // that were sent
+  std::uint64_t datagrams = 0;
+  std::uint64_t beyond_layers = 0;  // sent, and not used
+  std::uint64_t not_finite = 0;
+  std::uint64_t nowhere = 0;
+};
+
+class PointsSender {
+ public:
+  // The car outlives it, and its sensor is a unit of points.
+  PointsSender(const CatalogueEntry& car, std::size_t sensor);
+
+  // A scan: in the order of the points' times, or else, of what turns, of their azimuths.
+  // UsageError if the car's file has not as many points for a scan, or if times go back.
+  [[nodiscard]] std::vector<CapturedDatagram> send(SeenCloud&& cloud);
+
+  [[nodiscard]] const SentClouds& sent() const { return sent_; }
+
+ private:
+  [[nodiscard]] PointsScan scan_of(SeenCloud&& cloud) const;
+
+  const description::SensorConfig* config_;
+  const vehicle::Sensor* sensor_;
+  std::uint64_t last_cloud_us_ = 0;
+  std::uint64_t last_us_ = 0;
+  SentClouds sent_;
+};
+
+}  // namespace iog::tools
