@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "lidar/scanner_facts.hpp"
+#include "tools/clouds/pcd_file.hpp"
 #include "tools/clouds/points_sender.hpp"
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
@@ -27,65 +29,62 @@ struct PointsOptions {
   std::vector<std::string> inputs;
   std::string topic;
   TimeUnit unit = TimeUnit::kFound;
+  double clouds_per_second = 10;
   std::string sensor;
   std::string vehicle = kDefaultVehicle;
   std::string out;
 };
 
 // The one that is named, or the only one of points.
-std::size_t sensor_of(const PointsOptions &options, const CatalogueEntry &car) {
+std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
   std::vector<std::size_t> fitting;
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
-    const bool is_meant =
-        options.sensor.empty() || sensor_of_name(car, options.sensor) == i;
+    const bool is_meant = options.sensor.empty() || sensor_of_name(car, options.sensor) == i;
     if (is_meant && lidar::facts_of(car.sensors[i].format).is_points) {
       fitting.push_back(i);
     }
   }
   if (fitting.size() != 1) {
-    throw UsageError(std::string(car.vehicle->name) + " has " +
-                     std::to_string(fitting.size()) +
-                     " such sensors of type points or points_turning: give "
-                     "--sensor NAME of one");
+    throw UsageError(std::string(car.vehicle->name) + " has " + std::to_string(fitting.size()) +
+                     " such sensors of type points or points_turning: give --sensor NAME of one");
   }
   return fitting[0];
 }
 
-void report(const SentClouds &sent, const std::string &out) {
+void report(const SentClouds& sent, const std::string& out) {
   std::vector<std::string> words;
   remark(sent.not_finite, "points that are no number were not sent", words);
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
-  remark(sent.beyond_layers,
-         "points are beyond the car's layers; the target does not use them",
+  remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
          words);
-  std::cout << sent.clouds << " clouds, " << sent.points << " points in "
-            << sent.datagrams << " datagrams in " << out << '\n';
-  for (const std::string &word : words) {
+  std::cout << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
+            << " datagrams in " << out << '\n';
+  for (const std::string& word : words) {
     std::cout << word << '\n';
   }
 }
 
-void make_capture(const PointsOptions &options) {
-  const CatalogueEntry &car = find_vehicle(options.vehicle);
+void make_capture(const PointsOptions& options) {
+  const CatalogueEntry& car = find_vehicle(options.vehicle);
   PointsSender sender(car, sensor_of(options, car));
-  std::optional<PcapWriter>
-      capture; // not before the first cloud is known to be one
+  std::optional<PcapWriter> capture;  // not before the first cloud is known to be one
   Progress progress("clouds");
-  const auto take = [&](SeenCloud &&cloud) {
-    const std::vector<CapturedDatagram> datagrams =
-        sender.send(std::move(cloud));
+  const auto take = [&](SeenCloud&& cloud) {
+    const std::vector<CapturedDatagram> datagrams = sender.send(std::move(cloud));
     if (!capture) {
       capture.emplace(options.out);
     }
-    std::ranges::for_each(
-        datagrams, [&](const auto &datagram) { capture->write(datagram); });
+    std::ranges::for_each(datagrams, [&](const auto& datagram) { capture->write(datagram); });
     progress.show(sender.sent().clouds);
   };
-  for (const std::string &input : options.inputs) {
+  for (const std::string& input : options.inputs) {
     if (input.ends_with(".mcap")) {
       for_each_cloud(input, options.topic, options.unit, take);
+    } else if (input.ends_with(".pcd")) {  // says no time
+      const double us = 1e6 * static_cast<double>(sender.sent().clouds) / options.clouds_per_second;
+      take(read_pcd(input, options.unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
     } else {
-      throw UsageError(input + ": read are .mcap files");
+      throw UsageError(input + ": read are .mcap and .pcd");
     }
   }
   if (!capture) {
@@ -95,40 +94,37 @@ void make_capture(const PointsOptions &options) {
   report(sender.sent(), options.out);
 }
 
-} // namespace
+}  // namespace
 
-void add_points(CLI::App &program) {
-  auto *const command = program.add_subcommand(
-      "points", "Make a capture of any lidar's point clouds or scans, for a "
-                "car with points");
+void add_points(CLI::App& program) {
+  auto* const command = program.add_subcommand(
+      "points", "Make a capture of any lidar's point clouds or scans, for a car with points");
   const auto options = std::make_shared<PointsOptions>();
   command
       ->add_option("inputs", options->inputs,
-                   "MCAP files with sensor_msgs/PointCloud2 or LaserScan")
+                   "MCAP files with sensor_msgs/PointCloud2 or LaserScan, or PCD files")
       ->option_text("INPUT...")
       ->required();
   command->add_option("--out", options->out, "The capture to write (.pcap)")
       ->option_text("FILE  (required)")
       ->required();
-  command
-      ->add_option("--sensor", options->sensor,
-                   "Which sensor of the car, by name or number")
+  command->add_option("--sensor", options->sensor, "Which sensor of the car, by name or number")
       ->option_text("NAME  (default the one of points)");
   command->add_option("--topic", options->topic, "Which topic of an MCAP file")
       ->option_text("TOPIC  (default the one with clouds)");
-  static const std::map<std::string, TimeUnit> kUnits{
-      {"s", TimeUnit::kSeconds},
-      {"ms", TimeUnit::kMilliseconds},
-      {"us", TimeUnit::kMicroseconds},
-      {"ns", TimeUnit::kNanoseconds}};
+  static const std::map<std::string, TimeUnit> kUnits{{"s", TimeUnit::kSeconds},
+                                                      {"ms", TimeUnit::kMilliseconds},
+                                                      {"us", TimeUnit::kMicroseconds},
+                                                      {"ns", TimeUnit::kNanoseconds}};
   command->add_option("--time-unit", options->unit, "Of the points' own times")
-      ->option_text(
-          "s|ms|us|ns  (default the one of which a scan takes 5 to 500 ms)")
+      ->option_text("s|ms|us|ns  (default the one of which a scan takes 5 to 500 ms)")
       ->transform(CLI::CheckedTransformer(kUnits));
+  command->add_option("--rate", options->clouds_per_second, "How many PCD files are of a second")
+      ->option_text("HZ  (default 10)")
+      ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
-  command->footer("docs/sensors.md, \"Any other lidar: points\", says how to "
-                  "describe the car.");
+  command->footer("docs/sensors.md, \"Any other lidar: points\", says how to describe the car.");
   command->callback([options] { make_capture(*options); });
 }
 
-} // namespace iog::tools
+}  // namespace iog::tools

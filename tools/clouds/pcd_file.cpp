@@ -1,0 +1,178 @@
+#include "tools/clouds/pcd_file.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "tools/clouds/point_cloud.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "wire/byte_order.hpp"
+
+namespace iog::tools {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+using Words = std::vector<std::string>;
+
+// A file as it is read: the lines of its head by their first words, and where its data begins.
+struct PcdFile {
+  std::string path;
+  std::map<std::string, Words> head{};
+  std::span<const std::byte> data{};
+
+  [[nodiscard]] UsageError error(const std::string& words) const {
+    return UsageError(path + ": " + words);
+  }
+  [[nodiscard]] const Words& words(const std::string& key) const {
+    const auto found = head.find(key);
+    if (found == head.end() || found->second.empty()) {
+      throw error("this is no PCD file: its head has no " + key);
+    }
+    return found->second;
+  }
+  [[nodiscard]] std::size_t number(const std::string& word) const {
+    const unsigned long number = std::strtoul(word.c_str(), nullptr, 10);
+    return std::min(number, 0xFFFF'FFFFUL);
+  }
+};
+
+Words words_of(const std::string& line) {
+  std::istringstream in(line);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+PcdFile file_of(const std::string& path, std::span<const std::byte> bytes) {
+  PcdFile file{.path = path};
+  while (!bytes.empty() && !file.head.contains("DATA")) {
+    const auto end = std::ranges::find(bytes, std::byte{'\n'});
+    const auto length = static_cast<std::size_t>(end - bytes.begin());
+    Words words = words_of({reinterpret_cast<const char*>(bytes.data()), length});
+    bytes = bytes.subspan(std::min(length + 1, bytes.size()));
+    if (!words.empty()) {
+      const std::string key = words[0];
+      words.erase(words.begin());
+      file.head[key] = std::move(words);
+    }
+  }
+  file.data = bytes;
+  return file;
+}
+
+// Of points one behind another; the first number of each field.
+void add_fields(const PcdFile& file, CloudRecords& records) {
+  using Kind = CloudField::Kind;
+  const Words& names = file.words("FIELDS");
+  const Words& sizes = file.words("SIZE");
+  const Words& types = file.words("TYPE");
+  const Words counts = file.head.contains("COUNT") ? file.words("COUNT") : Words(names.size(), "1");
+  if (sizes.size() != names.size() || types.size() != names.size() ||
+      counts.size() != names.size()) {
+    throw file.error("its head has not as many sizes, types and counts as fields");
+  }
+  std::size_t stride = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    records.fields.push_back({.name = names[i],
+                              .kind = types[i] == "F"   ? Kind::kFloat
+                                      : types[i] == "U" ? Kind::kUnsigned
+                                                        : Kind::kSigned,
+                              .bytes = file.number(sizes[i]),
+                              .at = stride});
+    stride += records.fields.back().bytes * file.number(counts[i]);
+  }
+  std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = stride; });
+}
+
+// Numbers in words, as many as there are, become doubles.
+Bytes doubles_of(const PcdFile& file, CloudRecords& records) {
+  std::size_t numbers = 0;  // of a point
+  for (std::size_t i = 0; i < records.fields.size(); ++i) {
+    CloudField& field = records.fields[i];
+    field.kind = CloudField::Kind::kFloat;
+    field.bytes = 8;
+    field.at = 8 * numbers;
+    numbers += file.head.contains("COUNT") ? file.number(file.words("COUNT")[i]) : 1;
+  }
+  std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = 8 * numbers; });
+  Bytes bytes;
+  std::istringstream in(
+      std::string(reinterpret_cast<const char*>(file.data.data()), file.data.size()));
+  for (std::string word; in >> word;) {
+    bytes.resize(bytes.size() + 8);
+    wire::store_le64(std::span(bytes).last<8>(),
+                     std::bit_cast<std::uint64_t>(std::strtod(word.c_str(), nullptr)));
+  }
+  return bytes;
+}
+
+// LZF (M. Lehmann): runs of up to 32 bytes, and repetitions of earlier ones. Whatever is wrong with
+// it, at most `size` bytes and a repetition.
+Bytes unpacked(std::span<const std::byte> packed, std::size_t size) {
+  Bytes out;
+  const auto next = [&] {
+    const std::size_t byte = packed.empty() ? 0 : std::to_integer<std::size_t>(packed[0]);
+    packed = packed.subspan(packed.empty() ? 0 : 1);
+    return byte;
+  };
+  while (!packed.empty() && out.size() < size) {
+    const std::size_t control = next();
+    if (control < 32) {
+      const auto run = packed.first(std::min(control + 1, packed.size()));
+      out.insert(out.end(), run.begin(), run.end());
+      packed = packed.subspan(run.size());
+      continue;
+    }
+    const std::size_t length = (control >> 5) + (control >> 5 == 7 ? next() : 0) + 2;
+    const std::size_t back = ((control & 31U) << 8 | next()) + 1;
+    for (std::size_t i = 0; i < length && back <= out.size(); ++i) {
+      out.push_back(out[out.size() - back]);
+    }
+  }
+  return out;
+}
+
+// Field after field, of all points each.
+Bytes columns_of(const PcdFile& file, CloudRecords& records) {
+  if (file.data.size() < 8) {
+    throw file.error("it ends before its points");
+  }
+  const std::size_t packed = wire::load_le32(file.data.first<4>());
+  const std::size_t size = wire::load_le32(file.data.subspan<4, 4>());
+  Bytes bytes = unpacked(file.data.subspan(8).first(std::min(packed, file.data.size() - 8)), size);
+  if (bytes.size() != size) {
+    throw file.error("its compressed points are damaged");
+  }
+  for (CloudField& field : records.fields) {
+    field.at *= records.count;
+    field.stride = field.bytes;
+  }
+  return bytes;
+}
+
+}  // namespace
+
+SeenCloud read_pcd(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
+  const Bytes bytes = read_file(path);
+  const PcdFile file = file_of(path, bytes);
+  CloudRecords records{.bytes = file.data, .stamp_us = stamp_us};
+  add_fields(file, records);
+  records.count = file.number(file.words("POINTS")[0]);
+  const std::string& data = file.words("DATA")[0];
+  Bytes made;
+  if (data == "ascii") {
+    made = doubles_of(file, records);
+    records.bytes = made;
+  } else if (data == "binary_compressed") {
+    made = columns_of(file, records);
+    records.bytes = made;
+  } else if (data != "binary") {
+    throw file.error("DATA is " + data + "; read are ascii, binary, binary_compressed");
+  }
+  return cloud_of(records, unit, path);
+}
+
+}  // namespace iog::tools
