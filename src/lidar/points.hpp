@@ -156,21 +156,19 @@ class PointsDecoder : public PointsPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for every seventh point, if it is a first echo of one of these
-  // layers. The layers of no unit come again after seven points. Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for each first echo of the layers of a sampling: a datagram has
+  // few firings. Only after decode() was kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
-    constexpr std::size_t kApart = 7;
     std::array<bool, 256> are_asked{};
     for (const std::uint8_t layer : sampling.layers) {
       are_asked[layer] = true;
     }
-    for (std::size_t i = 0; i < count(); i += kApart) {
-      const ScanPoint its = are_places() ? point<true>(bytes_at(i)) : point<false>(bytes_at(i));
-      if (its.echo == 0 && are_asked[its.layer]) {
-        visit(its);
+    for_each_point([&](const ScanPoint& point) {
+      if (point.echo == 0 && are_asked[point.layer]) {
+        visit(point);
       }
-    }
+    });
   }
 
   // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
