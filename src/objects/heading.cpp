@@ -1,5 +1,7 @@
 #include "objects/heading.hpp"
 
+#include <algorithm>
+
 #include "numeric/square_root.hpp"
 #include "objects/edges.hpp"
 
@@ -13,6 +15,11 @@ Direction unit(std::int32_t x, std::int32_t y, std::int32_t length) {
 }
 static_assert(std::int64_t{kMostSpeed} << kDirectionBits <= INT32_MAX);
 
+// By so many deviations its speed is known before the box turns towards it.
+std::int32_t deviations_of(const Track& track) {
+  return track.moves() ? kTurnMovingDeviations : kTurnDeviations;
+}
+
 }  // namespace
 
 void turn(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits, Track& track) {
@@ -20,16 +27,19 @@ void turn(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits
       longest_of(track.box().sides) > kSmallMm) {
     track.fade_across();
   }
-  if (track.updates < kTurnFrom || track.speed() < kTurnSpeed ||
-      track.speed_deviation() * (track.moves() ? kTurnMovingDeviations : kTurnDeviations) >
-          track.speed()) {
+  const bool is_slow =
+      track.speed() < kTurnSpeed || track.speed_deviation() * deviations_of(track) > track.speed();
+  const bool is_sure_enough =
+      track.is_sure_car() && track.speed() >= std::max(kTurnSureSpeed, track.speed_deviation());
+  if (track.updates < kTurnFrom || (is_slow && !is_sure_enough)) {
     return;
   }
   const Velocity its = track.velocity();
   Direction towards = unit(its.x, its.y, track.speed());
   if (track.has_heading()) {
     const Direction now = track.box().along;
-    towards = {now.x + (towards.x - now.x) / kTurnShare, now.y + (towards.y - now.y) / kTurnShare};
+    const std::int32_t share = is_slow ? kTurnSlowShare : kTurnShare;
+    towards = {now.x + (towards.x - now.x) / share, now.y + (towards.y - now.y) / share};
   }
   const auto length = static_cast<std::int32_t>(numeric::square_root(static_cast<std::uint64_t>(
       std::int64_t{towards.x} * towards.x + std::int64_t{towards.y} * towards.y)));

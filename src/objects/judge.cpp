@@ -18,19 +18,12 @@ bool is_told(const Track& track) {
          seen.good >= seen.bad && track.speed() >= std::max(kToldSpeed, track.speed_deviation());
 }
 
-constexpr bool is_within(std::int32_t low, std::int32_t value, std::int32_t high) {
-  return low <= value && value <= high;
-}
-
 // It has long been like a car, and next to nothing speaks against it. Most of the places that it
 // leaves may be unknown to the grid: far away, where it keeps ahead of the car. A rail or a wall is
 // not so short for so long.
 bool is_steady(const Track& track) {
-  const Sides& sides = track.box().sides;
-  return track.updates >= kSteadyFrom && track.has_heading() &&
-         is_within(kNarrowestCarMm, sides[kAcross].length(), kWidestCarMm) &&
-         is_within(kShortestCarMm, sides[kAlong].length(), kLongestCarMm) &&
-         track.seen.good >= kSteadyHits && track.seen.good >= kGoodOverBad * track.seen.bad;
+  return track.updates >= kSteadyFrom && track.is_like_a_car() && track.seen.good >= kSteadyHits &&
+         track.seen.good >= kGoodOverBad * track.seen.bad;
 }
 
 // It is fast, or beams pass many places that it has left, and none of these is hit again.

@@ -108,12 +108,17 @@ std::int32_t followed(std::int32_t edge, std::int32_t seen, bool is_measured, bo
   return edge + off / (is_measured ? kFollowMeasured : is_outward ? kFollowOutward : kFollowInward);
 }
 
-void follow(const Ends& seen, Reference by, std::int32_t moved_mm, Interval& side) {
+void follow(const Ends& seen, Reference by, std::int32_t moved_mm, bool may_shrink,
+            Interval& side) {
+  const Interval before = side;
   const std::int32_t low = seen.low.mm - moved_mm;
   const std::int32_t high = seen.high.mm - moved_mm;
   side.low = followed(side.low, low, by == Reference::kLow, low < side.low);
   side.high = followed(side.high, high, by == Reference::kHigh, high > side.high);
   side.high = std::max(side.high, side.low + kThinnestMm);
+  if (!may_shrink) {
+    side = {std::min(side.low, before.low), std::max(side.high, before.high)};
+  }
 }
 
 // By how much a measurement may change the speed along a side, mm/s. What is not believed to move
@@ -135,7 +140,10 @@ void measure(Point car, Side side, const Ends& seen, Step step, Track& track) {
   const Covariance::Gain gain = covariance.measure(its.variance);
   track.correct(side, gain, its.innovation_mm, most_change(track, step));
   const std::int64_t moved_mm = std::int64_t{gain.place} * its.innovation_mm >> 16;
-  follow(seen, its.by, static_cast<std::int32_t>(moved_mm), track.sides()[side]);
+  // Standing hits may be its other side.
+  const bool may_shrink = track.seen.standing == 0 || !track.is_sure_car() ||
+                          track.sides()[side].length() > kOrdinaryWidthMm;
+  follow(seen, its.by, static_cast<std::int32_t>(moved_mm), may_shrink, track.sides()[side]);
 }
 
 // What stands in its box is nobody's. A walker in front of a pole may have all of his hits called
@@ -192,6 +200,14 @@ void take_standing_faces(Point car, std::span<const std::uint16_t> numbers,
   }
 }
 
+// Of what is surely a car both ends, measured with standing hits in its lane, too: most of its side
+// is above the same places for long.
+void take_standing_ends(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
+                        const Box& box, Ends& ends) {
+  ends.low = face_with_standing(kAlong, Reference::kLow, numbers, hits, ends.low, box);
+  ends.high = face_with_standing(kAlong, Reference::kHigh, numbers, hits, ends.high, box);
+}
+
 }  // namespace
 
 void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::uint16_t> numbers,
@@ -211,6 +227,9 @@ void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::ui
   Edges edges = edges_of(track.box(), numbers, hits);
   if (track.seen.standing > 0 && track.may_have_a_standing_face()) {
     take_standing_faces(car, numbers, hits, track.box(), edges);
+  }
+  if (track.seen.standing > 0 && track.is_sure_car()) {
+    take_standing_ends(numbers, hits, track.box(), edges[kAlong]);
   }
   for (const Side side : kSides) {
     measure(car, side, edges[side], step, track);

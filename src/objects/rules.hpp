@@ -103,7 +103,9 @@ inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
 inline constexpr std::int32_t kTurnMovingDeviations = 3;  // a unit of 10 Hz leaves 0.7 m/s
+inline constexpr std::int32_t kTurnSureSpeed = 600;  // of what is surely a car, and one deviation
 inline constexpr std::int32_t kTurnShare = 4;
+inline constexpr std::int32_t kTurnSlowShare = 8;
 inline constexpr std::int32_t kWheelsShare = 8;  // of the speed across fades: wheels do not slide
 inline constexpr std::int32_t kWheelsSpeed = 15'000;
 
@@ -152,6 +154,7 @@ inline constexpr std::int32_t kShortestCarMm = 2500;
 inline constexpr std::int32_t kLongestCarMm = 6000;
 inline constexpr std::int32_t kNarrowestCarMm = 1200;
 inline constexpr std::int32_t kWidestCarMm = 2800;
+inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // of a car
 // What a beam draws on the ground: fewer hits than so many, of a box as long as a walker is not,
 // and narrower than so much;
 inline constexpr std::int32_t kStreakHits = 8;
@@ -168,7 +171,8 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // so slow are walkers sid
 inline constexpr std::int32_t kGroupPercent = 75;     // of whom the grid calls so much moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-inline constexpr std::uint32_t kMovesFrom = 4;  // updates
+inline constexpr std::int32_t kSureConfidence = 8;  // what stands within a car is its own
+inline constexpr std::uint32_t kMovesFrom = 4;      // updates
 inline constexpr std::int32_t kStopSpeed = 300;
 inline constexpr std::int32_t kStopMs = 400;
 inline constexpr std::int32_t kStayMm = 180;  // what has not come so far

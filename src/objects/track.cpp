@@ -88,9 +88,18 @@ void Track::begin_heading(const Sides& sides) {
 }
 
 bool Track::is_mostly_standing() const {
-  return !has_trail() && seen.standing > seen.hits && longest_of(box_.sides) >= kSmallMm &&
-         speed_ < kParkedSpeed;
+  return !has_trail() && !is_sure_car() && seen.standing > seen.hits &&
+         longest_of(box_.sides) >= kSmallMm && speed_ < kParkedSpeed;
 }
+
+bool Track::is_like_a_car() const {
+  const std::int32_t along = box_.sides[kAlong].length();
+  const std::int32_t across = box_.sides[kAcross].length();
+  return has_heading_ && across >= kNarrowestCarMm && across <= kWidestCarMm &&
+         along >= kShortestCarMm && along <= kLongestCarMm;
+}
+
+bool Track::is_sure_car() const { return confidence >= kSureConfidence && is_like_a_car(); }
 
 bool Track::is_streak() const {
   const std::int32_t narrow = std::min(box_.sides[kAlong].length(), box_.sides[kAcross].length());

@@ -79,6 +79,11 @@ class Track {
   // It is larger than a walker, slow, and most of its hits stand: it may be beside something that
   // is parked, and the hits that stand are not known to be its own.
   [[nodiscard]] bool is_mostly_standing() const;
+  // By its heading and its box.
+  [[nodiscard]] bool is_like_a_car() const;
+  // It is, and has been shown to move for so long that what stands within it is its own: its body
+  // was above those places long enough for the grid to call them standing.
+  [[nodiscard]] bool is_sure_car() const;
   // Sets is_receding, by its velocity and where it is from the car.
   void look_from(Point car);
   // It recedes and is larger than a walker: standing hits may be its rear, which was above that
