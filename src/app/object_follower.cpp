@@ -30,6 +30,25 @@ std::uint8_t sureness_of(const objects::Track& track) {
   return static_cast<std::uint8_t>(std::min<std::int32_t>(track.confidence / 2 + 1, 7));
 }
 
+// Beside so many of a frame's hits, at most, cells are named, too.
+constexpr std::uint32_t kMostBeside = 1024;
+
+// What is occupied beside a hit of something that moves, and within its box, was hit in a turn
+// before, and is a part of it, too.
+void name_beside(const objects::FrameHit& hit, const objects::Track& track,
+                 perception::WindowFusion& window) {
+  const window::WindowView view = window.view();
+  for (std::int32_t y = hit.cell.y - 1; y <= hit.cell.y + 1; ++y) {
+    for (std::int32_t x = hit.cell.x - 1; x <= hit.cell.x + 1; ++x) {
+      const geometry::Cell cell{x, y};
+      const auto its = decision::class_of(view.name_of(cell));
+      if (its == decision::Class::kOccupied && track.box().outside(objects::centre_of(cell)) == 0) {
+        window.name_moving(cell, sureness_of(track));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void ObjectFollower::begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
@@ -77,10 +96,14 @@ void ObjectFollower::pass(std::uint64_t end_us, perception::WindowFusion& window
 }
 
 void ObjectFollower::name(perception::WindowFusion& window) const {
+  std::uint32_t beside = 0;
   for (const objects::FrameHit& hit : tracker_.hits()) {
     if (tracker_.is_moving(hit)) {
-      const auto owner = static_cast<std::size_t>(hit.owner);
-      window.name_moving(hit.cell, sureness_of(tracker_.tracks()[owner]));
+      const objects::Track& track = tracker_.tracks()[static_cast<std::size_t>(hit.owner)];
+      window.name_moving(hit.cell, sureness_of(track));
+      if (beside++ < kMostBeside) {
+        name_beside(hit, track, window);
+      }
     }
   }
   window.withdraw_moving([this](geometry::Cell first, std::uint32_t asked) {

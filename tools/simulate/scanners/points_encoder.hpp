@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "description/description.hpp"
+#include "tools/car/description.hpp"
 #include "tools/simulate/scanners/packet_encoder.hpp"
 #include "tools/simulate/scanners/spinning_beams.hpp"
 
