@@ -157,18 +157,21 @@ class PointsDecoder : public PointsPacket {
   }
 
   // Calls visit(const ScanPoint&) for each first echo of the layers of a sampling: a datagram has
-  // few firings. Only after decode() was kOk.
+  // few firings. Of places only every third point is looked at, since its direction is computed
+  // each time. Only after decode() was kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     std::array<bool, 256> are_asked{};
     for (const std::uint8_t layer : sampling.layers) {
       are_asked[layer] = true;
     }
-    for_each_point([&](const ScanPoint& point) {
-      if (point.echo == 0 && are_asked[point.layer]) {
-        visit(point);
+    const std::size_t apart = are_places() ? 3 : 1;
+    for (std::size_t i = 0; i < count(); i += apart) {
+      const ScanPoint its = are_places() ? point<true>(bytes_at(i)) : point<false>(bytes_at(i));
+      if (its.echo == 0 && are_asked[its.layer]) {
+        visit(its);
       }
-    });
+    }
   }
 
   // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after

@@ -346,6 +346,17 @@ TEST(Points, SamplesAreFirstEchoesOfTheirLayers) {
   EXPECT_EQ(count, 12U);
 }
 
+TEST(Points, OfPlacesEveryThirdIsASample) {
+  const std::vector<std::byte> bytes =
+      Sent{.flags = 1, .points = std::vector<tests::SentPoint>(10, {.first = 5'000})}.bytes();
+  PointsTurning decoder;
+  ASSERT_EQ(decoder.decode(bytes, kUnit), DecodeStatus::kOk);
+  constexpr std::array<std::uint8_t, 1> kLevel{1};
+  int count = 0;
+  decoder.for_each_sample({.layers = kLevel}, [&](const ScanPoint& /*point*/) { ++count; });
+  EXPECT_EQ(count, 4);
+}
+
 // Every place is a number of its own, but none from which nothing came back.
 TEST(Points, RangesOfPlacesTellThemApart) {
   const auto range_of = [](const tests::SentPoint& point) {
