@@ -190,15 +190,15 @@ inline constexpr evidence::Assignment kGraded = make_graded();
 
 // With these, how often a cell was hit or crossed in a frame shows; with none, cells that are free
 // alone take a way of their own.
-inline constexpr window::Rules kGradedRules{.assignment = &kGraded};
+inline constexpr perception::Rules kGradedRules{.assignment = &kGraded};
 
-inline vehicle::Vehicle car_on_circle(const window::Rules& rules) {
+inline vehicle::Vehicle car_on_circle(const perception::Rules& rules) {
   vehicle::Vehicle car = tests::OneLux::kVehicle;
   car.window = rules;
   car.has_objects = true;
   return car;
 }
-inline Played play_circle(SharingPlatform& platform, const window::Rules& rules) {
+inline Played play_circle(SharingPlatform& platform, const perception::Rules& rules) {
   return ClassBench(platform, car_on_circle(rules)).play(circle());
 }
 inline Played play_short_slices(SharingPlatform& platform) {

@@ -149,7 +149,7 @@ TEST(SharedCases, WithClassesHaveWhatTheyAreFor) {
   EXPECT_GT(std::ranges::max(said_in(alone(kShortSlices)), {},
                              [](const Said& frame) { return frame.classes->slice_count; })
                 .classes->slice_count,
-            window::FrameEvidence::kMostAtOnce);
+            placing::FrameEvidence::kMostAtOnce);
   SharingPlatform level(1, kAnyTimeUs);
   EXPECT_FALSE(testing::play_parts_of_turns(level, tests::LevelVlp16::kVehicle) ==
                alone(kClassesOverGround));
@@ -325,7 +325,7 @@ TEST(SharedDespiteAll, ACoreLostInTheMiddleOfAnItemGivesWhatOneGives) {
       const bool is_graded = pages % 2 != 0;
       SharingPlatform platform(2, kAnyTimeUs);
       testing::ClassBench bench(
-          platform, testing::car_on_circle(is_graded ? testing::kGradedRules : window::Rules{}));
+          platform, testing::car_on_circle(is_graded ? testing::kGradedRules : perception::Rules{}));
       tests::StoreTrap trap(bench.pipeline.get(), sizeof(testing::ClassBench::Classes));
       platform.let_happen(Accident::kNone, round, kPercents[round % kPercents.size()]);
       platform.let_trap(trap, pages);
