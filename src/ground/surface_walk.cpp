@@ -11,13 +11,9 @@ namespace iog::ground {
 namespace {
 
 // How far the first ground of a sector can be over the car's plane, and any other over what is
-// expected of it. Rises are meant in 1,024 mm along the line. Beside the car, and behind something
-// that hides the ground, the first rises by less: else the side of a near car, and the roof of one
-// behind it, would be ground.
+// expected of it. Rises are meant in 1,024 mm along the line.
 constexpr std::int32_t kStart = 150;
 constexpr std::int32_t kStartRise = 80;
-constexpr std::int32_t kHiddenRise = 20;
-constexpr std::size_t kBesideBins = 3;
 constexpr std::int32_t kStep = 100;
 constexpr std::int32_t kStepRise = 100;
 constexpr std::int16_t kWidest = 300;
@@ -126,24 +122,19 @@ void SurfaceWalk::begin() {
   height_.fill(0);
   slope_.fill(0);
   last_.fill(-1);
-  hides_.fill(0);
 }
 
 void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
   const std::int16_t plausible = most_plausible(bins, bin);
   const auto number = static_cast<std::int16_t>(bin);
-  const bool is_beside = bin < kBesideBins;
-  const std::int16_t hidden = narrow(kStart + bins.rise_of_bin(kHiddenRise) * (number + 1));
-  const std::int16_t start =
-      is_beside ? hidden : narrow(kStart + bins.rise_of_bin(kStartRise) * (number + 1));
+  const std::int16_t start = narrow(kStart + bins.rise_of_bin(kStartRise) * (number + 1));
   const std::int16_t step_rise = narrow(bins.rise_of_bin(kStepRise));
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
     const std::int16_t last = last_[sector];
     const std::int16_t gap = std::min(narrow(number - last), kReach);
     const std::int16_t expected = narrow(height_[sector] + slope_[sector] * gap);
     const std::int16_t step = std::min(narrow(kStep + step_rise * gap), kWidest);
-    const std::int16_t first = pick(hides_[sector], hidden, start);
-    const std::int16_t most = pick(mask(last < 0), first, step);
+    const std::int16_t most = pick(mask(last < 0), start, step);
     const std::int16_t low = believed(lows[sector], plausible);
     const std::int16_t off = narrow(low - expected);
     low_[sector] = low;
@@ -151,7 +142,6 @@ void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
     most_[sector] = most;
     const std::int16_t is_ground = narrow(mask(low != Lows::kNothing) & mask(off <= most));
     own_[sector] = pick(is_ground, low, Lows::kNothing);
-    hides_[sector] = narrow(hides_[sector] | (mask(low != Lows::kNothing) & ~is_ground));
   }
 }
 

@@ -54,8 +54,6 @@ class SurfaceWalk {
   Ring height_{};
   Ring slope_{};
   Ring last_{};
-  // Whether something that is no ground was met, as all ones or zeros.
-  Ring hides_{};
   // Of the bin at hand. The lowest returns that are believed; the ground that is expected, and how
   // far over it a return is ground at most; the lowest returns that are ground by that; whether
   // there is ground at all, as all ones or zeros, and how high it is. Lows::kNothing is none.

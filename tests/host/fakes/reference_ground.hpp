@@ -26,8 +26,6 @@ struct GroundRule {
   Whole most_plausible = 14'000;
   Whole start = 150;
   Whole start_rise = 80;
-  Whole hidden_rise = 20;  // beside the car, and behind what is no ground
-  Whole beside_car = 3;    // bins
   Whole step = 100;
   Whole step_rise = 100;
   Whole widest = 300;
@@ -135,7 +133,6 @@ class ReferenceGround {
     Whole height = 0;
     Whole slope = 0;
     Whole bin = -1;
-    bool has_met_a_thing = false;  // in a bin before
     std::vector<Whole> ground = std::vector<Whole>(kBins, 0);
   };
 
@@ -173,11 +170,8 @@ class ReferenceGround {
   }
   [[nodiscard]] Whole most_over(const Walker& its, Whole bin) const {
     const Whole gap = bin - its.bin;
-    if (its.bin < 0) {
-      const bool is_hidden = its.has_met_a_thing || bin < rule_.beside_car;
-      return rule_.start + of_bin(is_hidden ? rule_.hidden_rise : rule_.start_rise) * gap;
-    }
-    return std::min(rule_.step + of_bin(rule_.step_rise) * gap, rule_.widest);
+    return its.bin < 0 ? rule_.start + of_bin(rule_.start_rise) * gap
+                       : std::min(rule_.step + of_bin(rule_.step_rise) * gap, rule_.widest);
   }
 
   void walk() {
@@ -202,9 +196,6 @@ class ReferenceGround {
       for (Whole sector = 0; sector < kSectors; ++sector) {
         if (const std::optional<Whole>& height = ground[at(sector)]) {
           move_on(walkers_[at(sector)], bin, *height, own[at(sector)].has_value());
-        }
-        if (low(sector, bin) && !own[at(sector)]) {
-          walkers_[at(sector)].has_met_a_thing = true;
         }
       }
     }

@@ -134,15 +134,15 @@ TEST(SurfaceWalk, TakesHeightsOfAnySize) {
 // the second implementation finds another surface.
 TEST(SurfaceWalk, ATestSeesEachOfItsNumbers) {
   const auto number_of = [](GroundRule& rule, int number) -> tests::Whole& {
-    const std::array<tests::Whole*, 16> all{
+    const std::array<tests::Whole*, 14> all{
         &rule.plausible,   &rule.plausible_rise, &rule.most_plausible, &rule.start,
         &rule.start_rise,  &rule.step,           &rule.step_rise,      &rule.widest,
         &rule.slope_parts, &rule.steepest,       &rule.reach,          &rule.across,
-        &rule.beside,      &rule.over_lowest,    &rule.hidden_rise,    &rule.beside_car};
+        &rule.beside,      &rule.over_lowest};
     return *all[static_cast<std::size_t>(number)];
   };
   const std::vector<Turn> turns = all_turns(kShort);
-  for (int number = 0; number < 16; ++number) {
+  for (int number = 0; number < 14; ++number) {
     for (const int more : {1, -1}) {
       GroundRule rule;
       number_of(rule, number) += more;
@@ -246,46 +246,6 @@ TEST(SurfaceWalk, FindsPlanesAndRamps) {
         ASSERT_LE(std::abs(height), 200) << ground.permille << ' ' << lost_of_ten;
       }
     }
-  }
-}
-
-// A unit on a high roof sees the side and the bonnet of a car beside it, and no road before them;
-// over it, the roof of another one. All of it is an obstacle, and the road beside them is ground.
-TEST(SurfaceWalk, NothingOfANearCarIsGround) {
-  const auto is_car = [](std::int32_t sector) { return sector >= 50 && sector < 90; };
-  Turn turn;
-  for (std::int32_t sector = 0; sector < tests::kTestSectors; ++sector) {
-    if (is_car(sector)) {
-      turn.insert(turn.end(),
-                  {{sector, 2'500, 330}, {sector, 3'400, 950}, {sector, 12'500, 1'100}});
-    }
-    for (std::int32_t bin = is_car(sector) ? 20 : 4; bin < 40; ++bin) {
-      turn.push_back({sector, bin * 1024, 0});
-    }
-  }
-  const Surface surface = surface_after(kShort, turn);
-  for (const Return& its : turn) {
-    const std::int32_t height =
-        surface.height_over(kShort, static_cast<std::uint32_t>(its.sector),
-                            static_cast<std::uint32_t>(its.along_mm), its.z_mm);
-    EXPECT_NEAR(height, its.z_mm, 110) << its.sector << ' ' << its.along_mm;
-  }
-}
-
-// Nothing stands before it, so it may be ground that was not seen until here: a ramp of 17 % from 3
-// m on, of which the first 3 m have no return.
-TEST(SurfaceWalk, ARampThatIsSeenLateIsGround) {
-  Turn turn;
-  for (std::int32_t sector = 0; sector < tests::kTestSectors; ++sector) {
-    for (std::int32_t bin = 6; bin < 40; ++bin) {
-      turn.push_back({sector, bin * 1024, (bin * 1024 - 3'000) * 17 / 100});
-    }
-  }
-  const Surface surface = surface_after(kShort, turn);
-  for (const Return& its : turn) {
-    EXPECT_NEAR(surface.height_over(kShort, static_cast<std::uint32_t>(its.sector),
-                                    static_cast<std::uint32_t>(its.along_mm), its.z_mm),
-                0, 200);
   }
 }
 
