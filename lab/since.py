@@ -34,12 +34,12 @@ class Frame:
 
 
 FRAMES = (
-    Frame("a frame of the ring road with four LUX", f"frame_cost scene=ring_road sensors={a9_runs.ALL_SENSORS}",
+    Frame("ring road, four LUX", f"frame_cost scene=ring_road sensors={a9_runs.ALL_SENSORS}",
           "capture scene=ring_road", "frame_cost-reference_car",
           lambda place, capture: a9_runs.frame_cost(place, "scene=ring_road", capture, "raw", a9_runs.ALL_SENSORS)),
-    Frame("a frame of the city with classes", "perception_cost drive=city", "capture drive=city", "perception_cost",
+    Frame("city with classes", "perception_cost drive=city", "capture drive=city", "perception_cost",
           lambda place, capture: a9_perception.counted(place, "city", capture)),
-    Frame("a frame of a VLP-16 over the ground", "turning vehicle=roof_vlp16", "capture vehicle=roof_vlp16",
+    Frame("VLP-16 over the ground", "turning vehicle=roof_vlp16", "capture vehicle=roof_vlp16",
           "frame_cost-roof_vlp16", lambda place, capture: a9_turning.counted(place, "roof_vlp16", capture)),
 )
 
@@ -92,8 +92,8 @@ def change(run: str, now: int) -> float:
 def far_off(found: dict[str, int]) -> list[str]:
     """A sentence for each frame that costs other than the pages say."""
     shown = {run: int(value) for run, _, value in table_of("since.csv")} if TABLE.is_file() else {}
-    return [f"{frame.words} takes {now:,} instructions, {change(frame.run, now):+.1%} since the tables were measured; "
-            f"the pages say {change(frame.run, shown.get(frame.run, measured()[frame.run])):+.1%}"
+    return [f"{frame.words}: a frame takes {now:,} instructions, {change(frame.run, now):+.1%} since the tables were "
+            f"measured; the pages say {change(frame.run, shown.get(frame.run, measured()[frame.run])):+.1%}"
             for frame in FRAMES for now in [found[frame.run]]
             if abs(now - shown.get(frame.run, measured()[frame.run])) > NAMED * measured()[frame.run]]
 
@@ -104,5 +104,5 @@ def sentence() -> str:
     if not rows:
         return ""
     words = {frame.run: frame.words for frame in FRAMES}
-    changes = [f"{words[run]} takes {change(run, int(value)):+.1%} instructions" for run, _, value in rows]
-    return f"Since then, at {rows[0][1]}: {', '.join(changes)}."
+    changes = [f"{words[run]} {change(run, int(value)):+.1%}" for run, _, value in rows]
+    return f"Instructions have changed since (at {rows[0][1]}): {'; '.join(changes)}."
