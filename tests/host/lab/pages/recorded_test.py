@@ -44,8 +44,8 @@ class Page(unittest.TestCase):
         found = {goal.what.removeprefix("recorded drive: "): (goal.found, goal.is_met) for goal in goals}
         self.assertEqual(found, {
             "parked cars below 25 m: called moving": ("0.10 %", True),
-            "labelled and upright things, by a neighbour's name where there is one: called free": ("0.00 %", True),
-            "labelled and upright things: called free": ("1.00 %", True), "free area within 40 m": ("2,621 m²", False)})
+            "labelled and upright objects, with a neighbour's class: called free": ("0.00 %", True),
+            "labelled and upright objects: called free": ("1.00 %", True), "free area within 40 m": ("2,621 m²", False)})
 
     def test_a_goal_is_missed_on_its_own_side(self):
         row = "flat,{},0,25,1,0,0,{},{},0\n".format
