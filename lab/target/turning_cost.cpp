@@ -15,8 +15,6 @@
 #include <cstdio>
 #include <string_view>
 
-#include "tools/car/scanners.hpp"
-#include "tools/car/tables.hpp"
 #include "fusion/frame_fusion.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"

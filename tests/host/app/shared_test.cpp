@@ -324,8 +324,8 @@ TEST(SharedDespiteAll, ACoreLostInTheMiddleOfAnItemGivesWhatOneGives) {
     for (int pages = 0; pages < tests::effort(20, 3); ++pages) {
       const bool is_graded = pages % 2 != 0;
       SharingPlatform platform(2, kAnyTimeUs);
-      testing::ClassBench bench(
-          platform, testing::car_on_circle(is_graded ? testing::kGradedRules : perception::Rules{}));
+      testing::ClassBench bench(platform, testing::car_on_circle(is_graded ? testing::kGradedRules
+                                                                           : perception::Rules{}));
       tests::StoreTrap trap(bench.pipeline.get(), sizeof(testing::ClassBench::Classes));
       platform.let_happen(Accident::kNone, round, kPercents[round % kPercents.size()]);
       platform.let_trap(trap, pages);
