@@ -35,12 +35,12 @@ bool PointsPacket::is_place(PointBytes bytes) {
 }
 
 bool PointsPacket::is_direction(PointBytes bytes) const {
-  constexpr std::int32_t kRightAngle = 90 * kPartsPerDegree;
+  constexpr std::int32_t kZenith = 90 * kPartsPerDegree;
   const Direction there = direction_at(bytes);
   const std::uint32_t turned = there.azimuth - sector_begin_;
   const std::uint32_t within = there.azimuth < sector_begin_ ? turned + kPartsPerTurn : turned;
-  return there.azimuth < kPartsPerTurn && there.elevation >= -kRightAngle &&
-         there.elevation <= kRightAngle && there.range_mm <= kMaxRangeMm &&
+  return there.azimuth < kPartsPerTurn && there.elevation >= -kZenith &&
+         there.elevation <= kZenith && there.range_mm <= kMaxRangeMm &&
          (sector_width_ == 0 || within <= sector_width_);
 }
 
