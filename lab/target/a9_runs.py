@@ -41,7 +41,7 @@ STAGES = {
     "receive": ["ethernet/enet_port:receive", "net/ethernet:parse_ethernet", "net/ipv4:parse_ipv4",
                 "net/udp:parse_udp"],
     "decode": ["intake/intake:receive", "intake/intake:classify", "app/frame:accept"],
-    "beams": ["app/frame:add_points"],
+    "beams": ["fusion/shared_fusion:add_points"],
     "carve": ["grid/carving:carve_blocks", "grid/carving:carve_cells"],
     "mark": ["fusion/frame_fusion:finish"],
     "encode": ["target/stage_pass:take", "target/stage_pass:tick"],

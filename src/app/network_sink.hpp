@@ -32,7 +32,7 @@ class NetworkSink {
     tiles_.begin(header_);
   }
 
-  // Counts what was sent, and names all of it.
+  // Counts what was sent, and takes it into the grid's CRC.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kForTheCall);
   }

@@ -1,8 +1,8 @@
 // The tiles of one grid on their way into messages: each as short as it can be, also by what has
 // changed since it was sent.
 //
-// Several cores encode those that wait and find what each adds to the grid's name, each tile by
-// itself; in their order they become messages and the name. So the bytes are the same for any
+// Several cores encode those that wait and find what each adds to the grid's CRC, each tile by
+// itself; in their order they become messages and the CRC. So the bytes are the same for any
 // number of cores. Tiles whose cells stay all wait, so that core 0 may do something else while they
 // are encoded; others wait by the batch. One core alone encodes each tile at once, while it is in
 // its cache.

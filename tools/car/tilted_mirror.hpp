@@ -11,7 +11,7 @@
 // these are not quite: three coordinates of a unit vector are set right at three azimuths of the
 // field of view, Chebyshev's nodes, and are off between. With tilts of at most 2 degrees the height
 // is off by less than a thousandth of the range, the place in the plan by less than a 10,000th
-// (tests/host/description/tilted_mirror_test.cpp).
+// (tests/host/tools/car/tilted_mirror_test.cpp).
 #pragma once
 
 #include <array>
