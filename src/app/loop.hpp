@@ -80,11 +80,11 @@ class MachinePlatform {
   // cores: how many are to work, if the machine has as many. commands: of a car that has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
-      : machine_(machine),
+      : team_(machine.cores(), kPatienceUs),
+        machine_(machine),
         host_(machine.ethernet(), config),
         offering_(machine.ethernet(), host_, config, machine.run_number()),
-        gate_(commands, machine.run_number()),
-        team_(machine.cores(), kPatienceUs) {
+        gate_(commands, machine.run_number()) {
     team_.start(cores);
     report_cores(machine_.console(), team_);
     if (gate_.is_on()) {
@@ -177,14 +177,15 @@ class MachinePlatform {
   // A frame's period, in which every tile is encoded many times over.
   static constexpr std::uint32_t kPatienceUs = 40'000;
 
+  // What is aligned to lines of the cache comes first.
+  work::CoreTimes core_times_;
+  Team team_;
   M& machine_;
   net::Host<Port> host_;
   Offering<Port> offering_;
   CommandGate gate_;
   std::optional<authentication::StreamSigner> signer_;
-  Team team_;
   LoopTimes times_;
-  work::CoreTimes core_times_;
   std::uint32_t frames_ = 0;
   Vitals vitals_;
 };

@@ -44,7 +44,7 @@ bool PointsPacket::is_direction(PointBytes bytes) const {
          (sector_width_ == 0 || within <= sector_width_);
 }
 
-DecodeStatus PointsPacket::read_head(std::span<const std::byte> head, const Ticks& ticks) {
+DecodeStatus PointsPacket::read_head(std::span<const std::byte> head, bool turns) {
   wire::ByteReader in(head);
   const std::uint32_t magic = in.u32_le();
   const std::uint8_t version = in.u8();
@@ -72,8 +72,10 @@ DecodeStatus PointsPacket::read_head(std::span<const std::byte> head, const Tick
     end = begin + share_of(number + 1);
     begin += share_of(number);
   }
-  info_.sector = {.first_ticks = static_cast<std::uint16_t>(ticks.of(begin) % ticks.per_turn),
-                  .width_ticks = static_cast<std::uint16_t>(ticks.of(end) - ticks.of(begin))};
+  const std::uint32_t first = ticks_of(turns, begin);
+  const auto turn = static_cast<std::uint32_t>(ticks_per_turn(turns));
+  info_.sector = {.first_ticks = static_cast<std::uint16_t>(first % turn),
+                  .width_ticks = static_cast<std::uint16_t>(ticks_of(turns, end) - first)};
   return DecodeStatus::kOk;
 }
 
@@ -92,14 +94,13 @@ DecodeStatus PointsPacket::check_points() {
   return DecodeStatus::kOk;
 }
 
-DecodeStatus PointsPacket::read(std::span<const std::byte> datagram, const Unit& unit,
-                                const Ticks& ticks) {
+DecodeStatus PointsPacket::read(std::span<const std::byte> datagram, const Unit& unit, bool turns) {
   *this = PointsPacket{};
   if (datagram.size() < kHeadBytes || unit.elevations.empty()) {
     return DecodeStatus::kWrongLength;
   }
   const auto head = datagram.first<kHeadBytes>();
-  const DecodeStatus status = read_head(head, ticks);
+  const DecodeStatus status = read_head(head, turns);
   if (status != DecodeStatus::kOk) {
     info_.point_count = 0;
     return status;

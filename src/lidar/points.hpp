@@ -67,14 +67,20 @@ class PointsPacket {
  protected:
   using PointBytes = std::span<const std::byte, kPointBytes>;
 
-  struct Ticks {
-    std::uint32_t per_turn;
-    std::uint32_t (*of)(std::uint32_t angle);
-  };
+  // What turns is rounded to at most 16,384 steps, of which every half is a whole tick: an azimuth
+  // that is rounded down to a tick is of the step that it is of itself. What does not turn has the
+  // ticks of a LUX.
+  [[nodiscard]] static constexpr std::int32_t ticks_per_turn(bool turns) {
+    return turns ? 32'768 : 11'520;
+  }
+  // How many ticks an angle of less than two turns is.
+  [[nodiscard]] static constexpr std::uint32_t ticks_of(bool turns, std::uint32_t angle) {
+    return turns ? angle * 32 / 1'125 : (angle + 50) / 100;
+  }
 
   // Checks the whole datagram, every point included, and keeps a view of it.
   [[nodiscard]] DecodeStatus read(std::span<const std::byte> datagram, const Unit& unit,
-                                  const Ticks& ticks);
+                                  bool turns);
 
   // As on the wire; of a place a number for all of it.
   [[nodiscard]] std::uint32_t range_at(PointBytes bytes) const {
@@ -116,7 +122,7 @@ class PointsPacket {
     return static_cast<std::int32_t>(wire::load_le32(bytes));
   }
   [[nodiscard]] static bool is_place(PointBytes bytes);
-  [[nodiscard]] DecodeStatus read_head(std::span<const std::byte> head, const Ticks& ticks);
+  [[nodiscard]] DecodeStatus read_head(std::span<const std::byte> head, bool turns);
   [[nodiscard]] DecodeStatus check_points();
   [[nodiscard]] bool is_direction(PointBytes bytes) const;
 
@@ -132,10 +138,7 @@ template <bool kHeadTurns>
 class PointsDecoder : public PointsPacket {
  public:
   static constexpr bool kTurns = kHeadTurns;
-  // What turns is rounded to at most 16,384 steps, of which every half is a whole tick: an azimuth
-  // that is rounded down to a tick is of the step that it is of itself. What does not turn has the
-  // ticks of a LUX.
-  static constexpr std::int32_t kTicksPerTurn = kTurns ? 32'768 : 11'520;
+  static constexpr std::int32_t kTicksPerTurn = ticks_per_turn(kTurns);
 
   // The view lives as long as the datagram and the unit's elevations, one for each layer. kOk;
   // kWrongLength: not as long as it says, longer than a datagram may be, or of a unit without
@@ -143,7 +146,7 @@ class PointsDecoder : public PointsPacket {
   // a sector beyond a turn, or a datagram that its scan does not have; kWrongPoint: one that cannot
   // be, or outside of its datagram's sector.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
-    return read(datagram, unit, {kTicksPerTurn, ticks_of});
+    return read(datagram, unit, kTurns);
   }
 
   // Calls visit(const ScanPoint&) for each point, in wire order. Only after decode() was kOk.
@@ -188,17 +191,12 @@ class PointsDecoder : public PointsPacket {
   // Of what turns, the second of two stands for all later ones.
   static constexpr std::uint8_t kLastEcho = kTurns ? 1 : 2;
 
-  // How many ticks an angle of less than two turns is.
-  [[nodiscard]] static std::uint32_t ticks_of(std::uint32_t angle) {
-    return kTurns ? angle * 32 / 1'125 : (angle + 50) / 100;
-  }
-
   // What lies beyond the layers is rain: of such beams the description does not know.
   template <bool kArePlacesHere>
   [[nodiscard]] ScanPoint point(PointBytes bytes) const {
     const std::uint8_t flags = flags_at(bytes);
     const Direction there = kArePlacesHere ? direction_of_place(bytes) : direction_at(bytes);
-    const std::uint32_t ticks = ticks_of(there.azimuth);
+    const std::uint32_t ticks = ticks_of(kTurns, there.azimuth);
     return {.range_mm = (flags & kNothing) != 0 ? 0 : there.range_mm,
             .azimuth_ticks = static_cast<std::uint16_t>(ticks == kTicksPerTurn ? 0 : ticks),
             .layer = static_cast<std::uint8_t>(layers().nearest(there.elevation)),

@@ -46,6 +46,7 @@ inline constexpr auto kCounters = [] {
   }
   return counters;
 }();
+inline constexpr std::size_t kCounterCount = kCounters.size();
 static_assert(std::ranges::is_sorted(kCounters, {}, &Counter::group));
 
 inline constexpr std::size_t kDurationWords = 13;
@@ -55,8 +56,8 @@ inline constexpr std::size_t kDurationWords = 13;
 
 // Of each counter's first word among the link counters; the last: how many they are.
 inline constexpr auto kPlaces = [] {
-  std::array<std::uint8_t, kCounters.size() + 1> places{};
-  for (std::size_t i = 0; i < kCounters.size(); ++i) {
+  std::array<std::uint8_t, kCounterCount + 1> places{};
+  for (std::size_t i = 0; i < kCounterCount; ++i) {
     const Counter& counter = kCounters[i];
     const std::size_t end = places[i] + (is_link(counter) ? words_of(counter.kind) : 0);
     require(end <= 0xFF);  // a frame's end says in a byte how many there are

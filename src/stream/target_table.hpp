@@ -66,11 +66,17 @@ enum class Kind : std::uint8_t {
   kMac,       // two words
 };
 
+// names: with ", " between them. words: for who does not see what group it is of; empty: the name
+// says it.
 struct Row {
+  consteval Row(Group of, std::string_view all, Kind what = Kind::kCount,
+                std::string_view said = {})
+      : group(of), kind(what), names(all), words(said) {}
+
   Group group;
-  std::string_view names;  // with ", " between them
-  Kind kind = Kind::kCount;
-  std::string_view words{};  // for who does not see what group it is of; empty: the name says it
+  Kind kind;
+  std::string_view names;
+  std::string_view words;
 };
 
 namespace table {
