@@ -183,7 +183,8 @@ void check(std::uint8_t mode, std::span<const std::byte> first, std::span<const 
   if constexpr (kIsVelodyne<Decoder>) {
     check_identity(before, packet);
   }
-  if (Decoder::kTurns || is_sound) {
+  // Of points the head is judged before the length.
+  if ((Decoder::kTurns && !lidar::IsPoints<Decoder>) || is_sound) {
     const auto shorter = std::span(packet).first(packet.size() - 1);
     law(intake::decode_with(used, shorter, unit) == DecodeStatus::kWrongLength,
         "a shorter packet is refused");
