@@ -97,6 +97,9 @@ void add_times(const CloudRecords& records, const CloudField& field,
   std::vector<double> times;
   for (const std::size_t point : kept) {
     times.push_back(number_at(records, field, point));
+    if (!std::isfinite(times.back())) {
+      throw UsageError(what + ": the time of a point is no number");
+    }
   }
   const auto [first, last] = std::ranges::minmax(times);
   if (first == last) {

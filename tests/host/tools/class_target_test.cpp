@@ -8,7 +8,10 @@
 
 #include "gtest/gtest.h"
 
+#include "app/pipeline.hpp"
+#include "fakes/fake_platform.hpp"
 #include "fakes/random.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/program/exit_status.hpp"
@@ -34,6 +37,15 @@ struct PlacedDrive {
       poses.push_back(feed.take_until(packets.back().back().time_us));
     }
   }
+
+  // These packets of a frame and its poses, by time.
+  [[nodiscard]] std::vector<CapturedDatagram> with_poses(
+      std::size_t frame, std::vector<CapturedDatagram> datagrams) const {
+    datagrams.insert(datagrams.begin(), poses[frame].begin(), poses[frame].end());
+    std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
+    return datagrams;
+  }
+
   std::vector<std::vector<CapturedDatagram>> packets;
   std::vector<std::vector<CapturedDatagram>> poses;
 };
@@ -56,9 +68,7 @@ RunStatistics fused(const vehicle::Vehicle& vehicle, const PlacedDrive& drive,
         datagram.time_us = end_us;
       }
     }
-    datagrams.insert(datagrams.begin(), drive.poses[frame].begin(), drive.poses[frame].end());
-    std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
-    for (CapturedDatagram& datagram : datagrams) {
+    for (CapturedDatagram& datagram : drive.with_poses(frame, std::move(datagrams))) {
       datagram.time_us += pause_us * frame;
       static_cast<void>(target->take(datagram));
     }
@@ -138,6 +148,54 @@ TEST(ClassTarget, ClassesArePinned) {
   ASSERT_EQ(run.classes().records().size(), 10U);
   EXPECT_GT(run.classes().records().back().tiles, 100U);
   EXPECT_EQ(run.classes().run_hash(), 0x7858B157U);
+}
+
+// What the cells around the hits of moving tracks are called, as far as they lie in the track's
+// box.
+struct CellsBeside {
+  void begin_frame(const stream::Header& /*header*/) {}
+  void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
+  void end_frame() {}
+  void take_classes(const stream::ClassEnd& /*end*/, const window::WindowView& classes) {
+    const objects::Tracker& tracker = engine->objects();
+    for (const objects::FrameHit& hit : tracker.hits()) {
+      if (!tracker.is_moving(hit)) {
+        continue;
+      }
+      const objects::Box& box = tracker.tracks()[static_cast<std::size_t>(hit.owner)].box();
+      for (std::int32_t i = 0; i < 9; ++i) {
+        const geometry::Cell cell{hit.cell.x + i % 3 - 1, hit.cell.y + i / 3 - 1};
+        if (box.outside(objects::centre_of(cell)) == 0) {
+          const auto name = decision::class_of(classes.name_of(cell));
+          moving += name == decision::Class::kMoving ? 1 : 0;
+          occupied += name == decision::Class::kOccupied ? 1 : 0;
+        }
+      }
+    }
+  }
+
+  const app::PerceptionEngine* engine = nullptr;
+  int moving = 0;
+  int occupied = 0;
+};
+
+// docs/objects.md, "Labels": such a cell was hit in a turn before, and is a part of what moves.
+TEST(ClassTarget, NoCellBesideAMovingHitAndInItsBoxIsOccupied) {
+  constexpr std::uint32_t kReplayer = 0x0A000202;
+  const PlacedDrive drive(75);
+  tests::FakePlatform platform;
+  CellsBeside beside;
+  const auto pipeline = std::make_unique<app::PerceptionPipeline<tests::FakePlatform, CellsBeside>>(
+      *four_lux().vehicle, kReplayer, platform, beside);
+  beside.engine = &pipeline->perception();
+  for (std::size_t frame = 0; frame < drive.packets.size(); ++frame) {
+    for (const CapturedDatagram& datagram : drive.with_poses(frame, drive.packets[frame])) {
+      pipeline->take({kReplayer, datagram.destination.port, datagram.payload},
+                     datagram.time_us - kDriveStartUs);
+    }
+  }
+  EXPECT_GT(beside.moving, 1'000);
+  EXPECT_EQ(beside.occupied, 0);
 }
 
 // A source of poses that is stuck while the car drives on says nothing wrong of itself. Beams go

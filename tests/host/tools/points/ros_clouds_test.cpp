@@ -115,6 +115,19 @@ TEST(RosClouds, FindTheUnitOfTimes) {
             "it: in no unit its points are 5 to 500 ms apart: give --time-unit");
 }
 
+// Not even if the unit is given: when such a point was seen is not known.
+TEST(RosClouds, ATimeThatIsNoNumberIsTold) {
+  for (const float strange : {kNan, kInfinite}) {
+    SentCloud sent{.stride = 16,
+                   .points = two_points([&](Bytes& b, int i) { add(b, i == 0 ? 0.F : strange); })};
+    sent.fields.push_back({"time", 12, 7});
+    for (const TimeUnit unit : {TimeUnit::kFound, TimeUnit::kSeconds}) {
+      EXPECT_EQ(told_by([&] { static_cast<void>(cloud_of(sent, unit)); }),
+                "it: the time of a point is no number");
+    }
+  }
+}
+
 TEST(RosClouds, TellWhatIsWrongWithPointCloud2) {
   const auto told = [](auto&& change) {
     SentCloud sent{.points = two_points()};
