@@ -79,10 +79,10 @@ def counted() -> dict[str, int]:
 
 
 def write(found: dict[str, int]) -> None:
+    counted_at = measurements.commit()  # before this table is changed, too
     with open(TABLE, "w", newline="") as out:
         csv.writer(out, lineterminator="\n").writerows(
-            [["run", "commit", "instructions"],
-             *([run, measurements.commit(), value] for run, value in found.items())])
+            [["run", "commit", "instructions"], *([run, counted_at, value] for run, value in found.items())])
 
 
 def change(run: str, now: int) -> float:
