@@ -1,7 +1,7 @@
-// Ranges. The end of a beam is at most 57.3 times the sensor's range higher than its origin, 89
-// degrees up, so in units of 2^-40 a slope stays below 2^46. Axes of a beam's end are below 2^30 in
-// units of 2^-10 subcells (vehicle.hpp), and so is the length of the three together; a cell is at
-// most 200 mm: times 2^20 below 2^58.
+// Ranges. At 89 degrees up, the end of a beam is 57.3 times the sensor's range above its origin. So
+// a slope in units of 2^-40 stays below 2^46. Each axis of a beam's end is below 2^30 in units of
+// 2^-10 subcells (vehicle.hpp), and so is the length of the vector. A cell is at most 200 mm, so
+// that length in mm, times 2^20, is below 2^58.
 #include "ground/beams.hpp"
 
 #include <algorithm>
@@ -18,13 +18,13 @@
 namespace iog::ground {
 namespace {
 
-constexpr std::int64_t kSubcells = geometry::kResolution;  // in a cell
+constexpr std::int64_t kSubcells = geometry::kResolution;  // per cell
 constexpr std::int64_t kCellMm = geometry::kCellMm;
 constexpr int kFineBits = 40;
 constexpr std::uint32_t kWhole = std::uint32_t{1} << numeric::kSineFractionBits;
 
-// The cosine of a layer's elevation: how far its beams' ends are from the sensor's axis, of all
-// that they are away.
+// The cosine of a layer's elevation: the distance of its beams' ends from the sensor's axis, as a
+// share of the beam's length.
 std::uint32_t share_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer) {
   if (sensor.layers_share_lines) {
     return layer.range_share;
@@ -67,7 +67,7 @@ Slope Beams::slope_to(std::int32_t end_z) const {
   return static_cast<Slope>(fine >> (kFineBits - kSlopeFractionBits));
 }
 
-// On the average of a turn, the ends of a layer's beams are as high as its base.
+// Averaged over a turn, the ends of a layer's beams are as high as z.base.
 void Beams::sort_layers(const vehicle::Sensor& sensor) {
   const auto layers = std::span(from_below_).first(layer_count_);
   std::iota(layers.begin(), layers.end(), std::uint8_t{0});

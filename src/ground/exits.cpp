@@ -8,7 +8,7 @@
 namespace iog::ground {
 namespace {
 
-// By layer, in steps of 2 mm.
+// Per layer, in steps of 2 mm.
 using Distances = std::array<std::uint16_t, vehicle::kMaxLayers>;
 
 }  // namespace
@@ -23,14 +23,15 @@ void Exits::find(const Beams& beams, Limits limits, const Surface& surface) {
     }
     Row& row = rows_[sector];
     Outlook up(beams, surface.row(sector), limits.top_mm, Side::kAbove);
-    std::size_t leave_below = layers.size();  // those of them, and the others leave above
+    std::size_t leave_below =
+        layers.size();  // layers below this index leave below, the others above
     for (std::size_t i = layers.size(); i > 0; --i) {
       const std::uint8_t layer = layers[i - 1];
       const auto above = static_cast<std::uint16_t>(up.leave(beams.slope(layer)));
       leave_below = above < below[layer] ? i - 1 : leave_below;
       row[layer].to_2_mm = std::min(above, below[layer]);
     }
-    // Outward from where both meet.
+    // Exits are farthest where the two lists meet, so the merge starts there.
     std::size_t lower = leave_below;
     std::size_t upper = leave_below;
     for (std::size_t rank = 0; rank < layers.size(); ++rank) {

@@ -1,11 +1,11 @@
-// How far a beam of each layer stays between the two limits over the ground, sector by sector: the
-// part of a line that it can free (docs/ground.md, "What is freed").
+// Exit ranges of each sector and layer: how far a beam stays between the two height limits over the
+// ground. A beam can free cells only up to its exit (docs/ground.md, "What is freed").
 //
-// A beam that starts between the limits leaves them where the ground comes too near, or where it
-// gets too high over the ground. Of those that leave below, one that looks up more leaves later; of
-// those that leave above, sooner. So one look outward is enough for all layers of a sector, and a
-// second one for the other side; and to put layers in the order in which they leave, two sorted
-// lists are merged.
+// A beam that starts between the limits leaves below them where the ground comes too near, or above
+// them where it is too high over the ground. Among beams that leave below, one that points higher
+// leaves later. Among beams that leave above, one that points higher leaves sooner. So one sweep
+// outward on each side finds the exits of all layers of a sector. Each sweep gives a sorted list,
+// and merging the two lists orders the layers by exit.
 #pragma once
 
 #include <array>
@@ -22,15 +22,15 @@ namespace iog::ground {
 
 class Exits {
  public:
-  // Of a level sensor, whose lines are at most 131,070 mm long.
+  // For a level sensor whose lines are at most 131,070 mm long.
   void find(const Beams& beams, Limits limits, const Surface& surface);
 
-  // So far along its line a beam is between the limits from its start on, in steps of 2 mm, rounded
-  // down; at most the line's length.
+  // Exit of a beam: the distance along its line up to which it is between the limits. In steps of 2
+  // mm, rounded down, at most the line's length.
   [[nodiscard]] std::uint32_t to_mm(std::uint32_t sector, std::size_t layer) const {
     return std::uint32_t{2} * rows_[sector][layer].to_2_mm;
   }
-  // The layers of a sector, that which is between the limits farthest first.
+  // The layers of a sector, farthest exit first.
   [[nodiscard]] std::size_t by_rank(std::uint32_t sector, std::size_t rank) const {
     return rows_[sector][rank].of_rank;
   }
@@ -39,8 +39,8 @@ class Exits {
   }
 
  private:
-  // Of the layer of a number how far it gets and its rank, which a return asks for together; and
-  // the layer of the rank of that number.
+  // Entry i holds the exit and the rank of layer i, which a return needs together, and the layer
+  // whose rank is i.
   struct Exit {
     std::uint16_t to_2_mm = 0;
     std::uint8_t rank = 0;

@@ -1,9 +1,9 @@
-// What is known of the ground around the sensors of a vehicle. It is frozen while the packets of a
-// frame are judged, and renewed between two frames.
+// The ground around the sensors of a vehicle. It is frozen while the packets of a frame are
+// processed, and renewed between two frames.
 //
-// A frame may be shorter than a turn. So a sensor's surface is renewed at the end of the frame in
-// which it has swept as many ticks as its whole scan has, since it was renewed before: which
-// packets are in a frame decides, and neither their order nor who fuses them.
+// A frame may be shorter than a turn. A sensor's surface is renewed at the end of the frame in
+// which the ticks swept since the last renewal reach the width of a whole scan. So only the set of
+// packets in a frame decides when: their order and the cores that fuse them do not matter.
 #pragma once
 
 #include <algorithm>
@@ -27,27 +27,29 @@
 
 namespace iog::ground {
 
-// What a sample wants to know of its beam: the ranges that end on the car itself, and how it rises.
+// What a sample needs from its beam: the ranges that end on the car itself, and the slope.
 struct Ray {
   vehicle::Ranges on_car;
   Slope slope = 0;
 };
 
-// Around one sensor.
+// The ground around one sensor.
 class Ground {
  public:
   Ground() = default;
-  // The sensor turns and follows the ground, and outlives it. At first the ground is flat.
+  // The sensor must be a spinning one that follows the ground, and must outlive this object. The
+  // ground starts flat.
   void begin(const vehicle::Sensor& sensor);
 
   [[nodiscard]] const Beams& beams() const { return beams_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] Limits limits() const { return limits_; }
-  // How far beams are between the limits, of a sensor whose layers share lines.
+  // The exits of the beams. Valid for sensors whose layers share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
-  // Between which distances along its line a beam is so low that it opens ground: all the way, if
-  // one of any height does. Up to its exit, of a sensor whose layers share lines.
+  // The part of a beam, by distance along its line, that is low enough to open ground. It is the
+  // whole line if beams of any height open ground. If the sensor's layers share lines, it ends at
+  // the beam's exit.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
         sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
@@ -57,16 +59,16 @@ class Ground {
     const Stretch low = low_beams_.at(sector, layer);
     return {low.from_mm, std::min(exit_mm, low.to_mm)};
   }
-  // So near a beam is never low.
+  // A beam is low only from this distance on.
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
-  // How high over the highest ground nearby a return is at least that is tall: a bank that begins
-  // within a bin or two is not tall over the ground before it. 0: each is.
+  // A return is tall if it is at least this high over the highest ground nearby. So a bank that
+  // begins within a bin or two is not tall over the ground in front of it. 0: every return is tall.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
-  // How a packet of the sensor sees the car tilted. Packet: has for_each_sample(). ray_of(step,
-  // point) is the Ray of a point in this azimuth step.
+  // Tilt of the car as seen by one packet of the sensor. Packet must have for_each_sample().
+  // ray_of(step, point) returns the Ray of a point in an azimuth step.
   template <typename Packet, typename RayOf>
   [[nodiscard]] Tilt tilt_of(const vehicle::Sensor& sensor, const Packet& packet,
                              RayOf&& ray_of) const {
@@ -89,7 +91,7 @@ class Ground {
   }
 
   void close_turn(SurfaceWalk& walk, const Lows& lows);
-  // Flat again.
+  // Makes the ground flat again.
   void forget();
 
  private:
@@ -103,18 +105,18 @@ class Ground {
   std::int32_t tall_mm_ = 0;
   Surface surface_;
   Exits exits_;
-  LowBeams low_beams_;  // of nothing if they are always low
+  LowBeams low_beams_;  // unused if beams are always low
 };
 
-// What is farther over or under the car's plane is not tall. Its cell is where it lies on that
-// plane, and moves by more than a cell when the car tilts by 2 degrees: what stands would come
-// nearer.
+// A return farther above or below the car's plane is never tall. Its cell is its projection onto
+// that plane, and moves by more than a cell when the car tilts by 2 degrees. A static object would
+// then seem to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
-// The returns of one packet.
+// Classifies the returns of one packet.
 class PacketJudge {
  public:
-  // Both outlive it. The tilt is that of the packet.
+  // ground and lows must outlive it. tilt is that of the packet.
   PacketJudge(const Ground& ground, Lows& lows, Tilt tilt)
       : beams_(&ground.beams()),
         surface_(&ground.surface()),
@@ -123,8 +125,8 @@ class PacketJudge {
         tall_mm_(ground.tall_mm()),
         tilt_(tilt) {}
 
-  // Which fate a return has by its height over the ground, kUsed if it is an obstacle, and whether
-  // it is tall. It is among the lows then. z_mm: its height over the car's plane.
+  // Adds a return to the lows and classifies it by its height over the ground: its outcome, which
+  // is kUsed for an obstacle, and whether it is tall. z_mm is its height over the car's plane.
   struct Judged {
     vehicle::Fate fate = vehicle::Fate::kUsed;
     bool is_tall = false;
@@ -134,7 +136,8 @@ class PacketJudge {
     lows_->add(bins, sector, out_mm, z_mm);
     const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
     const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_level_mm);
-    // Most returns are not even so high over their own ground, which is never higher.
+    // The ground at the return is never higher than the highest ground nearby. So this first test
+    // already rejects most returns.
     const bool is_tall = over >= tall_mm_ &&
                          (tall_mm_ == 0 || (z_mm >= -kMostOffPlaneMm && z_mm <= kMostOffPlaneMm &&
                                             surface_->height_over_near(bins, sector, out_mm,
@@ -157,30 +160,30 @@ class PacketJudge {
   Tilt tilt_;
 };
 
-// Around those of a vehicle that follow the ground, each in a place. Holds 630 KB: belongs into
-// static memory.
+// The ground around each sensor of a vehicle that follows it. Each such sensor has a place. Takes
+// 630 KB: keep it in static memory.
 class Grounds {
  public:
-  // vehicle outlives it.
+  // vehicle must outlive it.
   explicit Grounds(const vehicle::Vehicle& vehicle);
 
-  // Of the vehicle's sensor of this number; none if it does not follow the ground.
+  // The place of the vehicle's sensor with this number; none if it does not follow the ground.
   [[nodiscard]] std::optional<std::size_t> place_of(std::size_t sensor) const {
     const std::uint8_t place = places_[sensor];
     return place == kNone ? std::nullopt : std::optional<std::size_t>(place);
   }
   [[nodiscard]] const Ground& at(std::size_t place) const { return grounds_[place]; }
 
-  // What becomes of a sensor's lows when a frame is over.
+  // What happens to a sensor's lows at the end of a frame.
   enum class LowsAre : std::uint8_t {
-    kKept,       // more of the turn is to come
-    kOfTurn,     // a turn is over: close_turn() wants them, and then they are cleared
-    kForgotten,  // the sensor is silent, and the ground is flat again: they are cleared
+    kKept,       // the turn goes on
+    kOfTurn,     // the turn is over: pass them to close_turn(), then clear them
+    kForgotten,  // the sensor is silent and its ground is flat again: clear them
   };
 
-  // A frame is over in which the sensor, which follows the ground, has swept so many ticks.
+  // Ends a frame in which the sensor swept this many ticks. The sensor must follow the ground.
   [[nodiscard]] LowsAre end_frame(std::size_t sensor, std::uint32_t swept_ticks);
-  // The lowest returns of the turn, of all cores.
+  // lows: the lowest returns of the turn, merged from all cores.
   void close_turn(std::size_t sensor, const Lows& lows) {
     grounds_[places_[sensor]].close_turn(walk_, lows);
   }
@@ -191,7 +194,7 @@ class Grounds {
   }
 
  private:
-  // A sensor that is silent for so long, in frame periods, may be elsewhere when it is back.
+  // A sensor that was silent for this long, in frame periods, may return at another place.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 
   struct Turn {

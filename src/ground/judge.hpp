@@ -1,17 +1,17 @@
-// What a return is, by its height over the ground.
+// Classifies a return by its height over the ground.
 #pragma once
 
 #include <cstdint>
 
 namespace iog::ground {
 
-// The heights over the ground at which a return is an obstacle, both included.
+// A return between these heights over the ground, both included, is an obstacle.
 struct Limits {
   std::int32_t low_mm = 220;
   std::int32_t top_mm = 2'200;
 };
 
-// What is farther below the surface is a mirror image, a hole or a drop.
+// A return farther below the surface is a mirror image, a hole or a drop.
 inline constexpr std::int32_t kUnderMm = 400;
 
 enum class Kind : std::uint8_t {

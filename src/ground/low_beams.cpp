@@ -10,7 +10,7 @@
 namespace iog::ground {
 namespace {
 
-// How much the layers' beams rise outward in a sector, and the layers by that, from below.
+// The layers of a sector, sorted from below by their slope outward.
 class Fan {
  public:
   Fan(const Beams& beams, const vehicle::Sensor& sensor)
@@ -43,7 +43,7 @@ class Fan {
     return std::span(layers_).first(count_);
   }
   [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
-  // How far along its line a beam is that is so far out.
+  // Converts a distance outward into the distance along the beam's line.
   [[nodiscard]] std::uint32_t along_mm(std::size_t layer, std::uint32_t out_mm) const {
     return sensor_->layers_share_lines ? out_mm : beams_->along_mm(layer, out_mm);
   }
@@ -59,7 +59,7 @@ class Fan {
 
 }  // namespace
 
-// Those come first that leave a height first.
+// Visits the layers in the order in which they leave a height, as Outlook requires.
 void LowBeams::find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
                     const Surface& surface) {
   constexpr std::int32_t kUnderCarsMm = vehicle::MovedLimits::kUnderCarsMm;

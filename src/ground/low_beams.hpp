@@ -1,13 +1,13 @@
-// Where beams are low: at most as high over the ground as opens it (docs/perception.md, section 4).
+// The part of each beam that is low, that is, low enough over the ground to open it
+// (docs/perception.md, section 4).
 //
-// The ground below a beam is known bin by bin only. On a bank that rises from bin to bin a beam
-// would be low over its foot and its top alike, and what is hit between them would have come from
-// elsewhere. So a beam is low over the lowest ground nearby, as what is tall is so over the
-// highest.
+// The ground below a beam is known only per bin. On a bank that rises from bin to bin, a beam would
+// be low over both its foot and its top, and a hit between them would seem to have moved there. So
+// beams are measured over the lowest ground nearby, and tall returns over the highest.
 //
-// Nor does a beam open ground where it is lower than MovedLimits::kUnderCarsMm over the ground
-// below it: it may pass under a car that stands there, whose body the next one hits. A sensor that
-// is itself no higher over the car's plane has no other beams, and opens by them.
+// A beam opens no ground where it is lower than MovedLimits::kUnderCarsMm over the ground below it.
+// It may pass under a parked car there, while the next beam hits the body. A sensor that is itself
+// mounted no higher over the car's plane has no other beams, so its beams do open ground.
 #pragma once
 
 #include <array>
@@ -23,20 +23,21 @@ namespace iog::ground {
 
 class LowBeams {
  public:
-  // Between which distances along its line a beam is low, in steps of 2 mm, rounded down; at most
-  // the line's length. It never is if the first is not less than the second.
+  // The distances along its line between which a beam is low, in steps of 2 mm, rounded down, at
+  // most the line's length. The stretch is empty if from_mm >= to_mm.
   struct Stretch {
     std::uint32_t from_mm = 0;
     std::uint32_t to_mm = 0;
   };
 
-  // Of a sensor whose lines are at most 131,070 mm long. Beams of a tilted one are taken for those
-  // in the middle of their sector.
+  // The sensor's lines are at most 131,070 mm long. For a tilted sensor, the beams in the middle of
+  // a sector stand for the whole sector.
   void find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
             const Surface& surface);
 
-  // Of a sensor that is higher than low_mm over the car's plane: from where a beam comes down to
-  // it. Of another one: from its start up to where it rises over it.
+  // If the sensor is higher than low_mm over the car's plane, the stretch begins where the beam
+  // comes down to low_mm. Otherwise it goes from the start of the beam to where the beam rises
+  // above low_mm.
   [[nodiscard]] Stretch at(std::uint32_t sector, std::size_t layer) const {
     const Ends& ends = ends_[sector][layer];
     return {std::uint32_t{2} * ends.from_2_mm, std::uint32_t{2} * ends.to_2_mm};

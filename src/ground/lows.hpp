@@ -1,9 +1,8 @@
-// The lowest return of each bin in one turn of a sensor, of those that can be ground.
+// The lowest return of each bin in one turn of a sensor, among the returns that can be ground.
 //
-// A minimum does not mind the order of what it is taken of, nor how often a return comes. So any
-// order of packets, packets that come twice, and packets divided among cores give the same lows.
-// What is forged among the returns of a bin can only lower them, and not out of sight: what is
-// lower than anybody believes is left out.
+// A minimum depends neither on the order of its inputs nor on repetitions. So the order of packets,
+// duplicates and the split among cores do not change the lows. A forged return can only lower its
+// bin, and only to a plausible height: lower ones are left out.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +16,9 @@ namespace iog::ground {
 
 class Lows {
  public:
-  // Higher than any return that counts: nothing was seen.
+  // Higher than any return that counts: the bin has no return.
   static constexpr std::int16_t kNothing = 32767;
-  // By sector.
+  // One value per sector.
   using Ring = std::array<std::int16_t, kSectors>;
 
   Lows() { clear(); }
@@ -30,12 +29,12 @@ class Lows {
     }
   }
 
-  // A return: sector < kSectors, its distance along its line, its height over the car's plane. One
-  // beyond the last bin is left out.
+  // Adds a return: its sector (< kSectors), its distance along the line and its height over the
+  // car's plane. A return beyond the last bin is left out.
   void add(Bins bins, std::uint32_t sector, std::uint32_t along_mm, std::int32_t z_mm) {
     const std::uint32_t bin = bins.bin_of(along_mm);
     if (bin < kBins) {
-      // Few are lower than those before, so few are asked whether anybody believes them.
+      // Few returns are lower than all before them, so plausibility is tested last.
       std::int16_t& low = rings_[bin][sector];
       if (z_mm < low && z_mm >= -bins.most_plausible_mm(bin)) {
         low = static_cast<std::int16_t>(z_mm);
@@ -43,7 +42,7 @@ class Lows {
     }
   }
 
-  // The lower of both, bin by bin.
+  // Keeps the lower of both, bin by bin.
   void join(const Lows& other) {
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       for (std::size_t sector = 0; sector < kSectors; ++sector) {

@@ -1,11 +1,11 @@
-// Where the beams of a sector leave a height over the ground.
+// Where the beams of a sector leave a height limit over the ground.
 //
-// Ranges. Heights are in units of 2^-14 mm, in which a slope of 2^-24 is what a beam rises in 1,024
-// mm. Where a bin begins, a beam has at most 2^37 of room: 64 bins of 2^31, and 2^17 mm. Until the
-// bin ends, that changes by less than 2^32: 46,000 mm of ground and 2 * 57.3 * 2^24 of slope. So a
-// divisor has 32 bits, and what is divided is below 2^32 times half a bin. Of a beam that rises by
-// at most 2^24 a bin, which is 45 degrees or half of that, the room fits a word: 64 times 2^24, and
-// 2^16 mm.
+// Ranges. The room of a beam is the height between it and the limit. Heights are in units of 2^-14
+// mm, so a slope in 2^-24 equals the rise per 1,024 mm. At the start of a bin, the room is at most
+// 2^37: 64 bins of 2^31, and 2^17 mm. Within a bin it changes by less than 2^32: 46,000 mm of
+// ground and 2 * 57.3 * 2^24 of slope. So the divisor has 32 bits, and the dividend is below 2^32
+// times half a bin. If a beam rises by at most 2^24 per bin (a slope of 1, or 1/2 in long bins),
+// the room fits a word: 64 times 2^24, and 2^16 mm.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@
 
 namespace iog::ground {
 
-// On which side of the limits beams leave.
+// The side on which beams leave the limits.
 enum class Side : std::int8_t { kBelow = 1, kAbove = -1 };
 
-// A sector's ground, as beams see it that leave on one side. Each may leave no sooner than the one
-// before.
+// The ground of a sector for beams that leave on one side. Beams must be asked for in the order in
+// which they leave.
 class Outlook {
  public:
   Outlook(const Beams& beams, const Surface::Row& row, std::int32_t limit_mm, Side side)
@@ -38,7 +38,7 @@ class Outlook {
         is_out_(sign_ * (start_mm_ - row[0]) < 0) {}
 
   // How far a beam of this slope gets, in steps of 2 mm, rounded down; at most the line's length.
-  // Of the beam before, which leaves no later, it knows in which bin.
+  // The search starts in the bin in which the previous beam left.
   [[nodiscard]] std::uint32_t leave(Slope slope) {
     if (is_out_) {
       return 0;
@@ -55,7 +55,7 @@ class Outlook {
   static constexpr std::int32_t kMostRiseOfWord = 1 << 24;
   static constexpr std::int32_t kMostStartOfWord = 32'767;
 
-  // Where a bin begins, between the beam and the limit; below 0 it has left.
+  // Room at the start of a bin. If it is negative, the beam has left.
   template <typename Word>
   [[nodiscard]] Word room(std::size_t bin, Word rise) const {
     const std::int32_t mm = sign_ * (start_mm_ - (*row_)[bin]);
@@ -85,8 +85,8 @@ class Outlook {
   int sign_;
   std::uint32_t most_;
   std::int32_t start_mm_;
-  Slope most_of_word_;  // of slopes, up or down, of which a room fits a word
-  bool is_out_;         // where beams begin
+  Slope most_of_word_;  // largest slope, up or down, whose room fits a word
+  bool is_out_;         // beams start beyond the limit
   std::size_t bin_ = 0;
 };
 

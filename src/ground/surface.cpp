@@ -7,8 +7,9 @@
 
 namespace iog::ground {
 
-// As if the ground nearby went on by its slope: of six bins before and six behind the one that is
-// less steep, and level if one rises and the other falls. All of it in sixths of a millimetre.
+// Compares nearby starts with a straight continuation of the ground. Its slope is the less steep
+// one of the six bins before and the six bins behind, or level if one rises and the other falls.
+// All heights are in sixths of a millimetre.
 Surface::Row Surface::lowest_near(std::size_t sector) const {
   constexpr std::int32_t kSlopeBins = 6;
   const Row& row = rows_[sector];

@@ -1,4 +1,4 @@
-// How high the ground lies around a sensor that turns, while the packets of one turn are judged.
+// Height of the ground around a spinning sensor, used to classify the returns of one turn.
 #pragma once
 
 #include <algorithm>
@@ -12,28 +12,28 @@ namespace iog::ground {
 
 class Surface {
  public:
-  // Heights over the car's plane in mm where bins begin, and behind them where the last one ends;
-  // between two the ground is straight.
+  // Heights over the car's plane in mm, at the start of each bin and at the end of the last one.
+  // Between two of them the ground is straight.
   static constexpr std::size_t kStarts = kBins + 1;
   using Row = std::array<std::int16_t, kStarts>;
-  static constexpr std::int32_t kMost = 32'000;  // of any height, up or down
+  static constexpr std::int32_t kMost = 32'000;  // bound of any height, up or down
   static constexpr std::size_t kNearBins = 2;
 
-  // So many turns in a row may leave a sector without a return until its row is forgotten.
+  // A sector keeps its row for this many turns in a row without a return, then forgets it.
   static constexpr std::uint8_t kMostTurnsKept = 10;
 
-  // What a sector's row was made of.
+  // Where a sector's row comes from.
   enum class Source : std::uint8_t {
-    kFlat,  // nothing: the car's plane
+    kFlat,  // no return: the car's plane
     kOwn,   // the last turn
     kKept,  // an earlier turn
   };
 
-  // From a return's height over the car's plane to that over the ground. The last bin's slope goes
-  // on for kBeyondMm.
+  // Converts a return's height over the car's plane into its height over the ground. Beyond the
+  // last bin the ground continues with that bin's slope for kBeyondMm.
   //
-  // Range: the difference of two starts is at most 2^16 and a part at most 2^14, so their product
-  // is at most 2^30; |z_mm| <= 2^20 leaves the result below 2^21.
+  // Range: two starts differ by at most 2^16 and the part of a bin is at most 2^14, so their
+  // product is at most 2^30. |z_mm| <= 2^20 keeps the result below 2^21.
   [[nodiscard]] std::int32_t height_over(Bins bins, std::uint32_t sector, std::uint32_t along_mm,
                                          std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -41,8 +41,8 @@ class Surface {
     return z_mm - between(bins, start[0], start[1], at.part_mm);
   }
 
-  // The same over the highest ground nearby: as if every start were as high as the highest of those
-  // at most kNearBins before and behind it.
+  // Height over the highest ground nearby: each start is raised to the highest one within kNearBins
+  // before and behind it.
   [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
                                               std::uint32_t along_mm, std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -56,8 +56,9 @@ class Surface {
                           std::max(near_both, height(at.bin + 3)), at.part_mm);
   }
 
-  // The lowest ground nearby, likewise, but less what a slope has that goes on: no start of an even
-  // slope is lower than the ground. No lower than the lowest of those starts.
+  // The lowest ground nearby: each start is lowered to the lowest one within kNearBins, except for
+  // differences that a continuing slope explains. So an even slope is not lowered. A start is never
+  // lowered below the lowest of those within kNearBins.
   [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }
@@ -67,14 +68,14 @@ class Surface {
   }
   [[nodiscard]] std::size_t count(Source source) const;
 
-  // A sector had returns in the turn that ends: its row, to be written anew.
+  // The row of a sector that had returns in this turn. The caller rewrites it.
   [[nodiscard]] Row& renew(std::size_t sector) {
     turns_kept_[sector] = 0;
     return rows_[sector];
   }
-  // It had none.
+  // Ends a turn in which the sector had no return.
   void keep(std::size_t sector);
-  // The car's plane again.
+  // Resets all rows to the car's plane.
   void forget();
 
   friend bool operator==(const Surface&, const Surface&) = default;

@@ -1,7 +1,7 @@
-// Ranges, all in mm. A lowest return that is believed is within 14,000, and so is every height that
-// is stood on: it is one of them, or between two. A slope is within 360 a bin, so what is expected
-// is within 14,000 + 12 * 360 = 18,320, and a return that is believed within 32,320 of it: 16 bits
-// hold all of it. Straight ground between two bins: 28,000 * 65,536 < 2^31.
+// Ranges, all in mm. A plausible lowest return is within 14,000. So is every height on which a walk
+// stands, because it is such a return or lies between two. A slope is within 360 per bin, so an
+// expected height is within 14,000 + 12 * 360 = 18,320, and a plausible return is within 32,320 of
+// it. All of this fits 16 bits. Straight ground between two bins: 28,000 * 65,536 < 2^31.
 #include "ground/surface_walk.hpp"
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 namespace iog::ground {
 namespace {
 
-// How far the first ground of a sector can be over the car's plane, and any other over what is
-// expected of it. Rises are meant in 1,024 mm along the line.
+// Limits of the first ground of a sector over the car's plane, and of later ground over its
+// expected height. Rises are per 1,024 mm along the line.
 constexpr std::int32_t kStart = 150;
 constexpr std::int32_t kStartRise = 80;
 constexpr std::int32_t kStep = 100;
 constexpr std::int32_t kStepRise = 100;
 constexpr std::int16_t kWidest = 300;
 constexpr std::int32_t kSteepest = 180;
-constexpr std::int16_t kReach = 12;  // so many bins a slope goes on without ground
+constexpr std::int16_t kReach = 12;  // bins for which a slope continues without ground
 constexpr std::int32_t kBeside = 60;
-constexpr std::size_t kAcross = 8;  // so many sectors away ground counts
+constexpr std::size_t kAcross = 8;  // sectors searched for ground on each side
 
 static_assert(2 * Bins::kMostPlausibleMm + kReach * 2 * kSteepest <= 32'767);
 static_assert(std::int64_t{2} * Bins::kMostPlausibleMm * 65'536 < std::int64_t{1} << 31);
@@ -40,7 +40,8 @@ constexpr Inverses kInverses = make_inverses();
 
 constexpr std::int16_t narrow(std::int32_t value) { return static_cast<std::int16_t>(value); }
 
-// Masks are all ones or zeros, and what is picked by them has no branch: eight sectors at once.
+// Masks are all ones or zeros. Selection by a mask needs no branch, so eight sectors are processed
+// at once.
 constexpr std::int16_t mask(bool is_set) { return narrow(is_set ? -1 : 0); }
 constexpr std::int16_t pick(std::int16_t mask, std::int16_t yes, std::int16_t no) {
   return narrow((yes & mask) | (no & ~mask));
@@ -54,15 +55,15 @@ constexpr std::int16_t most_plausible(Bins bins, std::size_t bin) {
   return narrow(bins.most_plausible_mm(static_cast<std::uint32_t>(bin)));
 }
 
-// A lowest return that is too high to be believed is none.
+// Maps a lowest return that is implausibly high to none.
 constexpr std::int16_t believed(std::int16_t low, std::int16_t plausible) {
   return low > plausible ? Lows::kNothing : low;
 }
 
-// A ring that goes on at both of its ends, as far as sectors look.
+// A ring padded at both ends with the sectors from its other end.
 using Around = std::array<std::int16_t, kSectors + 2 * kAcross>;
 
-// value_of(sector): of each of the ring.
+// value_of(sector) gives the value of each sector.
 template <typename ValueOf>
 Around around(ValueOf&& value_of) {
   Around values;
@@ -74,14 +75,14 @@ Around around(ValueOf&& value_of) {
   return values;
 }
 
-// The value so many sectors farther on, or back.
+// The value this many sectors forward or back.
 template <bool kForward>
 std::int16_t farther(const Around& from, std::size_t sector, std::size_t distance) {
   return from[kForward ? kAcross + sector + distance : kAcross + sector - distance];
 }
 
-// Of the next sectors in one direction, the nearest one's value that is not kNothing: of twice as
-// many sectors as `near` has it.
+// The nearest value in one direction that is not kNothing. `near` has it for the next `sectors`
+// sectors; the result has it for twice as many.
 template <bool kForward>
 Around of_twice_as_many(const Around& near, std::size_t sectors) {
   return around([&](std::size_t sector) {
@@ -145,8 +146,8 @@ void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
   }
 }
 
-// By a quarter of the error, where it is not too large for the same ground. Of sectors that have
-// missed bins catch_up() does it.
+// Corrects the slope by a quarter of the error, unless the error is too large for the same ground.
+// For sectors that missed bins, catch_up() does this.
 void SurfaceWalk::turn_slopes(Bins bins, std::size_t bin) {
   const std::int16_t steepest = narrow(bins.rise_of_bin(kSteepest));
   const std::int16_t before = narrow(static_cast<std::int32_t>(bin) - 1);
@@ -162,7 +163,7 @@ void SurfaceWalk::turn_slopes(Bins bins, std::size_t bin) {
   }
 }
 
-// The ground of the bin at hand: that of the sector itself, or what is beside it.
+// Chooses the ground of the current bin: the sector's own, or that of the sectors beside it.
 void SurfaceWalk::choose() {
   const Around ring = around([&](std::size_t sector) { return own_[sector]; });
   const Around lefts = nearest_beside<true>(ring);
@@ -186,7 +187,7 @@ void SurfaceWalk::choose() {
   }
 }
 
-// Where there is ground again after bins without any. Few sectors of a bin have that.
+// Handles sectors that find ground again after bins without any. In most bins they are few.
 void SurfaceWalk::catch_up(Bins bins, std::size_t bin) {
   const std::int16_t before = narrow(static_cast<std::int32_t>(bin) - 1);
   Ring missed;
@@ -200,7 +201,7 @@ void SurfaceWalk::catch_up(Bins bins, std::size_t bin) {
   }
 }
 
-// By how much the slope turns, and straight ground in between.
+// Corrects the slope and fills the gap with straight ground.
 void SurfaceWalk::catch_up(Bins bins, std::size_t bin, std::size_t sector) {
   const std::int32_t steepest = bins.rise_of_bin(kSteepest);
   const std::int32_t gap = static_cast<std::int32_t>(bin) - last_[sector];
@@ -227,7 +228,7 @@ void SurfaceWalk::stand(std::size_t bin) {
   }
 }
 
-// Behind the last ground of each sector.
+// Continues the ground beyond the last bin of each sector that has some.
 void SurfaceWalk::go_straight_on() {
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     Ring& ground = ground_[bin];
@@ -249,8 +250,8 @@ void SurfaceWalk::outvote() {
   }
 }
 
-// From the middles of bins to where they begin, half way between two of them, and to the end of the
-// last one.
+// Converts heights in the middle of bins into heights at their starts, half way between two
+// middles, and at the end of the last bin.
 void SurfaceWalk::find_starts() {
   Ring before = ground_[kBins - 2];
   const Ring& last = ground_[kBins - 1];
@@ -270,7 +271,7 @@ void SurfaceWalk::find_starts() {
   ground_[0].fill(0);
 }
 
-// Nowhere in a bin too far over its lowest return.
+// Limits the height of the surface over the lowest return of each bin.
 void SurfaceWalk::keep_low(Bins bins, const Lows& lows) {
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const Ring& ring = lows.ring(bin);

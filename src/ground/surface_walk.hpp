@@ -1,17 +1,18 @@
-// From the lowest returns of a turn to the surface by which the next one is judged.
+// Turns the lowest returns of one turn into the surface that classifies the next one.
 //
 // In each sector a walk goes outward, bin by bin, and keeps the height and the slope of the ground
-// that it stands on (docs/ground.md). A bin's lowest return is ground if it is not much higher than
-// the slope lets expect, however much lower it is: then what was believed before was an object. It
-// is ground, too, if it is hardly higher than that of the nearest sectors beside it, which know
-// better. A bin without ground of its own takes that of the sectors beside it, where it fits; else
-// the ground is straight from one bin that has some to the next.
+// on which it stands (docs/ground.md). A bin's lowest return is ground unless it is much higher
+// than the slope predicts. It may be any distance lower: then the ground before was really an
+// object. A lowest return is also ground if it is hardly higher than that of the nearest sectors
+// beside it. A bin without ground of its own takes the ground of the sectors beside it, if that
+// fits. Otherwise the ground is straight between the bins that have some.
 //
-// Of three sectors the median counts, so that a mirror image under the road is outvoted. But
-// nowhere in a bin is the surface more than 150 mm over the bin's lowest return: whatever else was
-// received, real or forged, a return that is so much higher than that marks.
+// The median of three sectors counts, so a mirror image under the road is outvoted. In addition,
+// the surface is nowhere in a bin more than 150 mm over the bin's lowest return. So a return that
+// is higher than that by the obstacle limit is never ground, whatever else was received, real or
+// forged.
 //
-// All sectors walk at the same time, eight of them in a register: a ring is a bin of every sector.
+// All sectors walk at once, eight per register. A ring holds one bin of every sector.
 #pragma once
 
 #include <array>
@@ -24,12 +25,12 @@
 
 namespace iog::ground {
 
-// How far the surface can lie over the lowest return of a bin that is believed.
+// Maximum height of the surface over the lowest plausible return of a bin.
 inline constexpr std::int32_t kMostOverLowestMm = 150;
 
 class SurfaceWalk {
  public:
-  // Ends a turn: renews the rows of sectors that had returns, and keeps those that had none.
+  // Ends a turn: renews the rows of sectors that had returns, and keeps the others.
   void close_turn(Bins bins, const Lows& lows, Surface& surface);
 
  private:
@@ -48,21 +49,21 @@ class SurfaceWalk {
   void keep_low(Bins bins, const Lows& lows);
   void renew(const Lows& lows, Surface& surface) const;
 
-  // The ground of each bin, in the end where it begins, and of the end of the last one.
+  // Ground of each bin. find_starts() turns it into heights at the start of each bin and at the end
+  // of the last one.
   std::array<Ring, Surface::kStarts> ground_{};
-  // Where each sector stands: its height, its slope in mm a bin, its bin or -1 before the first.
+  // Where each sector's walk stands: its height, its slope in mm per bin, and its bin (-1 before
+  // the first ground).
   Ring height_{};
   Ring slope_{};
   Ring last_{};
-  // Of the bin at hand. The lowest returns that are believed; the ground that is expected, and how
-  // far over it a return is ground at most; the lowest returns that are ground by that; whether
-  // there is ground at all, as all ones or zeros, and how high it is. Lows::kNothing is none.
-  Ring low_{};
-  Ring expected_{};
-  Ring most_{};
-  Ring own_{};
-  Ring stands_{};
-  Ring found_{};
+  // State of the current bin. Lows::kNothing means none.
+  Ring low_{};       // lowest plausible return
+  Ring expected_{};  // expected ground
+  Ring most_{};      // how far above it a return is still ground
+  Ring own_{};       // lowest return if it is ground by this rule
+  Ring stands_{};    // whether there is any ground: all ones or zeros
+  Ring found_{};     // height of that ground
 };
 
 }  // namespace iog::ground

@@ -1,7 +1,7 @@
-// Ranges. There are n <= 128 samples with x < 1875 and, as they are near a line of at most 832 mm
-// in the first round and of at most 100 + 1201 + 100 in the second, |y| < 2^11. So the sums of x,
-// y, x^2 and xy stay below 2^29; n sum(x^2), n sum(xy) and their difference to the products of sums
-// below 2^37, 1024 times as much below 2^47.
+// Ranges. There are n <= 128 samples with x < 1875. A sample that counts is at most 832 mm high in
+// the first round, and at most 100 + 1201 + 100 in the second, so |y| < 2^11. So the sums of x, y,
+// x^2 and xy stay below 2^29. n sum(x^2), n sum(xy) and their differences to the products of sums
+// stay below 2^37, and 1024 times that below 2^47.
 #include "ground/tilt.hpp"
 
 #include <algorithm>
@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::int32_t kMostSlope = 656;
 constexpr std::int32_t kMostUpMm = 100;
-constexpr std::int32_t kNearMm = 100;       // so near the line a sample counts,
-constexpr std::int32_t kNearRise = 100;     // at first with so many 2^-12 of its distance more
-constexpr std::int32_t kFitsMm = 80;        // so near it is explained by the line
+constexpr std::int32_t kNearMm = 100;    // a sample this close to the line counts,
+constexpr std::int32_t kNearRise = 100;  // in the first round plus this many 2^-12 of its distance
+constexpr std::int32_t kFitsMm = 80;     // a sample this close is explained by the line
 constexpr std::int64_t kLeastSpread = 900;  // variance of x, (16 mm)^2: 0.48 m
 
 struct Sums {
@@ -27,7 +27,7 @@ struct Sums {
 // floor(a / b), but at most `most` and at least -most. b > 0, |a| < 2^62, b < 2^52, most < 1024.
 std::int32_t quotient_within(std::int64_t a, std::int64_t b, std::int32_t most) {
   constexpr int kBits = 10;
-  // Rounded down means away from 0 where a is below it.
+  // Rounding down moves a negative value away from 0.
   std::int64_t rest = a < 0 ? -a + b - 1 : a;
   std::int32_t quotient = 0;
   for (int bit = kBits - 1; bit >= 0; --bit) {
@@ -59,7 +59,7 @@ Sums sums_near(std::span<const Sample> samples, Tilt tilt, std::int32_t near_ris
   return sums;
 }
 
-// The line by least squares.
+// Least-squares line.
 Tilt fit(const Sums& sums, std::int32_t fewest) {
   const std::int64_t n = sums.n;
   const std::int64_t spread = sums.xx * n - std::int64_t{sums.x} * sums.x;

@@ -1,9 +1,10 @@
-// By how much the car has tilted and lifted since the last turn, as one packet sees it.
+// How much the car has tilted and lifted since the last turn, estimated from one packet.
 //
-// A surface is one turn old, and brakes and bumps tilt the car by up to a degree a turn: 0.35 m at
-// 20 m. So of some returns of a packet that lie near and near the ground a straight line is fitted,
-// height over the surface by distance. A packet sees a narrow sector, in which pitch and roll are
-// one slope. What is found depends on the packet's own returns and the surface alone.
+// The surface is one turn old. Braking and bumps tilt the car by up to a degree per turn, which is
+// 0.35 m at 20 m. So a straight line of height over the surface against distance is fitted to
+// returns of the packet that lie near the sensor and near the ground. A packet covers a narrow
+// sector, in which pitch and roll appear as one slope. The result depends only on the packet's own
+// returns and on the surface.
 #pragma once
 
 #include <array>
@@ -15,19 +16,18 @@ namespace iog::ground {
 
 struct Tilt {
   std::int32_t up_mm = 0;  // at most 100, up or down
-  std::int32_t slope = 0;  // 2^-14, at most 656, which is 2.3 degrees
+  std::int32_t slope = 0;  // in 2^-14, at most 656 (2.3 degrees)
 
-  // How much higher a return at this distance seems. along_mm <= 2^20, so that products stay below
-  // 2^30.
+  // Apparent rise of a return at this distance. along_mm <= 2^20, so products stay below 2^30.
   [[nodiscard]] constexpr std::int32_t at(std::uint32_t along_mm) const {
     return up_mm + ((slope * static_cast<std::int32_t>(along_mm)) >> 14);
   }
   friend constexpr bool operator==(const Tilt&, const Tilt&) = default;
 };
 
-// Of a return whose distance is kFirstSampleMm or more and less than kEndOfSamplesMm.
+// A return at kFirstSampleMm or more and less than kEndOfSamplesMm.
 struct Sample {
-  std::uint16_t along_16_mm = 0;  // its distance in units of 16 mm, rounded down
+  std::uint16_t along_16_mm = 0;  // distance in units of 16 mm, rounded down
   std::int16_t height_mm = 0;     // over the surface
 
   [[nodiscard]] constexpr std::uint32_t along_mm() const { return along_16_mm * 16U; }
@@ -35,12 +35,12 @@ struct Sample {
 inline constexpr std::uint32_t kFirstSampleMm = 3'000;
 inline constexpr std::uint32_t kEndOfSamplesMm = 30'000;
 
-// The samples of a packet. What is beyond its size is left out.
+// The samples of a packet. Samples beyond kMost are left out.
 class Samples {
  public:
   static constexpr std::size_t kMost = 128;
 
-  // height_mm: over the surface.
+  // height_mm is over the surface. Returns outside the range of a Sample are left out.
   void add(std::uint32_t along_mm, std::int32_t height_mm);
   [[nodiscard]] std::span<const Sample> all() const { return std::span(samples_).first(count_); }
 
@@ -49,8 +49,8 @@ class Samples {
   std::size_t count_ = 0;
 };
 
-// No tilt where fewer samples than `fewest` lie near a line, where these are too near to one
-// another, or where the line is not clearly better than none. fewest > 0.
+// Fits the tilt. There is none if fewer samples than `fewest` lie near a line, if these are too
+// close together, or if the line is not clearly better than no tilt. fewest > 0.
 [[nodiscard]] Tilt tilt_of(std::span<const Sample> samples, std::int32_t fewest);
 
 }  // namespace iog::ground
