@@ -16,7 +16,7 @@ constexpr int kFactorBits = 20;
 constexpr std::uint32_t kMillimetresPerMetre = 1000U << kFactorBits;
 constexpr std::uint32_t kTicksPerRadian = 1'922'527'338;  // 2^20 11520 / 2 pi
 constexpr std::uint32_t kDegreesPerRadian = 60'078'979;   // 2^20 180 / pi
-// Elevations, and what lies outside the field of view, are judged in units of 2^-10 degrees.
+// Elevations and the edges of the field of view are compared in units of 2^-10 degrees.
 constexpr int kAngleBits = 10;
 constexpr int kAngleFactorBits = kFactorBits - kAngleBits;
 
@@ -27,7 +27,7 @@ constexpr std::int64_t kWidest =
     (kHalfWidth << kAngleBits) * 360 / ContinentalArs548::kTicksPerTurn;
 constexpr std::int64_t kSteepest = std::int64_t{ContinentalArs548::kSteepestDeg} << kAngleBits;
 
-// The bytes of a detection that are looked at.
+// The fields of a detection that are used.
 struct Detection {
   static constexpr std::uint8_t kNoRange = 0x01;
   static constexpr std::uint8_t kNoAzimuth = 0x04;
@@ -56,7 +56,8 @@ struct Detection {
     return (invalid & (kNoRange | kNoAzimuth | kNoElevation)) == 0;
   }
   [[nodiscard]] bool has_sigma() const { return (invalid & kNoElevationSigma) == 0; }
-  // Moved towards the horizon by its standard deviation, at most to it. Of a place.
+  // The elevation, moved towards the horizon by its standard deviation, at most to the horizon.
+  // Only if is_place().
   [[nodiscard]] std::int64_t nearest_elevation() const {
     const std::int64_t sigma = has_sigma() ? *elevation_sigma : 0;
     return *elevation > 0 ? std::max<std::int64_t>(*elevation - sigma, 0)
@@ -79,7 +80,7 @@ bool is_within(const std::optional<std::int64_t>& value, std::int64_t least, std
 
 }  // namespace
 
-// A place, and a probability.
+// A valid detection must have a possible position and a probability.
 bool ContinentalArs548::is_place(DetectionBytes bytes) {
   const Detection detection(bytes);
   return !detection.is_valid() ||
@@ -96,7 +97,7 @@ ScanPoint ContinentalArs548::point(DetectionBytes bytes) {
   }
   const std::int64_t azimuth = *detection.azimuth_ticks;
   const std::int64_t elevation = detection.nearest_elevation();
-  // Before either is rounded: 30.4 degrees are beyond 30, although their layer would be that of 30.
+  // Compared before rounding: 30.4 degrees are beyond 30, but would round to the layer of 30.
   const bool is_seen = is_within(detection.azimuth, -kWidest, kWidest) &&
                        is_within(elevation, -kSteepest, kSteepest);
   const std::int64_t elevation_deg = (elevation + (1 << (kAngleBits - 1))) >> kAngleBits;
@@ -131,7 +132,7 @@ DecodeStatus ContinentalArs548::decode(std::span<const std::byte> datagram) {
   const std::uint32_t seconds = head.u32_be();
 
   wire::ByteReader tail(datagram.last(kTailBytes));
-  tail.skip(8);  // the speeds that are not ambiguous
+  tail.skip(8);  // the unambiguous speeds
   const std::uint32_t count = tail.u32_be();
   if (count > kMostDetections) {
     return DecodeStatus::kWrongPoint;
@@ -140,7 +141,7 @@ DecodeStatus ContinentalArs548::decode(std::span<const std::byte> datagram) {
   info_.point_count = count;
 
   constexpr std::uint64_t kSecondUs = 1'000'000;
-  constexpr std::uint64_t kNumberUs = 32'768;  // below the shortest cycle, 50 ms
+  constexpr std::uint64_t kNumberUs = 32'768;  // shorter than the shortest cycle, 50 ms
   const std::uint64_t time_us = seconds * kSecondUs + nanoseconds / 1000;
   info_.scan_number = static_cast<std::uint32_t>(time_us / kNumberUs);
   info_.sweep = {.begin_us = time_us, .end_us = time_us, .is_of_packet = true};

@@ -1,14 +1,16 @@
-// Continental ARS548 RDI radar, detection lists: wire bytes to scan points.
+// Decoder of the detection lists of a Continental ARS548 RDI radar: wire bytes to scan points.
 //
-// One datagram is a whole list: a header of 101 bytes, 800 places for detections of 44 bytes, of
-// which the first are in use, and 35 bytes that say how many. All numbers are big-endian, angles
-// and distances binary32 in radians and metres (docs/spec.md, section 1.2.4). The maker's document
-// is not public; the layout is that of two drivers, tier4/nebula and robotics-upo/ars548_ros.
+// One datagram is a whole list: a header of 101 bytes, 800 slots of 44 bytes for detections, and a
+// tail of 35 bytes that gives the number of slots in use, counted from the first. All numbers are
+// big-endian. Angles and distances are binary32 in radians and metres (docs/spec.md, section
+// 1.2.4). The maker's document is not public, so the layout comes from two drivers, tier4/nebula
+// and robotics-upo/ars548_ros.
 //
-// A detection is a place from which something was reflected. It has a direction of its own. Its
-// elevation is far less precise than its azimuth, and it says how much: the elevation that is taken
-// is nearer to the horizon by one standard deviation, or the horizon, rounded to a layer. So what
-// the height band drops is outside of it for sure, as far as the unit knows. Speeds are not used.
+// A detection is a position from which something was reflected, and has its own direction. Its
+// elevation is far less precise than its azimuth, and the unit reports by how much. The decoder
+// moves the elevation one standard deviation towards the horizon, at most to the horizon, and
+// rounds it to a layer. So as far as the unit knows, the height band drops only detections that are
+// outside it. Speeds are not used.
 #pragma once
 
 #include <array>
@@ -26,8 +28,8 @@ namespace iog::lidar {
 class ContinentalArs548 {
  public:
   static constexpr std::string_view kName = "Continental ARS548";
-  // It says of its ranges and azimuths that they are precise to 0.2 m and 0.5 degrees. A 1D cell of
-  // twice that marks most (docs/model.md, section 10).
+  // The unit reports a precision of 0.2 m and 0.5 degrees. 1D cells of twice that length give the
+  // strongest hit (docs/model.md, section 10).
   static constexpr DataSheet kDataSheet{.type = "continental_ars548",
                                         .range_min_mm = 200,
                                         .precision_mm = 400,
@@ -38,7 +40,7 @@ class ContinentalArs548 {
   static constexpr bool kIsRadar = true;
   static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
   static constexpr bool kTurns = false;
-  // In steps of a degree, from 30 below the horizon to 30 above it.
+  // Steps of a degree, from 30 below the horizon to 30 above it.
   static constexpr std::int32_t kSteepestDeg = 30;
   static constexpr auto kElevationsDeg = [] {
     std::array<double, 2 * kSteepestDeg + 1> elevations{};
@@ -64,20 +66,22 @@ class ContinentalArs548 {
   }
 
   // Checks the whole list, every detection included, and keeps a view of it. The view lives as long
-  // as the datagram. kOk; kWrongLength; kWrongType: another of the unit's messages, as its objects
-  // or its status; kWrongPoint: more than 800 detections, or one that is valid and no place.
+  // as the datagram. Returns kOk; kWrongLength; kWrongType: another message of the unit, such as
+  // its objects or its status; kWrongPoint: more than 800 detections, or a valid detection at an
+  // impossible position.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // From now on the view is of this copy of the datagram.
+  // Moves the view to this copy of the datagram.
   void move_to(std::span<const std::byte> copy) {
     detections_ = copy.subspan(kHeadBytes, detections_.size());
   }
 
-  // Calls visit(const ScanPoint&) for each detection, in wire order. Only after decode() was kOk.
-  // What is no target is rain: what the unit calls invalid or noise, or less likely to exist than
-  // kLeastExistence, or high enough to drive under it, and what lies outside its field of view.
+  // Calls visit(const ScanPoint&) for each detection, in wire order. Requires decode() == kOk.
+  // Detections that are no targets are flagged as rain: those that the unit calls invalid, noise,
+  // less likely to exist than kLeastExistence or high enough to drive under, and those outside its
+  // field of view.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     for (auto rest = detections_; rest.size() >= kDetectionBytes;
@@ -86,8 +90,8 @@ class ContinentalArs548 {
     }
   }
 
-  // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
-  // decode() was kOk.
+  // Calls visit(std::uint32_t) for each range as on the wire, and returns visit. Requires decode()
+  // == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(Visit visit) const {
     for (auto rest = detections_; rest.size() >= kDetectionBytes;
@@ -103,7 +107,7 @@ class ContinentalArs548 {
   [[nodiscard]] static std::uint32_t range_at(DetectionBytes bytes) {
     return wire::load_be32(bytes.subspan<17, 4>());
   }
-  // Invalid ones have no range.
+  // An invalid detection gives a point without a range.
   [[nodiscard]] static ScanPoint point(DetectionBytes bytes);
   [[nodiscard]] static bool is_place(DetectionBytes bytes);
 

@@ -1,4 +1,4 @@
-// Two returns of one beam, as a unit sends them in two blocks.
+// Two returns of one beam, which a unit sends in two blocks.
 #pragma once
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 namespace iog::lidar {
 
-// The nearer return is the first echo (0), whichever block it stands in, and the farther the second
-// (1). A beam with one return shows it twice; the second is no echo of its own.
+// The nearer return is the first echo (0) and the farther one the second (1), whichever block they
+// are in. A beam with one return repeats it in both blocks; the second echo then has no return.
 [[nodiscard]] constexpr std::uint32_t range_of_echo(std::uint32_t one, std::uint32_t other,
                                                     std::uint8_t echo) {
   const std::uint32_t nearer = std::min(one, other);

@@ -1,7 +1,7 @@
-// A short name for a packet, by which a duplicate is known.
+// A hash of a packet, used to recognise duplicates.
 //
-// FNV-1a, 64 bits (Fowler, Noll, Vo; RFC draft-eastlake-fnv): a few dozen bytes per packet, chosen
-// by its format so that two packets of one sensor differ in them.
+// FNV-1a, 64 bits (Fowler, Noll, Vo; RFC draft-eastlake-fnv). Each format hashes a few dozen bytes
+// per packet, chosen so that two packets of one sensor differ in them.
 #pragma once
 
 #include <cstddef>

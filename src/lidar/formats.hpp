@@ -1,8 +1,8 @@
-// Every wire format and its decoder, in one place.
+// All wire formats and their decoders.
 //
-// A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if they are each
-// unit's own), points_of_packet(), decode(), info(), move_to() and for_each_point(), as
-// lidar/ibeo_lux.hpp has them (docs/sensors.md).
+// A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if each unit has
+// its own), points_of_packet(), decode(), info(), move_to() and for_each_point().
+// lidar/ibeo_lux.hpp shows their form (docs/sensors.md).
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,7 @@
 
 namespace iog::lidar {
 
-// The wire formats that are understood (docs/spec.md): the one list of them, from which all others
-// follow.
+// The supported wire formats (docs/spec.md). All other lists of formats follow from this one.
 using AnyDecoder = std::variant<ContinentalArs548,  //
                                 HesaiPandar40p,     //
                                 HesaiPandar64,      //
@@ -61,7 +60,7 @@ using AnyDecoder = std::variant<ContinentalArs548,  //
 
 inline constexpr std::size_t kFormatCount = std::variant_size_v<AnyDecoder>;
 
-// One of them, by its place in the list.
+// A wire format, by its index in the list.
 enum class Format : std::uint8_t {};
 
 namespace formats_detail {
@@ -89,15 +88,15 @@ template <typename Decoder>
 inline constexpr auto kFormat =
     static_cast<Format>(formats_detail::place_in<Decoder>(std::type_identity<AnyDecoder>()));
 
-// Calls visit(std::type_identity<Decoder>()) with the decoder of the format. What is no format at
-// all is not visited.
+// Calls visit(std::type_identity<Decoder>()) with the decoder of the format. Does nothing if the
+// value is not a format.
 template <typename Visit>
 constexpr void with_decoder(Format format, Visit&& visit) {
   formats_detail::visit_place(static_cast<std::size_t>(format), visit,
                               std::make_index_sequence<kFormatCount>());
 }
 
-// Calls visit(format, std::type_identity<Decoder>()) with each.
+// Calls visit(format, std::type_identity<Decoder>()) for each format.
 template <typename Visit>
 constexpr void for_each_format(Visit&& visit) {
   for (std::size_t place = 0; place < kFormatCount; ++place) {
@@ -115,7 +114,7 @@ constexpr void for_each_format(Visit&& visit) {
   return name;
 }
 
-// Whether its scans are turns of a head.
+// Whether its scans are turns of a spinning head.
 [[nodiscard]] constexpr bool turns(Format format) {
   bool it_does = false;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

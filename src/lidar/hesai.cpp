@@ -14,10 +14,10 @@ constexpr std::uint16_t kHesaiTurn = HesaiPacket::kTicksPerTurn;
 constexpr std::array<std::uint8_t, 4> kSingleModes{0x33, 0x34, 0x37, 0x38};
 constexpr std::array<std::uint8_t, 5> kDualModes{0x39, 0x3A, 0x3B, 0x3C, 0x3E};
 
-// Days from 1970-01-01 to a date of the Gregorian calendar, whose years here begin in March. month:
-// 1 to 12; a day too many is of the next month.
+// Days from 1970-01-01 to a date of the Gregorian calendar. Internally, years begin in March. month
+// is 1 to 12; a day past the end of a month counts into the next one.
 std::int64_t days_of(std::int64_t year, std::int64_t month, std::int64_t day) {
-  const std::int64_t years = month > 2 ? year : year - 1;  // that begin in March
+  const std::int64_t years = month > 2 ? year : year - 1;  // years that begin in March
   const std::int64_t months = month > 2 ? month - 3 : month + 9;
   return 365 * years + years / 4 - years / 100 + years / 400 + (153 * months + 2) / 5 + day -
          719'469;
@@ -83,7 +83,7 @@ bool HesaiPacket::read_mode(const HesaiUnit& unit) {
   return is_dual_ || std::ranges::find(kSingleModes, mode) != kSingleModes.end();
 }
 
-// How far the head turns until the next firing, to the nearest tick.
+// How far the head turns until the next firing, rounded to the nearest tick.
 std::uint32_t HesaiPacket::step_by_speed(const HesaiUnit& unit) const {
   constexpr std::uint64_t kMinuteNs = 60'000'000'000;
   const std::uint64_t rpm = half_at(unit.speed_at);
@@ -116,7 +116,7 @@ DecodeStatus HesaiPacket::read_azimuths(const HesaiUnit& unit) {
       swept += step;
     }
   }
-  // Clockwise on the wire: the sweep ends where, counter-clockwise, its sector begins.
+  // The wire counts clockwise. So counter-clockwise, the sector begins where the sweep ends.
   swept += step + kSeamTicks;
   const std::uint32_t last = (azimuths_[0] + swept) % kHesaiTurn;
   info_.sector.first_ticks = static_cast<std::uint16_t>((kHesaiTurn - last) % kHesaiTurn);
@@ -124,8 +124,9 @@ DecodeStatus HesaiPacket::read_azimuths(const HesaiUnit& unit) {
   return DecodeStatus::kOk;
 }
 
-// The second in UTC and the microsecond in it. Years below 70 are of this century, others count
-// from 1900; a year of 0 says that the seconds since 1970 follow, in 5 bytes, big endian.
+// The packet's stamp in us since 1970: a UTC second and the microsecond within it. Years below 70
+// are in this century, others count from 1900. If the year is 0, the seconds since 1970 follow in 5
+// bytes, big endian.
 std::uint64_t HesaiPacket::stamp_us(const HesaiUnit& unit) const {
   const auto field = [&](std::size_t i) { return std::int64_t{byte_at(unit.utc_at + i)}; };
   std::int64_t seconds = 0;
@@ -145,7 +146,7 @@ void HesaiPacket::read_times(const HesaiUnit& unit) {
   const auto firings = static_cast<std::int64_t>(unit.blocks / (is_dual_ ? 2U : 1U));
   const std::uint64_t stamp = stamp_us(unit);
   const auto at = [stamp](std::int64_t ns) {
-    constexpr std::int64_t kSomeUs = 1'000;  // so that no quotient is negative
+    constexpr std::int64_t kSomeUs = 1'000;  // keeps the quotient from being negative
     const std::int64_t us = (ns + kSomeUs * 1'000 + 500) / 1'000 - kSomeUs;
     return stamp + static_cast<std::uint64_t>(us);  // modulo 2^64
   };

@@ -1,15 +1,17 @@
-// Hesai Pandar, PandarXT, PandarQT and QT128 data packets: what the units of the family share, and
-// the one decoder for all of them.
+// Hesai Pandar, PandarXT, PandarQT and QT128 data packets: what all units of the family share, and
+// one decoder for all of them.
 //
-// One datagram, little endian: a header that says how many lasers and blocks follow, the blocks,
-// each an azimuth and a range for each laser, and a tail with time, return mode and the maker's
-// byte (docs/spec.md). A Pandar40P has no header; each of its blocks begins with a flag instead.
-// The azimuth is clockwise from forward. In dual return mode blocks come in pairs of one azimuth;
-// which of the two is the nearer return differs from unit to unit, so it is told by the ranges.
-// What else the units differ in is a HesaiUnit, of which the compiler makes a decoder.
+// One datagram, little endian: a header with the numbers of lasers and blocks; the blocks, each an
+// azimuth and a range for each laser; and a tail with time, return mode and the maker's byte
+// (docs/spec.md). A Pandar40P has no header; each of its blocks begins with a flag instead. The
+// azimuth is clockwise from forward. In dual return mode, blocks come in pairs with the same
+// azimuth. Units differ in which block of a pair has the nearer return, so the decoder compares the
+// ranges. All other differences between units are in HesaiUnit, from which the compiler makes a
+// decoder.
 //
-// A point's azimuth is that of its block and its laser's own offset; that the head turns by up to
-// 0.2 degrees while the lasers of a block fire is left out, as in the maker's own conversion.
+// The azimuth of a point is the azimuth of its block plus the offset of its laser. The head turns
+// by up to 0.2 degrees while the lasers of a block fire. This is ignored, as in the maker's own
+// conversion.
 #pragma once
 
 #include <array>
@@ -27,35 +29,37 @@
 
 namespace iog::lidar {
 
-// Times in ns: of the last block, or of the first, after the packet's stamp; of the first and the
-// last laser of a block, after their block; from firing to firing.
+// A unit. Offsets (*_at) count from the start of the packet, times are in ns. stamped_block_ns runs
+// from the packet's stamp to the last block, or to the first one if is_first_stamped.
+// first_laser_ns and last_laser_ns run from the start of a block to its first and last laser.
+// firing_ns runs from one firing to the next.
 struct HesaiUnit {
-  std::array<std::uint8_t, 2> model{};  // the header's bytes 2 and 3
-  std::uint8_t flags = 0;               // its byte 11, of a long one; told by the length as well
-  std::size_t header_bytes = 0;         // none: each block has a flag
+  std::array<std::uint8_t, 2> model{};  // bytes 2 and 3 of the header
+  std::uint8_t flags = 0;               // byte 11 of a long header; the length shows it, too
+  std::size_t header_bytes = 0;         // 0: each block has a flag instead
   std::size_t counts_at = 0;            // lasers and blocks in the header
   std::size_t distance_unit_at = 0;     // in the header
   std::uint32_t distance_unit_mm = 4;
   std::size_t flag_bytes = 0;  // before each azimuth
   std::size_t blocks = 0;
   std::size_t lasers = 0;
-  std::size_t bank_lasers = 0;  // of the first two banks of so many, a firing has one, by turns
+  std::size_t bank_lasers = 0;  // lasers of each of the first two banks, which alternate
   std::size_t channel_bytes = 0;
-  std::size_t bank_at = 0;   // behind the blocks, like the others: which bank the first firing has
-  std::size_t speed_at = 0;  // rpm; of a unit of which a packet may have one firing
+  std::size_t bank_at = 0;   // in the tail, like those below: which bank fires first
+  std::size_t speed_at = 0;  // rpm; for units whose packets may hold a single firing
   std::size_t mode_at = 0;
   std::size_t utc_at = 0;
   std::size_t time_at = 0;
   std::size_t maker_at = 0;
-  std::size_t bytes = 0;             // without what may follow
-  std::size_t may_follow_bytes = 0;  // a sequence number, or a signature
-  bool is_first_stamped = false;     // and not the last block
+  std::size_t bytes = 0;             // without a trailing part
+  std::size_t may_follow_bytes = 0;  // trailing part: a sequence number, or a signature
+  bool is_first_stamped = false;     // the stamp counts to the first block, not to the last
   std::int64_t stamped_block_ns = 0;
   std::int64_t first_laser_ns = 0;
   std::int64_t last_laser_ns = 0;
   std::int64_t firing_ns = 0;
 
-  // Where a block's azimuth is.
+  // Offset of a block's azimuth.
   [[nodiscard]] constexpr std::size_t block_at(std::size_t block) const {
     return header_bytes + flag_bytes + block * (flag_bytes + 2 + lasers * channel_bytes);
   }
@@ -65,16 +69,16 @@ class HesaiPacket {
  public:
   static constexpr std::int32_t kTicksPerTurn = 36'000;  // 0.01 degree
   static constexpr bool kTurns = true;
-  // At 20 Hz a firing is 1.2 degrees at most. If two neighbours are more than 3 degrees apart, the
-  // packet is not one sweep.
+  // At 20 Hz a firing covers at most 1.2 degrees. If two neighbouring blocks are more than 3
+  // degrees apart, the packet is not one sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
-  // The wire does not say how far the head turns in the last block; see VelodynePacket.
+  // The wire does not say how far the head turns in the last block; see VelodynePacket::kSeamTicks.
   static constexpr std::uint32_t kSeamTicks = 10;
   static constexpr std::size_t kMaxBlocks = 10;
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // From now on the view is of this copy of the datagram.
+  // Moves the view to this copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
@@ -84,7 +88,8 @@ class HesaiPacket {
 
   [[nodiscard]] bool is_dual() const { return is_dual_; }
 
-  // Inline, because it is asked for each point: of a unit that the compiler knows, little is left.
+  // Inline because it is called for every point. If the unit is known at compile time, most of it
+  // is optimised away.
   [[nodiscard]] ScanPoint point(const HesaiUnit& unit, std::size_t block,
                                 std::size_t channel) const {
     ScanPoint point;
@@ -101,7 +106,7 @@ class HesaiPacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // Above 0 and up to a turn, and at most 16 bits of an offset, less than a turn.
+    // The sum is in (0, one turn] plus an offset of 16 bits that is less than a turn.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);
@@ -149,14 +154,15 @@ class HesaiDecoder : public HesaiPacket {
     return kUnit.blocks * kUnit.lasers;
   }
 
-  // The view lives as long as the datagram and the corrections, of which there is one for each
-  // laser, or none. kOk, kWrongLength, kWrongType or kWrongAngle.
+  // Checks the packet and keeps a view of it. The view lives as long as the datagram and the
+  // corrections, of which there is one for each laser, or none. Returns kOk, kWrongLength,
+  // kWrongType or kWrongAngle.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
     return read(kUnit, datagram, corrections);
   }
 
-  // Calls visit(const ScanPoint&) for each range, in wire order. Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for each range, in wire order. Requires decode() == kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     for (std::size_t block = 0; block < kUnit.blocks; ++block) {
@@ -166,7 +172,7 @@ class HesaiDecoder : public HesaiPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for the first echoes of a sampling. Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for the first echoes of a sampling. Requires decode() == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     for_each_place(sampling, [&](std::size_t block, std::uint8_t layer) {
@@ -174,8 +180,8 @@ class HesaiDecoder : public HesaiPacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of the same, as on the wire, and returns it. Only
-  // after decode() was kOk.
+  // Calls visit(std::uint32_t) for the ranges of a sampling as on the wire, and returns visit.
+  // Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t block, std::uint8_t layer) {

@@ -1,5 +1,5 @@
-// Hesai Pandar64 data packets (Pandar64 User Manual, "Point Cloud Data Packet"). Elevations are
-// each unit's own: a description gives them.
+// Hesai Pandar64 data packets (Pandar64 User Manual, "Point Cloud Data Packet"). Each unit has its
+// own elevations, given in the car file.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace iog::lidar {
 
-// Appendix "Absolute time of point cloud data": block 6 fires 42.58 us before the stamp, a block
-// 55.56 us before the next; its lasers 3.62 to 54.67 us before that.
+// Appendix "Absolute time of point cloud data": block 6 fires 42.58 us before the stamp, and each
+// block 55.56 us before the next. The lasers of a block fire 3.62 to 54.67 us before it.
 inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
                                          .header_bytes = 8,
                                          .counts_at = 2,
@@ -32,7 +32,7 @@ inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
 class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar64";
-  // One turn with one return is 300 packets of 384 points; with two returns it is more than a frame
+  // One turn with one return is 300 packets of 384 points. With two returns it is more than a frame
   // can mark.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_pandar64", .range_min_mm = 500, .max_points_per_scan = 320 * 384};

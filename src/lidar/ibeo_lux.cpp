@@ -8,8 +8,8 @@
 namespace iog::lidar {
 namespace {
 
-// NTP64 counts seconds from 1900 in its high half, which is 1970 to 2106 here, and 2^-32 s in its
-// low one; to the nearest microsecond.
+// Converts an NTP64 time to Unix time, rounded to the nearest microsecond. NTP64 has seconds from
+// 1900 in its high half, which cover 1970 to 2106 here, and units of 2^-32 s in its low half.
 std::uint64_t unix_us_of_ntp(std::uint64_t ntp) {
   constexpr std::uint32_t kUnixEpoch = 2'208'988'800U;  // RFC 868
   constexpr std::uint64_t kSecondUs = 1'000'000;
@@ -49,9 +49,9 @@ DecodeStatus IbeoLux::decode(std::span<const std::byte> datagram) {
       body.size() != kScanBytes + kPointBytes * std::size_t{point_count}) {
     return DecodeStatus::kWrongLength;
   }
-  info_.point_count = point_count;  // the bytes are there; before, it was only a claim
+  info_.point_count = point_count;  // only now are the bytes known to be there
 
-  // The mirror may turn either way; the sector is kept counter-clockwise, from right to left.
+  // The mirror may turn either way. The sector is stored counter-clockwise, from right to left.
   const auto [right, left] = std::minmax(start, end);
   if (ticks_per_turn != kTicksPerTurn || right < -kTicksPerTurn / 2 || left > kTicksPerTurn / 2) {
     return DecodeStatus::kWrongAngle;
@@ -69,8 +69,8 @@ DecodeStatus IbeoLux::decode(std::span<const std::byte> datagram) {
   return check_points(right, left);
 }
 
-// A point of a layer, an echo or a direction that cannot be is not a point gone wrong but a message
-// gone wrong: none of it is believed.
+// A point with an impossible layer, echo or direction means that the whole message is wrong, so all
+// of it is dropped.
 DecodeStatus IbeoLux::check_points(std::int32_t right, std::int32_t left) const {
   for (auto rest = points_; rest.size() >= kPointBytes; rest = rest.subspan(kPointBytes)) {
     const auto bytes = rest.first<kPointBytes>();

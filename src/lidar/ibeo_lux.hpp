@@ -1,4 +1,4 @@
-// ibeo LUX scan messages, data type 0x2202: wire bytes to scan points.
+// Decoder of ibeo LUX scan messages, data type 0x2202: wire bytes to scan points.
 //
 // One datagram is one whole message: a big-endian header of 24 bytes, then a little-endian body of
 // 44 bytes and 10 bytes per point (docs/spec.md; SICK "Ethernet data protocol LD-MRS"). A scan may
@@ -20,8 +20,8 @@ namespace iog::lidar {
 class IbeoLux {
  public:
   static constexpr std::string_view kName = "ibeo LUX";
-  // As docs/model.md section 8 uses it (thesis section 4.1.4): 100 degrees, precise to 10 cm, up to
-  // 50 m. How many points a scan has at most depends on its angular resolution.
+  // The values of docs/model.md section 8 (thesis section 4.1.4): 100 degrees, a precision of 10
+  // cm, up to 50 m. The maximum number of points per scan depends on the angular resolution.
   static constexpr DataSheet kDataSheet{.type = "ibeo_lux",
                                         .range_min_mm = 300,
                                         .range_max_mm = 50'000,
@@ -29,7 +29,7 @@ class IbeoLux {
                                         .sigma_m = 0.10,
                                         .scan_width_ticks = 3200};
   static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
-  static constexpr bool kTurns = false;                 // its azimuths come again in each scan
+  static constexpr bool kTurns = false;                 // each scan repeats the same azimuths
   static constexpr std::array<double, 4> kElevationsDeg{-1.2, -0.4, 0.4, 1.2};
   static constexpr std::uint32_t kMagic = 0xAFFEC0C2;
   static constexpr std::uint16_t kDataType = 0x2202;
@@ -38,23 +38,23 @@ class IbeoLux {
   static constexpr std::size_t kPointBytes = 10;
   static constexpr std::uint8_t kMaxEchoes = 3;
 
-  // Of one direction: how many a message has is up to the unit.
+  // Points of one direction. The unit decides how many directions a message has.
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
     return kElevationsDeg.size() * kMaxEchoes;
   }
 
   // Checks the whole message, every point included, and keeps a view of it. The view lives as long
-  // as the datagram. kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.
+  // as the datagram. Returns kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // From now on the view is of this copy of the datagram.
+  // Moves the view to this copy of the datagram.
   void move_to(std::span<const std::byte> copy) {
     points_ = copy.subspan(kHeaderBytes + kScanBytes);
   }
 
-  // Calls visit(const ScanPoint&) for each point, in wire order. Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for each point, in wire order. Requires decode() == kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     for (auto rest = points_; rest.size() >= kPointBytes; rest = rest.subspan(kPointBytes)) {
@@ -62,8 +62,8 @@ class IbeoLux {
     }
   }
 
-  // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
-  // decode() was kOk.
+  // Calls visit(std::uint32_t) for each range as on the wire, and returns visit. Requires decode()
+  // == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(Visit visit) const {
     for (auto rest = points_; rest.size() >= kPointBytes; rest = rest.subspan(kPointBytes)) {

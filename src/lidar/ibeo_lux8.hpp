@@ -1,9 +1,10 @@
-// ibeo LUX and SICK LD-MRS with eight layers: wire bytes to scan points.
+// Decoder of ibeo LUX and SICK LD-MRS with eight layers: wire bytes to scan points.
 //
-// Their messages are those of a LUX with four (lidar/ibeo_lux.hpp). The two sides of the mirror are
-// tilted against its axis, one down and one up, and scan in turns: each message has four layers,
-// and a flag says by which side, the lower four or the upper four (SICK, libsick_ldmrs, LuxBase).
-// A unit with four layers sets that flag, too: nothing in a message tells the two apart.
+// Their messages are those of a LUX with four layers (lidar/ibeo_lux.hpp). The two sides of the
+// mirror are tilted against its axis, one down and one up, and scan alternately. Each message has
+// four layers, and a flag says which side scanned: the lower four or the upper four (SICK,
+// libsick_ldmrs, LuxBase). A unit with four layers sets that flag, too, so a message does not tell
+// the two units apart.
 #pragma once
 
 #include <array>
@@ -29,10 +30,10 @@ class IbeoLux8 {
   static constexpr std::int32_t kTicksPerTurn = IbeoLux::kTicksPerTurn;
   static constexpr bool kTurns = IbeoLux::kTurns;
   static constexpr bool kHasBeamTilt = true;
-  // Of a mirror that were not tilted; tools/car/tilted_mirror.hpp adds the unit's own tilt.
+  // Elevations for a mirror without tilt; tools/car/tilted_mirror.hpp adds the unit's own tilt.
   static constexpr std::array<double, 8> kElevationsDeg{-1.2, -0.4, 0.4, 1.2,  //
                                                         -1.2, -0.4, 0.4, 1.2};
-  // From 60 degrees on the right to 50 on the left: the field of view of the maker's manual.
+  // The field of view in the maker's manual: from 60 degrees on the right to 50 on the left.
   static constexpr std::int32_t kRightmostTicks = -1920;
   static constexpr std::int32_t kLeftmostTicks = 1600;
 
@@ -41,16 +42,16 @@ class IbeoLux8 {
   }
   [[nodiscard]] static constexpr bool looks_up(std::size_t layer) { return layer >= kLayersOfSide; }
 
-  // As IbeoLux::decode(), and kWrongAngle for a sector that the unit cannot see. kOtherUnit: it
-  // hangs upside down, and where its beams go then is not known.
+  // Like IbeoLux::decode(), but also returns kWrongAngle for a sector that the unit cannot see, and
+  // kOtherUnit if the unit hangs upside down: its beam directions are then unknown.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return scan_.info(); }
 
-  // From now on the view is of this copy of the datagram.
+  // Moves the view to this copy of the datagram.
   void move_to(std::span<const std::byte> copy) { scan_.move_to(copy); }
 
-  // Calls visit(const ScanPoint&) for each point, in wire order. Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for each point, in wire order. Requires decode() == kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     scan_.for_each_point([&](ScanPoint point) {
@@ -59,8 +60,8 @@ class IbeoLux8 {
     });
   }
 
-  // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
-  // decode() was kOk.
+  // Calls visit(std::uint32_t) for each range as on the wire, and returns visit. Requires decode()
+  // == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(Visit visit) const {
     return scan_.for_each_range(visit);

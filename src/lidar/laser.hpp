@@ -1,25 +1,26 @@
-// The lasers of one unit, as its maker calibrated them.
+// The maker's calibration of the lasers of one unit.
 #pragma once
 
 #include <cstdint>
 
 namespace iog::lidar {
 
-// As a description gives it (docs/sensors.md says how a maker's file becomes a table of these).
+// A laser as the car file gives it. docs/sensors.md says how a maker's file becomes a table of
+// these.
 struct Laser {
   double elevation_deg = 0;  // -90 ... 90, positive up
   double azimuth_deg = 0;    // to the left of the direction that the packet gives, -30 ... 30
-  double height_m = 0;       // of its beam's start over the unit's origin, across the beam
-  double range_m = 0;        // to add to every range, -10 ... 10
+  double height_m = 0;       // height of the beam's start over the unit's origin, across the beam
+  double range_m = 0;        // added to every range, -10 ... 10
 };
 
-// The part of it that changes a scan point, in integers.
+// The part of a laser's calibration that changes a scan point, in integers.
 struct LaserCorrection {
   std::int16_t azimuth_ticks = 0;  // counter-clockwise, at most a twelfth of a turn
   std::int16_t range_mm = 0;
 };
 
-// No return stays none, and a return stays one.
+// A missing return stays missing, and a return stays a return.
 [[nodiscard]] constexpr std::uint32_t corrected_range_mm(std::uint32_t range_mm,
                                                          std::int32_t correction_mm) {
   if (range_mm == 0) {

@@ -1,7 +1,7 @@
-// The layer of an elevation that a point says itself: the nearest of its unit's.
+// Finds the layer of a unit that is nearest to an elevation given by a point.
 //
-// The first guess is where the layer is if all are equally far apart, which those of most units
-// nearly are; else it is found by halves, in seven steps of 128 layers.
+// The first guess assumes layers at equal distances, which is nearly true for most units. If the
+// guess is wrong, a binary search finds the layer: seven steps for 128 layers.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,13 @@ namespace iog::lidar {
 
 class LayerSearch {
  public:
-  // Of a unit with one layer: so far from it a point is of another; half a degree of a 3,200th.
+  // A unit with one layer sees points within this elevation of it: half a degree, in 3,200ths of a
+  // degree.
   static constexpr std::int32_t kAlone = 1'600;
 
   LayerSearch() = default;
-  // rising: at least one, each below the next, all within a quarter turn of 2^20 parts or fewer. It
-  // outlives the search.
+  // rising: at least one elevation, in rising order, all within a quarter turn of at most 2^20
+  // parts. It must outlive the search.
   explicit LayerSearch(std::span<const std::int32_t> rising) : rising_(rising) {
     const std::size_t last = rising.size() - 1;
     lowest_ = rising.front() - (last == 0 ? kAlone : (rising[1] - rising[0]) / 2);
@@ -29,19 +30,20 @@ class LayerSearch {
     }
   }
 
-  // Whether it is at most half a layer beyond the lowest and the highest.
+  // Whether an elevation is within the layers or at most half a layer beyond the lowest and
+  // highest.
   [[nodiscard]] bool sees(std::int32_t elevation) const {
     return elevation >= lowest_ && elevation <= highest_;
   }
 
-  // The nearest layer; of two the upper.
+  // The nearest layer; the upper one of two that are equally near.
   [[nodiscard]] std::size_t nearest(std::int32_t elevation) const {
     const std::size_t layer = guess(elevation);
     return is_nearest(layer, elevation) ? layer : found(elevation);
   }
 
  private:
-  // A part is at least as large as a layer is high, so that fewer than 2^20 parts fit.
+  // Layers are at least one part apart, so the product with fewer than 2^20 parts fits.
   static constexpr int kFractionBits = 31;
 
   [[nodiscard]] std::size_t guess(std::int32_t elevation) const {

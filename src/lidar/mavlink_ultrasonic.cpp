@@ -15,10 +15,10 @@ constexpr std::uint8_t kUltrasound = 1;
 constexpr std::uint8_t kInvalidSignal = 1;
 constexpr std::uint32_t kMillimetresPerCentimetre = 10;
 
-// Of the names and types of the message's fields, by which other layouts fail the checksum.
+// Hash of the names and types of the message's fields. It makes other layouts fail the checksum.
 constexpr std::byte kLayout{85};
 
-// CRC-16/MCRF4XX: polynomial 0x1021 reflected, from all ones. MAVLink calls it X.25.
+// CRC-16/MCRF4XX: reflected polynomial 0x1021, initial value all ones. MAVLink calls it X.25.
 constexpr std::uint16_t next_checksum(std::uint16_t state, std::byte byte) {
   state = static_cast<std::uint16_t>(state ^ std::to_integer<std::uint16_t>(byte));
   for (int bit = 0; bit < 8; ++bit) {
@@ -27,8 +27,8 @@ constexpr std::uint16_t next_checksum(std::uint16_t state, std::byte byte) {
   return state;
 }
 
-// MAV_SENSOR_ORIENTATION: upright in steps of 45 degrees, and backwards as the field's own words
-// have it. The mount of a car's file is what counts.
+// MAV_SENSOR_ORIENTATION: upright in steps of 45 degrees, and backwards, which has a value of its
+// own. The mount in the car file decides where the unit looks.
 constexpr bool looks_aside(std::uint8_t orientation) {
   return orientation <= 7 || orientation == 12;
 }
@@ -39,7 +39,7 @@ struct Head {
     magic = in.u8();
     payload_bytes = in.u8();
     flags_that_count = in.u8();
-    in.skip(4);  // flags that do not, a sequence number, the sender and its part
+    in.skip(4);  // optional flags, sequence number, system and component of the sender
     message = in.u8();
     message += std::uint32_t{in.u16_le()} << 8;
     is_whole = in.ok();
@@ -54,7 +54,7 @@ struct Head {
 
 }  // namespace
 
-// Of all but the first byte.
+// The first byte is not part of the checksum.
 std::uint16_t MavlinkUltrasonic::checksum_of(std::span<const std::byte> message) {
   std::uint16_t state = 0xFFFF;
   for (const std::byte byte : message.subspan(1)) {
@@ -98,7 +98,7 @@ DecodeStatus MavlinkUltrasonic::decode(std::span<const std::byte> datagram) {
     return DecodeStatus::kWrongAngle;
   }
 
-  constexpr std::uint32_t kNumberMs = 8;  // below the shortest scan of any unit, 10 ms
+  constexpr std::uint32_t kNumberMs = 8;  // shorter than the shortest scan of any unit, 10 ms
   constexpr std::uint16_t kWidth = kDataSheet.scan_width_ticks;
   const std::uint64_t time_us = std::uint64_t{time_ms} * 1000;
   info_ = {.fingerprint = fingerprint(datagram),

@@ -41,9 +41,9 @@ DecodeStatus OusterPacket::read(const OusterProfile& profile, std::span<const st
                                                                   : DecodeStatus::kOk;
 }
 
-// 64 and 128 rows in RNG15 are as many bytes as 16 and 32 rows with two returns, and their columns
-// begin at the same places. The 15th byte of a pixel with two returns is always 0; in RNG15 it is
-// the reflectivity of every fourth row.
+// With 64 or 128 rows, RNG15 has as many bytes as 16 or 32 rows with two returns, and the columns
+// begin at the same offsets. Byte 15 of a pixel with two returns is always 0. In RNG15 it is the
+// reflectivity of every fourth row.
 bool OusterPacket::has_bits_of_other(const OusterProfile& profile) const {
   constexpr std::size_t kUnused = 14;
   if (profile.returns() != 2) {
@@ -60,8 +60,8 @@ bool OusterPacket::has_bits_of_other(const OusterProfile& profile) const {
   return false;
 }
 
-// Where the near infrared of a pixel with two returns stands, RNG15 has the range of every fourth
-// row. Many returns in these rows, and none with a reflectivity, are not of RNG15.
+// A pixel with two returns has its near infrared where RNG15 has the range of every fourth row. If
+// these rows have many returns but no reflectivity at all, the packet is not RNG15.
 bool OusterPacket::has_rows_of_other(const OusterProfile& profile) const {
   constexpr std::size_t kLowRatePixelBytes = 4;
   constexpr std::size_t kRowsOfPixel = 4;
@@ -103,14 +103,15 @@ OusterPacket::Column OusterPacket::column_at(const OusterProfile& profile,
   return it;
 }
 
-// How far the head has turned when a column begins, clockwise, to the nearest tick. 2^16 columns
-// times 46,080 ticks and half a turn of columns stay below 2^32.
+// How far the head has turned clockwise when a column begins, to the nearest tick. 2^16 columns
+// times 46,080 ticks plus half a turn of columns stay below 2^32.
 std::uint32_t OusterPacket::edge_ticks(std::uint32_t column) const {
   return (column * static_cast<std::uint32_t>(kTicksPerTurn) + columns_per_turn_ / 2) /
          columns_per_turn_;
 }
 
-// Whether a turn has that column, and its encoder, where there is one, is there to half a column.
+// Whether the column belongs to a turn and, if it has an encoder value, lies within half a column
+// of it.
 bool OusterPacket::is_in_turn(const OusterProfile& profile, const Column& column) const {
   const std::int64_t off = std::int64_t{column.encoder} * columns_per_turn_ -
                            std::int64_t{column.number} * kEncoderPerTurn;
@@ -119,7 +120,7 @@ bool OusterPacket::is_in_turn(const OusterProfile& profile, const Column& column
   return column.number < columns_per_turn_ && is_there;
 }
 
-// Columns that were not measured lie at the ends of the packet, where the unit's window ends.
+// Columns that were not measured can only be at the ends of the packet, beyond the unit's window.
 DecodeStatus OusterPacket::read_columns(const OusterProfile& profile) {
   Column first;
   Column last;
@@ -146,7 +147,7 @@ DecodeStatus OusterPacket::read_columns(const OusterProfile& profile) {
   if (end_ == 0) {
     return DecodeStatus::kWrongPoint;
   }
-  // Times of 64 bits may leap; a difference that is not that of the unit's mode is refused.
+  // Times of 64 bits may jump. A difference that does not fit the unit's mode is refused.
   const std::uint64_t took_ns = last.time_ns - first.time_ns;
   const std::uint64_t expected_ns = (end_ - first_ - 1) * std::uint64_t{column_ns_};
   if (took_ns < expected_ns - expected_ns / 4 || took_ns > expected_ns + expected_ns / 4) {
@@ -163,7 +164,7 @@ void OusterPacket::describe(const OusterProfile& profile, const Column& first, c
   info_.scan_number = first.frame;
   info_.point_count =
       static_cast<std::uint32_t>((end_ - first_) * corrections_.size() * profile.returns());
-  // Clockwise on the wire: the sweep ends where, counter-clockwise, its sector begins.
+  // The wire counts clockwise. So counter-clockwise, the sector begins where the sweep ends.
   info_.sector = {.first_ticks = static_cast<std::uint16_t>((kTurn + kTurn / 2 - end) % kTurn),
                   .width_ticks = static_cast<std::uint16_t>(end - begin)};
   info_.sweep = {.begin_us = first.time_ns / 1'000,

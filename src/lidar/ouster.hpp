@@ -1,14 +1,14 @@
-// Ouster OS lidar packets: wire bytes to scan points.
+// Decoder of Ouster OS lidar packets: wire bytes to scan points.
 //
 // One datagram, little endian: 16 columns, each a time, its number in the turn and a range for each
 // row of the unit (docs/spec.md; Ouster "Firmware User Manual", chapter "Lidar Data Packet
-// Format"). Four profiles: the one that was the only one before firmware 2.0 (LEGACY), "low data
-// rate" (RNG15), "single return" (RNG19) and "dual return" (RNG19 dual). A packet does not say
-// which profile it is, how many rows and how many columns a turn has: its unit's description does.
+// Format"). There are four profiles: the only one before firmware 2.0 (LEGACY), "low data rate"
+// (RNG15), "single return" (RNG19) and "dual return" (RNG19 dual). A packet does not give its
+// profile, its number of rows or the columns per turn. The car file does.
 //
-// Column i of W is measured where the head has turned i / W of a turn clockwise from the side
-// opposite to x forward. The head is 16 mm wide; its beams are taken to start in its middle, which
-// moves a point by less than 1 mm.
+// Column i of W is measured where the head has turned i / W of a turn clockwise, starting opposite
+// to x forward. The head is 16 mm wide. Beams are assumed to start in its middle, which moves a
+// point by less than 1 mm.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@
 
 namespace iog::lidar {
 
-// What the profiles differ in. A range is a word of the pixel, masked and shifted left, mm: the
-// first, and, if each beam has two returns, another.
+// What differs between profiles. A range in mm is a word of the pixel, masked and shifted left. It
+// is the first word, and a second one follows if each beam has two returns.
 struct OusterProfile {
   std::size_t header_bytes = 0;
   std::size_t column_header_bytes = 0;
@@ -49,22 +49,23 @@ struct OusterProfile {
 
 class OusterPacket {
  public:
-  // A column of 512 or 1024 is a whole number of them, one of 2048 is 22.5, and a degree is 128.
+  // A column of 512 or 1024 per turn is a whole number of ticks, one of 2048 is 22.5 ticks, and a
+  // degree is 128 ticks.
   static constexpr std::int32_t kTicksPerTurn = 46'080;
   static constexpr bool kTurns = true;
   static constexpr bool kHasModes = true;
-  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit's own
+  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit has its own
   static constexpr std::size_t kColumns = 16;
   static constexpr std::uint32_t kEncoderPerTurn = 90'112;
 
-  // Rows of the units that there are.
+  // The numbers of rows of existing units.
   [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
     return layers == 16 || layers == 32 || layers == 64 || layers == 128;
   }
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // From now on the view is of this copy of the datagram.
+  // Moves the view to this copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
@@ -72,7 +73,7 @@ class OusterPacket {
     std::uint64_t time_ns = 0;
     std::uint32_t number = 0;
     std::uint16_t frame = 0;
-    std::uint32_t encoder = 0;  // of LEGACY alone
+    std::uint32_t encoder = 0;  // LEGACY only
     bool is_measured = false;
   };
 
@@ -87,8 +88,7 @@ class OusterPacket {
                            profile.column_header_bytes);
   }
 
-  // Calls visit(const ScanPoint&) for each return of each row of a column of the packet that was
-  // measured.
+  // Calls visit(const ScanPoint&) for each return of each row of a measured column.
   template <typename Visit>
   void for_each_row(const OusterProfile& profile, std::size_t column, Visit&& visit) const {
     const auto pixels = pixels_of(profile, column);
@@ -103,7 +103,7 @@ class OusterPacket {
   [[nodiscard]] ScanPoint point(const OusterProfile& profile, std::span<const std::byte> pixel,
                                 std::size_t column, std::size_t row, std::uint8_t echo) const {
     const LaserCorrection& laser = corrections_[row];
-    // An azimuth in a turn, and 16 bits of an offset, less than a turn.
+    // An azimuth within a turn, plus an offset of 16 bits that is less than a turn.
     std::int32_t azimuth = azimuths_[column] + laser.azimuth_ticks;
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
@@ -140,7 +140,7 @@ class OusterPacket {
   std::uint32_t column_ns_ = 0;
   std::span<const std::byte> packet_;
   std::span<const LaserCorrection> corrections_;
-  std::size_t first_ = 0;  // of the columns that were measured, and the one behind the last
+  std::size_t first_ = 0;  // first measured column; end_ is behind the last one
   std::size_t end_ = 0;
   std::array<std::int32_t, kColumns> azimuths_{};  // counter-clockwise from forward
 };
@@ -148,7 +148,7 @@ class OusterPacket {
 template <const OusterProfile& kProfile>
 class OusterDecoder : public OusterPacket {
  public:
-  // The bytes of a packet of a unit with so many rows.
+  // Bytes of a packet of a unit with this many rows.
   [[nodiscard]] static constexpr std::size_t packet_bytes(std::size_t rows) {
     return kProfile.header_bytes + kProfile.footer_bytes + kColumns * kProfile.column_bytes(rows);
   }
@@ -159,18 +159,17 @@ class OusterDecoder : public OusterPacket {
 
   [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
 
-  // The view lives as long as the datagram and the unit's corrections, one for each row. kOk,
-  // kWrongLength; kWrongType: another type of packet, or columns not so far apart in time as the
-  // unit's mode has them; kWrongAngle: a column that the turn does not have or in another place
-  // than its encoder says, or columns that do not follow one another; kWrongPoint: nothing
-  // measured; kOtherUnit: the pixels are those of another profile.
+  // Checks the packet and keeps a view of it. The view lives as long as the datagram and the unit's
+  // corrections, one for each row. Returns kOk; kWrongLength; kWrongType: another type of packet,
+  // or times between columns that do not fit the unit's mode; kWrongAngle: a column that the turn
+  // does not have, one that contradicts its encoder, or columns that are not consecutive;
+  // kWrongPoint: nothing measured; kOtherUnit: the pixels are those of another profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }
 
-  // Calls visit(const ScanPoint&) for each return of each row of each column that was measured, in
-  // wire order, the nearer return first.
-  // Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for each return of each row of each measured column, in wire
+  // order, the nearer return first. Requires decode() == kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     for (std::size_t column = first_column(); column < end_column(); ++column) {
@@ -178,9 +177,8 @@ class OusterDecoder : public OusterPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for the first echoes of a sampling, of the columns that were
-  // measured.
-  // Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for the first echoes of a sampling in the measured columns.
+  // Requires decode() == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     for_each_pixel(sampling,
@@ -189,8 +187,8 @@ class OusterDecoder : public OusterPacket {
                    });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of the same, before the unit's corrections, and
-  // returns it. Only after decode() was kOk.
+  // Calls visit(std::uint32_t) for the ranges of a sampling, before the unit's corrections, and
+  // returns visit. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_pixel(sampling, [&](std::span<const std::byte> pixel, std::size_t /*column*/,
@@ -212,7 +210,7 @@ class OusterDecoder : public OusterPacket {
   }
 };
 
-// Old firmware leaves other bits above the 20 of a LEGACY range.
+// Old firmware sets other bits above the 20 bits of a LEGACY range.
 inline constexpr OusterProfile kOusterLegacyProfile{.column_header_bytes = 16,
                                                     .pixel_bytes = 12,
                                                     .column_tail_bytes = 4,
@@ -235,7 +233,7 @@ inline constexpr OusterProfile kOusterRng19DualProfile{.header_bytes = 32,
                                                        .range_mask = 0x0007'FFFF,
                                                        .second_range_at = 4};
 
-// They see from 0.3 m (Hardware User Manual). How many points a turn has depends on rows and mode.
+// The units see from 0.3 m (Hardware User Manual). The points per turn depend on rows and mode.
 constexpr DataSheet data_sheet_of_ouster(std::string_view type) {
   return {.type = type, .range_min_mm = 300};
 }

@@ -7,7 +7,7 @@
 namespace iog::lidar {
 namespace {
 
-// Of 2^-32 turns, to the nearest.
+// Converts 2^-32 turns to the nearest 1/3,200 degree.
 std::int32_t nearest_part(std::int64_t angle) {
   return static_cast<std::int32_t>(
       (angle * PointsPacket::kPartsPerTurn + (std::int64_t{1} << 31)) >> 32);

@@ -1,13 +1,13 @@
-// Scan points of any lidar, in iogrid's own datagrams: wire bytes to scan points (docs/spec.md,
-// section 1.2.6).
+// Decoder of scan points of any lidar in iogrid's own datagrams: wire bytes to scan points
+// (docs/spec.md, section 1.2.6).
 //
-// One datagram, little endian: a head, and up to 85 points of a scan. A point is a direction and a
-// range, or x, y and z, in the frame of its sensor. Angles are in steps of 1/3,200 degree, of which
-// the steps of a LUX, a Velodyne, a Hesai and an Ouster are whole numbers. The elevations of the
-// layers are those of the unit's description; a point has the nearest one.
+// One datagram, little endian: a header, and up to 85 points of a scan. A point is a direction and
+// a range, or x, y and z, in the frame of its sensor. Angles are in steps of 1/3,200 degree, so the
+// steps of a LUX, a Velodyne, a Hesai and an Ouster are whole numbers. The car file gives the
+// elevations of the layers; a point belongs to the nearest one.
 //
-// Two formats of the same bytes: that of units that turn, as kTurns of their own decoders has it,
-// and that of others.
+// The same bytes have two formats: one for spinning units (kTurns is true, as in their own
+// decoders) and one for all others.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace iog::lidar {
 class PointsPacket {
  public:
   static constexpr bool kIsPoints = true;
-  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit's own
+  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit has its own
   static constexpr std::int32_t kPartsPerDegree = 3'200;
   static constexpr std::uint32_t kPartsPerTurn = 1'152'000;
   static constexpr std::uint32_t kMagic = 0x54'50'47'49;  // "IGPT"
@@ -40,16 +40,16 @@ class PointsPacket {
   static constexpr std::size_t kMostPoints = 85;
   static constexpr std::uint32_t kOffsetUs = 10;  // the unit of a point's time
 
-  // Of the head.
-  static constexpr std::uint8_t kArePlaces = 0x01;  // x, y and z; else directions and ranges
+  // Flags of the header.
+  static constexpr std::uint8_t kArePlaces = 0x01;  // x, y and z; otherwise directions and ranges
   static constexpr std::uint8_t kIsShare = 0x02;    // the sector is that of the whole scan
-  // Of a point.
+  // Flags of a point.
   static constexpr std::uint8_t kEcho = 0x03;
-  static constexpr std::uint8_t kNothing = 0x04;  // nothing came back from there
+  static constexpr std::uint8_t kNothing = 0x04;  // no return from this direction
   static constexpr std::uint8_t kGround = 0x08;
   static constexpr std::uint8_t kDirt = 0x10;
   static constexpr std::uint8_t kRain = 0x20;
-  static constexpr std::uint8_t kIsLast = 0x40;  // of its direction; not used
+  static constexpr std::uint8_t kIsLast = 0x40;  // last point of its direction; not used
   static constexpr std::uint8_t kUnknown = 0x80;
 
   [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
@@ -61,19 +61,19 @@ class PointsPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // From now on the view is of this copy of the datagram.
+  // Moves the view to this copy of the datagram.
   void move_to(std::span<const std::byte> copy) { points_ = copy.subspan(kHeadBytes); }
 
  protected:
   using PointBytes = std::span<const std::byte, kPointBytes>;
 
-  // What turns is rounded to at most 16,384 steps, of which every half is a whole tick: an azimuth
-  // that is rounded down to a tick is of the step that it is of itself. What does not turn has the
-  // ticks of a LUX.
+  // Azimuths of spinning units are later rounded to at most 16,384 steps per turn. Half a step is
+  // then a whole number of ticks, so an azimuth keeps its step when it is rounded down to a tick.
+  // Other units have the ticks of a LUX.
   [[nodiscard]] static constexpr std::int32_t ticks_per_turn(bool turns) {
     return turns ? 32'768 : 11'520;
   }
-  // How many ticks an angle of less than two turns is.
+  // Converts an angle of less than two turns to ticks.
   [[nodiscard]] static constexpr std::uint32_t ticks_of(bool turns, std::uint32_t angle) {
     return turns ? angle * 32 / 1'125 : (angle + 50) / 100;
   }
@@ -82,7 +82,7 @@ class PointsPacket {
   [[nodiscard]] DecodeStatus read(std::span<const std::byte> datagram, const Unit& unit,
                                   bool turns);
 
-  // As on the wire; of a place a number for all of it.
+  // The range as on the wire. For x, y and z it is a hash of all three.
   [[nodiscard]] std::uint32_t range_at(PointBytes bytes) const {
     if ((flags_at(bytes) & kNothing) != 0) {
       return 0;
@@ -131,7 +131,7 @@ class PointsPacket {
   LayerSearch layers_;
   bool are_places_ = false;
   std::uint32_t sector_begin_ = 0;
-  std::uint32_t sector_width_ = 0;  // within which all directions are; 0: they may be anywhere
+  std::uint32_t sector_width_ = 0;  // all directions lie within it; 0: they may be anywhere
 };
 
 template <bool kHeadTurns>
@@ -140,16 +140,17 @@ class PointsDecoder : public PointsPacket {
   static constexpr bool kTurns = kHeadTurns;
   static constexpr std::int32_t kTicksPerTurn = ticks_per_turn(kTurns);
 
-  // The view lives as long as the datagram and the unit's elevations, one for each layer. kOk;
-  // kWrongLength: not as long as it says, longer than a datagram may be, or of a unit without
-  // layers; kWrongType: another magic number or version, or flags that are not known; kWrongAngle:
-  // a sector beyond a turn, or a datagram that its scan does not have; kWrongPoint: one that cannot
-  // be, or outside of its datagram's sector.
+  // Checks the datagram and keeps a view of it. The view lives as long as the datagram and the
+  // unit's elevations, one for each layer. Returns kOk; kWrongLength: not as long as its header
+  // says, longer than a datagram may be, or from a unit without layers; kWrongType: another magic
+  // number or version, or unknown flags; kWrongAngle: a sector beyond a turn, or a datagram that
+  // its scan does not have; kWrongPoint: an impossible point, or one outside the sector of its
+  // datagram.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(datagram, unit, kTurns);
   }
 
-  // Calls visit(const ScanPoint&) for each point, in wire order. Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for each point, in wire order. Requires decode() == kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     if (are_places()) {
@@ -159,9 +160,9 @@ class PointsDecoder : public PointsPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for each first echo of the layers of a sampling: a datagram has
-  // few firings. Of places only every third point is looked at, since its direction is computed
-  // each time. Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for each first echo in the layers of a sampling. It uses all
+  // firings, because a datagram has few. It reads only every third point of a datagram with x, y
+  // and z, because each direction has to be computed. Requires decode() == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     std::array<bool, 256> are_asked{};
@@ -177,8 +178,8 @@ class PointsDecoder : public PointsPacket {
     }
   }
 
-  // Calls visit(std::uint32_t) for the range of each, as on the wire, and returns it. Only after
-  // decode() was kOk.
+  // Calls visit(std::uint32_t) for each range as on the wire, and returns visit. Requires decode()
+  // == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& /*sampling*/, Visit visit) const {
     for (std::size_t i = 0; i < count(); ++i) {
@@ -188,10 +189,10 @@ class PointsDecoder : public PointsPacket {
   }
 
  private:
-  // Of what turns, the second of two stands for all later ones.
+  // For spinning units, echo 1 stands for all later echoes.
   static constexpr std::uint8_t kLastEcho = kTurns ? 1 : 2;
 
-  // What lies beyond the layers is rain: of such beams the description does not know.
+  // Points beyond the layers are flagged as rain, because the car file has no such beams.
   template <bool kArePlacesHere>
   [[nodiscard]] ScanPoint point(PointBytes bytes) const {
     const std::uint8_t flags = flags_at(bytes);
@@ -214,7 +215,7 @@ class PointsDecoder : public PointsPacket {
   }
 };
 
-// What they can do is what their units can: the description says it.
+// Range and precision depend on the unit, so the car file gives them.
 class Points : public PointsDecoder<false> {
  public:
   static constexpr std::string_view kName = "points";

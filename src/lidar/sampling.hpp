@@ -1,5 +1,5 @@
-// A few points of a packet that stand for all of them: of some layers, in some of its firings,
-// which are spread evenly over it. A firing is all layers of a unit in one direction, once.
+// A sample of the points of a packet: some layers, in some of its firings, which are spread evenly
+// over the packet. A firing is one measurement by all layers of a unit in one direction.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@ namespace iog::lidar {
 
 struct Sampling {
   std::span<const std::uint8_t> layers{};
-  int log2_firings = 0;  // so many of a packet, or all where it has no more
+  int log2_firings = 0;  // log2 of the number of firings; all firings if the packet has no more
 
-  // Calls visit(firing) with the numbers of those, in rising order.
+  // Calls visit(firing) with the number of each sampled firing, in rising order.
   template <typename Visit>
   void for_each_firing(std::size_t firings, Visit&& visit) const {
     const std::size_t wanted = std::size_t{1} << log2_firings;

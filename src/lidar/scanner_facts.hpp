@@ -1,4 +1,4 @@
-// What the format of a scanner decides, asked of its decoder.
+// Properties of a scanner that follow from its format, taken from its decoder.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 namespace iog::lidar {
 
 struct ScannerFacts {
-  std::size_t layers = 0;  // none: its packets leave open how many there are
+  std::size_t layers = 0;  // 0: packets do not determine it
   std::uint32_t ticks_per_turn = 0;
   bool turns = false;
-  bool has_elevations = false;  // of its format; else they are each unit's own
-  bool has_modes = false;       // its packets do not say how fast it turns
-  bool has_beam_tilt = false;   // its mirror is tilted
-  bool is_points = false;       // they say their directions, its description those of its layers
-  bool is_radar = false;        // it says where something is, and of no place that it is free
-  bool is_ultrasonic = false;   // it says how far the nearest thing is, in a cone
+  bool has_elevations = false;  // the format fixes them; otherwise each unit has its own
+  bool has_modes = false;       // packets do not say how fast the unit turns
+  bool has_beam_tilt = false;   // the mirror is tilted
+  bool is_points = false;       // points carry their directions, the car file those of the layers
+  bool is_radar = false;        // it reports objects, but no free space
+  bool is_ultrasonic = false;   // it reports the distance of the nearest object in a cone
 
-  // What it sees has no direction that is sharp.
+  // Its detections have no sharp direction.
   [[nodiscard]] constexpr bool marks_arcs() const { return is_radar || is_ultrasonic; }
 };
 
@@ -96,7 +96,7 @@ constexpr bool can_have_layers(Format format, std::size_t layers) {
   return can;
 }
 
-// Of a unit with so many layers; of a LUX those of one direction.
+// Points of a packet of a unit with this many layers. For a LUX, points of one direction.
 constexpr std::size_t points_of_packet(Format format, std::size_t layers) {
   std::size_t points = 0;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

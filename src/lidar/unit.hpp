@@ -1,4 +1,4 @@
-// What a unit's packets do not say of it, and its description does.
+// Properties of a unit that its packets do not contain and the car file gives.
 #pragma once
 
 #include <algorithm>
@@ -10,20 +10,20 @@
 
 namespace iog::lidar {
 
-// How an Ouster turns.
+// The mode in which an Ouster turns.
 struct TurnMode {
   std::uint16_t columns_per_turn = 0;
   std::uint16_t turns_per_second = 0;
 
   [[nodiscard]] constexpr bool is_valid() const;
-  // From one column to the next, rounded down. Only if it is valid.
+  // Time from one column to the next, rounded down. Only if the mode is valid.
   [[nodiscard]] constexpr std::uint32_t column_ns() const {
     return 1'000'000'000U / (std::uint32_t{columns_per_turn} * turns_per_second);
   }
   friend constexpr bool operator==(const TurnMode&, const TurnMode&) = default;
 };
 
-// What it can be set to.
+// The modes that an Ouster can be set to.
 inline constexpr std::array<TurnMode, 5> kTurnModes{
     {{512, 10}, {1024, 10}, {2048, 10}, {512, 20}, {1024, 20}}};
 
@@ -32,13 +32,13 @@ constexpr bool TurnMode::is_valid() const {
 }
 
 struct Unit {
-  // One for each layer, or none. A format whose packets do not say how many layers there are takes
-  // their number from here. It is of static storage, or outlives the packets.
+  // One for each layer, or none. If the packets of a format do not give the number of layers, it is
+  // the size of this span. The storage must be static or outlive the packets.
   std::span<const LaserCorrection> corrections{};
-  // Of a unit whose points say their own elevations: those of its layers, each above the one
-  // before, in 3,200ths of a degree. Of the same storage.
+  // For units whose points carry their own elevations: the elevations of the layers in rising
+  // order, in 3,200ths of a degree. Same lifetime.
   std::span<const std::int32_t> elevations{};
-  // Of a format whose packets do not say it.
+  // For formats whose packets do not contain them.
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;
 };

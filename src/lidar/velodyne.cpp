@@ -37,7 +37,7 @@ DecodeStatus VelodynePacket::read(const VelodyneUnit& unit, std::span<const std:
   return DecodeStatus::kOk;
 }
 
-// The flags of the blocks and, of a unit that is no HDL-64E, mode and product.
+// Checks the flags of the blocks and, unless the unit is an HDL-64E, mode and product.
 DecodeStatus VelodynePacket::read_ends(const VelodyneUnit& unit) const {
   for (std::size_t block = 0; block < kBlocks; ++block) {
     const std::uint16_t flag = word_at(packet_, block * kBlockBytes);
@@ -62,7 +62,7 @@ DecodeStatus VelodynePacket::read_ends(const VelodyneUnit& unit) const {
 DecodeStatus VelodynePacket::read_azimuths(const VelodyneUnit& unit) {
   for (std::size_t block = 0; block < kBlocks; ++block) {
     const std::uint16_t azimuth = word_at(packet_, block * kBlockBytes + 2);
-    if (azimuth > kTicksPerTurn) {  // captures of 2012 to 2014 show 36000 itself
+    if (azimuth > kTicksPerTurn) {  // captures of 2012 to 2014 contain 36000
       return DecodeStatus::kWrongAngle;
     }
     azimuths_[block] = azimuth == kTicksPerTurn ? std::uint16_t{0} : azimuth;
@@ -70,7 +70,8 @@ DecodeStatus VelodynePacket::read_azimuths(const VelodyneUnit& unit) {
   return read_steps(std::size_t{unit.banks} * (look_.is_dual ? 2 : 1));
 }
 
-// How far the head turns from each azimuth to the next one; from the last one as far as before it.
+// Finds how far the head turns from each azimuth to the next. The last step repeats the one before
+// it.
 DecodeStatus VelodynePacket::read_steps(std::size_t blocks_of_azimuth) {
   std::uint32_t swept = 0;
   for (std::size_t block = 0; block < kBlocks; ++block) {
@@ -90,7 +91,7 @@ DecodeStatus VelodynePacket::read_steps(std::size_t blocks_of_azimuth) {
     }
     swept += block == first ? std::uint32_t{steps_[block]} : 0U;
   }
-  // Clockwise on the wire: the sweep ends where, counter-clockwise, its sector begins.
+  // The wire counts clockwise. So counter-clockwise, the sector begins where the sweep ends.
   constexpr std::uint32_t kTurn = kTicksPerTurn;
   swept += kSeamTicks;
   const std::uint32_t last = (azimuths_[0] + swept) % kTurn;

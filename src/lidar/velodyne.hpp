@@ -1,9 +1,9 @@
-// Velodyne data packets: what the units of the family share, and the one decoder for all of them.
+// Velodyne data packets: what all units of the family share, and one decoder for all of them.
 //
 // One datagram of 1206 bytes, little endian: 12 blocks of a flag, an azimuth and 32 ranges, then
-// time, return mode and product (docs/spec.md). Units differ in what a block holds: which lasers,
-// when each of them fires, how long a unit of range is. VelodyneUnit says it, and a decoder is made
-// of such a table by the compiler.
+// time, return mode and product (docs/spec.md). Units differ in the lasers of a block, in the
+// firing time of each laser and in the unit of range. These are in VelodyneUnit, from which the
+// compiler makes a decoder.
 #pragma once
 
 #include <array>
@@ -24,33 +24,33 @@ namespace iog::lidar {
 
 struct VelodyneUnit {
   std::uint8_t layers = 0;
-  // Blocks that share one azimuth when each beam has one return: 2 or 4 where a block is too short
-  // for all lasers.
+  // Blocks that share one azimuth when each beam has one return: 2 or 4 if a block is too short for
+  // all lasers.
   std::uint8_t banks = 1;
-  std::uint8_t product = 0;      // byte 1205; with two banks that byte says something else
-  std::uint8_t old_product = 0;  // the same byte of old firmware
+  std::uint8_t product = 0;      // byte 1205; with two banks, that byte has another meaning
+  std::uint8_t old_product = 0;  // the same byte in old firmware
   std::uint8_t range_unit_mm = 0;
-  bool has_two_returns = true;  // if it is set so
+  bool has_two_returns = true;  // if the unit is set up so
   std::uint32_t block_ns = 0;   // from one azimuth to the next
-  // A channel fires so many parts of that time after its block's azimuth was taken.
+  // A channel fires fires_at / block_parts of block_ns after the azimuth of its block was taken.
   std::uint32_t block_parts = 1;
   std::array<std::uint8_t, 32> fires_at{};
-  // Clockwise, 0.01 degrees: to add to the direction in which the unit looks.
+  // Offsets from the unit's direction, clockwise, in 0.01 degrees.
   std::array<std::int16_t, 32> azimuth_offsets{};
-  // Likewise: when a bank begins. Without it all banks fire at the same time.
+  // When each bank begins, in the parts of fires_at. All zero: all banks fire at the same time.
   std::array<std::uint8_t, 4> bank_fires_at{};
 
-  // The parts of that time after which a channel of a bank fires.
+  // When a channel of a bank fires, in the parts of fires_at.
   [[nodiscard]] constexpr std::uint32_t fires_after(std::size_t bank, std::size_t channel) const {
     return std::uint32_t{bank_fires_at[bank]} + fires_at[channel];
   }
-  // Banks that differ in when their channels fire.
+  // Number of banks that fire at different times.
   [[nodiscard]] constexpr std::size_t bank_times() const {
     return bank_fires_at == std::array<std::uint8_t, 4>{} ? 1 : banks;
   }
 };
 
-// packets: of one turn. They see from 1 m.
+// packets: packets per turn. The units see from 1 m.
 constexpr DataSheet data_sheet_of_velodyne(std::string_view type, std::uint32_t packets) {
   return {.type = type, .range_min_mm = 1'000, .max_points_per_scan = packets * 384};
 }
@@ -65,11 +65,11 @@ class VelodynePacket {
   static constexpr std::int32_t kTicksPerTurn = velodyne::kTurn;
   static constexpr bool kTurns = true;
   // A block lasts at most 110.592 us, which is 0.8 degrees at the fastest rotation of 20 Hz. If two
-  // neighbours are more than 3 degrees apart, the packet is not one sweep.
+  // neighbouring blocks are more than 3 degrees apart, the packet is not one sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
   // The wire does not say how far the head turns in the last block, and its speed varies by a
-  // tenth. So a packet's sector is made this much wider: neighbouring sectors overlap instead of
-  // leaving a gap.
+  // tenth. So the sector of a packet is widened by this much: neighbouring sectors then overlap
+  // instead of leaving a gap.
   static constexpr std::uint32_t kSeamTicks = 10;
 
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
@@ -81,7 +81,7 @@ class VelodynePacket {
   // What a sound packet shows of its unit.
   [[nodiscard]] const VelodyneLook& look() const { return look_; }
 
-  // From now on the view is of this copy of the datagram.
+  // Moves the view to this copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
@@ -89,9 +89,9 @@ class VelodynePacket {
   [[nodiscard]] DecodeStatus read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
-  // How far the unit has turned, and looks to the side, when each channel of a block fires.
+  // How far the unit has turned when each channel of a block fires, plus the channel's own offset.
   struct Firing {
-    std::uint32_t step = 0xFFFF;  // azimuth gained in the block; no packet has this one
+    std::uint32_t step = 0xFFFF;  // azimuth gained in the block; no packet has 0xFFFF
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
   };
   static void turn(const VelodyneUnit& unit, std::size_t bank, std::uint32_t step, Firing& firing) {
@@ -114,11 +114,11 @@ class VelodynePacket {
     return packet_.subspan(block * kBlockBytes).first<kBlockBytes>();
   }
 
-  // What the points of a block have in common, so that each asks for little.
+  // What the points of a block have in common, computed once.
   struct Block {
     std::span<const std::byte, kBlockBytes> bytes;
-    std::span<const std::byte, kBlockBytes> other;  // with the other echo of each of its points
-    std::span<const LaserCorrection> corrections;   // of its channels, or none
+    std::span<const std::byte, kBlockBytes> other;  // has the other echo of each point
+    std::span<const LaserCorrection> corrections;   // of the channels; may be empty
     std::int32_t azimuth;
     std::uint8_t first_layer;
     std::uint8_t echo;
@@ -126,7 +126,7 @@ class VelodynePacket {
 
   [[nodiscard]] std::uint32_t step(std::size_t block) const { return steps_[block]; }
 
-  // Of one azimuth: the banks of each echo.
+  // Blocks with one azimuth: the banks of each echo.
   [[nodiscard]] std::size_t blocks_of_firing(const VelodyneUnit& unit) const {
     return look_.is_dual ? 2U * unit.banks : unit.banks;
   }
@@ -161,15 +161,16 @@ class VelodyneDecoder : public VelodynePacket {
 
   [[nodiscard]] static constexpr const VelodyneUnit& unit() { return kUnit; }
 
-  // The view lives as long as the datagram and the corrections, of which there is one for each
-  // layer, or none. kOk, kWrongLength, kWrongType, kWrongAngle or kOtherUnit.
+  // Checks the packet and keeps a view of it. The view lives as long as the datagram and the
+  // corrections, of which there is one for each layer, or none. Returns kOk, kWrongLength,
+  // kWrongType, kWrongAngle or kOtherUnit.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
     return read(kUnit, datagram, corrections);
   }
 
-  // Calls visit(const ScanPoint&) for each of the 384 ranges, in wire order. Only after decode()
-  // was kOk.
+  // Calls visit(const ScanPoint&) for each of the 384 ranges, in wire order. Requires decode() ==
+  // kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     if (look().is_dual) {
@@ -179,7 +180,7 @@ class VelodyneDecoder : public VelodynePacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for the first echoes of a sampling. Only after decode() was kOk.
+  // Calls visit(const ScanPoint&) for the first echoes of a sampling. Requires decode() == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     Turns turns;
@@ -191,8 +192,8 @@ class VelodyneDecoder : public VelodynePacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of the same, as on the wire, and returns it, as
-  // std::for_each() does: what it counts stays in registers. Only after decode() was kOk.
+  // Calls visit(std::uint32_t) for the ranges of a sampling as on the wire, and returns visit, as
+  // std::for_each() does. Counters inside visit then stay in registers. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
@@ -202,9 +203,8 @@ class VelodyneDecoder : public VelodynePacket {
   }
 
  private:
-  // Calls visit(the firing's first block, which of its banks, channel) for each point of a
-  // sampling. A block is a firing, a part of one, or holds several; echoes have blocks of their
-  // own.
+  // Calls visit(first block of the firing, bank, channel) for each point of a sampling. A block
+  // holds one firing, a part of one, or several. Each echo has blocks of its own.
   template <typename Visit>
   void for_each_place(const Sampling& sampling, Visit&& visit) const {
     constexpr std::size_t kFirings = kLayers < kPointsPerBlock ? kPointsPerBlock / kLayers : 1;
@@ -217,8 +217,8 @@ class VelodyneDecoder : public VelodynePacket {
     });
   }
 
-  // The firings that were asked for last. A head that turns evenly has two steps from block to
-  // block, one more than the other.
+  // Cache of the latest firings. If a head turns evenly, its steps from block to block have only
+  // two values, which differ by one.
   class Turns {
    public:
     [[nodiscard]] const Firing& of(std::size_t bank, std::uint32_t step) {
@@ -234,7 +234,7 @@ class VelodyneDecoder : public VelodynePacket {
     std::array<std::array<Firing, 2>, kTimes> firings_;
   };
 
-  // Of a unit that the compiler knows little is left: no division, for one.
+  // If the unit is known at compile time, most of this is optimised away, including the division.
   template <bool kIsDual>
   [[nodiscard]] static ScanPoint point(const Block& block, const Firing& firing,
                                        std::size_t channel) {
@@ -251,7 +251,8 @@ class VelodyneDecoder : public VelodynePacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // An azimuth of up to a turn, 3 degrees of turning and at most 34.2 of offsets: one turn off.
+    // At most a turn of azimuth, 3 degrees of turning and 34.2 degrees of offset: off by at most
+    // one turn.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);

@@ -1,4 +1,4 @@
-// Where the bytes of a Velodyne data packet stand, and what they can be (docs/spec.md).
+// Offsets and values of the bytes of a Velodyne data packet (docs/spec.md).
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ inline constexpr std::size_t kTimeOffset = 1200;
 inline constexpr std::size_t kModeOffset = 1204;
 inline constexpr std::size_t kProductOffset = 1205;
 inline constexpr std::uint16_t kBlockFlag = 0xEEFF;
-// Of the banks in turn: an HDL-64E has two of them, a VLS-128 four.
+// Flags of the banks in order: an HDL-64E has two banks, a VLS-128 four.
 inline constexpr std::array<std::uint16_t, 4> kBankFlags{kBlockFlag, 0xDDFF, 0xCCFF, 0xBBFF};
 inline constexpr std::uint8_t kModeStrongest = 0x37;
 inline constexpr std::uint8_t kModeLast = 0x38;
 inline constexpr std::uint8_t kModeDual = 0x39;
-inline constexpr std::uint8_t kProductHdl32e = 0x21;  // and VLP-16 before firmware 3.0.29
+inline constexpr std::uint8_t kProductHdl32e = 0x21;  // also a VLP-16 before firmware 3.0.29
 inline constexpr std::uint8_t kProductVlp16 = 0x22;
 inline constexpr std::uint8_t kProductPuckHires = 0x24;
 inline constexpr std::uint8_t kProductVlp32c = 0x28;
@@ -39,7 +39,7 @@ inline std::uint8_t byte_at(std::span<const std::byte> packet, std::size_t offse
   return wire::load_u8(packet.subspan(offset).first<1>());
 }
 
-// Azimuth from one to another, clockwise as the heads turn.
+// Azimuth from one to another, clockwise, which is the way that the heads turn.
 constexpr std::uint32_t gained(std::uint32_t from, std::uint32_t to) {
   return (to + kTurn - from) % kTurn;
 }

@@ -1,4 +1,4 @@
-// Velodyne HDL-32E data packets (HDL-32E User Manual 63-9113): a block holds one firing of all 32
+// Velodyne HDL-32E data packets (HDL-32E User Manual 63-9113). A block holds one firing of all 32
 // lasers.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace iog::lidar {
 
-// Channel k fires 1.152 k us into the block's 46.08 us: k / 40. (After the 32nd comes a pause.)
+// Channel k fires 1.152 k us into the block's 46.08 us: k / 40. A pause follows the 32nd.
 consteval VelodyneUnit make_hdl32e() {
   VelodyneUnit unit{.layers = 32,
                     .product = velodyne::kProductHdl32e,
@@ -41,9 +41,10 @@ consteval std::array<double, 32> make_hdl32e_elevations() {
 class VelodyneHdl32e : public VelodyneDecoder<kHdl32eUnit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-32E";
-  // Precise to 2 cm, taken as 3. One turn at 10 Hz is 181 packets, in dual return mode 362.
+  // The precision is 2 cm, taken as 3. One turn at 10 Hz is 181 packets, or 362 in dual return
+  // mode.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl32e", 370);
-  // By channel, which is the order on the wire.
+  // By channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg = make_hdl32e_elevations();
 };
 

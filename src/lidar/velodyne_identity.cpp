@@ -7,7 +7,7 @@
 namespace iog::lidar {
 namespace {
 
-// Every Velodyne format, with what is written in its packets.
+// A Velodyne format and the bytes that its packets contain.
 struct Claim {
   VelodyneCandidate candidate;
   std::uint8_t banks;
@@ -37,15 +37,15 @@ using velodyne::gained;
 using velodyne::kHourUs;
 using velodyne::kTurn;
 
-// 5 and 20 turns a second, and an eighth to either side.
+// 5 and 20 turns per second, with a margin of an eighth.
 constexpr std::uint64_t kLeastEighthsHz = 35;
 constexpr std::uint64_t kMostEighthsHz = 180;
-// Less than a turn at 20 Hz, so that the azimuth gained meanwhile is known.
+// Less than a turn at 20 Hz, so that the azimuth gained in between is unambiguous.
 constexpr std::uint32_t kLongestGapUs = 40'000;
 // An azimuth is known to 0.01 degrees; over this many the error is small.
 constexpr std::uint32_t kEnoughTicks = 200;
 
-// Two banks take turns; a VLS-128 goes on with two more.
+// Two banks alternate; a VLS-128 has two more after them.
 bool has_flags(std::span<const std::byte> packet) {
   const auto flag = [&](std::size_t block) {
     return velodyne::word_at(packet, block * velodyne::kBlockBytes);
@@ -55,7 +55,7 @@ bool has_flags(std::span<const std::byte> packet) {
   return flag(0) == flags[0] && (flag(1) != flags[1] || flag(2) == flags[0] || is_vls128);
 }
 
-// Those that may be of this packet.
+// The formats that the bytes of this packet allow.
 VelodyneCandidates candidates_of(const VelodyneLook& look) {
   VelodyneCandidates candidates;
   for (const Claim& claim : std::span(kClaims.list).first(kClaims.count)) {
@@ -78,7 +78,7 @@ FormatSet VelodyneIdentity::all() const {
   return set;
 }
 
-// Which of them can gain so much.
+// The candidates that can gain this much azimuth.
 FormatSet VelodyneIdentity::by_gain(const VelodyneLook& look) const {
   FormatSet set;
   for (const VelodyneCandidate& candidate : candidates_.all()) {
@@ -92,7 +92,7 @@ FormatSet VelodyneIdentity::by_gain(const VelodyneLook& look) const {
   return set.is_empty() ? all() : set;
 }
 
-// Which of them has blocks of that length, to a twelfth.
+// The candidate with blocks of this duration, to a twelfth; all candidates if there is none.
 FormatSet VelodyneIdentity::by_block_time(std::uint64_t block_ns) const {
   for (const VelodyneCandidate& candidate : candidates_.all()) {
     const std::uint64_t of_unit = candidate.block_ns;
@@ -103,8 +103,8 @@ FormatSet VelodyneIdentity::by_block_time(std::uint64_t block_ns) const {
   return all();
 }
 
-// The products stay below 2^52: 36000 ticks, 40000 us, and at most 200 packets until enough is
-// gained, as one without gain is not counted.
+// The products stay below 2^52: 36000 ticks, 40000 us, and at most 200 packets until enough azimuth
+// is gained, because packets without a gain are not counted.
 void VelodyneIdentity::compare(const VelodyneLook& look) {
   const std::uint32_t forward_us = (look.time_us + kHourUs - last_.time_us) % kHourUs;
   const bool is_reordered = forward_us > kHourUs / 2;

@@ -1,11 +1,11 @@
-// Which unit sends these Velodyne packets: they do not always say it, and one unit's packets read
-// as another's give a plausible wrong picture.
+// Identifies the unit that sends Velodyne packets. Packets do not always name it, and packets of
+// one unit decoded as those of another give a plausible wrong picture.
 //
-// Byte 1205 names the unit, but 0x21 is that of an HDL-32E and of a VLP-16 with firmware before
-// 3.0.29, and an HDL-64E has no such byte. What differs is how long a block lasts. Two packets show
-// it, whatever was lost between them: the azimuth gained in a packet, per block, times the time
-// between the packets, by the azimuth gained between them. A single packet shows it only where its
-// gain is too little or too much for one of the two at 5 to 20 turns a second.
+// Byte 1205 names the unit, but 0x21 is both an HDL-32E and a VLP-16 with firmware before 3.0.29,
+// and an HDL-64E has no such byte. The duration of a block tells them apart. It follows from any
+// two packets, whatever was lost between them: the azimuth gained in a packet, per block, times the
+// time between the packets, divided by the azimuth gained between them. A single packet is enough
+// only if its gain is too small or too large for one of the two at 5 to 20 turns per second.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace iog::lidar {
 
-// Formats, each at most once.
+// A set of formats.
 class FormatSet {
  public:
   constexpr FormatSet() = default;
@@ -29,7 +29,7 @@ class FormatSet {
   [[nodiscard]] constexpr bool has(Format format) const {
     return (bits_ >> static_cast<unsigned>(format) & 1U) != 0;
   }
-  // The one that Format names first. Only if there is one.
+  // The first one in the order of Format. The set must not be empty.
   [[nodiscard]] constexpr Format first() const {
     return static_cast<Format>(std::countr_zero(bits_));
   }
@@ -41,14 +41,14 @@ class FormatSet {
   std::uint32_t bits_ = 0;
 };
 
-// A format that a packet may have, by what is written in it, and how long a block of it lasts.
+// A format that the bytes of a packet allow, and the duration of its blocks.
 struct VelodyneCandidate {
   Format format{};
   std::uint32_t block_ns = 0;
   friend constexpr bool operator==(const VelodyneCandidate&, const VelodyneCandidate&) = default;
 };
 
-// Of no packet can there be more.
+// No packet allows more than these.
 struct VelodyneCandidates {
   std::size_t count = 0;
   std::array<VelodyneCandidate, 4> list{};
@@ -61,11 +61,11 @@ struct VelodyneCandidates {
 
 class VelodyneIdentity {
  public:
-  // The formats that the sender's packets can have, as far as this packet and those before it tell:
-  // one where it is certain, none if the packet is no Velodyne's. Total; it looks at flags,
-  // azimuths and time alone, and other faults of a packet are its decoder's.
+  // The formats that the sender can have, judged by this packet and those before it: one if it is
+  // certain, none if the packet is not from a Velodyne. Accepts any bytes. It looks only at flags,
+  // azimuths and time; the decoder finds other faults.
   [[nodiscard]] FormatSet add(std::span<const std::byte> packet);
-  // The same of one that its decoder has found sound.
+  // The same for a packet that its decoder has accepted.
   [[nodiscard]] FormatSet add(const VelodyneLook& look);
 
  private:
@@ -77,7 +77,7 @@ class VelodyneIdentity {
   VelodyneCandidates candidates_;
   FormatSet possible_;
   VelodyneLook last_;
-  // Of the pairs of packets since the last judgement.
+  // Sums over the pairs of packets since the last decision.
   std::uint64_t gain_times_us_ = 0;
   std::uint64_t gain_times_blocks_ = 0;
   std::uint32_t gain_between_ = 0;

@@ -7,7 +7,7 @@ std::uint32_t azimuth_of(std::span<const std::byte> packet, std::size_t block) {
   return velodyne::word_at(packet, block * velodyne::kBlockBytes + 2) % velodyne::kTurn;
 }
 
-// One bank, two that take turns, or four.
+// One bank, two that alternate, or four.
 std::uint8_t banks_of(std::span<const std::byte> packet) {
   const auto flag = [&](std::size_t block) {
     return velodyne::word_at(packet, block * velodyne::kBlockBytes);
@@ -20,7 +20,7 @@ std::uint8_t banks_of(std::span<const std::byte> packet) {
 
 }  // namespace
 
-// A unit with two banks has no byte for its mode: with two returns it says each azimuth four times.
+// A unit with two banks has no mode byte. With two returns, it repeats each azimuth four times.
 VelodyneLook look_at(std::span<const std::byte, velodyne::kPacketBytes> packet) {
   VelodyneLook look;
   look.banks = banks_of(packet);

@@ -1,5 +1,5 @@
-// What a Velodyne data packet shows of the unit that sent it: what is written in it, and how far
-// the head turned meanwhile. Its points are lidar/velodyne.hpp's.
+// What a Velodyne data packet shows of the unit that sent it: the bytes that name it, and how far
+// the head turned meanwhile. lidar/velodyne.hpp decodes its points.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@ namespace iog::lidar {
 
 struct VelodyneLook {
   std::uint8_t banks = 1;     // blocks that share an azimuth when each beam has one return
-  std::uint8_t mode = 0;      // with two banks this byte and the next say something else
+  std::uint8_t mode = 0;      // with two banks, this byte and the next have other meanings
   std::uint8_t product = 0;   // names the unit
   bool is_dual = false;       // each beam has two returns
   std::uint32_t time_us = 0;  // since the hour
-  std::uint32_t azimuth = 0;  // of its first block, 0.01 degrees
-  std::uint32_t gain = 0;     // from its first to its last azimuth
-  std::uint32_t steps = 0;    // from azimuth to azimuth that this took
+  std::uint32_t azimuth = 0;  // of the first block, 0.01 degrees
+  std::uint32_t gain = 0;     // from the first to the last azimuth
+  std::uint32_t steps = 0;    // number of azimuth steps in gain
 };
 
-// Any bytes of that length will do.
+// Accepts any bytes of this length.
 [[nodiscard]] VelodyneLook look_at(std::span<const std::byte, velodyne::kPacketBytes> packet);
 
 }  // namespace iog::lidar

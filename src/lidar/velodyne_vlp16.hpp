@@ -1,4 +1,4 @@
-// Velodyne VLP-16 data packets (VLP-16 User Manual 63-9243, chapter 9): a block holds two firings
+// Velodyne VLP-16 data packets (VLP-16 User Manual 63-9243, chapter 9). A block holds two firings
 // of the 16 lasers, and only the first has an azimuth.
 #pragma once
 
@@ -29,9 +29,9 @@ inline constexpr VelodyneUnit kVlp16Unit = make_vlp16();
 class VelodyneVlp16 : public VelodyneDecoder<kVlp16Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne VLP-16";
-  // Precise to 3 cm. One turn at 10 Hz in dual return mode is 151 packets.
+  // The precision is 3 cm. One turn at 10 Hz in dual return mode is 151 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vlp16", 160);
-  // By laser id, which is the order on the wire.
+  // By laser id, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{-15, 1, -13, 3,  -11, 5,  -9, 7,
                                                          -7,  9, -5,  11, -3,  13, -1, 15};
 };
