@@ -11,8 +11,8 @@ namespace iog::intake {
 namespace {
 
 constexpr std::int64_t kGroundMm = 20'000;
-constexpr std::int64_t kSteepest = 16;  // a beam to the ground falls by 1 in 16
-constexpr std::int64_t kRising = 32;    // one to the sky rises by 1 in 32
+constexpr std::int64_t kSteepest = 16;  // a ground beam falls by at least 1 in 16
+constexpr std::int64_t kRising = 32;    // a sky beam rises by at least 1 in 32
 constexpr std::uint32_t kFewestBeams = 4;
 constexpr std::uint32_t kBlockedPart = 16;
 constexpr std::uint32_t kOpenPart = 8;
@@ -42,8 +42,8 @@ BlockedSectors::BlockedSectors(const vehicle::Sensor& sensor, const SectorView& 
   state_.levels.fill(kFull);
 }
 
-// By the beams in its middle, on the car's plane. Heights are in subcells below 2^31, and ranges in
-// millimetres below 2^20.
+// The beams in the middle of the sector, on the car's plane, decide. Heights are in subcells below
+// 2^31, ranges in millimetres below 2^20.
 BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
   const lidar::Sector& seen = (*view_)[sector];
   if (seen.width_ticks == 0) {
@@ -69,8 +69,8 @@ BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
   return kind;
 }
 
-// kSectors if no sector has it. The points of a packet are near to one another, so the search
-// begins at the likely sector and widens on both sides.
+// Returns kSectors if no sector contains the azimuth. The points of a packet are close together, so
+// the search begins at the likely sector and widens to both sides.
 std::size_t BlockedSectors::sector_of(std::uint32_t azimuth_ticks, std::size_t likely) const {
   const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
   for (std::size_t i = 0; i < kSectors; ++i) {
@@ -117,14 +117,14 @@ void BlockedSectors::add(const Packet& packet) {
   }
 }
 
-// A turn of which an eighth is lost still counts as a turn.
+// A turn that lost up to an eighth still counts as a turn.
 bool BlockedSectors::is_over(std::uint32_t swept_ticks, std::uint64_t swept) const {
   return turns_
              ? swept_ticks > 0 && 8 * (turn_ticks_ + swept_ticks) >= 7U * sensor_->scan_width_ticks
              : swept != 0;
 }
 
-// Few beams of a unit that turns wait for those of its next turn.
+// If a spinning unit has only a few beams in a sector, they are kept until its next turn.
 bool BlockedSectors::is_seen(std::size_t sector, std::uint64_t swept) const {
   return kinds_[sector] != Kind::kUnseen &&
          (turns_ ? sums_[sector].beams >= kFewestBeams : (swept >> sector & 1U) != 0);

@@ -1,18 +1,21 @@
-// Blocked sectors: nearly nothing returns to a sensor although something should, because a cap, ice
-// or mud covers its window, or it is broken. Open sky returns nothing either, so each sector
-// (watched_sectors.hpp) is judged by beams that must return:
+// Detects blocked sectors: sectors from which a sensor gets almost no returns although it should,
+// because a cap, ice or mud covers its window, or because it is broken. Open sky gives no returns
+// either. So each sector (watched_sectors.hpp) is judged by beams that must return:
 //
-// - ground: a unit that turns, where its beams meet the car's plane within 20 m and at 1 in 16 or
-//   steeper. A turn blocks the sector if less than a sixteenth of these beams returns, and if the
-//   same is true of all its beams, or a quarter of these returned before (a running mean, 1/32 a
-//   turn). Three turns in which an eighth of these, or else of all, returns open it.
-// - sky: the other sectors of such a unit. Each is blocked while all ground sectors are.
-// - level: a unit that does not turn or sees no ground, where a beam rises by less than 1 in 32. 32
-//   scans without a return block the sector, and two with one open it. Three scans without any
-//   return block the whole unit.
+// - ground: sectors of a spinning unit in which beams meet the car's plane within 20 m and at 1 in
+// 16
+//   or steeper (ground beams). A turn blocks the sector if less than a sixteenth of its ground
+//   beams return, and if the same is true of all its beams or a quarter of its ground beams used to
+//   return (a running mean, 1/32 per turn). The sector opens after three turns in which an eighth
+//   of its ground beams, or else of all its beams, return.
+// - sky: the other sectors of such a unit. They are blocked while all its ground sectors are.
+// - level: sectors of a unit that does not spin or sees no ground, with a beam that rises by less
+//   than 1 in 32. 32 scans without a return block the sector, and two with a return open it. Three
+//   scans without any return block the whole unit.
 //
-// Returns nearer than the sensor's minimum, and those that it flags as dirt or rain, do not count.
-// Only whole turns and scans are judged, by sums over packets, so their order does not matter.
+// Returns nearer than the sensor's minimum do not count, nor do returns that it flags as dirt or
+// rain. Only whole turns and scans are judged, by sums over packets, so the order of packets does
+// not matter.
 #pragma once
 
 #include <array>
@@ -27,10 +30,11 @@ namespace iog::intake {
 
 inline constexpr std::size_t kSectors = 64;
 
-// The azimuths between which a sensor sees a sector; of width 0 if it does not reach it.
+// The azimuths between which a sensor sees each sector. The width is 0 if it does not reach the
+// sector.
 using SectorView = std::array<lidar::Sector, kSectors>;
 
-// Azimuths, in 256 parts of a turn.
+// A set of azimuths, in 256 parts of a turn.
 class AzimuthParts {
  public:
   static constexpr std::size_t kParts = 256;
@@ -51,43 +55,43 @@ class AzimuthParts {
   std::array<std::uint64_t, kParts / 64> bits_{};
 };
 
-// Of one sensor.
+// The blocked sectors of one sensor.
 class BlockedSectors {
  public:
-  // Both outlive it.
+  // sensor and view must outlive it.
   BlockedSectors(const vehicle::Sensor& sensor, const SectorView& view);
   BlockedSectors() = default;
 
-  // The packet is part of the frame at hand.
+  // Adds a packet of the current frame.
   void add(const Packet& packet);
 
-  // Whether the frame at hand has any return.
+  // Whether the current frame has any return.
   [[nodiscard]] bool has_returns() const { return frame_returns_ > 0; }
 
   struct State {
     std::array<std::int16_t, kSectors> levels{};
-    std::array<std::uint16_t, kSectors> gave{};  // mean share of low beams that return, of kAllGave
+    std::array<std::uint16_t, kSectors> gave{};  // mean share of ground beams that return
     std::uint8_t empty_turns = 0;
-    // Bit i: the sensor has looked into sector i since start; it is blocked there.
+    // Bit i of seen: the sensor has looked into sector i since start. Bit i of blocked: it is
+    // blocked there.
     std::uint64_t seen = 0;
     std::uint64_t blocked = 0;
   };
 
-  // The state after the frame at hand, in which the sensor swept that many ticks and all of these
-  // sectors.
+  // The state after the current frame, in which the sensor swept this many ticks and these sectors.
   [[nodiscard]] State after_frame(std::uint32_t swept_ticks, std::uint64_t swept) const;
-  // The frame is closed.
+  // Closes the frame.
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
-  // The azimuths of a packet in which a missing return is no evidence: its sector was blocked in
-  // the frames before, or less than a sixteenth of the judged beams return in this very packet,
-  // there or beside it.
+  // The azimuths of a packet in which a missing return is no evidence of free space: their sector
+  // was blocked in earlier frames, or less than a sixteenth of the judged beams return in this
+  // packet. The parts beside such azimuths count, too.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
  private:
   enum class Kind : std::uint8_t { kUnseen, kGround, kLevel, kSky };
   static constexpr std::size_t kMaxSampled = 32;
-  static constexpr std::int16_t kFull = 96;  // the highest level; at 0 the sector is blocked
+  static constexpr std::int16_t kFull = 96;  // highest level; a sector at level 0 is blocked
 
   struct Sums {
     std::uint16_t beams = 0;
@@ -116,15 +120,15 @@ class BlockedSectors {
   std::array<std::uint8_t, kMaxSampled> sampled_{};
   std::uint8_t sampled_count_ = 0;
 
-  std::array<Sums, kSectors> sums_{};  // of the turn at hand, of beams that are judged
-  std::array<Sums, kSectors> all_{};   // and of all
-  std::uint32_t turn_ticks_ = 0;       // swept of it before the frame at hand
+  std::array<Sums, kSectors> sums_{};  // judged beams of the current turn
+  std::array<Sums, kSectors> all_{};   // all beams of the current turn
+  std::uint32_t turn_ticks_ = 0;       // swept in this turn before the current frame
   std::uint32_t turn_returns_ = 0;
   std::uint32_t frame_returns_ = 0;
   State state_{};
 };
 
-// A packet as it is fused: in silent azimuths a missing return is no evidence.
+// A packet as it is fused. In silent azimuths, a missing return is no evidence.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

@@ -1,4 +1,4 @@
-// A UDP datagram on its way in: where it comes from, where it was sent to, and what it carries.
+// A received UDP datagram: its source, its destination port and its payload.
 #pragma once
 
 #include <cstddef>

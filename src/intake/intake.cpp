@@ -9,7 +9,7 @@
 namespace iog::intake {
 namespace {
 
-// PacketDrop has a cause for each way in which decoding fails.
+// PacketDrop has a cause for every kind of decoding failure.
 PacketDrop cause_of(lidar::DecodeStatus status) {
   switch (status) {
     case lidar::DecodeStatus::kWrongLength:
@@ -27,7 +27,7 @@ PacketDrop cause_of(lidar::DecodeStatus status) {
   return PacketDrop::kWrongPoint;
 }
 
-// Of spinning units; a LUX sends fewer packets.
+// For spinning units. A LUX sends fewer packets.
 std::uint32_t points_of_packet(const vehicle::Sensor& sensor) {
   constexpr std::uint32_t kSpinning = 384;
   return lidar::facts_of(sensor.format).is_points ? lidar::PointsPacket::kMostPoints : kSpinning;
@@ -92,7 +92,8 @@ std::optional<SensorPacket> Intake::receive(const Datagram& datagram) {
   return received;
 }
 
-// In doubt it is not. What no Velodyne sends has its own marks, which its decoder has seen.
+// Uncertain packets are refused. Packets of other makers carry marks of their own, which their
+// decoder has checked.
 bool Intake::is_of_unit(std::size_t sensor, const Packet& packet) {
   const lidar::VelodyneLook* const look = packet.velodyne_look();
   return look == nullptr ||

@@ -1,8 +1,8 @@
-// The intake: from datagrams to packets that belong to the frame.
+// Turns datagrams into packets that belong to the frame.
 //
-// A datagram is taken apart once. What comes of it is a value: whose packet it is and what it says.
-// Whether the packet belongs to the open frame can then be asked again, after the frame was closed.
-// Everything that is dropped is counted by its cause.
+// A datagram is decoded once, into a value: the sensor that sent it and its contents. So whether
+// the packet belongs to the open frame can be asked again after a frame was closed. Every drop is
+// counted by its cause.
 #pragma once
 
 #include <array>
@@ -23,7 +23,8 @@
 
 namespace iog::intake {
 
-// A sound packet, its sensor's place in Vehicle::sensors, and the bytes that it was decoded from.
+// A sound packet, the index of its sensor in Vehicle::sensors, and the bytes from which it was
+// decoded.
 struct SensorPacket {
   std::size_t sensor = 0;
   Packet packet;
@@ -39,33 +40,35 @@ class Intake {
     kNextFrame,  // close the frame, then classify() it again
   };
 
-  // sensors outlive the intake. replayer_ipv4 may send in the name of every sensor, 0: none.
+  // sensors must outlive the intake. replayer_ipv4 may send on behalf of every sensor; 0: no
+  // replayer.
   Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
 
-  // Whether it is for a sensor's port, from a sender that may speak for it.
+  // Whether the datagram was sent to a sensor's port by a source that may send for this sensor.
   [[nodiscard]] bool listens_to(const Datagram& datagram) const {
     return sensor_of(datagram) != kNobody;
   }
 
-  // Finds the datagram's sensor and decodes it. Empty if it was dropped. The payload outlives what
-  // comes of it.
+  // Finds the sensor of a datagram and decodes it. Empty if it was dropped. The payload must
+  // outlive the result.
   [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);
 
-  // Whether the packet belongs to the open frame. One whose ranges were measured before does not.
+  // Decides whether the packet belongs to the open frame. A packet that repeats earlier ranges is
+  // dropped.
   [[nodiscard]] Outcome classify(const SensorPacket& packet);
 
-  // Counts the packet in. Only after classify() said kThisFrame.
+  // Adds the packet to the frame. Only after classify() returned kThisFrame.
   void accept(const SensorPacket& packet);
-  // Or leaves it, whatever frame it belongs to, because there is no time for it.
+  // Drops the packet, whatever frame it belongs to, because there is no time for it.
   void leave(const SensorPacket& packet);
 
   // Whether every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const;
 
-  // The frame is closed.
+  // Closes the frame.
   void start_frame();
 
-  // Of the frame.
+  // About the current frame.
   [[nodiscard]] SensorReport report_of(std::size_t sensor) const;
   [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
     return trackers_[sensor].swept_ticks();
@@ -79,7 +82,7 @@ class Intake {
     return points_dropped_[static_cast<std::size_t>(fate)];
   }
 
-  // Since start.
+  // Counts since start.
   [[nodiscard]] const std::array<std::uint32_t, kPacketDropCount>& packet_drops() const {
     return packet_drops_;
   }
@@ -91,7 +94,7 @@ class Intake {
   }
 
  private:
-  // The sensor that sends from there to this port, or kNobody.
+  // The sensor that may send from this source to this port, or kNobody.
   [[nodiscard]] std::size_t sensor_of(const Datagram& datagram) const;
   [[nodiscard]] bool is_of_unit(std::size_t sensor, const Packet& packet);
   void drop(PacketDrop cause);

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kFewestReturns = 32;
 constexpr int kLog2Firings = 2;
 
-// FNV-1a (lidar/fingerprint.hpp), a range at a time.
+// FNV-1a (lidar/fingerprint.hpp), one range at a time.
 class Ranges {
  public:
   void operator()(std::uint32_t range) {
@@ -79,13 +79,13 @@ void FrozenWatch::note_taken(std::uint64_t digest) {
   has_new_ = has_new_ || digest != RangeDigest::kNone;
 }
 
-// It is noted, too: it comes as long as the unit is frozen.
+// Frozen packets are noted, too, because they repeat as long as the unit is frozen.
 void FrozenWatch::note_frozen(std::uint64_t digest) {
   memory_.note(digest);
   has_frozen_ = has_frozen_ || digest != RangeDigest::kNone;
 }
 
-// A frame without a packet that is judged says nothing.
+// A frame without any packet that has a digest changes nothing.
 void FrozenWatch::start_frame() {
   if (has_new_ || has_frozen_) {
     unit_is_frozen_ = !has_new_;

@@ -1,10 +1,11 @@
-// What a scanner has measured, so that one that measures no more is found: it sends what it has
-// sent before, under new stamps and numbers.
+// Detects a frozen sensor: one that no longer measures, but sends earlier ranges again under new
+// stamps and numbers.
 //
-// A measured range has noise. The coarsest unit here, an Ouster in steps of 8 mm that vary by 5 mm,
-// measures the same range twice in 41 of 100 cases: of two packets all of 64 or more ranges agree
-// once in 10^24, and of 16 rows, where 32 may be enough, once in 10^12. Others measure to 5 mm or
-// finer, or vary more: they agree in at most 27 of 100 cases, and 32 of them once in 10^18.
+// Measured ranges have noise. The coarsest unit here is an Ouster with steps of 8 mm that vary by 5
+// mm. It measures the same range twice in 41 of 100 cases. So all of 64 or more ranges of two
+// packets agree once in 10^24, and those of 16 rows, where 32 may be enough, once in 10^12. Other
+// units measure to 5 mm or finer, or vary more. Their ranges agree in at most 27 of 100 cases, and
+// 32 of them once in 10^18.
 #pragma once
 
 #include <array>
@@ -18,39 +19,39 @@
 
 namespace iog::intake {
 
-// A number for the ranges of a packet: of all points of a unit that does not turn; of one that
-// turns, of up to 128 points, spread evenly over its layers and the packet's firings.
+// A hash of the ranges of a packet. For a spinning unit it covers up to 128 points, spread evenly
+// over its layers and the packet's firings. For other units it covers all points.
 class RangeDigest {
  public:
-  // Of a packet with fewer returns among the points looked at: it may well come twice.
+  // No digest: the sampled points have so few returns that their ranges may repeat by chance.
   static constexpr std::uint64_t kNone = 0;
 
   explicit RangeDigest(const vehicle::Sensor& sensor);
   RangeDigest() = default;
 
-  // Of a sound packet of that sensor. kNone with fewer than 32 returns, or returns from fewer than
-  // half of the points of a unit that turns.
+  // The digest of a sound packet of that sensor. kNone if there are fewer than 32 returns, or if
+  // less than half of the points of a spinning unit return.
   [[nodiscard]] std::uint64_t of(const Packet& packet) const;
 
  private:
   static constexpr std::size_t kMaxLayers = 32;
 
   std::array<std::uint8_t, kMaxLayers> layers_{};
-  std::uint8_t layer_count_ = 0;  // 0: of all points
+  std::uint8_t layer_count_ = 0;  // 0: all points
 };
 
-// The digests of a sensor's last packets, found by chains of those with the same hash, as a
-// compressor finds the strings that it has seen (RFC 1951, section 4).
+// The digests of a sensor's latest packets. Digests with the same hash form a chain, as a
+// compressor keeps the strings that it has seen (RFC 1951, section 4).
 class RangeMemory {
  public:
   static constexpr std::size_t kMaxPackets = 1024;
 
-  // How many packets back it looks, below kMaxPackets; at first none.
+  // Sets how many packets back the search goes, below kMaxPackets. Initially none.
   void look_back(std::size_t packets) { packets_ = static_cast<std::uint32_t>(packets); }
 
-  // Whether one of the last packets had this digest. Never of kNone. At most 16 steps.
+  // Whether one of these packets had this digest. False for kNone. At most 16 steps.
   [[nodiscard]] bool knows(std::uint64_t digest) const;
-  // A packet with this digest came, or came again.
+  // Notes a packet with this digest, new or repeated.
   void note(std::uint64_t digest);
 
  private:
@@ -59,37 +60,39 @@ class RangeMemory {
     return static_cast<std::uint32_t>(digest >> 54);
   }
 
-  // Packets are counted, modulo 2^32; each has the place of its number modulo kMaxPackets.
+  // Packets are numbered modulo 2^32. Entry i belongs to the packet whose number is i modulo
+  // kMaxPackets.
   std::array<std::uint64_t, kMaxPackets> digests_{};
-  std::array<std::uint32_t, kMaxPackets> before_{};  // the last one before it in its chain
-  std::array<std::uint32_t, kHeads> newest_{};       // of each chain
+  std::array<std::uint32_t, kMaxPackets> before_{};  // number of the packet before it in its chain
+  std::array<std::uint32_t, kHeads> newest_{};       // number of the newest packet of each chain
   std::uint32_t packets_ = 0;
-  std::uint32_t number_ = kMaxPackets;  // of the last packet; none is older than so many packets
+  std::uint32_t number_ = kMaxPackets;  // of the latest packet; at the start, 0 is too old
 };
 
-// Whether a sensor still measures. The order of a frame's packets matters only if two have equal
-// ranges: then the later one is frozen.
+// Whether a sensor still measures. The order of the packets of a frame matters only if two have
+// equal ranges: then the later one is frozen.
 class FrozenWatch {
  public:
-  // How many packets back a repeated one is known, below RangeMemory::kMaxPackets.
+  // Sets how many packets back a repetition is recognised, below RangeMemory::kMaxPackets.
   void look_back(std::size_t packets) { memory_.look_back(packets); }
 
-  // Whether a packet with this digest is measured anew. What is not judged goes with the unit: it
-  // is frozen after a frame in which packets came again, and none was new.
+  // Whether a packet with this digest is frozen, that is, repeats earlier ranges. A packet without
+  // a digest is frozen if its unit is. A unit is frozen after a frame in which packets were
+  // repeated and none was new.
   [[nodiscard]] bool is_frozen(std::uint64_t digest) const {
     return digest == RangeDigest::kNone ? unit_is_frozen_ : memory_.knows(digest);
   }
 
-  // The packet was taken, or left because it is frozen.
+  // Notes a packet that was taken, or dropped because it is frozen.
   void note_taken(std::uint64_t digest);
   void note_frozen(std::uint64_t digest);
 
-  // The frame is closed.
+  // Closes the frame.
   void start_frame();
 
  private:
   RangeMemory memory_;
-  bool has_new_ = false;  // packets in this frame, of those that are judged
+  bool has_new_ = false;  // packets with a digest in this frame
   bool has_frozen_ = false;
   bool unit_is_frozen_ = false;
 };

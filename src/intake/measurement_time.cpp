@@ -12,8 +12,8 @@ std::uint64_t duration_of(const lidar::Sweep& sweep) {
   return sweep.end_us < sweep.begin_us ? 0 : std::min(sweep.end_us - sweep.begin_us, kLongestUs);
 }
 
-// The middle of the message's sector, as a share of the scan. Angles are doubled, so that the
-// middle is a whole number: below 2^18, and times a second below 2^38.
+// The middle of the message's sector, as a share of the scan. Angles are doubled to keep the middle
+// a whole number. They are below 2^18, and times a second below 2^38.
 std::uint64_t lux_middle_us(const vehicle::Sensor& sensor, const lidar::PacketInfo& packet) {
   const auto turn = static_cast<std::int32_t>(sensor.azimuths.ticks_per_turn());
   const std::int32_t first = packet.sector.first_ticks;
@@ -27,7 +27,7 @@ std::uint64_t lux_middle_us(const vehicle::Sensor& sensor, const lidar::PacketIn
          (duration_of(packet.sweep) * static_cast<std::uint64_t>(swept) + whole / 2) / whole;
 }
 
-// The time nearest to near_us that is so long after an hour.
+// The time nearest to near_us that is this long after a full hour.
 std::uint64_t completed(std::uint64_t since_hour_us, std::uint64_t near_us) {
   const std::uint64_t time_us = near_us - near_us % kHourUs + since_hour_us;
   if (time_us > near_us + kHourUs / 2 && time_us >= kHourUs) {

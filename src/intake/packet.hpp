@@ -1,4 +1,4 @@
-// A packet of a sensor, decoded: what it says of itself, and its scan points, whatever its format.
+// A decoded packet of any format: its header and its scan points.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ concept TakesCorrections = requires(Decoder& decoder, const lidar::Unit& unit) {
   decoder.decode(std::span<const std::byte>(), unit.corrections);
 };
 
-// Each decoder wants to know as much of the unit as its packets leave open.
+// Passes each decoder what its packets do not say about their unit.
 template <typename Decoder>
 [[nodiscard]] lidar::DecodeStatus decode_with(Decoder& decoder, std::span<const std::byte> payload,
                                               const lidar::Unit& unit) {
@@ -39,7 +39,7 @@ template <typename Decoder>
 
 class Packet {
  public:
-  // The payload and the unit's corrections outlive the packet.
+  // The payload and the unit's corrections must outlive the packet.
   [[nodiscard]] static Packet decode(lidar::Format format, std::span<const std::byte> payload,
                                      const lidar::Unit& unit = {}) {
     Packet packet;
@@ -51,7 +51,7 @@ class Packet {
     return packet;
   }
 
-  // Everything but the number of points is of a sound packet alone.
+  // If the packet is not sound, only status() and the number of points are valid.
   [[nodiscard]] lidar::DecodeStatus status() const { return status_; }
   [[nodiscard]] bool is_sound() const { return status_ == lidar::DecodeStatus::kOk; }
   [[nodiscard]] const lidar::PacketInfo& info() const { return info_; }
@@ -62,7 +62,7 @@ class Packet {
     with_decoder(*this, [&](const auto& decoder) { decoder.for_each_point(visit); });
   }
 
-  // The same for the points of a sampling, of a unit that turns (lidar/sampling.hpp).
+  // The same for the points of a sampling of a spinning unit (lidar/sampling.hpp).
   template <typename Visit>
   void for_each_sample(const lidar::Sampling& sampling, Visit&& visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -72,8 +72,8 @@ class Packet {
     });
   }
 
-  // Calls visit(std::uint32_t) for ranges of a sound packet as they are on the wire, and returns
-  // it: of a unit that turns those of a sampling, of others all.
+  // Calls visit(std::uint32_t) for ranges of a sound packet as on the wire, and returns visit. For
+  // a spinning unit these are the ranges of a sampling, for others all ranges.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const lidar::Sampling& sampling, Visit visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -86,7 +86,7 @@ class Packet {
     return visit;
   }
 
-  // What a sound packet of a Velodyne shows of its unit; none of others.
+  // What a sound packet of a Velodyne shows of its unit; null for other packets.
   [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
     const lidar::VelodyneLook* look = nullptr;
     with_decoder(*this, [&]<typename Decoder>(const Decoder& decoder) {
@@ -97,14 +97,14 @@ class Packet {
     return look;
   }
 
-  // From now on the packet's points are read from this copy of the payload.
+  // Makes the packet read its points from this copy of the payload.
   void move_to(std::span<const std::byte> copy) {
     with_decoder(*this, [copy](auto& decoder) { decoder.move_to(copy); });
   }
 
  private:
-  // Calls visit(decoder) with that of the packet. std::visit() would want the C++ library's
-  // abort(), which the target does not have.
+  // Calls visit(decoder) with the packet's decoder. std::visit() would need abort() of the C++
+  // library, which the target does not have.
   template <typename Self, typename Visit>
   static void with_decoder(Self& self, Visit&& visit) {
     const auto if_it_is = [&](auto* decoder) {

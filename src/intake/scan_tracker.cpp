@@ -10,7 +10,7 @@ bool ScanTracker::is_known(std::uint64_t fingerprint) const {
   return std::ranges::find(known, fingerprint) != known.end();
 }
 
-// Numbers are 16 bits on the wire and wrap.
+// Scan numbers have 16 bits on the wire and wrap.
 bool ScanTracker::is_older(const lidar::PacketInfo& packet) const {
   const auto behind = static_cast<std::uint16_t>(scan_number_ - packet.scan_number);
   return behind != 0 && behind <= kLateScans;
@@ -39,7 +39,7 @@ ScanTracker::Outcome ScanTracker::classify_scan(const lidar::PacketInfo& packet)
   return packets_ > 0 ? Outcome::kNextScan : Outcome::kPartOfFrame;
 }
 
-// Of an older turn it may fill a gap of the frame; neither does it begin one nor end it.
+// A packet of an older turn may fill a gap of the frame, but neither begins nor ends one.
 ScanTracker::Outcome ScanTracker::classify_turn(const lidar::PacketInfo& packet) const {
   const bool sweeps_again =
       packets_ > 0 && packet.sector.width_ticks > 0 && swept_.missing_of(packet.sector) == 0;

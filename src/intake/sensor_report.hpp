@@ -1,4 +1,4 @@
-// What is said of sensors and their packets. The values are on the wire (docs/spec.md).
+// What is reported about sensors and their packets. The values are on the wire (docs/spec.md).
 #pragma once
 
 #include <cstddef>
@@ -6,31 +6,31 @@
 
 namespace iog::intake {
 
-// Why a datagram was dropped before any of its points was seen.
+// Why a datagram was dropped before any of its points was used.
 enum class PacketDrop : std::uint8_t {
-  kStranger,  // no sensor of this vehicle sends from there to this port
+  kStranger,  // no sensor of this vehicle sends from this source to this port
   kWrongLength,
   kWrongType,
   kWrongAngle,
   kWrongPoint,
-  kDuplicate,   // this very packet was fused before
-  kLate,        // of a scan whose frame is closed
-  kOverBudget,  // more points than the sensor's description allows in one scan
-  kOtherUnit,   // of another unit of the same maker's, or it is not known of which of two
-  kNotTaken,    // it has waited too long, because the target is too slow
-  kFrozen,      // new by its stamp, but its ranges are those of a packet before
-  kTooSoon,     // of a scan that begins sooner after the one before than any unit scans
+  kDuplicate,   // the same packet was fused before
+  kLate,        // its scan belongs to a closed frame
+  kOverBudget,  // more points than the car file allows in one scan
+  kOtherUnit,   // from another unit of the same maker, or from one of two that cannot be told apart
+  kNotTaken,    // it waited too long because the target is too slow
+  kFrozen,      // new by its stamp, but it repeats the ranges of an earlier packet
+  kTooSoon,     // its scan begins sooner after the last one than any unit can scan
 };
 inline constexpr std::size_t kPacketDropCount = 12;
 
 enum class SensorState : std::uint8_t {
-  kNeverSeen,  // since start
+  kNeverSeen,  // not since start
   kSilent,     // nothing in this frame
   kPartial,    // some packets of its scan
   kComplete,   // its whole scan
 };
 
-// Where nearly nothing comes back to it (intake/blocked_sectors.hpp).
+// Where a sensor gets almost no returns (intake/blocked_sectors.hpp).
 enum class Blocked : std::uint8_t { kNot, kPartly, kWhole };
 
 struct SensorReport {

@@ -1,5 +1,5 @@
-// Which azimuths of a turn have been swept: a bit for each tick, so that a sector counts whole
-// however narrow it is, and what two sectors share counts once.
+// The azimuths of a turn that have been swept, one bit per tick. So a sector counts in full however
+// narrow it is, and the overlap of two sectors counts once.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@ namespace iog::intake {
 
 class SweptSectors {
  public:
-  // Of an Ouster, the most that a format has.
+  // Ticks of an Ouster, which has the most of all formats.
   static constexpr std::uint32_t kMaxTicksPerTurn = 46'080;
 
-  // ticks_per_turn: at most kMaxTicksPerTurn. Sectors lie within such a turn.
+  // ticks_per_turn: at most kMaxTicksPerTurn. Sectors must lie within such a turn.
   explicit SweptSectors(std::uint32_t ticks_per_turn);
   SweptSectors() = default;
 
@@ -25,14 +25,14 @@ class SweptSectors {
   // Ticks that have been swept.
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  // Ticks of the sector that have not.
+  // Ticks of the sector that have not been swept.
   [[nodiscard]] std::uint32_t missing_of(const lidar::Sector& sector) const;
 
  private:
   static constexpr std::uint32_t kWordTicks = 32;
   static constexpr std::size_t kWords = (kMaxTicksPerTurn + kWordTicks - 1) / kWordTicks;
 
-  // Calls visit(word, bits) for each word of the sector, with the sector's bits of it.
+  // Calls visit(word, bits) for each word that the sector touches, with the sector's bits in it.
   template <typename Visit>
   void for_each_word(const lidar::Sector& sector, Visit&& visit) const;
 

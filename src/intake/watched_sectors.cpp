@@ -24,7 +24,7 @@ struct Vector {
 
 std::int64_t cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 
-// From the sensor to the circle in that direction, of 64 a turn, in subcells: below 2^20.
+// Vector from the sensor to the circle in one of 64 directions, in subcells, below 2^20.
 Vector from_sensor(const vehicle::Sensor& sensor, std::uint32_t direction) {
   constexpr auto kTable = numeric::kSineTable<kSectors>;
   constexpr std::int64_t kOrigin = std::int64_t{geometry::kOriginCell} * geometry::kResolution;
@@ -35,7 +35,7 @@ Vector from_sensor(const vehicle::Sensor& sensor, std::uint32_t direction) {
           .y = kOrigin + along(kTable.sine(direction)) - sensor.origin.y};
 }
 
-// The axes of the sensor on the plane, of any length below 2^31.
+// The axes of the sensor on the plane. Their lengths are arbitrary, below 2^31.
 struct Axes {
   Vector forward;
   Vector left;
@@ -47,9 +47,9 @@ struct Axes {
   [[nodiscard]] bool are_upside_down() const { return cross(forward, left) < 0; }
 };
 
-// The azimuth in which the sensor sees it: d = u forward + v left by Cramer's rule, whose divisor
-// is left out but for its sign, since only the direction of (u, v) counts. Products stay below
-// 2^52.
+// The azimuth at which the sensor sees d, where d = u forward + v left. Only the direction of (u,
+// v) matters, so Cramer's rule is used without its divisor, except for the sign. Products stay
+// below 2^52.
 std::uint32_t azimuth_ticks(const Axes& axes, const Vector& d, std::uint32_t ticks_per_turn) {
   const std::int64_t sign = axes.are_upside_down() ? -1 : 1;
   const std::int64_t u = sign * cross(d, axes.left);
@@ -84,7 +84,7 @@ SectorView view_of(const vehicle::Sensor& sensor) {
     if (axes.are_upside_down()) {
       std::swap(first, last);
     }
-    // Seen from outside of the circle, some of it runs the other way round.
+    // For a sensor outside the circle, a part of the circle runs the other way round.
     const std::uint32_t width = (last + turn - first) % turn;
     if (width < turn / 2) {
       view[i] = {.first_ticks = static_cast<std::uint16_t>(first),
