@@ -3,8 +3,7 @@
 // either. So each sector (watched_sectors.hpp) is judged by beams that must return:
 //
 // - ground: sectors of a spinning unit in which beams meet the car's plane within 20 m and at 1 in
-// 16
-//   or steeper (ground beams). A turn blocks the sector if less than a sixteenth of its ground
+//   16 or steeper (ground beams). A turn blocks the sector if less than a sixteenth of its ground
 //   beams return, and if the same is true of all its beams or a quarter of its ground beams used to
 //   return (a running mean, 1/32 per turn). The sector opens after three turns in which an eighth
 //   of its ground beams, or else of all its beams, return.
