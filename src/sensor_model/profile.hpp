@@ -1,8 +1,9 @@
-// The profile: the occupancy indexes of the local 1D grid around a scan point, as a small table.
+// The profile of a sensor: a small table of the occupancy indexes of the local 1D grid around a
+// scan point.
 //
-// docs/model.md section 4, Table 4.3 of the thesis. Three things describe the whole local grid of a
-// beam: the index of all cells well before the scan point, the indexes of the few cells around it,
-// and 0 beyond.
+// docs/model.md section 4, Table 4.3 of the thesis. A profile describes the whole local grid of a
+// beam by three things: the index of all cells well before the scan point, the indexes of the few
+// cells around it, and 0 beyond.
 #pragma once
 
 #include <array>
@@ -20,11 +21,11 @@ struct ProfileConfig {
   double sigma_m = 0.10;        // standard deviation of the range
   double cell_length_m = 0.10;  // Delta, the length of a 1D cell: the sensor's precision
   double epsilon = 0.05;        // of the recursive set
-  double floor = 0.05;          // an ISM below is raised to it (thesis section 4.3.1.1)
+  double floor = 0.05;          // smaller ISM values are raised to this (thesis section 4.3.1.1)
   index::Quantisation quantisation = index::Quantisation::kBlurring;
 };
 
-// Cells on one side of the scan point whose index is neither the free one nor 0.
+// Maximum number of cells on one side of the scan point whose index is neither the free one nor 0.
 inline constexpr std::size_t kMaxNearCells = 8;
 
 template <typename Cell>
@@ -48,8 +49,8 @@ struct BasicProfile {
     return distance < near_after_count ? near_after[distance] : Cell{0};
   }
 
-  // Whether a frame can fuse with this profile: it carves before the scan point, marks at it, and
-  // clears nothing behind it. A 1D cell much shorter than sigma cannot mark (thesis section
+  // Whether a frame can be fused with this profile: it carves before the scan point, marks at it,
+  // and clears nothing behind it. A 1D cell much shorter than sigma cannot mark (thesis section
   // 4.2.1.2, figure 4.6d); such a sensor needs a longer one.
   [[nodiscard]] constexpr bool is_valid() const {
     bool valid = free < 0 && hit > 0;
@@ -64,7 +65,8 @@ struct BasicProfile {
 
 using Profile = BasicProfile<index::OccupancyIndex>;
 
-// None if a near zone needs more than kMaxNearCells cells, or if an index does not fit its type.
+// No value if a near zone needs more than kMaxNearCells cells, or if an index does not fit its
+// type.
 template <typename Cell = index::OccupancyIndex>
 constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& config) {
   const SingleTarget model{config.sigma_m, config.cell_length_m};
@@ -96,10 +98,10 @@ constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& conf
   return fits ? std::optional(profile) : std::nullopt;
 }
 
-// Not constexpr and never defined: reaching it ends the compilation with its name.
+// Neither constexpr nor defined: calling it stops the compilation with its name in the message.
 void the_profile_does_not_fit_its_table_or_its_cell_type();
 
-// The same of what is known to fit. Else it does not compile.
+// Like profile_of() for a profile that must fit. Does not compile if it does not.
 template <typename Cell = index::OccupancyIndex>
 constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
   const auto profile = profile_of<Cell>(config);

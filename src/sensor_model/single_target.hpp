@@ -4,9 +4,9 @@
 //   alpha      =   sum_h p(z|d_h) 2^-(h-1)
 //
 // p(z|d) is a Gaussian of standard deviation sigma around d, with the usual factor 1/2 in the
-// exponent (docs/model.md section 4: equation 4.1 prints it without, Table 4.3 needs it). Distances
-// are those of cell centres, and z is the centre of its own cell k. So only i - k and the ratio of
-// cell length to sigma matter, as long as k is not within a few cells of either end of the grid.
+// exponent. (Equation 4.1 omits it, but Table 4.3 needs it: docs/model.md section 4.) Distances are
+// those of cell centres, and z is the centre of its own cell k. So only i - k and the ratio of cell
+// length to sigma matter, as long as k is not within a few cells of either end of the grid.
 #pragma once
 
 #include "numeric/elementary.hpp"
@@ -22,7 +22,7 @@ struct SingleTarget {
     double before = 0;
     double alpha = 0;
     for (int h = -reach(); h <= reach(); ++h) {
-      // 2^-(h-1) relative to cell k; the common factor cancels in the quotient.
+      // 2^-(h-1) relative to cell k. The common factor cancels in the quotient.
       const double weighted = likelihood(h) * numeric::power_of_two(-h);
       alpha += weighted;
       if (h < offset) {
@@ -33,14 +33,14 @@ struct SingleTarget {
   }
 
  private:
-  // How many cells to sum up on either side. The powers of two shift the largest term by sigma^2 ln
-  // 2 / cell^2 cells; 12 sigma beyond that a term is below 1e-30 of the largest.
+  // Number of cells to sum on each side. The powers of two shift the largest term by sigma^2 ln 2 /
+  // cell^2 cells. 12 sigma beyond it, a term is below 1e-30 of the largest.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;
     return 40 + static_cast<int>(14 * ratio + ratio * ratio);
   }
 
-  // p(z|d) of the cell at this offset, up to a constant factor that cancels.
+  // p(z|d) for the cell at this offset, up to a constant factor that cancels.
   [[nodiscard]] constexpr double likelihood(int offset) const {
     const double distance = offset * cell_length_m / sigma_m;
     const double exponent = -0.5 * distance * distance;
