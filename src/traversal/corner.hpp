@@ -1,16 +1,16 @@
-// Which lines meet no corner between cells on their way, so that every step of their walk crosses
-// one border.
+// Finds lines that meet no corner between cells on their way. Every step of their walk crosses
+// exactly one border.
 //
 // A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. Let f
 // be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid
-// are S + k (w_x, w_y) / d for k = 0 ... d, and such a point is a corner if f + k w / d = 0 (mod r)
-// on both axes. A line that meets a corner therefore fulfils all of these:
+// are S + k (w_x, w_y) / d for k = 0 ... d. Such a point is a corner if f + k w / d = 0 (mod r) on
+// both axes. A line that meets a corner therefore fulfils all of these conditions:
 //   * w_x, w_y > 0. A line along an axis begins inside a row or at its lower border, and stays
 //     there.
-//   * f_y w_x = f_x w_y (mod r). This is what is left if k is eliminated.
-//   * Either k = 0 and f = (r, r): only such a corner at the start is still to be crossed, and the
-//     first step crosses it. Or 1 <= k <= d. Then gcd(k, r) = gcd(f_x, f_y, r) = c, because w_x / d
-//     and w_y / d have no common divisor; so c <= k, and c <= d.
+//   * f_y w_x = f_x w_y (mod r). This follows by eliminating k.
+//   * Either k = 0 and f = (r, r), or 1 <= k <= d. In the first case, the first step crosses the
+//     corner; other corners at the start are not crossed. In the second case, w_x / d and w_y / d
+//     have no common divisor, so gcd(k, r) = gcd(f_x, f_y, r) = c. Hence c <= k and c <= d.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@
 
 namespace iog::traversal {
 
-// Whether the first step of a line crosses a corner, on which it starts.
+// Whether a line starts on a corner and crosses it with its first step.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool starts_on_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);
   return line.x().offset() == kSide && line.y().offset() == kSide;
 }
 
-// Whether a line may meet a corner after its start. False is certain; true is not.
+// Whether a line may meet a corner after its start. False is certain, true is not.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool may_meet_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);

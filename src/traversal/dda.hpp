@@ -1,29 +1,32 @@
-// Where a line rises, as the carries of a sum: a digital differential analyser that is exact.
+// Finds the columns in which a line rises, as the carries of a sum: an exact digital differential
+// analyser.
 //
-// u counts columns along the axis on which the line is longer, v rows along the other, both in the
-// line's own direction; w_u >= w_v are its lengths in subcells, r is the side of a cell. Let e be
-// the error term of the walk (traversal/walk.hpp), with u for columns, where the line enters column
-// c. The line rises in that column exactly if e_c >= 0, and
+// u counts columns along the axis on which the line is longer, v counts rows along the other one,
+// both in the line's own direction. w_u >= w_v are the lengths of the line in subcells, and r is
+// the side of a cell. Let e_c be the error term of the walk (traversal/walk.hpp), with u for
+// columns, where the line enters column c. The line rises in that column exactly if e_c >= 0, and
 //     e_{c+1} = e_c + r w_v - (it rises ? r w_u : 0).
 //
-// As a rotation. All e_c are equal modulo r. So with y_c = floor(e_c / r) + w_u - w_v a rise is
-// y_c + w_v >= w_u, and y_{c+1} = y_c + w_v, less w_u for a rise: y goes round a circle of w_u, and
-// a rise is its carry. y_c / w_u is how far above its row the line is at the left side of column c.
+// As a rotation. All e_c are equal modulo r. Let y_c = floor(e_c / r) + w_u - w_v. The line then
+// rises if y_c + w_v >= w_u, and y_{c+1} = y_c + w_v, less w_u if it rises. So y goes round a
+// circle of w_u, and a rise is its carry. y_c / w_u is the height of the line above its row at the
+// left side of column c.
 //
 // In 32 bits. Scaled by 2^32 / w_u, the carry is that of an addition of words:
 //     phase = floor(2^32 y / w_u) + 1,   step = floor(2^32 w_v / w_u) + 1.
-// Either is too large by at most 1, and never too small. So after n columns the phase is above the
-// true one by at most n + 1. It loses no carry. It invents none as long as that excess is below
-// 2^32 / w_u, because y is whole: the largest y without a carry is w_u - 1. Hence the bound
+// Both are too large by at most 1, and never too small. So after n columns the phase exceeds the
+// true one by at most n + 1. No carry is lost. No false carry appears while the excess is below
+// 2^32 / w_u, because y is an integer and at most w_u - 1 without a carry. This gives the bound
 //     (n + 1) w_u < 2^32,
-// which kMostColumns asserts. If w_u = w_v, step would be 2^32. Such a line rises in every column,
-// which phase 2^31 and step 2^32 - 1 do for 2^31 columns.
+// which most_columns() gives. If w_u = w_v, step would be 2^32. Such a line rises in every column.
+// Phase 2^31 and step 2^32 - 1 give the same result for 2^31 columns.
 //
 // Borders. A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. Its
-// start may lie on a border. On the lower or left border of its cell all of the above holds as it
-// is. On the upper left corner the line is just below its row's upper border when it enters its
-// first column: there floor((e - 1) / r) keeps it in its row. On the upper right corner, e_0 = 0,
-// it rises in its first column, and so enters the cell above, which the line itself does not.
+// start may be on a border. If it is on the lower or left border of its cell, all of the above
+// holds. If it is on the upper left corner, the line is just below the upper border of its row when
+// it enters its first column; floor((e - 1) / r) keeps it in that row. If it is on the upper right
+// corner, e_0 = 0, and the sum rises in the first column. It then enters the cell above, which the
+// line itself does not.
 #pragma once
 
 #include <cstdint>
@@ -34,14 +37,14 @@
 
 namespace iog::traversal {
 
-// Heights at the left sides of columns, as a whole row and a phase of 2^-32 rows.
+// Height of the line at the left side of a column, as a whole row and a phase of 2^-32 rows.
 struct Dda {
-  std::int32_t row = 0;  // of the first column, from the row of the line's start
+  std::int32_t row = 0;  // of the first column, relative to the row of the line's start
   std::uint32_t phase = 0;
   std::uint32_t step = 0;  // from one column to the next, > 0
 
-  // Goes on to the next column. `bits` shifted by one, and 1 more if the line rises by a row. The
-  // core's add with carry does this in one instruction, if it is one addition of 64 bits.
+  // Goes on to the next column. Returns `bits` shifted by one, plus 1 if the line rises by a row.
+  // Written as one 64-bit addition, so that it compiles to one add with carry.
   [[nodiscard]] constexpr std::uint32_t advance(std::uint32_t bits) {
     const std::uint64_t shifted = static_cast<std::uint64_t>(bits) << 32;
     const std::uint64_t sum = (shifted | phase) + (shifted | step);
@@ -50,12 +53,12 @@ struct Dda {
   }
 };
 
-// The columns through which the heights of a line of length w_u are exact.
+// Number of columns for which the heights of a line of length w_u are exact.
 [[nodiscard]] constexpr std::uint32_t most_columns(std::uint32_t length_u) {
   return std::numeric_limits<std::uint32_t>::max() / (length_u + 1) - 1;
 }
 
-// Begins `columns_before` columns before that of the line's start. is_steep: y is u.
+// Begins `columns_before` columns before the start of the line. is_steep: y is u.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr Dda dda_of(const Line<kResolution>& line, bool is_steep,
                                    std::uint32_t columns_before) {

@@ -1,18 +1,17 @@
-// The line of a beam on the grid, in integers: where it crosses cell borders, and how many it has
-// crossed after any share of its length.
+// The line of a beam on the grid, in integers: where it crosses cell borders, and how many borders
+// it has crossed after any share of its length.
 //
 // docs/model.md section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the
 // thesis's traversal resolution). A line runs from its start S to its end E, both in subcells. It
-// is folded into the first quadrant: x and y are counted in its own direction of travel.
+// is folded into the first quadrant, so x and y count in its own direction of travel.
 //
-// Position. A cell of a line is named by how many column borders (x) and row borders (y) are
-// crossed to get there. Their sum, `crossed`, grows along the line. Through a corner a line crosses
-// both borders at once and enters neither of the two other cells, so `crossed` then grows by two.
-// Every position that a function here returns is one that the line really takes.
+// Position. A cell of a line is identified by the numbers of column borders (x) and row borders (y)
+// crossed to get there. Their sum, `crossed`, grows along the line. At a corner a line crosses both
+// borders at once and enters neither of the two other cells, so `crossed` grows by two. All
+// positions returned by these functions are cells that the line really enters.
 //
 // Ranges, with w = |E - S| per axis in subcells. (w_x + w_y) * r < 2^31 bounds the error term of
-// the walk; it is asserted for the longest beam of a vehicle description. S and E lie within
-// +-2^29.
+// the walk; this is asserted for the longest beam of a car. S and E lie within +-2^29.
 //   * through() and before(): the share of the line is num / den with 0 <= num, 0 < den and
 //     f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
 //   * All divisions are of non-negative numbers, and all rounding is down.
@@ -48,7 +47,7 @@ struct Share {
   std::uint64_t denominator = 1;
 };
 
-// The length that a beam's line stands for, in millimetres, with its reciprocal. 1 ... 2^18 - 1.
+// The length in millimetres of a beam's line, with its reciprocal. 1 ... 2^18 - 1.
 class LineLength {
  public:
   constexpr LineLength() = default;
@@ -57,7 +56,7 @@ class LineLength {
   [[nodiscard]] constexpr std::uint32_t mm() const { return length_mm_; }
   [[nodiscard]] constexpr const numeric::Reciprocal& reciprocal() const { return reciprocal_; }
 
-  // floor(2^(32 + exponent) / mm), but below 2^32, and its exponent: mm / 2 < 2^exponent <= mm.
+  // floor(2^(32 + exponent) / mm), limited to 32 bits, and its exponent: mm / 2 < 2^exponent <= mm.
   [[nodiscard]] constexpr std::uint32_t inverse() const { return inverse_; }
   [[nodiscard]] constexpr int exponent() const { return exponent_; }
 
@@ -70,7 +69,7 @@ class LineLength {
                               std::numeric_limits<std::uint32_t>::max()));
 };
 
-// One axis of a line, folded so that it runs towards plus.
+// One axis of a line, folded so that it runs in the positive direction.
 template <std::int32_t kResolution>
 class Axis {
   static_assert(kResolution >= 1);
@@ -80,7 +79,8 @@ class Axis {
   constexpr Axis(std::int32_t start, std::int32_t end)
       : step_(end < start ? -1 : 1),
         start_cell_(numeric::div_floor(start, kResolution)),
-        // Mirrored, a start on a border lies at the far end of its cell: offset r, not 0.
+        // Folding mirrors the axis. A start on a border is then at the far end of its cell: offset
+        // r, not 0.
         offset_(end < start ? static_cast<std::uint32_t>((start_cell_ + 1) * kResolution - start)
                             : static_cast<std::uint32_t>(start - start_cell_ * kResolution)),
         length_(static_cast<std::uint32_t>(end < start ? start - end : end - start)) {}
@@ -105,14 +105,15 @@ class Axis {
                         : static_cast<std::uint32_t>((reached - 1) / (share.denominator * kSide));
   }
 
-  // The same before the end of the line, without a division.
+  // Borders crossed strictly before the end of the line, without a division.
   [[nodiscard]] constexpr std::uint32_t before_end() const {
     const std::uint32_t reached = offset_ + length_;
     return reached == 0 ? 0 : (reached - 1) / kSide;
   }
 
-  // through() for the share distance / length, without a division. distance < 2^20 mm. The dividend
-  // by r is at most length + distance * w / r, below 2^31 for lines up to 2,000 cells.
+  // through() for the share distance / length, without a division by the length. distance < 2^20
+  // mm. The quotient by r is at most length + distance * w / r, below 2^31 for lines up to 2,000
+  // cells.
   [[nodiscard]] constexpr std::uint32_t through(std::uint32_t distance_mm,
                                                 const LineLength& length) const {
     const std::uint64_t reached =
@@ -120,8 +121,8 @@ class Axis {
     return length.reciprocal().divide(static_cast<std::uint32_t>(reached / kSide));
   }
 
-  // The share of the line at which border number n is crossed, n = 1, 2, ... length() > 0 and n * r
-  // >= offset().
+  // The share of the line at which border number n is crossed, n = 1, 2, ... Requires length() > 0
+  // and n * r >= offset().
   [[nodiscard]] constexpr Share crossing(std::uint32_t n) const {
     return {std::uint64_t{n} * kSide - offset_, length_};
   }
@@ -142,7 +143,7 @@ class Axis {
   std::uint32_t length_;
 };
 
-// The part of a line that lies in an area: the first position in it, and the last.
+// The part of a line that lies in an area: its first and its last position there.
 struct Stretch {
   Position first;
   Position last;
@@ -157,11 +158,11 @@ class Line {
   [[nodiscard]] constexpr const Axis<kResolution>& y() const { return y_; }
   [[nodiscard]] constexpr Cell cell(Position at) const { return {x_.cell(at.x), y_.cell(at.y)}; }
 
-  // The cell that holds the point at this share of the line; on a border the later cell.
+  // The cell that contains the point at this share of the line; on a border, the later cell.
   [[nodiscard]] constexpr Position through(Share share) const {
     return {x_.through(share), y_.through(share)};
   }
-  // Not inlined: a ruler asks it once in 2^12 distances.
+  // Not inlined, because a ruler calls it only once in 2^12 distances.
   [[nodiscard, gnu::noinline]] constexpr Position through(std::uint32_t distance_mm,
                                                           const LineLength& length) const {
     return {x_.through(distance_mm, length), y_.through(distance_mm, length)};
@@ -174,15 +175,14 @@ class Line {
 
   [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }
 
-  // The walk's error term at a position. It says on which side of the line the next corner lies.
+  // The error term of the walk at a position: the side of the line on which the next corner lies.
   // Below 0 the column border comes first, above 0 the row border; 0 is the corner itself.
   [[nodiscard]] constexpr std::int32_t error(Position at) const {
     return static_cast<std::int32_t>(x_.to_border(at.x) * std::int64_t{y_.length()} -
                                      y_.to_border(at.y) * std::int64_t{x_.length()});
   }
 
-  // The part of the line that lies inside the area, if the line went on for ever. Nothing if it
-  // never enters.
+  // The part inside the area of the line, continued beyond its end. No value if it never enters.
   [[nodiscard]] constexpr std::optional<Stretch> clip(CellArea area) const {
     Stretch stretch{{}, {kNoLimit, 0}};
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
@@ -193,7 +193,7 @@ class Line {
 
  private:
   // Narrows the stretch to where `axis` is inside [0, cells). `other` is the other axis; `swapped`
-  // says that `axis` is y. False if it is never inside.
+  // means that `axis` is y. False if it is never inside.
   static constexpr bool clip_axis(const Axis<kResolution>& axis, const Axis<kResolution>& other,
                                   std::int32_t cells, Stretch& stretch, bool swapped) {
     const std::int32_t to_low =
@@ -219,7 +219,7 @@ class Line {
     return true;
   }
 
-  // More than any line crosses, and one more still fits.
+  // More than any line crosses, and still small enough to add one.
   static constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max() / 2;
 
   Axis<kResolution> x_;

@@ -1,31 +1,31 @@
-// How many borders a line has crossed after a distance, with one multiplication for each axis. A
-// beam asks this for its scan point and for the beginning of each zone of its profile.
+// Counts the borders that a line has crossed after a distance, with one multiplication per axis. A
+// beam needs this for its scan point and for the start of each zone of its profile.
 //
-// Exactly. On one axis the line has crossed floor(T) borders at distance z, where
+// Exact. On one axis the line has crossed floor(T) borders at distance z, where
 //     T = (f L + z w) / (r L),
 // f is the offset of the start in its cell, w the length of the line on this axis in subcells, and
 // L its whole length in millimetres. Line::through(z) computes this.
 //
-// Estimated. The ruler keeps two numbers, in units of 2^-32 borders,
+// Estimate. The ruler keeps two numbers in units of 2^-32 borders,
 //     base  = floor(f 2^32 / r)
 //     slope = floor(w q / (r 2^e)),   q = floor(2^(32 + e) / L),
-// with the q and e of LineLength, and estimates T by base + z slope. All roundings are down, so the
+// with the q and e of LineLength, and estimates T by base + z slope. All rounding is down, so the
 // estimate is never too large.
 //
-// How much it is too small. base lacks less than 1. slope lacks less than 1 by its own rounding,
-// and less than w / (r 2^e) because q lacks less than 1. A cell is wider than 2 mm, so w / r < L /
-// 2 < 2^e, and that second part is below 1, too. Altogether the estimate lacks less than 1 + 2 z,
-// and with z < 2^18 that is below kSlack = 2^20.
+// Error. base is too small by less than 1. slope is too small by less than 1 from its own rounding,
+// and by less than w / (r 2^e) from that of q. A cell is wider than 2 mm, so w / r < L / 2 < 2^e,
+// and this second part is below 1, too. In total the estimate is too small by less than 1 + 2 z.
+// For z < 2^18 that is below kSlack = 2^20.
 //
-// So if the fraction of the estimate is at least kSlack away from the next whole number, its
-// integer part is exact. Otherwise the line itself is asked. That happens once in 2^12 distances,
-// and where a distance ends on a border.
+// So if the fraction of the estimate is at least kSlack below the next whole number, its integer
+// part is exact. Otherwise the line computes the result. That happens once in 2^12 distances, and
+// when a distance ends on a border.
 //
-// A share of the length is read at its distance in units of 2^-14 mm, rounded down, and of its
-// product with the slope only the upper word is taken: both axes are read in units of 2^-14
-// borders. The distance lacks less than 2^-14 mm, which is less than 2^-14 borders; base and
-// product lack less than one unit each, and slope less than 2 in 2^-32 borders a millimetre,
-// altogether less than 2^19 of those or 2 units. So less than kShareSlack = 5 units lack.
+// A share of the length is read at its distance in units of 2^-14 mm, rounded down. Only the upper
+// word of the product with the slope is used, so both axes are read in units of 2^-14 borders. The
+// distance is too small by less than 2^-14 mm, which is less than 2^-14 borders. base and product
+// are too small by less than one unit each. slope is too small by less than 2 in 2^-32 borders per
+// millimetre, in total less than 2^19 of those, or 2 units. The sum is below kShareSlack = 5 units.
 //
 // Ranges. q < 2^32, w < 2^31 and f <= r; slope < 2^31, base <= 2^32. A line of L < 2^18 mm crosses
 // less than 2^17 borders of an axis.
@@ -38,13 +38,13 @@
 
 namespace iog::traversal {
 
-// A share of a line's length, at most 1, and where it lies on every line of that length.
+// A share of a line's length, at most 1, with its distance on every line of that length.
 class MeasuredShare {
  public:
   static constexpr int kFractionBits = 14;
 
   constexpr MeasuredShare() = default;
-  // The divisor is that of the share's denominator, which is below 2^32.
+  // `denominator` divides by the denominator of the share, which is below 2^32.
   constexpr MeasuredShare(const Share& share, const numeric::Divisor& denominator,
                           const LineLength& length)
       : share_(share),
@@ -73,8 +73,8 @@ class AxisRuler {
         slope_(static_cast<std::uint32_t>(
             (std::uint64_t{axis.length()} * length.inverse() / kSide) >> length.exponent())) {}
 
-  // Borders crossed up to and including distance_mm < 2^18, in the upper word. If is_exact() says
-  // no, it may be one too few.
+  // Borders crossed up to and including distance_mm < 2^18, in the upper word. It may be one too
+  // small if is_exact() is false.
   [[nodiscard]] constexpr std::uint64_t estimate(std::uint32_t distance_mm) const {
     return base_ + std::uint64_t{distance_mm} * slope_;
   }
@@ -82,7 +82,7 @@ class AxisRuler {
     return static_cast<std::uint32_t>(estimate) <= ~static_cast<std::uint32_t>(kSlack);
   }
 
-  // The same up to and including a share, but in units of 2^-14 borders.
+  // Borders crossed up to and including a share, in units of 2^-14 borders.
   [[nodiscard]] constexpr std::uint32_t estimate(const MeasuredShare& share) const {
     const std::uint64_t product = std::uint64_t{share.distance()} * slope_;
     return static_cast<std::uint32_t>(base_ >> (32 - MeasuredShare::kFractionBits)) +
@@ -104,7 +104,7 @@ class Ruler {
   constexpr Ruler(const Line<kResolution>& line, const LineLength& length)
       : x_(line.x(), length), y_(line.y(), length) {}
 
-  // `line` and `length` are those that the constructor was given.
+  // `line` and `length` must be those given to the constructor.
   [[nodiscard]] constexpr Position through(std::uint32_t distance_mm, const Line<kResolution>& line,
                                            const LineLength& length) const {
     const std::uint64_t x = x_.estimate(distance_mm);
@@ -115,8 +115,8 @@ class Ruler {
     return line.through(distance_mm, length);
   }
 
-  // Line::through(share) and Line::before(share). The latter is the same but on a border, where the
-  // fraction is 0.
+  // Line::through(share) and Line::before(share). They differ only on a border, where the fraction
+  // is 0.
   [[nodiscard]] constexpr Position through(const MeasuredShare& share,
                                            const Line<kResolution>& line) const {
     const Position at = read(share, 0);
@@ -131,7 +131,7 @@ class Ruler {
  private:
   static constexpr Position kNotExact{~std::uint32_t{0}, 0};
 
-  // So many units before the share.
+  // Reads the position this many units before the share.
   [[nodiscard]] constexpr Position read(const MeasuredShare& share, std::uint32_t before) const {
     const std::uint32_t x = x_.estimate(share) - before;
     const std::uint32_t y = y_.estimate(share) - before;

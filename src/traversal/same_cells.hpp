@@ -1,24 +1,24 @@
-// Whether two lines from one start go through the same cells. If they do, both are carved in one
-// walk. The layers of a lidar have nearly the same line at one azimuth: the lines differ in their
-// length and in how their ends were rounded.
+// Decides whether two lines with the same start go through the same cells. If they do, both are
+// carved in one walk. At one azimuth, the layers of a lidar have nearly the same line: the lines
+// differ in length and in the rounding of their ends.
 //
-// Where they part. Two lines A and B go apart at a corner that lies between them. At a corner X and
-// Y away from S, their error terms (traversal/line.hpp) are e_A = X A_y - Y A_x and e_B = X B_y - Y
+// Where they part. Two lines A and B part at a corner that lies between them. At a corner X and Y
+// away from S, their error terms (traversal/line.hpp) are e_A = X A_y - Y A_x and e_B = X B_y - Y
 // B_x. With c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x + B_y,
 //     A e_B = B e_A + (X + Y) c.
-// After n common borders they disagree about the next one only if e_A and c have opposite signs and
-// B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. So there is a narrow strip beside 0, and as
-// long as no error term of A lies in it, B takes the same borders as A.
+// After n common borders they disagree about the next border only if e_A and c have opposite signs
+// and B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. This is a narrow strip beside 0. As long as
+// no error term of A lies in it, B crosses the same borders as A.
 //
-// How the strip is searched. Each error term of A is the one before plus r A_y, modulo r A: a
-// column step adds r A_y, a row step subtracts r A_x. Divided by r and rounded down, the terms are
-// a rotation by A_y modulo A. With t = floor((n + 2) |c| / B) + 1 the strip is contained in [0, t]
-// for c < 0, and in [-1 - t, -1] for c > 0. Mirrored, x to -1 - x, the second case is the first one
-// of a rotation by A_x. When a rotation first enters [0, t] is found as by Euclid, in some ten
-// steps.
+// How the strip is searched. A column step adds r A_y to the error term of A, a row step subtracts
+// r A_x. So modulo r A, each term is the one before plus r A_y. Divided by r and rounded down, the
+// terms are a rotation by A_y modulo A. With t = floor((n + 2) |c| / B) + 1, the strip is contained
+// in [0, t] for c < 0 and in [-1 - t, -1] for c > 0. Mirroring x to -1 - x turns the second case
+// into the first case of a rotation by A_x. A variant of Euclid's algorithm finds in about ten
+// steps when a rotation first enters [0, t].
 //
-// Ranges. A and B < 2^31 / r (traversal/line.hpp). If not |c| < 2^20 and n + 2 < 2^12, the answer
-// is no: lines of different directions are not worth a closer look.
+// Ranges. A and B < 2^31 / r (traversal/line.hpp). The answer is no unless |c| < 2^20 and n + 2 <
+// 2^12: lines of different directions are not worth a closer look.
 #pragma once
 
 #include <algorithm>
@@ -30,28 +30,28 @@
 
 namespace iog::traversal {
 
-// A turn of a rotation to one side: its angle, and how many steps it takes.
+// A turn of a rotation to one side: its angle, and the number of steps that it takes.
 struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
 
-  // Goes back by the other turn, so many times.
+  // Goes back by the other turn, this many times.
   constexpr void shorten(const Turn& other, std::uint32_t times) {
     angle -= times * other.angle;
     steps += times * other.steps;
   }
 };
 
-// The number of the first term of a rotation that is at most `threshold`, or `limit` if there is
-// none among the first `limit` terms. The rotation begins at x. A step goes down by `down_angle`
-// or, which is the same modulo down_angle + up_angle, up by `up_angle`. x < down_angle + up_angle <
-// 2^31, limit < 2^12.
+// The number of the first term of a rotation that is at most `threshold`, or `limit` if no such
+// term is among the first `limit` terms. The rotation begins at x. A step goes down by
+// `down_angle`, or, which is the same modulo down_angle + up_angle, up by `up_angle`. x <
+// down_angle + up_angle < 2^31, limit < 2^12.
 //
-// Only a term that is less than all terms before it can be the first. The next such term comes with
-// the first turn downwards that is no more than x. Ever shorter turns downwards are found as by
-// Euclid: from the shortest turn downwards so far the shortest turn upwards so far is subtracted,
-// and the other way round. Both turns together are at most the whole circle, and so are their
-// steps, so nothing overflows.
+// The first such term must be less than all terms before it. The next term that is less than all
+// before it comes with the first downward turn of at most x. Shorter and shorter downward turns are
+// found as in Euclid's algorithm: the shortest upward turn so far is subtracted from the shortest
+// downward turn so far, and vice versa. Both turns together are at most the whole circle, and so
+// are their steps, so nothing overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {
@@ -64,7 +64,7 @@ struct Turn {
     }
     if (down.angle <= x) {
       if (down.angle == 0) {
-        return limit;  // the rotation has come round
+        return limit;  // the rotation has come full circle
       }
       const std::uint32_t times = x / down.angle;
       const std::uint32_t rest = x - times * down.angle;
@@ -88,9 +88,9 @@ struct Turn {
   return number;
 }
 
-// Whether b goes through the cells of a until `borders` are crossed. True is certain; false is not.
-// Both lines begin at the same point, and a meets no corner after it. A corner on which they start
-// both cross first.
+// Whether b goes through the cells of a until `borders` borders are crossed. True is certain, false
+// is not. Both lines begin at the same point. After it, a meets no corner. If they start on a
+// corner, both cross it first.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {

@@ -1,10 +1,10 @@
-// The walk along a line, cell by cell, in integers: the kernel of the whole computation.
+// The walk along a line, cell by cell, in integers. It is the kernel of the whole computation.
 //
-// docs/model.md section 5. A step is one of three, as in the thesis's appendix B.3: a column border
-// (c_x), a row border (c_y), or a corner, which crosses both (c_xy). Two things differ from the
-// printed algorithms: the error term begins with the value that algorithm 4 meant, and the walk
-// ends at a number of borders that is known before the first step. The printed walk ends when it
-// meets the end cell, which a line that ends on a corner never does.
+// docs/model.md section 5. As in appendix B.3 of the thesis, a step crosses a column border (c_x),
+// a row border (c_y), or both at a corner (c_xy). Two things differ from the printed algorithms.
+// The error term begins with the value that algorithm 4 meant. The walk ends after a number of
+// borders that is known before the first step; the printed walk ends when it meets the end cell,
+// which it never does if the line ends on a corner.
 //
 // Error term. e = (distance to the next column border) * w_y - (distance to the next row border) *
 // w_x. A column step adds r * w_y, a row step subtracts r * w_x. The line passes through the cell,
@@ -18,9 +18,9 @@
 
 namespace iog::traversal {
 
-// Walks a line over a grid stored row by row, `stride` cells apart. A cell is named by its offset
-// from the grid's first cell. As long as the caller stays within Line::clip(), the visitor never
-// gets an offset outside the grid.
+// Walks a line over a grid stored row by row, with rows `stride` cells apart. A cell is identified
+// by its offset from the first cell of the grid. As long as the caller stays within Line::clip(),
+// the visitor never gets an offset outside the grid.
 class Walk {
  public:
   template <std::int32_t kResolution>
@@ -33,8 +33,8 @@ class Walk {
         row_step_(line.y().step() * stride),
         offset_(line.cell(from).y * stride + line.cell(from).x) {}
 
-  // Visits the current cell and the cells after it, while fewer than `end` borders are crossed. The
-  // next call continues from there. `visit` takes the offset of a cell.
+  // Visits the current cell and those after it while fewer than `end` borders are crossed. The next
+  // call continues from there. `visit` takes the offset of a cell.
   template <typename Visit>
   void until(std::uint32_t end, Visit&& visit) {
     while (crossed_ < end) {
@@ -43,7 +43,7 @@ class Walk {
     }
   }
 
-  // The same without visiting.
+  // Advances in the same way without visiting.
   void skip_until(std::uint32_t end) {
     while (crossed_ < end) {
       step();
@@ -51,7 +51,7 @@ class Walk {
   }
 
  private:
-  // At a corner the term is 0, and both borders are crossed in one step.
+  // At a corner the error term is 0, and both borders are crossed in one step.
   void step() {
     const std::int32_t error = error_;
     if (error <= 0) {
