@@ -25,7 +25,7 @@ inline constexpr int kSlopeFractionBits = 24;
 class Beams {
  public:
   Beams() = default;
-  // The sensor must be a spinning one.
+  // The sensor must spin.
   explicit Beams(const vehicle::Sensor& sensor);
 
   [[nodiscard]] Bins bins() const { return bins_; }

@@ -1,11 +1,11 @@
 // Exit ranges of each sector and layer: how far a beam stays between the two height limits over the
 // ground. A beam can free cells only up to its exit (docs/ground.md, "What is freed").
 //
-// A beam that starts between the limits leaves below them where the ground comes too near, or above
-// them where it is too high over the ground. Among beams that leave below, one that points higher
-// leaves later. Among beams that leave above, one that points higher leaves sooner. So one sweep
-// outward on each side finds the exits of all layers of a sector. Each sweep gives a sorted list,
-// and merging the two lists orders the layers by exit.
+// A beam that starts between the limits leaves them either below, where the ground comes too near,
+// or above, where the beam is too high over the ground. Among beams that leave below, one that
+// points higher leaves later. Among beams that leave above, one that points higher leaves sooner.
+// So one sweep outward on each side finds the exits of all layers of a sector. Each sweep gives a
+// sorted list, and merging the two lists orders the layers by exit.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ class Exits {
   // For a level sensor whose lines are at most 131,070 mm long.
   void find(const Beams& beams, Limits limits, const Surface& surface);
 
-  // Exit of a beam: the distance along its line up to which it is between the limits. In steps of 2
-  // mm, rounded down, at most the line's length.
+  // The exit of a beam: the distance along its line at which it leaves the limits. It is in steps
+  // of 2 mm, rounded down, and at most the line's length.
   [[nodiscard]] std::uint32_t to_mm(std::uint32_t sector, std::size_t layer) const {
     return std::uint32_t{2} * rows_[sector][layer].to_2_mm;
   }
@@ -39,8 +39,8 @@ class Exits {
   }
 
  private:
-  // Entry i holds the exit and the rank of layer i, which a return needs together, and the layer
-  // whose rank is i.
+  // Entry i holds the exit and the rank of layer i, because a return needs both. It also holds the
+  // layer with rank i.
   struct Exit {
     std::uint16_t to_2_mm = 0;
     std::uint8_t rank = 0;

@@ -1,9 +1,10 @@
 // The ground around the sensors of a vehicle. It is frozen while the packets of a frame are
 // processed, and renewed between two frames.
 //
-// A frame may be shorter than a turn. A sensor's surface is renewed at the end of the frame in
-// which the ticks swept since the last renewal reach the width of a whole scan. So only the set of
-// packets in a frame decides when: their order and the cores that fuse them do not matter.
+// A frame may be shorter than a turn. At the end of a frame, a sensor's surface is renewed if the
+// sensor has swept at least as many ticks as a whole scan since the last renewal. So the time of
+// renewal depends only on the set of packets in each frame, not on their order or on the cores that
+// fuse them.
 #pragma once
 
 #include <algorithm>
@@ -125,8 +126,8 @@ class PacketJudge {
         tall_mm_(ground.tall_mm()),
         tilt_(tilt) {}
 
-  // Adds a return to the lows and classifies it by its height over the ground: its outcome, which
-  // is kUsed for an obstacle, and whether it is tall. z_mm is its height over the car's plane.
+  // Adds a return to the lows and classifies it by its height over the ground. An obstacle has the
+  // outcome kUsed. z_mm is the height of the return over the car's plane.
   struct Judged {
     vehicle::Fate fate = vehicle::Fate::kUsed;
     bool is_tall = false;
@@ -160,8 +161,8 @@ class PacketJudge {
   Tilt tilt_;
 };
 
-// The ground around each sensor of a vehicle that follows it. Each such sensor has a place. Takes
-// 630 KB: keep it in static memory.
+// The ground around each sensor of a vehicle that follows it. Each such sensor has an index, its
+// place. Takes 630 KB: keep it in static memory.
 class Grounds {
  public:
   // vehicle must outlive it.
@@ -194,7 +195,7 @@ class Grounds {
   }
 
  private:
-  // A sensor that was silent for this long, in frame periods, may return at another place.
+  // After this much silence, counted in frame periods, a sensor may be at another place.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 
   struct Turn {

@@ -1,13 +1,13 @@
-// The part of each beam that is low, that is, low enough over the ground to open it
-// (docs/perception.md, section 4).
+// The part of each beam that is low over the ground. Only low beams open ground: a hit counts as
+// moving only where a low beam has freed the cell before (docs/perception.md, section 4).
 //
 // The ground below a beam is known only per bin. On a bank that rises from bin to bin, a beam would
-// be low over both its foot and its top, and a hit between them would seem to have moved there. So
-// beams are measured over the lowest ground nearby, and tall returns over the highest.
+// therefore be low over both the foot and the top. A hit between them would then look like motion.
+// So beams are measured over the lowest ground nearby, and tall returns over the highest.
 //
-// A beam opens no ground where it is lower than MovedLimits::kUnderCarsMm over the ground below it.
-// It may pass under a parked car there, while the next beam hits the body. A sensor that is itself
-// mounted no higher over the car's plane has no other beams, so its beams do open ground.
+// A beam does not open ground where it is lower than MovedLimits::kUnderCarsMm over the ground
+// below it. It may pass under a parked car there, while the next beam hits the body. A sensor that
+// is itself mounted no higher over the car's plane has no other beams, so its beams do open ground.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ namespace iog::ground {
 
 class LowBeams {
  public:
-  // The distances along its line between which a beam is low, in steps of 2 mm, rounded down, at
-  // most the line's length. The stretch is empty if from_mm >= to_mm.
+  // The part of a beam that is low, by distance along its line. Both distances are in steps of 2
+  // mm, rounded down, and at most the line's length. The stretch is empty if from_mm >= to_mm.
   struct Stretch {
     std::uint32_t from_mm = 0;
     std::uint32_t to_mm = 0;

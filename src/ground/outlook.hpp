@@ -2,10 +2,10 @@
 //
 // Ranges. The room of a beam is the height between it and the limit. Heights are in units of 2^-14
 // mm, so a slope in 2^-24 equals the rise per 1,024 mm. At the start of a bin, the room is at most
-// 2^37: 64 bins of 2^31, and 2^17 mm. Within a bin it changes by less than 2^32: 46,000 mm of
+// 2^37: 64 bins of 2^31, plus 2^17 mm. Within a bin it changes by less than 2^32: 46,000 mm of
 // ground and 2 * 57.3 * 2^24 of slope. So the divisor has 32 bits, and the dividend is below 2^32
 // times half a bin. If a beam rises by at most 2^24 per bin (a slope of 1, or 1/2 in long bins),
-// the room fits a word: 64 times 2^24, and 2^16 mm.
+// the room is at most 64 times 2^24 plus 2^16 mm, which fits a word.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace iog::ground {
 // The side on which beams leave the limits.
 enum class Side : std::int8_t { kBelow = 1, kAbove = -1 };
 
-// The ground of a sector for beams that leave on one side. Beams must be asked for in the order in
-// which they leave.
+// The ground of a sector for beams that leave on one side. leave() must be called for the beams in
+// the order in which they leave.
 class Outlook {
  public:
   Outlook(const Beams& beams, const Surface::Row& row, std::int32_t limit_mm, Side side)

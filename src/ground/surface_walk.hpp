@@ -2,15 +2,16 @@
 //
 // In each sector a walk goes outward, bin by bin, and keeps the height and the slope of the ground
 // on which it stands (docs/ground.md). A bin's lowest return is ground unless it is much higher
-// than the slope predicts. It may be any distance lower: then the ground before was really an
-// object. A lowest return is also ground if it is hardly higher than that of the nearest sectors
-// beside it. A bin without ground of its own takes the ground of the sectors beside it, if that
-// fits. Otherwise the ground is straight between the bins that have some.
+// than the slope predicts. A return far below the prediction is ground, too: what was taken for
+// ground before it was then an object. A lowest return is also ground if it is hardly higher than
+// that of the nearest sectors beside it. A bin without ground of its own takes the ground of the
+// sectors beside it, if that fits. Otherwise its ground is interpolated between the nearest bins
+// that have some.
 //
-// The median of three sectors counts, so a mirror image under the road is outvoted. In addition,
-// the surface is nowhere in a bin more than 150 mm over the bin's lowest return. So a return that
-// is higher than that by the obstacle limit is never ground, whatever else was received, real or
-// forged.
+// Each height is the median of three sectors, so a mirror image under the road is outvoted. In
+// addition, the surface is nowhere in a bin more than 150 mm over the bin's lowest return. So a
+// return that exceeds this by Limits::low_mm is never taken for ground, whatever else was received,
+// real or forged.
 //
 // All sectors walk at once, eight per register. A ring holds one bin of every sector.
 #pragma once

@@ -1,7 +1,7 @@
 // How much the car has tilted and lifted since the last turn, estimated from one packet.
 //
 // The surface is one turn old. Braking and bumps tilt the car by up to a degree per turn, which is
-// 0.35 m at 20 m. So a straight line of height over the surface against distance is fitted to
+// 0.35 m at 20 m. So a straight line (height over the surface against distance) is fitted to
 // returns of the packet that lie near the sensor and near the ground. A packet covers a narrow
 // sector, in which pitch and roll appear as one slope. The result depends only on the packet's own
 // returns and on the surface.
@@ -25,7 +25,7 @@ struct Tilt {
   friend constexpr bool operator==(const Tilt&, const Tilt&) = default;
 };
 
-// A return at kFirstSampleMm or more and less than kEndOfSamplesMm.
+// A return at a distance of at least kFirstSampleMm and less than kEndOfSamplesMm.
 struct Sample {
   std::uint16_t along_16_mm = 0;  // distance in units of 16 mm, rounded down
   std::int16_t height_mm = 0;     // over the surface
@@ -49,7 +49,7 @@ class Samples {
   std::size_t count_ = 0;
 };
 
-// Fits the tilt. There is none if fewer samples than `fewest` lie near a line, if these are too
+// Fits the tilt. Returns no tilt if fewer samples than `fewest` lie near a line, if these are too
 // close together, or if the line is not clearly better than no tilt. fewest > 0.
 [[nodiscard]] Tilt tilt_of(std::span<const Sample> samples, std::int32_t fewest);
 
