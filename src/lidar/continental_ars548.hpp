@@ -6,11 +6,10 @@
 // 1.2.4). The maker's document is not public, so the layout comes from two drivers, tier4/nebula
 // and robotics-upo/ars548_ros.
 //
-// A detection is a position from which something was reflected, and has its own direction. Its
-// elevation is far less precise than its azimuth, and the unit reports by how much. The decoder
-// moves the elevation one standard deviation towards the horizon, at most to the horizon, and
-// rounds it to a layer. So as far as the unit knows, the height band drops only detections that are
-// outside it. Speeds are not used.
+// A detection is one reflection with its own direction. Its elevation is far less precise than its
+// azimuth, and the unit reports by how much. The decoder moves the elevation one standard deviation
+// towards the horizon, at most to the horizon, and rounds it to a layer. So the height band drops a
+// detection only if it is outside the band even with this tolerance. Speeds are not used.
 #pragma once
 
 #include <array>
@@ -28,8 +27,8 @@ namespace iog::lidar {
 class ContinentalArs548 {
  public:
   static constexpr std::string_view kName = "Continental ARS548";
-  // The unit reports a precision of 0.2 m and 0.5 degrees. 1D cells of twice that length give the
-  // strongest hit (docs/model.md, section 10).
+  // The unit reports a precision of 0.2 m and 0.5 degrees. 1D cells of twice the range precision
+  // give the strongest hit (docs/model.md, section 10).
   static constexpr DataSheet kDataSheet{.type = "continental_ars548",
                                         .range_min_mm = 200,
                                         .precision_mm = 400,
@@ -40,7 +39,7 @@ class ContinentalArs548 {
   static constexpr bool kIsRadar = true;
   static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
   static constexpr bool kTurns = false;
-  // Steps of a degree, from 30 below the horizon to 30 above it.
+  // Elevations in steps of a degree, from 30 degrees below the horizon to 30 above it.
   static constexpr std::int32_t kSteepestDeg = 30;
   static constexpr auto kElevationsDeg = [] {
     std::array<double, 2 * kSteepestDeg + 1> elevations{};

@@ -16,10 +16,10 @@ struct DataSheet {
   std::uint32_t precision_mm = 30;
   double sigma_m = 0.03;
   std::uint16_t scan_width_ticks = 0;  // of a whole scan; 0: a turn
-  // Points per turn, a little more than possible. 0: it depends on the settings of the unit, and a
-  // car file must give it.
+  // Maximum number of points per turn, with a small margin. 0: it depends on the settings of the
+  // unit, and the car file must give it.
   std::uint32_t max_points_per_scan = 0;
-  // Standard deviation: of the azimuth of a radar, or of the cone of an ultrasonic unit.
+  // Standard deviation of a radar's azimuth, or of an ultrasonic unit's cone.
   double azimuth_sigma_deg = 0;
 };
 

@@ -2,7 +2,7 @@
 //
 // A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if each unit has
 // its own), points_of_packet(), decode(), info(), move_to() and for_each_point().
-// lidar/ibeo_lux.hpp shows their form (docs/sensors.md).
+// lidar/ibeo_lux.hpp is an example (docs/sensors.md).
 #pragma once
 
 #include <cstddef>
@@ -114,7 +114,7 @@ constexpr void for_each_format(Visit&& visit) {
   return name;
 }
 
-// Whether its scans are turns of a spinning head.
+// Whether the scans of this format are turns of a spinning head.
 [[nodiscard]] constexpr bool turns(Format format) {
   bool it_does = false;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

@@ -29,7 +29,7 @@
 
 namespace iog::lidar {
 
-// A unit. Offsets (*_at) count from the start of the packet, times are in ns. stamped_block_ns runs
+// A unit. Offsets (*_at) count from the start of the packet. Times are in ns. stamped_block_ns runs
 // from the packet's stamp to the last block, or to the first one if is_first_stamped.
 // first_laser_ns and last_laser_ns run from the start of a block to its first and last laser.
 // firing_ns runs from one firing to the next.
@@ -106,7 +106,8 @@ class HesaiPacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // The sum is in (0, one turn] plus an offset of 16 bits that is less than a turn.
+    // An azimuth in (0, one turn] plus a 16-bit offset of less than a turn is off by at most one
+    // turn.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);

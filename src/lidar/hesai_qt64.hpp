@@ -1,6 +1,6 @@
 // Hesai PandarQT-64 data packets (PandarQT User Manual, "Point Cloud Data Packet"). Its lasers look
-// up to 52 degrees up and down and up to 9 degrees to the sides. Each unit has its own angles in a
-// file of the maker; the car file gives them.
+// up to 52 degrees up and down and up to 9 degrees to the sides. The angles differ from unit to
+// unit. They come from the maker's file and are given in the car file.
 #pragma once
 
 #include <array>

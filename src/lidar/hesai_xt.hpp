@@ -21,7 +21,7 @@ struct HesaiXtLayout {
 
 // Appendix "Absolute time of point cloud data": the last block fires 5.632 us after the stamp, and
 // each block 50 us before the next. The first laser of a block fires 0.368 us after it, and each
-// other one laser_ns after the laser before.
+// further laser laser_ns after the one before.
 consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
   HesaiUnit unit{.model = {0x06, 0x01},
                  .header_bytes = 12,

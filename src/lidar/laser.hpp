@@ -5,7 +5,7 @@
 
 namespace iog::lidar {
 
-// A laser as the car file gives it. docs/sensors.md says how a maker's file becomes a table of
+// A laser as described in the car file. docs/sensors.md says how a maker's file becomes a table of
 // these.
 struct Laser {
   double elevation_deg = 0;  // -90 ... 90, positive up
@@ -20,7 +20,7 @@ struct LaserCorrection {
   std::int16_t range_mm = 0;
 };
 
-// A missing return stays missing, and a return stays a return.
+// Corrects a range. No return (0) stays 0, and a return stays above 0.
 [[nodiscard]] constexpr std::uint32_t corrected_range_mm(std::uint32_t range_mm,
                                                          std::int32_t correction_mm) {
   if (range_mm == 0) {

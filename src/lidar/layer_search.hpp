@@ -12,8 +12,7 @@ namespace iog::lidar {
 
 class LayerSearch {
  public:
-  // A unit with one layer sees points within this elevation of it: half a degree, in 3,200ths of a
-  // degree.
+  // Elevation tolerance of a unit with one layer: half a degree, in units of 1/3,200 degree.
   static constexpr std::int32_t kAlone = 1'600;
 
   LayerSearch() = default;
@@ -43,7 +42,8 @@ class LayerSearch {
   }
 
  private:
-  // Layers are at least one part apart, so the product with fewer than 2^20 parts fits.
+  // Layers are at least one part apart. So layers_per_part_ is at most 1, and its product with
+  // fewer than 2^20 parts fits 64 bits.
   static constexpr int kFractionBits = 31;
 
   [[nodiscard]] std::size_t guess(std::int32_t elevation) const {

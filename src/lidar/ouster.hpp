@@ -58,7 +58,7 @@ class OusterPacket {
   static constexpr std::size_t kColumns = 16;
   static constexpr std::uint32_t kEncoderPerTurn = 90'112;
 
-  // The numbers of rows of existing units.
+  // Existing units have one of these numbers of rows.
   [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
     return layers == 16 || layers == 32 || layers == 64 || layers == 128;
   }
@@ -103,7 +103,7 @@ class OusterPacket {
   [[nodiscard]] ScanPoint point(const OusterProfile& profile, std::span<const std::byte> pixel,
                                 std::size_t column, std::size_t row, std::uint8_t echo) const {
     const LaserCorrection& laser = corrections_[row];
-    // An azimuth within a turn, plus an offset of 16 bits that is less than a turn.
+    // An azimuth within a turn plus a 16-bit offset of less than a turn is off by at most one turn.
     std::int32_t azimuth = azimuths_[column] + laser.azimuth_ticks;
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;

@@ -6,8 +6,8 @@
 // steps of a LUX, a Velodyne, a Hesai and an Ouster are whole numbers. The car file gives the
 // elevations of the layers; a point belongs to the nearest one.
 //
-// The same bytes have two formats: one for spinning units (kTurns is true, as in their own
-// decoders) and one for all others.
+// Two formats share this layout: one for spinning units (kTurns is true, as in their own decoders)
+// and one for all others.
 #pragma once
 
 #include <algorithm>
@@ -67,8 +67,8 @@ class PointsPacket {
  protected:
   using PointBytes = std::span<const std::byte, kPointBytes>;
 
-  // Azimuths of spinning units are later rounded to at most 16,384 steps per turn. Half a step is
-  // then a whole number of ticks, so an azimuth keeps its step when it is rounded down to a tick.
+  // Azimuths of spinning units are later rounded to at most 16,384 steps per turn. Rounding an
+  // azimuth down to a tick never changes its step, because half a step is a whole number of ticks.
   // Other units have the ticks of a LUX.
   [[nodiscard]] static constexpr std::int32_t ticks_per_turn(bool turns) {
     return turns ? 32'768 : 11'520;

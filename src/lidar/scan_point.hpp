@@ -9,8 +9,8 @@
 
 namespace iog::lidar {
 
-// Beyond the range of any unit. Longer ranges, from a packet or from its unit's correction, are cut
-// to this.
+// A range that no unit reaches. Longer ranges, from a packet or from its unit's correction, are
+// limited to it.
 inline constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
 
 struct ScanPoint {
@@ -41,10 +41,10 @@ struct Sector {
   std::uint16_t width_ticks = 0;  // 0 ... ticks_per_turn
 };
 
-// When a packet was measured, by its sensor's own clock, us. The format decides where that clock
-// starts: for a LUX and a Hesai at 1970-01-01 UTC, for a Velodyne at the hour, and for an Ouster as
-// the unit is set up (with PTP also 1970). For a LUX the times are those of the whole scan, even if
-// the packet is only a part of it. For spinning units they are those of the packet.
+// When a packet was measured, in microseconds of its sensor's own clock. The format decides where
+// that clock starts: for a LUX and a Hesai at 1970-01-01 UTC, for a Velodyne at the hour, and for
+// an Ouster as the unit is set up (with PTP also 1970). For a LUX the times are those of the whole
+// scan, even if the packet is only a part of it. For spinning units they are those of the packet.
 struct Sweep {
   std::uint64_t begin_us = 0;
   std::uint64_t end_us = 0;

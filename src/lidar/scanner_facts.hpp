@@ -20,7 +20,7 @@ struct ScannerFacts {
   bool is_radar = false;        // it reports objects, but no free space
   bool is_ultrasonic = false;   // it reports the distance of the nearest object in a cone
 
-  // Its detections have no sharp direction.
+  // Whether its detections have no sharp direction.
   [[nodiscard]] constexpr bool marks_arcs() const { return is_radar || is_ultrasonic; }
 };
 
@@ -96,7 +96,8 @@ constexpr bool can_have_layers(Format format, std::size_t layers) {
   return can;
 }
 
-// Points of a packet of a unit with this many layers. For a LUX, points of one direction.
+// Number of points in a packet of a unit with this many layers. For a LUX, the number of points in
+// one direction.
 constexpr std::size_t points_of_packet(Format format, std::size_t layers) {
   std::size_t points = 0;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

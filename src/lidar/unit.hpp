@@ -1,4 +1,4 @@
-// Properties of a unit that its packets do not contain and the car file gives.
+// Properties of a unit that the car file gives because its packets do not contain them.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct TurnMode {
   std::uint16_t turns_per_second = 0;
 
   [[nodiscard]] constexpr bool is_valid() const;
-  // Time from one column to the next, rounded down. Only if the mode is valid.
+  // Time from one column to the next, rounded down. Requires a valid mode.
   [[nodiscard]] constexpr std::uint32_t column_ns() const {
     return 1'000'000'000U / (std::uint32_t{columns_per_turn} * turns_per_second);
   }
@@ -32,13 +32,13 @@ constexpr bool TurnMode::is_valid() const {
 }
 
 struct Unit {
-  // One for each layer, or none. If the packets of a format do not give the number of layers, it is
-  // the size of this span. The storage must be static or outlive the packets.
+  // One correction per layer, or none. If the packets of a format do not give the number of layers,
+  // it is the size of this span. The storage must be static or outlive the packets.
   std::span<const LaserCorrection> corrections{};
   // For units whose points carry their own elevations: the elevations of the layers in rising
   // order, in 3,200ths of a degree. Same lifetime.
   std::span<const std::int32_t> elevations{};
-  // For formats whose packets do not contain them.
+  // Set for formats whose packets do not contain these two values.
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;
 };

@@ -32,15 +32,16 @@ struct VelodyneUnit {
   std::uint8_t range_unit_mm = 0;
   bool has_two_returns = true;  // if the unit is set up so
   std::uint32_t block_ns = 0;   // from one azimuth to the next
-  // A channel fires fires_at / block_parts of block_ns after the azimuth of its block was taken.
+  // A channel fires fires_at / block_parts * block_ns after the azimuth of its block was taken.
   std::uint32_t block_parts = 1;
   std::array<std::uint8_t, 32> fires_at{};
-  // Offsets from the unit's direction, clockwise, in 0.01 degrees.
+  // Offset of each channel from the unit's direction, clockwise, in 0.01 degrees.
   std::array<std::int16_t, 32> azimuth_offsets{};
-  // When each bank begins, in the parts of fires_at. All zero: all banks fire at the same time.
+  // When each bank begins to fire, in the same parts of block_ns. All zero: all banks fire at the
+  // same time.
   std::array<std::uint8_t, 4> bank_fires_at{};
 
-  // When a channel of a bank fires, in the parts of fires_at.
+  // When a channel of a bank fires, in the same parts of block_ns.
   [[nodiscard]] constexpr std::uint32_t fires_after(std::size_t bank, std::size_t channel) const {
     return std::uint32_t{bank_fires_at[bank]} + fires_at[channel];
   }
@@ -78,7 +79,7 @@ class VelodynePacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // What a sound packet shows of its unit.
+  // What a sound packet reveals about its unit.
   [[nodiscard]] const VelodyneLook& look() const { return look_; }
 
   // Moves the view to this copy of the datagram.
@@ -89,7 +90,8 @@ class VelodynePacket {
   [[nodiscard]] DecodeStatus read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
-  // How far the unit has turned when each channel of a block fires, plus the channel's own offset.
+  // For each channel of a block: how far the unit has turned when it fires, plus the channel's own
+  // offset.
   struct Firing {
     std::uint32_t step = 0xFFFF;  // azimuth gained in the block; no packet has 0xFFFF
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
@@ -126,7 +128,7 @@ class VelodynePacket {
 
   [[nodiscard]] std::uint32_t step(std::size_t block) const { return steps_[block]; }
 
-  // Blocks with one azimuth: the banks of each echo.
+  // Number of blocks with the same azimuth: the banks of each echo.
   [[nodiscard]] std::size_t blocks_of_firing(const VelodyneUnit& unit) const {
     return look_.is_dual ? 2U * unit.banks : unit.banks;
   }

@@ -39,7 +39,7 @@ inline std::uint8_t byte_at(std::span<const std::byte> packet, std::size_t offse
   return wire::load_u8(packet.subspan(offset).first<1>());
 }
 
-// Azimuth from one to another, clockwise, which is the way that the heads turn.
+// Angle from one azimuth to another, clockwise, as the heads turn.
 constexpr std::uint32_t gained(std::uint32_t from, std::uint32_t to) {
   return (to + kTurn - from) % kTurn;
 }

@@ -12,7 +12,8 @@
 
 namespace iog::lidar {
 
-// Channel k fires 1.152 k us into the block's 46.08 us: k / 40. A pause follows the 32nd.
+// A block lasts 46.08 us. Channel k fires 1.152 k us into it, at k / 40 of the block. A pause
+// follows the 32nd channel.
 consteval VelodyneUnit make_hdl32e() {
   VelodyneUnit unit{.layers = 32,
                     .product = velodyne::kProductHdl32e,
@@ -41,8 +42,8 @@ consteval std::array<double, 32> make_hdl32e_elevations() {
 class VelodyneHdl32e : public VelodyneDecoder<kHdl32eUnit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-32E";
-  // The precision is 2 cm, taken as 3. One turn at 10 Hz is 181 packets, or 362 in dual return
-  // mode.
+  // The data sheet states a precision of 2 cm; 3 cm is used. One turn at 10 Hz is 181 packets, or
+  // 362 in dual return mode.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl32e", 370);
   // By channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg = make_hdl32e_elevations();

@@ -21,8 +21,8 @@ struct Hdl64eTiming {
 inline constexpr Hdl64eTiming kHdl64eS2Timing{48'000, 6'000, {0, 1'260, 2'460, 3'660}};
 inline constexpr Hdl64eTiming kHdl64eS3Timing{57'600, 7'200, {0, 1'300, 2'500, 3'700}};
 
-// In parts of 200 ns (S2) and 240 ns (S3), to the nearest. In half a part the head turns less than
-// 0.001 degrees.
+// Firing times are rounded to parts of 200 ns (S2) or 240 ns (S3). In half a part the head turns
+// less than 0.001 degrees.
 consteval VelodyneUnit make_hdl64e(const Hdl64eTiming& timing, bool has_two_returns) {
   constexpr std::uint32_t kParts = 240;
   VelodyneUnit unit{.layers = 64,
@@ -53,7 +53,7 @@ class VelodyneHdl64eS3 : public VelodyneDecoder<kHdl64eS3Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S3";
   // The precision is 2 cm, taken as 3. One turn at 10 Hz is 290 packets. In dual return mode it is
-  // 579, and a car file has to allow for them.
+  // 579 packets, and the car file has to allow for them.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s3", 300);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };

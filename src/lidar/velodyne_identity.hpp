@@ -2,9 +2,9 @@
 // one unit decoded as those of another give a plausible wrong picture.
 //
 // Byte 1205 names the unit, but 0x21 is both an HDL-32E and a VLP-16 with firmware before 3.0.29,
-// and an HDL-64E has no such byte. The duration of a block tells them apart. It follows from any
-// two packets, whatever was lost between them: the azimuth gained in a packet, per block, times the
-// time between the packets, divided by the azimuth gained between them. A single packet is enough
+// and an HDL-64E has no such byte. The duration of a block tells them apart. Any two packets give
+// it, whatever was lost between them: multiply the azimuth gained per block of a packet by the time
+// between the packets, and divide by the azimuth gained in that time. A single packet is enough
 // only if its gain is too small or too large for one of the two at 5 to 20 turns per second.
 #pragma once
 
@@ -29,7 +29,7 @@ class FormatSet {
   [[nodiscard]] constexpr bool has(Format format) const {
     return (bits_ >> static_cast<unsigned>(format) & 1U) != 0;
   }
-  // The first one in the order of Format. The set must not be empty.
+  // The first format in the order of the enum. The set must not be empty.
   [[nodiscard]] constexpr Format first() const {
     return static_cast<Format>(std::countr_zero(bits_));
   }
@@ -48,7 +48,7 @@ struct VelodyneCandidate {
   friend constexpr bool operator==(const VelodyneCandidate&, const VelodyneCandidate&) = default;
 };
 
-// No packet allows more than these.
+// The formats that a packet allows. There are never more than four.
 struct VelodyneCandidates {
   std::size_t count = 0;
   std::array<VelodyneCandidate, 4> list{};

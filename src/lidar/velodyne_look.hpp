@@ -1,5 +1,5 @@
-// What a Velodyne data packet shows of the unit that sent it: the bytes that name it, and how far
-// the head turned meanwhile. lidar/velodyne.hpp decodes its points.
+// What a Velodyne data packet reveals about the unit that sent it: the bytes that name the unit,
+// and how far the head turned during the packet. lidar/velodyne.hpp decodes its points.
 #pragma once
 
 #include <cstddef>

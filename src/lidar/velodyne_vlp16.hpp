@@ -11,7 +11,8 @@
 
 namespace iog::lidar {
 
-// Laser j of firing s fires 2.304 j + 55.296 s us into the block's 110.592 us: (j + 24 s) / 48.
+// A block lasts 110.592 us. Laser j of firing s fires 2.304 j + 55.296 s us into it, at (j + 24 s)
+// / 48 of the block.
 consteval VelodyneUnit make_vlp16() {
   VelodyneUnit unit{.layers = 16,
                     .product = velodyne::kProductVlp16,

@@ -12,7 +12,8 @@
 
 namespace iog::lidar {
 
-// Channel k fires 2.304 floor(k / 2) us into the block's 55.296 us: floor(k / 2) / 24.
+// A block lasts 55.296 us. Channel k fires 2.304 floor(k / 2) us into it, at floor(k / 2) / 24 of
+// the block.
 consteval VelodyneUnit make_vlp32c() {
   VelodyneUnit unit{.layers = 32,
                     .product = velodyne::kProductVlp32c,
