@@ -3,10 +3,11 @@
 // either. So each sector (watched_sectors.hpp) is judged by beams that must return:
 //
 // - ground: sectors of a spinning unit in which beams meet the car's plane within 20 m and at 1 in
-//   16 or steeper (ground beams). A turn blocks the sector if less than a sixteenth of its ground
-//   beams return, and if the same is true of all its beams or a quarter of its ground beams used to
-//   return (a running mean, 1/32 per turn). The sector opens after three turns in which an eighth
-//   of its ground beams, or else of all its beams, return.
+//   16 or steeper (ground beams). A turn blocks the sector if both conditions hold. First, less
+//   than a sixteenth of its ground beams return. Second, less than a sixteenth of all its beams
+//   return, or at least a quarter of its ground beams used to (a running mean, 1/32 per turn). The
+//   sector opens after three turns in which an eighth of its ground beams, or else of all its
+//   beams, return.
 // - sky: the other sectors of such a unit. They are blocked while all its ground sectors are.
 // - level: sectors of a unit that does not spin or sees no ground, with a beam that rises by less
 //   than 1 in 32. 32 scans without a return block the sector, and two with a return open it. Three
@@ -77,7 +78,7 @@ class BlockedSectors {
     std::uint64_t blocked = 0;
   };
 
-  // The state after the current frame, in which the sensor swept this many ticks and these sectors.
+  // The state after the current frame, if the sensor swept this many ticks and these sectors in it.
   [[nodiscard]] State after_frame(std::uint32_t swept_ticks, std::uint64_t swept) const;
   // Closes the frame.
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
@@ -127,7 +128,7 @@ class BlockedSectors {
   State state_{};
 };
 
-// A packet as it is fused. In silent azimuths, a missing return is no evidence.
+// A packet as fusion sees it: missing returns in silent azimuths are no evidence.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

@@ -57,7 +57,7 @@ class Intake {
   // dropped.
   [[nodiscard]] Outcome classify(const SensorPacket& packet);
 
-  // Adds the packet to the frame. Only after classify() returned kThisFrame.
+  // Adds the packet to the frame. Call only after classify() returned kThisFrame.
   void accept(const SensorPacket& packet);
   // Drops the packet, whatever frame it belongs to, because there is no time for it.
   void leave(const SensorPacket& packet);

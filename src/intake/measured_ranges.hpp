@@ -2,10 +2,10 @@
 // stamps and numbers.
 //
 // Measured ranges have noise. The coarsest unit here is an Ouster with steps of 8 mm that vary by 5
-// mm. It measures the same range twice in 41 of 100 cases. So all of 64 or more ranges of two
-// packets agree once in 10^24, and those of 16 rows, where 32 may be enough, once in 10^12. Other
-// units measure to 5 mm or finer, or vary more. Their ranges agree in at most 27 of 100 cases, and
-// 32 of them once in 10^18.
+// mm. It measures the same range twice in 41 of 100 cases. So two packets agree in all of 64 or
+// more ranges once in 10^24. With 16 rows, where 32 ranges may be enough, they agree once in 10^12.
+// Other units measure to 5 mm or finer, or vary more. Their ranges agree in at most 27 of 100
+// cases, and 32 of them once in 10^18.
 #pragma once
 
 #include <array>
@@ -40,8 +40,8 @@ class RangeDigest {
   std::uint8_t layer_count_ = 0;  // 0: all points
 };
 
-// The digests of a sensor's latest packets. Digests with the same hash form a chain, as a
-// compressor keeps the strings that it has seen (RFC 1951, section 4).
+// The digests of a sensor's latest packets. Digests with the same hash form a chain, like the
+// strings in a compressor (RFC 1951, section 4).
 class RangeMemory {
  public:
   static constexpr std::size_t kMaxPackets = 1024;

@@ -1,8 +1,8 @@
 // When a packet was measured: the middle of its sweep.
 //
-// A LUX gives the begin and end of its scan, and each message the sector that it covers. The mirror
-// turns evenly, and the scan reaches as far to the left as to the right. A Velodyne gives the begin
-// of its packet in microseconds since the hour.
+// A LUX gives the start and end of its scan, and each message gives the sector that it covers. The
+// mirror turns evenly, and the scan reaches as far to the left as to the right. A Velodyne gives
+// the start of its packet in microseconds since the hour.
 #pragma once
 
 #include <cstdint>

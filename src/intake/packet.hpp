@@ -24,7 +24,7 @@ concept TakesCorrections = requires(Decoder& decoder, const lidar::Unit& unit) {
   decoder.decode(std::span<const std::byte>(), unit.corrections);
 };
 
-// Passes each decoder what its packets do not say about their unit.
+// Passes to each decoder the properties of the unit that it needs.
 template <typename Decoder>
 [[nodiscard]] lidar::DecodeStatus decode_with(Decoder& decoder, std::span<const std::byte> payload,
                                               const lidar::Unit& unit) {
@@ -86,7 +86,7 @@ class Packet {
     return visit;
   }
 
-  // What a sound packet of a Velodyne shows of its unit; null for other packets.
+  // What a sound packet of a Velodyne reveals about its unit. Null for other packets.
   [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
     const lidar::VelodyneLook* look = nullptr;
     with_decoder(*this, [&]<typename Decoder>(const Decoder& decoder) {

@@ -3,11 +3,11 @@
 // A scan is complete when the sectors of its packets, in any order, cover every tick of the width
 // given in the car file.
 //
-// A LUX numbers its scans, and a frame holds at most one of them. A new number is the next scan,
-// and packets of a scan whose frame is closed are late. The scan of a spinning head has neither
-// beginning nor end, and a frame may be shorter than a turn. So the next turn begins when a packet
-// sweeps only what the frame has already swept. If turns are numbered, a packet of an older turn
-// opens no frame.
+// A LUX numbers its scans, and a frame holds at most one of them. A new number starts the next
+// scan. Packets are late if the frame of their scan is closed. The scan of a spinning head has
+// neither beginning nor end, and a frame may be shorter than a turn. So the next turn begins when a
+// packet sweeps only what the frame has already swept. If turns are numbered, a packet of an older
+// turn opens no frame.
 //
 // The next scan ends the frame. A unit whose stamps claim impossibly fast scans would therefore end
 // frames without bound, so scans that begin too soon are dropped.
@@ -46,7 +46,7 @@ class ScanTracker {
 
   [[nodiscard]] Outcome classify(const lidar::PacketInfo& packet) const;
 
-  // Adds the packet to the frame. Only after classify() returned kPartOfFrame.
+  // Adds the packet to the frame. Call only after classify() returned kPartOfFrame.
   void accept(const lidar::PacketInfo& packet);
 
   // Closes the frame and forgets what was swept in it.

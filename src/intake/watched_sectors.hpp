@@ -30,7 +30,7 @@ namespace iog::intake {
 [[nodiscard]] SectorView view_of(const vehicle::Sensor& sensor);
 
 // Bit i is for sector i.
-struct Surroundings {           // no sensor watches it
+struct Surroundings {
   std::uint64_t unwatched = 0;  // no sensor watches it
   std::uint64_t blocked = 0;    // a sensor that has looked into it is blocked there
   std::array<Blocked, vehicle::kMaxSensors> sensors{};
@@ -51,7 +51,7 @@ class WatchedSectors {
   // Adds a packet of the current frame.
   void add(std::size_t sensor, const Packet& packet);
 
-  // The result at the end of the current frame, given the intake of that frame.
+  // The surroundings at the end of the frame that `intake` has received.
   [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us) const;
 
   // The silent azimuths of a packet of that sensor, judged by earlier frames.
