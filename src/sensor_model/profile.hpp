@@ -1,9 +1,9 @@
 // The profile of a sensor: a small table of the occupancy indexes of the local 1D grid around a
 // scan point.
 //
-// docs/model.md section 4, Table 4.3 of the thesis. A profile describes the whole local grid of a
-// beam by three things: the index of all cells well before the scan point, the indexes of the few
-// cells around it, and 0 beyond.
+// See docs/model.md section 4 and Table 4.3 of the thesis. A profile describes the whole local grid
+// of a beam by three things: the index of all cells well before the scan point, the indexes of the
+// few cells around it, and 0 beyond.
 #pragma once
 
 #include <array>
@@ -101,7 +101,8 @@ constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& conf
 // Neither constexpr nor defined: calling it stops the compilation with its name in the message.
 void the_profile_does_not_fit_its_table_or_its_cell_type();
 
-// Like profile_of() for a profile that must fit. Does not compile if it does not.
+// Like profile_of(), for a profile that is known to fit. If it does not fit, the code does not
+// compile.
 template <typename Cell = index::OccupancyIndex>
 constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
   const auto profile = profile_of<Cell>(config);
