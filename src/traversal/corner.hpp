@@ -27,7 +27,7 @@ template <std::int32_t kResolution>
   return line.x().offset() == kSide && line.y().offset() == kSide;
 }
 
-// Whether a line may meet a corner after its start. False is certain, true is not.
+// Whether a line may meet a corner after its start. False is certain; true may be wrong.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool may_meet_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);

@@ -8,25 +8,26 @@
 //     e_{c+1} = e_c + r w_v - (it rises ? r w_u : 0).
 //
 // As a rotation. All e_c are equal modulo r. Let y_c = floor(e_c / r) + w_u - w_v. The line then
-// rises if y_c + w_v >= w_u, and y_{c+1} = y_c + w_v, less w_u if it rises. So y goes round a
+// rises if y_c + w_v >= w_u, and y_{c+1} = y_c + w_v, less w_u if it rises. So y rotates on a
 // circle of w_u, and a rise is its carry. y_c / w_u is the height of the line above its row at the
 // left side of column c.
 //
-// In 32 bits. Scaled by 2^32 / w_u, the carry is that of an addition of words:
+// In 32 bits. Scaled by 2^32 / w_u, the rotation is an addition of 32-bit words, and its carry is
+// the rise:
 //     phase = floor(2^32 y / w_u) + 1,   step = floor(2^32 w_v / w_u) + 1.
 // Both are too large by at most 1, and never too small. So after n columns the phase exceeds the
 // true one by at most n + 1. No carry is lost. No false carry appears while the excess is below
-// 2^32 / w_u, because y is an integer and at most w_u - 1 without a carry. This gives the bound
+// 2^32 / w_u, because y is an integer and at most w_u - 1 without a carry. This requires
 //     (n + 1) w_u < 2^32,
-// which most_columns() gives. If w_u = w_v, step would be 2^32. Such a line rises in every column.
-// Phase 2^31 and step 2^32 - 1 give the same result for 2^31 columns.
+// see most_columns(). If w_u = w_v, step would be 2^32. Such a line rises in every column. Phase
+// 2^31 and step 2^32 - 1 give the same result for 2^31 columns.
 //
 // Borders. A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. Its
 // start may be on a border. If it is on the lower or left border of its cell, all of the above
 // holds. If it is on the upper left corner, the line is just below the upper border of its row when
 // it enters its first column; floor((e - 1) / r) keeps it in that row. If it is on the upper right
-// corner, e_0 = 0, and the sum rises in the first column. It then enters the cell above, which the
-// line itself does not.
+// corner, e_0 = 0, and the sum rises in the first column. It then enters the cell above, although
+// the line itself does not.
 #pragma once
 
 #include <cstdint>

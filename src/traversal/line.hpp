@@ -1,9 +1,10 @@
 // The line of a beam on the grid, in integers: where it crosses cell borders, and how many borders
 // it has crossed after any share of its length.
 //
-// docs/model.md section 5; thesis section 4.2.2 and appendix B.3. A cell is r subcells wide (the
-// thesis's traversal resolution). A line runs from its start S to its end E, both in subcells. It
-// is folded into the first quadrant, so x and y count in its own direction of travel.
+// See docs/model.md section 5, and section 4.2.2 and appendix B.3 of the thesis. A cell is r
+// subcells wide (the thesis's traversal resolution). A line runs from its start S to its end E,
+// both in subcells. It is folded into the first quadrant, so x and y count in its own direction of
+// travel.
 //
 // Position. A cell of a line is identified by the numbers of column borders (x) and row borders (y)
 // crossed to get there. Their sum, `crossed`, grows along the line. At a corner a line crosses both
@@ -56,7 +57,8 @@ class LineLength {
   [[nodiscard]] constexpr std::uint32_t mm() const { return length_mm_; }
   [[nodiscard]] constexpr const numeric::Reciprocal& reciprocal() const { return reciprocal_; }
 
-  // floor(2^(32 + exponent) / mm), limited to 32 bits, and its exponent: mm / 2 < 2^exponent <= mm.
+  // The inverse is floor(2^(32 + exponent) / mm), limited to 32 bits. The exponent satisfies mm / 2
+  // < 2^exponent <= mm.
   [[nodiscard]] constexpr std::uint32_t inverse() const { return inverse_; }
   [[nodiscard]] constexpr int exponent() const { return exponent_; }
 
@@ -176,13 +178,15 @@ class Line {
   [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }
 
   // The error term of the walk at a position: the side of the line on which the next corner lies.
-  // Below 0 the column border comes first, above 0 the row border; 0 is the corner itself.
+  // If it is negative, the line crosses the column border first; if positive, the row border; if 0,
+  // the corner itself.
   [[nodiscard]] constexpr std::int32_t error(Position at) const {
     return static_cast<std::int32_t>(x_.to_border(at.x) * std::int64_t{y_.length()} -
                                      y_.to_border(at.y) * std::int64_t{x_.length()});
   }
 
-  // The part inside the area of the line, continued beyond its end. No value if it never enters.
+  // The part of the line inside the area, as if the line had no end. No value if it never enters
+  // the area.
   [[nodiscard]] constexpr std::optional<Stretch> clip(CellArea area) const {
     Stretch stretch{{}, {kNoLimit, 0}};
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&

@@ -6,11 +6,10 @@
 // f is the offset of the start in its cell, w the length of the line on this axis in subcells, and
 // L its whole length in millimetres. Line::through(z) computes this.
 //
-// Estimate. The ruler keeps two numbers in units of 2^-32 borders,
+// Estimate. The ruler estimates T by base + z slope, in units of 2^-32 borders, where
 //     base  = floor(f 2^32 / r)
-//     slope = floor(w q / (r 2^e)),   q = floor(2^(32 + e) / L),
-// with the q and e of LineLength, and estimates T by base + z slope. All rounding is down, so the
-// estimate is never too large.
+//     slope = floor(w q / (r 2^e)),   q = floor(2^(32 + e) / L).
+// q and e are those of LineLength. All rounding is down, so the estimate is never too large.
 //
 // Error. base is too small by less than 1. slope is too small by less than 1 from its own rounding,
 // and by less than w / (r 2^e) from that of q. A cell is wider than 2 mm, so w / r < L / 2 < 2^e,
@@ -18,8 +17,8 @@
 // For z < 2^18 that is below kSlack = 2^20.
 //
 // So if the fraction of the estimate is at least kSlack below the next whole number, its integer
-// part is exact. Otherwise the line computes the result. That happens once in 2^12 distances, and
-// when a distance ends on a border.
+// part is exact. Otherwise Line::through() computes the result. That happens once in 2^12
+// distances, and when a distance ends on a border.
 //
 // A share of the length is read at its distance in units of 2^-14 mm, rounded down. Only the upper
 // word of the product with the slope is used, so both axes are read in units of 2^-14 borders. The
@@ -73,8 +72,8 @@ class AxisRuler {
         slope_(static_cast<std::uint32_t>(
             (std::uint64_t{axis.length()} * length.inverse() / kSide) >> length.exponent())) {}
 
-  // Borders crossed up to and including distance_mm < 2^18, in the upper word. It may be one too
-  // small if is_exact() is false.
+  // Number of borders crossed up to and including distance_mm (< 2^18), in the upper word. It may
+  // be one too small if is_exact() is false.
   [[nodiscard]] constexpr std::uint64_t estimate(std::uint32_t distance_mm) const {
     return base_ + std::uint64_t{distance_mm} * slope_;
   }
@@ -82,7 +81,7 @@ class AxisRuler {
     return static_cast<std::uint32_t>(estimate) <= ~static_cast<std::uint32_t>(kSlack);
   }
 
-  // Borders crossed up to and including a share, in units of 2^-14 borders.
+  // Number of borders crossed up to and including a share, in units of 2^-14 borders.
   [[nodiscard]] constexpr std::uint32_t estimate(const MeasuredShare& share) const {
     const std::uint64_t product = std::uint64_t{share.distance()} * slope_;
     return static_cast<std::uint32_t>(base_ >> (32 - MeasuredShare::kFractionBits)) +

@@ -50,8 +50,8 @@ struct Turn {
 // The first such term must be less than all terms before it. The next term that is less than all
 // before it comes with the first downward turn of at most x. Shorter and shorter downward turns are
 // found as in Euclid's algorithm: the shortest upward turn so far is subtracted from the shortest
-// downward turn so far, and vice versa. Both turns together are at most the whole circle, and so
-// are their steps, so nothing overflows.
+// downward turn so far, and vice versa. The angles of both turns add up to at most the whole
+// circle, and so do their steps. So nothing overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {
@@ -88,9 +88,9 @@ struct Turn {
   return number;
 }
 
-// Whether b goes through the cells of a until `borders` borders are crossed. True is certain, false
-// is not. Both lines begin at the same point. After it, a meets no corner. If they start on a
-// corner, both cross it first.
+// Whether b goes through the cells of a until `borders` borders are crossed. True is certain; false
+// may be wrong. Both lines begin at the same point. After its start, a meets no corner. If they
+// start on a corner, both cross it first.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {

@@ -1,10 +1,10 @@
 // The walk along a line, cell by cell, in integers. It is the kernel of the whole computation.
 //
-// docs/model.md section 5. As in appendix B.3 of the thesis, a step crosses a column border (c_x),
-// a row border (c_y), or both at a corner (c_xy). Two things differ from the printed algorithms.
-// The error term begins with the value that algorithm 4 meant. The walk ends after a number of
-// borders that is known before the first step; the printed walk ends when it meets the end cell,
-// which it never does if the line ends on a corner.
+// See docs/model.md section 5. As in appendix B.3 of the thesis, a step crosses a column border
+// (c_x), a row border (c_y), or both at a corner (c_xy). Two things differ from the printed
+// algorithms. The error term begins with the value that algorithm 4 meant. The walk ends after a
+// number of borders that is known before the first step. The printed walk ends at the end cell, but
+// a line that ends on a corner never reaches that cell.
 //
 // Error term. e = (distance to the next column border) * w_y - (distance to the next row border) *
 // w_x. A column step adds r * w_y, a row step subtracts r * w_x. The line passes through the cell,
