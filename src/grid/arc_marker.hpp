@@ -9,8 +9,8 @@
 // sensor an angular cell is narrower than a grid cell, and a detection marks a single cell with the
 // index of its middle. Far away it marks every cell that it may have come from.
 //
-// Marks commute, so the order of detections does not matter. most_arc_steps() bounds the steps of a
-// detection.
+// Marks commute, so the order of detections does not matter. max_marks_per_point() bounds the cells
+// that a detection marks.
 #pragma once
 
 #include <array>

@@ -44,8 +44,8 @@ class FreeSteps {
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
   // A beam is added in three steps: begin_beam() with the amount from its begin on, add() for each
-  // later change, and end_beam(). Only if has_room(). All points must be at most 2 kCellsPerSide -
-  // 1 borders behind the point where the line enters the grid.
+  // later change, and end_beam(). Only if has_room(). All points must be less than 2 kCellsPerSide
+  // borders behind the point where the line enters the grid.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
     add(from, freer);
