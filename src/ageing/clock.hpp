@@ -44,11 +44,11 @@ class Clock {
     return static_cast<std::uint8_t>((now_ + kFrames - slot) % kFrames);
   }
 
-  // The decay of a group that was last aged in this slot. Nothing is left for kNever.
+  // How much is left of a group that was last aged in this slot. Nothing is left for kNever.
   [[nodiscard]] const evidence::Fading& since(std::uint8_t slot) const { return left_[slot]; }
 
   // The weights of evidence in the newest frame, for a group whose last evidence was in this slot.
-  // They are for 1 ... 100 ms, and for 100 ms if the slot is kNever.
+  // The time counts as 1 ... 100 ms, and as 100 ms for kNever.
   [[nodiscard]] const evidence::Gains& gains(std::uint8_t slot) const;
 
  private:

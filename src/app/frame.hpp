@@ -28,9 +28,9 @@
 
 namespace iog::app {
 
-// Whether several cores fuse this car's frames on arrival: one of its lidars is dense, and its
-// fusion rule can join parts of a frame. A single core fuses a frame of four LUX before two cores
-// have divided it.
+// Whether several cores fuse this car's packets on arrival. This needs a dense lidar, and a fusion
+// rule that can join parts of a frame. For four LUX one core is enough: it has fused their frame
+// before two cores have divided it.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
 // When the points of a frame's packets are fused.
@@ -150,8 +150,8 @@ class Frame {
   std::uint32_t number_ = 0;
 };
 
-// Handles one datagram, if it is a sensor's packet. Calls close() if it ends the frame, before or
-// after itself. Calls fuse(packet) if the packet belongs to the open frame.
+// Handles one datagram, if it is a sensor's packet. Calls fuse(packet) if the packet belongs to the
+// open frame. Calls close() if the frame ends before or with this packet.
 template <typename Fuse, typename Close>
 void take_packet(Frame& frame, const std::optional<intake::SensorPacket>& packet, Fuse&& fuse,
                  Close&& close) {

@@ -77,7 +77,8 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // cores: how many should work, if the machine has that many. commands: if the car has a key.
+  // cores: number of cores that should work, if the machine has that many. commands: only if the
+  // car has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
       : team_(machine.cores(), kPatienceUs),

@@ -23,8 +23,8 @@ class ObjectFollower {
              const pose::Pose& car, const perception::WindowFusion& window);
   // Reads the labels of the frame's hits, on all cores of the crew. The classes must be decided.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
-  // Updates the tracks and labels cells. Call it before the frame has ended. From the window it
-  // reads only labels.
+  // Updates the tracks, and labels the cells of moving objects. Call it before the frame has ended.
+  // Until it labels cells, it reads only labels from the window.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
   // Handles a frame without slices. end_us: when it ends.

@@ -1,9 +1,9 @@
 // The service that a target offers: service discovery on its host, and a copy of each message to
 // the subscriber. A target without the service sends the same messages to its peer only.
 //
-// The peer has priority. A frame has at most kMostMessages messages. Copies leave that many
-// buffers free, less those that the peer has already used for this frame. The port's ring is larger
-// to make room for copies.
+// The peer has priority. A frame has at most kMostMessages messages, and a copy is sent only while
+// enough buffers remain for the peer's part of the frame. The port's ring is larger to make room
+// for copies.
 #pragma once
 
 #include <cstddef>

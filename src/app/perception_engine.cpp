@@ -21,8 +21,8 @@ constexpr std::array<std::pair<pose::Cause, std::uint16_t>, pose::kCauseCount - 
     {pose::Cause::kDrifting, stream::kCauseDrifting},
 }};
 
-// Flags of the causes met: bit c of `met` stands for pose::Cause c, if since the previous frame it
-// began or kept a slice from being placed.
+// Flags of the causes in `met`. Bit c stands for pose::Cause c. It is set if the cause has begun,
+// or kept a slice from being registered, since the previous frame.
 std::uint16_t causes_of(unsigned met, bool is_over_budget) {
   unsigned causes = is_over_budget ? stream::kCauseOverBudget : 0U;
   for (const auto& [cause, flag] : kCauseFlags) {
@@ -117,8 +117,8 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   causes_before_ = std::exchange(causes_, poses_.cause_counts());
 }
 
-// Fuses the points of a group's packets. All packets without a place form one group, because they
-// only count in the frame's own grid.
+// Fuses the points of a group's packets. All unregistered packets form one group, because they only
+// count in the frame's own grid.
 void PerceptionEngine::fuse_group(std::uint8_t group) {
   fusion::SharedFusion& fusion = frame_->fusion();
   const std::span<const fusion::KeptPacket> kept = fusion.packets().packets();
@@ -198,7 +198,7 @@ void PerceptionEngine::describe(stream::Header& header) const {
                                            receptions);
 }
 
-// If no slice was placed, the window's slices begin and end at the frame's stamp.
+// If no slice was registered, the window's slices begin and end at the frame's stamp.
 void PerceptionEngine::describe(stream::ClassEnd& end) const {
   slices_.describe(end);
   end.groups_fused = counts_.groups_fused;

@@ -108,9 +108,9 @@ class PerceptionEngine {
   void describe(stream::ClassEnd& end) const;
   void list_objects(stream::ObjectList& list) const;
 
-  // slices(): the registered slices. stamp_us(): the frame's end on the clock of the poses, which
-  // is the end of its last slice, or the newest pose if it has no packets. It advances from frame
-  // to frame even if that clock restarts or is unknown. is_forgotten(): whether the content from
+  // slices(): the registered slices. stamp_us(): the frame's end on the clock of the poses. This is
+  // the end of its last slice, or the newest pose if it has no packets. It advances from frame to
+  // frame even if that clock restarts or is unknown. is_forgotten(): whether the content from
   // before the frame has lost its position.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }

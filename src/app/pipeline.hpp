@@ -287,12 +287,12 @@ class FramePipeline {
   stream::StageTicks ticks_{};  // of the current frame
 };
 
-// For the frames' grids only.
+// A pipeline without classes.
 template <Platform P, FrameSink... Sinks>
 using Pipeline = FramePipeline<NoPerception, P, Sinks...>;
 
-// With the classes of the window. The vehicle must be fit for them. The replayer may send poses,
-// too.
+// A pipeline with the classes of the window. The vehicle must be fit for them. The replayer may
+// send poses, too.
 template <Platform P, FrameSink... Sinks>
 using PerceptionPipeline = FramePipeline<PerceptionEngine, P, Sinks...>;
 

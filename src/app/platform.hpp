@@ -57,9 +57,9 @@ concept HasOneCore = requires {
   requires T::kMostCores == 1;
 };
 
-// Receives a closed frame: the header of its messages, whose type and number do not matter, then
-// each tile with a known cell, in rising order, then the end. The sink does not own the cells, and
-// they change after the call.
+// Receives a closed frame: first the header of its messages, then each tile with a known cell in
+// rising order, then the end. The type and number in the header do not matter. The sink does not
+// own the cells, and they change after the call.
 template <typename T>
 concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {

@@ -18,7 +18,7 @@ class ReceptionLog {
 
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // Adds a datagram that is being taken, from a sender that may send it.
+  // Adds a datagram. Call it when the datagram is taken, and only if its sender may send it.
   void add(const intake::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_) {
       return;

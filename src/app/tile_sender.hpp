@@ -206,8 +206,8 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Sends the same cells again, with the same reference or as unchanged since their own frame.
-  // Repeating it from any point on gives the same result.
+  // Sends the same cells again: against the same reference, or as unchanged if they were sent
+  // without one. Repeating it from any point on gives the same result.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {

@@ -22,7 +22,7 @@ enum class Class : std::uint8_t {
   kFree,               // free, unknown to the map
   kMoving,             // occupied by a moving object
   kStopped,            // static, on a road
-  kStoppedOrUnmapped,  // static; may or may not be able to move
+  kStoppedOrUnmapped,  // static, movable or not
   kInfrastructure,     // static, where the map has a building
   kOccupied,           // occupied, unclassified
 };

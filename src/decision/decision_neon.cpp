@@ -53,8 +53,8 @@ uint8x8_t above(int16x8_t mass, std::int16_t level) {
 
 constexpr std::uint64_t kOneOfEach = 0x8040'2010'0804'0201;
 
-// For two vectors of eight bytes: one bit per sign, as four bytes for each vector, still to be
-// added up.
+// Gathers the signs of two vectors of eight bytes. Each vector gives four bytes, whose sum has one
+// bit per sign.
 uint8x8_t signs_of(uint8x8_t a, uint8x8_t b) {
   const uint8x16_t one_of_each = vreinterpretq_u8_u64(vdupq_n_u64(kOneOfEach));
   const uint8x16_t is_set = vcltq_s8(vreinterpretq_s8_u8(vcombine_u8(a, b)), vdupq_n_s8(0));
@@ -62,7 +62,8 @@ uint8x8_t signs_of(uint8x8_t a, uint8x8_t b) {
   return vpadd_u8(vget_low_u8(kept), vget_high_u8(kept));
 }
 
-// held: all ones or zeros. The sums repeat its byte four times; one of them is where Bits has it.
+// held: all ones or zeros per cell. Its byte appears four times in the sum, once at its place in
+// Bits.
 Bits bits_of(uint8x8_t freed, uint8x8_t seen, uint8x8_t stands, uint8x8_t taken, uint8x8_t held) {
   const uint8x8_t pairs = vpadd_u8(signs_of(freed, seen), signs_of(stands, taken));
   const uint8x8_t kept = vand_u8(held, vcreate_u8(kOneOfEach));
@@ -104,8 +105,8 @@ uint8x8_t seen_of(int16x8_t free, const evidence::Indexes& of_this_frame) {
   return vand_u8(above(free, kSeenAbove), vreinterpret_u8_s8(vld1_s8(of_this_frame.data())));
 }
 
-// Decides a group without occupied mass. Returns four bytes to be added up for `freed`, and four
-// for `seen`.
+// Decides a group without occupied mass. Returns four bytes whose sum is `freed`, and four whose
+// sum is `seen`.
 inline uint8x8_t named_free(int16x8_t free, const RuledOut& ruled_out,
                             const evidence::Indexes& of_this_frame, Decided& decided) {
   const uint8x8_t score = upper_byte(free);

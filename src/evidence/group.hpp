@@ -2,8 +2,8 @@
 // others: most cells crossed by beams have only free mass, and the others are then neither read nor
 // written.
 //
-// A mass is 0 ... 32767. The rest of the four masses of a cell to 32767 is ignorance. An unknown
-// cell is all zeros.
+// A mass is 0 ... 32767. The ignorance of a cell is 32767 minus its four masses. An unknown cell is
+// all zeros.
 #pragma once
 
 #include <array>

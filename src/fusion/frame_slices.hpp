@@ -34,7 +34,7 @@ struct PlacedSlice {
 
 class FrameSlices {
  public:
-  // The group of packets without a place. Packets of the slice placed()[i] have group i.
+  // The group of packets that are not registered. Packets of the slice placed()[i] have group i.
   static constexpr std::uint8_t kNowhere = 0xFF;
 
   // Converts the packets' times to the clock of the poses and returns the end of the last slice.
@@ -51,8 +51,8 @@ class FrameSlices {
   [[nodiscard]] std::span<const PlacedSlice> placed() const {
     return std::span(placed_).first(count_);
   }
-  // Writes the outcome of slices and packets into the message. Slices with a pose but without room
-  // here are over budget.
+  // Writes the registered slices, and the counts of slices and packets, into the message. A slice
+  // with a pose is over budget if there is no room for it here.
   void describe(stream::ClassEnd& end) const;
 
  private:

@@ -23,7 +23,7 @@ std::span<const FusedSlice> FusedSlices::next(const work::Crew& crew) {
   return std::span(slices_).first(slice_count_);
 }
 
-// Collects the next slices of the round. Parts without a place come last.
+// Collects the next slices of the round. Parts that are not registered come last.
 void FusedSlices::find_slices() {
   const std::span<const FramePart> round = fusion_->round();
   slice_count_ = 0;

@@ -26,8 +26,7 @@ struct FusedSlice {
 // Holds 7 MB, so it must be in static memory.
 class FusedSlices {
  public:
-  // Memory for one slice, for a single core that hands over slice after slice. Its content is
-  // arbitrary.
+  // Memory for one slice, for use by a single core. Its content is arbitrary.
   [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }
 
   // Begins a round that the fusion has finished. The fusion must not fuse the next round before the

@@ -51,7 +51,8 @@ struct HelpersSpace {
   std::span<FusedPart> parts;
 };
 
-// The memory that this many cores need: 74 MB for four, nothing for one. It must be static.
+// The memory that this many cores need: 74 MB for four, nothing for one. It must be in static
+// memory.
 template <std::size_t kCores>
 class HelpersMemory {
  public:

@@ -33,8 +33,8 @@ class AzimuthCarver {
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
 
-  // The same for a rotating sensor that follows the ground (docs/ground.md). A beam carves where it
-  // is in the height band, too. It counts as low by its height over the ground.
+  // The same for a rotating sensor that follows the ground (docs/ground.md). Carving still uses the
+  // height band. Whether a beam is low depends on its height over the ground.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,

@@ -1,5 +1,5 @@
-// Applies a beam to its line: makes the cells before its end freer, and marks the cell of its hit.
-// Beams on one line collect in its steps and are carved together.
+// Applies a beam to its line: lowers the indexes of the cells before its end, and marks the cell of
+// its hit. Beams on one line collect in its steps and are carved together.
 //
 // The carvers decide which beams are collected: azimuth_carver.hpp for sensors that measure in the
 // same directions in every scan, turn_carver.hpp for rotating ones. Saturated sums of negative
@@ -46,14 +46,14 @@ class BeamCarver {
   [[nodiscard]] bool keeps_heights() const { return grids_->keep_heights; }
 
   // Carves and marks as the beam's evidence says. steps_of(end) returns the steps of its line for a
-  // beam that ends there; they must have room for it. low_of() returns the part of the line in
+  // beam that ends there. They must have room for it. low_of() returns the part of the line in
   // which the beam is low.
   template <typename StepsOf, typename LowOf>
   [[gnu::always_inline]] void add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                                   const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of);
 
-  // Adds the zones of the sensor's profile, up to the part's end. The beam's begin must have been
-  // added. Returns the point where the beam stops freeing.
+  // Adds the zones of the sensor's profile, up to the part's end. FreeSteps::begin_beam() must have
+  // been called. Returns the point where the beam stops freeing.
   static Between add_zones(const vehicle::Sensor& sensor, FreeSteps& steps, const KeptLine& line,
                            const LinePart& part, std::uint32_t range_mm);
 
@@ -105,7 +105,7 @@ class BeamCarver {
   const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
   std::uint32_t begin_mm = (k - zones) * delta_mm;
   for (std::uint32_t back = zones; back > 0; --back, begin_mm += delta_mm) {
-    // 1D cells from k - back on. They begin at (k - back) Delta.
+    // The zone begins with 1D cell k - back, at (k - back) Delta.
     const Between zone = k < back ? part.first : Between::before(line.through(sensor, begin_mm));
     const std::int32_t in_zone = -profile.near_before[back - 1];
     last = std::clamp(zone, part.first, part.end);
@@ -119,10 +119,10 @@ class BeamCarver {
   return last;
 }
 
-// Shortens the low part of a beam that ends on ground. If the road rises, a beam in the height band
-// over the car's plane may be below the band over the road and pass under a car there. So the beam
-// counts as low only while it is high enough over the straight line from below the sensor to the
-// point where it meets the ground.
+// Shortens the low part of a beam that ends on ground. If the road rises, a beam within the height
+// band over the car's plane may be below the band over the road, and pass under a car there. So the
+// beam counts as low only while it is high enough over a straight line: from below the sensor to
+// the point where the beam meets the ground.
 inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor& sensor,
                                              const KeptLine& line, const WaitingBeam& its) {
   if (its.ends_on_ground) {

@@ -26,8 +26,8 @@ namespace iog::grid {
 // length.
 class BandLimits {
  public:
-  // A point at least this far behind the relevant part of its line frees all of it: even the zones
-  // before the point lie behind the part.
+  // A point at least this far beyond the relevant part of its line frees all of it: even the zones
+  // before the point lie beyond the part.
   [[nodiscard]] static std::uint32_t behind_mm(const vehicle::Sensor& sensor);
 
   BandLimits() = default;
@@ -50,7 +50,7 @@ class BandLimits {
     return std::max(part.first, std::min(part.end, Between::after(ruler.before(to_, line))));
   }
 
-  // Points at this distance or beyond free the whole part: even the zones before them lie behind
+  // Points at this distance or beyond free the whole part: even the zones before them lie beyond
   // it.
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
@@ -132,7 +132,7 @@ class KeptLine {
 };
 
 // The part of its line that a beam may free. A point at free_from_mm or beyond frees all of it:
-// even the zones before the point lie behind it.
+// even the zones before the point lie beyond the part.
 struct FreePart {
   LinePart part;
   std::uint32_t free_from_mm = 0;
@@ -222,9 +222,9 @@ class KeptAzimuth {
   // The layer must be below kMaxLayers, and its line below kMaxLines.
   KeptBeam& find_beam(const vehicle::Sensor& sensor, std::uint8_t layer);
 
-  // Whether the second line crosses the same first `cells` cells as the first line. cells > 0, and
-  // the second line must have been found. True is certain and implies that the first line is found
-  // and has a path; false is not certain.
+  // Whether the second line crosses the same first `cells` cells as the first line, cells > 0. The
+  // second line must have been found. True also implies that the first line was found and has a
+  // path. False may be wrong.
   [[nodiscard]] bool is_common(std::uint32_t cells) {
     return cells <= common_ || (cells < different_ && find_common(cells));
   }
@@ -246,9 +246,9 @@ class KeptAzimuth {
   std::array<KeptLine, kMaxLines> lines_;
 };
 
-// A fixed number of cached azimuths per sensor; each azimuth maps to one slot. The azimuths of a
-// LUX map to distinct slots at quarter-degree steps with up to six sensors, and at its finest steps
-// of one eighth with up to three. With four sensors, nearly all of the finest steps do.
+// A fixed number of cached azimuths per sensor; each azimuth maps to one slot. With up to six
+// sensors, the azimuths of a LUX map to distinct slots at quarter-degree steps. With up to three,
+// this also holds for its finest steps of an eighth of a degree; with four, for nearly all of them.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

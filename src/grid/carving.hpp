@@ -1,4 +1,4 @@
-// Carving: applies the steps of a line's beams to its cells and makes them freer.
+// Carving: subtracts the steps of a line's beams from the indexes of its cells.
 #pragma once
 
 #include <cstdint>

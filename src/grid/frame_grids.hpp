@@ -1,9 +1,11 @@
 // The grids of a frame: the occupancy index of each cell and, if the vehicle's window needs them,
 // the heights at which beams freed or hit the cell (perception/opening.hpp).
 //
-// A cell of `heights` is below 0 if a low beam freed it, and 1 if a tall return hit it. Low beams
-// are carved into `heights` like all beams. Hits are applied after all beams, and leave no value
-// below 0. So the result does not depend on the order.
+// A beam is low where it runs at most `low_m` above the ground. A return is tall if it lies at
+// least `tall_m` above the ground (docs/ground.md). A cell of `heights` is below 0 if a low beam
+// freed it, and 1 if a tall return hit it. Low beams are carved into `heights` like all beams. Hits
+// are applied after all beams, and leave no value below 0. So the result does not depend on the
+// order.
 #pragma once
 
 #include <array>

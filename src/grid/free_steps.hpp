@@ -1,5 +1,4 @@
-// The amount by which the pending beams of a line make its cells freer: a step function along the
-// line.
+// The amount by which the pending beams of a line lower its cells: a step function along the line.
 //
 // All beams of a line carve the same cells, each up to its own end. Each adds a negative index to a
 // cell, and such additions commute under saturation (docs/model.md section 3): adding a and then b,
@@ -43,8 +42,8 @@ class FreeSteps {
   // A beam changes the amount by less than 2^7, and a slot holds less than 2^15.
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
-  // A beam is added in three steps: begin_beam() with the amount from its begin on, add() for each
-  // later change, and end_beam(). Only if has_room(). All points must be less than 2 kCellsPerSide
+  // A beam is added in three steps: begin_beam() with its first amount, add() for each later
+  // change, and end_beam(). Only if has_room(). All points must be less than 2 kCellsPerSide
   // borders behind the point where the line enters the grid.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
@@ -114,7 +113,7 @@ class FreeSteps {
 // Where beams are low. These parts begin far from the sensor and have gaps.
 class LowSteps : public FreeSteps {};
 
-// The pending beams of a line: by how much they make it freer and, if heights are kept
+// The pending beams of a line: by how much they lower its cells and, if heights are kept
 // (grid/frame_grids.hpp), where some of them are low. A beam adds at most one entry to each.
 struct LineSteps {
   // The largest amount a cell can take, so overlapping low parts have the same effect as one.

@@ -20,8 +20,8 @@ namespace iog::grid {
 struct BandJudge {
   const TurnLayers* layers;
 
-  // Height of a return at this range along the line of an azimuth step. Sets is_tall. reach_mm: as
-  // in vehicle::classify().
+  // Height of a return at this range along the line of an azimuth step. Also sets is_tall.
+  // reach_mm: as in vehicle::classify().
   [[nodiscard]] vehicle::Height height(std::uint32_t /*step*/, std::size_t layer,
                                        std::uint32_t along_mm, std::uint32_t reach_mm,
                                        bool& is_tall) const {

@@ -8,11 +8,11 @@
 
 namespace iog::grid {
 
-// A boundary between two cells of a line, given as before the cell at a position or just after it.
-// It is stored as one number that grows along the line: the borders crossed to reach the next cell
-// (16 bits), whether it was given as before a cell (1 bit), and x of the position (15 bits). The
-// form `after` sorts before the same boundary in the form `before`. In the form `after`, the next
-// cell may lie outside the grid.
+// A boundary between two consecutive cells of a line. It is given either as before a cell or as
+// after the previous one. It is stored as one number that grows along the line: the borders crossed
+// to reach the next cell (16 bits), a bit for the form `before`, and x of the position (15 bits).
+// The form `after` sorts before the form `before` of the same boundary. With `after`, the next cell
+// may lie outside the grid.
 class Between {
  public:
   constexpr Between() = default;  // before the first cell

@@ -124,7 +124,7 @@ void TurnCarver::add_low(LineSteps& steps, const Gate& gate, const LinePart& fre
   steps.add_low(freed.within(gate.low_part(layer)));
 }
 
-// All of these beams count, even those that make nothing freer. They arrive in exit order, the
+// All of these beams count, even those that free nothing more. They arrive in exit order, the
 // farthest first, so nearly all overlapping parts merge into one. A beam's low part may end before
 // that of a beam that leaves the limits sooner.
 template <typename Gate>
@@ -146,7 +146,8 @@ void TurnCarver::add_low_behind(const Gate& gate, const RankSet& ranks) {
   steps_.add_low(all);
 }
 
-// Handles points that carve or mark but are no hits with the whole beam within the limits.
+// Handles the rare points that carve or mark: those that are not hits with the whole beam within
+// the limits.
 template <typename Gate>
 void TurnCarver::add_rare(const Gate& gate, const KeptLine& line, WaitingPoint point) {
   const std::uint32_t layer = point.layer();

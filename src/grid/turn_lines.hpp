@@ -23,7 +23,7 @@ struct alignas(64) TurnLayer {
   std::uint32_t clears_mm = 0;
   // Exit order among the sensor's layers: the layer that stays in the band farthest has rank 0.
   std::uint32_t rank = 0;
-  // A point at this range or beyond is so far behind the band that it frees the whole line from the
+  // A point at this range or beyond lies far behind the band. It frees the whole line from the
   // sensor to where the layer leaves the band. The maximum if the sensor is not in the band.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
   BandLimits band;
@@ -36,7 +36,8 @@ struct TurnLayers {
   bool start_in_band = false;
   // The number of beams that saturates a cell.
   std::uint32_t enough_beams = 0;
-  // Hits at this distance or beyond free all of the band for layers of near_rank and above.
+  // Hits at this distance or beyond free everything that layers of near_rank and above have in the
+  // band.
   std::uint32_t far_mm = 0;
   std::uint32_t near_rank = 0;
   std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()

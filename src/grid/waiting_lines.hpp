@@ -81,9 +81,9 @@ class RankSet {
   std::array<std::uint32_t, vehicle::kMaxLayers / 32> words_{};
 };
 
-// The pending lines of a rotating lidar. Each occupies the slot given by its azimuth step. The
-// slots cover that many consecutive steps. The lasers of an HDL-64E are up to 17 degrees apart, 390
-// of 8,192 steps.
+// The pending lines of a rotating lidar. Each occupies the slot given by its azimuth step. There
+// are enough slots for the spread of the lasers: those of an HDL-64E are up to 17 degrees apart,
+// 390 of 8,192 steps.
 class WaitingLines {
  public:
   // The part of a pending line that a point accesses, within one cache line; its points are stored

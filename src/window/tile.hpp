@@ -1,7 +1,7 @@
 // One tile of the window in memory: 32 by 32 cells aligned to the local frame.
 //
-// An unknown tile is all zeros, with two exceptions: groups that were never aged have undefined
-// masses, so that clearing a tile need not write all of it, and the map's content stays.
+// An unknown tile is all zeros, with two exceptions. Groups that were never aged have undefined
+// masses, so clearing a tile does not write all of it. The map's content stays.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ inline constexpr std::size_t kGroupsPerTile = geometry::kTileCells / evidence::k
 using Plane = std::array<std::uint32_t, geometry::kTileSide>;
 static_assert(geometry::kTileSide == 32);
 
-// Whether no bit is set. Reading all words is faster than testing each.
+// Whether the plane is empty. Reading all words is faster than testing each.
 [[nodiscard]] inline bool is_empty(const Plane& plane) {
   std::uint32_t bits = 0;
   for (const std::uint32_t row : plane) {
@@ -88,7 +88,7 @@ struct Tile {
   Ground ground{};
   // Whether `ruled_out` has a value other than 0.
   bool has_ruled_out = false;
-  // A low beam has freed the cell since the tile became known, and nothing stood there since.
+  // A low beam has freed the cell since the tile became known, and nothing has stood there since.
   Plane from_below{};
 };
 

@@ -38,7 +38,7 @@ class WindowView {
   // The class bytes of the tile at a slot, row by row from its lowest y. Empty if no cell has a
   // class.
   [[nodiscard]] std::optional<ClassBytes> class_bytes(std::size_t slot) const;
-  // The same, but empty only if the tile was never known.
+  // The class bytes of any tile that was ever known, even if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> known_bytes(std::size_t slot) const;
 
   // Copies them. Returns false if no cell has a class; all bytes are then 0.

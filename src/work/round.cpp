@@ -20,8 +20,8 @@ void Round::open(std::size_t items, Work work) {
                 std::memory_order_release);
 }
 
-// Acquires the work that core 0 wrote. Releases this core's state, so that core 0 sees that it is
-// busy once all items are taken.
+// Acquires the work that core 0 wrote. Releases the store that marks this core as busy, so that
+// core 0 sees it once all items are taken.
 std::optional<std::size_t> Round::claim(Ticket& seen) {
   const std::size_t left = seen.left();
   if (left == 0 ||

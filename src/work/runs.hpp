@@ -3,7 +3,7 @@
 //
 // Cores take the runs in order. So there are few runs, and the last ones are short enough that no
 // core waits long. This is guided self-scheduling (Polychronopoulos and Kuck, IEEE Transactions on
-// Computers C-36, 1987) with half of its share.
+// Computers C-36, 1987), with runs half as long.
 #pragma once
 
 #include <algorithm>
