@@ -24,7 +24,7 @@ class MessageSender {
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
   // Sends a complete message with room for its protection. Returns false if the network did not
-  // accept it. The message uses up a number anyway, so that a receiver notices the loss.
+  // accept it. Even a lost message has a number, so that a receiver notices the loss.
   [[nodiscard]] bool send(std::span<std::byte> message) {
     sender_.protect(message);
     ++sequence_;

@@ -24,7 +24,7 @@ class ObjectFollower {
   // Reads the labels of the frame's hits, on all cores of the crew. The classes must be decided.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
   // Updates the tracks, and labels the cells of moving objects. Call it before the frame has ended.
-  // Until it labels cells, it reads only labels from the window.
+  // It reads only the labels of the window, before it changes any.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
   // Handles a frame without slices. end_us: when it ends.

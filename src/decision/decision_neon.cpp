@@ -1,8 +1,8 @@
 // NEON version for eight cells at once. Comparisons with 2^14 use the upper byte of a mass, which
 // is at least 64 in the same cases. An upper byte of 64 + 8 n + r is confidence n.
 //
-// At most one of free, moving and standing is half of all mass or more (decision/cell.hpp). If one
-// is, it is the greatest of the three and the score. Otherwise the score is the occupied mass.
+// At most one of free, moving and standing reaches half of all mass (decision/cell.hpp). If one
+// does, it is the greatest of the three and the score. Otherwise the score is the occupied mass.
 #include <arm_neon.h>
 #include <cstddef>
 
@@ -46,7 +46,8 @@ int16x8_t moving_part(int16x8_t occupied, uint8x8_t masks) {
   return vqdmulhq_s16(occupied, vreinterpretq_s16_u16(vshll_n_u8(shares, 7)));
 }
 
-// Bytes whose sign bit is set where a mass is above a level: the upper bytes of level - mass.
+// Sets the sign bit of each byte whose mass is above the level, by taking the upper byte of level -
+// mass.
 uint8x8_t above(int16x8_t mass, std::int16_t level) {
   return vreinterpret_u8_s8(vsubhn_s16(vdupq_n_s16(level), mass));
 }

@@ -13,8 +13,8 @@ using traversal::Stretch;
 using vehicle::Sensor;
 
 // A line crosses a border at least every one and a half cells. So the cell that contains a point
-// that far behind the part lies outside the part. The first zone begins at most near_before_count +
-// 1 1D cells before the point.
+// that far behind the part lies outside the part. The first zone begins at most one 1D cell more
+// before the point than there are zones.
 std::uint32_t BandLimits::behind_mm(const Sensor& sensor) {
   const std::uint32_t zones_mm = (sensor.profile.near_before_count + 1U) * sensor.precision_mm;
   return zones_mm + 3 * std::uint32_t{geometry::kCellMm} / 2 + 1;

@@ -16,7 +16,7 @@ inline void carve_block(LaneBytes& block, Lanes cells, Lanes amount) {
 
 // Carves the next `count` blocks of the path.
 inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
-  Way here = way;  // in registers; a member would be written back after each block
+  Way here = way;  // in registers, because a block might alias a member
   for (; count > 0; --count) {
     here.step();
     carve_block(*here.block, Lanes::load(here.cells()), amount);
