@@ -31,7 +31,7 @@ class MessageSender {
     return platform_->send_message(message);
   }
 
-  // Sends a message: a header, then the body that write(buffer) writes; write returns its length in
+  // Sends a message: a header and a body. write(buffer) writes the body and returns its length in
   // bytes. If the message is lost, the number of the next one shows it.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {

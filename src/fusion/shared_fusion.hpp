@@ -91,8 +91,8 @@ class HelpersMemory {
 // Holds 19 MB, so it must be in static memory.
 class SharedFusion {
  public:
-  // All must outlive the fusion. Without space, core 0 must be alone. watched must include this
-  // frame's packets.
+  // All must outlive the fusion. space may be empty if core 0 works alone. watched must include
+  // this frame's packets.
   SharedFusion(const vehicle::Vehicle& vehicle, const intake::WatchedSectors& watched,
                HelpersSpace space);
   SharedFusion(const SharedFusion&) = delete;

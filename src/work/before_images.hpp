@@ -21,8 +21,8 @@
 
 namespace iog::work {
 
-// Compiler barrier. After this core has ended, core 0 sees the stores before the barrier if it sees
-// those after it.
+// Compiler barrier between stores of this core. Once the core has ended, core 0 sees all stores
+// before the barrier if it sees any after it.
 inline void keep_order() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
 // Must be in static memory if the image is large.
