@@ -1,12 +1,13 @@
-// Time as the grid sees it: the stamps of the newest 64 frames, and what has happened to evidence
+// Time of the perception grid: the stamps of the newest 64 frames, and how evidence has decayed
 // since each of them.
 //
-// A stamp's microseconds are floored to milliseconds before anything else, and times are
-// differences of floors, so that no rounding adds up. Time does not go back: an older stamp counts
-// as the newest.
+// A stamp is first floored from microseconds to milliseconds. Times are differences of floored
+// stamps, so rounding errors do not add up. Time never goes back: an older stamp counts as the
+// newest one.
 //
-// A frame has a slot, 1 ... 64; slots are used in turn. Whoever keeps a slot must let go of it
-// within 63 frames. Slot 0 is no frame: a group of zeros was never aged and never had evidence.
+// Each frame has a slot, 1 ... 64, and slots are reused in turn. A stored slot must be dropped
+// within 63 frames. Slot 0 stands for no frame: a group with slot 0 was never aged or never had
+// evidence.
 #pragma once
 
 #include <array>
@@ -23,31 +24,31 @@ class Clock {
  public:
   static constexpr std::size_t kFrames = 64;
   static constexpr std::uint8_t kNever = 0;
-  static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // ms since a slot that has no frame
+  static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // ms since a slot without a frame
 
   constexpr explicit Clock(Discounting discounting = Discounting::kConservative,
                            Weighing weighing = Weighing::kByTime)
       : discounting_(discounting), weighing_(weighing) {}
 
-  // A frame ends now: every one, whether its evidence could be placed or not.
+  // Ends a frame. Call it for every frame, even if its evidence could not be registered.
   void advance(std::uint64_t stamp_us);
 
-  // The slot of the newest frame; kNever before the first.
+  // The slot of the newest frame. kNever before the first frame.
   [[nodiscard]] std::uint8_t now() const { return now_; }
 
-  // From the frame of this slot to the newest one, at most kEver.
+  // Time from the frame of this slot to the newest one, at most kEver.
   [[nodiscard]] std::uint32_t ms_since(std::uint8_t slot) const;
 
-  // The same in frames, for a slot that has one.
+  // The same in frames. The slot must have a frame.
   [[nodiscard]] std::uint8_t frames_since(std::uint8_t slot) const {
     return static_cast<std::uint8_t>((now_ + kFrames - slot) % kFrames);
   }
 
-  // What is left of a group that was last aged in this slot; nothing of kNever.
+  // How much is left of a group that was last aged in this slot. Nothing is left for kNever.
   [[nodiscard]] const evidence::Fading& since(std::uint8_t slot) const { return left_[slot]; }
 
-  // The weights of evidence in the newest frame, for a group that last had some in this slot: of
-  // 1 ... 100 ms, and of 100 ms for kNever.
+  // The weights of evidence in the newest frame, for a group whose last evidence was in this slot.
+  // The time counts as 1 ... 100 ms, and as 100 ms for kNever.
   [[nodiscard]] const evidence::Gains& gains(std::uint8_t slot) const;
 
  private:

@@ -1,9 +1,9 @@
-// The decay of a mass, as a product over the bits of a time.
+// The decay of a mass, computed as a product over the bits of a time.
 //
-// kappa(t) = exp(-t / tau). A table holds floor(2^31 kappa(2^j ms)) for each bit j, and the factors
-// of the bits of t are multiplied, lowest first, each product rounded down. So kappa(t) is at most
-// 16 + 15 units of 2^-31 below the true value: each factor and each product loses less than one,
-// and all are below 1.
+// kappa(t) = exp(-t / tau). A table holds floor(2^31 kappa(2^j ms)) for each bit j. The factors of
+// the bits of t are multiplied, lowest first, and each product is rounded down. Each factor and
+// each product loses less than one unit of 2^-31, and all are below 1. So kappa(t) is at most 16 +
+// 15 units below the true value.
 //
 // Range: factors are below 2^31, so a product of two is below 2^62.
 #pragma once
@@ -19,14 +19,15 @@ namespace iog::ageing {
 
 inline constexpr int kDecayFraction = 31;
 
-// 1: what is left after no time.
+// The value 1: no decay.
 inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
 
-// By bit of a time in ms.
+// Indexed by the bit of a time in ms.
 using DecayTable = std::array<std::uint32_t, 16>;
 
-// 1 / tau of what is left after 100 ms. Kurdej 2015, table 7.1, has 0.01 and 0.10 lost in a scan,
-// for contextual discounting, whose rates hit the complement of a set: they are exchanged here.
+// 1 / tau for the part left after 100 ms. Kurdej 2015, table 7.1, has 0.01 and 0.10 lost in a scan,
+// for contextual discounting, whose rates apply to the complement of a set. So they are exchanged
+// here.
 consteval double rate_per_ms(double left_after_100_ms) {
   return -numeric::log(left_after_100_ms) / 100;
 }
@@ -42,7 +43,7 @@ consteval DecayTable make_decay(double rate) {
   return table;
 }
 
-// Both at most 2^31.
+// Both must be at most 2^31.
 constexpr std::uint32_t product(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> kDecayFraction);
 }
@@ -60,7 +61,7 @@ inline constexpr DecayTable kDynamicDecay = make_decay(kDynamicRate);
 inline constexpr DecayTable kStaticDecay = make_decay(kStaticRate);
 
 // kappa_dyn^(1/4) kappa_sta^(3/4): the limit of the proportional factor (Kurdej 2015, section 6.3)
-// for small steps. Its own product of steps would depend on how often one looks.
+// for small steps. The product of his steps would depend on the update rate.
 inline constexpr DecayTable kSharedDecay = make_decay(kDynamicRate / 4 + kStaticRate * 3 / 4);
 
 }  // namespace iog::ageing

@@ -5,7 +5,8 @@
 namespace iog::ageing {
 namespace {
 
-// From units of 2^-31 to those of 2^-15, down. 1 becomes kWhole, its pattern of bits in an int16.
+// Converts from units of 2^-31 to units of 2^-15, rounding down. 1 becomes the bit pattern of
+// kWhole in an int16.
 constexpr std::int16_t factor(std::uint32_t left) { return static_cast<std::int16_t>(left >> 16); }
 static_assert(factor(kUndecayed) == evidence::kWhole);
 

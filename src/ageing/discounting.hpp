@@ -1,5 +1,5 @@
-// What is left of evidence after a time (Kurdej 2015, chapter 6): exponential decay, with one time
-// constant for what moves and one for what stands.
+// Exponential decay of evidence (Kurdej 2015, chapter 6), with one time constant for moving objects
+// and one for static ones.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace iog::ageing {
 
-// How the factors of occupied sets follow from those of what moves and of what stands.
+// How the factors of occupied sets follow from those of moving and of static objects.
 enum class Discounting : std::uint8_t {
-  kConservative,  // {I, M, S, U} loses by both
-  kOptimistic,    // {I, M, S, U} loses nothing
-  kClassical,     // everything like what moves
-  kProportional,  // {I, M, S, U} by its shares: one quarter moves, three stand
+  kConservative,  // {I, M, S, U} decays by both
+  kOptimistic,    // {I, M, S, U} does not decay
+  kClassical,     // everything decays like moving objects
+  kProportional,  // {I, M, S, U} by shares: one quarter moving, three static
 };
 
 // After more than this many milliseconds nothing is left.
 inline constexpr std::uint32_t kLongestMs = 65'535;
 
-// After 0 ms everything is left as it is.
+// The decay after a time; none after 0 ms.
 evidence::Fading left_after(std::uint32_t ms, Discounting discounting);
 
 }  // namespace iog::ageing

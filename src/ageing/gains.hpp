@@ -1,5 +1,5 @@
-// How much the evidence of a frame weighs, by the time since the last one. A cell that is looked at
-// twice as often learns half as much from each look.
+// Weights of a frame's evidence, by the time since the last evidence. A cell that is observed twice
+// as often learns half as much from each observation.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,16 @@ namespace iog::ageing {
 
 inline constexpr std::uint32_t kLongestGainMs = 100;
 
-// Kurdej 2015, section 7.3. The accumulator is full after 3 s, the time in which something 3 m long
-// passes at the slowest speed that is motion, 1 m/s. It falls 6 times as fast (gamma). A full
-// accumulator specialises everything in one scan of the thesis's 15 Hz.
+// Constants of Kurdej 2015, section 7.3. The accumulator is full after 3 s, the time in which an
+// object 3 m long passes at 1 m/s, the slowest speed that counts as motion. It falls 6 times as
+// fast (gamma). A full accumulator specialises all mass within one scan of the thesis's 15 Hz.
 inline constexpr std::int32_t kPersistenceMs = 3000;
 inline constexpr std::int32_t kDeclineToGain = 6;
 inline constexpr std::int32_t kSpecialisationsPerSecond = 15;
 
-// What the evidence of one frame says about free and occupied.
+// How the evidence of a frame is weighed for free and occupied.
 enum class Weighing : std::uint8_t {
-  kByTime,    // crossing beams are worth 0.7 in 100 ms, whatever the frames in it
+  kByTime,    // crossing beams are worth 0.7 per 100 ms, for any frame rate
   kEachScan,  // every frame is a scan of Kurdej 2015, table 7.1: a hit 0.8, a crossing beam 0.7
 };
 
@@ -38,8 +38,8 @@ consteval std::int16_t free_mass_after(std::int32_t ms) {
   return static_cast<std::int16_t>((1 - doubt) * (1 << 15));
 }
 
-// The nearest 2^-15 of a part that grows evenly, by numerator / denominator a millisecond; at most
-// 32767.
+// A fraction that grows linearly by numerator / denominator per millisecond, in units of 2^-15,
+// rounded to nearest. At most 32767.
 consteval std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
                                   std::int32_t denominator) {
   const auto part = numeric::div_nearest<std::int32_t>((1 << 15) * ms * numerator, denominator);
@@ -60,7 +60,7 @@ consteval evidence::Gains make_gains(std::int32_t ms, Weighing weighing) {
   return gains;
 }
 
-// By ms; no time counts as 1 ms.
+// Indexed by ms; 0 ms counts as 1 ms.
 using GainsTable = std::array<evidence::Gains, kLongestGainMs + 1>;
 
 consteval GainsTable make_gains_table(Weighing weighing) {

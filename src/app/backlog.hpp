@@ -1,9 +1,9 @@
-// Whether the loop keeps up with what comes.
+// Tells whether the loop keeps up with incoming datagrams.
 //
-// A target that is too slow for its sensors never finds the receive ring empty. What waits there
-// grows old, and in the end the controller drops frames unread. So what waits is left, and
-// counted, as soon as the loop has been busy for as long as the ring holds: the frames that go out
-// are of what is fused, and no older.
+// A target that is too slow for its sensors never empties the receive ring. The waiting frames grow
+// old, and in the end the controller drops new ones unread. So once the loop has been busy for as
+// long as the ring can hold traffic, the waiting datagrams are shed and counted. The grids sent are
+// then never older than that.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,16 @@ namespace iog::app {
 
 class Backlog {
  public:
-  // The receive ring holds 100 ms of the densest traffic that it is made for. This is less, and two
-  // frames of four LUX, so that one late frame leaves nothing.
+  // Longest time without an empty ring. The receive ring holds 100 ms of the densest traffic that
+  // it is made for. This limit is shorter, and as long as two frames of four LUX, so that one late
+  // frame sheds nothing.
   static constexpr std::uint64_t kLongestUs = 80'000;
-  // A frame that was over before the loop woke is not closed before what has come meanwhile is
-  // taken, for so long: most of it may have come while the machine stood still.
+  // Grace period for a frame whose deadline passed before the loop woke. Most of its datagrams may
+  // have arrived while the machine was not running, so they are taken before the frame is closed.
   static constexpr std::uint64_t kGraceUs = 40'000;
 
-  // A pass of the loop begins. What came while the loop slept, or was not run, has not waited for
-  // it.
+  // Begins a pass of the loop. Datagrams that arrived while the loop slept, or was not run, have
+  // not waited for it.
   void begin_pass(std::uint64_t now_us) {
     has_slept_ = !is_busy_;
     if (has_slept_) {
@@ -31,7 +32,7 @@ class Backlog {
 
   // The ring was found empty.
   void clear() { is_busy_ = false; }
-  // What was in it has been left.
+  // The ring's content was shed.
   void begin(std::uint64_t now_us) {
     is_busy_ = true;
     since_us_ = now_us;
@@ -41,8 +42,7 @@ class Backlog {
     return is_busy_ && now_us - since_us_ >= kLongestUs;
   }
 
-  // Whether fusing has to wait for the end of a frame with packets, whose time is over at
-  // deadline_us.
+  // Whether fusing must stop so that a frame with packets can be closed at deadline_us.
   [[nodiscard]] bool must_yield(std::uint64_t deadline_us, std::uint64_t now_us) const {
     const bool was_over = has_slept_ && deadline_us <= pass_us_;
     return now_us >= deadline_us && !(was_over && now_us - pass_us_ < kGraceUs);

@@ -1,5 +1,5 @@
-// Where commands come in, which are poses and maps: of a car that has a key, those alone that are
-// signed with it, as they were before they were signed. Everything else passes as it is.
+// Gate for commands, that is, poses and maps. If the car has a key, only commands signed with it
+// pass, and their signatures are removed. All other datagrams pass unchanged.
 //
 //     datagram -> [gate] authentic pose or chunk -> pipeline
 #pragma once
@@ -21,31 +21,31 @@
 
 namespace iog::app {
 
-// Whose commands are to be signed, and with what; its stream is signed, too. A car without classes
-// takes none.
+// The car whose commands must be signed, and the key. Its stream is signed, too. A car without
+// classes accepts no commands.
 struct SignedCommands {
   authentication::Key key{};
   const vehicle::Vehicle* vehicle = nullptr;
-  std::uint32_t replayer_ipv4 = 0;  // as of the pipeline
+  std::uint32_t replayer_ipv4 = 0;  // as for the pipeline
 };
 
 class CommandGate {
  public:
-  // Without commands everything passes. run: of the target, which signers have heard of.
+  // Without `commands`, everything passes. run: the target's run number, known to signers.
   CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run)
       : CommandGate(commands.value_or(SignedCommands{}), run, commands ? kOn : kOff) {}
-  // Verifiers point to the key.
+  // Not copyable, because the verifiers point to the key.
   CommandGate(const CommandGate&) = delete;
   CommandGate& operator=(const CommandGate&) = delete;
 
   [[nodiscard]] bool is_on() const { return signs_ != kOff; }
 
-  // Of a gate that is on; as long as the gate.
+  // The key of a gate that is on. Valid as long as the gate.
   [[nodiscard]] const authentication::CmacKey& key() const { return key_; }
 
-  // The datagram as the pipeline is to see it, valid until the next one; nothing: it is no
-  // authentic command. A stranger's is passed without its bytes, and counted as a stranger's there:
-  // no MAC is computed for an address that the target does not listen to.
+  // Returns the datagram for the pipeline, valid until the next call, or nothing if it is not an
+  // authentic command. A command from an unknown source passes without its bytes, and the pipeline
+  // counts it as such. So no MAC is computed for addresses that the target does not listen to.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
     if (guards_ == kOff) {
       return datagram;
@@ -68,7 +68,7 @@ class CommandGate {
     }
   }
 
-  // All 0 of a gate that is off.
+  // All 0 if the gate is off.
   [[nodiscard]] authentication::CommandCounts counts() const {
     authentication::CommandCounts counts;
     if (is_on()) {
@@ -81,11 +81,11 @@ class CommandGate {
   }
 
  private:
-  // Only this word opens a gate, and no single flipped bit turns the other one into it.
+  // Only this word opens a gate. No single flipped bit turns the other word into it.
   static constexpr std::uint32_t kOff = 0x6F66'6621;
   static constexpr std::uint32_t kOn = 0x9099'99DE;
 
-  // The port is stored twice: after one flipped bit one copy is still right.
+  // The port is stored twice, so that one copy is still right after a flipped bit.
   struct Door {
     std::uint32_t source_ipv4;
     std::uint16_t udp_port;

@@ -1,4 +1,4 @@
-// The cores in words, for the console: how many work, and why another one does not.
+// Console report of the cores: how many work, and why the others do not.
 #pragma once
 
 #include <array>
@@ -29,7 +29,8 @@ constexpr std::string_view text_of(work::Loss loss) {
   return "unknown";
 }
 
-// "cores: 3 at work", and a line for each that was lost: "core 2 was stuck: stopped pc=10100474".
+// Writes "cores: 3 at work", and a line for each lost core: "core 2 was stuck: stopped
+// pc=10100474".
 template <hal::Console Console, hal::Cores Cores>
 void report_cores(Console& console, const work::Team<Cores>& team) {
   const auto digit = [](std::size_t number) { return std::array{static_cast<char>('0' + number)}; };

@@ -1,5 +1,5 @@
-// The senders whose fragments a car's target joins: those it listens to, one datagram at a time for
-// each stream. Other senders cannot take their room (docs/spec.md, 1.5).
+// The senders whose fragments a target reassembles: those it listens to, one datagram at a time per
+// stream. Other senders cannot occupy their buffers (docs/spec.md, 1.5).
 #pragma once
 
 #include "net/reassembly.hpp"
@@ -10,8 +10,8 @@ namespace iog::app {
 static_assert(net::FragmentSenders::kMostDatagrams >= 2 * vehicle::kMaxSensors + 2);
 
 // replayer: may send in the name of every sensor. A sensor without an address admits any sender,
-// since its packets may come from anybody. Poses and maps without one do not: they fit into a
-// frame.
+// because its packets may come from anyone. Poses and maps without an address do not, because they
+// fit into a single frame.
 [[nodiscard]] inline net::FragmentSenders fragment_senders(const vehicle::Vehicle& car,
                                                            net::Ipv4Address replayer) {
   net::FragmentSenders senders;

@@ -13,13 +13,13 @@ namespace {
 using intake::SensorState;
 using vehicle::Fate;
 
-// Silence is reported at half the rate of frames.
+// Silence is reported at half the frame rate.
 constexpr std::uint64_t kSilentPeriods = 2;
 
-// More than any LUX sends in a scan, and less than a turn of any lidar that turns.
+// More points than any LUX sends in a scan, and fewer than any rotating lidar sends in a turn.
 constexpr std::uint32_t kDensePoints = 16'384;
 
-// Of a part that is worth a round: 16 packets of a Velodyne.
+// Points that make a part worth a round: 16 packets of a Velodyne.
 constexpr std::size_t kPointsOfPart = 6'144;
 
 std::uint64_t most_marks_of(const vehicle::Vehicle& vehicle) {
@@ -67,7 +67,7 @@ void Frame::accept(const intake::SensorPacket& packet, std::uint64_t now_us) {
   watched_.add(packet.sensor, packet.packet);
 }
 
-// A frame stays as it was begun, whatever becomes of the cores meanwhile.
+// A frame keeps the mode in which it began, even if cores are lost meanwhile.
 void Frame::fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew) {
   if (!is_begun()) {
     is_shared_ = may_share_ && !crew.is_one();

@@ -1,15 +1,16 @@
-// The open frame: which packets belong to it, when it is over, and what became of them. It knows no
-// clock and no network: time and datagrams are given to it, so that the target and `iog fuse` cut
-// the same frames.
+// The open frame: decides which packets belong to it and when it ends, and records their outcomes.
+// Time and datagrams are arguments, so the target and `iog fuse` cut the same frames without a
+// clock or a network.
 //
-// A frame opens with its first packet. It is over when every sensor has delivered its scan, when a
-// sensor's next scan begins, or when the vehicle's frame period is over, whichever is first. While
-// nothing arrives at all, an empty frame is over every two periods, so that silence is reported.
+// A frame opens with its first packet. It ends when every sensor has delivered its scan, when a
+// sensor's next scan begins, or when the vehicle's frame period has passed, whichever comes first.
+// If nothing arrives, an empty frame ends every two periods, so that silence is reported.
 //
-// One core fuses each packet as it comes. A dense lidar sends more than one core may have time for:
-// with several, its packets are kept until there is a part for each of them, fused in a round while
-// the next ones come, and joined when the frame ends (fusion/shared_fusion.hpp): the same bytes. Of
-// a frame with classes all packets are kept until it ends (app/perception_engine.hpp).
+// One core fuses each packet on arrival. A dense lidar may send more than one core can process.
+// With several cores, its packets are buffered until there is a part for each core. The parts are
+// fused in a round while the next packets arrive, and joined when the frame ends
+// (fusion/shared_fusion.hpp). The bytes are the same. If the frame has classes, all packets are
+// buffered until it ends (app/perception_engine.hpp).
 #pragma once
 
 #include <array>
@@ -27,47 +28,48 @@
 
 namespace iog::app {
 
-// Whether several cores fuse the frames of this car while they come: one of its lidars is dense,
-// and parts of a frame join by its fusion rule. What four LUX send in a frame is fused by one core
-// before two have divided it.
+// Whether several cores fuse this car's packets on arrival. This needs a dense lidar, and a fusion
+// rule that can join parts of a frame. For four LUX one core is enough: it has fused their frame
+// before two cores have divided it.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
 // When the points of a frame's packets are fused.
 enum class Fusing : std::uint8_t { kAsTheyCome, kAtItsEnd };
 
-// Holds 19 MB: belongs into static memory.
+// Holds 19 MB, so it must be in static memory.
 class Frame {
  public:
   using Outcome = intake::Intake::Outcome;
 
-  // vehicle and space outlive the frame. Its sensors' scans together mark at most grid::kMaxMarks
-  // cells. replayer_ipv4 may send in the name of every sensor, 0: none.
+  // vehicle and space must outlive the frame. The scans of all sensors together may mark at most
+  // grid::kMaxMarks cells. replayer_ipv4 may send in the name of every sensor; 0: none.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
-  // Before the first datagram: silence is counted from now on.
+  // Call it before the first datagram. Silence is counted from now on.
   void start(std::uint64_t now_us) { opened_us_ = now_us; }
 
-  // The datagram as a sensor's packet. Empty if it was dropped. The payload outlives the packet.
+  // Reads the datagram as a sensor's packet. Returns nothing if it was dropped. The payload must
+  // outlive the packet.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram) {
     return intake_.receive(datagram);
   }
 
-  // Whether it is for a sensor's port, from a sender that may speak for it.
+  // Whether the datagram is for a sensor's port, from a sender that may speak for the sensor.
   [[nodiscard]] bool listens_to(const intake::Datagram& datagram) const {
     return intake_.listens_to(datagram);
   }
 
-  // Whether the packet belongs to the open frame; if to the next one, ask again after closing this.
-  // One that cannot be kept with the others belongs to the next.
+  // Whether the packet belongs to the open frame. If it belongs to the next one, close this frame
+  // and ask again. A packet without room in this frame's buffer belongs to the next.
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet) {
     const Outcome outcome = intake_.classify(packet);
     const bool is_full = fusing_ == Fusing::kAtItsEnd && !fusion_.packets().fits(packet);
     return outcome == Outcome::kThisFrame && is_full ? Outcome::kNextFrame : outcome;
   }
 
-  // Only after classify() said kThisFrame. Counts the packet in; and keeps it, by when it was
-  // measured; or has its points fused by the crew, now or later.
+  // Only after classify() returned kThisFrame. accept() counts the packet. keep() also buffers it,
+  // with its time of measurement. fuse() also has the crew fuse its points, now or later.
   void accept(const intake::SensorPacket& packet, std::uint64_t now_us);
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us, std::uint64_t measured_us) {
     accept(packet, now_us);
@@ -75,13 +77,13 @@ class Frame {
   }
   void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
 
-  // With those that were kept.
+  // The fusion, with the buffered packets.
   [[nodiscard]] fusion::SharedFusion& fusion() { return fusion_; }
 
-  // The packet has waited too long; its points are counted as not taken.
+  // Sheds a packet that has waited too long. Its points are counted as not taken.
   void leave(const intake::SensorPacket& packet) { intake_.leave(packet); }
 
-  // Whether a packet has been counted in since the frame before.
+  // Whether the frame has a packet.
   [[nodiscard]] bool is_begun() const { return intake_.packets_accepted() > 0; }
 
   // Whether every sensor has delivered its scan.
@@ -91,12 +93,11 @@ class Frame {
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return now_us >= deadline_us(); }
   [[nodiscard]] std::uint64_t deadline_us() const;
 
-  // Counted from 0; it wraps.
+  // Counted from 0; wraps.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  // A frame is closed step by step. finish() completes the grid, and calls lap(stage) with the
-  // stream::StageTicks that has just ended. end_fusion() is its last step, where somebody else has
-  // fused what was kept.
+  // finish() completes the grid, and calls lap(stage) after each stage with its stream::StageTicks.
+  // end_fusion() is its last step, for callers that fuse the buffered packets themselves.
   template <typename Lap>
   void finish(const work::Crew& crew, Lap&& lap) {
     if (is_shared_) {
@@ -111,16 +112,16 @@ class Frame {
   }
   void end_fusion() { fusion_.end_frame(intake_); }
 
-  // What it knows of its header and end goes there.
+  // Writes the frame's part of the header and of the end message.
   void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const;
 
-  // As SharedFusion::release().
+  // The same as SharedFusion::release().
   template <typename Visit>
   void release(Visit&& visit) {
     fusion_.release(visit);
   }
 
-  // The frame is closed and its grid is clear: the next one counts from 0 again.
+  // Begins the next frame. This one must be closed and its grid clear.
   void start_next(std::uint64_t now_us);
 
   template <typename Visit>
@@ -137,7 +138,7 @@ class Frame {
  private:
   void fuse_kept(const work::Crew& crew) { fusion_.fuse_kept(crew, crew.cores()); }
 
-  // What is aligned to a cache line comes first.
+  // Members aligned to a cache line come first.
   fusion::SharedFusion fusion_;
   const vehicle::Vehicle* vehicle_;
   Fusing fusing_;
@@ -149,8 +150,8 @@ class Frame {
   std::uint32_t number_ = 0;
 };
 
-// Takes one datagram, if it was a sensor's packet: calls close() where a frame is over before it or
-// with it, and fuse(packet) with a packet that belongs to the open frame.
+// Handles one datagram, if it is a sensor's packet. Calls fuse(packet) if the packet belongs to the
+// open frame. Calls close() if the frame ends before or with this packet.
 template <typename Fuse, typename Close>
 void take_packet(Frame& frame, const std::optional<intake::SensorPacket>& packet, Fuse&& fuse,
                  Close&& close) {

@@ -1,10 +1,10 @@
-// When the watchdog is served: while each step of the loop, each core, the Ethernet controller, the
-// rhythm of frames and the check of memory have reported in their windows. A late one ends the run,
-// and the next run names it.
+// Liveness monitor: services the watchdog only while all checkpoints report within their windows.
+// These are the steps of the loop, the cores, the Ethernet controller, the closing of frames and
+// the memory check. A late checkpoint ends the run, and the next run names it.
 //
-// A core that has ended by a fault, or was ended, is known to be gone and excused: the others do
-// its work (docs/cores.md). One that should live and does not come when it is woken is not, whether
-// or not it holds work.
+// A core that ended by a fault, or was stopped, is known to be lost and excused: the others do its
+// work (docs/cores.md). A core that should be alive and does not answer a wake-up is late, even if
+// it holds no work.
 #pragma once
 
 #include <array>
@@ -21,14 +21,14 @@ namespace iog::app {
 
 // The numbers are bits on the wire (docs/spec.md 3.7).
 enum class Alive : std::uint8_t {
-  kDatagrams,  // the loop has taken what had come
-  kTime,       // it has looked at the clock of its frames
+  kDatagrams,  // the loop has taken the datagrams that had arrived
+  kTime,       // it has compared the clock with the frame's deadline
   kNetwork,    // it has handed frames to the controller
   kLine,       // it has served the serial line
   kFrames,     // a frame was closed, if only to report silence
-  kMemory,     // the check of memory has come round
-  kPort,       // a frame came or left; or there is no link; or nothing waits and it can receive
-  kCore1,      // the core has come when it was woken; or it is known to be gone
+  kMemory,     // a memory check is complete
+  kPort,       // a frame came or left, there is no link, or nothing waits and it can receive
+  kCore1,      // the core has answered a wake-up, or is known to be lost
   kCore2,
   kCore3,
 };
@@ -36,12 +36,12 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // Longer than an emulated core may have to wait on a busy PC, and than two periods of the slowest
-  // frames, 2 s, in which silence is reported.
+  // Longer than an emulated core may have to wait on a busy PC, and longer than 2 s, in which
+  // silence is reported even with the slowest frames (two periods).
   static constexpr std::uint64_t kWindowUs = 5'000'000;
-  // docs/safety.md promises a round of the check within it.
+  // docs/safety.md promises a complete check within this time.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;
-  // Cores are woken and the controller is looked at so often: 20 signs in a window.
+  // Period for waking the cores and checking the controller: 20 times per window.
   static constexpr std::uint64_t kCallUs = 250'000;
 
   explicit Life(std::uint64_t now_us) : supervision_(kCheckpoints, now_us), called_us_(now_us) {}
@@ -50,7 +50,7 @@ class Life {
     supervision_.lives(static_cast<std::size_t>(who), now_us);
   }
 
-  // Once a pass, behind its steps. machine and platform: as in app/loop.hpp.
+  // Call it once per pass, after all steps. machine and platform: as in app/loop.hpp.
   template <typename M, typename P>
   void end_pass(M& machine, P& platform, const health::MemoryCheck& check) {
     const std::uint64_t now_us = machine.clock().now_us();
@@ -101,7 +101,7 @@ class Life {
     }
   }
 
-  // Cores that have come since the last call live; all are woken again.
+  // Reports cores that have answered since the last call, and wakes all cores again.
   template <typename Team>
   void call(Team& team, std::uint64_t now_us) {
     for (std::size_t core = 1; core < hal::kMaxCores; ++core) {

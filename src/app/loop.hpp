@@ -1,11 +1,11 @@
-// The loop: everything the firmware does after start-up, on one page.
+// The loop: everything the firmware does after start-up.
 //
 //     wire bytes -> datagram -> scan points -> beams -> cells -> indexes -> tiles -> wire bytes
 //                          '-> poses -> slices -> masses of the window -> classes -^
 //
-// It never waits: datagrams are taken as they have come, messages go into the transmit ring, and
-// only when nothing is left to do does the processor sleep until the next frame or tick. What it is
-// too slow for is left, and counted (app/backlog.hpp).
+// The loop never blocks. It takes datagrams as they arrive and puts messages into the transmit
+// ring. When nothing is left to do, the processor sleeps until the next frame or tick. If the loop
+// is too slow, datagrams are shed and counted (app/backlog.hpp).
 #pragma once
 
 #include <concepts>
@@ -44,7 +44,7 @@
 
 namespace iog::app {
 
-// A machine: one object of each seam, and how deep its stack has been.
+// A machine: one object of each hardware interface, and the depth that its stack has reached.
 template <typename T>
 concept Machine = requires(T& machine) {
   requires hal::Clock<std::remove_reference_t<decltype(machine.clock())>>;
@@ -61,12 +61,12 @@ concept Machine = requires(T& machine) {
   { machine.idle() } -> std::same_as<void>;
 };
 
-// At most this many datagrams in one pass, so that a flood cannot keep the loop from its tick and
-// its watchdog: a frame of four LUX is 24, a full receive ring 256.
+// The most datagrams taken in one pass, so that a flood cannot keep the loop from its tick and its
+// watchdog. A frame of four LUX has 24, a full receive ring 256.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
-// And this many are left at once by a loop that does not keep up: a receive ring, and as much as
-// comes meanwhile.
+// The most datagrams that a slow loop sheds at once: a full receive ring, and as many that arrive
+// meanwhile.
 inline constexpr int kMaxDatagramsLeft = 512;
 
 // The machine as the pipeline's platform.
@@ -77,7 +77,8 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // cores: how many are to work, if the machine has as many. commands: of a car that has a key.
+  // cores: number of cores that should work, if the machine has that many. commands: only if the
+  // car has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
       : team_(machine.cores(), kPatienceUs),
@@ -95,8 +96,8 @@ class MachinePlatform {
   [[nodiscard]] net::Host<Port>& host() { return host_; }
   [[nodiscard]] Offering<Port>& offering() { return offering_; }
 
-  // A datagram as the pipeline is to see it, valid until the next one. Nothing: it was of service
-  // discovery, and is dealt with; or it was to be signed, and is dropped.
+  // Returns the datagram for the pipeline, valid until the next call. Returns nothing if service
+  // discovery has handled it, or if it lacked a valid signature and is dropped.
   [[nodiscard]] std::optional<intake::Datagram> admit(const net::Datagram& datagram,
                                                       std::uint64_t now_us) {
     if (offering_.take(datagram, now_us)) {
@@ -105,7 +106,7 @@ class MachinePlatform {
     return gate_.pass({datagram.source.value, datagram.destination_port, datagram.payload});
   }
 
-  // The line's transmitter is looked after between two messages, too: there may be hundreds.
+  // Also pumps the serial transmitter, because a frame may have hundreds of messages.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     machine_.serial().pump();
     const bool is_sent = offering_.send_message(message);
@@ -115,7 +116,7 @@ class MachinePlatform {
     return is_sent;
   }
 
-  // The cores, which are supervised (app/life.hpp); how many frames have been closed, modulo 2^32.
+  // team(): the supervised cores (app/life.hpp). frames(): number of closed frames, modulo 2^32.
   [[nodiscard]] Team& team() { return team_; }
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
 
@@ -133,14 +134,14 @@ class MachinePlatform {
     }
   }
 
-  // For the console, when nothing waits.
+  // Writes to the console. Call it when nothing waits.
   void tell_times(std::uint64_t now_us) { times_.tell(now_us, machine_.console()); }
 
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
   std::uint32_t run_number() { return machine_.run_number(); }
 
-  // Of commands and service discovery only if they are on.
+  // Counters of commands and service discovery are included only if these are on.
   [[nodiscard]] const Vitals& vitals(const FrameTimes& times) {
     ++frames_;
     offering_.begin_frame();
@@ -166,7 +167,7 @@ class MachinePlatform {
   }
 
  private:
-  // Behind each frame, and within one of many messages.
+  // A signature follows each frame, and also occurs within a frame of many messages.
   void sign(std::span<const std::byte> message) {
     signer_->add(message);
     if (signer_->is_full() || stream::ends_frame(message)) {
@@ -174,10 +175,10 @@ class MachinePlatform {
     }
   }
 
-  // A frame's period, in which every tile is encoded many times over.
+  // A frame period. Encoding all tiles takes a small fraction of it.
   static constexpr std::uint32_t kPatienceUs = 40'000;
 
-  // What is aligned to lines of the cache comes first.
+  // Members aligned to a cache line come first.
   work::CoreTimes core_times_;
   Team team_;
   M& machine_;
@@ -190,23 +191,23 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline: every frame goes to the network, with classes if its vehicle asks for
-// them, and to the serial link what it can carry of the frame's grid.
+// The target's pipeline. Every frame goes to the network, with classes if the vehicle asks for
+// them. The serial link gets as much of the frame's grid as it can carry.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),
                        PerceptionPipeline<MachinePlatform<M>, serial::GridSender>,
                        Pipeline<MachinePlatform<M>, serial::GridSender>>;
 
-// Whether the end of the frame at hand is due, and fusing has to wait for it.
+// Whether fusing must stop because the current frame is due to end.
 template <typename ItsPipeline>
 [[nodiscard]] bool must_yield(const Backlog& backlog, const ItsPipeline& pipeline,
                               std::uint64_t now_us) {
   return pipeline.is_begun() && backlog.must_yield(pipeline.deadline_us(), now_us);
 }
 
-// What has come, as far as one pass goes: kMaxDatagramsPerPass, or until the frame's end is due, so
-// that it is closed on time however slow its points are, or until too much has waited.
+// Takes the datagrams of one pass: at most kMaxDatagramsPerPass. Stops early when the frame is due
+// to end, so that slow points cannot delay it, or when datagrams have waited too long.
 template <Machine M, typename ItsPipeline>
 void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& backlog,
                     ItsPipeline& pipeline) {
@@ -226,8 +227,8 @@ void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& bac
   }
 }
 
-// Leaves what waits in the receive ring. The frame's end comes first; then the rest is left in the
-// next pass.
+// Sheds the datagrams in the receive ring. If the frame is due to end, it is closed first, and the
+// next pass sheds the rest.
 template <Machine M, typename ItsPipeline>
 void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
                      ItsPipeline& pipeline) {
@@ -248,7 +249,7 @@ void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
   backlog.begin(now_us);
 }
 
-// A slice of the check of memory, if one is due. What has changed is believed no more.
+// Runs a slice of the memory check, if one is due. A changed region ends the run.
 template <Machine M>
 void check_memory(M& machine, health::MemoryCheck& check) {
   if (const auto changed = check.step(machine.clock().now_us())) {
@@ -258,7 +259,8 @@ void check_memory(M& machine, health::MemoryCheck& check) {
   }
 }
 
-// One pass: what has come, what is due, what can go. Returns whether frames are still waiting.
+// One pass of the loop: takes datagrams, does what is due, sends what it can. Returns whether
+// frames are still waiting.
 template <Machine M, typename ItsPipeline>
 bool pass(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial, Backlog& backlog,
           health::MemoryCheck& check, Life& life, ItsPipeline& pipeline) {
@@ -286,7 +288,7 @@ bool pass(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial, 
   return true;
 }
 
-// Never returns. The pipeline holds the grid and belongs into static memory.
+// Never returns. The pipeline contains the grid and must be in static memory.
 template <Machine M, typename ItsPipeline>
 [[noreturn]] void run(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial,
                       health::MemoryCheck& check, ItsPipeline& pipeline) {

@@ -1,8 +1,8 @@
-// What the loop has measured of itself since its start: what the stages of a frame took, how late
-// frames were closed, and what each core did for a frame. Of frames with packets; silence is cheap.
-// The console is told "worst publish 12345 us" when one of them has become worse.
+// Time statistics of the loop since start: duration of the stages of a frame, delay of closing it,
+// and work of each core per frame. Frames without packets do not count. A new maximum is written to
+// the console: "worst publish 12345 us".
 //
-// A stage costs two readings of the stopwatch, a frame some divisions (docs/safety.md).
+// A stage costs two readings of the stopwatch, and a frame costs some divisions (docs/safety.md).
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class LoopTimes {
   enum Row : std::uint8_t { kFuse, kMark, kPublish, kPerceive, kFrame, kLate, kCore0 };
   static constexpr std::size_t kRows = kCore0 + hal::kMaxCores;
 
-  // Once for each frame. ticks_hz: of the stopwatch; 0 counts as no time.
+  // Call it once per frame. ticks_hz: frequency of the stopwatch; if it is 0, all times are 0.
   void add(const FrameTimes& frame, const work::CoreTimes& cores, std::uint32_t ticks_hz) {
     const auto us = [ticks_hz](std::uint64_t ticks) {
       constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
@@ -60,15 +60,15 @@ class LoopTimes {
 
   struct Counts {
     std::array<health::Durations, kRows> rows{};
-    // In the stream (stream/target_table.hpp).
+    // Names in the stream (stream/target_table.hpp).
     static constexpr auto kNames =
         std::to_array<std::string_view>({"fuse", "mark", "publish", "perceive", "frame", "late",
                                          "core 0", "core 1", "core 2", "core 3"});
   };
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
-  // A line a second at most, which fits into the transmitter of a serial line, so that writing it
-  // does not block. Call it when nothing waits.
+  // Writes at most one line per second. A line fits into the transmit buffer of a serial line, so
+  // writing does not block. Call it when nothing waits.
   template <hal::Console Console>
   void tell(std::uint64_t now_us, Console& console) {
     if (now_us - told_at_us_ < kTellEveryUs) {
@@ -106,7 +106,7 @@ class LoopTimes {
   std::array<std::uint32_t, kRows> told_us_{};
   std::uint64_t told_at_us_ = 0;
   std::array<std::uint32_t, hal::kMaxCores> worked_{};
-  std::optional<std::uint64_t> before_;  // ticks of the frame before, without publishing it
+  std::optional<std::uint64_t> before_;  // ticks of the previous frame without publishing
 };
 
 }  // namespace iog::app

@@ -1,4 +1,4 @@
-// The messages of a target on their way to the network: each is numbered and protected.
+// Numbers and protects the messages of a target, and sends them to the network.
 #pragma once
 
 #include <array>
@@ -17,22 +17,22 @@ namespace iog::app {
 template <Platform P>
 class MessageSender {
  public:
-  // platform outlives the sender.
+  // platform must outlive the sender.
   explicit MessageSender(P& platform) : platform_(&platform) {}
 
   // The number of the next message.
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
-  // A whole message with room for what protects it. False if the network took none. It is numbered
-  // all the same, so that a receiver misses it.
+  // Sends a complete message with room for its protection. Returns false if the network did not
+  // accept it. Even a lost message has a number, so that a receiver notices the loss.
   [[nodiscard]] bool send(std::span<std::byte> message) {
     sender_.protect(message);
     ++sequence_;
     return platform_->send_message(message);
   }
 
-  // A message of a header and the body that write(buffer) puts behind it, returning its bytes. If
-  // it cannot go, the number of the next one shows it.
+  // Sends a message: a header and a body. write(buffer) writes the body and returns its length in
+  // bytes. If the message is lost, the number of the next one shows it.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {
     std::array<std::byte, protection::kMaxMessageBytes> message;

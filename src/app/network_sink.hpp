@@ -1,4 +1,4 @@
-// The network as a sink: a closed frame becomes messages.
+// Network sink: turns a closed frame into messages.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace iog::app {
 
-// Holds what was sent, and what was found, 2.4 MB: belongs into static memory.
+// Holds 2.4 MB of sent and encoded tiles, so it must be in static memory.
 template <Platform P>
 class NetworkSink {
  public:
-  // platform outlives the sink.
+  // platform must outlive the sink.
   NetworkSink(P& platform, Coding coding)
       : messages_(platform), tiles_(platform, messages_, coding) {}
   NetworkSink(const NetworkSink&) = delete;
   NetworkSink& operator=(const NetworkSink&) = delete;
 
-  // What the frame at hand says of itself when it ends: filled by who knows it before the frame is
-  // begun, but for what becomes of the tiles.
+  // The end message of the current frame. Fill it before the frame begins, except for the counts of
+  // tiles.
   [[nodiscard]] stream::FrameEnd& end() { return end_; }
 
   void begin_frame(const stream::Header& header) {
@@ -32,7 +32,7 @@ class NetworkSink {
     tiles_.begin(header_);
   }
 
-  // Counts what was sent, and takes it into the grid's CRC.
+  // Sends a tile, counts it and adds it to the grid's CRC.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kForTheCall);
   }
@@ -43,19 +43,19 @@ class NetworkSink {
   }
 
  protected:
-  // Encodes the tiles that wait; see TileSender::encode().
+  // Encodes the waiting tiles; see TileSender::encode().
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
     tiles_.encode(do_beside);
   }
   void encode_rest() { tiles_.encode_rest(); }
 
-  // The same of cells that stay as they are to the frame's end.
+  // The same for cells that do not change until the frame ends.
   void take_staying(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kToTheFinish);
   }
 
-  // All that wait are encoded.
+  // Only if all waiting tiles are encoded.
   void end_encoded_tiles() { end_tiles(tiles_.finish_encoded()); }
 
   void send_frame_end() {
@@ -74,7 +74,7 @@ class NetworkSink {
     end_.grid_crc = sent.crc;
   }
 
-  // The frame at hand.
+  // The current frame.
   stream::Header header_;
   stream::FrameEnd end_;
 

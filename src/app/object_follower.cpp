@@ -22,19 +22,19 @@ class NamesOf {
   window::WindowView window_;
 };
 
-// So many hits are an item of a round.
+// Hits per task of a round.
 constexpr std::size_t kLookedAt = 128;
 
-// The surer the track, the surer the name: 1 ... 7.
+// Confidence of a class label, 1 to 7: it grows with that of the track.
 std::uint8_t sureness_of(const objects::Track& track) {
   return static_cast<std::uint8_t>(std::min<std::int32_t>(track.confidence / 2 + 1, 7));
 }
 
-// Beside so many of a frame's hits, at most, cells are named, too.
+// The most hits of a frame whose neighbour cells are labelled, too.
 constexpr std::uint32_t kMostBeside = 1024;
 
-// What is occupied beside a hit of something that moves, and within its box, was hit in a turn
-// before, and is a part of it, too.
+// Labels the occupied neighbours of a moving object's hit that lie within its box. They were hit in
+// an earlier turn, and belong to the object, too.
 void name_beside(const objects::FrameHit& hit, const objects::Track& track,
                  perception::WindowFusion& window) {
   const window::WindowView view = window.view();

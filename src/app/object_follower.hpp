@@ -1,5 +1,5 @@
-// Things with a speed on the perception grid: the hits and names of a frame go to the tracker, and
-// what it says of names goes back (docs/objects.md).
+// Object tracking on the perception grid: passes the hits and class labels of a frame to the
+// tracker, and applies the tracker's labels to the grid (docs/objects.md).
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,24 @@
 
 namespace iog::app {
 
-// Holds 2 MB: belongs into static memory.
+// Holds 2 MB, so it must be in static memory.
 class ObjectFollower {
  public:
-  // A frame whose slices were added. end_us: the middle of its last slice by the clock of the
-  // poses; slices: those that were placed, of which there is one at least; car: its place then.
+  // Begins a frame whose slices were added to the window. end_us: middle of its last slice on the
+  // clock of the poses. slices: the registered slices, at least one. car: the vehicle's position at
+  // that time.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
              const pose::Pose& car, const perception::WindowFusion& window);
-  // Its classes are decided: what the hits are called, by all cores of the crew.
+  // Reads the labels of the frame's hits, on all cores of the crew. The classes must be decided.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
-  // It has not ended. Gives names; what is asked of the window before are names alone.
+  // Updates the tracks, and labels the cells of moving objects. Call it before the frame has ended.
+  // It reads only the labels of the window, before it changes any.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
-  // A frame without slices, that ends then.
+  // Handles a frame without slices. end_us: when it ends.
   void pass(std::uint64_t end_us, perception::WindowFusion& window);
 
-  // The window has lost its place.
+  // Call it when the window has lost its position.
   void forget() {
     tracker_.forget();
     is_begun_ = false;
@@ -40,7 +42,7 @@ class ObjectFollower {
   void name(perception::WindowFusion& window) const;
 
   objects::Tracker tracker_;
-  bool is_begun_ = false;  // the frame changes something
+  bool is_begun_ = false;  // the current frame changes the tracks
 };
 
 }  // namespace iog::app

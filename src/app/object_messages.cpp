@@ -1,4 +1,4 @@
-// Ranges. Speeds are within 10^5 mm/s, 10^4 cm/s; deviations below 2^16 mm and mm/s, since
+// Ranges: speeds are within 10^5 mm/s, 10^4 cm/s. Deviations are below 2^16 mm and mm/s, since
 // variances are below 2^31.
 #include "app/object_messages.hpp"
 
@@ -42,19 +42,19 @@ objects::Point middle_of(const objects::Box& box) {
   return {a.x_mm + (b.x_mm - a.x_mm) / 2, a.y_mm + (b.y_mm - a.y_mm) / 2};
 }
 
-// In tens, to the nearest.
+// In tens, rounded to nearest.
 std::uint16_t tens_of(std::int32_t value) {
   return or_more(static_cast<std::uint64_t>(numeric::div_nearest<std::int32_t>(value, 10)));
 }
 
-// Not less than it is.
+// Square root, rounded up.
 std::uint32_t root_of(std::int32_t variance) {
   const auto square = static_cast<std::uint64_t>(std::max<std::int32_t>(variance, 0));
   const std::uint32_t root = numeric::square_root(square);
   return root * std::uint64_t{root} < square ? root + 1 : root;
 }
 
-// cm/s.
+// In cm/s.
 std::uint16_t speed_deviation_of(const objects::Track& track, objects::Side side,
                                  std::uint64_t now_us, objects::Point car) {
   const std::uint32_t deviation =

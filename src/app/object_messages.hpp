@@ -1,4 +1,4 @@
-// Things with a speed, as the stream says them (docs/spec.md 3.12).
+// Tracked objects as stream messages (docs/spec.md 3.12).
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace iog::app {
 
-// A younger thing may be anything.
+// Younger tracks are not sent, because they may be anything.
 inline constexpr std::uint32_t kToldFrom = 4;  // updates
 
-// A track that is there. now_us: the time of its place.
+// The record of an existing track. now_us: time of its position.
 [[nodiscard]] stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us,
                                              objects::Point car);
 
-// Those of the tracks that are told, in the order of their ids. time_us: when they were where they
-// are; none if it is 0. counts: of the frame.
+// Lists the tracks that are sent, ordered by id. time_us: time of their positions; 0: there are
+// none. counts: of the frame.
 void list_objects(const objects::Tracks& tracks, std::uint64_t time_us,
                   const objects::FrameCounts& counts, objects::Point car, stream::ObjectList& list);
 

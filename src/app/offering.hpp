@@ -1,9 +1,9 @@
 // The service that a target offers: service discovery on its host, and a copy of each message to
-// the subscriber. A target that offers nothing sends its peer the same messages, and no
-// more.
+// the subscriber. A target without the service sends the same messages to its peer only.
 //
-// The peer comes first. A frame is at most kMostMessages; so many buffers, less what the peer has
-// of this frame, are never given to a copy. The port's ring is larger by what copies may take.
+// The peer has priority. A frame has at most kMostMessages messages, and a copy is sent only while
+// enough buffers remain for the peer's part of the frame. The port's ring is larger to make room
+// for copies.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,12 @@ namespace iog::app {
 template <hal::EthernetPort Port>
 class Offering {
  public:
-  // A whole grid of raw tiles, and what else may fall into the same moment.
+  // A whole grid of raw tiles, and other messages that may coincide.
   static constexpr std::size_t kMostMessages = 1024 + 64;
-  // What is left to the peer of a frame that has more.
+  // Buffers reserved for the peer if a frame has more messages.
   static constexpr std::size_t kLeastRoom = 64;
 
-  // Port and host outlive it. run_number: the delay before the first offer is drawn from it.
+  // Port and host must outlive it. run_number: seed of the delay before the first offer.
   Offering(Port& port, net::Host<Port>& host, const net::Config& config, std::uint32_t run_number)
       : port_(port),
         host_(host),
@@ -42,7 +42,7 @@ class Offering {
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] const discovery::Counts& counts() const { return server_.counts(); }
 
-  // Whether the datagram was one of service discovery, which is answered then.
+  // Returns true if the datagram belonged to service discovery. It is answered at once.
   [[nodiscard]] bool take(const net::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_ || datagram.destination_port != net::kDiscoveryPort) {
       return false;
@@ -51,7 +51,7 @@ class Offering {
     return true;
   }
 
-  // Time has passed: what is due is sent.
+  // Sends messages that are due.
   void tick(std::uint64_t now_us) {
     if (is_on_) {
       host_.know(server_.neighbour());
@@ -59,7 +59,8 @@ class Offering {
     }
   }
 
-  // Before the run is ended, and once: it goes at once, if the controller takes it.
+  // Withdraws the offer. Call it once, before the run ends. The message is sent at once if the
+  // controller accepts it.
   void withdraw() {
     if (is_on_) {
       send(server_.withdraw());
@@ -70,7 +71,7 @@ class Offering {
   // The next message is the first of its frame.
   void begin_frame() { messages_ = 0; }
 
-  // To the peer, and then to the subscriber. False if neither gets it.
+  // Sends to the peer, then to the subscriber. Returns false if neither gets the message.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     const bool is_sent = host_.send_message(message);
     ++messages_;
@@ -84,7 +85,7 @@ class Offering {
   }
 
  private:
-  // Neighbouring numbers become distant ones (Knuth, The Art of Computer Programming, 6.4).
+  // Scatters neighbouring numbers (Knuth, The Art of Computer Programming, 6.4).
   static constexpr std::uint32_t scattered(std::uint32_t number) { return number * 2'654'435'761U; }
 
   [[nodiscard]] bool copy(std::span<const std::byte> message) {
@@ -111,7 +112,7 @@ class Offering {
   net::Host<Port>& host_;
   bool is_on_;
   discovery::Server server_;
-  std::size_t messages_ = 0;  // of the frame at hand
+  std::size_t messages_ = 0;  // of the current frame
 };
 
 }  // namespace iog::app

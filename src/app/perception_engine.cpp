@@ -21,7 +21,8 @@ constexpr std::array<std::pair<pose::Cause, std::uint16_t>, pose::kCauseCount - 
     {pose::Cause::kDrifting, stream::kCauseDrifting},
 }};
 
-// met: bit by pose::Cause: since the frame before it has begun, or kept a slice from its place.
+// Flags of the causes in `met`. Bit c stands for pose::Cause c. It is set if the cause has begun,
+// or kept a slice from being registered, since the previous frame.
 std::uint16_t causes_of(unsigned met, bool is_over_budget) {
   unsigned causes = is_over_budget ? stream::kCauseOverBudget : 0U;
   for (const auto& [cause, flag] : kCauseFlags) {
@@ -69,7 +70,7 @@ bool PerceptionEngine::receive(const intake::Datagram& datagram, std::uint64_t n
   return false;
 }
 
-// A VLP-16 counts from the hour, and the newest pose says of which.
+// A VLP-16 counts its time from the hour. The newest pose tells which hour.
 void PerceptionEngine::keep(const intake::SensorPacket& packet, std::uint64_t now_us) {
   const vehicle::Sensor& sensor = vehicle_->sensors[packet.sensor];
   const std::optional<pose::Message> newest = poses_.newest();
@@ -79,8 +80,8 @@ void PerceptionEngine::keep(const intake::SensorPacket& packet, std::uint64_t no
                                       : now_us - sensor.latency_us);
 }
 
-// The slices of the frame, each with its place, and the frame's stamp. When the poses break off,
-// the window is unknown.
+// Finds the slices of the frame, the position of each, and the frame's stamp. If the poses break
+// off, all of the window becomes unknown.
 void PerceptionEngine::open_slices(std::uint64_t now_us) {
   const std::span<fusion::KeptPacket> packets = frame_->fusion().packets().packets();
   const std::optional<std::uint64_t> end_us = slices_.measure(vehicle_->sensors, packets, poses_);
@@ -116,8 +117,8 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   causes_before_ = std::exchange(causes_, poses_.cause_counts());
 }
 
-// The points of a group's packets. What has no place is one group, because it only counts in the
-// frame's own grid.
+// Fuses the points of a group's packets. All unregistered packets form one group, because they only
+// count in the frame's own grid.
 void PerceptionEngine::fuse_group(std::uint8_t group) {
   fusion::SharedFusion& fusion = frame_->fusion();
   const std::span<const fusion::KeptPacket> kept = fusion.packets().packets();
@@ -128,7 +129,7 @@ void PerceptionEngine::fuse_group(std::uint8_t group) {
   }
 }
 
-// Each tile is looked at once, while it is at hand.
+// Each tile is read once, while it is in the cache.
 void PerceptionEngine::join_group(std::size_t group) {
   placing::SliceCells& cells = fused_.one();
   cells.clear();
@@ -140,7 +141,7 @@ void PerceptionEngine::join_group(std::size_t group) {
       });
 }
 
-// Those that were fused together.
+// Adds the slices of a round to the window.
 void PerceptionEngine::place_slices(const work::Crew& crew) {
   fused_.begin(frame_->fusion());
   for (auto fused = fused_.next(crew); !fused.empty(); fused = fused_.next(crew)) {
@@ -154,7 +155,7 @@ void PerceptionEngine::place_slices(const work::Crew& crew) {
   }
 }
 
-// The window has followed the vehicle, and another block comes into use only here.
+// Call it after the window has followed the vehicle. A new map block comes into use only here.
 void PerceptionEngine::lay_map() {
   maps_.work();
   const std::optional<pose::Message> newest = poses_.newest();
@@ -197,7 +198,7 @@ void PerceptionEngine::describe(stream::Header& header) const {
                                            receptions);
 }
 
-// Where no slice was placed, the window's slices begin and end at the frame's stamp.
+// If no slice was registered, the window's slices begin and end at the frame's stamp.
 void PerceptionEngine::describe(stream::ClassEnd& end) const {
   slices_.describe(end);
   end.groups_fused = counts_.groups_fused;

@@ -1,16 +1,16 @@
-// The perception grid behind a frame (app/frame.hpp): poses and maps in, classes out.
+// Computes the perception grid of a frame (app/frame.hpp): poses and maps in, classes out.
 //
-// The frame's packets are kept until it is over. Packets that were measured together, in one
-// slice of a few milliseconds, are then fused together and put into the window by the pose of that
-// slice. The frame's own grid is the join of its slices: the same bytes as if they were fused as
-// they come.
+// The frame's packets are buffered until it ends. Packets measured in the same slice of a few
+// milliseconds are then fused together and added to the window by the pose of that slice. The
+// frame's own grid is the join of its slices, byte for byte the same as if packets were fused on
+// arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
 //     map, newest transform -> [Layer] masks of tiles -> [window] names
 //
-// What has no pose is not put into the window, and is part of the frame's grid all the same. When
-// the poses break off, nothing of the window is known. All of it is counted.
+// Packets without a pose are not added to the window, but count in the frame's grid. If the poses
+// break off, all of the window becomes unknown. All such events are counted.
 #pragma once
 
 #include <cstddef>
@@ -37,37 +37,39 @@
 
 namespace iog::app {
 
-// Why a vehicle can have no perception grid. The compiler refuses such a description; on a PC its
-// rule may be changed later.
+// Why a vehicle cannot have a perception grid. The compiler of car files rejects such a
+// description, but on a PC the rule may be changed later.
 enum class Unfit : std::uint8_t {
   kNone,
-  kFusionRule,    // its fusion rule is not hits_win: slices would not join
+  kFusionRule,    // its fusion rule is not hits_win: slices could not be joined
   kQuantisation,  // its quantisation is not blurring: cells behind a hit would count as hit
 };
 [[nodiscard]] Unfit unfit_for_perception(const vehicle::Vehicle& vehicle);
 
-// Holds 32 MB: belongs into static memory.
+// Holds 32 MB, so it must be in static memory.
 class PerceptionEngine {
  public:
-  // They outlive it. The frame is fused at its end; the vehicle is fit; the replayer may send poses
-  // and maps, too.
+  // All must outlive the engine. The frame must fuse at its end, and the vehicle must be fit. The
+  // replayer may also send poses and maps.
   PerceptionEngine(Frame& frame, const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4);
 
-  // Before the first datagram: the map that is there from the start. It outlives the engine.
+  // Sets the map that is present from the start. Call it before the first datagram. The map must
+  // outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Before the first datagram: the window's age is counted from now on.
+  // Call it before the first datagram. The window's age is counted from now on.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
-  // Whether the datagram was a pose or of a map. What the frame receives is noted.
+  // Returns true if the datagram was a pose or part of a map. Logs the datagrams that the frame
+  // receives.
   [[nodiscard]] bool receive(const intake::Datagram& datagram, std::uint64_t now_us);
-  // The packet that came last has waited too long.
+  // Records that the last packet was shed because it had waited too long.
   void note_left() { receptions_.note_left(); }
-  // The frame keeps a packet that belongs to it.
+  // Buffers a packet that belongs to the frame.
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
-  // When the frame is closed. finish() completes the grid and the classes by all cores of the crew,
-  // and calls lap(stage) with the stream::StageTicks that has just ended.
+  // Closes the frame. finish() completes the grid and the classes on all cores of the crew, and
+  // calls lap(stage) after each stage with its stream::StageTicks.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     decide(now_us, crew, lap);
@@ -75,10 +77,10 @@ class PerceptionEngine {
     end(crew, [] {});
     lap(&stream::StageTicks::perceive);
   }
-  // Its three steps, for whoever has something to do for other cores, or for core 0, meanwhile.
-  // decide() completes the grid, and the classes but for the names of things that move.
-  // follow_objects(), core 0's, gives those; meanwhile the grid may be read. end() remembers the
-  // ground; do_beside(), which may read the classes, is done beside it by core 0.
+  // The three steps of finish(), for callers that run other tasks meanwhile. decide() completes the
+  // grid and all classes except those of moving objects. follow_objects() adds those on core 0; the
+  // grid may be read meanwhile. end() stores the ground; core 0 runs do_beside() at the same time,
+  // which may read the classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
@@ -100,24 +102,26 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // What it knows of the frame's header, and of the end of its classes, goes there; and the things
-  // with a speed that are told.
+  // Writes the engine's part of the frame's header and of the end of its classes, and lists the
+  // tracked objects.
   void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;
   void list_objects(stream::ObjectList& list) const;
 
-  // The slices that were placed. The frame's end on the clock of the poses: that of its last slice,
-  // or the newest pose if it has no packets; it goes on from frame to frame also where that clock
-  // begins anew or is not known. Whether what was known before the frame has lost its place.
+  // slices(): the registered slices. stamp_us(): the frame's end on the clock of the poses. This is
+  // the end of its last slice, or the newest pose if it has no packets. It advances from frame to
+  // frame even if that clock restarts or is unknown. is_forgotten(): whether the content from
+  // before the frame has lost its position.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
-  // The classes, valid until the next finish().
+  // The classes. Valid until the next finish().
   [[nodiscard]] window::WindowView classes() const { return window_.view(); }
-  // The things with a speed, likewise; none if the car's description switches them off.
+  // The tracked objects, valid as long. There are none if the car file switches them off.
   [[nodiscard]] const objects::Tracker& objects() const { return follower_.tracker(); }
   [[nodiscard]] const objects::FrameCounts& object_counts() const { return object_counts_; }
-  // What the frame has received, likewise; of a vehicle whose classes depend on when that was.
+  // The frame's receptions, valid as long. Only for a vehicle whose classes depend on arrival
+  // times.
   [[nodiscard]] const ReceptionLog& receptions() const { return receptions_; }
   void start_next() { receptions_.clear(); }
 
@@ -137,7 +141,7 @@ class PerceptionEngine {
   }
 
  private:
-  // One slice after the other, each tile while it is at hand.
+  // Fuses one slice after the other. Each tile is read while it is in the cache.
   template <typename Lap>
   void fuse_alone(Lap&& lap) {
     const std::span<const fusion::PlacedSlice> placed = slices_.placed();
@@ -158,7 +162,7 @@ class PerceptionEngine {
     lap(&stream::StageTicks::mark);
   }
 
-  // All slices at once, as far as they fit, and then into the window.
+  // Fuses as many slices at once as fit, then adds them to the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
     fusion::SharedFusion& fusion = frame_->fusion();
@@ -180,7 +184,7 @@ class PerceptionEngine {
   void begin_following();
   void look_at_hits(const work::Crew& crew);
 
-  // What is aligned to a cache line comes first.
+  // Members aligned to a cache line come first.
   fusion::FusedSlices fused_;
   health::Guard behind_fused_;
   perception::WindowFusion window_;
@@ -195,15 +199,15 @@ class PerceptionEngine {
   Frame* frame_;
   const vehicle::Vehicle* vehicle_;
   perception::WindowClock clock_;
-  perception::Contradiction contradiction_;  // of the poses, by what they have placed
-  std::uint32_t epoch_ = 0;                  // of the poses that the window was made by
-  // Of the frame at hand.
+  perception::Contradiction contradiction_;  // of the poses, by the slices they registered
+  std::uint32_t epoch_ = 0;                  // epoch of the poses in the window
+  // Of the current frame.
   bool is_forgotten_ = false;
-  pose::CauseCounts causes_{};  // since start, and those before the frame
+  pose::CauseCounts causes_{};  // since start; causes_before_: up to the previous frame
   pose::CauseCounts causes_before_{};
   pose::Placed end_{};
-  std::uint64_t frame_end_us_ = 0;  // the middle of its last slice; 0: nothing is followed
-  bool is_following_ = false;       // there are hits to follow
+  std::uint64_t frame_end_us_ = 0;  // the middle of its last slice; 0: nothing is tracked
+  bool is_following_ = false;       // there are hits to track
   objects::FrameCounts object_counts_{};
   perception::FrameCounts counts_{};
 };

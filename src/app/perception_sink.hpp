@@ -1,5 +1,5 @@
-// The network as a sink of frames with classes: between the tiles of a frame and its end those of
-// the classes, their end, and the objects.
+// Network sink for frames with classes. Between the tiles of a frame and its end, it sends the
+// tiles of the classes, their end, and the objects.
 #pragma once
 
 #include <cstddef>
@@ -17,32 +17,33 @@
 
 namespace iog::app {
 
-// Holds what was sent and what was found, 4.6 MB: belongs into static memory.
+// Holds 4.6 MB of sent and encoded tiles, so it must be in static memory.
 template <Platform P>
 class PerceptionSink : private NetworkSink<P> {
   using Indexes = NetworkSink<P>;
 
  public:
-  // platform outlives the sink.
+  // platform must outlive the sink.
   PerceptionSink(P& platform, Coding coding)
       : Indexes(platform, coding), classes_(platform, this->messages(), coding) {}
 
   using Indexes::begin_frame;
   using Indexes::end;
 
-  // The same of its classes, before they are encoded, and of its objects, before they are sent.
+  // The end message of the classes; fill it before they are encoded. The list of objects; fill it
+  // before they are sent.
   [[nodiscard]] stream::ClassEnd& class_end() { return class_end_; }
   [[nodiscard]] stream::ObjectList& objects() { return objects_; }
 
-  // The cells stay as they are to the frame's end.
+  // The cells must not change until the frame ends.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
     if (this->header().has_indexes()) {
       Indexes::take_staying(tile, cells);
     }
   }
 
-  // In three steps, of which the first two divide their work among the cores. What core 0 does
-  // meanwhile: encode_tiles() has something else, encode_classes() the messages of the tiles.
+  // Sends the frame in three steps. The first two divide their work among the cores. Meanwhile core
+  // 0 runs do_beside() in encode_tiles(), and sends the messages of the tiles in encode_classes().
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
     Indexes::encode_tiles(do_beside);
@@ -71,14 +72,14 @@ class PerceptionSink : private NetworkSink<P> {
         [this](std::span<std::byte> body) { return stream::write_class_end(class_end_, body); });
   }
 
-  // All of it.
+  // All three steps.
   void take_classes(const window::WindowView& classes) {
     Indexes::encode_rest();
     encode_classes(classes);
     send_classes();
   }
 
-  // Of a frame whose header says that it has them.
+  // Only if the frame's header says that it has objects.
   void send_objects() {
     for (std::size_t part = 0; part < stream::parts_of(objects_); ++part) {
       this->messages().send(
@@ -96,7 +97,7 @@ class PerceptionSink : private NetworkSink<P> {
     }
   }
 
-  // Of both grids.
+  // Ends both grids.
   void end_frame() { this->send_frame_end(); }
 
  private:

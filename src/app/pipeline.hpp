@@ -1,10 +1,10 @@
-// The pipeline: the walk of the data, from a datagram to the last message of its frame.
+// The pipeline: the way of the data from a datagram to the last message of its frame.
 //
 //     wire bytes -> [intake] packet -> scan points -> [fusion] grid -> tiles -> [sinks] wire bytes
 //                                                       '-> [window] classes -> tiles --^
 //
-// The machine comes through one seam, app::Platform, so that the target and the PC run this very
-// file. A closed frame goes to the network, and to whatever other sinks there are.
+// All access to the machine goes through app::Platform, so the target and the PC run this same
+// file. A closed frame goes to the network and to any other sinks.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@
 
 namespace iog::app {
 
-// Of a car without classes.
+// For a car without classes.
 struct NoPerception {
   NoPerception(const Frame& /*frame*/, const vehicle::Vehicle& /*vehicle*/,
                std::uint32_t /*replayer_ipv4*/) {}
@@ -48,12 +48,12 @@ struct NoPerception {
   void for_each_constant(Visit&& /*visit*/) const {}
 };
 
-// Perception: PerceptionEngine, or none of it. Classes go to every sink that takes them in.
+// Perception: PerceptionEngine or NoPerception. Classes go to every ClassSink.
 template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
-  // vehicle, platform and sinks outlive the pipeline. replayer_ipv4 may send in the name of every
-  // sensor, 0: none.
+  // vehicle, platform and sinks must outlive the pipeline. replayer_ipv4 may send in the name of
+  // every sensor; 0: none.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -67,18 +67,18 @@ class FramePipeline {
                 Sinks&... sinks)
       : FramePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
 
-  // Before the first datagram: the map that is there from the start. It outlives the pipeline.
-  // Without classes there is no use for one.
+  // Sets the map that is present from the start. Call it before the first datagram. The map must
+  // outlive the pipeline. Has no effect without classes.
   void begin_with_map(std::span<const std::uint8_t> block) { perception_.begin_with_map(block); }
 
-  // Before the first datagram, or time starts at 0. Silence is counted from now on; what it took to
-  // set the pipeline up is none.
+  // Call it before the first datagram; otherwise time starts at 0. Silence is counted from now on,
+  // so the time needed to set up the pipeline does not count.
   void start(std::uint64_t now_us) {
     frame_.start(now_us);
     perception_.start(now_us);
   }
 
-  // One datagram. Closes the frame before it, after it, or not at all.
+  // Handles one datagram. May close the frame before or after it.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
     begin_stage();
     take_packet(
@@ -97,8 +97,8 @@ class FramePipeline {
     end_stage(&stream::StageTicks::fuse);
   }
 
-  // One datagram that has waited too long. A packet of a sensor is counted and left; poses and maps
-  // are taken as always.
+  // Handles one datagram that has waited too long. A sensor's packet is counted and shed. Poses and
+  // maps are taken as usual.
   void leave(const intake::Datagram& datagram, std::uint64_t now_us) {
     begin_stage();
     if (const std::optional<intake::SensorPacket> packet = receive(datagram, now_us)) {
@@ -108,7 +108,7 @@ class FramePipeline {
     end_stage(&stream::StageTicks::fuse);
   }
 
-  // Time has passed.
+  // Closes the frame if its time is over.
   void tick(std::uint64_t now_us) {
     if (frame_.is_overdue(now_us)) {
       begin_stage();
@@ -116,11 +116,11 @@ class FramePipeline {
     }
   }
 
-  // Whether the frame at hand has packets; when its time is over.
+  // is_begun(): whether the current frame has packets. deadline_us(): when its time is over.
   [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
 
-  // For whoever looks on.
+  // For observers.
   [[nodiscard]] const Perception& perception() const { return perception_; }
 
   template <typename Visit>
@@ -144,7 +144,8 @@ class FramePipeline {
   static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
 
-  // What comes now is part of a stage; it was part of this one, and what comes now of the next.
+  // Stage timing. begin_stage() starts it; end_stage() adds the time since then to a stage and
+  // starts the next.
   using Stage = std::uint32_t stream::StageTicks::*;
   void begin_stage() { since_ = platform_->ticks(); }
   void end_stage(Stage stage) {
@@ -153,7 +154,8 @@ class FramePipeline {
     since_ = now;
   }
 
-  // The datagram as a sensor's packet. Empty if it was a pose or of a map, or was dropped.
+  // Reads the datagram as a sensor's packet. Returns nothing if it was a pose or part of a map, or
+  // was dropped.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
                                                             std::uint64_t now_us) {
     return perception_.receive(datagram, now_us) ? std::nullopt : frame_.receive(datagram);
@@ -185,7 +187,7 @@ class FramePipeline {
     end_stage(&stream::StageTicks::publish);
   }
 
-  // The frame's end, in its place; and the header of its messages.
+  // Fills the frame's end message, and returns the header of its messages.
   [[nodiscard]] stream::Header describe(std::uint64_t now_us) {
     stream::Header header;
     stream::FrameEnd& end = network_.end();
@@ -204,14 +206,14 @@ class FramePipeline {
     return header;
   }
 
-  // How long the frame's time has been over.
+  // Time since the frame's deadline.
   [[nodiscard]] std::uint32_t late_us(std::uint64_t now_us) const {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
     const std::uint64_t deadline_us = frame_.deadline_us();
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // Calls, as the next one: what both need of the stack is needed once.
+  // Not inlined, like the next one, so that they use the same stack space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
     take_tiles(header);
     if constexpr (kPerceives) {
@@ -223,8 +225,8 @@ class FramePipeline {
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
-  // While the other cores encode tiles, core 0 follows things; while they encode classes, it sends
-  // the tiles; and while they remember the ground, the classes.
+  // Core 0 tracks objects while the other cores encode tiles, sends the tiles while they encode
+  // classes, and sends the classes while they store the ground.
   [[gnu::noinline]] void publish_divided(const stream::Header& header, const work::Crew& crew) {
     take_tiles(header);
     network_.encode_tiles([this] { perception_.follow_objects(); });
@@ -238,7 +240,7 @@ class FramePipeline {
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
-  // The frame owns the grid: it shows each known tile once, and clears it.
+  // The frame owns the grid. It visits each known tile once and clears it.
   void take_tiles(const stream::Header& header) {
     for_each_sink([&](auto& sink) { sink.begin_frame(header); });
     frame_.release([this](std::size_t tile, tile_coding::TileCells cells) {
@@ -246,7 +248,7 @@ class FramePipeline {
     });
   }
 
-  // Things, and what the frame has received.
+  // Sends the objects and the frame's receptions.
   void send_behind_classes(const stream::Header& header) {
     if (header.has_objects()) {
       perception_.list_objects(network_.objects());
@@ -257,7 +259,7 @@ class FramePipeline {
     }
   }
 
-  // The network has them.
+  // Passes the classes to the other sinks. The network already has them.
   void show_classes() {
     const auto show = [this](auto& sink) {
       if constexpr (ClassSink<std::remove_reference_t<decltype(sink)>>) {
@@ -282,14 +284,15 @@ class FramePipeline {
   std::tuple<Sinks&...> sinks_;
   P* platform_;
   std::uint32_t since_ = 0;
-  stream::StageTicks ticks_{};  // of the frame so far
+  stream::StageTicks ticks_{};  // of the current frame
 };
 
-// Of the frames' grids.
+// A pipeline without classes.
 template <Platform P, FrameSink... Sinks>
 using Pipeline = FramePipeline<NoPerception, P, Sinks...>;
 
-// With the classes of the window. The vehicle is fit for them; the replayer may send poses, too.
+// A pipeline with the classes of the window. The vehicle must be fit for them. The replayer may
+// send poses, too.
 template <Platform P, FrameSink... Sinks>
 using PerceptionPipeline = FramePipeline<PerceptionEngine, P, Sinks...>;
 

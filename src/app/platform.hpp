@@ -1,4 +1,4 @@
-// What the pipeline needs of the machine it runs on, and what it hands its frames to.
+// What the pipeline needs of its machine, and the sinks that receive its frames.
 #pragma once
 
 #include <array>
@@ -16,29 +16,29 @@
 
 namespace iog::app {
 
-// How the platform is.
+// State of the platform.
 struct Vitals {
-  std::uint32_t stack_used_bytes = 0;  // deepest so far
-  std::uint32_t link_drops = 0;        // datagrams that the link itself has dropped, since start
+  std::uint32_t stack_used_bytes = 0;  // greatest depth so far
+  std::uint32_t link_drops = 0;        // datagrams dropped by the link itself, since start
   std::int16_t temperature_dc = hal::kTemperatureNotKnown;  // of the chip, 1/10 degree Celsius
   std::size_t link_counter_count = 0;
   std::array<std::uint32_t, stream::kMaxLinkCounters>
       link_counters{};  // since start, as docs/spec.md
 };
 
-// What a frame has taken.
+// Processing times of a frame.
 struct FrameTimes {
-  stream::StageTicks ticks{};  // publish: that of the frame before
+  stream::StageTicks ticks{};  // publish: of the previous frame
   std::uint32_t late_us = 0;   // how long after its deadline it was closed
   bool has_packets = false;
 };
 
-// send_message(bytes): sends a copy, at most protection::kMaxMessageBytes; false when none can go
-//                   out.
+// send_message(bytes): sends a copy, at most protection::kMaxMessageBytes; false if it cannot be
+//                   sent.
 // ticks(), ticks_hz(): a stopwatch, as hal::Stopwatch.
-// vitals(times): once for each frame, before its first message.
+// vitals(times): called once per frame, before its first message.
 // run_number(): as hal::RunNumber.
-// cores(): how many work now; share(items, work, beside): does them all, as work::Team.
+// cores(): number of working cores. share(items, work, beside): runs all items, as work::Team.
 template <typename T>
 concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
                             work::Work work, work::Beside beside, const FrameTimes& times) {
@@ -51,15 +51,15 @@ concept Platform = requires(T& platform, std::span<const std::byte> message, std
   { platform.share(items, work, beside) } -> std::same_as<void>;
 };
 
-// A platform that says so: it will never have more than one.
+// A platform that declares that it will never have more than one core.
 template <typename T>
 concept HasOneCore = requires {
   requires T::kMostCores == 1;
 };
 
-// Takes in a closed frame: the header of its messages, whose type and number do not matter, each
-// tile in which something is known, in rising order, and that this was all. The cells are
-// another's, and change after the call.
+// Receives a closed frame: first the header of its messages, then each tile with a known cell in
+// rising order, then the end. The type and number in the header do not matter. The sink does not
+// own the cells, and they change after the call.
 template <typename T>
 concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {
@@ -68,7 +68,7 @@ concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t 
   { sink.end_frame() } -> std::same_as<void>;
 };
 
-// A sink that takes in classes, too, after the tiles of the frame's own grid. The view changes
+// A sink that also receives classes, after the tiles of the frame's own grid. The view changes
 // after the call.
 template <typename T>
 concept ClassSink = FrameSink<T> &&

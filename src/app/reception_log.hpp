@@ -1,4 +1,4 @@
-// What a frame has received, and when, for a PC that repeats it (docs/spec.md 3.13).
+// Records what a frame has received and when, for a PC that repeats the frame (docs/spec.md 3.13).
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@ namespace iog::app {
 
 class ReceptionLog {
  public:
-  // One that is off holds nothing.
+  // A log that is off stays empty.
   explicit ReceptionLog(bool is_on) : is_on_(is_on) {}
 
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // A datagram that is taken now, from a sender that may send it.
+  // Adds a datagram. Call it when the datagram is taken, and only if its sender may send it.
   void add(const intake::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_) {
       return;
@@ -27,31 +27,32 @@ class ReceptionLog {
       ++not_listed_;
       return;
     }
-    // Until the frame is closed it is the time itself, modulo 2^32.
+    // Until the frame is closed, this field holds the time itself, modulo 2^32.
     list_[count_++] = {.port = datagram.destination_port,
                        .key = stream::key_of(datagram.payload),
                        .before_close_us = static_cast<std::uint32_t>(now_us)};
   }
 
-  // The last one has waited too long.
+  // Marks the last datagram as shed because it had waited too long.
   void note_left() {
     if (is_on_ && not_listed_ == 0 && count_ > 0) {
       list_[count_ - 1].was_left = true;
     }
   }
 
-  // Once a frame, before it is asked. A frame is closed within 2^32 us of all of them.
+  // Call it once per frame, before the log is read. A frame must be closed within 2^32 us of all
+  // its receptions.
   void close(std::uint64_t closed_us) {
     for (stream::Reception& each : std::span(list_).first(count_)) {
       each.before_close_us = static_cast<std::uint32_t>(closed_us) - each.before_close_us;
     }
   }
 
-  // In the order in which they came.
+  // In order of arrival.
   [[nodiscard]] std::span<const stream::Reception> all() const {
     return std::span(list_).first(count_);
   }
-  // How many came behind the last one for which there was room.
+  // The number of datagrams after the last one that fitted.
   [[nodiscard]] std::uint32_t not_listed() const { return not_listed_; }
 
   void clear() {

@@ -1,5 +1,6 @@
-// A target without a car: it makes no grid, and says so. It answers ARP and ping as always, takes
-// no datagram, and sends its peer one message a second that says why (docs/spec.md 3.11).
+// A target without a car block: it makes no grid, and reports why. It answers ARP and ping as
+// usual, takes no datagrams, and sends its peer one message per second with the reason
+// (docs/spec.md 3.11).
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@ namespace iog::app {
 
 inline constexpr std::uint64_t kRefusalPeriodUs = 1'000'000;
 
-// The words outlive it.
+// The texts of the refusal must outlive it.
 template <Machine M>
 class RefusedCar {
  public:
@@ -69,7 +70,7 @@ template <Machine M>
   }
 }
 
-// The same of a target that does not even know its address: it is mute.
+// The same for a target that does not even know its address. It sends nothing.
 template <Machine M>
 [[noreturn]] void run_mute(M& machine) {
   for (;;) {

@@ -1,14 +1,14 @@
-// The tiles of one grid on their way into messages: each as short as it can be, also by what has
-// changed since it was sent.
+// Turns the tiles of one grid into messages. Each tile is encoded in the shortest way, which may be
+// the changes since it was last sent.
 //
-// Several cores encode those that wait and find what each adds to the grid's CRC, each tile by
-// itself; in their order they become messages and the CRC. So the bytes are the same for any
-// number of cores. Tiles whose cells stay all wait, so that core 0 may do something else while they
-// are encoded; others wait by the batch. One core alone encodes each tile at once, while it is in
-// its cache.
+// Several cores encode waiting tiles, and compute what each adds to the grid's CRC, independently
+// of other tiles. Messages and CRC are then made in the order of tiles, so the bytes are the same
+// for any number of cores. Tiles whose cells do not change all wait, so that core 0 can do
+// something else while they are encoded. Other tiles wait in batches. A single core encodes each
+// tile at once, while it is in its cache.
 //
-// Of classes what was found of a tile is kept. As long as its cells stay as they were, and its
-// reference does, they are not read again.
+// For classes the encoded tile is cached. While neither its cells nor its reference change, the
+// cells are not read again.
 #pragma once
 
 #include <algorithm>
@@ -36,25 +36,24 @@
 
 namespace iog::app {
 
-// How tiles are sent. Encoding them makes a tenth of the bytes of raw ones, and takes more
-// instructions.
+// How tiles are sent. Encoded tiles take a tenth of the bytes of raw ones, but more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
-// Until when the cells of a tile stay as they were added.
+// How long the cells of an added tile do not change.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
-// Holds what was sent and what was found, and of indexes a batch, 2.2 or 2.4 MB: belongs into
-// static memory. Hash: stream::GridHash of indexes, stream::ClassHash of classes.
+// Holds 2.2 or 2.4 MB: sent and encoded tiles, and for indexes a batch of copies. It must be in
+// static memory. Hash: stream::GridHash for indexes, stream::ClassHash for classes.
 template <Platform P, typename Hash>
 class TileSender {
  public:
   struct Sent {
     std::uint32_t tiles = 0;
-    std::uint32_t tiles_lost = 0;  // the network took no message
-    std::uint32_t crc = 0;         // the grid's name
+    std::uint32_t tiles_lost = 0;  // tiles in messages that the network did not accept
+    std::uint32_t crc = 0;         // of the grid
   };
 
-  // platform and messages outlive the sender.
+  // platform and messages must outlive the sender.
   TileSender(P& platform, MessageSender<P>& messages, Coding coding)
       : platform_(&platform), messages_(&messages), coding_{coding} {}
 
@@ -70,41 +69,42 @@ class TileSender {
     tiles_.begin_classes(header, window);
   }
 
-  // Tiles come in rising order. Of indexes: something is known in it.
+  // Adds a tile. Tiles must come in rising order. A tile of indexes must have a known cell.
   void add(std::size_t tile, tile_coding::TileCells cells, CellsStay cells_stay) {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
-  // Of classes, which stay to the finish; left out if no cell has one. age_frames: since the tile
-  // was decided. version, not 0: another one if the cells are others than when it was added last.
+  // Adds a tile of classes, whose cells must not change until finish(). Skipped if no cell has a
+  // class. age_frames: since the tile was decided. version: not 0, and different if the cells have
+  // changed since the tile was last added.
   void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
                    std::uint32_t version) {
     add({.tile = tile, .cells = cells, .age_frames = age_frames, .version = version},
         CellsStay::kToTheFinish);
   }
 
-  // Whether the tiles of this grid wait, because several cores encode.
+  // Whether the tiles of this grid wait, because several cores encode them.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
-  // Encodes all that wait. do_beside() is done once, by core 0, beside them or before.
+  // Encodes all waiting tiles. Core 0 runs do_beside() once, meanwhile or before.
   template <typename DoBeside>
   void encode(DoBeside do_beside) {
     encode_waiting(work::beside_of(do_beside));
   }
 
-  // What has been added since, if something has.
+  // Encodes tiles added since then, if there are any.
   void encode_rest() {
     if (encoded_ < waiting_count_) {
       encode_waiting({});
     }
   }
 
-  // Ends the grid: its messages have spoken of every tile.
+  // Ends the grid. Its messages then cover every tile.
   Sent finish() {
     encode_rest();
     return finish_encoded();
   }
-  // The same if all that wait are encoded: it has nothing for other cores, so it may be beside what
-  // has.
+  // The same if all waiting tiles are encoded. It needs no other cores, so it may run while they
+  // are busy.
   Sent finish_encoded() {
     send_waiting();
     send_tiles(geometry::kTileCount);
@@ -113,13 +113,13 @@ class TileSender {
   }
 
  private:
-  // Of tiles whose cells do not stay, copies are encoded in rounds of so many that there are few
-  // rounds, and that what is read and written of them stays in the second level cache.
+  // Tiles whose cells change are copied and encoded in rounds of this size. It is large enough for
+  // few rounds, and small enough that their data stay in the second level cache.
   static constexpr std::size_t kBatch = 192;
-  // One core has so many tiles together.
+  // Tiles that one core takes at a time.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
-  // Whether they are classes: what is found of a tile is kept.
+  // Whether encoded tiles are cached, as for classes.
   static constexpr bool kIsKept = std::is_same_v<Hash, stream::ClassHash>;
 
   struct Added {
@@ -128,18 +128,18 @@ class TileSender {
     std::uint8_t age_frames = 0;         // of classes
     std::uint32_t version = kNoVersion;  // of classes
 
-    // Only of classes it has to be asked.
+    // Only tiles of classes can be blank.
     [[nodiscard]] bool is_left_out() const { return kIsKept && tile_coding::is_blank(cells); }
   };
   struct Copy {
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> cells;
   };
-  // What is sent of a tile.
+  // The encoded tile as it is sent.
   struct Found {
     std::uint32_t version = kNoVersion;  // of the cells
     bool is_left_out = false;
-    std::uint32_t remainder = 0;        // what the cells add to the name
-    std::uint32_t reference_frame = 0;  // of the cells' reference, their own frame without one
+    std::uint32_t remainder = 0;        // what the cells add to the grid's CRC
+    std::uint32_t reference_frame = 0;  // of the cells' reference; their own frame without one
     tile_coding::EncodedTile encoded{};
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> payload{};
   };
@@ -177,13 +177,13 @@ class TileSender {
   }
 
   void encode_and_send(const Added& added) {
-    Found& found = found_[kIsKept ? added.tile : 0];  // what is written again stays in the cache
+    Found& found = found_[kIsKept ? added.tile : 0];  // a reused object stays in the cache
     encode(added, found, encoders_.front());
     send(added, found);
   }
 
-  // An item reads what no other writes, and writes its own tiles' places and its core's encoder
-  // alone. A place that was left half written is of no version.
+  // A task reads nothing that another task writes. It writes only the slots of its own tiles and
+  // its core's encoder. A half-written slot has no version.
   void encode(const Added& added, Found& found, tile_coding::Encoder& encoder) const {
     const bool is_kept = kIsKept && found.version == added.version;
     if (is_kept && found.is_left_out) {
@@ -206,8 +206,8 @@ class TileSender {
     found.version = added.version;
   }
 
-  // The same cells against the same reference, or against themselves: then nothing differs. Doing
-  // it again from anywhere on ends the same.
+  // Sends the same cells again: against the same reference, or as unchanged if they were sent
+  // without one. Repeating it from any point on gives the same result.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {
@@ -218,7 +218,7 @@ class TileSender {
     }
   }
 
-  // Of a tile that is encoded: in the order of tiles.
+  // Sends an encoded tile. Call it in the order of tiles.
   void send(const Added& added, const Found& found) {
     if (found.is_left_out) {
       return;
@@ -246,7 +246,7 @@ class TileSender {
     encoded_ = waiting_count_;
   }
 
-  // Not inlined, because each message on its way takes a kilobyte of the stack.
+  // Not inlined, because each message uses a kilobyte of the stack.
   [[gnu::noinline]] void send_waiting() {
     require(encoded_ == waiting_count_);
     for (std::size_t i = 0; i < waiting_count_; ++i) {
@@ -295,11 +295,11 @@ class TileSender {
   stream::TilesWriter tiles_;
   bool do_wait_ = false;
   std::size_t waiting_count_ = 0;
-  std::size_t encoded_ = 0;  // of them
+  std::size_t encoded_ = 0;  // of the waiting tiles
   std::array<std::optional<Added>, geometry::kTileCount> waiting_{};
-  std::array<Copy, kIsKept ? 0 : kBatch> copies_{};            // of the first that wait
+  std::array<Copy, kIsKept ? 0 : kBatch> copies_{};            // of the first waiting tiles
   std::array<Found, geometry::kTileCount> found_{};            // by tile
-  std::array<tile_coding::Encoder, hal::kMaxCores> encoders_;  // one a core
+  std::array<tile_coding::Encoder, hal::kMaxCores> encoders_;  // one per core
   stream::References references_;
 };
 

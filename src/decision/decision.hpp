@@ -1,7 +1,7 @@
-// Masses to a class: what a group's cells are, and what the frames to come ask of them.
+// Classifies the cells of a group by their masses, and computes bits for later frames.
 //
-// Ignorance names nothing: a class needs half of all mass. The map names what the sensors see; it
-// never overrules it and never speaks alone.
+// A class needs half of all mass, so ignorance leads to no class. The map refines what the sensors
+// see. It never overrules them and never decides alone.
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@
 
 namespace iog::decision {
 
-// The classes of a cell's byte, which is 8 times the class plus 0 ... 7, how sure it is: floor of
-// (mass - 2^14) / 2^11.
+// The classes of a cell's byte. The byte is 8 times the class plus a confidence of 0 ... 7, floor
+// of (mass - 2^14) / 2^11.
 enum class Class : std::uint8_t {
-  kUnknown,            // always with 0
+  kUnknown,            // confidence is always 0
   kDrivable,           // free, on a road
   kNonDrivable,        // free, beside the roads
-  kFree,               // free, and the map does not say where
-  kMoving,             // occupied by what moves
-  kStopped,            // stands on a road
-  kStoppedOrUnmapped,  // stands; what can move and what cannot is not told apart
-  kInfrastructure,     // stands where the map has a building
-  kOccupied,           // occupied, not yet known by what
+  kFree,               // free, unknown to the map
+  kMoving,             // occupied by a moving object
+  kStopped,            // static, on a road
+  kStoppedOrUnmapped,  // static, movable or not
+  kInfrastructure,     // static, where the map has a building
+  kOccupied,           // occupied, unclassified
 };
 
 inline constexpr std::int32_t kSurenessCount = 8;
@@ -32,44 +32,45 @@ inline constexpr std::int32_t kSurenessCount = 8;
   return static_cast<Class>(byte / kSurenessCount);
 }
 
-// Classes of the map, one bit each; a sum is "one of them".
+// Classes of the map, one bit each. A sum means "one of these".
 inline constexpr std::uint8_t kBuilding = 1;
 inline constexpr std::uint8_t kRoad = 2;
 inline constexpr std::uint8_t kIntermediate = 4;
 inline constexpr std::uint8_t kAnywhere = kBuilding + kRoad + kIntermediate;
 
-// Of each cell of the group, bit i for cell i.
+// Bit i of each member is for cell i of the group.
 struct alignas(8) Bits {
   std::uint8_t freed = 0;   // F > 2^14
-  std::uint8_t seen = 0;    // its evidence of this frame was free, and F > 22938
+  std::uint8_t seen = 0;    // free evidence in this frame, and F > 22938
   std::uint8_t stands = 0;  // persistence > 4096
   std::uint8_t taken = 0;   // O + M + K > 8192
-  std::uint8_t held = 0;    // O + M + K > 0 or persistence > 0: something but F is known
+  std::uint8_t held = 0;    // O + M + K > 0 or persistence > 0: not only F is known
   friend constexpr bool operator==(const Bits&, const Bits&) = default;
 };
 
-// The bytes of a group's cells.
+// The class bytes of a group's cells.
 using Decided = std::array<std::int8_t, evidence::kGroupCells>;
 
-// By cell the classes of the map that are impossible there; 0: nothing is known of the map.
+// For each cell, the classes of the map that are impossible there. 0: the map says nothing.
 using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 
-// Writes what the cells of a group are, by their masses and what is ruled out. Both are aligned to
-// 8 bytes. `of_this_frame` is all 0 for a group that is decided without evidence.
+// Writes the class bytes of a group from its masses and from the classes that are ruled out. Both
+// arrays must be aligned to 8 bytes. `of_this_frame` must be all 0 for a group that is decided
+// without evidence.
 Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
             const evidence::Indexes& of_this_frame, Decided& decided);
 
-// Two of the bits.
+// Two of the members of Bits.
 struct alignas(2) FreeBits {
   std::uint8_t freed = 0;
   std::uint8_t seen = 0;
 };
 
-// What decide() does to a group of which nothing is taken: all its other bits are 0.
+// The same as decide() for a group without occupied mass. All other bits are 0.
 FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided);
 
-// A group that is fused by evidence::fuse_free() and decided by decide_free().
+// A group for evidence::fuse_free() and decide_free().
 struct Crossed {
   evidence::Free* free;
   const evidence::Fading* fading;
@@ -79,7 +80,7 @@ struct Crossed {
   Decided* decided;
 };
 
-// Both of two groups at once: each is as long as the results of the other are waited for.
+// Fuses and decides two groups at once. Each fills the time in which the other waits for results.
 std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups);
 
 }  // namespace iog::decision

@@ -1,8 +1,8 @@
-// Eight cells at once. What is compared with 2^14 is compared by its upper byte, which is at least
-// 64 in the same cases; an upper byte of 64 + 8 n + r is level n.
+// NEON version for eight cells at once. Comparisons with 2^14 use the upper byte of a mass, which
+// is at least 64 in the same cases. An upper byte of 64 + 8 n + r is confidence n.
 //
-// At most one of free, moving and standing is half of all or more (decision/cell.hpp). So the
-// greatest of them is the score if it is; else the score is what is taken.
+// At most one of free, moving and standing reaches half of all mass (decision/cell.hpp). If one
+// does, it is the greatest of the three and the score. Otherwise the score is the occupied mass.
 #include <arm_neon.h>
 #include <cstddef>
 
@@ -18,7 +18,7 @@ uint8x8_t upper_byte(int16x8_t mass) { return vshrn_n_u16(vreinterpretq_u16_s16(
 
 uint8x8_t is_half(uint8x8_t upper) { return vcge_u8(upper, vdup_n_u8(kHalf >> 8)); }
 
-// What a class adds to its upper byte shifted by 3, which is 8 plus the level.
+// The value that a class adds to its upper byte shifted right by 3, which is 8 plus the confidence.
 constexpr std::uint8_t base_of(std::uint8_t name) {
   return static_cast<std::uint8_t>(name * 8 - 8);
 }
@@ -46,14 +46,16 @@ int16x8_t moving_part(int16x8_t occupied, uint8x8_t masks) {
   return vqdmulhq_s16(occupied, vreinterpretq_s16_u16(vshll_n_u8(shares, 7)));
 }
 
-// Bytes whose sign is set where a mass is above a level: that of their difference.
+// Sets the sign bit of each byte whose mass is above the level, by taking the upper byte of level -
+// mass.
 uint8x8_t above(int16x8_t mass, std::int16_t level) {
   return vreinterpret_u8_s8(vsubhn_s16(vdupq_n_s16(level), mass));
 }
 
 constexpr std::uint64_t kOneOfEach = 0x8040'2010'0804'0201;
 
-// Of two vectors of eight bytes, one bit for each sign: four bytes for each, to be added up.
+// Gathers the signs of two vectors of eight bytes. Each vector gives four bytes, whose sum has one
+// bit per sign.
 uint8x8_t signs_of(uint8x8_t a, uint8x8_t b) {
   const uint8x16_t one_of_each = vreinterpretq_u8_u64(vdupq_n_u64(kOneOfEach));
   const uint8x16_t is_set = vcltq_s8(vreinterpretq_s8_u8(vcombine_u8(a, b)), vdupq_n_s8(0));
@@ -61,7 +63,8 @@ uint8x8_t signs_of(uint8x8_t a, uint8x8_t b) {
   return vpadd_u8(vget_low_u8(kept), vget_high_u8(kept));
 }
 
-// held: all ones or zeros. Its byte comes four times, once where Bits has it.
+// held: all ones or zeros per cell. Its byte appears four times in the sum, once at its place in
+// Bits.
 Bits bits_of(uint8x8_t freed, uint8x8_t seen, uint8x8_t stands, uint8x8_t taken, uint8x8_t held) {
   const uint8x8_t pairs = vpadd_u8(signs_of(freed, seen), signs_of(stands, taken));
   const uint8x8_t kept = vand_u8(held, vcreate_u8(kOneOfEach));
@@ -71,7 +74,7 @@ Bits bits_of(uint8x8_t freed, uint8x8_t seen, uint8x8_t stands, uint8x8_t taken,
 }
 static_assert(offsetof(Bits, held) == 4);
 
-// What the cells are.
+// The class bytes of the cells.
 uint8x8_t bytes_of(int16x8_t free, int16x8_t moving, int16x8_t taken, uint8x8_t masks) {
   const uint8x8_t of_free = upper_byte(free);
   const uint8x8_t of_moving = upper_byte(moving);
@@ -98,13 +101,13 @@ void store(uint8x8_t bytes, Decided& decided) {
   __builtin_memcpy(__builtin_assume_aligned(decided.data(), 8), &bytes, 8);
 }
 
-// Signs of what is free and was crossed.
+// Sign bits of cells that are free and were crossed in this frame.
 uint8x8_t seen_of(int16x8_t free, const evidence::Indexes& of_this_frame) {
   return vand_u8(above(free, kSeenAbove), vreinterpret_u8_s8(vld1_s8(of_this_frame.data())));
 }
 
-// Decides a group of which nothing is taken; four bytes to be added up of what is freed, and four
-// of what is seen.
+// Decides a group without occupied mass. Returns four bytes whose sum is `freed`, and four whose
+// sum is `seen`.
 inline uint8x8_t named_free(int16x8_t free, const RuledOut& ruled_out,
                             const evidence::Indexes& of_this_frame, Decided& decided) {
   const uint8x8_t score = upper_byte(free);

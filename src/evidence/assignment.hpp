@@ -1,8 +1,8 @@
-// Masses that depend on how large an occupancy index is: a basic belief assignment with two focal
-// sets, free or occupied, and ignorance. Without one, all hits have one mass and all crossing beams
-// another (Gains).
+// Masses graded by the size of an occupancy index: a basic belief assignment with two focal sets,
+// free or occupied, and ignorance. Without an assignment, all hits have one mass and all crossing
+// beams another (Gains).
 //
-// Masses are multiples of 1/128, rounded down. Indexes above kGradedIndexes - 1 have the mass of
+// Masses are multiples of 1/128, rounded down. Indexes beyond kGradedIndexes - 1 have the mass of
 // kGradedIndexes - 1, on either side.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace iog::evidence {
 
-// The joined occupancy indexes of a group's cells in one frame; 0: no evidence.
+// The joined occupancy indexes of a group's cells in one frame. 0: no evidence.
 using Indexes = std::array<index::OccupancyIndex, kGroupCells>;
 
 inline constexpr std::size_t kGradedIndexes = 32;
@@ -27,20 +27,20 @@ using MassTable = std::array<std::uint8_t, kGradedIndexes>;
 
 struct alignas(32) Assignment {
   MassTable occupied{};           // by n, 0 ... 127
-  MassTable free{};               // by -n; all 0 where time grades free
-  std::int16_t free_by_time = 0;  // -1: the mass of free is Gains::free_mass
+  MassTable free{};               // by -n; all 0 if time determines the free mass
+  std::int16_t free_by_time = 0;  // -1: the free mass is Gains::free_mass
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
-// Not constexpr and never defined: reaching it ends the compilation with its name.
+// Not constexpr and never defined: a call at compile time fails with this name as the message.
 void an_index_beyond_the_table_has_another_mass();
 
-// floor(128 mass), 0 <= mass <= 1; certainty is left out.
+// floor(128 mass), 0 <= mass <= 1, limited to 127: certainty is excluded.
 consteval std::uint8_t mass_fraction(double mass) {
   return static_cast<std::uint8_t>(std::min(static_cast<int>(mass * kMassFraction), 127));
 }
 
-// Kurdej 2015, section 4.5.2.2: k echoes in a cell are worth 1 - 0.2^k. An echo is an index of 2.
+// Kurdej 2015, section 4.5.2.2: k echoes in a cell have mass 1 - 0.2^k. An index of 2 is one echo.
 consteval Assignment make_reinforced() {
   Assignment assignment{.free_by_time = -1};
   double doubt = 1;
@@ -52,9 +52,9 @@ consteval Assignment make_reinforced() {
 }
 inline constexpr Assignment kReinforced = make_reinforced();
 
-// The least committed mass with the pignistic probability p_n: |2 p_n - 1|, at most 0.95. For
-// comparison: one hit of +2 weighs less than one beam of -14 and is lost. Does not compile if the
-// recursive set of epsilon needs more than kGradedIndexes to reach 0.95.
+// The least committed mass with the pignistic probability p_n: |2 p_n - 1|, at most 0.95. It is for
+// comparison only: one hit of +2 weighs less than one beam of -14 and is lost. Does not compile if
+// the recursive set of epsilon needs more than kGradedIndexes to reach 0.95.
 consteval Assignment make_isopignistic(double epsilon) {
   constexpr double kCap = 0.95;
   const index::RecursiveSet set(epsilon);

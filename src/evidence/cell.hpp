@@ -1,23 +1,24 @@
-// One cell: how it ages, and how evidence is fused into it (Kurdej 2015, chapters 5 and 6). This is
-// the specification, in plain integers; fusion_neon.cpp does the same to eight cells at once.
+// Ageing and fusion of one cell (Kurdej 2015, chapters 5 and 6). This is the specification in plain
+// integers; fusion_neon.cpp does the same for eight cells at once.
 //
 // All values are fractions of 2^15. a.b is floor(ab / 2^15), ~a is 32767 - a. Small letters: o, f
 // evidence; c, x conflict. Capitals: masses of F, O, M, K; P = O + M + K; W = 32767 - F - P, the
 // ignorance.
 //
 // Ranges. A cell is valid if F, O, M, K and its persistence are 0 ... 32767 and W >= 0. Factors and
-// evidence are 0 ... 32767, and of o and f one is 0. Then:
+// evidence are 0 ... 32767, and one of o and f is 0. Then:
+//
 //   products     ab <= 32767^2 < 2^30, and a.b <= a because b < 2^15; the rounded product is at
 //                most (32767^2 + 2^14) / 2^15 < 32767
-//   ageing       every mass shrinks or stays, so W >= 0 stays
+//   ageing       no mass grows, so W >= 0 still holds
 //   a hit        f = x = 0: F' + c = F.~o + F.o <= F, and O' + M' + K' <= P + W.o + c, so the sum
 //                of all is at most F + P + W = 32767
 //   free         o = c = 0: F' <= F + W.f and O' + M' + K' <= P.~f <= P, the same
 //   conflict     c + x <= 32767, because one of them is 0
-//   persistence  gain and decline are 0 ... 32767 each: what they leave is clamped
+//   persistence  gain and decline are 0 ... 32767 each, and the result is clamped
 //   specialising t <= O', which K' gains and O' loses; M' only shrinks
-// All terms of F', O', M' and K' are non-negative, so that no part of a sum is above 32767: 16 bits
-// with a sign hold every intermediate result but the product. What rounding loses is ignorance's.
+// All terms of F', O', M' and K' are non-negative, so no partial sum is above 32767. Signed 16 bits
+// hold every intermediate result except the product. Rounding losses go to ignorance.
 #pragma once
 
 #include <algorithm>
@@ -37,12 +38,12 @@ struct Cell {
   std::int32_t standing = 0;     // K
   std::int32_t persistence = 0;  // the accumulator zeta
 
-  // P, what is occupied by whatever.
+  // P, the total occupied mass.
   [[nodiscard]] constexpr std::int32_t taken() const { return occupied + moving + standing; }
   friend constexpr bool operator==(const Cell&, const Cell&) = default;
 };
 
-// The masses that one frame gives to a cell; one of them is 0.
+// The masses that one frame gives to a cell. One of them is 0.
 struct Evidence {
   std::int32_t occupied = 0;  // o
   std::int32_t free = 0;      // f
@@ -86,8 +87,9 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
   return {.free = assignment.free[graded] * kUnit};
 }
 
-// Masses after the evidence. What was free and is occupied now is in conflict (c): it belongs to
-// {M} if it moved, else to O. What was occupied and is free now (x) is ignorance's.
+// Masses after the evidence. c is the conflict of a cell that was free and is now occupied: it goes
+// to {M} if the object moved there, else to O. x is the conflict of a cell that was occupied and is
+// now free: it goes to ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();
   const std::int32_t not_free = complement(evidence.free);
@@ -101,8 +103,8 @@ constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) 
   return next;
 }
 
-// The accumulator of a cell with the masses of `next` and the conflict c + x, which is none of
-// them (Kurdej 2015, equations 5.5 and 5.6).
+// The accumulator of a cell with the masses of `next`. The conflict c + x is not part of these
+// masses (Kurdej 2015, equations 5.5 and 5.6).
 constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, const Gains& gains) {
   const std::int32_t taken = next.taken();
   const std::int32_t gain =
@@ -111,8 +113,8 @@ constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, c
   return std::clamp<std::int32_t>(next.persistence + gain - loss, 0, kCertain);
 }
 
-// What lasts does not move (Kurdej 2015, equations 5.7 and 5.8). Only occupied sets are
-// specialised, ignorance stays what it is; what {M} loses is ignorance's.
+// Specialisation: persistent cells become static (Kurdej 2015, equations 5.7 and 5.8). Only
+// occupied sets are specialised. The mass that {M} loses goes to ignorance.
 constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   const std::int32_t part = product(cell.persistence, gains.specialisation);
   const std::int32_t settled = product(cell.occupied, part);
@@ -123,7 +125,7 @@ constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   return next;
 }
 
-// A cell that is aged already, after a frame with evidence.
+// A cell after a frame with evidence. It must be aged already.
 constexpr Cell fused(const Cell& cell, const Evidence& evidence, bool moved, const Gains& gains) {
   const std::int32_t conflict =
       product(cell.free, evidence.occupied) + product(cell.taken(), evidence.free);

@@ -1,5 +1,5 @@
-// What is free of a group, eight cells a register: how it ages and takes in a frame's evidence. The
-// words of fusion_neon.cpp, for whoever does more with the result.
+// Free masses of a group, eight cells per register: ageing and fusion of a frame's evidence. These
+// are the building blocks of fusion_neon.cpp, for callers that do more with the result.
 #pragma once
 
 #include <arm_neon.h>
@@ -13,7 +13,7 @@ namespace iog::evidence {
 
 inline int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
 
-// 0 ... 32767 has no bit that 32767 lacks.
+// Works as XOR, because 32767 contains every bit of 0 ... 32767.
 inline int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
 
 inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {
@@ -22,24 +22,24 @@ inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {
 
 static_assert(sizeof(Fading) == sizeof(int16x8_t) && offsetof(Fading, persistence) == 8);
 
-// Factors of free, occupied, moving and standing; persistence is lane 4.
+// Lanes 0 to 3: factors of free, occupied, moving and standing. Lane 4: persistence.
 inline int16x8_t factors_of(const Fading& fading) {
   int16x8_t factors;
   __builtin_memcpy(&factors, &fading, sizeof(factors));
   return factors;
 }
 
-// A product with kWhole is -mass, exactly; one with any other factor is not negative.
+// A product with kWhole is exactly -mass. A product with any other factor is not negative.
 template <int kLane>
 inline int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
   return vabsq_s16(vqdmulhq_lane_s16(mass, factors, kLane));
 }
 
-// All ones where a crossing beam is the evidence.
+// All ones in lanes whose evidence is a crossing beam.
 inline int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15); }
 
-// What is free after a frame in which nothing was hit, of a group of which nothing is taken. o, c,
-// x and P are 0, so that F' = F.~0 + W.f with W = ~F.
+// The free mass after a frame without hits, for a group without occupied mass. o, c, x and P are 0,
+// so F' = F.~0 + W.f with W = ~F.
 inline int16x8_t free_after(int16x8_t free, const Fading& fading, const Indexes& indexes,
                             const Gains& gains) {
   const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));

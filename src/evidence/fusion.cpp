@@ -7,7 +7,7 @@
 namespace iog::evidence {
 namespace {
 
-// evidence_of_index: from an index to Evidence.
+// evidence_of_index: converts an index to Evidence.
 template <typename EvidenceOfIndex>
 void fuse_cells(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
                 std::uint8_t moved, const Gains& gains, EvidenceOfIndex&& evidence_of_index) {

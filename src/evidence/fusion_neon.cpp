@@ -1,6 +1,7 @@
-// Eight cells at once. VQDMULH.S16 is floor(2ab / 2^16), which is the a.b of evidence/cell.hpp;
-// VQRDMULH.S16 is the same rounded to nearest, a half up. Both saturate only at (-2^15)^2, which
-// never occurs: the other factor of kWhole is a mass. All ranges are proven in evidence/cell.hpp.
+// NEON version for eight cells at once. VQDMULH.S16 is floor(2ab / 2^16), which is a.b of
+// evidence/cell.hpp. VQRDMULH.S16 is the same rounded to nearest, a half up. Both saturate only at
+// (-2^15)^2, which never occurs: the other factor of kWhole is a mass. evidence/cell.hpp proves all
+// ranges.
 #include <arm_neon.h>
 #include <cstddef>
 
@@ -20,8 +21,8 @@ int16x4_t weights_of(const Gains& gains) {
   return weights;
 }
 
-// The masses of a table by index, in units of 2^-15; 0 of an index below 0, because a lookup out of
-// the table gives 0.
+// The masses of a table by index, in units of 2^-15. Indexes below 0 give 0, because a lookup
+// outside the table gives 0.
 int16x8_t graded(const MassTable& table, int8x8_t indexes) {
   uint8x8x4_t rows;
   __builtin_memcpy(&rows, __builtin_assume_aligned(table.data(), sizeof(rows)), sizeof(rows));
@@ -43,7 +44,7 @@ int16x8_t persistence_of(int16x8_t before, int16x8_t taken, int16x8_t conflict, 
   return vmaxq_s16(vqaddq_s16(before, vsubq_s16(gain, loss)), vdupq_n_s16(0));
 }
 
-// Five masses of eight cells.
+// The five values of eight cells.
 struct Lanes {
   int16x8_t free;
   int16x8_t occupied;

@@ -1,9 +1,9 @@
-// Eight cells of one row of a tile, as they lie in memory. What is free of them lies apart from the
-// rest: most cells that beams cross are free and nothing else, and for them the rest is neither
-// read nor written.
+// Memory layout of a group, eight cells of one row of a tile. The free masses are separate from the
+// others: most cells crossed by beams have only free mass, and the others are then neither read nor
+// written.
 //
-// A mass is 0 ... 32767, and what the four masses of a cell leave of 32767 is ignorance. A cell of
-// which nothing is known is all zeros.
+// A mass is 0 ... 32767. The ignorance of a cell is 32767 minus its four masses. An unknown cell is
+// all zeros.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ static_assert(sizeof(Masses) == 16);
 
 using Free = Masses;  // F = {D, N}
 
-// Two cache lines, one stream for the kernels that update, fade and decide.
+// Two cache lines, read and written in sequence by the kernels that update, fade and decide.
 struct alignas(32) Taken {
-  Masses occupied{};     // O = {I, M, S, U}: not yet known by what
+  Masses occupied{};     // O = {I, M, S, U}: occupied, unclassified
   Masses moving{};       // M = {M}
   Masses standing{};     // K = {I, S, U}
-  Masses persistence{};  // the accumulator zeta, no mass
+  Masses persistence{};  // the accumulator zeta, not a mass
 };
 static_assert(sizeof(Taken) == 64);
 

@@ -1,7 +1,8 @@
-// The masses of a group but F, eight cells a register, one after the other as they lie in memory.
+// Sequential access to the masses of a group except F, eight cells per register, in the order of
+// memory.
 //
-// A load that moves its own pointer is one instruction. The compiler never chooses it: it takes two
-// loads of half a register each, at offsets.
+// A load that advances its pointer is one instruction. The compiler never chooses it, and uses two
+// half-register loads at offsets instead.
 #pragma once
 
 #include <arm_neon.h>

@@ -1,9 +1,9 @@
-// The fusion of one frame: beams in, a grid of occupancy indexes out.
+// Fusion of one frame: beams in, a grid of occupancy indexes out (docs/model.md section 3).
 //
-// docs/model.md section 3. The frame starts from a grid of zeros. The carvers, the pending marks
-// and the grid are objects apart. All beams carve before any mark is applied; beams among
-// themselves, and marks among themselves, may come in any order. So whatever the order of a frame's
-// packets, the grid is the same to the byte.
+// The frame starts from a grid of zeros. The carvers, the pending marks and the grid are separate
+// objects. All beams carve before any mark is applied. Beams may come in any order among
+// themselves, and so may marks. So the grid is the same to the byte for any order of a frame's
+// packets.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ namespace iog::fusion {
 
 class FrameFusion {
  public:
-  // vehicle outlives the fusion.
+  // vehicle must outlive the fusion.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
       : grids_(vehicle.window.is_opened_from_below),
         turns_(vehicle, grids_, marks_),
@@ -40,16 +40,17 @@ class FrameFusion {
   FrameFusion(const FrameFusion&) = delete;
   FrameFusion& operator=(const FrameFusion&) = delete;
 
-  // From now on packets of sensors that follow the ground are judged by these, and their lowest
-  // returns are kept. They are the vehicle's, change only when nothing waits, and outlive the
-  // fusion.
+  // From now on these ground models judge packets of sensors that follow the ground, and their
+  // lowest returns are collected. The models must be the vehicle's, change only when nothing is
+  // pending, and outlive the fusion.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
-  // By the place of their sensor among them.
+  // The lowest returns of a sensor, by its place among the sensors that follow the ground.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
-  // Carves the beam of this point, now or later, and remembers its mark, or those of an arc.
-  // The sensor is one of the vehicle's, and the point is judged by its height band; the point's
-  // layer and azimuth are those of its format. All points of a frame mark at most kMaxMarks cells.
+  // Carves the beam of this point, now or later, and stores its mark or those of its arc. The
+  // sensor must be one of the vehicle's, and the point's layer and azimuth must be valid in its
+  // format. The vehicle's height band decides what is an obstacle. All points of a frame together
+  // may mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     if (sensor.arc.is_given()) {
       return arcs_.add(sensor, point);
@@ -58,9 +59,9 @@ class FrameFusion {
                                      : azimuths_.add(sensor, point);
   }
 
-  // The same for all points of a packet, by the ground if its sensor follows it:
-  // for_each_point(visit) calls visit(point) for each of them. count(fate) is called for each.
-  // Inline, so that a point is taken apart in registers.
+  // Does the same for all points of a packet, over the ground if the sensor follows it. Packet:
+  // for_each_point(visit) calls visit(point) for each point. count(fate) is called for each point.
+  // Inline, so that a point is decoded in registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
     const auto number = static_cast<std::size_t>(&sensor - first_sensor_);
@@ -69,7 +70,7 @@ class FrameFusion {
     if (place) {
       add_all(sensor, grounds_->at(*place), lows_[*place], packet, count);
     } else if (sensor.layers_share_lines) {
-      // Inline, because a call costs some 30 instructions a point.
+      // Inline, because a call costs some 30 instructions per point.
       packet.for_each_point([ count, turn = turns_.turn_to(sensor) ](const lidar::ScanPoint& point)
                                 __attribute__((always_inline)) { count(turn.add(point)); });
     } else if (sensor.arc.is_given()) {
@@ -81,21 +82,21 @@ class FrameFusion {
     }
   }
 
-  // Carves the beams that still wait.
+  // Carves all pending beams.
   void carve_waiting() {
     azimuths_.carve_waiting();
     turns_.carve_waiting();
   }
 
-  // The same, and applies the marks by the vehicle's fusion rule. Once per frame, after its last
-  // point.
+  // Carves all pending beams and applies the marks by the vehicle's fusion rule. Call it once per
+  // frame, after the last point.
   void finish();
 
-  // The grid, complete after finish(), until it is cleared.
+  // The grid. It is complete from finish() until it is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
-  // Copies a tile of the frame, row by row from its lowest y, and clears it. False if nothing is
-  // known in it.
+  // Copies a tile of the frame, row by row from its lowest y, and clears it. Returns false if all
+  // of its cells are unknown.
   [[nodiscard]] bool take_tile(std::size_t tile,
                                std::span<grid::OccupancyIndex, geometry::kTileCells> to) {
     if (!grids_.indexes.is_touched(tile)) {
@@ -106,16 +107,16 @@ class FrameFusion {
     return is_known;
   }
 
-  // Whether heights count (grid/frame_grids.hpp). Of a tile that is not taken yet: which of its
-  // cells were freed from below, or hit by something tall.
+  // keeps_heights(): whether heights are kept (grid/frame_grids.hpp). low_and_tall(): for a tile
+  // not yet taken, the cells that were freed by a low beam or hit by a tall return.
   [[nodiscard]] bool keeps_heights() const { return grids_.keep_heights; }
   [[nodiscard]] grid::TileBits low_and_tall(std::size_t tile) const {
     return grids_.low_and_tall(tile);
   }
 
-  // Shows the frame tile by tile and clears it: visit(number, indexes) for each tile in
-  // which something is known, in rising order. The indexes, row by row from the lowest y, are valid
-  // during the call.
+  // Visits the frame tile by tile in rising order and clears it. Calls visit(number, indexes) for
+  // each tile with a known cell. The indexes run row by row from the lowest y, and are valid during
+  // the call.
   template <typename Visit>
   void release(Visit&& visit) {
     release_with_heights([&](std::size_t tile, auto indexes,
@@ -136,7 +137,7 @@ class FrameFusion {
     }
   }
 
-  // Sets all cells back to unknown and drops all marks.
+  // Sets all cells to unknown and drops all marks.
   void clear();
 
   template <typename Visit>
@@ -149,13 +150,13 @@ class FrameFusion {
   }
 
  private:
-  // Not inlined, so that those that keep to the band have the registers.
+  // Not inlined, so that the fusion by the height band keeps the registers.
   template <typename Packet, typename Count>
   [[gnu::noinline]] void add_all(const vehicle::Sensor& sensor, const ground::Ground& ground,
                                  ground::Lows& lows, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
-      // A call, because a point over the ground is more than its registers hold.
+      // Not inlined, because a point over the ground needs more registers than there are.
       packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
                                 const lidar::ScanPoint& point) { count(turn.add(point)); });
     } else {
@@ -167,7 +168,7 @@ class FrameFusion {
     }
   }
 
-  // What is aligned to a cache line comes first.
+  // Members aligned to a cache line come first.
   grid::FrameGrids grids_;
   grid::TurnCarver turns_;
   grid::AzimuthCarver azimuths_;

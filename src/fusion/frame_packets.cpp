@@ -7,7 +7,7 @@
 namespace iog::fusion {
 namespace {
 
-// A datagram is shorter.
+// Longer than any datagram.
 constexpr std::size_t kLongestPacket = 0xFFFF;
 static_assert(kLongestPacket <= kMaxFrameBytes);
 

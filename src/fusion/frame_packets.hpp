@@ -1,5 +1,5 @@
-// A frame's packets, kept until several cores fuse them, or until the frame ends: only then is it
-// known which of them were measured together.
+// Buffer for the packets of a frame. They are kept until several cores fuse them, or until the
+// frame ends if classes are made: only then is it known which packets were measured together.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace iog::fusion {
 
-// Enough for 40 ms of 128 layers (an OS1-128: 51 packets, 1.3 MB), of two units of 64, or of an
-// HDL-64E S3 with two returns (232 packets, 280 KB). Four LUX send some 30 KB.
+// Enough for 40 ms of 128 layers (an OS1-128: 51 packets, 1.3 MB), of two sensors with 64 layers,
+// or of an HDL-64E S3 with two returns (232 packets, 280 KB). Four LUX send about 30 KB.
 inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
 inline constexpr std::size_t kMaxFramePackets = 1'024;
 
 struct KeptPacket {
-  // Of its measurement: by the clock of the poses if its sensor is synchronised, else by the
+  // Time of measurement: on the clock of the poses if the sensor is synchronised, else on the
   // target's.
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
-  // What FrameSlices finds out: whether the time is known on the clock of the poses, in which
-  // slice it lies, and with which packets it is fused.
+  // Set by FrameSlices: whether the time on the clock of the poses is known, the slice in which it
+  // lies, and the group of packets that are fused together.
   bool has_time = false;
   std::uint64_t slice = 0;
   std::uint8_t group = 0;
@@ -32,24 +32,24 @@ struct KeptPacket {
 
 class FramePackets {
  public:
-  // Whether there is room for the packet. There is for any if none is kept.
+  // Whether there is room for the packet. An empty buffer has room for any packet.
   [[nodiscard]] bool fits(const intake::SensorPacket& packet) const;
 
-  // Copies the packet's bytes, and has its points read from there. Only if it fits.
+  // Copies the packet's bytes and makes its points refer to the copy. Only if it fits.
   void keep(const intake::SensorPacket& packet, std::uint64_t time_us);
 
   void clear();
 
-  // How many points they have.
+  // The number of points in all packets.
   [[nodiscard]] std::uint32_t points() const { return points_; }
 
-  // In the order in which they came.
+  // In order of arrival.
   [[nodiscard]] std::span<KeptPacket> packets() { return std::span(packets_).first(count_); }
   [[nodiscard]] std::span<const KeptPacket> packets() const {
     return std::span(packets_).first(count_);
   }
 
-  // The packet of this number, as it was decoded when it came.
+  // The packet with this number, as it was decoded on arrival.
   [[nodiscard]] const intake::Packet& decoded(std::size_t number) const { return decoded_[number]; }
 
  private:

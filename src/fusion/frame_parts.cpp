@@ -18,8 +18,8 @@ std::size_t bytes_of(std::span<const KeptPacket> packets) {
 
 }  // namespace
 
-// A share is rounded up: together the groups have at most `parts` parts that are full, and each one
-// that is not. If a group alone has all of the full ones, nothing is left of it.
+// The share is rounded up. Together the groups have at most `parts` full parts, and each group at
+// most one that is not full. A group with all the full parts has nothing left over.
 void FrameParts::deal(std::span<const KeptPacket> packets, std::size_t groups, std::size_t parts) {
   require(parts > 0 && parts <= kMostOfARound && groups < kMaxGroups);
   ordered_ = 0;

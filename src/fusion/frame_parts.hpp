@@ -1,5 +1,5 @@
-// The packets of a frame in parts that any core may fuse: packets of one slice that came one after
-// the other. The parts follow one another by their slices.
+// Splits the packets of a frame into parts that any core may fuse. A part holds packets of one
+// slice, in order of arrival. The parts are sorted by slice.
 #pragma once
 
 #include <array>
@@ -13,34 +13,34 @@
 namespace iog::fusion {
 
 struct FramePart {
-  std::uint16_t first = 0;  // its packets, in FrameParts::packets_of()
+  std::uint16_t first = 0;  // range in FrameParts::packets_of()
   std::uint16_t end = 0;
-  std::uint8_t group = 0;  // KeptPacket::group of all of them
+  std::uint8_t group = 0;  // KeptPacket::group of all its packets
 
   [[nodiscard]] std::uint32_t packets() const { return std::uint32_t{end} - first; }
 };
 
 class FrameParts {
  public:
-  // As many as are fused in one round: some more than the packets of four LUX, so that no
-  // core waits long for the last part.
+  // The most parts fused in one round: slightly more than the packets of four LUX, so that no core
+  // waits long for the last part.
   static constexpr std::size_t kMostOfARound = 24;
 
-  // Deals out packets that are in groups 0 to groups - 1 or nowhere. Such a part of all bytes, at
-  // least a kMostOfARound-th, is a part, or little more, unless its slice ends before.
+  // Deals out packets with groups 0 to groups - 1 or kNowhere. A part gets one `parts`-th of all
+  // bytes or little more, or less if its slice ends earlier. parts is at most kMostOfARound.
   void deal(std::span<const KeptPacket> packets, std::size_t groups, std::size_t parts);
 
-  // The next round: the parts of the next slices, as many as it has room for; empty when all were
-  // dealt. No slice is in two rounds.
+  // The next round: the parts of as many of the next slices as fit. Empty if all were dealt. No
+  // slice is split between rounds.
   [[nodiscard]] std::span<const FramePart> next_round();
 
-  // The numbers of a part's packets among all.
+  // The numbers of a part's packets in the frame.
   [[nodiscard]] std::span<const std::uint16_t> packets_of(const FramePart& part) const {
     return std::span(order_).subspan(part.first, std::size_t{part.end} - part.first);
   }
 
  private:
-  // Each part but the last of its group has a full share of the bytes.
+  // Each part of a group except the last has a full share of the bytes.
   static constexpr std::size_t kMaxGroups = kMaxSlices + 1;
   static constexpr std::size_t kMaxParts = kMostOfARound + kMaxGroups;
 
@@ -49,7 +49,7 @@ class FrameParts {
 
   std::size_t ordered_ = 0;
   std::size_t count_ = 0;
-  std::size_t dealt_ = 0;  // to rounds
+  std::size_t dealt_ = 0;  // parts given to rounds
   std::array<FramePart, kMaxParts> parts_{};
   std::array<std::uint16_t, kMaxFramePackets> order_{};
 };

@@ -24,8 +24,8 @@ std::optional<std::uint64_t> FrameSlices::measure(std::span<const vehicle::Senso
   return last_end_us;
 }
 
-// Slice by slice in the order of time: each pass over the packets gives one slice its group and
-// finds the next. A frame has at most as many slices as packets.
+// Handles the slices in order of time. Each pass over the packets assigns one slice its group and
+// finds the next slice. A frame has at most as many slices as packets.
 void FrameSlices::place(std::span<KeptPacket> packets, pose::Source& poses) {
   count_ = 0;
   over_budget_ = 0;

@@ -1,8 +1,9 @@
-// The slices of a frame: its packets by when they were measured, and where the vehicle was then.
+// The slices of a frame: groups its packets by time of measurement, and finds where the vehicle was
+// then.
 //
-// A slice is found by time alone and placed by one pose, so neither the order nor the grouping of
-// packets shows. Poses are asked for when the frame ends; by then most slices lie between two of
-// them.
+// Only time decides the slice of a packet, and each slice has one pose. So the result does not
+// depend on the order or grouping of packets. Poses are looked up when the frame ends; by then most
+// slices lie between two of them.
 #pragma once
 
 #include <array>
@@ -20,37 +21,38 @@
 
 namespace iog::fusion {
 
-// Slices of one frame that are placed. 32 of 8 ms are more than twice the turn of a VLP-16.
+// The most registered slices of one frame. 32 slices of 8 ms are more than twice the turn of a
+// VLP-16.
 inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
 
 struct PlacedSlice {
   pose::Slice slice{};
-  pose::Pose pose{};  // of its middle
+  pose::Pose pose{};  // at its middle
   pose::Sigma sigma{};
   friend bool operator==(const PlacedSlice&, const PlacedSlice&) = default;
 };
 
 class FrameSlices {
  public:
-  // The group of packets that have no place; those of the slice placed()[i] are group i.
+  // The group of packets that are not registered. Packets of the slice placed()[i] have group i.
   static constexpr std::uint8_t kNowhere = 0xFF;
 
-  // Puts the packets' times on the clock of the poses and returns the end of the last slice. Empty
-  // if no packet has a time: the sensor is not synchronised, and no pose says how the clocks
-  // differ.
+  // Converts the packets' times to the clock of the poses and returns the end of the last slice.
+  // Returns nothing if no packet has a time: the sensor is not synchronised, and no pose gives the
+  // offset between the clocks.
   std::optional<std::uint64_t> measure(std::span<const vehicle::Sensor> sensors,
                                        std::span<KeptPacket> packets, const pose::Source& poses);
 
-  // Asks for the pose of each slice, once, and puts each packet into its group. After measure(),
-  // with the same packets.
+  // Looks up the pose of each slice once, and assigns each packet its group. Call it after
+  // measure(), with the same packets.
   void place(std::span<KeptPacket> packets, pose::Source& poses);
 
-  // In the order of their times.
+  // In order of time.
   [[nodiscard]] std::span<const PlacedSlice> placed() const {
     return std::span(placed_).first(count_);
   }
-  // What became of slices and packets goes there; those that have a pose, and no room here, are
-  // over budget.
+  // Writes the registered slices, and the counts of slices and packets, into the message. A slice
+  // with a pose is over budget if there is no room for it here.
   void describe(stream::ClassEnd& end) const;
 
  private:

@@ -1,5 +1,5 @@
-// The tiles of a part of a frame, row by row, apart from the grid that they were fused in: what one
-// core hands to the others.
+// The tiles of a part of a frame, row by row, separate from the grid in which they were fused. One
+// core hands them to the others.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ class FrameTiles {
  public:
   using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
 
-  // Takes over what the fusion has finished, which is clear then. What was here before is gone,
-  // whatever it was.
+  // Takes over the grid of a finished fusion, which is clear afterwards. Overwrites all previous
+  // content.
   void move_from(FrameFusion& fusion) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       if (fusion.keeps_heights()) {
@@ -27,10 +27,10 @@ class FrameTiles {
     }
   }
 
-  // Whether something is known in a tile, and its indexes if so.
+  // Whether a tile has a known cell, and its indexes if so.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] TileIndexes tile(std::size_t tile) const { return tiles_[tile]; }
-  // Which of its cells were freed from below, or hit by something tall (grid/frame_grids.hpp).
+  // The cells that were freed by a low beam or hit by a tall return (grid/frame_grids.hpp).
   [[nodiscard]] const grid::TileBits& low_and_tall(std::size_t tile) const {
     return low_and_tall_[tile];
   }

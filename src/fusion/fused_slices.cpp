@@ -23,7 +23,7 @@ std::span<const FusedSlice> FusedSlices::next(const work::Crew& crew) {
   return std::span(slices_).first(slice_count_);
 }
 
-// The next ones of the round. What has no place comes last.
+// Collects the next slices of the round. Parts that are not registered come last.
 void FusedSlices::find_slices() {
   const std::span<const FramePart> round = fusion_->round();
   slice_count_ = 0;
@@ -41,7 +41,8 @@ void FusedSlices::find_slices() {
   }
 }
 
-// The tile's indexes of all parts of the slice, joined in the memory if they are several.
+// Copies the indexes of a tile from the slice's parts. If several parts know the tile, they are
+// joined in `memory`.
 void FusedSlices::copy_tile(std::size_t tile, std::size_t slice, JoinedTile& memory) {
   const FrameTiles* only = nullptr;
   bool is_joined = false;

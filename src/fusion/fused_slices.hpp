@@ -1,7 +1,7 @@
-// The slices of a round of parts (fusion/shared_fusion.hpp), as the window wants them: the tiles of
-// each slice's parts joined, up to six slices at a time.
+// The slices of a round of parts (fusion/shared_fusion.hpp), prepared for the window: the tiles of
+// each slice's parts are joined, for up to six slices at a time.
 //
-// Copying writes what it has not read, so an item can be done again from its start.
+// Copying never reads its own output, so a task can be repeated from its start.
 #pragma once
 
 #include <array>
@@ -17,25 +17,26 @@
 
 namespace iog::fusion {
 
-// A slice: the number of its group, and its cells.
+// A slice: its group number and its cells.
 struct FusedSlice {
   std::uint8_t group = 0;
   const placing::SliceCells* cells = nullptr;
 };
 
-// Holds 7 MB: belongs into static memory.
+// Holds 7 MB, so it must be in static memory.
 class FusedSlices {
  public:
-  // Of one core, which hands over slice after slice: the memory for one, with whatever is in it.
+  // Memory for one slice, for use by a single core. Its content is arbitrary.
   [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }
 
-  // The fusion has fused a round, and will not fuse the next before the last slice was shown.
+  // Begins a round that the fusion has finished. The fusion must not fuse the next round before the
+  // last slice was returned.
   void begin(const SharedFusion& fusion) {
     fusion_ = &fusion;
     shown_ = 0;
   }
 
-  // The next slices, in their order; empty behind the last. Valid until the next call.
+  // The next slices, in order; empty after the last. Valid until the next call.
   [[nodiscard]] std::span<const FusedSlice> next(const work::Crew& crew);
 
  private:
@@ -44,7 +45,7 @@ class FusedSlices {
     grid::TileBits low_and_tall{};
   };
 
-  // Of a slice: its parts among those of the round.
+  // The range of a slice's parts in the round.
   struct Parts {
     std::size_t first = 0;
     std::size_t end = 0;
@@ -58,8 +59,8 @@ class FusedSlices {
   std::array<placing::SliceCells, kMostSlices> cells_{};
   alignas(32) std::array<JoinedTile, hal::kMaxCores> joined_tiles_{};  // by core
   const SharedFusion* fusion_ = nullptr;
-  std::size_t shown_ = 0;  // parts of the round
-  // The slices at hand.
+  std::size_t shown_ = 0;  // of the round's parts
+  // The current slices.
   std::size_t slice_count_ = 0;
   std::array<FusedSlice, kMostSlices> slices_{};
   std::array<Parts, kMostSlices> slice_parts_{};

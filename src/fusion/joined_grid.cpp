@@ -21,8 +21,8 @@ std::uint32_t hits_of(const OccupancyIndex* row) {
 
 }  // namespace
 
-// Sixteen cells at once: saturation is that of the machine, at 127 and, raised by one, at -127. A
-// sum of indexes of both signs means nothing, and is left out where something is hit.
+// Joins sixteen cells at a time. The machine saturates at 127 and -128, and -128 is raised to -127.
+// Sums of indexes of both signs are meaningless; where a cell is hit, they are not used.
 void join(std::span<OccupancyIndex, geometry::kTileCells> to, JoinedGrid::TileIndexes more) {
   static_assert(index::kIndexMax<OccupancyIndex> == 127);
   const grid::Lanes unknown = grid::Lanes::all(index::kUnknown);

@@ -1,9 +1,9 @@
-// A grid of indexes that is joined of others: what hits_win makes of all their evidence together.
+// A grid joined from several grids of indexes: the result of hits_win for all of their evidence.
 //
-// A cell is the saturated sum of the positive indexes that it has in the grids, if any, else of the
-// negative ones (docs/model.md section 3). Sums of one sign saturate alike in any order. So a frame
-// that is fused in parts, each from zero by hits_win, and joined is the frame fused as a whole,
-// whichever its parts are.
+// A cell is the saturated sum of its positive indexes in the grids, or of the negative ones if none
+// is positive (docs/model.md section 3). Sums of one sign saturate alike in any order. So a frame
+// can be split in any way, each part fused from zero by hits_win, and the parts joined: the result
+// equals the frame fused as a whole.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ namespace iog::fusion {
 void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
           std::span<const index::OccupancyIndex, geometry::kTileCells> more);
 
-// The bits (grid/frame_grids.hpp) of two grids' same tile joined: of a cell that is hit in one of
-// them, of those in which it is hit.
+// Joins the bits (grid/frame_grids.hpp) of the same tile in two grids. If a cell is hit in some of
+// the grids, only the bits of those grids count.
 [[nodiscard]] grid::TileBits join(
     std::span<const index::OccupancyIndex, geometry::kTileCells> one,
     const grid::TileBits& bits_of_one,
@@ -32,13 +32,13 @@ class JoinedGrid {
  public:
   using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
 
-  // Adds a tile of a grid, row by row from its lowest y. Something is known in it.
+  // Adds a tile of a grid, row by row from its lowest y. The tile must have a known cell.
   void add(std::size_t tile, TileIndexes indexes);
 
-  // Nothing is known of the tile.
+  // Sets the tile to unknown.
   void forget(std::size_t tile) { is_known_[tile] = false; }
 
-  // Shows the grid tile by tile and clears it, as FrameFusion::release() does.
+  // Visits the grid tile by tile and clears it, like FrameFusion::release().
   template <typename Visit>
   void release(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
@@ -50,8 +50,8 @@ class JoinedGrid {
   }
 
  private:
-  // A tile is known as soon as a cell of it is: no sum of one sign is 0. What is stored of another
-  // means nothing.
+  // A tile is known as soon as one of its cells is: no sum of one sign is 0. The stored cells of an
+  // unknown tile are meaningless.
   std::array<bool, geometry::kTileCount> is_known_{};
   alignas(32) std::array<std::array<index::OccupancyIndex, geometry::kTileCells>,
                          geometry::kTileCount> tiles_{};

@@ -74,8 +74,8 @@ void SharedFusion::fuse_part(const FramePart& part, FrameFusion& fusion, FusedPa
   fused.tiles.move_from(fusion);
 }
 
-// The first join of a frame forgets each tile before it adds to it, so an item of a lost core can
-// be done again. A later one adds to what is there and cannot be repeated: core 0 does it alone.
+// The first join of a frame clears each tile before it adds to it, so a lost core's task can be
+// repeated. Later joins add to existing content and cannot be repeated, so core 0 does them alone.
 void SharedFusion::join(const work::Crew& crew) {
   const bool is_first = !is_joined_;
   const work::Crew alone;
@@ -118,8 +118,8 @@ void SharedFusion::end_frame(const intake::Intake& intake) {
   }
 }
 
-// A core that was lost has lows of packets that were fused, and perhaps of one that was fused
-// again: minima do not mind.
+// A lost core may have collected the lowest returns of packets that were then fused again. Minima
+// do not change if a value is added twice.
 void SharedFusion::join_lows(std::size_t place) {
   for (FrameFusion& fusion : space_.fusions) {
     own_.lows(place).join(fusion.lows(place));

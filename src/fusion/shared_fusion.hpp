@@ -1,14 +1,14 @@
-// The fusion of a frame's packets: by core 0 alone, one after the other; or by several cores, in
-// parts, each fused by whichever core takes it, and the join of the parts.
+// Fuses a frame's packets: on core 0 alone, one packet after the other, or on several cores.
+// Several cores take the parts of the frame in any order, and then join them.
 //
 //     packets -> [FrameParts] parts
-//     packets of a part -> its core's fusion -> tiles of the part      a part an item
-//                          tiles of all parts -> the frame's grid      a row of tiles an item
+//     packets of a part -> its core's fusion -> tiles of the part      task: a part
+//                          tiles of all parts -> the frame's grid      task: a row of tiles
 //
-// Saturated sums of one sign do not mind in which grid they were begun (fusion/joined_grid.hpp), so
-// which core has which part does not show. A part that a lost core has begun can be fused again
-// from its start: what was written is that core's fusion, which is not used again, and the part's
-// place.
+// Saturated sums of one sign do not depend on how they were split (fusion/joined_grid.hpp), so the
+// result does not depend on which core fused which part. A part begun by a lost core can be fused
+// again from its start: that core has written only to its own fusion, which is not used again, and
+// to the part's slot.
 #pragma once
 
 #include <array>
@@ -33,10 +33,10 @@
 
 namespace iog::fusion {
 
-// How many points had which fate.
+// Number of points per outcome.
 using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 
-// So many parts can wait to be joined.
+// The most parts that can wait to be joined.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
 // The result of a part, written by the core that fuses it.
@@ -45,17 +45,18 @@ struct FusedPart {
   FrameTiles tiles;
 };
 
-// What sharing takes of memory beside core 0's own: a fusion for each helper, and the places.
+// Memory for sharing, besides core 0's own: a fusion for each helper, and the slots of the parts.
 struct HelpersSpace {
   std::span<FrameFusion> fusions;
   std::span<FusedPart> parts;
 };
 
-// As much of it as so many cores need: 74 MB for four, nothing for one. Belongs into static memory.
+// The memory that this many cores need: 74 MB for four, nothing for one. It must be in static
+// memory.
 template <std::size_t kCores>
 class HelpersMemory {
  public:
-  // vehicle outlives it.
+  // vehicle must outlive it.
   explicit HelpersMemory(const vehicle::Vehicle& vehicle)
       : HelpersMemory(vehicle, std::make_index_sequence<kCores - 1>()) {}
 
@@ -87,10 +88,11 @@ class HelpersMemory {
   health::Guard behind_parts_;
 };
 
-// Holds 19 MB: belongs into static memory.
+// Holds 19 MB, so it must be in static memory.
 class SharedFusion {
  public:
-  // They outlive it. Without space core 0 has to be alone. watched: with this frame's packets.
+  // All must outlive the fusion. space may be empty if core 0 works alone. watched must include
+  // this frame's packets.
   SharedFusion(const vehicle::Vehicle& vehicle, const intake::WatchedSectors& watched,
                HelpersSpace space);
   SharedFusion(const SharedFusion&) = delete;
@@ -99,15 +101,15 @@ class SharedFusion {
   // Core 0's own fusion. It is clear whenever the crew fuses.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
-  // What has become of the frame's points.
+  // The outcomes of the frame's points.
   [[nodiscard]] const Fates& fates() const { return fates_; }
 
   // Adds a packet's points to core 0's own fusion.
   void fuse_alone(std::size_t sensor, const intake::Packet& packet) {
     add_points(own_, sensor, packet, fates_);
   }
-  // That is finished and becomes a part of the frame's grid: visit(tile, indexes, low_and_tall) as
-  // of FrameFusion::release_with_heights().
+  // Finishes core 0's own fusion and adds it to the frame's grid. Calls visit(tile, indexes,
+  // low_and_tall) as FrameFusion::release_with_heights() does.
   template <typename Visit>
   void join_alone(Visit&& visit) {
     own_.finish();
@@ -119,35 +121,38 @@ class SharedFusion {
     is_joined_ = true;
   }
 
-  // Packets that are kept until they are fused, by the crew.
+  // Packets kept until they are fused.
   [[nodiscard]] FramePackets& packets() { return packets_; }
   void fuse_alone(std::size_t number) {
     fuse_alone(packets_.packets()[number].sensor, packets_.decoded(number));
   }
-  // All of them as one slice, so many parts; then none are kept.
+  // Lets the crew fuse all kept packets as one slice, in this many parts. No packets are kept
+  // afterwards.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
-  // Or step by step: deals them out, as FrameParts::deal().
+  // The same step by step. deal() splits the kept packets as FrameParts::deal() does.
   void deal(std::size_t groups, std::size_t parts) {
     parts_.deal(packets_.packets(), groups, parts);
   }
-  // Fuses the parts of the next round. False if there are none. Parts of rounds before that found
-  // no place any more are joined.
+  // Fuses the parts of the next round. Returns false if there are none. If room is short, parts of
+  // earlier rounds are joined first.
   [[nodiscard]] bool fuse_next(const work::Crew& crew);
 
-  // The parts of that round, and what became of each of them, until the next one.
+  // The parts of that round and their results, valid until the next round.
   [[nodiscard]] std::span<const FramePart> round() const { return round_; }
   [[nodiscard]] const FrameTiles& tiles(std::size_t part) const {
     return space_.parts[first_ + part].tiles;
   }
 
-  // Adds the parts that wait to the frame's grid.
+  // Adds the waiting parts to the frame's grid.
   void join(const work::Crew& crew);
 
-  // All of the frame's packets were fused: the ground is renewed of sensors whose turn is over.
+  // Call it when all of the frame's packets are fused. Updates the ground of sensors whose turn is
+  // over.
   void end_frame(const intake::Intake& intake);
 
-  // The frame's grid: what was joined, or without that core 0's own, which is finished. Calls
-  // visit(number, cells) for each tile in which something is known, in rising order, and clears it.
+  // Visits the frame's grid and clears it: the joined grid or, if nothing was joined, core 0's own,
+  // which must be finished. Calls visit(number, cells) for each tile with a known cell, in rising
+  // order.
   template <typename Visit>
   void release(Visit&& visit) {
     if (is_joined_) {
@@ -158,7 +163,7 @@ class SharedFusion {
     }
     is_joined_ = false;
   }
-  // The grid is clear; another frame begins.
+  // Begins another frame. The grid must be clear.
   void start_next() {
     packets_.clear();
     fates_ = {};
@@ -186,11 +191,11 @@ class SharedFusion {
   void join_lows(std::size_t place);
   void clear_lows(std::size_t place);
 
-  // What is aligned to a cache line comes first.
+  // Members aligned to a cache line come first.
   FrameFusion own_;
   JoinedGrid joined_;
   health::Guard behind_joined_;
-  ground::Grounds grounds_;  // that all cores' fusions follow
+  ground::Grounds grounds_;  // followed by the fusions of all cores
   health::Guard behind_grounds_;
   FramePackets packets_;
   health::Guard behind_packets_;
@@ -200,9 +205,9 @@ class SharedFusion {
   Fates fates_{};
   FrameParts parts_;
   std::span<const FramePart> round_;
-  std::size_t first_ = 0;    // the place of its first part
-  std::size_t waiting_ = 0;  // parts that wait, in the first places
-  bool is_joined_ = false;   // something of the frame is in its grid
+  std::size_t first_ = 0;    // slot of the round's first part
+  std::size_t waiting_ = 0;  // waiting parts; they have the first slots
+  bool is_joined_ = false;   // the frame's grid has content
 };
 
 }  // namespace iog::fusion

@@ -19,7 +19,7 @@ vehicle::Fate ArcMarker::add(const vehicle::Sensor& sensor, const lidar::ScanPoi
   return classified.fate;
 }
 
-// The point of the arc on the line of each step; what lies on the car is the car's own.
+// Marks the points of the arc, one on the line of each step. Points on the car itself are skipped.
 void ArcMarker::mark_arc(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
   const auto turn = static_cast<std::int32_t>(sensor.azimuths.ticks_per_turn());
   const std::int32_t step = arc_step_ticks(sensor.azimuths.ticks_per_turn(), point.range_mm);

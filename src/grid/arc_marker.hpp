@@ -1,15 +1,16 @@
-// The marks of a radar: a detection has a direction that is known to half a degree or so, and marks
-// the cells of an arc (sensor_model/arc.hpp). It carves nothing. An ultrasonic unit's is as wide as
-// its cone, which it carves (grid/cone.hpp).
+// Marks the detections of radars and ultrasonic units. The direction of a radar detection is known
+// to about half a degree, so it marks the cells of an arc (sensor_model/arc.hpp) and carves
+// nothing. The arc of an ultrasonic unit is as wide as its cone, and the cone is carved
+// (grid/cone.hpp).
 //
-// A cell of the arc takes the index of the angular cell in which it lies. The arc is followed from
-// right to left in steps of whole ticks, each at most a cell long at the detection's range, so that
-// it has no gaps; of the steps that end in one cell the largest index counts, once. So near the
-// sensor, where an angular cell is narrower than a cell of the grid, a detection marks one cell
-// with the index of its middle, and far away all that it may have come from.
+// A cell of the arc takes the index of its angular cell. The arc is followed from right to left in
+// whole ticks. Each step is at most one cell long at the detection's range, so the arc has no gaps.
+// If several steps end in one cell, the cell is marked once, with the largest index. Near the
+// sensor an angular cell is narrower than a grid cell, and a detection marks a single cell with the
+// index of its middle. Far away it marks every cell that it may have come from.
 //
-// Marks commute, so the order of detections does not show. How many steps a detection has at most
-// is known beforehand (most_arc_steps()).
+// Marks commute, so the order of detections does not matter. max_marks_per_point() bounds the cells
+// that a detection marks.
 #pragma once
 
 #include <array>
@@ -28,21 +29,21 @@ namespace iog::grid {
 
 class ArcMarker {
  public:
-  // Both outlive it.
+  // Both must outlive the marker.
   ArcMarker(FrameGrids& grids, PendingMarks& marks) : grids_(&grids), marks_(&marks) {}
 
-  // Remembers what this detection marks, and carves its cone if it has one. The sensor has an arc;
-  // the point's layer and azimuth are those of its format. The detection is judged by the height
-  // band of the vehicle.
+  // Stores the marks of this detection, and carves its cone if it has one. The sensor must have an
+  // arc, and the point's layer and azimuth must be valid in its format. The vehicle's height band
+  // decides whether the detection is an obstacle.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
 
  private:
   void mark_arc(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
   void step_into(geometry::Cell cell, OccupancyIndex index);
 
-  // An arc that leaves a cell and comes back is outside for less than the cell's diagonal. On a
-  // level sensor that is three steps, as one is at least half a cell long, and on one that is
-  // tilted by 60 degrees six; each of them is in another cell at most.
+  // An arc may leave a cell and come back. Outside, it covers less than the cell's diagonal: three
+  // steps for a level sensor, whose steps are at least half a cell long, and six for a sensor
+  // tilted by 60 degrees. Each step enters at most one other cell.
   static constexpr std::size_t kLately = 8;
   struct Step {
     geometry::Cell cell;
@@ -51,7 +52,7 @@ class ArcMarker {
 
   FrameGrids* grids_;
   PendingMarks* marks_;
-  // Of the arc at hand, a ring: the cells that were entered last, which are marked when they leave.
+  // Ring of the cells that the current arc entered last. A cell is marked when it leaves the ring.
   std::array<Step, kLately> lately_{};
   std::size_t entered_ = 0;
 };

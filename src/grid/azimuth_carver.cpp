@@ -15,7 +15,7 @@ void AzimuthCarver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {
   kept_ = &lines_.azimuth(sensor, azimuth_step_);
 }
 
-// Beams beyond what a KeptAzimuth keeps are found for each point.
+// Beams that KeptAzimuth has no room for are computed for each point.
 KeptBeam& AzimuthCarver::find_beam(std::uint8_t layer) {
   const vehicle::Layer& its = sensor_->layers[layer];
   if (its.line < KeptAzimuth::kMaxLines) {
@@ -29,7 +29,7 @@ KeptBeam& AzimuthCarver::find_beam(std::uint8_t layer) {
   return further_beam_;
 }
 
-// Beams that wait for another line in its place are carved before.
+// Beams pending on another line in this slot are carved first.
 KeptLine& AzimuthCarver::further_line(const vehicle::Layer& layer) {
   const std::uint32_t place = place_of(layer.line);
   FurtherLine& further = further_lines_[place];
@@ -62,14 +62,14 @@ inline void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its, LowOf&& 
       its, [&](Between end) -> LineSteps& { return steps_of(beam, end); }, low_of);
 }
 
-// Where a beam waits to be carved. If it goes through the same cells as the first line up to its
-// end, it waits with the beams of the first line.
+// The steps in which a beam is collected. If the beam crosses the same cells as the first line up
+// to its end, it joins the beams of the first line.
 inline LineSteps& AzimuthCarver::steps_of(const KeptBeam& beam, Between end) {
   const bool shares = beam.line_number() == 1 && kept_->is_common(end.at().crossed() + 1);
   return shares ? steps_on(0, kept_->first_line()) : steps_on(beam.line_number(), beam.line());
 }
 
-// Another line in the place is carved and makes room.
+// If another line occupies the slot, it is carved first.
 inline LineSteps& AzimuthCarver::steps_on(std::uint32_t number, KeptLine& line) {
   const std::uint32_t place = place_of(number);
   OpenLine& open = open_lines_[place];

@@ -1,8 +1,8 @@
-// The carver of units that look into the same directions in every scan, and of those that turn and
-// are tilted: azimuth by azimuth, each with lines that are kept (beam_lines.hpp).
+// Carver for sensors that measure in the same directions in every scan, and for tilted rotating
+// ones. It works azimuth by azimuth, on cached lines (beam_lines.hpp).
 //
-// Beams of one azimuth wait for one another: those of one line, or of lines through the same cells,
-// are carved together, when the next azimuth comes.
+// Beams of one azimuth are collected and carved when the next azimuth begins. Beams on one line, or
+// on lines through the same cells, are carved together.
 #pragma once
 
 #include <array>
@@ -23,24 +23,25 @@ namespace iog::grid {
 
 class AzimuthCarver {
  public:
-  // All three outlive the carver.
+  // All three must outlive the carver.
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : lines_(vehicle.sensors), beams_(grids, marks), vehicle_(&vehicle) {}
 
-  // Carves the beam of this point, now or later, and remembers its mark. The sensor is one of the
-  // vehicle's, whose layers do not share lines; the point's layer and azimuth are those of its
+  // Carves the beam of this point, now or later, and stores its mark. The sensor must be one of the
+  // vehicle's whose layers do not share lines. The point's layer and azimuth must be valid in its
   // format.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
 
-  // The same of a sensor that turns and follows the ground (docs/ground.md). Carved is what is in
-  // the height band, too; low is what is so over the ground.
+  // The same for a rotating sensor that follows the ground (docs/ground.md). Carving still uses the
+  // height band. Whether a beam is low depends on its height over the ground.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
                                            const lidar::ScanPoint& point);
 
-  // How a packet sees the car tilted. Packet: has for_each_sample(). Its few beams are not kept.
+  // The car's tilt as seen by one packet. Packet needs for_each_sample(). Its few beams are not
+  // cached.
   template <typename Packet>
   [[nodiscard]] static ground::Tilt tilt_of(const vehicle::Sensor& sensor,
                                             const ground::Ground& ground, const Packet& packet) {
@@ -53,34 +54,34 @@ class AzimuthCarver {
     });
   }
 
-  // Carves the beams that still wait.
+  // Carves all pending beams.
   void carve_waiting();
 
-  // Forgets the beams that still wait, without carving them.
+  // Drops all pending beams without carving them.
   void drop_waiting();
 
  private:
-  // Lines of an azimuth that wait at a time. Numbers that follow one another have different places,
-  // and so have most that are any power of two apart.
+  // Lines of one azimuth that can be pending at a time. Consecutive numbers have different slots,
+  // and so have most numbers that differ by a power of two.
   static constexpr std::uint32_t kOpenLines = 32;
   static constexpr std::uint32_t place_of(std::uint32_t number) {
     return (number ^ number / kOpenLines) % kOpenLines;
   }
 
-  // A line of the azimuth at hand, and what waits to be carved of its beams; none where nothing
-  // waits. It has its place by Layer::line.
+  // A line of the current azimuth and its pending beams; null if none are pending. Its slot follows
+  // from Layer::line.
   struct OpenLine {
     KeptLine* line = nullptr;
     LineSteps steps;
   };
 
-  // A line beyond what a KeptAzimuth keeps, by Layer::line.
+  // A line that KeptAzimuth has no room for. Its slot follows from Layer::line.
   struct FurtherLine {
     KeptLine line;
     std::uint32_t number = 0;
   };
 
-  // The beam of a point, whose sensor and azimuth are those at hand then.
+  // The beam of a point. Its sensor and azimuth become the current ones.
   [[gnu::always_inline]] KeptBeam& beam_of(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point) {
     if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
@@ -89,7 +90,7 @@ class AzimuthCarver {
     return kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
   }
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
-  // What few points need is not inlined, so that the others have the registers.
+  // Rare paths are not inlined, so that the common path keeps the registers.
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
   void take(KeptBeam& beam, const WaitingBeam& its);
   void take(KeptBeam& beam, const WaitingBeam& its, const ground::Ground::Stretch& low);
@@ -100,14 +101,14 @@ class AzimuthCarver {
   KeptLine& further_line(const vehicle::Layer& layer);
   void carve_place(std::uint32_t place);
 
-  // What is aligned to a cache line comes first.
+  // Members aligned to a cache line come first.
   std::array<FurtherLine, kOpenLines> further_lines_;
   BeamLines lines_;
   BeamCarver beams_;
   const vehicle::Vehicle* vehicle_;
 
-  // The sensor and the azimuth at hand. Its further lines that were found, and the lines of which
-  // beams wait, one bit each, by their places.
+  // The current sensor and azimuth. Two bit sets, one bit per slot: further lines already found,
+  // and lines with pending beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;
   std::uint32_t further_found_ = 0;

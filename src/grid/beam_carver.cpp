@@ -4,8 +4,8 @@
 
 namespace iog::grid {
 
-// The end of a beam whose echo lies beyond the line: the line's. Without an echo it carves as far
-// as the sensor's description says.
+// The end of a beam without a hit on its line. If the echo lies beyond the line, this is the line's
+// end. Without an echo the beam carves up to clears_mm.
 Between BeamCarver::end_without_hit(const vehicle::Sensor& sensor, const KeptLine& line,
                                     std::uint32_t clears_mm, std::uint32_t range_mm) {
   const std::uint32_t length_mm = sensor.range.mm();

@@ -1,11 +1,11 @@
-// What a beam does to its line: it makes the cells before its end freer, and marks the cell of its
-// hit. Beams of one line wait in its steps and are carved together.
+// Applies a beam to its line: lowers the indexes of the cells before its end, and marks the cell of
+// its hit. Beams on one line collect in its steps and are carved together.
 //
-// Which beams wait for which is a carver's: azimuth_carver.hpp has the units that look into the
-// same directions in every scan, turn_carver.hpp those that turn. Saturated sums of negative
-// indexes commute (docs/model.md section 3), so the order in which beams carve does not show. For
-// the same reason the beams of a frame may be divided among carvers, each with a grid of its own;
-// the saturated sum of their grids is the grid of one carver.
+// The carvers decide which beams are collected: azimuth_carver.hpp for sensors that measure in the
+// same directions in every scan, turn_carver.hpp for rotating ones. Saturated sums of negative
+// indexes commute (docs/model.md section 3), so the result does not depend on the order of the
+// beams. For the same reason the beams of a frame may be split among carvers, each with its own
+// grid. The saturated sum of these grids equals the grid of a single carver.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +21,16 @@
 
 namespace iog::grid {
 
-// What becomes of a beam: by its point, which is so far along the line.
+// One beam: the range of its point along the line, and what the point does to the grid.
 struct WaitingBeam {
   std::uint32_t range_mm = 0;
   vehicle::Evidence evidence;
-  bool is_tall = false;  // its return, where heights count
+  bool is_tall = false;  // the return, if heights are kept
   bool ends_on_ground = false;
 };
 
-// Where it runs: the part of its line that it may free, none if that is all that lies in the grid;
-// and how far it carves without an echo.
+// The line of a beam, the part of it that the beam may free, and the range that it carves without
+// an echo. limits is null if the beam may free all of the line in the grid.
 struct BeamOnLine {
   const KeptLine& line;
   const FreePart* limits;
@@ -39,20 +39,21 @@ struct BeamOnLine {
 
 class BeamCarver {
  public:
-  // Both outlive it.
+  // Both must outlive the carver.
   BeamCarver(FrameGrids& grids, PendingMarks& marks) : grids_(&grids), marks_(&marks) {}
 
-  // Whether it matters which beams are low and which returns are tall.
+  // Whether low beams and tall returns are recorded.
   [[nodiscard]] bool keeps_heights() const { return grids_->keep_heights; }
 
-  // Carves and marks as its fate says. steps_of(end) are the steps in which beams of its line wait,
-  // with room for this one, which ends there. low_of() is the part of its line in which it is low.
+  // Carves and marks as the beam's evidence says. steps_of(end) returns the steps of its line for a
+  // beam that ends there. They must have room for it. low_of() returns the part of the line in
+  // which the beam is low.
   template <typename StepsOf, typename LowOf>
   [[gnu::always_inline]] void add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                                   const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of);
 
-  // The changes of a beam behind its beginning: zones of its profile, up to the part's end. Returns
-  // where it frees no more.
+  // Adds the zones of the sensor's profile, up to the part's end. FreeSteps::begin_beam() must have
+  // been called. Returns the point where the beam stops freeing.
   static Between add_zones(const vehicle::Sensor& sensor, FreeSteps& steps, const KeptLine& line,
                            const LinePart& part, std::uint32_t range_mm);
 
@@ -61,7 +62,7 @@ class BeamCarver {
     marks_->mark(sensor, line, hit, range_mm, is_tall);
   }
 
-  // Carves what waits in the steps. Then nothing does.
+  // Carves everything pending in the steps and empties them.
   void carve(KeptLine& line, LineSteps& steps);
 
  private:
@@ -78,8 +79,8 @@ class BeamCarver {
   PendingMarks* marks_;
 };
 
-// A cell before the scan point * takes the index of the 1D cell in which the line leaves it, at
-// most k - 1. For a LUX:
+// A cell before the point * takes the index of the 1D cell in which the line leaves it, at most k -
+// 1. For a LUX:
 //
 //    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
 //    the line  S ----------+-----------+-----------+-------*---+-------> E
@@ -89,7 +90,7 @@ class BeamCarver {
 //
 // The line leaves a cell in 1D cell j or earlier exactly if it crosses the cell's far border at
 // distance (j + 1) Delta or before. `through` counts those crossings. So the zone of 1D cell k - 2
-// begins in the cell that holds the point at (k - 2) Delta, here b.
+// begins in the cell that contains the point at (k - 2) Delta, here b.
 //
 // Inline, because a call costs as much as a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,
@@ -104,7 +105,7 @@ class BeamCarver {
   const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
   std::uint32_t begin_mm = (k - zones) * delta_mm;
   for (std::uint32_t back = zones; back > 0; --back, begin_mm += delta_mm) {
-    // 1D cells from k - back on, which begin at (k - back) Delta.
+    // The zone begins with 1D cell k - back, at (k - back) Delta.
     const Between zone = k < back ? part.first : Between::before(line.through(sensor, begin_mm));
     const std::int32_t in_zone = -profile.near_before[back - 1];
     last = std::clamp(zone, part.first, part.end);
@@ -118,9 +119,10 @@ class BeamCarver {
   return last;
 }
 
-// The road may rise: what is in the height band over the car's plane may be below it over the road,
-// and pass under a car that stands there. Where a beam ends on ground, it is so far low as it is as
-// high over the straight line from below the sensor to that ground.
+// Shortens the low part of a beam that ends on ground. If the road rises, a beam within the height
+// band over the car's plane may be below the band over the road, and pass under a car there. So the
+// beam counts as low only while it is high enough over a straight line: from below the sensor to
+// the point where the beam meets the ground.
 inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor& sensor,
                                              const KeptLine& line, const WaitingBeam& its) {
   if (its.ends_on_ground) {
@@ -130,7 +132,7 @@ inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor
   return low;
 }
 
-// Where the scan point is far behind the part that the beam may free, that part is simply free.
+// If the point is far behind the part that the beam may free, all of that part becomes free.
 template <typename StepsOf, typename LowOf>
 inline void BeamCarver::add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                             const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of) {

@@ -12,16 +12,16 @@ using traversal::Position;
 using traversal::Stretch;
 using vehicle::Sensor;
 
-// A line crosses a border on each stretch of one and a half cells. So the cell that holds a point
-// that far behind the part is not one of the part's. The first zone begins at most one 1D cell more
-// before a point than it has 1D cells.
+// A line crosses a border at least every one and a half cells. So the cell that contains a point
+// that far behind the part lies outside the part. The first zone begins at most one 1D cell more
+// before the point than there are zones.
 std::uint32_t BandLimits::behind_mm(const Sensor& sensor) {
   const std::uint32_t zones_mm = (sensor.profile.near_before_count + 1U) * sensor.precision_mm;
   return zones_mm + 3 * std::uint32_t{geometry::kCellMm} / 2 + 1;
 }
 
-// Of beams that end where the line ends. A beam is straight: a shorter one leaves the band at the
-// same place.
+// For beams that end where the line ends. Beams are straight, so a shorter one leaves the band at
+// the same place.
 BandLimits::BandLimits(const vehicle::HeightBand& band, const Sensor& sensor, std::int32_t end_z) {
   const vehicle::BandPart part = vehicle::part_in_band(band, sensor, end_z, sensor.range.mm());
   is_empty_ = part.is_empty;
@@ -36,8 +36,8 @@ BandLimits::BandLimits(const vehicle::HeightBand& band, const Sensor& sensor, st
   }
 }
 
-// Most lines have both ends in the grid. Then everything between them is in the grid, too, and
-// nothing is divided.
+// Most lines have both ends in the grid. Then all of the line is in the grid, and no division is
+// needed.
 void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step) {
   line_ = vehicle::line_of(sensor, layer, vehicle::direction_of(sensor, azimuth_step));
   ruler_ = {line_, sensor.range};
@@ -112,11 +112,11 @@ BeamLines::BeamLines(std::span<const Sensor> sensors)
       places_per_sensor_(kPlaces /
                          static_cast<std::uint32_t>(std::max<std::size_t>(sensors.size(), 1))) {}
 
-// A LUX sees 110 degrees, which are 3,520 of its steps. Its places are those of 3,584 steps that
-// follow one another: what goes beyond 32 bits is whole rounds.
+// A LUX covers 110 degrees, 3,520 of its steps. The slots cover 3,584 consecutive steps. The
+// product wraps at 32 bits, which discards whole rounds.
 KeptAzimuth& BeamLines::azimuth(const Sensor& sensor, std::uint32_t step) {
   const auto number = static_cast<std::uint32_t>(&sensor - first_sensor_);
-  // What lies to the right of a sensor comes before what lies to its left.
+  // Steps to the right of a sensor come before those to its left.
   const std::uint32_t turn = sensor.azimuths.steps_per_turn();
   const std::uint32_t in_order = step < turn / 2 ? step + turn : step;
   constexpr std::uint32_t kShareOfStep = (std::uint64_t{1} << 32) / 3584 + 1;

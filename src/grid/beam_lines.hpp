@@ -1,10 +1,9 @@
-// The lines of beams on the grid, kept from scan to scan.
+// The lines of beams on the grid, cached from scan to scan.
 //
-// A lidar whose mirror stops at fixed azimuths asks for the same lines in every scan. Where a line
-// runs, how far it stays in the grid and through which blocks it goes depends on the mount alone.
-// So each line is found once and kept under its azimuth. No list says which azimuths a sensor
-// has. If a line is not there, because its azimuth is new or another one took its place, it is
-// found again; that costs more and gives the same.
+// A lidar whose mirror stops at fixed azimuths asks for the same lines in every scan. The mount
+// alone decides where a line runs, how far it stays in the grid and which blocks it crosses. So
+// each line is computed once and cached by its azimuth. The azimuths of a sensor need not be
+// listed: a new or evicted line is computed again. That costs time and does not change the result.
 #pragma once
 
 #include <algorithm>
@@ -23,18 +22,19 @@
 
 namespace iog::grid {
 
-// The part of their lines in which beams of one height are in a height band, by shares of the line.
+// The part of a line in which beams of one height are in a height band, as shares of the line's
+// length.
 class BandLimits {
  public:
-  // A point that is so far behind the part of its line that counts leaves all of it free: even the
-  // zones before the point are behind it.
+  // A point at least this far beyond the relevant part of its line frees all of it: even the zones
+  // before the point lie beyond the part.
   [[nodiscard]] static std::uint32_t behind_mm(const vehicle::Sensor& sensor);
 
   BandLimits() = default;
-  // end_z: the height of the line's end in subcells.
+  // end_z: height of the line's end, in subcells.
   BandLimits(const vehicle::HeightBand& band, const vehicle::Sensor& sensor, std::int32_t end_z);
 
-  // What is left of a part of such a line.
+  // The intersection with a part of such a line.
   [[nodiscard]] LinePart within(const LinePart& part, const vehicle::BeamLine& line,
                                 const traversal::Ruler<geometry::kResolution>& ruler) const {
     if (is_empty_) {
@@ -44,17 +44,17 @@ class BandLimits {
                            : std::max(part.first, Between::before(ruler.through(from_, line))),
             end_within(part, line, ruler)};
   }
-  // Where it ends, if it is not empty.
+  // The end of that intersection, if it is not empty.
   [[nodiscard]] Between end_within(const LinePart& part, const vehicle::BeamLine& line,
                                    const traversal::Ruler<geometry::kResolution>& ruler) const {
     return std::max(part.first, std::min(part.end, Between::after(ruler.before(to_, line))));
   }
 
-  // Points at this distance and beyond leave all of that part free: even the zones before them are
-  // behind it.
+  // Points at this distance or beyond free the whole part: even the zones before them lie beyond
+  // it.
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
-  // Whether it ends farther along a line than that of another layer.
+  // Whether this part ends farther along a line than that of another layer.
   [[nodiscard]] bool ends_behind(const BandLimits& other) const {
     const traversal::Share& end = to_.share();
     const traversal::Share& other_end = other.to_.share();
@@ -69,24 +69,24 @@ class BandLimits {
   traversal::MeasuredShare from_;
 };
 
-// The line of a sensor's beams at one azimuth, and what is known of it.
+// The line of a sensor's beams at one azimuth, with cached properties.
 class KeptLine {
  public:
   void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step);
 
   [[nodiscard]] const vehicle::BeamLine& line() const { return line_; }
 
-  // Borders crossed up to this distance. distance_mm is at most Sensor::range; beyond it the answer
-  // may be less, but is not before the line's end.
+  // Borders crossed up to this distance, which is at most Sensor::range. For greater distances the
+  // result may be too small, but it is never before the line's end.
   [[nodiscard]] traversal::Position through(const vehicle::Sensor& sensor,
                                             std::uint32_t distance_mm) const {
     return ruler_.through(distance_mm, line_, sensor.range);
   }
 
-  // The part of the line that lies in the grid, up to its end at Sensor::range.
+  // The part of the line in the grid, up to its end at Sensor::range.
   [[nodiscard]] const LinePart& in_grid() const { return in_grid_; }
 
-  // The part of that in which a beam is in the height band.
+  // The part of in_grid() in which a beam is in the height band.
   [[nodiscard]] LinePart in_band(const BandLimits& limits) const {
     return limits.within(in_grid_, line_, ruler_);
   }
@@ -95,8 +95,8 @@ class KeptLine {
     return limits.end_within(in_grid_, line_, ruler_);
   }
 
-  // Up to the cell in which so much of it ends, and from the cell that holds one point on up to
-  // there.
+  // end_at(): the end of the cell that contains the point at to_mm. part_between(): from the cell
+  // at from_mm to that end.
   [[nodiscard]] Between end_at(const vehicle::Sensor& sensor, std::uint32_t to_mm) const {
     const Between first = in_grid_.first;
     return to_mm == 0 ? first
@@ -111,7 +111,7 @@ class KeptLine {
                           end_at(sensor, to_mm)};
   }
 
-  // Whether the line has a path: if it begins in the grid and meets no corner.
+  // Whether the line has a block path: it begins in the grid and meets no corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
   BlockPath& path() {
     if (!path_begun_) {
@@ -122,7 +122,7 @@ class KeptLine {
   }
 
  private:
-  // In the order in which they are asked for.
+  // In order of access.
   LinePart in_grid_;
   bool has_path_ = false;
   bool path_begun_ = false;
@@ -131,14 +131,14 @@ class KeptLine {
   BlockPath path_;
 };
 
-// The part of its line that a beam may free, and from where on a point leaves all of it free, even
-// the zones before the point.
+// The part of its line that a beam may free. A point at free_from_mm or beyond frees all of it:
+// even the zones before the point lie beyond the part.
 struct FreePart {
   LinePart part;
   std::uint32_t free_from_mm = 0;
 };
 
-// What is known of the beams of one layer at one azimuth.
+// The beam of one layer at one azimuth, with cached properties.
 class KeptBeam {
  public:
   void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step,
@@ -149,11 +149,11 @@ class KeptBeam {
   [[nodiscard]] KeptLine& line() const { return *line_; }
 
   [[nodiscard]] const vehicle::BeamRanges& ranges() const { return ranges_; }
-  // The height of its end in subcells.
+  // Height of the beam's end, in subcells.
   [[nodiscard]] std::int32_t end_z() const { return end_z_; }
 
-  // What lies in the height band, and where the beam is low (vehicle::Sensor::moved). Each is found
-  // when it is first asked for, as few beams leave the band.
+  // The part in the height band, and the part in which the beam is low (vehicle::Sensor::moved).
+  // Each is computed on first use, because few beams leave the band.
   [[nodiscard]] const FreePart& in_band(const vehicle::Vehicle& vehicle,
                                         const vehicle::Sensor& sensor) {
     if (!has_band_) {
@@ -170,7 +170,7 @@ class KeptBeam {
     }
     return low_;
   }
-  // Whether a return of it in the height band is tall.
+  // Whether a return of this beam in the height band is tall.
   [[nodiscard]] bool is_tall(const vehicle::Sensor& sensor, std::uint32_t range_mm) const {
     return std::int64_t{end_z_ - sensor.origin_z} * range_mm >= sensor.tall.low;
   }
@@ -189,8 +189,8 @@ class KeptBeam {
   LinePart low_;
 };
 
-// The beams of one sensor at one azimuth. Kept are those of the first four layers, and their first
-// two lines. The LUX has no more, and level lidars that turn have one line for all of them.
+// The beams of one sensor at one azimuth. It caches the first four layers and their first two
+// lines. A LUX has no more, and the layers of a level rotating lidar share one line.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;
@@ -205,26 +205,26 @@ class KeptAzimuth {
   }
   void begin(const vehicle::Sensor& sensor, std::uint32_t step);
 
-  // Whether another azimuth may have this place: if this one was not asked for since the last time
-  // that another one wanted it.
+  // Whether another azimuth may evict this one. True if this one has not been used since another
+  // azimuth last asked for its slot.
   [[nodiscard]] bool gives_way() { return !std::exchange(is_asked_for_, false); }
   void stay() { is_asked_for_ = true; }
 
-  // Layer::line of the layer is below kMaxLines.
+  // Layer::line must be below kMaxLines.
   KeptLine& line_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer);
 
-  // The beam of a layer, if it is kept and was found.
+  // Whether the layer's beam is cached.
   [[nodiscard]] bool has_beam(std::uint8_t layer) const {
     return layer < kMaxLayers && (beams_found_ >> layer & 1U) != 0;
   }
   [[nodiscard]] KeptBeam& beam(std::uint8_t layer) { return beams_[layer]; }
 
-  // The layer's number is below kMaxLayers, that of its line below kMaxLines.
+  // The layer must be below kMaxLayers, and its line below kMaxLines.
   KeptBeam& find_beam(const vehicle::Sensor& sensor, std::uint8_t layer);
 
-  // Whether the second line goes through the first cells of the first line, so many > 0, and the
-  // first one is known and has a path. Only if the second line was found. True is certain; false
-  // is not.
+  // Whether the second line crosses the same first `cells` cells as the first line, cells > 0. The
+  // second line must have been found. True also implies that the first line was found and has a
+  // path. False may be wrong.
   [[nodiscard]] bool is_common(std::uint32_t cells) {
     return cells <= common_ || (cells < different_ && find_common(cells));
   }
@@ -240,15 +240,15 @@ class KeptAzimuth {
   std::array<bool, kMaxLines> has_line_{};
   bool is_asked_for_ = false;
   std::uint32_t beams_found_ = 0;
-  std::uint32_t common_ = 0;     // the lines have so many cells in common,
-  std::uint32_t different_ = 0;  // but may not have so many
+  std::uint32_t common_ = 0;     // the lines share this many cells,
+  std::uint32_t different_ = 0;  // but may not share this many
   std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
 };
 
-// A fixed number of azimuths for each sensor; each has one place. Those of a LUX have different
-// places in steps of a quarter of a degree, if there are at most six sensors, and in its finest, an
-// eighth, if there are at most three. With four, nearly all have.
+// A fixed number of cached azimuths per sensor; each azimuth maps to one slot. With up to six
+// sensors, the azimuths of a LUX map to distinct slots at quarter-degree steps. With up to three,
+// this also holds for its finest steps of an eighth of a degree; with four, for nearly all of them.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);
@@ -261,7 +261,7 @@ class BeamLines {
   const vehicle::Sensor* first_sensor_;
   std::uint32_t places_per_sensor_;
   std::array<KeptAzimuth, kPlaces> azimuths_;
-  KeptAzimuth spare_;  // of an azimuth whose place another one has
+  KeptAzimuth spare_;  // for an azimuth whose slot is taken
 };
 
 }  // namespace iog::grid

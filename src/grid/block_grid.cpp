@@ -6,7 +6,7 @@ namespace {
 constexpr std::size_t kBlocksAtOnce = 4;
 constexpr std::int32_t kHalves = geometry::kTileSide / static_cast<std::int32_t>(kLaneCount);
 
-// The tile's first block, by number as stored.
+// Index of the tile's first stored block.
 constexpr std::size_t first_block(std::size_t tile) {
   const std::size_t row = tile / geometry::kTilesPerSide * kBlocksPerTile;
   return row * kBlockStride + tile % geometry::kTilesPerSide * kBlocksPerTile;

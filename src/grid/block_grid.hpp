@@ -1,13 +1,13 @@
-// The grid of a frame as it lies in memory: blocks of 4 by 4 cells, sixteen bytes each.
+// Memory layout of a frame's grid: blocks of 4 by 4 cells, sixteen bytes each.
 //
-// A line goes through four cells of a block on average, and one saturated subtraction carves them
-// (lanes/lanes.hpp). A cache line holds 8 by 4 cells instead of 32 by 1. Rows of blocks are stored
-// a cache line longer than they are: otherwise the blocks of a column would compete for two of the
-// 256 sets of a level 1 cache.
+// A line crosses four cells of a block on average, and one saturated subtraction carves them
+// (lanes/lanes.hpp). A cache line covers 8 by 4 cells instead of 32 by 1. Each row of blocks has
+// one cache line of padding. Without it the blocks of a column would compete for two of the 256
+// sets of a level 1 cache.
 //
 // Outside of this room cells are numbered row by row (geometry/grid.hpp). A stored byte is an
-// occupancy index, or -128, which stands for -127: carving stops where bytes stop, and reading
-// raises the byte.
+// occupancy index or -128, which stands for -127: carving saturates at -128, and reading raises it
+// to -127.
 #pragma once
 
 #include <array>
@@ -31,10 +31,10 @@ inline constexpr std::int32_t kBlocksPerSide = geometry::kCellsPerSide / kBlockS
 inline constexpr std::int32_t kBlocksPerTile = geometry::kTileSide / kBlockSide;
 static_assert(kLaneCount == std::size_t{kBlockSide} * kBlockSide);
 
-// Blocks in a row as stored, a cache line of two more than there are.
+// Stored blocks per row, including two blocks of padding (one cache line).
 inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
 
-// Where a cell of the grid lies, in bytes from the first. Its block begins at a multiple of 16.
+// Byte offset of a cell. Its block begins at a multiple of 16.
 [[nodiscard]] constexpr std::uint32_t offset_of(geometry::Cell cell) {
   constexpr std::uint32_t kSide = kBlockSide;
   const auto x = static_cast<std::uint32_t>(cell.x);
@@ -45,33 +45,33 @@ inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
 
 class BlockGrid {
  public:
-  // The block that holds the byte at this offset.
+  // The block that contains the byte at this offset.
   [[nodiscard]] LaneBytes* block_at(std::uint32_t offset) { return &blocks_[offset / kLaneCount]; }
 
-  // The byte at this offset, as stored.
+  // The stored byte at this offset.
   [[nodiscard]] OccupancyIndex& cell_at(std::uint32_t offset) {
     return blocks_[offset / kLaneCount].bytes[offset % kLaneCount];
   }
 
-  // The index of a cell of the grid.
+  // The index of a cell.
   [[nodiscard]] OccupancyIndex at(geometry::Cell cell) const {
     const std::uint32_t offset = offset_of(cell);
     return index::raised(blocks_[offset / kLaneCount].bytes[offset % kLaneCount]);
   }
 
-  // A tile in which a cell may have been changed since it was cleared last.
+  // Records that a cell of this tile may have changed since the tile was last cleared.
   void touch(std::size_t tile) { touched_[tile] = 1; }
   [[nodiscard]] bool is_touched(std::size_t tile) const { return touched_[tile] != 0; }
 
   // All cells, row by row from the lowest y.
   void copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const;
-  // The tile's cells, row by row from its lowest y. False if all of them are unknown.
+  // The tile's cells, row by row from its lowest y. Returns false if all of them are unknown.
   bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const;
 
-  // All cells of the tile back to unknown, and untouched.
+  // Sets all cells of the tile to unknown, and the tile to untouched.
   void clear_tile(std::size_t tile);
 
-  // The blocks of a row of the tile, kBlocksPerTile beside one another.
+  // One row of the tile's blocks: kBlocksPerTile contiguous blocks.
   [[nodiscard]] const LaneBytes* blocks_of(std::size_t tile, std::int32_t row) const;
 
  private:

@@ -8,10 +8,10 @@
 namespace iog::grid {
 namespace {
 
-// The length of the longest line in subcells, and the columns in which its heights are asked for.
-// car_block/limits.cpp sees to it that the error term fits, sqrt(2) L r < 2^31, and that a range is
-// at most 130 m. A path stays in the grid, but for a column of blocks before its start and one
-// behind its end.
+// Length of the longest line in subcells, and the largest number of columns in which its height is
+// evaluated. car_block/limits.cpp ensures that the error term fits, sqrt(2) L r < 2^31, and that a
+// range is at most 130 m. A path stays in the grid, except for one column of blocks before its
+// start and one behind its end.
 constexpr std::uint32_t kLongest =
     std::min((std::int64_t{1} << 31) / geometry::kResolution * 5 / 7,
              std::int64_t{130'000} / geometry::kCellMm * geometry::kResolution + 1);
@@ -36,9 +36,9 @@ void BlockPath::begin(const vehicle::BeamLine& line) {
   find_first_column(line);
 }
 
-// The line is followed from where it would have entered the column of blocks that its start lies
-// in, had it come from further back. Its own cells are those from the start on. It may have come
-// through the block below, which is not on its path.
+// Follows the line from the left border of the column of blocks that contains its start, as if the
+// line came from further back. Only cells from the start on count. The extended line may have
+// passed through the block below, which is not on the path.
 void BlockPath::find_first_column(const vehicle::BeamLine& line) {
   constexpr std::uint32_t kSide = kBlockSide;
   const std::uint32_t u_in_tile = orientation_.is_steep ? y_in_tile_ : x_in_tile_;
@@ -63,8 +63,8 @@ void BlockPath::find_first_column(const vehicle::BeamLine& line) {
 }
 
 // A line that starts on the corner through which it leaves its first cell was followed as if it
-// rose before it went on. It does not go through the cell above the first one. If that cell is the
-// first one of another block, the line enters that block in the next column, if at all.
+// rose first and then went on. It does not cross the cell above the first one. If that cell is the
+// first of another block, the line enters that block in the next column, if at all.
 void BlockPath::skip_cell_above(std::uint32_t u, std::uint32_t v) {
   if (v + 1 < kBlockSide) {
     start_mask_.bytes[orientation_.inner(u, v + 1)] = 0;

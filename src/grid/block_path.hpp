@@ -1,9 +1,8 @@
-// The blocks that a line goes through, in order: one byte each, found once and kept.
+// The blocks that a line crosses, in order. Each takes one byte and is computed once.
 //
-// The blocks of a line are numbered from 0, which holds its start. As the line meets no corner on
-// its way, each block shares a border with the one before. So the number of a block is the number
-// of block borders between it and the first. A line that starts on a corner of blocks has none of
-// its cells in block 1.
+// Block 0 contains the line's start. The line meets no corner after its start, so consecutive
+// blocks share a border. The number of a block is therefore the number of block borders between it
+// and block 0. If a line starts on a corner of blocks, block 1 contains none of its cells.
 #pragma once
 
 #include <array>
@@ -18,9 +17,8 @@
 
 namespace iog::grid {
 
-// A place on the way through the blocks of a line: the block, its code, and the codes of the blocks
-// after it. A code says along which stride (in blocks, as stored) the next block lies. The line's
-// cells in a block are masks[code / 2].
+// Cursor on a block path: the block, its code, and the codes of the blocks after it. A code selects
+// the stride to the next block (in stored blocks). The line's cells in a block are masks[code / 2].
 struct Way {
   const LaneBytes* masks;
   Orientation::Strides strides;
@@ -29,8 +27,8 @@ struct Way {
   const BlockCode* next_codes;
 
   [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
-  // The block after this one. Both candidates are computed first, so that only the choice waits for
-  // the code.
+  // The next block. Both candidates are computed first, so that only the selection waits for the
+  // code.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + strides.u;
     LaneBytes* const by_v = block + strides.v;
@@ -41,7 +39,7 @@ struct Way {
     code = *next_codes;
     ++next_codes;
   }
-  // So many steps at once, to a block that is known.
+  // Advances by this many steps, to a known block.
   void step_to(LaneBytes* to, std::uint32_t steps) {
     block = to;
     next_codes += steps;
@@ -55,18 +53,18 @@ class BlockPath {
   // (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // A position, from the corner where the first block begins in the line's own direction.
+  // A position relative to the corner where the first block begins, in the line's own direction.
   [[nodiscard]] traversal::Position from_corner(traversal::Position at) const {
     return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }
 
-  // The number of the block in which a position lies: the block borders crossed to get there.
+  // The number of the block that contains a position: the block borders crossed to get there.
   [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
     const traversal::Position corner = from_corner(at);
     return corner.x / kBlockSide + corner.y / kBlockSide;
   }
 
-  // The block in which a position lies, in blocks as stored from the first. corner: from_corner()
+  // Offset from the first block to the block of a position, in stored blocks. corner: from_corner()
   // of the position.
   [[nodiscard]] std::ptrdiff_t stride_to(traversal::Position corner) const {
     const auto [along_u, along_v] = orientation_.strides(kBlockStride);
@@ -75,28 +73,28 @@ class BlockPath {
     return orientation_.is_steep ? y * along_u + x * along_v : x * along_u + y * along_v;
   }
 
-  // Finds the blocks up to this one, which lies in the grid.
+  // Extends the path up to this block, which must lie in the grid.
   void find_up_to(std::uint32_t block);
 
-  // Where the line begins.
+  // Byte offset of the line's first cell.
   [[nodiscard]] std::uint32_t start_offset() const { return offset_of(start_); }
 
   [[nodiscard]] const Orientation& orientation() const { return orientation_; }
 
   [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
 
-  // The mask of the first block's cells that are not before the line's start.
+  // Mask of the first block's cells that are not before the line's start.
   [[nodiscard]] const LaneBytes& start_mask() const { return start_mask_; }
 
-  // The way through the blocks that were found. start: the first one as stored, at start_offset().
+  // A cursor at the first block. start: that block, at start_offset().
   [[nodiscard]] Way way_from(LaneBytes* start) const {
     return {masks().of_shape.data(), orientation_.strides(kBlockStride), start, codes_[0],
             &codes_[1]};
   }
 
-  // Calls visit(tile) for each tile that the line enters up to this position. The heights of the
-  // line at the sides of tiles say where it enters another row of tiles: once at most in a column
-  // of tiles, as it rises by no more than it goes on.
+  // Calls visit(tile) for each tile that the line enters up to this position. The line's heights at
+  // the tile borders show where it enters another row of tiles. That happens at most once per
+  // column of tiles, because the slope is at most 1.
   template <typename Visit>
   void for_each_tile(traversal::Position last, Visit&& visit) const {
     const std::uint32_t columns_x = (last.x + x_in_tile_) / geometry::kTileSide;
@@ -124,8 +122,9 @@ class BlockPath {
   }
 
  private:
-  // A line runs one way on each axis. So it enters at most as many blocks as both axes have
-  // together. A column of blocks is found at once: two codes are stored, even if one counts.
+  // A line is monotone on each axis, so it enters at most as many blocks as both axes have
+  // together. The search stores a whole column of blocks at once: two codes, even if only one is
+  // valid.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
 
   void find_first_column(const vehicle::BeamLine& line);
@@ -133,13 +132,13 @@ class BlockPath {
 
   geometry::Cell start_;
   Orientation orientation_;
-  std::uint8_t x_in_tile_ = 0;  // how far into its tile the line begins, in its own direction
+  std::uint8_t x_in_tile_ = 0;  // offset of the line's start in its tile, in its own direction
   std::uint8_t y_in_tile_ = 0;
   std::uint32_t count_ = 0;
-  // Where the search goes on: v in its block and the phase at the next column of blocks.
+  // Where the search resumes: v in its block, and the phase at the next column of blocks.
   std::uint32_t v_ = 0;
   traversal::Dda dda_;
-  // Of the line where it leaves the first tile's columns, from the first tile's lowest row, in
+  // Height at which the line leaves the first tile's columns, above that tile's lowest row, in
   // 2^-32 rows.
   std::uint64_t height_at_tile_ = 0;
   LaneBytes start_mask_;

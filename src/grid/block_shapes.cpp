@@ -5,8 +5,8 @@ namespace {
 
 constexpr std::uint32_t kSideCells = kBlockSide;
 
-// A line that rises out of the lower block in column u enters the upper one from below in that
-// column: the bits of the columns after it are the upper block's.
+// A line that rises out of the lower block in column u enters the upper block from below in that
+// column. So the bits of later columns belong to the upper block.
 constexpr std::array<BlockColumn, 64> make_block_columns() {
   std::array<BlockColumn, 64> columns{};
   for (std::uint32_t i = 0; i < columns.size(); ++i) {
@@ -31,8 +31,8 @@ constexpr std::array<BlockColumn, 64> make_block_columns() {
   return columns;
 }
 
-// A line runs towards plus u and plus v only. So the cells that can still come after a cell are
-// those that are not before it on either axis.
+// A line runs towards plus u and plus v only. So the cells that can come after a cell are those
+// that are not before it on either axis.
 constexpr BlockMasks make_block_masks(const Orientation& orientation) {
   BlockMasks masks;
   for (std::uint32_t shape = 0; shape < kShapeCount; ++shape) {

@@ -1,8 +1,8 @@
-// Which cells of a block of 4 by 4 a line goes through, as a code of one byte.
+// One-byte code for the cells of a 4 by 4 block that a line crosses.
 //
-// A line that meets no corner is folded so that it runs towards plus on both axes and rises by at
-// most one cell a column: u counts columns along the axis on which the line is longer, v along the
-// other. There are seven cells in which such a line can enter a block, numbered
+// A line that meets no corner is mirrored and transposed so that it runs towards plus on both axes
+// and rises by at most one cell per column. u counts columns along the line's longer axis, v along
+// the other. Such a line can enter a block in seven cells, numbered
 //
 //     v
 //     3 | 3  .  .  . |
@@ -13,9 +13,9 @@
 //
 // Entry 7 is one column further than 6, where the block has no cell.
 //
-// In each column it then crosses at most one border of v before it leaves the column. So the entry
-// and one bit for each of the next four columns, seven bits in all, say which cells of the block
-// the line goes through, and how it leaves. These seven bits are the block's *shape*.
+// In each column the line crosses at most one border of v. So seven bits, the entry and one bit for
+// each of the next four columns, determine which cells of the block the line crosses and how it
+// leaves. These seven bits are the block's *shape*.
 #pragma once
 
 #include <array>
@@ -26,33 +26,33 @@
 
 namespace iog::grid {
 
-// The cell in which a line enters a block: 0 ... 3 is (u, v) = (0, entry), 4 ... 7 is (entry - 3,
-// 0).
+// The cell in which a line enters a block: entries 0 to 3 are (u, v) = (0, entry), entries 4 to 7
+// are (entry - 3, 0).
 using BlockEntry = std::uint32_t;
 [[nodiscard]] constexpr BlockEntry entered_from_below(std::uint32_t u) {
   return u == 0 ? 0 : u + 3;
 }
 
-// A shape: the entry, and four bits. Bit j is set if the line crosses a border of v in the column j
-// places after that of the entry.
+// A shape is the entry and four bits. Bit j is set if the line crosses a border of v in the column
+// j places after that of the entry.
 inline constexpr std::uint32_t kShapeCount = 128;
 [[nodiscard]] constexpr std::uint32_t shape_of(BlockEntry entry, std::uint32_t bits) {
   return entry << 4 | bits;
 }
 
-// The code of a block of a line: twice its shape, and 1 more if the line leaves the block through a
+// The code of a block on a line: twice its shape, plus 1 if the line leaves the block through a
 // border of v. Bits of columns that the line does not enter in this block are 0. So two lines have
-// the same code exactly if they have the same cells in the block and leave it by the same border.
+// the same code exactly if they cross the same cells of the block and leave it by the same border.
 using BlockCode = std::uint8_t;
 
-// The blocks of one column of blocks that a line goes through, one or two, the lower one first.
+// The blocks of one column of blocks that a line crosses: one or two, the lower one first.
 struct BlockColumn {
   std::array<BlockCode, 2> codes{};
   std::uint8_t count = 0;
   std::uint8_t next_v = 0;  // where the line enters the next column of blocks
 };
 
-// How u and v lie in the grid. u is x, or y if `is_steep`. Each may run towards minus.
+// Orientation of u and v in the grid. u is x, or y if `is_steep`. Either may run towards minus.
 struct Orientation {
   bool is_steep = false;
   bool x_is_negative = false;
@@ -61,7 +61,7 @@ struct Orientation {
   [[nodiscard]] constexpr std::size_t number() const {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U) + (is_steep ? 4U : 0U);
   }
-  // How far the next place along u lies, and that along v, in rows of so many places.
+  // Offsets of the next place along u and along v, for rows of `row` places.
   struct Strides {
     std::ptrdiff_t u;
     std::ptrdiff_t v;
@@ -71,7 +71,7 @@ struct Orientation {
     const std::ptrdiff_t along_y = y_is_negative ? -row : row;
     return is_steep ? Strides{along_y, along_x} : Strides{along_x, along_y};
   }
-  // The place of a cell in its block, 4 y + x. It is so far along each axis in the line's own
+  // Place of a cell in its block, 4 y + x. The arguments count along each axis in the line's own
   // direction.
   [[nodiscard]] constexpr std::uint32_t inner_of(std::uint32_t along_x,
                                                  std::uint32_t along_y) const {
@@ -83,21 +83,22 @@ struct Orientation {
   }
 };
 
-// Cells of a block, for lines of one orientation. A byte is -1 for a cell that counts, else 0.
+// Cell masks of a block for lines of one orientation. A byte is -1 for a selected cell, else 0.
 struct BlockMasks {
-  // By shape: the cells through which the line goes.
+  // By shape: the cells that the line crosses.
   std::array<LaneBytes, kShapeCount> of_shape{};
-  // By a cell's place in the block: the cells that a line can still go through from this cell on,
-  // itself included; and without itself.
+  // By a cell's place in the block: the cells that a line can still cross from there on. `from`
+  // includes the cell itself, `after` does not.
   std::array<LaneBytes, kLaneCount> from{};
   std::array<LaneBytes, kLaneCount> after{};
 };
 
-// By v where the line enters the column of blocks from the left, times 16, and four bits, one for
-// each column of cells: set if the line crosses a border of v there, the first one uppermost.
+// Indexed by 16 v plus four bits. v is where the line enters the column of blocks from the left.
+// Each bit stands for one column of cells, the first one uppermost, and is set if the line crosses
+// a border of v there.
 extern const std::array<BlockColumn, 64> kBlockColumns;
 
-// By Orientation::number().
+// Indexed by Orientation::number().
 extern const std::array<BlockMasks, 8> kBlockMasks;
 
 }  // namespace iog::grid

@@ -1,5 +1,4 @@
-// The loop in which carving spends its time: one block of a path after the other, all by the same
-// amount.
+// The hot loop of carving: carves consecutive blocks of a path by the same amount.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +9,14 @@
 
 namespace iog::grid {
 
-// Makes these cells of a block freer by the amounts.
+// Subtracts the amounts from these cells of a block.
 inline void carve_block(LaneBytes& block, Lanes cells, Lanes amount) {
   Lanes::load(block).subtract(amount.bit_and(cells)).store(block);
 }
 
-// Carves the next `count` blocks of the way.
+// Carves the next `count` blocks of the path.
 inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
-  Way here = way;  // in registers: a block is stored where the compiler suspects a member
+  Way here = way;  // in registers, because a block might alias a member
   for (; count > 0; --count) {
     here.step();
     carve_block(*here.block, Lanes::load(here.cells()), amount);
@@ -25,7 +24,7 @@ inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
   way = here;
 }
 
-// Does the same as fast as the machine can; CMake chooses the file.
+// Optimised version of carve_one_by_one(). CMake selects the source file.
 void carve_run(Way& way, std::uint32_t count, Lanes amount);
 
 }  // namespace iog::grid

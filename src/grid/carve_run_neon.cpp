@@ -3,12 +3,12 @@
 namespace iog::grid {
 namespace {
 
-// The next four times `fours` blocks of the way, fours > 0: what carve_one_by_one() does to them.
+// Does the same as carve_one_by_one() for the next four times `fours` blocks, fours > 0.
 //
-// The codes of four blocks are one word. `next` takes a block's code from it: the cells, and where
-// the block after it lies. A line never comes back to a block, so all four blocks are loaded before
-// the first is stored. It is written by hand: the compiler runs out of registers and needs a third
-// more instructions.
+// The codes of four blocks are one word. The macro `next` decodes one block: its cells, and the
+// address of the next block. A line never comes back to a block, so all four blocks are loaded
+// before the first is stored. The loop is written in assembly because the compiler runs out of
+// registers and needs a third more instructions.
 void carve_fours(Way& way, std::uint32_t fours, Lanes amount) {
   constexpr std::ptrdiff_t kBlockBytes = sizeof(LaneBytes);
   LaneBytes* a = way.next();

@@ -10,15 +10,15 @@ namespace {
 
 constexpr std::uint32_t kSide = kBlockSide;
 
-// More than this is no more: a cell that is carved is 0 or below.
+// Larger amounts have the same effect: a cell being carved is 0 or below.
 constexpr std::int32_t kMostFreer = index::kIndexMax<OccupancyIndex>;
 
 std::int8_t amount_of(std::int32_t freer) {
   return static_cast<std::int8_t>(std::min(freer, kMostFreer));
 }
 
-// A block in which the steps change is carved once, with an amount for each of its cells: where the
-// line enters the block the amount of before, and from each change on the new one.
+// A block in which the steps change is carved once, with an amount per cell: the old amount where
+// the line enters the block, and the new one from each change on.
 template <bool kHasGaps>
 [[gnu::always_inline]] inline void carve_path(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
   const traversal::Position last = steps.last().at();

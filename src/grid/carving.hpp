@@ -1,4 +1,4 @@
-// Carving: makes the cells of a line freer, as the steps of its beams say.
+// Carving: subtracts the steps of a line's beams from the indexes of its cells.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace iog::grid {
 
-// Carves block by block along the path, which is extended as far as the steps reach. All steps lie
-// in the grid. The tiles of the path are touched. Nothing waits in the steps then.
+// Carves block by block along the path, and extends the path as far as the steps reach. All steps
+// must lie in the grid. Touches the tiles of the path and empties the steps.
 void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps);
-// The same of steps with gaps, whose blocks are passed.
+// The same for steps with gaps. Blocks within a gap are skipped.
 void carve_blocks(BlockGrid& grid, BlockPath& path, LowSteps& steps);
 
-// Does the same cell by cell, for any line. It is the specification of the other. first: the line's
-// first position in the grid.
+// Does the same cell by cell, for any line. It is the specification of carve_blocks(). first: the
+// line's first position in the grid.
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
                  FreeSteps& steps);
 

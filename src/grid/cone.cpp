@@ -1,5 +1,5 @@
-// Ranges: a line of 10 m is below 2^18 subcells of the finest grid, a corner that is looked at not
-// farther, and so products are below 2^36.
+// Ranges: a line of 10 m is below 2^18 subcells of the finest grid, and no tested corner is
+// farther, so products are below 2^36.
 #include "grid/cone.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace iog::grid {
 namespace {
 
-// From the unit, in subcells.
+// A vector from the unit, in subcells.
 struct Vector {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -24,7 +24,7 @@ std::int64_t extent_of(const traversal::Axis<geometry::kResolution>& axis) {
   return std::int64_t{axis.step()} * axis.length();
 }
 
-// Where the unit's range ends, so far to the left of the echo.
+// The end of the unit's range at this angle to the left of the echo.
 Vector end_of(const vehicle::Sensor& sensor, const lidar::ScanPoint& echo, std::int32_t off_ticks) {
   const auto turn = static_cast<std::int32_t>(sensor.azimuths.ticks_per_turn());
   const auto azimuth = static_cast<std::uint32_t>((echo.azimuth_ticks + off_ticks + turn) % turn);
@@ -33,19 +33,19 @@ Vector end_of(const vehicle::Sensor& sensor, const lidar::ScanPoint& echo, std::
   return {extent_of(line.x()), extent_of(line.y())};
 }
 
-// A cell's corners along one axis.
+// The bounds of a cell along one axis.
 struct Side {
   std::int64_t low = 0;
 
   [[nodiscard]] constexpr std::int64_t high() const { return low + geometry::kResolution; }
-  // The end whose product with a factor is less.
+  // The bound whose product with the factor is smaller.
   [[nodiscard]] constexpr std::int64_t least_by(std::int64_t factor) const {
     return factor < 0 ? high() : low;
   }
   [[nodiscard]] constexpr std::int64_t farthest() const { return std::max(-low, high()); }
 };
 
-// Whether all of a cell lies to the left of a direction.
+// Whether the whole cell lies to the left of a direction.
 constexpr bool is_left_of(const Vector& direction, Side x, Side y) {
   return direction.x * y.least_by(direction.x) - direction.y * x.least_by(-direction.y) >= 0;
 }
@@ -61,8 +61,8 @@ struct Cone {
   }
 };
 
-// Cells along an axis from one to another, both included. A cone that opens by less than half a
-// turn stays on the side on which both of its borders are.
+// A range of cells along an axis, both ends included. A cone that opens by less than half a turn
+// stays on one side of the unit if both of its borders do.
 struct Span {
   std::int32_t first = 0;
   std::int32_t last = 0;
@@ -84,7 +84,7 @@ Cone cone_of(const vehicle::Sensor& sensor, const lidar::ScanPoint& echo) {
   const Vector middle = end_of(sensor, echo, 0);
   Cone cone{.right = end_of(sensor, echo, -reach), .left = end_of(sensor, echo, reach)};
   if (cone.right.x * cone.left.y < cone.right.y * cone.left.x) {
-    std::swap(cone.right, cone.left);  // it hangs upside down
+    std::swap(cone.right, cone.left);  // the unit is mounted upside down
   }
   const std::uint32_t near = sensor.profile.near_before_count;
   const std::uint32_t k = sensor.precision.divide(echo.range_mm);

@@ -10,7 +10,7 @@ namespace {
 
 using RowsOfBlocks = std::array<Lanes, kBlockSide>;
 
-// Below 0 where both are below 0, or both above.
+// Below 0 where both bytes are below 0, or both above.
 RowsOfBlocks both_low_or_tall(const LaneBytes* indexes, const LaneBytes* heights) {
   RowsOfBlocks cells = Lanes::rows_of(indexes);
   const RowsOfBlocks levels = Lanes::rows_of(heights);

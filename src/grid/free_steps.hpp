@@ -1,10 +1,9 @@
-// How free the waiting beams of one line make its cells: a step function along the line.
+// The amount by which the pending beams of a line lower its cells: a step function along the line.
 //
-// All beams of one line carve the same cells, each up to its own end. What they say of a cell is a
-// negative index, and adding negative indexes commutes under saturation (docs/model.md section 3).
-// To add a and then b, each with a floor at -127, is to add a + b with that floor. So the sum of
-// the beams is carved in one walk. Two beams of a LUX, the nearer with its scan point at a, the
-// other at b:
+// All beams of a line carve the same cells, each up to its own end. Each adds a negative index to a
+// cell, and such additions commute under saturation (docs/model.md section 3): adding a and then b,
+// each with a floor at -127, equals adding a + b with that floor. So the sum of the beams is carved
+// in one pass. Example: two beams of a LUX, the nearer with its point at a, the other at b:
 //
 //     freer by  28 ----------+
 //                            +- 21 -+
@@ -13,9 +12,9 @@
 //                                                              +- 0
 //     the line   S ---------------------- a -------------------------- b ----> E
 //
-// Every number of borders crossed has a slot, which holds the change of the function there, and a
-// bit in a map of the slots that are in use. So a change is added without looking for its place,
-// and the changes come in order when the map is read.
+// The function is stored as a difference array with one slot per number of borders crossed. A
+// bitmap shows the slots in use. So a change is added without a search, and reading the bitmap
+// yields the changes in order.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +33,7 @@ class FreeSteps {
  public:
   static constexpr std::uint32_t kMaxBeams = 256;
 
-  // Where the line enters the grid; only while nothing waits.
+  // Sets where the line enters the grid. Only while no beams are pending.
   void begin_at(Between first) {
     first_ = first;
     last_ = first;
@@ -43,15 +42,15 @@ class FreeSteps {
   // A beam changes the amount by less than 2^7, and a slot holds less than 2^15.
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
-  // Adds a beam: how much freer it makes the line from a point on, then what it changes behind
-  // that, and where it ends. All points are at most 2 kCellsPerSide - 1 borders behind where the
-  // line enters the grid. Only if has_room().
+  // A beam is added in three steps: begin_beam() with its first amount, add() for each later
+  // change, and end_beam(). Only if has_room(). All points must be less than 2 kCellsPerSide
+  // borders behind the point where the line enters the grid.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
     add(from, freer);
   }
   void end_beam(Between end) { last_ = std::max(last_, end); }
-  // Begins and ends so many that begin where the line enters the grid.
+  // Adds this many beams that begin where the line enters the grid.
   void add_beams(std::uint32_t count, std::int32_t freer, Between last_end) {
     beam_count_ += count;
     from_start_ += static_cast<std::int32_t>(count) * freer;
@@ -70,12 +69,12 @@ class FreeSteps {
 
   [[nodiscard]] bool is_empty() const { return beam_count_ == 0; }
 
-  // How much freer the line is from where it enters the grid, and where the last change is, after
-  // which nothing is left to carve.
+  // The amount at the point where the line enters the grid, and the point of the last change.
+  // Nothing is carved behind the last change.
   [[nodiscard]] std::int32_t from_start() const { return from_start_; }
   [[nodiscard]] Between last() const { return last_; }
 
-  // Calls visit(from, freer) for each change, in order, and forgets it. Then nothing waits.
+  // Calls visit(from, freer) for each change, in order, and clears the steps.
   template <typename Visit>
   void take_changes(Visit&& visit) {
     const std::uint32_t last = last_.crossed() - first_.crossed();
@@ -99,7 +98,8 @@ class FreeSteps {
 
  private:
   static constexpr std::uint32_t kFirstBit = std::uint32_t{1} << 31;
-  // A line crosses fewer borders than this between two cells of the grid, and one more after them.
+  // Between two cells of the grid a line crosses at most kSlots - 2 borders. One more border may
+  // follow the last cell.
   static constexpr std::size_t kSlots = std::size_t{2} * geometry::kCellsPerSide;
 
   Between first_;
@@ -110,13 +110,13 @@ class FreeSteps {
   std::array<std::uint32_t, kSlots> slots_{};
 };
 
-// Where beams are low. Unlike what they free, that begins far out, and has gaps.
+// Where beams are low. These parts begin far from the sensor and have gaps.
 class LowSteps : public FreeSteps {};
 
-// What waits of the beams of a line: how much freer they make it and, if heights count
-// (grid/frame_grids.hpp), where some of them are low. A beam adds one to each at most.
+// The pending beams of a line: by how much they lower its cells and, if heights are kept
+// (grid/frame_grids.hpp), where some of them are low. A beam adds at most one entry to each.
 struct LineSteps {
-  // As much freer as a cell can be, so that of those that overlap one is as good as all.
+  // The largest amount a cell can take, so overlapping low parts have the same effect as one.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
 
   void begin_at(Between first) {

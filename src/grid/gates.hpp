@@ -1,7 +1,7 @@
-// The limits between which the beams of a level unit that turns free and mark: the height band of
-// the vehicle, or those over the ground (docs/ground.md). A packet's points have a judge, a line's
-// beams have a gate. Each is chosen once a packet and once a line, and whoever asks it need not
-// know which of the two it is.
+// The height limits within which the beams of a level rotating lidar free and mark cells: the
+// vehicle's height band, or limits over the ground (docs/ground.md). A judge applies them to the
+// points of a packet, a gate to the beams of a line. Each is a template argument, chosen once per
+// packet and once per line, so callers need not know which kind it is.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@ namespace iog::grid {
 struct BandJudge {
   const TurnLayers* layers;
 
-  // Of a return so far along the line of an azimuth step, and whether it is tall. reach_mm: as in
-  // vehicle::classify().
+  // Height of a return at this range along the line of an azimuth step. Also sets is_tall.
+  // reach_mm: as in vehicle::classify().
   [[nodiscard]] vehicle::Height height(std::uint32_t /*step*/, std::size_t layer,
                                        std::uint32_t along_mm, std::uint32_t reach_mm,
                                        bool& is_tall) const {
@@ -41,7 +41,7 @@ struct BandJudge {
   }
 };
 
-// Where a beam leaves the limits is its layer's and its sector's own.
+// Here each layer has its own limits in each sector.
 struct GroundJudge {
   const ground::Beams* beams;
   const ground::Exits* exits;
@@ -69,14 +69,15 @@ struct GroundJudge {
 
 class BandGate {
  public:
-  // Both outlive it.
+  // Both must outlive the gate.
   BandGate(const KeptLine& line, const TurnLayers& layers) : line_(&line), layers_(&layers) {}
 
-  // The layer of a rank: that which is between the limits farthest first.
+  // The layer of a rank. The layer that stays within the limits farthest has rank 0.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
-  // Hits at this distance and beyond free all that layers of TurnLayers::near_rank and above may.
+  // Hits at this distance or beyond free everything that layers of TurnLayers::near_rank and above
+  // may free.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
-  // The part that the layer may free, and its end if it is not empty.
+  // part(): the part that the layer may free. end(): its end, if it is not empty.
   [[nodiscard]] FreePart part(std::size_t layer) const {
     const BandLimits& band = layers_->layers[layer].band;
     return {line_->in_band(band), band.is_free_before_mm()};
@@ -84,7 +85,8 @@ class BandGate {
   [[nodiscard]] Between end(std::size_t layer) const {
     return line_->end_in_band(layers_->layers[layer].band);
   }
-  // The part in which the layer is low, and whether a hit so far out may have any of it before it.
+  // low_part(): the part in which the layer is low. may_be_low(): whether that part may begin
+  // before a hit at this range.
   [[nodiscard]] LinePart low_part(std::size_t layer) const {
     return line_->in_band(layers_->low[layer]);
   }
@@ -97,10 +99,10 @@ class BandGate {
   const TurnLayers* layers_;
 };
 
-// A sector's layers are between the limits from their start on.
+// Layers of a sector are within the limits from their start.
 class GroundGate {
  public:
-  // All outlive it. The line is of this sector.
+  // All must outlive the gate. The line must lie in this sector.
   GroundGate(const KeptLine& line, const vehicle::Sensor& sensor, const TurnLayers& layers,
              const ground::Ground& ground, std::uint32_t sector)
       : line_(&line), sensor_(&sensor), layers_(&layers), ground_(&ground), sector_(sector) {}
@@ -121,7 +123,7 @@ class GroundGate {
     const ground::Ground::Stretch low = ground_->low_stretch(sector_, layer);
     return line_->part_between(*sensor_, low.from_mm, low.to_mm);
   }
-  // Most hits are nearer than their beams are low.
+  // Most hits are nearer than the range at which their beams become low.
   [[nodiscard]] bool may_be_low(std::size_t layer, std::uint32_t hit_mm) const {
     return ground_->low_from_mm(sector_, layer) < hit_mm;
   }

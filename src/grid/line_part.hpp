@@ -1,4 +1,4 @@
-// Points between the cells of a line, and the parts of a line that lie between two of them.
+// Boundaries between the cells of a line, and parts of a line between two boundaries.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 namespace iog::grid {
 
-// A point between two cells of a line: before the cell at a position, or just after it. It is one
-// number, which grows along the line: how many borders are crossed to get to the cell behind it
-// (16 bits), whether it is given by that cell or by the one before, and x of the position (15
-// bits). The point after a cell comes before the same point given by the next cell, which may lie
-// outside the grid.
+// A boundary between two consecutive cells of a line. It is given either as before a cell or as
+// after the previous one. It is stored as one number that grows along the line: the borders crossed
+// to reach the next cell (16 bits), a bit for the form `before`, and x of the position (15 bits).
+// The form `after` sorts before the form `before` of the same boundary. With `after`, the next cell
+// may lie outside the grid.
 class Between {
  public:
   constexpr Between() = default;  // before the first cell
@@ -22,12 +22,12 @@ class Between {
   static constexpr Between after(traversal::Position at) {
     return Between((at.crossed() + 1) << 16 | at.x);
   }
-  // What bits() was of another point, in the lower half, and how many borders are crossed.
+  // A boundary from the number of borders crossed and the lower half of another boundary's bits().
   static constexpr Between of(std::uint32_t crossed, std::uint32_t lower_half) {
     return Between(crossed << 16 | lower_half);
   }
 
-  // A cell of the line lies before this point if fewer borders are crossed to get there.
+  // A cell of the line lies before this boundary if fewer borders are crossed to reach the cell.
   [[nodiscard]] constexpr std::uint32_t crossed() const { return bits_ >> 16; }
   [[nodiscard]] constexpr bool is_after() const { return (bits_ & kIsBefore) == 0; }
   [[nodiscard]] constexpr traversal::Position at() const {
@@ -45,13 +45,13 @@ class Between {
   std::uint32_t bits_ = kIsBefore;
 };
 
-// A part of a line, from one point between cells to another.
+// A part of a line, from one boundary to another.
 struct LinePart {
   Between first;
   Between end;
 
   [[nodiscard]] bool is_empty() const { return first.crossed() >= end.crossed(); }
-  // What two parts have in common.
+  // The intersection of two parts.
   [[nodiscard]] LinePart within(const LinePart& other) const {
     return {std::max(first, other.first), std::min(end, other.end)};
   }

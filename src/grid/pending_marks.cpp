@@ -6,9 +6,9 @@
 
 namespace iog::grid {
 
-// A cell behind the scan point takes the index of the 1D cell in which the line enters it, at least
-// k + 1. The line enters a cell in 1D cell j or earlier exactly if it crosses the cell's near
-// border before distance (j + 1) Delta. `before` counts those crossings.
+// A cell behind the point takes the index of the 1D cell in which the line enters it, at least k +
+// 1. The line enters a cell in 1D cell j or earlier exactly if it crosses the cell's near border
+// before distance (j + 1) Delta. `before` counts those crossings.
 void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& line,
                                traversal::Position hit, std::uint32_t range_mm, bool is_tall) {
   const sensor_model::Profile& profile = sensor.profile;
@@ -34,8 +34,8 @@ void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& li
   }
 }
 
-// hits_win: if a cell has marks, they alone are its evidence. So the first mark erases what was
-// carved: max(cell, 0) + index. bayes: marks are added to what was carved.
+// hits_win: if a cell has marks, only they are its evidence. So the first mark erases the carved
+// index: max(cell, 0) + index. bayes: marks are added to the carved index.
 void PendingMarks::apply(FrameGrids& grids, vehicle::FusionRule rule) {
   if (grids.keep_heights) {
     apply<true>(grids, rule);

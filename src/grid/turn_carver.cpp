@@ -6,7 +6,7 @@ namespace iog::grid {
 
 using traversal::Position;
 
-// Lines wait by the steps of one sensor.
+// Pending lines are indexed by the steps of one sensor.
 void TurnCarver::turn_from_another(const vehicle::Sensor& sensor, const ground::Ground* ground) {
   carve_waiting();
   sensor_ = &sensor;
@@ -14,13 +14,13 @@ void TurnCarver::turn_from_another(const vehicle::Sensor& sensor, const ground::
   ground_ = ground;
 }
 
-// Another line in its place is carved and makes room.
+// If another line occupies the slot, it is carved first.
 void TurnCarver::begin_line(std::uint32_t azimuth_step) {
   waiting_.take(azimuth_step, [&](auto&&... line) { carve_line(line...); });
   waiting_.begin(azimuth_step, lines_.on_car(*sensor_, azimuth_step));
 }
 
-// A point that is not a millimetre away has nothing before it to carve.
+// A point less than a millimetre away has nothing before it to carve.
 void TurnCarver::mark_at_start(std::uint32_t azimuth_step, bool is_tall) {
   const KeptLine& line = lines_.line(*sensor_, azimuth_step);
   beams_.mark(*sensor_, line, line.through(*sensor_, 0), 0, is_tall);
@@ -59,8 +59,8 @@ void TurnCarver::add_beams(const Gate& gate, const KeptLine& line,
   }
 }
 
-// Returns how many of them are hits at far_mm or beyond. Nearly all are hits, whose beams are
-// between the limits from the start.
+// Returns how many of the points are hits at far_mm or beyond. Nearly all points are hits whose
+// beams are within the limits from the start.
 template <bool kWithHeights, typename Gate>
 std::uint32_t TurnCarver::add_points(FreeSteps& steps, const Gate& gate, const KeptLine& line,
                                      std::span<const WaitingPoint> points) {
@@ -95,8 +95,8 @@ std::uint32_t TurnCarver::add_points(FreeSteps& steps, const Gate& gate, const K
   return far_hits;
 }
 
-// What a beam frees, those of lower rank free, too, and from some rank on so do far hits. After
-// enough of them it adds nothing, and neither does one of higher rank.
+// Beams of lower rank, and from near_rank on also far hits, free everything that this beam frees.
+// So after enough of them neither this beam nor one of higher rank adds anything.
 template <typename Gate>
 void TurnCarver::add_behind(FreeSteps& steps, const Gate& gate, const KeptLine& line,
                             const RankSet& ranks, std::uint32_t far_hits) const {
@@ -124,9 +124,9 @@ void TurnCarver::add_low(LineSteps& steps, const Gate& gate, const LinePart& fre
   steps.add_low(freed.within(gate.low_part(layer)));
 }
 
-// All of them count, also those that make nothing freer. They come by where they leave the limits,
-// the farthest first, so that nearly all of what overlaps is one. A beam that begins low may end to
-// be so before one that leaves the limits sooner.
+// All of these beams count, even those that free nothing more. They arrive in exit order, the
+// farthest first, so nearly all overlapping parts merge into one. A beam's low part may end before
+// that of a beam that leaves the limits sooner.
 template <typename Gate>
 void TurnCarver::add_low_behind(const Gate& gate, const RankSet& ranks) {
   LinePart all;
@@ -146,7 +146,8 @@ void TurnCarver::add_low_behind(const Gate& gate, const RankSet& ranks) {
   steps_.add_low(all);
 }
 
-// What is no hit with all of its beam between the limits, and carves or marks nevertheless.
+// Handles the rare points that carve or mark: those that are not hits with the whole beam within
+// the limits.
 template <typename Gate>
 void TurnCarver::add_rare(const Gate& gate, const KeptLine& line, WaitingPoint point) {
   const std::uint32_t layer = point.layer();

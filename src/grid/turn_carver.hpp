@@ -1,6 +1,6 @@
-// The carver of level units that turn: all layers of an azimuth step share one line
-// (turn_lines.hpp), and hundreds of lines wait at a time (waiting_lines.hpp), because their lasers
-// do not finish one azimuth before they begin the next.
+// Carver for level rotating lidars. All layers of an azimuth step share one line (turn_lines.hpp).
+// Hundreds of lines are pending at a time (waiting_lines.hpp), because the lasers do not finish one
+// azimuth before they begin the next.
 #pragma once
 
 #include <cstdint>
@@ -23,11 +23,11 @@ namespace iog::grid {
 
 class TurnCarver {
  public:
-  // All three outlive the carver.
+  // All three must outlive the carver.
   TurnCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : lines_(vehicle), beams_(grids, marks) {}
 
-  // The sensor at hand: what its points ask for, near to one another.
+  // The current sensor. Keeps the data that its points need close together.
   template <typename Judge>
   class Turn {
    public:
@@ -39,8 +39,8 @@ class TurnCarver {
           azimuths_(sensor.azimuths),
           judge_(judge) {}
 
-    // Carves the beam of this point, now or later, and remembers its mark. The point's layer and
-    // azimuth are those of the sensor's format.
+    // Carves the beam of this point, now or later, and stores its mark. The point's layer and
+    // azimuth must be valid in the sensor's format.
     [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
 
    private:
@@ -52,28 +52,29 @@ class TurnCarver {
     Judge judge_;
   };
 
-  // The sensor is one of the vehicle's, whose layers share lines. Valid until another one's turn.
+  // The sensor must be one of the vehicle's whose layers share lines. The result is valid until
+  // another sensor's turn.
   Turn<BandJudge> turn_to(const vehicle::Sensor& sensor) {
     begin_turning(sensor, nullptr);
     return {*this, sensor, {layers_}};
   }
-  // The same of a packet of one that follows the ground (docs/ground.md), which stays as it is
-  // while beams wait.
+  // The same for a packet of a sensor that follows the ground (docs/ground.md). The ground must not
+  // change while beams are pending.
   Turn<GroundJudge> turn_to(const vehicle::Sensor& sensor, const ground::Ground& ground,
                             const ground::PacketJudge& judge) {
     begin_turning(sensor, &ground);
     return {*this, sensor, {&ground.beams(), &ground.exits(), layers_->zones_mm, judge}};
   }
 
-  // How a packet sees the car tilted. Packet: has for_each_sample().
+  // The car's tilt as seen by one packet. Packet needs for_each_sample().
   template <typename Packet>
   [[nodiscard]] ground::Tilt tilt_of(const vehicle::Sensor& sensor, const ground::Ground& ground,
                                      const Packet& packet);
 
-  // Carves the beams that still wait.
+  // Carves all pending beams.
   void carve_waiting();
 
-  // Forgets the beams that still wait, without carving them.
+  // Drops all pending beams without carving them.
   void drop_waiting() { waiting_.drop(); }
 
  private:
@@ -83,13 +84,13 @@ class TurnCarver {
     }
   }
   void turn_from_another(const vehicle::Sensor& sensor, const ground::Ground* ground);
-  // What few points need is not inlined, so that the others have the registers.
+  // Rare paths are not inlined, so that the common path keeps the registers.
   [[gnu::noinline]] void begin_line(std::uint32_t azimuth_step);
   [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step, bool is_tall);
   void carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
                   const RankSet& behind);
-  // Gate: BandGate or GroundGate, of the line. What has steps for an argument is not inlined, so
-  // that their address is in a register and not computed for each change.
+  // Gate: BandGate or GroundGate for the line. Functions that take steps are not inlined. This
+  // keeps the address of the steps in a register, instead of computing it for each change.
   template <typename Gate>
   void add_beams(const Gate& gate, const KeptLine& line, std::span<const WaitingPoint> points,
                  const RankSet& behind);
@@ -108,18 +109,18 @@ class TurnCarver {
   template <typename Gate>
   [[gnu::noinline]] void add_rare(const Gate& gate, const KeptLine& line, WaitingPoint point);
 
-  // What is aligned to a cache line comes first.
+  // Members aligned to a cache line come first.
   TurnLines lines_;
   WaitingLines waiting_;
   BeamCarver beams_;
-  // The sensor at hand.
+  // The current sensor.
   const vehicle::Sensor* sensor_ = nullptr;
   const TurnLayers* layers_ = nullptr;
-  const ground::Ground* ground_ = nullptr;  // if it is followed
-  LineSteps steps_;                         // of the line that is carved
+  const ground::Ground* ground_ = nullptr;  // if the sensor follows the ground
+  LineSteps steps_;                         // of the line being carved
 };
 
-// All layers are on the line of the azimuth, each at its own height.
+// All layers share the line of the azimuth, each at its own height.
 template <typename Judge>
 inline vehicle::Fate TurnCarver::Turn<Judge>::add(const lidar::ScanPoint& point) const {
   if (point.range_mm == 0 && sensor_->no_return_clears_mm == 0) {

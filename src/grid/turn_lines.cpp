@@ -11,7 +11,7 @@
 namespace iog::grid {
 namespace {
 
-// Says what each layer is among the others.
+// Ranks the layers by how far they stay in the band.
 void rank(const vehicle::Sensor& sensor, TurnLayers& turn_layers) {
   const auto layers = std::span(turn_layers.layers).first(sensor.layer_count);
   const auto by_rank = std::span(turn_layers.by_rank).first(sensor.layer_count);

@@ -1,6 +1,6 @@
-// The lines of level sensors that turn: one for each azimuth step, for all layers
-// (docs/model.md section 5). They are kept like those of beam_lines.hpp, and as there are no more
-// azimuths than steps, each has a place of its own.
+// The lines of level rotating sensors: one line per azimuth step, shared by all layers
+// (docs/model.md section 5). They are cached like those of beam_lines.hpp, but each azimuth step
+// has a slot of its own.
 #pragma once
 
 #include <array>
@@ -14,36 +14,37 @@
 
 namespace iog::grid {
 
-// What the beams of a layer have in common, whatever their azimuth: the share of a range that is
-// along the line, the ranges along the line that are in the height band, how far along it they
-// carve without an echo, and the part of the line that is in the band.
+// Properties of a layer that do not depend on the azimuth: the share of a range along the line, the
+// ranges along the line within the height band, the range along the line that it carves without an
+// echo, and the part of the line in the band.
 struct alignas(64) TurnLayer {
   std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;
   std::uint32_t clears_mm = 0;
-  // Among the sensor's layers, the one that is farthest in the band first.
+  // Exit order among the sensor's layers: the layer that stays in the band farthest has rank 0.
   std::uint32_t rank = 0;
-  // From here on a point is so far behind the band that it frees all of the line from the sensor to
-  // where the layer leaves the band; nowhere if the sensor is not in the band.
+  // A point at this range or beyond lies far behind the band. It frees the whole line from the
+  // sensor to where the layer leaves the band. The maximum if the sensor is not in the band.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
   BandLimits band;
 };
 
-// The layers of a sensor.
+// All layers of a sensor.
 struct TurnLayers {
-  // Whether the sensor is in the height band. Then a beam that ends in the band is there from its
-  // start, and what a layer has in the band is part of what each layer of lower rank has.
+  // Whether the sensor is in the height band. If so, a beam that ends in the band is in it from the
+  // start. A layer's part in the band then lies within that of each layer of lower rank.
   bool start_in_band = false;
-  // So many beams make a cell as free as it can be.
+  // The number of beams that saturates a cell.
   std::uint32_t enough_beams = 0;
-  // Hits at this distance and beyond free all that layers of this rank and above have in the band.
+  // Hits at this distance or beyond free everything that layers of near_rank and above have in the
+  // band.
   std::uint32_t far_mm = 0;
   std::uint32_t near_rank = 0;
   std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()
   std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
   std::array<TurnLayer, vehicle::kMaxLayers> layers{};
-  // By vehicle::Sensor::moved: the ranges along the line at which a return of a layer is tall, and
-  // the part of the line in which its beams are low.
+  // By vehicle::Sensor::moved: the ranges along the line at which a layer's return is tall, and the
+  // part of the line in which its beams are low.
   std::array<vehicle::Ranges, vehicle::kMaxLayers> tall{};
   std::array<BandLimits, vehicle::kMaxLayers> low{};
 };
@@ -52,8 +53,8 @@ class TurnLines {
  public:
   explicit TurnLines(const vehicle::Vehicle& vehicle);
 
-  // Of one of the vehicle's sensors whose layers share lines: the ranges along a line that end on
-  // the car itself. It is found if it has to be.
+  // The ranges along a line that end on the car itself, computed on first use. The sensor must be
+  // one of the vehicle's whose layers share lines.
   [[nodiscard]] const vehicle::Ranges& on_car(const vehicle::Sensor& sensor,
                                               std::uint32_t azimuth_step) {
     const std::uint32_t place = first_[number_of(sensor)] + azimuth_step;
@@ -62,7 +63,7 @@ class TurnLines {
     }
     return on_car_[place].ranges;
   }
-  // That line, only after its ranges.
+  // That line. Call on_car() first.
   [[nodiscard]] KeptLine& line(const vehicle::Sensor& sensor, std::uint32_t azimuth_step) {
     return lines_[first_[number_of(sensor)] + azimuth_step].line;
   }
@@ -72,8 +73,9 @@ class TurnLines {
   }
 
  private:
-  // As a turn comes by all lines, each is fetched from memory anew: these ranges when its first
-  // point comes, with those of its neighbours, and the line itself when it is carved.
+  // A turn visits all lines, so each is fetched from memory again. The ranges, with those of
+  // neighbouring lines, are needed at a line's first point. The line itself is needed only when it
+  // is carved. So they are stored apart.
   struct OnCar {
     vehicle::Ranges ranges;
     bool is_known = false;
@@ -89,7 +91,7 @@ class TurnLines {
   }
 
   const vehicle::Sensor* first_sensor_;
-  std::array<std::uint32_t, vehicle::kMaxSensors> first_{};  // each sensor's first place
+  std::array<std::uint32_t, vehicle::kMaxSensors> first_{};  // each sensor's first slot
   std::array<TurnLayers, vehicle::kMaxSensors> layers_{};
   std::array<OnCar, vehicle::kMaxTurnLines> on_car_{};
   std::array<Line, vehicle::kMaxTurnLines> lines_;

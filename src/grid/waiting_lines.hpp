@@ -1,6 +1,5 @@
-// What waits to be carved of a lidar that turns: hundreds of lines, and of each line its points. A
-// point is a word, so that they fit into the caches; what becomes of it on its line is worked out
-// when the line is carved.
+// Pending lines of a rotating lidar: hundreds of lines with their points. A point takes one word,
+// so the points fit into the caches. Its effect on the line is computed when the line is carved.
 #pragma once
 
 #include <array>
@@ -16,12 +15,11 @@
 
 namespace iog::grid {
 
-// A point that carves or marks: its range along the line, its layer and what becomes of it, in one
-// word.
+// A point that carves or marks, in one word: its range along the line, its layer and its evidence.
 class WaitingPoint {
  public:
   WaitingPoint() = default;
-  // Its range is at most lidar::kMaxRangeMm.
+  // The range must be at most lidar::kMaxRangeMm.
   WaitingPoint(const WaitingBeam& its, std::uint32_t layer)
       : word_(its.evidence.bits() << kEvidenceAt |
               static_cast<std::uint32_t>(its.is_tall) << kTallAt | layer << kLayerAt |
@@ -50,10 +48,10 @@ class WaitingPoint {
   std::uint32_t word_ = 0;
 };
 
-// Some of a sensor's layers, by their ranks (turn_lines.hpp).
+// A set of a sensor's layers, by rank (turn_lines.hpp).
 class RankSet {
  public:
-  // False if it is there already.
+  // Returns false if the rank was already in the set.
   [[nodiscard]] bool insert(std::uint32_t rank) {
     std::uint32_t& word = words_[rank / 32];
     const std::uint32_t bit = kFirstBit >> rank % 32;
@@ -62,7 +60,7 @@ class RankSet {
     return is_new;
   }
 
-  // Calls visit(rank) for each, in rising order, as long as it says true.
+  // Calls visit(rank) for each rank in rising order, while it returns true.
   template <typename Visit>
   void visit_while(Visit&& visit) const {
     for (std::uint32_t first = 0; first < vehicle::kMaxLayers; first += 32) {
@@ -83,13 +81,13 @@ class RankSet {
   std::array<std::uint32_t, vehicle::kMaxLayers / 32> words_{};
 };
 
-// The lines of a lidar that turns that wait at a time, each in the place that its azimuth step
-// gives it. So many follow one another: lasers of an HDL-64E look up to 17 degrees to the side of
-// one another, 390 of 8,192 steps.
+// The pending lines of a rotating lidar. Each occupies the slot given by its azimuth step. There
+// are enough slots for the spread of the lasers: those of an HDL-64E are up to 17 degrees apart,
+// 390 of 8,192 steps.
 class WaitingLines {
  public:
-  // What a point asks of the line in its place, in a cache line; the points are apart. Of those
-  // that are behind the band, as TurnLayer says, only the layers count.
+  // The part of a pending line that a point accesses, within one cache line; its points are stored
+  // apart. Of points behind the band (TurnLayer::behind_mm), only the layers are recorded.
   struct alignas(32) Line {
     std::uint32_t azimuth_step = kNone;
     std::uint32_t count = 0;
@@ -97,21 +95,21 @@ class WaitingLines {
     RankSet behind;
   };
 
-  // Whether points of this line can be added.
+  // Whether this line is pending and has room for a point.
   [[nodiscard]] bool has_room(std::uint32_t azimuth_step) const {
     const Line& line = lines_[azimuth_step % kPlaces];
     return line.azimuth_step == azimuth_step && line.count < kMostPoints;
   }
-  // Begins it in its place, where none waits.
+  // Begins a line. Its slot must be empty.
   void begin(std::uint32_t azimuth_step, const vehicle::Ranges& on_car) {
     lines_[azimuth_step % kPlaces] = {
         .azimuth_step = azimuth_step, .count = 0, .on_car = on_car, .behind = {}};
   }
-  // Only if it has room.
+  // Only if has_room().
   [[nodiscard]] const vehicle::Ranges& on_car(std::uint32_t azimuth_step) const {
     return lines_[azimuth_step % kPlaces].on_car;
   }
-  // A point of the layer of this rank. False if there is one already.
+  // Adds a point of the layer with this rank. Returns false if there is one already.
   [[nodiscard]] bool add_behind(std::uint32_t azimuth_step, std::uint32_t rank) {
     return lines_[azimuth_step % kPlaces].behind.insert(rank);
   }
@@ -121,8 +119,8 @@ class WaitingLines {
     ++lines_[place].count;
   }
 
-  // Calls carve(azimuth_step, points, behind) for the line that waits in the place of this
-  // one, if any, and then it waits no more.
+  // Calls carve(azimuth_step, points, behind) for the line in this step's slot, if there is one,
+  // and empties the slot.
   template <typename Carve>
   void take(std::uint32_t azimuth_step, Carve&& carve) {
     const std::uint32_t place = azimuth_step % kPlaces;
@@ -143,8 +141,8 @@ class WaitingLines {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kPlaces = 512;
-  // An odd number of cache lines, so that places do not share the sets of a cache. Beams behind the
-  // band, no more than are enough, change a line by less than two others.
+  // An odd number of cache lines, so that slots do not compete for the same cache sets. Beams
+  // behind the band are limited to enough_beams, and change a line by less than two others.
   static constexpr std::size_t kMostPoints = 136;
   static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
                 kMostPoints + 2 <= FreeSteps::kMaxBeams);

@@ -1,7 +1,8 @@
-// The recursive set S_epsilon and the quantisation of a probability to it.
+// The recursive set S_epsilon, and the quantisation of a probability to it (docs/model.md section
+// 2, thesis section 3.3.3).
 //
-// docs/model.md section 2, thesis section 3.3.3: p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n).
-// The log-odds of p_n are n times those of p_1, which is why fusion is a sum of indexes.
+// p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of p_n are n times those of p_1, so
+// fusion is a sum of indexes.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace iog::index {
 
-// How a probability that lies between two elements of the set is rounded (thesis section 3.4.4.1).
+// How a probability between two elements of the set is rounded (thesis section 3.4.4.1).
 enum class Quantisation : std::uint8_t {
   kBlurring,  // towards 1/2: never overstates a sensor
   kNearest,   // to the element whose probability is nearest, a tie towards 1/2
@@ -26,7 +27,7 @@ class RecursiveSet {
     return 1 / (1 + power(ratio_, n));
   }
 
-  // The index that stands for probability, 0 < probability < 1.
+  // The index that represents a probability, 0 < probability < 1.
   [[nodiscard]] constexpr std::int32_t quantise(double probability, Quantisation policy) const {
     const std::int32_t below = floor_index(probability);
     const std::int32_t above = below + 1;
@@ -43,7 +44,7 @@ class RecursiveSet {
   }
 
  private:
-  // The n with p_n <= probability < p_(n+1): an estimate from the log-odds, put right by
+  // The n with p_n <= probability < p_(n+1): an estimate from the log-odds, corrected by
   // comparison.
   [[nodiscard]] constexpr std::int32_t floor_index(double probability) const {
     const double estimate = numeric::log(probability / (1 - probability)) / -numeric::log(ratio_);

@@ -1,4 +1,4 @@
-// Eight indexes beside one another in one word, and questions about all of them at once.
+// Eight adjacent indexes in one word, tested all at once.
 #pragma once
 
 #include <bit>
@@ -13,7 +13,7 @@ class EightBytes {
 
   [[nodiscard]] static EightBytes none() { return EightBytes(0); }
 
-  // All of them the same.
+  // Eight equal bytes.
   [[nodiscard]] static constexpr EightBytes all(std::int8_t byte) {
     return EightBytes(static_cast<std::uint8_t>(byte) * std::uint64_t{0x0101010101010101U});
   }
@@ -38,13 +38,13 @@ class EightBytes {
 
   [[nodiscard]] bool is_zero() const { return word_ == 0; }
 
-  // Whether one of them is above 0.
+  // Whether any byte is above 0.
   [[nodiscard]] bool has_positive() const { return tops_of_positive() != 0; }
 
-  // A bit for each that is above 0, bit i for the i-th.
+  // A mask with bit i set if byte i is above 0.
   //
-  // The product gathers bits 8 i: shifted by 7 k, k = 1 ... 8, bit i reaches 56 + i for k = 8 - i
-  // alone. No two of the 64 sums 8 i + 7 k are the same, so nothing carries.
+  // The product gathers bits 8 i. Shifted by 7 k, k = 1 ... 8, bit i reaches 56 + i only for k = 8
+  // - i. The 64 sums 8 i + 7 k are all different, so nothing carries.
   [[nodiscard]] std::uint8_t positive() const { return gathered(tops_of_positive()); }
 
  private:
@@ -59,8 +59,8 @@ class EightBytes {
     return static_cast<std::uint8_t>((tops >> 7) * kGather >> 56);
   }
 
-  // Bit 7 of each byte that is above 0. Adding 127 to the low seven bits carries into it exactly if
-  // one of them is set, and never into the next byte.
+  // Bit 7 of each byte that is above 0. Adding 127 to the low seven bits carries into bit 7 exactly
+  // if one of them is set, and never into the next byte.
   [[nodiscard]] std::uint64_t tops_of_positive() const {
     return ((word_ & kSevenBits) + kSevenBits) & ~word_ & kTopBits;
   }

@@ -1,4 +1,4 @@
-// Sixteen occupancy indexes beside one another, and what is computed with them.
+// Sixteen adjacent occupancy indexes, and saturated arithmetic on them.
 #pragma once
 
 #include <array>
@@ -9,14 +9,13 @@ namespace iog::lanes {
 
 inline constexpr std::size_t kLaneCount = 16;
 
-// Sixteen bytes as they lie in memory.
+// Sixteen bytes in memory.
 struct LaneBytes {
   alignas(kLaneCount) std::array<std::int8_t, kLaneCount> bytes{};
   friend constexpr bool operator==(const LaneBytes&, const LaneBytes&) = default;
 };
 
-// What subtract() and add() of any Lanes compute, lane by lane: no less than -128, no more than
-// 127.
+// Reference for subtract() and add() of all Lanes classes, per lane: saturates at -128 and 127.
 [[nodiscard]] constexpr std::int8_t saturated(int value) {
   return static_cast<std::int8_t>(value < -128 ? -128 : value > 127 ? 127 : value);
 }

@@ -1,4 +1,4 @@
-// Sixteen indexes at once, and two rows of bits, by NEON, for the target.
+// NEON version for the target: sixteen indexes at once, and two rows of bits.
 #pragma once
 
 #include <arm_neon.h>
@@ -11,7 +11,7 @@ namespace iog::lanes {
 
 class NeonLanes {
  public:
-  // By way of memcpy the compiler knows of the alignment, which spares the core a cycle.
+  // memcpy with a known alignment saves the core a cycle.
   static NeonLanes load(const LaneBytes& from) {
     int8x16_t lanes;
     __builtin_memcpy(&lanes, __builtin_assume_aligned(&from, kLaneCount), kLaneCount);
@@ -51,7 +51,8 @@ class NeonLanes {
     const int8x8_t halves = vorr_s8(vget_low_s8(lanes_), vget_high_s8(lanes_));
     return vget_lane_u64(vreinterpret_u64_s8(halves), 0) == 0;
   }
-  // Each lane's sign fills the lane, of which its own bit stays; sums of neighbours gather them.
+  // Each lane's sign fills the lane, and a mask keeps the lane's own bit. Sums of neighbours then
+  // gather the bits.
   static std::array<std::uint32_t, 4> negative(const std::array<NeonLanes, 4>& left,
                                                const std::array<NeonLanes, 4>& right) {
     const uint8x8_t own = vcreate_u8(0x8040201008040201U);

@@ -1,5 +1,5 @@
-// Sixteen indexes at once, and two rows of bits, in plain C++: the specification, and for machines
-// without more.
+// Plain C++ version of sixteen indexes at once, and of two rows of bits. It is the specification of
+// the others, and serves machines without vector instructions.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class PlainLanes {
     return each(amount, subtract_saturated);
   }
   [[nodiscard]] PlainLanes add(const PlainLanes& other) const { return each(other, add_saturated); }
-  // All bits of those that are above 0.
+  // All bits set in lanes above 0, none in the others.
   [[nodiscard]] PlainLanes above_zero() const {
     return each(*this, [](std::int8_t a, std::int8_t /*same*/) {
       return static_cast<std::int8_t>(a > 0 ? -1 : 0);
@@ -54,7 +54,8 @@ class PlainLanes {
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
-  // Of four rows, each in two halves, a bit for each lane that is below 0; bit 0 is the left one.
+  // For four rows, each in two halves: one bit per lane, set if the lane is below 0. Bit 0 is the
+  // leftmost lane.
   static std::array<std::uint32_t, 4> negative(const std::array<PlainLanes, 4>& left,
                                                const std::array<PlainLanes, 4>& right) {
     std::array<std::uint32_t, 4> rows{};
@@ -67,7 +68,7 @@ class PlainLanes {
     return rows;
   }
 
-  // Quarter i of each of four, for i = 0 ... 3: the rows of four blocks beside one another.
+  // Transposes four blocks into rows: result i holds quarter i of each block, for i = 0 ... 3.
   static std::array<PlainLanes, 4> rows_of(const LaneBytes* four) {
     std::array<LaneBytes, 4> rows;
     for (std::size_t i = 0; i < 4 * kLaneCount; ++i) {
@@ -94,14 +95,14 @@ class PlainLanes {
 
 class PlainRowPair {
  public:
-  // Two rows that follow each other.
+  // Two consecutive rows.
   static PlainRowPair load(const std::uint64_t* from) { return {from[0], from[1]}; }
   void store(std::uint64_t* to) const {
     to[0] = first_;
     to[1] = second_;
   }
 
-  // Bits 16 to 47 of both.
+  // Bits 16 to 47 of both rows.
   void store_middle(std::uint32_t* to) const {
     to[0] = static_cast<std::uint32_t>(first_ >> 16);
     to[1] = static_cast<std::uint32_t>(second_ >> 16);
@@ -117,7 +118,7 @@ class PlainRowPair {
     return {first_ & ~other.first_, second_ & ~other.second_};
   }
 
-  // By so many bits, towards the higher ones and towards the lower ones; zeros follow.
+  // Shifts towards the higher bits (up) or the lower bits (down), and fills with zeros.
   template <int kBits>
   [[nodiscard]] PlainRowPair up() const {
     return {first_ << kBits, second_ << kBits};

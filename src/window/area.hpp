@@ -1,9 +1,9 @@
-// Where the window lies: a square of 32 by 32 tiles of the local frame.
+// Position of the window: a square of 32 by 32 tiles of the local frame.
 //
-// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1) in cells of kCellMm. Tile (a, b)
-// holds the cells of which i / 32 and j / 32, rounded down, are a and b. It lies at slot
-// (b mod 32) * 32 + a mod 32, wherever the window is, so that nothing is moved when the window is.
-// Coordinates of the local frame are int32 millimetres, so tiles are within +-671,089.
+// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1), in units of kCellMm. Tile (a, b)
+// contains the cells for which i / 32 and j / 32, rounded down, are a and b. Its slot is (b mod 32)
+// * 32 + a mod 32, for every position of the window, so no data move with the window. Coordinates
+// of the local frame are int32 millimetres, so tiles are within +-671,089.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,14 @@ inline constexpr std::size_t kSlotCount = std::size_t{kTilesAcross} * kTilesAcro
 inline constexpr std::int32_t kCellsAcross = kTilesAcross * kTileSide;
 inline constexpr geometry::CellArea kWindowCells{kCellsAcross, kCellsAcross};
 
-// A tile of the local frame, or one of the window counted from its lowest corner.
+// A tile of the local frame, or a tile of the window counted from its lowest corner.
 struct TileNumber {
   std::int32_t a = 0;
   std::int32_t b = 0;
   friend constexpr bool operator==(const TileNumber&, const TileNumber&) = default;
 };
 
-// The tile of the local frame that holds a cell.
+// The tile of the local frame that contains a cell.
 [[nodiscard]] constexpr TileNumber window_tile(geometry::Cell cell) {
   return {cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2};
 }
@@ -40,7 +40,7 @@ struct TileNumber {
          (static_cast<std::uint32_t>(tile.a) & kMask);
 }
 
-// The cell of the local frame that holds a pose's origin.
+// The cell of the local frame that contains a pose's origin.
 [[nodiscard]] constexpr geometry::Cell cell_of(const pose::Pose& pose) {
   return {numeric::div_floor(pose.x_mm, geometry::kCellMm),
           numeric::div_floor(pose.y_mm, geometry::kCellMm)};
@@ -51,21 +51,21 @@ class Area {
   constexpr Area() = default;
   explicit constexpr Area(TileNumber corner) : corner_(corner) {}
 
-  // The area whose middle is the corner of tiles nearest to a cell.
+  // The area centred on the corner of tiles nearest to a cell.
   [[nodiscard]] static constexpr Area around(geometry::Cell cell) {
     return Area({first_around(cell.x), first_around(cell.y)});
   }
 
-  // This area, moved along each axis on which the cell is more than half a tile outside of the
-  // square of one tile in the middle. So 48 m or more remain on each side with cells of 0.1 m, and
-  // noise at a border moves nothing.
+  // This area, moved on each axis on which the cell is more than half a tile outside the one-tile
+  // square in the middle. So with cells of 0.1 m at least 48 m remain on each side, and noise at a
+  // tile border does not move the area.
   [[nodiscard]] constexpr Area following(geometry::Cell cell) const {
     const TileNumber centred = around(cell).corner_;
     return Area({is_near_middle(corner_.a, cell.x) ? corner_.a : centred.a,
                  is_near_middle(corner_.b, cell.y) ? corner_.b : centred.b});
   }
 
-  // The tile of lowest a and b.
+  // The tile with the lowest a and b.
   [[nodiscard]] constexpr TileNumber corner() const { return corner_; }
 
   [[nodiscard]] constexpr bool contains(TileNumber tile) const {
@@ -75,7 +75,7 @@ class Area {
     return contains(window_tile(cell));
   }
 
-  // The tile of this area that lies at a slot. It wraps where the area would leave 32 bits.
+  // The tile of this area at a slot. It wraps where the area would exceed 32 bits.
   [[nodiscard]] constexpr TileNumber tile_at(std::size_t slot) const {
     constexpr std::uint32_t kMask = kTilesAcross - 1;
     const auto column = static_cast<std::uint32_t>(slot);

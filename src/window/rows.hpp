@@ -1,9 +1,9 @@
-// Rows of bits with what lies around them: a tile's plane between parts of its eight neighbours,
-// and what is asked of neighbourhoods, 32 cells at once.
+// Bit rows of a tile with a margin from its eight neighbours, and neighbourhood operations on 32
+// cells at once.
 //
 // A word is a row: bit 16 is the tile's cell 0, and 16 cells of the neighbours lie on either side.
-// Eight rows lie below and eight above. A square of radius r spoils r cells and rows at the border,
-// so what is in the middle is right while radii sum up to at most 8.
+// Eight rows lie below and eight above. A square of radius r invalidates r cells and rows at the
+// border. So the tile's own bits are correct as long as the radii sum up to at most 8.
 #pragma once
 
 #include <array>
@@ -21,14 +21,15 @@ inline constexpr std::size_t kRowMargin = 8;
 inline constexpr int kColumnMargin = 16;
 inline constexpr std::size_t kRowCount = geometry::kTileSide + 2 * kRowMargin;
 
-// A plane and those around it: row by row from below, the tile's own is the fifth. Never null.
+// The planes of a tile and its neighbours, row by row from below. The tile's own is the fifth.
+// Never null.
 using NinePlanes = std::array<const Plane*, 9>;
 
 struct alignas(16) Rows {
-  std::array<std::uint64_t, kRowCount> words;  // whoever makes them writes all
+  std::array<std::uint64_t, kRowCount> words;  // written completely by each producer
 };
 
-// The rows of a tile and of kMargin rows around it, kMargin <= kRowMargin; zeros further out.
+// The rows of a tile and kMargin rows around it, kMargin <= kRowMargin. Rows further out are zero.
 template <std::size_t kMargin>
 inline Rows gather(const NinePlanes& nine) {
   constexpr std::size_t kSide = geometry::kTileSide;
@@ -78,8 +79,8 @@ inline Rows joined(const Rows& a, const Rows& b) {
   return out;
 }
 
-// Joins each cell with kRadius cells on either side of it in its row. Runs of two and of four cells
-// are joined first, so that seven need three steps.
+// Combines each cell with kRadius cells on either side in its row. Runs of two and of four cells
+// are combined first, so seven cells need three steps.
 template <typename Join, int kRadius>
 inline RowPair over_runs(RowPair one) {
   constexpr int kSide = 2 * kRadius + 1;
@@ -89,7 +90,7 @@ inline RowPair over_runs(RowPair one) {
   return Join::of(most, most.template down<kSide - kMost>()).template up<kRadius>();
 }
 
-// Joins each cell with those of the square of 2 kRadius + 1 cells around it, kRadius 1 ... 3. The
+// Combines each cell with the square of side 2 kRadius + 1 around it, kRadius 1 ... 3. The
 // outermost kRadius rows become zeros.
 template <typename Join, int kRadius>
 inline Rows over_squares(const Rows& in) {
@@ -114,7 +115,7 @@ inline Rows over_squares(const Rows& in) {
   return out;
 }
 
-// Set if a cell of the square is, and if all are.
+// dilated(): set if any cell of the square is set. eroded(): set if all are.
 template <int kRadius>
 inline Rows dilated(const Rows& in) {
   return over_squares<Or, kRadius>(in);

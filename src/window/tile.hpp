@@ -1,8 +1,7 @@
-// One tile of the window as it lies in memory: 32 by 32 cells aligned to the local frame.
+// One tile of the window in memory: 32 by 32 cells aligned to the local frame.
 //
-// A tile of which nothing is known is all zeros, but for groups that were never aged, which hold
-// nothing that means something, so that a tile is cleared without going through all of it, and for
-// what the map says of it.
+// An unknown tile is all zeros, with two exceptions. Groups that were never aged have undefined
+// masses, so clearing a tile does not write all of it. The map's content stays.
 #pragma once
 
 #include <array>
@@ -21,11 +20,11 @@ namespace iog::window {
 inline constexpr std::size_t kGroupsPerRow = geometry::kTileSide / evidence::kGroupCells;
 inline constexpr std::size_t kGroupsPerTile = geometry::kTileCells / evidence::kGroupCells;
 
-// A bit a cell: bit x of word y, y from the lowest.
+// One bit per cell: bit x of word y, y from the lowest.
 using Plane = std::array<std::uint32_t, geometry::kTileSide>;
 static_assert(geometry::kTileSide == 32);
 
-// No cell has the bit. All words are read: that is quicker than to ask each.
+// Whether the plane is empty. Reading all words is faster than testing each.
 [[nodiscard]] inline bool is_empty(const Plane& plane) {
   std::uint32_t bits = 0;
   for (const std::uint32_t row : plane) {
@@ -34,36 +33,36 @@ static_assert(geometry::kTileSide == 32);
   return bits == 0;
 }
 
-// What the map rules out in a tile, row by row from the lowest y.
+// The map classes ruled out in a tile, row by row from the lowest y.
 using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
 alignas(8) inline constexpr decision::RuledOut kNothingRuledOut{};
 
-// What is asked of a cell's neighbourhood, as found when its group was last decided.
+// Properties that later neighbourhood tests need, as found when the cell's group was last decided.
 struct Found {
-  Plane freed{};   // free for more than it is not
-  Plane seen{};    // free by evidence of that very frame
-  Plane stands{};  // occupied for long
+  Plane freed{};   // more free than not
+  Plane seen{};    // free by evidence of that same frame
+  Plane stands{};  // occupied for a long time
   Plane taken{};   // occupied at all
 };
 
-// What is remembered of the ground, whatever is on it now.
+// Memory of the ground, independent of what is on it now.
 struct Ground {
   Plane open{};       // it was free, with a margin
-  Plane dense{};      // it was seen free all around in one frame
+  Plane dense{};      // all cells around were seen free in one frame
   Plane ticks_low{};  // 0 ... 3: how often it was found open again
   Plane ticks_high{};
 };
 
 struct Tile {
-  // Nothing is known of any cell.
+  // Sets all cells to unknown.
   void clear();
 
-  // Whether something was ever known of the group.
+  // Whether the group was ever known.
   [[nodiscard]] bool is_known(std::size_t group) const {
     return aged_at[group] != ageing::Clock::kNever;
   }
 
-  // What the map rules out in a group. Without a map nobody reads a kilobyte of zeros.
+  // The map classes ruled out in a group. Without a map this avoids reading a kilobyte of zeros.
   [[nodiscard]] const decision::RuledOut& ruled_out_in(std::size_t group) const {
     if (!has_ruled_out) {
       return kNothingRuledOut;
@@ -71,24 +70,25 @@ struct Tile {
     return ruled_out[group];
   }
 
-  // Row by row from the lowest y, and so is all that is by group.
+  // Row by row from the lowest y, like all arrays by group.
   alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
   std::array<evidence::Taken, kGroupsPerTile> taken{};
-  // Apart from the masses: whoever sends the classes reads nothing else.
+  // Separate from the masses, because sending the classes reads nothing else.
   std::array<decision::Decided, kGroupsPerTile> decided{};
-  // What the map rules out, whether something is known or not: 0 where nobody knows the map.
+  // The map classes ruled out, even for unknown cells. 0 where the map says nothing.
   TileRuledOut ruled_out{};
-  // By group the clock's slots of its last ageing and of its last evidence (ageing/clock.hpp). Both
-  // are none where nothing is known, the second also where the last evidence is long ago.
+  // For each group, the clock's slots of its last ageing and of its last evidence
+  // (ageing/clock.hpp). Both are kNever if the group is unknown. The second is also kNever if the
+  // last evidence is long ago.
   std::array<std::uint8_t, kGroupsPerTile> aged_at{};
   std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
-  // Whether the group is known and `taken` of it all zeros.
+  // Whether the group is known and its `taken` is all zeros.
   std::array<bool, kGroupsPerTile> is_free_alone{};
   Found found{};
   Ground ground{};
-  // Whether `ruled_out` is not 0 somewhere.
+  // Whether `ruled_out` has a value other than 0.
   bool has_ruled_out = false;
-  // A beam that was low has freed the cell since the tile is known, and nothing stood there since.
+  // A low beam has freed the cell since the tile became known, and nothing has stood there since.
   Plane from_below{};
 };
 
@@ -102,10 +102,10 @@ inline void Tile::clear() {
   from_below = {};
 }
 
-// Where a cell of the local frame lies in the window's memory.
+// Location of a cell of the local frame in the window's memory.
 struct CellPlace {
   std::size_t slot = 0;
-  std::uint32_t x = 0;  // in its tile
+  std::uint32_t x = 0;  // within the tile
   std::uint32_t y = 0;
 
   [[nodiscard]] constexpr std::size_t group() const {
@@ -122,7 +122,7 @@ struct CellPlace {
           .y = static_cast<std::uint32_t>(cell.y) & kInTile};
 }
 
-// The cell i of a group of the tile at a slot.
+// Cell i of a group of the tile at a slot.
 [[nodiscard]] constexpr geometry::Cell cell_at(const Area& area, std::size_t slot,
                                                std::size_t group, std::size_t i) {
   const TileNumber tile = area.tile_at(slot);

@@ -41,7 +41,7 @@ void Window::rule_out(std::size_t slot, const TileRuledOut& ruled_out) {
   tile.has_ruled_out = ruled_out != TileRuledOut{};
 }
 
-// A cell without a class has none whatever the map says, so that most masses need not be read.
+// A cell without a class keeps none, whatever the map says, so most masses need not be read.
 void Window::rename(Tile& tile, const TileRuledOut& ruled_out) {
   for (std::size_t group = 0; group < kGroupsPerTile; ++group) {
     const decision::Decided& decided = tile.decided[group];

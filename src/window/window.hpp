@@ -1,7 +1,8 @@
 // The world-aligned window: 32 by 32 tiles of the local frame around the vehicle.
 //
-// A tile that enters is unknown. It is cleared when something becomes known of it, and a group of
-// it when something becomes known of the group, so that moving the window costs a flag a tile.
+// A tile that enters the window is unknown. It is cleared when something becomes known in it, and
+// each of its groups when something becomes known in the group. So moving the window costs one flag
+// per tile.
 #pragma once
 
 #include <array>
@@ -16,45 +17,44 @@ namespace iog::window {
 
 class Window {
  public:
-  // Moves the window if the vehicle is too far from its middle (Area::following). A window of which
-  // nothing is known is centred on the vehicle.
+  // Moves the window if the vehicle is too far from its middle (Area::following). A window without
+  // content is centred on the vehicle.
   void follow(geometry::Cell vehicle);
 
-  // Nothing is known of any tile.
+  // Sets all tiles to unknown.
   void forget();
 
-  // Whether it has followed the vehicle since nothing was known.
+  // Whether the window has followed the vehicle since it was last cleared.
   [[nodiscard]] bool is_centred() const { return is_centred_; }
   [[nodiscard]] const Area& area() const { return area_; }
 
-  // Whether something was ever known of the tile at this slot.
+  // Whether the tile at this slot was ever known.
   [[nodiscard]] bool is_known(std::size_t slot) const { return is_known_[slot]; }
 
   [[nodiscard]] const Tile& tile(std::size_t slot) const { return tiles_[slot]; }
 
-  // The tile at a slot, to be changed; unknown before if nothing was known of it.
+  // Write access to the tile at a slot. An unknown tile is cleared first.
   Tile& open(std::size_t slot);
 
-  // What is remembered of the ground in the tile at a slot, to be changed. Something is known of
-  // it.
+  // Write access to the ground memory of the tile at a slot, which must be known.
   Ground& ground(std::size_t slot) { return tiles_[slot].ground; }
 
-  // By how many changes the tile at a slot came to be what it is, but for its ground. As long as it
-  // stays, the classes of its cells do; nothing sets it back.
+  // Number of changes to the tile at a slot, not counting its ground. While it does not change,
+  // neither do the classes of its cells. It is never reset.
   [[nodiscard]] std::uint32_t version(std::size_t slot) const { return versions_[slot]; }
 
-  // Nothing is known of the tile at a slot.
+  // Sets the tile at a slot to unknown.
   void close(std::size_t slot) { is_known_[slot] = false; }
 
-  // From now on the map rules this out in the tile at a slot, known or not, until it is said anew:
-  // its cells are renamed, by the masses of when they were decided. Nothing else changes.
+  // Sets the map classes ruled out in the tile at a slot, known or not, until the next call.
+  // Relabels its cells by the masses of their last decision. Changes nothing else.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
-  // What the cells of a group are called is again what their masses say, of when it was decided.
+  // Restores the classes of a group from its masses, as of its last decision.
   void name_anew(std::size_t slot, std::size_t group);
 
-  // Of the tile at a slot and of those around it what `plane_of` gives, where is_there(slot) says
-  // that it is; outside of the window, and where it is not, no bit is set.
+  // The planes that `plane_of` returns for the tile at a slot and its neighbours. Tiles outside the
+  // window, and tiles for which is_there(slot) is false, have no bit set.
   template <typename IsThere, typename PlaneOf>
   [[nodiscard]] NinePlanes around(std::size_t slot, IsThere&& is_there, PlaneOf&& plane_of) const {
     const TileNumber middle = area_.tile_at(slot);
@@ -69,7 +69,7 @@ class Window {
     return nine;
   }
 
-  // One of the planes of what was found.
+  // The same for a plane of Found.
   [[nodiscard]] NinePlanes around(std::size_t slot, Plane Found::*plane) const {
     return around(
         slot, [this](std::size_t at) { return is_known_[at]; },

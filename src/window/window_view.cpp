@@ -8,7 +8,7 @@
 namespace iog::window {
 namespace {
 
-// Of a class byte, which is never below 0.
+// A class byte is never below 0.
 std::uint32_t bit_of_class(std::byte byte) {
   return std::uint32_t{1} << std::to_integer<unsigned>(byte) / unsigned{decision::kSurenessCount};
 }

@@ -1,13 +1,13 @@
-// What items change in place, as it was before: so that an item that was left half done can be done
-// again from its start.
+// Undo log for tasks that change data in place. A task that was left half done can be undone and
+// repeated.
 //
-// Each helper has one image. It stores there what its item is about to change, says of which item
-// that is, and only then changes it. Before an item is done again, the image of the lost core
-// is put back if it is of this item; if none is, nothing was changed yet. Core 0 needs no image:
-// its items are never done again.
+// Each helper has one image. It copies there what its item is about to change, records the number
+// of the item, and only then changes the data. Before an item of a lost core is repeated, the image
+// is restored if it belongs to this item. If no image belongs to it, nothing was changed yet. Core
+// 0 needs no image, because its items are never repeated.
 //
-// Core 0 reads the image of a helper when that has ended. To a core's own stores its end is what a
-// signal is: what it stored first is there if what it stored later is. So it is enough that the
+// Core 0 reads a helper's image only after the helper has ended. The end acts like a signal: if a
+// later store of the helper is visible, so are its earlier stores. So it is enough that the
 // compiler keeps the order.
 #pragma once
 
@@ -21,27 +21,28 @@
 
 namespace iog::work {
 
-// What is stored before this is stored before what is stored after it, as core 0 sees it once this
-// core has ended.
+// Compiler barrier between stores of this core. Once the core has ended, core 0 sees all stores
+// before the barrier if it sees any after it.
 inline void keep_order() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
-// Belongs into static memory if the image is large.
+// Must be in static memory if the image is large.
 template <typename Image>
 class BeforeImages {
  public:
-  // Core 0, before a round that changes in place: no image is of any of its items.
+  // Core 0 calls it before a round that changes data in place. Clears all images.
   void begin() {
     for (Place& place : places_) {
       place.item.store(kNone, std::memory_order_relaxed);
     }
   }
 
-  // A core that has taken an item: where it makes its image. Null: it needs none.
+  // The image that a core fills after it has taken an item. Null if it needs none.
   [[nodiscard]] Image* of(std::size_t core) {
     return core == 0 ? nullptr : &places_[core - 1].image;
   }
 
-  // The image of this helper, not core 0, is made. From now on the item may change things.
+  // Called by a helper (not core 0) when its image is complete. After that the item may change
+  // data.
   void keep(std::size_t core, std::size_t item) {
     require(core > 0);
     keep_order();
@@ -49,8 +50,8 @@ class BeforeImages {
     keep_order();
   }
 
-  // Core 0, before it does an item: the image of the core that was lost in it. Null: nothing was
-  // changed.
+  // Core 0 calls it before it repeats an item. Returns the image of the core that was lost in it,
+  // or null if nothing was changed.
   [[nodiscard]] const Image* of_lost(std::size_t item) const {
     for (const Place& place : places_) {
       if (place.item.load(std::memory_order_relaxed) == item) {

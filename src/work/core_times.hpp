@@ -1,5 +1,5 @@
-// What each core has worked, in ticks modulo 2^32: each on a cache line of its own, which its core
-// alone writes and others may read.
+// Working time of each core, in ticks modulo 2^32. Each has a cache line of its own. Only its core
+// writes it, and others may read it.
 #pragma once
 
 #include <array>

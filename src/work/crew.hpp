@@ -1,6 +1,6 @@
-// The cores that do the items of a round: a team, a platform that has one, or core 0 alone.
+// The cores that run the tasks of a round: a team, a platform with a team, or core 0 alone.
 //
-// A reference, so that a room that divides its work need not know by whom it is done.
+// It is a reference, so a room that divides its work need not know who does it.
 #pragma once
 
 #include <concepts>
@@ -22,7 +22,7 @@ class Crew {
   // Core 0 alone.
   Crew() = default;
 
-  // sharer outlives the crew.
+  // sharer must outlive the crew.
   template <Sharer S>
   explicit Crew(S& sharer)
       : sharer_(&sharer),
@@ -31,16 +31,16 @@ class Crew {
           static_cast<S*>(its)->share(items, work, beside);
         }) {}
 
-  // How many cores may work now, core 0 included.
+  // The number of cores that may work now, core 0 included.
   [[nodiscard]] std::size_t cores() const { return sharer_ == nullptr ? 1 : cores_(sharer_); }
   [[nodiscard]] bool is_one() const { return cores() == 1; }
 
-  // Does every item, at most Round::kMaxItems: do_item(item, core). Returns when all are done.
+  // Calls do_item(item, core) for every item, at most Round::kMaxItems. Returns when all are done.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item) const {
     share_work(items, work_of(do_item), Beside{});
   }
-  // The same, and core 0 does what is beside them, once.
+  // The same, and core 0 also runs `beside` once.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item, Beside beside) const {
     share_work(items, work_of(do_item), beside);
@@ -60,7 +60,8 @@ class Crew {
   void (*share_)(void* sharer, std::size_t items, Work work, Beside beside) = nullptr;
 };
 
-// How many items hold so many things, if each holds `in_each` but perhaps the last.
+// The number of items for this many things, if each item holds `in_each` of them, except perhaps
+// the last.
 [[nodiscard]] constexpr std::size_t items_of(std::size_t things, std::size_t in_each) {
   return (things + in_each - 1) / in_each;
 }

@@ -6,7 +6,7 @@ namespace iog::work {
 
 static_assert(Round::kMaxItems <= 0xFFFF, "the ticket has 16 bits for them");
 
-// The flags are down and the work is written before the ticket says that there is any.
+// Clears the flags and writes the work before the ticket announces the items.
 void Round::open(std::size_t items, Work work) {
   require(items <= kMaxItems && look().left() == 0);
   for (std::size_t item = 0; item < items; ++item) {
@@ -20,8 +20,8 @@ void Round::open(std::size_t items, Work work) {
                 std::memory_order_release);
 }
 
-// Acquires the work that core 0 wrote, and releases that this core is at work, so that core 0 finds
-// it when all items are taken.
+// Acquires the work that core 0 wrote. Releases the store that marks this core as busy, so that
+// core 0 sees it once all items are taken.
 std::optional<std::size_t> Round::claim(Ticket& seen) {
   const std::size_t left = seen.left();
   if (left == 0 ||

@@ -1,14 +1,14 @@
-// A round: work cut into items that any core may take, each of which is done.
+// A round: work split into items that any core may take. Every item gets done.
 //
-// One word, the ticket, says which round it is and how many items are not taken yet. A core takes
-// an item by lowering the ticket (LDREX and STREX on the Cortex-A9), does it, and sets the item's
-// flag. Core 0 opens a round when every item of the round before has its flag, so what a core reads
-// of a round between taking an item and its flag stays as it is. docs/cores.md has the order of
-// memory.
+// One word, the ticket, contains the number of the round and how many items are left. A core takes
+// an item by decrementing the ticket (LDREX and STREX on the Cortex-A9), runs the item and sets its
+// flag. Core 0 opens a round only when every item of the previous round has its flag. So the data
+// of a round do not change between taking an item and setting its flag. docs/cores.md describes the
+// memory order.
 //
-// Items may be done in any order and at the same time, so none may write what another reads or
-// writes. An item may also be begun by a core that is then stopped, and done again by core 0 from
-// its start: so none may read what it writes itself, unless it has written it before.
+// Items may run in any order and at the same time, so no item may write what another reads or
+// writes. A core may also be stopped within an item, which core 0 then repeats from its start. So
+// no item may read its own output, unless it has written it before.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@
 
 namespace iog::work {
 
-// What is done with each item, and which core does it.
+// The function that runs each item, with the number of the core that runs it.
 struct Work {
   void (*run)(void* context, std::size_t item, std::size_t core) = nullptr;
   void* context = nullptr;
 };
 
-// What core 0 does beside a round, once, before it takes items. It writes nothing that an item
-// reads, and reads nothing that an item writes; core 0 is never lost, so it is not done again.
+// A task that core 0 runs once, before it takes items. It must not write what an item reads, nor
+// read what an item writes. Core 0 is never lost, so the task is never repeated.
 struct Beside {
   void (*run)(void* context) = nullptr;
   void* context = nullptr;
@@ -38,7 +38,7 @@ struct Beside {
   }
 };
 
-// All of it on core 0.
+// Runs everything on core 0.
 inline void do_alone(std::size_t items, Work work, Beside beside = {}) {
   beside();
   for (std::size_t item = 0; item < items; ++item) {
@@ -46,7 +46,7 @@ inline void do_alone(std::size_t items, Work work, Beside beside = {}) {
   }
 }
 
-// A callable object as work; it outlives the round.
+// A callable as Work. It must outlive the round.
 template <typename Callable>
 [[nodiscard]] Work work_of(Callable& callable) {
   return {.run = [](void* context, std::size_t item,
@@ -54,14 +54,15 @@ template <typename Callable>
           .context = &callable};
 }
 
-// The same of what is done beside.
+// The same for Beside.
 template <typename Callable>
 [[nodiscard]] Beside beside_of(Callable& callable) {
   return {.run = [](void* context) { (*static_cast<Callable*>(context))(); }, .context = &callable};
 }
 
-// Adds to what one core alone counts and others may read. A load and a store, because no other core
-// writes in between; so there is no exclusive access that could follow a store to a device.
+// Adds to a counter that only one core writes and others may read. A load and a store are enough,
+// because no other core writes in between. They also avoid an exclusive access, which could follow
+// a store to a device.
 inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
 }
@@ -70,7 +71,7 @@ class Round {
  public:
   static constexpr std::size_t kMaxItems = 1024;
 
-  // Which round, modulo 2^16, and how many of its items are left to take.
+  // The number of the round, modulo 2^16, and the number of items left.
   struct Ticket {
     std::uint32_t word = 0;
 
@@ -78,33 +79,33 @@ class Round {
     [[nodiscard]] std::size_t left() const { return word & 0xFFFFU; }
   };
 
-  // Core 0, when the round before is done: begins one of at most kMaxItems items.
+  // Core 0 calls it when the previous round is done. Begins a round of at most kMaxItems items.
   void open(std::size_t items, Work work);
 
-  // Any core. look() tells the ticket of now. claim() takes an item if the ticket is still the one
-  // that was seen and there is one left; if not, `seen` becomes the ticket of now.
+  // For any core. look() returns the current ticket. claim() takes an item if the ticket has not
+  // changed and an item is left. Otherwise `seen` becomes the current ticket.
   [[nodiscard]] Ticket look() const { return {ticket_.load(std::memory_order_acquire)}; }
   [[nodiscard]] std::optional<std::size_t> claim(Ticket& seen);
-  // By the core that claimed the item.
+  // For the core that claimed the item.
   void run(std::size_t item, std::size_t core) { work_.run(work_.context, item, core); }
   void finish(std::size_t item) { is_done_[item].store(true, std::memory_order_release); }
 
-  // This core: does items until none is left, and returns the ticket that said so. Adds to `done`,
-  // which this core alone writes, what it did.
+  // Runs items on this core until none is left, and returns the last ticket. Adds the number of
+  // items to `done`, which only this core may write.
   Ticket help(std::size_t core, std::atomic<std::uint32_t>& done);
 
-  // Core 0: whether every item has its flag. What was stored for them is then visible.
+  // For core 0: whether every item has its flag. If so, all stores of the items are visible.
   [[nodiscard]] bool is_done();
 
-  // Core 0, when no other core does items any more: does those without a flag. Returns how many.
+  // Core 0 calls it when no other core runs items. Runs those without a flag, and returns how many.
   std::size_t redo();
 
  private:
-  // On one cache line: a core that takes an item needs the work next. Behind the ticket all is
-  // written by core 0 alone, while no item is left to take.
+  // On one cache line, because a core that takes an item needs the work next. Only core 0 writes
+  // the members after the ticket, while no item is left.
   alignas(64) std::atomic<std::uint32_t> ticket_{0};
   std::size_t items_ = 0;
-  std::size_t checked_ = 0;  // of core 0: the items below it have their flags
+  std::size_t checked_ = 0;  // for core 0: all items below this one have their flags
   Work work_;
   alignas(64) std::array<std::atomic<bool>, kMaxItems> is_done_{};
 };

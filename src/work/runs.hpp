@@ -1,8 +1,9 @@
-// Things cut into runs, each an item of a round: long ones first, then shorter and shorter ones.
+// Splits things into runs, each an item of a round. The first runs are long, later ones shorter and
+// shorter.
 //
-// Cores take items in their order. So there are few of them, and the last ones are
-// short enough that no core waits long: guided self-scheduling (Polychronopoulos and Kuck, IEEE
-// Transactions on Computers C-36, 1987), with half of its share.
+// Cores take the runs in order. So there are few runs, and the last ones are short enough that no
+// core waits long. This is guided self-scheduling (Polychronopoulos and Kuck, IEEE Transactions on
+// Computers C-36, 1987), with runs half as long.
 #pragma once
 
 #include <algorithm>
@@ -25,11 +26,11 @@ struct Run {
 class Runs {
  public:
   struct Lengths {
-    std::size_t shortest = 1;  // at least 1; only the last run of all may be shorter
+    std::size_t shortest = 1;  // at least 1; only the last run may be shorter
     std::size_t longest = Round::kMaxItems;
   };
 
-  // At most Round::kMaxItems things.
+  // things: at most Round::kMaxItems.
   Runs(std::size_t things, Lengths lengths) {
     require(things <= Round::kMaxItems && lengths.shortest > 0);
     for (std::size_t first = 0; first < things;) {
@@ -47,7 +48,7 @@ class Runs {
 
  private:
   std::size_t count_ = 0;
-  std::array<std::uint16_t, Round::kMaxItems> ends_;  // of the first `count_` alone
+  std::array<std::uint16_t, Round::kMaxItems> ends_;  // only the first `count_` are valid
 };
 
 }  // namespace iog::work

@@ -1,9 +1,9 @@
-// The cores that work together: core 0, which deals out rounds, and the helpers.
+// The cores that work together: core 0, which opens rounds, and the helpers.
 //
-// Core 0 takes items like any helper, so a round ends without any of them. A helper that faults or
-// hangs in an item is ended and never asked again, and core 0 does its item. One that does not come
-// holds none, and may come later. So nothing but time is lost. No wait is longer than the patience,
-// unless items are.
+// Core 0 takes items like any helper, so a round ends even without helpers. A helper that faults or
+// hangs in an item is ended and never used again, and core 0 runs its item. A helper that does not
+// answer a wake-up holds no item, and may answer later. So losing a core only costs time. No wait
+// is longer than the patience, unless an item is.
 #pragma once
 
 #include <algorithm>
@@ -25,17 +25,17 @@ enum class Loss : std::uint8_t {
   kNotAsked,  // the machine does not have it, or fewer were wanted
   kNotUp,     // it did not come up
   kFaulted,   // an exception or a broken requirement ended it
-  kStuck,     // it did not end what it had begun
-  kSilent,    // it was woken and has not come yet; it is woken again
+  kStuck,     // it did not finish its item
+  kSilent,    // it has not answered a wake-up yet, and is woken again
 };
 
-// Since the start, modulo 2^32.
+// Since start, modulo 2^32.
 struct TeamCounts {
-  std::uint32_t at_work = 0;                          // cores, now
-  std::uint32_t for_lost = 0;                         // items that core 0 did for lost ones
+  std::uint32_t at_work = 0;                          // cores at work now
+  std::uint32_t for_lost = 0;                         // items of lost cores that core 0 did
   std::array<std::uint32_t, hal::kMaxCores> items{};  // done by each core
 
-  // In the stream (stream/target_table.hpp).
+  // Names in the stream (stream/target_table.hpp).
   static constexpr auto kNames =
       std::to_array<std::string_view>({"cores at work", "items for lost cores", "items of core 0",
                                        "items of core 1", "items of core 2", "items of core 3"});
@@ -44,8 +44,8 @@ struct TeamCounts {
 template <hal::Cores C>
 class Team {
  public:
-  // cores outlive the team. patience_us: how long a helper may take for what all others have done,
-  // and to come when it is woken; longer than any item.
+  // cores must outlive the team. patience_us: how long a helper may take to answer a wake-up, or to
+  // finish its item after all others have finished. It must be longer than any item.
   Team(C& cores, std::uint32_t patience_us) : cores_(&cores), patience_us_(patience_us) {
     loss_.fill(Loss::kNotAsked);
     loss_[0] = Loss::kNone;
@@ -53,8 +53,8 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  // Once: starts helpers until `wanted` cores work, core 0 included, if there are as many. How many
-  // do.
+  // Call it once. Starts helpers until `wanted` cores work, core 0 included, as far as the machine
+  // has them. Returns how many work.
   std::size_t start(std::size_t wanted) {
     const std::size_t count = std::min(wanted, cores_->count());
     for (std::size_t core = 1; core < hal::kMaxCores && core < count; ++core) {
@@ -65,8 +65,8 @@ class Team {
     return cores();
   }
 
-  // Does every item, on whatever core, and returns when all are done. Core 0 does what is beside
-  // them first, while helpers begin.
+  // Runs every item on any core, and returns when all are done. Core 0 runs `beside` first, while
+  // helpers begin.
   void share(std::size_t items, Work work, Beside beside = {}) {
     look_around();
     if (items < 2 || cores() == 1) {
@@ -82,14 +82,14 @@ class Team {
     redone_ += static_cast<std::uint32_t>(round_.redo());
   }
 
-  // Between rounds: wakes every helper that may come, though there is nothing to do, so that
-  // comes() can tell which live.
+  // Call it between rounds. Wakes every available helper without work, so that comes() shows which
+  // of them are alive.
   void call() {
     lose_faulted();
     for_each_helper([this](std::size_t core) { cores_->wake(core); });
   }
 
-  // How many cores work or may come, core 0 included.
+  // The number of cores that work or may answer, core 0 included.
   [[nodiscard]] std::size_t cores() const {
     std::size_t cores = 0;
     for (std::size_t core = 0; core < loss_.size(); ++core) {
@@ -102,16 +102,17 @@ class Team {
     return cores_->last_word(core);
   }
 
-  // Whether a helper should come when it is woken: it is up, and not known to be gone.
+  // Whether a helper should answer a wake-up: it is up, and not known to be lost.
   [[nodiscard]] bool is_asked(std::size_t core) const {
     return loss_[core] == Loss::kNone || loss_[core] == Loss::kSilent;
   }
-  // Since the start, modulo 2^32: how often a helper came when it was woken, and has gone again.
+  // How often a helper has answered a wake-up and gone idle again. Since start, modulo 2^32.
   [[nodiscard]] std::uint32_t comes(std::size_t core) const {
     return seats_[core].comes.load(std::memory_order_relaxed);
   }
 
-  // Since the start, modulo 2^32: what a core has done, and what core 0 did for lost ones.
+  // The items that a core has done, and those of lost cores that core 0 did. Since start, modulo
+  // 2^32.
   [[nodiscard]] std::uint32_t items(std::size_t core) const {
     return seats_[core].items.load(std::memory_order_relaxed);
   }
@@ -126,10 +127,10 @@ class Team {
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }
 
  private:
-  // Beyond the numbers of rounds: the helper looks for items.
+  // Not the number of a round: the helper is looking for items.
   static constexpr std::uint32_t kInside = 1U << 16;
 
-  // Written by its core alone, on a cache line of its own.
+  // Only its own core writes it. It has a cache line of its own.
   struct alignas(64) Seat {
     std::atomic<std::uint32_t> place{0};  // kInside, or the round that it found without items
     std::atomic<std::uint32_t> items{0};
@@ -139,7 +140,7 @@ class Team {
   static void help_from(void* context, std::size_t core) {
     Team& team = *static_cast<Team*>(context);
     Seat& seat = team.seats_[core];
-    // Released by claiming the first item.
+    // Claiming the first item releases this store.
     seat.place.store(kInside, std::memory_order_relaxed);
     const Round::Ticket last = team.round_.help(core, seat.items);
     count_up(seat.comes, 1);
@@ -155,8 +156,8 @@ class Team {
     }
   }
 
-  // A helper that has ended is lost; one that did not come in time when it was woken is silent. One
-  // that has come is about to be woken again.
+  // A helper that has ended is lost. One that did not answer its wake-up in time is silent. One
+  // that has answered is about to be woken again.
   void look_around() {
     const std::uint64_t now_us = cores_->now_us();
     lose_faulted();
@@ -181,8 +182,8 @@ class Team {
     });
   }
 
-  // Until every item is done or no helper is left that does one. All are taken by now, and a helper
-  // that has one is inside.
+  // Waits until every item is done, or no helper is still running one. All items are taken by now,
+  // and a helper with an item is inside.
   void wait() {
     const std::uint64_t begin_us = cores_->now_us();
     bool is_anyone_inside = true;
@@ -201,7 +202,8 @@ class Team {
     }
   }
 
-  // A core that cannot be ended could write over what is done in its place: then the run ends.
+  // A core that cannot be stopped could overwrite the repeated item's output. In that case the run
+  // ends.
   void lose_stuck() {
     for_each_helper([this](std::size_t core) {
       if (place(core) == kInside) {
